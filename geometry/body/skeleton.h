@@ -1,0 +1,36 @@
+// The joints of a body and the segments between them: plain data, no geometry.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/types.h"
+
+namespace toile {
+
+/// A straight bone between two named joints. `part` is one of body_parts.
+struct Segment {
+  std::string part;
+  std::string from;
+  std::string to;
+};
+
+/// Joints in metres, in the body's own frame: y up, feet on y = 0, facing +z, the wearer's left +x.
+///
+/// Joint names: pelvis (at crotch height), waist, chest (at armpit height), neck (its base),
+/// head (top); and left_/right_ with shoulder, elbow, wrist, hip, knee, ankle.
+/// Segments run away from the pelvis: torso pelvis-waist-chest-neck; head neck-head; each arm
+/// shoulder-elbow-wrist; each leg hip-knee-ankle.
+struct Skeleton {
+  std::map<std::string, Vec3> joints;
+  std::vector<Segment> segments;
+
+  const Vec3& joint(const std::string& name) const { return joints.at(name); }
+};
+
+inline constexpr std::array<std::string_view, 6> body_parts = {
+    "torso", "head", "left_arm", "right_arm", "left_leg", "right_leg"};
+
+}  // namespace toile

@@ -1,0 +1,41 @@
+// How far a point is from the body, and on which side.
+#pragma once
+
+#include <memory>
+
+#include "geometry/types.h"
+
+namespace toile {
+
+/// The nearest point of the body to a query point.
+struct BodyPoint {
+  double distance = 0;  ///< metres; negative inside the body
+  Vec3 point;           ///< on the body's surface
+  Vec3 normal;          ///< outward, of unit length; of the nearest face, edge or vertex
+  int triangle = 0;     ///< index into the body's triangles
+};
+
+/// Exact distances to a body surface, through an AABB tree. The sign comes from the
+/// angle-weighted normal of the nearest feature [Baerentzen & Aanaes 2005], so the body has to be
+/// closed and outward-oriented. Queries are const and may run in several threads at once.
+/// Building is O(n log n) in the triangles, a query about O(log n).
+class BodyDistance {
+ public:
+  /// Throws Error when `body` has no triangles.
+  explicit BodyDistance(const TriangleMesh& body);
+  ~BodyDistance();
+  BodyDistance(BodyDistance&&) noexcept;
+  BodyDistance& operator=(BodyDistance&&) noexcept;
+
+  BodyPoint nearest(const Vec3& query) const;
+  /// As nearest(), when `hint` is a body point known to be near: faster, the same answer.
+  BodyPoint nearest(const Vec3& query, const Vec3& hint) const;
+
+  const TriangleMesh& body() const;
+
+ private:
+  struct Tree;
+  std::unique_ptr<Tree> tree_;
+};
+
+}  // namespace toile

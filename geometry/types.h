@@ -1,0 +1,29 @@
+// The plain data that every room shares: points, triangles, polygon soups.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+namespace toile {
+
+using Vec2 = Eigen::Vector2d;
+using Vec3 = Eigen::Vector3d;
+
+/// Three point indices, counter-clockwise seen from outside.
+using Triangle = std::array<int, 3>;
+
+/// A triangle mesh in metres. Every index in `triangles` is in [0, points.size()).
+struct TriangleMesh {
+  std::vector<Vec3> points;
+  std::vector<Triangle> triangles;
+};
+
+/// What a mesh file holds before anything is known of it: polygons of any size, in any order, in
+/// the file's own unit. Every index is in [0, points.size()).
+struct PolygonSoup {
+  std::vector<Vec3> points;
+  std::vector<std::vector<int>> polygons;
+};
+
+}  // namespace toile

@@ -1,0 +1,36 @@
+// Files written whole or not at all, files read whole.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+
+namespace toile {
+
+/// Writes to a temporary file beside `path`; commit() renames it onto `path`. A run that is killed,
+/// or that throws before commit(), leaves `path` as it was. Throws Error when the folder can't be
+/// written or the disk is full.
+class OutputFile {
+ public:
+  explicit OutputFile(std::filesystem::path path);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  std::ostream& stream() { return stream_; }
+  void commit();
+
+ private:
+  std::filesystem::path path_;
+  std::filesystem::path temporary_;
+  std::ofstream stream_;
+};
+
+/// Writes `content` to `path`, whole or not at all. Throws Error as OutputFile does.
+void write_file(const std::filesystem::path& path, std::string_view content);
+
+/// The whole file. Throws Error when it is missing, a folder, or can't be read.
+std::string read_file(const std::filesystem::path& path);
+
+}  // namespace toile

@@ -1,0 +1,36 @@
+// Garments on disk: garment.obj with garment.json beside it, and dressed.obj.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "pattern/panel_mesh.h"
+
+namespace toile {
+
+/// garment.obj: one group a panel, v the placed points, vt the flat coordinates in metres (one for
+/// each v, in the same order), l the seam pairs. garment.json of the same stem: panels with their
+/// ranges, grain, fabric and part; seams with their pairs and lengths; subdivisions.
+void write_garment(const std::filesystem::path& obj, const PanelMesh& garment);
+
+/// Reads what write_garment wrote, also after another program has moved the points. `json` empty:
+/// the file of the same stem. Throws Error, naming the file, when the two do not fit together.
+PanelMesh read_garment(const std::filesystem::path& obj, const std::filesystem::path& json = {});
+
+/// A dressed garment: faces in the garment's order, sewn points shared.
+struct DressedGarment {
+  std::vector<Vec3> points;             ///< nodes, metres
+  std::vector<Triangle> triangles;      ///< of nodes
+  std::vector<Vec2> flat;               ///< material points' flat coordinates, metres
+  std::vector<Triangle> flat_triangles; ///< of material points, as many as `triangles`
+  std::vector<std::string> panels;      ///< names
+  std::vector<int> panel_of_triangle;   ///< index into `panels`
+};
+
+void write_dressed(const std::filesystem::path& obj, const DressedGarment& garment);
+
+/// Throws Error when a face has no vt, is no triangle, or belongs to no group.
+DressedGarment read_dressed(const std::filesystem::path& obj);
+
+}  // namespace toile

@@ -1,0 +1,50 @@
+// A garment as meshed panels: what the pattern room hands to the cloth room.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/types.h"
+
+namespace toile {
+
+/// One flat pattern piece as meshed. Its material points and triangles are contiguous ranges.
+struct MeshedPanel {
+  std::string name;
+  std::string part;    ///< body part it is placed at, one of body_parts; empty: find it by position
+  std::string fabric;  ///< name of its fabric; empty: the garment's
+  double grain = 0;    ///< angle of the warp direction against the flat +y axis, radians
+  int first_point = 0;
+  int points = 0;
+  int first_triangle = 0;
+  int triangles = 0;
+};
+
+/// Two outline edges that are sewn together; side a's i-th point meets side b's i-th.
+struct MeshedSeam {
+  std::string name;          ///< "panel.edge-panel.edge" unless the pattern names it
+  std::vector<int> a;        ///< material points along side a, at least two
+  std::vector<int> b;        ///< as many along side b
+  double length_a = 0;       ///< of the pattern's curve, metres
+  double length_b = 0;
+};
+
+/// Panels as triangulated, before anything is sewn. A *material point* belongs to one panel and
+/// has flat coordinates there; where panels are sewn, two material points share one node.
+///
+/// The triangulation is nested: with `subdivisions` = n, every run of four triangles
+/// 4t..4t+3 splits triangle t of the next coarser level into corner, corner, corner, centre:
+/// child i keeps the parent's corner i at its index i, and child 3 is (m01, m12, m20), so child 0
+/// is (c0, m01, m20), child 1 (m01, c1, m12), child 2 (m20, m12, c2). Within a panel the points of
+/// a coarser level come before those of a finer one. n = 0 says that nothing is known of nesting.
+struct PanelMesh {
+  std::vector<Vec2> flat;    ///< metres, per material point
+  std::vector<Vec3> placed;  ///< metres, per material point, where the pattern puts it in space
+  std::vector<Triangle> triangles;  ///< of material points, counter-clockwise in flat coordinates
+  std::vector<MeshedPanel> panels;  ///< in order of their ranges
+  std::vector<MeshedSeam> seams;
+  int subdivisions = 0;
+  double edge_length = 0;  ///< the length asked for, metres; 0: not known
+};
+
+}  // namespace toile

@@ -1,0 +1,108 @@
+#include "tools/program.h"
+
+#include <oneapi/tbb/global_control.h>
+
+#include <cmath>
+#include <iostream>
+#include <map>
+
+#include "geometry/error.h"
+
+namespace toile {
+
+namespace po = boost::program_options;
+
+void CommonSettings::say(const std::string& line) const {
+  if (!quiet) std::cerr << line << '\n';
+}
+
+void CommonSettings::warn(const std::string& line) { std::cerr << "warning: " << line << '\n'; }
+
+namespace {
+
+po::options_description common_options() {
+  po::options_description common("Every program's options");
+  common.add_options()("output,o", po::value<std::string>(), "the file to write")(
+      "report", po::value<std::string>(), "write what was done and measured, as JSON")(
+      "threads", po::value<int>()->default_value(0),
+      "threads to use, 0 for all; the result is the same for any number")(
+      "quiet,q", po::bool_switch(), "say nothing but warnings and errors")(
+      "help,h", "this text")("version", "the version");
+  return common;
+}
+
+int usage_error(const Program& program, const std::string& problem) {
+  std::cerr << program.name << ": " << problem << "\nusage: " << program.name << ' '
+            << program.usage << "\n       " << program.name << " --help\n";
+  return exit_usage;
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv, Program& program) {
+  po::options_description all;
+  const po::options_description common = common_options();
+  all.add(program.options).add(common);
+  po::variables_map given;
+  CommonSettings settings;
+  try {
+    po::store(
+        po::command_line_parser(argc, argv).options(all).positional(program.positional).run(),
+        given);
+    if (given.count("help") != 0) {
+      // Positional arguments stand in the usage line, not in the list of options.
+      std::cout << program.name << ": " << program.summary << "\n\nusage: " << program.name << ' '
+                << program.usage << "\n\n"
+                << program.options << '\n'
+                << common;
+      return exit_done;
+    }
+    if (given.count("version") != 0) {
+      std::cout << program.name << " (Toile) " << TOILE_VERSION << '\n';
+      return exit_done;
+    }
+    po::notify(given);
+    if (given.count("output") == 0) return usage_error(program, "-o FILE is missing");
+    settings.output = given["output"].as<std::string>();
+    if (given.count("report") != 0) settings.report = given["report"].as<std::string>();
+    settings.threads = given["threads"].as<int>();
+    settings.quiet = given["quiet"].as<bool>();
+    if (settings.threads < 0) return usage_error(program, "--threads is negative");
+  } catch (const po::error& wrong) {
+    return usage_error(program, wrong.what());
+  }
+
+  std::optional<tbb::global_control> limit;
+  if (settings.threads > 0) {
+    limit.emplace(tbb::global_control::max_allowed_parallelism,
+                  static_cast<std::size_t>(settings.threads));
+  }
+  try {
+    return program.work(given, settings);
+  } catch (const std::bad_alloc&) {
+    std::cerr << program.name << ": error: out of memory; use a coarser mesh\n";
+  } catch (const std::exception& failed) {
+    std::cerr << program.name << ": error: " << failed.what() << '\n';
+  }
+  return exit_error;
+}
+
+double parse_length(const std::string& text, const std::string& option) {
+  static const std::map<std::string, double> metres = {
+      {"m", 1.0}, {"dm", 0.1}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}, {"", 1.0}};
+  std::size_t used = 0;
+  double value = 0;
+  try {
+    value = std::stod(text, &used);
+  } catch (const std::exception&) {
+    used = 0;
+  }
+  const auto unit = metres.find(text.substr(used));
+  if (used == 0 || unit == metres.end() || !std::isfinite(value) || value <= 0) {
+    throw Error(option, "'" + text + "' is not a length",
+                "give a positive number with m, dm, cm, mm or in, such as 10mm");
+  }
+  return value * unit->second;
+}
+
+}  // namespace toile

@@ -1,0 +1,52 @@
+// What all programs have in common: the shared options, messages and exit codes.
+#pragma once
+
+#include <boost/program_options.hpp>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace toile {
+
+/// Exit codes of every program.
+enum ExitCode : int {
+  exit_done = 0,
+  exit_error = 1,     ///< input or processing error; one message on stderr
+  exit_usage = 2,     ///< wrong options
+  exit_negative = 3,  ///< done and written, but the verdict is negative
+};
+
+/// The options that every program has.
+struct CommonSettings {
+  std::filesystem::path output;                 ///< -o
+  std::optional<std::filesystem::path> report;  ///< --report
+  int threads = 0;                              ///< --threads; 0: as many as the machine has
+  bool quiet = false;                           ///< -q
+
+  /// A line for the user on stderr, unless -q. stdout is for data alone.
+  void say(const std::string& line) const;
+  /// A warning on stderr, -q or not.
+  static void warn(const std::string& line);
+};
+
+/// What a program is: its name, a line that says what it does, how it is called, its own options
+/// and positional arguments, and its work, which returns an exit code.
+struct Program {
+  std::string name;
+  std::string summary;
+  std::string usage;  ///< the arguments, without the program's name
+  boost::program_options::options_description options{"Options"};
+  boost::program_options::positional_options_description positional;
+  std::function<int(const boost::program_options::variables_map&, const CommonSettings&)> work;
+};
+
+/// Parses the command line, answers --help and --version, limits the threads, runs the program's
+/// work, turns exceptions into one message and the exit code that belongs to it. -o is required.
+int run_program(int argc, char** argv, Program& program);
+
+/// A length with its unit ("10mm", "1.5cm", "0.01m"; a bare number is metres), in metres.
+/// Throws Error, naming `option`, when it is not a positive length.
+double parse_length(const std::string& text, const std::string& option);
+
+}  // namespace toile
