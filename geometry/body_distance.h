@@ -21,15 +21,15 @@ struct BodyPoint {
 /// Building is O(n log n) in the triangles, a query about O(log n).
 class BodyDistance {
  public:
-  /// Throws Error when `body` has no triangles.
+  /// Keeps a copy of the body. Throws Error when it has no triangles.
   explicit BodyDistance(const TriangleMesh& body);
   ~BodyDistance();
   BodyDistance(BodyDistance&&) noexcept;
   BodyDistance& operator=(BodyDistance&&) noexcept;
 
   BodyPoint nearest(const Vec3& query) const;
-  /// As nearest(), when `hint` is a body point known to be near: faster, the same answer.
-  BodyPoint nearest(const Vec3& query, const Vec3& hint) const;
+  /// As nearest(), starting from an answer known to be near: faster, the same distance.
+  BodyPoint nearest(const Vec3& query, const BodyPoint& hint) const;
 
   const TriangleMesh& body() const;
 
