@@ -24,11 +24,11 @@ struct ObjFace {
 
 /// All indices count from 0 here, whatever the file counts from.
 struct ObjData {
-  std::vector<std::string> comments;  ///< `#` lines put at the top when written; not read
-  std::vector<Vec3> points;           ///< v
-  std::vector<Vec2> texture;          ///< vt
-  std::vector<std::string> groups;    ///< g (or o), in the order of first use
-  std::vector<ObjFace> faces;         ///< f
+  std::vector<std::string> comments;      ///< `#` lines put at the top when written; not read
+  std::vector<Vec3> points;               ///< v
+  std::vector<Vec2> texture;              ///< vt
+  std::vector<std::string> groups;        ///< g (or o), in the order of first use
+  std::vector<ObjFace> faces;             ///< f
   std::vector<std::array<int, 2>> lines;  ///< l a b, longer lines cut into pairs
 };
 

@@ -1,0 +1,379 @@
+#include "io/ray_image.h"
+
+#include <embree3/rtcore.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/error.h"
+
+namespace toile {
+
+namespace {
+
+constexpr int samples = 2;  // a pixel is cut into samples x samples
+constexpr Colour background{251 / 255.0, 251 / 255.0, 250 / 255.0};
+
+/// What shading needs to know of a point: its normal, and how open the sky is on either side.
+struct PointLook {
+  Vec3 normal = Vec3::UnitY();
+  double open_front = 1;
+  double open_back = 1;
+};
+
+struct Light {
+  double red = 0;
+  double green = 0;
+  double blue = 0;
+};
+
+struct Sample {
+  float red = 0;
+  float green = 0;
+  float blue = 0;
+  std::int32_t region = -1;  // -1 is the background
+};
+
+Light light_of(const Colour& colour) {
+  return {to_light(colour.red), to_light(colour.green), to_light(colour.blue)};
+}
+
+/// Directions spread evenly over the sphere, on a golden-angle spiral.
+std::vector<Vec3> sphere_directions(int count) {
+  std::vector<Vec3> directions;
+  const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
+  for (int i = 0; i < count; ++i) {
+    const double y = 1 - 2 * (i + 0.5) / count;
+    const double r = std::sqrt(1 - y * y);
+    directions.emplace_back(r * std::cos(golden * i), y, r * std::sin(golden * i));
+  }
+  return directions;
+}
+
+/// Normals weighted by the angle at the point.
+std::vector<PointLook> point_normals(const TriangleMesh& mesh) {
+  std::vector<PointLook> looks(mesh.points.size());
+  for (PointLook& look : looks) look.normal.setZero();
+  for (const Triangle& triangle : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3& p = mesh.points[static_cast<std::size_t>(triangle[i])];
+      const Vec3 a = mesh.points[static_cast<std::size_t>(triangle[(i + 1) % 3])] - p;
+      const Vec3 b = mesh.points[static_cast<std::size_t>(triangle[(i + 2) % 3])] - p;
+      const Vec3 across = a.cross(b);
+      const double size = across.norm();
+      if (size == 0) continue;
+      looks[static_cast<std::size_t>(triangle[i])].normal +=
+          across * (std::atan2(size, a.dot(b)) / size);
+    }
+  }
+  for (PointLook& look : looks) {
+    if (look.normal.norm() > 0) look.normal.normalize();
+  }
+  return looks;
+}
+
+RTCRay ray_of(const Vec3& origin, const Vec3& direction, double from, double to) {
+  RTCRay ray{};
+  ray.org_x = static_cast<float>(origin.x());
+  ray.org_y = static_cast<float>(origin.y());
+  ray.org_z = static_cast<float>(origin.z());
+  ray.dir_x = static_cast<float>(direction.x());
+  ray.dir_y = static_cast<float>(direction.y());
+  ray.dir_z = static_cast<float>(direction.z());
+  ray.tnear = static_cast<float>(from);
+  ray.tfar = static_cast<float>(to);
+  ray.mask = ~0U;
+  return ray;
+}
+
+}  // namespace
+
+struct RayScene::Data {
+  std::vector<PictureMesh> meshes;
+  std::vector<std::vector<PointLook>> looks;
+  std::vector<std::vector<Light>> lights;  // one a triangle, or one for the mesh
+  std::vector<std::int32_t> first_region;  // makes the meshes' regions distinct
+  Eigen::AlignedBox3d box;
+  RTCDevice device = nullptr;
+  RTCScene scene = nullptr;
+
+  ~Data() {
+    if (scene != nullptr) rtcReleaseScene(scene);
+    if (device != nullptr) rtcReleaseDevice(device);
+  }
+
+  void add_to_embree(const TriangleMesh& mesh);
+  void find_openness();
+  Light surface_light(std::size_t mesh, std::size_t triangle, double u, double v) const;
+  Sample shade(const RTCRayHit4& hit, std::size_t lane, const Vec3& towards_key) const;
+};
+
+void RayScene::Data::add_to_embree(const TriangleMesh& mesh) {
+  const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* points = static_cast<float*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                              3 * sizeof(float), std::max<std::size_t>(mesh.points.size(), 1)));
+  auto* corners = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned),
+      std::max<std::size_t>(mesh.triangles.size(), 1)));
+  if (points == nullptr || corners == nullptr) throw std::bad_alloc();
+  std::fill_n(points, 3, 0.0F);
+  std::fill_n(corners, 3, 0U);
+  for (const Vec3& point : mesh.points) {
+    for (int k = 0; k < 3; ++k) *points++ = static_cast<float>(point[k]);
+  }
+  for (const Triangle& triangle : mesh.triangles) {
+    for (const int corner : triangle) *corners++ = static_cast<unsigned>(corner);
+  }
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(scene, geometry);
+  rtcReleaseGeometry(geometry);
+}
+
+/// How much of the half sphere over each point, weighted by the cosine, meets nothing near. All
+/// points use the same directions: the error is then smooth over the surface instead of noise.
+void RayScene::Data::find_openness() {
+  static const std::vector<Vec3> directions = sphere_directions(96);
+  const double reach = 0.15 * box.diagonal().norm();
+  const double lift = 1e-4 * box.diagonal().norm();
+  for (std::size_t m = 0; m < meshes.size(); ++m) {
+    tbb::parallel_for(std::size_t{0}, looks[m].size(), [&](std::size_t i) {
+      PointLook& look = looks[m][i];
+      std::array<double, 2> open{}, all{};
+      for (const Vec3& direction : directions) {
+        const double cosine = look.normal.dot(direction);
+        const int side = cosine > 0 ? 0 : 1;
+        if (side == 1 && !meshes[m].inside_shown) continue;
+        const Vec3 origin = meshes[m].mesh.points[i] + (side == 0 ? lift : -lift) * look.normal;
+        RTCRay ray = ray_of(origin, direction, lift, reach);
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        rtcOccluded1(scene, &context, &ray);
+        const double weight = std::abs(cosine);
+        all[static_cast<std::size_t>(side)] += weight;
+        if (ray.tfar >= 0) open[static_cast<std::size_t>(side)] += weight;
+      }
+      if (all[0] > 0) look.open_front = open[0] / all[0];
+      if (all[1] > 0) look.open_back = open[1] / all[1];
+    });
+  }
+}
+
+RayScene::RayScene(std::vector<PictureMesh> meshes) : data_(std::make_unique<Data>()) {
+  Data& data = *data_;
+  data.meshes = std::move(meshes);
+  std::size_t triangles = 0;
+  std::int32_t next_region = 0;
+  for (const PictureMesh& mesh : data.meshes) {
+    triangles += mesh.mesh.triangles.size();
+    for (const Vec3& point : mesh.mesh.points) data.box.extend(point);
+    data.looks.push_back(point_normals(mesh.mesh));
+    std::vector<Light>& lights = data.lights.emplace_back();
+    for (const Colour& colour : mesh.triangle_colours) lights.push_back(light_of(colour));
+    if (lights.empty()) lights.push_back(light_of(mesh.colour));
+    data.first_region.push_back(next_region);
+    next_region += 1 + (mesh.regions.empty() ? 0 : *std::ranges::max_element(mesh.regions));
+  }
+  if (triangles == 0) throw Error("picture", "there is no triangle to show", "");
+
+  data.device = rtcNewDevice(nullptr);
+  if (data.device == nullptr) {
+    throw Error("picture", "the ray caster (Embree) could not start", "this needs SSE2 or NEON");
+  }
+  data.scene = rtcNewScene(data.device);
+  rtcSetSceneFlags(data.scene, RTC_SCENE_FLAG_ROBUST);
+  for (const PictureMesh& mesh : data.meshes) data.add_to_embree(mesh.mesh);
+  rtcCommitScene(data.scene);
+  data.find_openness();
+}
+
+RayScene::~RayScene() = default;
+
+const std::vector<PictureMesh>& RayScene::meshes() const { return data_->meshes; }
+
+Light RayScene::Data::surface_light(std::size_t mesh, std::size_t triangle, double u,
+                                    double v) const {
+  const PictureMesh& shown = meshes[mesh];
+  if (!shown.values.empty()) {
+    // Interpolating the value, not its colour, keeps the ramp's steps where they belong.
+    const Triangle& t = shown.mesh.triangles[triangle];
+    const auto value = [&](int k) {
+      return shown.values[static_cast<std::size_t>(t[static_cast<std::size_t>(k)])];
+    };
+    return light_of(shown.ramp.at((1 - u - v) * value(0) + u * value(1) + v * value(2)));
+  }
+  return lights[mesh].size() > 1 ? lights[mesh][triangle] : lights[mesh][0];
+}
+
+Sample RayScene::Data::shade(const RTCRayHit4& hit, std::size_t lane,
+                             const Vec3& towards_key) const {
+  const std::size_t mesh = hit.hit.geomID[lane];
+  const std::size_t index = hit.hit.primID[lane];
+  const Triangle& triangle = meshes[mesh].mesh.triangles[index];
+  const double u = hit.hit.u[lane];
+  const double v = hit.hit.v[lane];
+  const std::array<double, 3> weight = {1 - u - v, u, v};
+  const auto corner = [&](std::size_t k) -> const Vec3& {
+    return meshes[mesh].mesh.points[static_cast<std::size_t>(triangle[k])];
+  };
+  const Vec3 facet = (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
+  const Vec3 ray(hit.ray.dir_x[lane], hit.ray.dir_y[lane], hit.ray.dir_z[lane]);
+
+  const bool back = facet.dot(ray) > 0;
+  Vec3 normal = Vec3::Zero();
+  double open = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const PointLook& look = looks[mesh][static_cast<std::size_t>(triangle[k])];
+    // Beyond about 70 degrees an edge is meant to be sharp.
+    normal += weight[k] * (look.normal.dot(facet) > 0.35 ? look.normal : facet);
+    open += weight[k] * (back ? look.open_back : look.open_front);
+  }
+  normal.normalize();
+  if (back) normal = -normal;
+
+  const double head_on = std::max(0.0, -normal.dot(ray));
+  const double key = std::max(0.0, normal.dot(towards_key));
+  const double brightness = (0.16 + 0.84 * open) * (0.20 + 0.32 * head_on + 0.52 * key);
+  Light light = surface_light(mesh, index, u, v);
+  if (back && meshes[mesh].inside_shown) {
+    // The inside: darker, and drawn toward a violet that no panel has.
+    light = {0.42 * light.red + 0.10, 0.38 * light.green + 0.03, 0.42 * light.blue + 0.14};
+  }
+  Sample sample;
+  sample.red = static_cast<float>(brightness * light.red);
+  sample.green = static_cast<float>(brightness * light.green);
+  sample.blue = static_cast<float>(brightness * light.blue);
+  sample.region =
+      first_region[mesh] + (meshes[mesh].regions.empty() ? 0 : meshes[mesh].regions[index]);
+  return sample;
+}
+
+namespace {
+
+/// Darkens the samples on either side of a border between regions.
+void draw_borders(std::vector<Sample>& grid, std::size_t width, std::size_t height) {
+  std::vector<char> border(grid.size(), 0);
+  const auto part = [&](std::size_t a, std::size_t b) {
+    if (grid[a].region != grid[b].region && grid[a].region >= 0 && grid[b].region >= 0) {
+      border[a] = border[b] = 1;
+    }
+  };
+  for (std::size_t y = 0; y < height; ++y) {
+    for (std::size_t x = 0; x < width; ++x) {
+      const std::size_t here = y * width + x;
+      if (x + 1 < width) part(here, here + 1);
+      if (y + 1 < height) part(here, here + width);
+    }
+  }
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    if (border[i] == 0) continue;
+    grid[i].red *= 0.35F;
+    grid[i].green *= 0.35F;
+    grid[i].blue *= 0.35F;
+  }
+}
+
+std::uint8_t byte_of(double light) {
+  return static_cast<std::uint8_t>(std::lround(255 * from_light(light)));
+}
+
+Image reduced(const std::vector<Sample>& grid, int width, int height) {
+  Image image{width, height, {}};
+  image.bytes.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
+  tbb::parallel_for(0, height, [&](int y) {
+    for (int x = 0; x < width; ++x) {
+      double red = 0, green = 0, blue = 0;
+      for (int j = 0; j < samples; ++j) {
+        for (int i = 0; i < samples; ++i) {
+          const Sample& sample = grid[static_cast<std::size_t>(y * samples + j) *
+                                          static_cast<std::size_t>(width) * samples +
+                                      static_cast<std::size_t>(x * samples + i)];
+          red += sample.red;
+          green += sample.green;
+          blue += sample.blue;
+        }
+      }
+      const std::size_t at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                  static_cast<std::size_t>(x));
+      constexpr double share = 1.0 / (samples * samples);
+      image.bytes[at] = byte_of(red * share);
+      image.bytes[at + 1] = byte_of(green * share);
+      image.bytes[at + 2] = byte_of(blue * share);
+    }
+  });
+  return image;
+}
+
+}  // namespace
+
+Image RayScene::render(const Camera& camera, int width, int height) const {
+  static_assert(samples == 2, "a packet of four rays is a pixel");
+  if (width < 1 || height < 1) return {};
+  const Vec3 right = camera.forward.cross(camera.up).normalized();
+  const Vec3 towards_key = (-0.75 * camera.forward + 0.55 * camera.up - 0.45 * right).normalized();
+  const double step = camera.metres_per_pixel / samples;
+  const double half_height = 0.5 * camera.metres_per_pixel * height;
+  const double reach =
+      2 * data_->box.diagonal().norm() + (data_->box.center() - camera.centre).norm();
+  const double eye_distance =
+      camera.field_of_view > 0 ? half_height / std::tan(0.5 * camera.field_of_view) : reach;
+  const Vec3 eye = camera.centre - eye_distance * camera.forward;
+
+  const auto grid_width = static_cast<std::size_t>(width) * samples;
+  const auto grid_height = static_cast<std::size_t>(height) * samples;
+  std::vector<Sample> grid(grid_width * grid_height);
+  const Light empty = light_of(background);
+  tbb::parallel_for(0, height, [&](int y) {
+    for (int x = 0; x < width; ++x) {
+      RTCRayHit4 hit;
+      for (std::size_t lane = 0; lane < 4; ++lane) {
+        const double across =
+            (x * samples + static_cast<int>(lane % 2) + 0.5 - 0.5 * samples * width) * step;
+        const double down =
+            (y * samples + static_cast<int>(lane / 2) + 0.5 - 0.5 * samples * height) * step;
+        const Vec3 seen = camera.centre + across * right - down * camera.up;
+        const Vec3 direction =
+            camera.field_of_view > 0 ? (seen - eye).normalized() : camera.forward;
+        const Vec3 origin = camera.field_of_view > 0 ? eye : Vec3(seen - reach * camera.forward);
+        const RTCRay ray = ray_of(origin, direction, 0, eye_distance + 2 * reach);
+        hit.ray.org_x[lane] = ray.org_x;
+        hit.ray.org_y[lane] = ray.org_y;
+        hit.ray.org_z[lane] = ray.org_z;
+        hit.ray.tnear[lane] = ray.tnear;
+        hit.ray.dir_x[lane] = ray.dir_x;
+        hit.ray.dir_y[lane] = ray.dir_y;
+        hit.ray.dir_z[lane] = ray.dir_z;
+        hit.ray.time[lane] = 0;
+        hit.ray.tfar[lane] = ray.tfar;
+        hit.ray.mask[lane] = ray.mask;
+        hit.ray.id[lane] = 0;
+        hit.ray.flags[lane] = 0;
+        hit.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
+        hit.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
+      }
+      RTCIntersectContext context;
+      rtcInitIntersectContext(&context);
+      context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+      alignas(16) static constexpr int all[4] = {-1, -1, -1, -1};
+      rtcIntersect4(all, data_->scene, &context, &hit);
+      for (std::size_t lane = 0; lane < 4; ++lane) {
+        Sample& sample = grid[(static_cast<std::size_t>(y) * 2 + lane / 2) * grid_width +
+                              static_cast<std::size_t>(x) * 2 + lane % 2];
+        if (hit.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID) {
+          sample = data_->shade(hit, lane, towards_key);
+        } else {
+          sample.red = static_cast<float>(empty.red);
+          sample.green = static_cast<float>(empty.green);
+          sample.blue = static_cast<float>(empty.blue);
+        }
+      }
+    }
+  });
+  draw_borders(grid, grid_width, grid_height);
+  return reduced(grid, width, height);
+}
+
+}  // namespace toile

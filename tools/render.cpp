@@ -1,0 +1,122 @@
+// render: pictures of garments and bodies, made without a display.
+#include <algorithm>
+#include <sstream>
+
+#include "geometry/error.h"
+#include "io/obj.h"
+#include "io/output_file.h"
+#include "io/picture.h"
+#include "tools/program.h"
+
+namespace {
+
+namespace po = boost::program_options;
+using namespace toile;
+
+struct Settings {
+  std::string body;
+  std::vector<std::string> garments;
+  std::vector<View> views;
+  bool whole = false;
+  int width = 900;
+  std::string title;
+};
+
+constexpr Colour skin{0.80, 0.76, 0.73};
+
+std::vector<View> views_of(const std::string& list) {
+  std::vector<View> views;
+  std::istringstream words(list);
+  for (std::string word; std::getline(words, word, ',');) {
+    const std::optional<View> view = view_named(word);
+    if (!view) {
+      throw Error("--views", "'" + word + "' is no view", "give front, back, left, right or top");
+    }
+    views.push_back(*view);
+  }
+  if (views.empty() || views.size() > 8) {
+    throw Error("--views", "between one and eight views can be shown", "");
+  }
+  return views;
+}
+
+/// Polygons cut into fans; each group (panel) becomes a region with a colour of its own, counted
+/// on from `legend`, which gets the groups' names.
+PictureMesh mesh_of(const ObjData& obj, std::vector<LegendEntry>& legend, bool tinted) {
+  PictureMesh shown;
+  shown.mesh.points = obj.points;
+  const int first = static_cast<int>(legend.size());
+  for (const ObjFace& face : obj.faces) {
+    const int region = face.group + 1;
+    for (std::size_t k = 1; k + 1 < face.corners.size(); ++k) {
+      shown.mesh.triangles.push_back(
+          {face.corners[0].point, face.corners[k].point, face.corners[k + 1].point});
+      if (!tinted) continue;
+      shown.regions.push_back(region);
+      shown.triangle_colours.push_back(quiet_colour(first + std::max(face.group, 0)));
+    }
+  }
+  if (!tinted) return shown;
+  for (const std::string& group : obj.groups) {
+    legend.push_back({quiet_colour(static_cast<int>(legend.size())), group});
+  }
+  return shown;
+}
+
+int work(const Settings& settings, const CommonSettings& common) {
+  Picture picture;
+  picture.views = settings.views;
+  picture.view_width = settings.width;
+  picture.title = settings.title;
+  std::vector<PictureMesh> meshes;
+  for (const std::string& path : settings.garments) {
+    meshes.push_back(mesh_of(read_obj(path), picture.legend, true));
+  }
+  if (!settings.body.empty()) {
+    std::vector<LegendEntry> none;
+    PictureMesh body = mesh_of(read_obj(settings.body), none, false);
+    body.colour = skin;
+    body.inside_shown = false;
+    body.framed = settings.whole || settings.garments.empty();
+    meshes.push_back(std::move(body));
+  }
+  if (meshes.empty()) throw Error("render", "there is nothing to show", "name a garment or a body");
+  if (picture.legend.size() > 40) picture.legend.clear();
+  write_file(common.output, picture_png(std::move(meshes), picture));
+  common.say("wrote " + common.output.string());
+  return exit_done;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Program program;
+  program.name = "render";
+  program.summary =
+      "draws garments and a body as a PNG picture, from several sides; back faces are violet";
+  program.usage = "[--body body.ply] [garment.obj ...] -o picture.png [options]";
+  program.options.add_options()("body", po::value<std::string>()->default_value(""),
+                                "the body, drawn in one colour")(
+      "garment", po::value<std::vector<std::string>>()->default_value({}, ""),
+      "garments (flat, placed or dressed), each panel in its own colour; also as arguments")(
+      "views", po::value<std::string>()->default_value("front,back"),
+      "front, back, left, right (the wearer's) and top, with commas between")(
+      "width", po::value<int>()->default_value(900), "of a view, in pixels")(
+      "whole", po::bool_switch(), "show the whole body, not only where the garment is")(
+      "title", po::value<std::string>()->default_value(""), "text above the views");
+  program.positional.add("garment", -1);
+  program.work = [](const po::variables_map& given, const CommonSettings& common) {
+    Settings settings;
+    settings.body = given["body"].as<std::string>();
+    settings.garments = given["garment"].as<std::vector<std::string>>();
+    settings.views = views_of(given["views"].as<std::string>());
+    settings.whole = given["whole"].as<bool>();
+    settings.width = given["width"].as<int>();
+    settings.title = given["title"].as<std::string>();
+    if (settings.width < 64 || settings.width > 4096) {
+      throw Error("--width", "is out of range", "give 64 to 4096 pixels");
+    }
+    return work(settings, common);
+  };
+  return run_program(argc, argv, program);
+}
