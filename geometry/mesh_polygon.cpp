@@ -1,0 +1,243 @@
+#include "geometry/mesh_polygon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "geometry/outline.h"
+#include "geometry/triangulate.h"
+
+namespace toile {
+
+namespace {
+
+/// How fast edges may grow with the distance from a short border segment.
+constexpr double growth = 0.6;
+/// Distances in units of the wanted edge length: of a first point from its neighbours, from border
+/// points and from border segments; and the least distance from the border that smoothing keeps.
+constexpr double first_spacing = 0.8;
+constexpr double border_point_spacing = 0.7;
+constexpr double border_spacing = 0.55;
+constexpr double border_clearance = 0.35;
+/// Rounds of smoothing; the points hardly move after 30.
+constexpr int smoothing_rounds = 40;
+/// Sweeps of the last, angle-raising pass.
+constexpr int raising_sweeps = 12;
+/// An edge from border to border is given up for a triangle no sharper than this.
+constexpr double crossing_angle = 20 * std::numbers::pi / 180;
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+class Filler {
+ public:
+  Filler(const std::vector<Vec2>& outline, double edge_length)
+      : outline_(outline), edge_length_(edge_length), border_(static_cast<int>(outline.size())) {
+    for (int i = 0; i < border_; ++i) {
+      const Vec2& a = outline_[at(i)];
+      const Vec2& b = outline_[at((i + 1) % border_)];
+      middles_.push_back((a + b) / 2);
+      lengths_.push_back((b - a).norm());
+    }
+  }
+
+  PlanarMesh fill() {
+    seed();
+    for (int round = 0; round < smoothing_rounds && !interior_.empty(); ++round) smooth();
+    connect();
+    for (int round = 0; round < 2; ++round) {
+      uncross();
+      raise_angles();
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  /// The edge length wanted at `point`.
+  double size(const Vec2& point) const {
+    double wanted = edge_length_;
+    for (int i = 0; i < border_; ++i) {
+      if (lengths_[at(i)] >= wanted) continue;
+      wanted = std::min(wanted, lengths_[at(i)] + growth * (point - middles_[at(i)]).norm());
+    }
+    return wanted;
+  }
+
+  double border_distance(const Vec2& point) const {
+    double least = std::numeric_limits<double>::max();
+    for (int i = 0; i < border_; ++i) {
+      least = std::min(
+          least, distance_to_segment(point, outline_[at(i)], outline_[at((i + 1) % border_)]));
+    }
+    return least;
+  }
+
+  bool fits(const Vec2& point) const {
+    const double wanted = size(point);
+    for (const Vec2& other : outline_) {
+      if ((other - point).norm() < border_point_spacing * wanted) return false;
+    }
+    for (const Vec2& other : interior_) {
+      if ((other - point).norm() < first_spacing * wanted) return false;
+    }
+    return border_distance(point) >= border_spacing * wanted && inside(outline_, point);
+  }
+
+  /// Hexagonal lattices, the coarsest first, finer ones where the border asks for shorter edges.
+  void seed() {
+    Vec2 low = outline_[0];
+    Vec2 high = outline_[0];
+    double shortest = edge_length_;
+    for (const Vec2& point : outline_) {
+      low = low.cwiseMin(point);
+      high = high.cwiseMax(point);
+    }
+    for (const double length : lengths_) shortest = std::min(shortest, length);
+    double step = edge_length_;
+    for (int level = 0; level < 4; ++level, step /= 2) {
+      const double row_height = step * std::sqrt(3.0) / 2;
+      const Vec2 middle = (low + high) / 2;
+      const int columns = static_cast<int>((high.x() - low.x()) / step / 2) + 2;
+      const int rows = static_cast<int>((high.y() - low.y()) / row_height / 2) + 2;
+      for (int row = -rows; row <= rows; ++row) {
+        for (int column = -columns; column <= columns; ++column) {
+          const Vec2 point =
+              middle + Vec2((column + (row % 2 == 0 ? 0.0 : 0.5)) * step, row * row_height);
+          // A finer lattice has no business where a coarser one has the right density.
+          if (level > 0 && size(point) > 1.5 * step) continue;
+          if (fits(point)) interior_.push_back(point);
+        }
+      }
+      if (shortest > 0.75 * step) break;
+    }
+  }
+
+  void connect() {
+    mesh_.points = outline_;
+    mesh_.points.insert(mesh_.points.end(), interior_.begin(), interior_.end());
+    mesh_.triangles = triangulate(outline_, interior_);
+  }
+
+  /// Moves each interior point to the weighted centre of the triangles around it.
+  void smooth() {
+    connect();
+    std::vector<Vec2> sum(interior_.size(), Vec2::Zero());
+    std::vector<double> weight(interior_.size(), 0);
+    for (const Triangle& triangle : mesh_.triangles) {
+      const Vec2& a = mesh_.points[at(triangle[0])];
+      const Vec2& b = mesh_.points[at(triangle[1])];
+      const Vec2& c = mesh_.points[at(triangle[2])];
+      const Vec2 centre = (a + b + c) / 3;
+      const Vec2 u = b - a;
+      const Vec2 v = c - a;
+      const double wanted = size(centre) / edge_length_;
+      const double mass = (u.x() * v.y() - u.y() * v.x()) / (wanted * wanted * wanted * wanted);
+      for (const int corner : triangle) {
+        if (corner < border_) continue;
+        sum[at(corner - border_)] += mass * centre;
+        weight[at(corner - border_)] += mass;
+      }
+    }
+    for (std::size_t i = 0; i < interior_.size(); ++i) {
+      if (!(weight[i] > 0)) continue;
+      const Vec2 moved = sum[i] / weight[i];
+      if (inside(outline_, moved) && border_distance(moved) >= border_clearance * size(moved)) {
+        interior_[i] = moved;
+      }
+    }
+  }
+
+  double angle(const Triangle& t) const {
+    return smallest_angle(mesh_.points[at(t[0])], mesh_.points[at(t[1])], mesh_.points[at(t[2])]);
+  }
+
+  /// Flips edges that run from border to border when the result is not sharp.
+  void uncross() {
+    std::map<std::array<int, 2>, std::array<int, 2>> sides;  // edge to (triangle, corner across)
+    std::vector<std::array<int, 2>> crossing;
+    const auto key = [](int a, int b) { return std::array{std::min(a, b), std::max(a, b)}; };
+    bool changed = true;
+    while (changed) {
+      changed = false;
+      sides.clear();
+      for (std::size_t t = 0; t < mesh_.triangles.size() && !changed; ++t) {
+        for (int k = 0; k < 3 && !changed; ++k) {
+          const int a = mesh_.triangles[t][at((k + 1) % 3)];
+          const int b = mesh_.triangles[t][at((k + 2) % 3)];
+          if (a >= border_ || b >= border_) continue;
+          const auto [found, added] =
+              sides.try_emplace(key(a, b), std::array{static_cast<int>(t), k});
+          if (added) continue;
+          changed = flip(found->second[0], found->second[1], static_cast<int>(t), k);
+        }
+      }
+    }
+  }
+
+  /// Replaces the edge across from corner `k` of `first` and `l` of `second` by the one between
+  /// those corners, if that leaves good triangles and ends in the interior.
+  bool flip(int first, int k, int second, int l) {
+    const Triangle one = mesh_.triangles[at(first)];
+    const Triangle two = mesh_.triangles[at(second)];
+    const int c = one[at(k)];
+    const int d = two[at(l)];
+    if (c < border_ && d < border_) return false;
+    const Triangle left = {c, one[at((k + 1) % 3)], d};
+    const Triangle right = {d, one[at((k + 2) % 3)], c};
+    if (std::min(angle(left), angle(right)) < crossing_angle) return false;
+    mesh_.triangles[at(first)] = left;
+    mesh_.triangles[at(second)] = right;
+    return true;
+  }
+
+  /// Moves each interior point, triangles kept, to where its smallest angle is largest.
+  void raise_angles() {
+    std::vector<std::vector<int>> around(mesh_.points.size());
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+      for (const int corner : mesh_.triangles[t]) around[at(corner)].push_back(static_cast<int>(t));
+    }
+    const auto worst_at = [&](int point) {
+      double worst = std::numbers::pi;
+      for (const int t : around[at(point)]) worst = std::min(worst, angle(mesh_.triangles[at(t)]));
+      return worst;
+    };
+    // Points whose triangles are all about equilateral are left where the smoothing put them.
+    constexpr double good = 40 * std::numbers::pi / 180;
+    double step = 0.2;
+    for (int sweep = 0; sweep < raising_sweeps; ++sweep, step *= 0.8) {
+      for (int i = border_; i < static_cast<int>(mesh_.points.size()); ++i) {
+        double best = worst_at(i);
+        if (best > good) continue;
+        const Vec2 from = mesh_.points[at(i)];
+        const double reach = step * size(from);
+        Vec2 best_point = from;
+        for (int k = 0; k < 8; ++k) {
+          const double turn = k * std::numbers::pi / 4;
+          mesh_.points[at(i)] = from + reach * Vec2(std::cos(turn), std::sin(turn));
+          const double worst = worst_at(i);
+          if (worst > best + 1e-6) {
+            best = worst;
+            best_point = mesh_.points[at(i)];
+          }
+        }
+        mesh_.points[at(i)] = best_point;
+      }
+    }
+  }
+
+  const std::vector<Vec2>& outline_;
+  double edge_length_;
+  int border_;
+  std::vector<Vec2> middles_;
+  std::vector<double> lengths_;
+  std::vector<Vec2> interior_;
+  PlanarMesh mesh_;
+};
+
+}  // namespace
+
+PlanarMesh mesh_polygon(const std::vector<Vec2>& outline, double edge_length) {
+  return Filler(outline, edge_length).fill();
+}
+
+}  // namespace toile

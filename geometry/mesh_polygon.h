@@ -1,0 +1,28 @@
+// Fills a flat polygon with well-shaped triangles without touching its border.
+#pragma once
+
+#include <vector>
+
+#include "geometry/types.h"
+
+namespace toile {
+
+/// Points and counter-clockwise triangles in the plane. Metres.
+struct PlanarMesh {
+  std::vector<Vec2> points;
+  std::vector<Triangle> triangles;
+};
+
+/// Meshes the inside of the simple, counter-clockwise polygon `outline` with edges of about
+/// `edge_length` (metres), shorter toward short border segments. The outline's points come first
+/// and stay as they are; no point is added on the border. Where it can be had, no triangle edge
+/// runs across from border to border, so that a corner whose two sides are sewn to those of another
+/// corner still encloses cloth.
+///
+/// Interior points start on a hexagonal lattice and move to the centres of their surroundings
+/// between Delaunay triangulations (centroidal patch smoothing, Chen & Holst 2011), then each goes
+/// where its smallest angle is largest. Time grows with points x border segments.
+/// Throws Error as triangulate() does.
+PlanarMesh mesh_polygon(const std::vector<Vec2>& outline, double edge_length);
+
+}  // namespace toile

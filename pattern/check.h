@@ -1,0 +1,23 @@
+// What can be wrong with a pattern before any of it is meshed.
+#pragma once
+
+#include <vector>
+
+#include "pattern/pattern.h"
+
+namespace toile {
+
+/// A seam whose sides differ by more than this share of the shorter one is worth a note...
+inline constexpr double seam_note_ratio = 0.02;
+/// ...and by more than this a warning: it is gathered, or a mistake.
+inline constexpr double seam_warning_ratio = 0.20;
+/// An edge shorter than this (metres) is a drawing error, not cloth.
+inline constexpr double shortest_edge = 1e-4;
+
+/// Checks each panel's outline and each stitch; remarks on seams whose sides differ in length.
+/// Throws Error, naming panel and edge, for an edge of zero length, an outline that crosses or
+/// touches itself (curves followed to within a sixteenth of their turning), an edge in two stitches
+/// or sewn to itself.
+void check_pattern(const Pattern& pattern, std::vector<Remark>& remarks);
+
+}  // namespace toile

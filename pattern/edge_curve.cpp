@@ -1,0 +1,165 @@
+#include "pattern/edge_curve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace toile {
+
+namespace {
+
+/// Nodes and weights of the 8-point Gauss-Legendre rule on [-1, 1] (its positive half).
+constexpr std::array<double, 4> gauss_nodes = {0.1834346424956498, 0.5255324099163290,
+                                               0.7966664774136267, 0.9602898564975363};
+constexpr std::array<double, 4> gauss_weights = {0.3626837833783620, 0.3137066458778873,
+                                                 0.2223810344533745, 0.1012285362903763};
+
+/// Halvings of the parameter range at most: enough to close in on a cusp to 1e-12.
+constexpr int deepest = 40;
+
+}  // namespace
+
+EdgeCurve EdgeCurve::line(const Vec2& start, const Vec2& end) {
+  EdgeCurve curve;
+  curve.points_ = {start, start, end, end};
+  curve.length_ = (end - start).norm();
+  return curve;
+}
+
+EdgeCurve EdgeCurve::quadratic(const Vec2& start, const Vec2& control, const Vec2& end) {
+  return cubic(start, start + 2.0 / 3 * (control - start), end + 2.0 / 3 * (control - end), end);
+}
+
+EdgeCurve EdgeCurve::cubic(const Vec2& start, const Vec2& control1, const Vec2& control2,
+                           const Vec2& end) {
+  EdgeCurve curve;
+  curve.kind_ = Kind::bezier;
+  curve.points_ = {start, control1, control2, end};
+  curve.marks_.push_back({0, 0});
+  constexpr int pieces = 8;
+  for (int i = 0; i < pieces; ++i) {
+    const double from = static_cast<double>(i) / pieces;
+    const double to = static_cast<double>(i + 1) / pieces;
+    curve.measure(from, to, curve.bezier_length(from, to), 0);
+  }
+  curve.length_ = curve.marks_.back().length;
+  return curve;
+}
+
+EdgeCurve EdgeCurve::arc(const Vec2& start, const Vec2& end, double radius, bool large,
+                         bool right) {
+  EdgeCurve curve;
+  curve.kind_ = Kind::arc;
+  curve.points_ = {start, start, end, end};
+  const Vec2 chord = end - start;
+  const double half = chord.norm() / 2;
+  if (half == 0) return curve;
+  curve.radius_ = std::max(radius, half);
+  const double height = std::sqrt(std::max(0.0, (curve.radius_ - half) * (curve.radius_ + half)));
+  const Vec2 left = Vec2(-chord.y(), chord.x()) / (2 * half);
+  curve.centre_ = (start + end) / 2 + (right != large ? height : -height) * left;
+  const Vec2 arm = start - curve.centre_;
+  curve.from_angle_ = std::atan2(arm.y(), arm.x());
+  const double small_angle = 2 * std::asin(std::min(1.0, half / curve.radius_));
+  curve.sweep_ = large ? 2 * std::numbers::pi - small_angle : small_angle;
+  curve.length_ = curve.radius_ * curve.sweep_;
+  if (!right) curve.sweep_ = -curve.sweep_;
+  return curve;
+}
+
+double EdgeCurve::bezier_speed(double t) const {
+  const double s = 1 - t;
+  return 3 * (s * s * (points_[1] - points_[0]) + 2 * s * t * (points_[2] - points_[1]) +
+              t * t * (points_[3] - points_[2]))
+                 .norm();
+}
+
+Vec2 EdgeCurve::bezier_point(double t) const {
+  const double s = 1 - t;
+  return s * s * s * points_[0] + 3 * s * s * t * points_[1] + 3 * s * t * t * points_[2] +
+         t * t * t * points_[3];
+}
+
+double EdgeCurve::bezier_length(double from, double to) const {
+  const double middle = (from + to) / 2;
+  const double half = (to - from) / 2;
+  double sum = 0;
+  for (std::size_t i = 0; i < gauss_nodes.size(); ++i) {
+    sum += gauss_weights[i] * (bezier_speed(middle - half * gauss_nodes[i]) +
+                               bezier_speed(middle + half * gauss_nodes[i]));
+  }
+  return half * sum;
+}
+
+void EdgeCurve::measure(double from, double to, double whole, int depth) {
+  const double middle = (from + to) / 2;
+  const double first = bezier_length(from, middle);
+  const double second = bezier_length(middle, to);
+  const double scale = (points_[1] - points_[0]).norm() + (points_[2] - points_[1]).norm() +
+                       (points_[3] - points_[2]).norm();
+  if (depth < deepest && std::abs(first + second - whole) > 1e-14 * scale) {
+    measure(from, middle, first, depth + 1);
+    measure(middle, to, second, depth + 1);
+    return;
+  }
+  marks_.push_back({to, marks_.back().length + first + second});
+}
+
+double EdgeCurve::turning() const {
+  if (kind_ == Kind::line) return 0;
+  if (kind_ == Kind::arc) return std::abs(sweep_);
+  constexpr int chords = 64;
+  double sum = 0;
+  Vec2 previous = Vec2::Zero();
+  for (int i = 0; i < chords; ++i) {
+    const Vec2 chord = bezier_point((i + 1.0) / chords) - bezier_point((i + 0.0) / chords);
+    if (chord.squaredNorm() == 0) continue;
+    if (previous.squaredNorm() > 0) {
+      sum += std::abs(
+          std::atan2(previous.x() * chord.y() - previous.y() * chord.x(), previous.dot(chord)));
+    }
+    previous = chord;
+  }
+  return sum;
+}
+
+Vec2 EdgeCurve::at(double fraction) const {
+  if (fraction <= 0) return start();
+  if (fraction >= 1) return end();
+  if (kind_ == Kind::line) return start() + fraction * (end() - start());
+  if (kind_ == Kind::arc) {
+    const double angle = from_angle_ + fraction * sweep_;
+    return centre_ + radius_ * Vec2(std::cos(angle), std::sin(angle));
+  }
+  const double target = fraction * length_;
+  auto after = std::upper_bound(marks_.begin(), marks_.end(), target,
+                                [](double value, const Mark& mark) { return value < mark.length; });
+  if (after == marks_.begin()) ++after;
+  if (after == marks_.end()) --after;
+  const Mark before = *(after - 1);
+  double low = before.t;
+  double high = after->t;
+  const double piece = after->length - before.length;
+  double t = piece > 0 ? low + (high - low) * (target - before.length) / piece : low;
+  // Newton's steps, kept between the bounds that halving would keep.
+  for (int i = 0; i < 60; ++i) {
+    const double excess = before.length + bezier_length(before.t, t) - target;
+    if (std::abs(excess) <= 1e-15 * length_) break;
+    (excess > 0 ? high : low) = t;
+    const double speed = bezier_speed(t);
+    const double newton = speed > 0 ? t - excess / speed : low;
+    t = newton > low && newton < high ? newton : (low + high) / 2;
+  }
+  return bezier_point(t);
+}
+
+std::vector<Vec2> EdgeCurve::sample(int segments) const {
+  std::vector<Vec2> points;
+  points.reserve(static_cast<std::size_t>(segments) + 1);
+  for (int i = 0; i <= segments; ++i) {
+    points.push_back(at(static_cast<double>(i) / segments));
+  }
+  return points;
+}
+
+}  // namespace toile

@@ -1,0 +1,63 @@
+// The curves that bound a panel: straight lines, Bezier curves, circular arcs, walked by length.
+#pragma once
+
+#include <vector>
+
+#include "geometry/types.h"
+
+namespace toile {
+
+/// A curve from one corner of a panel to the next, in metres. Points are found by the fraction of
+/// the curve's length, so equal fractions are equal steps along the cloth. Arcs are exact; lengths
+/// of Bezier curves are integrated to about 1e-12 of the length (Gauss-Legendre, halved
+/// adaptively), points at a fraction lie within about 1e-12 of the length. Degenerate curves (all
+/// control points in one) are allowed here: their length is 0.
+class EdgeCurve {
+ public:
+  static EdgeCurve line(const Vec2& start, const Vec2& end);
+  static EdgeCurve quadratic(const Vec2& start, const Vec2& control, const Vec2& end);
+  static EdgeCurve cubic(const Vec2& start, const Vec2& control1, const Vec2& control2,
+                         const Vec2& end);
+  /// A circular arc as SVG defines it: `large` takes the longer way round, `right` bulges to the
+  /// right of the direction from start to end (y up). A radius shorter than half the chord is
+  /// taken as half the chord.
+  static EdgeCurve arc(const Vec2& start, const Vec2& end, double radius, bool large, bool right);
+
+  const Vec2& start() const { return points_[0]; }
+  const Vec2& end() const { return points_[3]; }
+  double length() const { return length_; }
+  bool straight() const { return kind_ == Kind::line; }
+
+  /// How far the tangent turns in all, left and right added up, radians. From 64 chords.
+  double turning() const;
+
+  /// The point at `fraction` in [0, 1] of the length; the end points exactly.
+  Vec2 at(double fraction) const;
+
+  /// `segments` + 1 points at equal steps of length, both end points included.
+  std::vector<Vec2> sample(int segments) const;
+
+ private:
+  enum class Kind { line, bezier, arc };
+  /// Where the curve parameter `t` has run through `length` of the curve.
+  struct Mark {
+    double t = 0;
+    double length = 0;
+  };
+
+  void measure(double from, double to, double whole, int depth);
+  double bezier_speed(double t) const;
+  double bezier_length(double from, double to) const;
+  Vec2 bezier_point(double t) const;
+
+  Kind kind_ = Kind::line;
+  std::array<Vec2, 4> points_;  ///< Bezier control points; lines and arcs use the first and last
+  Vec2 centre_ = Vec2::Zero();
+  double radius_ = 0;
+  double from_angle_ = 0;
+  double sweep_ = 0;  ///< angle from start to end, positive counter-clockwise
+  double length_ = 0;
+  std::vector<Mark> marks_;
+};
+
+}  // namespace toile

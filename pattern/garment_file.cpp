@@ -1,0 +1,308 @@
+#include "pattern/garment_file.h"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "geometry/error.h"
+#include "io/obj.h"
+#include "io/output_file.h"
+#include "pattern/nesting.h"
+
+namespace toile {
+
+namespace {
+
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+fs::path beside(const fs::path& obj) { return fs::path(obj).replace_extension(".json"); }
+
+[[noreturn]] void fail(const std::string& place, const std::string& problem) {
+  throw Error(place, problem, "make the pair anew with mesh-pattern");
+}
+
+std::string quoted_key(const char* key) { return std::string(1, '\'').append(key).append("'"); }
+
+/// JSON of the garment, one panel or seam a line.
+std::string garment_json(const PanelMesh& garment) {
+  std::string text =
+      "{\"garment\": 1, \"unit\": \"m\", \"edge_length\": " + Json(garment.edge_length).dump() +
+      ", \"subdivisions\": " + std::to_string(garment.subdivisions) + ",\n\"panels\": [";
+  const char* separator = "\n";
+  for (const MeshedPanel& panel : garment.panels) {
+    const Json json = {{"name", panel.name},
+                       {"part", panel.part},
+                       {"fabric", panel.fabric},
+                       {"grain", panel.grain},
+                       {"first_point", panel.first_point},
+                       {"points", panel.points},
+                       {"first_triangle", panel.first_triangle},
+                       {"triangles", panel.triangles}};
+    text += separator;
+    text += json.dump();
+    separator = ",\n";
+  }
+  text += "],\n\"seams\": [";
+  separator = "\n";
+  for (const MeshedSeam& seam : garment.seams) {
+    const Json json = {{"name", seam.name},
+                       {"a", seam.a},
+                       {"b", seam.b},
+                       {"length_a", seam.length_a},
+                       {"length_b", seam.length_b}};
+    text += separator;
+    text += json.dump();
+    separator = ",\n";
+  }
+  return text + "]}\n";
+}
+
+/// Reads garment.json's fields; every complaint names the file and the field.
+class Fields {
+ public:
+  Fields(const Json& json, std::string place) : json_(json), place_(std::move(place)) {
+    if (!json_.is_object()) fail(place_, "is not an object");
+  }
+
+  const Json& get(const char* key) const {
+    const auto found = json_.find(key);
+    if (found == json_.end()) fail(place_, "has no " + quoted_key(key));
+    return *found;
+  }
+  int index(const char* key) const {
+    const Json& value = get(key);
+    if (!value.is_number_integer() || value.get<std::int64_t>() < 0 ||
+        value.get<std::int64_t>() > std::numeric_limits<int>::max() / 2) {
+      fail(place_, quoted_key(key) + " is not a count");
+    }
+    return value.get<int>();
+  }
+  double number(const char* key) const {
+    const Json& value = get(key);
+    if (!value.is_number() || !std::isfinite(value.get<double>())) {
+      fail(place_, quoted_key(key) + " is not a finite number");
+    }
+    return value.get<double>();
+  }
+  std::string text(const char* key, bool needed) const {
+    if (!needed && !json_.contains(key)) return "";
+    const Json& value = get(key);
+    if (!value.is_string()) fail(place_, quoted_key(key) + " is not text");
+    return value.get<std::string>();
+  }
+  double number_or(const char* key, double otherwise) const {
+    return json_.contains(key) ? number(key) : otherwise;
+  }
+  int index_or(const char* key, int otherwise) const {
+    return json_.contains(key) ? index(key) : otherwise;
+  }
+  const Json& list(const char* key) const {
+    const Json& value = get(key);
+    if (!value.is_array()) fail(place_, quoted_key(key) + " is not a list");
+    return value;
+  }
+  std::vector<int> points(const char* key, std::size_t count) const {
+    std::vector<int> values;
+    for (const Json& value : list(key)) {
+      if (!value.is_number_integer() || value.get<std::int64_t>() < 0 ||
+          value.get<std::int64_t>() >= static_cast<std::int64_t>(count)) {
+        fail(place_, quoted_key(key) + " holds " + value.dump().substr(0, 40) +
+                         ", which is none of the " + std::to_string(count) + " points");
+      }
+      values.push_back(value.get<int>());
+    }
+    return values;
+  }
+
+ private:
+  const Json& json_;
+  std::string place_;
+};
+
+/// Points, flat coordinates and triangles of an OBJ whose corners each pair one v with one vt.
+void read_mesh(const ObjData& data, const std::string& name, PanelMesh& garment) {
+  garment.placed = data.points;
+  std::vector<int> texture_of(data.points.size(), -1);
+  for (std::size_t f = 0; f < data.faces.size(); ++f) {
+    const ObjFace& face = data.faces[f];
+    const std::string where = "face " + std::to_string(f);
+    if (face.corners.size() != 3) fail(name, where + " is no triangle");
+    Triangle triangle{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const ObjCorner& corner = face.corners[k];
+      if (corner.texture < 0) fail(name, where + " has no flat coordinates (vt)");
+      int& texture = texture_of[at(corner.point)];
+      if (texture >= 0 && data.texture[at(texture)] != data.texture[at(corner.texture)]) {
+        fail(name, "vertex " + std::to_string(corner.point + 1) +
+                       " has two flat coordinates, so panels already share it");
+      }
+      texture = corner.texture;
+      triangle[k] = corner.point;
+    }
+    garment.triangles.push_back(triangle);
+  }
+  garment.flat.reserve(data.points.size());
+  for (std::size_t i = 0; i < data.points.size(); ++i) {
+    if (texture_of[i] < 0) fail(name, "vertex " + std::to_string(i + 1) + " is in no face");
+    garment.flat.push_back(data.texture[at(texture_of[i])]);
+  }
+  for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
+    const auto& [a, b, c] = garment.triangles[t];
+    const Vec2 u = garment.flat[at(b)] - garment.flat[at(a)];
+    const Vec2 v = garment.flat[at(c)] - garment.flat[at(a)];
+    if (!(u.x() * v.y() - u.y() * v.x() > 0)) {
+      fail(name, "face " + std::to_string(t) + " is not counter-clockwise in flat coordinates");
+    }
+  }
+}
+
+/// The panels' ranges follow one another, cover everything, and hold their own triangles.
+void check_ranges(const PanelMesh& garment, const std::string& name) {
+  std::int64_t point = 0;
+  std::int64_t triangle = 0;
+  for (const MeshedPanel& panel : garment.panels) {
+    const std::string where = "panel '" + panel.name + "'";
+    if (panel.first_point != point || panel.first_triangle != triangle || panel.points < 3 ||
+        panel.triangles < 1) {
+      fail(name, where + " has ranges that do not follow the panel before it");
+    }
+    point += panel.points;
+    triangle += panel.triangles;
+    if (point > static_cast<std::int64_t>(garment.flat.size()) ||
+        triangle > static_cast<std::int64_t>(garment.triangles.size())) {
+      fail(name, where + " has more points or triangles than the OBJ file");
+    }
+    for (std::int64_t t = panel.first_triangle; t < triangle; ++t) {
+      for (const int corner : garment.triangles[static_cast<std::size_t>(t)]) {
+        if (corner >= panel.first_point && corner < point) continue;
+        fail(name, where + " has a triangle (" + std::to_string(t) + ") that leaves its points");
+      }
+    }
+  }
+  if (point != static_cast<std::int64_t>(garment.flat.size()) ||
+      triangle != static_cast<std::int64_t>(garment.triangles.size())) {
+    fail(name, "covers " + std::to_string(point) + " points and " + std::to_string(triangle) +
+                   " triangles, but the OBJ file has " + std::to_string(garment.flat.size()) +
+                   " and " + std::to_string(garment.triangles.size()));
+  }
+}
+
+}  // namespace
+
+void write_garment(const fs::path& obj, const PanelMesh& garment) {
+  ObjData data;
+  data.comments = {"Toile garment: v placed points, vt flat pattern coordinates (m), l stitches"};
+  data.points = garment.placed;
+  data.texture = garment.flat;
+  for (std::size_t p = 0; p < garment.panels.size(); ++p) {
+    const MeshedPanel& panel = garment.panels[p];
+    data.groups.push_back(panel.name);
+    for (int t = panel.first_triangle; t < panel.first_triangle + panel.triangles; ++t) {
+      ObjFace face;
+      face.group = static_cast<int>(p);
+      for (const int corner : garment.triangles[at(t)]) face.corners.push_back({corner, corner});
+      data.faces.push_back(std::move(face));
+    }
+  }
+  for (const MeshedSeam& seam : garment.seams) {
+    for (std::size_t i = 0; i < seam.a.size(); ++i) {
+      if (seam.a[i] != seam.b[i]) data.lines.push_back({seam.a[i], seam.b[i]});
+    }
+  }
+  write_obj(obj, data);
+  write_file(beside(obj), garment_json(garment));
+}
+
+PanelMesh read_garment(const fs::path& obj, const fs::path& json) {
+  PanelMesh garment;
+  read_mesh(read_obj(obj), obj.string(), garment);
+  const fs::path path = json.empty() ? beside(obj) : json;
+  const std::string name = path.string();
+  Json root;
+  try {
+    root = Json::parse(read_file(path));
+  } catch (const Json::exception& error) {
+    fail(name, std::string("is not JSON (") + error.what() + ")");
+  }
+  const Fields fields(root, name);
+  garment.edge_length = fields.number_or("edge_length", 0);
+  garment.subdivisions = fields.index_or("subdivisions", 0);
+  for (const Json& item : fields.list("panels")) {
+    const std::string place = name + ": panel " + std::to_string(garment.panels.size());
+    const Fields panel(item, place);
+    garment.panels.push_back({panel.text("name", true), panel.text("part", false),
+                              panel.text("fabric", false), panel.number_or("grain", 0),
+                              panel.index("first_point"), panel.index("points"),
+                              panel.index("first_triangle"), panel.index("triangles")});
+  }
+  check_ranges(garment, name);
+  for (const Json& item : fields.list("seams")) {
+    const std::string place = name + ": seam " + std::to_string(garment.seams.size());
+    const Fields seam(item, place);
+    MeshedSeam read;
+    read.name = seam.text("name", true);
+    read.a = seam.points("a", garment.flat.size());
+    read.b = seam.points("b", garment.flat.size());
+    if (read.a.size() != read.b.size() || read.a.size() < 2) {
+      fail(place, "has sides of " + std::to_string(read.a.size()) + " and " +
+                      std::to_string(read.b.size()) + " points");
+    }
+    read.length_a = seam.number("length_a");
+    read.length_b = seam.number("length_b");
+    garment.seams.push_back(std::move(read));
+  }
+  if (const auto problem = nesting_problem(garment)) fail(name, *problem);
+  return garment;
+}
+
+void write_dressed(const fs::path& obj, const DressedGarment& garment) {
+  ObjData data;
+  data.comments = {"Toile dressed garment: v nodes (sewn points shared), vt flat coordinates (m)"};
+  data.points = garment.points;
+  data.texture = garment.flat;
+  data.groups = garment.panels;
+  for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
+    ObjFace face;
+    face.group = garment.panel_of_triangle.at(t);
+    for (std::size_t k = 0; k < 3; ++k) {
+      face.corners.push_back({garment.triangles[t][k], garment.flat_triangles.at(t)[k]});
+    }
+    data.faces.push_back(std::move(face));
+  }
+  write_obj(obj, data);
+}
+
+DressedGarment read_dressed(const fs::path& obj) {
+  const std::string name = obj.string();
+  ObjData data = read_obj(obj);
+  if (data.faces.empty()) throw Error(name, "holds no face", "is it a dressed garment?");
+  DressedGarment garment;
+  for (std::size_t f = 0; f < data.faces.size(); ++f) {
+    const ObjFace& face = data.faces[f];
+    const std::string where = "face " + std::to_string(f);
+    const char* remedy = "use the dressed.obj that dress wrote";
+    if (face.corners.size() != 3) throw Error(name, where + " is no triangle", remedy);
+    if (face.group < 0) throw Error(name, where + " belongs to no panel (g)", remedy);
+    Triangle nodes{};
+    Triangle flat{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      nodes[k] = face.corners[k].point;
+      flat[k] = face.corners[k].texture;
+      if (flat[k] < 0) throw Error(name, where + " has no flat coordinates (vt)", remedy);
+    }
+    garment.triangles.push_back(nodes);
+    garment.flat_triangles.push_back(flat);
+    garment.panel_of_triangle.push_back(face.group);
+  }
+  garment.points = std::move(data.points);
+  garment.flat = std::move(data.texture);
+  garment.panels = std::move(data.groups);
+  return garment;
+}
+
+}  // namespace toile

@@ -1,0 +1,294 @@
+#include "pattern/mesh_panels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+
+#include "geometry/error.h"
+#include "geometry/mesh_polygon.h"
+#include "geometry/outline.h"
+#include "geometry/triangulate.h"
+#include "pattern/orient.h"
+
+namespace toile {
+
+namespace {
+
+/// A step along an outline may be longer than asked for by this share before another is added.
+constexpr double step_tolerance = 0.25;
+/// A curve may turn this far within one step of the coarsest level, radians.
+constexpr double turn_per_step = std::numbers::pi / 4;
+/// Triangles sharper than this are needles, and no ground to simulate on.
+constexpr double needle = 3 * std::numbers::pi / 180;
+constexpr double most_triangles = 5e6;
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// Why a level of subdivision is out of reach: the panel and what happens to it.
+struct Unmeshable {
+  std::string panel;
+  std::string problem;
+};
+
+/// A panel while it is meshed; indices count its own points.
+struct Work {
+  PlanarMesh mesh;
+  std::vector<std::vector<int>> along;  ///< per edge, points from its start to its end
+};
+
+/// The pattern's edges cut into steps on the coarsest level, per panel and edge.
+using Steps = std::vector<std::vector<int>>;
+
+Steps steps_along(const Pattern& pattern, double edge_length) {
+  Steps steps;
+  const auto wanted = [&](const EdgeCurve& curve) {
+    const double by_length = std::ceil(curve.length() / edge_length - step_tolerance);
+    const double by_turning = std::ceil(curve.turning() / turn_per_step - 1e-9);
+    return static_cast<int>(std::max({1.0, by_length, by_turning}));
+  };
+  for (const PatternPanel& panel : pattern.panels) {
+    std::vector<int>& counts = steps.emplace_back();
+    for (const PatternEdge& edge : panel.edges) counts.push_back(wanted(edge.curve));
+  }
+  for (const Stitch& stitch : pattern.stitches) {
+    int& a = steps[at(stitch.a.panel)][at(stitch.a.edge)];
+    int& b = steps[at(stitch.b.panel)][at(stitch.b.edge)];
+    a = b = std::max(a, b);
+  }
+  return steps;
+}
+
+class PanelMesher {
+ public:
+  PanelMesher(const PatternPanel& panel, bool mirrored) : panel_(panel), mirrored_(mirrored) {}
+
+  Work mesh(const std::vector<int>& steps, double coarse_length, int subdivisions) {
+    steps_ = steps;
+    const std::vector<Vec2> outline = coarse_outline();
+    if (outline.size() < 3) throw Unmeshable{panel_.name, "has too few border points"};
+    if (first_crossing(outline)) {
+      throw Unmeshable{panel_.name, "has an outline that crosses itself"};
+    }
+    try {
+      work_.mesh = mesh_polygon(outline, coarse_length);
+    } catch (const Error&) {
+      throw Unmeshable{panel_.name, "can't be triangulated"};
+    }
+    for (int level = 0; level < subdivisions; ++level) subdivide();
+    if (smallest_angle(work_.mesh.points, work_.mesh.triangles) < needle) {
+      throw Unmeshable{panel_.name, "gets triangles like needles"};
+    }
+    return std::move(work_);
+  }
+
+ private:
+  Vec2 flat(const Vec2& drawn) const { return {mirrored_ ? -drawn.x() : drawn.x(), drawn.y()}; }
+
+  /// The outline's walk, turned so that it runs counter-clockwise in flat coordinates.
+  std::vector<OutlineStep> walk() const {
+    std::vector<Vec2> points;
+    for (const OutlineStep& step : panel_.outline) {
+      std::vector<Vec2> sample =
+          panel_.edges[at(step.edge)].curve.sample(8 * steps_[at(step.edge)]);
+      if (!step.forward) std::reverse(sample.begin(), sample.end());
+      for (const Vec2& point : sample) points.push_back(flat(point));
+    }
+    std::vector<OutlineStep> steps = panel_.outline;
+    if (signed_area(points) < 0) {
+      std::reverse(steps.begin(), steps.end());
+      for (OutlineStep& step : steps) step.forward = !step.forward;
+    }
+    return steps;
+  }
+
+  std::vector<Vec2> coarse_outline() {
+    std::vector<Vec2> outline;
+    work_.along.assign(panel_.edges.size(), {});
+    const std::vector<OutlineStep> steps = walk();
+    for (const OutlineStep& step : steps) {
+      const int count = steps_[at(step.edge)];
+      std::vector<Vec2> sample = panel_.edges[at(step.edge)].curve.sample(count);
+      if (!step.forward) std::reverse(sample.begin(), sample.end());
+      for (int i = 0; i < count; ++i) {
+        work_.along[at(step.edge)].push_back(static_cast<int>(outline.size()));
+        outline.push_back(flat(sample[at(i)]));
+      }
+    }
+    for (std::size_t s = 0; s < steps.size(); ++s) {
+      std::vector<int>& along = work_.along[at(steps[s].edge)];
+      along.push_back(work_.along[at(steps[(s + 1) % steps.size()].edge)].front());
+    }
+    for (const OutlineStep& step : steps) {
+      std::vector<int>& along = work_.along[at(step.edge)];
+      if (!step.forward) std::reverse(along.begin(), along.end());
+    }
+    return outline;
+  }
+
+  /// Splits every triangle in four, in the order that PanelMesh states.
+  void subdivide() {
+    std::map<std::array<int, 2>, int> middles;
+    std::vector<Vec2>& points = work_.mesh.points;
+    const auto key = [](int a, int b) { return std::array{std::min(a, b), std::max(a, b)}; };
+    for (std::size_t e = 0; e < work_.along.size(); ++e) {
+      const std::vector<int> coarse = work_.along[e];
+      std::vector<int> fine;
+      const double spans = 2.0 * static_cast<double>(coarse.size() - 1);
+      for (std::size_t i = 0; i + 1 < coarse.size(); ++i) {
+        const int middle = static_cast<int>(points.size());
+        middles[key(coarse[i], coarse[i + 1])] = middle;
+        points.push_back(
+            flat(panel_.edges[e].curve.at((2.0 * static_cast<double>(i) + 1) / spans)));
+        fine.push_back(coarse[i]);
+        fine.push_back(middle);
+      }
+      fine.push_back(coarse.back());
+      work_.along[e] = std::move(fine);
+    }
+    const auto middle_of = [&](int a, int b) {
+      const auto [found, added] = middles.try_emplace(key(a, b), static_cast<int>(points.size()));
+      if (added) {
+        const Vec2 middle = (points[at(a)] + points[at(b)]) / 2;
+        points.push_back(middle);
+      }
+      return found->second;
+    };
+    std::vector<Triangle> fine;
+    fine.reserve(4 * work_.mesh.triangles.size());
+    for (const auto& [c0, c1, c2] : work_.mesh.triangles) {
+      const int m01 = middle_of(c0, c1);
+      const int m12 = middle_of(c1, c2);
+      const int m20 = middle_of(c2, c0);
+      fine.push_back({c0, m01, m20});
+      fine.push_back({m01, c1, m12});
+      fine.push_back({m20, m12, c2});
+      fine.push_back({m01, m12, m20});
+    }
+    work_.mesh.triangles = std::move(fine);
+  }
+
+  const PatternPanel& panel_;
+  bool mirrored_;
+  std::vector<int> steps_;
+  Work work_;
+};
+
+std::vector<Work> mesh_all(const Pattern& pattern, const Orientation& orientation,
+                           double edge_length, int subdivisions) {
+  const double coarse_length = edge_length * (1 << subdivisions);
+  const Steps steps = steps_along(pattern, coarse_length);
+  std::vector<Work> works;
+  for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+    PanelMesher mesher(pattern.panels[p], orientation.mirrored[p]);
+    works.push_back(mesher.mesh(steps[p], coarse_length, subdivisions));
+  }
+  return works;
+}
+
+void check_size(const Pattern& pattern, double edge_length) {
+  double triangles = 0;
+  for (const PatternPanel& panel : pattern.panels) {
+    std::vector<Vec2> points;
+    double length = 0;
+    for (const OutlineStep& step : panel.outline) {
+      const EdgeCurve& curve = panel.edges[at(step.edge)].curve;
+      length += curve.length();
+      for (int i = 0; i < 8; ++i) points.push_back(curve.at((step.forward ? i : 8 - i) / 8.0));
+    }
+    triangles += std::abs(signed_area(points)) / (std::sqrt(3.0) / 4 * edge_length * edge_length) +
+                 length / edge_length;
+  }
+  if (triangles <= most_triangles) return;
+  throw Error(pattern.source,
+              "would need about " + std::to_string(static_cast<int>(triangles / 1e6)) +
+                  " million triangles",
+              "check 'units_in_meter', or ask for a longer --edge-length");
+}
+
+std::string default_name(const Pattern& pattern, const Stitch& stitch) {
+  const auto side = [&](const EdgeRef& ref) {
+    return pattern.panels[at(ref.panel)].name + "." + std::to_string(ref.edge);
+  };
+  return side(stitch.a) + "-" + side(stitch.b);
+}
+
+PanelMesh assemble(const Pattern& pattern, const Orientation& orientation,
+                   const std::vector<Work>& works) {
+  PanelMesh garment;
+  for (std::size_t p = 0; p < works.size(); ++p) {
+    const PatternPanel& panel = pattern.panels[p];
+    const PlanarMesh& mesh = works[p].mesh;
+    MeshedPanel meshed;
+    meshed.name = panel.name;
+    meshed.part = panel.part;
+    meshed.fabric = panel.fabric;
+    meshed.grain = orientation.mirrored[p] ? -panel.grain : panel.grain;
+    meshed.first_point = static_cast<int>(garment.flat.size());
+    meshed.points = static_cast<int>(mesh.points.size());
+    meshed.first_triangle = static_cast<int>(garment.triangles.size());
+    meshed.triangles = static_cast<int>(mesh.triangles.size());
+    for (const Vec2& point : mesh.points) {
+      garment.flat.push_back(point);
+      garment.placed.push_back(
+          panel.place({orientation.mirrored[p] ? -point.x() : point.x(), point.y()}));
+    }
+    for (const auto& [a, b, c] : mesh.triangles) {
+      garment.triangles.push_back(
+          {a + meshed.first_point, b + meshed.first_point, c + meshed.first_point});
+    }
+    garment.panels.push_back(std::move(meshed));
+  }
+  for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
+    const Stitch& stitch = pattern.stitches[s];
+    const auto side = [&](const EdgeRef& ref) {
+      std::vector<int> points = works[at(ref.panel)].along[at(ref.edge)];
+      for (int& point : points) point += garment.panels[at(ref.panel)].first_point;
+      return points;
+    };
+    MeshedSeam seam;
+    seam.name = stitch.name.empty() ? default_name(pattern, stitch) : stitch.name;
+    seam.a = side(stitch.a);
+    seam.b = side(stitch.b);
+    if (orientation.reversed[s]) std::reverse(seam.b.begin(), seam.b.end());
+    seam.length_a = pattern.panels[at(stitch.a.panel)].edges[at(stitch.a.edge)].curve.length();
+    seam.length_b = pattern.panels[at(stitch.b.panel)].edges[at(stitch.b.edge)].curve.length();
+    garment.seams.push_back(std::move(seam));
+  }
+  return garment;
+}
+
+}  // namespace
+
+PanelMesh mesh_panels(const Pattern& pattern, const MeshSettings& settings,
+                      std::vector<Remark>& remarks) {
+  check_size(pattern, settings.edge_length);
+  const Orientation orientation = orient(pattern, remarks);
+  const int wanted =
+      settings.subdivisions >= 0
+          ? settings.subdivisions
+          : std::max(
+                0, static_cast<int>(std::lround(std::log2(coarsest_edge / settings.edge_length))));
+  std::optional<Unmeshable> failure;
+  for (int subdivisions = std::min(wanted, most_subdivisions); subdivisions >= 0; --subdivisions) {
+    try {
+      PanelMesh garment = assemble(
+          pattern, orientation, mesh_all(pattern, orientation, settings.edge_length, subdivisions));
+      garment.subdivisions = subdivisions;
+      garment.edge_length = settings.edge_length;
+      if (failure) {
+        remarks.push_back({false, pattern.source + ": panel '" + failure->panel + "' " +
+                                      failure->problem + " on the coarser level; " +
+                                      std::to_string(subdivisions) + " subdivisions are used"});
+      }
+      return garment;
+    } catch (const Unmeshable& unmeshable) {
+      failure = unmeshable;
+    }
+  }
+  throw Error(pattern.source + ": panel '" + failure->panel + "'",
+              failure->problem + " at this edge length", "ask for a shorter --edge-length");
+}
+
+}  // namespace toile

@@ -1,0 +1,35 @@
+// From a pattern to triangulated panels whose seam sides carry equal numbers of points.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pattern/panel_mesh.h"
+#include "pattern/pattern.h"
+
+namespace toile {
+
+struct MeshSettings {
+  double edge_length = 0.01;  ///< wanted length of triangle edges, metres
+  /// Levels of the nested triangulation, 0 to most_subdivisions; negative: as many as keep the
+  /// coarsest edges at about coarsest_edge.
+  int subdivisions = -1;
+};
+
+inline constexpr int most_subdivisions = 3;
+inline constexpr double coarsest_edge = 0.04;  ///< metres
+
+/// Meshes every panel of a checked pattern. Each outline edge is cut into equal steps of its
+/// length, the longer side of a seam deciding for both, on the coarsest level; border points lie on
+/// the outline's curves on every level, and none are added after the seam sides are paired. Flat
+/// coordinates show the panel's right side: a panel whose right side is the back of its drawing is
+/// mirrored (x to -x, grain likewise), so that all triangles are counter-clockwise and, once sewn,
+/// face out of the garment. A dart's two sides share the point at its tip.
+///
+/// Where a coarse outline would cross itself or give needles, fewer subdivisions are used and a
+/// remark says so. Throws Error, naming the panel, when even the finest outline can't be meshed, or
+/// when the mesh would have more than five million triangles.
+PanelMesh mesh_panels(const Pattern& pattern, const MeshSettings& settings,
+                      std::vector<Remark>& remarks);
+
+}  // namespace toile

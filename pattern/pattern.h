@@ -1,0 +1,77 @@
+// A sewing pattern: flat panels bounded by curves, where they are placed, and what is sewn to what.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "geometry/types.h"
+#include "pattern/edge_curve.h"
+
+namespace toile {
+
+/// Something worth saying about an input that can be used all the same.
+struct Remark {
+  bool warning = false;  ///< else a note
+  std::string text;      ///< names panel and edge
+};
+
+/// One edge of a panel's outline, as the pattern numbers them. Metres, in the panel's drawing.
+struct PatternEdge {
+  EdgeCurve curve;
+  std::string label;
+};
+
+/// An edge as the outline is walked: `forward` when the walk runs from its start to its end.
+struct OutlineStep {
+  int edge = 0;  ///< index into PatternPanel::edges
+  bool forward = true;
+};
+
+/// A flat piece as drawn, in metres.
+struct PatternPanel {
+  std::string name;
+  std::string part;    ///< body part it is placed at, one of body_parts; empty: not stated
+  std::string fabric;  ///< empty: the garment's
+  double grain =
+      0;  ///< angle of the warp against the drawing's +y axis, radians, counter-clockwise
+  std::vector<PatternEdge> edges;                          ///< in the file's order
+  std::vector<OutlineStep> outline;                        ///< one closed loop through all edges
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< drawing (x, y, 0) to space
+  Vec3 translation = Vec3::Zero();
+
+  Vec3 place(const Vec2& drawn) const {
+    return rotation * Vec3(drawn.x(), drawn.y(), 0) + translation;
+  }
+};
+
+/// An edge of a panel, by index.
+struct EdgeRef {
+  int panel = 0;
+  int edge = 0;
+};
+
+/// How the two edges of a stitch meet.
+enum class StitchDirection {
+  by_position,     ///< not stated: whichever way brings the placed end points closer
+  end_to_start,    ///< one edge's end meets the other's start
+  start_to_start,  ///< they run side by side
+};
+
+struct Stitch {
+  std::string name;  ///< empty: not named
+  EdgeRef a;
+  EdgeRef b;
+  StitchDirection direction = StitchDirection::by_position;
+};
+
+struct Pattern {
+  std::string source;  ///< the file it came from, for messages
+  std::vector<PatternPanel> panels;
+  std::vector<Stitch> stitches;
+};
+
+/// "panel 'skirt_front', edge 3", for messages; edges count from 0, as in the file.
+std::string edge_name(const Pattern& pattern, const EdgeRef& ref);
+
+}  // namespace toile
