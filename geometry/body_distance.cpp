@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
 #include "geometry/error.h"
+#include "geometry/nearest.h"
 
 namespace toile {
 
@@ -24,42 +24,6 @@ using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterato
 using AabbTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
 Kernel::Point_3 to_cgal(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
-
-/// Barycentric weights of the point of triangle abc nearest to p [Ericson 2005, 5.1.5].
-/// Weights of exactly zero tell the vertex and edge regions apart.
-Vec3 nearest_weights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 ab = b - a;
-  const Vec3 ac = c - a;
-  const Vec3 ap = p - a;
-  const double d1 = ab.dot(ap);
-  const double d2 = ac.dot(ap);
-  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
-  const Vec3 bp = p - b;
-  const double d3 = ab.dot(bp);
-  const double d4 = ac.dot(bp);
-  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) {
-    const double v = d1 / (d1 - d3);
-    return {1 - v, v, 0};
-  }
-  const Vec3 cp = p - c;
-  const double d5 = ab.dot(cp);
-  const double d6 = ac.dot(cp);
-  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) {
-    const double w = d2 / (d2 - d6);
-    return {1 - w, 0, w};
-  }
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-    const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-    return {0, 1 - w, w};
-  }
-  const double sum = va + vb + vc;
-  return {va / sum, vb / sum, vc / sum};
-}
 
 double corner_angle(const Vec3& at, const Vec3& to, const Vec3& also_to) {
   const Vec3 u = to - at;
@@ -128,7 +92,7 @@ BodyPoint BodyDistance::Tree::describe(const Vec3& query, int triangle) const {
   const Vec3& a = body.points[corners[0]];
   const Vec3& b = body.points[corners[1]];
   const Vec3& c = body.points[corners[2]];
-  const Vec3 weights = nearest_weights(query, a, b, c);
+  const Vec3 weights = nearest_on_triangle(query, a, b, c);
   BodyPoint found;
   found.point = weights[0] * a + weights[1] * b + weights[2] * c;
   found.normal = normal_at(triangle, weights);

@@ -1,0 +1,63 @@
+// The stages that bring a garment onto a body: position, wrap, sew, drape.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cloth/placement.h"
+#include "cloth/program.h"
+#include "cloth/relax.h"
+
+namespace toile {
+
+struct DressOptions {
+  double stop_median = 0.05;  ///< residual of a garment at rest, in mean node weights
+  double stop_rms = 0.5;
+  int max_iterations = 20000;  ///< of the last stage, on the garment's own mesh
+};
+
+struct StageReport {
+  std::string name;
+  int vertices = 0;  ///< nodes of the mesh that the stage ran on
+  int steps = 0;
+  int searches = 0;
+  double seconds = 0;
+  bool converged = false;
+  Residual residual;
+};
+
+/// What a garment went through on its way: largest changes of any panel, in percent.
+struct DuringDressing {
+  double area_percent = 0;
+  double perimeter_percent = 0;
+};
+
+struct DressResult {
+  Program program;          ///< as compiled for the garment's own mesh
+  std::vector<Vec3> nodes;  ///< metres, per node
+  Placement placement;
+  std::vector<StageReport> stages;
+  DuringDressing during;
+  Residual residual;
+  bool converged = false;
+};
+
+/// A state on the way: places of the material points of `mesh`, which may be coarser than the
+/// garment. Called some twenty times a stage.
+struct DressFrame {
+  const PanelMesh& mesh;
+  const std::string& stage;
+  const std::vector<Vec3>& points;
+  double progress;  ///< of the whole dressing, 0 to 1, roughly
+};
+using FrameWatcher = std::function<void(const DressFrame&)>;
+
+/// Dresses the scene's body with the garment. On the coarsest of the garment's nested meshes the
+/// panels are placed and their seams closed, without gravity or friction (wrap), and settle as one
+/// cloth (sew); then gravity and, on the finest mesh, friction bring it to rest (drape), each
+/// finer mesh starting from the coarser one's rest. Throws Error when the scene has no body.
+DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptions& options,
+                  const FrameWatcher& watcher = {});
+
+}  // namespace toile

@@ -1,0 +1,27 @@
+#include "cloth/judge.h"
+
+#include "geometry/intersections.h"
+
+namespace toile {
+
+Judgement judge(const PanelMesh& pattern, const DressedGarment& dressed, const TriangleMesh& body,
+                const Skeleton* skeleton, bool converged) {
+  Judgement judgement;
+  judgement.garment = measure_garment(pattern, dressed);
+  if (skeleton != nullptr) judgement.wraps = measure_wraps(pattern, dressed, *skeleton);
+  const TriangleMesh cloth{dressed.points, dressed.triangles};
+  judgement.body_intersections = static_cast<int>(intersections(cloth, body).size());
+  judgement.self_intersections = static_cast<int>(self_intersections(cloth).size());
+  if (judgement.garment.seams.open > 0) {
+    judgement.verdict = "unsewable";
+  } else if (judgement.body_intersections + judgement.self_intersections > 0) {
+    judgement.verdict = "intersecting";
+  } else if (!converged) {
+    judgement.verdict = "unconverged";
+  } else {
+    judgement.verdict = "sewn";
+  }
+  return judgement;
+}
+
+}  // namespace toile

@@ -1,0 +1,240 @@
+#include "cloth/program.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "geometry/error.h"
+
+namespace toile {
+
+namespace {
+
+/// Sewn points joined; nodes numbered in the order of their first points.
+std::vector<int> weld(const PanelMesh& garment, int& nodes) {
+  std::vector<int> parent(garment.flat.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](int p) {
+    while (parent[p] != p) p = parent[p] = parent[parent[p]];
+    return p;
+  };
+  for (const MeshedSeam& seam : garment.seams) {
+    for (std::size_t i = 0; i < seam.a.size(); ++i) {
+      const int a = root(seam.a[i]);
+      const int b = root(seam.b[i]);
+      parent[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  std::vector<int> node(garment.flat.size(), -1);
+  nodes = 0;
+  for (std::size_t p = 0; p < node.size(); ++p) {
+    const int r = root(static_cast<int>(p));
+    node[p] = r == static_cast<int>(p) ? nodes++ : node[r];
+  }
+  return node;
+}
+
+StretchTriangle stretch_of(const std::array<Vec2, 3>& corners, double grain) {
+  // Weft and warp directions: +x and +y of the flat panel, turned by the grain.
+  const Vec2 weft(std::cos(grain), std::sin(grain));
+  const Vec2 warp(-std::sin(grain), std::cos(grain));
+  const Vec2 e1 = corners[1] - corners[0];
+  const Vec2 e2 = corners[2] - corners[0];
+  const double twice_area = e1.x() * e2.y() - e1.y() * e2.x();
+  // Gradients of the barycentric coordinates.
+  const Vec2 g1 = Vec2(e2.y(), -e2.x()) / twice_area;
+  const Vec2 g2 = Vec2(-e1.y(), e1.x()) / twice_area;
+  StretchTriangle s;
+  s.weft = {-(g1 + g2).dot(weft), g1.dot(weft), g2.dot(weft)};
+  s.warp = {-(g1 + g2).dot(warp), g1.dot(warp), g2.dot(warp)};
+  s.area = 0.5 * twice_area;
+  return s;
+}
+
+/// Cotangent of the angle at `at`.
+double cotangent(const Vec2& at, const Vec2& a, const Vec2& b) {
+  const Vec2 u = a - at;
+  const Vec2 v = b - at;
+  return u.dot(v) / std::abs(u.x() * v.y() - u.y() * v.x());
+}
+
+class Compiler {
+ public:
+  Compiler(const PanelMesh& garment, const Scene& scene) : garment_(garment) {
+    program_.scene = scene;
+    program_.triangles = garment.triangles;
+    program_.node_of_point = weld(garment, program_.nodes);
+  }
+
+  Program run(const std::vector<Vec3>& placed) {
+    place(placed);
+    lay_out_stretch();
+    if (program_.scene.fabric.bending > 0) lay_out_bend();
+    lay_out_gather();
+    return std::move(program_);
+  }
+
+ private:
+  void place(const std::vector<Vec3>& placed) {
+    program_.start.assign(program_.nodes, Vec3::Zero());
+    std::vector<int> copies(program_.nodes, 0);
+    for (std::size_t p = 0; p < placed.size(); ++p) {
+      program_.start[program_.node_of_point[p]] += placed[p];
+      ++copies[program_.node_of_point[p]];
+    }
+    for (int n = 0; n < program_.nodes; ++n) program_.start[n] /= copies[n];
+    if (garment_.seams.empty()) return;
+    program_.offsets.resize(placed.size());
+    for (std::size_t p = 0; p < placed.size(); ++p) {
+      program_.offsets[p] = placed[p] - program_.start[program_.node_of_point[p]];
+    }
+  }
+
+  void lay_out_stretch() {
+    const Fabric& fabric = program_.scene.fabric;
+    program_.mass.assign(program_.nodes, 0);
+    program_.stretch_diagonal.assign(program_.nodes, 0);
+    program_.shortest_edge.assign(program_.nodes, 1e9);
+    // The strain limit is a stiffness too, and the step has to be stable against it.
+    const double stiffening = program_.scene.strain_limit ? 1 + strain_limit_stiffening : 1;
+    for (const MeshedPanel& panel : garment_.panels) {
+      for (int t = panel.first_triangle; t < panel.first_triangle + panel.triangles; ++t) {
+        const Triangle& points = garment_.triangles[t];
+        Triangle nodes;
+        for (int i = 0; i < 3; ++i) nodes[i] = program_.node_of_point[points[i]];
+        if (nodes[0] == nodes[1] || nodes[1] == nodes[2] || nodes[2] == nodes[0]) {
+          throw Error("panel '" + panel.name + "'",
+                      "is so narrow between two seams that a triangle is sewn to itself",
+                      "mesh the pattern with a shorter --edge-length");
+        }
+        program_.node_triangles.push_back(nodes);
+        const std::array<Vec2, 3> flat = {garment_.flat[points[0]], garment_.flat[points[1]],
+                                          garment_.flat[points[2]]};
+        const StretchTriangle s = stretch_of(flat, panel.grain);
+        if (!(s.area > 0)) {
+          throw Error("panel '" + panel.name + "'", "has a triangle without area",
+                      "mesh the pattern again");
+        }
+        program_.stretch.push_back(s);
+        for (int i = 0; i < 3; ++i) {
+          program_.mass[nodes[i]] += s.area * fabric.areal_density / 3;
+          double row = 0;
+          for (int j = 0; j < 3; ++j) {
+            const double uu = std::abs(s.weft[i] * s.weft[j]);
+            const double vv = std::abs(s.warp[i] * s.warp[j]);
+            const double uv =
+                0.5 * (std::abs(s.weft[i] * s.warp[j]) + std::abs(s.warp[i] * s.weft[j]));
+            row += stiffening * (fabric.stretch_weft * uu + fabric.stretch_warp * vv) +
+                   fabric.shear * (0.5 * (uu + vv) + uv);
+          }
+          program_.stretch_diagonal[nodes[i]] += s.area * row;
+          const double edge =
+              std::min((flat[i] - flat[(i + 1) % 3]).norm(), (flat[i] - flat[(i + 2) % 3]).norm());
+          program_.shortest_edge[nodes[i]] = std::min(program_.shortest_edge[nodes[i]], edge);
+        }
+      }
+    }
+    const double total = std::accumulate(program_.mass.begin(), program_.mass.end(), 0.0);
+    program_.mean_weight =
+        total * std::max(program_.scene.gravity.norm(), 1e-9) / std::max(program_.nodes, 1);
+  }
+
+  void lay_out_bend() {
+    program_.bend_diagonal.assign(program_.nodes, 0);
+    // Triangles by their node edge: also finds the hinge across a sewn seam.
+    struct Side {
+      int triangle;
+      int corner;  // opposite to the edge
+    };
+    std::map<std::pair<int, int>, std::vector<Side>> sides;
+    for (std::size_t t = 0; t < program_.node_triangles.size(); ++t) {
+      for (int i = 0; i < 3; ++i) {
+        const int a = program_.node_triangles[t][(i + 1) % 3];
+        const int b = program_.node_triangles[t][(i + 2) % 3];
+        sides[std::minmax(a, b)].push_back({static_cast<int>(t), i});
+      }
+    }
+    for (const auto& [edge, faces] : sides) {
+      if (faces.size() != 2) continue;  // a border, or three panels in one seam
+      add_hinge(faces[0].triangle, faces[0].corner, faces[1].triangle, faces[1].corner);
+    }
+  }
+
+  void add_hinge(int t0, int corner0, int t1, int corner1) {
+    const auto& p0 = program_.triangles[t0];
+    const auto& p1 = program_.triangles[t1];
+    const int a0 = p0[(corner0 + 1) % 3];
+    const int b0 = p0[(corner0 + 2) % 3];
+    int a1 = p1[(corner1 + 1) % 3];
+    int b1 = p1[(corner1 + 2) % 3];
+    if (program_.node_of_point[a1] != program_.node_of_point[a0]) std::swap(a1, b1);
+    const int c = p0[corner0];
+    const int d = p1[corner1];
+    const auto& flat = garment_.flat;
+    const double at_a0 = cotangent(flat[a0], flat[b0], flat[c]);
+    const double at_b0 = cotangent(flat[b0], flat[a0], flat[c]);
+    const double at_a1 = cotangent(flat[a1], flat[b1], flat[d]);
+    const double at_b1 = cotangent(flat[b1], flat[a1], flat[d]);
+    BendHinge hinge;
+    hinge.points = {a0, b0, c, d};
+    hinge.weights = {at_b0 + at_b1, at_a0 + at_a1, -at_a0 - at_b0, -at_a1 - at_b1};
+    hinge.across_seam = a0 != a1 || b0 != b1;
+    hinge.stiffness =
+        program_.scene.fabric.bending * 3 / (program_.stretch[t0].area + program_.stretch[t1].area);
+    double sum = 0;
+    for (const double w : hinge.weights) sum += std::abs(w);
+    for (int i = 0; i < 4; ++i) {
+      program_.bend_diagonal[program_.node_of_point[hinge.points[i]]] +=
+          hinge.stiffness * std::abs(hinge.weights[i]) * sum;
+    }
+    program_.bend.push_back(hinge);
+  }
+
+  void lay_out_gather() {
+    std::vector<int> owner;
+    owner.reserve(3 * program_.triangles.size() + 4 * program_.bend.size());
+    for (const Triangle& nodes : program_.node_triangles) {
+      owner.insert(owner.end(), nodes.begin(), nodes.end());
+    }
+    for (const BendHinge& hinge : program_.bend) {
+      for (const int point : hinge.points) owner.push_back(program_.node_of_point[point]);
+    }
+    Gather& gather = program_.gather;
+    gather.first.assign(program_.nodes + 1, 0);
+    for (const int node : owner) ++gather.first[node + 1];
+    std::partial_sum(gather.first.begin(), gather.first.end(), gather.first.begin());
+    gather.slots.resize(owner.size());
+    std::vector<int> next(gather.first.begin(), gather.first.end() - 1);
+    for (std::size_t slot = 0; slot < owner.size(); ++slot) {
+      gather.slots[next[owner[slot]]++] = static_cast<int>(slot);
+    }
+  }
+
+  const PanelMesh& garment_;
+  Program program_;
+};
+
+}  // namespace
+
+Program compile(const PanelMesh& garment, const Scene& scene, const std::vector<Vec3>& placed) {
+  return Compiler(garment, scene).run(placed);
+}
+
+std::vector<std::pair<std::string, int>> term_counts(const Program& program) {
+  const auto count = [](auto n) { return static_cast<int>(n); };
+  const Scene& scene = program.scene;
+  const int triangles = count(program.triangles.size());
+  int sewn = 0;
+  std::vector<char> seen(program.nodes, 0);
+  for (const int node : program.node_of_point) sewn += seen[node]++ == 1;
+  return {{"stretch", triangles},
+          {"bend", count(program.bend.size())},
+          {"seam", program.offsets.empty() ? 0 : sewn},
+          {"body_contact", scene.body != nullptr ? program.nodes : 0},
+          {"friction", scene.body != nullptr && scene.fabric.friction > 0 ? program.nodes : 0},
+          {"self_contact", scene.self_contact ? triangles : 0},
+          {"strain_limit", scene.strain_limit ? triangles : 0}};
+}
+
+}  // namespace toile

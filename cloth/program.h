@@ -1,0 +1,68 @@
+// A scene compiled against a garment: one flat array per term, empty where the scene has no use
+// for the term.
+#pragma once
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cloth/scene.h"
+#include "geometry/types.h"
+#include "pattern/panel_mesh.h"
+
+namespace toile {
+
+/// Constant-strain triangle: warp and weft deformation w = Σ coefficient_i x_i over its corners
+/// [Baraff & Witkin 1998, 4.2].
+struct StretchTriangle {
+  std::array<double, 3> weft;  ///< 1/m
+  std::array<double, 3> warp;  ///< 1/m
+  double area;                 ///< m², at rest
+};
+
+/// Hinge of two triangles across an edge, at rest flat; E = ½ stiffness |Σ weight_i x_i|²
+/// [Bergou et al. 2006, A Quadratic Bending Model for Inextensible Surfaces].
+struct BendHinge {
+  std::array<int, 4> points;  ///< edge's ends, then the two opposite corners: material points
+  std::array<double, 4> weights;
+  double stiffness;  ///< N/m
+  bool across_seam;
+};
+
+/// Slots of the force array that belong to a node: gather[first[n]] .. gather[first[n + 1]-1].
+struct Gather {
+  std::vector<int> first;  ///< nodes + 1
+  std::vector<int> slots;
+};
+
+/// A *material point* has a place in a flat panel; sewn points share a *node*, which moves. While
+/// a seam closes, its points still stand apart: point p is at x[node_of_point[p]] +
+/// open·offset[p], with `open` going from 1 to 0.
+struct Program {
+  int nodes = 0;
+  std::vector<int> node_of_point;
+  std::vector<Vec3> offsets;             ///< per material point; empty: nothing is sewn
+  std::vector<Triangle> triangles;       ///< of material points
+  std::vector<Triangle> node_triangles;  ///< the same, of nodes
+  std::vector<StretchTriangle> stretch;  ///< one per triangle
+  std::vector<BendHinge> bend;           ///< empty: fabric without bending stiffness
+  Gather gather;  ///< slot 3t + i: corner i of triangle t; 3T + 4h + i: point i of hinge h
+  std::vector<double> mass;              ///< kg, per node
+  std::vector<double> stretch_diagonal;  ///< N/m, per node: bound of the row sum of the stiffness
+  std::vector<double> bend_diagonal;     ///< N/m
+  std::vector<double> shortest_edge;     ///< metres at rest, per node, of its triangles
+  std::vector<Vec3> start;               ///< metres, per node
+  Scene scene;
+  double mean_weight = 0;  ///< N, of a node
+};
+
+/// Welds the seams' points to nodes, and lays out the terms that the scene asks for. Nodes start
+/// in the middle of the places their points have in `placed`.
+/// Throws Error when a triangle would lose its area by being sewn to itself.
+Program compile(const PanelMesh& garment, const Scene& scene, const std::vector<Vec3>& placed);
+
+/// What was compiled, by term, with counts; a term that the scene does not use counts 0.
+std::vector<std::pair<std::string, int>> term_counts(const Program& program);
+
+}  // namespace toile

@@ -1,0 +1,28 @@
+// What is to be simulated, apart from the garment: the body, the fabric, the forces.
+#pragma once
+
+#include <optional>
+
+#include "cloth/fabric.h"
+#include "geometry/types.h"
+
+namespace toile {
+
+class DistanceGrid;
+
+struct Scene {
+  Fabric fabric;
+  Vec3 gravity{0, -9.81, 0};           ///< m/s²
+  const DistanceGrid* body = nullptr;  ///< none: nothing to touch
+  double body_offset = 0.002;          ///< metres kept between skin and cloth
+  bool self_contact = true;
+  double self_gap = 0.002;  ///< metres kept between cloth and cloth
+  /// Warp and weft strain above this meets `strain_limit_stiffening` times the fabric's stiffness.
+  std::optional<double> strain_limit;
+};
+
+/// How much stiffer the cloth is beyond its strain limit. Higher holds the limit better and
+/// converges slower, with its square root.
+inline constexpr double strain_limit_stiffening = 20;
+
+}  // namespace toile

@@ -1,0 +1,244 @@
+#include "cloth/self_contact.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "geometry/nearest.h"
+
+namespace toile {
+
+namespace {
+
+/// Share of the distance to the nearest thing that a vertex may move: both sides move, so just
+/// under a half.
+constexpr double bound_share = 0.45;
+/// Share of the shortest edge at rest that neighbours in the mesh may come near each other.
+constexpr double neighbour_share = 0.25;
+/// Vertices or edges that one task looks up; fixed, so that results don't depend on the threads.
+constexpr int chunk = 512;
+
+struct Box {
+  Vec3 low;
+  Vec3 high;
+
+  bool meets(const Box& other, double reach) const {
+    return ((low - other.high).array() < reach).all() && ((other.low - high).array() < reach).all();
+  }
+};
+
+template <std::size_t N>
+Box box_of(const std::array<int, N>& corners, const std::vector<Vec3>& x) {
+  Box box{x[corners[0]], x[corners[0]]};
+  for (std::size_t i = 1; i < N; ++i) {
+    box.low = box.low.cwiseMin(x[corners[i]]);
+    box.high = box.high.cwiseMax(x[corners[i]]);
+  }
+  return box;
+}
+
+/// Boxes sorted into the cells of a regular grid.
+class CellGrid {
+ public:
+  CellGrid(const std::vector<Box>& boxes, double reach) {
+    origin_ = Vec3::Constant(std::numeric_limits<double>::max());
+    Vec3 high = -origin_;
+    double extent = 0;
+    for (const Box& box : boxes) {
+      origin_ = origin_.cwiseMin(box.low);
+      high = high.cwiseMax(box.high);
+      extent += (box.high - box.low).maxCoeff();
+    }
+    origin_ -= Vec3::Constant(reach);
+    high += Vec3::Constant(reach);
+    cell_ = std::max(extent / std::max<std::size_t>(boxes.size(), 1) + reach, 1e-6);
+    // A runaway vertex must not ask for more cells than memory holds.
+    constexpr double most_cells = 4e6;
+    while (((high - origin_) / cell_ + Vec3::Ones()).prod() > most_cells) cell_ *= 1.5;
+    for (int axis = 0; axis < 3; ++axis) {
+      size_[axis] = static_cast<int>((high[axis] - origin_[axis]) / cell_) + 1;
+    }
+    first_.assign(static_cast<std::size_t>(size_[0]) * size_[1] * size_[2] + 1, 0);
+    for (const Box& box : boxes) {
+      each_cell(box, reach, [&](std::size_t c) { ++first_[c + 1]; });
+    }
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    items_.resize(first_.back());
+    std::vector<int> next(first_.begin(), first_.end() - 1);
+    for (std::size_t b = 0; b < boxes.size(); ++b) {
+      each_cell(boxes[b], reach, [&](std::size_t c) { items_[next[c]++] = static_cast<int>(b); });
+    }
+  }
+
+  std::array<int, 3> cell_at(const Vec3& p) const {
+    std::array<int, 3> cell;
+    for (int axis = 0; axis < 3; ++axis) {
+      cell[axis] =
+          std::clamp(static_cast<int>((p[axis] - origin_[axis]) / cell_), 0, size_[axis] - 1);
+    }
+    return cell;
+  }
+
+  template <typename Visit>
+  void each_cell(const Box& box, double reach, const Visit& visit) const {
+    const auto low = cell_at(box.low - Vec3::Constant(reach));
+    const auto high = cell_at(box.high + Vec3::Constant(reach));
+    for (int k = low[2]; k <= high[2]; ++k) {
+      for (int j = low[1]; j <= high[1]; ++j) {
+        for (int i = low[0]; i <= high[0]; ++i) visit(index({i, j, k}));
+      }
+    }
+  }
+
+  std::size_t index(const std::array<int, 3>& cell) const {
+    return (static_cast<std::size_t>(cell[2]) * size_[1] + cell[1]) * size_[0] + cell[0];
+  }
+
+  template <typename Visit>
+  void each_item(std::size_t cell, const Visit& visit) const {
+    for (int i = first_[cell]; i < first_[cell + 1]; ++i) visit(items_[i]);
+  }
+
+ private:
+  Vec3 origin_;
+  double cell_;
+  std::array<int, 3> size_;
+  std::vector<int> first_;
+  std::vector<int> items_;
+};
+
+struct Found {
+  ContactPair pair;
+  double distance;
+};
+
+/// Runs `search(item, found)` for every item, in chunks side by side, and joins what they found.
+template <typename Search>
+void search_in_chunks(int items, std::vector<Found>& all, const Search& search) {
+  std::vector<std::vector<Found>> found((items + chunk - 1) / chunk);
+  tbb::parallel_for(0, static_cast<int>(found.size()), [&](int c) {
+    const int end = std::min((c + 1) * chunk, items);
+    for (int item = c * chunk; item < end; ++item) search(item, found[c]);
+  });
+  for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
+}
+
+}  // namespace
+
+NearestPoints nearest_points(const ContactPair& pair, const std::vector<Vec3>& x) {
+  const auto& v = pair.vertices;
+  NearestPoints nearest;
+  if (pair.edges) {
+    const auto [s, t] = nearest_on_segments(x[v[0]], x[v[1]], x[v[2]], x[v[3]]);
+    nearest.weights = {1 - s, s, t - 1, -t};
+  } else {
+    const Vec3 w = nearest_on_triangle(x[v[0]], x[v[1]], x[v[2]], x[v[3]]);
+    nearest.weights = {1, -w[0], -w[1], -w[2]};
+  }
+  nearest.apart = nearest.weights[0] * x[v[0]] + nearest.weights[1] * x[v[1]] +
+                  nearest.weights[2] * x[v[2]] + nearest.weights[3] * x[v[3]];
+  return nearest;
+}
+
+ProximitySearch::ProximitySearch(const std::vector<Triangle>& triangles,
+                                 const std::vector<double>& shortest_edge)
+    : triangles_(triangles), shortest_edge_(shortest_edge) {
+  for (const Triangle& t : triangles) {
+    for (int i = 0; i < 3; ++i) {
+      const int a = t[i];
+      const int b = t[(i + 1) % 3];
+      edges_.push_back({std::min(a, b), std::max(a, b)});
+    }
+  }
+  std::sort(edges_.begin(), edges_.end());
+  edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+  ring_first_.assign(shortest_edge.size() + 1, 0);
+  for (const auto& e : edges_) {
+    ++ring_first_[e[0] + 1];
+    ++ring_first_[e[1] + 1];
+  }
+  std::partial_sum(ring_first_.begin(), ring_first_.end(), ring_first_.begin());
+  ring_.resize(ring_first_.back());
+  std::vector<int> next(ring_first_.begin(), ring_first_.end() - 1);
+  for (const auto& e : edges_) {
+    ring_[next[e[0]]++] = e[1];
+    ring_[next[e[1]]++] = e[0];
+  }
+  for (std::size_t v = 0; v < shortest_edge.size(); ++v) {
+    std::sort(ring_.begin() + ring_first_[v], ring_.begin() + ring_first_[v + 1]);
+  }
+}
+
+bool ProximitySearch::neighbours(int a, int b) const {
+  return std::binary_search(ring_.begin() + ring_first_[a], ring_.begin() + ring_first_[a + 1], b);
+}
+
+double ProximitySearch::neighbour_gap(const std::array<int, 4>& v, double gap, bool edges) const {
+  const bool near =
+      edges ? neighbours(v[0], v[2]) || neighbours(v[0], v[3]) || neighbours(v[1], v[2]) ||
+                  neighbours(v[1], v[3])
+            : neighbours(v[0], v[1]) || neighbours(v[0], v[2]) || neighbours(v[0], v[3]);
+  if (!near) return gap;
+  double shortest = shortest_edge_[v[0]];
+  for (int i = 1; i < 4; ++i) shortest = std::min(shortest, shortest_edge_[v[i]]);
+  return std::min(gap, neighbour_share * shortest);
+}
+
+void ProximitySearch::find(const std::vector<Vec3>& x, double radius, double gap,
+                           std::vector<ContactPair>& pairs, std::vector<double>& bound) const {
+  std::vector<Found> all;
+  const auto consider = [&](const ContactPair& pair, std::vector<Found>& found) {
+    const double distance = nearest_points(pair, x).apart.norm();
+    if (distance < radius) found.push_back({pair, distance});
+  };
+
+  std::vector<Box> boxes(triangles_.size());
+  for (std::size_t t = 0; t < boxes.size(); ++t) boxes[t] = box_of(triangles_[t], x);
+  {
+    const CellGrid grid(boxes, radius);
+    search_in_chunks(static_cast<int>(x.size()), all, [&](int v, std::vector<Found>& found) {
+      const Box here{x[v], x[v]};
+      grid.each_item(grid.index(grid.cell_at(x[v])), [&](int t) {
+        const Triangle& c = triangles_[t];
+        if (c[0] == v || c[1] == v || c[2] == v || !boxes[t].meets(here, radius)) return;
+        consider({{v, c[0], c[1], c[2]}, false, 0}, found);
+      });
+    });
+  }
+
+  boxes.resize(edges_.size());
+  for (std::size_t e = 0; e < boxes.size(); ++e) boxes[e] = box_of(edges_[e], x);
+  const CellGrid grid(boxes, 0.5 * radius);
+  search_in_chunks(static_cast<int>(edges_.size()), all, [&](int e, std::vector<Found>& found) {
+    grid.each_cell(boxes[e], 0.5 * radius, [&](std::size_t cell) {
+      grid.each_item(cell, [&](int f) {
+        if (f <= e) return;
+        const auto& a = edges_[e];
+        const auto& b = edges_[f];
+        if (a[0] == b[0] || a[0] == b[1] || a[1] == b[0] || a[1] == b[1]) return;
+        if (!boxes[e].meets(boxes[f], radius)) return;
+        // Both lie in several cells: the one at the low corner of their overlap reports them.
+        const Vec3 corner = boxes[e].low.cwiseMax(boxes[f].low) - Vec3::Constant(0.5 * radius);
+        if (grid.index(grid.cell_at(corner)) != cell) return;
+        consider({{a[0], a[1], b[0], b[1]}, true, 0}, found);
+      });
+    });
+  });
+
+  pairs.clear();
+  bound.assign(x.size(), bound_share * radius);
+  for (Found& f : all) {
+    for (const int v : f.pair.vertices) {
+      bound[v] = std::min(bound[v], bound_share * f.distance);
+    }
+    f.pair.gap = neighbour_gap(f.pair.vertices, gap, f.pair.edges);
+    // Neighbours that can't touch before the next search need no force.
+    if (f.pair.gap == gap || f.distance < 3 * f.pair.gap) pairs.push_back(f.pair);
+  }
+}
+
+}  // namespace toile

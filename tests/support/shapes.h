@@ -1,0 +1,50 @@
+// Small meshes with known answers.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "geometry/types.h"
+
+namespace toile::test {
+
+/// Unit cube [0, 1]³, outward, 12 triangles.
+inline TriangleMesh cube() {
+  TriangleMesh mesh;
+  for (int i = 0; i < 8; ++i) mesh.points.emplace_back(i & 1, (i >> 1) & 1, i >> 2);
+  mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  return mesh;
+}
+
+/// Sphere around the origin: an octahedron split `levels` times, vertices on the sphere.
+inline TriangleMesh sphere(double radius, int levels) {
+  TriangleMesh mesh;
+  mesh.points = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  mesh.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                    {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  for (int level = 0; level < levels; ++level) {
+    std::map<std::pair<int, int>, int> middles;
+    const auto middle = [&](int a, int b) {
+      const auto [found, is_new] =
+          middles.try_emplace(std::minmax(a, b), static_cast<int>(mesh.points.size()));
+      if (is_new) mesh.points.push_back((mesh.points[a] + mesh.points[b]).normalized());
+      return found->second;
+    };
+    std::vector<Triangle> finer;
+    for (const Triangle& t : mesh.triangles) {
+      const int m01 = middle(t[0], t[1]);
+      const int m12 = middle(t[1], t[2]);
+      const int m20 = middle(t[2], t[0]);
+      finer.insert(finer.end(),
+                   {{t[0], m01, m20}, {m01, t[1], m12}, {m20, m12, t[2]}, {m01, m12, m20}});
+    }
+    mesh.triangles = finer;
+  }
+  for (Vec3& p : mesh.points) p *= radius;
+  return mesh;
+}
+
+}  // namespace toile::test
