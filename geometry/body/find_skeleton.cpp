@@ -1,0 +1,315 @@
+#include "geometry/body/find_skeleton.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "geometry/body/centreline.h"
+#include "geometry/error.h"
+
+namespace toile {
+
+namespace {
+
+// Lengths below are shares of the body's height. Segment lengths are those of Drillis & Contini
+// (1966) as every ergonomics table has them: upper arm 0.186, forearm 0.146, hand 0.108.
+constexpr double arm_to_wrist = 0.186 + 0.146;
+constexpr double arm_to_tip = arm_to_wrist + 0.108;
+constexpr double elbow_share = 0.186 / arm_to_wrist;
+constexpr double knee_share = 0.61;  // of the crotch's height
+
+struct Reach {
+  double low = 0;
+  double high = 0;
+};
+
+Reach reach_in_x(const Section& section) {
+  Reach reach{section.points.front().x(), section.points.front().x()};
+  for (const Vec3& point : section.points) {
+    reach.low = std::min(reach.low, point.x());
+    reach.high = std::max(reach.high, point.x());
+  }
+  return reach;
+}
+
+/// How far a section reaches to one side: 1 left (+x), -1 right.
+double reach_to(const Section& section, int side) {
+  const Reach reach = reach_in_x(section);
+  return side > 0 ? reach.high : -reach.low;
+}
+
+const Station& least_girth(const std::vector<Station>& stations, double low, double high) {
+  const Station* least = nullptr;
+  for (const Station& station : stations) {
+    if (station.along < low || station.along > high) continue;
+    if (least == nullptr || station.section.girth < least->section.girth) least = &station;
+  }
+  return least != nullptr ? *least : stations.front();
+}
+
+class Finder {
+ public:
+  Finder(const TriangleMesh& body, const std::string& name) : body_(body), name_(name) {
+    for (const Vec3& point : body.points) height_ = std::max(height_, point.y());
+    walk_.step = height_ / 200;
+    walk_.least_area = 3.5e-4 * height_ * height_;  // 10 cm^2 at 1.70 m: a finger is less
+    walk_.reach = 0.05 * height_;
+    walk_.length = height_;
+  }
+
+  Skeleton find() {
+    if (!(height_ > 0)) fail("nothing stands above y = 0");
+    find_legs();
+    find_trunk();
+    find_neck();
+    for (const int side : {1, -1}) find_arm(side);
+    check();
+    add_segments();
+    return std::move(skeleton_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& problem) const {
+    throw Error(name_, "no skeleton is found: " + problem,
+                "it has to stand upright with arms and legs apart");
+  }
+
+  Vec3& joint(int side, const std::string& joint_name) {
+    return skeleton_.joints[(side > 0 ? "left_" : "right_") + joint_name];
+  }
+
+  std::vector<Section> level(double y) const {
+    std::vector<Section> sections = slice(body_, Vec3(0, y, 0), Vec3::UnitY());
+    std::erase_if(sections,
+                  [this](const Section& s) { return !s.closed || s.area < walk_.least_area; });
+    return sections;
+  }
+
+  /// The section at height y that holds the whole trunk around `middle`, if there is one.
+  std::optional<Section> trunk_section(double y, const Vec3& middle) const {
+    return section_at(level(y), Vec3(middle.x(), y, middle.z()), Vec3::UnitY(), walk_.least_area,
+                      walk_.reach);
+  }
+
+  void find_legs() {
+    // Hands hang no lower than this, and feet are out of the way.
+    const double shin = 0.25 * height_;
+    std::vector<Section> shins = level(shin);
+    if (shins.size() != 2) {
+      fail("a level cut at a quarter of the height meets " + std::to_string(shins.size()) +
+           " parts instead of two legs");
+    }
+    if (shins[0].centroid.x() < shins[1].centroid.x()) std::swap(shins[0], shins[1]);
+
+    std::array<std::vector<Station>, 2> up;
+    for (int leg = 0; leg < 2; ++leg) {
+      up[leg] = walk_level(body_, shins[leg].centroid, 0.65 * height_, walk_);
+    }
+    // Both walks end up in the trunk; the crotch is where they first meet in one section.
+    std::size_t first = 0;
+    const std::size_t both = std::min(up[0].size(), up[1].size());
+    while (first < both && up[0][first].section.centroid != up[1][first].section.centroid) ++first;
+    if (first == both || first == 0) fail("the legs don't meet below the waist");
+    double apart = up[0][first - 1].along;
+    double joined = up[0][first].along;
+    for (int i = 0; i < 8; ++i) {
+      const double y = (apart + joined) / 2;
+      const auto left = trunk_section(y, up[0][first - 1].section.centroid);
+      const auto right = trunk_section(y, up[1][first - 1].section.centroid);
+      (left && right && left->centroid == right->centroid ? joined : apart) = y;
+    }
+    crotch_ = joined;
+    const auto pelvis = trunk_section(joined, up[0][first].section.centroid);
+    skeleton_.joints["pelvis"] = pelvis->centroid;
+
+    for (const int side : {1, -1}) {
+      const int leg = side > 0 ? 0 : 1;
+      std::vector<Station> leg_line = walk_level(body_, shins[leg].centroid, 0, walk_);
+      std::reverse(leg_line.begin(), leg_line.end());
+      leg_line.insert(leg_line.end(), up[leg].begin() + 1,
+                      up[leg].begin() + static_cast<std::ptrdiff_t>(first));
+      const Vec3 thigh = point_along(leg_line, crotch_ - 0.02 * height_);
+      joint(side, "hip") = Vec3(thigh.x(), crotch_ + 0.04 * height_, pelvis->centroid.z());
+      const double thin = least_girth(leg_line, 0.5 * crotch_, 0.7 * crotch_).along;
+      joint(side, "knee") = point_along(
+          leg_line, std::clamp(knee_share * crotch_, thin - 0.04 * height_, thin + 0.04 * height_));
+      // The least girth lies above the ankle bones.
+      const double above_ankle = least_girth(leg_line, 0.03 * height_, 0.14 * height_).along;
+      joint(side, "ankle") = point_along(leg_line, std::max(0.65 * above_ankle, 0.03 * height_));
+    }
+  }
+
+  void find_trunk() {
+    WalkOptions options = walk_;
+    trunk_ = walk_level(body_, skeleton_.joint("pelvis"), 0.995 * height_, options);
+    if (trunk_.back().along < 0.9 * height_) fail("the trunk can't be followed up to a head");
+    for (const int side : {1, -1}) find_armpit(side);
+    const double armpit = std::min(armpits_[0].y(), armpits_[1].y());
+    const double span = armpit - crotch_;
+    skeleton_.joints["waist"] =
+        least_girth(trunk_, crotch_ + 0.3 * span, crotch_ + 0.85 * span).section.centroid;
+    const Vec3 chest = point_along(trunk_, armpit - walk_.step);
+    skeleton_.joints["chest"] = Vec3(chest.x(), (armpits_[0].y() + armpits_[1].y()) / 2, chest.z());
+  }
+
+  void find_armpit(int side) {
+    // From the shoulders down, the first level where the trunk's section suddenly loses the arm.
+    std::size_t below = 0;
+    for (std::size_t i = trunk_.size() - 1; i > 0 && below == 0; --i) {
+      if (trunk_[i].along > 0.88 * height_) continue;
+      const double lost = reach_to(trunk_[i].section, side) - reach_to(trunk_[i - 1].section, side);
+      if (lost > 0.03 * height_) below = i;
+    }
+    if (below == 0)
+      fail(std::string("the ") + (side > 0 ? "left" : "right") + " arm does not leave the trunk");
+    double joined = trunk_[below].along;
+    double apart = trunk_[below - 1].along;
+    const double between =
+        (reach_to(trunk_[below].section, side) + reach_to(trunk_[below - 1].section, side)) / 2;
+    Section free = trunk_[below - 1].section;
+    for (int i = 0; i < 8; ++i) {
+      const double y = (joined + apart) / 2;
+      auto section = trunk_section(y, free.centroid);
+      if (section && reach_to(*section, side) < between) {
+        apart = y;
+        free = std::move(*section);
+      } else {
+        joined = y;
+      }
+    }
+    const auto crease = std::max_element(
+        free.points.begin(), free.points.end(),
+        [side](const Vec3& a, const Vec3& b) { return side * a.x() < side * b.x(); });
+    armpits_[side > 0 ? 0 : 1] = *crease;
+  }
+
+  void find_neck() {
+    const double shoulders = std::max(armpits_[0].y(), armpits_[1].y());
+    const Station& thin = least_girth(trunk_, std::max(shoulders, 0.75 * height_), 0.93 * height_);
+    double head_girth = 0;
+    for (const Station& station : trunk_) {
+      if (station.along > thin.along) head_girth = std::max(head_girth, station.section.girth);
+    }
+    if (head_girth < 1.05 * thin.section.girth) fail("no neck is thinner than a head above it");
+    const auto width = [](const Section& section) {
+      const Reach reach = reach_in_x(section);
+      return reach.high - reach.low;
+    };
+    // The base of the neck: down from there, where it has widened by 40 % toward the shoulders.
+    const Station* base = &thin;
+    for (auto at = trunk_.rbegin(); at != trunk_.rend(); ++at) {
+      if (at->along > thin.along) continue;
+      base = &*at;
+      if (width(at->section) > 1.4 * width(thin.section)) break;
+    }
+    skeleton_.joints["neck"] = base->section.centroid;
+    const Vec3 crown = point_along(trunk_, 0.985 * height_);
+    skeleton_.joints["head"] = Vec3(crown.x(), height_, crown.z());
+  }
+
+  void find_arm(int side) {
+    const Vec3& armpit = armpits_[side > 0 ? 0 : 1];
+    const std::string which = side > 0 ? "left" : "right";
+    const Vec3 tip = *std::max_element(
+        body_.points.begin(), body_.points.end(),
+        [side](const Vec3& a, const Vec3& b) { return side * a.x() < side * b.x(); });
+    const Vec3 outward = (tip - armpit).normalized();
+    const Vec3 across = (Vec3::UnitY() - outward.y() * outward).normalized();
+    // Into the arm's middle, and on until the section is the arm's alone.
+    WalkOptions options = walk_;
+    options.least_area = walk_.least_area / 2;
+    std::vector<Station> arm;
+    for (double on = 0.01; on < 0.08 && arm.empty(); on += 0.01) {
+      arm = walk_limb(body_, armpit + height_ * (0.035 * across + on * outward), outward, options);
+      if (!arm.empty() && arm.front().section.girth > 0.35 * height_) arm.clear();
+    }
+    if (arm.size() < 20) fail("the " + which + " arm can't be followed from the armpit to a hand");
+
+    // Upper arm: its line carried back to above the armpit, where the joint is.
+    const std::size_t far = std::min<std::size_t>(arm.size() - 1, 16);
+    const Vec3 root = arm.front().section.centroid;
+    const Vec3 axis = (arm[far].section.centroid - root).normalized();
+    const double to_armpit_level = std::max(0.0, axis.dot(root - armpit));
+    double back = to_armpit_level + 0.035 * height_;
+    if (side * axis.x() > 1e-3) {
+      const double to_armpit_side = side * (root.x() - armpit.x()) / (side * axis.x());
+      back = std::clamp(to_armpit_side, to_armpit_level, back);
+    }
+    const Vec3 shoulder = root - back * axis;
+
+    const double wrist = find_wrist(arm, back);
+    joint(side, "shoulder") = shoulder;
+    joint(side, "elbow") = point_along(arm, elbow_share * (back + wrist) - back);
+    joint(side, "wrist") = point_along(arm, wrist);
+  }
+
+  /// How far along the arm's stations the wrist is; they begin `back` from the shoulder joint.
+  double find_wrist(const std::vector<Station>& arm, double back) const {
+    const double whole = back + arm.back().along;
+    const double low = 0.62 * whole - back;
+    const double high = 0.88 * whole - back;
+    const Station& thin = least_girth(arm, low, high);
+    double hand = 0;
+    for (const Station& station : arm) {
+      if (station.along > thin.along) hand = std::max(hand, station.section.girth);
+    }
+    if (hand > 1.05 * thin.section.girth) return thin.along;
+    // No hand that is thicker than the wrist: either the arm ends there, or proportion has to do.
+    if (whole < (arm_to_wrist + arm_to_tip) / 2 * height_) return arm.back().along;
+    return arm_to_wrist / arm_to_tip * whole - back;
+  }
+
+  void check() {
+    const auto require = [this](bool holds, const std::string& problem) {
+      if (!holds) fail(problem);
+    };
+    const auto y = [this](const std::string& name) { return skeleton_.joint(name).y(); };
+    require(crotch_ > 0.3 * height_ && crotch_ < 0.6 * height_,
+            "the legs' length is not in proportion to the height");
+    require(y("pelvis") < y("waist") && y("waist") < y("chest") && y("chest") < y("neck"),
+            "waist, armpits and neck are not above one another");
+    std::array<double, 2> lengths{};
+    for (const int side : {1, -1}) {
+      const double length = (joint(side, "elbow") - joint(side, "shoulder")).norm() +
+                            (joint(side, "wrist") - joint(side, "elbow")).norm();
+      require(length > 0.2 * height_ && length < 0.5 * height_,
+              "an arm's length is not in proportion to the height");
+      lengths[side > 0 ? 0 : 1] = length;
+    }
+    require(lengths[0] < 1.3 * lengths[1] && lengths[1] < 1.3 * lengths[0],
+            "the arms differ in length");
+  }
+
+  void add_segments() {
+    const auto chain = [this](const std::string& part, const std::vector<std::string>& names) {
+      for (std::size_t i = 0; i + 1 < names.size(); ++i) {
+        skeleton_.segments.push_back({part, names[i], names[i + 1]});
+      }
+    };
+    chain("torso", {"pelvis", "waist", "chest", "neck"});
+    chain("head", {"neck", "head"});
+    for (const std::string side : {"left_", "right_"}) {
+      chain(side + "arm", {side + "shoulder", side + "elbow", side + "wrist"});
+      chain(side + "leg", {side + "hip", side + "knee", side + "ankle"});
+    }
+  }
+
+  const TriangleMesh& body_;
+  const std::string& name_;
+  double height_ = 0;
+  WalkOptions walk_;
+  double crotch_ = 0;
+  std::vector<Station> trunk_;   // from the crotch up to the crown
+  std::array<Vec3, 2> armpits_;  // left, right
+  Skeleton skeleton_;
+};
+
+}  // namespace
+
+Skeleton find_skeleton(const TriangleMesh& body, const std::string& name) {
+  return Finder(body, name).find();
+}
+
+}  // namespace toile

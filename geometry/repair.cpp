@@ -1,0 +1,321 @@
+#define CGAL_EIGEN3_ENABLED
+#include "geometry/repair.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/border.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/manifoldness.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/repair_self_intersections.h>
+#include <CGAL/Polygon_mesh_processing/stitch_borders.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+#include <map>
+#include <vector>
+
+#include "geometry/body_distance.h"
+#include "geometry/error.h"
+#include "geometry/intersections.h"
+
+namespace toile {
+
+namespace {
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Halfedge = Mesh::Halfedge_index;
+using Polygons = std::vector<std::vector<std::size_t>>;
+
+struct Soup {
+  std::vector<Point> points;
+  Polygons polygons;
+};
+
+Soup checked_soup(const PolygonSoup& soup, const std::string& name) {
+  if (soup.polygons.empty()) {
+    throw Error(name, "holds no polygons", "give a surface, not only points");
+  }
+  Soup copy;
+  copy.points.reserve(soup.points.size());
+  for (std::size_t i = 0; i < soup.points.size(); ++i) {
+    const Vec3& point = soup.points[i];
+    if (!point.allFinite() || point.cwiseAbs().maxCoeff() > 1e9) {
+      throw Error(name, "point " + std::to_string(i + 1) + " is not finite or is beyond 1e9",
+                  "export the body again");
+    }
+    copy.points.emplace_back(point.x(), point.y(), point.z());
+  }
+  copy.polygons.reserve(soup.polygons.size());
+  for (const std::vector<int>& polygon : soup.polygons) {
+    copy.polygons.emplace_back(polygon.begin(), polygon.end());
+  }
+  return copy;
+}
+
+/// Whether the polygons can be turned so that neighbours agree. Only edges of exactly two polygons
+/// bind: a union-find over polygons that keeps each one's turn against its root.
+bool is_orientable(const Polygons& polygons) {
+  struct Use {
+    std::size_t low, high, polygon;
+    bool forward;
+  };
+  std::vector<Use> uses;
+  for (std::size_t p = 0; p < polygons.size(); ++p) {
+    const auto& polygon = polygons[p];
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const std::size_t a = polygon[i];
+      const std::size_t b = polygon[(i + 1) % polygon.size()];
+      uses.push_back({std::min(a, b), std::max(a, b), p, a < b});
+    }
+  }
+  std::sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) {
+    return std::tie(a.low, a.high, a.polygon) < std::tie(b.low, b.high, b.polygon);
+  });
+  std::vector<std::size_t> parent(polygons.size());
+  std::vector<char> turned(polygons.size(), 0);
+  for (std::size_t i = 0; i < parent.size(); ++i) parent[i] = i;
+  const auto root = [&](std::size_t p) {
+    bool turn = false;
+    while (parent[p] != p) {
+      // Path halving: point at the grandparent, adding up the turns passed.
+      const std::size_t up = parent[p];
+      turned[p] = static_cast<char>(turned[p] ^ turned[up]);  // a root's turn is 0
+      parent[p] = parent[up];
+      turn ^= turned[p] != 0;
+      p = parent[p];
+    }
+    return std::pair(p, turn);
+  };
+  for (std::size_t i = 0; i < uses.size();) {
+    std::size_t end = i + 1;
+    while (end < uses.size() && uses[end].low == uses[i].low && uses[end].high == uses[i].high) {
+      ++end;
+    }
+    if (end - i == 2) {
+      const auto [a, turn_a] = root(uses[i].polygon);
+      const auto [b, turn_b] = root(uses[i + 1].polygon);
+      const bool must_turn = uses[i].forward == uses[i + 1].forward;
+      if (a == b && (turn_a != turn_b) != must_turn) return false;
+      if (a != b) {
+        parent[b] = a;
+        turned[b] = static_cast<char>((turn_a != turn_b) != must_turn);
+      }
+    }
+    i = end;
+  }
+  return true;
+}
+
+double longest_side(const Mesh& mesh) {
+  CGAL::Bbox_3 box;
+  for (const auto v : mesh.vertices()) box += mesh.point(v).bbox();
+  return std::max({box.x_span(), box.y_span(), box.z_span()});
+}
+
+CGAL::Bbox_3 hole_box(const Mesh& mesh, Halfedge border) {
+  CGAL::Bbox_3 box;
+  Halfedge h = border;
+  do {
+    box += mesh.point(mesh.target(h)).bbox();
+    h = mesh.next(h);
+  } while (h != border);
+  return box;
+}
+
+double diagonal(const CGAL::Bbox_3& box) {
+  return std::hypot(box.x_span(), box.y_span(), box.z_span());
+}
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+TriangleMesh to_plain(const Mesh& mesh) {
+  TriangleMesh plain;
+  std::vector<int> index(mesh.num_vertices() + mesh.number_of_removed_vertices(), -1);
+  for (const auto v : mesh.vertices()) {
+    index[v.idx()] = static_cast<int>(plain.points.size());
+    const Point& p = mesh.point(v);
+    plain.points.emplace_back(p.x(), p.y(), p.z());
+  }
+  for (const auto f : mesh.faces()) {
+    const Halfedge h = mesh.halfedge(f);
+    plain.triangles.push_back({index[mesh.source(h).idx()], index[mesh.target(h).idx()],
+                               index[mesh.target(mesh.next(h)).idx()]});
+  }
+  return plain;
+}
+
+Mesh build_mesh(Soup& soup, RepairReport& report, const std::string& name) {
+  PMP::repair_polygon_soup(soup.points, soup.polygons);
+  report.points_merged = report.points_read - static_cast<int>(soup.points.size());
+  report.polygons_removed = report.polygons_read - static_cast<int>(soup.polygons.size());
+  if (soup.polygons.empty()) {
+    throw Error(name, "all its polygons are without area", "export the body again");
+  }
+  const std::size_t points_before = soup.points.size();
+  PMP::orient_polygon_soup(soup.points, soup.polygons);
+  report.points_split = static_cast<int>(soup.points.size() - points_before);
+  for (const auto& polygon : soup.polygons) report.polygons_triangulated += polygon.size() > 3;
+
+  Mesh mesh;
+  PMP::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, mesh);
+  PMP::triangulate_faces(mesh);
+  report.borders_stitched = static_cast<int>(PMP::stitch_borders(mesh));
+  const std::size_t faces_before = mesh.number_of_faces();
+  PMP::remove_degenerate_faces(mesh);
+  report.polygons_removed += static_cast<int>(faces_before - mesh.number_of_faces());
+  report.points_split += static_cast<int>(PMP::duplicate_non_manifold_vertices(mesh));
+  return mesh;
+}
+
+void keep_largest_component(Mesh& mesh, RepairReport& report) {
+  auto component = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:component").first;
+  const std::size_t count = PMP::connected_components(mesh, component);
+  if (count > 1) {
+    std::vector<double> area(count, 0);
+    double whole = 0;
+    for (const auto f : mesh.faces()) {
+      const double part = PMP::face_area(f, mesh);
+      area[component[f]] += part;
+      whole += part;
+    }
+    const std::size_t largest = std::max_element(area.begin(), area.end()) - area.begin();
+    report.components_dropped = static_cast<int>(count - 1);
+    report.dropped_area = whole > 0 ? 1 - area[largest] / whole : 0;
+    PMP::keep_connected_components(mesh, std::vector<std::size_t>{largest}, component);
+    mesh.collect_garbage();
+  }
+  mesh.remove_property_map(component);
+}
+
+void fill_holes(Mesh& mesh, RepairReport& report, bool orientable, const RepairOptions& options,
+                const std::string& name) {
+  std::vector<Halfedge> borders;
+  PMP::extract_boundary_cycles(mesh, std::back_inserter(borders));
+  if (borders.empty()) return;
+  const double size = longest_side(mesh);
+  int too_large = 0;
+  double largest = 0;
+  for (const Halfedge border : borders) {
+    const double across = diagonal(hole_box(mesh, border));
+    largest = std::max(largest, across);
+    too_large += across > options.largest_hole * size;
+  }
+  if (too_large > 0) {
+    if (!orientable) {
+      throw Error(name, "the surface is one-sided, as a Moebius strip is, so it has no inside",
+                  "give a body that is closed");
+    }
+    throw Error(name,
+                "the surface is open: " + std::to_string(too_large) +
+                    (too_large == 1 ? " hole is" : " holes are") + " too large to be filled, " +
+                    (too_large == 1 ? "" : "the largest ") + number(largest) + " units across, " +
+                    number(100 * largest / size) + " % of the body's longest side (limit " +
+                    number(100 * options.largest_hole) + " %)",
+                "close the body in a mesh editor");
+  }
+  for (const Halfedge border : borders) {
+    const double across = diagonal(hole_box(mesh, border));
+    std::vector<Mesh::Face_index> patch;
+    std::vector<Mesh::Vertex_index> inner;
+    PMP::triangulate_and_refine_hole(mesh, border, std::back_inserter(patch),
+                                     std::back_inserter(inner));
+    if (patch.empty()) {
+      // The refinement's Delaunay search can find no filling where a plain one exists.
+      PMP::triangulate_hole(mesh, border, std::back_inserter(patch),
+                            PMP::parameters::use_delaunay_triangulation(false));
+    }
+    if (patch.empty()) continue;
+    ++report.holes_filled;
+    report.largest_hole_filled = std::max(report.largest_hole_filled, across);
+  }
+}
+
+double farthest_from(const TriangleMesh& of, const TriangleMesh& surface) {
+  const BodyDistance distance(surface);
+  double farthest = 0;
+  for (const Vec3& point : of.points) {
+    farthest = std::max(farthest, std::abs(distance.nearest(point).distance));
+  }
+  return farthest;
+}
+
+// CGAL's removal cuts the facets around an intersection out and fills the hole. It may fail or take
+// away more than it should, so it works on a copy that is kept only when it came out well.
+TriangleMesh without_self_intersections(const Mesh& mesh, RepairReport& report,
+                                        const RepairOptions& options) {
+  TriangleMesh plain = to_plain(mesh);
+  report.self_intersections_found = static_cast<int>(self_intersections(plain).size());
+  report.self_intersections_left = report.self_intersections_found;
+  if (report.self_intersections_found == 0) return plain;
+  Mesh copy = mesh;
+  try {
+    PMP::experimental::remove_self_intersections(copy);
+  } catch (const CGAL::Failure_exception&) {
+    return plain;
+  }
+  copy.collect_garbage();
+  if (copy.is_empty() || !copy.is_valid() || !CGAL::is_closed(copy) ||
+      !CGAL::is_triangle_mesh(copy) || !PMP::is_outward_oriented(copy)) {
+    return plain;
+  }
+  const TriangleMesh repaired = to_plain(copy);
+  const int left = static_cast<int>(self_intersections(repaired).size());
+  if (left >= report.self_intersections_found) return plain;
+  const double moved = std::max(farthest_from(plain, repaired), farthest_from(repaired, plain));
+  if (moved > options.largest_move * longest_side(mesh)) return plain;
+  report.self_intersections_left = left;
+  report.largest_move = moved;
+  return repaired;
+}
+
+}  // namespace
+
+RepairedSurface repair(const PolygonSoup& given, const std::string& name,
+                       const RepairOptions& options) {
+  RepairedSurface result;
+  RepairReport& report = result.report;
+  report.points_read = static_cast<int>(given.points.size());
+  report.polygons_read = static_cast<int>(given.polygons.size());
+  Soup soup = checked_soup(given, name);
+  try {
+    const bool orientable = is_orientable(soup.polygons);
+    Mesh mesh = build_mesh(soup, report, name);
+    keep_largest_component(mesh, report);
+    fill_holes(mesh, report, orientable, options, name);
+    mesh.collect_garbage();
+    if (mesh.is_empty() || !CGAL::is_closed(mesh) || !CGAL::is_triangle_mesh(mesh)) {
+      throw Error(name, "the surface can't be closed", "close the body in a mesh editor");
+    }
+    const double volume = CGAL::to_double(PMP::volume(mesh));
+    if (!(std::abs(volume) > 1e-6 * std::pow(longest_side(mesh), 3))) {
+      throw Error(name, "the surface encloses no volume", "give a closed body");
+    }
+    if (!PMP::is_outward_oriented(mesh)) {
+      PMP::reverse_face_orientations(mesh);
+      report.turned_inside_out = true;
+    }
+    result.mesh = without_self_intersections(mesh, report, options);
+  } catch (const CGAL::Failure_exception& failed) {
+    throw Error(name, "the surface can't be repaired (" + std::string(failed.what()) + ")",
+                "export the body again, or repair it in a mesh editor");
+  }
+  return result;
+}
+
+}  // namespace toile

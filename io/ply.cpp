@@ -1,0 +1,306 @@
+// The Polygon File Format [Turk 1994]: a text header that declares elements and their properties,
+// then the elements as text or as binary of either byte order. Points and faces are read, all else
+// is passed over.
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "geometry/error.h"
+#include "io/bytes.h"
+#include "io/line_scanner.h"
+#include "io/mesh_formats.h"
+
+namespace toile {
+
+namespace {
+
+enum class Type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+std::size_t size_of(Type type) {
+  switch (type) {
+    case Type::int8:
+    case Type::uint8:
+      return 1;
+    case Type::int16:
+    case Type::uint16:
+      return 2;
+    case Type::int32:
+    case Type::uint32:
+    case Type::float32:
+      return 4;
+    case Type::float64:
+      return 8;
+  }
+  return 0;
+}
+
+struct Property {
+  std::string name;
+  Type type = Type::float32;
+  std::optional<Type> count;  // of a list's length
+};
+
+struct Element {
+  std::string name;
+  long long count = 0;
+  std::vector<Property> properties;
+};
+
+struct Header {
+  std::optional<std::endian> binary;  // none: text
+  std::vector<Element> elements;
+};
+
+Type parse_type(LineScanner& scanner) {
+  const std::string_view word = scanner.word();
+  if (word == "char" || word == "int8") return Type::int8;
+  if (word == "uchar" || word == "uint8") return Type::uint8;
+  if (word == "short" || word == "int16") return Type::int16;
+  if (word == "ushort" || word == "uint16") return Type::uint16;
+  if (word == "int" || word == "int32") return Type::int32;
+  if (word == "uint" || word == "uint32") return Type::uint32;
+  if (word == "float" || word == "float32") return Type::float32;
+  if (word == "double" || word == "float64") return Type::float64;
+  scanner.fail(shown(word) + " is not a PLY type", "");
+}
+
+bool is_whole(Type type) { return type != Type::float32 && type != Type::float64; }
+
+Property parse_property(LineScanner& scanner) {
+  Property property;
+  LineScanner ahead = scanner;
+  if (ahead.word() == "list") {
+    scanner.word();
+    property.count = parse_type(scanner);
+    if (!is_whole(*property.count)) scanner.fail("a list's length is no whole number", "");
+  }
+  property.type = parse_type(scanner);
+  property.name = scanner.word();
+  if (property.name.empty()) scanner.fail("a property has no name", "");
+  return property;
+}
+
+Header parse_header(LineScanner& scanner) {
+  if (!scanner.next_line()) scanner.fail("the file is empty", "give a PLY file");
+  if (const auto magic = scanner.word(); magic != "ply") {
+    scanner.fail("begins with " + shown(magic) + " instead of ply", "is it really a PLY file?");
+  }
+  Header header;
+  bool format_known = false;
+  for (;;) {
+    scanner.need_line("'end_header'");
+    const std::string_view keyword = scanner.word();
+    if (keyword == "end_header") break;
+    if (keyword == "comment" || keyword == "obj_info") continue;
+    if (keyword == "format") {
+      const std::string_view format = scanner.word();
+      if (format == "binary_little_endian") {
+        header.binary = std::endian::little;
+      } else if (format == "binary_big_endian") {
+        header.binary = std::endian::big;
+      } else if (format != "ascii") {
+        scanner.fail(shown(format) + " is not a PLY format", "");
+      }
+      format_known = true;
+    } else if (keyword == "element") {
+      Element& element = header.elements.emplace_back();
+      element.name = scanner.word();
+      element.count = scanner.integer("the number of elements", 0, std::numeric_limits<int>::max());
+    } else if (keyword == "property") {
+      if (header.elements.empty()) scanner.fail("a property comes before any element", "");
+      header.elements.back().properties.push_back(parse_property(scanner));
+    } else {
+      scanner.fail(shown(keyword) + " is not a PLY statement", "");
+    }
+  }
+  if (!format_known) scanner.fail("the header names no format", "");
+  return header;
+}
+
+/// Values one after another, whatever they are stored as.
+class Body {
+ public:
+  Body(LineScanner& scanner, std::string_view data, const std::string& name,
+       std::optional<std::endian> binary)
+      : scanner_(scanner), data_(data), name_(name), binary_(binary), at_(scanner.offset()) {}
+
+  /// Each element of a text file has its line, each value of a binary one its bytes.
+  void begin(const std::string& what) {
+    what_ = what;
+    if (!binary_) scanner_.need_line(what);
+  }
+
+  double value(Type type) {
+    if (!binary_) return scanner_.number("a value of " + what_);
+    if (data_.size() - at_ < size_of(type)) fail("the file ends within " + what_, "is it cut off?");
+    const char* const bytes = &data_[at_];
+    at_ += size_of(type);
+    switch (type) {
+      case Type::int8:
+        return load<std::int8_t>(bytes, *binary_);
+      case Type::uint8:
+        return load<std::uint8_t>(bytes, *binary_);
+      case Type::int16:
+        return load<std::int16_t>(bytes, *binary_);
+      case Type::uint16:
+        return load<std::uint16_t>(bytes, *binary_);
+      case Type::int32:
+        return load<std::int32_t>(bytes, *binary_);
+      case Type::uint32:
+        return load<std::uint32_t>(bytes, *binary_);
+      case Type::float32:
+        return load<float>(bytes, *binary_);
+      case Type::float64:
+        return load<double>(bytes, *binary_);
+    }
+    return 0;
+  }
+
+  double coordinate(Type type) {
+    const double number = value(type);
+    if (!std::isfinite(number)) {
+      fail("a coordinate of " + what_ + " is not a finite number", "export the body again");
+    }
+    return number;
+  }
+
+  long long whole(Type type, long long low, long long high, const std::string& which) {
+    const double number = value(type);
+    if (!(number >= low && number <= high) || number != std::floor(number)) {
+      std::string text;
+      append_number(text, number);
+      fail(which + " of " + what_ + " is " + text + ", not a whole number from " +
+               std::to_string(low) + " to " + std::to_string(high),
+           "");
+    }
+    return static_cast<long long>(number);
+  }
+
+  void skip(const Property& property) {
+    const long long values =
+        property.count ? whole(*property.count, 0, std::numeric_limits<int>::max(), "a list's size")
+                       : 1;
+    for (long long i = 0; i < values; ++i) value(property.type);
+  }
+
+  [[noreturn]] void fail(const std::string& problem, const std::string& remedy) const {
+    if (!binary_) scanner_.fail(problem, remedy);
+    throw Error(name_ + ", byte " + std::to_string(at_), problem, remedy);
+  }
+
+ private:
+  LineScanner& scanner_;
+  std::string_view data_;
+  const std::string& name_;
+  std::optional<std::endian> binary_;
+  std::size_t at_;
+  std::string what_;
+};
+
+void read_point(Body& body, const Element& element, PolygonSoup& soup) {
+  Vec3 point(0, 0, 0);
+  for (const Property& property : element.properties) {
+    const bool is_axis = property.name.size() == 1 && property.name[0] >= 'x' &&
+                         property.name[0] <= 'z' && !property.count;
+    if (is_axis) {
+      point[property.name[0] - 'x'] = body.coordinate(property.type);
+    } else {
+      body.skip(property);
+    }
+  }
+  soup.points.push_back(point);
+}
+
+bool is_corner_list(const Property& property) {
+  return property.count && (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
+void read_polygon(Body& body, const Element& element, long long points, PolygonSoup& soup) {
+  for (const Property& property : element.properties) {
+    if (!is_corner_list(property)) {
+      body.skip(property);
+      continue;
+    }
+    const long long corners =
+        body.whole(*property.count, 3, std::numeric_limits<int>::max(), "the number of corners");
+    std::vector<int>& polygon = soup.polygons.emplace_back();
+    for (long long i = 0; i < corners; ++i) {
+      polygon.push_back(
+          static_cast<int>(body.whole(property.type, 0, points - 1, "a point's index")));
+    }
+  }
+}
+
+void check_properties(const Header& header, const LineScanner& scanner) {
+  for (const Element& element : header.elements) {
+    int axes = 0;
+    int corner_lists = 0;
+    for (const Property& property : element.properties) {
+      axes +=
+          !property.count && (property.name == "x" || property.name == "y" || property.name == "z");
+      corner_lists += is_corner_list(property);
+    }
+    if (element.name == "vertex" && axes != 3) {
+      scanner.fail("the vertices need the properties x, y and z", "");
+    }
+    if (element.name == "face" && corner_lists != 1) {
+      scanner.fail("the faces need one list vertex_indices", "");
+    }
+    if (element.name == "tristrips" && element.count > 0) {
+      scanner.fail("triangle strips can't be read", "save the mesh with faces");
+    }
+  }
+}
+
+}  // namespace
+
+PolygonSoup parse_ply(std::string_view data, const std::string& name) {
+  LineScanner scanner(data, name);
+  const Header header = parse_header(scanner);
+  check_properties(header, scanner);
+  long long points = 0;
+  for (const Element& element : header.elements) {
+    if (element.name == "vertex") points += element.count;
+  }
+  Body body(scanner, data, name, header.binary);
+  PolygonSoup soup;
+  for (const Element& element : header.elements) {
+    if (element.properties.empty()) continue;  // nothing is stored of it, however many it claims
+    for (long long i = 0; i < element.count; ++i) {
+      body.begin(element.name + " " + std::to_string(i));
+      if (element.name == "vertex") {
+        read_point(body, element, soup);
+      } else if (element.name == "face") {
+        read_polygon(body, element, points, soup);
+      } else {
+        for (const Property& property : element.properties) body.skip(property);
+      }
+    }
+  }
+  return soup;
+}
+
+std::string format_ply(const TriangleMesh& mesh, const std::vector<Colour>& colours) {
+  std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " +
+                      std::to_string(mesh.points.size()) +
+                      "\nproperty double x\nproperty double y\nproperty double z\n";
+  if (!colours.empty()) {
+    bytes += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  }
+  bytes += "element face " + std::to_string(mesh.triangles.size()) +
+           "\nproperty list uchar int vertex_indices\nend_header\n";
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    for (int axis = 0; axis < 3; ++axis) store(bytes, mesh.points[i][axis]);
+    if (colours.empty()) continue;
+    for (const std::uint8_t channel : colours.at(i)) store(bytes, channel);
+  }
+  for (const Triangle& t : mesh.triangles) {
+    store(bytes, std::uint8_t{3});
+    for (const int corner : t) store(bytes, static_cast<std::int32_t>(corner));
+  }
+  return bytes;
+}
+
+}  // namespace toile
