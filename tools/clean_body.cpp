@@ -155,8 +155,8 @@ int work(const po::variables_map& given, const CommonSettings& common) {
   try {
     skeleton = find_skeleton(body.mesh, in);
   } catch (const Error& failed) {
-    CommonSettings::warn(std::string(failed.what()) + "; " + skeleton_path(common.output).string() +
-                         " is not written");
+    CommonSettings::warn(failed.what());
+    remove_stale_skeleton(skeleton_path(common.output));
   }
   write_mesh(common.output, body.mesh);
   if (skeleton) write_skeleton(skeleton_path(common.output), *skeleton);
