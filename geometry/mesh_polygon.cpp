@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 
@@ -14,6 +15,8 @@ namespace {
 
 /// How fast edges may grow with the distance from a short border segment.
 constexpr double growth = 0.6;
+/// Of the first lattice, in units of the wanted edge length: the border's rows end up wider.
+constexpr double lattice_spacing = 0.96;
 /// Distances in units of the wanted edge length: of a first point from its neighbours, from border
 /// points and from border segments; and the least distance from the border that smoothing keeps.
 constexpr double first_spacing = 0.8;
@@ -24,10 +27,20 @@ constexpr double border_clearance = 0.35;
 constexpr int smoothing_rounds = 40;
 /// Sweeps of the last, angle-raising pass.
 constexpr int raising_sweeps = 12;
+/// Points whose angles are all larger stay where the smoothing put them.
+constexpr double well_shaped = 40 * std::numbers::pi / 180;
 /// An edge from border to border is given up for a triangle no sharper than this.
 constexpr double crossing_angle = 20 * std::numbers::pi / 180;
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+double angle_of(const PlanarMesh& mesh, const Triangle& t) {
+  return smallest_angle(mesh.points[at(t[0])], mesh.points[at(t[1])], mesh.points[at(t[2])]);
+}
+
+double angle_of(const PlanarMesh& mesh, int triangle) {
+  return angle_of(mesh, mesh.triangles[at(triangle)]);
+}
 
 class Filler {
  public:
@@ -45,9 +58,11 @@ class Filler {
     seed();
     for (int round = 0; round < smoothing_rounds && !interior_.empty(); ++round) smooth();
     connect();
+    std::vector<bool> fixed(mesh_.points.size(), false);
+    std::fill_n(fixed.begin(), border_, true);
     for (int round = 0; round < 2; ++round) {
       uncross();
-      raise_angles();
+      raise_angles(mesh_, fixed, well_shaped);
     }
     return std::move(mesh_);
   }
@@ -93,7 +108,7 @@ class Filler {
       high = high.cwiseMax(point);
     }
     for (const double length : lengths_) shortest = std::min(shortest, length);
-    double step = edge_length_;
+    double step = lattice_spacing * edge_length_;
     for (int level = 0; level < 4; ++level, step /= 2) {
       const double row_height = step * std::sqrt(3.0) / 2;
       const Vec2 middle = (low + high) / 2;
@@ -147,10 +162,6 @@ class Filler {
     }
   }
 
-  double angle(const Triangle& t) const {
-    return smallest_angle(mesh_.points[at(t[0])], mesh_.points[at(t[1])], mesh_.points[at(t[2])]);
-  }
-
   /// Flips edges that run from border to border when the result is not sharp.
   void uncross() {
     std::map<std::array<int, 2>, std::array<int, 2>> sides;  // edge to (triangle, corner across)
@@ -184,45 +195,10 @@ class Filler {
     if (c < border_ && d < border_) return false;
     const Triangle left = {c, one[at((k + 1) % 3)], d};
     const Triangle right = {d, one[at((k + 2) % 3)], c};
-    if (std::min(angle(left), angle(right)) < crossing_angle) return false;
+    if (std::min(angle_of(mesh_, left), angle_of(mesh_, right)) < crossing_angle) return false;
     mesh_.triangles[at(first)] = left;
     mesh_.triangles[at(second)] = right;
     return true;
-  }
-
-  /// Moves each interior point, triangles kept, to where its smallest angle is largest.
-  void raise_angles() {
-    std::vector<std::vector<int>> around(mesh_.points.size());
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-      for (const int corner : mesh_.triangles[t]) around[at(corner)].push_back(static_cast<int>(t));
-    }
-    const auto worst_at = [&](int point) {
-      double worst = std::numbers::pi;
-      for (const int t : around[at(point)]) worst = std::min(worst, angle(mesh_.triangles[at(t)]));
-      return worst;
-    };
-    // Points whose triangles are all about equilateral are left where the smoothing put them.
-    constexpr double good = 40 * std::numbers::pi / 180;
-    double step = 0.2;
-    for (int sweep = 0; sweep < raising_sweeps; ++sweep, step *= 0.8) {
-      for (int i = border_; i < static_cast<int>(mesh_.points.size()); ++i) {
-        double best = worst_at(i);
-        if (best > good) continue;
-        const Vec2 from = mesh_.points[at(i)];
-        const double reach = step * size(from);
-        Vec2 best_point = from;
-        for (int k = 0; k < 8; ++k) {
-          const double turn = k * std::numbers::pi / 4;
-          mesh_.points[at(i)] = from + reach * Vec2(std::cos(turn), std::sin(turn));
-          const double worst = worst_at(i);
-          if (worst > best + 1e-6) {
-            best = worst;
-            best_point = mesh_.points[at(i)];
-          }
-        }
-        mesh_.points[at(i)] = best_point;
-      }
-    }
   }
 
   const std::vector<Vec2>& outline_;
@@ -235,6 +211,45 @@ class Filler {
 };
 
 }  // namespace
+
+void raise_angles(PlanarMesh& mesh, const std::vector<bool>& fixed, double good) {
+  std::vector<std::vector<int>> around(mesh.points.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (const int corner : mesh.triangles[t]) around[at(corner)].push_back(static_cast<int>(t));
+  }
+  const auto worst_at = [&](std::size_t point) {
+    double worst = std::numbers::pi;
+    for (const int t : around[point]) worst = std::min(worst, angle_of(mesh, t));
+    return worst;
+  };
+  double step = 0.2;
+  for (int sweep = 0; sweep < raising_sweeps; ++sweep, step *= 0.8) {
+    for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+      if (fixed[i]) continue;
+      double best = worst_at(i);
+      if (best > good) continue;
+      const Vec2 from = mesh.points[i];
+      double reach = std::numeric_limits<double>::max();
+      for (const int t : around[i]) {
+        for (const int corner : mesh.triangles[at(t)]) {
+          if (at(corner) == i) continue;
+          reach = std::min(reach, step * (mesh.points[at(corner)] - from).norm());
+        }
+      }
+      Vec2 best_point = from;
+      for (int k = 0; k < 8; ++k) {
+        const double turn = k * std::numbers::pi / 4;
+        mesh.points[i] = from + reach * Vec2(std::cos(turn), std::sin(turn));
+        const double worst = worst_at(i);
+        if (worst > best + 1e-6) {
+          best = worst;
+          best_point = mesh.points[i];
+        }
+      }
+      mesh.points[i] = best_point;
+    }
+  }
+}
 
 PlanarMesh mesh_polygon(const std::vector<Vec2>& outline, double edge_length) {
   return Filler(outline, edge_length).fill();

@@ -25,4 +25,9 @@ struct PlanarMesh {
 /// Throws Error as triangulate() does.
 PlanarMesh mesh_polygon(const std::vector<Vec2>& outline, double edge_length);
 
+/// Moves each point that is not `fixed` (one flag a point), if it has an angle below `good`
+/// (radians), to where its smallest angle is larger, triangles kept. No angle of the mesh gets
+/// smaller than the smallest one was. O(n) a sweep.
+void raise_angles(PlanarMesh& mesh, const std::vector<bool>& fixed, double good);
+
 }  // namespace toile

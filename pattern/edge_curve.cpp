@@ -105,14 +105,17 @@ void EdgeCurve::measure(double from, double to, double whole, int depth) {
   marks_.push_back({to, marks_.back().length + first + second});
 }
 
-double EdgeCurve::turning() const {
+double EdgeCurve::turning(double from, double to) const {
   if (kind_ == Kind::line) return 0;
-  if (kind_ == Kind::arc) return std::abs(sweep_);
-  constexpr int chords = 64;
+  if (kind_ == Kind::arc) return std::abs(sweep_) * (to - from);
+  constexpr int chords = 32;
   double sum = 0;
   Vec2 previous = Vec2::Zero();
-  for (int i = 0; i < chords; ++i) {
-    const Vec2 chord = bezier_point((i + 1.0) / chords) - bezier_point((i + 0.0) / chords);
+  Vec2 point = at(from);
+  for (int i = 1; i <= chords; ++i) {
+    const Vec2 next = at(from + (to - from) * i / chords);
+    const Vec2 chord = next - point;
+    point = next;
     if (chord.squaredNorm() == 0) continue;
     if (previous.squaredNorm() > 0) {
       sum += std::abs(

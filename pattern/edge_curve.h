@@ -28,8 +28,9 @@ class EdgeCurve {
   double length() const { return length_; }
   bool straight() const { return kind_ == Kind::line; }
 
-  /// How far the tangent turns in all, left and right added up, radians. From 64 chords.
-  double turning() const;
+  /// How far the tangent turns between two fractions of the length, left and right added up,
+  /// radians. From 32 chords.
+  double turning(double from = 0, double to = 1) const;
 
   /// The point at `fraction` in [0, 1] of the length; the end points exactly.
   Vec2 at(double fraction) const;

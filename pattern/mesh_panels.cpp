@@ -17,12 +17,16 @@ namespace toile {
 namespace {
 
 /// A step along an outline may be longer than asked for by this share before another is added.
-constexpr double step_tolerance = 0.25;
-/// A curve may turn this far within one step of the coarsest level, radians.
-constexpr double turn_per_step = std::numbers::pi / 4;
+constexpr double step_tolerance = 0.15;
+/// A curve should turn no further than this within one step of the coarsest level (radians), as
+/// far as that can be had with at most this many times the steps that its length asks for.
+constexpr double turn_per_step = 35 * std::numbers::pi / 180;
+constexpr int most_refined = 3;
 /// Triangles sharper than this are needles, and no ground to simulate on.
 constexpr double needle = 3 * std::numbers::pi / 180;
 constexpr double most_triangles = 5e6;
+/// Points on finer levels stay at the middles of edges unless an angle falls below this.
+constexpr double acceptable = 25 * std::numbers::pi / 180;
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
@@ -41,12 +45,26 @@ struct Work {
 /// The pattern's edges cut into steps on the coarsest level, per panel and edge.
 using Steps = std::vector<std::vector<int>>;
 
+/// The furthest that `curve` turns within one of `count` equal steps.
+double sharpest_turn(const EdgeCurve& curve, int count) {
+  if (curve.straight()) return 0;
+  double sharpest = 0;
+  for (int i = 0; i < count; ++i) {
+    sharpest = std::max(sharpest, curve.turning(static_cast<double>(i) / count,
+                                                static_cast<double>(i + 1) / count));
+  }
+  return sharpest;
+}
+
 Steps steps_along(const Pattern& pattern, double edge_length) {
   Steps steps;
   const auto wanted = [&](const EdgeCurve& curve) {
-    const double by_length = std::ceil(curve.length() / edge_length - step_tolerance);
-    const double by_turning = std::ceil(curve.turning() / turn_per_step - 1e-9);
-    return static_cast<int>(std::max({1.0, by_length, by_turning}));
+    const int by_length =
+        std::max(1, static_cast<int>(std::ceil(curve.length() / edge_length - step_tolerance)));
+    const int most = std::max(most_refined * by_length, 12);
+    int count = by_length;
+    while (count < most && sharpest_turn(curve, count) > turn_per_step) ++count;
+    return count;
   };
   for (const PatternPanel& panel : pattern.panels) {
     std::vector<int>& counts = steps.emplace_back();
@@ -167,6 +185,12 @@ class PanelMesher {
       fine.push_back({m01, m12, m20});
     }
     work_.mesh.triangles = std::move(fine);
+    // Where a curve bulges inward, its new points come too close to the middles opposite.
+    std::vector<bool> border(points.size(), false);
+    for (const std::vector<int>& along : work_.along) {
+      for (const int point : along) border[at(point)] = true;
+    }
+    raise_angles(work_.mesh, border, acceptable);
   }
 
   const PatternPanel& panel_;

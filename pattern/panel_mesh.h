@@ -20,7 +20,8 @@ struct MeshedPanel {
   int triangles = 0;
 };
 
-/// Two outline edges that are sewn together; side a's i-th point meets side b's i-th.
+/// Two outline edges that are sewn together; side a's i-th point meets side b's i-th. The sides of
+/// a dart share the point at its tip: there both hold the same material point.
 struct MeshedSeam {
   std::string name;          ///< "panel.edge-panel.edge" unless the pattern names it
   std::vector<int> a;        ///< material points along side a, at least two
@@ -30,7 +31,8 @@ struct MeshedSeam {
 };
 
 /// Panels as triangulated, before anything is sewn. A *material point* belongs to one panel and
-/// has flat coordinates there; where panels are sewn, two material points share one node.
+/// has flat coordinates there; where panels are sewn, two material points share one node. Flat
+/// coordinates show the cloth's right side, so once sewn all triangles face out of the garment.
 ///
 /// The triangulation is nested: with `subdivisions` = n, every run of four triangles
 /// 4t..4t+3 splits triangle t of the next coarser level into corner, corner, corner, centre:
