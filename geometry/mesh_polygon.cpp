@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "geometry/bucket_grid.h"
 #include "geometry/outline.h"
 #include "geometry/triangulate.h"
 
@@ -17,6 +18,8 @@ namespace {
 constexpr double growth = 0.6;
 /// Of the first lattice, in units of the wanted edge length: the border's rows end up wider.
 constexpr double lattice_spacing = 0.96;
+/// Lattices at most, each half as wide as the one before.
+constexpr int finest_lattice = 5;
 /// Distances in units of the wanted edge length: of a first point from its neighbours, from border
 /// points and from border segments; and the least distance from the border that smoothing keeps.
 constexpr double first_spacing = 0.8;
@@ -42,15 +45,33 @@ double angle_of(const PlanarMesh& mesh, int triangle) {
   return angle_of(mesh, mesh.triangles[at(triangle)]);
 }
 
+struct Box {
+  explicit Box(const std::vector<Vec2>& points) : low(points[0]), high(points[0]) {
+    for (const Vec2& point : points) {
+      low = low.cwiseMin(point);
+      high = high.cwiseMax(point);
+    }
+  }
+  Vec2 low;
+  Vec2 high;
+};
+
 class Filler {
  public:
   Filler(const std::vector<Vec2>& outline, double edge_length)
-      : outline_(outline), edge_length_(edge_length), border_(static_cast<int>(outline.size())) {
+      : outline_(outline),
+        edge_length_(edge_length),
+        border_(static_cast<int>(outline.size())),
+        box_(outline),
+        segments_(box_.low, box_.high, edge_length),
+        points_(box_.low, box_.high, edge_length) {
     for (int i = 0; i < border_; ++i) {
       const Vec2& a = outline_[at(i)];
       const Vec2& b = outline_[at((i + 1) % border_)];
       middles_.push_back((a + b) / 2);
       lengths_.push_back((b - a).norm());
+      segments_.add(a, b, i);
+      points_.add(a, i);
     }
   }
 
@@ -61,7 +82,7 @@ class Filler {
     std::vector<bool> fixed(mesh_.points.size(), false);
     std::fill_n(fixed.begin(), border_, true);
     for (int round = 0; round < 2; ++round) {
-      uncross();
+      while (uncross()) continue;
       raise_angles(mesh_, fixed, well_shaped);
     }
     return std::move(mesh_);
@@ -71,56 +92,72 @@ class Filler {
   /// The edge length wanted at `point`.
   double size(const Vec2& point) const {
     double wanted = edge_length_;
-    for (int i = 0; i < border_; ++i) {
-      if (lengths_[at(i)] >= wanted) continue;
+    // A segment's length matters only as far as edges take to grow from it to the full length.
+    segments_.near(point, edge_length_ / growth, [&](int i) {
+      if (lengths_[at(i)] >= wanted) return;
       wanted = std::min(wanted, lengths_[at(i)] + growth * (point - middles_[at(i)]).norm());
-    }
+    });
     return wanted;
   }
 
+  /// Distance to the border, or something larger than edge_length if that is larger.
   double border_distance(const Vec2& point) const {
     double least = std::numeric_limits<double>::max();
-    for (int i = 0; i < border_; ++i) {
+    segments_.near(point, edge_length_, [&](int i) {
       least = std::min(
           least, distance_to_segment(point, outline_[at(i)], outline_[at((i + 1) % border_)]));
-    }
+    });
     return least;
   }
 
+  /// Whether `point`, known to be inside, is far enough from the border and from other points.
   bool fits(const Vec2& point) const {
     const double wanted = size(point);
-    for (const Vec2& other : outline_) {
-      if ((other - point).norm() < border_point_spacing * wanted) return false;
+    bool free = true;
+    points_.near(point, wanted, [&](int i) {
+      const bool border = i < border_;
+      const Vec2& other = border ? outline_[at(i)] : interior_[at(i - border_)];
+      const double least = border ? border_point_spacing : first_spacing;
+      if ((other - point).norm() < least * wanted) free = false;
+    });
+    return free && border_distance(point) >= border_spacing * wanted;
+  }
+
+  /// Where the horizontal line at `y` enters and leaves the polygon, from left to right.
+  std::vector<double> crossings(double y) const {
+    std::vector<double> xs;
+    for (int i = 0; i < border_; ++i) {
+      const Vec2& a = outline_[at(i)];
+      const Vec2& b = outline_[at((i + 1) % border_)];
+      if ((a.y() > y) == (b.y() > y)) continue;
+      xs.push_back(a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
     }
-    for (const Vec2& other : interior_) {
-      if ((other - point).norm() < first_spacing * wanted) return false;
-    }
-    return border_distance(point) >= border_spacing * wanted && inside(outline_, point);
+    std::sort(xs.begin(), xs.end());
+    return xs;
   }
 
   /// Hexagonal lattices, the coarsest first, finer ones where the border asks for shorter edges.
   void seed() {
-    Vec2 low = outline_[0];
-    Vec2 high = outline_[0];
-    double shortest = edge_length_;
-    for (const Vec2& point : outline_) {
-      low = low.cwiseMin(point);
-      high = high.cwiseMax(point);
-    }
-    for (const double length : lengths_) shortest = std::min(shortest, length);
+    const double shortest = *std::min_element(lengths_.begin(), lengths_.end());
     double step = lattice_spacing * edge_length_;
-    for (int level = 0; level < 4; ++level, step /= 2) {
+    for (int level = 0; level < finest_lattice; ++level, step /= 2) {
       const double row_height = step * std::sqrt(3.0) / 2;
-      const Vec2 middle = (low + high) / 2;
-      const int columns = static_cast<int>((high.x() - low.x()) / step / 2) + 2;
-      const int rows = static_cast<int>((high.y() - low.y()) / row_height / 2) + 2;
+      const Vec2 middle = (box_.low + box_.high) / 2;
+      const int rows = static_cast<int>((box_.high.y() - box_.low.y()) / row_height / 2) + 1;
       for (int row = -rows; row <= rows; ++row) {
-        for (int column = -columns; column <= columns; ++column) {
-          const Vec2 point =
-              middle + Vec2((column + (row % 2 == 0 ? 0.0 : 0.5)) * step, row * row_height);
-          // A finer lattice has no business where a coarser one has the right density.
-          if (level > 0 && size(point) > 1.5 * step) continue;
-          if (fits(point)) interior_.push_back(point);
+        const double y = middle.y() + row * row_height;
+        const double offset = middle.x() + (row % 2 == 0 ? 0.0 : 0.5) * step;
+        const std::vector<double> xs = crossings(y);
+        for (std::size_t k = 0; k + 1 < xs.size(); k += 2) {
+          const double last = std::floor((xs[k + 1] - offset) / step);
+          for (double column = std::ceil((xs[k] - offset) / step); column <= last; ++column) {
+            const Vec2 point(offset + column * step, y);
+            // A finer lattice has no business where a coarser one has the right density.
+            if (level > 0 && size(point) > 1.5 * step) continue;
+            if (!fits(point)) continue;
+            points_.add(point, border_ + static_cast<int>(interior_.size()));
+            interior_.push_back(point);
+          }
         }
       }
       if (shortest > 0.75 * step) break;
@@ -156,33 +193,32 @@ class Filler {
     for (std::size_t i = 0; i < interior_.size(); ++i) {
       if (!(weight[i] > 0)) continue;
       const Vec2 moved = sum[i] / weight[i];
-      if (inside(outline_, moved) && border_distance(moved) >= border_clearance * size(moved)) {
-        interior_[i] = moved;
-      }
+      // A point that moves less than its distance from the border can't leave the polygon.
+      const double room = std::min(border_distance(interior_[i]), edge_length_);
+      if ((moved - interior_[i]).norm() >= room && !inside(outline_, moved)) continue;
+      if (border_distance(moved) >= border_clearance * size(moved)) interior_[i] = moved;
     }
   }
 
-  /// Flips edges that run from border to border when the result is not sharp.
-  void uncross() {
+  /// Flips edges that run from border to border when the result is not sharp; whether any were. A
+  /// triangle changes once a pass, so what was noted of it holds.
+  bool uncross() {
     std::map<std::array<int, 2>, std::array<int, 2>> sides;  // edge to (triangle, corner across)
-    std::vector<std::array<int, 2>> crossing;
-    const auto key = [](int a, int b) { return std::array{std::min(a, b), std::max(a, b)}; };
-    bool changed = true;
-    while (changed) {
-      changed = false;
-      sides.clear();
-      for (std::size_t t = 0; t < mesh_.triangles.size() && !changed; ++t) {
-        for (int k = 0; k < 3 && !changed; ++k) {
-          const int a = mesh_.triangles[t][at((k + 1) % 3)];
-          const int b = mesh_.triangles[t][at((k + 2) % 3)];
-          if (a >= border_ || b >= border_) continue;
-          const auto [found, added] =
-              sides.try_emplace(key(a, b), std::array{static_cast<int>(t), k});
-          if (added) continue;
-          changed = flip(found->second[0], found->second[1], static_cast<int>(t), k);
-        }
+    std::vector<bool> changed(mesh_.triangles.size(), false);
+    bool any = false;
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+      for (int k = 0; k < 3 && !changed[t]; ++k) {
+        const int a = mesh_.triangles[t][at((k + 1) % 3)];
+        const int b = mesh_.triangles[t][at((k + 2) % 3)];
+        if (a >= border_ || b >= border_) continue;
+        const auto [found, added] =
+            sides.try_emplace({std::min(a, b), std::max(a, b)}, std::array{static_cast<int>(t), k});
+        const auto [other, corner] = found->second;
+        if (added || changed[at(other)] || !flip(other, corner, static_cast<int>(t), k)) continue;
+        changed[t] = changed[at(other)] = any = true;
       }
     }
+    return any;
   }
 
   /// Replaces the edge across from corner `k` of `first` and `l` of `second` by the one between
@@ -204,6 +240,9 @@ class Filler {
   const std::vector<Vec2>& outline_;
   double edge_length_;
   int border_;
+  Box box_;
+  BucketGrid segments_;  ///< of the border
+  BucketGrid points_;    ///< of the border, and interior ones as they are placed
   std::vector<Vec2> middles_;
   std::vector<double> lengths_;
   std::vector<Vec2> interior_;
@@ -222,10 +261,13 @@ void raise_angles(PlanarMesh& mesh, const std::vector<bool>& fixed, double good)
     for (const int t : around[point]) worst = std::min(worst, angle_of(mesh, t));
     return worst;
   };
+  std::vector<std::size_t> poor;
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    if (!fixed[i] && worst_at(i) < good) poor.push_back(i);
+  }
   double step = 0.2;
   for (int sweep = 0; sweep < raising_sweeps; ++sweep, step *= 0.8) {
-    for (std::size_t i = 0; i < mesh.points.size(); ++i) {
-      if (fixed[i]) continue;
+    for (const std::size_t i : poor) {
       double best = worst_at(i);
       if (best > good) continue;
       const Vec2 from = mesh.points[i];

@@ -21,7 +21,7 @@ struct PlanarMesh {
 ///
 /// Interior points start on a hexagonal lattice and move to the centres of their surroundings
 /// between Delaunay triangulations (centroidal patch smoothing, Chen & Holst 2011), then each goes
-/// where its smallest angle is largest. Time grows with points x border segments.
+/// where its smallest angle is largest. About O(n log n).
 /// Throws Error as triangulate() does.
 PlanarMesh mesh_polygon(const std::vector<Vec2>& outline, double edge_length);
 

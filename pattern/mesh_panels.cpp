@@ -24,7 +24,7 @@ constexpr double turn_per_step = 35 * std::numbers::pi / 180;
 constexpr int most_refined = 3;
 /// Triangles sharper than this are needles, and no ground to simulate on.
 constexpr double needle = 3 * std::numbers::pi / 180;
-constexpr double most_triangles = 5e6;
+constexpr double most_triangles = 2e6;
 /// Points on finer levels stay at the middles of edges unless an angle falls below this.
 constexpr double acceptable = 25 * std::numbers::pi / 180;
 
@@ -63,7 +63,9 @@ Steps steps_along(const Pattern& pattern, double edge_length) {
         std::max(1, static_cast<int>(std::ceil(curve.length() / edge_length - step_tolerance)));
     const int most = std::max(most_refined * by_length, 12);
     int count = by_length;
-    while (count < most && sharpest_turn(curve, count) > turn_per_step) ++count;
+    while (count < most && sharpest_turn(curve, count) > turn_per_step) {
+      count = std::min(most, count + 1 + count / 8);
+    }
     return count;
   };
   for (const PatternPanel& panel : pattern.panels) {

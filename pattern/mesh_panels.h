@@ -28,7 +28,7 @@ inline constexpr double coarsest_edge = 0.04;  ///< metres
 ///
 /// Where a coarse outline would cross itself or give needles, fewer subdivisions are used and a
 /// remark says so. Throws Error, naming the panel, when even the finest outline can't be meshed, or
-/// when the mesh would have more than five million triangles.
+/// when the mesh would have more than two million triangles.
 PanelMesh mesh_panels(const Pattern& pattern, const MeshSettings& settings,
                       std::vector<Remark>& remarks);
 
