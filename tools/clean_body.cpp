@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/body/clean.h"
-#include "geometry/body/find_skeleton.h"
 #include "geometry/error.h"
 #include "io/mesh_file.h"
 #include "io/output_file.h"
@@ -96,7 +95,8 @@ void warn_remains(const CleanReport& report) {
   }
 }
 
-Json report_json(const CleanReport& report, const TriangleMesh& mesh, bool skeleton) {
+Json report_json(const CleanBody& body) {
+  const CleanReport& report = body.report;
   const RepairReport& r = report.repair;
   const double unit = report.metres_per_unit;
   return {{"read", {{"points", r.points_read}, {"polygons", r.polygons_read}}},
@@ -118,11 +118,11 @@ Json report_json(const CleanReport& report, const TriangleMesh& mesh, bool skele
            {{"found", r.self_intersections_found}, {"left", r.self_intersections_left}}},
           {"unit", {{"metres", unit}, {"inferred", report.unit_inferred}}},
           {"body",
-           {{"points", mesh.points.size()},
-            {"triangles", mesh.triangles.size()},
+           {{"points", body.mesh.points.size()},
+            {"triangles", body.mesh.triangles.size()},
             {"height_m", report.height},
             {"closed", true}}},
-          {"skeleton", skeleton}};
+          {"skeleton", body.skeleton.has_value()}};
 }
 
 /// An earlier run's skeleton beside a body that has none would be taken for that body's.
@@ -151,18 +151,14 @@ int work(const po::variables_map& given, const CommonSettings& common) {
   common.say("a closed body of " + std::to_string(body.mesh.points.size()) + " points, " +
              number(100 * body.report.height, "%.2f") + " cm tall");
 
-  std::optional<Skeleton> skeleton;
-  try {
-    skeleton = find_skeleton(body.mesh, in);
-  } catch (const Error& failed) {
-    CommonSettings::warn(failed.what());
+  if (!body.skeleton) {
+    CommonSettings::warn(body.report.no_skeleton);
     remove_stale_skeleton(skeleton_path(common.output));
   }
   write_mesh(common.output, body.mesh);
-  if (skeleton) write_skeleton(skeleton_path(common.output), *skeleton);
+  if (body.skeleton) write_skeleton(skeleton_path(common.output), *body.skeleton);
   if (common.report) {
-    write_file(*common.report,
-               report_json(body.report, body.mesh, skeleton.has_value()).dump(1) + "\n");
+    write_file(*common.report, report_json(body).dump(1) + "\n");
   }
   return exit_done;
 }

@@ -1,10 +1,12 @@
 #include "geometry/body/clean.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <utility>
 
+#include "geometry/body/find_skeleton.h"
 #include "geometry/error.h"
 
 namespace toile {
@@ -12,6 +14,7 @@ namespace toile {
 namespace {
 
 using Box = Eigen::AlignedBox3d;
+using Matrix = Eigen::Matrix3d;
 
 Box bounds(const TriangleMesh& mesh) {
   Box box;
@@ -35,17 +38,108 @@ double inferred_unit(double height, const std::string& name) {
               "give --unit");
 }
 
-// A standing body is least deep from front to back, and its arms reach hardly farther than it is
-// tall. So only a body that is clearly longer along z than along y lies on its back or is z-up,
-// and z-up programs let it face -y: both stand up facing +z by the same quarter turn.
-std::string stand_up(TriangleMesh& mesh) {
-  const Vec3 size = bounds(mesh).sizes();
-  std::string turned;
-  if (size.z() > 1.5 * size.y() && size.z() >= 0.8 * size.x()) {
-    for (Vec3& p : mesh.points) p = Vec3(p.x(), p.z(), -p.y());
-    turned = "from z up to y up";
+/// A body on its way to stand on y = 0; still in the file's unit.
+struct Standing {
+  TriangleMesh mesh;
+  double lifted = 0;
+  std::optional<Skeleton> skeleton;
+  std::string no_skeleton;
+};
+
+/// Turned by a matrix of 0, 1 and -1, so that no coordinate is rounded but y by the lift.
+Standing stand(const TriangleMesh& mesh, const Matrix& turn, const std::string& name) {
+  Standing body;
+  body.mesh = mesh;
+  if (turn != Matrix::Identity()) {
+    for (Vec3& p : body.mesh.points) p = turn * p;
   }
-  return turned;
+  const double floor = bounds(body.mesh).min().y();
+  if (floor != 0) {
+    for (Vec3& p : body.mesh.points) p.y() -= floor;
+    body.lifted = -floor;
+  }
+  try {
+    body.skeleton = find_skeleton(body.mesh, name);
+  } catch (const Error& failed) {
+    body.no_skeleton = failed.what();
+  }
+  return body;
+}
+
+/// The turn that brings `axis` to +y, and how it is called.
+struct Upright {
+  const char* axis;
+  Matrix turn;
+};
+
+std::vector<Upright> uprights() {
+  const auto rows = [](const Vec3& x, const Vec3& y, const Vec3& z) {
+    Matrix turn;
+    turn << x.transpose(), y.transpose(), z.transpose();
+    return turn;
+  };
+  const Vec3 x = Vec3::UnitX();
+  const Vec3 y = Vec3::UnitY();
+  const Vec3 z = Vec3::UnitZ();
+  return {{"y", Matrix::Identity()}, {"z", rows(x, z, -y)}, {"-z", rows(x, -z, y)},
+          {"-y", rows(-x, -y, z)},   {"x", rows(-y, x, z)}, {"-x", rows(y, -x, z)}};
+}
+
+/// About y, by -90 degrees (+x comes to +z) and by 180.
+Matrix quarter_turn() { return (Matrix() << 0, 0, -1, 0, 1, 0, 1, 0, 0).finished(); }
+Matrix half_turn() { return Vec3(-1, 1, -1).asDiagonal(); }
+
+/// Wide from side to side, as arms held out make every body.
+Matrix sideways(const TriangleMesh& mesh, const Matrix& turn) {
+  const Vec3 size = (turn * bounds(mesh).sizes()).cwiseAbs();
+  return size.z() > 1.4 * size.x() ? Matrix(quarter_turn() * turn) : turn;
+}
+
+/// The axis that a body lies along when nothing but its box is known. One that is clearly longer
+/// along z than along y is z-up; arms out to the sides reach hardly farther than it is tall.
+std::size_t likely_axis(const TriangleMesh& mesh) {
+  const Vec3 size = bounds(mesh).sizes();
+  return size.z() > 1.5 * size.y() && size.z() >= 0.8 * size.x() ? 1 : 0;
+}
+
+Standing stand_up(const TriangleMesh& mesh, const std::string& name, std::string& turned) {
+  const std::vector<Upright> ways = uprights();
+  std::size_t chosen = likely_axis(mesh);
+  Matrix turn = sideways(mesh, ways[chosen].turn);
+  Standing body = stand(mesh, turn, name);
+  if (!body.skeleton) {
+    int found = 0;
+    Standing other;
+    std::size_t other_way = chosen;
+    for (std::size_t way = 0; way < ways.size(); ++way) {
+      Standing tried = stand(mesh, sideways(mesh, ways[way].turn), name);
+      if (!tried.skeleton) continue;
+      ++found;
+      other = std::move(tried);
+      other_way = way;
+    }
+    if (found == 1) {
+      chosen = other_way;
+      turn = sideways(mesh, ways[chosen].turn);
+      body = std::move(other);
+    }
+  }
+  bool about_y = turn != ways[chosen].turn;
+  if (body.skeleton && toes_forward(body.mesh, *body.skeleton) < -0.01) {
+    turn = half_turn() * turn;
+    body = stand(mesh, turn, name);
+    about_y = true;
+  }
+  if (chosen != 0) turned = std::string("from ") + ways[chosen].axis + " up to y up";
+  if (about_y) turned += (turned.empty() ? "" : ", and ") + std::string("to face +z");
+  return body;
+}
+
+void scale(Standing& body, double factor) {
+  if (factor == 1) return;
+  for (Vec3& p : body.mesh.points) p *= factor;
+  if (!body.skeleton) return;
+  for (auto& [joint, point] : body.skeleton->joints) point *= factor;
 }
 
 }  // namespace
@@ -53,29 +147,25 @@ std::string stand_up(TriangleMesh& mesh) {
 CleanBody clean_body(const PolygonSoup& soup, const std::string& name,
                      const CleanOptions& options) {
   CleanBody body;
-  RepairedSurface surface = repair(soup, name, options.repair);
-  body.mesh = std::move(surface.mesh);
   CleanReport& report = body.report;
+  RepairedSurface surface = repair(soup, name, options.repair);
   report.repair = surface.report;
-  report.turned = stand_up(body.mesh);
 
-  const double units_tall = bounds(body.mesh).sizes().y();
+  Standing standing = stand_up(surface.mesh, name, report.turned);
+  const double units_tall = bounds(standing.mesh).max().y();
   report.unit_inferred = !options.metres_per_unit;
   report.metres_per_unit =
       options.metres_per_unit ? *options.metres_per_unit : inferred_unit(units_tall, name);
   report.height = units_tall * report.metres_per_unit;
-  if (report.height < 0.1 || report.height > 10) {
+  if (!(report.height >= 0.1 && report.height <= 10)) {
     throw Error(name, "the body would be " + number(report.height) + " m tall",
                 "give the unit that the file is in with --unit");
   }
-  if (report.metres_per_unit != 1) {
-    for (Vec3& p : body.mesh.points) p *= report.metres_per_unit;
-  }
-  const double floor = bounds(body.mesh).min().y();
-  if (floor != 0) {
-    for (Vec3& p : body.mesh.points) p.y() -= floor;
-    report.lifted = -floor;
-  }
+  report.lifted = standing.lifted * report.metres_per_unit;
+  scale(standing, report.metres_per_unit);
+  body.mesh = std::move(standing.mesh);
+  body.skeleton = std::move(standing.skeleton);
+  report.no_skeleton = std::move(standing.no_skeleton);
   return body;
 }
 

@@ -1,9 +1,10 @@
-// A body as the rest of Toile wants it: closed, in metres, upright, on the floor.
+// A body as the rest of Toile wants it: closed, in metres, upright, on the floor, facing +z.
 #pragma once
 
 #include <optional>
 #include <string>
 
+#include "geometry/body/skeleton.h"
 #include "geometry/repair.h"
 
 namespace toile {
@@ -19,18 +20,27 @@ struct CleanReport {
   RepairReport repair;
   double metres_per_unit = 1;
   bool unit_inferred = false;
-  std::string turned;  ///< how the body was turned to stand facing +z; empty: it was not
-  double lifted = 0;   ///< metres added to y to put the feet on the floor
-  double height = 0;   ///< metres
+  std::string turned;       ///< how the body was turned to stand and face +z; empty: it was not
+  double lifted = 0;        ///< metres added to y to put the feet on the floor
+  double height = 0;        ///< metres
+  std::string no_skeleton;  ///< why there is none; empty: there is one
 };
 
 struct CleanBody {
   TriangleMesh mesh;  ///< closed, 2-manifold, outward; metres, y up, lowest point at y = 0
+  std::optional<Skeleton> skeleton;
   CleanReport report;
 };
 
-/// Repairs, scales, turns and lifts a body. x and z are left where they are. Throws Error as
-/// repair() does, and when the unit can't be told or the body is no body's size.
+/// Repairs, turns, lifts and scales a body and finds its skeleton.
+///
+/// It is turned by right angles only, and only where there is no doubt: when it lies along z as
+/// z-up programs leave it, when it has a skeleton along exactly one axis and that is not y, when it
+/// is wider from front to back than from side to side, and when its toes point to -z. Its place on
+/// the floor is left as it is.
+///
+/// Throws Error as repair() does, and when the unit can't be told or the body is no body's size. A
+/// body without a skeleton is no error.
 CleanBody clean_body(const PolygonSoup& soup, const std::string& name,
                      const CleanOptions& options = {});
 

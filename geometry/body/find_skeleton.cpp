@@ -308,6 +308,19 @@ class Finder {
 
 }  // namespace
 
+double toes_forward(const TriangleMesh& body, const Skeleton& skeleton) {
+  const double height = skeleton.joint("head").y();
+  const double y = 0.012 * height;
+  double forward = 0;
+  for (const std::string ankle : {"left_ankle", "right_ankle"}) {
+    const Vec3& above = skeleton.joint(ankle);
+    const auto foot = section_at(slice(body, Vec3(0, y, 0), Vec3::UnitY()),
+                                 Vec3(above.x(), y, above.z()), Vec3::UnitY(), 0, 0.1 * height);
+    if (foot) forward += (foot->centroid.z() - above.z()) / 2;
+  }
+  return forward / height;
+}
+
 Skeleton find_skeleton(const TriangleMesh& body, const std::string& name) {
   return Finder(body, name).find();
 }

@@ -23,4 +23,8 @@ namespace toile {
 /// Throws Error, `name` its place, when the surface has no such parts. About 300 slices of O(n).
 Skeleton find_skeleton(const TriangleMesh& body, const std::string& name);
 
+/// How far the feet reach forward (+z) of the ankles on average, as a share of the height: positive
+/// for a body that faces +z, negative for one that faces -z, about 0 without feet.
+double toes_forward(const TriangleMesh& body, const Skeleton& skeleton);
+
 }  // namespace toile

@@ -47,4 +47,58 @@ inline TriangleMesh sphere(double radius, int levels) {
   return mesh;
 }
 
+/// A box from `low` to `high`, outward, 12 triangles.
+inline TriangleMesh box(const Vec3& low, const Vec3& high) {
+  TriangleMesh mesh = cube();
+  for (Vec3& p : mesh.points) p = low + p.cwiseProduct(high - low);
+  return mesh;
+}
+
+/// Both meshes in one, not joined.
+inline TriangleMesh together(TriangleMesh a, const TriangleMesh& b) {
+  const int offset = static_cast<int>(a.points.size());
+  a.points.insert(a.points.end(), b.points.begin(), b.points.end());
+  for (const Triangle& t : b.triangles) {
+    a.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+  }
+  return a;
+}
+
+/// The same surface, facing the other way.
+inline TriangleMesh inside_out(TriangleMesh mesh) {
+  for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+  return mesh;
+}
+
+/// The same triangles as a mesh file would give them.
+inline PolygonSoup soup(const TriangleMesh& mesh) {
+  PolygonSoup polygons;
+  polygons.points = mesh.points;
+  for (const Triangle& t : mesh.triangles) polygons.polygons.push_back({t[0], t[1], t[2]});
+  return polygons;
+}
+
+/// Enclosed volume, positive for an outward-oriented closed mesh.
+inline double volume(const TriangleMesh& mesh) {
+  double sum = 0;
+  for (const Triangle& t : mesh.triangles) {
+    sum += mesh.points[t[0]].dot(mesh.points[t[1]].cross(mesh.points[t[2]])) / 6;
+  }
+  return sum;
+}
+
+/// Whether each edge has exactly two triangles, which pass it in opposite directions.
+inline bool is_closed(const TriangleMesh& mesh) {
+  std::map<std::pair<int, int>, int> uses;
+  for (const Triangle& t : mesh.triangles) {
+    for (int i = 0; i < 3; ++i) {
+      if (++uses[{t[i], t[(i + 1) % 3]}] > 1) return false;
+    }
+  }
+  for (const auto& [edge, count] : uses) {
+    if (!uses.contains({edge.second, edge.first})) return false;
+  }
+  return !mesh.triangles.empty();
+}
+
 }  // namespace toile::test
