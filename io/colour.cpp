@@ -49,9 +49,11 @@ ColourRamp magnitude_ramp(double low, double high) {
   constexpr int count = 65;
   for (int i = 0; i < count; ++i) {
     const double t = static_cast<double>(i) / (count - 1);
-    // Yellow through green and teal to deep blue; the chroma bends to stay inside sRGB.
-    ramp.steps.push_back(
-        oklch(0.95 - 0.60 * t, 0.105 + 0.045 * std::sin(std::numbers::pi * t) * t, 100 + 172 * t));
+    // Yellow through green and teal to deep blue, with as much chroma as sRGB has on that way:
+    // clipped colours would show as a band.
+    const double chroma =
+        0.100 + 0.045 * std::max(0.0, std::sin(2 * std::numbers::pi * t)) + 0.045 * std::pow(t, 8);
+    ramp.steps.push_back(oklch(0.94 - 0.54 * t, chroma, 100 + 175 * t));
   }
   ramp.below = oklch(0.55, 0.22, 20);
   return ramp;

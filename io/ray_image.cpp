@@ -14,7 +14,8 @@ namespace toile {
 
 namespace {
 
-constexpr int samples = 2;  // a pixel is cut into samples x samples
+alignas(16) constexpr int all_lanes[4] = {-1, -1, -1, -1};  // of a packet of four rays
+constexpr int samples = 2;                                  // a pixel is cut into samples x samples
 constexpr Colour background{251 / 255.0, 251 / 255.0, 250 / 255.0};
 
 /// What shading needs to know of a point: its normal, and how open the sky is on either side.
@@ -99,19 +100,31 @@ struct RayScene::Data {
   Eigen::AlignedBox3d box;
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
+  RTCScene sunken = nullptr;  // the meshes that show through others; null if there are none
 
   ~Data() {
+    if (sunken != nullptr) rtcReleaseScene(sunken);
     if (scene != nullptr) rtcReleaseScene(scene);
     if (device != nullptr) rtcReleaseDevice(device);
   }
 
-  void add_to_embree(const TriangleMesh& mesh);
+  RTCScene new_scene() const;
+  RTCGeometry new_geometry(const TriangleMesh& mesh) const;
+  void build_scenes();
   void find_openness();
+  double value_at(std::size_t mesh, std::size_t triangle, double u, double v) const;
   Light surface_light(std::size_t mesh, std::size_t triangle, double u, double v) const;
+  void bring_forward(RTCRayHit4& hit, const RTCRayHit4& fresh) const;
   Sample shade(const RTCRayHit4& hit, std::size_t lane, const Vec3& towards_key) const;
 };
 
-void RayScene::Data::add_to_embree(const TriangleMesh& mesh) {
+RTCScene RayScene::Data::new_scene() const {
+  const RTCScene made = rtcNewScene(device);
+  rtcSetSceneFlags(made, RTC_SCENE_FLAG_ROBUST);
+  return made;
+}
+
+RTCGeometry RayScene::Data::new_geometry(const TriangleMesh& mesh) const {
   const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* points = static_cast<float*>(
       rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
@@ -129,8 +142,23 @@ void RayScene::Data::add_to_embree(const TriangleMesh& mesh) {
     for (const int corner : triangle) *corners++ = static_cast<unsigned>(corner);
   }
   rtcCommitGeometry(geometry);
-  rtcAttachGeometry(scene, geometry);
-  rtcReleaseGeometry(geometry);
+  return geometry;
+}
+
+/// A mesh has its own index as its id in every scene that it is in.
+void RayScene::Data::build_scenes() {
+  scene = new_scene();
+  for (std::size_t m = 0; m < meshes.size(); ++m) {
+    const RTCGeometry geometry = new_geometry(meshes[m].mesh);
+    rtcAttachGeometryByID(scene, geometry, static_cast<unsigned>(m));
+    if (meshes[m].shows_through > 0 && !meshes[m].values.empty()) {
+      if (sunken == nullptr) sunken = new_scene();
+      rtcAttachGeometryByID(sunken, geometry, static_cast<unsigned>(m));
+    }
+    rtcReleaseGeometry(geometry);
+  }
+  rtcCommitScene(scene);
+  if (sunken != nullptr) rtcCommitScene(sunken);
 }
 
 /// How much of the half sphere over each point, weighted by the cosine, meets nothing near. All
@@ -183,10 +211,7 @@ RayScene::RayScene(std::vector<PictureMesh> meshes) : data_(std::make_unique<Dat
   if (data.device == nullptr) {
     throw Error("picture", "the ray caster (Embree) could not start", "this needs SSE2 or NEON");
   }
-  data.scene = rtcNewScene(data.device);
-  rtcSetSceneFlags(data.scene, RTC_SCENE_FLAG_ROBUST);
-  for (const PictureMesh& mesh : data.meshes) data.add_to_embree(mesh.mesh);
-  rtcCommitScene(data.scene);
+  data.build_scenes();
   data.find_openness();
 }
 
@@ -194,18 +219,46 @@ RayScene::~RayScene() = default;
 
 const std::vector<PictureMesh>& RayScene::meshes() const { return data_->meshes; }
 
+double RayScene::Data::value_at(std::size_t mesh, std::size_t triangle, double u, double v) const {
+  const Triangle& t = meshes[mesh].mesh.triangles[triangle];
+  const auto value = [&](std::size_t k) {
+    return meshes[mesh].values[static_cast<std::size_t>(t[k])];
+  };
+  return (1 - u - v) * value(0) + u * value(1) + v * value(2);
+}
+
 Light RayScene::Data::surface_light(std::size_t mesh, std::size_t triangle, double u,
                                     double v) const {
-  const PictureMesh& shown = meshes[mesh];
-  if (!shown.values.empty()) {
-    // Interpolating the value, not its colour, keeps the ramp's steps where they belong.
-    const Triangle& t = shown.mesh.triangles[triangle];
-    const auto value = [&](int k) {
-      return shown.values[static_cast<std::size_t>(t[static_cast<std::size_t>(k)])];
-    };
-    return light_of(shown.ramp.at((1 - u - v) * value(0) + u * value(1) + v * value(2)));
+  // Interpolating the value, not its colour, keeps the ramp's steps where they belong.
+  if (!meshes[mesh].values.empty()) {
+    return light_of(meshes[mesh].ramp.at(value_at(mesh, triangle, u, v)));
   }
   return lights[mesh].size() > 1 ? lights[mesh][triangle] : lights[mesh][0];
+}
+
+/// Puts what shows through in the place of what covers it. `fresh` are the rays of `hit` before
+/// they were cast.
+void RayScene::Data::bring_forward(RTCRayHit4& hit, const RTCRayHit4& fresh) const {
+  RTCRayHit4 under = fresh;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcIntersect4(all_lanes, sunken, &context, &under);
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    const std::size_t mesh = under.hit.geomID[lane];
+    if (mesh == RTC_INVALID_GEOMETRY_ID || hit.hit.geomID[lane] == mesh) continue;
+    const double cover = under.ray.tfar[lane] - hit.ray.tfar[lane];
+    if (cover > meshes[mesh].shows_through ||
+        value_at(mesh, under.hit.primID[lane], under.hit.u[lane], under.hit.v[lane]) >=
+            meshes[mesh].ramp.low) {
+      continue;
+    }
+    hit.ray.tfar[lane] = under.ray.tfar[lane];
+    hit.hit.u[lane] = under.hit.u[lane];
+    hit.hit.v[lane] = under.hit.v[lane];
+    hit.hit.primID[lane] = under.hit.primID[lane];
+    hit.hit.geomID[lane] = under.hit.geomID[lane];
+  }
 }
 
 Sample RayScene::Data::shade(const RTCRayHit4& hit, std::size_t lane,
@@ -357,8 +410,9 @@ Image RayScene::render(const Camera& camera, int width, int height) const {
       RTCIntersectContext context;
       rtcInitIntersectContext(&context);
       context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-      alignas(16) static constexpr int all[4] = {-1, -1, -1, -1};
-      rtcIntersect4(all, data_->scene, &context, &hit);
+      const RTCRayHit4 fresh = hit;
+      rtcIntersect4(all_lanes, data_->scene, &context, &hit);
+      if (data_->sunken != nullptr) data_->bring_forward(hit, fresh);
       for (std::size_t lane = 0; lane < 4; ++lane) {
         Sample& sample = grid[(static_cast<std::size_t>(y) * 2 + lane / 2) * grid_width +
                               static_cast<std::size_t>(x) * 2 + lane % 2];

@@ -19,6 +19,9 @@ struct PictureMesh {
   std::vector<double> values;            ///< one a point, or empty
   ColourRamp ramp;                       ///< used with `values`
   std::vector<int> regions;  ///< one a triangle, or empty; a fine line parts different regions
+  /// What has values below the ramp also shows through other meshes that cover it by less than
+  /// this, metres: cloth that has sunk into a body is the thing to see.
+  double shows_through = 0;
   bool framed = true;        ///< the camera takes in the framed meshes; others may be cut off
   bool inside_shown = true;  ///< back faces are tinted, to tell inside from outside
 };

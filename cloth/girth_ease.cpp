@@ -1,0 +1,112 @@
+#include "cloth/girth_ease.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "geometry/slice.h"
+
+namespace toile {
+
+namespace {
+
+/// Whether a closed section runs around `centre`, seen from above.
+bool goes_around(const Section& section, const Vec3& centre) {
+  if (!section.closed) return false;
+  bool inside = false;
+  const std::size_t n = section.points.size();
+  for (std::size_t i = 0, j = n - 1; i < n; j = i++) {
+    const Vec3& a = section.points[i];
+    const Vec3& b = section.points[j];
+    if ((a.z() > centre.z()) != (b.z() > centre.z()) &&
+        centre.x() < a.x() + (centre.z() - a.z()) / (b.z() - a.z()) * (b.x() - a.x())) {
+      inside = !inside;
+    }
+  }
+  return inside;
+}
+
+/// The section of the torso: between crotch and armpits the largest one is.
+std::optional<Section> torso_section(const TriangleMesh& body, double height) {
+  std::vector<Section> sections = slice(body, {0, height, 0}, Vec3::UnitY());
+  if (sections.empty() || !sections.front().closed) return std::nullopt;
+  return std::move(sections.front());
+}
+
+struct Level {
+  std::string name;
+  double height;
+};
+
+/// Bust, waist and hip, as far as they can be told.
+std::vector<Level> named_levels(const TriangleMesh& body, const Skeleton& skeleton) {
+  const double crotch = skeleton.joint("pelvis").y();
+  const double middle = skeleton.joint("waist").y();
+  const double armpit = skeleton.joint("chest").y();
+  constexpr double fine = 0.005;
+  double backmost = std::numeric_limits<double>::infinity();
+  double foremost = -std::numeric_limits<double>::infinity();
+  std::optional<double> bust, waist, hip;
+  for (double y = crotch + fine; y < armpit; y += fine) {
+    const std::optional<Section> section = torso_section(body, y);
+    if (!section) continue;
+    for (const Vec3& point : section->points) {
+      if (y < middle && point.z() < backmost) {
+        backmost = point.z();
+        hip = y;
+      }
+      // The belly may stand out more than the bust: look in the upper two thirds only.
+      if (y > middle + (armpit - middle) / 3 && point.z() > foremost) {
+        foremost = point.z();
+        bust = y;
+      }
+    }
+  }
+  if (!bust || !hip) return {};
+  double least = std::numeric_limits<double>::infinity();
+  for (double y = *hip + fine; y < *bust; y += fine) {
+    const std::optional<Section> section = torso_section(body, y);
+    if (section && section->girth < least) {
+      least = section->girth;
+      waist = y;
+    }
+  }
+  std::vector<Level> levels = {{"bust", *bust}};
+  if (waist) levels.push_back({"waist", *waist});
+  levels.push_back({"hip", *hip});
+  return levels;
+}
+
+}  // namespace
+
+std::vector<GirthEase> measure_girth_ease(const DressedGarment& garment, const TriangleMesh& body,
+                                          const Skeleton& skeleton, double step) {
+  std::vector<Level> levels = named_levels(body, skeleton);
+  const double crotch = skeleton.joint("pelvis").y();
+  const double armpit = skeleton.joint("chest").y();
+  for (double y = std::ceil(crotch / step) * step; y < armpit; y += step) levels.push_back({"", y});
+  std::ranges::stable_sort(levels, std::ranges::greater{}, &Level::height);
+
+  const TriangleMesh cloth{garment.points, garment.triangles};
+  std::vector<GirthEase> result;
+  for (const Level& level : levels) {
+    const std::optional<Section> torso = torso_section(body, level.height);
+    if (!torso) continue;
+    const Section* around = nullptr;
+    const std::vector<Section> sections = slice(cloth, {0, level.height, 0}, Vec3::UnitY());
+    for (const Section& section : sections) {
+      // The outermost, where layers lie over each other: it is the first, having the largest area.
+      if (goes_around(section, torso->centroid)) {
+        around = &section;
+        break;
+      }
+    }
+    if (around == nullptr) continue;
+    result.push_back(
+        {level.name, level.height, torso->girth, around->length, around->length - torso->girth});
+  }
+  return result;
+}
+
+}  // namespace toile

@@ -1,0 +1,117 @@
+// ease-map: how far a dressed garment stands off the body, to look at and to calculate with.
+#include <cmath>
+#include <optional>
+
+#include "cloth/ease_report.h"
+#include "geometry/closed_surface.h"
+#include "geometry/error.h"
+#include "io/mesh_file.h"
+#include "io/output_file.h"
+#include "tools/program.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+namespace po = boost::program_options;
+using namespace toile;
+
+struct Settings {
+  fs::path garment;
+  fs::path body;
+  std::optional<fs::path> csv, json, ply, png;
+  EaseOptions ease;
+  std::optional<double> top;
+};
+
+TriangleMesh read_closed_body(const fs::path& path) {
+  PolygonSoup soup = read_mesh(path);
+  TriangleMesh body;
+  body.points = std::move(soup.points);
+  for (const std::vector<int>& polygon : soup.polygons) {
+    for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
+      body.triangles.push_back({polygon[0], polygon[k], polygon[k + 1]});
+    }
+  }
+  const std::string defect = closed_surface_defect(body);
+  if (!defect.empty()) {
+    throw Error(path.string(), "the body " + defect + ", so inside and outside can't be told",
+                "run clean-body on it");
+  }
+  return body;
+}
+
+void warn_if_implausible(const EaseReport& report) {
+  const EaseStatistics& all = report.map.garment;
+  if (all.p50 > 0.5) {
+    CommonSettings::warn("half of the garment is more than " +
+                         std::to_string(std::lround(100 * all.p50)) +
+                         " cm away from the body: are both in metres and in the same place?");
+  } else if (all.inside > 0.01) {
+    CommonSettings::warn(std::to_string(std::lround(100 * all.inside)) +
+                         " % of the garment's area lies inside the body");
+  }
+}
+
+int work(const Settings& settings, const CommonSettings& common) {
+  EaseReport report;
+  report.garment = read_dressed(settings.garment);
+  report.body = read_closed_body(settings.body);
+  report.options = settings.ease;
+  report.garment_name = settings.garment.filename().string();
+  report.body_name = settings.body.filename().string();
+  report.map = measure_ease(report.garment, BodyDistance(report.body), settings.ease);
+  report.top = settings.top.value_or(suggested_top(report.map));
+  warn_if_implausible(report);
+  if (!common.quiet) {
+    for (const std::string& line : ease_summary(report)) common.say(line);
+  }
+
+  if (settings.csv) write_file(*settings.csv, ease_csv(report));
+  if (settings.json) write_file(*settings.json, ease_json(report));
+  if (common.report) write_file(*common.report, ease_json(report));
+  if (settings.png) write_file(*settings.png, ease_picture(report, 900));
+  write_file(common.output, ease_page(report, ease_picture(report, 420)));
+  common.say("wrote " + common.output.string());
+  return exit_done;
+}
+
+std::optional<fs::path> path_option(const po::variables_map& given, const std::string& name) {
+  if (given.count(name) == 0) return std::nullopt;
+  return given[name].as<std::string>();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Program program;
+  program.name = "ease-map";
+  program.summary = "measures and shows the gap between a dressed garment and the body";
+  program.usage = "--body body.ply dressed.obj -o ease.html [options]";
+  program.options.add_options()("body", po::value<std::string>()->required(),
+                                "the body, closed, as clean-body writes it")(
+      "garment", po::value<std::string>()->required(), "the dressed garment; also as argument")(
+      "csv", po::value<std::string>(),
+      "write panel, flat and space coordinates, gap of each point")(
+      "json", po::value<std::string>(), "write the statistics (as --report does)")(
+      "ply", po::value<std::string>(), "write the garment with a colour at each point")(
+      "png", po::value<std::string>(), "write a picture, front and back")(
+      "contact", po::value<std::string>()->default_value("3mm"),
+      "cloth nearer than this counts as touching")(
+      "top", po::value<std::string>(),
+      "gap at the end of the colour scale; to compare garments (default: to suit this one)");
+  program.positional.add("garment", 1);
+  program.work = [](const po::variables_map& given, const CommonSettings& common) {
+    Settings settings;
+    settings.garment = given["garment"].as<std::string>();
+    settings.body = given["body"].as<std::string>();
+    settings.csv = path_option(given, "csv");
+    settings.json = path_option(given, "json");
+    settings.ply = path_option(given, "ply");
+    settings.png = path_option(given, "png");
+    settings.ease.contact = parse_length(given["contact"].as<std::string>(), "--contact");
+    if (given.count("top") != 0)
+      settings.top = parse_length(given["top"].as<std::string>(), "--top");
+    return work(settings, common);
+  };
+  return run_program(argc, argv, program);
+}
