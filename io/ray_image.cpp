@@ -286,6 +286,12 @@ Sample RayScene::Data::shade(const RTCRayHit4& hit, std::size_t lane,
   }
   normal.normalize();
   if (back) normal = -normal;
+  // What shows through is shut in all around, but is to be seen.
+  const PictureMesh& shown = meshes[mesh];
+  if (shown.shows_through > 0 && !shown.values.empty() &&
+      value_at(mesh, index, u, v) < shown.ramp.low) {
+    open = 1;
+  }
 
   const double head_on = std::max(0.0, -normal.dot(ray));
   const double key = std::max(0.0, normal.dot(towards_key));
