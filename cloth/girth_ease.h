@@ -25,7 +25,9 @@ struct GirthEase {
 /// The levels are found on the body, between its joints: hip is the height of the backmost point
 /// below the waist, bust that of the foremost point above it, waist that of the smallest girth
 /// between the two. A section of cloth that hangs in slanting folds is longer than the cloth is
-/// wide, so a loose garment reads up to a few per cent high. One pass over both meshes a level.
+/// wide, so a loose garment reads up to a few per cent high. `skeleton` has to have the joints
+/// pelvis, waist and chest. One pass over a mesh a level; bust, waist and hip take about 100 of the
+/// body.
 std::vector<GirthEase> measure_girth_ease(const DressedGarment& garment, const TriangleMesh& body,
                                           const Skeleton& skeleton, double step = 0.05);
 

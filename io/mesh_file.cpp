@@ -78,6 +78,17 @@ PolygonSoup read_mesh(const fs::path& path) {
   return soup;
 }
 
+TriangleMesh fan_triangles(PolygonSoup soup) {
+  TriangleMesh mesh;
+  mesh.points = std::move(soup.points);
+  for (const std::vector<int>& polygon : soup.polygons) {
+    for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
+      mesh.triangles.push_back({polygon[0], polygon[k], polygon[k + 1]});
+    }
+  }
+  return mesh;
+}
+
 void write_mesh(const fs::path& path, const TriangleMesh& mesh,
                 const std::vector<Colour>& colours) {
   const Format format = format_of(path);

@@ -1,24 +1,23 @@
 // Meshes on disk, in the formats that other programs read: OBJ, PLY, STL, OFF.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "geometry/types.h"
+#include "io/colour.h"
 
 namespace toile {
-
-/// Red, green, blue.
-using Colour = std::array<std::uint8_t, 3>;
 
 /// Reads a mesh in the format of the path's extension: .obj, .ply (ASCII or binary of either byte
 /// order), .stl (ASCII or binary), .off; capitals too. Throws Error that names the file and the
 /// line or byte when the file is cut off, contradicts itself, or holds a coordinate that is not
 /// finite, an index out of range, or no faces.
 PolygonSoup read_mesh(const std::filesystem::path& path);
+
+/// The soup as triangles, each polygon cut into a fan from its first corner.
+TriangleMesh fan_triangles(PolygonSoup soup);
 
 /// Writes a mesh in the format of the path's extension, whole or not at all. OBJ, OFF and PLY
 /// (binary) keep the doubles exactly; STL holds floats and no shared points. `colours` is empty

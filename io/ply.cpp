@@ -1,6 +1,7 @@
 // The Polygon File Format [Turk 1994]: a text header that declares elements and their properties,
 // then the elements as text or as binary of either byte order. Points and faces are read, all else
 // is passed over.
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -294,7 +295,9 @@ std::string format_ply(const TriangleMesh& mesh, const std::vector<Colour>& colo
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
     for (int axis = 0; axis < 3; ++axis) store(bytes, mesh.points[i][axis]);
     if (colours.empty()) continue;
-    for (const std::uint8_t channel : colours.at(i)) store(bytes, channel);
+    for (const double channel : {colours.at(i).red, colours.at(i).green, colours.at(i).blue}) {
+      store(bytes, static_cast<std::uint8_t>(std::lround(255 * std::clamp(channel, 0.0, 1.0))));
+    }
   }
   for (const Triangle& t : mesh.triangles) {
     store(bytes, std::uint8_t{3});

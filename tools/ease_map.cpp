@@ -7,6 +7,7 @@
 #include "geometry/error.h"
 #include "io/mesh_file.h"
 #include "io/output_file.h"
+#include "io/skeleton_file.h"
 #include "tools/program.h"
 
 namespace {
@@ -18,26 +19,38 @@ using namespace toile;
 struct Settings {
   fs::path garment;
   fs::path body;
-  std::optional<fs::path> csv, json, ply, png;
+  std::optional<fs::path> csv, json, ply, png, skeleton;
   EaseOptions ease;
   std::optional<double> top;
 };
 
 TriangleMesh read_closed_body(const fs::path& path) {
-  PolygonSoup soup = read_mesh(path);
-  TriangleMesh body;
-  body.points = std::move(soup.points);
-  for (const std::vector<int>& polygon : soup.polygons) {
-    for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
-      body.triangles.push_back({polygon[0], polygon[k], polygon[k + 1]});
-    }
-  }
+  TriangleMesh body = fan_triangles(read_mesh(path));
   const std::string defect = closed_surface_defect(body);
   if (!defect.empty()) {
     throw Error(path.string(), "the body " + defect + ", so inside and outside can't be told",
                 "run clean-body on it");
   }
   return body;
+}
+
+/// Girths at the levels that the body's joints tell; none, with a note, where there are no joints.
+std::vector<GirthEase> girths_of(const EaseReport& report, const Settings& settings,
+                                 const CommonSettings& common) {
+  const fs::path path = settings.skeleton.value_or(skeleton_path(settings.body));
+  if (!settings.skeleton && !fs::exists(path)) {
+    common.say("no girth ease: there are no joints in " + path.string() +
+               "; clean-body writes them beside the body");
+    return {};
+  }
+  const Skeleton skeleton = read_skeleton(path);
+  for (const char* joint : {"pelvis", "waist", "chest"}) {
+    if (skeleton.joints.count(joint) == 0) {
+      throw Error(path.string(), std::string("has no joint '") + joint + "'",
+                  "let clean-body write it");
+    }
+  }
+  return measure_girth_ease(report.garment, report.body, skeleton);
 }
 
 void warn_if_implausible(const EaseReport& report) {
@@ -53,6 +66,9 @@ void warn_if_implausible(const EaseReport& report) {
 }
 
 int work(const Settings& settings, const CommonSettings& common) {
+  if (settings.ply && settings.ply->extension() != ".ply") {
+    throw Error(settings.ply->string(), "only PLY files hold colours", "name it .ply");
+  }
   EaseReport report;
   report.garment = read_dressed(settings.garment);
   report.body = read_closed_body(settings.body);
@@ -60,6 +76,7 @@ int work(const Settings& settings, const CommonSettings& common) {
   report.garment_name = settings.garment.filename().string();
   report.body_name = settings.body.filename().string();
   report.map = measure_ease(report.garment, BodyDistance(report.body), settings.ease);
+  report.girths = girths_of(report, settings, common);
   report.top = settings.top.value_or(suggested_top(report.map));
   warn_if_implausible(report);
   if (!common.quiet) {
@@ -69,6 +86,10 @@ int work(const Settings& settings, const CommonSettings& common) {
   if (settings.csv) write_file(*settings.csv, ease_csv(report));
   if (settings.json) write_file(*settings.json, ease_json(report));
   if (common.report) write_file(*common.report, ease_json(report));
+  if (settings.ply) {
+    write_mesh(*settings.ply, {report.garment.points, report.garment.triangles},
+               ease_colours(report));
+  }
   if (settings.png) write_file(*settings.png, ease_picture(report, 900));
   write_file(common.output, ease_page(report, ease_picture(report, 420)));
   common.say("wrote " + common.output.string());
@@ -95,6 +116,8 @@ int main(int argc, char** argv) {
       "json", po::value<std::string>(), "write the statistics (as --report does)")(
       "ply", po::value<std::string>(), "write the garment with a colour at each point")(
       "png", po::value<std::string>(), "write a picture, front and back")(
+      "skeleton", po::value<std::string>(),
+      "the body's joints, for girths (default: body.json beside the body)")(
       "contact", po::value<std::string>()->default_value("3mm"),
       "cloth nearer than this counts as touching")(
       "top", po::value<std::string>(),
@@ -108,6 +131,7 @@ int main(int argc, char** argv) {
     settings.json = path_option(given, "json");
     settings.ply = path_option(given, "ply");
     settings.png = path_option(given, "png");
+    settings.skeleton = path_option(given, "skeleton");
     settings.ease.contact = parse_length(given["contact"].as<std::string>(), "--contact");
     if (given.count("top") != 0)
       settings.top = parse_length(given["top"].as<std::string>(), "--top");

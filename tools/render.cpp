@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "geometry/error.h"
+#include "io/mesh_file.h"
 #include "io/obj.h"
 #include "io/output_file.h"
 #include "io/picture.h"
@@ -40,27 +41,24 @@ std::vector<View> views_of(const std::string& list) {
   return views;
 }
 
-/// Polygons cut into fans; each group (panel) becomes a region with a colour of its own, counted
-/// on from `legend`, which gets the groups' names.
-PictureMesh mesh_of(const ObjData& obj, std::vector<LegendEntry>& legend, bool tinted) {
-  PictureMesh shown;
-  shown.mesh.points = obj.points;
+/// Each group (panel) becomes a region with a colour of its own, counted on from `legend`, which
+/// gets the groups' names.
+PictureMesh cloth_of(const ObjData& obj, std::vector<LegendEntry>& legend) {
+  PictureMesh cloth;
+  cloth.mesh.points = obj.points;
   const int first = static_cast<int>(legend.size());
   for (const ObjFace& face : obj.faces) {
-    const int region = face.group + 1;
     for (std::size_t k = 1; k + 1 < face.corners.size(); ++k) {
-      shown.mesh.triangles.push_back(
+      cloth.mesh.triangles.push_back(
           {face.corners[0].point, face.corners[k].point, face.corners[k + 1].point});
-      if (!tinted) continue;
-      shown.regions.push_back(region);
-      shown.triangle_colours.push_back(quiet_colour(first + std::max(face.group, 0)));
+      cloth.regions.push_back(face.group + 1);
+      cloth.triangle_colours.push_back(quiet_colour(first + std::max(face.group, 0)));
     }
   }
-  if (!tinted) return shown;
   for (const std::string& group : obj.groups) {
     legend.push_back({quiet_colour(static_cast<int>(legend.size())), group});
   }
-  return shown;
+  return cloth;
 }
 
 int work(const Settings& settings, const CommonSettings& common) {
@@ -70,11 +68,11 @@ int work(const Settings& settings, const CommonSettings& common) {
   picture.title = settings.title;
   std::vector<PictureMesh> meshes;
   for (const std::string& path : settings.garments) {
-    meshes.push_back(mesh_of(read_obj(path), picture.legend, true));
+    meshes.push_back(cloth_of(read_obj(path), picture.legend));
   }
   if (!settings.body.empty()) {
-    std::vector<LegendEntry> none;
-    PictureMesh body = mesh_of(read_obj(settings.body), none, false);
+    PictureMesh body;
+    body.mesh = fan_triangles(read_mesh(settings.body));
     body.colour = skin;
     body.inside_shown = false;
     body.framed = settings.whole || settings.garments.empty();

@@ -1,0 +1,139 @@
+#include "cloth/ease.h"
+
+#include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
+
+#include <numbers>
+
+#include "tests/cloth/tubes.h"
+#include "tests/geometry/shapes.h"
+
+namespace toile {
+namespace {
+
+constexpr double micrometre = 1e-6;
+
+/// A whole sphere as a garment of one panel.
+DressedGarment sphere_garment(double radius, int rings) {
+  DressedGarment garment;
+  const TriangleMesh sphere = shapes::sphere({0, 0, 0}, radius, rings);
+  garment.points = sphere.points;
+  garment.triangles = sphere.triangles;
+  garment.flat.assign(sphere.points.size(), Vec2::Zero());
+  garment.flat_triangles = sphere.triangles;
+  garment.panels = {"ball"};
+  garment.panel_of_triangle.assign(sphere.triangles.size(), 0);
+  return garment;
+}
+
+TEST(Ease, CoaxialCylinders) {
+  // A body of 600 sides is nearer to its axis by R (1 - cos(pi / n)) = 2 micrometres at most.
+  const BodyDistance body(tubes::closed_tube(0.15, 0.15, 1.0, 600));
+  for (const double gap : {0.0, 0.002, 0.010, 0.050}) {
+    const DressedGarment garment = tubes::cloth_tube(0.15 + gap, 0.15 + gap, 0.3, 0.7, 120, 20);
+    const EaseMap map = measure_ease(garment, body);
+    for (const double measured : map.node_gaps) ASSERT_NEAR(measured, gap, 3 * micrometre);
+    EXPECT_NEAR(map.garment.mean, gap, 3 * micrometre);
+    EXPECT_LT(map.garment.deviation, 2 * micrometre);
+    EXPECT_NEAR(map.garment.p5, gap, 3 * micrometre);
+    EXPECT_NEAR(map.garment.p95, gap, 3 * micrometre);
+    EXPECT_NEAR(map.garment.contact, gap < 0.003 ? 1 : 0, 1e-12);
+  }
+}
+
+TEST(Ease, FacetsOfABodyAreMeasuredAsTheyAre) {
+  // Over the middle of a side the gap is larger by R (1 - cos(pi / n)) (references, case 15).
+  const double bias = 0.15 * (1 - std::cos(std::numbers::pi / 24));
+  const BodyDistance body(tubes::closed_tube(0.15, 0.15, 1.0, 24));
+  const EaseMap map = measure_ease(tubes::cloth_tube(0.16, 0.16, 0.4, 0.6, 240, 4), body);
+  EXPECT_NEAR(map.garment.min, 0.010, micrometre);
+  EXPECT_NEAR(map.garment.max, 0.010 + bias, micrometre);
+}
+
+TEST(Ease, SphereOverSphere) {
+  const BodyDistance body(shapes::sphere({0, 0, 0}, 0.1, 160));
+  const EaseMap map = measure_ease(sphere_garment(0.125, 60), body);
+  EXPECT_NEAR(map.garment.min, 0.025, 50 * micrometre);
+  EXPECT_NEAR(map.garment.max, 0.025, 50 * micrometre);
+  EXPECT_NEAR(map.garment.area, 4 * std::numbers::pi * 0.125 * 0.125, 2e-4);
+}
+
+TEST(Ease, InsideIsNegative) {
+  const BodyDistance body(shapes::sphere({0, 0, 0}, 0.1, 80));
+  const EaseMap map = measure_ease(sphere_garment(0.09, 40), body);
+  EXPECT_NEAR(map.garment.mean, -0.010, 50 * micrometre);
+  EXPECT_DOUBLE_EQ(map.garment.inside, 1);
+  EXPECT_DOUBLE_EQ(map.garment.contact, 1);
+}
+
+TEST(Ease, EllipseThatIsNoOffset) {
+  // Enlarging both half axes by 10 mm leaves less than 10 mm in between (references, case 15:
+  // 9.47 mm for 0.18 x 0.09), and 10 mm on the axes.
+  const BodyDistance body(tubes::closed_tube(0.18, 0.09, 1.0, 800));
+  const EaseMap map = measure_ease(tubes::cloth_tube(0.19, 0.10, 0.4, 0.6, 400, 4), body);
+  EXPECT_NEAR(map.garment.min, 0.00947, 10 * micrometre);
+  EXPECT_NEAR(map.garment.max, 0.010, 10 * micrometre);
+}
+
+TEST(Ease, PanelsHaveTheirOwnStatistics) {
+  // Moved forward by 4 mm, the front stands off by 14 mm and the back by 6 mm at the most.
+  const BodyDistance body(tubes::closed_tube(0.15, 0.15, 1.0, 600));
+  DressedGarment garment = tubes::cloth_tube(0.16, 0.16, 0.3, 0.7, 240, 10);
+  for (Vec3& point : garment.points) point.z() += 0.004;
+  garment.panels.push_back("unused");
+  const EaseMap map = measure_ease(garment, body);
+  ASSERT_EQ(map.panels.size(), 3U);
+  EXPECT_NEAR(map.panels[0].max, 0.014, 5 * micrometre);
+  EXPECT_NEAR(map.panels[1].min, 0.006, 5 * micrometre);
+  // Over a half circle the mean of 4 mm cos(angle) is 4 mm * 2 / pi.
+  EXPECT_NEAR(map.panels[0].mean, 0.010 + 0.004 * 2 / std::numbers::pi, 50 * micrometre);
+  EXPECT_NEAR(map.panels[1].mean, 0.010 - 0.004 * 2 / std::numbers::pi, 50 * micrometre);
+  EXPECT_EQ(map.panels[0].points, 121 * 11);
+  EXPECT_EQ(map.panels[2].points, 0);
+  EXPECT_EQ(map.garment.points, 2 * 121 * 11);  // sewn sides count in both panels
+  EXPECT_NEAR(map.panels[0].area + map.panels[1].area, map.garment.area, 1e-12);
+  EXPECT_NEAR(map.garment.area, 2 * std::numbers::pi * 0.16 * 0.4, 1e-4);
+}
+
+TEST(Ease, PercentilesWeighByArea) {
+  // A funnel: radius 0.15 + t gap and rows crowded where it is narrow. Its area grows almost evenly
+  // with height, so the gap's median is near its value at half height, wherever the points are.
+  const BodyDistance body(tubes::closed_tube(0.15, 0.15, 1.0, 600));
+  DressedGarment garment = tubes::cloth_tube(1, 1, 0, 1, 60, 100);
+  for (Vec3& point : garment.points) {
+    const double t = point.y() * point.y() * point.y();
+    const double radius = 0.15 + 0.020 * t;
+    point = {point.x() * radius, 0.3 + 0.4 * t, point.z() * radius};
+  }
+  const EaseMap map = measure_ease(garment, body);
+  // Area below t: (0.15 t + 0.01 t^2) / 0.16; half of it lies below t = 0.5161.
+  EXPECT_NEAR(map.garment.p50, 0.020 * 0.5161, 0.0001);
+  EXPECT_NEAR(map.garment.p5, 0.020 * 0.0532, 0.0001);
+  // Contact below 3 mm: t < 0.15.
+  EXPECT_NEAR(map.garment.contact, (0.15 * 0.15 + 0.01 * 0.15 * 0.15) / 0.16, 0.01);
+}
+
+TEST(Ease, PointsAreOrderedByPanelAndFlatPoint) {
+  const BodyDistance body(tubes::closed_tube(0.15, 0.15, 1.0, 60));
+  const DressedGarment garment = tubes::cloth_tube(0.16, 0.16, 0.3, 0.7, 20, 3);
+  const EaseMap map = measure_ease(garment, body);
+  ASSERT_EQ(map.points.size(), garment.flat.size());
+  for (std::size_t i = 0; i < map.points.size(); ++i) {
+    EXPECT_EQ(map.points[i].flat, static_cast<int>(i));
+    EXPECT_EQ(map.points[i].panel, i < garment.flat.size() / 2 ? 0 : 1);
+    EXPECT_EQ(map.points[i].gap, map.node_gaps[static_cast<std::size_t>(map.points[i].node)]);
+  }
+}
+
+TEST(Ease, SameBitsForAnyNumberOfThreads) {
+  const BodyDistance body(tubes::closed_tube(0.15, 0.12, 1.0, 100));
+  const DressedGarment garment = tubes::cloth_tube(0.16, 0.16, 0.3, 0.7, 60, 10);
+  const EaseMap all = measure_ease(garment, body);
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const EaseMap single = measure_ease(garment, body);
+  EXPECT_EQ(single.node_gaps, all.node_gaps);
+  EXPECT_EQ(single.garment.mean, all.garment.mean);
+}
+
+}  // namespace
+}  // namespace toile

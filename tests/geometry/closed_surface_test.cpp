@@ -1,0 +1,43 @@
+#include "geometry/closed_surface.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/geometry/shapes.h"
+
+namespace toile {
+namespace {
+
+const Vec3 low(0, 0, 0);
+const Vec3 high(1, 1, 1);
+
+TEST(ClosedSurface, BoxesAndSpheresAreClosed) {
+  EXPECT_EQ(closed_surface_defect(shapes::box(low, high)), "");
+  EXPECT_EQ(closed_surface_defect(shapes::sphere({5, 5, 5}, 0.1, 8)), "");
+}
+
+TEST(ClosedSurface, AMissingTriangleLeavesThreeBorderEdges) {
+  TriangleMesh mesh = shapes::box(low, high);
+  mesh.triangles.pop_back();
+  EXPECT_EQ(closed_surface_defect(mesh), "has 3 border edges");
+}
+
+TEST(ClosedSurface, ATurnedTriangleIsFound) {
+  TriangleMesh mesh = shapes::box(low, high);
+  std::swap(mesh.triangles[4][0], mesh.triangles[4][1]);
+  EXPECT_EQ(closed_surface_defect(mesh), "has 3 edges whose triangles face opposite sides");
+}
+
+TEST(ClosedSurface, AFinIsFound) {
+  TriangleMesh mesh = shapes::box(low, high);
+  mesh.triangles.push_back(mesh.triangles[0]);
+  EXPECT_EQ(closed_surface_defect(mesh), "has 3 edges with more than two triangles");
+}
+
+TEST(ClosedSurface, InsideOutIsFoundFarFromTheOriginToo) {
+  EXPECT_EQ(closed_surface_defect(shapes::inside_out(shapes::sphere({50, 0, 0}, 0.1, 8))),
+            "is inside out or encloses nothing");
+  EXPECT_EQ(closed_surface_defect({}), "has no triangles");
+}
+
+}  // namespace
+}  // namespace toile
