@@ -5,8 +5,8 @@
 
 #include <numbers>
 
-#include "tests/cloth/tubes.h"
-#include "tests/geometry/shapes.h"
+#include "tests/support/shapes.h"
+#include "tests/support/tubes.h"
 
 namespace toile {
 namespace {
@@ -14,9 +14,9 @@ namespace {
 constexpr double micrometre = 1e-6;
 
 /// A whole sphere as a garment of one panel.
-DressedGarment sphere_garment(double radius, int rings) {
+DressedGarment sphere_garment(double radius, int levels) {
   DressedGarment garment;
-  const TriangleMesh sphere = shapes::sphere({0, 0, 0}, radius, rings);
+  const TriangleMesh sphere = test::sphere(radius, levels);
   garment.points = sphere.points;
   garment.triangles = sphere.triangles;
   garment.flat.assign(sphere.points.size(), Vec2::Zero());
@@ -28,9 +28,9 @@ DressedGarment sphere_garment(double radius, int rings) {
 
 TEST(Ease, CoaxialCylinders) {
   // A body of 600 sides is nearer to its axis by R (1 - cos(pi / n)) = 2 micrometres at most.
-  const BodyDistance body(tubes::closed_tube(0.15, 0.15, 1.0, 600));
+  const BodyDistance body(test::closed_tube(0.15, 0.15, 1.0, 600));
   for (const double gap : {0.0, 0.002, 0.010, 0.050}) {
-    const DressedGarment garment = tubes::cloth_tube(0.15 + gap, 0.15 + gap, 0.3, 0.7, 120, 20);
+    const DressedGarment garment = test::cloth_tube(0.15 + gap, 0.15 + gap, 0.3, 0.7, 120, 20);
     const EaseMap map = measure_ease(garment, body);
     for (const double measured : map.node_gaps) ASSERT_NEAR(measured, gap, 3 * micrometre);
     EXPECT_NEAR(map.garment.mean, gap, 3 * micrometre);
@@ -44,23 +44,23 @@ TEST(Ease, CoaxialCylinders) {
 TEST(Ease, FacetsOfABodyAreMeasuredAsTheyAre) {
   // Over the middle of a side the gap is larger by R (1 - cos(pi / n)) (references, case 15).
   const double bias = 0.15 * (1 - std::cos(std::numbers::pi / 24));
-  const BodyDistance body(tubes::closed_tube(0.15, 0.15, 1.0, 24));
-  const EaseMap map = measure_ease(tubes::cloth_tube(0.16, 0.16, 0.4, 0.6, 240, 4), body);
+  const BodyDistance body(test::closed_tube(0.15, 0.15, 1.0, 24));
+  const EaseMap map = measure_ease(test::cloth_tube(0.16, 0.16, 0.4, 0.6, 240, 4), body);
   EXPECT_NEAR(map.garment.min, 0.010, micrometre);
   EXPECT_NEAR(map.garment.max, 0.010 + bias, micrometre);
 }
 
 TEST(Ease, SphereOverSphere) {
-  const BodyDistance body(shapes::sphere({0, 0, 0}, 0.1, 160));
-  const EaseMap map = measure_ease(sphere_garment(0.125, 60), body);
+  const BodyDistance body(test::sphere(0.1, 6));
+  const EaseMap map = measure_ease(sphere_garment(0.125, 5), body);
   EXPECT_NEAR(map.garment.min, 0.025, 50 * micrometre);
   EXPECT_NEAR(map.garment.max, 0.025, 50 * micrometre);
   EXPECT_NEAR(map.garment.area, 4 * std::numbers::pi * 0.125 * 0.125, 2e-4);
 }
 
 TEST(Ease, InsideIsNegative) {
-  const BodyDistance body(shapes::sphere({0, 0, 0}, 0.1, 80));
-  const EaseMap map = measure_ease(sphere_garment(0.09, 40), body);
+  const BodyDistance body(test::sphere(0.1, 6));
+  const EaseMap map = measure_ease(sphere_garment(0.09, 4), body);
   EXPECT_NEAR(map.garment.mean, -0.010, 50 * micrometre);
   EXPECT_DOUBLE_EQ(map.garment.inside, 1);
   EXPECT_DOUBLE_EQ(map.garment.contact, 1);
@@ -69,16 +69,16 @@ TEST(Ease, InsideIsNegative) {
 TEST(Ease, EllipseThatIsNoOffset) {
   // Enlarging both half axes by 10 mm leaves less than 10 mm in between (references, case 15:
   // 9.47 mm for 0.18 x 0.09), and 10 mm on the axes.
-  const BodyDistance body(tubes::closed_tube(0.18, 0.09, 1.0, 800));
-  const EaseMap map = measure_ease(tubes::cloth_tube(0.19, 0.10, 0.4, 0.6, 400, 4), body);
+  const BodyDistance body(test::closed_tube(0.18, 0.09, 1.0, 800));
+  const EaseMap map = measure_ease(test::cloth_tube(0.19, 0.10, 0.4, 0.6, 400, 4), body);
   EXPECT_NEAR(map.garment.min, 0.00947, 10 * micrometre);
   EXPECT_NEAR(map.garment.max, 0.010, 10 * micrometre);
 }
 
 TEST(Ease, PanelsHaveTheirOwnStatistics) {
   // Moved forward by 4 mm, the front stands off by 14 mm and the back by 6 mm at the most.
-  const BodyDistance body(tubes::closed_tube(0.15, 0.15, 1.0, 600));
-  DressedGarment garment = tubes::cloth_tube(0.16, 0.16, 0.3, 0.7, 240, 10);
+  const BodyDistance body(test::closed_tube(0.15, 0.15, 1.0, 600));
+  DressedGarment garment = test::cloth_tube(0.16, 0.16, 0.3, 0.7, 240, 10);
   for (Vec3& point : garment.points) point.z() += 0.004;
   garment.panels.push_back("unused");
   const EaseMap map = measure_ease(garment, body);
@@ -98,8 +98,8 @@ TEST(Ease, PanelsHaveTheirOwnStatistics) {
 TEST(Ease, PercentilesWeighByArea) {
   // A funnel: radius 0.15 + t gap and rows crowded where it is narrow. Its area grows almost evenly
   // with height, so the gap's median is near its value at half height, wherever the points are.
-  const BodyDistance body(tubes::closed_tube(0.15, 0.15, 1.0, 600));
-  DressedGarment garment = tubes::cloth_tube(1, 1, 0, 1, 60, 100);
+  const BodyDistance body(test::closed_tube(0.15, 0.15, 1.0, 600));
+  DressedGarment garment = test::cloth_tube(1, 1, 0, 1, 60, 100);
   for (Vec3& point : garment.points) {
     const double t = point.y() * point.y() * point.y();
     const double radius = 0.15 + 0.020 * t;
@@ -114,8 +114,8 @@ TEST(Ease, PercentilesWeighByArea) {
 }
 
 TEST(Ease, PointsAreOrderedByPanelAndFlatPoint) {
-  const BodyDistance body(tubes::closed_tube(0.15, 0.15, 1.0, 60));
-  const DressedGarment garment = tubes::cloth_tube(0.16, 0.16, 0.3, 0.7, 20, 3);
+  const BodyDistance body(test::closed_tube(0.15, 0.15, 1.0, 60));
+  const DressedGarment garment = test::cloth_tube(0.16, 0.16, 0.3, 0.7, 20, 3);
   const EaseMap map = measure_ease(garment, body);
   ASSERT_EQ(map.points.size(), garment.flat.size());
   for (std::size_t i = 0; i < map.points.size(); ++i) {
@@ -126,8 +126,8 @@ TEST(Ease, PointsAreOrderedByPanelAndFlatPoint) {
 }
 
 TEST(Ease, SameBitsForAnyNumberOfThreads) {
-  const BodyDistance body(tubes::closed_tube(0.15, 0.12, 1.0, 100));
-  const DressedGarment garment = tubes::cloth_tube(0.16, 0.16, 0.3, 0.7, 60, 10);
+  const BodyDistance body(test::closed_tube(0.15, 0.12, 1.0, 100));
+  const DressedGarment garment = test::cloth_tube(0.16, 0.16, 0.3, 0.7, 60, 10);
   const EaseMap all = measure_ease(garment, body);
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   const EaseMap single = measure_ease(garment, body);

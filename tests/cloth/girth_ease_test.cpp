@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "tests/cloth/tubes.h"
+#include "tests/support/tubes.h"
 
 namespace toile {
 namespace {
@@ -66,7 +66,7 @@ const GirthEase* level(const std::vector<GirthEase>& girths, const std::string& 
 
 TEST(GirthEase, NamedLevelsAreFoundOnTheBody) {
   const auto girths =
-      measure_girth_ease(tubes::cloth_tube(0.25, 0.25, 0.7, 1.45, 200, 15), torso(200), joints());
+      measure_girth_ease(test::cloth_tube(0.25, 0.25, 0.7, 1.45, 200, 15), torso(200), joints());
   const double circle = 2 * std::numbers::pi;
   const std::vector<std::pair<std::string, Vec2>> expected = {
       {"bust", {1.30, 0.15}}, {"waist", {1.10, 0.11}}, {"hip", {0.90, 0.16}}};
@@ -81,8 +81,8 @@ TEST(GirthEase, NamedLevelsAreFoundOnTheBody) {
 }
 
 TEST(GirthEase, CoaxialCylindersDifferByTwoPiGap) {
-  const auto girths = measure_girth_ease(tubes::cloth_tube(0.16, 0.16, 0.2, 0.8, 400, 10),
-                                         tubes::closed_tube(0.15, 0.15, 1.6, 400), joints(), 0.1);
+  const auto girths = measure_girth_ease(test::cloth_tube(0.16, 0.16, 0.2, 0.8, 400, 10),
+                                         test::closed_tube(0.15, 0.15, 1.6, 400), joints(), 0.1);
   ASSERT_FALSE(girths.empty());
   for (const GirthEase& girth : girths) {
     EXPECT_NEAR(girth.ease, 2 * std::numbers::pi * 0.010, 1e-4);
@@ -92,7 +92,7 @@ TEST(GirthEase, CoaxialCylindersDifferByTwoPiGap) {
 
 TEST(GirthEase, FromTheTopDown) {
   const auto girths =
-      measure_girth_ease(tubes::cloth_tube(0.25, 0.25, 0.7, 1.45, 40, 15), torso(60), joints());
+      measure_girth_ease(test::cloth_tube(0.25, 0.25, 0.7, 1.45, 40, 15), torso(60), joints());
   ASSERT_GT(girths.size(), 10U);
   for (std::size_t i = 1; i < girths.size(); ++i) {
     EXPECT_LE(girths[i].height, girths[i - 1].height);
@@ -100,13 +100,13 @@ TEST(GirthEase, FromTheTopDown) {
 }
 
 TEST(GirthEase, AnOpenGarmentHasNone) {
-  DressedGarment front = tubes::cloth_tube(0.25, 0.25, 0.7, 1.45, 40, 15);
+  DressedGarment front = test::cloth_tube(0.25, 0.25, 0.7, 1.45, 40, 15);
   front.triangles.resize(front.triangles.size() / 2);
   EXPECT_TRUE(measure_girth_ease(front, torso(60), joints()).empty());
 }
 
 TEST(GirthEase, ATubeBesideTheTorsoIsNotAroundIt) {
-  DressedGarment sleeve = tubes::cloth_tube(0.05, 0.05, 0.7, 1.45, 40, 15);
+  DressedGarment sleeve = test::cloth_tube(0.05, 0.05, 0.7, 1.45, 40, 15);
   for (Vec3& point : sleeve.points) point.x() += 0.4;
   EXPECT_TRUE(measure_girth_ease(sleeve, torso(60), joints()).empty());
 }

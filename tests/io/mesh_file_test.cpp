@@ -80,7 +80,7 @@ TEST_F(MeshFile, StlKeepsTheTrianglesAsFloats) {
 
 TEST_F(MeshFile, PlyHoldsColoursAndIsStillRead) {
   const TriangleMesh mesh = test::cube();
-  const std::vector<Colour> colours(mesh.points.size(), Colour{255, 128, 0});
+  const std::vector<Colour> colours(mesh.points.size(), Colour{1, 128 / 255.0, 0});
   write_mesh(folder_ / "m.ply", mesh, colours);
   const std::string bytes = read_file(folder_ / "m.ply");
   EXPECT_NE(bytes.find("property uchar red\nproperty uchar green\nproperty uchar blue\n"),

@@ -7,8 +7,8 @@
 #include "io/mesh_file.h"
 #include "io/skeleton_file.h"
 #include "pattern/garment_file.h"
-#include "tests/cloth/tubes.h"
 #include "tests/pipeline/run_program.h"
+#include "tests/support/tubes.h"
 
 namespace toile::pipeline {
 namespace {
@@ -17,8 +17,8 @@ namespace {
 class EaseMap : public testing::Test {
  protected:
   EaseMap() {
-    write_mesh(body, tubes::closed_tube(0.15, 0.15, 1.6, 300));
-    DressedGarment garment = tubes::cloth_tube(0.16, 0.16, 0.8, 1.3, 60, 10);
+    write_mesh(body, test::closed_tube(0.15, 0.15, 1.6, 300));
+    DressedGarment garment = test::cloth_tube(0.16, 0.16, 0.8, 1.3, 60, 10);
     garment.panels[0] = "front, \"left\" & right";
     write_dressed(dressed, garment);
   }
@@ -95,7 +95,7 @@ TEST_F(EaseMap, SameBytesForAnyNumberOfThreads) {
 }
 
 TEST_F(EaseMap, OpenBodyIsRefused) {
-  TriangleMesh open = tubes::closed_tube(0.15, 0.15, 1.6, 30);
+  TriangleMesh open = test::closed_tube(0.15, 0.15, 1.6, 30);
   open.triangles.pop_back();
   write_mesh(body, open);
   const auto done = ease_map({});
@@ -132,7 +132,7 @@ TEST_F(EaseMap, BadOptions) {
 }
 
 TEST_F(EaseMap, FarAwayGarmentIsWarnedOf) {
-  DressedGarment far = tubes::cloth_tube(0.16, 0.16, 0.8, 1.3, 20, 2);
+  DressedGarment far = test::cloth_tube(0.16, 0.16, 0.8, 1.3, 20, 2);
   for (Vec3& point : far.points) point *= 100;  // in centimetres
   write_dressed(dressed, far);
   const auto done = ease_map({"-q"});
@@ -143,7 +143,7 @@ TEST_F(EaseMap, FarAwayGarmentIsWarnedOf) {
 TEST_F(EaseMap, RenderDrawsTheSameFiles) {
   const fs::path png = scratch / "p.png";
   const auto done = run("render", {"--body", body, dressed, "-o", png, "--views", "front,top",
-                                  "--width", "100", "--whole"});
+                                   "--width", "100", "--whole"});
   ASSERT_EQ(done.exit_code, 0) << done.err;
   EXPECT_EQ(read_text(png).substr(1, 3), "PNG");
   EXPECT_EQ(run("render", {dressed, "-o", png, "--views", "below"}).exit_code, 1);

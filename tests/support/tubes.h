@@ -6,7 +6,7 @@
 
 #include "pattern/garment_file.h"
 
-namespace toile::tubes {
+namespace toile::test {
 
 /// A closed cylinder from y = 0 to `height` with `around` sides whose corners lie on the ellipse of
 /// half axes a (x) and b (z), and a point in the middle of either end.
@@ -68,4 +68,4 @@ inline DressedGarment cloth_tube(double a, double b, double low, double high, in
   return garment;
 }
 
-}  // namespace toile::tubes
+}  // namespace toile::test
