@@ -1,0 +1,57 @@
+#include "geometry/triangulate.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "geometry/error.h"
+
+namespace toile {
+namespace {
+
+const std::vector<Vec2> square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+
+TEST(Triangulate, ASquareAndItsMiddle) {
+  EXPECT_EQ(triangulate(square, {}).size(), 2u);
+  const std::vector<Triangle> fan = triangulate(square, {{0.4, 0.5}});
+  EXPECT_EQ(fan, (std::vector<Triangle>{{0, 1, 4}, {0, 4, 3}, {1, 2, 4}, {2, 3, 4}}));
+}
+
+TEST(Triangulate, KeepsEverySegmentOfANotchedOutline) {
+  const std::vector<Vec2> notch = {{0, 0}, {4, 0}, {4, 4}, {2, 0.1}, {0, 4}};
+  const std::vector<Triangle> triangles = triangulate(notch, {{0.5, 1}, {3.5, 1}});
+  ASSERT_EQ(triangles.size(), 5u + 4u - 2u);
+  std::set<std::array<int, 2>> edges;
+  std::vector<Vec2> points = notch;
+  points.insert(points.end(), {{0.5, 1}, {3.5, 1}});
+  double area = 0;
+  for (const auto& [a, b, c] : triangles) {
+    edges.insert({{a, b}, {b, c}, {c, a}});
+    const Vec2 u = points[static_cast<std::size_t>(b)] - points[static_cast<std::size_t>(a)];
+    const Vec2 v = points[static_cast<std::size_t>(c)] - points[static_cast<std::size_t>(a)];
+    area += (u.x() * v.y() - u.y() * v.x()) / 2;
+  }
+  for (int i = 0; i < 5; ++i) EXPECT_TRUE(edges.count({i, (i + 1) % 5}));
+  EXPECT_NEAR(area, 16 - 0.5 * 4 * 3.9, 1e-12);
+}
+
+TEST(Triangulate, RefusesWhatHasNoInside) {
+  EXPECT_THROW(triangulate({{0, 0}, {1, 0}}, {}), Error);
+  EXPECT_THROW(triangulate({{0, 0}, {1, 1}, {1, 0}, {0, 1}}, {}), Error);
+  EXPECT_THROW(triangulate(square, {{0.5, 0.5}, {0.5, 0.5}}), Error);
+  EXPECT_THROW(triangulate(square, {{0.5, 0}}), Error);
+  EXPECT_THROW(triangulate(square, {{2, 0.5}}), Error);
+}
+
+TEST(Triangulate, SmallestAngleIsNegativeForATurnedTriangle) {
+  const double degree = std::numbers::pi / 180;
+  EXPECT_NEAR(smallest_angle({0, 0}, {1, 0}, {0, 1}), 45 * degree, 1e-15);
+  EXPECT_NEAR(smallest_angle({0, 0}, {0, 1}, {1, 0}), -45 * degree, 1e-15);
+  EXPECT_LE(smallest_angle({0, 0}, {1, 0}, {2, 0}), 0);
+  EXPECT_NEAR(smallest_angle(square, {{0, 1, 2}, {0, 2, 3}}), 45 * degree, 1e-15);
+}
+
+}  // namespace
+}  // namespace toile

@@ -1,0 +1,217 @@
+#include "pattern/garment_file.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <random>
+
+#include "io/output_file.h"
+#include "tests/pattern/samples.h"
+
+namespace toile {
+namespace {
+
+namespace fs = std::filesystem;
+using samples::error_of;
+
+/// A folder of its own for each test.
+class GarmentFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() /
+              ("toile_garment_file_" +
+               std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    obj_ = folder_ / "garment.obj";
+    json_ = folder_ / "garment.json";
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  /// Writes `from` replaced by `to` in the file, and the message that reading the pair gives.
+  std::string message_after(const fs::path& file, const std::string& from, const std::string& to) {
+    const std::string text = read_file(file);
+    const std::size_t at = text.find(from);
+    if (at == std::string::npos) return "the file does not hold " + from;
+    std::string changed = text;
+    changed.replace(at, from.size(), to);
+    write_file(file, changed);
+    const std::string message = error_of([&] { read_garment(obj_); });
+    write_file(file, text);
+    return message;
+  }
+
+  fs::path folder_;
+  fs::path obj_;
+  fs::path json_;
+};
+
+PanelMesh bag(int subdivisions = 1) {
+  std::vector<Remark> remarks;
+  Pattern pattern = samples::parse(samples::bag);
+  pattern.panels[0].part = "torso";
+  pattern.panels[0].fabric = "denim";
+  pattern.panels[1].grain = 0.1;
+  return mesh_panels(pattern, {0.03, subdivisions}, remarks);
+}
+
+void expect_equal(const PanelMesh& a, const PanelMesh& b) {
+  EXPECT_EQ(a.flat, b.flat);
+  EXPECT_EQ(a.placed, b.placed);
+  EXPECT_EQ(a.triangles, b.triangles);
+  EXPECT_EQ(a.subdivisions, b.subdivisions);
+  EXPECT_EQ(a.edge_length, b.edge_length);
+  ASSERT_EQ(a.panels.size(), b.panels.size());
+  for (std::size_t p = 0; p < a.panels.size(); ++p) {
+    EXPECT_EQ(a.panels[p].name, b.panels[p].name);
+    EXPECT_EQ(a.panels[p].part, b.panels[p].part);
+    EXPECT_EQ(a.panels[p].fabric, b.panels[p].fabric);
+    EXPECT_EQ(a.panels[p].grain, b.panels[p].grain);
+    EXPECT_EQ(a.panels[p].first_point, b.panels[p].first_point);
+    EXPECT_EQ(a.panels[p].points, b.panels[p].points);
+    EXPECT_EQ(a.panels[p].first_triangle, b.panels[p].first_triangle);
+    EXPECT_EQ(a.panels[p].triangles, b.panels[p].triangles);
+  }
+  ASSERT_EQ(a.seams.size(), b.seams.size());
+  for (std::size_t s = 0; s < a.seams.size(); ++s) {
+    EXPECT_EQ(a.seams[s].name, b.seams[s].name);
+    EXPECT_EQ(a.seams[s].a, b.seams[s].a);
+    EXPECT_EQ(a.seams[s].b, b.seams[s].b);
+    EXPECT_EQ(a.seams[s].length_a, b.seams[s].length_a);
+    EXPECT_EQ(a.seams[s].length_b, b.seams[s].length_b);
+  }
+}
+
+TEST_F(GarmentFile, SurvivesTheRoundTripExactly) {
+  for (const int subdivisions : {0, 2}) {
+    const PanelMesh garment = bag(subdivisions);
+    write_garment(obj_, garment);
+    expect_equal(read_garment(obj_), garment);
+  }
+}
+
+TEST_F(GarmentFile, TheJsonMayStandElsewhere) {
+  const PanelMesh garment = bag();
+  write_garment(obj_, garment);
+  fs::rename(json_, folder_ / "other.json");
+  EXPECT_HOLDS(error_of([&] { read_garment(obj_); }), "garment.json: can't be read");
+  expect_equal(read_garment(obj_, folder_ / "other.json"), garment);
+}
+
+TEST_F(GarmentFile, ReadsWhatAnotherProgramWrote) {
+  // Two right triangles side by side, texture coordinates in another order than the vertices.
+  write_file(obj_,
+             "o whatever\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nv 3 0 0\nv 2 1 0\n"
+             "vt 0 1\nvt 1 0\nvt 0 0\nf 1/3 2/2 3/1\nf 4/3 5/2 6/1\n");
+  write_file(json_, R"({"panels": [
+      {"name": "one", "first_point": 0, "points": 3, "first_triangle": 0, "triangles": 1},
+      {"name": "two", "first_point": 3, "points": 3, "first_triangle": 1, "triangles": 1}],
+    "seams": [{"name": "s", "a": [1, 2], "b": [3, 5], "length_a": 1.4142, "length_b": 1}]})");
+  const PanelMesh garment = read_garment(obj_);
+  EXPECT_EQ(garment.subdivisions, 0);
+  EXPECT_EQ(garment.flat[0], Vec2(0, 0));
+  EXPECT_EQ(garment.flat[2], Vec2(0, 1));
+  EXPECT_EQ(garment.flat[5], Vec2(0, 1));
+  EXPECT_EQ(garment.panels[1].name, "two");
+  EXPECT_EQ(garment.seams[0].b, (std::vector<int>{3, 5}));
+}
+
+TEST_F(GarmentFile, NamesWhatDoesNotFitTogether) {
+  const PanelMesh garment = bag();
+  write_garment(obj_, garment);
+  const std::string points = std::to_string(garment.panels[0].points);
+  EXPECT_HOLDS(message_after(json_, "\"points\":" + points, "\"points\":7"), "panel 'front'");
+  EXPECT_HOLDS(message_after(json_, "\"first_point\":0", "\"first_point\":1"), "panel 'front'");
+  EXPECT_HOLDS(message_after(json_, "\"first_point\":0", "\"first_point\":-1"), "panel 0");
+  EXPECT_HOLDS(message_after(json_, "\"triangles\":", "\"triangls\":"), "has no 'triangles'");
+  EXPECT_HOLDS(message_after(json_, "\"a\":[", "\"a\":[123456,"), "seam 0: 'a' holds 123456");
+  EXPECT_HOLDS(message_after(json_, "\"a\":[", "\"a\":[0,"), "seam 0: has sides of");
+  EXPECT_HOLDS(message_after(json_, "\"subdivisions\": 1", "\"subdivisions\": 2"),
+               "states 2 subdivisions");
+  EXPECT_HOLDS(message_after(json_, "\"length_a\":", "\"length_a\":\"long\",\"x\":"),
+               "'length_a' is not a finite number");
+  EXPECT_HOLDS(message_after(json_, "{", ""), "is not JSON");
+  EXPECT_HOLDS(message_after(json_, "\"panels\": [", "\"panels\": [], \"old\": ["),
+               "covers 0 points");
+  EXPECT_HOLDS(message_after(obj_, "\nf ", "\n# "), "garment.json: ");
+  EXPECT_HOLDS(message_after(obj_, "\nf ", "\nf 1/2 "), "is no triangle");
+  EXPECT_HOLDS(message_after(obj_, "\nvt ", "\nvn "), "garment.obj");
+}
+
+TEST_F(GarmentFile, FlatTrianglesMustNotBeTurnedOver) {
+  write_file(obj_, "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 3/3 2/2\n");
+  write_file(json_, R"({"panels": [], "seams": []})");
+  EXPECT_HOLDS(error_of([&] { read_garment(obj_); }), "not counter-clockwise");
+  write_file(obj_, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_HOLDS(error_of([&] { read_garment(obj_); }), "has no flat coordinates");
+}
+
+TEST_F(GarmentFile, MutatedPairsAreReadOrRefusedButNeverCrash) {
+  write_garment(obj_, bag());
+  const std::string obj = read_file(obj_);
+  const std::string json = read_file(json_);
+  std::mt19937 random(5);
+  const std::string alphabet = "0123456789{}[],:\"-. \nvftl/";
+  int refused = 0;
+  for (int round = 0; round < 1500; ++round) {
+    std::string changed_obj = obj;
+    std::string changed_json = json;
+    std::string& text = random() % 3 == 0 ? changed_obj : changed_json;
+    for (int e = 0; e < 3; ++e) {
+      const std::size_t at = random() % text.size();
+      if (random() % 2 == 0) {
+        text[at] = alphabet[random() % alphabet.size()];
+      } else {
+        text.erase(at, 1 + random() % 3);
+      }
+    }
+    write_file(obj_, changed_obj);
+    write_file(json_, changed_json);
+    try {
+      const PanelMesh garment = read_garment(obj_);
+      for (const Triangle& triangle : garment.triangles) {
+        for (const int corner : triangle) {
+          ASSERT_LT(static_cast<std::size_t>(corner), garment.flat.size());
+        }
+      }
+    } catch (const Error&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 300);
+  EXPECT_LT(refused, 1500);
+}
+
+TEST_F(GarmentFile, ADressedGarmentSurvivesTheRoundTrip) {
+  DressedGarment dressed;
+  dressed.points = {{0, 0, 0.1}, {1, 0, 0}, {0, 1, 1.0 / 3}, {1, 1, 0}};
+  dressed.triangles = {{0, 1, 2}, {2, 1, 3}};
+  dressed.flat = {{0, 0}, {1, 0}, {0, 1}, {5, 1}, {6, 0}, {6, 1}};
+  dressed.flat_triangles = {{0, 1, 2}, {3, 4, 5}};
+  dressed.panels = {"front", "left sleeve"};
+  dressed.panel_of_triangle = {0, 1};
+  write_dressed(obj_, dressed);
+  const DressedGarment back = read_dressed(obj_);
+  EXPECT_EQ(back.points, dressed.points);
+  EXPECT_EQ(back.triangles, dressed.triangles);
+  EXPECT_EQ(back.flat, dressed.flat);
+  EXPECT_EQ(back.flat_triangles, dressed.flat_triangles);
+  EXPECT_EQ(back.panels, dressed.panels);
+  EXPECT_EQ(back.panel_of_triangle, dressed.panel_of_triangle);
+}
+
+TEST_F(GarmentFile, ADressedGarmentNeedsFlatCoordinatesAndPanels) {
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n";
+  const auto message = [&](const std::string& faces) {
+    write_file(obj_, points + faces);
+    return error_of([&] { read_dressed(obj_); });
+  };
+  EXPECT_EQ(message("g p\nf 1/1 2/2 3/3\n"), "");
+  EXPECT_HOLDS(message("f 1/1 2/2 3/3\n"), "belongs to no panel");
+  EXPECT_HOLDS(message("g p\nf 1 2 3\n"), "no flat coordinates");
+  EXPECT_HOLDS(message("g p\nf 1/1 2/2 4/3 3/3\n"), "is no triangle");
+  EXPECT_HOLDS(message(""), "holds no face");
+}
+
+}  // namespace
+}  // namespace toile
