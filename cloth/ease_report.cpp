@@ -176,7 +176,7 @@ std::string ease_page(const EaseReport& report, const std::string& picture) {
   return viewer_page(page);
 }
 
-std::string ease_picture(const EaseReport& report, int view_width) {
+std::vector<std::string> ease_pictures(const EaseReport& report, const std::vector<int>& widths) {
   PictureMesh cloth;
   cloth.mesh = {report.garment.points, report.garment.triangles};
   cloth.values = gaps_mm(report);
@@ -190,9 +190,17 @@ std::string ease_picture(const EaseReport& report, int view_width) {
   body.inside_shown = false;
   Picture picture;
   picture.title = "Ease map: " + report.garment_name + " on " + report.body_name;
-  picture.view_width = view_width;
   picture.bar = ColourBar{"gap, mm", cloth.ramp, "inside"};
-  return picture_png({std::move(cloth), std::move(body)}, picture);
+  std::vector<PictureMesh> meshes;
+  meshes.push_back(std::move(cloth));
+  meshes.push_back(std::move(body));
+  const RayScene scene(std::move(meshes));
+  std::vector<std::string> pictures;
+  for (const int width : widths) {
+    picture.view_width = width;
+    pictures.push_back(picture_png(scene, picture));
+  }
+  return pictures;
 }
 
 std::vector<Colour> ease_colours(const EaseReport& report) {

@@ -36,8 +36,8 @@ std::string ease_json(const EaseReport& report);
 /// shows instead.
 std::string ease_page(const EaseReport& report, const std::string& picture);
 
-/// Front and back with the colour bar, PNG.
-std::string ease_picture(const EaseReport& report, int view_width);
+/// Front and back with the colour bar, PNG, in each of the widths (of a view, in pixels).
+std::vector<std::string> ease_pictures(const EaseReport& report, const std::vector<int>& widths);
 
 /// The colour of each node.
 std::vector<Colour> ease_colours(const EaseReport& report);

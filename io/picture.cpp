@@ -221,13 +221,15 @@ std::optional<View> view_named(std::string_view name) {
 }
 
 std::string picture_png(std::vector<PictureMesh> meshes, const Picture& picture) {
+  return picture_png(RayScene(std::move(meshes)), picture);
+}
+
+std::string picture_png(const RayScene& scene, const Picture& picture) {
   if (picture.views.empty()) throw Error("picture", "no view is asked for", "");
-  const Eigen::AlignedBox3d box = framed_box(meshes);
-  if (box.isEmpty()) throw Error("picture", "there is no triangle to show", "");
-  const RayScene scene(std::move(meshes));
+  const Eigen::AlignedBox3d box = framed_box(scene.meshes());
 
   constexpr double margin = 1.06;
-  const int width = std::clamp(picture.view_width, 16, 8192);
+  const int width = std::clamp(picture.view_width, 16, 4096);
   Vec2 needed = Vec2::Zero();
   for (const View view : picture.views) {
     needed = needed.cwiseMax(seen_size(box, camera_of(view)) * margin);

@@ -36,7 +36,7 @@ struct LegendEntry {
 struct Picture {
   std::string title;                                 ///< empty: none
   std::vector<View> views{View::front, View::back};  ///< from left to right
-  int view_width = 900;                              ///< pixels, from 16 to 8192
+  int view_width = 900;                              ///< pixels, from 16 to 4096
   int view_height = 0;                               ///< pixels; 0: as the meshes need it
   std::optional<ColourBar> bar;
   std::vector<LegendEntry> legend;
@@ -46,5 +46,6 @@ struct Picture {
 /// the same bytes with the same versions of the libraries and fonts. Throws Error when there is
 /// nothing to show.
 std::string picture_png(std::vector<PictureMesh> meshes, const Picture& picture);
+std::string picture_png(const RayScene& scene, const Picture& picture);
 
 }  // namespace toile

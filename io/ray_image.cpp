@@ -14,9 +14,9 @@ namespace toile {
 
 namespace {
 
+constexpr Colour background{251 / 255.0, 251 / 255.0, 250 / 255.0};  // a white that is not harsh
+
 alignas(16) constexpr int all_lanes[4] = {-1, -1, -1, -1};  // of a packet of four rays
-constexpr int samples = 2;                                  // a pixel is cut into samples x samples
-constexpr Colour background{251 / 255.0, 251 / 255.0, 250 / 255.0};
 
 /// What shading needs to know of a point: its normal, and how open the sky is on either side.
 struct PointLook {
@@ -24,23 +24,6 @@ struct PointLook {
   double open_front = 1;
   double open_back = 1;
 };
-
-struct Light {
-  double red = 0;
-  double green = 0;
-  double blue = 0;
-};
-
-struct Sample {
-  float red = 0;
-  float green = 0;
-  float blue = 0;
-  std::int32_t region = -1;  // -1 is the background
-};
-
-Light light_of(const Colour& colour) {
-  return {to_light(colour.red), to_light(colour.green), to_light(colour.blue)};
-}
 
 /// Directions spread evenly over the sphere, on a golden-angle spiral.
 std::vector<Vec3> sphere_directions(int count) {
@@ -310,70 +293,11 @@ Sample RayScene::Data::shade(const RTCRayHit4& hit, std::size_t lane,
   return sample;
 }
 
-namespace {
-
-/// Darkens the samples on either side of a border between regions.
-void draw_borders(std::vector<Sample>& grid, std::size_t width, std::size_t height) {
-  std::vector<char> border(grid.size(), 0);
-  const auto part = [&](std::size_t a, std::size_t b) {
-    if (grid[a].region != grid[b].region && grid[a].region >= 0 && grid[b].region >= 0) {
-      border[a] = border[b] = 1;
-    }
-  };
-  for (std::size_t y = 0; y < height; ++y) {
-    for (std::size_t x = 0; x < width; ++x) {
-      const std::size_t here = y * width + x;
-      if (x + 1 < width) part(here, here + 1);
-      if (y + 1 < height) part(here, here + width);
-    }
-  }
-  for (std::size_t i = 0; i < grid.size(); ++i) {
-    if (border[i] == 0) continue;
-    grid[i].red *= 0.35F;
-    grid[i].green *= 0.35F;
-    grid[i].blue *= 0.35F;
-  }
-}
-
-std::uint8_t byte_of(double light) {
-  return static_cast<std::uint8_t>(std::lround(255 * from_light(light)));
-}
-
-Image reduced(const std::vector<Sample>& grid, int width, int height) {
-  Image image{width, height, {}};
-  image.bytes.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
-  tbb::parallel_for(0, height, [&](int y) {
-    for (int x = 0; x < width; ++x) {
-      double red = 0, green = 0, blue = 0;
-      for (int j = 0; j < samples; ++j) {
-        for (int i = 0; i < samples; ++i) {
-          const Sample& sample = grid[static_cast<std::size_t>(y * samples + j) *
-                                          static_cast<std::size_t>(width) * samples +
-                                      static_cast<std::size_t>(x * samples + i)];
-          red += sample.red;
-          green += sample.green;
-          blue += sample.blue;
-        }
-      }
-      const std::size_t at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                                  static_cast<std::size_t>(x));
-      constexpr double share = 1.0 / (samples * samples);
-      image.bytes[at] = byte_of(red * share);
-      image.bytes[at + 1] = byte_of(green * share);
-      image.bytes[at + 2] = byte_of(blue * share);
-    }
-  });
-  return image;
-}
-
-}  // namespace
-
 Image RayScene::render(const Camera& camera, int width, int height) const {
-  static_assert(samples == 2, "a packet of four rays is a pixel");
   if (width < 1 || height < 1) return {};
   const Vec3 right = camera.forward.cross(camera.up).normalized();
   const Vec3 towards_key = (-0.75 * camera.forward + 0.55 * camera.up - 0.45 * right).normalized();
-  const double step = camera.metres_per_pixel / samples;
+  const double step = camera.metres_per_pixel / 2;
   const double half_height = 0.5 * camera.metres_per_pixel * height;
   const double reach =
       2 * data_->box.diagonal().norm() + (data_->box.center() - camera.centre).norm();
@@ -381,18 +305,13 @@ Image RayScene::render(const Camera& camera, int width, int height) const {
       camera.field_of_view > 0 ? half_height / std::tan(0.5 * camera.field_of_view) : reach;
   const Vec3 eye = camera.centre - eye_distance * camera.forward;
 
-  const auto grid_width = static_cast<std::size_t>(width) * samples;
-  const auto grid_height = static_cast<std::size_t>(height) * samples;
-  std::vector<Sample> grid(grid_width * grid_height);
-  const Light empty = light_of(background);
+  SampleGrid grid(width, height, background);
   tbb::parallel_for(0, height, [&](int y) {
     for (int x = 0; x < width; ++x) {
       RTCRayHit4 hit;
       for (std::size_t lane = 0; lane < 4; ++lane) {
-        const double across =
-            (x * samples + static_cast<int>(lane % 2) + 0.5 - 0.5 * samples * width) * step;
-        const double down =
-            (y * samples + static_cast<int>(lane / 2) + 0.5 - 0.5 * samples * height) * step;
+        const double across = (2 * x + static_cast<int>(lane % 2) + 0.5 - width) * step;
+        const double down = (2 * y + static_cast<int>(lane / 2) + 0.5 - height) * step;
         const Vec3 seen = camera.centre + across * right - down * camera.up;
         const Vec3 direction =
             camera.field_of_view > 0 ? (seen - eye).normalized() : camera.forward;
@@ -420,20 +339,13 @@ Image RayScene::render(const Camera& camera, int width, int height) const {
       rtcIntersect4(all_lanes, data_->scene, &context, &hit);
       if (data_->sunken != nullptr) data_->bring_forward(hit, fresh);
       for (std::size_t lane = 0; lane < 4; ++lane) {
-        Sample& sample = grid[(static_cast<std::size_t>(y) * 2 + lane / 2) * grid_width +
-                              static_cast<std::size_t>(x) * 2 + lane % 2];
-        if (hit.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID) {
-          sample = data_->shade(hit, lane, towards_key);
-        } else {
-          sample.red = static_cast<float>(empty.red);
-          sample.green = static_cast<float>(empty.green);
-          sample.blue = static_cast<float>(empty.blue);
-        }
+        if (hit.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) continue;
+        grid.at(x, y, static_cast<int>(lane)) = data_->shade(hit, lane, towards_key);
       }
     }
   });
-  draw_borders(grid, grid_width, grid_height);
-  return reduced(grid, width, height);
+  grid.draw_borders();
+  return grid.image();
 }
 
 }  // namespace toile

@@ -1,12 +1,12 @@
 // Meshes seen by ray casting: no display, no graphics card.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "geometry/types.h"
 #include "io/colour.h"
+#include "io/sample_grid.h"
 
 namespace toile {
 
@@ -33,13 +33,6 @@ struct Camera {
   Vec3 centre = Vec3::Zero();   ///< the point in the middle of the image
   double metres_per_pixel = 0;  ///< at `centre`
   double field_of_view = 0;     ///< across the image's height, radians; 0: parallel projection
-};
-
-/// Rows from the top, three bytes a pixel (red, green, blue).
-struct Image {
-  int width = 0;
-  int height = 0;
-  std::vector<std::uint8_t> bytes;
 };
 
 /// Meshes made ready to be looked at from any side. Light comes from the camera's upper left, and

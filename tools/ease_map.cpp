@@ -90,8 +90,11 @@ int work(const Settings& settings, const CommonSettings& common) {
     write_mesh(*settings.ply, {report.garment.points, report.garment.triangles},
                ease_colours(report));
   }
-  if (settings.png) write_file(*settings.png, ease_picture(report, 900));
-  write_file(common.output, ease_page(report, ease_picture(report, 420)));
+  std::vector<int> widths = {420};
+  if (settings.png) widths.push_back(900);
+  const std::vector<std::string> pictures = ease_pictures(report, widths);
+  if (settings.png) write_file(*settings.png, pictures[1]);
+  write_file(common.output, ease_page(report, pictures[0]));
   common.say("wrote " + common.output.string());
   return exit_done;
 }

@@ -111,8 +111,8 @@ int main(int argc, char** argv) {
     settings.whole = given["whole"].as<bool>();
     settings.width = given["width"].as<int>();
     settings.title = given["title"].as<std::string>();
-    if (settings.width < 64 || settings.width > 4096) {
-      throw Error("--width", "is out of range", "give 64 to 4096 pixels");
+    if (settings.width < 64 || settings.width > 2048) {
+      throw Error("--width", "is out of range", "give 64 to 2048 pixels");
     }
     return work(settings, common);
   };
