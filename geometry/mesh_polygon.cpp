@@ -75,7 +75,9 @@ class Filler {
     }
   }
 
-  PlanarMesh fill() {
+  PlanarMesh fill(const std::vector<int>& split_corners) {
+    for (const int corner : split_corners) split(corner);
+    held_ = interior_.size();
     seed();
     for (int round = 0; round < smoothing_rounds && !interior_.empty(); ++round) smooth();
     connect();
@@ -108,6 +110,15 @@ class Filler {
           least, distance_to_segment(point, outline_[at(i)], outline_[at((i + 1) % border_)]));
     });
     return least;
+  }
+
+  /// Puts a point into the triangle of an outline point and its neighbours, toward the far side.
+  void split(int corner) {
+    const Vec2& before = outline_[at((corner + border_ - 1) % border_)];
+    const Vec2& after = outline_[at((corner + 1) % border_)];
+    const Vec2 point = 0.25 * outline_[at(corner)] + 0.375 * (before + after);
+    points_.add(point, border_ + static_cast<int>(interior_.size()));
+    interior_.push_back(point);
   }
 
   /// Whether `point`, known to be inside, is far enough from the border and from other points.
@@ -190,7 +201,7 @@ class Filler {
         weight[at(corner - border_)] += mass;
       }
     }
-    for (std::size_t i = 0; i < interior_.size(); ++i) {
+    for (std::size_t i = held_; i < interior_.size(); ++i) {
       if (!(weight[i] > 0)) continue;
       const Vec2 moved = sum[i] / weight[i];
       // A point that moves less than its distance from the border can't leave the polygon.
@@ -246,6 +257,7 @@ class Filler {
   std::vector<Vec2> middles_;
   std::vector<double> lengths_;
   std::vector<Vec2> interior_;
+  std::size_t held_ = 0;  ///< the first interior points stay through the smoothing
   PlanarMesh mesh_;
 };
 
@@ -293,8 +305,9 @@ void raise_angles(PlanarMesh& mesh, const std::vector<bool>& fixed, double good)
   }
 }
 
-PlanarMesh mesh_polygon(const std::vector<Vec2>& outline, double edge_length) {
-  return Filler(outline, edge_length).fill();
+PlanarMesh mesh_polygon(const std::vector<Vec2>& outline, double edge_length,
+                        const std::vector<int>& split_corners) {
+  return Filler(outline, edge_length).fill(split_corners);
 }
 
 }  // namespace toile

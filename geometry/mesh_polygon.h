@@ -22,8 +22,12 @@ struct PlanarMesh {
 /// Interior points start on a hexagonal lattice and move to the centres of their surroundings
 /// between Delaunay triangulations (centroidal patch smoothing, Chen & Holst 2011), then each goes
 /// where its smallest angle is largest. About O(n log n).
+/// `split_corners` names outline points that must get an interior point right before them even if
+/// that makes sharp triangles; the triangle of such a point and its two neighbours on the outline
+/// has to lie inside the polygon, free of other outline points.
 /// Throws Error as triangulate() does.
-PlanarMesh mesh_polygon(const std::vector<Vec2>& outline, double edge_length);
+PlanarMesh mesh_polygon(const std::vector<Vec2>& outline, double edge_length,
+                        const std::vector<int>& split_corners = {});
 
 /// Moves each point that is not `fixed` (one flag a point), if it has an angle below `good`
 /// (radians), to where its smallest angle is larger, triangles kept. No angle of the mesh gets

@@ -1,12 +1,11 @@
 #include "pattern/garment_file.h"
 
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "geometry/error.h"
+#include "io/json_value.h"
 #include "io/obj.h"
 #include "io/output_file.h"
 #include "pattern/nesting.h"
@@ -25,8 +24,6 @@ fs::path beside(const fs::path& obj) { return fs::path(obj).replace_extension(".
 [[noreturn]] void fail(const std::string& place, const std::string& problem) {
   throw Error(place, problem, "make the pair anew with mesh-pattern");
 }
-
-std::string quoted_key(const char* key) { return std::string(1, '\'').append(key).append("'"); }
 
 /// JSON of the garment, one panel or seam a line.
 std::string garment_json(const PanelMesh& garment) {
@@ -62,67 +59,50 @@ std::string garment_json(const PanelMesh& garment) {
   return text + "]}\n";
 }
 
-/// Reads garment.json's fields; every complaint names the file and the field.
-class Fields {
- public:
-  Fields(const Json& json, std::string place) : json_(json), place_(std::move(place)) {
-    if (!json_.is_object()) fail(place_, "is not an object");
-  }
+int count_of(const JsonValue& value) { return value.index(std::numeric_limits<int>::max() / 2); }
 
-  const Json& get(const char* key) const {
-    const auto found = json_.find(key);
-    if (found == json_.end()) fail(place_, "has no " + quoted_key(key));
-    return *found;
-  }
-  int index(const char* key) const {
-    const Json& value = get(key);
-    if (!value.is_number_integer() || value.get<std::int64_t>() < 0 ||
-        value.get<std::int64_t>() > std::numeric_limits<int>::max() / 2) {
-      fail(place_, quoted_key(key) + " is not a count");
-    }
-    return value.get<int>();
-  }
-  double number(const char* key) const {
-    const Json& value = get(key);
-    if (!value.is_number() || !std::isfinite(value.get<double>())) {
-      fail(place_, quoted_key(key) + " is not a finite number");
-    }
-    return value.get<double>();
-  }
-  std::string text(const char* key, bool needed) const {
-    if (!needed && !json_.contains(key)) return "";
-    const Json& value = get(key);
-    if (!value.is_string()) fail(place_, quoted_key(key) + " is not text");
-    return value.get<std::string>();
-  }
-  double number_or(const char* key, double otherwise) const {
-    return json_.contains(key) ? number(key) : otherwise;
-  }
-  int index_or(const char* key, int otherwise) const {
-    return json_.contains(key) ? index(key) : otherwise;
-  }
-  const Json& list(const char* key) const {
-    const Json& value = get(key);
-    if (!value.is_array()) fail(place_, quoted_key(key) + " is not a list");
-    return value;
-  }
-  std::vector<int> points(const char* key, std::size_t count) const {
-    std::vector<int> values;
-    for (const Json& value : list(key)) {
-      if (!value.is_number_integer() || value.get<std::int64_t>() < 0 ||
-          value.get<std::int64_t>() >= static_cast<std::int64_t>(count)) {
-        fail(place_, quoted_key(key) + " holds " + value.dump().substr(0, 40) +
-                         ", which is none of the " + std::to_string(count) + " points");
-      }
-      values.push_back(value.get<int>());
-    }
-    return values;
-  }
+std::string text_or(const JsonValue& value, const char* key, const char* otherwise) {
+  const auto found = value.find(key);
+  return found ? found->text() : otherwise;
+}
 
- private:
-  const Json& json_;
-  std::string place_;
-};
+double number_or(const JsonValue& value, const char* key, double otherwise) {
+  const auto found = value.find(key);
+  return found ? found->number() : otherwise;
+}
+
+MeshedPanel panel_of(const JsonValue& value) {
+  return {value.get("name").text(),
+          text_or(value, "part", ""),
+          text_or(value, "fabric", ""),
+          number_or(value, "grain", 0),
+          count_of(value.get("first_point")),
+          count_of(value.get("points")),
+          count_of(value.get("first_triangle")),
+          count_of(value.get("triangles"))};
+}
+
+MeshedSeam seam_of(const JsonValue& value, std::size_t points) {
+  MeshedSeam seam;
+  seam.name = value.get("name").text();
+  const auto side = [&](const char* key) {
+    const JsonValue list = value.get(key);
+    std::vector<int> along;
+    for (std::size_t i = 0; i < list.size(2); ++i) {
+      along.push_back(list.item(i).index(static_cast<int>(points)));
+    }
+    return along;
+  };
+  seam.a = side("a");
+  seam.b = side("b");
+  if (seam.a.size() != seam.b.size()) {
+    fail(value.place(), "has sides of " + std::to_string(seam.a.size()) + " and " +
+                            std::to_string(seam.b.size()) + " points");
+  }
+  seam.length_a = value.get("length_a").number();
+  seam.length_b = value.get("length_b").number();
+  return seam;
+}
 
 /// Points, flat coordinates and triangles of an OBJ whose corners each pair one v with one vt.
 void read_mesh(const ObjData& data, const std::string& name, PanelMesh& garment) {
@@ -223,38 +203,22 @@ PanelMesh read_garment(const fs::path& obj, const fs::path& json) {
   read_mesh(read_obj(obj), obj.string(), garment);
   const fs::path path = json.empty() ? beside(obj) : json;
   const std::string name = path.string();
-  Json root;
-  try {
-    root = Json::parse(read_file(path));
-  } catch (const Json::exception& error) {
-    fail(name, std::string("is not JSON (") + error.what() + ")");
+  const JsonDocument document(read_file(path), name);
+  const JsonValue root = document.root();
+  garment.edge_length = number_or(root, "edge_length", 0);
+  if (const auto subdivisions = root.find("subdivisions")) {
+    garment.subdivisions = subdivisions->index();
   }
-  const Fields fields(root, name);
-  garment.edge_length = fields.number_or("edge_length", 0);
-  garment.subdivisions = fields.index_or("subdivisions", 0);
-  for (const Json& item : fields.list("panels")) {
-    const std::string place = name + ": panel " + std::to_string(garment.panels.size());
-    const Fields panel(item, place);
-    garment.panels.push_back({panel.text("name", true), panel.text("part", false),
-                              panel.text("fabric", false), panel.number_or("grain", 0),
-                              panel.index("first_point"), panel.index("points"),
-                              panel.index("first_triangle"), panel.index("triangles")});
+  const JsonValue panels = root.get("panels");
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    garment.panels.push_back(
+        panel_of(panels.item(i).called(name + ": panel " + std::to_string(i))));
   }
   check_ranges(garment, name);
-  for (const Json& item : fields.list("seams")) {
-    const std::string place = name + ": seam " + std::to_string(garment.seams.size());
-    const Fields seam(item, place);
-    MeshedSeam read;
-    read.name = seam.text("name", true);
-    read.a = seam.points("a", garment.flat.size());
-    read.b = seam.points("b", garment.flat.size());
-    if (read.a.size() != read.b.size() || read.a.size() < 2) {
-      fail(place, "has sides of " + std::to_string(read.a.size()) + " and " +
-                      std::to_string(read.b.size()) + " points");
-    }
-    read.length_a = seam.number("length_a");
-    read.length_b = seam.number("length_b");
-    garment.seams.push_back(std::move(read));
+  const JsonValue seams = root.get("seams");
+  for (std::size_t i = 0; i < seams.size(); ++i) {
+    garment.seams.push_back(
+        seam_of(seams.item(i).called(name + ": seam " + std::to_string(i)), garment.flat.size()));
   }
   if (const auto problem = nesting_problem(garment)) fail(name, *problem);
   return garment;

@@ -10,6 +10,7 @@
 #include "geometry/mesh_polygon.h"
 #include "geometry/outline.h"
 #include "geometry/triangulate.h"
+#include "pattern/doubled.h"
 #include "pattern/orient.h"
 
 namespace toile {
@@ -40,7 +41,11 @@ struct Unmeshable {
 struct Work {
   PlanarMesh mesh;
   std::vector<std::vector<int>> along;  ///< per edge, points from its start to its end
+  int coarse_border = 0;                ///< border points of the coarsest level; they come first
 };
+
+/// Per panel, points of its coarse outline that need a point inside right before them.
+using Corners = std::vector<std::vector<int>>;
 
 /// The pattern's edges cut into steps on the coarsest level, per panel and edge.
 using Steps = std::vector<std::vector<int>>;
@@ -84,15 +89,17 @@ class PanelMesher {
  public:
   PanelMesher(const PatternPanel& panel, bool mirrored) : panel_(panel), mirrored_(mirrored) {}
 
-  Work mesh(const std::vector<int>& steps, double coarse_length, int subdivisions) {
+  Work mesh(const std::vector<int>& steps, double coarse_length, int subdivisions,
+            const std::vector<int>& split_corners) {
     steps_ = steps;
     const std::vector<Vec2> outline = coarse_outline();
     if (outline.size() < 3) throw Unmeshable{panel_.name, "has too few border points"};
     if (first_crossing(outline)) {
       throw Unmeshable{panel_.name, "has an outline that crosses itself"};
     }
+    work_.coarse_border = static_cast<int>(outline.size());
     try {
-      work_.mesh = mesh_polygon(outline, coarse_length);
+      work_.mesh = mesh_polygon(outline, coarse_length, split_corners);
     } catch (const Error&) {
       throw Unmeshable{panel_.name, "can't be triangulated"};
     }
@@ -202,13 +209,13 @@ class PanelMesher {
 };
 
 std::vector<Work> mesh_all(const Pattern& pattern, const Orientation& orientation,
-                           double edge_length, int subdivisions) {
+                           double edge_length, int subdivisions, const Corners& split_corners) {
   const double coarse_length = edge_length * (1 << subdivisions);
   const Steps steps = steps_along(pattern, coarse_length);
   std::vector<Work> works;
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
     PanelMesher mesher(pattern.panels[p], orientation.mirrored[p]);
-    works.push_back(mesher.mesh(steps[p], coarse_length, subdivisions));
+    works.push_back(mesher.mesh(steps[p], coarse_length, subdivisions, split_corners[p]));
   }
   return works;
 }
@@ -285,6 +292,49 @@ PanelMesh assemble(const Pattern& pattern, const Orientation& orientation,
   return garment;
 }
 
+/// The outline's corners whose triangles would lie upon others once sewn.
+Corners doubled_corners(const PanelMesh& garment, const std::vector<Work>& works) {
+  Corners corners(works.size());
+  std::size_t p = 0;
+  for (const int t : doubled_triangles(garment)) {
+    while (t >= garment.panels[p].first_triangle + garment.panels[p].triangles) ++p;
+    const int border = works[p].coarse_border;
+    Triangle local = garment.triangles[at(t)];
+    std::vector<int> coarse;
+    for (int& corner : local) {
+      corner -= garment.panels[p].first_point;
+      if (corner < border) coarse.push_back(corner);
+    }
+    for (const int corner : coarse) {
+      const auto neighbour = [&](int other) {
+        return other == corner || other == (corner + 1) % border ||
+               other == (corner + border - 1) % border;
+      };
+      // On finer levels only the corner itself is of the coarse outline.
+      if (coarse.size() == 1 || std::all_of(local.begin(), local.end(), neighbour)) {
+        corners[p].push_back(corner);
+        break;
+      }
+    }
+  }
+  return corners;
+}
+
+PanelMesh mesh_garment(const Pattern& pattern, const Orientation& orientation, double edge_length,
+                       int subdivisions) {
+  const Corners none(pattern.panels.size());
+  std::vector<Work> works = mesh_all(pattern, orientation, edge_length, subdivisions, none);
+  PanelMesh garment = assemble(pattern, orientation, works);
+  const Corners corners = doubled_corners(garment, works);
+  if (corners != none) {
+    works = mesh_all(pattern, orientation, edge_length, subdivisions, corners);
+    garment = assemble(pattern, orientation, works);
+  }
+  garment.subdivisions = subdivisions;
+  garment.edge_length = edge_length;
+  return garment;
+}
+
 }  // namespace
 
 PanelMesh mesh_panels(const Pattern& pattern, const MeshSettings& settings,
@@ -299,10 +349,7 @@ PanelMesh mesh_panels(const Pattern& pattern, const MeshSettings& settings,
   std::optional<Unmeshable> failure;
   for (int subdivisions = std::min(wanted, most_subdivisions); subdivisions >= 0; --subdivisions) {
     try {
-      PanelMesh garment = assemble(
-          pattern, orientation, mesh_all(pattern, orientation, settings.edge_length, subdivisions));
-      garment.subdivisions = subdivisions;
-      garment.edge_length = settings.edge_length;
+      PanelMesh garment = mesh_garment(pattern, orientation, settings.edge_length, subdivisions);
       if (failure) {
         remarks.push_back({false, pattern.source + ": panel '" + failure->panel + "' " +
                                       failure->problem + " on the coarser level; " +

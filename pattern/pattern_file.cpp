@@ -4,19 +4,17 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
 
 #include "geometry/body/skeleton.h"
 #include "geometry/error.h"
+#include "io/json_value.h"
 #include "io/output_file.h"
 
 namespace toile {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// Coordinates beyond this (metres) are no garment.
 constexpr double largest_coordinate = 1000;
@@ -28,77 +26,15 @@ constexpr double degree = std::numbers::pi / 180;
 
 std::string in_quotes(const std::string& text) { return "'" + text + "'"; }
 
-/// Line and column of a byte, both from 1.
-std::string line_and_column(const std::string& text, std::size_t byte) {
-  byte = std::min(byte, text.size());
-  const auto line =
-      std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(byte), '\n');
-  const std::size_t start = byte == 0 ? std::string::npos : text.rfind('\n', byte - 1);
-  const std::size_t column = start == std::string::npos ? byte : byte - start - 1;
-  return std::to_string(line + 1) + ":" + std::to_string(std::max<std::size_t>(column, 1));
+Vec2 pair(const JsonValue& value) {
+  value.size(2, 2);
+  return {value.item(0).number(), value.item(1).number()};
 }
 
-/// A JSON value that knows where it stands, and takes nothing on trust.
-struct Value {
-  const Json& json;
-  std::string place;
-
-  [[noreturn]] void fail(const std::string& problem, const std::string& remedy = "") const {
-    throw Error(place, problem, remedy);
-  }
-
-  std::optional<Value> find(const std::string& key) const {
-    if (!json.is_object()) fail("is not an object");
-    const auto found = json.find(key);
-    if (found == json.end() || found->is_null()) return std::nullopt;
-    return Value{*found, place + ", " + key};
-  }
-  Value get(const std::string& key) const {
-    auto value = find(key);
-    if (!value) fail("has no " + in_quotes(key));
-    return *value;
-  }
-  Value item(std::size_t i) const { return {json.at(i), place + "[" + std::to_string(i) + "]"}; }
-
-  std::size_t array(std::size_t least, std::size_t most) const {
-    if (!json.is_array() || json.size() < least || json.size() > most) {
-      fail("is not a list of " + std::to_string(least) +
-           (most == least ? ""
-            : most > 1000 ? " or more"
-                          : " to " + std::to_string(most)) +
-           " entries");
-    }
-    return json.size();
-  }
-  double number() const {
-    if (!json.is_number()) fail("is not a number");
-    const double value = json.get<double>();
-    if (!std::isfinite(value)) fail("is not a finite number");
-    return value;
-  }
-  int index() const {
-    if (!json.is_number_integer()) fail("is not a whole number");
-    const auto value = json.get<std::int64_t>();
-    if (value < 0 || value > 1000000) fail("is out of range");
-    return static_cast<int>(value);
-  }
-  bool flag() const {
-    if (json.is_boolean()) return json.get<bool>();
-    return number() != 0;
-  }
-  std::string text() const {
-    if (!json.is_string()) fail("is not text");
-    return json.get<std::string>();
-  }
-  Vec2 pair() const {
-    array(2, 2);
-    return {item(0).number(), item(1).number()};
-  }
-  Vec3 triple() const {
-    array(3, 3);
-    return {item(0).number(), item(1).number(), item(2).number()};
-  }
-};
+Vec3 triple(const JsonValue& value) {
+  value.size(3, 3);
+  return {value.item(0).number(), value.item(1).number(), value.item(2).number()};
+}
 
 class Reader {
  public:
@@ -106,22 +42,19 @@ class Reader {
     pattern_.source = name;
   }
 
-  Pattern read(const Json& json) {
-    const Value top{json, pattern_.source};
-    if (!json.is_object() || !top.find("pattern")) {
+  Pattern read(const JsonValue& top) {
+    if (!top.is_object() || !top.find("pattern")) {
       top.fail("has no 'pattern'", "is it a GarmentCode pattern specification?");
     }
     unread(top, {"pattern", "properties", "parameters", "parameter_order", "parameter_constraints",
                  "constraints", "constraint_order"});
     properties(top);
-    const Value content{*json.find("pattern"), pattern_.source};
-    if (!content.json.is_object()) content.fail("'pattern' is not an object");
+    const JsonValue content = top.get("pattern");
     unread(content, {"panels", "panel_order", "stitches"});
     panels(content);
     if (const auto stitches = content.find("stitches")) {
-      const std::size_t count = stitches->array(0, 100000);
-      for (std::size_t i = 0; i < count; ++i) {
-        stitch({stitches->item(i).json, pattern_.source + ": stitch " + std::to_string(i)});
+      for (std::size_t i = 0; i < stitches->size(); ++i) {
+        stitch(stitches->item(i).called(pattern_.source + ": stitch " + std::to_string(i)));
       }
     }
     return std::move(pattern_);
@@ -130,15 +63,15 @@ class Reader {
  private:
   void note(const std::string& text) { remarks_.push_back({false, text}); }
 
-  void unread(const Value& value, const std::vector<std::string>& known) {
-    for (const auto& [key, ignored] : value.json.items()) {
+  void unread(const JsonValue& value, const std::vector<std::string>& known) {
+    for (const std::string& key : value.keys()) {
       if (std::find(known.begin(), known.end(), key) == known.end()) {
-        note(value.place + ": key " + in_quotes(key) + " is not read");
+        note(value.place() + ": key " + in_quotes(key) + " is not read");
       }
     }
   }
 
-  void properties(const Value& top) {
+  void properties(const JsonValue& top) {
     const auto given = top.find("properties");
     if (!given) {
       note(pattern_.source + ": no 'properties'; lengths are taken as centimetres");
@@ -165,22 +98,21 @@ class Reader {
     }
   }
 
-  void panels(const Value& content) {
-    const Value list = content.get("panels");
-    if (!list.json.is_object() || list.json.empty()) list.fail("holds no panel");
+  void panels(const JsonValue& content) {
+    const JsonValue list = content.get("panels");
+    const std::vector<std::string> listed = list.keys();
+    if (listed.empty()) list.fail("holds no panel");
     std::vector<std::string> names;
+    const auto add = [&](const std::string& name) {
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    };
     if (const auto order = content.find("panel_order")) {
-      for (std::size_t i = 0; i < order->array(0, 100000); ++i) {
+      for (std::size_t i = 0; i < order->size(); ++i) {
         const std::string name = order->item(i).text();
-        if (list.json.contains(name) &&
-            std::find(names.begin(), names.end(), name) == names.end()) {
-          names.push_back(name);
-        }
+        if (std::find(listed.begin(), listed.end(), name) != listed.end()) add(name);
       }
     }
-    for (const auto& [name, ignored] : list.json.items()) {
-      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-    }
+    for (const std::string& name : listed) add(name);
     for (const std::string& name : names) {
       const bool printable = !name.empty() && std::none_of(name.begin(), name.end(), [](char c) {
         return static_cast<unsigned char>(c) < ' ' || c == '#' || c == '\\';
@@ -188,32 +120,31 @@ class Reader {
       if (!printable || name.front() == ' ' || name.back() == ' ') {
         list.fail("a panel is named " + in_quotes(name), "give it a name of letters and digits");
       }
-      panel(name, {*list.json.find(name), pattern_.source + ": panel " + in_quotes(name)});
+      panel(name, list.get(name).called(pattern_.source + ": panel " + in_quotes(name)));
     }
   }
 
-  Vec2 metres(const Value& pair) const {
-    const Vec2 value = pair.pair() * unit_;
+  Vec2 metres(const JsonValue& point) const {
+    const Vec2 value = pair(point) * unit_;
     if (value.cwiseAbs().maxCoeff() > largest_coordinate) {
-      pair.fail("lies more than a kilometre away", "check 'units_in_meter'");
+      point.fail("lies more than a kilometre away", "check 'units_in_meter'");
     }
     return value;
   }
 
-  void panel(const std::string& name, const Value& value) {
-    if (!value.json.is_object()) value.fail("is not an object");
+  void panel(const std::string& name, const JsonValue& value) {
     unread(value, {"translation", "rotation", "vertices", "edges", "label", "placement", "grain",
                    "fabric"});
     PatternPanel panel;
     panel.name = name;
     if (const auto translation = value.find("translation")) {
-      panel.translation = translation->triple() * unit_;
+      panel.translation = triple(*translation) * unit_;
       if (panel.translation.cwiseAbs().maxCoeff() > largest_coordinate) {
         translation->fail("is more than a kilometre", "check 'units_in_meter'");
       }
     }
     if (const auto rotation = value.find("rotation")) {
-      const Vec3 angles = rotation->triple() * degree;
+      const Vec3 angles = triple(*rotation) * degree;
       panel.rotation = (Eigen::AngleAxisd(angles.z(), Vec3::UnitZ()) *
                         Eigen::AngleAxisd(angles.y(), Vec3::UnitY()) *
                         Eigen::AngleAxisd(angles.x(), Vec3::UnitX()))
@@ -226,8 +157,8 @@ class Reader {
       if (const auto part = placement->find("part")) panel.part = body_part(*part);
     }
 
-    const Value vertices = value.get("vertices");
-    const std::size_t count = vertices.array(2, 100000);
+    const JsonValue vertices = value.get("vertices");
+    const std::size_t count = vertices.size(2);
     std::vector<Vec2> points;
     for (std::size_t i = 0; i < count; ++i) points.push_back(metres(vertices.item(i)));
     if (centre_panels_) {
@@ -241,7 +172,7 @@ class Reader {
     pattern_.panels.push_back(std::move(panel));
   }
 
-  static std::string body_part(const Value& part) {
+  static std::string body_part(const JsonValue& part) {
     const std::string name = part.text();
     if (std::find(body_parts.begin(), body_parts.end(), name) == body_parts.end()) {
       std::string known;
@@ -252,16 +183,15 @@ class Reader {
     return name;
   }
 
-  void edges(PatternPanel& panel, const Value& list, const std::vector<Vec2>& points) {
+  void edges(PatternPanel& panel, const JsonValue& list, const std::vector<Vec2>& points) {
     const std::string place = pattern_.source + ": panel " + in_quotes(panel.name);
-    const std::size_t count = list.array(2, 100000);
+    const std::size_t count = list.size(2);
     std::vector<std::array<int, 2>> ends;
     for (std::size_t i = 0; i < count; ++i) {
-      const Value edge{list.item(i).json, place + ", edge " + std::to_string(i)};
-      if (!edge.json.is_object()) edge.fail("is not an object");
+      const JsonValue edge = list.item(i).called(place + ", edge " + std::to_string(i));
       unread(edge, {"endpoints", "curvature", "label"});
-      const Value endpoints = edge.get("endpoints");
-      endpoints.array(2, 2);
+      const JsonValue endpoints = edge.get("endpoints");
+      endpoints.size(2, 2);
       std::array<int, 2> pair{};
       for (std::size_t k = 0; k < 2; ++k) {
         pair[k] = endpoints.item(k).index();
@@ -316,52 +246,56 @@ class Reader {
     return steps;
   }
 
-  EdgeCurve curve(const Value& edge, const Vec2& start, const Vec2& end) {
+  EdgeCurve curve(const JsonValue& edge, const Vec2& start, const Vec2& end) {
     const auto curvature = edge.find("curvature");
     if (!curvature) return EdgeCurve::line(start, end);
     // The first generation of the format knew one kind of curve: a lone quadratic control point.
-    if (curvature->json.is_array()) {
+    if (curvature->is_array()) {
       return EdgeCurve::quadratic(start, control(*curvature, start, end), end);
     }
     unread(*curvature, {"type", "params"});
-    const Value type = curvature->get("type");
+    const JsonValue type = curvature->get("type");
     const std::string kind = type.text();
-    const Value params = curvature->get("params");
+    const JsonValue params = curvature->get("params");
     if (kind == "quadratic") {
-      params.array(1, 1);
+      params.size(1, 1);
       return EdgeCurve::quadratic(start, control(params.item(0), start, end), end);
     }
     if (kind == "cubic") {
-      params.array(2, 2);
+      params.size(2, 2);
       return EdgeCurve::cubic(start, control(params.item(0), start, end),
                               control(params.item(1), start, end), end);
     }
     if (kind != "circle") {
       type.fail(in_quotes(kind) + " is unknown", "use quadratic, cubic or circle");
     }
-    params.array(3, 3);
+    params.size(3, 3);
     const double radius = params.item(0).number() * unit_;
     if (!(radius > 0) || radius > 1e6) params.item(0).fail("is no radius");
     const double half = (end - start).norm() / 2;
     if (radius < half * (1 - radius_tolerance)) {
-      note(edge.place + ": the circle's radius is too short to reach; half the chord is taken");
+      note(edge.place() + ": the circle's radius is too short to reach; half the chord is taken");
     }
     return EdgeCurve::arc(start, end, radius, params.item(1).flag(), params.item(2).flag());
   }
 
   /// A control point: in the frame of the edge (start at 0, end at (1, 0), y to its left), or in
   /// the panel's drawing.
-  Vec2 control(const Value& value, const Vec2& start, const Vec2& end) const {
+  Vec2 control(const JsonValue& value, const Vec2& start, const Vec2& end) const {
     if (absolute_) return metres(value) - offset_;
-    const Vec2 relative = value.pair();
+    const Vec2 relative = pair(value);
     const Vec2 run = end - start;
     const Vec2 point = start + relative.x() * run + relative.y() * Vec2(-run.y(), run.x());
     if (!(point.cwiseAbs().maxCoeff() <= largest_coordinate)) value.fail("lies too far away");
     return point;
   }
 
-  EdgeRef side(const Value& stitch, std::size_t which) const {
-    const Value value{stitch.json.at(which), stitch.place + ", side " + std::to_string(which)};
+  static JsonValue side_of(const JsonValue& stitch, std::size_t which) {
+    return stitch.item(which).called(stitch.place() + ", side " + std::to_string(which));
+  }
+
+  EdgeRef side(const JsonValue& stitch, std::size_t which) const {
+    const JsonValue value = side_of(stitch, which);
     const std::string name = value.get("panel").text();
     const int edge = value.get("edge").index();
     const auto found = std::find_if(pattern_.panels.begin(), pattern_.panels.end(),
@@ -379,23 +313,22 @@ class Reader {
     return {static_cast<int>(found - pattern_.panels.begin()), edge};
   }
 
-  void stitch(const Value& value) {
-    value.array(2, 3);
+  void stitch(const JsonValue& value) {
+    value.size(2, 3);
     Stitch stitch;
     stitch.a = side(value, 0);
     stitch.b = side(value, 1);
     for (std::size_t which = 0; which < 2; ++which) {
-      unread({value.json.at(which), value.place + ", side " + std::to_string(which)},
-             {"panel", "edge"});
+      unread(side_of(value, which), {"panel", "edge"});
     }
-    if (value.json.size() == 3) {
-      const Value extra = value.item(2);
-      if (extra.json.is_string()) {
+    if (value.size() == 3) {
+      const JsonValue extra = value.item(2);
+      if (extra.is_text()) {
         // GarmentCode's word for an edge sewn with its wrong side out.
         if (extra.text() != "right_wrong") extra.fail(in_quotes(extra.text()) + " is unknown");
         stitch.direction = StitchDirection::start_to_start;
       } else {
-        if (!extra.json.is_object()) extra.fail("is neither 'right_wrong' nor an object");
+        if (!extra.is_object()) extra.fail("is neither 'right_wrong' nor an object");
         unread(extra, {"name", "reversed"});
         if (const auto name = extra.find("name")) stitch.name = name->text();
         if (const auto reversed = extra.find("reversed")) {
@@ -424,16 +357,8 @@ std::string edge_name(const Pattern& pattern, const EdgeRef& ref) {
 
 Pattern parse_pattern(const std::string& text, const std::string& name,
                       std::vector<Remark>& remarks) {
-  Json json;
-  try {
-    json = Json::parse(text);
-  } catch (const Json::parse_error& error) {
-    throw Error(name + ":" + line_and_column(text, error.byte), "is not JSON here",
-                "look for a missing or extra comma, quote or bracket at or before this place");
-  } catch (const Json::exception& error) {
-    throw Error(name, std::string("is not JSON (") + error.what() + ")", "");
-  }
-  return Reader(name, remarks).read(json);
+  const JsonDocument document(text, name);
+  return Reader(name, remarks).read(document.root());
 }
 
 Pattern read_pattern(const std::filesystem::path& path, std::vector<Remark>& remarks) {

@@ -150,6 +150,14 @@ int work(const Settings& settings, const CommonSettings& common) {
     throw Error("-o " + common.output.string(), "is not named .obj",
                 "name it garment.obj, say; garment.json is written beside it");
   }
+  // garment.json goes beside garment.obj: it must not take the pattern's own place.
+  const std::filesystem::path json =
+      std::filesystem::path(common.output).replace_extension(".json");
+  std::error_code absent;
+  if (std::filesystem::equivalent(json, settings.pattern, absent)) {
+    throw Error("-o " + common.output.string(), "would write " + json.string() + ", the pattern",
+                "name the garment otherwise");
+  }
   std::vector<Remark> remarks;
   const Pattern pattern = read_pattern(settings.pattern, remarks);
   check_pattern(pattern, remarks);

@@ -124,12 +124,13 @@ TEST_F(GarmentFile, NamesWhatDoesNotFitTogether) {
   EXPECT_HOLDS(message_after(json_, "\"first_point\":0", "\"first_point\":1"), "panel 'front'");
   EXPECT_HOLDS(message_after(json_, "\"first_point\":0", "\"first_point\":-1"), "panel 0");
   EXPECT_HOLDS(message_after(json_, "\"triangles\":", "\"triangls\":"), "has no 'triangles'");
-  EXPECT_HOLDS(message_after(json_, "\"a\":[", "\"a\":[123456,"), "seam 0: 'a' holds 123456");
+  EXPECT_HOLDS(message_after(json_, "\"a\":[", "\"a\":[123456,"),
+               "seam 0, a[0]: 123456 is not in 0 to");
   EXPECT_HOLDS(message_after(json_, "\"a\":[", "\"a\":[0,"), "seam 0: has sides of");
   EXPECT_HOLDS(message_after(json_, "\"subdivisions\": 1", "\"subdivisions\": 2"),
                "states 2 subdivisions");
   EXPECT_HOLDS(message_after(json_, "\"length_a\":", "\"length_a\":\"long\",\"x\":"),
-               "'length_a' is not a finite number");
+               "seam 0, length_a: is not a number");
   EXPECT_HOLDS(message_after(json_, "{", ""), "is not JSON");
   EXPECT_HOLDS(message_after(json_, "\"panels\": [", "\"panels\": [], \"old\": ["),
                "covers 0 points");

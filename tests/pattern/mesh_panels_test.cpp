@@ -10,6 +10,7 @@
 
 #include "geometry/outline.h"
 #include "geometry/triangulate.h"
+#include "pattern/doubled.h"
 #include "pattern/nesting.h"
 #include "pattern/orient.h"
 #include "tests/pattern/samples.h"
@@ -263,6 +264,23 @@ TEST(MeshPanels, WhatACoarseLevelCannotShowUsesFewerSubdivisionsAndSaysSo) {
                }),
                "panel 'notched': has an outline that crosses itself at this edge length; ask for a "
                "shorter --edge-length");
+}
+
+TEST(MeshPanels, SharpCornersSewnTogetherEncloseCloth) {
+  // Two triangles with a corner of 22 degrees, sewn along both sides of it.
+  const std::string triangle = "[0,0],[40,0],[40,16]";
+  const Pattern pattern =
+      samples::parse(file(polygon("front", triangle, R"("translation": [0,0,10])") + "," +
+                              polygon("back", triangle, R"("translation": [0,0,-10])"),
+                          R"([{"panel":"front","edge":0},{"panel":"back","edge":0}],
+              [{"panel":"front","edge":2},{"panel":"back","edge":2}])"));
+  for (int subdivisions = 1; subdivisions <= 2; ++subdivisions) {
+    SCOPED_TRACE(subdivisions);
+    const PanelMesh garment = mesh(pattern, {0.01, subdivisions});
+    EXPECT_TRUE(doubled_triangles(garment).empty());
+    EXPECT_EQ(samples::sewn_fault(garment, 0), "");
+    expect_sound(pattern, garment, 5);
+  }
 }
 
 TEST(MeshPanels, ShorterEdgesForTheAskingAndAMessageForTooMany) {

@@ -135,7 +135,7 @@ TEST(PatternFile, SaysWhereJsonBreaks) {
   EXPECT_HOLDS(parse_error("{\n\"pattern\": {,\n}"), "test.json:2:13: is not JSON here");
   EXPECT_HOLDS(parse_error(""), "test.json:1:1: is not JSON");
   EXPECT_HOLDS(parse_error("[1, 2]"), "has no 'pattern'");
-  EXPECT_HOLDS(parse_error("{\"pattern\": 3}"), "'pattern' is not an object");
+  EXPECT_HOLDS(parse_error("{\"pattern\": 3}"), "pattern: is not an object");
 }
 
 TEST(PatternFile, NamesPanelAndEdgeOfWhatIsWrong) {

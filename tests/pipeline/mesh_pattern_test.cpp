@@ -96,9 +96,15 @@ TEST(MeshPattern, BadInputEndsWithOneMessageAndNoFile) {
   EXPECT_EQ(run("mesh-pattern", {"-o", (folder / "g.obj").string()}).exit_code, 2);
 }
 
-TEST(MeshPattern, AnOutputOfAnotherKindIsRefused) {
+TEST(MeshPattern, ThePatternIsNeverOverwritten) {
   const ScratchFolder folder;
   write_text(folder / "bag.json", samples::bag);
+  // garment.json of bag.obj would be bag.json.
+  const auto beside =
+      run("mesh-pattern", {(folder / "bag.json").string(), "-o", (folder / "bag.obj").string()});
+  EXPECT_EQ(beside.exit_code, 1);
+  EXPECT_HOLDS(beside.err, "bag.json, the pattern; name the garment otherwise");
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"bag.json"});
   const auto failed =
       run("mesh-pattern", {(folder / "bag.json").string(), "-o", (folder / "bag.json").string()});
   EXPECT_EQ(failed.exit_code, 1);
