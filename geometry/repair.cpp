@@ -13,7 +13,6 @@
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/repair_self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -160,21 +159,85 @@ TriangleMesh to_plain(const Mesh& mesh) {
   return plain;
 }
 
+/// A quad is cut along the diagonal at which it folds least, and of two equal ones the shorter.
+void cut_quad(const std::vector<Point>& points, const std::vector<std::size_t>& quad,
+              Polygons& triangles) {
+  const auto fold = [&](int first) {
+    const Point& a = points[quad[first]];
+    const Point& b = points[quad[first + 1]];
+    const Point& c = points[quad[first + 2]];
+    const Point& d = points[quad[(first + 3) % 4]];
+    const auto one = CGAL::cross_product(b - a, c - a);
+    const auto two = CGAL::cross_product(c - a, d - a);
+    const double lengths = std::sqrt(one.squared_length() * two.squared_length());
+    return lengths > 0 ? one * two / lengths : -1.0;
+  };
+  const auto length = [&](int first) {
+    return CGAL::squared_distance(points[quad[first]], points[quad[first + 2]]);
+  };
+  const double gain = fold(0) - fold(1);
+  const bool cut_first = std::abs(gain) > 1e-6 ? gain > 0 : length(0) <= length(1);
+  if (cut_first) {
+    triangles.push_back({quad[0], quad[1], quad[2]});
+    triangles.push_back({quad[0], quad[2], quad[3]});
+  } else {
+    triangles.push_back({quad[1], quad[2], quad[3]});
+    triangles.push_back({quad[1], quad[3], quad[0]});
+  }
+}
+
+void cut_polygon(const std::vector<Point>& points, const std::vector<std::size_t>& polygon,
+                 Polygons& triangles) {
+  std::vector<Point> outline;
+  for (const std::size_t corner : polygon) outline.push_back(points[corner]);
+  std::vector<CGAL::Triple<int, int, int>> cut;
+  PMP::triangulate_hole_polyline(outline, std::back_inserter(cut));
+  if (cut.size() + 2 == polygon.size()) {
+    for (const auto& t : cut) {
+      triangles.push_back({polygon[t.first], polygon[t.second], polygon[t.third]});
+    }
+    return;
+  }
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+    triangles.push_back({polygon[0], polygon[i], polygon[i + 1]});
+  }
+}
+
+// Before there is a mesh, because a diagonal may be an edge elsewhere: in a soup that is an edge of
+// too many triangles, which the orientation takes apart; in a half-edge mesh it is a trap.
+void triangulate(Soup& soup, RepairReport& report) {
+  Polygons triangles;
+  triangles.reserve(soup.polygons.size());
+  for (const auto& polygon : soup.polygons) {
+    if (polygon.size() == 3) {
+      triangles.push_back(polygon);
+      continue;
+    }
+    ++report.polygons_triangulated;
+    polygon.size() == 4 ? cut_quad(soup.points, polygon, triangles)
+                        : cut_polygon(soup.points, polygon, triangles);
+  }
+  soup.polygons = std::move(triangles);
+}
+
 Mesh build_mesh(Soup& soup, RepairReport& report, const std::string& name) {
   PMP::repair_polygon_soup(soup.points, soup.polygons);
   report.points_merged = report.points_read - static_cast<int>(soup.points.size());
   report.polygons_removed = report.polygons_read - static_cast<int>(soup.polygons.size());
+  triangulate(soup, report);
+  if (report.polygons_triangulated > 0) PMP::repair_polygon_soup(soup.points, soup.polygons);
   if (soup.polygons.empty()) {
     throw Error(name, "all its polygons are without area", "export the body again");
   }
   const std::size_t points_before = soup.points.size();
   PMP::orient_polygon_soup(soup.points, soup.polygons);
   report.points_split = static_cast<int>(soup.points.size() - points_before);
-  for (const auto& polygon : soup.polygons) report.polygons_triangulated += polygon.size() > 3;
+  if (!PMP::is_polygon_soup_a_polygon_mesh(soup.polygons)) {
+    throw Error(name, "its polygons can't be joined to a surface", "export the body again");
+  }
 
   Mesh mesh;
   PMP::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, mesh);
-  PMP::triangulate_faces(mesh);
   report.borders_stitched = static_cast<int>(PMP::stitch_borders(mesh));
   const std::size_t faces_before = mesh.number_of_faces();
   PMP::remove_degenerate_faces(mesh);

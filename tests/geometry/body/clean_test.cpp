@@ -1,0 +1,125 @@
+#include "geometry/body/clean.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "geometry/body/mannequin.h"
+#include "geometry/error.h"
+#include "tests/support/shapes.h"
+
+namespace toile {
+namespace {
+
+PolygonSoup mannequin_soup() {
+  static const PolygonSoup soup = [] {
+    MannequinOptions options;
+    options.edge_length = 0.015;
+    return test::soup(make_mannequin(options).surface);
+  }();
+  return soup;
+}
+
+double lowest(const TriangleMesh& mesh) {
+  double y = mesh.points.front().y();
+  for (const Vec3& p : mesh.points) y = std::min(y, p.y());
+  return y;
+}
+
+/// Farthest distance between joints of the same name.
+double farthest(const Skeleton& a, const Skeleton& b) {
+  double distance = 0;
+  for (const auto& [name, joint] : a.joints) {
+    distance = std::max(distance, (joint - b.joint(name)).norm());
+  }
+  return distance;
+}
+
+TEST(CleanBody, UnitIsToldFromTheHeight) {
+  for (const double unit : {1.0, 0.1, 0.01, 0.001, 0.0254}) {
+    PolygonSoup soup = mannequin_soup();
+    for (Vec3& p : soup.points) p /= unit;
+    const CleanBody body = clean_body(soup, "body");
+    EXPECT_EQ(body.report.metres_per_unit, unit);
+    EXPECT_TRUE(body.report.unit_inferred);
+    EXPECT_NEAR(body.report.height, 1.70, 0.005);
+    ASSERT_TRUE(body.skeleton);
+    EXPECT_NEAR(body.skeleton->joint("head").y(), body.report.height, 1e-9);
+  }
+  PolygonSoup giant = mannequin_soup();
+  for (Vec3& p : giant.points) p *= 3;
+  EXPECT_THROW(clean_body(giant, "giant"), Error);
+  CleanOptions stated;
+  stated.metres_per_unit = 1;
+  EXPECT_NEAR(clean_body(giant, "giant", stated).report.height, 5.1, 0.02);
+  stated.metres_per_unit = 0.001;
+  EXPECT_THROW(clean_body(giant, "speck", stated), Error);
+}
+
+TEST(CleanBody, StandsOnTheFloorAndElsewhereStays) {
+  PolygonSoup soup = mannequin_soup();
+  for (Vec3& p : soup.points) p += Vec3(0.25, -0.8125, 0.5);
+  const CleanBody body = clean_body(soup, "body");
+  EXPECT_EQ(lowest(body.mesh), 0);
+  EXPECT_NEAR(body.report.lifted, 0.8125, 1e-6);
+  ASSERT_TRUE(body.skeleton);
+  EXPECT_NEAR(body.skeleton->joint("pelvis").x(), 0.25, 0.003);
+}
+
+TEST(CleanBody, IsTurnedByRightAnglesToStandFacingForward) {
+  const CleanBody upright = clean_body(mannequin_soup(), "body");
+  EXPECT_EQ(upright.report.turned, "");
+  struct Turn {
+    const char* says;
+    Vec3 (*apply)(const Vec3&);
+  };
+  const std::vector<Turn> turns = {
+      {"from z up to y up", [](const Vec3& p) { return Vec3(p.x(), -p.z(), p.y()); }},
+      {"from z up to y up, and to face +z",
+       [](const Vec3& p) { return Vec3(-p.x(), p.z(), p.y()); }},
+      {"to face +z", [](const Vec3& p) { return Vec3(-p.x(), p.y(), -p.z()); }},
+      {"to face +z", [](const Vec3& p) { return Vec3(p.z(), p.y(), -p.x()); }},
+      {"to face +z", [](const Vec3& p) { return Vec3(-p.z(), p.y(), p.x()); }},
+      {"from -y up to y up", [](const Vec3& p) { return Vec3(-p.x(), -p.y(), p.z()); }},
+      {"from x up to y up", [](const Vec3& p) { return Vec3(p.y(), -p.x(), p.z()); }},
+  };
+  for (const Turn& turn : turns) {
+    PolygonSoup soup = mannequin_soup();
+    for (Vec3& p : soup.points) p = turn.apply(p);
+    const CleanBody body = clean_body(soup, "body");
+    EXPECT_EQ(body.report.turned, turn.says);
+    ASSERT_TRUE(body.skeleton) << turn.says;
+    EXPECT_LT(farthest(*body.skeleton, *upright.skeleton), 1e-6) << turn.says;
+    EXPECT_NEAR(test::volume(body.mesh), test::volume(upright.mesh), 1e-9) << turn.says;
+  }
+}
+
+TEST(CleanBody, MissingSolesAreFilledMissingTorsoIsNot) {
+  PolygonSoup soles = mannequin_soup();
+  std::erase_if(soles.polygons, [&](const std::vector<int>& polygon) {
+    return std::all_of(polygon.begin(), polygon.end(),
+                       [&](int corner) { return soles.points[corner].y() < 0.01; });
+  });
+  const CleanBody body = clean_body(soles, "body");
+  EXPECT_EQ(body.report.repair.holes_filled, 2);
+  EXPECT_TRUE(test::is_closed(body.mesh));
+  EXPECT_NEAR(body.report.height, 1.70, 0.01);
+  EXPECT_TRUE(body.skeleton);
+
+  PolygonSoup back = mannequin_soup();
+  std::erase_if(back.polygons, [&](const std::vector<int>& polygon) {
+    const Vec3& p = back.points[polygon[0]];
+    return p.z() < -0.05 && p.y() > 0.9 && p.y() < 1.4 && std::abs(p.x()) < 0.12;
+  });
+  EXPECT_THROW(clean_body(back, "body"), Error);
+}
+
+TEST(CleanBody, ABodyWithoutASkeletonIsStillClean) {
+  const CleanBody cube = clean_body(test::soup(test::cube()), "cube.obj");
+  EXPECT_FALSE(cube.skeleton);
+  EXPECT_NE(cube.report.no_skeleton.find("cube.obj: no skeleton"), std::string::npos);
+  EXPECT_EQ(cube.mesh.points.size(), 8u);
+}
+
+}  // namespace
+}  // namespace toile
