@@ -155,10 +155,11 @@ class Finder {
   }
 
   void find_armpit(int side) {
-    // From the shoulders down, the first level where the trunk's section suddenly loses the arm.
+    // The lowest level between waist and neck where the trunk's section suddenly loses a part of
+    // the arm. There can be several: an arm held out level is lost piece by piece.
     std::size_t below = 0;
-    for (std::size_t i = trunk_.size() - 1; i > 0 && below == 0; --i) {
-      if (trunk_[i].along > 0.88 * height_) continue;
+    for (std::size_t i = 1; i < trunk_.size() && below == 0; ++i) {
+      if (trunk_[i].along < 0.6 * height_ || trunk_[i].along > 0.88 * height_) continue;
       const double lost = reach_to(trunk_[i].section, side) - reach_to(trunk_[i - 1].section, side);
       if (lost > 0.03 * height_) below = i;
     }
@@ -178,6 +179,12 @@ class Finder {
       } else {
         joined = y;
       }
+    }
+    // Below, the trunk's side may still lead out to the arm's underside: to where it turns upright.
+    for (std::size_t i = below - 1; i > 0 && trunk_[i].along > joined - 0.05 * height_; --i) {
+      const double lost = reach_to(trunk_[i].section, side) - reach_to(trunk_[i - 1].section, side);
+      if (lost < 0.7 * walk_.step) break;
+      free = trunk_[i - 1].section;
     }
     const auto crease = std::max_element(
         free.points.begin(), free.points.end(),

@@ -14,7 +14,6 @@
 namespace toile {
 namespace {
 
-using pipeline::Run;
 using pipeline::run;
 using pipeline::ScratchFolder;
 using Json = nlohmann::json;
@@ -36,15 +35,16 @@ double highest(const TriangleMesh& mesh) {
   return y;
 }
 
-bool says(const Run& ended, const std::string& words) {
+bool says(const pipeline::Run& ended, const std::string& words) {
   return ended.err.find(words) != std::string::npos;
 }
 
 TEST(CleanBodyProgram, MeanAllIsCleanAndHardlyMoved) {
   TOILE_REAL_DATA(data, "bodies/mean_all.obj");
   const ScratchFolder folder;
-  const Run ended = run("clean-body", {data.string(), "-o", (folder / "body.ply").string(),
-                                       "--report", (folder / "report.json").string()});
+  const pipeline::Run ended =
+      run("clean-body", {data.string(), "-o", (folder / "body.ply").string(), "--report",
+                         (folder / "report.json").string()});
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_EQ(ended.out, "");
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"body.json", "body.ply", "report.json"}));
@@ -89,7 +89,7 @@ TEST(CleanBodyProgram, MeanAllIsCleanAndHardlyMoved) {
 TEST(CleanBodyProgram, MakeHumanInDecimetresStands) {
   TOILE_REAL_DATA(data, "bodies/makehuman_base.obj");
   const ScratchFolder folder;
-  const Run ended =
+  const pipeline::Run ended =
       run("clean-body", {data.string(), "-o", (folder / "body.ply").string(), "--unit", "dm"});
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
   const TriangleMesh body = triangles(folder / "body.ply");
@@ -100,7 +100,8 @@ TEST(CleanBodyProgram, MakeHumanInDecimetresStands) {
   EXPECT_TRUE(std::filesystem::exists(folder / "body.json"));
   EXPECT_TRUE(says(ended, "lifted by 81.68 cm"));
 
-  const Run inferred = run("clean-body", {data.string(), "-o", (folder / "again.ply").string()});
+  const pipeline::Run inferred =
+      run("clean-body", {data.string(), "-o", (folder / "again.ply").string()});
   EXPECT_EQ(inferred.exit_code, 0);
   EXPECT_TRUE(says(inferred, "unit taken to be dm")) << inferred.err;
   EXPECT_EQ(pipeline::read_text(folder / "again.ply"), pipeline::read_text(folder / "body.ply"));
@@ -124,7 +125,7 @@ void expect_refused(const std::string& name, const std::string& content, const s
   SCOPED_TRACE(name + ": " + words);
   const ScratchFolder folder;
   pipeline::write_text(folder / name, content);
-  const Run ended =
+  const pipeline::Run ended =
       run("clean-body", {(folder / name).string(), "-o", (folder / "body.ply").string(), "--report",
                          (folder / "report.json").string()});
   EXPECT_EQ(ended.exit_code, 1);
@@ -171,7 +172,7 @@ TEST(CleanBodyProgram, AClosedCubeIsABodyWithoutSkeleton) {
   pipeline::write_text(folder / "cube.obj", cube_points + five_faces + "f 1 5 8 4\n");
   // A skeleton of an earlier run would be taken for this body's.
   write_skeleton(folder / "body.json", Skeleton{});
-  const Run ended =
+  const pipeline::Run ended =
       run("clean-body", {(folder / "cube.obj").string(), "-o", (folder / "body.ply").string()});
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_TRUE(says(ended, "warning: ")) << ended.err;
@@ -201,7 +202,7 @@ TEST(CleanBodyProgram, UsageErrorsEndWithTwo) {
   EXPECT_EQ(run("clean-body", {"-o", "body.ply"}).exit_code, 2);
   EXPECT_EQ(run("clean-body", {"body.obj", "-o", "b.ply", "--unit", "furlong"}).exit_code, 2);
   EXPECT_EQ(run("clean-body", {"body.obj", "-o", "b.ply", "--nonsense"}).exit_code, 2);
-  const Run help = run("clean-body", {"--help"});
+  const pipeline::Run help = run("clean-body", {"--help"});
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_NE(help.out.find("--unit"), std::string::npos);
 }
