@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 
 #include "cloth/levels.h"
 #include "cloth/measures.h"
@@ -41,34 +42,40 @@ class Dressing {
 };
 
 DressResult Dressing::run() {
-  level_ = static_cast<int>(meshes_.size()) - 1;
+  level_ = static_cast<int>(meshes_.size()) - 1; if(getenv("SL")) level_=std::min(level_,atoi(getenv("SL"))); double pull=getenv("PULL")?atof(getenv("PULL")):1;
   position();
 
   RelaxOptions wrap = level_options();
   // A mesh without coarser ones has farther to carry the pull of its seams.
   const double across = std::sqrt(mesh().flat.size() / 700.0);
   wrap.closing_iterations = static_cast<int>(3000 * std::max(1.0, across));
-  wrap.max_iterations = wrap.closing_iterations + 200;
-  wrap.bending_boost = 100;
-  wrap.gravity = 0;
+  wrap.max_iterations = 2 * wrap.closing_iterations;
+  const double stiff=getenv("BB")?atof(getenv("BB")):100; wrap.bending_from = wrap.bending_to = stiff;
+  wrap.gravity = 0; wrap.pull=pull;
   wrap.friction = false;
-  wrap.self_contact = false;
+  wrap.bounded = getenv("WB") != nullptr;
+  if (getenv("CL")) {
+    wrap.closing_iterations = atoi(getenv("CL"));
+    wrap.max_iterations = 2 * wrap.closing_iterations;
+  }
   wrap.momentum = 0.99;
   stage("wrap", wrap);
 
   RelaxOptions sew = level_options();
-  sew.gravity = 0;
+  sew.gravity = 0; sew.pull=pull;
   sew.friction = false;
-  sew.max_iterations = 1000;
-  sew.bounded = clean();
-  stage("sew", sew);
-
-  bool bounded = sew.bounded || clean();
+  sew.max_iterations = 300;
+  sew.bending_from=sew.bending_to=stiff;
+  bool bounded = clean();
+  for (int k=0;k<6 && !bounded;++k) { 
+  stage("sew", sew);  bounded = clean(); fprintf(stderr,"after %d: %d\n",k,(int)self_intersections({result_.nodes, result_.program.node_triangles}).size()); }
+  sew.bending_to=1; sew.max_iterations=1000; sew.bounded=bounded;
+  stage("sew",sew);
   for (;; go_finer()) {
     RelaxOptions fall = level_options();
     fall.friction = false;
     fall.bounded = bounded;
-    fall.max_iterations = 2000;
+    fall.max_iterations = getenv("FALL") ? atoi(getenv("FALL")) : 2000;
     stage("drape", fall);
     bounded = bounded || clean();
     if (level_ == 0) break;
@@ -87,10 +94,8 @@ DressResult Dressing::run() {
 
 void Dressing::position() {
   const auto start = std::chrono::steady_clock::now();
-  result_.placement = place_panels(meshes_.front(), *scene_.body);
-  PanelMesh& coarsest = meshes_[level_];
-  for (Vec3& p : coarsest.placed) p.y() += result_.placement.lift;
-  result_.program = compile(coarsest, scene_, coarsest.placed);
+  result_.placement = place_panels(mesh(), *scene_.body, scene_.skeleton);
+  result_.program = compile(mesh(), scene_, result_.placement.placed);
   result_.nodes = result_.program.start;
   StageReport report;
   report.name = "position";
@@ -104,6 +109,7 @@ RelaxOptions Dressing::level_options() const {
   RelaxOptions options;
   // Coarse faces cut across the body's curves: the cloth is held farther off.
   options.body_offset = scene_.body_offset * (1 + 0.5 * level_);
+  const double c1=getenv("C1")?atof(getenv("C1")):0.2, c2=getenv("C2")?atof(getenv("C2")):0.05; options.compression = level_==0?1:level_==1?c1:c2;
   options.self_radius = 0.005 * (1 + 0.5 * level_);
   return options;
 }
@@ -128,6 +134,7 @@ void Dressing::stage(const std::string& name, RelaxOptions options) {
   stage.searches = report.searches;
   stage.seconds = report.seconds;
   stage.converged = report.converged;
+  if (report.open > 0) fprintf(stderr, "OPEN %g\n", report.open);
   stage.residual = report.residual;
 }
 

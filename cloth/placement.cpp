@@ -1,6 +1,9 @@
 #include "cloth/placement.h"
 
 #include <algorithm>
+#include <cstdlib>
+
+#include "cloth/wraps.h"
 
 namespace toile {
 
@@ -13,20 +16,68 @@ constexpr double clearance = 0.01;
 /// Metres added to the least lift: room for the cloth to come down onto the shoulders.
 constexpr double margin = 0.03;
 
+struct Limb {
+  const char* part;
+  const char* from;
+  const char* to;
+};
+constexpr Limb limb_directions[] = {{"left_arm", "left_shoulder", "left_wrist"},
+                                    {"right_arm", "right_shoulder", "right_wrist"},
+                                    {"left_leg", "left_hip", "left_ankle"},
+                                    {"right_leg", "right_hip", "right_ankle"}};
+
+/// Metres between a limb's seam points and their partners on the torso, along the limb.
+constexpr double limb_gap = 0.01;
+
+/// How far the panels of a limb have to be drawn out along `direction`.
+double draw_out(const PanelMesh& garment, const std::vector<std::string>& part_of_point,
+                const std::string& part, const Vec3& direction) {
+  double farthest = 0;
+  for (const MeshedSeam& seam : garment.seams) {
+    for (std::size_t i = 0; i < seam.a.size(); ++i) {
+      int limb = seam.a[i];
+      int torso = seam.b[i];
+      if (part_of_point[limb] != part) std::swap(limb, torso);
+      if (part_of_point[limb] != part || part_of_point[torso] != "torso") continue;
+      const double behind = (garment.placed[torso] - garment.placed[limb]).dot(direction);
+      farthest = std::max(farthest, behind + limb_gap);
+    }
+  }
+  return farthest;
+}
+
 }  // namespace
 
-Placement place_panels(const PanelMesh& garment, const DistanceGrid& body) {
+Placement place_panels(const PanelMesh& garment, const DistanceGrid& body,
+                       const Skeleton* skeleton) {
+  Placement placement;
+  placement.placed = garment.placed;
+  if (skeleton != nullptr) {
+    const std::vector<std::string> parts = panel_parts(garment, *skeleton);
+    std::vector<std::string> part_of_point;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      part_of_point.insert(part_of_point.end(), garment.panels[i].points, parts[i]);
+    }
+    for (const Limb& limb : limb_directions) {
+      const Vec3 direction = (skeleton->joint(limb.to) - skeleton->joint(limb.from)).normalized();
+      const double distance = draw_out(garment, part_of_point, limb.part, direction);
+      if (distance <= 0) continue;
+      placement.drawn_out[limb.part] = distance;
+      for (std::size_t p = 0; p < placement.placed.size(); ++p) {
+        if (part_of_point[p] == limb.part) placement.placed[p] += distance * direction;
+      }
+    }
+  }
   const auto inside = [&](double lift) {
     int count = 0;
     for (const MeshedSeam& seam : garment.seams) {
       for (std::size_t i = 0; i < seam.a.size(); ++i) {
-        const Vec3 middle = 0.5 * (garment.placed[seam.a[i]] + garment.placed[seam.b[i]]);
+        const Vec3 middle = 0.5 * (placement.placed[seam.a[i]] + placement.placed[seam.b[i]]);
         count += body.at(middle + Vec3(0, lift, 0)).distance < clearance;
       }
     }
     return count;
   };
-  Placement placement;
   int fewest = inside(0);
   for (int step = 1; step <= lift_steps && fewest > 0; ++step) {
     const int count = inside(step * lift_step);
@@ -35,9 +86,8 @@ Placement place_panels(const PanelMesh& garment, const DistanceGrid& body) {
       placement.lift = step * lift_step;
     }
   }
-  if (placement.lift > 0) placement.lift += margin;
+  if (placement.lift > 0) placement.lift += getenv("MG") ? atof(getenv("MG")) : margin;
   placement.seams_inside = inside(placement.lift);
-  placement.placed = garment.placed;
   for (Vec3& p : placement.placed) {
     p.y() += placement.lift;
     placement.points_inside += body.at(p).distance < 0;

@@ -18,10 +18,14 @@ namespace {
 
 /// N/m. A node of 1 cm² that 100 Pa press to the skin sinks in by 0.01 mm.
 constexpr double body_stiffness = 1000;
+/// Metres from the skin at which the pull toward it reaches its full strength.
+constexpr double full_pull = 0.05;
 /// N/m, of the spring that holds a sticking node to its anchor on the skin.
 constexpr double anchor_stiffness = 200;
 /// N/m, per pair of cloth near cloth.
 constexpr double self_stiffness = 200;
+/// Metres; below it, contact forces grow no more.
+constexpr double least_distance = 1e-9;
 /// Iterations between two measurements of the residual, and calls of the watcher.
 constexpr int watch_interval = 50;
 /// Least iterations between two searches for near cloth; a node that has used up its bound waits.
@@ -37,7 +41,28 @@ void in_chunks(std::size_t items, const Work& work) {
   });
 }
 
+/// Largest share in [0, 1] of `way` that keeps away + share·way within `radius`.
+double share_within(const Vec3& away, const Vec3& way, double radius) {
+  const double a = way.squaredNorm();
+  if (a == 0 || (away + way).norm() <= radius) return 1;
+  const double b = away.dot(way);
+  const double c = std::min(away.squaredNorm() - radius * radius, 0.0);
+  // Just inside: the root itself may round to the outside.
+  return std::clamp((std::sqrt(b * b - a * c) - b) / a * (1 - 1e-9), 0.0, 1.0);
+}
+
 double smoothstep(double t) { return t * t * (3 - 2 * t); }
+
+/// Force (N) that pushes two parts of the cloth apart, and its stiffness (N/m): linear down to half
+/// the gap, then as 1/distance, so that no seam can press them to touch
+/// [Chen et al. 2025, the two-stage activation].
+std::pair<double, double> contact_push(double distance, double gap, bool barrier) {
+  if (distance >= gap) return {0, 0};
+  const double half = 0.5 * gap;
+  if (distance >= half || !barrier) return {self_stiffness * (gap - distance), self_stiffness};
+  const double d = std::max(distance, least_distance);
+  return {self_stiffness * half * half / d, self_stiffness * half * half / (d * d)};
+}
 
 /// What the body does to one vertex of the cloth.
 struct BodyContact {
@@ -66,12 +91,15 @@ class Relaxation {
  private:
   /// The vertices that touch things: material points while seams stand open, else nodes.
   void use_skin(bool points);
-  void update_schedule(int iteration);
+  void close_seams(double t);
+  Vec3 within_bounds(std::size_t node, const Vec3& wanted) const;
+  bool bounded() const { return options_.bounded && !bound_.empty(); }
   void search();
   void element_forces();
   void pair_forces();
   double move();
-  Vec3 body_force(std::size_t vertex, const Vec3& p, double moved, double& stiffness);
+  Vec3 pull_force(std::size_t node, const Vec3& p) const;
+  Vec3 body_force(std::size_t vertex, const Vec3& p, double& stiffness);
   Residual residual() const;
   const std::vector<Vec3>& positions() const { return by_points_ ? points_ : y_; }
   bool self_contact() const { return options_.self_contact && program_.scene.self_contact; }
@@ -119,43 +147,51 @@ void Relaxation::use_skin(bool points) {
   std::vector<int> next(vertex_first_.begin(), vertex_first_.end() - 1);
   for (std::size_t v = 0; v < count; ++v) vertices_[next[node_of(v)]++] = static_cast<int>(v);
   contacts_.assign(count, {});
-  if (points) points_ = point_positions(program_, y_, open_);
+  points_ = points ? point_positions(program_, y_, open_) : std::vector<Vec3>();
   if (self_contact()) {
+    std::vector<int> node(count);
     std::vector<double> shortest(count);
-    for (std::size_t v = 0; v < count; ++v) shortest[v] = program_.shortest_edge[node_of(v)];
+    for (std::size_t v = 0; v < count; ++v) {
+      node[v] = node_of(v);
+      shortest[v] = program_.shortest_edge[node[v]];
+    }
     proximity_ = std::make_unique<ProximitySearch>(
-        points ? program_.triangles : program_.node_triangles, shortest);
+        points ? program_.triangles : program_.node_triangles, node, shortest);
   }
   pairs_.clear();
   bound_.clear();
   search_due_ = true;
 }
 
-void Relaxation::update_schedule(int iteration) {
-  if (!by_points_) {
-    bending_ = 1;
-    return;
+void Relaxation::close_seams(double t) {
+  points_ = point_positions(program_, y_, open_);
+  const double wanted = t < 1 ? 1 - smoothstep(t) : 0;
+  double open = wanted;
+  if (bounded()) {
+    // The closing moves points too: no farther than their bounds allow.
+    for (std::size_t p = 0; p < points_.size(); ++p) {
+      const Vec3 away = points_[p] - searched_at_[p];
+      const Vec3 way = (wanted - open_) * program_.offsets[p];
+      const double share = share_within(away, way, bound_[p]);
+      if (share < 1) search_due_ = true;
+      open = std::max(open, open_ + share * (wanted - open_));
+    }
   }
-  const double t = static_cast<double>(iteration) / options_.closing_iterations;
-  if (t >= 1) {
+  if (open <= 0) {
     open_ = 0;
-    bending_ = 1;
     use_skin(false);
     return;
   }
-  open_ = 1 - smoothstep(t);
-  bending_ = std::pow(options_.bending_boost, 1 - t);
-  const std::vector<Vec3> moved = point_positions(program_, y_, open_);
-  // What the closing itself moves a point counts against its clearance from the body.
-  for (std::size_t p = 0; p < moved.size(); ++p) {
-    contacts_[p].clearance -= (moved[p] - points_[p]).norm();
+  for (std::size_t p = 0; p < points_.size(); ++p) {
+    contacts_[p].clearance -= (open_ - open) * program_.offsets[p].norm();
   }
-  points_ = moved;
+  open_ = open;
+  points_ = point_positions(program_, y_, open_);
 }
 
 void Relaxation::search() {
   const std::vector<Vec3>& p = positions();
-  proximity_->find(p, options_.self_radius, program_.scene.self_gap, pairs_, bound_);
+  proximity_->find(p, options_.self_radius, program_.scene.self_gap, pairs_, bound_, by_points_);
   searched_at_ = p;
   pair_slots_.assign(4 * pairs_.size(), Vec3::Zero());
   pair_stiffness_.assign(4 * pairs_.size(), 0);
@@ -180,10 +216,10 @@ void Relaxation::element_forces() {
   const std::vector<Triangle>& triangles =
       by_points_ ? program_.triangles : program_.node_triangles;
   const Fabric& fabric = program_.scene.fabric;
-  const double limit = program_.scene.strain_limit.value_or(-1);
+  const StretchOptions stretch{program_.scene.strain_limit.value_or(-1), options_.compression};
   in_chunks(triangles.size(), [&](int, std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
-      const auto forces = stretch_forces(program_.stretch[t], fabric, limit, p[triangles[t][0]],
+      const auto forces = stretch_forces(program_.stretch[t], fabric, stretch, p[triangles[t][0]],
                                          p[triangles[t][1]], p[triangles[t][2]]);
       std::copy(forces.begin(), forces.end(), slots_.begin() + 3 * static_cast<long>(t));
     }
@@ -210,20 +246,24 @@ void Relaxation::pair_forces() {
     for (std::size_t i = begin; i < end; ++i) {
       const NearestPoints nearest = nearest_points(pairs_[i], p);
       const double distance = nearest.apart.norm();
-      const bool touching = distance < pairs_[i].gap && distance > 1e-12;
-      const double push = touching ? self_stiffness * (pairs_[i].gap - distance) / distance : 0;
+      const auto [push, stiffness] = contact_push(distance, pairs_[i].gap, options_.bounded);
       for (int j = 0; j < 4; ++j) {
-        pair_slots_[4 * i + j] = push * nearest.weights[j] * nearest.apart;
-        pair_stiffness_[4 * i + j] =
-            touching ? 2 * self_stiffness * std::abs(nearest.weights[j]) : 0;
+        pair_slots_[4 * i + j] =
+            push / std::max(distance, least_distance) * nearest.weights[j] * nearest.apart;
+        pair_stiffness_[4 * i + j] = 2 * stiffness * std::abs(nearest.weights[j]);
       }
     }
   });
 }
 
-Vec3 Relaxation::body_force(std::size_t vertex, const Vec3& p, double moved, double& stiffness) {
+Vec3 Relaxation::pull_force(std::size_t node, const Vec3& p) const {
+  const DistanceGrid::Sample sample = program_.scene.body->at(p);
+  const double strength = std::clamp(sample.distance / full_pull, 0.0, 1.0) * options_.pull;
+  return -strength * program_.mass[node] * program_.scene.gravity.norm() * sample.gradient;
+}
+
+Vec3 Relaxation::body_force(std::size_t vertex, const Vec3& p, double& stiffness) {
   BodyContact& contact = contacts_[vertex];
-  contact.clearance -= moved;
   if (contact.clearance > 0) return Vec3::Zero();
   const DistanceGrid::Sample sample = program_.scene.body->at(p);
   const double depth = options_.body_offset - sample.distance;
@@ -254,12 +294,28 @@ Vec3 Relaxation::body_force(std::size_t vertex, const Vec3& p, double moved, dou
   return force - anchor_stiffness * slip;
 }
 
+/// Where a node comes to on its way to `wanted` without any of its vertices leaving its bound.
+Vec3 Relaxation::within_bounds(std::size_t node, const Vec3& wanted) const {
+  if (!by_points_) {
+    const Vec3 away = wanted - searched_at_[node];
+    const double distance = away.norm();
+    return distance > bound_[node] ? searched_at_[node] + away * (bound_[node] / distance) : wanted;
+  }
+  const Vec3 way = wanted - y_[node];
+  double share = 1;
+  for (int i = vertex_first_[node]; i < vertex_first_[node + 1]; ++i) {
+    const int v = vertices_[i];
+    share = std::min(share, share_within(points_[v] - searched_at_[v], way, bound_[v]));
+  }
+  return share < 1 ? Vec3(y_[node] + share * way) : wanted;
+}
+
 /// One step of all nodes; returns the power of the forces along the last step.
 double Relaxation::move() {
   const double weight = std::min(options_.momentum, momentum_age_ / (momentum_age_ + 3.0));
   const Vec3 gravity = options_.gravity * program_.scene.gravity;
   const std::vector<Vec3>& p = positions();
-  const bool bounded = options_.bounded && !by_points_ && !bound_.empty();
+  const bool keep_bounds = bounded();
   std::vector<char> clipped(partial_.size(), 0);
   in_chunks(program_.nodes, [&](int c, std::size_t begin, std::size_t end) {
     double power = 0;
@@ -278,7 +334,9 @@ double Relaxation::move() {
             stiffness += pair_stiffness_[pair_gather_[s]];
           }
         }
-        if (program_.scene.body != nullptr) force += body_force(v, p[v], 0, stiffness);
+        if (options_.pull > 0)
+          force += pull_force(n, p[v]) / (vertex_first_[n + 1] - vertex_first_[n]);
+        if (program_.scene.body != nullptr) force += body_force(v, p[v], stiffness);
       }
       force_[n] = force;
       Vec3 step = force / stiffness;
@@ -290,12 +348,10 @@ double Relaxation::move() {
       const double speed = glide.norm();
       if (speed > options_.max_move) glide *= options_.max_move / speed;
       Vec3 next_y = next_x + weight * glide;
-      if (bounded) {
-        const Vec3 away = next_y - searched_at_[n];
-        const double distance = away.norm();
-        if (distance > bound_[n]) {
-          next_y = searched_at_[n] + away * (bound_[n] / distance);
-          next_x = next_y;
+      if (keep_bounds) {
+        const Vec3 allowed = within_bounds(n, next_y);
+        if (allowed != next_y) {
+          next_x = next_y = allowed;
           clipped[c] = 1;
         }
       }
@@ -330,11 +386,21 @@ Residual Relaxation::residual() const {
 RelaxReport Relaxation::run(const RelaxWatcher& watcher) {
   const auto start = std::chrono::steady_clock::now();
   RelaxReport report;
+  const int schedule = by_points_ ? options_.closing_iterations : options_.max_iterations;
   for (int i = 0; i < options_.max_iterations; ++i) {
-    update_schedule(i);
+    const double t = std::min(1.0, static_cast<double>(i) / schedule);
+    bending_ = options_.bending_from * std::pow(options_.bending_to / options_.bending_from, t);
+    if (by_points_) {
+      close_seams(t);
+      if (!by_points_) {
+        report.converged = true;
+        break;
+      }
+    }
     if (self_contact()) {
       // Unbounded, a node may leave the searched neighbourhood: look again now and then.
-      if (!options_.bounded && since_search_ >= watch_interval) search_due_ = true;
+      if (!options_.bounded && since_search_ >= (by_points_ ? 10 : watch_interval))
+        search_due_ = true;
       if (search_due_ && (since_search_ >= search_interval || bound_.empty())) {
         search();
         ++report.searches;
@@ -356,6 +422,20 @@ RelaxReport Relaxation::run(const RelaxWatcher& watcher) {
     }
   }
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  report.open = open_;
+  if (open_ > 0 && getenv("DBG")) {
+    search();
+    for (auto& pr : pairs_) {
+      auto np = nearest_points(pr, positions());
+      if (np.apart.norm() < 1e-3) {
+        fprintf(stderr, "%s d=%.2e gap %.1e v", pr.edges ? "EE" : "VT", np.apart.norm(), pr.gap);
+        for (int v : pr.vertices) fprintf(stderr, " %d(n%d)", v, program_.node_of_point[v]);
+        auto q = positions()[pr.vertices[0]];
+        fprintf(stderr, " at %.3f %.3f %.3f w %.2f %.2f %.2f %.2f\n", q.x(), q.y(), q.z(),
+                np.weights[0], np.weights[1], np.weights[2], np.weights[3]);
+      }
+    }
+  }
   return report;
 }
 

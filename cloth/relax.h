@@ -17,12 +17,23 @@ struct Residual {
 
 struct RelaxOptions {
   int max_iterations = 4000;
-  /// Seams close over this many iterations (0: they are closed); 2000 and more keeps the panels
-  /// from tangling on their way [measured on two garments].
+  /// Seams close over this many iterations or, where cloth is in the way, more; then the run ends.
+  /// 0: they are closed. 2000 and more keeps the panels from tangling on their way [measured on two
+  /// garments].
   int closing_iterations = 0;
-  /// Bending stiffness while seams start to close, fading to 1: keeps the panels smooth.
-  double bending_boost = 1;
-  double gravity = 1;    ///< factor on the scene's
+  /// Factor on the bending stiffness, from the first iteration to the last (of the closing, where
+  /// seams close). Far above 1, panels stay smooth and seams don't fold onto themselves.
+  double bending_from = 1;
+  double bending_to = 1;
+  double gravity = 1;  ///< factor on the scene's
+  /// Share of the stiffness that resists compression. Real cloth buckles in folds finer than a coarse
+  /// mesh has; a mesh that can't is held up by its own creases unless compression is cheap
+  /// [tension-field theory: Pipkin 1986].
+  double compression = 1;
+  /// Pull toward the skin, as a multiple of the cloth's weight at `full_pull` from it and beyond,
+  /// falling to nothing at the skin [Zhong & Xu 2009, wrapping]. Without it, the middle of a wide
+  /// panel stays where it was while its seams close, and folds into one sharp ridge.
+  double pull = 0;
   bool friction = true;  ///< against the body; off, a garment can find its way down
   bool self_contact = true;
   /// Keeps every node within its bound of the last search, so that what is apart stays apart.
@@ -40,7 +51,9 @@ struct RelaxReport {
   int iterations = 0;
   int searches = 0;  ///< for cloth near cloth
   double seconds = 0;
-  bool converged = false;  ///< stopped by the residual, not by the count
+  /// Stopped because the seams had closed, or else by the residual; not by the count.
+  bool converged = false;
+  double open = 0;  ///< of seams that were to close: what is left, 0 for closed
   Residual residual;
 };
 

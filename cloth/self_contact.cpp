@@ -145,36 +145,36 @@ NearestPoints nearest_points(const ContactPair& pair, const std::vector<Vec3>& x
 }
 
 ProximitySearch::ProximitySearch(const std::vector<Triangle>& triangles,
+                                 const std::vector<int>& node,
                                  const std::vector<double>& shortest_edge)
-    : triangles_(triangles), shortest_edge_(shortest_edge) {
+    : triangles_(triangles), node_(node), shortest_edge_(shortest_edge) {
+  std::vector<std::array<int, 2>> links;  // between nodes, both ways
   for (const Triangle& t : triangles) {
     for (int i = 0; i < 3; ++i) {
       const int a = t[i];
       const int b = t[(i + 1) % 3];
       edges_.push_back({std::min(a, b), std::max(a, b)});
+      links.push_back({node[a], node[b]});
+      links.push_back({node[b], node[a]});
     }
   }
   std::sort(edges_.begin(), edges_.end());
   edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
-  ring_first_.assign(shortest_edge.size() + 1, 0);
-  for (const auto& e : edges_) {
-    ++ring_first_[e[0] + 1];
-    ++ring_first_[e[1] + 1];
+  std::sort(links.begin(), links.end());
+  links.erase(std::unique(links.begin(), links.end()), links.end());
+  const int nodes = links.empty() ? 0 : links.back()[0] + 1;
+  ring_first_.assign(nodes + 1, 0);
+  for (const auto& link : links) {
+    ++ring_first_[link[0] + 1];
+    ring_.push_back(link[1]);
   }
   std::partial_sum(ring_first_.begin(), ring_first_.end(), ring_first_.begin());
-  ring_.resize(ring_first_.back());
-  std::vector<int> next(ring_first_.begin(), ring_first_.end() - 1);
-  for (const auto& e : edges_) {
-    ring_[next[e[0]]++] = e[1];
-    ring_[next[e[1]]++] = e[0];
-  }
-  for (std::size_t v = 0; v < shortest_edge.size(); ++v) {
-    std::sort(ring_.begin() + ring_first_[v], ring_.begin() + ring_first_[v + 1]);
-  }
 }
 
 bool ProximitySearch::neighbours(int a, int b) const {
-  return std::binary_search(ring_.begin() + ring_first_[a], ring_.begin() + ring_first_[a + 1], b);
+  const int n = node_[a];
+  return std::binary_search(ring_.begin() + ring_first_[n], ring_.begin() + ring_first_[n + 1],
+                            node_[b]);
 }
 
 double ProximitySearch::neighbour_gap(const std::array<int, 4>& v, double gap, bool edges) const {
@@ -185,11 +185,11 @@ double ProximitySearch::neighbour_gap(const std::array<int, 4>& v, double gap, b
   if (!near) return gap;
   double shortest = shortest_edge_[v[0]];
   for (int i = 1; i < 4; ++i) shortest = std::min(shortest, shortest_edge_[v[i]]);
-  return std::min(gap, neighbour_share * shortest);
+  return std::min(gap*(1-1e-9), neighbour_share * shortest);
 }
 
 void ProximitySearch::find(const std::vector<Vec3>& x, double radius, double gap,
-                           std::vector<ContactPair>& pairs, std::vector<double>& bound) const {
+                           std::vector<ContactPair>& pairs, std::vector<double>& bound, bool skip_neighbours) const {
   std::vector<Found> all;
   const auto consider = [&](const ContactPair& pair, std::vector<Found>& found) {
     const double distance = nearest_points(pair, x).apart.norm();
@@ -204,7 +204,8 @@ void ProximitySearch::find(const std::vector<Vec3>& x, double radius, double gap
       const Box here{x[v], x[v]};
       grid.each_item(grid.index(grid.cell_at(x[v])), [&](int t) {
         const Triangle& c = triangles_[t];
-        if (c[0] == v || c[1] == v || c[2] == v || !boxes[t].meets(here, radius)) return;
+        if (!boxes[t].meets(here, radius)) return;
+        if (same_node(c[0], v) || same_node(c[1], v) || same_node(c[2], v)) return;
         consider({{v, c[0], c[1], c[2]}, false, 0}, found);
       });
     });
@@ -219,8 +220,11 @@ void ProximitySearch::find(const std::vector<Vec3>& x, double radius, double gap
         if (f <= e) return;
         const auto& a = edges_[e];
         const auto& b = edges_[f];
-        if (a[0] == b[0] || a[0] == b[1] || a[1] == b[0] || a[1] == b[1]) return;
         if (!boxes[e].meets(boxes[f], radius)) return;
+        if (same_node(a[0], b[0]) || same_node(a[0], b[1]) || same_node(a[1], b[0]) ||
+            same_node(a[1], b[1])) {
+          return;
+        }
         // Both lie in several cells: the one at the low corner of their overlap reports them.
         const Vec3 corner = boxes[e].low.cwiseMax(boxes[f].low) - Vec3::Constant(0.5 * radius);
         if (grid.index(grid.cell_at(corner)) != cell) return;
@@ -232,6 +236,7 @@ void ProximitySearch::find(const std::vector<Vec3>& x, double radius, double gap
   pairs.clear();
   bound.assign(x.size(), bound_share * radius);
   for (Found& f : all) {
+    if (skip_neighbours && neighbour_gap(f.pair.vertices, gap, f.pair.edges) < gap) continue;
     for (const int v : f.pair.vertices) {
       bound[v] = std::min(bound[v], bound_share * f.distance);
     }

@@ -24,29 +24,32 @@ struct NearestPoints {
 };
 NearestPoints nearest_points(const ContactPair& pair, const std::vector<Vec3>& x);
 
-/// Finds the close pairs of a surface whose connectivity stays the same. Vertices of a triangle or
-/// an edge never pair with it. Between neighbours in the mesh the gap is reduced to what the flat
-/// mesh leaves between them, so that a sheet does not push itself apart.
+/// Finds the close pairs of a surface whose connectivity stays the same. Vertices that are one
+/// node, or are to become one when a seam closes, never pair with what holds the other. Between
+/// neighbours in the mesh the gap is reduced to what the flat mesh leaves between them, so that a
+/// sheet does not push itself apart.
 class ProximitySearch {
  public:
-  /// `shortest_edge` per vertex, metres, at rest.
-  ProximitySearch(const std::vector<Triangle>& triangles, const std::vector<double>& shortest_edge);
+  /// `node` and `shortest_edge` (metres, at rest) per vertex; nodes are numbered from 0.
+  ProximitySearch(const std::vector<Triangle>& triangles, const std::vector<int>& node,
+                  const std::vector<double>& shortest_edge);
 
   /// All pairs nearer than `radius`, in an order that does not depend on the threads, and for each
   /// vertex in `bound` how far it may move: as long as none moves farther than that, nothing that
   /// is apart can come to intersect [Chen et al. 2025, Offset Geometric Contact].
   /// About O(n) while few things are near each other. `gap` is what non-neighbours keep.
-  void find(const std::vector<Vec3>& x, double radius, double gap, std::vector<ContactPair>& pairs,
-            std::vector<double>& bound) const;
+  void find(const std::vector<Vec3>& x, double radius, double gap, std::vector<ContactPair>& pairs, std::vector<double>& bound, bool skip_neighbours) const;
 
  private:
+  bool same_node(int a, int b) const { return node_[a] == node_[b]; }
   bool neighbours(int a, int b) const;
   double neighbour_gap(const std::array<int, 4>& vertices, double gap, bool edges) const;
 
   std::vector<Triangle> triangles_;
   std::vector<std::array<int, 2>> edges_;
+  std::vector<int> node_;
   std::vector<double> shortest_edge_;
-  std::vector<int> ring_first_;  // neighbours of a vertex, sorted
+  std::vector<int> ring_first_;  // neighbours of a node, sorted
   std::vector<int> ring_;
 };
 

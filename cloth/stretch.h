@@ -7,12 +7,18 @@
 
 namespace toile {
 
+/// How the stretch terms are to be taken, beyond the fabric.
+struct StretchOptions {
+  double limit = -1;       ///< strain beyond which cloth stiffens; negative: none
+  double compression = 1;  ///< share of the stiffness that resists compression
+};
+
 /// Forces on the corners of a triangle at a, b, c [Baraff & Witkin 1998, with strains
 /// |w_u| - 1 and |w_v| - 1 and shear w_u·w_v]: minus the gradient of
 /// E = area/2 (weft (|w_u|-1)² + warp (|w_v|-1)² + shear (w_u·w_v)²), and of the stiffening
 /// beyond `limit` (negative: none).
 inline std::array<Vec3, 3> stretch_forces(const StretchTriangle& s, const Fabric& fabric,
-                                          double limit, const Vec3& a, const Vec3& b,
+                                          const StretchOptions& options, const Vec3& a, const Vec3& b,
                                           const Vec3& c) {
   const Vec3 wu = s.weft[0] * a + s.weft[1] * b + s.weft[2] * c;
   const Vec3 wv = s.warp[0] * a + s.warp[1] * b + s.warp[2] * c;
@@ -20,6 +26,9 @@ inline std::array<Vec3, 3> stretch_forces(const StretchTriangle& s, const Fabric
   const double length_v = wv.norm();
   double stress_u = fabric.stretch_weft * (length_u - 1);
   double stress_v = fabric.stretch_warp * (length_v - 1);
+  if (length_u < 1) stress_u *= options.compression;
+  if (length_v < 1) stress_v *= options.compression;
+  const double limit = options.limit;
   if (limit >= 0) {
     stress_u += strain_limit_stiffening * fabric.stretch_weft * std::max(length_u - 1 - limit, 0.0);
     stress_v += strain_limit_stiffening * fabric.stretch_warp * std::max(length_v - 1 - limit, 0.0);

@@ -91,14 +91,23 @@ DistanceGrid::DistanceGrid(const BodyDistance& body, const DistanceGridOptions& 
                [&](int i, int j, int k) { return near[index(i, j, k)] != 0; });
 }
 
+DistanceGrid::Sample DistanceGrid::beyond(const Vec3& point) const {
+  if (!point.allFinite()) return {padding_, Vec3::Zero()};
+  const Vec3 low = origin_ + Vec3::Constant(1.5 * cell_);
+  const Vec3 high = origin_ + cell_ * Vec3(size_[0] - 2.5, size_[1] - 2.5, size_[2] - 2.5);
+  const Vec3 inside = point.cwiseMax(low).cwiseMin(high);
+  const Sample there = at(inside);
+  const Vec3 from_skin = point - inside + there.distance * there.gradient;
+  return {there.distance + (point - inside).norm(), from_skin.normalized()};
+}
+
 DistanceGrid::Sample DistanceGrid::at(const Vec3& point) const {
   const Vec3 local = (point - origin_) / cell_;
   int base[3];
   double weight[3][3];
   double slope[3][3];
   for (int axis = 0; axis < 3; ++axis) {
-    // Outside, or not a number.
-    if (!(local[axis] >= 1 && local[axis] <= size_[axis] - 2)) return {padding_, Vec3::Zero()};
+    if (!(local[axis] >= 1 && local[axis] <= size_[axis] - 2)) return beyond(point);
     const int centre = std::min(static_cast<int>(local[axis] + 0.5), size_[axis] - 2);
     const double t = local[axis] - centre;  // in [-0.5, 0.5]
     base[axis] = centre - 1;

@@ -31,10 +31,12 @@ class DistanceGrid {
     Vec3 gradient;    ///< of the distance: outward, about of unit length
   };
 
-  /// Outside the grid: at least `padding` away, gradient zero.
+  /// Outside the grid, what its border says, continued: at least `padding` away.
   Sample at(const Vec3& point) const;
 
  private:
+  Sample beyond(const Vec3& point) const;
+
   double cell_;
   double padding_;
   Vec3 origin_;
