@@ -228,7 +228,7 @@ std::string picture_png(const RayScene& scene, const Picture& picture) {
   if (picture.views.empty()) throw Error("picture", "no view is asked for", "");
   const Eigen::AlignedBox3d box = framed_box(scene.meshes());
 
-  constexpr double margin = 1.06;
+  constexpr double margin = 1.12;
   const int width = std::clamp(picture.view_width, 16, 4096);
   Vec2 needed = Vec2::Zero();
   for (const View view : picture.views) {
