@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 
 #include "cloth/levels.h"
 #include "cloth/measures.h"
@@ -13,6 +12,14 @@
 namespace toile {
 
 namespace {
+
+/// How often the panels are placed and sewn anew, each time twice as carefully.
+constexpr int most_attempts = 3;
+/// Factor on the bending stiffness while seams close; 10 lets folds go through their own seam.
+constexpr double sewing_stiffness = 100;
+/// Pull toward the skin while seams close, in weights of the cloth; 0 leaves one ridge down the
+/// middle of a wide front.
+constexpr double sewing_pull = 2;
 
 class Dressing {
  public:
@@ -27,7 +34,11 @@ class Dressing {
 
  private:
   void position();
-  void stage(const std::string& name, RelaxOptions options);
+  bool wrap(double care);
+  bool sew(double care);
+  void fall(bool bounded);
+  void come_to_rest(bool bounded);
+  const StageReport& stage(const std::string& name, const RelaxOptions& options);
   void go_finer();
   RelaxOptions level_options() const;
   bool clean() const;
@@ -42,54 +53,77 @@ class Dressing {
 };
 
 DressResult Dressing::run() {
-  level_ = static_cast<int>(meshes_.size()) - 1; if(getenv("SL")) level_=std::min(level_,atoi(getenv("SL"))); double pull=getenv("PULL")?atof(getenv("PULL")):1;
+  level_ = static_cast<int>(meshes_.size()) - 1;
   position();
-
-  RelaxOptions wrap = level_options();
-  // A mesh without coarser ones has farther to carry the pull of its seams.
-  const double across = std::sqrt(mesh().flat.size() / 700.0);
-  wrap.closing_iterations = static_cast<int>(3000 * std::max(1.0, across));
-  wrap.max_iterations = 2 * wrap.closing_iterations;
-  const double stiff=getenv("BB")?atof(getenv("BB")):100; wrap.bending_from = wrap.bending_to = stiff;
-  wrap.gravity = 0; wrap.pull=pull;
-  wrap.friction = false;
-  wrap.bounded = getenv("WB") != nullptr;
-  if (getenv("CL")) {
-    wrap.closing_iterations = atoi(getenv("CL"));
-    wrap.max_iterations = 2 * wrap.closing_iterations;
+  bool clean = false;
+  for (int attempt = 0; attempt < most_attempts && !clean; ++attempt) {
+    // A tangle is not undone but avoided: the panels start again, stiffer and slower.
+    result_.nodes = result_.program.start;
+    clean = wrap(std::pow(2.0, attempt)) && sew(std::pow(2.0, attempt));
   }
-  wrap.momentum = 0.99;
-  stage("wrap", wrap);
-
-  RelaxOptions sew = level_options();
-  sew.gravity = 0; sew.pull=pull;
-  sew.friction = false;
-  sew.max_iterations = 300;
-  sew.bending_from=sew.bending_to=stiff;
-  bool bounded = clean();
-  for (int k=0;k<6 && !bounded;++k) { 
-  stage("sew", sew);  bounded = clean(); fprintf(stderr,"after %d: %d\n",k,(int)self_intersections({result_.nodes, result_.program.node_triangles}).size()); }
-  sew.bending_to=1; sew.max_iterations=1000; sew.bounded=bounded;
-  stage("sew",sew);
   for (;; go_finer()) {
-    RelaxOptions fall = level_options();
-    fall.friction = false;
-    fall.bounded = bounded;
-    fall.max_iterations = getenv("FALL") ? atoi(getenv("FALL")) : 2000;
-    stage("drape", fall);
-    bounded = bounded || clean();
+    fall(clean);
     if (level_ == 0) break;
   }
-
-  RelaxOptions rest = level_options();
-  rest.bounded = bounded;
-  rest.max_iterations = options_.max_iterations;
-  rest.stop_median = options_.stop_median;
-  rest.stop_rms = options_.stop_rms;
-  stage("drape", rest);
-  result_.residual = result_.stages.back().residual;
-  result_.converged = result_.stages.back().converged;
+  come_to_rest(clean);
   return std::move(result_);
+}
+
+bool Dressing::wrap(double care) {
+  RelaxOptions options = level_options();
+  // A mesh without coarser ones has farther to carry the pull of its seams.
+  const double across = std::max(1.0, std::sqrt(mesh().flat.size() / 700.0));
+  options.closing_iterations = static_cast<int>(3000 * across * care);
+  options.max_iterations = 2 * options.closing_iterations;
+  options.bending_from = options.bending_to = sewing_stiffness * care;
+  options.gravity = 0;
+  options.pull = sewing_pull;
+  options.friction = false;
+  options.bounded = true;
+  options.momentum = 0.99;
+  return stage("wrap", options).converged;
+}
+
+bool Dressing::sew(double care) {
+  RelaxOptions options = level_options();
+  options.max_iterations = 300;
+  options.bending_from = options.bending_to = sewing_stiffness * care;
+  options.gravity = 0;
+  options.pull = sewing_pull;
+  options.friction = false;
+  // Stiff seams open small folds that have gone through themselves.
+  bool is_clean = clean();
+  for (int i = 0; i < 3 && !is_clean; ++i) {
+    stage("sew", options);
+    is_clean = clean();
+  }
+  if (!is_clean) return false;
+  options.max_iterations = 1000;
+  options.bending_to = 1;
+  options.bounded = true;
+  stage("sew", options);
+  return true;
+}
+
+void Dressing::fall(bool bounded) {
+  RelaxOptions options = level_options();
+  options.friction = false;
+  options.bounded = bounded;
+  options.max_iterations = 4000;
+  options.stop_median = 2 * options_.stop_median;
+  options.stop_rms = 2 * options_.stop_rms;
+  stage("drape", options);
+}
+
+void Dressing::come_to_rest(bool bounded) {
+  RelaxOptions options = level_options();
+  options.bounded = bounded;
+  options.max_iterations = options_.max_iterations;
+  options.stop_median = options_.stop_median;
+  options.stop_rms = options_.stop_rms;
+  const StageReport& last = stage("drape", options);
+  result_.residual = last.residual;
+  result_.converged = last.converged;
 }
 
 void Dressing::position() {
@@ -109,12 +143,13 @@ RelaxOptions Dressing::level_options() const {
   RelaxOptions options;
   // Coarse faces cut across the body's curves: the cloth is held farther off.
   options.body_offset = scene_.body_offset * (1 + 0.5 * level_);
-  const double c1=getenv("C1")?atof(getenv("C1")):0.2, c2=getenv("C2")?atof(getenv("C2")):0.05; options.compression = level_==0?1:level_==1?c1:c2;
   options.self_radius = 0.005 * (1 + 0.5 * level_);
+  if (level_ == 1) options.compression = 0.05;
+  if (level_ > 1) options.compression = 0.01;
   return options;
 }
 
-void Dressing::stage(const std::string& name, RelaxOptions options) {
+const StageReport& Dressing::stage(const std::string& name, const RelaxOptions& options) {
   const std::vector<double> areas = panel_areas(mesh());
   const std::vector<double> perimeters = panel_perimeters(mesh());
   int calls = 0;
@@ -134,8 +169,8 @@ void Dressing::stage(const std::string& name, RelaxOptions options) {
   stage.searches = report.searches;
   stage.seconds = report.seconds;
   stage.converged = report.converged;
-  if (report.open > 0) fprintf(stderr, "OPEN %g\n", report.open);
   stage.residual = report.residual;
+  return stage;
 }
 
 void Dressing::go_finer() {

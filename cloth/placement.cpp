@@ -1,7 +1,6 @@
 #include "cloth/placement.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "cloth/wraps.h"
 
@@ -86,7 +85,7 @@ Placement place_panels(const PanelMesh& garment, const DistanceGrid& body,
       placement.lift = step * lift_step;
     }
   }
-  if (placement.lift > 0) placement.lift += getenv("MG") ? atof(getenv("MG")) : margin;
+  if (placement.lift > 0) placement.lift += margin;
   placement.seams_inside = inside(placement.lift);
   for (Vec3& p : placement.placed) {
     p.y() += placement.lift;

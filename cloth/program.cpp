@@ -59,9 +59,31 @@ double cotangent(const Vec2& at, const Vec2& a, const Vec2& b) {
   return u.dot(v) / std::abs(u.x() * v.y() - u.y() * v.x());
 }
 
+/// Sides whose lengths differ by more than this are eased or gathered.
+constexpr double gather_threshold = 0.02;
+
+/// Edges on the longer side of a gathered seam, with the share of their length that the shorter
+/// side leaves them. A seam takes the shorter side's length: the other side's fullness goes into
+/// folds beside it, not into stretching its partner.
+std::map<std::pair<int, int>, double> gathered_edges(const PanelMesh& garment) {
+  std::map<std::pair<int, int>, double> shares;
+  for (const MeshedSeam& seam : garment.seams) {
+    for (std::size_t i = 0; i + 1 < seam.a.size(); ++i) {
+      const std::pair<int, int> a = std::minmax(seam.a[i], seam.a[i + 1]);
+      const std::pair<int, int> b = std::minmax(seam.b[i], seam.b[i + 1]);
+      const double length_a = (garment.flat[a.first] - garment.flat[a.second]).norm();
+      const double length_b = (garment.flat[b.first] - garment.flat[b.second]).norm();
+      if (length_a > (1 + gather_threshold) * length_b) shares[a] = length_b / length_a;
+      if (length_b > (1 + gather_threshold) * length_a) shares[b] = length_a / length_b;
+    }
+  }
+  return shares;
+}
+
 class Compiler {
  public:
-  Compiler(const PanelMesh& garment, const Scene& scene) : garment_(garment) {
+  Compiler(const PanelMesh& garment, const Scene& scene)
+      : garment_(garment), gathered_(gathered_edges(garment)) {
     program_.scene = scene;
     program_.triangles = garment.triangles;
     program_.node_of_point = weld(garment, program_.nodes);
@@ -111,14 +133,15 @@ class Compiler {
         program_.node_triangles.push_back(nodes);
         const std::array<Vec2, 3> flat = {garment_.flat[points[0]], garment_.flat[points[1]],
                                           garment_.flat[points[2]]};
-        const StretchTriangle s = stretch_of(flat, panel.grain);
-        if (!(s.area > 0)) {
+        const StretchTriangle s = stretch_of(gathered(points, flat), panel.grain);
+        const double area = stretch_of(flat, panel.grain).area;
+        if (!(area > 0)) {
           throw Error("panel '" + panel.name + "'", "has a triangle without area",
                       "mesh the pattern again");
         }
         program_.stretch.push_back(s);
         for (int i = 0; i < 3; ++i) {
-          program_.mass[nodes[i]] += s.area * fabric.areal_density / 3;
+          program_.mass[nodes[i]] += area * fabric.areal_density / 3;
           double row = 0;
           for (int j = 0; j < 3; ++j) {
             const double uu = std::abs(s.weft[i] * s.weft[j]);
@@ -138,6 +161,21 @@ class Compiler {
     const double total = std::accumulate(program_.mass.begin(), program_.mass.end(), 0.0);
     program_.mean_weight =
         total * std::max(program_.scene.gravity.norm(), 1e-9) / std::max(program_.nodes, 1);
+  }
+
+  /// The rest shape of a triangle: its flat one, drawn together along a gathered seam.
+  std::array<Vec2, 3> gathered(const Triangle& points, std::array<Vec2, 3> flat) const {
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3;
+      const auto found = gathered_.find(std::minmax(points[i], points[j]));
+      if (found == gathered_.end()) continue;
+      const Vec2 along = (flat[j] - flat[i]).normalized();
+      const Vec2 fixed = flat[i];
+      for (Vec2& corner : flat) {
+        corner -= (1 - found->second) * along.dot(corner - fixed) * along;
+      }
+    }
+    return flat;
   }
 
   void lay_out_bend() {
@@ -212,6 +250,7 @@ class Compiler {
   }
 
   const PanelMesh& garment_;
+  std::map<std::pair<int, int>, double> gathered_;
   Program program_;
 };
 

@@ -94,6 +94,7 @@ class Relaxation {
   void close_seams(double t);
   Vec3 within_bounds(std::size_t node, const Vec3& wanted) const;
   bool bounded() const { return options_.bounded && !bound_.empty(); }
+  void search_when_due();
   void search();
   void element_forces();
   void pair_forces();
@@ -129,6 +130,7 @@ class Relaxation {
   std::vector<double> bound_;
   std::vector<Vec3> searched_at_;
   int since_search_ = 0;
+  int searches_ = 0;
   bool search_due_ = true;
   int momentum_age_ = 0;
 };
@@ -187,6 +189,16 @@ void Relaxation::close_seams(double t) {
   }
   open_ = open;
   points_ = point_positions(program_, y_, open_);
+}
+
+void Relaxation::search_when_due() {
+  // Unbounded, a node may leave the searched neighbourhood: look again now and then.
+  if (!options_.bounded && since_search_ >= watch_interval) search_due_ = true;
+  if (search_due_ && (since_search_ >= search_interval || bound_.empty())) {
+    search();
+    ++searches_;
+  }
+  ++since_search_;
 }
 
 void Relaxation::search() {
@@ -398,14 +410,7 @@ RelaxReport Relaxation::run(const RelaxWatcher& watcher) {
       }
     }
     if (self_contact()) {
-      // Unbounded, a node may leave the searched neighbourhood: look again now and then.
-      if (!options_.bounded && since_search_ >= (by_points_ ? 10 : watch_interval))
-        search_due_ = true;
-      if (search_due_ && (since_search_ >= search_interval || bound_.empty())) {
-        search();
-        ++report.searches;
-      }
-      ++since_search_;
+      search_when_due();
       pair_forces();
     }
     element_forces();
@@ -423,19 +428,7 @@ RelaxReport Relaxation::run(const RelaxWatcher& watcher) {
   }
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   report.open = open_;
-  if (open_ > 0 && getenv("DBG")) {
-    search();
-    for (auto& pr : pairs_) {
-      auto np = nearest_points(pr, positions());
-      if (np.apart.norm() < 1e-3) {
-        fprintf(stderr, "%s d=%.2e gap %.1e v", pr.edges ? "EE" : "VT", np.apart.norm(), pr.gap);
-        for (int v : pr.vertices) fprintf(stderr, " %d(n%d)", v, program_.node_of_point[v]);
-        auto q = positions()[pr.vertices[0]];
-        fprintf(stderr, " at %.3f %.3f %.3f w %.2f %.2f %.2f %.2f\n", q.x(), q.y(), q.z(),
-                np.weights[0], np.weights[1], np.weights[2], np.weights[3]);
-      }
-    }
-  }
+  report.searches = searches_;
   return report;
 }
 

@@ -26,8 +26,8 @@ struct RelaxOptions {
   double bending_from = 1;
   double bending_to = 1;
   double gravity = 1;  ///< factor on the scene's
-  /// Share of the stiffness that resists compression. Real cloth buckles in folds finer than a coarse
-  /// mesh has; a mesh that can't is held up by its own creases unless compression is cheap
+  /// Share of the stiffness that resists compression. Real cloth buckles in folds finer than a
+  /// coarse mesh has; a mesh that can't is held up by its own creases unless compression is cheap
   /// [tension-field theory: Pipkin 1986].
   double compression = 1;
   /// Pull toward the skin, as a multiple of the cloth's weight at `full_pull` from it and beyond,

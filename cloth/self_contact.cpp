@@ -185,11 +185,12 @@ double ProximitySearch::neighbour_gap(const std::array<int, 4>& v, double gap, b
   if (!near) return gap;
   double shortest = shortest_edge_[v[0]];
   for (int i = 1; i < 4; ++i) shortest = std::min(shortest, shortest_edge_[v[i]]);
-  return std::min(gap*(1-1e-9), neighbour_share * shortest);
+  return std::min(gap * (1 - 1e-9), neighbour_share * shortest);
 }
 
 void ProximitySearch::find(const std::vector<Vec3>& x, double radius, double gap,
-                           std::vector<ContactPair>& pairs, std::vector<double>& bound, bool skip_neighbours) const {
+                           std::vector<ContactPair>& pairs, std::vector<double>& bound,
+                           bool skip_neighbours) const {
   std::vector<Found> all;
   const auto consider = [&](const ContactPair& pair, std::vector<Found>& found) {
     const double distance = nearest_points(pair, x).apart.norm();

@@ -37,8 +37,11 @@ class ProximitySearch {
   /// All pairs nearer than `radius`, in an order that does not depend on the threads, and for each
   /// vertex in `bound` how far it may move: as long as none moves farther than that, nothing that
   /// is apart can come to intersect [Chen et al. 2025, Offset Geometric Contact].
-  /// About O(n) while few things are near each other. `gap` is what non-neighbours keep.
-  void find(const std::vector<Vec3>& x, double radius, double gap, std::vector<ContactPair>& pairs, std::vector<double>& bound, bool skip_neighbours) const;
+  /// `gap` is what non-neighbours keep. With `skip_neighbours`, pairs that are neighbours across a
+  /// seam or in a panel are left out: while a seam closes, they have to come past each other.
+  /// About O(n) while few things are near each other.
+  void find(const std::vector<Vec3>& x, double radius, double gap, std::vector<ContactPair>& pairs,
+            std::vector<double>& bound, bool skip_neighbours) const;
 
  private:
   bool same_node(int a, int b) const { return node_[a] == node_[b]; }

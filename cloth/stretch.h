@@ -18,8 +18,8 @@ struct StretchOptions {
 /// E = area/2 (weft (|w_u|-1)² + warp (|w_v|-1)² + shear (w_u·w_v)²), and of the stiffening
 /// beyond `limit` (negative: none).
 inline std::array<Vec3, 3> stretch_forces(const StretchTriangle& s, const Fabric& fabric,
-                                          const StretchOptions& options, const Vec3& a, const Vec3& b,
-                                          const Vec3& c) {
+                                          const StretchOptions& options, const Vec3& a,
+                                          const Vec3& b, const Vec3& c) {
   const Vec3 wu = s.weft[0] * a + s.weft[1] * b + s.weft[2] * c;
   const Vec3 wv = s.warp[0] * a + s.warp[1] * b + s.warp[2] * c;
   const double length_u = wu.norm();

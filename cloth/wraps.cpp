@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <queue>
 
 namespace toile {
 
@@ -12,8 +13,8 @@ namespace {
 
 constexpr int stations = 32;
 constexpr int directions = 360;
-/// Share of the meant stretch left out at either end.
-constexpr double trim = 0.1;
+/// Metres: nodes no farther than this from a part's first or last one count as its top or hem.
+constexpr double end_depth = 0.02;
 
 /// The bones of one part, end to end.
 struct Bones {
@@ -69,50 +70,98 @@ struct Bones {
 };
 
 struct Interval {
-  double low = std::numeric_limits<double>::max();
-  double high = std::numeric_limits<double>::lowest();
-
-  void include(double s) {
-    low = std::min(low, s);
-    high = std::max(high, s);
-  }
+  double low;
+  double high;
 };
 
-/// Panel that each material point lies in.
-std::vector<int> panel_of_point(const PanelMesh& garment) {
-  std::vector<int> panel(garment.flat.size(), 0);
-  for (std::size_t i = 0; i < garment.panels.size(); ++i) {
-    const MeshedPanel& p = garment.panels[i];
-    std::fill_n(panel.begin() + p.first_point, p.points, static_cast<int>(i));
+/// Shortest ways on the flat panels of one part, over sewn seams, from `sources` to every node.
+std::vector<double> flat_distances(const PanelMesh& garment, const DressedGarment& dressed,
+                                   const std::vector<char>& panel_counts,
+                                   const std::vector<int>& sources) {
+  std::vector<std::vector<std::pair<int, double>>> ways(dressed.points.size());
+  for (std::size_t p = 0; p < garment.panels.size(); ++p) {
+    if (!panel_counts[p]) continue;
+    const MeshedPanel& panel = garment.panels[p];
+    for (int t = panel.first_triangle; t < panel.first_triangle + panel.triangles; ++t) {
+      for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3;
+        const double length =
+            (garment.flat[garment.triangles[t][i]] - garment.flat[garment.triangles[t][j]]).norm();
+        ways[dressed.triangles[t][i]].emplace_back(dressed.triangles[t][j], length);
+        ways[dressed.triangles[t][j]].emplace_back(dressed.triangles[t][i], length);
+      }
+    }
   }
-  return panel;
+  std::vector<double> distance(dressed.points.size(), std::numeric_limits<double>::infinity());
+  using Reached = std::pair<double, int>;
+  std::priority_queue<Reached, std::vector<Reached>, std::greater<>> next;
+  for (const int source : sources) {
+    distance[source] = 0;
+    next.emplace(0, source);
+  }
+  while (!next.empty()) {
+    const auto [so_far, node] = next.top();
+    next.pop();
+    if (so_far > distance[node]) continue;
+    for (const auto& [to, length] : ways[node]) {
+      if (so_far + length >= distance[to]) continue;
+      distance[to] = so_far + length;
+      next.emplace(distance[to], to);
+    }
+  }
+  return distance;
 }
 
 /// The stretch of bone that the part's panels are meant to cover.
-Interval meant_stretch(const PanelMesh& garment, const std::vector<std::string>& parts,
-                       const std::string& part, const Bones& bones, const Skeleton& skeleton) {
-  const std::vector<int> panel = panel_of_point(garment);
-  Interval all;
-  Interval common{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()};
-  for (std::size_t p = 0; p < garment.placed.size(); ++p) {
-    if (parts[panel[p]] == part) all.include(bones.foot(garment.placed[p]));
-  }
-  if (part == "torso") {
-    common = {all.low, std::min(all.high, bones.foot(skeleton.joint("chest")))};
-  } else {
-    for (const MeshedSeam& seam : garment.seams) {
-      if (parts[panel[seam.a[0]]] != part || parts[panel[seam.b[0]]] != part) continue;
-      Interval run;
-      for (const int p : seam.a) run.include(bones.foot(garment.placed[p]));
-      for (const int p : seam.b) run.include(bones.foot(garment.placed[p]));
-      if (run.high - run.low < 0.25 * (all.high - all.low)) continue;  // runs across the limb
-      common.low = std::max(common.low, run.low);
-      common.high = std::min(common.high, run.high);
+Interval meant_stretch(const PanelMesh& garment, const DressedGarment& dressed,
+                       const std::vector<std::string>& parts, const std::string& part,
+                       const Bones& bones, const Skeleton& skeleton) {
+  const bool torso = part == "torso";
+  std::vector<char> counts;
+  for (const std::string& p : parts) counts.push_back(p == part);
+  std::vector<char> here(dressed.points.size(), 0);
+  std::vector<char> elsewhere(dressed.points.size(), 0);
+  std::vector<double> placed_along(dressed.points.size(), 0);
+  for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
+    const bool counted = counts[dressed.panel_of_triangle[t]] != 0;
+    for (int i = 0; i < 3; ++i) {
+      const int node = dressed.triangles[t][i];
+      (counted ? here : elsewhere)[node] = 1;
+      // The torso's bones run up, a limb's run out: its hem is low on the one, far on the other.
+      if (counted) {
+        const double along = bones.foot(garment.placed[garment.triangles[t][i]]);
+        placed_along[node] = torso ? -along : along;
+      }
     }
-    if (!(common.low < common.high) || common.low < all.low) common = all;
   }
-  const double cut = trim * (common.high - common.low);
-  return {common.low + cut, common.high - cut};
+  double top = std::numeric_limits<double>::max();
+  double hem = std::numeric_limits<double>::lowest();
+  for (std::size_t n = 0; n < here.size(); ++n) {
+    if (!here[n]) continue;
+    top = std::min(top, placed_along[n]);
+    hem = std::max(hem, placed_along[n]);
+  }
+  std::vector<int> sources;
+  for (std::size_t n = 0; n < here.size(); ++n) {
+    const bool source = torso ? placed_along[n] < top + end_depth : elsewhere[n] != 0;
+    if (here[n] && source) sources.push_back(static_cast<int>(n));
+  }
+  const std::vector<double> distances = flat_distances(garment, dressed, counts, sources);
+  double length = std::numeric_limits<double>::max();
+  for (std::size_t n = 0; n < here.size(); ++n) {
+    if (here[n] && placed_along[n] > hem - end_depth) length = std::min(length, distances[n]);
+  }
+  const double armpit = skeleton.joint("chest").y();
+  if (torso) {
+    const double from = bones.foot(skeleton.joint("chest"));
+    const double reach = length - (skeleton.joint("neck").y() - armpit);
+    return {from - 0.7 * reach, from - 0.1 * reach};
+  }
+  const bool arm = part.ends_with("arm");
+  Vec3 fork = bones.joints.front();
+  fork.y() = arm ? armpit : skeleton.joint("pelvis").y();
+  const double from = bones.foot(fork);
+  return {from + 0.25 * length, from + 0.75 * length};
 }
 
 /// Share of directions around the station whose ray meets one of the triangles.
@@ -194,7 +243,7 @@ std::vector<WrapFigure> measure_wraps(const PanelMesh& garment, const DressedGar
       triangles.insert(triangles.end(), first, first + garment.panels[p].triangles);
     }
     const Bones bones(skeleton, part);
-    const Interval stretch = meant_stretch(garment, parts, part, bones, skeleton);
+    const Interval stretch = meant_stretch(garment, dressed, parts, part, bones, skeleton);
     WrapFigure figure{part, stretch.low, stretch.high, 0};
     for (int i = 0; i < stations; ++i) {
       const double s = stretch.low + (i + 0.5) / stations * (stretch.high - stretch.low);
