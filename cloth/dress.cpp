@@ -41,6 +41,7 @@ class Dressing {
   const StageReport& stage(const std::string& name, const RelaxOptions& options);
   void go_finer();
   RelaxOptions level_options() const;
+  double progress(const RelaxProgress& at, const RelaxOptions& options) const;
   bool clean() const;
   const PanelMesh& mesh() const { return meshes_[level_]; }
 
@@ -159,7 +160,7 @@ const StageReport& Dressing::stage(const std::string& name, const RelaxOptions& 
     const double perimeter = largest_change_percent(perimeters, panel_perimeters(mesh(), points));
     result_.during.area_percent = std::max(result_.during.area_percent, area);
     result_.during.perimeter_percent = std::max(result_.during.perimeter_percent, perimeter);
-    if (watcher_ && calls++ % 4 == 0) watcher_({mesh(), name, points, 0});
+    if (watcher_ && calls++ % 4 == 0) watcher_({mesh(), name, points, progress(at, options)});
   };
   const RelaxReport report = relax(result_.program, options, result_.nodes, watch);
   StageReport& stage = result_.stages.emplace_back();
@@ -171,6 +172,13 @@ const StageReport& Dressing::stage(const std::string& name, const RelaxOptions& 
   stage.converged = report.converged;
   stage.residual = report.residual;
   return stage;
+}
+
+/// Roughly: each mesh costs some four times the coarser one, and the finest comes to rest twice.
+double Dressing::progress(const RelaxProgress& at, const RelaxOptions& options) const {
+  const double share = static_cast<double>(at.iteration) / options.max_iterations;
+  if (level_ > 0) return 0.3 * std::pow(0.25, level_ - 1) * share;
+  return options.friction ? 0.65 + 0.35 * share : 0.3 + 0.35 * share;
 }
 
 void Dressing::go_finer() {

@@ -171,7 +171,7 @@ int main(int argc, char** argv) {
   const auto check_unit = [](const std::string& unit) {
     if (!toile::units.contains(unit)) throw po::error("--unit is one of m, dm, cm, mm, in");
   };
-  toile::Program program;
+  toile::CommandLineProgram program;
   program.name = "clean-body";
   program.summary = "makes a mesh of a standing person a closed body in metres, with its skeleton";
   program.usage = "IN -o body.ply [--unit m|dm|cm|mm|in]";

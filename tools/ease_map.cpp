@@ -3,11 +3,11 @@
 #include <optional>
 
 #include "cloth/ease_report.h"
-#include "geometry/closed_surface.h"
 #include "geometry/error.h"
 #include "io/mesh_file.h"
 #include "io/output_file.h"
 #include "io/skeleton_file.h"
+#include "tools/closed_body.h"
 #include "tools/program.h"
 
 namespace {
@@ -23,16 +23,6 @@ struct Settings {
   EaseOptions ease;
   std::optional<double> top;
 };
-
-TriangleMesh read_closed_body(const fs::path& path) {
-  TriangleMesh body = fan_triangles(read_mesh(path));
-  const std::string defect = closed_surface_defect(body);
-  if (!defect.empty()) {
-    throw Error(path.string(), "the body " + defect + ", so inside and outside can't be told",
-                "run clean-body on it");
-  }
-  return body;
-}
 
 /// Girths at the levels that the body's joints tell; none, with a note, where there are no joints.
 std::vector<GirthEase> girths_of(const EaseReport& report, const Settings& settings,
@@ -107,7 +97,7 @@ std::optional<fs::path> path_option(const po::variables_map& given, const std::s
 }  // namespace
 
 int main(int argc, char** argv) {
-  Program program;
+  CommandLineProgram program;
   program.name = "ease-map";
   program.summary = "measures and shows the gap between a dressed garment and the body";
   program.usage = "--body body.ply dressed.obj -o ease.html [options]";

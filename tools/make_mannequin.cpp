@@ -53,7 +53,7 @@ int work(const po::variables_map& given, const CommonSettings& common) {
 
 int main(int argc, char** argv) {
   namespace po = boost::program_options;
-  toile::Program program;
+  toile::CommandLineProgram program;
   program.name = "make-mannequin";
   program.summary =
       "writes the sample body: a mannequin 1.70 m tall, bust 93.6, waist 70.7, hip 98 cm";

@@ -186,7 +186,7 @@ int work(const Settings& settings, const CommonSettings& common) {
 
 int main(int argc, char** argv) {
   namespace po = boost::program_options;
-  Program program;
+  CommandLineProgram program;
   program.name = "mesh-pattern";
   program.summary = "meshes the panels of a sewing pattern, seam sides point to point";
   program.usage = "PATTERN.json -o garment.obj [--edge-length 10mm]";

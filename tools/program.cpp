@@ -26,12 +26,12 @@ po::options_description common_options() {
       "report", po::value<std::string>(), "write what was done and measured, as JSON")(
       "threads", po::value<int>()->default_value(0),
       "threads to use, 0 for all; the result is the same for any number")(
-      "quiet,q", po::bool_switch(), "say nothing but warnings and errors")(
-      "help,h", "this text")("version", "the version");
+      "quiet,q", po::bool_switch(), "say nothing but warnings and errors")("help,h", "this text")(
+      "version", "the version");
   return common;
 }
 
-int usage_error(const Program& program, const std::string& problem) {
+int usage_error(const CommandLineProgram& program, const std::string& problem) {
   std::cerr << program.name << ": " << problem << "\nusage: " << program.name << ' '
             << program.usage << "\n       " << program.name << " --help\n";
   return exit_usage;
@@ -39,16 +39,15 @@ int usage_error(const Program& program, const std::string& problem) {
 
 }  // namespace
 
-int run_program(int argc, char** argv, Program& program) {
+int run_program(int argc, char** argv, CommandLineProgram& program) {
   po::options_description all;
   const po::options_description common = common_options();
   all.add(program.options).add(common);
   po::variables_map given;
   CommonSettings settings;
   try {
-    po::store(
-        po::command_line_parser(argc, argv).options(all).positional(program.positional).run(),
-        given);
+    po::store(po::command_line_parser(argc, argv).options(all).positional(program.positional).run(),
+              given);
     if (given.count("help") != 0) {
       // Positional arguments stand in the usage line, not in the list of options.
       std::cout << program.name << ": " << program.summary << "\n\nusage: " << program.name << ' '
@@ -88,8 +87,8 @@ int run_program(int argc, char** argv, Program& program) {
 }
 
 double parse_length(const std::string& text, const std::string& option) {
-  static const std::map<std::string, double> metres = {
-      {"m", 1.0}, {"dm", 0.1}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}, {"", 1.0}};
+  static const std::map<std::string, double> metres = {{"m", 1.0},    {"dm", 0.1},    {"cm", 0.01},
+                                                       {"mm", 0.001}, {"in", 0.0254}, {"", 1.0}};
   std::size_t used = 0;
   double value = 0;
   try {

@@ -32,7 +32,7 @@ struct CommonSettings {
 
 /// What a program is: its name, a line that says what it does, how it is called, its own options
 /// and positional arguments, and its work, which returns an exit code.
-struct Program {
+struct CommandLineProgram {
   std::string name;
   std::string summary;
   std::string usage;  ///< the arguments, without the program's name
@@ -43,7 +43,7 @@ struct Program {
 
 /// Parses the command line, answers --help and --version, limits the threads, runs the program's
 /// work, turns exceptions into one message and the exit code that belongs to it. -o is required.
-int run_program(int argc, char** argv, Program& program);
+int run_program(int argc, char** argv, CommandLineProgram& program);
 
 /// A length with its unit ("10mm", "1.5cm", "0.01m"; a bare number is metres), in metres.
 /// Throws Error, naming `option`, when it is not a positive length.

@@ -88,7 +88,7 @@ int work(const Settings& settings, const CommonSettings& common) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Program program;
+  CommandLineProgram program;
   program.name = "render";
   program.summary =
       "draws garments and a body as a PNG picture, from several sides; back faces are violet";

@@ -1,0 +1,14 @@
+// A body as the programs that dress and measure need it.
+#pragma once
+
+#include <filesystem>
+
+#include "geometry/types.h"
+
+namespace toile {
+
+/// Reads a body in any mesh format, polygons cut into triangles. Throws Error when it is not closed
+/// and outward-oriented: inside and outside could not be told.
+TriangleMesh read_closed_body(const std::filesystem::path& path);
+
+}  // namespace toile
