@@ -231,22 +231,31 @@ class Compiler {
 
   void lay_out_gather() {
     std::vector<int> owner;
-    owner.reserve(3 * program_.triangles.size() + 4 * program_.bend.size());
+    owner.reserve(3 * program_.triangles.size());
     for (const Triangle& nodes : program_.node_triangles) {
       owner.insert(owner.end(), nodes.begin(), nodes.end());
     }
+    program_.stretch_gather.corners = by_owner(owner, program_.stretch_gather.first);
+    if (program_.bend.empty()) return;
+    owner.clear();
     for (const BendHinge& hinge : program_.bend) {
       for (const int point : hinge.points) owner.push_back(program_.node_of_point[point]);
     }
-    Gather& gather = program_.gather;
-    gather.first.assign(program_.nodes + 1, 0);
-    for (const int node : owner) ++gather.first[node + 1];
-    std::partial_sum(gather.first.begin(), gather.first.end(), gather.first.begin());
-    gather.slots.resize(owner.size());
-    std::vector<int> next(gather.first.begin(), gather.first.end() - 1);
-    for (std::size_t slot = 0; slot < owner.size(); ++slot) {
-      gather.slots[next[owner[slot]]++] = static_cast<int>(slot);
+    for (const int slot : by_owner(owner, program_.bend_gather.first)) {
+      program_.bend_gather.entries.push_back({slot / 4, program_.bend[slot / 4].weights[slot % 4]});
     }
+  }
+
+  /// The indices of `owner` sorted by its values, which are nodes; `first` tells where each
+  /// node's begin.
+  std::vector<int> by_owner(const std::vector<int>& owner, std::vector<int>& first) const {
+    first.assign(program_.nodes + 1, 0);
+    for (const int node : owner) ++first[node + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<int> sorted(owner.size());
+    std::vector<int> next(first.begin(), first.end() - 1);
+    for (std::size_t i = 0; i < owner.size(); ++i) sorted[next[owner[i]]++] = static_cast<int>(i);
+    return sorted;
   }
 
   const PanelMesh& garment_;

@@ -30,10 +30,18 @@ struct BendHinge {
   bool across_seam;
 };
 
-/// Slots of the force array that belong to a node: gather[first[n]] .. gather[first[n + 1]-1].
-struct Gather {
-  std::vector<int> first;  ///< nodes + 1
-  std::vector<int> slots;
+/// What acts on each node: entries first[n] .. first[n + 1]-1 are node n's.
+struct StretchGather {
+  std::vector<int> first;    ///< nodes + 1
+  std::vector<int> corners;  ///< 3t + i: corner i of triangle t
+};
+struct BendGather {
+  struct Entry {
+    int hinge;
+    double weight;
+  };
+  std::vector<int> first;  ///< nodes + 1; empty without bending
+  std::vector<Entry> entries;
 };
 
 /// A *material point* has a place in a flat panel; sewn points share a *node*, which moves. While
@@ -47,7 +55,8 @@ struct Program {
   std::vector<Triangle> node_triangles;  ///< the same, of nodes
   std::vector<StretchTriangle> stretch;  ///< one per triangle
   std::vector<BendHinge> bend;           ///< empty: fabric without bending stiffness
-  Gather gather;  ///< slot 3t + i: corner i of triangle t; 3T + 4h + i: point i of hinge h
+  StretchGather stretch_gather;
+  BendGather bend_gather;
   std::vector<double> mass;              ///< kg, per node
   std::vector<double> stretch_diagonal;  ///< N/m, per node: bound of the row sum of the stiffness
   std::vector<double> bend_diagonal;     ///< N/m

@@ -78,7 +78,8 @@ class Relaxation {
         options_(options),
         y_(x),
         x_(x),
-        slots_(3 * program.triangles.size() + 4 * program.bend.size()),
+        corner_forces_(3 * program.triangles.size()),
+        bend_forces_(program.bend.size()),
         force_(program.nodes),
         partial_((program.nodes + chunk - 1) / chunk) {
     const bool closing = options.closing_iterations > 0 && !program.offsets.empty();
@@ -107,9 +108,10 @@ class Relaxation {
 
   const Program& program_;
   const RelaxOptions& options_;
-  std::vector<Vec3>& y_;     // where forces are taken: the state
-  std::vector<Vec3> x_;      // the iterate before momentum
-  std::vector<Vec3> slots_;  // force of each element on each of its corners
+  std::vector<Vec3>& y_;             // where forces are taken: the state
+  std::vector<Vec3> x_;              // the iterate before momentum
+  std::vector<Vec3> corner_forces_;  // of each triangle on each of its corners
+  std::vector<Vec3> bend_forces_;    // of each hinge, to be weighted for its points
   std::vector<Vec3> force_;
   std::vector<double> partial_;
 
@@ -233,10 +235,9 @@ void Relaxation::element_forces() {
     for (std::size_t t = begin; t < end; ++t) {
       const auto forces = stretch_forces(program_.stretch[t], fabric, stretch, p[triangles[t][0]],
                                          p[triangles[t][1]], p[triangles[t][2]]);
-      std::copy(forces.begin(), forces.end(), slots_.begin() + 3 * static_cast<long>(t));
+      std::copy(forces.begin(), forces.end(), corner_forces_.begin() + 3 * static_cast<long>(t));
     }
   });
-  const std::size_t base = 3 * triangles.size();
   in_chunks(program_.bend.size(), [&](int, std::size_t begin, std::size_t end) {
     for (std::size_t h = begin; h < end; ++h) {
       const BendHinge& hinge = program_.bend[h];
@@ -247,7 +248,7 @@ void Relaxation::element_forces() {
       }
       // A seam bends as one cloth only when it is sewn.
       const double scale = hinge.stiffness * bending_ * (hinge.across_seam ? 1 - open_ : 1);
-      for (int i = 0; i < 4; ++i) slots_[base + 4 * h + i] = -scale * hinge.weights[i] * curvature;
+      bend_forces_[h] = -scale * curvature;
     }
   });
 }
@@ -328,6 +329,7 @@ double Relaxation::move() {
   const Vec3 gravity = options_.gravity * program_.scene.gravity;
   const std::vector<Vec3>& p = positions();
   const bool keep_bounds = bounded();
+  const std::vector<int>& corner_first = program_.stretch_gather.first;
   std::vector<char> clipped(partial_.size(), 0);
   in_chunks(program_.nodes, [&](int c, std::size_t begin, std::size_t end) {
     double power = 0;
@@ -335,8 +337,14 @@ double Relaxation::move() {
       Vec3 force = program_.mass[n] * gravity;
       double stiffness = program_.stretch_diagonal[n];
       if (!program_.bend.empty()) stiffness += bending_ * program_.bend_diagonal[n];
-      for (int s = program_.gather.first[n]; s < program_.gather.first[n + 1]; ++s) {
-        force += slots_[program_.gather.slots[s]];
+      for (int i = corner_first[n]; i < corner_first[n + 1]; ++i) {
+        force += corner_forces_[program_.stretch_gather.corners[i]];
+      }
+      if (!program_.bend.empty()) {
+        const BendGather& bend = program_.bend_gather;
+        for (int e = bend.first[n]; e < bend.first[n + 1]; ++e) {
+          force += bend.entries[e].weight * bend_forces_[bend.entries[e].hinge];
+        }
       }
       for (int i = vertex_first_[n]; i < vertex_first_[n + 1]; ++i) {
         const int v = vertices_[i];
