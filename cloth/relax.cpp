@@ -16,6 +16,9 @@ namespace toile {
 
 namespace {
 
+/// Steps are this much longer than the bound on the stiffness allows, for the bound is pessimistic:
+/// 1 needs twice the iterations, 1.7 about the same.
+constexpr double step_factor = 1.3;
 /// N/m. A node of 1 cm² that 100 Pa press to the skin sinks in by 0.01 mm.
 constexpr double body_stiffness = 1000;
 /// Metres from the skin at which the pull toward it reaches its full strength.
@@ -359,7 +362,7 @@ double Relaxation::move() {
         if (program_.scene.body != nullptr) force += body_force(v, p[v], stiffness);
       }
       force_[n] = force;
-      Vec3 step = force / stiffness;
+      Vec3 step = step_factor * force / stiffness;
       const double length = step.norm();
       if (length > options_.max_move) step *= options_.max_move / length;
       Vec3 next_x = y_[n] + step;

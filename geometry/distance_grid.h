@@ -11,7 +11,7 @@ namespace toile {
 
 struct DistanceGridOptions {
   double cell = 0.005;     ///< metres; halving it costs eight times the memory
-  double band = 0.020;     ///< metres to either side of the skin within which values are exact
+  double band = 0.015;     ///< metres to either side of the skin within which values are exact
   double padding = 0.040;  ///< metres of grid around the body
 };
 

@@ -41,6 +41,7 @@ struct Settings {
   std::optional<fs::path> frames;
   Fabric fabric;
   std::optional<double> strain_limit;
+  DressOptions options;
 };
 
 Settings read_settings(const po::variables_map& given) {
@@ -59,6 +60,12 @@ Settings read_settings(const po::variables_map& given) {
     }
     settings.strain_limit = limit;
   }
+  const double residual = given["residual"].as<double>();
+  if (!(residual > 0 && residual < 1)) {
+    throw Error("--residual", "is not between 0 and 1", "0.05 is the default");
+  }
+  settings.options.stop_median = residual;
+  settings.options.stop_rms = 10 * residual;
   return settings;
 }
 
@@ -229,7 +236,7 @@ int work(const po::variables_map& given, const CommonSettings& common) {
   scene.strain_limit = settings.strain_limit;
   Watch watch(settings.frames, !common.quiet && isatty(STDERR_FILENO) != 0);
   const DressResult result =
-      dress(garment, scene, {}, [&](const DressFrame& frame) { watch(frame); });
+      dress(garment, scene, settings.options, [&](const DressFrame& frame) { watch(frame); });
   say_terms(result.program, common);
 
   const auto judge_start = Clock::now();
@@ -266,6 +273,9 @@ int main(int argc, char** argv) {
       "a fabric's name, or a JSON file with its quantities")(
       "strain-limit", value<double>(),
       "stiffen warp and weft beyond this strain, a fraction: 0.01 is 1 %")(
+      "residual", value<double>()->default_value(0.05, "0.05"),
+      "at rest when half of the nodes have less force left than this share of a node's weight, and "
+      "their rms is below ten times it")(
       "frames", value<string>(), "write the states on the way as OBJ files into this folder");
   program.positional.add("garment", 1);
   program.work = toile::work;
