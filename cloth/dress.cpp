@@ -56,17 +56,18 @@ class Dressing {
 DressResult Dressing::run() {
   level_ = static_cast<int>(meshes_.size()) - 1;
   position();
-  bool clean = false;
-  for (int attempt = 0; attempt < most_attempts && !clean; ++attempt) {
+  const bool has_seams = !meshes_.front().seams.empty();
+  bool is_clean = !has_seams && clean();
+  for (int attempt = 0; has_seams && attempt < most_attempts && !is_clean; ++attempt) {
     // A tangle is not undone but avoided: the panels start again, stiffer and slower.
     result_.nodes = result_.program.start;
-    clean = wrap(std::pow(2.0, attempt)) && sew(std::pow(2.0, attempt));
+    is_clean = wrap(std::pow(2.0, attempt)) && sew(std::pow(2.0, attempt));
   }
   for (;; go_finer()) {
-    fall(clean);
+    fall(is_clean);
     if (level_ == 0) break;
   }
-  come_to_rest(clean);
+  come_to_rest(is_clean);
   return std::move(result_);
 }
 

@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <numeric>
 
+#include "cloth/body_contact.h"
 #include "cloth/self_contact.h"
 #include "cloth/stretch.h"
-#include "geometry/distance_grid.h"
+#include "geometry/error.h"
 
 namespace toile {
 
@@ -19,16 +21,6 @@ namespace {
 /// Steps are this much longer than the bound on the stiffness allows, for the bound is pessimistic:
 /// 1 needs twice the iterations, 1.7 about the same.
 constexpr double step_factor = 1.3;
-/// N/m. A node of 1 cm² that 100 Pa press to the skin sinks in by 0.01 mm.
-constexpr double body_stiffness = 1000;
-/// Metres from the skin at which the pull toward it reaches its full strength.
-constexpr double full_pull = 0.05;
-/// N/m, of the spring that holds a sticking node to its anchor on the skin.
-constexpr double anchor_stiffness = 200;
-/// N/m, per pair of cloth near cloth.
-constexpr double self_stiffness = 200;
-/// Metres; below it, contact forces grow no more.
-constexpr double least_distance = 1e-9;
 /// Iterations between two measurements of the residual, and calls of the watcher.
 constexpr int watch_interval = 50;
 /// Least iterations between two searches for near cloth; a node that has used up its bound waits.
@@ -55,24 +47,6 @@ double share_within(const Vec3& away, const Vec3& way, double radius) {
 }
 
 double smoothstep(double t) { return t * t * (3 - 2 * t); }
-
-/// Force (N) that pushes two parts of the cloth apart, and its stiffness (N/m): linear down to half
-/// the gap, then as 1/distance, so that no seam can press them to touch
-/// [Chen et al. 2025, the two-stage activation].
-std::pair<double, double> contact_push(double distance, double gap, bool barrier) {
-  if (distance >= gap) return {0, 0};
-  const double half = 0.5 * gap;
-  if (distance >= half || !barrier) return {self_stiffness * (gap - distance), self_stiffness};
-  const double d = std::max(distance, least_distance);
-  return {self_stiffness * half * half / d, self_stiffness * half * half / (d * d)};
-}
-
-/// What the body does to one vertex of the cloth.
-struct BodyContact {
-  double clearance = 0;  ///< metres the vertex may move before the body has to be asked again
-  Vec3 anchor = Vec3::Zero();
-  bool anchored = false;
-};
 
 class Relaxation {
  public:
@@ -103,8 +77,7 @@ class Relaxation {
   void element_forces();
   void pair_forces();
   double move();
-  Vec3 pull_force(std::size_t node, const Vec3& p) const;
-  Vec3 body_force(std::size_t vertex, const Vec3& p, double& stiffness);
+  VertexForce body_forces(std::size_t node, std::size_t vertex);
   Residual residual() const;
   const std::vector<Vec3>& positions() const { return by_points_ ? points_ : y_; }
   bool self_contact() const { return options_.self_contact && program_.scene.self_contact; }
@@ -190,7 +163,7 @@ void Relaxation::close_seams(double t) {
     return;
   }
   for (std::size_t p = 0; p < points_.size(); ++p) {
-    contacts_[p].clearance -= (open_ - open) * program_.offsets[p].norm();
+    contacts_[p].moved((open_ - open) * program_.offsets[p].norm());
   }
   open_ = open;
   points_ = point_positions(program_, y_, open_);
@@ -263,51 +236,13 @@ void Relaxation::pair_forces() {
       const NearestPoints nearest = nearest_points(pairs_[i], p);
       const double distance = nearest.apart.norm();
       const auto [push, stiffness] = contact_push(distance, pairs_[i].gap, options_.bounded);
+      const Vec3 force = distance > 0 ? Vec3(push / distance * nearest.apart) : Vec3::Zero();
       for (int j = 0; j < 4; ++j) {
-        pair_slots_[4 * i + j] =
-            push / std::max(distance, least_distance) * nearest.weights[j] * nearest.apart;
+        pair_slots_[4 * i + j] = nearest.weights[j] * force;
         pair_stiffness_[4 * i + j] = 2 * stiffness * std::abs(nearest.weights[j]);
       }
     }
   });
-}
-
-Vec3 Relaxation::pull_force(std::size_t node, const Vec3& p) const {
-  const DistanceGrid::Sample sample = program_.scene.body->at(p);
-  const double strength = std::clamp(sample.distance / full_pull, 0.0, 1.0) * options_.pull;
-  return -strength * program_.mass[node] * program_.scene.gravity.norm() * sample.gradient;
-}
-
-Vec3 Relaxation::body_force(std::size_t vertex, const Vec3& p, double& stiffness) {
-  BodyContact& contact = contacts_[vertex];
-  if (contact.clearance > 0) return Vec3::Zero();
-  const DistanceGrid::Sample sample = program_.scene.body->at(p);
-  const double depth = options_.body_offset - sample.distance;
-  if (depth <= 0) {
-    contact.clearance = -depth;
-    contact.anchored = false;
-    return Vec3::Zero();
-  }
-  contact.clearance = 0;
-  const double length = sample.gradient.norm();
-  if (length < 1e-6) return Vec3::Zero();
-  const Vec3 normal = sample.gradient / length;
-  stiffness += body_stiffness;
-  Vec3 force = body_stiffness * depth * normal;
-  if (!options_.friction) return force;
-  if (!contact.anchored) {
-    contact.anchored = true;
-    contact.anchor = p;
-  }
-  const Vec3 offset = p - contact.anchor;
-  Vec3 slip = offset - normal.dot(offset) * normal;
-  const double most = program_.scene.fabric.friction * body_stiffness * depth / anchor_stiffness;
-  if (slip.norm() > most) {
-    slip *= most / slip.norm();
-    contact.anchor = p - slip;
-  }
-  stiffness += anchor_stiffness;
-  return force - anchor_stiffness * slip;
 }
 
 /// Where a node comes to on its way to `wanted` without any of its vertices leaving its bound.
@@ -326,11 +261,23 @@ Vec3 Relaxation::within_bounds(std::size_t node, const Vec3& wanted) const {
   return share < 1 ? Vec3(y_[node] + share * way) : wanted;
 }
 
+VertexForce Relaxation::body_forces(std::size_t node, std::size_t vertex) {
+  if (program_.scene.body == nullptr) return {};
+  const Vec3& p = positions()[vertex];
+  VertexForce result =
+      contacts_[vertex].force(program_.scene, p, options_.body_offset, options_.friction);
+  if (options_.pull > 0) {
+    const int sharing = vertex_first_[node + 1] - vertex_first_[node];
+    const double weight = program_.mass[node] / sharing * program_.scene.gravity.norm();
+    result.force += pull_to_body(program_.scene, p, options_.pull * weight);
+  }
+  return result;
+}
+
 /// One step of all nodes; returns the power of the forces along the last step.
 double Relaxation::move() {
   const double weight = std::min(options_.momentum, momentum_age_ / (momentum_age_ + 3.0));
   const Vec3 gravity = options_.gravity * program_.scene.gravity;
-  const std::vector<Vec3>& p = positions();
   const bool keep_bounds = bounded();
   const std::vector<int>& corner_first = program_.stretch_gather.first;
   std::vector<char> clipped(partial_.size(), 0);
@@ -357,12 +304,13 @@ double Relaxation::move() {
             stiffness += pair_stiffness_[pair_gather_[s]];
           }
         }
-        if (options_.pull > 0)
-          force += pull_force(n, p[v]) / (vertex_first_[n + 1] - vertex_first_[n]);
-        if (program_.scene.body != nullptr) force += body_force(v, p[v], stiffness);
+        const VertexForce from_body = body_forces(n, v);
+        force += from_body.force;
+        stiffness += from_body.stiffness;
       }
       force_[n] = force;
-      Vec3 step = step_factor * force / stiffness;
+      // A node that no triangle holds has nothing to be moved by.
+      Vec3 step = stiffness > 0 ? Vec3(step_factor * force / stiffness) : Vec3::Zero();
       const double length = step.norm();
       if (length > options_.max_move) step *= options_.max_move / length;
       Vec3 next_x = y_[n] + step;
@@ -380,7 +328,7 @@ double Relaxation::move() {
       }
       const double moved = (next_y - y_[n]).norm();
       for (int i = vertex_first_[n]; i < vertex_first_[n + 1]; ++i) {
-        contacts_[vertices_[i]].clearance -= moved;
+        contacts_[vertices_[i]].moved(moved);
       }
       x_[n] = next_x;
       y_[n] = next_y;
@@ -400,6 +348,10 @@ Residual Relaxation::residual() const {
   }
   Residual r;
   r.rms = std::sqrt(sum / static_cast<double>(norms.size()));
+  if (!std::isfinite(r.rms)) {
+    throw Error("garment", "its forces grew beyond all numbers",
+                "check the fabric's stiffness and the panels for degenerate triangles");
+  }
   r.max = *std::max_element(norms.begin(), norms.end());
   std::nth_element(norms.begin(), norms.begin() + norms.size() / 2, norms.end());
   r.median = norms[norms.size() / 2];

@@ -19,6 +19,10 @@ namespace {
 constexpr double bound_share = 0.45;
 /// Share of the shortest edge at rest that neighbours in the mesh may come near each other.
 constexpr double neighbour_share = 0.25;
+/// N/m, per pair.
+constexpr double push_stiffness = 200;
+/// Metres; below it, forces grow no more.
+constexpr double least_distance = 1e-9;
 /// Vertices or edges that one task looks up; fixed, so that results don't depend on the threads.
 constexpr int chunk = 512;
 
@@ -142,6 +146,14 @@ NearestPoints nearest_points(const ContactPair& pair, const std::vector<Vec3>& x
   nearest.apart = nearest.weights[0] * x[v[0]] + nearest.weights[1] * x[v[1]] +
                   nearest.weights[2] * x[v[2]] + nearest.weights[3] * x[v[3]];
   return nearest;
+}
+
+ContactPush contact_push(double distance, double gap, bool barrier) {
+  if (distance >= gap) return {};
+  const double half = 0.5 * gap;
+  if (distance >= half || !barrier) return {push_stiffness * (gap - distance), push_stiffness};
+  const double d = std::max(distance, least_distance);
+  return {push_stiffness * half * half / d, push_stiffness * half * half / (d * d)};
 }
 
 ProximitySearch::ProximitySearch(const std::vector<Triangle>& triangles,

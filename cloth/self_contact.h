@@ -24,6 +24,16 @@ struct NearestPoints {
 };
 NearestPoints nearest_points(const ContactPair& pair, const std::vector<Vec3>& x);
 
+/// Force (N) that pushes a pair at `distance` apart, and its stiffness (N/m): linear in how much of
+/// the gap is used up; with `barrier`, beyond half the gap as 1/distance, so that nothing can press
+/// the two to touch [Chen et al. 2025, the two-stage activation]. A barrier belongs to a state
+/// without intersections: it would hold a tangle fast.
+struct ContactPush {
+  double force = 0;
+  double stiffness = 0;
+};
+ContactPush contact_push(double distance, double gap, bool barrier);
+
 /// Finds the close pairs of a surface whose connectivity stays the same. Vertices that are one
 /// node, or are to become one when a seam closes, never pair with what holds the other. Between
 /// neighbours in the mesh the gap is reduced to what the flat mesh leaves between them, so that a
