@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "geometry/decimate.h"
 #include "io/picture.h"
 #include "io/text.h"
 #include "io/viewer_page.h"
@@ -17,6 +18,9 @@ namespace {
 constexpr const char* definition =
     "distance from a point of the garment to the nearest point of the body's surface, negative "
     "inside the body";
+
+/// Enough to look smooth; a body's 50 thousand would be two thirds of the page.
+constexpr int page_body_triangles = 16000;
 
 std::string mm(double metres) { return fixed_number(1000 * metres, 1); }
 std::string cm(double metres) { return fixed_number(100 * metres, 1); }
@@ -168,7 +172,8 @@ std::string ease_page(const EaseReport& report, const std::string& picture) {
   page.unit = "mm";
   page.ramp = ramp_mm(report);
   page.below = "inside";
-  page.setting = report.body;
+  // Only looked at there: a light body keeps the page small and quick to turn.
+  page.setting = decimate(report.body, page_body_triangles);
   page.setting_name = "body";
   page.tables.push_back(panel_table(report));
   if (!report.girths.empty()) page.tables.push_back(girth_table(report));
