@@ -44,6 +44,8 @@ void write_file(const fs::path& path, std::string_view content) {
   file.commit();
 }
 
+void check_writable(const fs::path& path) { const OutputFile probe(path); }
+
 std::string read_file(const fs::path& path) {
   std::error_code failed;
   if (fs::is_directory(path, failed)) throw Error(path.string(), "is a folder", "name a file");

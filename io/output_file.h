@@ -30,6 +30,9 @@ class OutputFile {
 /// Writes `content` to `path`, whole or not at all. Throws Error as OutputFile does.
 void write_file(const std::filesystem::path& path, std::string_view content);
 
+/// Throws Error unless a file can be written there: to find out before a long computation.
+void check_writable(const std::filesystem::path& path);
+
 /// The whole file. Throws Error when it is missing, a folder, or can't be read.
 std::string read_file(const std::filesystem::path& path);
 

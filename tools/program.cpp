@@ -7,6 +7,7 @@
 #include <map>
 
 #include "geometry/error.h"
+#include "io/output_file.h"
 
 namespace toile {
 
@@ -77,6 +78,8 @@ int run_program(int argc, char** argv, CommandLineProgram& program) {
                   static_cast<std::size_t>(settings.threads));
   }
   try {
+    check_writable(settings.output);
+    if (settings.report) check_writable(*settings.report);
     return program.work(given, settings);
   } catch (const std::bad_alloc&) {
     std::cerr << program.name << ": error: out of memory; use a coarser mesh\n";
