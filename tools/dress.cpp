@@ -33,6 +33,9 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// Strain (99th percentile, off the seams) that no woven is worn at.
+constexpr double suspicious_strain = 0.1;
+
 struct Settings {
   fs::path garment;
   fs::path garment_json;
@@ -206,6 +209,15 @@ void say_result(const DressResult& result, const Judgement& judgement,
              " (99th percentile); residual in node weights: " + residual.str());
   for (const WrapFigure& wrap : judgement.wraps) {
     common.say("wraps " + wrap.part + ": " + percent(wrap.fraction));
+  }
+  if (result.placement.points_inside > 0) {
+    CommonSettings::warn(
+        std::to_string(result.placement.points_inside) +
+        " points of the panels start inside the body: place the panels clear of it");
+  }
+  if (figures.strain_off_seams.p99 > suspicious_strain) {
+    CommonSettings::warn("the cloth is strained by " + percent(figures.strain_off_seams.p99) +
+                         " in places: the garment is too small for this body, or caught on it");
   }
   common.say("verdict: " + judgement.verdict);
 }
