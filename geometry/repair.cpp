@@ -16,10 +16,11 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iterator>
-#include <map>
+#include <tuple>
 #include <vector>
 
 #include "geometry/body_distance.h"
@@ -334,7 +335,7 @@ TriangleMesh without_self_intersections(const Mesh& mesh, RepairReport& report,
   }
   copy.collect_garbage();
   if (copy.is_empty() || !copy.is_valid() || !CGAL::is_closed(copy) ||
-      !CGAL::is_triangle_mesh(copy) || !PMP::is_outward_oriented(copy)) {
+      !CGAL::is_triangle_mesh(copy) || !(PMP::volume(copy) > 0)) {
     return plain;
   }
   const TriangleMesh repaired = to_plain(copy);
@@ -365,11 +366,12 @@ RepairedSurface repair(const PolygonSoup& given, const std::string& name,
     if (mesh.is_empty() || !CGAL::is_closed(mesh) || !CGAL::is_triangle_mesh(mesh)) {
       throw Error(name, "the surface can't be closed", "close the body in a mesh editor");
     }
-    const double volume = CGAL::to_double(PMP::volume(mesh));
+    const double volume = PMP::volume(mesh);
     if (!(std::abs(volume) > 1e-6 * std::pow(longest_side(mesh), 3))) {
       throw Error(name, "the surface encloses no volume", "give a closed body");
     }
-    if (!PMP::is_outward_oriented(mesh)) {
+    // The volume's sign, because a test at one extreme point is misled by intersections there.
+    if (volume < 0) {
       PMP::reverse_face_orientations(mesh);
       report.turned_inside_out = true;
     }
