@@ -180,11 +180,13 @@ class Finder {
         joined = y;
       }
     }
-    // Below, the trunk's side may still lead out to the arm's underside: to where it turns upright.
-    for (std::size_t i = below - 1; i > 0 && trunk_[i].along > joined - 0.05 * height_; --i) {
-      const double lost = reach_to(trunk_[i].section, side) - reach_to(trunk_[i - 1].section, side);
-      if (lost < 0.7 * walk_.step) break;
-      free = trunk_[i - 1].section;
+    // Below, the trunk's side may still lead out to the arm's underside, flatter than any side:
+    // down to where that ends.
+    double reach = reach_to(free, side);
+    for (std::size_t i = below; i-- > 0 && trunk_[i].along > joined - 0.035 * height_;) {
+      const double inner = reach_to(trunk_[i].section, side);
+      if (reach - inner > 0.5 * walk_.step) free = trunk_[i].section;
+      reach = inner;
     }
     const auto crease = std::max_element(
         free.points.begin(), free.points.end(),
