@@ -1,0 +1,345 @@
+#include "cloth/relax.h"
+
+#include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
+
+#include <Eigen/Geometry>
+#include <numbers>
+#include <random>
+
+#include "geometry/distance_grid.h"
+#include "geometry/intersections.h"
+#include "tests/cloth/panels.h"
+#include "tests/support/shapes.h"
+#include "tests/support/tubes.h"
+
+namespace toile {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double degree = pi / 180;
+
+double length_of(const std::vector<Vec3>& x, const std::vector<int>& points) {
+  double length = 0;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    length += (x[points[i + 1]] - x[points[i]]).norm();
+  }
+  return length;
+}
+
+/// Case 8 of Laplace: a tube whose girth is 5 % too small for the cylinder.
+TEST(Relax, ATooSmallTubeIsStretchedByTheBody) {
+  const double body_radius = 0.1, offset = 0.002, strain = 0.05;
+  const DistanceGrid body{BodyDistance(test::closed_tube(body_radius, body_radius, 0.5, 400))};
+  const double girth = 2 * pi * (body_radius + offset) / (1 + strain);
+  const int columns = 96, rows = 12;
+  PanelMesh garment;
+  test::add_panel(garment, "tube", test::grid(girth, 0.08, columns, rows), [&](const Vec2& p) {
+    const double angle = 2 * pi * p.x() / girth;
+    return Vec3(0.104 * std::sin(angle), 0.2 + p.y(), 0.104 * std::cos(angle));
+  });
+  garment.seams = {test::seam("", test::side(garment.panels[0], columns, rows, false),
+                              test::side(garment.panels[0], columns, rows, true))};
+  Scene scene;
+  scene.body = &body;
+  scene.self_contact = false;
+  // The residual is counted in weights, so there is gravity; it does not act.
+  RelaxOptions options;
+  options.gravity = 0;
+  options.friction = false;
+  options.max_iterations = 6000;
+  options.stop_median = options.stop_rms = 0.01;
+  for (const bool bias : {false, true}) {
+    garment.panels[0].grain = bias ? pi / 2 : 0;
+    scene.fabric.stretch_warp = bias ? 2000 : 1000;
+    scene.fabric.stretch_weft = bias ? 1000 : 2000;
+    const Program program = compile(garment, scene, garment.placed);
+    std::vector<Vec3> x = program.start;
+    const RelaxReport report = relax(program, options, x);
+    EXPECT_TRUE(report.converged);
+    const std::vector<Vec3> points = point_positions(program, x, 0);
+    for (int row = 0; row <= rows; ++row) {
+      std::vector<int> around(columns + 1);
+      std::iota(around.begin(), around.end(), row * (columns + 1));
+      EXPECT_NEAR(length_of(points, around) / girth - 1, strain, 0.02 * strain) << row;
+    }
+    // Free to, it does not stretch along the cylinder.
+    for (int column = 0; column < columns; ++column) {
+      std::vector<int> along;
+      for (int row = 0; row <= rows; ++row) along.push_back(row * (columns + 1) + column);
+      EXPECT_NEAR(length_of(points, along) / 0.08, 1, 1e-3);
+    }
+  }
+}
+
+/// Case 3: hung over a round bar, both ends of a strip stretch under their own weight.
+class HangingStrip : public testing::Test {
+ protected:
+  static constexpr double stiffness = 65.4, weight = 0.2 * 9.81;  // N/m, N/m²
+  static constexpr double edge = 0.01;
+  static constexpr int columns = 3, rows = 110;
+
+  /// Strains along the middle of the strip's hanging part, by the length of cloth below.
+  std::vector<std::pair<double, double>> hang(std::optional<double> limit) {
+    const double bar = 0.03;
+    const DistanceGrid body{BodyDistance(turned_tube(bar))};
+    PanelMesh garment;
+    const double length = rows * edge;
+    test::add_panel(garment, "strip", test::grid(columns * edge, length, columns, rows),
+                    [&](const Vec2& p) {
+                      const double r = bar + 0.002;
+                      const double s = p.y() - length / 2;
+                      const double arc = std::clamp(s, -r * pi / 2, r * pi / 2);
+                      return Vec3(p.x(), r * std::cos(arc / r) - (std::abs(s) - std::abs(arc)),
+                                  r * std::sin(arc / r));
+                    });
+    Scene scene;
+    scene.body = &body;
+    scene.fabric.areal_density = 0.2;
+    scene.fabric.stretch_warp = scene.fabric.stretch_weft = stiffness;
+    scene.fabric.shear = 20;
+    scene.fabric.bending = 0;
+    scene.self_contact = false;
+    scene.strain_limit = limit;
+    const Program program = compile(garment, scene, garment.placed);
+    std::vector<Vec3> x = program.start;
+    RelaxOptions options;
+    options.max_iterations = 40000;
+    options.stop_median = options.stop_rms = 1e-3;
+    EXPECT_TRUE(relax(program, options, x).converged);
+    std::vector<std::pair<double, double>> strains;
+    for (int row = 0; row < rows / 2 - 10; ++row) {
+      const int a = row * (columns + 1) + 1;
+      strains.emplace_back((row + 0.5) * edge, (x[a + columns + 1] - x[a]).norm() / edge - 1);
+      EXPECT_GT(x[a + columns + 1].y(), x[a].y());
+    }
+    return strains;
+  }
+
+  /// A bar along x.
+  static TriangleMesh turned_tube(double radius) {
+    TriangleMesh mesh = test::closed_tube(radius, radius, 0.2, 100);
+    for (Vec3& p : mesh.points) p = Vec3(p.y() - 0.08, -p.x(), p.z());
+    return mesh;
+  }
+};
+
+TEST_F(HangingStrip, StretchesWithTheWeightBelow) {
+  for (const auto& [below, strain] : hang(std::nullopt)) {
+    EXPECT_NEAR(strain, weight * below / stiffness, 2e-5) << below;
+  }
+}
+
+TEST_F(HangingStrip, StiffensBeyondTheLimit) {
+  const double limit = 0.005;
+  int over = 0;
+  for (const auto& [below, strain] : hang(limit)) {
+    const double free = weight * below / stiffness;
+    over += free > limit;
+    const double held = limit + (free - limit) / (1 + strain_limit_stiffening);
+    EXPECT_NEAR(strain, free > limit ? held : free, 2e-5) << below;
+  }
+  EXPECT_GT(over, 20);
+}
+
+/// A sheet of 20 x 20 cm on a big flat box, gravity leaning by `slope`: the way it went.
+Vec3 slide(double slope, double height, RelaxReport& report, std::vector<Vec3>& x,
+           bool friction = true, int iterations = 6000) {
+  static const DistanceGrid body{BodyDistance(test::box({-0.4, -0.1, -0.2}, {0.4, 0, 0.2}))};
+  PanelMesh garment;
+  test::add_panel(garment, "sheet", test::grid(0.2, 0.2, 20, 20),
+                  [&](const Vec2& p) { return Vec3(p.x() - 0.1, height, 0.1 - p.y()); });
+  Scene scene;
+  scene.body = &body;
+  scene.fabric.friction = 0.4;
+  scene.gravity = 9.81 * Vec3(std::sin(slope), -std::cos(slope), 0);
+  const Program program = compile(garment, scene, garment.placed);
+  x = program.start;
+  RelaxOptions options;
+  options.friction = friction;
+  options.max_iterations = iterations;
+  options.stop_median = 0.001;
+  options.stop_rms = 0.01;
+  report = relax(program, options, x);
+  Vec3 way = Vec3::Zero();
+  for (std::size_t n = 0; n < x.size(); ++n) way += (x[n] - program.start[n]) / x.size();
+  return way;
+}
+
+TEST(Relax, AFallenSheetLiesFlatAtItsOffset) {
+  RelaxReport report;
+  std::vector<Vec3> x;
+  const Vec3 way = slide(0, 0.012, report, x);
+  EXPECT_TRUE(report.converged);
+  EXPECT_LT(report.residual.median, 0.001);
+  EXPECT_LT(report.residual.rms, 0.01);
+  EXPECT_LT(report.iterations, 6000);
+  for (const Vec3& p : x) ASSERT_NEAR(p.y(), 0.002, 2e-5);
+  EXPECT_NEAR(way.y(), -0.010, 2e-5);
+  EXPECT_LT(std::hypot(way.x(), way.z()), 1e-5);
+}
+
+TEST(Relax, FrictionHoldsBelowItsAngleOnly) {
+  // tan 21.8 degrees = 0.4.
+  RelaxReport report;
+  std::vector<Vec3> x;
+  for (const double angle : {10.0, 20.0, 21.3}) {
+    const double way = slide(angle * degree, 0.002, report, x).norm();
+    EXPECT_LT(way, 1e-5) << angle;
+    EXPECT_TRUE(report.converged) << angle;
+  }
+  // Beyond, it goes on as long as it is let; where there is no friction, on the least slope.
+  for (const double angle : {22.3, 25.0}) {
+    const double way = slide(angle * degree, 0.002, report, x).x();
+    EXPECT_FALSE(report.converged) << angle;
+    EXPECT_GT(way, 0.0006) << angle;
+    const double farther = slide(angle * degree, 0.002, report, x, true, 12000).x();
+    EXPECT_GT(farther, 2 * way) << angle;
+    EXPECT_FALSE(report.converged) << angle;
+  }
+  EXPECT_GT(slide(2 * degree, 0.002, report, x, false).x(), 0.002);
+}
+
+/// Two flat panels on either side of an upright cylinder of 20 cm across.
+PanelMesh around_cylinder(double width, int columns, int rows) {
+  PanelMesh garment;
+  const PlanarMesh mesh = test::grid(width, 0.15, columns, rows);
+  test::add_panel(garment, "front", mesh,
+                  [&](const Vec2& p) { return Vec3(p.x() - width / 2, 0.2 + p.y(), 0.16); });
+  test::add_panel(garment, "back", mesh,
+                  [&](const Vec2& p) { return Vec3(width / 2 - p.x(), 0.2 + p.y(), -0.16); });
+  const auto side_of = [&](int panel, bool right) {
+    return test::side(garment.panels[panel], columns, rows, right);
+  };
+  garment.seams = {test::seam("left", side_of(0, true), side_of(1, false)),
+                   test::seam("right", side_of(1, true), side_of(0, false))};
+  return garment;
+}
+
+RelaxOptions sewing() {
+  RelaxOptions options;
+  options.closing_iterations = 2000;
+  options.max_iterations = 6000;
+  options.bending_from = options.bending_to = 100;
+  options.gravity = 0;
+  options.pull = 2;
+  options.friction = false;
+  options.bounded = true;
+  options.momentum = 0.99;
+  return options;
+}
+
+TEST(Relax, SeamsCloseAroundABody) {
+  const DistanceGrid body{BodyDistance(test::closed_tube(0.1, 0.1, 0.5, 200))};
+  const int columns = 24, rows = 10;
+  const PanelMesh garment = around_cylinder(0.36, columns, rows);  // 9 cm of ease
+  Scene scene;
+  scene.body = &body;
+  const Program program = compile(garment, scene, garment.placed);
+  std::vector<Vec3> x = program.start;
+  double last_open = 1;
+  int calls = 0;
+  const RelaxReport report = relax(program, sewing(), x, [&](const RelaxProgress& at) {
+    EXPECT_LE(at.open, last_open);
+    last_open = at.open;
+    ++calls;
+    // No state on the way goes through itself.
+    if (calls % 8 == 0) {
+      const auto points = point_positions(program, at.nodes, at.open);
+      EXPECT_TRUE(self_intersections({points, program.triangles}).empty()) << at.iteration;
+    }
+  });
+  EXPECT_GE(calls, 40);
+  EXPECT_TRUE(report.converged);
+  EXPECT_EQ(report.open, 0);
+  const std::vector<Vec3> points = point_positions(program, x, 0);
+  for (const MeshedSeam& seam : garment.seams) {
+    for (std::size_t i = 0; i < seam.a.size(); ++i) {
+      EXPECT_EQ(points[seam.a[i]], points[seam.b[i]]);
+    }
+  }
+  EXPECT_TRUE(self_intersections({x, program.node_triangles}).empty());
+  for (const Vec3& p : x) EXPECT_GT(std::hypot(p.x(), p.z()), 0.1);
+  // Each row of points goes once around the body.
+  for (int row = 0; row <= rows; ++row) {
+    double turn = 0;
+    for (int panel = 0; panel < 2; ++panel) {
+      for (int i = 0; i < columns; ++i) {
+        const Vec3& a = points[garment.panels[panel].first_point + row * (columns + 1) + i];
+        const Vec3& b = points[garment.panels[panel].first_point + row * (columns + 1) + i + 1];
+        turn += std::atan2(a.z() * b.x() - a.x() * b.z(), a.x() * b.x() + a.z() * b.z());
+      }
+    }
+    EXPECT_NEAR(turn, 2 * pi, 1e-9) << row;
+  }
+}
+
+TEST(Relax, AnOpenSeamIsWhereItWasPlaced) {
+  const PanelMesh garment = around_cylinder(0.36, 8, 4);
+  const Program program = compile(garment, {}, garment.placed);
+  const std::vector<Vec3> open = point_positions(program, program.start, 1);
+  const std::vector<Vec3> half = point_positions(program, program.start, 0.5);
+  for (std::size_t p = 0; p < open.size(); ++p) {
+    EXPECT_LT((open[p] - garment.placed[p]).norm(), 1e-15);
+  }
+  const MeshedSeam& seam = garment.seams[0];
+  EXPECT_NEAR((half[seam.a[2]] - half[seam.b[2]]).norm(), 0.16, 1e-12);
+}
+
+TEST(Relax, TheSameBitsForAnyNumberOfThreads) {
+  const DistanceGrid body{BodyDistance(test::closed_tube(0.1, 0.1, 0.5, 100))};
+  const PanelMesh garment = around_cylinder(0.36, 48, 24);
+  Scene scene;
+  scene.body = &body;
+  const Program program = compile(garment, scene, garment.placed);
+  ASSERT_GT(program.nodes, 2048);  // several chunks
+  RelaxOptions closing = sewing();
+  closing.closing_iterations = 150;
+  closing.max_iterations = 400;
+  RelaxOptions falling;
+  falling.max_iterations = 200;
+  const auto run = [&](int threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    std::vector<Vec3> x = program.start;
+    relax(program, closing, x);
+    relax(program, falling, x);
+    return x;
+  };
+  const std::vector<Vec3> one = run(1);
+  const std::vector<Vec3> two = run(2);
+  EXPECT_TRUE(one == two);
+  EXPECT_TRUE(one == run(2));
+  EXPECT_FALSE(one == program.start);
+}
+
+TEST(Relax, AtRestItStaysAtRest) {
+  // A flat sheet without weight feels nothing.
+  const PanelMesh garment = test::flat_panel(test::grid(0.1, 0.1, 10, 10));
+  const Program program = compile(garment, {}, garment.placed);
+  std::vector<Vec3> x = program.start;
+  RelaxOptions options;
+  options.gravity = 0;
+  options.max_iterations = 100;
+  options.stop_median = options.stop_rms = 1e-6;
+  const RelaxReport report = relax(program, options, x);
+  EXPECT_TRUE(report.converged);
+  for (std::size_t n = 0; n < x.size(); ++n) EXPECT_LT((x[n] - program.start[n]).norm(), 1e-12);
+}
+
+TEST(Relax, TheCountIsNoConvergence) {
+  // In free fall there is no rest.
+  const PanelMesh garment = test::flat_panel(test::grid(0.1, 0.1, 10, 10));
+  const Program program = compile(garment, {}, garment.placed);
+  std::vector<Vec3> x = program.start;
+  RelaxOptions options;
+  options.max_iterations = 120;
+  options.stop_median = options.stop_rms = 0.5;
+  const RelaxReport report = relax(program, options, x);
+  EXPECT_FALSE(report.converged);
+  EXPECT_EQ(report.iterations, 120);
+  // Inner nodes weigh more than the mean, for those on the border carry less cloth.
+  EXPECT_NEAR(report.residual.median, 121.0 / 100, 1e-3);
+}
+
+}  // namespace
+}  // namespace toile
