@@ -1,6 +1,7 @@
 #include "cloth/dress.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 
@@ -21,6 +22,11 @@ constexpr double sewing_stiffness = 100;
 /// middle of a wide front.
 constexpr double sewing_pull = 2;
 
+/// Share of the stiffness that resists compression while the cloth finds its folds, from the finest
+/// mesh to the coarsest. With all of it, cloth stands on creases that its mesh is too coarse to
+/// break, and is strained more at rest.
+constexpr std::array<double, 3> soft_compression = {0.02, 0.05, 0.01};
+
 class Dressing {
  public:
   Dressing(const PanelMesh& garment, const Scene& scene, const DressOptions& options,
@@ -36,7 +42,7 @@ class Dressing {
   void position();
   bool wrap(double care);
   bool sew(double care);
-  void fall(bool bounded);
+  void fall(bool bounded, double compression);
   void come_to_rest(bool bounded);
   const StageReport& stage(const std::string& name, const RelaxOptions& options);
   void go_finer();
@@ -64,7 +70,7 @@ DressResult Dressing::run() {
     is_clean = wrap(std::pow(2.0, attempt)) && sew(std::pow(2.0, attempt));
   }
   for (;; go_finer()) {
-    fall(is_clean);
+    fall(is_clean, soft_compression[std::min<std::size_t>(level_, soft_compression.size() - 1)]);
     if (level_ == 0) break;
   }
   come_to_rest(is_clean);
@@ -78,6 +84,7 @@ bool Dressing::wrap(double care) {
   options.closing_iterations = static_cast<int>(3000 * across * care);
   options.max_iterations = 2 * options.closing_iterations;
   options.bending_from = options.bending_to = sewing_stiffness * care;
+  options.compression = soft_compression.back();
   options.gravity = 0;
   options.pull = sewing_pull;
   options.friction = false;
@@ -89,6 +96,7 @@ bool Dressing::wrap(double care) {
 bool Dressing::sew(double care) {
   RelaxOptions options = level_options();
   options.max_iterations = 300;
+  options.compression = soft_compression.back();
   options.bending_from = options.bending_to = sewing_stiffness * care;
   options.gravity = 0;
   options.pull = sewing_pull;
@@ -107,11 +115,12 @@ bool Dressing::sew(double care) {
   return true;
 }
 
-void Dressing::fall(bool bounded) {
+void Dressing::fall(bool bounded, double compression) {
   RelaxOptions options = level_options();
+  options.compression = compression;
   options.friction = false;
   options.bounded = bounded;
-  options.max_iterations = 4000;
+  options.max_iterations = compression < 1 ? 2000 : 4000;
   options.stop_median = 2 * options_.stop_median;
   options.stop_rms = 2 * options_.stop_rms;
   stage("drape", options);
@@ -146,8 +155,6 @@ RelaxOptions Dressing::level_options() const {
   // Coarse faces cut across the body's curves: the cloth is held farther off.
   options.body_offset = scene_.body_offset * (1 + 0.5 * level_);
   options.self_radius = 0.005 * (1 + 0.5 * level_);
-  if (level_ == 1) options.compression = 0.05;
-  if (level_ > 1) options.compression = 0.01;
   return options;
 }
 
