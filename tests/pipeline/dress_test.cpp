@@ -192,6 +192,7 @@ TEST(Dress, ARealDress) {
   expect_sewn_without_intersections(chain);
   EXPECT_GE(chain.wrapped("torso"), 0.97);
   EXPECT_EQ(chain.number("/borders"), 4);
+  EXPECT_LE(chain.number("/area_change_percent/max_panel"), 0.5);
   EXPECT_LE(chain.number("/strain_off_seams/p99"), 0.06);
 }
 
