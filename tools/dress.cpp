@@ -72,22 +72,6 @@ Settings read_settings(const po::variables_map& given) {
   return settings;
 }
 
-/// A garment with its nodes at `points`, to be written. `triangles` are of those nodes.
-DressedGarment as_dressed(const PanelMesh& garment, std::vector<Vec3> points,
-                          std::vector<Triangle> triangles) {
-  DressedGarment dressed;
-  dressed.points = std::move(points);
-  dressed.triangles = std::move(triangles);
-  dressed.flat = garment.flat;
-  dressed.flat_triangles = garment.triangles;
-  for (const MeshedPanel& panel : garment.panels) {
-    dressed.panel_of_triangle.insert(dressed.panel_of_triangle.end(), panel.triangles,
-                                     static_cast<int>(dressed.panels.size()));
-    dressed.panels.push_back(panel.name);
-  }
-  return dressed;
-}
-
 /// Drives the progress bar, and writes the states on the way as OBJ files.
 class Watch {
  public:
