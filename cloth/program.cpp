@@ -219,7 +219,7 @@ class Compiler {
     hinge.weights = {at_b0 + at_b1, at_a0 + at_a1, -at_a0 - at_b0, -at_a1 - at_b1};
     hinge.across_seam = a0 != a1 || b0 != b1;
     hinge.stiffness =
-        program_.scene.fabric.bending * 3 / (program_.stretch[t0].area + program_.stretch[t1].area);
+        program_.scene.fabric.bending / (program_.stretch[t0].area + program_.stretch[t1].area);
     double sum = 0;
     for (const double w : hinge.weights) sum += std::abs(w);
     for (int i = 0; i < 4; ++i) {
