@@ -16,8 +16,8 @@ namespace {
 
 /// How often the panels are placed and sewn anew, each time twice as carefully.
 constexpr int most_attempts = 3;
-/// Factor on the bending stiffness while seams close; 10 lets folds go through their own seam.
-constexpr double sewing_stiffness = 100;
+/// Factor on the bending stiffness while seams close; 30 lets folds go through their own seam.
+constexpr double sewing_stiffness = 300;
 /// Pull toward the skin while seams close, in weights of the cloth; 0 leaves one ridge down the
 /// middle of a wide front.
 constexpr double sewing_pull = 2;
