@@ -59,7 +59,16 @@ class Dressing {
   DressResult result_;
 };
 
+/// Metres that the nodes of a mesh of such edges keep from the skin: no less than asked for, and so
+/// much that its faces clear curves of 3 cm radius, whose sagitta they cut off.
+double clearing_offset(double asked, double edge_length) {
+  constexpr double tightest_curve = 0.03;
+  constexpr double face_clearance = 0.001;
+  return std::max(asked, face_clearance + edge_length * edge_length / (8 * tightest_curve));
+}
+
 DressResult Dressing::run() {
+  result_.body_offset = clearing_offset(scene_.body_offset, meshes_.front().edge_length);
   level_ = static_cast<int>(meshes_.size()) - 1;
   position();
   const bool has_seams = !meshes_.front().seams.empty();
@@ -152,8 +161,7 @@ void Dressing::position() {
 
 RelaxOptions Dressing::level_options() const {
   RelaxOptions options;
-  // Coarse faces cut across the body's curves: the cloth is held farther off.
-  options.body_offset = scene_.body_offset * (1 + 0.5 * level_);
+  options.body_offset = result_.body_offset * (1 + 0.5 * level_);
   options.self_radius = 0.005 * (1 + 0.5 * level_);
   return options;
 }

@@ -37,6 +37,7 @@ struct DressResult {
   Program program;          ///< as compiled for the garment's own mesh
   std::vector<Vec3> nodes;  ///< metres, per node
   Placement placement;
+  double body_offset = 0;  ///< metres kept from the skin: the scene's, more for edges above 15 mm
   std::vector<StageReport> stages;
   DuringDressing during;
   Residual residual;

@@ -119,6 +119,7 @@ Json report_of(const PanelMesh& garment, const DressResult& result, const Judgem
     report["scene"]["terms"][term] = count;
   }
   report["scene"]["fabric"] = result.program.scene.fabric.name;
+  report["scene"]["body_offset_mm"] = 1000 * result.body_offset;
   report["scene"]["lift_mm"] = 1000 * result.placement.lift;
   for (const auto& [part, distance] : result.placement.drawn_out) {
     report["scene"]["drawn_out_mm"][part] = 1000 * distance;
