@@ -22,7 +22,7 @@ VertexForce BodyContact::force(const Scene& scene, const Vec3& p, double offset,
   const DistanceGrid::Sample sample = scene.body->at(p);
   const double depth = offset - sample.distance;
   if (depth <= 0) {
-    clearance_ = -depth;
+    clearance_ = scene.body->at_least(sample.distance) - offset;
     anchored_ = false;
     return {};
   }

@@ -56,6 +56,7 @@ class Dressing {
   const FrameWatcher& watcher_;
   std::vector<PanelMesh> meshes_;  // finest first
   int level_ = 0;
+  int attempt_ = 1;
   DressResult result_;
 };
 
@@ -64,7 +65,9 @@ class Dressing {
 double clearing_offset(double asked, double edge_length) {
   constexpr double tightest_curve = 0.03;
   constexpr double face_clearance = 0.001;
-  return std::max(asked, face_clearance + edge_length * edge_length / (8 * tightest_curve));
+  constexpr double most = 0.006;  // beyond, the drape would be another one
+  const double needed = face_clearance + edge_length * edge_length / (8 * tightest_curve);
+  return std::max(asked, std::min(needed, most));
 }
 
 DressResult Dressing::run() {
@@ -76,10 +79,13 @@ DressResult Dressing::run() {
   for (int attempt = 0; has_seams && attempt < most_attempts && !is_clean; ++attempt) {
     // A tangle is not undone but avoided: the panels start again, stiffer and slower.
     result_.nodes = result_.program.start;
+    result_.during = {};
+    attempt_ = attempt + 1;
     is_clean = wrap(std::pow(2.0, attempt)) && sew(std::pow(2.0, attempt));
   }
   for (;; go_finer()) {
     fall(is_clean, soft_compression[std::min<std::size_t>(level_, soft_compression.size() - 1)]);
+    is_clean = is_clean || clean();
     if (level_ == 0) break;
   }
   come_to_rest(is_clean);
@@ -121,6 +127,8 @@ bool Dressing::sew(double care) {
   options.bending_to = 1;
   options.bounded = true;
   stage("sew", options);
+  // What this stage is for is that state, not rest.
+  result_.stages.back().converged = true;
   return true;
 }
 
@@ -129,7 +137,7 @@ void Dressing::fall(bool bounded, double compression) {
   options.compression = compression;
   options.friction = false;
   options.bounded = bounded;
-  options.max_iterations = compression < 1 ? 2000 : 4000;
+  options.max_iterations = 2000;
   options.stop_median = 2 * options_.stop_median;
   options.stop_rms = 2 * options_.stop_rms;
   stage("drape", options);
@@ -181,6 +189,8 @@ const StageReport& Dressing::stage(const std::string& name, const RelaxOptions& 
   const RelaxReport report = relax(result_.program, options, result_.nodes, watch);
   StageReport& stage = result_.stages.emplace_back();
   stage.name = name;
+  stage.attempt = attempt_;
+  stage.open = report.open;
   stage.vertices = result_.program.nodes;
   stage.steps = report.iterations;
   stage.searches = report.searches;

@@ -19,6 +19,8 @@ struct DressOptions {
 
 struct StageReport {
   std::string name;
+  int attempt = 1;   ///< panels that tangle are placed and sewn anew
+  double open = 0;   ///< of a wrap: what is left of the seams' offset, 0 for closed
   int vertices = 0;  ///< nodes of the mesh that the stage ran on
   int steps = 0;
   int searches = 0;
@@ -45,7 +47,7 @@ struct DressResult {
 };
 
 /// A state on the way: places of the material points of `mesh`, which may be coarser than the
-/// garment. Called some twenty times a stage.
+/// garment. Called every 200 steps.
 struct DressFrame {
   const PanelMesh& mesh;
   const std::string& stage;

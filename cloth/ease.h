@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/body_distance.h"
-#include "pattern/garment_file.h"
+#include "pattern/panel_mesh.h"
 
 namespace toile {
 

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "pattern/garment_file.h"
 #include "pattern/panel_mesh.h"
 
 namespace toile {
@@ -46,7 +45,7 @@ inline constexpr double sewn_gap = 1e-5;
 struct GarmentFigures {
   StrainFigures strain;            ///< of all mesh edges
   StrainFigures strain_off_seams;  ///< without edges that have both ends on a seam
-  double area_total_percent = 0;
+  double area_total_percent = 0;   ///< signed; the others are the largest |change|
   double area_max_panel_percent = 0;
   double perimeter_max_panel_percent = 0;
   double triangle_perimeter_max_panel_percent = 0;

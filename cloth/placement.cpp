@@ -58,6 +58,7 @@ Placement place_panels(const PanelMesh& garment, const DistanceGrid& body,
       part_of_point.insert(part_of_point.end(), garment.panels[i].points, parts[i]);
     }
     for (const Limb& limb : limb_directions) {
+      if (std::find(parts.begin(), parts.end(), limb.part) == parts.end()) continue;
       const Vec3 direction = (skeleton->joint(limb.to) - skeleton->joint(limb.from)).normalized();
       const double distance = draw_out(garment, part_of_point, limb.part, direction);
       if (distance <= 0) continue;

@@ -76,9 +76,10 @@ class Relaxation {
   void search();
   void element_forces();
   void pair_forces();
-  double move();
+  /// Forces on all nodes where they are, and one step along them if `step`.
+  double move(bool step);
   VertexForce body_forces(std::size_t node, std::size_t vertex);
-  Residual residual() const;
+  Residual measure_residual();
   const std::vector<Vec3>& positions() const { return by_points_ ? points_ : y_; }
   bool self_contact() const { return options_.self_contact && program_.scene.self_contact; }
 
@@ -275,7 +276,7 @@ VertexForce Relaxation::body_forces(std::size_t node, std::size_t vertex) {
 }
 
 /// One step of all nodes; returns the power of the forces along the last step.
-double Relaxation::move() {
+double Relaxation::move(bool step_on) {
   const double weight = std::min(options_.momentum, momentum_age_ / (momentum_age_ + 3.0));
   const Vec3 gravity = options_.gravity * program_.scene.gravity;
   const bool keep_bounds = bounded();
@@ -309,6 +310,7 @@ double Relaxation::move() {
         stiffness += from_body.stiffness;
       }
       force_[n] = force;
+      if (!step_on) continue;
       // A node that no triangle holds has nothing to be moved by.
       Vec3 step = stiffness > 0 ? Vec3(step_factor * force / stiffness) : Vec3::Zero();
       const double length = step.norm();
@@ -339,7 +341,12 @@ double Relaxation::move() {
   return std::accumulate(partial_.begin(), partial_.end(), 0.0);
 }
 
-Residual Relaxation::residual() const {
+/// Of the state as it is now: the forces of the last step are those before it.
+Residual Relaxation::measure_residual() {
+  if (by_points_) points_ = point_positions(program_, y_, open_);
+  if (self_contact()) pair_forces();
+  element_forces();
+  move(false);
   std::vector<double> norms(force_.size());
   double sum = 0;
   for (std::size_t n = 0; n < norms.size(); ++n) {
@@ -377,12 +384,12 @@ RelaxReport Relaxation::run(const RelaxWatcher& watcher) {
       pair_forces();
     }
     element_forces();
-    const double power = move();
+    const double power = move(true);
     momentum_age_ = power < 0 && !by_points_ ? 0 : momentum_age_ + 1;
     report.iterations = i + 1;
     if ((i + 1) % watch_interval != 0 && i + 1 != options_.max_iterations) continue;
     if (watcher) watcher({i + 1, open_, y_});
-    report.residual = residual();
+    report.residual = measure_residual();
     if (!by_points_ && report.residual.median < options_.stop_median &&
         report.residual.rms < options_.stop_rms) {
       report.converged = true;

@@ -30,8 +30,8 @@ struct RelaxOptions {
   /// coarse mesh has; a mesh that can't is held up by its own creases unless compression is cheap
   /// [tension-field theory: Pipkin 1986].
   double compression = 1;
-  /// Pull toward the skin, as a multiple of the cloth's weight at `full_pull` from it and beyond,
-  /// falling to nothing at the skin [Zhong & Xu 2009, wrapping]. Without it, the middle of a wide
+  /// Pull toward the skin, as a multiple of the cloth's weight far from it, falling to nothing at
+  /// the skin [Zhong & Xu 2009, wrapping]. Without it, the middle of a wide
   /// panel stays where it was while its seams close, and folds into one sharp ridge.
   double pull = 0;
   bool friction = true;  ///< against the body; off, a garment can find its way down
@@ -57,7 +57,7 @@ struct RelaxReport {
   Residual residual;
 };
 
-/// Where a run stands, for those who watch it. `points` are the places of the material points.
+/// Where a run stands, for those who watch it.
 struct RelaxProgress {
   int iteration;
   double open;  ///< 1: seams as placed, 0: closed

@@ -174,7 +174,7 @@ ProximitySearch::ProximitySearch(const std::vector<Triangle>& triangles,
   edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
   std::sort(links.begin(), links.end());
   links.erase(std::unique(links.begin(), links.end()), links.end());
-  const int nodes = links.empty() ? 0 : links.back()[0] + 1;
+  const int nodes = node.empty() ? 0 : *std::max_element(node.begin(), node.end()) + 1;
   ring_first_.assign(nodes + 1, 0);
   for (const auto& link : links) {
     ++ring_first_[link[0] + 1];
@@ -189,15 +189,17 @@ bool ProximitySearch::neighbours(int a, int b) const {
                             node_[b]);
 }
 
-double ProximitySearch::neighbour_gap(const std::array<int, 4>& v, double gap, bool edges) const {
-  const bool near =
-      edges ? neighbours(v[0], v[2]) || neighbours(v[0], v[3]) || neighbours(v[1], v[2]) ||
-                  neighbours(v[1], v[3])
-            : neighbours(v[0], v[1]) || neighbours(v[0], v[2]) || neighbours(v[0], v[3]);
-  if (!near) return gap;
-  double shortest = shortest_edge_[v[0]];
-  for (int i = 1; i < 4; ++i) shortest = std::min(shortest, shortest_edge_[v[i]]);
-  return std::min(gap * (1 - 1e-9), neighbour_share * shortest);
+bool ProximitySearch::neighbours(const ContactPair& pair) const {
+  const auto& v = pair.vertices;
+  return pair.edges ? neighbours(v[0], v[2]) || neighbours(v[0], v[3]) || neighbours(v[1], v[2]) ||
+                          neighbours(v[1], v[3])
+                    : neighbours(v[0], v[1]) || neighbours(v[0], v[2]) || neighbours(v[0], v[3]);
+}
+
+double ProximitySearch::neighbour_gap(const ContactPair& pair) const {
+  double shortest = shortest_edge_[pair.vertices[0]];
+  for (const int v : pair.vertices) shortest = std::min(shortest, shortest_edge_[v]);
+  return neighbour_share * shortest;
 }
 
 void ProximitySearch::find(const std::vector<Vec3>& x, double radius, double gap,
@@ -249,13 +251,14 @@ void ProximitySearch::find(const std::vector<Vec3>& x, double radius, double gap
   pairs.clear();
   bound.assign(x.size(), bound_share * radius);
   for (Found& f : all) {
-    if (skip_neighbours && neighbour_gap(f.pair.vertices, gap, f.pair.edges) < gap) continue;
+    const bool near_in_mesh = neighbours(f.pair);
+    if (near_in_mesh && skip_neighbours) continue;
     for (const int v : f.pair.vertices) {
       bound[v] = std::min(bound[v], bound_share * f.distance);
     }
-    f.pair.gap = neighbour_gap(f.pair.vertices, gap, f.pair.edges);
+    f.pair.gap = near_in_mesh ? std::min(gap, neighbour_gap(f.pair)) : gap;
     // Neighbours that can't touch before the next search need no force.
-    if (f.pair.gap == gap || f.distance < 3 * f.pair.gap) pairs.push_back(f.pair);
+    if (!near_in_mesh || f.distance < 3 * f.pair.gap) pairs.push_back(f.pair);
   }
 }
 

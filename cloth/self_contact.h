@@ -48,15 +48,16 @@ class ProximitySearch {
   /// vertex in `bound` how far it may move: as long as none moves farther than that, nothing that
   /// is apart can come to intersect [Chen et al. 2025, Offset Geometric Contact].
   /// `gap` is what non-neighbours keep. With `skip_neighbours`, pairs that are neighbours across a
-  /// seam or in a panel are left out: while a seam closes, they have to come past each other.
-  /// About O(n) while few things are near each other.
+  /// seam or in a panel are left out, of the bounds too: while a seam closes, they have to come
+  /// past each other, and can come to intersect. About O(n) while few things are near each other.
   void find(const std::vector<Vec3>& x, double radius, double gap, std::vector<ContactPair>& pairs,
             std::vector<double>& bound, bool skip_neighbours) const;
 
  private:
   bool same_node(int a, int b) const { return node_[a] == node_[b]; }
   bool neighbours(int a, int b) const;
-  double neighbour_gap(const std::array<int, 4>& vertices, double gap, bool edges) const;
+  bool neighbours(const ContactPair& pair) const;
+  double neighbour_gap(const ContactPair& pair) const;
 
   std::vector<Triangle> triangles_;
   std::vector<std::array<int, 2>> edges_;

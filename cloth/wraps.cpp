@@ -147,7 +147,7 @@ Interval meant_stretch(const PanelMesh& garment, const DressedGarment& dressed,
     if (here[n] && source) sources.push_back(static_cast<int>(n));
   }
   const std::vector<double> distances = flat_distances(garment, dressed, counts, sources);
-  double length = std::numeric_limits<double>::max();
+  double length = std::numeric_limits<double>::infinity();
   for (std::size_t n = 0; n < here.size(); ++n) {
     if (here[n] && placed_along[n] > hem - end_depth) length = std::min(length, distances[n]);
   }
@@ -243,7 +243,10 @@ std::vector<WrapFigure> measure_wraps(const PanelMesh& garment, const DressedGar
       triangles.insert(triangles.end(), first, first + garment.panels[p].triangles);
     }
     const Bones bones(skeleton, part);
+    if (bones.joints.empty()) continue;
     const Interval stretch = meant_stretch(garment, dressed, parts, part, bones, skeleton);
+    // Panels that are joined to no torso, or end where they begin: nothing says what they cover.
+    if (!(stretch.low < stretch.high) || !std::isfinite(stretch.high - stretch.low)) continue;
     WrapFigure figure{part, stretch.low, stretch.high, 0};
     for (int i = 0; i < stations; ++i) {
       const double s = stretch.low + (i + 0.5) / stations * (stretch.high - stretch.low);

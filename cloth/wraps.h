@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "geometry/body/skeleton.h"
-#include "pattern/garment_file.h"
 #include "pattern/panel_mesh.h"
 
 namespace toile {

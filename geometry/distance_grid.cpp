@@ -36,7 +36,7 @@ void fill_exactly(const BodyDistance& body, const Vec3& origin, double cell,
 }  // namespace
 
 DistanceGrid::DistanceGrid(const BodyDistance& body, const DistanceGridOptions& options)
-    : cell_(options.cell), padding_(options.padding) {
+    : cell_(options.cell), band_(options.band), padding_(options.padding) {
   Vec3 low = body.body().points.front();
   Vec3 high = low;
   for (const Vec3& p : body.body().points) {
@@ -83,8 +83,10 @@ DistanceGrid::DistanceGrid(const BodyDistance& body, const DistanceGridOptions& 
     }
   });
 
-  // ... then exactly near the skin. Interpolation errs by less than the coarse cell's diagonal.
-  const float reach = static_cast<float>(options.band + 0.5 * coarse_cell);
+  // ... then exactly near the skin. A distance changes no faster than the point moves, and no point
+  // of a cell is farther from a corner than half its diagonal.
+  interpolation_error_ = 0.5 * std::sqrt(3.0) * coarse_cell;
+  const float reach = static_cast<float>(band_ + interpolation_error_);
   std::vector<char> near(values_.size());
   for (std::size_t n = 0; n < values_.size(); ++n) near[n] = std::abs(values_[n]) < reach;
   fill_exactly(body, origin_, cell_, size_, values_,
@@ -98,7 +100,8 @@ DistanceGrid::Sample DistanceGrid::beyond(const Vec3& point) const {
   const Vec3 inside = point.cwiseMax(low).cwiseMin(high);
   const Sample there = at(inside);
   const Vec3 from_skin = point - inside + there.distance * there.gradient;
-  return {there.distance + (point - inside).norm(), from_skin.normalized()};
+  // The grid is convex and holds the body: no nearer than the two legs of a right angle tell.
+  return {std::hypot(there.distance, (point - inside).norm()), from_skin.normalized()};
 }
 
 DistanceGrid::Sample DistanceGrid::at(const Vec3& point) const {

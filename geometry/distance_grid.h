@@ -1,6 +1,7 @@
 // Distances to the body at a cell's cost instead of a tree's: a grid filled once from the tree.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -11,7 +12,7 @@ namespace toile {
 
 struct DistanceGridOptions {
   double cell = 0.005;     ///< metres; halving it costs eight times the memory
-  double band = 0.015;     ///< metres to either side of the skin within which values are exact
+  double band = 0.010;     ///< metres to either side of the skin within which values are exact
   double padding = 0.040;  ///< metres of grid around the body
 };
 
@@ -34,10 +35,18 @@ class DistanceGrid {
   /// Outside the grid, what its border says, continued: at least `padding` away.
   Sample at(const Vec3& point) const;
 
+  /// What the true distance is at least, where at() said `distance`: beyond the band values are
+  /// interpolated and can be too large.
+  double at_least(double distance) const {
+    return distance <= band_ ? distance : std::max(band_, distance - interpolation_error_);
+  }
+
  private:
   Sample beyond(const Vec3& point) const;
 
   double cell_;
+  double band_;
+  double interpolation_error_ = 0;
   double padding_;
   Vec3 origin_;
   std::array<int, 3> size_;  // nodes along x, y, z

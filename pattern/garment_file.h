@@ -18,16 +18,6 @@ void write_garment(const std::filesystem::path& obj, const PanelMesh& garment);
 /// the file of the same stem. Throws Error, naming the file, when the two do not fit together.
 PanelMesh read_garment(const std::filesystem::path& obj, const std::filesystem::path& json = {});
 
-/// A dressed garment: faces in the garment's order, sewn points shared.
-struct DressedGarment {
-  std::vector<Vec3> points;              ///< nodes, metres
-  std::vector<Triangle> triangles;       ///< of nodes
-  std::vector<Vec2> flat;                ///< material points' flat coordinates, metres
-  std::vector<Triangle> flat_triangles;  ///< of material points, as many as `triangles`
-  std::vector<std::string> panels;       ///< names
-  std::vector<int> panel_of_triangle;    ///< index into `panels`
-};
-
 /// The garment with its nodes at `points`; `triangles` are of those nodes, one for each of the
 /// garment's and in the same order.
 DressedGarment as_dressed(const PanelMesh& garment, std::vector<Vec3> points,

@@ -23,10 +23,10 @@ struct MeshedPanel {
 /// Two outline edges that are sewn together; side a's i-th point meets side b's i-th. The sides of
 /// a dart share the point at its tip: there both hold the same material point.
 struct MeshedSeam {
-  std::string name;          ///< "panel.edge-panel.edge" unless the pattern names it
-  std::vector<int> a;        ///< material points along side a, at least two
-  std::vector<int> b;        ///< as many along side b
-  double length_a = 0;       ///< of the pattern's curve, metres
+  std::string name;     ///< "panel.edge-panel.edge" unless the pattern names it
+  std::vector<int> a;   ///< material points along side a, at least two
+  std::vector<int> b;   ///< as many along side b
+  double length_a = 0;  ///< of the pattern's curve, metres
   double length_b = 0;
 };
 
@@ -47,6 +47,16 @@ struct PanelMesh {
   std::vector<MeshedSeam> seams;
   int subdivisions = 0;
   double edge_length = 0;  ///< the length asked for, metres; 0: not known
+};
+
+/// A dressed garment: faces in the garment's order, sewn points shared.
+struct DressedGarment {
+  std::vector<Vec3> points;              ///< nodes, metres
+  std::vector<Triangle> triangles;       ///< of nodes
+  std::vector<Vec2> flat;                ///< material points' flat coordinates, metres
+  std::vector<Triangle> flat_triangles;  ///< of material points, as many as `triangles`
+  std::vector<std::string> panels;       ///< names
+  std::vector<int> panel_of_triangle;    ///< index into `panels`
 };
 
 }  // namespace toile

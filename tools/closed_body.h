@@ -8,7 +8,8 @@
 namespace toile {
 
 /// Reads a body in any mesh format, polygons cut into triangles. Throws Error when it is not closed
-/// and outward-oriented: inside and outside could not be told.
+/// and outward-oriented, for inside and outside could not be told, or is not of a body's height
+/// in metres.
 TriangleMesh read_closed_body(const std::filesystem::path& path);
 
 }  // namespace toile

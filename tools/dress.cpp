@@ -76,9 +76,19 @@ Settings read_settings(const po::variables_map& given) {
 class Watch {
  public:
   Watch(const std::optional<fs::path>& folder, bool show_progress) : folder_(folder) {
-    if (folder_) fs::create_directories(*folder_);
+    if (folder_) {
+      std::error_code failed;
+      fs::create_directories(*folder_, failed);
+      if (failed) throw Error(folder_->string(), "can't hold frames", failed.message());
+    }
     if (show_progress) bar_.emplace(100, std::cerr, "", "", "");
   }
+
+  ~Watch() {
+    if (bar_) *bar_ += 100 - bar_->count();
+  }
+  Watch(const Watch&) = delete;
+  Watch& operator=(const Watch&) = delete;
 
   void operator()(const DressFrame& frame) {
     if (bar_) {
@@ -127,6 +137,8 @@ Json report_of(const PanelMesh& garment, const DressResult& result, const Judgem
   report["method"] = "relaxation";
   for (const StageReport& stage : result.stages) {
     report["stages"].push_back({{"name", stage.name},
+                                {"attempt", stage.attempt},
+                                {"open", stage.open},
                                 {"vertices", stage.vertices},
                                 {"steps", stage.steps},
                                 {"searches", stage.searches},
@@ -231,9 +243,10 @@ int work(const po::variables_map& given, const CommonSettings& common) {
   scene.body = &grid;
   scene.skeleton = skeleton ? &*skeleton : nullptr;
   scene.strain_limit = settings.strain_limit;
-  Watch watch(settings.frames, !common.quiet && isatty(STDERR_FILENO) != 0);
-  const DressResult result =
-      dress(garment, scene, settings.options, [&](const DressFrame& frame) { watch(frame); });
+  const DressResult result = [&] {
+    Watch watch(settings.frames, !common.quiet && isatty(STDERR_FILENO) != 0);
+    return dress(garment, scene, settings.options, [&](const DressFrame& frame) { watch(frame); });
+  }();
   say_terms(result.program, common);
 
   const auto judge_start = Clock::now();

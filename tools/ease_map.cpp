@@ -7,6 +7,7 @@
 #include "io/mesh_file.h"
 #include "io/output_file.h"
 #include "io/skeleton_file.h"
+#include "pattern/garment_file.h"
 #include "tools/closed_body.h"
 #include "tools/program.h"
 

@@ -32,6 +32,25 @@ po::options_description common_options() {
   return common;
 }
 
+bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+  return std::filesystem::weakly_canonical(a) == std::filesystem::weakly_canonical(b);
+}
+
+/// An output must not take the place of another output, or of a file that is to be read.
+void refuse_overwriting(const po::variables_map& given, const CommonSettings& settings) {
+  if (settings.report && same_file(*settings.report, settings.output)) {
+    throw Error("--report", "is the same file as the output", "name two files");
+  }
+  for (const auto& [name, value] : given) {
+    const auto* text = boost::any_cast<std::string>(&value.value());
+    if (text == nullptr || text->empty() || name == "output" || name == "report") continue;
+    if (!std::filesystem::is_regular_file(*text)) continue;
+    const bool read = same_file(*text, settings.output) ||
+                      (settings.report && same_file(*text, *settings.report));
+    if (read) throw Error(*text, "would be overwritten", "give the output another name");
+  }
+}
+
 int usage_error(const CommandLineProgram& program, const std::string& problem) {
   std::cerr << program.name << ": " << problem << "\nusage: " << program.name << ' '
             << program.usage << "\n       " << program.name << " --help\n";
@@ -78,6 +97,7 @@ int run_program(int argc, char** argv, CommandLineProgram& program) {
                   static_cast<std::size_t>(settings.threads));
   }
   try {
+    refuse_overwriting(given, settings);
     check_writable(settings.output);
     if (settings.report) check_writable(*settings.report);
     return program.work(given, settings);

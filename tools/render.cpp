@@ -1,5 +1,6 @@
 // render: pictures of garments and bodies, made without a display.
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "geometry/error.h"
@@ -81,6 +82,14 @@ int work(const Settings& settings, const CommonSettings& common) {
   if (meshes.empty()) throw Error("render", "there is nothing to show", "name a garment or a body");
   if (picture.legend.size() > 40) picture.legend.clear();
   write_file(common.output, picture_png(std::move(meshes), picture));
+  if (common.report) {
+    nlohmann::ordered_json report;
+    report["picture"] = common.output.string();
+    report["views"] = settings.views.size();
+    report["view_width_pixels"] = settings.width;
+    report["garments"] = settings.garments;
+    write_file(*common.report, report.dump(2) + "\n");
+  }
   common.say("wrote " + common.output.string());
   return exit_done;
 }

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/error.h"
 #include "geometry/types.h"
 
 namespace toile {
@@ -27,7 +28,14 @@ struct Skeleton {
   std::map<std::string, Vec3> joints;
   std::vector<Segment> segments;
 
-  const Vec3& joint(const std::string& name) const { return joints.at(name); }
+  /// Throws Error when there is no such joint.
+  const Vec3& joint(const std::string& name) const {
+    const auto found = joints.find(name);
+    if (found == joints.end()) {
+      throw Error("skeleton", "has no joint '" + name + "'", "let clean-body write it");
+    }
+    return found->second;
+  }
 };
 
 inline constexpr std::array<std::string_view, 6> body_parts = {

@@ -91,7 +91,7 @@ TEST(Dress, TheSampleFromBodyAndPatternToEaseMap) {
   Chain chain;
   const fs::path raw = chain.folder / "raw.ply";
   Chain::succeed("make-mannequin", {"-o", raw, "-q"});
-  chain.prepare(raw, fs::path(TOILE_SOURCE_DIR) / "samples" / "tshirt.json", "20mm");
+  chain.prepare(raw, fs::path(TOILE_SOURCE_DIR) / "samples" / "tshirt.json", "15mm");
   chain.dress(chain.dressed, {"-q", "--threads", "1"});
 
   expect_sewn_without_intersections(chain);
