@@ -81,7 +81,7 @@ class Relaxation {
   VertexForce body_forces(std::size_t node, std::size_t vertex);
   Residual measure_residual();
   const std::vector<Vec3>& positions() const { return by_points_ ? points_ : y_; }
-  bool self_contact() const { return options_.self_contact && program_.scene.self_contact; }
+  bool self_contact() const { return program_.scene.self_contact; }
 
   const Program& program_;
   const RelaxOptions& options_;

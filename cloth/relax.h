@@ -35,7 +35,6 @@ struct RelaxOptions {
   /// panel stays where it was while its seams close, and folds into one sharp ridge.
   double pull = 0;
   bool friction = true;  ///< against the body; off, a garment can find its way down
-  bool self_contact = true;
   /// Keeps every node within its bound of the last search, so that what is apart stays apart.
   /// To be used from a state without intersections; a tangle would be locked in.
   bool bounded = false;

@@ -130,6 +130,8 @@ Json report_of(const PanelMesh& garment, const DressResult& result, const Judgem
   }
   report["scene"]["fabric"] = result.program.scene.fabric.name;
   report["scene"]["body_offset_mm"] = 1000 * result.body_offset;
+  report["scene"]["points_inside_at_start"] = result.placement.points_inside;
+  report["scene"]["seam_pairs_inside_at_start"] = result.placement.seams_inside;
   report["scene"]["lift_mm"] = 1000 * result.placement.lift;
   for (const auto& [part, distance] : result.placement.drawn_out) {
     report["scene"]["drawn_out_mm"][part] = 1000 * distance;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/mesh_polygon.h"
@@ -81,26 +82,20 @@ inline MeshedSeam seam(const std::string& name, std::vector<int> a, std::vector<
 /// node where `sew` is true.
 inline DressedGarment as_dressed(const PanelMesh& garment, const std::vector<Vec3>& points,
                                  bool sew = true) {
-  DressedGarment dressed;
   std::vector<int> node = samples::sewn_nodes(garment);
   for (std::size_t p = 0; !sew && p < node.size(); ++p) node[p] = static_cast<int>(p);
   std::vector<int> index(points.size(), -1);
+  std::vector<Vec3> nodes;
   for (std::size_t p = 0; p < points.size(); ++p) {
     if (node[p] != static_cast<int>(p)) continue;
-    index[p] = static_cast<int>(dressed.points.size());
-    dressed.points.push_back(points[p]);
+    index[p] = static_cast<int>(nodes.size());
+    nodes.push_back(points[p]);
   }
+  std::vector<Triangle> triangles;
   for (const Triangle& t : garment.triangles) {
-    dressed.triangles.push_back({index[node[t[0]]], index[node[t[1]]], index[node[t[2]]]});
+    triangles.push_back({index[node[t[0]]], index[node[t[1]]], index[node[t[2]]]});
   }
-  dressed.flat = garment.flat;
-  dressed.flat_triangles = garment.triangles;
-  for (const MeshedPanel& panel : garment.panels) {
-    dressed.panel_of_triangle.insert(dressed.panel_of_triangle.end(), panel.triangles,
-                                     static_cast<int>(dressed.panels.size()));
-    dressed.panels.push_back(panel.name);
-  }
-  return dressed;
+  return toile::as_dressed(garment, std::move(nodes), std::move(triangles));
 }
 
 }  // namespace toile::test
