@@ -57,6 +57,7 @@ class Dressing {
   std::vector<PanelMesh> meshes_;  // finest first
   int level_ = 0;
   int attempt_ = 1;
+  Program program_;  // of the mesh in hand
   DressResult result_;
 };
 
@@ -78,7 +79,7 @@ DressResult Dressing::run() {
   bool is_clean = !has_seams && clean();
   for (int attempt = 0; has_seams && attempt < most_attempts && !is_clean; ++attempt) {
     // A tangle is not undone but avoided: the panels start again, stiffer and slower.
-    result_.nodes = result_.program.start;
+    result_.nodes = program_.start;
     result_.during = {};
     attempt_ = attempt + 1;
     is_clean = wrap(std::pow(2.0, attempt)) && sew(std::pow(2.0, attempt));
@@ -89,6 +90,8 @@ DressResult Dressing::run() {
     if (level_ == 0) break;
   }
   come_to_rest(is_clean);
+  result_.terms = term_counts(program_);
+  result_.triangles = program_.node_triangles;
   return std::move(result_);
 }
 
@@ -157,11 +160,11 @@ void Dressing::come_to_rest(bool bounded) {
 void Dressing::position() {
   const auto start = std::chrono::steady_clock::now();
   result_.placement = place_panels(mesh(), *scene_.body, scene_.skeleton);
-  result_.program = compile(mesh(), scene_, result_.placement.placed);
-  result_.nodes = result_.program.start;
+  program_ = compile(mesh(), scene_, result_.placement.placed);
+  result_.nodes = program_.start;
   StageReport report;
   report.name = "position";
-  report.vertices = result_.program.nodes;
+  report.vertices = program_.nodes;
   report.converged = result_.placement.points_inside == 0;
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   result_.stages.push_back(report);
@@ -179,19 +182,19 @@ const StageReport& Dressing::stage(const std::string& name, const RelaxOptions& 
   const std::vector<double> perimeters = panel_perimeters(mesh());
   int calls = 0;
   const auto watch = [&](const RelaxProgress& at) {
-    const std::vector<Vec3> points = point_positions(result_.program, at.nodes, at.open);
+    const std::vector<Vec3> points = point_positions(program_, at.nodes, at.open);
     const double area = largest_change_percent(areas, panel_areas(mesh(), points));
     const double perimeter = largest_change_percent(perimeters, panel_perimeters(mesh(), points));
     result_.during.area_percent = std::max(result_.during.area_percent, area);
     result_.during.perimeter_percent = std::max(result_.during.perimeter_percent, perimeter);
     if (watcher_ && calls++ % 4 == 0) watcher_({mesh(), name, points, progress(at, options)});
   };
-  const RelaxReport report = relax(result_.program, options, result_.nodes, watch);
+  const RelaxReport report = relax(program_, options, result_.nodes, watch);
   StageReport& stage = result_.stages.emplace_back();
   stage.name = name;
   stage.attempt = attempt_;
   stage.open = report.open;
-  stage.vertices = result_.program.nodes;
+  stage.vertices = program_.nodes;
   stage.steps = report.iterations;
   stage.searches = report.searches;
   stage.seconds = report.seconds;
@@ -211,14 +214,14 @@ void Dressing::go_finer() {
   const PanelMesh& coarse = mesh();
   const PanelMesh& fine = meshes_[level_ - 1];
   Program program = compile(fine, scene_, fine.placed);
-  result_.nodes = refine_positions(coarse, result_.program.node_of_point, result_.nodes, fine,
+  result_.nodes = refine_positions(coarse, program_.node_of_point, result_.nodes, fine,
                                    program.node_of_point, program.nodes);
-  result_.program = std::move(program);
+  program_ = std::move(program);
   --level_;
 }
 
 bool Dressing::clean() const {
-  return self_intersections({result_.nodes, result_.program.node_triangles}).empty();
+  return self_intersections({result_.nodes, program_.node_triangles}).empty();
 }
 
 }  // namespace

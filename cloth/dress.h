@@ -36,8 +36,9 @@ struct DuringDressing {
 };
 
 struct DressResult {
-  Program program;          ///< as compiled for the garment's own mesh
-  std::vector<Vec3> nodes;  ///< metres, per node
+  std::vector<std::pair<std::string, int>> terms;  ///< what was compiled, by term
+  std::vector<Vec3> nodes;                         ///< metres; sewn points share one
+  std::vector<Triangle> triangles;                 ///< of nodes, in the garment's order
   Placement placement;
   double body_offset = 0;  ///< metres kept from the skin: the scene's, more for edges above 15 mm
   std::vector<StageReport> stages;

@@ -116,19 +116,19 @@ Json residual_json(const Residual& residual) {
   return {{"median", residual.median}, {"rms", residual.rms}, {"max", residual.max}};
 }
 
-Json report_of(const PanelMesh& garment, const DressResult& result, const Judgement& judgement,
-               double seconds) {
+Json report_of(const PanelMesh& garment, const std::string& fabric, const DressResult& result,
+               const Judgement& judgement, double seconds) {
   const GarmentFigures& figures = judgement.garment;
   Json report;
-  report["garment"] = {{"vertices", result.program.nodes},
+  report["garment"] = {{"vertices", result.nodes.size()},
                        {"material_points", garment.flat.size()},
                        {"triangles", garment.triangles.size()},
                        {"panels", garment.panels.size()},
                        {"seams", garment.seams.size()}};
-  for (const auto& [term, count] : term_counts(result.program)) {
+  for (const auto& [term, count] : result.terms) {
     report["scene"]["terms"][term] = count;
   }
-  report["scene"]["fabric"] = result.program.scene.fabric.name;
+  report["scene"]["fabric"] = fabric;
   report["scene"]["body_offset_mm"] = 1000 * result.body_offset;
   report["scene"]["points_inside_at_start"] = result.placement.points_inside;
   report["scene"]["seam_pairs_inside_at_start"] = result.placement.seams_inside;
@@ -179,9 +179,9 @@ Json report_of(const PanelMesh& garment, const DressResult& result, const Judgem
   return report;
 }
 
-void say_terms(const Program& program, const CommonSettings& common) {
+void say_terms(const DressResult& result, const CommonSettings& common) {
   std::string line = "terms:";
-  for (const auto& [term, count] : term_counts(program)) {
+  for (const auto& [term, count] : result.terms) {
     line += " " + term + " " + std::to_string(count) + ",";
   }
   line.back() = '.';
@@ -249,14 +249,14 @@ int work(const po::variables_map& given, const CommonSettings& common) {
     Watch watch(settings.frames, !common.quiet && isatty(STDERR_FILENO) != 0);
     return dress(garment, scene, settings.options, [&](const DressFrame& frame) { watch(frame); });
   }();
-  say_terms(result.program, common);
+  say_terms(result, common);
 
   const auto judge_start = Clock::now();
-  write_dressed(common.output, as_dressed(garment, result.nodes, result.program.node_triangles));
+  write_dressed(common.output, as_dressed(garment, result.nodes, result.triangles));
   // Judged as anybody will read it, not as it is in memory.
   const Judgement judgement = judge(garment, read_dressed(common.output), body,
                                     skeleton ? &*skeleton : nullptr, result.converged);
-  Json report = report_of(garment, result, judgement, seconds_since(start));
+  Json report = report_of(garment, settings.fabric.name, result, judgement, seconds_since(start));
   report["other_seconds"] = {{"read", read_seconds},
                              {"body_grid", grid_seconds},
                              {"write_and_judge", seconds_since(judge_start)}};
