@@ -1,0 +1,54 @@
+// What springs do to the nodes between them, and how long a step may be.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "cloth/springs/spring.h"
+#include "geometry/types.h"
+
+namespace toile {
+
+/// Throws Error for a spring whose ends are not two nodes in [0, nodes), or whose rest length is
+/// not above 0.
+void check_springs(std::span<const Spring> springs, int nodes);
+
+/// The springs laid out by node: one evaluation is one pass over flat memory.
+class SpringForces {
+ public:
+  /// Copies the springs. Throws as check_springs().
+  SpringForces(std::span<const Spring> springs, int nodes);
+
+  /// Adds each spring's pull, N, to the forces on its ends: along the axis d from one end to the
+  /// other, (stiffness·(|d| - rest) + damping·d|d|/dt) d/|d|. Equal and opposite to the last bit at
+  /// the two ends; ends on one place get nothing. `x` in metres, `v` in m/s, one entry a node.
+  /// The same bits for any number of threads.
+  void add(std::span<const Vec3> x, std::span<const Vec3> v, std::span<Vec3> force) const;
+
+ private:
+  struct Half {  ///< a spring as one of its ends sees it
+    int other;
+    double rest;
+    double stiffness;
+    double damping;
+  };
+  std::vector<int> first_;  ///< nodes + 1: node n's are halves_[first_[n]] .. [first_[n + 1] - 1]
+  std::vector<Half> halves_;
+};
+
+/// Energy held by the springs, J: the forces without damping are minus its gradient.
+double spring_energy(std::span<const Spring> springs, std::span<const Vec3> x);
+
+/// A step, s, below which symplectic Euler (velocities from the forces at the present positions and
+/// velocities, then positions from the new velocities) is stable, whatever the shape: every mode
+/// with ω² from the springs' stiffness and rate γ from their damping, and from a drag that slows
+/// every node by `drag_rate` (1/s), needs ω²dt² + 2γdt < 4. The modes are bounded by the sum over
+/// a spring's two ends of (stiffness of all springs there)/mass, the largest over the springs
+/// [Gershgorin's discs on the springs' own matrix; for graphs Anderson & Morley 1985]: exact for a
+/// long chain of equal masses, some tenths too short for a sheet. `inverse_mass` in 1/kg, 0 where
+/// held. Infinite without springs and drag. Damping of springs much shorter than at rest is no
+/// more than at rest; compressed springs can still buckle, which no step prevents.
+double stable_step(std::span<const Spring> springs, std::span<const double> inverse_mass,
+                   double drag_rate = 0);
+
+}  // namespace toile

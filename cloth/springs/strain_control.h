@@ -1,0 +1,104 @@
+// Keeps springs from stretching, and being crushed, beyond a limit: by changing velocities before
+// the positions move, or positions after they moved.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "cloth/springs/spring.h"
+#include "geometry/types.h"
+
+namespace toile {
+
+enum class StrainScheme { none, velocity, position };
+
+/// How the corrections of one pass add up where springs share a node. A spring beyond the limit
+/// asks its ends for a correction, shared by their inverse masses, that alone would bring it to
+/// the limit. All but `node_average` conserve momentum.
+enum class StrainSweep {
+  summed,        ///< Jacobi: all corrections added; overshoots, and can grow, where many meet
+  shared,        ///< Jacobi: each divided by the number of springs beyond at its busier end
+  node_average,  ///< Jacobi: a node takes the mean of what its springs ask; loses momentum
+  in_order,      ///< Gauss–Seidel: each spring sees what those before it did; one thread
+};
+
+struct StrainControlOptions {
+  double limit = 0.01;  ///< |length/rest - 1|, at least 0
+  bool compression = true;
+  int passes = 3;  ///< at most
+  StrainSweep sweep = StrainSweep::shared;
+  /// The result is the mean of what was reached after each pass: "the average of the three
+  /// iterations of velocity adjustments" [Zhong & Xu 2009, Strain Control and Size Stability].
+  bool mean_of_passes = true;
+  /// Strain over the limit at which in_order stops before its passes are used up.
+  double tolerance = 0;
+  bool measure_after = true;  ///< fill StrainReport::after; costs a look at every spring
+};
+
+/// Provot's adjustment: one sweep over the springs in order, elongation only, limit 10 %
+/// [Provot 1995, Deformation Constraints in a Mass-Spring Model to Describe Rigid Cloth Behavior].
+StrainControlOptions provot_options();
+
+struct StrainReport {
+  double before = 0;  ///< largest |length/rest - 1|; without compression, of the elongated
+  double after = 0;   ///< the same once adjusted; -1 where it was not measured
+  int over = 0;       ///< springs beyond the limit before
+  int passes = 0;     ///< that found a spring beyond the limit
+};
+
+/// Limits the springs given to it: in a garment the structural and shear springs, not those that
+/// bend, for cloth that can't shorten across a fold can't fold. Keeps scratch memory: one object
+/// serves one caller at a time. The same bits for any number of threads. A call in which no spring
+/// is beyond the limit looks at each spring once and changes nothing.
+class StrainControl {
+ public:
+  /// Copies the springs' ends and rest lengths; their stiffness plays no part. Throws as
+  /// check_springs().
+  StrainControl(std::span<const Spring> springs, int nodes);
+
+  /// Changes the velocities `v` (m/s) so that the lengths predicted at x + dt·v come within the
+  /// limit, as far as the passes go. Corrections act along the predicted direction, so a single
+  /// spring is exact after one pass. `inverse_mass` in 1/kg, 0 where held; springs between two held
+  /// nodes, or with both ends predicted on one place, are left.
+  StrainReport adjust_velocities(std::span<const Vec3> x, std::span<const double> inverse_mass,
+                                 double dt, const StrainControlOptions& options, std::span<Vec3> v);
+
+  /// The same on positions that have moved already; velocities stay as they are.
+  StrainReport adjust_positions(std::span<const double> inverse_mass,
+                                const StrainControlOptions& options, std::span<Vec3> x);
+
+ private:
+  struct Limited {
+    int a;
+    int b;
+    double rest;
+    double inverse_square;  ///< of rest
+  };
+  struct Seen {  ///< by one look at the springs, or at a chunk of them
+    double largest = 0;
+    int over = 0;
+  };
+
+  StrainReport adjust(std::span<const double> inverse_mass, const StrainControlOptions& options,
+                      double scale, std::span<Vec3> out);
+  Seen look(const StrainControlOptions& options);
+  Seen request(std::span<const double> inverse_mass, const StrainControlOptions& options);
+  void count_requests();
+  void apply(std::span<const double> inverse_mass, StrainSweep sweep, double scale,
+             std::span<Vec3> out);
+  void sweep_in_order(std::span<const double> inverse_mass, const StrainControlOptions& options,
+                      double scale, std::span<Vec3> out);
+  Seen sum_of_chunks() const;
+
+  std::vector<Limited> springs_;
+  std::vector<int> first_;     ///< nodes + 1: node n's are ends_[first_[n]] .. [first_[n + 1] - 1]
+  std::vector<int> ends_;      ///< 2·spring, + 1 at its end b
+  std::vector<Vec3> reached_;  ///< per node: predicted, and adjusted so far
+  std::vector<Vec3> pulls_;    ///< per spring beyond the limit: kg·m toward b on a
+  std::vector<unsigned char> over_;     ///< per spring
+  std::vector<unsigned char> touched_;  ///< per node: one of its springs is beyond the limit
+  std::vector<int> requests_;           ///< per touched node: its springs beyond the limit
+  std::vector<Seen> seen_;              ///< per chunk
+};
+
+}  // namespace toile
