@@ -8,7 +8,7 @@
 namespace toile {
 
 /// Enough work for a task to be worth its start, few enough for two cores to share a garment.
-inline constexpr int spring_chunk = 2048;
+inline constexpr int spring_chunk = 512;
 
 inline int chunks_of(int items) { return (items + spring_chunk - 1) / spring_chunk; }
 
