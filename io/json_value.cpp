@@ -30,6 +30,7 @@ void JsonValue::fail(const std::string& problem, const std::string& remedy) cons
 bool JsonValue::is_object() const { return json_->is_object(); }
 bool JsonValue::is_array() const { return json_->is_array(); }
 bool JsonValue::is_text() const { return json_->is_string(); }
+bool JsonValue::is_flag() const { return json_->is_boolean(); }
 
 std::vector<std::string> JsonValue::keys() const {
   if (!is_object()) fail("is not an object");

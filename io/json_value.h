@@ -25,6 +25,7 @@ class JsonValue {
   bool is_object() const;
   bool is_array() const;
   bool is_text() const;
+  bool is_flag() const;  ///< true or false
 
   /// Of an object: its keys in the file's order, the value of one, or nothing.
   std::vector<std::string> keys() const;

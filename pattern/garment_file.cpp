@@ -9,6 +9,7 @@
 #include "io/obj.h"
 #include "io/output_file.h"
 #include "pattern/nesting.h"
+#include "pattern/placement_json.h"
 
 namespace toile {
 
@@ -32,14 +33,15 @@ std::string garment_json(const PanelMesh& garment) {
       ", \"subdivisions\": " + std::to_string(garment.subdivisions) + ",\n\"panels\": [";
   const char* separator = "\n";
   for (const MeshedPanel& panel : garment.panels) {
-    const Json json = {{"name", panel.name},
-                       {"part", panel.part},
-                       {"fabric", panel.fabric},
-                       {"grain", panel.grain},
-                       {"first_point", panel.first_point},
-                       {"points", panel.points},
-                       {"first_triangle", panel.first_triangle},
-                       {"triangles", panel.triangles}};
+    Json json = {{"name", panel.name},
+                 {"part", panel.part},
+                 {"fabric", panel.fabric},
+                 {"grain", panel.grain},
+                 {"first_point", panel.first_point},
+                 {"points", panel.points},
+                 {"first_triangle", panel.first_triangle},
+                 {"triangles", panel.triangles}};
+    if (panel.placement.by_part()) json["placement"] = placement_json(panel.placement);
     text += separator;
     text += json.dump();
     separator = ",\n";
@@ -72,14 +74,18 @@ double number_or(const JsonValue& value, const char* key, double otherwise) {
 }
 
 MeshedPanel panel_of(const JsonValue& value) {
-  return {value.get("name").text(),
-          text_or(value, "part", ""),
-          text_or(value, "fabric", ""),
-          number_or(value, "grain", 0),
-          count_of(value.get("first_point")),
-          count_of(value.get("points")),
-          count_of(value.get("first_triangle")),
-          count_of(value.get("triangles"))};
+  MeshedPanel panel{value.get("name").text(),
+                    text_or(value, "part", ""),
+                    text_or(value, "fabric", ""),
+                    number_or(value, "grain", 0),
+                    count_of(value.get("first_point")),
+                    count_of(value.get("points")),
+                    count_of(value.get("first_triangle")),
+                    count_of(value.get("triangles"))};
+  if (const auto placement = value.find("placement")) {
+    panel.placement = read_placement(*placement, panel.part, 1);
+  }
+  return panel;
 }
 
 MeshedSeam seam_of(const JsonValue& value, std::size_t points) {

@@ -11,7 +11,7 @@ namespace toile {
 
 /// garment.obj: one group a panel, v the placed points, vt the flat coordinates in metres (one for
 /// each v, in the same order), l the seam pairs. garment.json of the same stem: panels with their
-/// ranges, grain, fabric and part; seams with their pairs and lengths; subdivisions.
+/// ranges, grain, fabric, part and placement; seams with their pairs and lengths; subdivisions.
 void write_garment(const std::filesystem::path& obj, const PanelMesh& garment);
 
 /// Reads what write_garment wrote, also after another program has moved the points. `json` empty:

@@ -257,6 +257,7 @@ PanelMesh assemble(const Pattern& pattern, const Orientation& orientation,
     meshed.name = panel.name;
     meshed.part = panel.part;
     meshed.fabric = panel.fabric;
+    meshed.placement = orientation.mirrored[p] ? mirrored(panel.placement) : panel.placement;
     meshed.grain = orientation.mirrored[p] ? -panel.grain : panel.grain;
     meshed.first_point = static_cast<int>(garment.flat.size());
     meshed.points = static_cast<int>(mesh.points.size());

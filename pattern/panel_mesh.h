@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/types.h"
+#include "pattern/panel_placement.h"
 
 namespace toile {
 
@@ -18,6 +19,7 @@ struct MeshedPanel {
   int points = 0;
   int first_triangle = 0;
   int triangles = 0;
+  PanelPlacement placement{};  ///< how the skeleton positions it; by default it does not
 };
 
 /// Two outline edges that are sewn together; side a's i-th point meets side b's i-th. The sides of
@@ -41,7 +43,8 @@ struct MeshedSeam {
 /// a coarser level come before those of a finer one. n = 0 says that nothing is known of nesting.
 struct PanelMesh {
   std::vector<Vec2> flat;    ///< metres, per material point
-  std::vector<Vec3> placed;  ///< metres, per material point, where the pattern puts it in space
+  std::vector<Vec3> placed;  ///< metres, per material point, where the pattern puts it in space; of
+                             ///< panels that the skeleton positions, beside a schematic figure
   std::vector<Triangle> triangles;  ///< of material points, counter-clockwise in flat coordinates
   std::vector<MeshedPanel> panels;  ///< in order of their ranges
   std::vector<MeshedSeam> seams;

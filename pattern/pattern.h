@@ -7,6 +7,7 @@
 
 #include "geometry/types.h"
 #include "pattern/edge_curve.h"
+#include "pattern/panel_placement.h"
 
 namespace toile {
 
@@ -39,6 +40,7 @@ struct PatternPanel {
   std::vector<OutlineStep> outline;                        ///< one closed loop through all edges
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< drawing (x, y, 0) to space
   Vec3 translation = Vec3::Zero();
+  PanelPlacement placement{};  ///< how the skeleton positions it; by default it does not
 
   Vec3 place(const Vec2& drawn) const {
     return rotation * Vec3(drawn.x(), drawn.y(), 0) + translation;

@@ -7,10 +7,11 @@
 #include <numbers>
 #include <optional>
 
-#include "geometry/body/skeleton.h"
 #include "geometry/error.h"
 #include "io/json_value.h"
 #include "io/output_file.h"
+#include "pattern/placement_json.h"
+#include "pattern/schematic.h"
 
 namespace toile {
 
@@ -153,8 +154,8 @@ class Reader {
     if (const auto grain = value.find("grain")) panel.grain = grain->number() * degree;
     if (const auto fabric = value.find("fabric")) panel.fabric = fabric->text();
     if (const auto placement = value.find("placement")) {
-      unread(*placement, {"part"});
-      if (const auto part = placement->find("part")) panel.part = body_part(*part);
+      panel.part = read_part(*placement);
+      panel.placement = read_placement(*placement, panel.part, unit_);
     }
 
     const JsonValue vertices = value.get("vertices");
@@ -167,20 +168,19 @@ class Reader {
       for (Vec2& point : points) point -= centre;
       panel.translation += Vec3(centre.x(), centre.y(), 0);
       offset_ = centre;
+      if (panel.placement.level)
+        *panel.placement.level -= upright(panel.placement.axis, centre).y();
     }
     edges(panel, value.get("edges"), points);
-    pattern_.panels.push_back(std::move(panel));
-  }
-
-  static std::string body_part(const JsonValue& part) {
-    const std::string name = part.text();
-    if (std::find(body_parts.begin(), body_parts.end(), name) == body_parts.end()) {
-      std::string known;
-      for (const auto& body_part : body_parts)
-        known += (known.empty() ? "" : ", ") + std::string(body_part);
-      part.fail(in_quotes(name) + " is no body part", "use one of " + known);
+    if (panel.placement.by_part()) {
+      for (const char* key : {"translation", "rotation"}) {
+        if (!value.find(key)) continue;
+        note(value.place() + ": '" + key +
+             "' is not used: 'placement' says where the panel stands");
+      }
+      stand_schematically(panel);
     }
-    return name;
+    pattern_.panels.push_back(std::move(panel));
   }
 
   void edges(PatternPanel& panel, const JsonValue& list, const std::vector<Vec2>& points) {

@@ -51,6 +51,14 @@ PanelMesh bag(int subdivisions = 1) {
   Pattern pattern = samples::parse(samples::bag);
   pattern.panels[0].part = "torso";
   pattern.panels[0].fabric = "denim";
+  pattern.panels[0].placement = {PlacementSide::back,
+                                 0.5,
+                                 PlacementAxis::minus_y,
+                                 37.5,
+                                 0.01,
+                                 0.123456789012345678,
+                                 "chest",
+                                 1 / 3.0};
   pattern.panels[1].grain = 0.1;
   return mesh_panels(pattern, {0.03, subdivisions}, remarks);
 }
@@ -65,6 +73,7 @@ void expect_equal(const PanelMesh& a, const PanelMesh& b) {
   for (std::size_t p = 0; p < a.panels.size(); ++p) {
     EXPECT_EQ(a.panels[p].name, b.panels[p].name);
     EXPECT_EQ(a.panels[p].part, b.panels[p].part);
+    EXPECT_EQ(a.panels[p].placement, b.panels[p].placement);
     EXPECT_EQ(a.panels[p].fabric, b.panels[p].fabric);
     EXPECT_EQ(a.panels[p].grain, b.panels[p].grain);
     EXPECT_EQ(a.panels[p].first_point, b.panels[p].first_point);
