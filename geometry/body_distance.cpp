@@ -121,6 +121,17 @@ BodyDistance::~BodyDistance() = default;
 BodyDistance::BodyDistance(BodyDistance&&) noexcept = default;
 BodyDistance& BodyDistance::operator=(BodyDistance&&) noexcept = default;
 
+void BodyDistance::triangles_in_box(const Vec3& low, const Vec3& high,
+                                    std::vector<int>& found) const {
+  std::vector<Triangles::const_iterator> met;
+  tree_->aabb.all_intersected_primitives(
+      CGAL::Bbox_3(low.x(), low.y(), low.z(), high.x(), high.y(), high.z()),
+      std::back_inserter(met));
+  for (const auto& triangle : met) {
+    found.push_back(static_cast<int>(triangle - tree_->triangles.cbegin()));
+  }
+}
+
 const TriangleMesh& BodyDistance::body() const { return tree_->body; }
 
 BodyPoint BodyDistance::nearest(const Vec3& query) const {

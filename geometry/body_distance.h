@@ -17,8 +17,9 @@ struct BodyPoint {
 
 /// Exact distances to a body surface, through an AABB tree. The sign comes from the
 /// angle-weighted normal of the nearest feature [Baerentzen & Aanaes 2005], so the body has to be
-/// closed and outward-oriented. Queries are const and may run in several threads at once.
-/// Building is O(n log n) in the triangles, a query about O(log n).
+/// closed and outward-oriented; the distance itself is that of any surface. Queries are const and
+/// may run in several threads at once. Building is O(n log n) in the triangles, a query about O(log
+/// n).
 class BodyDistance {
  public:
   /// Keeps a copy of the body. Throws Error when it has no triangles.
@@ -30,6 +31,10 @@ class BodyDistance {
   BodyPoint nearest(const Vec3& query) const;
   /// As nearest(), starting from an answer known to be near: faster, the same distance.
   BodyPoint nearest(const Vec3& query, const BodyPoint& hint) const;
+
+  /// Appends the triangles that meet the box from `low` to `high`, in an order that depends only
+  /// on the body and the box.
+  void triangles_in_box(const Vec3& low, const Vec3& high, std::vector<int>& found) const;
 
   const TriangleMesh& body() const;
 

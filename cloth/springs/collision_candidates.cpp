@@ -1,0 +1,143 @@
+#include "cloth/springs/collision_candidates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "geometry/nearest.h"
+
+namespace toile {
+
+namespace {
+
+void sort_by_distance(std::vector<Candidate>& list) {
+  std::sort(list.begin(), list.end(), [](const Candidate& a, const Candidate& b) {
+    if (a.distance != b.distance) return a.distance < b.distance;
+    if (a.own != b.own) return a.own < b.own;
+    return a.subject < b.subject;
+  });
+}
+
+double segment_distance(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const auto [s, t] = nearest_on_segments(a, b, c, d);
+  return (a + s * (b - a) - c - t * (d - c)).norm();
+}
+
+bool same(const ClothTriangle& a, const ClothTriangle& b) {
+  return a.nodes == b.nodes && a.owns_node == b.owns_node && a.owns_side == b.owns_side;
+}
+
+}  // namespace
+
+double NearTriangle::moved(const Triangle& nodes, const std::vector<Vec3>& x) const {
+  double most = 0;
+  for (int i = 0; i < 3; ++i) most = std::max(most, (x[nodes[i]] - at[i]).squaredNorm());
+  return std::sqrt(most);
+}
+
+void CollisionCandidates::set_cloth(const std::vector<Triangle>& triangles) {
+  const std::vector<ClothTriangle> before = std::move(cloth_);
+  cloth_.assign(triangles.size(), {});
+  std::set<int> nodes;
+  std::map<std::pair<int, int>, std::pair<int, int>> sides;  // first triangle and side of an edge
+  for (int t = 0; t < static_cast<int>(triangles.size()); ++t) {
+    ClothTriangle& own = cloth_[t];
+    own.nodes = triangles[t];
+    const Triangle& n = own.nodes;
+    own.whole = n[0] != n[1] && n[1] != n[2] && n[2] != n[0];
+    for (int i = 0; i < 3; ++i) {
+      own.owns_node[i] = nodes.insert(n[i]).second;
+      const int a = n[i];
+      const int b = n[(i + 1) % 3];
+      if (a == b) continue;
+      const auto [first, is_new] = sides.try_emplace(std::minmax(a, b), t, i);
+      own.owns_side[i] = is_new;
+      if (is_new) continue;
+      const auto [other, side] = first->second;
+      own.across[i] = triangles[other][(side + 2) % 3];
+      cloth_[other].across[side] = n[(i + 2) % 3];
+    }
+  }
+  near_.resize(triangles.size());
+  for (std::size_t t = 0; t < cloth_.size(); ++t) {
+    if (t >= before.size() || !same(cloth_[t], before[t])) near_[t].reach = -1;
+  }
+}
+
+const NearTriangle& CollisionCandidates::refreshed(int t, const std::vector<Vec3>& x, double reach,
+                                                   double margin) {
+  const ClothTriangle& own = cloth_[t];
+  NearTriangle& near = near_[t];
+  const double needed = near.behind ? std::max(reach, behind_depth_) : reach;
+  if (near.reach >= 0 && near.moved(own.nodes, x) + needed <= near.reach) return near;
+
+  const bool was_near = near.reach >= 0 && !near.facets.empty();
+  for (int i = 0; i < 3; ++i) near.at[i] = x[own.nodes[i]];
+  near.reach = std::max(reach, behind_depth_) + margin;
+  near.behind = false;
+  near.facets.clear();
+  near.edges.clear();
+  near.vertices.clear();
+  if (!was_near) {
+    const Vec3 middle = (near.at[0] + near.at[1] + near.at[2]) / 3;
+    double radius = 0;
+    for (const Vec3& corner : near.at) radius = std::max(radius, (corner - middle).norm());
+    const double clear = subject_.distance(middle) - radius;
+    if (clear > near.reach) {
+      near.reach = clear;
+      return near;
+    }
+  }
+  list(own, near);
+  return near;
+}
+
+void CollisionCandidates::list(const ClothTriangle& own, NearTriangle& near) const {
+  const std::array<Vec3, 3>& at = near.at;
+  const Vec3 pad = Vec3::Constant(near.reach);
+  thread_local std::vector<int> facets;
+  subject_.facets_in_box(at[0].cwiseMin(at[1]).cwiseMin(at[2]) - pad,
+                         at[0].cwiseMax(at[1]).cwiseMax(at[2]) + pad, facets);
+  std::array<double, 3> nearest;
+  nearest.fill(near.reach);
+  std::array<bool, 3> behind = {};
+  for (const int facet : facets) {
+    for (int i = 0; i < 3; ++i) {
+      if (!own.owns_node[i]) continue;
+      const SubjectNearest found = subject_.nearest(at[i], facet);
+      const double distance = std::abs(found.distance);
+      if (distance > near.reach) continue;
+      near.facets.push_back({distance, i, facet});
+      if (distance < nearest[i]) {
+        nearest[i] = distance;
+        behind[i] = found.distance < 0;
+      }
+    }
+    const Triangle& corners = subject_.mesh().triangles[facet];
+    for (int side = 0; side < 3; ++side) {
+      if (subject_.owns_edge(facet, side)) {
+        const int edge = subject_.facet_edges(facet)[side];
+        for (int i = 0; i < 3; ++i) {
+          if (!own.owns_side[i]) continue;
+          const double distance =
+              segment_distance(at[i], at[(i + 1) % 3], subject_.point(subject_.edge(edge).a),
+                               subject_.point(subject_.edge(edge).b));
+          if (distance <= near.reach) near.edges.push_back({distance, i, edge});
+        }
+      }
+      if (own.whole && subject_.owns_vertex(facet, side)) {
+        const Vec3& vertex = subject_.point(corners[side]);
+        const Vec3 w = nearest_on_triangle(vertex, at[0], at[1], at[2]);
+        const double distance = (w[0] * at[0] + w[1] * at[1] + w[2] * at[2] - vertex).norm();
+        if (distance <= near.reach) near.vertices.push_back({distance, 0, corners[side]});
+      }
+    }
+  }
+  near.behind = behind[0] || behind[1] || behind[2];
+  sort_by_distance(near.facets);
+  sort_by_distance(near.edges);
+  sort_by_distance(near.vertices);
+}
+
+}  // namespace toile

@@ -1,0 +1,68 @@
+// What of the subject is near each triangle of the cloth, kept while nothing moves far.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "cloth/springs/subject_surface.h"
+#include "geometry/types.h"
+
+namespace toile {
+
+/// A triangle of the cloth. Each node and edge of the cloth belongs to one triangle, so that going
+/// through the triangles meets each once.
+struct ClothTriangle {
+  Triangle nodes = {-1, -1, -1};
+  std::array<bool, 3> owns_node = {};
+  std::array<bool, 3> owns_side = {};        ///< side i runs from corner i to the next
+  std::array<int, 3> across = {-1, -1, -1};  ///< node beyond side i, -1 at a border
+  bool whole = false;                        ///< three different nodes
+};
+
+/// Two things that were `distance` metres apart when they were looked for.
+struct Candidate {
+  double distance;
+  int own;      ///< corner or side of the cloth's triangle
+  int subject;  ///< facet, edge or vertex
+};
+
+/// What is near one triangle, each list by ascending distance.
+struct NearTriangle {
+  std::array<Vec3, 3> at = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  double reach = -1;    ///< metres; everything nearer than that to the triangle at `at` is listed
+  bool behind = false;  ///< one of its own nodes was behind the surface
+  std::vector<Candidate> facets;    ///< of the nodes that it owns
+  std::vector<Candidate> edges;     ///< of the sides that it owns
+  std::vector<Candidate> vertices;  ///< of the triangle itself
+
+  /// How far its farthest-moved corner is from where the lists were made, metres.
+  double moved(const Triangle& nodes, const std::vector<Vec3>& x) const;
+};
+
+/// The lists of all triangles of the cloth. The subject is asked again only for a triangle that
+/// has used up its margin: the subject does not move.
+class CollisionCandidates {
+ public:
+  /// `behind_depth`: how far behind the surface a node is still looked after, metres.
+  CollisionCandidates(const SubjectSurface& subject, double behind_depth)
+      : subject_(subject), behind_depth_(behind_depth) {}
+
+  /// New triangles of the cloth; lists of triangles that stay as they were are kept.
+  void set_cloth(const std::vector<Triangle>& triangles);
+  const std::vector<ClothTriangle>& cloth() const { return cloth_; }
+
+  /// The lists of triangle `t`, good for everything within `reach` of it at `x`. Asks with
+  /// `margin` to spare when it has to ask. Different triangles may be refreshed at the same time.
+  const NearTriangle& refreshed(int t, const std::vector<Vec3>& x, double reach, double margin);
+  const NearTriangle& near(int t) const { return near_[t]; }
+
+ private:
+  void list(const ClothTriangle& triangle, NearTriangle& near) const;
+
+  const SubjectSurface& subject_;
+  double behind_depth_;
+  std::vector<ClothTriangle> cloth_;
+  std::vector<NearTriangle> near_;
+};
+
+}  // namespace toile

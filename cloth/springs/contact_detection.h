@@ -1,0 +1,51 @@
+// Which contacts a step has: by the incident rays of the paper, and by the nearest points.
+#pragma once
+
+#include <vector>
+
+#include "cloth/springs/collision_candidates.h"
+#include "cloth/springs/contact.h"
+#include "cloth/springs/subject_collisions.h"
+
+namespace toile {
+
+/// What detection knows of a step.
+struct CollisionStep {
+  const SubjectSurface& subject;
+  const std::vector<ClothTriangle>& cloth;
+  const std::vector<Vec3>& x;               ///< metres, per node
+  const std::vector<Vec3>& before;          ///< m/s, before any response
+  const std::vector<double>& inverse_mass;  ///< 1/kg
+  double dt;                                ///< s
+  const CollisionOptions& options;
+  double behind_depth;  ///< metres that a node may be behind the surface and still be let out
+};
+
+/// m/s along the normal that a point has to have which is `distance` metres from the surface and
+/// whose gap is `gap`: above the gap (tolerance) it may come down to it within the step, between
+/// the two it may not approach, below the gap it is let out.
+double least_speed(const CollisionStep& step, double distance, double gap);
+
+/// The contacts of one node: at most the four nearest.
+struct NodeContacts {
+  int count = 0;
+  std::array<Contact<1>, 4> contacts;
+  double solve(double friction, std::vector<Vec3>& v);
+};
+
+/// Contacts of corner `corner` of triangle `t`, nearest first. `clear` is lowered to the distance
+/// of what lies in front.
+NodeContacts node_contacts(const CollisionStep& step, int t, int corner, const NearTriangle& near,
+                           double moved, double reach, double& clear);
+
+/// Edges and triangles that approach the subject faster than they may at velocities `v`, appended.
+/// `clear` as above.
+struct PairContacts {
+  std::vector<Contact<2>> edges;
+  std::vector<Contact<3>> vertices;
+};
+void pair_contacts(const CollisionStep& step, int t, const NearTriangle& near, double moved,
+                   double reach, const std::vector<Vec3>& v, double slack, PairContacts& found,
+                   double& clear);
+
+}  // namespace toile

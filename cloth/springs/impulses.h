@@ -1,0 +1,51 @@
+// How the impulse of a collision inside a triangle or an edge is shared out among its nodes.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace toile {
+
+/// Inverse mass of the point with barycentric `weights` of nodes of `inverse_mass` (1/kg, 0 of a
+/// node that is held): an impulse P there changes the point's velocity by that times P.
+template <std::size_t N>
+double inverse_mass_at(const std::array<double, N>& weights,
+                       const std::array<double, N>& inverse_mass) {
+  double sum = 0;
+  for (std::size_t i = 0; i < N; ++i) sum += weights[i] * weights[i] * inverse_mass[i];
+  return sum;
+}
+
+/// Velocity change of each node, as a share of the change that the point at `weights` shall make
+/// against something motionless: (w_i/m_i) / (sum of w_j^2/m_j). The weighted sum of the shares is
+/// 1, and the impulses m_i·share_i are those of one impulse at the point. All 0 when nothing can
+/// move.
+template <std::size_t N>
+std::array<double, N> motionless_shares(const std::array<double, N>& weights,
+                                        const std::array<double, N>& inverse_mass) {
+  const double at_point = inverse_mass_at(weights, inverse_mass);
+  std::array<double, N> shares{};
+  if (at_point <= 0) return shares;
+  for (std::size_t i = 0; i < N; ++i) shares[i] = weights[i] * inverse_mass[i] / at_point;
+  return shares;
+}
+
+/// The same where the other side moves too: the shares of the change of the relative velocity
+/// that three nodes and a point of inverse mass `other` take, the point's last and negative.
+/// [Bridson, Fedkiw & Anderson 2002] for equal masses and half the relative velocity.
+std::array<double, 4> movable_shares(const std::array<double, 3>& weights,
+                                     const std::array<double, 3>& inverse_mass, double other);
+
+/// As [Zhong & Xu 2009] print it for a point in a garment triangle: 2 w_i / (1 + sum of w_j^2).
+/// Right for four equal movable masses and half the relative velocity. Against the motionless
+/// body it leaves the share 1 - 2S/(1 + S) of the approach, S = sum of w_j^2: a half at the
+/// centroid. Kept to show that; nothing else uses it.
+std::array<double, 3> printed_triangle_shares(const std::array<double, 3>& weights);
+
+/// As [Zhong & Xu 2009] print it for an edge: (1 - w1, w1) / (w1^2 + (1 - w1^2) + w2^2 +
+/// (1 - w2^2)), whose denominator is 2 whatever the weights: a half of the approach is left at an
+/// end, three quarters in the middle. w1 is the weight of the second node of the garment's edge,
+/// w2 of the body's.
+std::array<double, 2> printed_edge_shares(double w1, double w2);
+
+}  // namespace toile

@@ -1,0 +1,67 @@
+// Collisions of the mass-spring cloth with the motionless subject: found, and answered by impulses.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "geometry/types.h"
+
+namespace toile {
+
+struct CollisionOptions {
+  double tolerance = 0.002;      ///< xi, metres, above 0: also the gap that nodes keep
+  double restitution = 0;        ///< lambda, in [0, 1]
+  double friction = 0;           ///< Coulomb's; 0 while wrapping and sewing
+  double slowest_bounce = 0.01;  ///< m/s; a slower approach does not bounce, so that cloth can rest
+  double let_out_speed = 0.05;   ///< m/s, at most, of what is nearer than the gap, outward
+};
+
+/// How many collisions got an impulse.
+struct CollisionCounts {
+  long particle_facet = 0;
+  long vertex_triangle = 0;
+  long edge_edge = 0;
+};
+
+/// Detection and response, once a time step [Zhong & Xu 2009, 'Collision detection and response',
+/// figs 6 and 7; Bridson, Fedkiw & Anderson 2002].
+///
+/// A collision is announced by the paper's incident rays within the tolerance, or within what is
+/// passed in a step where that is more. The rays say nothing of cloth that rests (v = 0) or passes
+/// along the surface; there the nearest points decide: the cloth may come as near as the gap, and
+/// no nearer. A node keeps the tolerance as its gap. Edges, and triangles over the subject's
+/// vertices, are stopped at the tolerance too, but only what comes nearer than half of it is let
+/// out again: between nodes at the gap, they cut the corners of a convex body.
+///
+/// Impulses of all collisions are found together by Gauss-Seidel sweeps in fixed order, each share
+/// (w_i/m_i) / (sum of w_j^2/m_j), with Coulomb's friction against the sum of a collision's normal
+/// impulses, so that what sticks does not creep. Last, where a step is long against the distance
+/// left, velocities are cut so that no node, edge or triangle can pass through in it.
+///
+/// A node up to 5 mm behind the nearest point of the surface is let out; one deeper is not seen.
+class SubjectCollisions {
+ public:
+  /// `subject`: the closed body and open sheets, outward-oriented, one mesh; a copy is kept.
+  /// `triangles`: of the cloth's nodes. Throws Error for a subject without area or with points
+  /// that are not finite.
+  SubjectCollisions(const TriangleMesh& subject, const std::vector<Triangle>& triangles);
+  ~SubjectCollisions();
+  SubjectCollisions(SubjectCollisions&&) noexcept;
+  SubjectCollisions& operator=(SubjectCollisions&&) noexcept;
+
+  /// New triangles of the cloth, for instance when nodes of a seam were merged. What was known of
+  /// unchanged triangles stays known.
+  void set_cloth(const std::vector<Triangle>& triangles);
+
+  /// Changes the velocities v (m/s) so that moving x (m) by dt·v (s) collides with nothing. All per
+  /// node; inverse_mass in 1/kg, 0 for a node that is held. Nodes of no triangle are left alone.
+  /// The same bits for any number of threads.
+  CollisionCounts respond(const std::vector<Vec3>& x, const std::vector<double>& inverse_mass,
+                          double dt, const CollisionOptions& options, std::vector<Vec3>& v);
+
+ private:
+  class Response;
+  std::unique_ptr<Response> response_;
+};
+
+}  // namespace toile
