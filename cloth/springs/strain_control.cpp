@@ -115,7 +115,8 @@ StrainReport StrainControl::adjust(std::span<const double> inverse_mass,
       report.before = seen.largest;
       report.over = seen.over;
     }
-    if (seen.over == 0 || (in_order && seen.largest - options.limit < options.tolerance)) break;
+    if (seen.over == 0) break;
+    if (in_order && pass > 0 && seen.largest - options.limit < options.tolerance) break;
     // What one pass changes is in what all later ones reach: the mean needs no memory of them.
     const double share =
         options.mean_of_passes ? double(options.passes - pass) / options.passes : 1.0;

@@ -30,7 +30,8 @@ struct StrainControlOptions {
   /// The result is the mean of what was reached after each pass: "the average of the three
   /// iterations of velocity adjustments" [Zhong & Xu 2009, Strain Control and Size Stability].
   bool mean_of_passes = true;
-  /// Strain over the limit at which in_order stops before its passes are used up.
+  /// Strain over the limit at which in_order stops before its passes are used up. It sweeps once
+  /// in any case: corrections put off until the tolerance is reached come as knocks.
   double tolerance = 0;
   bool measure_after = true;  ///< fill StrainReport::after; costs a look at every spring
 };

@@ -138,7 +138,7 @@ void write(const std::filesystem::path& folder) {
       run("positions, 10 %, to convergence", StrainScheme::position, in_order(0.1, false),
           0.000125),
       run("velocities, 1 %, mean of three passes", StrainScheme::velocity,
-          three_passes(StrainSweep::shared), 0.000125)};
+          three_passes(StrainSweep::shared), 0.0000625)};
   std::vector<Case> all = shown;
   all.push_back(
       run("positions, 10 %, one sweep", StrainScheme::position, provot_options(), 0.000125));
