@@ -83,6 +83,13 @@ Skeleton read_skeleton(const fs::path& path) {
   return skeleton;
 }
 
+bool is_skeleton_file(const fs::path& path) {
+  if (!fs::is_regular_file(path)) return false;
+  const Json json = Json::parse(read_file(path), nullptr, false);
+  const auto format = json.is_object() ? json.find("format") : json.end();
+  return format != json.end() && *format == "toile-body";
+}
+
 fs::path skeleton_path(const fs::path& body) {
   fs::path path = body;
   return path.replace_extension(".json");

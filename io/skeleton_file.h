@@ -16,6 +16,9 @@ void write_skeleton(const std::filesystem::path& path, const Skeleton& skeleton)
 /// part that is none of body_parts, or a segment of joints that are not there.
 Skeleton read_skeleton(const std::filesystem::path& path);
 
+/// Whether the file says that it is one, sound or not. False where there is no file.
+bool is_skeleton_file(const std::filesystem::path& path);
+
 /// Where a body's skeleton is by convention: beside it, of the same stem, .json.
 std::filesystem::path skeleton_path(const std::filesystem::path& body);
 

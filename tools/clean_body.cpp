@@ -95,7 +95,7 @@ void warn_remains(const CleanReport& report) {
   }
 }
 
-Json report_json(const CleanBody& body) {
+Json report_json(const CleanBody& body, bool given) {
   const CleanReport& report = body.report;
   const RepairReport& r = report.repair;
   const double unit = report.metres_per_unit;
@@ -122,7 +122,8 @@ Json report_json(const CleanBody& body) {
             {"triangles", body.mesh.triangles.size()},
             {"height_m", report.height},
             {"closed", true}}},
-          {"skeleton", body.skeleton.has_value()}};
+          {"skeleton", body.skeleton.has_value()},
+          {"skeleton_given", given}};
 }
 
 /// An earlier run's skeleton beside a body that has none would be taken for that body's.
@@ -145,12 +146,21 @@ int work(const po::variables_map& given, const CommonSettings& common) {
   }
   check_mesh_extension(common.output);
 
+  const std::filesystem::path beside = skeleton_path(in);
+  if (is_skeleton_file(beside)) options.skeleton = read_skeleton(beside);
+
   const CleanBody body = clean_body(read_mesh(in), in, options);
   say_changes(body.report, common);
   warn_remains(body.report);
   common.say("a closed body of " + std::to_string(body.mesh.points.size()) + " points, " +
              number(100 * body.report.height, "%.2f") + " cm tall");
 
+  if (!body.report.skeleton_refused.empty()) {
+    CommonSettings::warn(beside.string() + " is not this body's, " + body.report.skeleton_refused +
+                         "; its joints are searched for");
+  } else if (options.skeleton) {
+    common.say("joints taken from " + beside.string());
+  }
   if (!body.skeleton) {
     CommonSettings::warn(body.report.no_skeleton);
     remove_stale_skeleton(skeleton_path(common.output));
@@ -158,7 +168,9 @@ int work(const po::variables_map& given, const CommonSettings& common) {
   write_mesh(common.output, body.mesh);
   if (body.skeleton) write_skeleton(skeleton_path(common.output), *body.skeleton);
   if (common.report) {
-    write_file(*common.report, report_json(body).dump(1) + "\n");
+    write_file(
+        *common.report,
+        report_json(body, options.skeleton && body.report.skeleton_refused.empty()).dump(1) + "\n");
   }
   return exit_done;
 }

@@ -3,8 +3,11 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/body/mannequin.h"
+#include "geometry/error.h"
 #include "io/mesh_file.h"
 #include "io/output_file.h"
+#include "io/pose_file.h"
+#include "io/skeleton_file.h"
 #include "tools/program.h"
 
 namespace toile {
@@ -32,10 +35,22 @@ Json report_json(const Mannequin& mannequin) {
           {"girths", girths}};
 }
 
+Pose pose_of(const std::string& given) {
+  if (given == "standing") return standing_pose();
+  if (given == "walking") return walking_pose();
+  if (given.find('.') == std::string::npos && given.find('/') == std::string::npos) {
+    throw Error("--pose", "'" + given + "' is no pose", "give standing, walking or a file");
+  }
+  return read_pose(given);
+}
+
 int work(const po::variables_map& given, const CommonSettings& common) {
   MannequinOptions options;
   options.edge_length = parse_length(given["edge-length"].as<std::string>(), "--edge-length");
+  options.pose = pose_of(given["pose"].as<std::string>());
   check_mesh_extension(common.output);
+  const std::filesystem::path joints = skeleton_path(common.output);
+  check_writable(joints);
 
   const Mannequin mannequin = make_mannequin(options);
   for (const MannequinGirth& girth : mannequin.girths) {
@@ -44,6 +59,7 @@ int work(const po::variables_map& given, const CommonSettings& common) {
     common.say(line);
   }
   write_mesh(common.output, mannequin.surface);
+  write_skeleton(joints, mannequin.skeleton);
   if (common.report) write_file(*common.report, report_json(mannequin).dump(1) + "\n");
   return exit_done;
 }
@@ -57,9 +73,11 @@ int main(int argc, char** argv) {
   program.name = "make-mannequin";
   program.summary =
       "writes the sample body: a mannequin 1.70 m tall, bust 93.6, waist 70.7, hip 98 cm";
-  program.usage = "-o mannequin.ply [--edge-length 9mm]";
+  program.usage = "-o mannequin.ply [--pose standing|walking|FILE.json] [--edge-length 9mm]";
   program.options.add_options()("edge-length", po::value<std::string>()->default_value("9mm"),
-                                "mean edge of the mesh, 4mm to 15mm");
+                                "mean edge of the mesh, 4mm to 15mm")(
+      "pose", po::value<std::string>()->default_value("standing"),
+      "standing, walking, or a file that gives joints' angles");
   program.work = toile::work;
   return toile::run_program(argc, argv, program);
 }

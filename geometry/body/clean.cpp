@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/body/find_skeleton.h"
+#include "geometry/body_distance.h"
 #include "geometry/error.h"
 
 namespace toile {
@@ -142,6 +143,45 @@ void scale(Standing& body, double factor) {
   for (auto& [joint, point] : body.skeleton->joints) point *= factor;
 }
 
+/// What is wrong with joints given for a body of that unit; empty: nothing.
+std::string refusal(const Skeleton& skeleton, const TriangleMesh& mesh, double unit) {
+  const BodyDistance body(mesh);
+  // The head's joint lies on the crown, and repair moves the skin a little.
+  const double tolerance = 0.015 / unit;
+  for (const Segment& segment : body_segments()) {
+    for (const std::string& name : {segment.from, segment.to}) {
+      const auto joint = skeleton.joints.find(name);
+      if (joint == skeleton.joints.end()) return "there is no '" + name + "' among them";
+      if (!(body.nearest(joint->second / unit).distance < tolerance)) {
+        return "'" + name + "' lies outside the body";
+      }
+    }
+  }
+  return "";
+}
+
+/// The body as the given joints have it, if they are its own.
+std::optional<Standing> as_given(const TriangleMesh& mesh, const CleanOptions& options,
+                                 const std::string& name, CleanReport& report) {
+  if (!options.skeleton) return std::nullopt;
+  const double floor = bounds(mesh).min().y();
+  const double tall = bounds(mesh).max().y() - floor;
+  const double unit =
+      options.metres_per_unit ? *options.metres_per_unit : inferred_unit(tall, name);
+  report.skeleton_refused = refusal(*options.skeleton, mesh, unit);
+  if (!report.skeleton_refused.empty()) return std::nullopt;
+  Standing body;
+  body.mesh = mesh;
+  body.lifted = floor == 0 ? 0 : -floor;
+  for (Vec3& p : body.mesh.points) p.y() -= floor;
+  body.skeleton = *options.skeleton;
+  for (auto& [joint, point] : body.skeleton->joints) {
+    point /= unit;
+    point.y() -= floor;
+  }
+  return body;
+}
+
 }  // namespace
 
 CleanBody clean_body(const PolygonSoup& soup, const std::string& name,
@@ -151,7 +191,8 @@ CleanBody clean_body(const PolygonSoup& soup, const std::string& name,
   RepairedSurface surface = repair(soup, name, options.repair);
   report.repair = surface.report;
 
-  Standing standing = stand_up(surface.mesh, name, report.turned);
+  std::optional<Standing> given = as_given(surface.mesh, options, name, report);
+  Standing standing = given ? std::move(*given) : stand_up(surface.mesh, name, report.turned);
   const double units_tall = bounds(standing.mesh).max().y();
   report.unit_inferred = !options.metres_per_unit;
   report.metres_per_unit =

@@ -14,15 +14,20 @@ struct CleanOptions {
   /// inches make the same number a body between 1.00 and 2.30 m tall.
   std::optional<double> metres_per_unit;
   RepairOptions repair;
+  /// The joints, if they are known; metres, in the frame of the mesh in metres. Taken as they are
+  /// when they are all there and within the body, which is then not turned.
+  std::optional<Skeleton> skeleton;
 };
 
 struct CleanReport {
   RepairReport repair;
   double metres_per_unit = 1;
   bool unit_inferred = false;
-  std::string turned;       ///< how the body was turned to stand and face +z; empty: it was not
-  double lifted = 0;        ///< metres added to y to put the feet on the floor
-  double height = 0;        ///< metres
+  std::string turned;  ///< how the body was turned to stand and face +z; empty: it was not
+  double lifted = 0;   ///< metres added to y to put the feet on the floor
+  double height = 0;   ///< metres
+  std::string
+      skeleton_refused;     ///< why the given joints are not taken; empty: they are, or none are
   std::string no_skeleton;  ///< why there is none; empty: there is one
 };
 
@@ -38,6 +43,8 @@ struct CleanBody {
 /// z-up programs leave it, when it has a skeleton along exactly one axis and that is not y, when it
 /// is wider from front to back than from side to side, and when its toes point to -z. Its place on
 /// the floor is left as it is.
+///
+/// Given joints say which way the body stands; they are only lifted with it.
 ///
 /// Throws Error as repair() does, and when the unit can't be told or the body is no body's size. A
 /// body without a skeleton is no error.

@@ -66,7 +66,7 @@ class Finder {
     find_neck();
     for (const int side : {1, -1}) find_arm(side);
     check();
-    add_segments();
+    skeleton_.segments = body_segments();
     return std::move(skeleton_);
   }
 
@@ -289,20 +289,6 @@ class Finder {
     }
     require(lengths[0] < 1.3 * lengths[1] && lengths[1] < 1.3 * lengths[0],
             "the arms differ in length");
-  }
-
-  void add_segments() {
-    const auto chain = [this](const std::string& part, const std::vector<std::string>& names) {
-      for (std::size_t i = 0; i + 1 < names.size(); ++i) {
-        skeleton_.segments.push_back({part, names[i], names[i + 1]});
-      }
-    };
-    chain("torso", {"pelvis", "waist", "chest", "neck"});
-    chain("head", {"neck", "head"});
-    for (const std::string side : {"left_", "right_"}) {
-      chain(side + "arm", {side + "shoulder", side + "elbow", side + "wrist"});
-      chain(side + "leg", {side + "hip", side + "knee", side + "ankle"});
-    }
   }
 
   const TriangleMesh& body_;

@@ -171,7 +171,7 @@ const Loft& MannequinShape::part(MannequinPart which) const {
 
 Loft& MannequinShape::part(MannequinPart which) { return parts_[static_cast<std::size_t>(which)]; }
 
-double MannequinShape::trunk(const Vec3& p) const {
+double MannequinShape::trunk_distance(const Vec3& p) const {
   double trunk = smooth_union(part(MannequinPart::torso).distance(p), pair(buttock, p, 0.04), 0.07);
   trunk = smooth_union(trunk, pair(breast, p, 0.04), 0.06);
   trunk = smooth_union(trunk, yoke_.distance(p), 0.06);
@@ -181,15 +181,24 @@ double MannequinShape::trunk(const Vec3& p) const {
   return smooth_union(trunk, head, 0.03);
 }
 
+double MannequinShape::arm_distance(const Vec3& p) const {
+  return smooth_union(part(MannequinPart::arm).distance(p), thumb_.distance(p), 0.012);
+}
+
+double MannequinShape::leg_distance(const Vec3& p) const {
+  return part(MannequinPart::leg).distance(p);
+}
+
+double MannequinShape::foot_distance(const Vec3& p) const {
+  return smooth_intersection(foot_.distance(p), -p.y(), 0.012);
+}
+
 double MannequinShape::distance(const Vec3& p) const {
   const Vec3 q = mirrored(p);
-  const Loft& arm = part(MannequinPart::arm);
-  const Loft& leg = part(MannequinPart::leg);
-  const double arms = std::min(smooth_union(arm.distance(p), thumb_.distance(p), 0.012),
-                               smooth_union(arm.distance(q), thumb_.distance(q), 0.012));
-  const double legs = std::min(smooth_union(leg.distance(p), foot_.distance(p), 0.04),
-                               smooth_union(leg.distance(q), foot_.distance(q), 0.04));
-  double body = smooth_union(trunk(p), legs, 0.06);
+  const double arms = std::min(arm_distance(p), arm_distance(q));
+  const double legs = std::min(smooth_union(leg_distance(p), foot_.distance(p), 0.04),
+                               smooth_union(leg_distance(q), foot_.distance(q), 0.04));
+  double body = smooth_union(trunk_distance(p), legs, 0.06);
   body = smooth_union(body, arms, 0.045);
   // The floor cuts the soles flat.
   return smooth_intersection(body, -p.y(), 0.012);

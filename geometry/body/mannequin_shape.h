@@ -35,6 +35,13 @@ class MannequinShape {
   /// About the distance to the skin; negative inside. Symmetric in x to the last bit.
   double distance(const Vec3& point) const;
 
+  /// Its parts at rest, about the distance to each: trunk with head; the left arm with its hand,
+  /// the left leg without its foot, the left foot with its sole cut flat at y = 0.
+  double trunk_distance(const Vec3& point) const;
+  double arm_distance(const Vec3& point) const;
+  double leg_distance(const Vec3& point) const;
+  double foot_distance(const Vec3& point) const;
+
   /// Where the girth is taken: the part's centre at its height, and the direction of its axis.
   Vec3 centre(const GirthTarget& target) const;
   Vec3 normal(const GirthTarget& target) const;
@@ -46,7 +53,6 @@ class MannequinShape {
   double carve(double tolerance);
 
  private:
-  double trunk(const Vec3& point) const;
   const Loft& part(MannequinPart which) const;
   Loft& part(MannequinPart which);
 

@@ -1,6 +1,7 @@
 // The joints of a body and the segments between them: plain data, no geometry.
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 #include <string_view>
@@ -45,5 +46,22 @@ inline constexpr std::array<std::string_view, 17> joint_names = {
 
 inline constexpr std::array<std::string_view, 6> body_parts = {
     "torso", "head", "left_arm", "right_arm", "left_leg", "right_leg"};
+
+/// The segments between the joints above.
+inline std::vector<Segment> body_segments() {
+  std::vector<Segment> segments;
+  const auto chain = [&segments](const std::string& part, const std::vector<std::string>& names) {
+    for (std::size_t i = 0; i + 1 < names.size(); ++i) {
+      segments.push_back({part, names[i], names[i + 1]});
+    }
+  };
+  chain("torso", {"pelvis", "waist", "chest", "neck"});
+  chain("head", {"neck", "head"});
+  for (const std::string side : {"left_", "right_"}) {
+    chain(side + "arm", {side + "shoulder", side + "elbow", side + "wrist"});
+    chain(side + "leg", {side + "hip", side + "knee", side + "ankle"});
+  }
+  return segments;
+}
 
 }  // namespace toile

@@ -1,0 +1,47 @@
+#include "geometry/body/pose.h"
+
+#include <cstdio>
+
+#include "geometry/error.h"
+
+namespace toile {
+
+Pose standing_pose() { return {}; }
+
+Pose walking_pose() {
+  Pose pose;
+  pose.left.hip_flexion = 22;
+  pose.left.knee_flexion = 4;
+  pose.left.ankle_flexion = 12;
+  pose.right.hip_flexion = -13;
+  pose.right.knee_flexion = 20;
+  pose.right.ankle_flexion = -5;
+  pose.right.toes_extension = 28;
+  pose.left.shoulder_abduction = pose.right.shoulder_abduction = 30;
+  pose.left.shoulder_flexion = -20;
+  pose.left.elbow_flexion = 10;
+  pose.right.shoulder_flexion = 20;
+  pose.right.elbow_flexion = 15;
+  return pose;
+}
+
+Pose mirrored(const Pose& pose) { return {pose.right, pose.left}; }
+
+void check_pose(const Pose& pose, const std::string& name) {
+  for (const bool left : {true, false}) {
+    const SidePose& side = left ? pose.left : pose.right;
+    for (const JointMotion& motion : joint_motions) {
+      const double angle = side.*motion.angle;
+      if (angle >= motion.least && angle <= motion.most) continue;
+      char problem[120];
+      std::snprintf(problem, sizeof problem, "%.4g degrees of %s are beyond what the joint does",
+                    angle, std::string(motion.motion).c_str());
+      char remedy[80];
+      std::snprintf(remedy, sizeof remedy, "give %g to %g", motion.least, motion.most);
+      throw Error(name + ": " + (left ? "left_" : "right_") + std::string(motion.joint), problem,
+                  remedy);
+    }
+  }
+}
+
+}  // namespace toile
