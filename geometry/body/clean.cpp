@@ -179,6 +179,11 @@ std::optional<Standing> as_given(const TriangleMesh& mesh, const CleanOptions& o
     point /= unit;
     point.y() -= floor;
   }
+  // An earlier run may have turned the body: its joints fit the unturned one too.
+  if (toes_forward(body.mesh, *body.skeleton) < -0.01) {
+    report.skeleton_refused = "its toes point to -z";
+    return std::nullopt;
+  }
   return body;
 }
 

@@ -15,7 +15,8 @@ struct CleanOptions {
   std::optional<double> metres_per_unit;
   RepairOptions repair;
   /// The joints, if they are known; metres, in the frame of the mesh in metres. Taken as they are
-  /// when they are all there and within the body, which is then not turned.
+  /// when they are all there within the body and the toes point to
+  /// +z; the body is then not turned.
   std::optional<Skeleton> skeleton;
 };
 

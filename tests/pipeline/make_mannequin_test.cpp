@@ -74,6 +74,19 @@ TEST(MakeMannequinProgram, AnotherBodysJointsAreNotTaken) {
   EXPECT_GT(farthest(read_skeleton(folder / "walk.json"), found), 0.05);
   EXPECT_NEAR(found.joint("left_knee").z(), -0.005, 0.01);
 
+  // A body that faces -z is turned, whatever an earlier run left beside it.
+  TriangleMesh back;
+  const PolygonSoup soup = read_mesh(folder / "stand.ply");
+  for (const Vec3& p : soup.points) back.points.emplace_back(-p.x(), p.y(), -p.z());
+  for (const auto& t : soup.polygons) back.triangles.push_back({t[0], t[1], t[2]});
+  write_mesh(folder / "back.ply", back);
+  for (const std::string which : {"first", "second"}) {
+    const pipeline::Run turned =
+        run("clean-body", {folder / "back.ply", "-o", folder / "back.obj"});
+    ASSERT_EQ(turned.exit_code, 0) << turned.err;
+    EXPECT_TRUE(says(turned, "turned to face +z")) << which << " run: " << turned.err;
+  }
+
   // Some other program's JSON is none of its business; a broken skeleton is an error.
   write_text(folder / "stand.json", R"({"bust": 93.6})");
   EXPECT_EQ(run("clean-body", {folder / "stand.ply", "-o", folder / "body.ply"}).exit_code, 0);
