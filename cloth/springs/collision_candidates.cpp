@@ -66,15 +66,19 @@ void CollisionCandidates::set_cloth(const std::vector<Triangle>& triangles) {
 }
 
 const NearTriangle& CollisionCandidates::refreshed(int t, const std::vector<Vec3>& x, double reach,
-                                                   double margin) {
+                                                   double pair_reach, double margin) {
   const ClothTriangle& own = cloth_[t];
   NearTriangle& near = near_[t];
   const double needed = near.behind ? std::max(reach, behind_depth_) : reach;
-  if (near.reach >= 0 && near.moved(own.nodes, x) + needed <= near.reach) return near;
+  if (near.reach >= 0) {
+    const double moved = near.moved(own.nodes, x);
+    if (moved + needed <= near.reach && moved + pair_reach <= near.pair_reach) return near;
+  }
 
   const bool was_near = near.reach >= 0 && !near.facets.empty();
   for (int i = 0; i < 3; ++i) near.at[i] = x[own.nodes[i]];
   near.reach = std::max(reach, behind_depth_) + margin;
+  near.pair_reach = pair_reach + margin;
   near.behind = false;
   near.facets.clear();
   near.edges.clear();
@@ -86,6 +90,7 @@ const NearTriangle& CollisionCandidates::refreshed(int t, const std::vector<Vec3
     const double clear = subject_.distance(middle) - radius;
     if (clear > near.reach) {
       near.reach = clear;
+      near.pair_reach = clear;
       return near;
     }
   }
@@ -116,21 +121,21 @@ void CollisionCandidates::list(const ClothTriangle& own, NearTriangle& near) con
     }
     const Triangle& corners = subject_.mesh().triangles[facet];
     for (int side = 0; side < 3; ++side) {
-      if (subject_.owns_edge(facet, side)) {
-        const int edge = subject_.facet_edges(facet)[side];
+      const int edge = subject_.facet_edges(facet)[side];
+      if (subject_.owns_edge(facet, side) && subject_.edge(edge).ridge) {
         for (int i = 0; i < 3; ++i) {
           if (!own.owns_side[i]) continue;
           const double distance =
               segment_distance(at[i], at[(i + 1) % 3], subject_.point(subject_.edge(edge).a),
                                subject_.point(subject_.edge(edge).b));
-          if (distance <= near.reach) near.edges.push_back({distance, i, edge});
+          if (distance <= near.pair_reach) near.edges.push_back({distance, i, edge});
         }
       }
-      if (own.whole && subject_.owns_vertex(facet, side)) {
+      if (own.whole && subject_.owns_vertex(facet, side) && subject_.is_tip(corners[side])) {
         const Vec3& vertex = subject_.point(corners[side]);
         const Vec3 w = nearest_on_triangle(vertex, at[0], at[1], at[2]);
         const double distance = (w[0] * at[0] + w[1] * at[1] + w[2] * at[2] - vertex).norm();
-        if (distance <= near.reach) near.vertices.push_back({distance, 0, corners[side]});
+        if (distance <= near.pair_reach) near.vertices.push_back({distance, 0, corners[side]});
       }
     }
   }

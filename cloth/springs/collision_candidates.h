@@ -29,16 +29,18 @@ struct Candidate {
 /// What is near one triangle, each list by ascending distance.
 struct NearTriangle {
   std::array<Vec3, 3> at = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-  double reach = -1;    ///< metres; everything nearer than that to the triangle at `at` is listed
-  bool behind = false;  ///< one of its own nodes was behind the surface
-  std::vector<Candidate> facets;    ///< of the nodes that it owns
-  std::vector<Candidate> edges;     ///< of the sides that it owns
+  double reach = -1;              ///< metres; facets nearer than that to a node at `at` are listed
+  double pair_reach = -1;         ///< metres; the same of edges and vertices
+  bool behind = false;            ///< one of its own nodes was behind the surface
+  std::vector<Candidate> facets;  ///< of the nodes that it owns
+  std::vector<Candidate> edges;   ///< of the sides that it owns
   std::vector<Candidate> vertices;  ///< of the triangle itself
 
   /// How far its farthest-moved corner is from where the lists were made, metres.
   double moved(const Triangle& nodes, const std::vector<Vec3>& x) const;
 };
 
+/// Edges and vertices that nothing straight can touch first are not listed: valleys, hollows.
 /// The lists of all triangles of the cloth. The subject is asked again only for a triangle that
 /// has used up its margin: the subject does not move.
 class CollisionCandidates {
@@ -51,9 +53,11 @@ class CollisionCandidates {
   void set_cloth(const std::vector<Triangle>& triangles);
   const std::vector<ClothTriangle>& cloth() const { return cloth_; }
 
-  /// The lists of triangle `t`, good for everything within `reach` of it at `x`. Asks with
-  /// `margin` to spare when it has to ask. Different triangles may be refreshed at the same time.
-  const NearTriangle& refreshed(int t, const std::vector<Vec3>& x, double reach, double margin);
+  /// The lists of triangle `t`, good for facets within `reach` of its nodes at `x`, and for edges
+  /// and vertices within `pair_reach`, which is no more. Asks with `margin` to spare when it has
+  /// to ask. Different triangles may be refreshed at the same time.
+  const NearTriangle& refreshed(int t, const std::vector<Vec3>& x, double reach, double pair_reach,
+                                double margin);
   const NearTriangle& near(int t) const { return near_[t]; }
 
  private:

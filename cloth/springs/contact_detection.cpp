@@ -13,8 +13,6 @@ namespace {
 /// Steps in which what is a little nearer than its gap is let out: slowly enough that it does not
 /// leave the surface with a speed that shows.
 constexpr double let_out_steps = 20;
-/// Share of the tolerance that edges and triangles keep as their gap.
-constexpr double pair_gap = 0.5;
 /// Metres; nearest points nearer than that are one contact.
 constexpr double same_point = 1e-7;
 /// Metres; nearer than this, the direction comes from the surface.
@@ -34,8 +32,8 @@ double bounced(const CollisionStep& step, double least, double speed_before) {
 }
 
 /// Metres along a ray within which it announces a collision.
-double announced_within(const CollisionStep& step, const Vec3& velocity) {
-  return std::max(step.options.tolerance, velocity.norm() * step.dt);
+double announced_within(const CollisionStep& step, double tolerance, const Vec3& velocity) {
+  return std::max(tolerance, velocity.norm() * step.dt);
 }
 
 Vec3 at(const std::array<Vec3, 3>& corners, const Vec3& w) {
@@ -45,9 +43,7 @@ Vec3 at(const std::array<Vec3, 3>& corners, const Vec3& w) {
 }  // namespace
 
 double least_speed(const CollisionStep& step, double distance, double gap) {
-  const double tolerance = step.options.tolerance;
-  if (distance > tolerance) return (tolerance - distance) / step.dt;
-  if (distance >= gap) return 0;
+  if (distance > gap) return (gap - distance) / step.dt;
   return std::min((gap - distance) / (let_out_steps * step.dt), step.options.let_out_speed);
 }
 
@@ -73,7 +69,7 @@ NodeContacts node_contacts(const CollisionStep& step, int t, int corner, const N
   const Vec3& x = step.x[node];
   const Vec3& before = step.before[node];
   const double tolerance = step.options.tolerance;
-  const double within = announced_within(step, before);
+  const double within = announced_within(step, tolerance, before);
 
   NodeContacts all;
   std::array<Found, 8> found;
@@ -152,22 +148,34 @@ void edge_contact(const CollisionStep& step, int t, int side, const SubjectEdge&
   const Vec3& p2 = step.x[nodes[1]];
   const Vec3& q1 = step.subject.point(edge.a);
   const Vec3& q2 = step.subject.point(edge.b);
-  const auto [s, u] = nearest_on_segments(p1, p2, q1, q2);
-  const Vec3 away = p1 + s * (p2 - p1) - q1 - u * (q2 - q1);
+  // Of the two lines; what is nearest at an end is a node's or a vertex's own affair.
+  const Vec3 p = p2 - p1;
+  const Vec3 q = q2 - q1;
+  const Vec3 r = p1 - q1;
+  const double pp = p.squaredNorm();
+  const double qq = q.squaredNorm();
+  const double pq = p.dot(q);
+  const double crossing = pp * qq - pq * pq;  // of the lengths, times the sine, squared
+  const double pr = p.dot(r);
+  const double qr = q.dot(r);
+  const double along_p = pq * qr - pr * qq;
+  const double along_q = pp * qr - pq * pr;
+  if (!(along_p > 0 && along_p < crossing && along_q > 0 && along_q < crossing) ||
+      crossing <= parallel * parallel * pp * qq) {
+    return;
+  }
+  const double s = along_p / crossing;
+  const double u = along_q / crossing;
+  const Vec3 away = r + s * p - u * q;
   const double distance = away.norm();
   const bool in_front = edge.rim || away.dot(edge.normal) >= 0;
   if (in_front) clear = std::min(clear, distance);
-  if (!(s > 0 && s < 1 && u > 0 && u < 1)) return;
-
-  Vec3 square = (p2 - p1).cross(q2 - q1);
-  const double crossing = square.norm();
-  if (crossing <= parallel * (p2 - p1).norm() * (q2 - q1).norm()) return;
-  square /= crossing;
+  const Vec3 square = p.cross(q) / std::sqrt(crossing);
   Contact<2> contact{.nodes = nodes,
                      .weights = {1 - s, s},
                      .inverse_mass = {step.inverse_mass[nodes[0]], step.inverse_mass[nodes[1]]},
                      .normal = square};
-  const double gap = pair_gap * step.options.tolerance;
+  const double gap = step.options.edge_tolerance;
   double height = distance;
   if (in_front && distance > touching) {
     contact.normal = away / distance;
@@ -177,12 +185,12 @@ void edge_contact(const CollisionStep& step, int t, int side, const SubjectEdge&
     if (!in_front) {
       // Behind the edge: only what really goes through the surface there is let out, not what
       // lies in front of the other side of something thin.
-      if (distance > step.options.tolerance) return;
+      if (distance > gap) return;
       const auto pierces = [&](int facet) {
         const Triangle& c = step.subject.mesh().triangles[facet];
-        const auto ray = particle_ray(p1, p2 - p1, step.subject.point(c[0]),
-                                      step.subject.point(c[1]), step.subject.point(c[2]));
-        return ray && *ray <= (p2 - p1).norm();
+        const auto ray = particle_ray(p1, p, step.subject.point(c[0]), step.subject.point(c[1]),
+                                      step.subject.point(c[2]));
+        return ray && *ray <= p.norm();
       };
       if (!pierces(edge.facets[0]) && !pierces(edge.facets[1])) return;
       height = -distance;
@@ -199,7 +207,7 @@ void edge_contact(const CollisionStep& step, int t, int side, const SubjectEdge&
   if (in_front) {
     const Vec3 v_g = (m1 * step.before[nodes[0]] + m2 * step.before[nodes[1]]) / (m1 + m2);
     const auto hit = edge_sweep(p1, p2, v_g, q1, q2);
-    if (hit && hit->distance <= announced_within(step, v_g)) {
+    if (hit && hit->distance <= announced_within(step, gap, v_g)) {
       const Vec3 against = square.dot(v_g) > 0 ? Vec3(-square) : square;
       if (against.dot(contact.normal) > 0) {
         const Contact<2> nearest = contact;
@@ -241,13 +249,13 @@ void vertex_contact(const CollisionStep& step, int t, int vertex, const std::vec
       .inverse_mass = {step.inverse_mass[own.nodes[0]], step.inverse_mass[own.nodes[1]],
                        step.inverse_mass[own.nodes[2]]},
       .normal = normal};
-  const double gap = pair_gap * step.options.tolerance;
+  const double gap = step.options.edge_tolerance;
   double height = distance;
   if (in_front && distance > touching) {
     contact.normal = away / distance;
     if (!step.subject.faces(vertex, contact.normal)) return;
   } else if (!in_front) {
-    if (distance > step.options.tolerance) return;
+    if (distance > gap) return;
     bool pierced = false;
     for (const int other : step.subject.neighbours(vertex)) {
       const Vec3 along = step.subject.point(other) - q;
@@ -266,7 +274,7 @@ void vertex_contact(const CollisionStep& step, int t, int vertex, const std::vec
     const Vec3 v_g =
         (step.before[own.nodes[0]] + step.before[own.nodes[1]] + step.before[own.nodes[2]]) / 3;
     const auto hit = vertex_ray(q, v_g, p[0], p[1], p[2]);
-    if (hit && hit->distance <= announced_within(step, v_g)) {
+    if (hit && hit->distance <= announced_within(step, gap, v_g)) {
       const Contact<3> by_distance = contact;
       contact.weights = hit->weights;
       contact.normal = normal;

@@ -21,9 +21,8 @@ struct CollisionStep {
   double behind_depth;  ///< metres that a node may be behind the surface and still be let out
 };
 
-/// m/s along the normal that a point has to have which is `distance` metres from the surface and
-/// whose gap is `gap`: above the gap (tolerance) it may come down to it within the step, between
-/// the two it may not approach, below the gap it is let out.
+/// m/s along the normal that a point has to have which is `distance` metres from the surface: it
+/// may come down to the gap (metres) within the step, and is let out when it is nearer.
 double least_speed(const CollisionStep& step, double distance, double gap);
 
 /// The contacts of one node: at most the four nearest.
@@ -38,8 +37,8 @@ struct NodeContacts {
 NodeContacts node_contacts(const CollisionStep& step, int t, int corner, const NearTriangle& near,
                            double moved, double reach, double& clear);
 
-/// Edges and triangles that approach the subject faster than they may at velocities `v`, appended.
-/// `clear` as above.
+/// Edges and triangles within `reach` that approach the subject faster than they may at velocities
+/// `v`, appended. `clear` as above.
 struct PairContacts {
   std::vector<Contact<2>> edges;
   std::vector<Contact<3>> vertices;

@@ -37,6 +37,7 @@ class SubjectCollisions::Response {
     candidates_.set_cloth(triangles);
     clear_.resize(triangles.size());
     reach_.resize(triangles.size());
+    pair_reach_.resize(triangles.size());
     moved_.resize(triangles.size());
     chunks_.resize((triangles.size() + chunk - 1) / chunk);
   }
@@ -61,9 +62,10 @@ class SubjectCollisions::Response {
 
   SubjectSurface subject_;
   CollisionCandidates candidates_;
-  std::vector<double> reach_;  // per triangle, metres: what may matter in this step
-  std::vector<double> moved_;  // per triangle, since its lists were made
-  std::vector<double> clear_;  // per triangle, distance of what is in front of it
+  std::vector<double> reach_;       // per triangle, metres: what may matter in this step, of a node
+  std::vector<double> pair_reach_;  // the same of edges and vertices
+  std::vector<double> moved_;       // per triangle, since its lists were made
+  std::vector<double> clear_;       // per triangle, distance of what is in front of it
   std::vector<NodeContacts> node_contacts_;
   std::vector<PairContacts> chunks_;
   PairContacts pairs_;
@@ -88,9 +90,11 @@ void SubjectCollisions::Response::nodes_first(const CollisionStep& step, std::ve
       for (const int node : own.nodes) speed = std::max(speed, step.before[node].squaredNorm());
       const double passed = std::sqrt(speed) * step.dt;
       reach_[t] = step.options.tolerance + passed;
-      const NearTriangle& near = candidates_.refreshed(
-          t, step.x, reach_[t], std::clamp(list_steps * passed, least_margin, most_margin));
-      clear_[t] = reach_[t];
+      pair_reach_[t] = step.options.edge_tolerance + passed;
+      const NearTriangle& near =
+          candidates_.refreshed(t, step.x, reach_[t], pair_reach_[t],
+                                std::clamp(list_steps * passed, least_margin, most_margin));
+      clear_[t] = pair_reach_[t];
       moved_[t] = near.moved(own.nodes, step.x);
       for (int i = 0; i < 3; ++i) {
         if (!own.owns_node[i]) continue;
@@ -115,7 +119,7 @@ bool SubjectCollisions::Response::find_pairs(const CollisionStep& step, double s
       if (near.edges.empty() && near.vertices.empty()) continue;
       const Triangle& n = step.cloth[t].nodes;
       if (!all_pairs_ && !is_touched_[n[0]] && !is_touched_[n[1]] && !is_touched_[n[2]]) continue;
-      pair_contacts(step, t, near, moved_[t], reach_[t], v, slack, chunks_[c], clear_[t]);
+      pair_contacts(step, t, near, moved_[t], pair_reach_[t], v, slack, chunks_[c], clear_[t]);
     }
   });
   bool any = false;
@@ -159,7 +163,8 @@ void SubjectCollisions::Response::guard(const CollisionStep& step, std::vector<V
     for (const int node : step.cloth[t].nodes) speed = std::max(speed, v[node].squaredNorm());
     const double most = 0.9 * clear_[t] / step.dt;
     if (speed <= most * most) continue;
-    candidates_.refreshed(t, step.x, 2 * std::sqrt(speed) * step.dt, least_margin);
+    const double reach = 2 * std::sqrt(speed) * step.dt;
+    candidates_.refreshed(t, step.x, reach, reach, least_margin);
     long_steps.push_back(t);
   }
   if (!long_steps.empty()) keep_from_crossing(step, long_steps, candidates_, v);

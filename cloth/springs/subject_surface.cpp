@@ -30,7 +30,8 @@ const TriangleMesh& checked(const TriangleMesh& mesh) {
 
 }  // namespace
 
-SubjectSurface::SubjectSurface(const TriangleMesh& mesh) : distance_(checked(mesh)) {
+SubjectSurface::SubjectSurface(const TriangleMesh& mesh)
+    : distance_(checked(mesh)), points_(mesh.points) {
   facet_normals_.reserve(mesh.triangles.size());
   bool any = false;
   for (const Triangle& t : mesh.triangles) {
@@ -77,6 +78,7 @@ void SubjectSurface::build_edges() {
   for (std::size_t e = 0; e < edges_.size(); ++e) {
     SubjectEdge& edge = edges_[e];
     edge.rim = uses[e] != 2;
+    edge.ridge = edge.rim || facet_normals_[edge.facets[0]].dot(edge.inward[1]) < -lean;
     const double size = edge.normal.norm();
     edge.normal = size > 0 ? Vec3(edge.normal / size) : facet_normals_[edge.facets[0]];
   }
@@ -117,6 +119,30 @@ void SubjectSurface::build_vertices() {
     ring_[next[edge.a]++] = edge.b;
     ring_[next[edge.b]++] = edge.a;
   }
+  vertex_is_tip_.assign(count, 0);
+  for (std::size_t v = 0; v < count; ++v) {
+    vertex_is_tip_[v] = owned[v] != 0 && find_tip(static_cast<int>(v)) ? 1 : 0;
+  }
+}
+
+bool SubjectSurface::find_tip(int vertex) const {
+  if (on_rim(vertex)) return true;
+  // A direction that leads away from all edges, by turning it off the worst until there is none.
+  Vec3 direction = side_normals_[vertex];
+  for (int turn = 0; turn < 100; ++turn) {
+    double worst = 1e-6;
+    Vec3 off = Vec3::Zero();
+    for (const int other : neighbours(vertex)) {
+      const Vec3 along = (point(other) - point(vertex)).normalized();
+      if (direction.dot(along) > worst) {
+        worst = direction.dot(along);
+        off = along;
+      }
+    }
+    if (off.isZero(0)) return true;
+    direction = (direction - 1.5 * worst * off).normalized();
+  }
+  return false;
 }
 
 double SubjectSurface::distance(const Vec3& p) const {

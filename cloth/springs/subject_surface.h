@@ -21,6 +21,8 @@ struct SubjectEdge {
   std::array<int, 2> facets = {-1, -1};
   /// Not exactly two triangles: the border of an open sheet, which has no side that is inside.
   bool rim = false;
+  /// Something straight across it can touch it before anything else: it is a rim, or convex.
+  bool ridge = true;
 };
 
 /// What of a triangle is nearest to a point: its inside, an edge, or a vertex.
@@ -40,11 +42,13 @@ class SubjectSurface {
   explicit SubjectSurface(const TriangleMesh& mesh);
 
   const TriangleMesh& mesh() const { return distance_.body(); }
-  const Vec3& point(int vertex) const { return mesh().points[vertex]; }
+  const Vec3& point(int vertex) const { return points_[vertex]; }
   const Vec3& facet_normal(int facet) const { return facet_normals_[facet]; }
   /// Mean of the normals of the facets around the vertex [Zhong & Xu 2009].
   const Vec3& vertex_normal(int vertex) const { return vertex_normals_[vertex]; }
-  bool on_rim(int vertex) const { return vertex_on_rim_[vertex]; }
+  bool on_rim(int vertex) const { return vertex_on_rim_[vertex] != 0; }
+  /// Something flat over it can touch it before anything else at it.
+  bool is_tip(int vertex) const { return vertex_is_tip_[vertex] != 0; }
   /// Vertices joined to `vertex` by an edge.
   std::span<const int> neighbours(int vertex) const {
     return {ring_.data() + ring_first_[vertex], ring_.data() + ring_first_[vertex + 1]};
@@ -71,10 +75,12 @@ class SubjectSurface {
  private:
   void build_edges();
   void build_vertices();
+  bool find_tip(int vertex) const;
   SubjectNearest at_edge(const Vec3& p, const Vec3& point, const SubjectEdge& edge) const;
   SubjectNearest at_vertex(const Vec3& p, int vertex) const;
 
   BodyDistance distance_;
+  std::vector<Vec3> points_;
   std::vector<Vec3> facet_normals_;
   std::vector<SubjectEdge> edges_;
   std::vector<std::array<int, 3>> facet_edges_;
@@ -82,6 +88,7 @@ class SubjectSurface {
   std::vector<Vec3> vertex_normals_;
   std::vector<Vec3> side_normals_;  // of the vertices, weighted by angle: they tell the side
   std::vector<char> vertex_on_rim_;
+  std::vector<char> vertex_is_tip_;
   std::vector<int> ring_first_;
   std::vector<int> ring_;
 };
