@@ -49,6 +49,15 @@ double draw_out(const PanelMesh& garment, const std::vector<std::string>& part_o
 
 Placement place_panels(const PanelMesh& garment, const DistanceGrid& body,
                        const Skeleton* skeleton) {
+  if (asks_for_skeleton(garment)) {
+    Positioning positioning = position_panels(garment, body, skeleton);
+    PanelMesh positioned = garment;
+    positioned.placed = std::move(positioning.placed);
+    for (MeshedPanel& panel : positioned.panels) panel.placement = {};
+    Placement placement = place_panels(positioned, body, skeleton);
+    placement.positioned = std::move(positioning.panels);
+    return placement;
+  }
   Placement placement;
   placement.placed = garment.placed;
   if (skeleton != nullptr) {

@@ -5,23 +5,26 @@
 #include <string>
 #include <vector>
 
+#include "cloth/positioning.h"
 #include "geometry/body/skeleton.h"
 #include "geometry/distance_grid.h"
 #include "pattern/panel_mesh.h"
 
 namespace toile {
 
-/// How the panels were moved from where the pattern puts them.
+/// Where the panels start, and how they were moved from where the pattern puts them.
 struct Placement {
   std::vector<Vec3> placed;                 ///< per material point, metres
+  std::vector<PositionedPanel> positioned;  ///< panels that the skeleton positioned
   double lift = 0;                          ///< metres, of all panels together
   std::map<std::string, double> drawn_out;  ///< metres along the limb, per part that was
   int points_inside = 0;                    ///< material points that are still inside the body
   int seams_inside = 0;  ///< pairs of sewn points that would meet inside the body
 };
 
-/// Draws the panels of arms and legs out along their bones until none of their seam points has to
-/// pass its partner on the torso, behind which it would be caught; `skeleton` null: stays. Then
+/// Positions the panels that ask for it by the skeleton (positioning.h, whose Errors it throws).
+/// Then draws the panels of arms and legs out along their bones until none of their seam points has
+/// to pass its partner on the torso, behind which it would be caught; `skeleton` null: stays. Then
 /// lifts all panels together until the points that are to be sewn meet outside the body: a
 /// shoulder seam drawn below the body's shoulder would be pulled through it. Takes the lowest
 /// lift, up to 20 cm, for which the fewest pairs meet inside.

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <queue>
 
+#include "cloth/bones.h"
+
 namespace toile {
 
 namespace {
@@ -15,59 +17,6 @@ constexpr int stations = 32;
 constexpr int directions = 360;
 /// Metres: nodes no farther than this from a part's first or last one count as its top or hem.
 constexpr double end_depth = 0.02;
-
-/// The bones of one part, end to end.
-struct Bones {
-  std::vector<Vec3> joints;
-  std::vector<double> along;  // arc length at each joint
-
-  explicit Bones(const Skeleton& skeleton, const std::string& part) {
-    for (const Segment& segment : skeleton.segments) {
-      if (segment.part != part) continue;
-      if (joints.empty()) joints.push_back(skeleton.joint(segment.from));
-      joints.push_back(skeleton.joint(segment.to));
-    }
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-      along.push_back(i == 0 ? 0 : along.back() + (joints[i] - joints[i - 1]).norm());
-    }
-  }
-
-  double distance(const Vec3& p) const {
-    double nearest = std::numeric_limits<double>::max();
-    for (std::size_t i = 0; i + 1 < joints.size(); ++i) {
-      const Vec3 bone = joints[i + 1] - joints[i];
-      const double t = std::clamp((p - joints[i]).dot(bone) / bone.squaredNorm(), 0.0, 1.0);
-      nearest = std::min(nearest, (joints[i] + t * bone - p).norm());
-    }
-    return nearest;
-  }
-
-  /// Arc length of the point's foot on the bones; the first and last bone go on beyond their ends.
-  double foot(const Vec3& p) const {
-    double nearest = std::numeric_limits<double>::max();
-    double at = 0;
-    for (std::size_t i = 0; i + 1 < joints.size(); ++i) {
-      const Vec3 bone = joints[i + 1] - joints[i];
-      double t = (p - joints[i]).dot(bone) / bone.squaredNorm();
-      if (i > 0) t = std::max(t, 0.0);
-      if (i + 2 < joints.size()) t = std::min(t, 1.0);
-      const double distance = (joints[i] + t * bone - p).norm();
-      if (distance < nearest) {
-        nearest = distance;
-        at = along[i] + t * bone.norm();
-      }
-    }
-    return at;
-  }
-
-  /// The point at an arc length, and the bone's direction there.
-  std::pair<Vec3, Vec3> at(double s) const {
-    std::size_t i = 0;
-    while (i + 2 < joints.size() && s > along[i + 1]) ++i;
-    const Vec3 direction = (joints[i + 1] - joints[i]).normalized();
-    return {joints[i] + (s - along[i]) * direction, direction};
-  }
-};
 
 struct Interval {
   double low;

@@ -136,6 +136,16 @@ Json report_of(const PanelMesh& garment, const std::string& fabric, const DressR
   for (const auto& [part, distance] : result.placement.drawn_out) {
     report["scene"]["drawn_out_mm"][part] = 1000 * distance;
   }
+  for (const PositionedPanel& panel : result.placement.positioned) {
+    Json json = {{"panel", panel.panel}, {"rolled", panel.rolled}};
+    json[panel.rolled ? "radius_mm" : "distance_mm"] = 1000 * panel.distance;
+    if (panel.rolled) {
+      json["gap_mm"] = 1000 * panel.gap;
+      json["drawn_out_mm"] = 1000 * panel.drawn_out;
+      json["points_too_near"] = panel.points_too_near;
+    }
+    report["scene"]["positioned"].push_back(json);
+  }
   report["method"] = "relaxation";
   for (const StageReport& stage : result.stages) {
     report["stages"].push_back({{"name", stage.name},
@@ -188,6 +198,20 @@ void say_terms(const DressResult& result, const CommonSettings& common) {
   common.say(line);
 }
 
+void say_positions(const Placement& placement, const CommonSettings& common) {
+  for (const PositionedPanel& panel : placement.positioned) {
+    std::ostringstream line;
+    line << std::fixed << std::setprecision(1) << "panel " << panel.panel;
+    if (panel.rolled) {
+      line << " is rolled, radius " << 100 * panel.distance << " cm, gap " << 100 * panel.gap
+           << " cm";
+    } else {
+      line << " stands " << 100 * panel.distance << " cm from the bones";
+    }
+    common.say(line.str());
+  }
+}
+
 std::string percent(double fraction) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(2) << 100 * fraction << " %";
@@ -224,7 +248,7 @@ void say_result(const DressResult& result, const Judgement& judgement,
 int work(const po::variables_map& given, const CommonSettings& common) {
   const auto start = Clock::now();
   const Settings settings = read_settings(given);
-  const PanelMesh garment = read_garment(settings.garment, settings.garment_json);
+  PanelMesh garment = read_garment(settings.garment, settings.garment_json);
   const TriangleMesh body = read_closed_body(settings.body);
   std::optional<Skeleton> skeleton;
   if (fs::exists(settings.skeleton) || given.count("skeleton")) {
@@ -240,6 +264,9 @@ int work(const po::variables_map& given, const CommonSettings& common) {
   const DistanceGrid grid{BodyDistance(body)};
   const double grid_seconds = seconds_since(grid_start);
 
+  // What is judged needs to know where the panels stood as much as what is dressed.
+  garment.placed = position_panels(garment, grid, skeleton ? &*skeleton : nullptr).placed;
+
   Scene scene;
   scene.fabric = settings.fabric;
   scene.body = &grid;
@@ -249,6 +276,7 @@ int work(const po::variables_map& given, const CommonSettings& common) {
     Watch watch(settings.frames, !common.quiet && isatty(STDERR_FILENO) != 0);
     return dress(garment, scene, settings.options, [&](const DressFrame& frame) { watch(frame); });
   }();
+  say_positions(result.placement, common);
   say_terms(result, common);
 
   const auto judge_start = Clock::now();
