@@ -45,19 +45,20 @@ double draw_out(const PanelMesh& garment, const std::vector<std::string>& part_o
   return farthest;
 }
 
-}  // namespace
-
-Placement place_panels(const PanelMesh& garment, const DistanceGrid& body,
-                       const Skeleton* skeleton) {
-  if (asks_for_skeleton(garment)) {
-    Positioning positioning = position_panels(garment, body, skeleton);
-    PanelMesh positioned = garment;
-    positioned.placed = std::move(positioning.placed);
-    for (MeshedPanel& panel : positioned.panels) panel.placement = {};
-    Placement placement = place_panels(positioned, body, skeleton);
-    placement.positioned = std::move(positioning.panels);
-    return placement;
+/// Per material point, 1 if it is lifted with the garment and 0 if not: a tube around a limb has to
+/// stay there.
+std::vector<double> lifted_points(const PanelMesh& garment) {
+  std::vector<double> lifted;
+  for (const MeshedPanel& panel : garment.panels) {
+    const bool limb = panel.part.ends_with("_arm") || panel.part.ends_with("_leg");
+    lifted.insert(lifted.end(), panel.points, limb && panel.placement.around > 0 ? 0.0 : 1.0);
   }
+  return lifted;
+}
+
+/// As place_panels, of panels that stand where `garment.placed` says.
+Placement clear_panels(const PanelMesh& garment, const DistanceGrid& body,
+                       const Skeleton* skeleton) {
   Placement placement;
   placement.placed = garment.placed;
   if (skeleton != nullptr) {
@@ -77,12 +78,16 @@ Placement place_panels(const PanelMesh& garment, const DistanceGrid& body,
       }
     }
   }
+  const std::vector<double> lifted = lifted_points(garment);
   const auto inside = [&](double lift) {
     int count = 0;
     for (const MeshedSeam& seam : garment.seams) {
       for (std::size_t i = 0; i < seam.a.size(); ++i) {
-        const Vec3 middle = 0.5 * (placement.placed[seam.a[i]] + placement.placed[seam.b[i]]);
-        count += body.at(middle + Vec3(0, lift, 0)).distance < clearance;
+        const int a = seam.a[i];
+        const int b = seam.b[i];
+        const Vec3 middle = 0.5 * (placement.placed[a] + placement.placed[b]);
+        const double up = 0.5 * (lifted[a] + lifted[b]) * lift;
+        count += body.at(middle + Vec3(0, up, 0)).distance < clearance;
       }
     }
     return count;
@@ -97,10 +102,23 @@ Placement place_panels(const PanelMesh& garment, const DistanceGrid& body,
   }
   if (placement.lift > 0) placement.lift += margin;
   placement.seams_inside = inside(placement.lift);
-  for (Vec3& p : placement.placed) {
-    p.y() += placement.lift;
-    placement.points_inside += body.at(p).distance < 0;
+  for (std::size_t p = 0; p < placement.placed.size(); ++p) {
+    placement.placed[p].y() += lifted[p] * placement.lift;
+    placement.points_inside += body.at(placement.placed[p]).distance < 0;
   }
+  return placement;
+}
+
+}  // namespace
+
+Placement place_panels(const PanelMesh& garment, const DistanceGrid& body,
+                       const Skeleton* skeleton) {
+  if (!asks_for_skeleton(garment)) return clear_panels(garment, body, skeleton);
+  Positioning positioning = position_panels(garment, body, skeleton);
+  PanelMesh positioned = garment;
+  positioned.placed = std::move(positioning.placed);
+  Placement placement = clear_panels(positioned, body, skeleton);
+  placement.positioned = std::move(positioning.panels);
   return placement;
 }
 

@@ -25,9 +25,9 @@ struct Placement {
 /// Positions the panels that ask for it by the skeleton (positioning.h, whose Errors it throws).
 /// Then draws the panels of arms and legs out along their bones until none of their seam points has
 /// to pass its partner on the torso, behind which it would be caught; `skeleton` null: stays. Then
-/// lifts all panels together until the points that are to be sewn meet outside the body: a
-/// shoulder seam drawn below the body's shoulder would be pulled through it. Takes the lowest
-/// lift, up to 20 cm, for which the fewest pairs meet inside.
+/// lifts all panels together, but for those rolled around a limb, until the points that are to be
+/// sewn meet outside the body: a shoulder seam drawn below the body's shoulder would be pulled
+/// through it. Takes the lowest lift, up to 20 cm, for which the fewest pairs meet inside.
 Placement place_panels(const PanelMesh& garment, const DistanceGrid& body,
                        const Skeleton* skeleton);
 

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -21,7 +22,8 @@ constexpr double widest = 0.3;  // added to a radius
 constexpr double draw_step = 0.01;
 constexpr double draw_worth = 0.002;  // metres nearer to the arm that a step must bring
 constexpr double farthest_drawn = 0.20;
-constexpr int halvings = 6;  // of a step, toward the nearest place that is clear
+constexpr double from_divide = 0.005;  // metres kept from the plane between the legs
+constexpr int halvings = 6;            // of a step, toward the nearest place that is clear
 
 bool runs_up(const std::string& part) { return part == "torso" || part == "head"; }
 
@@ -36,6 +38,9 @@ struct Piece {
   std::vector<Vec2> points;  ///< upright
   Vec2 low = Vec2::Constant(1e300);
   Vec2 high = Vec2::Constant(-1e300);
+  /// Of a leg: the plane between both, which its panels stay on their side of; else zero.
+  Vec3 divide = Vec3::Zero();
+  Vec3 away = Vec3::Zero();
   /// Arc length on the bones where the upright y is 0; not known yet: none.
   std::optional<double> origin;
 
@@ -44,6 +49,12 @@ struct Piece {
     if (bones.joints.empty()) {
       throw refused(panel, "belongs at part '" + panel.part + "', which the skeleton lacks",
                     "let clean-body write the skeleton, or place it by translation and rotation");
+    }
+    if (panel.part.ends_with("_leg")) {
+      const Vec3& left = skeleton.joint("left_hip");
+      const Vec3& right = skeleton.joint("right_hip");
+      divide = 0.5 * (left + right);
+      away = (panel.part.starts_with("left") ? left - right : right - left).normalized();
     }
     for (int p = panel.first_point; p < panel.first_point + panel.points; ++p) {
       points.push_back(upright(panel.placement.axis, garment.flat[p]));
@@ -57,6 +68,11 @@ struct Piece {
   double arc(double y) const { return *origin + sign() * y; }
   /// Makes the upright y lie at an arc length.
   void level(double y, double s) { origin = s - sign() * y; }
+
+  /// Metres on the panel's own side of the plane between the legs.
+  double beside_divide(const Vec3& p) const {
+    return away.isZero() ? std::numeric_limits<double>::max() : (p - divide).dot(away);
+  }
 
   double asked_offset() const {
     return panel.placement.offset.value_or(panel.placement.around > 0 ? rolled_offset
@@ -160,6 +176,7 @@ class Stand {
              Eigen::AngleAxisd(angle, Vec3::UnitY()).toRotationMatrix();
     drawn_middle_ = 0.5 * (piece.low + piece.high);
     drawn_middle_.x() -= piece.panel.placement.shift;
+    if (piece.panel.placement.around == 0) clear_divide();
   }
 
   Vec3 at(const Vec2& point, double distance) const {
@@ -169,12 +186,25 @@ class Stand {
     return middle_ + frame_ * local;
   }
 
+  /// Moves a flat panel of a leg sideways, to its side of the plane between the legs.
+  void clear_divide() {
+    double least = from_divide;
+    for (const Vec2& point : piece_.points) {
+      least = std::min(least, piece_.beside_divide(at(point, farthest)));
+    }
+    const Vec3 right = frame_.col(0);
+    const double toward = right.dot(piece_.away);
+    // Of a panel at the side of its leg it is the distance that has to do it.
+    if (std::abs(toward) > 0.5) middle_ += (from_divide - least) / toward * right;
+  }
+
   /// Points that are nearer to the skin than they should be; no more are counted than `most`.
   int too_near(const DistanceGrid& body, double distance, int most) const {
     const double offset = piece_.asked_offset();
     int count = 0;
     for (const Vec2& point : piece_.points) {
-      count += body.at(at(point, distance)).distance < offset;
+      const Vec3 p = at(point, distance);
+      count += body.at(p).distance < offset || piece_.beside_divide(p) < from_divide;
       if (count >= most) break;
     }
     return count;

@@ -50,6 +50,9 @@ Eigen::Matrix3d part_frame(const Vec3& up);
 /// to the arm: the armpit is in its way. Panels of one arm are drawn out alike. If no radius within
 /// 30 cm keeps the offset, the one with fewest points too near is taken.
 ///
+/// Panels of a leg stay on its side of the plane between both legs: rolled ones by their radius,
+/// flat ones by being moved sideways.
+///
 /// A panel that names no joint lies level with panels of its part that it is sewn to, in the mean
 /// of its seam points; the first one has its upper end level with the neck, the head's top, the
 /// shoulder, or on a leg the waist.
