@@ -11,7 +11,12 @@ namespace toile {
 
 namespace {
 
-void sort_by_distance(std::vector<Candidate>& list) {
+/// Metres after which distances are measured anew.
+constexpr double stale = 0.0004;
+
+/// Drops what is farther, of triangles without area what has no distance, and sorts the rest.
+void keep_within(double reach, std::vector<Candidate>& list) {
+  std::erase_if(list, [&](const Candidate& c) { return !(c.distance <= reach); });
   std::sort(list.begin(), list.end(), [](const Candidate& a, const Candidate& b) {
     if (a.distance != b.distance) return a.distance < b.distance;
     if (a.own != b.own) return a.own < b.own;
@@ -69,21 +74,26 @@ const NearTriangle& CollisionCandidates::refreshed(int t, const std::vector<Vec3
                                                    double pair_reach, double margin) {
   const ClothTriangle& own = cloth_[t];
   NearTriangle& near = near_[t];
-  const double needed = near.behind ? std::max(reach, behind_depth_) : reach;
   if (near.reach >= 0) {
+    const double needed = near.behind ? std::max(reach, behind_depth_) : reach;
     const double moved = near.moved(own.nodes, x);
-    if (moved + needed <= near.reach && moved + pair_reach <= near.pair_reach) return near;
+    if (moved + needed <= near.reach && moved + pair_reach <= near.pair_reach) {
+      if (!near.listed || moved <= stale) return near;
+      near.reach -= moved;
+      near.pair_reach -= moved;
+      for (int i = 0; i < 3; ++i) near.at[i] = x[own.nodes[i]];
+      measure(near);
+      return near;
+    }
   }
 
-  const bool was_near = near.reach >= 0 && !near.facets.empty();
   for (int i = 0; i < 3; ++i) near.at[i] = x[own.nodes[i]];
   near.reach = std::max(reach, behind_depth_) + margin;
   near.pair_reach = pair_reach + margin;
-  near.behind = false;
   near.facets.clear();
   near.edges.clear();
   near.vertices.clear();
-  if (!was_near) {
+  if (!near.listed) {
     const Vec3 middle = (near.at[0] + near.at[1] + near.at[2]) / 3;
     double radius = 0;
     for (const Vec3& corner : near.at) radius = std::max(radius, (corner - middle).norm());
@@ -91,58 +101,65 @@ const NearTriangle& CollisionCandidates::refreshed(int t, const std::vector<Vec3
     if (clear > near.reach) {
       near.reach = clear;
       near.pair_reach = clear;
+      near.behind = false;
       return near;
     }
   }
-  list(own, near);
+  ask(own, near);
   return near;
 }
 
-void CollisionCandidates::list(const ClothTriangle& own, NearTriangle& near) const {
+void CollisionCandidates::ask(const ClothTriangle& own, NearTriangle& near) const {
   const std::array<Vec3, 3>& at = near.at;
   const Vec3 pad = Vec3::Constant(near.reach);
   thread_local std::vector<int> facets;
   subject_.facets_in_box(at[0].cwiseMin(at[1]).cwiseMin(at[2]) - pad,
                          at[0].cwiseMax(at[1]).cwiseMax(at[2]) + pad, facets);
-  std::array<double, 3> nearest;
-  nearest.fill(near.reach);
-  std::array<bool, 3> behind = {};
   for (const int facet : facets) {
-    for (int i = 0; i < 3; ++i) {
-      if (!own.owns_node[i]) continue;
-      const SubjectNearest found = subject_.nearest(at[i], facet);
-      const double distance = std::abs(found.distance);
-      if (distance > near.reach) continue;
-      near.facets.push_back({distance, i, facet});
-      if (distance < nearest[i]) {
-        nearest[i] = distance;
-        behind[i] = found.distance < 0;
-      }
-    }
     const Triangle& corners = subject_.mesh().triangles[facet];
-    for (int side = 0; side < 3; ++side) {
-      const int edge = subject_.facet_edges(facet)[side];
-      if (subject_.owns_edge(facet, side) && subject_.edge(edge).ridge) {
-        for (int i = 0; i < 3; ++i) {
-          if (!own.owns_side[i]) continue;
-          const double distance =
-              segment_distance(at[i], at[(i + 1) % 3], subject_.point(subject_.edge(edge).a),
-                               subject_.point(subject_.edge(edge).b));
-          if (distance <= near.pair_reach) near.edges.push_back({distance, i, edge});
+    for (int i = 0; i < 3; ++i) {
+      if (own.owns_node[i]) near.facets.push_back({0, i, facet});
+      const int edge = subject_.facet_edges(facet)[i];
+      if (subject_.owns_edge(facet, i) && subject_.edge(edge).ridge) {
+        for (int side = 0; side < 3; ++side) {
+          if (own.owns_side[side]) near.edges.push_back({0, side, edge});
         }
       }
-      if (own.whole && subject_.owns_vertex(facet, side) && subject_.is_tip(corners[side])) {
-        const Vec3& vertex = subject_.point(corners[side]);
-        const Vec3 w = nearest_on_triangle(vertex, at[0], at[1], at[2]);
-        const double distance = (w[0] * at[0] + w[1] * at[1] + w[2] * at[2] - vertex).norm();
-        if (distance <= near.pair_reach) near.vertices.push_back({distance, 0, corners[side]});
+      if (own.whole && subject_.owns_vertex(facet, i) && subject_.is_tip(corners[i])) {
+        near.vertices.push_back({0, 0, corners[i]});
       }
     }
   }
+  measure(near);
+  near.listed = !facets.empty();
+}
+
+void CollisionCandidates::measure(NearTriangle& near) const {
+  const std::array<Vec3, 3>& at = near.at;
+  std::array<double, 3> nearest;
+  nearest.fill(near.reach);
+  std::array<bool, 3> behind = {};
+  for (Candidate& c : near.facets) {
+    const SubjectNearest found = subject_.nearest(at[c.own], c.subject);
+    c.distance = std::abs(found.distance);
+    if (c.distance >= nearest[c.own]) continue;
+    nearest[c.own] = c.distance;
+    behind[c.own] = found.distance < 0;
+  }
+  for (Candidate& c : near.edges) {
+    const SubjectEdge& edge = subject_.edge(c.subject);
+    c.distance = segment_distance(at[c.own], at[(c.own + 1) % 3], subject_.point(edge.a),
+                                  subject_.point(edge.b));
+  }
+  for (Candidate& c : near.vertices) {
+    const Vec3& vertex = subject_.point(c.subject);
+    const Vec3 w = nearest_on_triangle(vertex, at[0], at[1], at[2]);
+    c.distance = (w[0] * at[0] + w[1] * at[1] + w[2] * at[2] - vertex).norm();
+  }
   near.behind = behind[0] || behind[1] || behind[2];
-  sort_by_distance(near.facets);
-  sort_by_distance(near.edges);
-  sort_by_distance(near.vertices);
+  keep_within(near.reach, near.facets);
+  keep_within(near.pair_reach, near.edges);
+  keep_within(near.pair_reach, near.vertices);
 }
 
 }  // namespace toile

@@ -28,9 +28,11 @@ struct Candidate {
 
 /// What is near one triangle, each list by ascending distance.
 struct NearTriangle {
+  /// Where its corners were when the distances were measured.
   std::array<Vec3, 3> at = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   double reach = -1;              ///< metres; facets nearer than that to a node at `at` are listed
   double pair_reach = -1;         ///< metres; the same of edges and vertices
+  bool listed = false;            ///< the subject was near enough for lists
   bool behind = false;            ///< one of its own nodes was behind the surface
   std::vector<Candidate> facets;  ///< of the nodes that it owns
   std::vector<Candidate> edges;   ///< of the sides that it owns
@@ -55,13 +57,15 @@ class CollisionCandidates {
 
   /// The lists of triangle `t`, good for facets within `reach` of its nodes at `x`, and for edges
   /// and vertices within `pair_reach`, which is no more. Asks with `margin` to spare when it has
-  /// to ask. Different triangles may be refreshed at the same time.
+  /// to ask. What is listed is measured anew more often, so that lists can be read from the front
+  /// only as far as matters. Different triangles may be refreshed at the same time.
   const NearTriangle& refreshed(int t, const std::vector<Vec3>& x, double reach, double pair_reach,
                                 double margin);
   const NearTriangle& near(int t) const { return near_[t]; }
 
  private:
-  void list(const ClothTriangle& triangle, NearTriangle& near) const;
+  void ask(const ClothTriangle& triangle, NearTriangle& near) const;
+  void measure(NearTriangle& near) const;
 
   const SubjectSurface& subject_;
   double behind_depth_;

@@ -15,7 +15,7 @@ constexpr double behind_depth = 0.005;
 /// Triangles of a task; fixed, so that results don't depend on the threads.
 constexpr int chunk = 256;
 /// Steps that the lists of candidates shall last, and what that may cost in length, metres.
-constexpr double list_steps = 50;
+constexpr double list_steps = 60;
 constexpr double least_margin = 0.0015;
 constexpr double most_margin = 0.01;
 /// Of the fastest approach, what may be left of any.

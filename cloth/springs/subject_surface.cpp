@@ -30,8 +30,7 @@ const TriangleMesh& checked(const TriangleMesh& mesh) {
 
 }  // namespace
 
-SubjectSurface::SubjectSurface(const TriangleMesh& mesh)
-    : distance_(checked(mesh)), points_(mesh.points) {
+SubjectSurface::SubjectSurface(const TriangleMesh& mesh) : mesh_(checked(mesh)), distance_(mesh_) {
   facet_normals_.reserve(mesh.triangles.size());
   bool any = false;
   for (const Triangle& t : mesh.triangles) {
@@ -47,14 +46,13 @@ SubjectSurface::SubjectSurface(const TriangleMesh& mesh)
 }
 
 void SubjectSurface::build_edges() {
-  const TriangleMesh& mesh = this->mesh();
-  facet_edges_.assign(mesh.triangles.size(), {-1, -1, -1});
-  owned_.assign(mesh.triangles.size(), 0);
+  facet_edges_.assign(mesh_.triangles.size(), {-1, -1, -1});
+  owned_.assign(mesh_.triangles.size(), 0);
   std::map<std::pair<int, int>, int> numbers;
   std::vector<int> uses;
-  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+  for (int t = 0; t < static_cast<int>(mesh_.triangles.size()); ++t) {
     if (facet_normals_[t].isZero()) continue;
-    const Triangle& corners = mesh.triangles[t];
+    const Triangle& corners = mesh_.triangles[t];
     for (int side = 0; side < 3; ++side) {
       const int a = corners[side];
       const int b = corners[(side + 1) % 3];
@@ -71,7 +69,7 @@ void SubjectSurface::build_edges() {
       const int use = uses[found->second]++;
       if (use < 2) {
         edge.facets[use] = t;
-        edge.inward[use] = facet_normals_[t].cross(mesh.points[b] - mesh.points[a]).normalized();
+        edge.inward[use] = facet_normals_[t].cross(mesh_.points[b] - mesh_.points[a]).normalized();
       }
     }
   }
@@ -85,19 +83,18 @@ void SubjectSurface::build_edges() {
 }
 
 void SubjectSurface::build_vertices() {
-  const TriangleMesh& mesh = this->mesh();
-  const std::size_t count = mesh.points.size();
+  const std::size_t count = mesh_.points.size();
   vertex_normals_.assign(count, Vec3::Zero());
   side_normals_.assign(count, Vec3::Zero());
   vertex_on_rim_.assign(count, 0);
   std::vector<char> owned(count, 0);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
     if (facet_normals_[t].isZero()) continue;
-    const Triangle& corners = mesh.triangles[t];
+    const Triangle& corners = mesh_.triangles[t];
     for (int i = 0; i < 3; ++i) {
       const int here = corners[i];
-      const Vec3 u = mesh.points[corners[(i + 1) % 3]] - mesh.points[here];
-      const Vec3 v = mesh.points[corners[(i + 2) % 3]] - mesh.points[here];
+      const Vec3 u = mesh_.points[corners[(i + 1) % 3]] - mesh_.points[here];
+      const Vec3 v = mesh_.points[corners[(i + 2) % 3]] - mesh_.points[here];
       vertex_normals_[here] += facet_normals_[t];
       side_normals_[here] += std::atan2(u.cross(v).norm(), u.dot(v)) * facet_normals_[t];
       if (owned[here] == 0) owned_[t] |= static_cast<unsigned char>(8U << i);
@@ -139,7 +136,8 @@ bool SubjectSurface::find_tip(int vertex) const {
         off = along;
       }
     }
-    if (off.isZero(0)) return true;
+    // All edges may lead away from a direction into the body, too: a pit.
+    if (off.isZero(0)) return direction.dot(side_normals_[vertex]) > 0;
     direction = (direction - 1.5 * worst * off).normalized();
   }
   return false;
@@ -195,7 +193,7 @@ SubjectNearest SubjectSurface::at_vertex(const Vec3& p, int vertex) const {
 }
 
 SubjectNearest SubjectSurface::nearest(const Vec3& p, int facet) const {
-  const Triangle& t = mesh().triangles[facet];
+  const Triangle& t = mesh_.triangles[facet];
   const Vec3 weights = nearest_on_triangle(p, point(t[0]), point(t[1]), point(t[2]));
   for (int i = 0; i < 3; ++i) {
     if (weights[i] == 1) return at_vertex(p, t[i]);

@@ -41,8 +41,8 @@ class SubjectSurface {
   /// Keeps a copy. Throws Error when no triangle has an area, or a point is not finite.
   explicit SubjectSurface(const TriangleMesh& mesh);
 
-  const TriangleMesh& mesh() const { return distance_.body(); }
-  const Vec3& point(int vertex) const { return points_[vertex]; }
+  const TriangleMesh& mesh() const { return mesh_; }
+  const Vec3& point(int vertex) const { return mesh_.points[vertex]; }
   const Vec3& facet_normal(int facet) const { return facet_normals_[facet]; }
   /// Mean of the normals of the facets around the vertex [Zhong & Xu 2009].
   const Vec3& vertex_normal(int vertex) const { return vertex_normals_[vertex]; }
@@ -79,8 +79,8 @@ class SubjectSurface {
   SubjectNearest at_edge(const Vec3& p, const Vec3& point, const SubjectEdge& edge) const;
   SubjectNearest at_vertex(const Vec3& p, int vertex) const;
 
+  TriangleMesh mesh_;
   BodyDistance distance_;
-  std::vector<Vec3> points_;
   std::vector<Vec3> facet_normals_;
   std::vector<SubjectEdge> edges_;
   std::vector<std::array<int, 3>> facet_edges_;

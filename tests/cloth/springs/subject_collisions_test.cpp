@@ -9,6 +9,7 @@
 #include <numbers>
 #include <random>
 
+#include "geometry/body_distance.h"
 #include "geometry/error.h"
 #include "geometry/intersections.h"
 #include "tests/cloth/springs/collision_scene.h"
@@ -297,6 +298,38 @@ TEST(SubjectCollisions, AfterTheResponseNothingApproaches) {
   std::cout << "contacts " << first.particle_facet << ' ' << first.vertex_triangle << ' '
             << first.edge_edge << ", a second response changes up to " << left
             << " m/s of an approach of 2\n";
+}
+
+TEST(SubjectCollisions, ASlidingSheetKeepsTheGapAndGainsNoEnergy) {
+  const TriangleMesh ball = test::sphere(0.1, 4);
+  const TriangleMesh sheet = level_sheet(20, 20, 0.008, 0.104);
+  LooseCloth cloth(ball, sheet, Vec3(3, 0, 0.4));
+  const auto energy = [&] {  // J/kg, mean
+    double sum = 0;
+    for (std::size_t i = 0; i < cloth.x.size(); ++i) {
+      sum += cloth.v[i].squaredNorm() / 2 + 9.81 * cloth.x[i].y();
+    }
+    return sum / static_cast<double>(cloth.x.size());
+  };
+  const BodyDistance distance(ball);
+  double before = energy();
+  double gained = 0;
+  double least = 1;
+  for (int i = 0; i < 1000; ++i) {
+    cloth.step(dt, down);
+    const double now = energy();
+    gained = std::max(gained, now - before);
+    before = now;
+    if (i % 10 == 0) {
+      for (const Vec3& p : cloth.x) least = std::min(least, distance.nearest(p).distance);
+    }
+    if (i % 50 == 0) {
+      ASSERT_TRUE(intersections(ball, {cloth.x, sheet.triangles}).empty());
+    }
+  }
+  EXPECT_LT(gained, 1e-6);
+  EXPECT_GT(least, 0.0019);
+  std::cout << "most energy gained in a step " << gained << " J/kg, least gap " << least << " m\n";
 }
 
 TEST(SubjectCollisions, SameBitsForAnyNumberOfThreads) {
