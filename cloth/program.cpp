@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "cloth/gathers.h"
 #include "geometry/error.h"
 
 namespace toile {
@@ -57,27 +58,6 @@ double cotangent(const Vec2& at, const Vec2& a, const Vec2& b) {
   const Vec2 u = a - at;
   const Vec2 v = b - at;
   return u.dot(v) / std::abs(u.x() * v.y() - u.y() * v.x());
-}
-
-/// Sides whose lengths differ by more than this are eased or gathered.
-constexpr double gather_threshold = 0.02;
-
-/// Edges on the longer side of a gathered seam, with the share of their length that the shorter
-/// side leaves them. A seam takes the shorter side's length: the other side's fullness goes into
-/// folds beside it, not into stretching its partner.
-std::map<std::pair<int, int>, double> gathered_edges(const PanelMesh& garment) {
-  std::map<std::pair<int, int>, double> shares;
-  for (const MeshedSeam& seam : garment.seams) {
-    for (std::size_t i = 0; i + 1 < seam.a.size(); ++i) {
-      const std::pair<int, int> a = std::minmax(seam.a[i], seam.a[i + 1]);
-      const std::pair<int, int> b = std::minmax(seam.b[i], seam.b[i + 1]);
-      const double length_a = (garment.flat[a.first] - garment.flat[a.second]).norm();
-      const double length_b = (garment.flat[b.first] - garment.flat[b.second]).norm();
-      if (length_a > (1 + gather_threshold) * length_b) shares[a] = length_b / length_a;
-      if (length_b > (1 + gather_threshold) * length_a) shares[b] = length_a / length_b;
-    }
-  }
-  return shares;
 }
 
 class Compiler {
@@ -259,7 +239,7 @@ class Compiler {
   }
 
   const PanelMesh& garment_;
-  std::map<std::pair<int, int>, double> gathered_;
+  GatheredEdges gathered_;
   Program program_;
 };
 
