@@ -26,7 +26,8 @@ Fabric find_fabric(const std::string& name_or_file) {
       {"stretch_weft_N_per_m", {&fabric.stretch_weft, false}},
       {"shear_N_per_m", {&fabric.shear, true}},
       {"bending_N_m", {&fabric.bending, true}},
-      {"friction", {&fabric.friction, true}}};
+      {"friction", {&fabric.friction, true}},
+      {"damping_s", {&fabric.damping, true}}};
   try {
     const auto json = nlohmann::json::parse(read_file(name_or_file));
     if (!json.is_object()) throw Error(name_or_file, "is no JSON object", "see the README");

@@ -1,0 +1,170 @@
+#include "cloth/springs/spring_sheet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "cloth/gathers.h"
+
+namespace toile {
+
+namespace {
+
+using Edge = std::pair<int, int>;
+
+Edge edge_of(int a, int b) { return std::minmax(a, b); }
+
+/// The corner `c` of a triangle as seen from its edge a-b: how far along, how far off.
+Vec2 from_edge(const Vec2& a, const Vec2& b, const Vec2& c) {
+  const Vec2 along = (b - a).normalized();
+  const Vec2 to = c - a;
+  return {to.dot(along), std::abs(to.x() * along.y() - to.y() * along.x())};
+}
+
+double area_of(const PanelMesh& garment, int t) {
+  const auto& [a, b, c] = garment.triangles[t];
+  const Vec2 u = garment.flat[b] - garment.flat[a];
+  const Vec2 v = garment.flat[c] - garment.flat[a];
+  return 0.5 * (u.x() * v.y() - u.y() * v.x());
+}
+
+}  // namespace
+
+SpringSheet::SpringSheet(const PanelMesh& garment, const Program& program)
+    : garment_(garment), program_(program), parent_(garment.flat.size()) {
+  std::iota(parent_.begin(), parent_.end(), 0);
+  lay_out_edges();
+  lay_out_bends();
+  refresh();
+}
+
+/// Young's modulus of an orthotropic sheet without contraction across, in the direction `along`
+/// [Jones 1999, Mechanics of Composite Materials, 2.6].
+double SpringSheet::modulus(const Vec2& along, double grain) const {
+  const Fabric& fabric = program_.scene.fabric;
+  const double angle = std::atan2(along.y(), along.x()) - grain;
+  const double weft = std::pow(std::cos(angle), 2);
+  const double warp = 1 - weft;
+  const double shear = std::max(fabric.shear, 1e-3 * fabric.stretch_weft);
+  return 1 / (weft * weft / fabric.stretch_weft + warp * warp / fabric.stretch_warp +
+              weft * warp / shear);
+}
+
+void SpringSheet::lay_out_edges() {
+  const Fabric& fabric = program_.scene.fabric;
+  const GatheredEdges gathered = gathered_edges(garment_);
+  point_mass_.assign(garment_.flat.size(), 0);
+  for (const MeshedPanel& panel : garment_.panels) {
+    std::map<Edge, double> area_at;
+    for (int t = panel.first_triangle; t < panel.first_triangle + panel.triangles; ++t) {
+      const double area = area_of(garment_, t);
+      for (int i = 0; i < 3; ++i) {
+        const int a = garment_.triangles[t][i];
+        point_mass_[a] += area * fabric.areal_density / 3;
+        area_at[edge_of(a, garment_.triangles[t][(i + 1) % 3])] += area;
+      }
+    }
+    for (const auto& [edge, area] : area_at) {
+      const Vec2 along = garment_.flat[edge.second] - garment_.flat[edge.first];
+      Spring spring{edge.first, edge.second, along.norm()};
+      spring.stiffness = modulus(along, panel.grain) * area / along.squaredNorm();
+      spring.damping = fabric.damping * spring.stiffness;
+      const auto share = gathered.find(edge);
+      if (share != gathered.end()) spring.rest *= share->second;
+      point_edges_.push_back(spring);
+    }
+  }
+}
+
+void SpringSheet::lay_out_bends() {
+  const Fabric& fabric = program_.scene.fabric;
+  if (fabric.bending <= 0) return;
+  struct Side {
+    int triangle;
+    int corner;  // opposite to the edge
+  };
+  std::map<Edge, std::vector<Side>> sides;
+  for (std::size_t t = 0; t < program_.node_triangles.size(); ++t) {
+    const Triangle& nodes = program_.node_triangles[t];
+    for (int i = 0; i < 3; ++i) {
+      sides[edge_of(nodes[(i + 1) % 3], nodes[(i + 2) % 3])].push_back({static_cast<int>(t), i});
+    }
+  }
+  const double stiffest = std::max(fabric.stretch_warp, fabric.stretch_weft);
+  for (const auto& [edge, faces] : sides) {
+    if (faces.size() != 2) continue;
+    std::array<int, 4> hinge;
+    std::array<int, 2> corners;
+    std::array<Vec2, 2> reach;
+    double area = 0;
+    double length = 0;
+    for (int side = 0; side < 2; ++side) {
+      const Triangle& points = garment_.triangles[faces[side].triangle];
+      const int corner = faces[side].corner;
+      int a = points[(corner + 1) % 3];
+      int b = points[(corner + 2) % 3];
+      if (program_.node_of_point[a] != edge.first) std::swap(a, b);
+      hinge[2 * side] = a;
+      hinge[2 * side + 1] = b;
+      corners[side] = points[corner];
+      reach[side] = from_edge(garment_.flat[a], garment_.flat[b], garment_.flat[points[corner]]);
+      area += area_of(garment_, faces[side].triangle);
+      length += 0.5 * (garment_.flat[a] - garment_.flat[b]).norm();
+    }
+    const double heights = reach[0].y() + reach[1].y();
+    Bend bend;
+    bend.corners = corners;
+    bend.hinge = hinge;
+    bend.rest = Vec2(reach[0].x() - reach[1].x(), heights).norm();
+    // The spring shortens by `shorter` at the fold where the energies are to agree.
+    const double fold = 0.6 * heights / matched_radius;  // measured: fits most meshes
+    const double shorter = reach[0].y() * reach[1].y() * fold * fold / (2 * bend.rest);
+    const double energy = 0.5 * fabric.bending * std::pow(length * fold, 2) / area;
+    bend.stiffness = std::min(2 * energy / (shorter * shorter), stiffest);
+    point_bends_.push_back(bend);
+  }
+}
+
+int SpringSheet::root(int point) const {
+  while (parent_[point] != point) point = parent_[point] = parent_[parent_[point]];
+  return point;
+}
+
+void SpringSheet::merge(int a, int b) {
+  a = root(a);
+  b = root(b);
+  parent_[std::max(a, b)] = std::min(a, b);
+}
+
+void SpringSheet::refresh() {
+  node_of_point_.resize(parent_.size());
+  mass_.assign(parent_.size(), 0);
+  for (std::size_t p = 0; p < parent_.size(); ++p) {
+    node_of_point_[p] = root(static_cast<int>(p));
+    mass_[node_of_point_[p]] += point_mass_[p];
+  }
+  inverse_mass_.resize(mass_.size());
+  for (std::size_t p = 0; p < mass_.size(); ++p) {
+    inverse_mass_[p] = mass_[p] > 0 ? 1 / mass_[p] : 0;
+  }
+  edges_ = point_edges_;
+  for (Spring& spring : edges_) {
+    spring.a = node_of_point_[spring.a];
+    spring.b = node_of_point_[spring.b];
+  }
+  bending_.clear();
+  const double damping = program_.scene.fabric.damping;
+  for (const Bend& bend : point_bends_) {
+    const auto& h = bend.hinge;
+    if (node(h[0]) != node(h[2]) || node(h[1]) != node(h[3])) continue;
+    bending_.push_back({node(bend.corners[0]), node(bend.corners[1]), bend.rest, bend.stiffness,
+                        damping * bend.stiffness});
+  }
+  triangles_ = garment_.triangles;
+  for (Triangle& t : triangles_) {
+    for (int& corner : t) corner = node_of_point_[corner];
+  }
+}
+
+}  // namespace toile

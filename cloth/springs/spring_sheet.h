@@ -1,0 +1,75 @@
+// The garment as masses and springs, whose seams are sewn by merging their nodes.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "cloth/program.h"
+#include "cloth/springs/spring.h"
+#include "geometry/types.h"
+#include "pattern/panel_mesh.h"
+
+namespace toile {
+
+/// A mass-spring garment [Zhong & Xu 2009; Provot 1995]. Every material point starts as a node of
+/// its own; where seams are sewn, nodes are merged and what hung on the one hangs on the other
+/// (fig. 5). A node is named by one of its material points: arrays are as long as the garment has
+/// points, and those merged away have no mass and no springs.
+///
+/// - *Structural and shear springs* are the edges of the triangles, which on an unstructured mesh
+///   are both. Their stiffness is the fabric's modulus in their direction times the area that is
+///   theirs over their length squared [Van Gelder 1998]; along a gathered seam they take the
+///   shorter side's length.
+/// - *Bending springs* join the opposite corners of two adjacent triangles, of a seam's two panels
+///   too once it is sewn. Such a spring resists a fold with the fourth power of the angle: it has
+///   the fabric's bending energy at one curvature only, 1/`matched_radius`, less below and more
+///   above; and it is no stiffer than an edge.
+class SpringSheet {
+ public:
+  /// Metres; the radius of a fold in a garment.
+  static constexpr double matched_radius = 0.05;
+
+  /// `program`: the garment as compiled, which says what is to be sewn. Both have to outlive this.
+  SpringSheet(const PanelMesh& garment, const Program& program);
+
+  /// The nodes of two material points become one; springs change at the next refresh().
+  void merge(int a, int b);
+  /// Re-connects springs and triangles, and adds up the masses. Linear in the triangles.
+  void refresh();
+
+  int node(int point) const { return node_of_point_[point]; }
+  int points() const { return static_cast<int>(node_of_point_.size()); }
+  const std::vector<double>& mass() const { return mass_; }  ///< kg; 0: merged away
+  const std::vector<double>& inverse_mass() const { return inverse_mass_; }
+  const std::vector<Spring>& edges() const { return edges_; }            ///< structural and shear
+  const std::vector<Spring>& bending() const { return bending_; }        ///< of what is sewn so far
+  const std::vector<Triangle>& triangles() const { return triangles_; }  ///< of nodes
+
+ private:
+  struct Bend {
+    std::array<int, 2> corners;  // material points
+    std::array<int, 4> hinge;    // the edge's ends in the one and the other panel
+    double rest;
+    double stiffness;
+  };
+  void lay_out_edges();
+  void lay_out_bends();
+  double modulus(const Vec2& along, double grain) const;
+  int root(int point) const;
+
+  const PanelMesh& garment_;
+  const Program& program_;
+  std::vector<double> point_mass_;
+  std::vector<Spring> point_edges_;  // between material points
+  std::vector<Bend> point_bends_;
+  mutable std::vector<int> parent_;
+
+  std::vector<int> node_of_point_;
+  std::vector<double> mass_;
+  std::vector<double> inverse_mass_;
+  std::vector<Spring> edges_;
+  std::vector<Spring> bending_;
+  std::vector<Triangle> triangles_;
+};
+
+}  // namespace toile

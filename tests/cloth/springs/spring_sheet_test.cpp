@@ -1,0 +1,147 @@
+#include "cloth/springs/spring_sheet.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <iostream>
+#include <numeric>
+
+#include "cloth/springs/spring_forces.h"
+#include "tests/cloth/panels.h"
+
+namespace toile {
+namespace {
+
+Program compiled(const PanelMesh& garment, const Fabric& fabric) {
+  Scene scene;
+  scene.fabric = fabric;
+  return compile(garment, scene, garment.placed);
+}
+
+double total(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+/// Two squares of 10 cm side by side, 3 cm apart, sewn along the facing edges.
+PanelMesh two_squares() {
+  PanelMesh garment;
+  const PlanarMesh square = test::grid(0.1, 0.1, 10, 10);
+  test::add_panel(garment, "left", square, [](const Vec2& p) { return Vec3(p.x(), p.y(), 0); });
+  test::add_panel(garment, "right", square,
+                  [](const Vec2& p) { return Vec3(p.x() + 0.13, p.y(), 0); });
+  MeshedSeam seam;
+  seam.name = "middle";
+  for (int row = 0; row <= 10; ++row) {
+    seam.a.push_back(row * 11 + 10);
+    seam.b.push_back(121 + row * 11);
+  }
+  garment.seams.push_back(seam);
+  return garment;
+}
+
+TEST(SpringSheet, WeighsWhatTheClothWeighs) {
+  const PanelMesh garment = two_squares();
+  const Program program = compiled(garment, {});
+  SpringSheet sheet(garment, program);
+  EXPECT_NEAR(total(sheet.mass()), 2 * 0.01 * 0.15, 1e-12);
+}
+
+// A lattice of springs of stiffness Y·A/L² has the modulus Y: stretched along its grain with free
+// sides, a square of cloth pulls with Y times the strain per width.
+TEST(SpringSheet, StretchedAlongTheGrainItHasTheFabricsEnergy) {
+  const PanelMesh garment = test::flat_panel(test::grid(0.1, 0.1, 20, 20));
+  Fabric fabric;
+  const Program program = compiled(garment, fabric);
+  const SpringSheet sheet(garment, program);
+  std::vector<Vec3> x = garment.placed;
+  for (Vec3& p : x) p.y() *= 1.001;
+  const double energy = spring_energy(sheet.edges(), x);
+  const double wanted = 0.5 * fabric.stretch_warp * 1e-6 * 0.01;
+  std::cout << "energy over the membrane's: " << energy / wanted << "\n";
+  // The diagonals resist too: a lattice can't have its shear stiffness chosen on its own.
+  EXPECT_GT(energy / wanted, 0.99);
+  EXPECT_LT(energy / wanted, 1.35);
+}
+
+TEST(SpringSheet, IsForceFreeAtRestAndUnderRigidMotion) {
+  const PanelMesh garment = test::flat_panel(test::grid(0.1, 0.1, 10, 10));
+  const Program program = compiled(garment, {});
+  const SpringSheet sheet(garment, program);
+  Eigen::Matrix3d turn(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()));
+  std::vector<Vec3> x;
+  for (const Vec3& p : garment.placed) x.push_back(turn * p + Vec3(4, 5, 6));
+  EXPECT_LT(spring_energy(sheet.edges(), x), 1e-18);
+  EXPECT_LT(spring_energy(sheet.bending(), x), 1e-18);
+}
+
+// Rolled to the matched radius, the bending springs hold the fabric's B/2R² per area; at half the
+// radius more, at twice the radius less: their energy goes with the fourth power of the curvature.
+TEST(SpringSheet, BendsLikeTheFabricAtOneCurvature) {
+  const PanelMesh garment = test::flat_panel(test::grid(0.1, 0.1, 16, 16));
+  Fabric fabric;
+  const Program program = compiled(garment, fabric);
+  const SpringSheet sheet(garment, program);
+  const auto share = [&](double radius) {
+    std::vector<Vec3> x;
+    for (const Vec3& p : garment.placed) {
+      x.emplace_back(radius * std::sin(p.x() / radius), p.y(), radius * std::cos(p.x() / radius));
+    }
+    return spring_energy(sheet.bending(), x) / (0.5 * fabric.bending / (radius * radius) * 0.01);
+  };
+  const double matched = share(SpringSheet::matched_radius);
+  std::cout << "bending energy over the fabric's: " << matched << " at R, "
+            << share(0.5 * SpringSheet::matched_radius) << " at R/2, "
+            << share(2 * SpringSheet::matched_radius) << " at 2R\n";
+  EXPECT_GT(matched, 0.4);
+  EXPECT_LT(matched, 1.6);
+  EXPECT_NEAR(share(2 * SpringSheet::matched_radius) / matched, 0.25, 0.02);
+}
+
+TEST(SpringSheet, MergingJoinsMassesAndSprings) {
+  const PanelMesh garment = two_squares();
+  const Program program = compiled(garment, {});
+  SpringSheet sheet(garment, program);
+  const std::size_t edges = sheet.edges().size();
+  const std::size_t bends = sheet.bending().size();
+  const double before = total(sheet.mass());
+  const MeshedSeam& seam = garment.seams[0];
+  for (std::size_t i = 0; i < seam.a.size(); ++i) sheet.merge(seam.a[i], seam.b[i]);
+  sheet.refresh();
+  EXPECT_NEAR(total(sheet.mass()), before, 1e-15);
+  EXPECT_EQ(sheet.edges().size(), edges);
+  EXPECT_EQ(sheet.bending().size(), bends + 10);  // one across each of the seam's ten edges
+  for (std::size_t i = 0; i < seam.a.size(); ++i) {
+    EXPECT_EQ(sheet.node(seam.a[i]), sheet.node(seam.b[i]));
+    EXPECT_EQ(sheet.mass()[std::max(seam.a[i], seam.b[i])], 0);
+  }
+  for (const Spring& spring : sheet.edges()) {
+    EXPECT_GT(sheet.mass()[spring.a], 0);
+    EXPECT_GT(sheet.mass()[spring.b], 0);
+  }
+  // Flat, side by side, the sewn cloth is at rest.
+  std::vector<Vec3> x = garment.placed;
+  for (std::size_t p = 121; p < x.size(); ++p) x[p].x() -= 0.03;
+  EXPECT_LT(spring_energy(sheet.edges(), x) + spring_energy(sheet.bending(), x), 1e-18);
+}
+
+TEST(SpringSheet, AGatheredSideTakesItsPartnersLength) {
+  PanelMesh garment = two_squares();
+  // The right panel's pattern is a fifth taller.
+  for (std::size_t p = 121; p < garment.flat.size(); ++p) garment.flat[p].y() *= 1.2;
+  const Program program = compiled(garment, {});
+  const SpringSheet sheet(garment, program);
+  const MeshedSeam& seam = garment.seams[0];
+  int found = 0;
+  for (const Spring& spring : sheet.edges()) {
+    for (std::size_t i = 0; i + 1 < seam.b.size(); ++i) {
+      if (spring.a != seam.b[i] || spring.b != seam.b[i + 1]) continue;
+      EXPECT_NEAR(spring.rest, 0.01, 1e-12);
+      ++found;
+    }
+  }
+  EXPECT_EQ(found, 10);
+}
+
+}  // namespace
+}  // namespace toile
