@@ -25,6 +25,7 @@ struct StageReport {
   int steps = 0;
   int searches = 0;
   double seconds = 0;
+  double simulated = 0;  ///< seconds of the cloth's own time; 0 for a method that has none
   bool converged = false;
   Residual residual;
 };
@@ -41,6 +42,7 @@ struct DressResult {
   std::vector<Triangle> triangles;                 ///< of nodes, in the garment's order
   Placement placement;
   double body_offset = 0;  ///< metres kept from the skin: the scene's, more for edges above 15 mm
+  double time_step = 0;    ///< seconds; 0 for a method that has none
   std::vector<StageReport> stages;
   DuringDressing during;
   Residual residual;

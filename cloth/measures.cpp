@@ -76,7 +76,7 @@ SeamFigures measure_seams(const PanelMesh& pattern, const std::vector<Vec3>& poi
       ++figures.sewn;
     } else {
       ++figures.open;
-      figures.open_seams.push_back(seam.name);
+      figures.open_seams.push_back({seam.name, 100 * gap});
     }
   }
   return figures;

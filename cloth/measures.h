@@ -32,11 +32,16 @@ struct StrainFigures {
   double rms = 0;
 };
 
+struct OpenSeam {
+  std::string name;
+  double missing_cm = 0;  ///< widest gap between two points that should be one
+};
+
 struct SeamFigures {
   int sewn = 0;
   int open = 0;
   double max_gap_mm = 0;
-  std::vector<std::string> open_seams;  ///< names
+  std::vector<OpenSeam> open_seams;
 };
 
 /// Two points of a seam are sewn when they are nearer than this, metres [Zhong & Xu 2009].

@@ -15,6 +15,7 @@ struct Scene {
   Fabric fabric;
   Vec3 gravity{0, -9.81, 0};           ///< m/s²
   const DistanceGrid* body = nullptr;  ///< none: nothing to touch
+  const TriangleMesh* subject = nullptr;  ///< the same as triangles
   const Skeleton* skeleton = nullptr;  ///< of the body; none: panels start as the pattern says
   double body_offset = 0.002;          ///< metres kept between skin and cloth
   bool self_contact = true;

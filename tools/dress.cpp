@@ -185,7 +185,9 @@ Json report_of(const PanelMesh& garment, const std::string& fabric, const DressR
                              {"self", judgement.self_intersections},
                              {"check", "exact"}};
   report["verdict"] = judgement.verdict;
-  if (!figures.seams.open_seams.empty()) report["unsewable_seams"] = figures.seams.open_seams;
+  for (const OpenSeam& seam : figures.seams.open_seams) {
+    report["unsewable_seams"].push_back({{"name", seam.name}, {"missing_cm", seam.missing_cm}});
+  }
   return report;
 }
 

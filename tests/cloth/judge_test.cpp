@@ -39,7 +39,8 @@ TEST(Judge, TheVerdictNamesTheFirstThingWrong) {
   EXPECT_EQ(judgement.self_intersections, 0);
   judgement = judge(garment, open, thick, &skeleton, false);
   EXPECT_EQ(judgement.verdict, "unsewable");
-  EXPECT_EQ(judgement.garment.seams.open_seams, std::vector<std::string>{"left"});
+  ASSERT_EQ(judgement.garment.seams.open_seams.size(), 1u);
+  EXPECT_EQ(judgement.garment.seams.open_seams[0].name, "left");
 }
 
 TEST(Judge, ClothThroughItselfIsFound) {

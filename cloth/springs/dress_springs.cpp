@@ -1,0 +1,240 @@
+#include "cloth/springs/dress_springs.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "cloth/measures.h"
+#include "geometry/error.h"
+#include "geometry/intersections.h"
+
+namespace toile {
+
+namespace {
+
+/// Weights of the cloth with which it is attracted, 5 cm and more off the skin.
+constexpr double attraction = 1;
+/// Seconds between two looks at the state.
+constexpr double look_interval = 0.005;
+/// Looks between two frames for those who watch.
+constexpr int frame_looks = 2;
+/// The wrap is over when `wrapped_share` of the seams' pairs are this near, metres.
+constexpr double wrapped_gap = 0.02;
+constexpr double wrapped_share = 0.95;
+/// Seconds in which the sewing force's unit of time halves: it grows until the seams close.
+constexpr double tightening = 0.1;
+/// Seconds, the least unit of time: while wrapping, and for good. There the constant force below
+/// delta is as strong as a hand.
+constexpr double tightest_wrap = 0.01;
+constexpr double tightest = 1e-4;
+/// Seconds without a merge at the full force before what is open counts as not sewable.
+constexpr double patience = 0.3;
+/// Seconds of draping before there is friction.
+constexpr double frictionless = 0.25;
+
+class SpringDressing {
+ public:
+  SpringDressing(const PanelMesh& garment, const Scene& scene, const SpringDressOptions& options,
+                 const FrameWatcher& watcher);
+  DressResult run();
+
+ private:
+  template <typename Over>
+  StageReport& stage(const std::string& name, double longest, SpringStage forces,
+                     const Over& is_over);
+  void wrap();
+  bool sew();
+  void drape();
+  void look(const std::string& name, double progress);
+  Residual residual();
+  void finish();
+
+  const PanelMesh& garment_;
+  const SpringDressOptions& options_;
+  const FrameWatcher& watcher_;
+  const Placement placement_;
+  const Program program_;
+  DressResult result_;
+  SpringMotion motion_;
+  std::vector<Vec3> looked_x_;
+  std::vector<Vec3> looked_v_;
+  std::vector<double> rest_areas_;
+  std::vector<double> rest_perimeters_;
+  double unit_time_ = 0;  // that the wrap ended with
+  int looks_ = 0;
+};
+
+SpringDressing::SpringDressing(const PanelMesh& garment, const Scene& scene,
+                               const SpringDressOptions& options, const FrameWatcher& watcher)
+    : garment_(garment),
+      options_(options),
+      watcher_(watcher),
+      placement_(place_panels(garment, *scene.body, scene.skeleton)),
+      program_(compile(garment, scene, placement_.placed)),
+      motion_(garment, program_, options.motion, placement_.placed),
+      rest_areas_(panel_areas(garment)),
+      rest_perimeters_(panel_perimeters(garment)) {
+  StageReport report;
+  report.name = "position";
+  report.vertices = motion_.sheet().points();
+  report.converged = placement_.points_inside == 0;
+  result_.stages.push_back(report);
+  looked_x_ = motion_.points();
+  looked_v_ = motion_.velocities();
+}
+
+DressResult SpringDressing::run() {
+  wrap();
+  if (sew()) drape();
+  finish();
+  return std::move(result_);
+}
+
+void SpringDressing::wrap() {
+  SpringStage forces;
+  forces.attraction = attraction;
+  forces.sewing = options_.motion.sewing;
+  const bool has_seams = motion_.open_pairs() > 0;
+  const double loosest = forces.sewing.unit_time;
+  stage("wrap", options_.longest_wrap, forces, [&](SpringStage& now, double time) {
+    now.sewing.unit_time = std::max(tightest_wrap, loosest * std::exp2(-time / tightening));
+    unit_time_ = now.sewing.unit_time;
+    return has_seams && motion_.open_gap(wrapped_share) < wrapped_gap;
+  });
+}
+
+bool SpringDressing::sew() {
+  if (garment_.seams.empty()) return true;
+  SpringStage forces;
+  forces.attraction = attraction;
+  forces.sewing = options_.motion.sewing;
+  const double loosest = unit_time_;
+  forces.sewing.unit_time = loosest;
+  int open = motion_.open_pairs();
+  double last_merge = 0;
+  stage("sew", options_.longest_sew, forces, [&](SpringStage& now, double time) {
+    now.sewing.unit_time = std::max(tightest, loosest * std::exp2(-time / tightening));
+    const bool at_full_force = now.sewing.unit_time == tightest;
+    if (motion_.open_pairs() < open || !at_full_force) last_merge = time;
+    open = motion_.open_pairs();
+    return open == 0 || time - last_merge > patience;
+  });
+  if (open > 0) result_.stages.back().converged = false;
+  return open == 0;
+}
+
+void SpringDressing::drape() {
+  if (self_intersections({motion_.points(), motion_.sheet().triangles()}).empty()) {
+    motion_.close_bounds();
+  }
+  SpringStage forces;
+  forces.gravity = 1;
+  stage("drape", options_.longest_drape, forces, [&](SpringStage& now, double time) {
+    now.friction = time > frictionless;
+    const Residual& left = result_.residual;
+    return now.friction && left.median < options_.stop_median && left.rms < options_.stop_rms;
+  });
+  result_.converged = result_.stages.back().converged;
+}
+
+template <typename Over>
+StageReport& SpringDressing::stage(const std::string& name, double longest, SpringStage forces,
+                                   const Over& is_over) {
+  const auto start = std::chrono::steady_clock::now();
+  const double dt = motion_.time_step();
+  const int steps_a_look = std::max(1, static_cast<int>(std::lround(look_interval / dt)));
+  forces.sewing.most = options_.hand_pull * garment_.edge_length;
+  forces.sewing.fastest = 1;
+  StageReport report;
+  report.name = name;
+  double time = 0;
+  while (time < longest && !report.converged) {
+    for (int i = 0; i < steps_a_look; ++i) motion_.step(forces);
+    report.steps += steps_a_look;
+    time += steps_a_look * dt;
+    result_.residual = residual();
+    look(name, time / longest);
+    report.converged = is_over(forces, time);
+  }
+  report.vertices = motion_.sheet().points() - static_cast<int>(motion_.counts().merged);
+  report.simulated = time;
+  report.residual = result_.residual;
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result_.stages.emplace_back(report);
+}
+
+void SpringDressing::look(const std::string& name, double progress) {
+  const std::vector<Vec3>& points = motion_.points();
+  const double area = largest_change_percent(rest_areas_, panel_areas(garment_, points));
+  const double perimeter =
+      largest_change_percent(rest_perimeters_, panel_perimeters(garment_, points));
+  result_.during.area_percent = std::max(result_.during.area_percent, area);
+  result_.during.perimeter_percent = std::max(result_.during.perimeter_percent, perimeter);
+  if (watcher_ && looks_++ % frame_looks == 0) watcher_({garment_, name, points, progress});
+}
+
+/// Mean over the time since the last look.
+Residual SpringDressing::residual() {
+  const auto& x = motion_.points();
+  const auto& v = motion_.velocities();
+  const double dt = motion_.time_step();
+  const double span = dt * std::max(1L, std::lround(look_interval / dt));
+  std::vector<double> left;
+  double squares = 0;
+  for (std::size_t n = 0; n < x.size(); ++n) {
+    const double mass = motion_.sheet().mass()[n];
+    if (mass <= 0) continue;
+    const Vec3 gained = v[n] - looked_v_[n] + options_.motion.drag * (x[n] - looked_x_[n]);
+    left.push_back(mass * gained.norm() / span / program_.mean_weight);
+    squares += left.back() * left.back();
+  }
+  looked_x_ = x;
+  looked_v_ = v;
+  Residual r;
+  r.rms = std::sqrt(squares / left.size());
+  r.max = *std::max_element(left.begin(), left.end());
+  std::nth_element(left.begin(), left.begin() + left.size() / 2, left.end());
+  r.median = left[left.size() / 2];
+  return r;
+}
+
+void SpringDressing::finish() {
+  const SpringSheet& sheet = motion_.sheet();
+  result_.placement = placement_;
+  result_.body_offset = options_.motion.tolerance;
+  result_.time_step = motion_.time_step();
+  std::vector<int> index(sheet.points(), -1);
+  for (int p = 0; p < sheet.points(); ++p) {
+    const int n = sheet.node(p);
+    if (index[n] < 0) {
+      index[n] = static_cast<int>(result_.nodes.size());
+      result_.nodes.push_back(motion_.points()[n]);
+    }
+  }
+  result_.triangles = sheet.triangles();
+  for (Triangle& t : result_.triangles) {
+    for (int& corner : t) corner = index[corner];
+  }
+  const auto count = [](auto n) { return static_cast<int>(n); };
+  const Scene& scene = program_.scene;
+  result_.terms = {
+      {"edge_springs", count(sheet.edges().size())},
+      {"bending_springs", count(sheet.bending().size())},
+      {"seam", count(motion_.counts().merged + motion_.open_pairs())},
+      {"subject_facets", scene.subject != nullptr ? count(scene.subject->triangles.size()) : 0},
+      {"self_contact", scene.self_contact ? count(sheet.triangles().size()) : 0},
+      {"strain_limit",
+       options_.motion.strain_scheme != StrainScheme::none ? count(sheet.edges().size()) : 0}};
+}
+
+}  // namespace
+
+DressResult dress_springs(const PanelMesh& garment, const Scene& scene,
+                          const SpringDressOptions& options, const FrameWatcher& watcher) {
+  if (scene.body == nullptr || scene.subject == nullptr) {
+    throw Error("scene", "has no body", "give one to dress");
+  }
+  return SpringDressing(garment, scene, options, watcher).run();
+}
+
+}  // namespace toile

@@ -1,0 +1,39 @@
+// The paper's dressing: position, wrap, sew, drape, on masses and springs.
+#pragma once
+
+#include "cloth/dress.h"
+#include "cloth/springs/spring_motion.h"
+
+namespace toile {
+
+struct SpringDressOptions {
+  SpringOptions motion;
+  double stop_median = 0.05;  ///< residual at rest, in mean node weights, as DressOptions
+  double stop_rms = 0.5;
+  double longest_wrap = 1.5;  ///< seconds simulated
+  double longest_sew = 3;
+  double longest_drape = 4;
+  /// N per metre of seam: the hand that pulls a seam together. Seams that stay open against it are
+  /// not sewable. Beyond the strain limit the cloth resists with all it has, so what this stretches
+  /// is the elastic part only.
+  double hand_pull = 50;
+};
+
+/// Dresses the scene's body by the method of Zhong & Xu 2009, on the garment's own mesh:
+///
+/// - *position*: place_panels().
+/// - *wrap*: without gravity or friction, every particle is attracted to its nearest facet, less
+///   the nearer it is, and the points of each seam to each other, until 95 % of the pairs are
+///   within 2 cm.
+/// - *sew*: the same, the sewing force growing until all pairs are merged, or until none has been
+///   for 0.3 s at the greatest force: then the seams that are open are not sewable, and the garment
+///   is not draped.
+/// - *drape*: gravity, at first without friction, as a tailor lets a garment fall into place;
+///   then with it, until the residual is below `stop_*`.
+///
+/// The residual is the force left on a node, air resistance left out, as a mean over 5 ms: single
+/// steps hold the impulses of contact. Throws Error when the scene has no body.
+DressResult dress_springs(const PanelMesh& garment, const Scene& scene,
+                          const SpringDressOptions& options, const FrameWatcher& watcher = {});
+
+}  // namespace toile

@@ -1,0 +1,89 @@
+#include "cloth/springs/self_collisions.h"
+
+#include <algorithm>
+
+namespace toile {
+
+namespace {
+
+/// Metres within which other cloth is looked for, beyond the gap.
+constexpr double reach = 0.003;
+/// Seconds in which what is nearer than the gap is let out of it.
+constexpr double let_out_time = 0.005;
+/// Times the list of pairs is gone through: an impulse on one pair changes its neighbours' speeds.
+constexpr int sweeps = 2;
+/// Least steps between two searches; what has used up its bound waits.
+constexpr int search_interval = 10;
+
+std::vector<double> shortest_edges(const Program& program) {
+  std::vector<double> shortest;
+  for (const int node : program.node_of_point) shortest.push_back(program.shortest_edge[node]);
+  return shortest;
+}
+
+}  // namespace
+
+SelfCollisions::SelfCollisions(const Program& program, double gap)
+    : proximity_(program.triangles, program.node_of_point, shortest_edges(program)),
+      gap_(gap),
+      radius_(gap + reach) {}
+
+void SelfCollisions::leave_out_neighbours(bool leave_out) {
+  leave_out_ = leave_out;
+  searched_.clear();
+}
+
+void SelfCollisions::search(const std::vector<Vec3>& x) {
+  proximity_.find(x, radius_, gap_, pairs_, bound_, leave_out_);
+  searched_ = x;
+  since_search_ = 0;
+  ++searches_;
+}
+
+void SelfCollisions::respond(const std::vector<Vec3>& x, const std::vector<int>& node,
+                             const std::vector<double>& inverse_mass, double dt,
+                             std::vector<Vec3>& v) {
+  if (searched_.empty()) search(x);
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    for (const ContactPair& pair : pairs_) {
+      const NearestPoints nearest = nearest_points(pair, x);
+      const double distance = nearest.apart.norm();
+      if (distance >= radius_ || distance < 1e-9) continue;
+      const Vec3 normal = nearest.apart / distance;
+      double speed = 0;
+      double mobility = 0;  // of the pair, 1/kg
+      for (int i = 0; i < 4; ++i) {
+        const int n = node[pair.vertices[i]];
+        speed += nearest.weights[i] * v[n].dot(normal);
+        mobility += nearest.weights[i] * nearest.weights[i] * inverse_mass[n];
+      }
+      const double room = distance - pair.gap;
+      const double least_speed = room > 0 ? -room / dt : -room / let_out_time;
+      if (speed >= least_speed || mobility <= 0) continue;
+      const double impulse = (least_speed - speed) / mobility;
+      for (int i = 0; i < 4; ++i) {
+        const int n = node[pair.vertices[i]];
+        v[n] += nearest.weights[i] * inverse_mass[n] * impulse * normal;
+      }
+    }
+  }
+}
+
+void SelfCollisions::bound(const std::vector<Vec3>& x, const std::vector<int>& node, double dt,
+                           std::vector<Vec3>& v) {
+  ++since_search_;
+  const auto exceeds = [&](std::size_t p) {
+    return (x[p] + dt * v[node[p]] - searched_[p]).squaredNorm() > bound_[p] * bound_[p];
+  };
+  bool due = false;
+  for (std::size_t p = 0; p < x.size() && !due; ++p) due = exceeds(p);
+  if (!due) return;
+  if (since_search_ >= search_interval) search(x);
+  for (std::size_t p = 0; p < x.size(); ++p) {
+    if (!exceeds(p)) continue;
+    const Vec3 away = x[p] + dt * v[node[p]] - searched_[p];
+    v[node[p]] = (searched_[p] + away * (bound_[p] / away.norm()) - x[p]) / dt;
+  }
+}
+
+}  // namespace toile

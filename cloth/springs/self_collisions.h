@@ -1,0 +1,49 @@
+// Collisions of the mass-spring garment with itself.
+#pragma once
+
+#include <vector>
+
+#include "cloth/program.h"
+#include "cloth/self_contact.h"
+#include "geometry/types.h"
+
+namespace toile {
+
+/// Keeps the cloth's points and edges `gap` metres from its other triangles and edges by impulses
+/// on their velocities [Bridson et al. 2002], and bounds every move so that what is apart stays
+/// apart, whatever the velocities. `program` has to outlive it.
+class SelfCollisions {
+ public:
+  SelfCollisions(const Program& program, double gap);
+
+  /// While seams close, neighbours across a seam have to come past each other: they are left out,
+  /// of the bounds too.
+  void leave_out_neighbours(bool leave_out);
+
+  /// Changes velocities so that no pair of points comes nearer than the gap, nor nearer than it is
+  /// when that is less, and lets out what is nearer. `node`: of each material point; the others
+  /// are per node. Points merged away have to be where their nodes are.
+  void respond(const std::vector<Vec3>& x, const std::vector<int>& node,
+               const std::vector<double>& inverse_mass, double dt, std::vector<Vec3>& v);
+
+  /// Shortens the moves dt·v that exceed what is known to be free. To be called after respond().
+  void bound(const std::vector<Vec3>& x, const std::vector<int>& node, double dt,
+             std::vector<Vec3>& v);
+
+  long searches() const { return searches_; }
+
+ private:
+  void search(const std::vector<Vec3>& x);
+
+  ProximitySearch proximity_;
+  double gap_;
+  double radius_;
+  bool leave_out_ = true;
+  std::vector<ContactPair> pairs_;
+  std::vector<double> bound_;  // metres from searched_, per material point
+  std::vector<Vec3> searched_;
+  int since_search_ = 0;
+  long searches_ = 0;
+};
+
+}  // namespace toile

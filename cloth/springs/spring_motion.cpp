@@ -1,0 +1,155 @@
+#include "cloth/springs/spring_motion.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "cloth/body_contact.h"
+#include "cloth/measures.h"
+#include "cloth/springs/chunks.h"
+
+namespace toile {
+
+namespace {
+
+/// Metres below which the sewing force has the last word.
+constexpr double landing_gap = 1e-4;
+
+}  // namespace
+
+SpringMotion::SpringMotion(const PanelMesh& garment, const Program& program,
+                           const SpringOptions& options, const std::vector<Vec3>& placed)
+    : garment_(garment),
+      program_(program),
+      options_(options),
+      sheet_(garment, program),
+      x_(placed),
+      v_(placed.size(), Vec3::Zero()),
+      force_(placed.size()) {
+  for (const MeshedSeam& seam : garment.seams) {
+    for (std::size_t i = 0; i < seam.a.size(); ++i) {
+      if (seam.a[i] != seam.b[i]) open_.push_back({seam.a[i], seam.b[i]});
+    }
+  }
+  if (program.scene.subject != nullptr) {
+    subject_.emplace(*program.scene.subject, sheet_.triangles());
+  }
+  if (program.scene.self_contact) self_.emplace(program, program.scene.self_gap);
+  reconnect();
+  // Merging adds springs and masses alike: the step of the open panels serves to the end.
+  std::vector<Spring> all = sheet_.edges();
+  all.insert(all.end(), sheet_.bending().begin(), sheet_.bending().end());
+  stable_ = toile::stable_step(all, sheet_.inverse_mass(), options.drag);
+  time_step_ = options.time_step > 0 ? options.time_step : options.step_share * stable_;
+}
+
+void SpringMotion::reconnect() {
+  sheet_.refresh();
+  std::vector<Spring> all = sheet_.edges();
+  all.insert(all.end(), sheet_.bending().begin(), sheet_.bending().end());
+  springs_.emplace(all, sheet_.points());
+  strain_.emplace(sheet_.edges(), sheet_.points());
+  if (subject_) subject_->set_cloth(sheet_.triangles());
+  node_.resize(sheet_.points());
+  for (int p = 0; p < sheet_.points(); ++p) node_[p] = sheet_.node(p);
+}
+
+void SpringMotion::step(const SpringStage& stage) {
+  accelerate(stage);
+  sew(stage.sewing, std::numeric_limits<double>::infinity());
+  const auto& inverse_mass = sheet_.inverse_mass();
+  if (options_.strain_scheme == StrainScheme::velocity) {
+    counts_.strain_limited +=
+        strain_->adjust_velocities(x_, inverse_mass, time_step_, options_.strain, v_).over;
+  }
+  if (self_) self_->respond(x_, node_, inverse_mass, time_step_, v_);
+  if (subject_) {
+    const double friction = stage.friction ? program_.scene.fabric.friction : 0;
+    const CollisionCounts hit = subject_->respond(x_, inverse_mass, time_step_,
+                                                  {.tolerance = options_.tolerance,
+                                                   .restitution = options_.restitution,
+                                                   .friction = friction},
+                                                  v_);
+    counts_.subject.particle_facet += hit.particle_facet;
+    counts_.subject.vertex_triangle += hit.vertex_triangle;
+    counts_.subject.edge_edge += hit.edge_edge;
+  }
+  // What was about to meet is not kept apart by less than the collisions' gap.
+  sew(stage.sewing, landing_gap);
+  if (self_) self_->bound(x_, node_, time_step_, v_);
+  for (std::size_t p = 0; p < x_.size(); ++p) x_[p] += time_step_ * v_[node_[p]];
+  if (options_.strain_scheme == StrainScheme::position) {
+    strain_->adjust_positions(inverse_mass, options_.strain, x_);
+    for (std::size_t p = 0; p < x_.size(); ++p) x_[p] = x_[node_[p]];
+  }
+  if (!open_.empty()) merge_closed_pairs();
+  ++counts_.steps;
+}
+
+void SpringMotion::accelerate(const SpringStage& stage) {
+  std::fill(force_.begin(), force_.end(), Vec3::Zero());
+  springs_->add(x_, v_, force_);
+  const Scene& scene = program_.scene;
+  const double dt = time_step_;
+  const double g = scene.gravity.norm();
+  in_spring_chunks(sheet_.points(), [&](int, int first, int last) {
+    for (int n = first; n < last; ++n) {
+      const double mass = sheet_.mass()[n];
+      if (mass <= 0) continue;
+      Vec3 f = force_[n] + stage.gravity * mass * scene.gravity;
+      if (stage.attraction > 0) f += pull_to_body(scene, x_[n], stage.attraction * mass * g);
+      v_[n] = (v_[n] + dt * f / mass) / (1 + dt * options_.drag);
+    }
+  });
+}
+
+/// Pulls together the open pairs that are nearer than `within`.
+void SpringMotion::sew(const SewingForce& force, double within) {
+  for (const auto& [point_a, point_b] : open_) {
+    const int a = node_[point_a];
+    const int b = node_[point_b];
+    if (a == b || (x_[a] - x_[b]).squaredNorm() > within * within) continue;
+    SewnPair pair{x_[a], x_[b], v_[a], v_[b], sheet_.mass()[a], sheet_.mass()[b]};
+    sew_step(force, time_step_, pair);
+    v_[a] = pair.v_a;
+    v_[b] = pair.v_b;
+  }
+}
+
+void SpringMotion::merge_closed_pairs() {
+  bool merged = false;
+  std::erase_if(open_, [&](const std::array<int, 2>& pair) {
+    const int a = node_[pair[0]];
+    const int b = node_[pair[1]];
+    if (a != b) {
+      if ((x_[a] - x_[b]).norm() >= sewn_gap) return false;
+      // Two pairs of this step may share a node: weigh by what is merged already.
+      const double mass_a = sheet_.mass()[a];
+      const double mass_b = sheet_.mass()[b];
+      const Vec3 x = (mass_a * x_[a] + mass_b * x_[b]) / (mass_a + mass_b);
+      const Vec3 v = (mass_a * v_[a] + mass_b * v_[b]) / (mass_a + mass_b);
+      x_[a] = x_[b] = x;
+      v_[a] = v_[b] = v;
+      sheet_.merge(a, b);
+      merged = true;
+    }
+    ++counts_.merged;
+    return true;
+  });
+  if (!merged) return;
+  reconnect();
+  for (std::size_t p = 0; p < x_.size(); ++p) {
+    x_[p] = x_[node_[p]];
+    if (sheet_.mass()[p] <= 0) v_[p].setZero();
+  }
+}
+
+double SpringMotion::open_gap(double share) const {
+  if (open_.empty()) return 0;
+  std::vector<double> gaps;
+  for (const auto& [a, b] : open_) gaps.push_back((x_[a] - x_[b]).norm());
+  const auto at = gaps.begin() + static_cast<long>(share * (gaps.size() - 1));
+  std::nth_element(gaps.begin(), at, gaps.end());
+  return *at;
+}
+
+}  // namespace toile

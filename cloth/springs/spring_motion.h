@@ -1,0 +1,101 @@
+// One time step of the mass-spring garment, and the state that it moves.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "cloth/program.h"
+#include "cloth/springs/self_collisions.h"
+#include "cloth/springs/sewing_force.h"
+#include "cloth/springs/spring_forces.h"
+#include "cloth/springs/spring_sheet.h"
+#include "cloth/springs/strain_control.h"
+#include "cloth/springs/subject_collisions.h"
+#include "geometry/types.h"
+
+namespace toile {
+
+/// The choices that the paper leaves open, or compares.
+struct SpringOptions {
+  double time_step = 0;  ///< seconds; 0: `step_share` of the largest that is stable
+  double step_share = 0.7;
+  StrainScheme strain_scheme = StrainScheme::velocity;
+  StrainControlOptions strain = {.measure_after = false};
+  SewingForce sewing = {.unit_time = 0.1, .unit_length = 0.001};
+  double tolerance = 0.002;  ///< metres kept from the subject surface (ξ)
+  double restitution = 0;    ///< λ
+  double drag = 5;           ///< 1/s: air resistance of every node over its mass
+};
+
+/// What acts during a stage.
+struct SpringStage {
+  double gravity = 0;     ///< factor on the scene's
+  double attraction = 0;  ///< toward the nearest facet, in weights of the cloth 5 cm off the skin
+  bool friction = false;
+  SewingForce sewing;
+};
+
+/// What happened in the steps so far.
+struct SpringCounts {
+  long steps = 0;
+  long merged = 0;          ///< pairs of seam points
+  long strain_limited = 0;  ///< springs found beyond the limit, over all steps
+  CollisionCounts subject;
+};
+
+/// A garment of masses and springs on its way: symplectic Euler on the forces of springs, gravity,
+/// attraction and air; then, on the velocities, the sewing force, the strain control, and
+/// collisions with itself and with the subject, last what must hold most [Zhong & Xu 2009,
+/// Implementation]. Cost per step is linear in the triangles. The same bits for any number of
+/// threads.
+class SpringMotion {
+ public:
+  /// `program`: `garment` compiled for a scene that has a subject; starts with the material points
+  /// at `placed`. All have to outlive this.
+  SpringMotion(const PanelMesh& garment, const Program& program, const SpringOptions& options,
+               const std::vector<Vec3>& placed);
+
+  void step(const SpringStage& stage);
+
+  double time_step() const { return time_step_; }
+  /// The largest step that is stable without contact, seconds.
+  double stable_time_step() const { return stable_; }
+  const std::vector<Vec3>& points() const { return x_; }  ///< per material point, metres
+  /// Per node of the sheet, m/s. Points merged away have none.
+  const std::vector<Vec3>& velocities() const { return v_; }
+  const SpringSheet& sheet() const { return sheet_; }
+  const SpringCounts& counts() const { return counts_; }
+
+  /// Pairs of seam points that are not merged yet.
+  int open_pairs() const { return static_cast<int>(open_.size()); }
+  /// The gap that this share of the open pairs is below, metres; 0 when all are merged.
+  double open_gap(double share) const;
+  /// From now on neighbours in the mesh may not pass through each other either.
+  void close_bounds() { self_->leave_out_neighbours(false); }
+
+ private:
+  void reconnect();
+  void accelerate(const SpringStage& stage);
+  void sew(const SewingForce& force, double within);
+  void merge_closed_pairs();
+
+  const PanelMesh& garment_;
+  const Program& program_;
+  const SpringOptions& options_;
+  SpringSheet sheet_;
+  double stable_ = 0;
+  double time_step_ = 0;
+  std::vector<Vec3> x_;
+  std::vector<Vec3> v_;
+  std::vector<Vec3> force_;
+  std::vector<std::array<int, 2>> open_;
+  std::optional<SpringForces> springs_;
+  std::optional<StrainControl> strain_;
+  std::optional<SubjectCollisions> subject_;
+  std::optional<SelfCollisions> self_;
+  std::vector<int> node_;  // of each material point
+  SpringCounts counts_;
+};
+
+}  // namespace toile
