@@ -251,6 +251,26 @@ TEST(Positioning, RolledPanelsAreWidenedUntilTheLimbFits) {
   EXPECT_NEAR(done.placed[0].x(), -done.placed[60].x(), 1e-12);
 }
 
+TEST(Positioning, PanelsOfALegStayOnItsSide) {
+  const Skeleton skeleton = figure();
+  // 12 cm of radius where the plane between the legs is 10 cm off.
+  const PanelMesh leg = panel("right_leg", rolled_around(), 2 * test::pi * 0.12, 0.5, 40, 6);
+  const Positioning rolled = position_panels(leg, far_body(), &skeleton);
+  PanelPlacement placement = at_side(PlacementSide::front);
+  placement.at = "right_hip";
+  const Positioning flat =
+      position_panels(panel("right_leg", placement, 0.3, 0.4), far_body(), &skeleton);
+  for (const Positioning* done : {&rolled, &flat}) {
+    double most = -1;
+    for (const Vec3& p : done->placed) most = std::max(most, p.x());
+    std::cout << "nearest to the plane between the legs: " << -1000 * most << " mm\n";
+    EXPECT_LT(most, -0.005 + 1e-9);
+    EXPECT_GT(most, -0.006);
+  }
+  EXPECT_GT(rolled.panels[0].gap, 0.01);
+  EXPECT_NEAR(flat.placed[0].x(), -0.305, 1e-12);
+}
+
 TEST(Positioning, TwoHalvesMakeOneTube) {
   const Skeleton skeleton = figure();
   PanelMesh garment = panel("torso", rolled_around(0.5), 0.5, 0.3, 30, 6);
