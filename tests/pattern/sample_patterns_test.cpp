@@ -18,7 +18,8 @@
 namespace toile {
 namespace {
 
-/// The panels whose names end so, measured across the drawing at a height: darts left out.
+/// A panel, or with a leading '_' all whose names end so, measured across the drawing at a height:
+/// darts left out.
 struct Width {
   std::string panels;
   double height;    ///< cm, in the drawing
@@ -61,6 +62,30 @@ const std::vector<Sample>& all_samples() {
         {"_back", 73, 70.12},
         {"_front", 46, 41},
         {"_back", 46, 48}}},
+      {"jacket",
+       6,
+       12,
+       5,
+       {26.13, 26.13, 55.31, 111.28},
+       {{"_front", 40, 53.06},
+        {"_back", 40, 51.52},
+        {"_front", 25, 51.66},
+        {"_back", 25, 50.24},
+        {"_front", 6, 54.45},
+        {"_back", 6, 54.04},
+        {"left_sleeve", 0, 41.38}}},
+      {"bodice_dress",
+       10,
+       32,
+       5,
+       {43.34, 43.34, 64.33, 136.83},
+       {{"front", 18.2, 16},
+        {"left_side_front", 0, 18.05},
+        {"left_back", 18.2, 23.61},
+        {"front", 0.01, 13.4},
+        {"skirt_front", 37.5, 20},
+        {"left_skirt_side", 37.5, 16.3},
+        {"left_skirt_back", 37.5, 26}}},
       {"band", 2, 2, 1, {72.66, 102}, {}},
       {"band_small", 2, 2, 1, {63.59, 88.2}, {}},
   };
@@ -194,7 +219,9 @@ class Draft {
   double width(const Width& wanted) const {
     double sum = 0;
     for (const PatternPanel& panel : pattern.panels) {
-      if (!panel.name.ends_with(wanted.panels)) continue;
+      const bool all_ending_so = wanted.panels.starts_with('_');
+      if (all_ending_so ? !panel.name.ends_with(wanted.panels) : panel.name != wanted.panels)
+        continue;
       std::vector<double> crossings;
       const double y = wanted.height / 100 + 1e-7;  // beside a corner, not through it
       for (const PatternEdge& edge : panel.edges) {
