@@ -7,6 +7,8 @@
 
 #include "cloth/levels.h"
 #include "cloth/measures.h"
+#include "cloth/step_out.h"
+#include "geometry/distance_grid.h"
 #include "geometry/error.h"
 #include "geometry/intersections.h"
 
@@ -44,11 +46,12 @@ class Dressing {
   bool sew(double care);
   void fall(bool bounded, double compression);
   void come_to_rest(bool bounded);
-  const StageReport& stage(const std::string& name, const RelaxOptions& options);
+  const StageReport& stage(const std::string& name, RelaxOptions options);
   void go_finer();
   RelaxOptions level_options() const;
   double progress(const RelaxProgress& at, const RelaxOptions& options) const;
   bool clean() const;
+  bool clear_of_layers() const;
   const PanelMesh& mesh() const { return meshes_[level_]; }
 
   Scene scene_;
@@ -61,18 +64,24 @@ class Dressing {
   DressResult result_;
 };
 
-/// Metres that the nodes of a mesh of such edges keep from the skin: no less than asked for, and so
-/// much that its faces clear curves of 3 cm radius, whose sagitta they cut off.
-double clearing_offset(double asked, double edge_length) {
-  constexpr double tightest_curve = 0.03;
+/// Metres: the tightest curves of a body, and of the folds of cloth.
+constexpr double body_curve = 0.03;
+constexpr double fold_curve = 0.01;
+constexpr double most_body_offset = 0.006;  ///< metres; beyond, the drape would be another one
+/// Metres, while the cloth finds its place over another; it comes to rest nearer.
+constexpr double most_fold_offset = 0.015;
+
+/// Metres that the nodes of a mesh of such edges keep from a surface: no less than asked for, and
+/// so much that its faces clear curves of that radius, whose sagitta they cut off; at most `most`.
+double clearing_offset(double asked, double edge_length, double tightest_curve, double most) {
   constexpr double face_clearance = 0.001;
-  constexpr double most = 0.006;  // beyond, the drape would be another one
   const double needed = face_clearance + edge_length * edge_length / (8 * tightest_curve);
   return std::max(asked, std::min(needed, most));
 }
 
 DressResult Dressing::run() {
-  result_.body_offset = clearing_offset(scene_.body_offset, meshes_.front().edge_length);
+  result_.body_offset = clearing_offset(scene_.body_offset, meshes_.front().edge_length, body_curve,
+                                        most_body_offset);
   level_ = static_cast<int>(meshes_.size()) - 1;
   position();
   const bool has_seams = !meshes_.front().seams.empty();
@@ -148,6 +157,7 @@ void Dressing::fall(bool bounded, double compression) {
 
 void Dressing::come_to_rest(bool bounded) {
   RelaxOptions options = level_options();
+  options.body_offset = result_.body_offset;
   options.bounded = bounded;
   options.max_iterations = options_.max_iterations;
   options.stop_median = options_.stop_median;
@@ -160,6 +170,7 @@ void Dressing::come_to_rest(bool bounded) {
 void Dressing::position() {
   const auto start = std::chrono::steady_clock::now();
   result_.placement = place_panels(mesh(), *scene_.body, scene_.skeleton);
+  if (scene_.layers != nullptr) step_out(mesh(), *scene_.body, result_.placement);
   program_ = compile(mesh(), scene_, result_.placement.placed);
   result_.nodes = program_.start;
   StageReport report;
@@ -173,11 +184,18 @@ void Dressing::position() {
 RelaxOptions Dressing::level_options() const {
   RelaxOptions options;
   options.body_offset = result_.body_offset * (1 + 0.5 * level_);
+  if (scene_.layers != nullptr) {
+    options.body_offset = std::max(
+        options.body_offset, clearing_offset(0, mesh().edge_length, fold_curve, most_fold_offset));
+  }
   options.self_radius = 0.005 * (1 + 0.5 * level_);
   return options;
 }
 
-const StageReport& Dressing::stage(const std::string& name, const RelaxOptions& options) {
+const StageReport& Dressing::stage(const std::string& name, RelaxOptions options) {
+  // A seam that has to come past a layer would jam on it; the distance grid lets it through, and
+  // pushes it out on the right side.
+  options.layer_contact = options.closing_iterations == 0 && clear_of_layers();
   const std::vector<double> areas = panel_areas(mesh());
   const std::vector<double> perimeters = panel_perimeters(mesh());
   int calls = 0;
@@ -222,6 +240,17 @@ void Dressing::go_finer() {
 
 bool Dressing::clean() const {
   return self_intersections({result_.nodes, program_.node_triangles}).empty();
+}
+
+/// Whether the cloth is outside of all layers below and meets none of them, so that it can be kept
+/// so. (What is a little inside by the smoothed distance may be outside by the exact one.)
+bool Dressing::clear_of_layers() const {
+  constexpr double surely_inside = -0.005;
+  if (scene_.layers == nullptr) return false;
+  for (const Vec3& p : result_.nodes) {
+    if (scene_.body->at(p).distance < surely_inside) return false;
+  }
+  return intersections({result_.nodes, program_.node_triangles}, *scene_.layers).empty();
 }
 
 }  // namespace

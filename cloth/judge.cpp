@@ -5,16 +5,21 @@
 namespace toile {
 
 Judgement judge(const PanelMesh& pattern, const DressedGarment& dressed, const TriangleMesh& body,
-                const Skeleton* skeleton, bool converged) {
+                const Skeleton* skeleton, bool converged, const TriangleMesh* layers) {
   Judgement judgement;
   judgement.garment = measure_garment(pattern, dressed);
   if (skeleton != nullptr) judgement.wraps = measure_wraps(pattern, dressed, *skeleton);
   const TriangleMesh cloth{dressed.points, dressed.triangles};
   judgement.body_intersections = static_cast<int>(intersections(cloth, body).size());
   judgement.self_intersections = static_cast<int>(self_intersections(cloth).size());
+  if (layers != nullptr) {
+    judgement.layer_intersections = static_cast<int>(intersections(cloth, *layers).size());
+  }
+  const int all_intersections =
+      judgement.body_intersections + judgement.self_intersections + judgement.layer_intersections;
   if (judgement.garment.seams.open > 0) {
     judgement.verdict = "unsewable";
-  } else if (judgement.body_intersections + judgement.self_intersections > 0) {
+  } else if (all_intersections > 0) {
     judgement.verdict = "intersecting";
   } else if (!converged) {
     judgement.verdict = "unconverged";

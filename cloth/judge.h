@@ -12,15 +12,17 @@ namespace toile {
 struct Judgement {
   GarmentFigures garment;
   std::vector<WrapFigure> wraps;
-  int body_intersections = 0;  ///< pairs of a garment's and a body's triangle
-  int self_intersections = 0;  ///< pairs of the garment's triangles
-  std::string verdict;         ///< sewn, unsewable, unconverged or intersecting
+  int body_intersections = 0;   ///< pairs of a garment's and a body's triangle
+  int self_intersections = 0;   ///< pairs of the garment's triangles
+  int layer_intersections = 0;  ///< pairs of a garment's and a lower layer's triangle
+  std::string verdict;          ///< sewn, unsewable, unconverged or intersecting
 };
 
 /// Measures the dressed garment against its pattern and the body, intersections with exact
-/// predicates. `skeleton` may be null: then nothing is said of wraps. Of several things that are
-/// wrong the verdict names the first of: seams open, intersections, no rest.
+/// predicates; `layers` is the cloth below it, null: none. `skeleton` may be null: then nothing is
+/// said of wraps. Of several things that are wrong the verdict names the first of: seams open,
+/// intersections, no rest.
 Judgement judge(const PanelMesh& pattern, const DressedGarment& dressed, const TriangleMesh& body,
-                const Skeleton* skeleton, bool converged);
+                const Skeleton* skeleton, bool converged, const TriangleMesh* layers = nullptr);
 
 }  // namespace toile

@@ -14,11 +14,12 @@ namespace toile {
 
 /// Where the panels start, and how they were moved from where the pattern puts them.
 struct Placement {
-  std::vector<Vec3> placed;                 ///< per material point, metres
-  std::vector<PositionedPanel> positioned;  ///< panels that the skeleton positioned
-  double lift = 0;                          ///< metres, of all panels together
-  std::map<std::string, double> drawn_out;  ///< metres along the limb, per part that was
-  int points_inside = 0;                    ///< material points that are still inside the body
+  std::vector<Vec3> placed;                   ///< per material point, metres
+  std::vector<PositionedPanel> positioned;    ///< panels that the skeleton positioned
+  double lift = 0;                            ///< metres, of all panels together
+  std::map<std::string, double> drawn_out;    ///< metres along the limb, per part that was
+  std::map<std::string, double> stepped_out;  ///< metres, per panel that was in a layer's way
+  int points_inside = 0;                      ///< material points that are still inside the body
   int seams_inside = 0;  ///< pairs of sewn points that would meet inside the body
 };
 

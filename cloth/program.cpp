@@ -262,6 +262,7 @@ std::vector<std::pair<std::string, int>> term_counts(const Program& program) {
           {"body_contact", scene.body != nullptr ? program.nodes : 0},
           {"friction", scene.body != nullptr && scene.fabric.friction > 0 ? program.nodes : 0},
           {"self_contact", scene.self_contact ? triangles : 0},
+          {"layer_contact", scene.layers != nullptr ? count(scene.layers->triangles.size()) : 0},
           {"strain_limit", scene.strain_limit ? triangles : 0}};
 }
 

@@ -50,21 +50,23 @@ double smoothstep(double t) { return t * t * (3 - 2 * t); }
 
 class Relaxation {
  public:
-  Relaxation(const Program& program, const RelaxOptions& options, std::vector<Vec3>& x)
+  Relaxation(const Program& program, const RelaxOptions& options, const std::vector<Vec3>& x)
       : program_(program),
         options_(options),
-        y_(x),
         x_(x),
+        y_(x),
         corner_forces_(3 * program.triangles.size()),
         bend_forces_(program.bend.size()),
         force_(program.nodes),
         partial_((program.nodes + chunk - 1) / chunk) {
+    if (layer_contact()) y_.insert(y_.end(), layers().points.begin(), layers().points.end());
     const bool closing = options.closing_iterations > 0 && !program.offsets.empty();
     open_ = closing ? 1 : 0;
     use_skin(closing);
   }
 
   RelaxReport run(const RelaxWatcher& watcher);
+  std::vector<Vec3> state() const { return {y_.begin(), y_.begin() + program_.nodes}; }
 
  private:
   /// The vertices that touch things: material points while seams stand open, else nodes.
@@ -82,11 +84,16 @@ class Relaxation {
   Residual measure_residual();
   const std::vector<Vec3>& positions() const { return by_points_ ? points_ : y_; }
   bool self_contact() const { return program_.scene.self_contact; }
+  bool layer_contact() const {
+    return self_contact() && options_.layer_contact && program_.scene.layers != nullptr;
+  }
+  const TriangleMesh& layers() const { return *program_.scene.layers; }
+  void place_points();
 
   const Program& program_;
   const RelaxOptions& options_;
-  std::vector<Vec3>& y_;             // where forces are taken: the state
   std::vector<Vec3> x_;              // the iterate before momentum
+  std::vector<Vec3> y_;              // where forces are taken: the state; then the layers' points
   std::vector<Vec3> corner_forces_;  // of each triangle on each of its corners
   std::vector<Vec3> bend_forces_;    // of each hinge, to be weighted for its points
   std::vector<Vec3> force_;
@@ -95,7 +102,7 @@ class Relaxation {
   bool by_points_ = false;
   double open_ = 0;
   double bending_ = 1;
-  std::vector<Vec3> points_;       // places of the material points, while seams stand open
+  std::vector<Vec3> points_;       // as y_, of the material points, while seams stand open
   std::vector<int> vertex_first_;  // per node, its vertices: itself, or its material points
   std::vector<int> vertices_;
   std::vector<BodyContact> contacts_;  // per vertex
@@ -128,7 +135,8 @@ void Relaxation::use_skin(bool points) {
   std::vector<int> next(vertex_first_.begin(), vertex_first_.end() - 1);
   for (std::size_t v = 0; v < count; ++v) vertices_[next[node_of(v)]++] = static_cast<int>(v);
   contacts_.assign(count, {});
-  points_ = points ? point_positions(program_, y_, open_) : std::vector<Vec3>();
+  points_.clear();
+  if (points) place_points();
   if (self_contact()) {
     std::vector<int> node(count);
     std::vector<double> shortest(count);
@@ -138,19 +146,28 @@ void Relaxation::use_skin(bool points) {
     }
     proximity_ = std::make_unique<ProximitySearch>(
         points ? program_.triangles : program_.node_triangles, node, shortest);
+    if (layer_contact()) {
+      proximity_->add_layer(layers().triangles, static_cast<int>(layers().points.size()),
+                            program_.scene.layer_gap);
+    }
   }
   pairs_.clear();
   bound_.clear();
   search_due_ = true;
 }
 
-void Relaxation::close_seams(double t) {
+void Relaxation::place_points() {
   points_ = point_positions(program_, y_, open_);
+  if (layer_contact()) points_.insert(points_.end(), y_.begin() + program_.nodes, y_.end());
+}
+
+void Relaxation::close_seams(double t) {
+  place_points();
   const double wanted = t < 1 ? 1 - smoothstep(t) : 0;
   double open = wanted;
   if (bounded()) {
     // The closing moves points too: no farther than their bounds allow.
-    for (std::size_t p = 0; p < points_.size(); ++p) {
+    for (std::size_t p = 0; p < program_.offsets.size(); ++p) {
       const Vec3 away = points_[p] - searched_at_[p];
       const Vec3 way = (wanted - open_) * program_.offsets[p];
       const double share = share_within(away, way, bound_[p]);
@@ -163,11 +180,11 @@ void Relaxation::close_seams(double t) {
     use_skin(false);
     return;
   }
-  for (std::size_t p = 0; p < points_.size(); ++p) {
+  for (std::size_t p = 0; p < program_.offsets.size(); ++p) {
     contacts_[p].moved((open_ - open) * program_.offsets[p].norm());
   }
   open_ = open;
-  points_ = point_positions(program_, y_, open_);
+  place_points();
 }
 
 void Relaxation::search_when_due() {
@@ -343,7 +360,7 @@ double Relaxation::move(bool step_on) {
 
 /// Of the state as it is now: the forces of the last step are those before it.
 Residual Relaxation::measure_residual() {
-  if (by_points_) points_ = point_positions(program_, y_, open_);
+  if (by_points_) place_points();
   if (self_contact()) pair_forces();
   element_forces();
   move(false);
@@ -388,7 +405,7 @@ RelaxReport Relaxation::run(const RelaxWatcher& watcher) {
     momentum_age_ = power < 0 && !by_points_ ? 0 : momentum_age_ + 1;
     report.iterations = i + 1;
     if ((i + 1) % watch_interval != 0 && i + 1 != options_.max_iterations) continue;
-    if (watcher) watcher({i + 1, open_, y_});
+    if (watcher) watcher({i + 1, open_, state()});
     report.residual = measure_residual();
     if (!by_points_ && report.residual.median < options_.stop_median &&
         report.residual.rms < options_.stop_rms) {
@@ -416,7 +433,10 @@ std::vector<Vec3> point_positions(const Program& program, const std::vector<Vec3
 
 RelaxReport relax(const Program& program, const RelaxOptions& options, std::vector<Vec3>& x,
                   const RelaxWatcher& watcher) {
-  return Relaxation(program, options, x).run(watcher);
+  Relaxation relaxation(program, options, x);
+  const RelaxReport report = relaxation.run(watcher);
+  x = relaxation.state();
+  return report;
 }
 
 }  // namespace toile

@@ -38,6 +38,9 @@ struct RelaxOptions {
   /// Keeps every node within its bound of the last search, so that what is apart stays apart.
   /// To be used from a state without intersections; a tangle would be locked in.
   bool bounded = false;
+  /// Keeps the cloth apart from the scene's layers too, each vertex, edge and face of either from
+  /// the other's, within the bounds. To be used from a state that does not meet them.
+  bool layer_contact = false;
   double momentum = 0.9995;    ///< cap of Nesterov's weight k/(k+3)
   double max_move = 0.004;     ///< metres a node may move in an iteration
   double body_offset = 0.002;  ///< metres; larger on coarse meshes, whose faces cut corners

@@ -115,6 +115,20 @@ class CellGrid {
   std::vector<int> items_;
 };
 
+std::vector<std::array<int, 2>> edges_of(const std::vector<Triangle>& triangles) {
+  std::vector<std::array<int, 2>> edges;
+  for (const Triangle& t : triangles) {
+    for (int i = 0; i < 3; ++i) {
+      const int a = t[i];
+      const int b = t[(i + 1) % 3];
+      edges.push_back({std::min(a, b), std::max(a, b)});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
 struct Found {
   ContactPair pair;
   double distance;
@@ -159,19 +173,18 @@ ContactPush contact_push(double distance, double gap, bool barrier) {
 ProximitySearch::ProximitySearch(const std::vector<Triangle>& triangles,
                                  const std::vector<int>& node,
                                  const std::vector<double>& shortest_edge)
-    : triangles_(triangles), node_(node), shortest_edge_(shortest_edge) {
+    : triangles_(triangles),
+      edges_(edges_of(triangles)),
+      moving_vertices_(static_cast<int>(node.size())),
+      moving_triangles_(static_cast<int>(triangles.size())),
+      moving_edges_(static_cast<int>(edges_.size())),
+      node_(node),
+      shortest_edge_(shortest_edge) {
   std::vector<std::array<int, 2>> links;  // between nodes, both ways
-  for (const Triangle& t : triangles) {
-    for (int i = 0; i < 3; ++i) {
-      const int a = t[i];
-      const int b = t[(i + 1) % 3];
-      edges_.push_back({std::min(a, b), std::max(a, b)});
-      links.push_back({node[a], node[b]});
-      links.push_back({node[b], node[a]});
-    }
+  for (const auto& [a, b] : edges_) {
+    links.push_back({node[a], node[b]});
+    links.push_back({node[b], node[a]});
   }
-  std::sort(edges_.begin(), edges_.end());
-  edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
   std::sort(links.begin(), links.end());
   links.erase(std::unique(links.begin(), links.end()), links.end());
   const int nodes = node.empty() ? 0 : *std::max_element(node.begin(), node.end()) + 1;
@@ -181,6 +194,20 @@ ProximitySearch::ProximitySearch(const std::vector<Triangle>& triangles,
     ring_.push_back(link[1]);
   }
   std::partial_sum(ring_first_.begin(), ring_first_.end(), ring_first_.begin());
+}
+
+void ProximitySearch::add_layer(const std::vector<Triangle>& triangles, int vertices, double gap) {
+  const int first = static_cast<int>(node_.size());
+  layer_gap_ = gap;
+  for (const Triangle& t : triangles) {
+    triangles_.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  for (const auto& [a, b] : edges_of(triangles)) edges_.push_back({a + first, b + first});
+  // Nodes of their own, that are nobody's neighbours.
+  int node = static_cast<int>(ring_first_.size()) - 1;
+  for (int v = 0; v < vertices; ++v) node_.push_back(node++);
+  ring_first_.resize(ring_first_.size() + vertices, ring_first_.back());
+  shortest_edge_.resize(node_.size(), 0);
 }
 
 bool ProximitySearch::neighbours(int a, int b) const {
@@ -218,6 +245,7 @@ void ProximitySearch::find(const std::vector<Vec3>& x, double radius, double gap
     search_in_chunks(static_cast<int>(x.size()), all, [&](int v, std::vector<Found>& found) {
       const Box here{x[v], x[v]};
       grid.each_item(grid.index(grid.cell_at(x[v])), [&](int t) {
+        if (of_layer(v) && t >= moving_triangles_) return;
         const Triangle& c = triangles_[t];
         if (!boxes[t].meets(here, radius)) return;
         if (same_node(c[0], v) || same_node(c[1], v) || same_node(c[2], v)) return;
@@ -229,7 +257,8 @@ void ProximitySearch::find(const std::vector<Vec3>& x, double radius, double gap
   boxes.resize(edges_.size());
   for (std::size_t e = 0; e < boxes.size(); ++e) boxes[e] = box_of(edges_[e], x);
   const CellGrid grid(boxes, 0.5 * radius);
-  search_in_chunks(static_cast<int>(edges_.size()), all, [&](int e, std::vector<Found>& found) {
+  // A layer's edges come after the surface's own, and are found from there.
+  search_in_chunks(moving_edges_, all, [&](int e, std::vector<Found>& found) {
     grid.each_cell(boxes[e], 0.5 * radius, [&](std::size_t cell) {
       grid.each_item(cell, [&](int f) {
         if (f <= e) return;
@@ -251,6 +280,14 @@ void ProximitySearch::find(const std::vector<Vec3>& x, double radius, double gap
   pairs.clear();
   bound.assign(x.size(), bound_share * radius);
   for (Found& f : all) {
+    if (of_layer(f.pair)) {
+      for (const int v : f.pair.vertices) {
+        bound[v] = std::min(bound[v], bound_share * f.distance);
+      }
+      f.pair.gap = layer_gap_;
+      if ((1 - bound_share) * f.distance < layer_gap_) pairs.push_back(f.pair);
+      continue;
+    }
     const bool near_in_mesh = neighbours(f.pair);
     if (near_in_mesh && skip_neighbours) continue;
     for (const int v : f.pair.vertices) {

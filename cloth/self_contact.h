@@ -1,5 +1,5 @@
-// Cloth near cloth: which vertices and edges come close, and how far each may move before they
-// have to be looked for again.
+// Cloth near cloth, its own or that of a motionless layer below: which vertices and edges come
+// close, and how far each may move before they have to be looked for again.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace toile {
 
-/// A vertex near a triangle, or an edge near an edge, of one surface.
+/// A vertex near a triangle, or an edge near an edge, of one surface or of two layers.
 struct ContactPair {
   std::array<int, 4> vertices;  ///< vertex, then the triangle's corners; or both edges' ends
   bool edges;                   ///< two edges, not vertex and triangle
@@ -44,16 +44,27 @@ class ProximitySearch {
   ProximitySearch(const std::vector<Triangle>& triangles, const std::vector<int>& node,
                   const std::vector<double>& shortest_edge);
 
-  /// All pairs nearer than `radius`, in an order that does not depend on the threads, and for each
-  /// vertex in `bound` how far it may move: as long as none moves farther than that, nothing that
-  /// is apart can come to intersect [Chen et al. 2025, Offset Geometric Contact].
-  /// `gap` is what non-neighbours keep. With `skip_neighbours`, pairs that are neighbours across a
-  /// seam or in a panel are left out, of the bounds too: while a seam closes, they have to come
-  /// past each other, and can come to intersect. About O(n) while few things are near each other.
+  /// Adds cloth that does not move. Its vertices follow the surface's own in all that find() takes
+  /// and gives; `triangles` are numbered within the layer, of `vertices` vertices. Pairs of a layer
+  /// with itself are not looked for; those with the surface keep `gap` metres, and only those come
+  /// that are near enough to use it up before the bounds are.
+  void add_layer(const std::vector<Triangle>& triangles, int vertices, double gap);
+
+  /// `x` holds the surface's vertices and then the layer's. All pairs nearer than `radius`, in an
+  /// order that does not depend on the threads, and for each vertex in `bound` how far it may move:
+  /// as long as none moves farther than that, nothing that is apart can come to intersect [Chen et
+  /// al. 2025, Offset Geometric Contact]. `gap` is what non-neighbours keep. With
+  /// `skip_neighbours`, pairs that are neighbours across a seam or in a panel are left out, of the
+  /// bounds too: while a seam closes, they have to come past each other, and can come to intersect.
+  /// About O(n) while few things are near each other.
   void find(const std::vector<Vec3>& x, double radius, double gap, std::vector<ContactPair>& pairs,
             std::vector<double>& bound, bool skip_neighbours) const;
 
  private:
+  bool of_layer(int vertex) const { return vertex >= moving_vertices_; }
+  bool of_layer(const ContactPair& pair) const {
+    return of_layer(pair.vertices[0]) || of_layer(pair.vertices[2]);
+  }
   bool same_node(int a, int b) const { return node_[a] == node_[b]; }
   bool neighbours(int a, int b) const;
   bool neighbours(const ContactPair& pair) const;
@@ -61,6 +72,10 @@ class ProximitySearch {
 
   std::vector<Triangle> triangles_;
   std::vector<std::array<int, 2>> edges_;
+  int moving_vertices_;
+  int moving_triangles_;
+  int moving_edges_;
+  double layer_gap_ = 0;
   std::vector<int> node_;
   std::vector<double> shortest_edge_;
   std::vector<int> ring_first_;  // neighbours of a node, sorted

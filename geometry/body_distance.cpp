@@ -31,6 +31,16 @@ double corner_angle(const Vec3& at, const Vec3& to, const Vec3& also_to) {
   return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
+/// The signed distance at `away` from the nearest point, on a border whose sheet faces `normal`.
+double beside_border(const Vec3& away, const Vec3& normal) {
+  const double distance = away.norm();
+  const double behind = -away.dot(normal);
+  if (behind <= 0) return distance;
+  const double beyond = std::sqrt(std::max(0.0, distance * distance - behind * behind));
+  const double zero = std::min(behind, BodyDistance::border_bevel);
+  return distance * (beyond - zero) / (beyond + zero);
+}
+
 }  // namespace
 
 struct BodyDistance::Tree {
@@ -40,9 +50,16 @@ struct BodyDistance::Tree {
   std::vector<Vec3> face_normals;
   std::vector<std::array<Vec3, 3>> edge_normals;  // of the edge opposite to corner i
   std::vector<Vec3> vertex_normals;
+  std::vector<std::array<char, 3>> edge_is_border;
+  std::vector<char> vertex_is_border;
 
+  /// What the nearest point of a triangle lies on.
+  struct Feature {
+    Vec3 normal;
+    bool border;
+  };
   void compute_normals();
-  Vec3 normal_at(int triangle, const Vec3& weights) const;
+  Feature feature_at(int triangle, const Vec3& weights) const;
   BodyPoint describe(const Vec3& query, int triangle) const;
 };
 
@@ -50,7 +67,13 @@ void BodyDistance::Tree::compute_normals() {
   face_normals.resize(body.triangles.size());
   edge_normals.resize(body.triangles.size());
   vertex_normals.assign(body.points.size(), Vec3::Zero());
-  std::map<std::pair<int, int>, Vec3> across;
+  vertex_is_border.assign(body.points.size(), 0);
+  edge_is_border.resize(body.triangles.size());
+  struct Edge {
+    Vec3 normal = Vec3::Zero();
+    int triangles = 0;
+  };
+  std::map<std::pair<int, int>, Edge> across;
   const auto edge_key = [](int a, int b) { return std::pair(std::min(a, b), std::max(a, b)); };
   for (std::size_t t = 0; t < body.triangles.size(); ++t) {
     const Triangle& corners = body.triangles[t];
@@ -64,27 +87,35 @@ void BodyDistance::Tree::compute_normals() {
       const int last = corners[(i + 2) % 3];
       vertex_normals[here] +=
           corner_angle(body.points[here], body.points[next], body.points[last]) * face_normals[t];
-      across.try_emplace(edge_key(next, last), Vec3::Zero()).first->second += face_normals[t];
+      Edge& edge = across[edge_key(next, last)];
+      edge.normal += face_normals[t];
+      ++edge.triangles;
     }
   }
   for (Vec3& normal : vertex_normals) normal.normalize();
   for (std::size_t t = 0; t < body.triangles.size(); ++t) {
     const Triangle& corners = body.triangles[t];
     for (int i = 0; i < 3; ++i) {
-      edge_normals[t][i] =
-          across.at(edge_key(corners[(i + 1) % 3], corners[(i + 2) % 3])).normalized();
+      const int next = corners[(i + 1) % 3];
+      const int last = corners[(i + 2) % 3];
+      const Edge& edge = across.at(edge_key(next, last));
+      edge_normals[t][i] = edge.normal.normalized();
+      edge_is_border[t][i] = edge.triangles == 1;
+      if (edge.triangles == 1) vertex_is_border[next] = vertex_is_border[last] = 1;
     }
   }
 }
 
-Vec3 BodyDistance::Tree::normal_at(int triangle, const Vec3& weights) const {
+BodyDistance::Tree::Feature BodyDistance::Tree::feature_at(int triangle,
+                                                           const Vec3& weights) const {
   for (int i = 0; i < 3; ++i) {
-    if (weights[i] == 1) return vertex_normals[body.triangles[triangle][i]];
+    const int corner = body.triangles[triangle][i];
+    if (weights[i] == 1) return {vertex_normals[corner], vertex_is_border[corner] != 0};
   }
   for (int i = 0; i < 3; ++i) {
-    if (weights[i] == 0) return edge_normals[triangle][i];
+    if (weights[i] == 0) return {edge_normals[triangle][i], edge_is_border[triangle][i] != 0};
   }
-  return face_normals[triangle];
+  return {face_normals[triangle], false};
 }
 
 BodyPoint BodyDistance::Tree::describe(const Vec3& query, int triangle) const {
@@ -95,10 +126,12 @@ BodyPoint BodyDistance::Tree::describe(const Vec3& query, int triangle) const {
   const Vec3 weights = nearest_on_triangle(query, a, b, c);
   BodyPoint found;
   found.point = weights[0] * a + weights[1] * b + weights[2] * c;
-  found.normal = normal_at(triangle, weights);
+  const Feature feature = feature_at(triangle, weights);
+  found.normal = feature.normal;
   found.triangle = triangle;
   const Vec3 away = query - found.point;
-  found.distance = std::copysign(away.norm(), away.dot(found.normal));
+  found.distance = feature.border ? beside_border(away, feature.normal)
+                                  : std::copysign(away.norm(), away.dot(feature.normal));
   return found;
 }
 

@@ -1,4 +1,4 @@
-// How far a point is from the body, and on which side.
+// How far a point is from a surface, the body or a sheet of cloth, and on which side.
 #pragma once
 
 #include <memory>
@@ -7,22 +7,30 @@
 
 namespace toile {
 
-/// The nearest point of the body to a query point.
+/// The nearest point of the surface to a query point.
 struct BodyPoint {
-  double distance = 0;  ///< metres; negative inside the body
-  Vec3 point;           ///< on the body's surface
+  double distance = 0;  ///< metres; negative inside the body, or behind a sheet
+  Vec3 point;           ///< on the surface
   Vec3 normal;          ///< outward, of unit length; of the nearest face, edge or vertex
   int triangle = 0;     ///< index into the body's triangles
 };
 
 /// Exact distances to a body surface, through an AABB tree. The sign comes from the
-/// angle-weighted normal of the nearest feature [Baerentzen & Aanaes 2005], so the body has to be
-/// closed and outward-oriented; the distance itself is that of any surface. Queries are const and
-/// may run in several threads at once. Building is O(n log n) in the triangles, a query about O(log
-/// n).
+/// angle-weighted normal of the nearest feature [Baerentzen & Aanaes 2005], so the surface has to
+/// be outward-oriented. Queries are const and may run in several threads at once.
+/// Building is O(n log n) in the triangles, a query about O(log n).
+///
+/// A closed surface is a body: negative inside. An open one is a sheet, such as a dressed garment:
+/// positive before its right side, negative behind its wrong side, and beyond its border, where the
+/// nearest point lies on it, something to keep away from: positive. So that the sign does not jump
+/// there, the value rises from -r behind the border through zero at `border_bevel` (or at 45
+/// degrees, where that is nearer) beyond it toward r, with r the distance; its size is at most r.
+/// Where the nearest point itself jumps, as between two sleeves, the sign can still jump.
 class BodyDistance {
  public:
-  /// Keeps a copy of the body. Throws Error when it has no triangles.
+  static constexpr double border_bevel = 0.005;  ///< metres
+
+  /// Keeps a copy of the surface. Throws Error when it has no triangles.
   explicit BodyDistance(const TriangleMesh& body);
   ~BodyDistance();
   BodyDistance(BodyDistance&&) noexcept;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace toile {
 
@@ -15,20 +16,24 @@ constexpr int coarsening = 4;
 /// Nodes of a regular grid, filled with tree distances along x so that each query starts from its
 /// neighbour's answer. The rows are independent, so the values don't depend on the threads.
 template <typename Wanted>
-void fill_exactly(const BodyDistance& body, const Vec3& origin, double cell,
+void fill_exactly(const std::vector<const BodyDistance*>& surfaces, const Vec3& origin, double cell,
                   const std::array<int, 3>& size, std::vector<float>& values,
                   const Wanted& wanted) {
   tbb::parallel_for(0, size[1] * size[2], [&](int row) {
     const int j = row % size[1];
     const int k = row / size[1];
-    BodyPoint last;
+    std::vector<BodyPoint> last(surfaces.size());
     bool known = false;
     for (int i = 0; i < size[0]; ++i) {
       if (!wanted(i, j, k)) continue;
       const Vec3 point = origin + cell * Vec3(i, j, k);
-      last = known ? body.nearest(point, last) : body.nearest(point);
+      double least = std::numeric_limits<double>::max();
+      for (std::size_t s = 0; s < surfaces.size(); ++s) {
+        last[s] = known ? surfaces[s]->nearest(point, last[s]) : surfaces[s]->nearest(point);
+        least = std::min(least, last[s].distance);
+      }
       known = true;
-      values[static_cast<std::size_t>(row) * size[0] + i] = static_cast<float>(last.distance);
+      values[static_cast<std::size_t>(row) * size[0] + i] = static_cast<float>(least);
     }
   });
 }
@@ -36,12 +41,18 @@ void fill_exactly(const BodyDistance& body, const Vec3& origin, double cell,
 }  // namespace
 
 DistanceGrid::DistanceGrid(const BodyDistance& body, const DistanceGridOptions& options)
+    : DistanceGrid(std::vector{&body}, options) {}
+
+DistanceGrid::DistanceGrid(const std::vector<const BodyDistance*>& surfaces,
+                           const DistanceGridOptions& options)
     : cell_(options.cell), band_(options.band), padding_(options.padding) {
-  Vec3 low = body.body().points.front();
+  Vec3 low = surfaces.front()->body().points.front();
   Vec3 high = low;
-  for (const Vec3& p : body.body().points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
+  for (const BodyDistance* surface : surfaces) {
+    for (const Vec3& p : surface->body().points) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
   }
   const double coarse_cell = coarsening * cell_;
   origin_ = low - Vec3::Constant(padding_ + cell_);
@@ -54,7 +65,8 @@ DistanceGrid::DistanceGrid(const BodyDistance& body, const DistanceGridOptions& 
 
   std::vector<float> coarse(static_cast<std::size_t>(coarse_size[0]) * coarse_size[1] *
                             coarse_size[2]);
-  fill_exactly(body, origin_, coarse_cell, coarse_size, coarse, [](int, int, int) { return true; });
+  fill_exactly(surfaces, origin_, coarse_cell, coarse_size, coarse,
+               [](int, int, int) { return true; });
 
   // Everywhere first from the coarse grid (trilinear), ...
   values_.resize(static_cast<std::size_t>(size_[0]) * size_[1] * size_[2]);
@@ -89,7 +101,7 @@ DistanceGrid::DistanceGrid(const BodyDistance& body, const DistanceGridOptions& 
   const float reach = static_cast<float>(band_ + interpolation_error_);
   std::vector<char> near(values_.size());
   for (std::size_t n = 0; n < values_.size(); ++n) near[n] = std::abs(values_[n]) < reach;
-  fill_exactly(body, origin_, cell_, size_, values_,
+  fill_exactly(surfaces, origin_, cell_, size_, values_,
                [&](int i, int j, int k) { return near[index(i, j, k)] != 0; });
 }
 

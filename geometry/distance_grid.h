@@ -16,7 +16,11 @@ struct DistanceGridOptions {
   double padding = 0.040;  ///< metres of grid around the body
 };
 
-/// Signed distance to the body and its gradient, everywhere. Near the skin (within `band`) the grid
+/// Signed distance to the body, or to a body with sheets of cloth on it, and its gradient,
+/// everywhere. Of several surfaces it is the least of their distances: where any of them says
+/// inside, it is inside, so the room between skin and cloth and that below free hanging cloth
+/// belong to the subject, and what comes next is pushed out through the cloth.
+///  Near the skin (within `band`) the grid
 /// holds exact distances; a quadratic B-spline through them gives a gradient without jumps, which
 /// a solver needs to come to rest, at the price of a smoothing of about cell²/(8 R) where the body
 /// curves with radius R. Farther off, values are interpolated from a coarser grid and serve only
@@ -26,6 +30,9 @@ struct DistanceGridOptions {
 class DistanceGrid {
  public:
   explicit DistanceGrid(const BodyDistance& body, const DistanceGridOptions& options = {});
+  /// Of one surface or more, the body first. Costs as many tree queries more as there are surfaces.
+  explicit DistanceGrid(const std::vector<const BodyDistance*>& surfaces,
+                        const DistanceGridOptions& options = {});
 
   struct Sample {
     double distance;  ///< metres, negative inside

@@ -1,23 +1,23 @@
-// dress: sews a meshed garment around a body and lets it come to rest.
+// dress: sews meshed garments around a body, one over another, and lets them come to rest.
 
 #include "cloth/dress.h"
 
 #include <unistd.h>
 
-#include <boost/timer/progress_display.hpp>
 #include <chrono>
-#include <iomanip>
-#include <iostream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "cloth/judge.h"
+#include "cloth/scene_file.h"
+#include "cloth/subject.h"
 #include "geometry/body/skeleton.h"
 #include "geometry/error.h"
 #include "io/output_file.h"
 #include "io/skeleton_file.h"
 #include "pattern/garment_file.h"
 #include "tools/closed_body.h"
+#include "tools/dress_report.h"
+#include "tools/dress_watch.h"
 #include "tools/program.h"
 
 namespace toile {
@@ -33,29 +33,70 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Strain (99th percentile, off the seams) that no woven is worn at.
-constexpr double suspicious_strain = 0.1;
+/// A way to dress: they all have this form.
+struct Method {
+  std::string name = "relaxation";
+  DressResult (*dress)(const PanelMesh&, const Scene&, const DressOptions&,
+                       const FrameWatcher&) = toile::dress;
+};
 
-struct Settings {
+/// One garment that is to be dressed.
+struct Layer {
+  std::string name;  ///< empty: the only one, not of a scene file
   fs::path garment;
   fs::path garment_json;
+  Fabric fabric;
+  fs::path output;
+};
+
+struct Settings {
+  std::optional<fs::path> scene;
   fs::path body;
   fs::path skeleton;
+  bool needs_skeleton = false;  ///< it was asked for, not looked for
+  std::vector<Layer> layers;
   std::optional<fs::path> frames;
-  Fabric fabric;
   std::optional<double> strain_limit;
+  Method method;
   DressOptions options;
 };
 
-Settings read_settings(const po::variables_map& given) {
+/// The garment or the scene that the command line names, with the files to write for it.
+void read_layers(const po::variables_map& given, const fs::path& output, Settings& settings) {
+  const std::string fabric = given["fabric"].as<std::string>();
+  if (given.count("scene") == 0) {
+    Layer only;
+    only.garment = given["garment"].as<std::string>();
+    if (given.count("garment-json")) only.garment_json = given["garment-json"].as<std::string>();
+    only.fabric = find_fabric(fabric);
+    only.output = output;
+    settings.body = given["body"].as<std::string>();
+    settings.layers.push_back(only);
+  } else {
+    settings.scene = given["scene"].as<std::string>();
+    const SceneFile scene = read_scene(*settings.scene);
+    settings.body = scene.body;
+    settings.skeleton = scene.skeleton.value_or(skeleton_path(scene.body));
+    settings.needs_skeleton = scene.skeleton.has_value();
+    for (const SceneLayer& layer : scene.layers) {
+      const std::string file = output.stem().string() + "-" + layer.name + ".obj";
+      settings.layers.push_back({layer.name, layer.garment, layer.garment_json,
+                                 find_fabric(layer.fabric.empty() ? fabric : layer.fabric),
+                                 output.parent_path() / file});
+    }
+  }
+  if (given.count("skeleton")) {
+    settings.skeleton = given["skeleton"].as<std::string>();
+    settings.needs_skeleton = true;
+  } else if (settings.skeleton.empty()) {
+    settings.skeleton = skeleton_path(settings.body);
+  }
+}
+
+Settings read_settings(const po::variables_map& given, const fs::path& output) {
   Settings settings;
-  settings.garment = given["garment"].as<std::string>();
-  settings.body = given["body"].as<std::string>();
-  if (given.count("garment-json")) settings.garment_json = given["garment-json"].as<std::string>();
-  settings.skeleton = given.count("skeleton") ? fs::path(given["skeleton"].as<std::string>())
-                                              : skeleton_path(settings.body);
+  read_layers(given, output, settings);
   if (given.count("frames")) settings.frames = given["frames"].as<std::string>();
-  settings.fabric = find_fabric(given["fabric"].as<std::string>());
   if (given.count("strain-limit")) {
     const double limit = given["strain-limit"].as<double>();
     if (!(limit >= 0 && limit < 1)) {
@@ -72,227 +113,186 @@ Settings read_settings(const po::variables_map& given) {
   return settings;
 }
 
-/// Drives the progress bar, and writes the states on the way as OBJ files.
-class Watch {
- public:
-  Watch(const std::optional<fs::path>& folder, bool show_progress) : folder_(folder) {
-    if (folder_) {
-      std::error_code failed;
-      fs::create_directories(*folder_, failed);
-      if (failed) throw Error(folder_->string(), "can't hold frames", failed.message());
+/// The files that a scene writes are named by its layers: none may be one that it reads.
+void refuse_overwriting(const Settings& settings, const CommonSettings& common) {
+  const auto same = [](const fs::path& a, const fs::path& b) {
+    return fs::weakly_canonical(a) == fs::weakly_canonical(b);
+  };
+  std::vector<fs::path> inputs = {settings.body, settings.skeleton};
+  if (settings.scene) inputs.push_back(*settings.scene);
+  for (const Layer& layer : settings.layers) {
+    inputs.push_back(layer.garment);
+    inputs.push_back(layer.garment_json.empty() ? fs::path(layer.garment).replace_extension("json")
+                                                : layer.garment_json);
+  }
+  for (const Layer& layer : settings.layers) {
+    if (common.report && same(layer.output, *common.report)) {
+      throw Error("--report", "is the same file as a layer's", "name two files");
     }
-    if (show_progress) bar_.emplace(100, std::cerr, "", "", "");
-  }
-
-  ~Watch() {
-    if (bar_) *bar_ += 100 - bar_->count();
-  }
-  Watch(const Watch&) = delete;
-  Watch& operator=(const Watch&) = delete;
-
-  void operator()(const DressFrame& frame) {
-    if (bar_) {
-      const auto percent = static_cast<unsigned long>(100 * frame.progress);
-      if (percent > bar_->count()) *bar_ += percent - bar_->count();
+    for (const fs::path& input : inputs) {
+      if (same(layer.output, input) || (common.report && same(*common.report, input))) {
+        throw Error(input.string(), "would be overwritten", "give the output another name");
+      }
     }
-    if (!folder_) return;
-    std::ostringstream name;
-    name << std::setw(4) << std::setfill('0') << count_++ << '-' << frame.stage << ".obj";
-    write_dressed(*folder_ / name.str(),
-                  as_dressed(frame.mesh, frame.points, frame.mesh.triangles));
+    check_writable(layer.output);
   }
+}
 
- private:
-  std::optional<fs::path> folder_;
-  std::optional<boost::timer::progress_display> bar_;
-  int count_ = 0;
+/// A layer that was dressed, written and judged.
+struct Done {
+  Json report;
+  std::string verdict;
+  TriangleMesh cloth;  ///< as written
 };
 
-Json strain_json(const StrainFigures& strain) {
-  return {{"max", strain.max}, {"p99", strain.p99}, {"rms", strain.rms}};
+class Outfit {
+ public:
+  Outfit(const Settings& settings, const CommonSettings& common)
+      : settings_(settings), common_(common) {}
+
+  int run();
+
+ private:
+  void read();
+  Done dress_layer(const Layer& layer, PanelMesh garment);
+  /// Of a scene: each layer's entry, and what became of the whole.
+  Json whole_report() const;
+
+  const Settings& settings_;
+  const CommonSettings& common_;
+  const Clock::time_point start_ = Clock::now();
+  std::vector<PanelMesh> garments_;  // one a layer: all are read before the first is dressed
+  std::optional<Subject> subject_;
+  std::optional<Skeleton> skeleton_;
+  double read_seconds_ = 0;
+  double grid_seconds_ = 0;
+  std::vector<Json> reports_;
+  std::string verdict_ = "sewn";  // the first that is another
+};
+
+void Outfit::read() {
+  for (const Layer& layer : settings_.layers) {
+    garments_.push_back(read_garment(layer.garment, layer.garment_json));
+  }
+  const TriangleMesh body = read_closed_body(settings_.body);
+  if (fs::exists(settings_.skeleton) || settings_.needs_skeleton) {
+    skeleton_ = read_skeleton(settings_.skeleton);
+  } else {
+    CommonSettings::warn(
+        settings_.skeleton.string() +
+        " is missing: what the garment wraps is not measured; clean-body makes it");
+  }
+  read_seconds_ = seconds_since(start_);
+  const auto grid_start = Clock::now();
+  subject_.emplace(body);
+  grid_seconds_ = seconds_since(grid_start);
 }
 
-Json residual_json(const Residual& residual) {
-  return {{"median", residual.median}, {"rms", residual.rms}, {"max", residual.max}};
+Done Outfit::dress_layer(const Layer& layer, PanelMesh garment) {
+  const auto start = Clock::now();
+  Scene scene;
+  scene.fabric = layer.fabric;
+  scene.body = &subject_->grid();
+  scene.subject = &subject_->surface();
+  scene.layers = subject_->cloth().triangles.empty() ? nullptr : &subject_->cloth();
+  scene.skeleton = skeleton_ ? &*skeleton_ : nullptr;
+  scene.strain_limit = settings_.strain_limit;
+  // What is judged needs to know where the panels stood as much as what is dressed.
+  garment.placed = position_panels(garment, *scene.body, scene.skeleton).placed;
+  const DressResult result = [&] {
+    std::optional<fs::path> frames = settings_.frames;
+    if (frames && settings_.scene) *frames /= layer.name;
+    DressWatch watch(frames, !common_.quiet && isatty(STDERR_FILENO) != 0);
+    return settings_.method.dress(garment, scene, settings_.options,
+                                  [&](const DressFrame& frame) { watch(frame); });
+  }();
+  say_positions(result.placement, common_);
+  say_terms(result, common_);
+
+  const auto judge_start = Clock::now();
+  write_dressed(layer.output, as_dressed(garment, result.nodes, result.triangles));
+  // Judged as anybody will read it, not as it is in memory.
+  const DressedGarment written = read_dressed(layer.output);
+  const Judgement judgement =
+      judge(garment, written, subject_->body(), scene.skeleton, result.converged, scene.layers);
+  const double judge_seconds = seconds_since(judge_start);
+  Done done;
+  done.report = report_of(garment, scene, settings_.method.name, result, judgement,
+                          seconds_since(start) + read_seconds_ + grid_seconds_);
+  done.report["other_seconds"] = {
+      {"read", read_seconds_}, {"body_grid", grid_seconds_}, {"write_and_judge", judge_seconds}};
+  read_seconds_ = 0;
+  done.verdict = judgement.verdict;
+  done.cloth = {written.points, written.triangles};
+  say_result(result, judgement, common_);
+  return done;
 }
 
-Json report_of(const PanelMesh& garment, const std::string& fabric, const DressResult& result,
-               const Judgement& judgement, double seconds) {
-  const GarmentFigures& figures = judgement.garment;
+Json Outfit::whole_report() const {
   Json report;
-  report["garment"] = {{"vertices", result.nodes.size()},
-                       {"material_points", garment.flat.size()},
-                       {"triangles", garment.triangles.size()},
-                       {"panels", garment.panels.size()},
-                       {"seams", garment.seams.size()}};
-  for (const auto& [term, count] : result.terms) {
-    report["scene"]["terms"][term] = count;
+  report["scene_file"] = settings_.scene->string();
+  report["body"] = settings_.body.string();
+  report["layers"] = reports_;
+  report["not_dressed"] = Json::array();
+  for (std::size_t i = reports_.size(); i < settings_.layers.size(); ++i) {
+    report["not_dressed"].push_back(settings_.layers[i].name);
   }
-  report["scene"]["fabric"] = fabric;
-  report["scene"]["body_offset_mm"] = 1000 * result.body_offset;
-  report["scene"]["points_inside_at_start"] = result.placement.points_inside;
-  report["scene"]["seam_pairs_inside_at_start"] = result.placement.seams_inside;
-  report["scene"]["lift_mm"] = 1000 * result.placement.lift;
-  for (const auto& [part, distance] : result.placement.drawn_out) {
-    report["scene"]["drawn_out_mm"][part] = 1000 * distance;
-  }
-  for (const PositionedPanel& panel : result.placement.positioned) {
-    Json json = {{"panel", panel.panel}, {"rolled", panel.rolled}};
-    json[panel.rolled ? "radius_mm" : "distance_mm"] = 1000 * panel.distance;
-    if (panel.rolled) {
-      json["gap_mm"] = 1000 * panel.gap;
-      json["drawn_out_mm"] = 1000 * panel.drawn_out;
-      json["points_too_near"] = panel.points_too_near;
-    }
-    report["scene"]["positioned"].push_back(json);
-  }
-  report["method"] = "relaxation";
-  for (const StageReport& stage : result.stages) {
-    report["stages"].push_back({{"name", stage.name},
-                                {"attempt", stage.attempt},
-                                {"open", stage.open},
-                                {"vertices", stage.vertices},
-                                {"steps", stage.steps},
-                                {"searches", stage.searches},
-                                {"seconds", stage.seconds},
-                                {"converged", stage.converged},
-                                {"residual", residual_json(stage.residual)}});
-  }
-  report["seconds"] = seconds;
-  report["converged"] = result.converged;
-  report["residual"] = residual_json(result.residual);
-  report["strain"] = strain_json(figures.strain);
-  report["strain_off_seams"] = strain_json(figures.strain_off_seams);
-  report["area_change_percent"] = {{"total", figures.area_total_percent},
-                                   {"max_panel", figures.area_max_panel_percent},
-                                   {"max_during", result.during.area_percent}};
-  report["perimeter_change_percent"] = {
-      {"max_panel", figures.perimeter_max_panel_percent},
-      {"max_during", result.during.perimeter_percent},
-      {"triangles_max_panel", figures.triangle_perimeter_max_panel_percent}};
-  report["seams"] = {{"sewn", figures.seams.sewn},
-                     {"open", figures.seams.open},
-                     {"max_gap_mm", figures.seams.max_gap_mm}};
-  report["wraps"] = Json::array();
-  for (const WrapFigure& wrap : judgement.wraps) {
-    report["wraps"].push_back({{"part", wrap.part},
-                               {"fraction", wrap.fraction},
-                               {"from_m", wrap.from},
-                               {"to_m", wrap.to}});
-  }
-  report["borders"] = figures.borders;
-  report["intersections"] = {{"body", judgement.body_intersections},
-                             {"self", judgement.self_intersections},
-                             {"check", "exact"}};
-  report["verdict"] = judgement.verdict;
-  for (const OpenSeam& seam : figures.seams.open_seams) {
-    report["unsewable_seams"].push_back({{"name", seam.name}, {"missing_cm", seam.missing_cm}});
-  }
+  report["seconds"] = seconds_since(start_);
+  report["verdict"] = verdict_;
   return report;
 }
 
-void say_terms(const DressResult& result, const CommonSettings& common) {
-  std::string line = "terms:";
-  for (const auto& [term, count] : result.terms) {
-    line += " " + term + " " + std::to_string(count) + ",";
-  }
-  line.back() = '.';
-  common.say(line);
-}
-
-void say_positions(const Placement& placement, const CommonSettings& common) {
-  for (const PositionedPanel& panel : placement.positioned) {
-    std::ostringstream line;
-    line << std::fixed << std::setprecision(1) << "panel " << panel.panel;
-    if (panel.rolled) {
-      line << " is rolled, radius " << 100 * panel.distance << " cm, gap " << 100 * panel.gap
-           << " cm";
-    } else {
-      line << " stands " << 100 * panel.distance << " cm from the bones";
+int Outfit::run() {
+  read();
+  for (std::size_t i = 0; i < garments_.size(); ++i) {
+    const Layer& layer = settings_.layers[i];
+    if (settings_.scene) common_.say("layer " + layer.name + ":");
+    Done done = dress_layer(layer, garments_[i]);
+    if (settings_.scene) {
+      Json named = {{"name", layer.name}, {"dressed", layer.output.string()}};
+      named.update(done.report);
+      done.report = named;
     }
-    common.say(line.str());
+    reports_.push_back(done.report);
+    if (verdict_ == "sewn") verdict_ = done.verdict;
+    if (i + 1 == garments_.size()) break;
+    // What is not at rest is a surface still; what is open or meets something is none.
+    if (done.verdict != "sewn" && done.verdict != "unconverged") {
+      CommonSettings::warn("layer " + layer.name + " is " + done.verdict +
+                           ": the layers over it are not dressed");
+      break;
+    }
+    const auto grid_start = Clock::now();
+    subject_->add_layer(done.cloth);
+    grid_seconds_ = seconds_since(grid_start);
   }
-}
-
-std::string percent(double fraction) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(2) << 100 * fraction << " %";
-  return text.str();
-}
-
-void say_result(const DressResult& result, const Judgement& judgement,
-                const CommonSettings& common) {
-  const GarmentFigures& figures = judgement.garment;
-  std::ostringstream residual;
-  residual << std::setprecision(2) << result.residual.median << " median, " << result.residual.rms
-           << " rms";
-  common.say("seams: " + std::to_string(figures.seams.sewn) + " sewn, " +
-             std::to_string(figures.seams.open) +
-             " open; intersections: " + std::to_string(judgement.body_intersections) +
-             " with the body, " + std::to_string(judgement.self_intersections) + " with itself");
-  common.say("strain off the seams: " + percent(figures.strain_off_seams.p99) +
-             " (99th percentile); residual in node weights: " + residual.str());
-  for (const WrapFigure& wrap : judgement.wraps) {
-    common.say("wraps " + wrap.part + ": " + percent(wrap.fraction));
+  if (common_.report) {
+    const Json report = settings_.scene ? whole_report() : reports_.front();
+    write_file(*common_.report, report.dump(2) + "\n");
   }
-  if (result.placement.points_inside > 0) {
-    CommonSettings::warn(
-        std::to_string(result.placement.points_inside) +
-        " points of the panels start inside the body: place the panels clear of it");
-  }
-  if (figures.strain_off_seams.p99 > suspicious_strain) {
-    CommonSettings::warn("the cloth is strained by " + percent(figures.strain_off_seams.p99) +
-                         " in places: the garment is too small for this body, or caught on it");
-  }
-  common.say("verdict: " + judgement.verdict);
+  if (settings_.scene) common_.say("outfit: " + verdict_);
+  return verdict_ == "sewn" ? exit_done : exit_negative;
 }
 
 int work(const po::variables_map& given, const CommonSettings& common) {
-  const auto start = Clock::now();
-  const Settings settings = read_settings(given);
-  PanelMesh garment = read_garment(settings.garment, settings.garment_json);
-  const TriangleMesh body = read_closed_body(settings.body);
-  std::optional<Skeleton> skeleton;
-  if (fs::exists(settings.skeleton) || given.count("skeleton")) {
-    skeleton = read_skeleton(settings.skeleton);
-  } else {
-    CommonSettings::warn(
-        settings.skeleton.string() +
-        " is missing: what the garment wraps is not measured; clean-body makes it");
+  const Settings settings = read_settings(given, common.output);
+  refuse_overwriting(settings, common);
+  return Outfit(settings, common).run();
+}
+
+/// A garment on a body, or a scene that names them: one of the two.
+void check_usage(const po::variables_map& given) {
+  const bool has_scene = given.count("scene") != 0;
+  for (const char* name : {"body", "garment", "garment-json"}) {
+    const bool is_given = given.count(name) != 0;
+    if (has_scene && is_given) {
+      throw po::error("--scene names the body and the garments: leave out the " +
+                      std::string(name));
+    }
+    if (!has_scene && !is_given && name != std::string("garment-json")) {
+      throw po::required_option(name);
+    }
   }
-  const double read_seconds = seconds_since(start);
-
-  const auto grid_start = Clock::now();
-  const DistanceGrid grid{BodyDistance(body)};
-  const double grid_seconds = seconds_since(grid_start);
-
-  // What is judged needs to know where the panels stood as much as what is dressed.
-  garment.placed = position_panels(garment, grid, skeleton ? &*skeleton : nullptr).placed;
-
-  Scene scene;
-  scene.fabric = settings.fabric;
-  scene.body = &grid;
-  scene.skeleton = skeleton ? &*skeleton : nullptr;
-  scene.strain_limit = settings.strain_limit;
-  const DressResult result = [&] {
-    Watch watch(settings.frames, !common.quiet && isatty(STDERR_FILENO) != 0);
-    return dress(garment, scene, settings.options, [&](const DressFrame& frame) { watch(frame); });
-  }();
-  say_positions(result.placement, common);
-  say_terms(result, common);
-
-  const auto judge_start = Clock::now();
-  write_dressed(common.output, as_dressed(garment, result.nodes, result.triangles));
-  // Judged as anybody will read it, not as it is in memory.
-  const Judgement judgement = judge(garment, read_dressed(common.output), body,
-                                    skeleton ? &*skeleton : nullptr, result.converged);
-  Json report = report_of(garment, settings.fabric.name, result, judgement, seconds_since(start));
-  report["other_seconds"] = {{"read", read_seconds},
-                             {"body_grid", grid_seconds},
-                             {"write_and_judge", seconds_since(judge_start)}};
-  if (common.report) write_file(*common.report, report.dump(2) + "\n");
-  say_result(result, judgement, common);
-  return judgement.verdict == "sewn" ? exit_done : exit_negative;
 }
 
 }  // namespace
@@ -304,15 +304,19 @@ int main(int argc, char** argv) {
   using std::string;
   toile::CommandLineProgram program;
   program.name = "dress";
-  program.summary = "sews a meshed garment around a body and lets it come to rest";
-  program.usage = "--body body.ply garment.obj -o dressed.obj [options]";
-  program.options.add_options()("body", value<string>()->required(),
-                                "the body, as clean-body writes it")(
-      "garment", value<string>()->required(), "the garment, as mesh-pattern writes it")(
+  program.summary = "sews meshed garments around a body and lets them come to rest";
+  program.usage =
+      "--body body.ply garment.obj -o dressed.obj [options]\n"
+      "       dress --scene outfit.json -o outfit.obj [options]";
+  program.options.add_options()("body", value<string>(), "the body, as clean-body writes it")(
+      "garment", value<string>(), "the garment, as mesh-pattern writes it")(
       "garment-json", value<string>(), "its panels and seams; default: garment.json beside it")(
+      "scene", value<string>(),
+      "instead of these: a body and its layers of garments, the innermost first; -o outfit.obj "
+      "then gives outfit-NAME.obj for each")(
       "skeleton", value<string>(), "the body's joints; default: body.json beside the body")(
       "fabric", value<string>()->default_value("default"),
-      "a fabric's name, or a JSON file with its quantities")(
+      "a fabric's name, or a JSON file with its quantities; in a scene, of layers that name none")(
       "strain-limit", value<double>(),
       "stiffen warp and weft beyond this strain, a fraction: 0.01 is 1 %")(
       "residual", value<double>()->default_value(0.05, "0.05"),
@@ -320,6 +324,7 @@ int main(int argc, char** argv) {
       "their rms is below ten times it")(
       "frames", value<string>(), "write the states on the way as OBJ files into this folder");
   program.positional.add("garment", 1);
+  program.check = toile::check_usage;
   program.work = toile::work;
   return toile::run_program(argc, argv, program);
 }

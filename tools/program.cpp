@@ -81,6 +81,7 @@ int run_program(int argc, char** argv, CommandLineProgram& program) {
       return exit_done;
     }
     po::notify(given);
+    if (program.check) program.check(given);
     if (given.count("output") == 0) return usage_error(program, "-o FILE is missing");
     settings.output = given["output"].as<std::string>();
     if (given.count("report") != 0) settings.report = given["report"].as<std::string>();

@@ -38,6 +38,8 @@ struct CommandLineProgram {
   std::string usage;  ///< the arguments, without the program's name
   boost::program_options::options_description options{"Options"};
   boost::program_options::positional_options_description positional;
+  /// Options that hang on one another, where there are such: throws program_options::error.
+  std::function<void(const boost::program_options::variables_map&)> check;
   std::function<int(const boost::program_options::variables_map&, const CommonSettings&)> work;
 };
 

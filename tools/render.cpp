@@ -43,8 +43,9 @@ std::vector<View> views_of(const std::string& list) {
 }
 
 /// Each group (panel) becomes a region with a colour of its own, counted on from `legend`, which
-/// gets the groups' names.
-PictureMesh cloth_of(const ObjData& obj, std::vector<LegendEntry>& legend) {
+/// gets the groups' names; with a `name`, the whole garment has one colour under that name.
+PictureMesh cloth_of(const ObjData& obj, const std::string& name,
+                     std::vector<LegendEntry>& legend) {
   PictureMesh cloth;
   cloth.mesh.points = obj.points;
   const int first = static_cast<int>(legend.size());
@@ -53,8 +54,13 @@ PictureMesh cloth_of(const ObjData& obj, std::vector<LegendEntry>& legend) {
       cloth.mesh.triangles.push_back(
           {face.corners[0].point, face.corners[k].point, face.corners[k + 1].point});
       cloth.regions.push_back(face.group + 1);
-      cloth.triangle_colours.push_back(quiet_colour(first + std::max(face.group, 0)));
+      cloth.triangle_colours.push_back(
+          quiet_colour(first + (name.empty() ? std::max(face.group, 0) : 0)));
     }
+  }
+  if (!name.empty()) {
+    legend.push_back({quiet_colour(first), name});
+    return cloth;
   }
   for (const std::string& group : obj.groups) {
     legend.push_back({quiet_colour(static_cast<int>(legend.size())), group});
@@ -69,7 +75,9 @@ int work(const Settings& settings, const CommonSettings& common) {
   picture.title = settings.title;
   std::vector<PictureMesh> meshes;
   for (const std::string& path : settings.garments) {
-    meshes.push_back(cloth_of(read_obj(path), picture.legend));
+    const bool alone = settings.garments.size() == 1;
+    const std::string name = alone ? "" : std::filesystem::path(path).stem().string();
+    meshes.push_back(cloth_of(read_obj(path), name, picture.legend));
   }
   if (!settings.body.empty()) {
     PictureMesh body;
@@ -105,7 +113,8 @@ int main(int argc, char** argv) {
   program.options.add_options()("body", po::value<std::string>()->default_value(""),
                                 "the body, drawn in one colour")(
       "garment", po::value<std::vector<std::string>>()->default_value({}, ""),
-      "garments (flat, placed or dressed), each panel in its own colour; also as arguments")(
+      "garments (flat, placed or dressed), each panel in its own colour, "
+      "or each garment where there are several; also as arguments")(
       "views", po::value<std::string>()->default_value("front,back"),
       "front, back, left, right (the wearer's) and top, with commas between")(
       "width", po::value<int>()->default_value(900), "of a view, in pixels")(

@@ -43,6 +43,20 @@ TEST(Judge, TheVerdictNamesTheFirstThingWrong) {
   EXPECT_EQ(judgement.garment.seams.open_seams[0].name, "left");
 }
 
+TEST(Judge, ClothThroughALowerLayerIsFound) {
+  const PanelMesh garment = tube();
+  const DressedGarment sewn = test::as_dressed(garment, garment.placed);
+  const TriangleMesh body = test::closed_tube(0.15, 0.15, 1.7, 60);
+  for (const double x : {0.19, 0.21}) {
+    const DressedGarment below = test::cloth_tube(x, 0.19, 0.9, 1.3, 60, 10);
+    const TriangleMesh layer{below.points, below.triangles};
+    const Judgement judgement = judge(garment, sewn, body, nullptr, true, &layer);
+    EXPECT_EQ(judgement.body_intersections + judgement.self_intersections, 0);
+    EXPECT_EQ(judgement.layer_intersections > 40, x > tube_radius);
+    EXPECT_EQ(judgement.verdict, x > tube_radius ? "intersecting" : "sewn");
+  }
+}
+
 TEST(Judge, ClothThroughItselfIsFound) {
   const PanelMesh garment = tube();
   std::vector<Vec3> points = garment.placed;

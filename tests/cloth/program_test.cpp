@@ -121,6 +121,7 @@ TEST(Program, WhatTheSceneDoesNotUseIsEmpty) {
                                                         {"body_contact", 0},
                                                         {"friction", 0},
                                                         {"self_contact", 0},
+                                                        {"layer_contact", 0},
                                                         {"strain_limit", 0}}));
 }
 

@@ -166,6 +166,47 @@ Vec3 slide(double slope, double height, RelaxReport& report, std::vector<Vec3>& 
   return way;
 }
 
+/// A sheet of 20 cm that falls on the edge of a sharp ridge of motionless cloth, 1 cm below it.
+std::vector<Vec3> fall_on_a_ridge(bool layer_contact, TriangleMesh& cloth, TriangleMesh& ridge) {
+  PanelMesh garment;
+  test::add_panel(garment, "sheet", test::grid(0.2, 0.2, 10, 10),
+                  [](const Vec2& p) { return Vec3(p.x() - 0.1, 0.01, 0.103 - p.y()); });
+  ridge.points = {{-0.3, 0, 0},     {0.3, 0, 0},        {-0.3, -0.3, 0.1},
+                  {0.3, -0.3, 0.1}, {-0.3, -0.3, -0.1}, {0.3, -0.3, -0.1}};
+  ridge.triangles = {{0, 2, 1}, {1, 2, 3}, {0, 1, 4}, {1, 5, 4}};
+  Scene scene;
+  scene.layers = &ridge;
+  const Program program = compile(garment, scene, garment.placed);
+  std::vector<Vec3> x = program.start;
+  RelaxOptions options;
+  options.bounded = true;
+  options.layer_contact = layer_contact;
+  options.max_iterations = 3000;
+  relax(program, options, x);
+  cloth = {x, program.node_triangles};
+  return x;
+}
+
+TEST(Relax, ALayerBelowHoldsTheClothWithItsEdges) {
+  // No node of either is over a face of the other where they touch: only edges hold.
+  TriangleMesh cloth, ridge;
+  const std::vector<Vec3> held = fall_on_a_ridge(true, cloth, ridge);
+  EXPECT_TRUE(intersections(cloth, ridge).empty());
+  EXPECT_EQ(held.size(), 121U) << "the layer's points are none of the state";
+  double nearest = 1, lowest = 1;
+  for (const Vec3& p : held) {
+    const double below = std::abs(p.z()) * 3;  // the ridge's height there
+    nearest = std::min(nearest, (p.y() + below) * std::sin(std::atan(1.0 / 3)));
+    lowest = std::min(lowest, p.y());
+  }
+  RecordProperty("nearest_node_mm", std::to_string(1000 * nearest));
+  EXPECT_GT(nearest, 0);
+  EXPECT_LT(lowest, -0.03) << "it hangs down on both sides";
+  EXPECT_GT(held[60].y(), 0);
+  const std::vector<Vec3> lost = fall_on_a_ridge(false, cloth, ridge);
+  EXPECT_LT(lost[60].y(), -0.05);
+}
+
 TEST(Relax, AFallenSheetLiesFlatAtItsOffset) {
   RelaxReport report;
   std::vector<Vec3> x;

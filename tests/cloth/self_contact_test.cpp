@@ -232,6 +232,52 @@ TEST(ProximitySearch, FindsInFoldsWhatAllPairsFind) {
   }
 }
 
+TEST(ProximitySearch, FindsALayerAsAllPairsFindIt) {
+  const Surface cloth = soup(100, 5);
+  const Surface layer = soup(120, 6);
+  Surface both = cloth;
+  const int first = static_cast<int>(cloth.x.size());
+  both.x.insert(both.x.end(), layer.x.begin(), layer.x.end());
+  for (const Triangle& t : layer.triangles) {
+    both.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  both = with_own_nodes(both);
+  const double radius = 0.006, gap = 0.001, layer_gap = 0.002;
+  std::map<Key, double> own, with_layer;
+  std::vector<double> nearest(first, radius);
+  for (const auto& [key, distance] : both.all_pairs(radius)) {
+    const bool one = key[1] >= first;
+    const bool other = key[4] >= first;
+    if (one && other) continue;
+    (one || other ? with_layer : own)[key] = distance;
+    for (int i = 1; i < 5; ++i) {
+      if (key[i] < first) nearest[key[i]] = std::min(nearest[key[i]], distance);
+    }
+  }
+  std::vector<ContactPair> pairs;
+  std::vector<double> bound;
+  ProximitySearch search = cloth.search();
+  search.add_layer(layer.triangles, static_cast<int>(layer.x.size()), layer_gap);
+  search.find(both.x, radius, gap, pairs, bound, false);
+  int of_layer = 0;
+  for (const ContactPair& pair : pairs) {
+    const bool is_own = own.erase(key_of(pair)) == 1;
+    if (!is_own) {
+      EXPECT_EQ(with_layer.erase(key_of(pair)), 1U);
+      ++of_layer;
+    }
+    EXPECT_EQ(pair.gap, is_own ? gap : layer_gap);
+  }
+  EXPECT_GT(of_layer, 100);
+  EXPECT_TRUE(own.empty());
+  // Of the layer's, those are left out that can't come near before the bounds are used up.
+  for (const auto& [key, distance] : with_layer) EXPECT_GT(0.55 * distance, 0.999 * layer_gap);
+  for (int v = 0; v < first; ++v) {
+    EXPECT_LT(bound[v], 0.5 * nearest[v] + 1e-15);
+    EXPECT_GT(bound[v], 0.4 * nearest[v] - 1e-15);
+  }
+}
+
 TEST(ProximitySearch, WhatIsOneNodeNeverPairs) {
   // Two triangles one over the other, sewn at one corner: nothing pairs there.
   Surface surface;

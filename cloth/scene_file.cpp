@@ -1,0 +1,104 @@
+#include "cloth/scene_file.h"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+#include "cloth/fabric.h"
+#include "geometry/error.h"
+#include "io/json_value.h"
+#include "io/output_file.h"
+#include "io/text.h"
+
+namespace toile {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t longest_name = 64;  // bytes
+constexpr std::size_t most_layers = 100;
+
+void refuse_unknown_keys(const JsonValue& value, const std::vector<std::string>& known) {
+  for (const std::string& key : value.keys()) {
+    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+    std::string list;
+    for (const std::string& name : known) list += (list.empty() ? "" : ", ") + name;
+    value.fail("has an unknown key '" + valid_utf8(key) + "'", "known are " + list);
+  }
+}
+
+/// The path that `value` holds, counted from `folder`; the file has to be there.
+fs::path file_named(const JsonValue& value, const fs::path& folder) {
+  const std::string text = value.text();
+  if (text.empty()) value.fail("is empty", "name a file");
+  const fs::path path = (folder / text).lexically_normal();
+  std::error_code unreachable;
+  if (!fs::is_regular_file(path, unreachable)) {
+    value.fail("'" + path.string() + "' is no file", "paths count from the scene file");
+  }
+  return path;
+}
+
+std::string lower_case(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+std::string layer_name(const JsonValue& value) {
+  const std::string name = value.text();
+  const auto is_bad = [](unsigned char c) {
+    return c < 0x20 || c == 0x7f ||
+           std::string_view("/\\:*?\"<>|").find(static_cast<char>(c)) != std::string_view::npos;
+  };
+  if (name.empty() || name.size() > longest_name) {
+    value.fail("is not 1 to " + std::to_string(longest_name) + " bytes long",
+               "the name becomes part of a file's name");
+  }
+  if (std::any_of(name.begin(), name.end(), is_bad) || valid_utf8(name) != name ||
+      name.front() == '.' || name.front() == ' ' || name.back() == '.' || name.back() == ' ') {
+    value.fail("'" + valid_utf8(name) + "' can't be part of a file's name",
+               "use letters, digits, - and _");
+  }
+  return name;
+}
+
+SceneLayer layer_of(const JsonValue& value, const fs::path& folder) {
+  refuse_unknown_keys(value, {"name", "garment", "garment_json", "fabric"});
+  SceneLayer layer;
+  layer.name = layer_name(value.get("name"));
+  layer.garment = file_named(value.get("garment"), folder);
+  if (const auto json = value.find("garment_json")) layer.garment_json = file_named(*json, folder);
+  if (const auto fabric = value.find("fabric")) {
+    const std::string text = fabric->text();
+    layer.fabric = text == Fabric().name ? text : file_named(*fabric, folder).string();
+  }
+  return layer;
+}
+
+}  // namespace
+
+SceneFile read_scene(const fs::path& path) {
+  const JsonDocument document(read_file(path), path.string());
+  const JsonValue root = document.root();
+  const fs::path folder = path.parent_path();
+  refuse_unknown_keys(root, {"body", "skeleton", "layers"});
+  SceneFile scene;
+  scene.body = file_named(root.get("body"), folder);
+  if (const auto skeleton = root.find("skeleton")) scene.skeleton = file_named(*skeleton, folder);
+  const JsonValue layers = root.get("layers");
+  const std::size_t count = layers.size(1, most_layers);
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < count; ++i) {
+    const JsonValue item = layers.item(i);
+    scene.layers.push_back(layer_of(item, folder));
+    const std::string& name = scene.layers.back().name;
+    if (!names.insert(lower_case(name)).second) {
+      item.get("name").fail("'" + name + "' is the name of an earlier layer",
+                            "give each layer a name of its own, capitals aside");
+    }
+  }
+  return scene;
+}
+
+}  // namespace toile

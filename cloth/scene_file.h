@@ -1,0 +1,31 @@
+// A scene on disk: a body and the garments that it puts on, one after another.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace toile {
+
+/// One garment of a scene.
+struct SceneLayer {
+  std::string name;                    ///< fit to be a part of a file's name
+  std::filesystem::path garment;       ///< as mesh-pattern writes it
+  std::filesystem::path garment_json;  ///< empty: beside the garment
+  std::string fabric;                  ///< a fabric's name or a file; empty: not said
+};
+
+struct SceneFile {
+  std::filesystem::path body;
+  std::optional<std::filesystem::path> skeleton;  ///< none: beside the body
+  std::vector<SceneLayer> layers;                 ///< at least one, the innermost first
+};
+
+/// Reads {"body", "skeleton", "layers": [{"name", "garment", "garment_json", "fabric"}]}, as
+/// docs/scene.schema.json describes it; relative paths count from the scene file. Throws Error,
+/// naming the file and the key, for keys it does not know, files that are missing, a scene without
+/// layers, names that two layers share (capitals aside) or that could not be part of a file's name.
+SceneFile read_scene(const std::filesystem::path& path);
+
+}  // namespace toile

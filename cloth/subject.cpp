@@ -1,0 +1,50 @@
+#include "cloth/subject.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace toile {
+
+namespace {
+
+void append(TriangleMesh& mesh, const TriangleMesh& more) {
+  const int offset = static_cast<int>(mesh.points.size());
+  mesh.points.insert(mesh.points.end(), more.points.begin(), more.points.end());
+  for (const Triangle& t : more.triangles) {
+    mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+  }
+}
+
+}  // namespace
+
+Subject::Subject(const TriangleMesh& body) : surface_(body) {
+  surfaces_.emplace_back(body);
+  fill_grid();
+}
+
+void Subject::add_layer(const TriangleMesh& garment) {
+  surfaces_.emplace_back(garment);
+  append(surface_, garment);
+  append(cloth_, garment);
+  fill_grid();
+}
+
+void Subject::fill_grid() {
+  std::vector<const BodyDistance*> all;
+  for (const BodyDistance& surface : surfaces_) all.push_back(&surface);
+  if (grid_ == nullptr) {
+    grid_ = std::make_unique<DistanceGrid>(all);
+  } else {
+    *grid_ = DistanceGrid(all);
+  }
+}
+
+double Subject::distance(const Vec3& point) const {
+  double least = std::numeric_limits<double>::max();
+  for (const BodyDistance& surface : surfaces_) {
+    least = std::min(least, surface.nearest(point).distance);
+  }
+  return least;
+}
+
+}  // namespace toile

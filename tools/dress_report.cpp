@@ -1,0 +1,164 @@
+#include "tools/dress_report.h"
+
+#include <iomanip>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace toile {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Strain (99th percentile, off the seams) that no woven is worn at.
+constexpr double suspicious_strain = 0.1;
+
+Json strain_json(const StrainFigures& strain) {
+  return {{"max", strain.max}, {"p99", strain.p99}, {"rms", strain.rms}};
+}
+
+Json residual_json(const Residual& residual) {
+  return {{"median", residual.median}, {"rms", residual.rms}, {"max", residual.max}};
+}
+
+std::string percent(double fraction) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(2) << 100 * fraction << " %";
+  return text.str();
+}
+
+}  // namespace
+
+nlohmann::ordered_json report_of(const PanelMesh& garment, const Scene& scene,
+                                 const std::string& method, const DressResult& result,
+                                 const Judgement& judgement, double seconds) {
+  const GarmentFigures& figures = judgement.garment;
+  Json report;
+  report["garment"] = {{"vertices", result.nodes.size()},
+                       {"material_points", garment.flat.size()},
+                       {"triangles", garment.triangles.size()},
+                       {"panels", garment.panels.size()},
+                       {"seams", garment.seams.size()}};
+  for (const auto& [term, count] : result.terms) {
+    report["scene"]["terms"][term] = count;
+  }
+  report["scene"]["fabric"] = scene.fabric.name;
+  report["scene"]["body_offset_mm"] = 1000 * result.body_offset;
+  report["scene"]["points_inside_at_start"] = result.placement.points_inside;
+  report["scene"]["seam_pairs_inside_at_start"] = result.placement.seams_inside;
+  report["scene"]["lift_mm"] = 1000 * result.placement.lift;
+  for (const auto& [part, distance] : result.placement.drawn_out) {
+    report["scene"]["drawn_out_mm"][part] = 1000 * distance;
+  }
+  for (const PositionedPanel& panel : result.placement.positioned) {
+    Json json = {{"panel", panel.panel}, {"rolled", panel.rolled}};
+    json[panel.rolled ? "radius_mm" : "distance_mm"] = 1000 * panel.distance;
+    if (panel.rolled) {
+      json["gap_mm"] = 1000 * panel.gap;
+      json["drawn_out_mm"] = 1000 * panel.drawn_out;
+      json["points_too_near"] = panel.points_too_near;
+    }
+    report["scene"]["positioned"].push_back(json);
+  }
+  for (const auto& [panel, distance] : result.placement.stepped_out) {
+    report["scene"]["stepped_out_mm"][panel] = 1000 * distance;
+  }
+  report["method"] = method;
+  for (const StageReport& stage : result.stages) {
+    report["stages"].push_back({{"name", stage.name},
+                                {"attempt", stage.attempt},
+                                {"open", stage.open},
+                                {"vertices", stage.vertices},
+                                {"steps", stage.steps},
+                                {"searches", stage.searches},
+                                {"seconds", stage.seconds},
+                                {"converged", stage.converged},
+                                {"residual", residual_json(stage.residual)}});
+  }
+  report["seconds"] = seconds;
+  report["converged"] = result.converged;
+  report["residual"] = residual_json(result.residual);
+  report["strain"] = strain_json(figures.strain);
+  report["strain_off_seams"] = strain_json(figures.strain_off_seams);
+  report["area_change_percent"] = {{"total", figures.area_total_percent},
+                                   {"max_panel", figures.area_max_panel_percent},
+                                   {"max_during", result.during.area_percent}};
+  report["perimeter_change_percent"] = {
+      {"max_panel", figures.perimeter_max_panel_percent},
+      {"max_during", result.during.perimeter_percent},
+      {"triangles_max_panel", figures.triangle_perimeter_max_panel_percent}};
+  report["seams"] = {{"sewn", figures.seams.sewn},
+                     {"open", figures.seams.open},
+                     {"max_gap_mm", figures.seams.max_gap_mm}};
+  report["wraps"] = Json::array();
+  for (const WrapFigure& wrap : judgement.wraps) {
+    report["wraps"].push_back({{"part", wrap.part},
+                               {"fraction", wrap.fraction},
+                               {"from_m", wrap.from},
+                               {"to_m", wrap.to}});
+  }
+  report["borders"] = figures.borders;
+  report["intersections"] = {{"body", judgement.body_intersections},
+                             {"self", judgement.self_intersections},
+                             {"layers", judgement.layer_intersections},
+                             {"check", "exact"}};
+  report["verdict"] = judgement.verdict;
+  for (const OpenSeam& seam : figures.seams.open_seams) {
+    report["unsewable_seams"].push_back({{"name", seam.name}, {"missing_cm", seam.missing_cm}});
+  }
+  return report;
+}
+
+void say_positions(const Placement& placement, const CommonSettings& common) {
+  for (const PositionedPanel& panel : placement.positioned) {
+    std::ostringstream line;
+    line << std::fixed << std::setprecision(1) << "panel " << panel.panel;
+    if (panel.rolled) {
+      line << " is rolled, radius " << 100 * panel.distance << " cm, gap " << 100 * panel.gap
+           << " cm";
+    } else {
+      line << " stands " << 100 * panel.distance << " cm from the bones";
+    }
+    common.say(line.str());
+  }
+}
+
+void say_terms(const DressResult& result, const CommonSettings& common) {
+  std::string line = "terms:";
+  for (const auto& [term, count] : result.terms) {
+    line += " " + term + " " + std::to_string(count) + ",";
+  }
+  line.back() = '.';
+  common.say(line);
+}
+
+void say_result(const DressResult& result, const Judgement& judgement,
+                const CommonSettings& common) {
+  const GarmentFigures& figures = judgement.garment;
+  std::ostringstream residual;
+  residual << std::setprecision(2) << result.residual.median << " median, " << result.residual.rms
+           << " rms";
+  common.say("seams: " + std::to_string(figures.seams.sewn) + " sewn, " +
+             std::to_string(figures.seams.open) +
+             " open; intersections: " + std::to_string(judgement.body_intersections) +
+             " with the body, " + std::to_string(judgement.self_intersections) + " with itself, " +
+             std::to_string(judgement.layer_intersections) + " with layers below");
+  common.say("strain off the seams: " + percent(figures.strain_off_seams.p99) +
+             " (99th percentile); residual in node weights: " + residual.str());
+  for (const WrapFigure& wrap : judgement.wraps) {
+    common.say("wraps " + wrap.part + ": " + percent(wrap.fraction));
+  }
+  if (result.placement.points_inside > 0) {
+    CommonSettings::warn(
+        std::to_string(result.placement.points_inside) +
+        " points of the panels start inside the body, or a layer on it: place the panels clear of "
+        "it");
+  }
+  if (figures.strain_off_seams.p99 > suspicious_strain) {
+    CommonSettings::warn("the cloth is strained by " + percent(figures.strain_off_seams.p99) +
+                         " in places: the garment is too small for this body, or caught on it");
+  }
+  common.say("verdict: " + judgement.verdict);
+}
+
+}  // namespace toile

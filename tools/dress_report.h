@@ -1,0 +1,28 @@
+// What dress says of a dressed garment: the report's entry, the lines for the user.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "cloth/dress.h"
+#include "cloth/judge.h"
+#include "tools/program.h"
+
+namespace toile {
+
+/// Every figure of the report of one garment. `seconds` is what it took as a whole.
+nlohmann::ordered_json report_of(const PanelMesh& garment, const Scene& scene,
+                                 const std::string& method, const DressResult& result,
+                                 const Judgement& judgement, double seconds);
+
+/// Where the skeleton positioned the panels, for those that asked for it.
+void say_positions(const Placement& placement, const CommonSettings& common);
+
+/// What was compiled, by term, with counts.
+void say_terms(const DressResult& result, const CommonSettings& common);
+
+/// Seams, intersections, strain, wraps and the verdict; warns of what looks wrong.
+void say_result(const DressResult& result, const Judgement& judgement,
+                const CommonSettings& common);
+
+}  // namespace toile
