@@ -16,6 +16,7 @@
 #include "io/skeleton_file.h"
 #include "pattern/garment_file.h"
 #include "tools/closed_body.h"
+#include "tools/dress_method.h"
 #include "tools/dress_report.h"
 #include "tools/dress_watch.h"
 #include "tools/program.h"
@@ -32,13 +33,6 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
-
-/// A way to dress: they all have this form.
-struct Method {
-  std::string name = "relaxation";
-  DressResult (*dress)(const PanelMesh&, const Scene&, const DressOptions&,
-                       const FrameWatcher&) = toile::dress;
-};
 
 /// One garment that is to be dressed.
 struct Layer {
@@ -57,8 +51,7 @@ struct Settings {
   std::vector<Layer> layers;
   std::optional<fs::path> frames;
   std::optional<double> strain_limit;
-  Method method;
-  DressOptions options;
+  DressMethod method;
 };
 
 /// The garment or the scene that the command line names, with the files to write for it.
@@ -97,19 +90,8 @@ Settings read_settings(const po::variables_map& given, const fs::path& output) {
   Settings settings;
   read_layers(given, output, settings);
   if (given.count("frames")) settings.frames = given["frames"].as<std::string>();
-  if (given.count("strain-limit")) {
-    const double limit = given["strain-limit"].as<double>();
-    if (!(limit >= 0 && limit < 1)) {
-      throw Error("--strain-limit", "is not a fraction", "0.01 holds warp and weft near 1 %");
-    }
-    settings.strain_limit = limit;
-  }
-  const double residual = given["residual"].as<double>();
-  if (!(residual > 0 && residual < 1)) {
-    throw Error("--residual", "is not between 0 and 1", "0.05 is the default");
-  }
-  settings.options.stop_median = residual;
-  settings.options.stop_rms = 10 * residual;
+  settings.strain_limit = read_strain_limit(given);
+  settings.method = read_method(given);
   return settings;
 }
 
@@ -203,8 +185,7 @@ Done Outfit::dress_layer(const Layer& layer, PanelMesh garment) {
     std::optional<fs::path> frames = settings_.frames;
     if (frames && settings_.scene) *frames /= layer.name;
     DressWatch watch(frames, !common_.quiet && isatty(STDERR_FILENO) != 0);
-    return settings_.method.dress(garment, scene, settings_.options,
-                                  [&](const DressFrame& frame) { watch(frame); });
+    return settings_.method.dress(garment, scene, [&](const DressFrame& frame) { watch(frame); });
   }();
   say_positions(result.placement, common_);
   say_terms(result, common_);
@@ -293,6 +274,7 @@ void check_usage(const po::variables_map& given) {
       throw po::required_option(name);
     }
   }
+  check_method_options(given);
 }
 
 }  // namespace
@@ -317,12 +299,8 @@ int main(int argc, char** argv) {
       "skeleton", value<string>(), "the body's joints; default: body.json beside the body")(
       "fabric", value<string>()->default_value("default"),
       "a fabric's name, or a JSON file with its quantities; in a scene, of layers that name none")(
-      "strain-limit", value<double>(),
-      "stiffen warp and weft beyond this strain, a fraction: 0.01 is 1 %")(
-      "residual", value<double>()->default_value(0.05, "0.05"),
-      "at rest when half of the nodes have less force left than this share of a node's weight, and "
-      "their rms is below ten times it")(
       "frames", value<string>(), "write the states on the way as OBJ files into this folder");
+  toile::add_method_options(program.options);
   program.positional.add("garment", 1);
   program.check = toile::check_usage;
   program.work = toile::work;

@@ -64,6 +64,7 @@ nlohmann::ordered_json report_of(const PanelMesh& garment, const Scene& scene,
     report["scene"]["stepped_out_mm"][panel] = 1000 * distance;
   }
   report["method"] = method;
+  if (result.time_step > 0) report["time_step_s"] = result.time_step;
   for (const StageReport& stage : result.stages) {
     report["stages"].push_back({{"name", stage.name},
                                 {"attempt", stage.attempt},
@@ -72,6 +73,7 @@ nlohmann::ordered_json report_of(const PanelMesh& garment, const Scene& scene,
                                 {"steps", stage.steps},
                                 {"searches", stage.searches},
                                 {"seconds", stage.seconds},
+                                {"simulated_seconds", stage.simulated},
                                 {"converged", stage.converged},
                                 {"residual", residual_json(stage.residual)}});
   }

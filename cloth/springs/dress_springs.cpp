@@ -29,6 +29,8 @@ constexpr double tightest_wrap = 0.01;
 constexpr double tightest = 1e-4;
 /// Seconds without a merge at the full force before what is open counts as not sewable.
 constexpr double patience = 0.3;
+/// Factor on the bending stiffness while seams close: smooth panels don't fold through their seams.
+constexpr double sewing_stiffness = 10;
 /// Seconds of draping before there is friction.
 constexpr double frictionless = 0.25;
 
@@ -47,6 +49,7 @@ class SpringDressing {
   void drape();
   void look(const std::string& name, double progress);
   Residual residual();
+  bool is_clean() const;
   void finish();
 
   const PanelMesh& garment_;
@@ -91,6 +94,7 @@ DressResult SpringDressing::run() {
 }
 
 void SpringDressing::wrap() {
+  motion_.stiffen_bending(sewing_stiffness);
   SpringStage forces;
   forces.attraction = attraction;
   forces.sewing = options_.motion.sewing;
@@ -119,14 +123,18 @@ bool SpringDressing::sew() {
     open = motion_.open_pairs();
     return open == 0 || time - last_merge > patience;
   });
-  if (open > 0) result_.stages.back().converged = false;
-  return open == 0;
+  if (open > 0) {
+    result_.stages.back().converged = false;
+    return false;
+  }
+  // Small folds that went through each other at the seams open as the stiff cloth smooths itself.
+  stage("sew", options_.longest_sew, forces, [&](SpringStage&, double) { return is_clean(); });
+  return true;
 }
 
 void SpringDressing::drape() {
-  if (self_intersections({motion_.points(), motion_.sheet().triangles()}).empty()) {
-    motion_.close_bounds();
-  }
+  if (is_clean()) motion_.close_bounds();
+  motion_.stiffen_bending(1);
   SpringStage forces;
   forces.gravity = 1;
   stage("drape", options_.longest_drape, forces, [&](SpringStage& now, double time) {
@@ -135,6 +143,10 @@ void SpringDressing::drape() {
     return now.friction && left.median < options_.stop_median && left.rms < options_.stop_rms;
   });
   result_.converged = result_.stages.back().converged;
+}
+
+bool SpringDressing::is_clean() const {
+  return self_intersections({motion_.points(), motion_.sheet().triangles()}).empty();
 }
 
 template <typename Over>

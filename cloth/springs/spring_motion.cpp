@@ -13,6 +13,35 @@ namespace {
 
 /// Metres below which the sewing force has the last word.
 constexpr double landing_gap = 1e-4;
+/// Metres between the points of a seam below which the cloth beside them may be strained to meet.
+/// Where four panels come together, none could with all of its edges held to their lengths.
+constexpr double easing_gap = 0.006;
+/// Steps between two looks for such points.
+constexpr int easing_interval = 100;
+/// Times such pairs are gone through in a step: those that share a node undo each other's work.
+constexpr int sewing_sweeps = 4;
+
+/// Metres on the flat panel from a seam within which cloth may pass the cloth at other seams until
+/// all are sewn: where four panels meet, each lies in the way of the others' last centimetre.
+constexpr double seam_margin = 0.02;
+
+std::vector<char> points_near_seams(const PanelMesh& garment) {
+  std::vector<char> on_seam(garment.flat.size(), 0);
+  for (const MeshedSeam& seam : garment.seams) {
+    for (const int p : seam.a) on_seam[p] = 1;
+    for (const int p : seam.b) on_seam[p] = 1;
+  }
+  std::vector<char> near(garment.flat.size(), 0);
+  for (const MeshedPanel& panel : garment.panels) {
+    const int end = panel.first_point + panel.points;
+    for (int p = panel.first_point; p < end; ++p) {
+      for (int q = panel.first_point; q < end && !near[p]; ++q) {
+        near[p] = on_seam[q] && (garment.flat[p] - garment.flat[q]).norm() < seam_margin;
+      }
+    }
+  }
+  return near;
+}
 
 }  // namespace
 
@@ -33,12 +62,12 @@ SpringMotion::SpringMotion(const PanelMesh& garment, const Program& program,
   if (program.scene.subject != nullptr) {
     subject_.emplace(*program.scene.subject, sheet_.triangles());
   }
-  if (program.scene.self_contact) self_.emplace(program, program.scene.self_gap);
+  if (program.scene.self_contact) {
+    self_.emplace(program, program.scene.self_gap, points_near_seams(garment));
+  }
   reconnect();
   // Merging adds springs and masses alike: the step of the open panels serves to the end.
-  std::vector<Spring> all = sheet_.edges();
-  all.insert(all.end(), sheet_.bending().begin(), sheet_.bending().end());
-  stable_ = toile::stable_step(all, sheet_.inverse_mass(), options.drag);
+  stable_ = stable_step();
   time_step_ = options.time_step > 0 ? options.time_step : options.step_share * stable_;
 }
 
@@ -47,13 +76,43 @@ void SpringMotion::reconnect() {
   std::vector<Spring> all = sheet_.edges();
   all.insert(all.end(), sheet_.bending().begin(), sheet_.bending().end());
   springs_.emplace(all, sheet_.points());
-  strain_.emplace(sheet_.edges(), sheet_.points());
   if (subject_) subject_->set_cloth(sheet_.triangles());
   node_.resize(sheet_.points());
   for (int p = 0; p < sheet_.points(); ++p) node_[p] = sheet_.node(p);
+  choose_limited_springs();
+}
+
+void SpringMotion::choose_limited_springs() {
+  std::vector<char> eased(sheet_.points(), 0);
+  for (const auto& [a, b] : open_) {
+    if ((x_[a] - x_[b]).norm() < easing_gap) eased[node_[a]] = eased[node_[b]] = 1;
+  }
+  std::vector<Spring> limited;
+  for (const Spring& spring : sheet_.edges()) {
+    if (!eased[spring.a] && !eased[spring.b]) limited.push_back(spring);
+  }
+  strain_.emplace(limited, sheet_.points());
+}
+
+double SpringMotion::stable_step() const {
+  std::vector<Spring> all = sheet_.edges();
+  all.insert(all.end(), sheet_.bending().begin(), sheet_.bending().end());
+  return toile::stable_step(all, sheet_.inverse_mass(), options_.drag);
+}
+
+void SpringMotion::close_bounds() {
+  if (self_) self_->leave_out_neighbours(false);
+}
+
+void SpringMotion::stiffen_bending(double factor) {
+  sheet_.stiffen_bending(factor);
+  reconnect();
+  stable_ = stable_step();
+  if (options_.time_step <= 0) time_step_ = options_.step_share * stable_;
 }
 
 void SpringMotion::step(const SpringStage& stage) {
+  if (!open_.empty() && counts_.steps % easing_interval == 0) choose_limited_springs();
   accelerate(stage);
   sew(stage.sewing, std::numeric_limits<double>::infinity());
   const auto& inverse_mass = sheet_.inverse_mass();
@@ -103,15 +162,18 @@ void SpringMotion::accelerate(const SpringStage& stage) {
 }
 
 /// Pulls together the open pairs that are nearer than `within`.
-void SpringMotion::sew(const SewingForce& force, double within) {
-  for (const auto& [point_a, point_b] : open_) {
-    const int a = node_[point_a];
-    const int b = node_[point_b];
-    if (a == b || (x_[a] - x_[b]).squaredNorm() > within * within) continue;
-    SewnPair pair{x_[a], x_[b], v_[a], v_[b], sheet_.mass()[a], sheet_.mass()[b]};
-    sew_step(force, time_step_, pair);
-    v_[a] = pair.v_a;
-    v_[b] = pair.v_b;
+void SpringMotion::sew(SewingForce force, double within) {
+  for (int sweep = 0; sweep < sewing_sweeps; ++sweep) {
+    if (sweep > 0) within = std::min(within, easing_gap);
+    for (const auto& [point_a, point_b] : open_) {
+      const int a = node_[point_a];
+      const int b = node_[point_b];
+      if (a == b || (x_[a] - x_[b]).squaredNorm() > within * within) continue;
+      SewnPair pair{x_[a], x_[b], v_[a], v_[b], sheet_.mass()[a], sheet_.mass()[b]};
+      sew_step(force, time_step_, pair);
+      v_[a] = pair.v_a;
+      v_[b] = pair.v_b;
+    }
   }
 }
 

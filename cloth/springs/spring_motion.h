@@ -19,7 +19,7 @@ namespace toile {
 /// The choices that the paper leaves open, or compares.
 struct SpringOptions {
   double time_step = 0;  ///< seconds; 0: `step_share` of the largest that is stable
-  double step_share = 0.7;
+  double step_share = 0.9;
   StrainScheme strain_scheme = StrainScheme::velocity;
   StrainControlOptions strain = {.measure_after = false};
   SewingForce sewing = {.unit_time = 0.1, .unit_length = 0.001};
@@ -72,12 +72,16 @@ class SpringMotion {
   /// The gap that this share of the open pairs is below, metres; 0 when all are merged.
   double open_gap(double share) const;
   /// From now on neighbours in the mesh may not pass through each other either.
-  void close_bounds() { self_->leave_out_neighbours(false); }
+  void close_bounds();
+  /// Factor on the bending stiffness from now on, as far as the step bears it.
+  void stiffen_bending(double factor);
 
  private:
   void reconnect();
+  void choose_limited_springs();
+  double stable_step() const;
   void accelerate(const SpringStage& stage);
-  void sew(const SewingForce& force, double within);
+  void sew(SewingForce force, double within);
   void merge_closed_pairs();
 
   const PanelMesh& garment_;

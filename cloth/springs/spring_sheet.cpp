@@ -13,6 +13,9 @@ namespace {
 
 using Edge = std::pair<int, int>;
 
+/// Of the stiffness on a node, what one of the some six bending springs there may have.
+constexpr double bending_share = 0.1;
+
 Edge edge_of(int a, int b) { return std::minmax(a, b); }
 
 /// The corner `c` of a triangle as seen from its edge a-b: how far along, how far off.
@@ -35,8 +38,38 @@ SpringSheet::SpringSheet(const PanelMesh& garment, const Program& program)
     : garment_(garment), program_(program), parent_(garment.flat.size()) {
   std::iota(parent_.begin(), parent_.end(), 0);
   lay_out_edges();
+  soften_small_elements();
   lay_out_bends();
   refresh();
+}
+
+/// One needle of a triangle would set the step of the whole garment. What hangs on a node that
+/// is lighter for its stiffness than most gives way more than the fabric would; the strain control
+/// holds it all the same.
+void SpringSheet::soften_small_elements() {
+  constexpr double most_over_median = 2.5;
+  std::vector<double> stiffness(point_mass_.size(), 0);
+  for (const Spring& spring : point_edges_) {
+    stiffness[spring.a] += spring.stiffness;
+    stiffness[spring.b] += spring.stiffness;
+  }
+  std::vector<double> rates;  // of a node's fastest motion, squared, about
+  for (std::size_t p = 0; p < stiffness.size(); ++p) {
+    if (point_mass_[p] > 0) rates.push_back(stiffness[p] / point_mass_[p]);
+  }
+  if (rates.empty()) return;
+  std::nth_element(rates.begin(), rates.begin() + rates.size() / 2, rates.end());
+  rate_ = rates[rates.size() / 2];
+  const double most = most_over_median * rate_;
+  for (Spring& spring : point_edges_) {
+    double share = 1;
+    for (const int end : {spring.a, spring.b}) {
+      share = std::min(share, most * point_mass_[end] / stiffness[end]);
+    }
+    spring.stiffness *= share;
+    spring.damping *= share;
+    softened_ += share < 1;
+  }
 }
 
 /// Young's modulus of an orthotropic sheet without contraction across, in the direction `along`
@@ -91,7 +124,6 @@ void SpringSheet::lay_out_bends() {
       sides[edge_of(nodes[(i + 1) % 3], nodes[(i + 2) % 3])].push_back({static_cast<int>(t), i});
     }
   }
-  const double stiffest = std::max(fabric.stretch_warp, fabric.stretch_weft);
   for (const auto& [edge, faces] : sides) {
     if (faces.size() != 2) continue;
     std::array<int, 4> hinge;
@@ -121,7 +153,7 @@ void SpringSheet::lay_out_bends() {
     const double fold = 0.6 * heights / matched_radius;  // measured: fits most meshes
     const double shorter = reach[0].y() * reach[1].y() * fold * fold / (2 * bend.rest);
     const double energy = 0.5 * fabric.bending * std::pow(length * fold, 2) / area;
-    bend.stiffness = std::min(2 * energy / (shorter * shorter), stiffest);
+    bend.stiffness = 2 * energy / (shorter * shorter);
     point_bends_.push_back(bend);
   }
 }
@@ -158,8 +190,11 @@ void SpringSheet::refresh() {
   for (const Bend& bend : point_bends_) {
     const auto& h = bend.hinge;
     if (node(h[0]) != node(h[2]) || node(h[1]) != node(h[3])) continue;
-    bending_.push_back({node(bend.corners[0]), node(bend.corners[1]), bend.rest, bend.stiffness,
-                        damping * bend.stiffness});
+    const double lightest = std::min(point_mass_[bend.corners[0]], point_mass_[bend.corners[1]]);
+    const double stiffness =
+        std::min(bending_factor_ * bend.stiffness, bending_share * rate_ * lightest);
+    bending_.push_back(
+        {node(bend.corners[0]), node(bend.corners[1]), bend.rest, stiffness, damping * stiffness});
   }
   triangles_ = garment_.triangles;
   for (Triangle& t : triangles_) {

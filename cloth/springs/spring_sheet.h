@@ -23,7 +23,7 @@ namespace toile {
 /// - *Bending springs* join the opposite corners of two adjacent triangles, of a seam's two panels
 ///   too once it is sewn. Such a spring resists a fold with the fourth power of the angle: it has
 ///   the fabric's bending energy at one curvature only, 1/`matched_radius`, less below and more
-///   above; and it is no stiffer than an edge.
+///   above; and it is no stiffer than the step that the edges need can bear.
 class SpringSheet {
  public:
   /// Metres; the radius of a fold in a garment.
@@ -31,6 +31,9 @@ class SpringSheet {
 
   /// `program`: the garment as compiled, which says what is to be sewn. Both have to outlive this.
   SpringSheet(const PanelMesh& garment, const Program& program);
+
+  /// Factor on the bending springs from the next refresh() on, as far as the step bears it.
+  void stiffen_bending(double factor) { bending_factor_ = factor; }
 
   /// The nodes of two material points become one; springs change at the next refresh().
   void merge(int a, int b);
@@ -44,6 +47,8 @@ class SpringSheet {
   const std::vector<Spring>& edges() const { return edges_; }            ///< structural and shear
   const std::vector<Spring>& bending() const { return bending_; }        ///< of what is sewn so far
   const std::vector<Triangle>& triangles() const { return triangles_; }  ///< of nodes
+  /// Edges that are softer than the fabric, see soften_small_elements().
+  int softened() const { return softened_; }
 
  private:
   struct Bend {
@@ -54,6 +59,7 @@ class SpringSheet {
   };
   void lay_out_edges();
   void lay_out_bends();
+  void soften_small_elements();
   double modulus(const Vec2& along, double grain) const;
   int root(int point) const;
 
@@ -63,6 +69,9 @@ class SpringSheet {
   std::vector<Spring> point_edges_;  // between material points
   std::vector<Bend> point_bends_;
   mutable std::vector<int> parent_;
+  double bending_factor_ = 1;
+  double rate_ = 0;  // 1/s²: stiffness on a node over its mass, the median
+  int softened_ = 0;
 
   std::vector<int> node_of_point_;
   std::vector<double> mass_;

@@ -1,0 +1,154 @@
+#include "tools/dress_method.h"
+
+#include <cmath>
+#include <map>
+
+#include "cloth/springs/dress_springs.h"
+#include "geometry/error.h"
+
+namespace toile {
+
+namespace {
+
+namespace po = boost::program_options;
+using std::string;
+
+constexpr const char* of_the_paper[] = {"strain-control", "sewing", "time-step", "restitution"};
+
+/// The paper's Table 1, and what it leaves open, by the names of --sewing.
+void set_sewing(const string& setting, SpringDressOptions& options) {
+  SewingForce& force = options.motion.sewing;
+  const std::map<string, double*> coefficients = {
+      {"epsilon", &force.epsilon},
+      {"tau", &force.tau},
+      {"c", &force.c},
+      {"lambda-f", &force.lambda_f},
+      {"damp-n", &force.damp_normal},
+      {"damp-t", &force.damp_tangent},
+      {"atten-n", &force.atten_normal},
+      {"atten-t", &force.atten_tangent},
+      {"delta", &force.delta},
+      {"unit-time", &force.unit_time},
+      {"hand-pull", &options.hand_pull},
+  };
+  const std::size_t equals = setting.find('=');
+  const auto found = coefficients.find(setting.substr(0, equals));
+  double value = 0;
+  try {
+    std::size_t read = 0;
+    const string number = equals == string::npos ? "" : setting.substr(equals + 1);
+    value = std::stod(number, &read);
+    if (read != number.size()) value = std::nan("");
+  } catch (const std::exception&) {
+    value = std::nan("");
+  }
+  if (found == coefficients.end() || !std::isfinite(value) || value < 0) {
+    string names;
+    for (const auto& [name, coefficient] : coefficients) names += " " + name;
+    throw Error("--sewing", "'" + setting + "' is no coefficient with a number of 0 and more",
+                "give NAME=VALUE, with one of" + names);
+  }
+  if (value == 0 && (found->first == "delta" || found->first == "unit-time")) {
+    throw Error("--sewing", found->first + " is 0", "give a number above 0");
+  }
+  *found->second = value;
+}
+
+double positive(const po::variables_map& given, const string& option, double most) {
+  const double value = given[option].as<double>();
+  if (!(value >= 0 && value <= most)) {
+    throw Error("--" + option, "is not between 0 and " + std::to_string(most), "see --help");
+  }
+  return value;
+}
+
+DressMethod paper(const po::variables_map& given, double residual) {
+  SpringDressOptions options;
+  options.stop_median = residual;
+  options.stop_rms = 10 * residual;
+  const string control = given["strain-control"].as<string>();
+  if (control == "position") {
+    options.motion.strain_scheme = StrainScheme::position;
+    options.motion.strain = provot_options();
+  } else if (control == "none") {
+    options.motion.strain_scheme = StrainScheme::none;
+  } else if (control != "velocity") {
+    throw Error("--strain-control", "'" + control + "' is none of velocity, position, none",
+                "leave it out for the paper's, by velocity");
+  }
+  if (const auto limit = read_strain_limit(given)) options.motion.strain.limit = *limit;
+  if (given.count("time-step")) {
+    options.motion.time_step = positive(given, "time-step", 0.01);
+    if (options.motion.time_step < 1e-8) {
+      throw Error("--time-step", "is below 1e-8 s", "leave it out for the largest stable one");
+    }
+  }
+  options.motion.restitution = positive(given, "restitution", 1);
+  if (given.count("sewing")) {
+    for (const string& setting : given["sewing"].as<std::vector<string>>()) {
+      set_sewing(setting, options);
+    }
+  }
+  return {"paper",
+          [options](const PanelMesh& garment, const Scene& scene, const FrameWatcher& watcher) {
+            return dress_springs(garment, scene, options, watcher);
+          }};
+}
+
+}  // namespace
+
+void add_method_options(po::options_description& options) {
+  options.add_options()("method", po::value<string>()->default_value("relaxation"),
+                        "relaxation: fast; paper: Zhong & Xu 2009, masses and springs in time")(
+      "strain-limit", po::value<double>(),
+      "relaxation: stiffen warp and weft beyond this strain, a fraction: 0.01 is 1 %; paper: hold "
+      "every edge within it, 0.01 if not given")(
+      "residual", po::value<double>()->default_value(0.05, "0.05"),
+      "at rest when half of the nodes have less force left than this share of a node's weight, and "
+      "their rms is below ten times it")("strain-control",
+                                         po::value<string>()->default_value("velocity"),
+                                         "paper: velocity, position (Provot's, limit 0.1) or none")(
+      "sewing", po::value<std::vector<string>>()->composing(),
+      "paper: a coefficient of the sewing force, NAME=VALUE: epsilon, tau, c, lambda-f, damp-n, "
+      "damp-t, atten-n, atten-t, delta (m), unit-time (s), hand-pull (N/m); may be repeated")(
+      "time-step", po::value<double>(), "paper: seconds; default: 0.9 of what is stable")(
+      "restitution", po::value<double>()->default_value(0, "0"),
+      "paper: share of the speed that the cloth bounces off with");
+}
+
+void check_method_options(const po::variables_map& given) {
+  const string method = given["method"].as<string>();
+  if (method == "paper") return;
+  if (method != "relaxation") throw po::error("--method is relaxation or paper");
+  for (const char* option : of_the_paper) {
+    if (given.count(option) != 0 && !given[option].defaulted()) {
+      throw po::error("--" + string(option) + " belongs to --method paper");
+    }
+  }
+}
+
+std::optional<double> read_strain_limit(const po::variables_map& given) {
+  if (given.count("strain-limit") == 0) return std::nullopt;
+  const double limit = given["strain-limit"].as<double>();
+  if (!(limit >= 0 && limit < 1)) {
+    throw Error("--strain-limit", "is not a fraction", "0.01 holds warp and weft near 1 %");
+  }
+  return limit;
+}
+
+DressMethod read_method(const po::variables_map& given) {
+  const double residual = given["residual"].as<double>();
+  if (!(residual > 0 && residual < 1)) {
+    throw Error("--residual", "is not between 0 and 1", "0.05 is the default");
+  }
+  if (given["method"].as<string>() == "paper") return paper(given, residual);
+  DressOptions options;
+  options.stop_median = residual;
+  options.stop_rms = 10 * residual;
+  return {"relaxation",
+          [options](const PanelMesh& garment, const Scene& scene, const FrameWatcher& watcher) {
+            return dress(garment, scene, options, watcher);
+          }};
+}
+
+}  // namespace toile

@@ -1,0 +1,29 @@
+// The ways to dress that the command line offers, with the options of each.
+#pragma once
+
+#include <boost/program_options.hpp>
+#include <functional>
+#include <string>
+
+#include "cloth/dress.h"
+
+namespace toile {
+
+struct DressMethod {
+  std::string name;
+  std::function<DressResult(const PanelMesh&, const Scene&, const FrameWatcher&)> dress;
+};
+
+/// Adds --method, --strain-limit, --residual and what belongs to one method only.
+void add_method_options(boost::program_options::options_description& options);
+
+/// Throws boost::program_options::error when an option belongs to a method that is not chosen.
+void check_method_options(const boost::program_options::variables_map& given);
+
+/// The method that was asked for. Throws Error for values out of range.
+DressMethod read_method(const boost::program_options::variables_map& given);
+
+/// --strain-limit, if it was given and is a fraction.
+std::optional<double> read_strain_limit(const boost::program_options::variables_map& given);
+
+}  // namespace toile
