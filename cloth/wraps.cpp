@@ -103,6 +103,8 @@ Interval meant_stretch(const PanelMesh& garment, const DressedGarment& dressed,
   const double armpit = skeleton.joint("chest").y();
   if (torso) {
     const double from = bones.foot(skeleton.joint("chest"));
+    // What starts below the armpits hangs from where it is placed: a skirt has no shoulders.
+    if (-top < from) return {-top - 0.75 * length, -top - 0.25 * length};
     const double reach = length - (skeleton.joint("neck").y() - armpit);
     return {from - 0.7 * reach, from - 0.1 * reach};
   }

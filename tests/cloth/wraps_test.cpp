@@ -40,6 +40,17 @@ TEST(Wraps, ATubeAroundTheBones) {
   EXPECT_NEAR(wraps[0].to, 0.4 - 0.1 * 0.4, 0.005);
 }
 
+TEST(Wraps, ATubeBelowTheArmpitsHangsFromWhereItIsPlaced) {
+  PanelMesh garment = tube();
+  garment.placed = moved(garment.placed, {0, -0.3, 0});
+  const auto wraps = measure_wraps(garment, test::as_dressed(garment, garment.placed), figure());
+  ASSERT_EQ(wraps.size(), 1U);
+  EXPECT_NEAR(wraps[0].fraction, 1, 1e-3);
+  // 60 cm from 30 cm up the bones, where the tube's top is.
+  EXPECT_NEAR(wraps[0].from, 0.3 - 0.75 * 0.6, 0.005);
+  EXPECT_NEAR(wraps[0].to, 0.3 - 0.25 * 0.6, 0.005);
+}
+
 TEST(Wraps, HalfATube) {
   PanelMesh garment;
   add_half(garment, "front", -pi / 2);
