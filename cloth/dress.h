@@ -55,7 +55,8 @@ struct DressFrame {
   const PanelMesh& mesh;
   const std::string& stage;
   const std::vector<Vec3>& points;
-  double progress;  ///< of the whole dressing, 0 to 1, roughly
+  double progress;     ///< of the whole dressing, 0 to 1, roughly
+  double seconds = 0;  ///< of the cloth's own time so far; 0 for a method that has none
 };
 using FrameWatcher = std::function<void(const DressFrame&)>;
 

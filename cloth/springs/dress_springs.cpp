@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cloth/measures.h"
+#include "cloth/step_out.h"
 #include "geometry/error.h"
 #include "geometry/intersections.h"
 
@@ -33,6 +34,12 @@ constexpr double patience = 0.3;
 constexpr double sewing_stiffness = 10;
 /// Seconds of draping before there is friction.
 constexpr double frictionless = 0.25;
+
+Placement place(const PanelMesh& garment, const Scene& scene) {
+  Placement placement = place_panels(garment, *scene.body, scene.skeleton);
+  if (scene.layers != nullptr) step_out(garment, *scene.body, placement);
+  return placement;
+}
 
 class SpringDressing {
  public:
@@ -64,6 +71,7 @@ class SpringDressing {
   std::vector<double> rest_areas_;
   std::vector<double> rest_perimeters_;
   double unit_time_ = 0;  // that the wrap ended with
+  double time_ = 0;       // simulated so far
   int looks_ = 0;
 };
 
@@ -72,7 +80,7 @@ SpringDressing::SpringDressing(const PanelMesh& garment, const Scene& scene,
     : garment_(garment),
       options_(options),
       watcher_(watcher),
-      placement_(place_panels(garment, *scene.body, scene.skeleton)),
+      placement_(place(garment, scene)),
       program_(compile(garment, scene, placement_.placed)),
       motion_(garment, program_, options.motion, placement_.placed),
       rest_areas_(panel_areas(garment)),
@@ -164,6 +172,7 @@ StageReport& SpringDressing::stage(const std::string& name, double longest, Spri
     for (int i = 0; i < steps_a_look; ++i) motion_.step(forces);
     report.steps += steps_a_look;
     time += steps_a_look * dt;
+    time_ += steps_a_look * dt;
     result_.residual = residual();
     look(name, time / longest);
     report.converged = is_over(forces, time);
@@ -182,7 +191,7 @@ void SpringDressing::look(const std::string& name, double progress) {
       largest_change_percent(rest_perimeters_, panel_perimeters(garment_, points));
   result_.during.area_percent = std::max(result_.during.area_percent, area);
   result_.during.perimeter_percent = std::max(result_.during.perimeter_percent, perimeter);
-  if (watcher_ && looks_++ % frame_looks == 0) watcher_({garment_, name, points, progress});
+  if (watcher_ && looks_++ % frame_looks == 0) watcher_({garment_, name, points, progress, time_});
 }
 
 /// Mean over the time since the last look.
