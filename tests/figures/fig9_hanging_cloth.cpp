@@ -11,6 +11,7 @@
 #include "io/output_file.h"
 #include "io/picture.h"
 #include "tests/figures/hanging_cloth.h"
+#include "tests/figures/sheet.h"
 
 namespace toile::figures {
 namespace {
@@ -131,8 +132,57 @@ std::string picture(const std::vector<Case>& cases) {
   return picture_png(std::move(meshes), picture);
 }
 
-void write(const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder);
+std::string percent(double fraction) { return number(100 * fraction, 2) + " %"; }
+
+void write_sheet(const std::vector<Case>& shown, const std::vector<Case>& steps, Sheet& sheet) {
+  sheet.say(
+      "A square metre of soft cloth, 17 × 17 nodes, two corners held, let go from the "
+      "horizontal. Strain is that of structural and shear springs.");
+  sheet.pictures("Without control, positions adjusted, velocities adjusted",
+                 {{picture(shown), "at rest"}});
+  Chart chart{"Strain of the springs at the held corners", "seconds simulated", "strain, %", {}};
+  std::vector<std::vector<std::string>> rows;
+  for (const Case& one : shown) {
+    Curve curve{one.name, {}, false};
+    for (const HangingClothMoment& m : one.cloth.curve) {
+      curve.points.emplace_back(m.seconds, 100 * m.corners);
+    }
+    chart.curves.push_back(curve);
+    rows.push_back({one.name, number(1e3 * one.options.dt, 4), percent(one.cloth.strain.corners),
+                    percent(one.cloth.strain.max), percent(one.cloth.max_during)});
+  }
+  sheet.chart(chart);
+  const std::vector<std::string> columns = {"case", "step, ms", "corners", "largest",
+                                            "largest on the way"};
+  sheet.table("Strain at rest", columns, rows);
+  rows.clear();
+  for (const Case& one : steps) {
+    const HangingCloth& c = one.cloth;
+    const std::string step = number(1e3 * one.options.dt, 4);
+    if (c.blew_up) {
+      rows.push_back({one.name, step, "blew up", "", ""});
+    } else {
+      rows.push_back({one.name, step, percent(c.strain.corners), percent(c.strain.max),
+                      percent(c.max_during)});
+    }
+  }
+  sheet.table("For which step velocities hold 1 %", columns, rows);
+  sheet.compare("hanging cloth, strain limit of the positions", "10 %",
+                "corners " + percent(shown[1].cloth.strain.corners),
+                shown[1].cloth.strain.max <= 0.1 + held_within + 1e-9);
+  sheet.compare("hanging cloth, strain limit of the velocities", "1 %",
+                "corners " + percent(shown[2].cloth.strain.corners) + ", largest " +
+                    percent(shown[2].cloth.strain.max) + " at a step of " +
+                    number(1e3 * shown[2].options.dt, 4) + " ms",
+                shown[2].cloth.strain.max <= 0.01 + held_within + 1e-9);
+  sheet.compare("hanging cloth without control", "“over elongated” at the corners",
+                "corners " + percent(shown[0].cloth.strain.corners));
+  sheet.write();
+}
+
+void write(const SheetSettings& settings) {
+  const std::filesystem::path& folder = settings.folder;
+  Sheet sheet(folder, "fig9", "Fig. 9: a hanging cloth with different strain controls");
   const std::vector<Case> shown = {
       run("no control", StrainScheme::none, {}, 0.000125),
       run("positions, 10 %, to convergence", StrainScheme::position, in_order(0.1, false),
@@ -144,7 +194,6 @@ void write(const std::filesystem::path& folder) {
       run("positions, 10 %, one sweep", StrainScheme::position, provot_options(), 0.000125));
   write_file(folder / "fig9.csv", table(all));
   write_file(folder / "fig9_curves.csv", curves(all));
-  write_file(folder / "fig9.png", picture(shown));
 
   std::vector<Case> steps;
   for (const double dt : {0.002, 0.001, 0.0005, 0.00025, 0.000125, 0.0000625}) {
@@ -158,20 +207,12 @@ void write(const std::filesystem::path& folder) {
         run("in order, to 0.1 % over", StrainScheme::velocity, in_order(0.01, true), dt));
   }
   write_file(folder / "fig9_steps.csv", table(steps));
+  write_sheet(shown, steps, sheet);
 }
 
 }  // namespace
 }  // namespace toile::figures
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::cerr << "usage: fig9-hanging-cloth FOLDER\n";
-    return 2;
-  }
-  try {
-    toile::figures::write(argv[1]);
-  } catch (const std::exception& error) {
-    std::cerr << "fig9-hanging-cloth: " << error.what() << "\n";
-    return 1;
-  }
+  return toile::figures::run_sheet(argc, argv, toile::figures::write);
 }
