@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -20,13 +21,20 @@ constexpr double wrapped = 0.95;  // share of the directions around a bone
 
 std::string escaped(const Json& text) { return html_escaped(text.get<std::string>()); }
 
+constexpr const char* last_sheet = "limits";
+
 /// The figure's number: fig9 comes before fig10.
-int order_of(const fs::path& path) { return std::atoi(path.stem().string().c_str() + 3); }
+int order_of(const fs::path& path) {
+  const std::string stem = path.stem().string();
+  return stem == last_sheet ? std::numeric_limits<int>::max() : std::atoi(stem.c_str() + 3);
+}
 
 bool is_sheet(const fs::path& path) {
   const std::string stem = path.stem().string();
-  return path.extension() == ".json" && stem.rfind("fig", 0) == 0 && stem.size() > 3 &&
-         std::all_of(stem.begin() + 3, stem.end(), [](char c) { return c >= '0' && c <= '9'; });
+  if (path.extension() != ".json") return false;
+  return stem == last_sheet ||
+         (stem.rfind("fig", 0) == 0 && stem.size() > 3 &&
+          std::all_of(stem.begin() + 3, stem.end(), [](char c) { return c >= '0' && c <= '9'; }));
 }
 
 std::vector<Json> read_sheets(const fs::path& folder) {
