@@ -45,7 +45,12 @@ std::vector<Json> read_sheets(const fs::path& folder) {
   std::sort(paths.begin(), paths.end(),
             [](const fs::path& a, const fs::path& b) { return order_of(a) < order_of(b); });
   std::vector<Json> sheets;
-  for (const fs::path& path : paths) sheets.push_back(Json::parse(read_file(path)));
+  for (const fs::path& path : paths) {
+    sheets.push_back(Json::parse(read_file(path), nullptr, false));
+    if (!sheets.back().is_object()) {
+      throw Error(path.string(), "is no JSON", "run its figure program again");
+    }
+  }
   if (sheets.empty()) {
     throw Error(folder.string(), "holds no figure's JSON", "run the figure programs first");
   }
