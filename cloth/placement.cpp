@@ -56,9 +56,18 @@ std::vector<double> lifted_points(const PanelMesh& garment) {
   return lifted;
 }
 
+bool hangs_from_shoulders(const PanelMesh& garment, const std::vector<Vec3>& placed,
+                          const Skeleton& skeleton) {
+  constexpr double above = 0.05;  // metres
+  const double height = skeleton.joint("chest").y() + above;
+  return std::any_of(garment.seams.begin(), garment.seams.end(), [&](const MeshedSeam& seam) {
+    return placed[seam.a.front()].y() > height && placed[seam.b.front()].y() > height;
+  });
+}
+
 /// As place_panels, of panels that stand where `garment.placed` says.
-Placement clear_panels(const PanelMesh& garment, const DistanceGrid& body,
-                       const Skeleton* skeleton) {
+Placement clear_panels(const PanelMesh& garment, const DistanceGrid& body, const Skeleton* skeleton,
+                       double hang) {
   Placement placement;
   placement.placed = garment.placed;
   if (skeleton != nullptr) {
@@ -101,6 +110,9 @@ Placement clear_panels(const PanelMesh& garment, const DistanceGrid& body,
     }
   }
   if (placement.lift > 0) placement.lift += margin;
+  if (skeleton != nullptr && hangs_from_shoulders(garment, placement.placed, *skeleton)) {
+    placement.lift = std::max(placement.lift, hang);
+  }
   placement.seams_inside = inside(placement.lift);
   for (std::size_t p = 0; p < placement.placed.size(); ++p) {
     placement.placed[p].y() += lifted[p] * placement.lift;
@@ -111,13 +123,13 @@ Placement clear_panels(const PanelMesh& garment, const DistanceGrid& body,
 
 }  // namespace
 
-Placement place_panels(const PanelMesh& garment, const DistanceGrid& body,
-                       const Skeleton* skeleton) {
-  if (!asks_for_skeleton(garment)) return clear_panels(garment, body, skeleton);
+Placement place_panels(const PanelMesh& garment, const DistanceGrid& body, const Skeleton* skeleton,
+                       double hang) {
+  if (!asks_for_skeleton(garment)) return clear_panels(garment, body, skeleton, hang);
   Positioning positioning = position_panels(garment, body, skeleton);
   PanelMesh positioned = garment;
   positioned.placed = std::move(positioning.placed);
-  Placement placement = clear_panels(positioned, body, skeleton);
+  Placement placement = clear_panels(positioned, body, skeleton, hang);
   placement.positioned = std::move(positioning.panels);
   return placement;
 }

@@ -223,12 +223,6 @@ bool ProximitySearch::neighbours(const ContactPair& pair) const {
                     : neighbours(v[0], v[1]) || neighbours(v[0], v[2]) || neighbours(v[0], v[3]);
 }
 
-bool ProximitySearch::near_seams(const ContactPair& pair) const {
-  if (near_seams_.empty()) return false;
-  return std::all_of(pair.vertices.begin(), pair.vertices.end(),
-                     [&](int v) { return near_seams_[v] != 0; });
-}
-
 double ProximitySearch::neighbour_gap(const ContactPair& pair) const {
   double shortest = shortest_edge_[pair.vertices[0]];
   for (const int v : pair.vertices) shortest = std::min(shortest, shortest_edge_[v]);
@@ -295,7 +289,7 @@ void ProximitySearch::find(const std::vector<Vec3>& x, double radius, double gap
       continue;
     }
     const bool near_in_mesh = neighbours(f.pair);
-    if (skip_neighbours && (near_in_mesh || near_seams(f.pair))) continue;
+    if (near_in_mesh && skip_neighbours) continue;
     for (const int v : f.pair.vertices) {
       bound[v] = std::min(bound[v], bound_share * f.distance);
     }

@@ -51,10 +51,6 @@ class ProximitySearch {
   /// that are near enough to use it up before the bounds are.
   void add_layer(const std::vector<Triangle>& triangles, int vertices, double gap);
 
-  /// Marks vertices that lie near seams, one flag each: where all four of a pair are marked, it is
-  /// left out with `skip_neighbours`. The surface has no layer.
-  void mark_near_seams(std::vector<char> marked) { near_seams_ = std::move(marked); }
-
   /// `x` holds the surface's vertices and then the layer's. All pairs nearer than `radius`, in an
   /// order that does not depend on the threads, and for each vertex in `bound` how far it may move:
   /// as long as none moves farther than that, nothing that is apart can come to intersect [Chen et
@@ -73,7 +69,6 @@ class ProximitySearch {
   bool same_node(int a, int b) const { return node_[a] == node_[b]; }
   bool neighbours(int a, int b) const;
   bool neighbours(const ContactPair& pair) const;
-  bool near_seams(const ContactPair& pair) const;
   double neighbour_gap(const ContactPair& pair) const;
 
   std::vector<Triangle> triangles_;
@@ -86,7 +81,6 @@ class ProximitySearch {
   std::vector<double> shortest_edge_;
   std::vector<int> ring_first_;  // neighbours of a node, sorted
   std::vector<int> ring_;
-  std::vector<char> near_seams_;  // empty: none is
 };
 
 }  // namespace toile

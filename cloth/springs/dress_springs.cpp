@@ -14,7 +14,7 @@ namespace toile {
 namespace {
 
 /// Weights of the cloth with which it is attracted, 5 cm and more off the skin.
-constexpr double attraction = 1;
+constexpr double attraction = 0.15;
 /// Seconds between two looks at the state.
 constexpr double look_interval = 0.005;
 /// Looks between two frames for those who watch.
@@ -22,6 +22,11 @@ constexpr int frame_looks = 2;
 /// The wrap is over when `wrapped_share` of the seams' pairs are this near, metres.
 constexpr double wrapped_gap = 0.02;
 constexpr double wrapped_share = 0.95;
+/// Seconds in which the seams close in step.
+constexpr double closing = 0.4;
+/// Metres that a garment of the shoulders starts above where it is to hang: its panels come down as
+/// their upper edges lean in over the shoulders, and what is too low catches below them.
+constexpr double hang = 0.05;
 /// Seconds in which the sewing force's unit of time halves: it grows until the seams close.
 constexpr double tightening = 0.1;
 /// Seconds, the least unit of time: while wrapping, and for good. There the constant force below
@@ -32,11 +37,13 @@ constexpr double tightest = 1e-4;
 constexpr double patience = 0.3;
 /// Factor on the bending stiffness while seams close: smooth panels don't fold through their seams.
 constexpr double sewing_stiffness = 10;
+/// Seconds that folds get to come out of each other once the seams are closed.
+constexpr double longest_untangling = 0.3;
 /// Seconds of draping before there is friction.
 constexpr double frictionless = 0.25;
 
 Placement place(const PanelMesh& garment, const Scene& scene) {
-  Placement placement = place_panels(garment, *scene.body, scene.skeleton);
+  Placement placement = place_panels(garment, *scene.body, scene.skeleton, hang);
   if (scene.layers != nullptr) step_out(garment, *scene.body, placement);
   return placement;
 }
@@ -103,14 +110,18 @@ DressResult SpringDressing::run() {
 
 void SpringDressing::wrap() {
   motion_.stiffen_bending(sewing_stiffness);
-  SpringStage forces;
-  forces.attraction = attraction;
-  forces.sewing = options_.motion.sewing;
   const bool has_seams = motion_.open_pairs() > 0;
+  SpringStage forces;
+  forces.attraction = has_seams ? 0 : attraction;
+  forces.sewing = options_.motion.sewing;
+  forces.open = 1;
   const double loosest = forces.sewing.unit_time;
   stage("wrap", options_.longest_wrap, forces, [&](SpringStage& now, double time) {
     now.sewing.unit_time = std::max(tightest_wrap, loosest * std::exp2(-time / tightening));
     unit_time_ = now.sewing.unit_time;
+    now.open = std::max(0.0, 1 - time / closing);
+    // Drawn near before the shoulders have met above, the panels would slide down in front.
+    now.attraction = has_seams ? attraction * std::pow(1 - now.open, 3) : attraction;
     return has_seams && motion_.open_gap(wrapped_share) < wrapped_gap;
   });
 }
@@ -136,7 +147,7 @@ bool SpringDressing::sew() {
     return false;
   }
   // Small folds that went through each other at the seams open as the stiff cloth smooths itself.
-  stage("sew", options_.longest_sew, forces, [&](SpringStage&, double) { return is_clean(); });
+  stage("sew", longest_untangling, forces, [&](SpringStage&, double) { return is_clean(); });
   return true;
 }
 

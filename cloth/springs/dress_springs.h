@@ -10,9 +10,9 @@ struct SpringDressOptions {
   SpringOptions motion;
   double stop_median = 0.05;  ///< residual at rest, in mean node weights, as DressOptions
   double stop_rms = 0.5;
-  double longest_wrap = 0.8;  ///< seconds simulated
+  double longest_wrap = 0.7;  ///< seconds simulated
   double longest_sew = 3;
-  double longest_drape = 4;
+  double longest_drape = 3;
   /// N per metre of seam: the hand that pulls a seam together. Seams that stay open against it are
   /// not sewable. Beyond the strain limit the cloth resists with all it has, so what this stretches
   /// is the elastic part only.
@@ -27,8 +27,8 @@ struct SpringDressOptions {
 ///   within 2 cm.
 /// - *sew*: the same, the sewing force growing until all pairs are merged, or until none has been
 ///   for 0.3 s at the greatest force: then the seams that are open are not sewable, and the garment
-///   is not draped. Until the sewn cloth is found free of intersections, cloth near seams may pass
-///   other cloth near seams; from then on nothing may.
+///   is not draped. Until the sewn cloth is found free of intersections, neighbours in the mesh
+///   may pass each other; from then on nothing may.
 /// - *drape*: gravity, at first without friction, as a tailor lets a garment fall into place;
 ///   then with it, until the residual is below `stop_*`.
 ///

@@ -23,13 +23,10 @@ std::vector<double> shortest_edges(const Program& program) {
 
 }  // namespace
 
-SelfCollisions::SelfCollisions(const Program& program, double gap,
-                               const std::vector<char>& near_seams)
+SelfCollisions::SelfCollisions(const Program& program, double gap)
     : proximity_(program.triangles, program.node_of_point, shortest_edges(program)),
       gap_(gap),
-      radius_(gap + reach) {
-  proximity_.mark_near_seams(near_seams);
-}
+      radius_(gap + reach) {}
 
 void SelfCollisions::leave_out_neighbours(bool leave_out) {
   leave_out_ = leave_out;

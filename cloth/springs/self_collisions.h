@@ -14,11 +14,10 @@ namespace toile {
 /// apart, whatever the velocities. `program` has to outlive it.
 class SelfCollisions {
  public:
-  /// `near_seams`: per material point, whether it lies near a seam.
-  SelfCollisions(const Program& program, double gap, const std::vector<char>& near_seams);
+  SelfCollisions(const Program& program, double gap);
 
-  /// While seams close, neighbours in the mesh, and what lies near seams on both sides, have to
-  /// come past each other: they are left out, of the bounds too. So it begins.
+  /// While seams close, neighbours across a seam have to come past each other: they are left out,
+  /// of the bounds too. So it begins.
   void leave_out_neighbours(bool leave_out);
 
   /// Changes velocities so that no pair of points comes nearer than the gap, nor nearer than it is

@@ -21,28 +21,6 @@ constexpr int easing_interval = 100;
 /// Times such pairs are gone through in a step: those that share a node undo each other's work.
 constexpr int sewing_sweeps = 4;
 
-/// Metres on the flat panel from a seam within which cloth may pass the cloth at other seams until
-/// all are sewn: where four panels meet, each lies in the way of the others' last centimetre.
-constexpr double seam_margin = 0.02;
-
-std::vector<char> points_near_seams(const PanelMesh& garment) {
-  std::vector<char> on_seam(garment.flat.size(), 0);
-  for (const MeshedSeam& seam : garment.seams) {
-    for (const int p : seam.a) on_seam[p] = 1;
-    for (const int p : seam.b) on_seam[p] = 1;
-  }
-  std::vector<char> near(garment.flat.size(), 0);
-  for (const MeshedPanel& panel : garment.panels) {
-    const int end = panel.first_point + panel.points;
-    for (int p = panel.first_point; p < end; ++p) {
-      for (int q = panel.first_point; q < end && !near[p]; ++q) {
-        near[p] = on_seam[q] && (garment.flat[p] - garment.flat[q]).norm() < seam_margin;
-      }
-    }
-  }
-  return near;
-}
-
 }  // namespace
 
 SpringMotion::SpringMotion(const PanelMesh& garment, const Program& program,
@@ -56,14 +34,16 @@ SpringMotion::SpringMotion(const PanelMesh& garment, const Program& program,
       force_(placed.size()) {
   for (const MeshedSeam& seam : garment.seams) {
     for (std::size_t i = 0; i < seam.a.size(); ++i) {
-      if (seam.a[i] != seam.b[i]) open_.push_back({seam.a[i], seam.b[i]});
+      const int a = seam.a[i];
+      const int b = seam.b[i];
+      if (a != b) open_.push_back({a, b, (placed[a] - placed[b]).norm()});
     }
   }
   if (program.scene.subject != nullptr) {
     subject_.emplace(*program.scene.subject, sheet_.triangles());
   }
   if (program.scene.self_contact) {
-    self_.emplace(program, program.scene.self_gap, points_near_seams(garment));
+    self_.emplace(program, program.scene.self_gap);
   }
   reconnect();
   // Merging adds springs and masses alike: the step of the open panels serves to the end.
@@ -84,7 +64,7 @@ void SpringMotion::reconnect() {
 
 void SpringMotion::choose_limited_springs() {
   std::vector<char> eased(sheet_.points(), 0);
-  for (const auto& [a, b] : open_) {
+  for (const auto& [a, b, first_gap] : open_) {
     if ((x_[a] - x_[b]).norm() < easing_gap) eased[node_[a]] = eased[node_[b]] = 1;
   }
   std::vector<Spring> limited;
@@ -114,7 +94,7 @@ void SpringMotion::stiffen_bending(double factor) {
 void SpringMotion::step(const SpringStage& stage) {
   if (!open_.empty() && counts_.steps % easing_interval == 0) choose_limited_springs();
   accelerate(stage);
-  sew(stage.sewing, std::numeric_limits<double>::infinity());
+  sew(stage, std::numeric_limits<double>::infinity());
   const auto& inverse_mass = sheet_.inverse_mass();
   if (options_.strain_scheme == StrainScheme::velocity) {
     counts_.strain_limited +=
@@ -133,7 +113,7 @@ void SpringMotion::step(const SpringStage& stage) {
     counts_.subject.edge_edge += hit.edge_edge;
   }
   // What was about to meet is not kept apart by less than the collisions' gap.
-  sew(stage.sewing, landing_gap);
+  sew(stage, landing_gap);
   if (self_) self_->bound(x_, node_, time_step_, v_);
   for (std::size_t p = 0; p < x_.size(); ++p) x_[p] += time_step_ * v_[node_[p]];
   if (options_.strain_scheme == StrainScheme::position) {
@@ -162,15 +142,16 @@ void SpringMotion::accelerate(const SpringStage& stage) {
 }
 
 /// Pulls together the open pairs that are nearer than `within`.
-void SpringMotion::sew(SewingForce force, double within) {
+void SpringMotion::sew(const SpringStage& stage, double within) {
   for (int sweep = 0; sweep < sewing_sweeps; ++sweep) {
     if (sweep > 0) within = std::min(within, easing_gap);
-    for (const auto& [point_a, point_b] : open_) {
-      const int a = node_[point_a];
-      const int b = node_[point_b];
-      if (a == b || (x_[a] - x_[b]).squaredNorm() > within * within) continue;
+    for (const OpenPair& open : open_) {
+      const int a = node_[open.a];
+      const int b = node_[open.b];
+      const double gap = (x_[a] - x_[b]).norm();
+      if (a == b || gap > within || gap < stage.open * open.first_gap) continue;
       SewnPair pair{x_[a], x_[b], v_[a], v_[b], sheet_.mass()[a], sheet_.mass()[b]};
-      sew_step(force, time_step_, pair);
+      sew_step(stage.sewing, time_step_, pair);
       v_[a] = pair.v_a;
       v_[b] = pair.v_b;
     }
@@ -179,9 +160,9 @@ void SpringMotion::sew(SewingForce force, double within) {
 
 void SpringMotion::merge_closed_pairs() {
   bool merged = false;
-  std::erase_if(open_, [&](const std::array<int, 2>& pair) {
-    const int a = node_[pair[0]];
-    const int b = node_[pair[1]];
+  std::erase_if(open_, [&](const OpenPair& pair) {
+    const int a = node_[pair.a];
+    const int b = node_[pair.b];
     if (a != b) {
       if ((x_[a] - x_[b]).norm() >= sewn_gap) return false;
       // Two pairs of this step may share a node: weigh by what is merged already.
@@ -208,7 +189,7 @@ void SpringMotion::merge_closed_pairs() {
 double SpringMotion::open_gap(double share) const {
   if (open_.empty()) return 0;
   std::vector<double> gaps;
-  for (const auto& [a, b] : open_) gaps.push_back((x_[a] - x_[b]).norm());
+  for (const auto& [a, b, first_gap] : open_) gaps.push_back((x_[a] - x_[b]).norm());
   const auto at = gaps.begin() + static_cast<long>(share * (gaps.size() - 1));
   std::nth_element(gaps.begin(), at, gaps.end());
   return *at;

@@ -1,7 +1,6 @@
 // One time step of the mass-spring garment, and the state that it moves.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -34,6 +33,9 @@ struct SpringStage {
   double attraction = 0;  ///< toward the nearest facet, in weights of the cloth 5 cm off the skin
   bool friction = false;
   SewingForce sewing;
+  /// Share of their first gap above which the points of a seam are pulled together. Falling from 1
+  /// to 0, it closes all seams in step: a waist that closes first drags the shoulders down.
+  double open = 0;
 };
 
 /// What happened in the steps so far.
@@ -81,7 +83,7 @@ class SpringMotion {
   void choose_limited_springs();
   double stable_step() const;
   void accelerate(const SpringStage& stage);
-  void sew(SewingForce force, double within);
+  void sew(const SpringStage& stage, double within);
   void merge_closed_pairs();
 
   const PanelMesh& garment_;
@@ -93,7 +95,12 @@ class SpringMotion {
   std::vector<Vec3> x_;
   std::vector<Vec3> v_;
   std::vector<Vec3> force_;
-  std::vector<std::array<int, 2>> open_;
+  struct OpenPair {
+    int a;  // material points
+    int b;
+    double first_gap;
+  };
+  std::vector<OpenPair> open_;
   std::optional<SpringForces> springs_;
   std::optional<StrainControl> strain_;
   std::optional<SubjectCollisions> subject_;
