@@ -72,8 +72,11 @@ DressMethod paper(const po::variables_map& given, double residual) {
     options.motion.strain = provot_options();
   } else if (control == "none") {
     options.motion.strain_scheme = StrainScheme::none;
+  } else if (control == "converged") {
+    options.motion.converged_strain = true;
   } else if (control != "velocity") {
-    throw Error("--strain-control", "'" + control + "' is none of velocity, position, none",
+    throw Error("--strain-control",
+                "'" + control + "' is none of velocity, converged, position, none",
                 "leave it out for the paper's, by velocity");
   }
   if (const auto limit = read_strain_limit(given)) options.motion.strain.limit = *limit;
@@ -105,9 +108,10 @@ void add_method_options(po::options_description& options) {
       "every edge within it, 0.01 if not given")(
       "residual", po::value<double>()->default_value(0.05, "0.05"),
       "at rest when half of the nodes have less force left than this share of a node's weight, and "
-      "their rms is below ten times it")("strain-control",
-                                         po::value<string>()->default_value("velocity"),
-                                         "paper: velocity, position (Provot's, limit 0.1) or none")(
+      "their rms is below ten times it")(
+      "strain-control", po::value<string>()->default_value("velocity"),
+      "paper: velocity (three passes), converged (velocities too, until the limit holds, while "
+      "draping), position (Provot's, limit 0.1) or none")(
       "sewing", po::value<std::vector<string>>()->composing(),
       "paper: a coefficient of the sewing force, NAME=VALUE: epsilon, tau, c, lambda-f, damp-n, "
       "damp-t, atten-n, atten-t, delta (m), unit-time (s), hand-pull (N/m); may be repeated")(

@@ -154,6 +154,7 @@ bool SpringDressing::sew() {
 void SpringDressing::drape() {
   if (is_clean()) motion_.close_bounds();
   motion_.stiffen_bending(1);
+  if (options_.motion.converged_strain) motion_.converge_strain();
   SpringStage forces;
   forces.gravity = 1;
   stage("drape", options_.longest_drape, forces, [&](SpringStage& now, double time) {

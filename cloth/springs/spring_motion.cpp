@@ -15,7 +15,7 @@ namespace {
 constexpr double landing_gap = 1e-4;
 /// Metres between the points of a seam below which the cloth beside them may be strained to meet.
 /// Where four panels come together, none could with all of its edges held to their lengths.
-constexpr double easing_gap = 0.006;
+constexpr double easing_gap = 0.012;
 /// Steps between two looks for such points.
 constexpr int easing_interval = 100;
 /// Times such pairs are gone through in a step: those that share a node undo each other's work.
@@ -29,6 +29,7 @@ SpringMotion::SpringMotion(const PanelMesh& garment, const Program& program,
       program_(program),
       options_(options),
       sheet_(garment, program),
+      strain_options_(options.strain),
       x_(placed),
       v_(placed.size(), Vec3::Zero()),
       force_(placed.size()) {
@@ -84,6 +85,15 @@ void SpringMotion::close_bounds() {
   if (self_) self_->leave_out_neighbours(false);
 }
 
+void SpringMotion::converge_strain() {
+  strain_options_.sweep = StrainSweep::in_order;
+  strain_options_.mean_of_passes = false;
+  strain_options_.passes = 30;
+  strain_options_.tolerance = 0.05 * options_.strain.limit;
+  // Collisions come after it and strain the cloth anew, by a little.
+  strain_options_.limit = 0.92 * options_.strain.limit;
+}
+
 void SpringMotion::stiffen_bending(double factor) {
   sheet_.stiffen_bending(factor);
   reconnect();
@@ -98,7 +108,7 @@ void SpringMotion::step(const SpringStage& stage) {
   const auto& inverse_mass = sheet_.inverse_mass();
   if (options_.strain_scheme == StrainScheme::velocity) {
     counts_.strain_limited +=
-        strain_->adjust_velocities(x_, inverse_mass, time_step_, options_.strain, v_).over;
+        strain_->adjust_velocities(x_, inverse_mass, time_step_, strain_options_, v_).over;
   }
   if (self_) self_->respond(x_, node_, inverse_mass, time_step_, v_);
   if (subject_) {
@@ -117,7 +127,7 @@ void SpringMotion::step(const SpringStage& stage) {
   if (self_) self_->bound(x_, node_, time_step_, v_);
   for (std::size_t p = 0; p < x_.size(); ++p) x_[p] += time_step_ * v_[node_[p]];
   if (options_.strain_scheme == StrainScheme::position) {
-    strain_->adjust_positions(inverse_mass, options_.strain, x_);
+    strain_->adjust_positions(inverse_mass, strain_options_, x_);
     for (std::size_t p = 0; p < x_.size(); ++p) x_[p] = x_[node_[p]];
   }
   if (!open_.empty()) merge_closed_pairs();

@@ -21,6 +21,9 @@ struct SpringOptions {
   double step_share = 0.9;
   StrainScheme strain_scheme = StrainScheme::velocity;
   StrainControlOptions strain = {.measure_after = false};
+  /// While draping, Gauss-Seidel until the limit holds, in place of the mean of three passes, which
+  /// holds it only as far as the step is short [reference case 13].
+  bool converged_strain = false;
   SewingForce sewing = {.unit_time = 0.1, .unit_length = 0.001};
   double tolerance = 0.002;  ///< metres kept from the subject surface (ξ)
   double restitution = 0;    ///< λ
@@ -75,6 +78,8 @@ class SpringMotion {
   double open_gap(double share) const;
   /// From now on neighbours in the mesh may not pass through each other either.
   void close_bounds();
+  /// Strain is controlled by sweeps until the limit holds, from now on.
+  void converge_strain();
   /// Factor on the bending stiffness from now on, as far as the step bears it.
   void stiffen_bending(double factor);
 
@@ -90,6 +95,7 @@ class SpringMotion {
   const Program& program_;
   const SpringOptions& options_;
   SpringSheet sheet_;
+  StrainControlOptions strain_options_;
   double stable_ = 0;
   double time_step_ = 0;
   std::vector<Vec3> x_;
