@@ -167,6 +167,12 @@ double PaperDressing::most_perimeter() const {
   return most;
 }
 
+SpringDressOptions figure_options() {
+  SpringDressOptions options;
+  options.motion.converged_strain = true;
+  return options;
+}
+
 PaperDressing dress_by_paper(const std::string& name, const PanelMesh& garment,
                              const Wearer& wearer, const SpringDressOptions& options,
                              const Fabric& fabric) {

@@ -70,11 +70,16 @@ struct PaperDressing {
   double most_perimeter() const;
 };
 
+/// As the figures dress: strain is controlled by three passes a step while wrapping and sewing, and
+/// by sweeps until 1 % holds while draping.
+SpringDressOptions figure_options();
+
 /// Dresses and judges; says on stderr what it does and what came out. The wearer wears what it
 /// wore: Wearer::subject.add_layer() puts the garment on for the next. Throws Error as
 /// dress_springs().
 PaperDressing dress_by_paper(const std::string& name, const PanelMesh& garment,
-                             const Wearer& wearer, const SpringDressOptions& options = {},
+                             const Wearer& wearer,
+                             const SpringDressOptions& options = figure_options(),
                              const Fabric& fabric = {});
 
 /// The edges off the seams beyond `limit`, gathered to places, the most strained first.

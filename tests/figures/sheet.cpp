@@ -37,7 +37,8 @@ Json garment_row(const PaperDressing& d, const std::string& wanted) {
   row["nodes"] = d.result.nodes.size();
   row["triangles"] = d.garment.triangles.size();
   row["panels"] = d.garment.panels.size();
-  row["strain_control"] = motion.strain_scheme == StrainScheme::none       ? "none"
+  row["strain_control"] = motion.strain_scheme == StrainScheme::none ? "none"
+                          : motion.converged_strain ? "velocity, 1 %, swept while draping"
                           : motion.strain_scheme == StrainScheme::velocity ? "velocity, 1 %"
                                                                            : "position";
   row["time_step_us"] = 1e6 * d.result.time_step;
