@@ -87,6 +87,63 @@ void expect_sewn_without_intersections(const Chain& chain) {
   EXPECT_TRUE(chain.report["converged"].get<bool>());
 }
 
+// The paper's method on the sample skirt band and its too small sister: Zhong & Xu 2009, fig. 13.
+TEST(Dress, ByThePapersMethodTellsWhatSewsFromWhatDoesNot) {
+  Chain chain;
+  const fs::path mannequin = chain.folder / "mannequin.ply";
+  Chain::succeed("make-mannequin", {"-o", mannequin, "--edge-length", "12mm", "-q"});
+  chain.prepare(mannequin, fs::path(TOILE_SOURCE_DIR) / "samples/band.json", "25mm");
+  chain.dress(chain.dressed, {"--method", "paper", "--strain-control", "converged", "-q"});
+  EXPECT_EQ(chain.report["method"], "paper");
+  EXPECT_EQ(chain.report["verdict"], "sewn");
+  EXPECT_EQ(chain.number("/seams/open"), 0);
+  EXPECT_EQ(chain.number("/intersections/body") + chain.number("/intersections/self"), 0);
+  EXPECT_LE(chain.number("/strain_off_seams/max"), 0.0105);
+  EXPECT_GT(chain.wrapped("torso"), 0.95);
+
+  const fs::path small = chain.folder / "small.obj";
+  Chain::succeed("mesh-pattern", {fs::path(TOILE_SOURCE_DIR) / "samples/band_small.json", "-o",
+                                  small, "--edge-length", "25mm", "-q"});
+  const fs::path report = chain.folder / "small.report.json";
+  const pipeline::Run done =
+      run("dress", {"--body", chain.body, small, "-o", chain.folder / "short.obj", "--report",
+                    report, "--method", "paper", "-q"});
+  EXPECT_EQ(done.exit_code, 3) << done.err;
+  const Json said = Json::parse(read_text(report));
+  EXPECT_EQ(said["verdict"], "unsewable");
+  // Either both seams stand open, or one is sewn and the other lacks what both do.
+  double missing_cm = 0;
+  for (const Json& seam : said["unsewable_seams"]) {
+    EXPECT_FALSE(seam["name"].get<std::string>().empty());
+    missing_cm += seam["missing_cm"].get<double>();
+  }
+  EXPECT_GT(missing_cm, 4);
+  EXPECT_LT(missing_cm, 11);
+}
+
+TEST(Dress, OptionsOfThePapersMethodAreChecked) {
+  const auto with = [](const std::vector<std::string>& more) {
+    std::vector<std::string> words = {"--body", "body.ply", "garment.obj", "-o", "out.obj"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run("dress", words);
+  };
+  EXPECT_EQ(with({"--method", "magic"}).exit_code, 2);
+  EXPECT_EQ(with({"--sewing", "tau=0.3"}).exit_code, 2);  // belongs to the paper's
+  for (const std::vector<std::string>& wrong : {std::vector<std::string>{"--sewing", "tau"},
+                                                {"--sewing", "tua=1"},
+                                                {"--sewing", "tau=-1"},
+                                                {"--sewing", "delta=0"},
+                                                {"--strain-control", "iron"},
+                                                {"--time-step", "1"},
+                                                {"--restitution", "2"}}) {
+    std::vector<std::string> words = {"--method", "paper"};
+    words.insert(words.end(), wrong.begin(), wrong.end());
+    const pipeline::Run done = with(words);
+    EXPECT_EQ(done.exit_code, 1) << wrong[0] << " " << wrong[1];
+    EXPECT_NE(done.err.find(wrong[0]), std::string::npos) << done.err;
+  }
+}
+
 TEST(Dress, TheSampleFromBodyAndPatternToEaseMap) {
   Chain chain;
   const fs::path raw = chain.folder / "raw.ply";
