@@ -110,7 +110,9 @@ Placement clear_panels(const PanelMesh& garment, const DistanceGrid& body, const
     }
   }
   if (placement.lift > 0) placement.lift += margin;
-  if (skeleton != nullptr && hangs_from_shoulders(garment, placement.placed, *skeleton)) {
+  const bool has_tubes = std::find(lifted.begin(), lifted.end(), 0.0) != lifted.end();
+  if (skeleton != nullptr && !has_tubes &&
+      hangs_from_shoulders(garment, placement.placed, *skeleton)) {
     placement.lift = std::max(placement.lift, hang);
   }
   placement.seams_inside = inside(placement.lift);

@@ -29,7 +29,8 @@ struct Placement {
 /// lifts all panels together, but for those rolled around a limb, until the points that are to be
 /// sewn meet outside the body: a shoulder seam drawn below the body's shoulder would be pulled
 /// through it. Takes the lowest lift, up to 20 cm, for which the fewest pairs meet inside; for a
-/// garment with seams above the chest, which hangs from the shoulders, `hang` metres at least.
+/// garment with seams above the chest, which hangs from the shoulders, `hang` metres at least,
+/// unless it has tubes around limbs, which hold it where it is.
 Placement place_panels(const PanelMesh& garment, const DistanceGrid& body, const Skeleton* skeleton,
                        double hang = 0);
 

@@ -77,6 +77,7 @@ class SpringDressing {
   std::vector<Vec3> looked_v_;
   std::vector<double> rest_areas_;
   std::vector<double> rest_perimeters_;
+  double mean_edge_ = 0;  // metres
   double unit_time_ = 0;  // that the wrap ended with
   double time_ = 0;       // simulated so far
   int looks_ = 0;
@@ -92,6 +93,8 @@ SpringDressing::SpringDressing(const PanelMesh& garment, const Scene& scene,
       motion_(garment, program_, options.motion, placement_.placed),
       rest_areas_(panel_areas(garment)),
       rest_perimeters_(panel_perimeters(garment)) {
+  for (const Spring& edge : motion_.sheet().edges()) mean_edge_ += edge.rest;
+  mean_edge_ /= std::max<std::size_t>(motion_.sheet().edges().size(), 1);
   StageReport report;
   report.name = "position";
   report.vertices = motion_.sheet().points();
@@ -175,7 +178,7 @@ StageReport& SpringDressing::stage(const std::string& name, double longest, Spri
   const auto start = std::chrono::steady_clock::now();
   const double dt = motion_.time_step();
   const int steps_a_look = std::max(1, static_cast<int>(std::lround(look_interval / dt)));
-  forces.sewing.most = options_.hand_pull * garment_.edge_length;
+  forces.sewing.most = options_.hand_pull * mean_edge_;
   forces.sewing.fastest = 1;
   StageReport report;
   report.name = name;

@@ -21,10 +21,11 @@ struct SpringDressOptions {
 
 /// Dresses the scene's body by the method of Zhong & Xu 2009, on the garment's own mesh:
 ///
-/// - *position*: place_panels().
+/// - *position*: place_panels(); a garment of the shoulders starts 5 cm above them.
 /// - *wrap*: without gravity or friction, every particle is attracted to its nearest facet, less
-///   the nearer it is, and the points of each seam to each other, until 95 % of the pairs are
-///   within 2 cm.
+///   the nearer it is, and the points of each seam to each other, all seams in step, until 95 % of
+///   the pairs are within 2 cm. The attraction grows from nothing as the seams close: panels that
+///   come near the body before their shoulders have met slide down on it and catch.
 /// - *sew*: the same, the sewing force growing until all pairs are merged, or until none has been
 ///   for 0.3 s at the greatest force: then the seams that are open are not sewable, and the garment
 ///   is not draped. Until the sewn cloth is found free of intersections, neighbours in the mesh
