@@ -255,6 +255,7 @@ void SpringDressing::finish() {
   const Scene& scene = program_.scene;
   result_.terms = {
       {"edge_springs", count(sheet.edges().size())},
+      {"softened_edges", sheet.softened()},
       {"bending_springs", count(sheet.bending().size())},
       {"seam", count(motion_.counts().merged + motion_.open_pairs())},
       {"subject_facets", scene.subject != nullptr ? count(scene.subject->triangles.size()) : 0},

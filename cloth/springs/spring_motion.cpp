@@ -25,8 +25,7 @@ constexpr int sewing_sweeps = 4;
 
 SpringMotion::SpringMotion(const PanelMesh& garment, const Program& program,
                            const SpringOptions& options, const std::vector<Vec3>& placed)
-    : garment_(garment),
-      program_(program),
+    : program_(program),
       options_(options),
       sheet_(garment, program),
       strain_options_(options.strain),
@@ -47,16 +46,12 @@ SpringMotion::SpringMotion(const PanelMesh& garment, const Program& program,
     self_.emplace(program, program.scene.self_gap);
   }
   reconnect();
-  // Merging adds springs and masses alike: the step of the open panels serves to the end.
-  stable_ = stable_step();
-  time_step_ = options.time_step > 0 ? options.time_step : options.step_share * stable_;
+  choose_time_step();
 }
 
 void SpringMotion::reconnect() {
   sheet_.refresh();
-  std::vector<Spring> all = sheet_.edges();
-  all.insert(all.end(), sheet_.bending().begin(), sheet_.bending().end());
-  springs_.emplace(all, sheet_.points());
+  springs_.emplace(all_springs(), sheet_.points());
   if (subject_) subject_->set_cloth(sheet_.triangles());
   node_.resize(sheet_.points());
   for (int p = 0; p < sheet_.points(); ++p) node_[p] = sheet_.node(p);
@@ -75,10 +70,18 @@ void SpringMotion::choose_limited_springs() {
   strain_.emplace(limited, sheet_.points());
 }
 
-double SpringMotion::stable_step() const {
+std::vector<Spring> SpringMotion::all_springs() const {
   std::vector<Spring> all = sheet_.edges();
   all.insert(all.end(), sheet_.bending().begin(), sheet_.bending().end());
-  return toile::stable_step(all, sheet_.inverse_mass(), options_.drag);
+  return all;
+}
+
+/// Merging adds springs and masses alike: the step of the open panels serves to the end.
+void SpringMotion::choose_time_step() {
+  time_step_ =
+      options_.time_step > 0
+          ? options_.time_step
+          : options_.step_share * stable_step(all_springs(), sheet_.inverse_mass(), options_.drag);
 }
 
 void SpringMotion::close_bounds() {
@@ -97,8 +100,7 @@ void SpringMotion::converge_strain() {
 void SpringMotion::stiffen_bending(double factor) {
   sheet_.stiffen_bending(factor);
   reconnect();
-  stable_ = stable_step();
-  if (options_.time_step <= 0) time_step_ = options_.step_share * stable_;
+  choose_time_step();
 }
 
 void SpringMotion::step(const SpringStage& stage) {
@@ -107,20 +109,16 @@ void SpringMotion::step(const SpringStage& stage) {
   sew(stage, std::numeric_limits<double>::infinity());
   const auto& inverse_mass = sheet_.inverse_mass();
   if (options_.strain_scheme == StrainScheme::velocity) {
-    counts_.strain_limited +=
-        strain_->adjust_velocities(x_, inverse_mass, time_step_, strain_options_, v_).over;
+    strain_->adjust_velocities(x_, inverse_mass, time_step_, strain_options_, v_);
   }
   if (self_) self_->respond(x_, node_, inverse_mass, time_step_, v_);
   if (subject_) {
     const double friction = stage.friction ? program_.scene.fabric.friction : 0;
-    const CollisionCounts hit = subject_->respond(x_, inverse_mass, time_step_,
-                                                  {.tolerance = options_.tolerance,
-                                                   .restitution = options_.restitution,
-                                                   .friction = friction},
-                                                  v_);
-    counts_.subject.particle_facet += hit.particle_facet;
-    counts_.subject.vertex_triangle += hit.vertex_triangle;
-    counts_.subject.edge_edge += hit.edge_edge;
+    subject_->respond(x_, inverse_mass, time_step_,
+                      {.tolerance = options_.tolerance,
+                       .restitution = options_.restitution,
+                       .friction = friction},
+                      v_);
   }
   // What was about to meet is not kept apart by less than the collisions' gap.
   sew(stage, landing_gap);

@@ -44,9 +44,7 @@ struct SpringStage {
 /// What happened in the steps so far.
 struct SpringCounts {
   long steps = 0;
-  long merged = 0;          ///< pairs of seam points
-  long strain_limited = 0;  ///< springs found beyond the limit, over all steps
-  CollisionCounts subject;
+  long merged = 0;  ///< pairs of seam points
 };
 
 /// A garment of masses and springs on its way: symplectic Euler on the forces of springs, gravity,
@@ -64,8 +62,6 @@ class SpringMotion {
   void step(const SpringStage& stage);
 
   double time_step() const { return time_step_; }
-  /// The largest step that is stable without contact, seconds.
-  double stable_time_step() const { return stable_; }
   const std::vector<Vec3>& points() const { return x_; }  ///< per material point, metres
   /// Per node of the sheet, m/s. Points merged away have none.
   const std::vector<Vec3>& velocities() const { return v_; }
@@ -86,17 +82,16 @@ class SpringMotion {
  private:
   void reconnect();
   void choose_limited_springs();
-  double stable_step() const;
+  std::vector<Spring> all_springs() const;
+  void choose_time_step();
   void accelerate(const SpringStage& stage);
   void sew(const SpringStage& stage, double within);
   void merge_closed_pairs();
 
-  const PanelMesh& garment_;
   const Program& program_;
   const SpringOptions& options_;
   SpringSheet sheet_;
   StrainControlOptions strain_options_;
-  double stable_ = 0;
   double time_step_ = 0;
   std::vector<Vec3> x_;
   std::vector<Vec3> v_;
