@@ -30,8 +30,9 @@ void stand(const SheetSettings& settings, Sheet& sheet) {
   const PaperDressing trousers =
       dress_by_paper("trousers", sample_garment("trousers", settings.edge_length), wearer);
   show(sheet, "(b) Trousers on the standing mannequin", trousers, wearer, {}, View::back);
-  if (trousers.judgement.garment.seams.open > 0) {
-    sheet.say("The trousers do not sew: the jacket is not dressed over them.");
+  if (trousers.judgement.verdict != "sewn") {
+    sheet.say("The trousers are " + trousers.judgement.verdict +
+              ": the jacket is not dressed over them.");
     return;
   }
   wearer.subject.add_layer(surface(trousers));
