@@ -179,6 +179,7 @@ void Dressing::position() {
   report.converged = result_.placement.points_inside == 0;
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   result_.stages.push_back(report);
+  if (watcher_) watcher_({mesh(), report.name, result_.placement.placed, 0});
 }
 
 RelaxOptions Dressing::level_options() const {
@@ -208,6 +209,11 @@ const StageReport& Dressing::stage(const std::string& name, RelaxOptions options
     if (watcher_ && calls++ % 4 == 0) watcher_({mesh(), name, points, progress(at, options)});
   };
   const RelaxReport report = relax(program_, options, result_.nodes, watch);
+  if (watcher_) {
+    const RelaxProgress end{report.iterations, report.open, result_.nodes};
+    watcher_({mesh(), name, point_positions(program_, result_.nodes, report.open),
+              progress(end, options)});
+  }
   StageReport& stage = result_.stages.emplace_back();
   stage.name = name;
   stage.attempt = attempt_;

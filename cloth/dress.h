@@ -50,7 +50,7 @@ struct DressResult {
 };
 
 /// A state on the way: places of the material points of `mesh`, which may be coarser than the
-/// garment. Called every 200 steps.
+/// garment. Called where the panels are placed, every 200 steps and at the end of each stage.
 struct DressFrame {
   const PanelMesh& mesh;
   const std::string& stage;

@@ -50,6 +50,7 @@ struct Settings {
   bool needs_skeleton = false;  ///< it was asked for, not looked for
   std::vector<Layer> layers;
   std::optional<fs::path> frames;
+  bool certify_frames = false;
   std::optional<double> strain_limit;
   DressMethod method;
 };
@@ -90,6 +91,7 @@ Settings read_settings(const po::variables_map& given, const fs::path& output) {
   Settings settings;
   read_layers(given, output, settings);
   if (given.count("frames")) settings.frames = given["frames"].as<std::string>();
+  settings.certify_frames = given.count("certify-frames") != 0;
   settings.strain_limit = read_strain_limit(given);
   settings.method = read_method(given);
   return settings;
@@ -181,11 +183,17 @@ Done Outfit::dress_layer(const Layer& layer, PanelMesh garment) {
   scene.strain_limit = settings_.strain_limit;
   // What is judged needs to know where the panels stood as much as what is dressed.
   garment.placed = position_panels(garment, *scene.body, scene.skeleton).placed;
+  std::optional<Certificate> certificate;
+  if (settings_.certify_frames) certificate.emplace(subject_->body(), scene.layers);
   const DressResult result = [&] {
     std::optional<fs::path> frames = settings_.frames;
     if (frames && settings_.scene) *frames /= layer.name;
-    DressWatch watch(frames, !common_.quiet && isatty(STDERR_FILENO) != 0);
-    return settings_.method.dress(garment, scene, [&](const DressFrame& frame) { watch(frame); });
+    DressWatch watch(frames, !common_.quiet && isatty(STDERR_FILENO) != 0,
+                     certificate ? &*certificate : nullptr);
+    DressResult dressed =
+        settings_.method.dress(garment, scene, [&](const DressFrame& frame) { watch(frame); });
+    watch({garment, "dressed", material_points(garment, dressed), 1});
+    return dressed;
   }();
   say_positions(result.placement, common_);
   say_terms(result, common_);
@@ -202,6 +210,10 @@ Done Outfit::dress_layer(const Layer& layer, PanelMesh garment) {
                           seconds_since(start) + read_seconds_ + grid_seconds_);
   done.report["other_seconds"] = {
       {"read", read_seconds_}, {"body_grid", grid_seconds_}, {"write_and_judge", judge_seconds}};
+  if (certificate) {
+    done.report["certified"] = certified_json(*certificate);
+    say_certificate(*certificate, common_);
+  }
   read_seconds_ = 0;
   done.verdict = judgement.verdict;
   done.cloth = {written.points, written.triangles};
@@ -299,7 +311,11 @@ int main(int argc, char** argv) {
       "skeleton", value<string>(), "the body's joints; default: body.json beside the body")(
       "fabric", value<string>()->default_value("default"),
       "a fabric's name, or a JSON file with its quantities; in a scene, of layers that name none")(
-      "frames", value<string>(), "write the states on the way as OBJ files into this folder");
+      "frames", value<string>(), "write the states on the way as OBJ files into this folder")(
+      "certify-frames",
+      "check every state on the way, as --frames writes them, with exact predicates: when it "
+      "became "
+      "free of intersections, and whether it stayed so");
   toile::add_method_options(program.options);
   program.positional.add("garment", 1);
   program.check = toile::check_usage;

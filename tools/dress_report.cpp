@@ -111,6 +111,48 @@ nlohmann::ordered_json report_of(const PanelMesh& garment, const Scene& scene,
   return report;
 }
 
+nlohmann::ordered_json certified_json(const Certificate& certificate) {
+  Json json;
+  const std::optional<int> clean_from = certificate.clean_from();
+  json["clean_from_frame"] = clean_from ? Json(*clean_from) : Json();
+  json["clean_from_stage"] = clean_from ? Json(certificate.frames()[*clean_from].stage) : Json();
+  json["stayed_clean"] = certificate.stayed_clean();
+  json["check"] = "exact";
+  json["frames"] = Json::array();
+  for (const FrameFigures& frame : certificate.frames()) {
+    json["frames"].push_back({{"frame", json["frames"].size()},
+                              {"stage", frame.stage},
+                              {"vertices", frame.vertices},
+                              {"open_pairs", frame.open_pairs},
+                              {"body", frame.body},
+                              {"self", frame.self},
+                              {"self_across_open_seams", frame.across_seams},
+                              {"layers", frame.layers},
+                              {"pieces_inside", frame.inside},
+                              {"clean", frame.clean()}});
+  }
+  return json;
+}
+
+void say_certificate(const Certificate& certificate, const CommonSettings& common) {
+  const std::size_t count = certificate.frames().size();
+  if (const std::optional<int> first = certificate.clean_from()) {
+    common.say("certified: " + std::to_string(count) + " frames, clean from frame " +
+               std::to_string(*first) + " (" + certificate.frames()[*first].stage + ") on");
+  }
+  if (certificate.stayed_clean()) return;
+  std::size_t last = count;
+  while (last > 0 && certificate.frames()[last - 1].clean()) --last;
+  if (last == 0) return;
+  const FrameFigures& frame = certificate.frames()[last - 1];
+  CommonSettings::warn(
+      "not certified: the state did not stay free of intersections; last in frame " +
+      std::to_string(last - 1) + " (" + frame.stage + "): " + std::to_string(frame.body) +
+      " with the body, " + std::to_string(frame.self) + " with itself, " +
+      std::to_string(frame.layers) + " with layers below, " + std::to_string(frame.inside) +
+      " pieces inside the body");
+}
+
 void say_positions(const Placement& placement, const CommonSettings& common) {
   for (const PositionedPanel& panel : placement.positioned) {
     std::ostringstream line;

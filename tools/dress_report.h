@@ -4,6 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "cloth/certify.h"
 #include "cloth/dress.h"
 #include "cloth/judge.h"
 #include "tools/program.h"
@@ -14,6 +15,10 @@ namespace toile {
 nlohmann::ordered_json report_of(const PanelMesh& garment, const Scene& scene,
                                  const std::string& method, const DressResult& result,
                                  const Judgement& judgement, double seconds);
+
+/// What --certify-frames found: its entry in the report, and a line for the user or a warning.
+nlohmann::ordered_json certified_json(const Certificate& certificate);
+void say_certificate(const Certificate& certificate, const CommonSettings& common);
 
 /// Where the skeleton positioned the panels, for those that asked for it.
 void say_positions(const Placement& placement, const CommonSettings& common);

@@ -5,16 +5,18 @@
 #include <memory>
 #include <optional>
 
+#include "cloth/certify.h"
 #include "cloth/dress.h"
 
 namespace toile {
 
-/// Drives a progress bar on stderr, and writes the states as OBJ files into a folder. Both end with
-/// the scope.
+/// Drives a progress bar on stderr, writes the states as OBJ files into a folder, has them checked.
+/// All end with the scope.
 class DressWatch {
  public:
-  /// Throws Error when the folder can't be made.
-  DressWatch(std::optional<std::filesystem::path> folder, bool show_progress);
+  /// `certificate` null: nothing is checked. Throws Error when the folder can't be made.
+  DressWatch(std::optional<std::filesystem::path> folder, bool show_progress,
+             Certificate* certificate);
   ~DressWatch();
   DressWatch(const DressWatch&) = delete;
   DressWatch& operator=(const DressWatch&) = delete;
@@ -25,6 +27,7 @@ class DressWatch {
   struct Bar;
   std::optional<std::filesystem::path> folder_;
   std::unique_ptr<Bar> bar_;
+  Certificate* certificate_;
   int count_ = 0;
 };
 

@@ -366,7 +366,7 @@ TEST_F(DressInput, WrongUsage) {
 TEST_F(DressInput, WhatFindsNoRestIsWrittenWithItsVerdict) {
   // Nothing holds a tube that is wider than its cylinder.
   const fs::path frames = folder / "frames";
-  const auto done = dress({"--frames", frames});
+  const auto done = dress({"--frames", frames, "--certify-frames"});
   EXPECT_EQ(done.exit_code, 3) << done.err;
   EXPECT_NE(done.err.find("warning: "), std::string::npos);  // no skeleton: no wraps
   const Json said = Json::parse(read_text(report));
@@ -382,6 +382,15 @@ TEST_F(DressInput, WhatFindsNoRestIsWrittenWithItsVerdict) {
     EXPECT_EQ(corners(entry.path()).size(), 3U * 448U) << entry.path();
   }
   EXPECT_GT(written, 20);
+  const Json& certified = said["certified"];
+  EXPECT_EQ(certified["frames"].size(), written);
+  EXPECT_EQ(certified["frames"].front()["stage"], "position");
+  EXPECT_EQ(certified["frames"].back()["stage"], "dressed");
+  // The tube is wide enough to sew itself without touching anything.
+  EXPECT_EQ(certified["clean_from_frame"], 0);
+  EXPECT_EQ(certified["clean_from_stage"], "position");
+  EXPECT_EQ(certified["stayed_clean"], true);
+  for (const Json& frame : certified["frames"]) EXPECT_EQ(frame["clean"], true) << frame;
 }
 
 }  // namespace
