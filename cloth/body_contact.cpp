@@ -17,7 +17,7 @@ constexpr double full_pull = 0.05;
 
 }  // namespace
 
-VertexForce BodyContact::force(const Scene& scene, const Vec3& p, double offset, bool friction) {
+VertexForce BodyContact::force(const Scene& scene, const Vec3& p, double offset, double friction) {
   if (clearance_ > 0) return {};
   const DistanceGrid::Sample sample = scene.body->at(p);
   const double depth = offset - sample.distance;
@@ -31,14 +31,14 @@ VertexForce BodyContact::force(const Scene& scene, const Vec3& p, double offset,
   if (length < 1e-6) return {};  // the middle of the body, where no way out is nearer
   const Vec3 normal = sample.gradient / length;
   VertexForce result{push_stiffness * depth * normal, push_stiffness};
-  if (!friction) return result;
+  if (friction <= 0) return result;
   if (!anchored_) {
     anchored_ = true;
     anchor_ = p;
   }
   const Vec3 away = p - anchor_;
   Vec3 slip = away - normal.dot(away) * normal;
-  const double most = scene.fabric.friction * push_stiffness * depth / anchor_stiffness;
+  const double most = friction * push_stiffness * depth / anchor_stiffness;
   if (slip.norm() > most) {
     slip *= most / slip.norm();
     anchor_ = p - slip;

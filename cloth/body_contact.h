@@ -20,10 +20,10 @@ class BodyContact {
   void moved(double distance) { clearance_ -= distance; }
 
   /// The force on the vertex at `p`: a push out of the body and `offset` (metres) away from it, and
-  /// Coulomb's friction as a spring to the place where the vertex stuck, which slides along when
-  /// it pulls too hard. Asks the body only where the vertex may have come near since it was last
-  /// asked. The scene has a body.
-  VertexForce force(const Scene& scene, const Vec3& p, double offset, bool friction);
+  /// Coulomb's friction (coefficient `friction`; 0: none) as a spring to the place where the vertex
+  /// stuck, which slides along when it pulls too hard. Asks the body only where the vertex may have
+  /// come near since it was last asked. The scene has a body.
+  VertexForce force(const Scene& scene, const Vec3& p, double offset, double friction);
 
  private:
   double clearance_ = 0;  // metres the vertex may move before the body has to be asked again

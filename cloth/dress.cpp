@@ -80,8 +80,8 @@ double clearing_offset(double asked, double edge_length, double tightest_curve, 
 }
 
 DressResult Dressing::run() {
-  result_.body_offset = clearing_offset(scene_.body_offset, meshes_.front().edge_length, body_curve,
-                                        most_body_offset);
+  result_.body_offset = clearing_offset(body_offset_of(scene_, meshes_.front()),
+                                        meshes_.front().edge_length, body_curve, most_body_offset);
   level_ = static_cast<int>(meshes_.size()) - 1;
   position();
   const bool has_seams = !meshes_.front().seams.empty();

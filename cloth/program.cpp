@@ -72,7 +72,8 @@ class Compiler {
   Program run(const std::vector<Vec3>& placed) {
     place(placed);
     lay_out_stretch();
-    if (program_.scene.fabric.bending > 0) lay_out_bend();
+    program_.self_gap = self_gap_of(program_.scene, garment_);
+    if (bends()) lay_out_bend();
     lay_out_gather();
     return std::move(program_);
   }
@@ -93,14 +94,23 @@ class Compiler {
     }
   }
 
+  bool bends() const {
+    return std::any_of(garment_.panels.begin(), garment_.panels.end(), [&](const auto& panel) {
+      const Fabric& fabric = fabric_of(program_.scene, panel);
+      return fabric.bending_warp > 0 || fabric.bending_weft > 0;
+    });
+  }
+
   void lay_out_stretch() {
-    const Fabric& fabric = program_.scene.fabric;
+    program_.friction_skin.assign(program_.nodes, 0);
+    program_.friction_cloth.assign(program_.nodes, 0);
     program_.mass.assign(program_.nodes, 0);
     program_.stretch_diagonal.assign(program_.nodes, 0);
     program_.shortest_edge.assign(program_.nodes, 1e9);
     // The strain limit is a stiffness too, and the step has to be stable against it.
     const double stiffening = program_.scene.strain_limit ? 1 + strain_limit_stiffening : 1;
     for (const MeshedPanel& panel : garment_.panels) {
+      const Fabric& fabric = fabric_of(program_.scene, panel);
       for (int t = panel.first_triangle; t < panel.first_triangle + panel.triangles; ++t) {
         const Triangle& points = garment_.triangles[t];
         Triangle nodes;
@@ -113,30 +123,42 @@ class Compiler {
         program_.node_triangles.push_back(nodes);
         const std::array<Vec2, 3> flat = {garment_.flat[points[0]], garment_.flat[points[1]],
                                           garment_.flat[points[2]]};
-        const StretchTriangle s = stretch_of(gathered(points, flat), panel.grain);
+        StretchTriangle s = stretch_of(gathered(points, flat), panel.grain);
+        s.weft_stiffness = s.area * fabric.stretch_weft;
+        s.warp_stiffness = s.area * fabric.stretch_warp;
+        s.shear_stiffness = s.area * fabric.shear;
         const double area = stretch_of(flat, panel.grain).area;
         if (!(area > 0)) {
           throw Error("panel '" + panel.name + "'", "has a triangle without area",
                       "mesh the pattern again");
         }
         program_.stretch.push_back(s);
+        panel_of_triangle_.push_back(static_cast<int>(&panel - garment_.panels.data()));
         for (int i = 0; i < 3; ++i) {
-          program_.mass[nodes[i]] += area * fabric.areal_density / 3;
+          const double mass = area * fabric.areal_density / 3;
+          program_.mass[nodes[i]] += mass;
+          program_.friction_skin[nodes[i]] += mass * fabric.friction_skin;
+          program_.friction_cloth[nodes[i]] += mass * fabric.friction_cloth;
           double row = 0;
           for (int j = 0; j < 3; ++j) {
             const double uu = std::abs(s.weft[i] * s.weft[j]);
             const double vv = std::abs(s.warp[i] * s.warp[j]);
             const double uv =
                 0.5 * (std::abs(s.weft[i] * s.warp[j]) + std::abs(s.warp[i] * s.weft[j]));
-            row += stiffening * (fabric.stretch_weft * uu + fabric.stretch_warp * vv) +
-                   fabric.shear * (0.5 * (uu + vv) + uv);
+            row += stiffening * (s.weft_stiffness * uu + s.warp_stiffness * vv) +
+                   s.shear_stiffness * (0.5 * (uu + vv) + uv);
           }
-          program_.stretch_diagonal[nodes[i]] += s.area * row;
+          program_.stretch_diagonal[nodes[i]] += row;
           const double edge =
               std::min((flat[i] - flat[(i + 1) % 3]).norm(), (flat[i] - flat[(i + 2) % 3]).norm());
           program_.shortest_edge[nodes[i]] = std::min(program_.shortest_edge[nodes[i]], edge);
         }
       }
+    }
+    for (int n = 0; n < program_.nodes; ++n) {
+      if (!(program_.mass[n] > 0)) continue;
+      program_.friction_skin[n] /= program_.mass[n];
+      program_.friction_cloth[n] /= program_.mass[n];
     }
     const double total = std::accumulate(program_.mass.begin(), program_.mass.end(), 0.0);
     program_.mean_weight =
@@ -179,6 +201,13 @@ class Compiler {
     }
   }
 
+  /// Rigidity of the cloth of triangle `t`, folded along `edge` of its flat panel.
+  double bending(int t, const Vec2& edge) const {
+    const MeshedPanel& panel = garment_.panels[panel_of_triangle_[t]];
+    const double across = std::atan2(edge.x(), -edge.y());
+    return bending_across(fabric_of(program_.scene, panel), across - panel.grain);
+  }
+
   void add_hinge(int t0, int corner0, int t1, int corner1) {
     const auto& p0 = program_.triangles[t0];
     const auto& p1 = program_.triangles[t1];
@@ -198,8 +227,12 @@ class Compiler {
     hinge.points = {a0, b0, c, d};
     hinge.weights = {at_b0 + at_b1, at_a0 + at_a1, -at_a0 - at_b0, -at_a1 - at_b1};
     hinge.across_seam = a0 != a1 || b0 != b1;
+    const double area0 = program_.stretch[t0].area;
+    const double area1 = program_.stretch[t1].area;
+    // Two fabrics, or one that is turned, share what a seam bends.
     hinge.stiffness =
-        program_.scene.fabric.bending / (program_.stretch[t0].area + program_.stretch[t1].area);
+        (area0 * bending(t0, flat[b0] - flat[a0]) + area1 * bending(t1, flat[b1] - flat[a1])) /
+        std::pow(area0 + area1, 2);
     double sum = 0;
     for (const double w : hinge.weights) sum += std::abs(w);
     for (int i = 0; i < 4; ++i) {
@@ -240,6 +273,7 @@ class Compiler {
 
   const PanelMesh& garment_;
   GatheredEdges gathered_;
+  std::vector<int> panel_of_triangle_;
   Program program_;
 };
 
@@ -256,11 +290,13 @@ std::vector<std::pair<std::string, int>> term_counts(const Program& program) {
   int sewn = 0;
   std::vector<char> seen(program.nodes, 0);
   for (const int node : program.node_of_point) sewn += seen[node]++ == 1;
+  const int rough = count(std::count_if(program.friction_skin.begin(), program.friction_skin.end(),
+                                        [](double friction) { return friction > 0; }));
   return {{"stretch", triangles},
           {"bend", count(program.bend.size())},
           {"seam", program.offsets.empty() ? 0 : sewn},
           {"body_contact", scene.body != nullptr ? program.nodes : 0},
-          {"friction", scene.body != nullptr && scene.fabric.friction > 0 ? program.nodes : 0},
+          {"friction", scene.body != nullptr ? rough : 0},
           {"self_contact", scene.self_contact ? triangles : 0},
           {"layer_contact", scene.layers != nullptr ? count(scene.layers->triangles.size()) : 0},
           {"strain_limit", scene.strain_limit ? triangles : 0}};

@@ -14,11 +14,14 @@
 namespace toile {
 
 /// Constant-strain triangle: warp and weft deformation w = Σ coefficient_i x_i over its corners
-/// [Baraff & Witkin 1998, 4.2].
+/// [Baraff & Witkin 1998, 4.2]. Stiffnesses are the fabric's times the area.
 struct StretchTriangle {
   std::array<double, 3> weft;  ///< 1/m
   std::array<double, 3> warp;  ///< 1/m
   double area;                 ///< m², at rest
+  double weft_stiffness = 0;   ///< N·m
+  double warp_stiffness = 0;   ///< N·m
+  double shear_stiffness = 0;  ///< N·m
 };
 
 /// Hinge of two triangles across an edge, at rest flat; E = ½ stiffness |Σ weight_i x_i|²
@@ -61,9 +64,12 @@ struct Program {
   std::vector<double> stretch_diagonal;  ///< N/m, per node: bound of the row sum of the stiffness
   std::vector<double> bend_diagonal;     ///< N/m
   std::vector<double> shortest_edge;     ///< metres at rest, per node, of its triangles
+  std::vector<double> friction_skin;     ///< Coulomb, per node: the mean of its panels' by mass
+  std::vector<double> friction_cloth;    ///< Coulomb, per node: the same, against cloth
   std::vector<Vec3> start;               ///< metres, per node
   Scene scene;
   double mean_weight = 0;  ///< N, of a node
+  double self_gap = 0;     ///< metres kept between the middles of cloth and cloth
 };
 
 /// Welds the seams' points to nodes, and lays out the terms that the scene asks for. Nodes start

@@ -199,7 +199,7 @@ void Relaxation::search_when_due() {
 
 void Relaxation::search() {
   const std::vector<Vec3>& p = positions();
-  proximity_->find(p, options_.self_radius, program_.scene.self_gap, pairs_, bound_, by_points_);
+  proximity_->find(p, options_.self_radius, program_.self_gap, pairs_, bound_, by_points_);
   searched_at_ = p;
   pair_slots_.assign(4 * pairs_.size(), Vec3::Zero());
   pair_stiffness_.assign(4 * pairs_.size(), 0);
@@ -223,11 +223,10 @@ void Relaxation::element_forces() {
   const std::vector<Vec3>& p = positions();
   const std::vector<Triangle>& triangles =
       by_points_ ? program_.triangles : program_.node_triangles;
-  const Fabric& fabric = program_.scene.fabric;
   const StretchOptions stretch{program_.scene.strain_limit.value_or(-1), options_.compression};
   in_chunks(triangles.size(), [&](int, std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
-      const auto forces = stretch_forces(program_.stretch[t], fabric, stretch, p[triangles[t][0]],
+      const auto forces = stretch_forces(program_.stretch[t], stretch, p[triangles[t][0]],
                                          p[triangles[t][1]], p[triangles[t][2]]);
       std::copy(forces.begin(), forces.end(), corner_forces_.begin() + 3 * static_cast<long>(t));
     }
@@ -283,7 +282,8 @@ VertexForce Relaxation::body_forces(std::size_t node, std::size_t vertex) {
   if (program_.scene.body == nullptr) return {};
   const Vec3& p = positions()[vertex];
   VertexForce result =
-      contacts_[vertex].force(program_.scene, p, options_.body_offset, options_.friction);
+      contacts_[vertex].force(program_.scene, p, options_.body_offset,
+                              options_.friction ? program_.friction_skin[node] : 0);
   if (options_.pull > 0) {
     const int sharing = vertex_first_[node + 1] - vertex_first_[node];
     const double weight = program_.mass[node] / sharing * program_.scene.gravity.norm();

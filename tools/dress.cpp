@@ -176,6 +176,9 @@ Done Outfit::dress_layer(const Layer& layer, PanelMesh garment) {
   const auto start = Clock::now();
   Scene scene;
   scene.fabric = layer.fabric;
+  for (const MeshedPanel& panel : garment.panels) {
+    if (!panel.fabric.empty()) scene.fabrics[panel.fabric] = find_fabric(panel.fabric);
+  }
   scene.body = &subject_->grid();
   scene.subject = &subject_->surface();
   scene.layers = subject_->cloth().triangles.empty() ? nullptr : &subject_->cloth();

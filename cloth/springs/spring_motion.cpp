@@ -43,7 +43,7 @@ SpringMotion::SpringMotion(const PanelMesh& garment, const Program& program,
     subject_.emplace(*program.scene.subject, sheet_.triangles());
   }
   if (program.scene.self_contact) {
-    self_.emplace(program, program.scene.self_gap);
+    self_.emplace(program, program.self_gap);
   }
   reconnect();
   choose_time_step();
@@ -113,7 +113,7 @@ void SpringMotion::step(const SpringStage& stage) {
   }
   if (self_) self_->respond(x_, node_, inverse_mass, time_step_, v_);
   if (subject_) {
-    const double friction = stage.friction ? program_.scene.fabric.friction : 0;
+    const double friction = stage.friction ? program_.scene.fabric.friction_skin : 0;
     subject_->respond(x_, inverse_mass, time_step_,
                       {.tolerance = options_.tolerance,
                        .restitution = options_.restitution,

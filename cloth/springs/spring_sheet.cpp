@@ -32,6 +32,17 @@ double area_of(const PanelMesh& garment, int t) {
   return 0.5 * (u.x() * v.y() - u.y() * v.x());
 }
 
+/// Young's modulus of an orthotropic sheet without contraction across, in the direction `along`
+/// [Jones 1999, Mechanics of Composite Materials, 2.6].
+double modulus(const Fabric& fabric, const Vec2& along, double grain) {
+  const double angle = std::atan2(along.y(), along.x()) - grain;
+  const double weft = std::pow(std::cos(angle), 2);
+  const double warp = 1 - weft;
+  const double shear = std::max(fabric.shear, 1e-3 * fabric.stretch_weft);
+  return 1 / (weft * weft / fabric.stretch_weft + warp * warp / fabric.stretch_warp +
+              weft * warp / shear);
+}
+
 }  // namespace
 
 SpringSheet::SpringSheet(const PanelMesh& garment, const Program& program)
@@ -72,23 +83,11 @@ void SpringSheet::soften_small_elements() {
   }
 }
 
-/// Young's modulus of an orthotropic sheet without contraction across, in the direction `along`
-/// [Jones 1999, Mechanics of Composite Materials, 2.6].
-double SpringSheet::modulus(const Vec2& along, double grain) const {
-  const Fabric& fabric = program_.scene.fabric;
-  const double angle = std::atan2(along.y(), along.x()) - grain;
-  const double weft = std::pow(std::cos(angle), 2);
-  const double warp = 1 - weft;
-  const double shear = std::max(fabric.shear, 1e-3 * fabric.stretch_weft);
-  return 1 / (weft * weft / fabric.stretch_weft + warp * warp / fabric.stretch_warp +
-              weft * warp / shear);
-}
-
 void SpringSheet::lay_out_edges() {
-  const Fabric& fabric = program_.scene.fabric;
   const GatheredEdges gathered = gathered_edges(garment_);
   point_mass_.assign(garment_.flat.size(), 0);
   for (const MeshedPanel& panel : garment_.panels) {
+    const Fabric& fabric = fabric_of(program_.scene, panel);
     std::map<Edge, double> area_at;
     for (int t = panel.first_triangle; t < panel.first_triangle + panel.triangles; ++t) {
       const double area = area_of(garment_, t);
@@ -101,7 +100,7 @@ void SpringSheet::lay_out_edges() {
     for (const auto& [edge, area] : area_at) {
       const Vec2 along = garment_.flat[edge.second] - garment_.flat[edge.first];
       Spring spring{edge.first, edge.second, along.norm()};
-      spring.stiffness = modulus(along, panel.grain) * area / along.squaredNorm();
+      spring.stiffness = modulus(fabric, along, panel.grain) * area / along.squaredNorm();
       spring.damping = fabric.damping * spring.stiffness;
       const auto share = gathered.find(edge);
       if (share != gathered.end()) spring.rest *= share->second;
@@ -111,8 +110,11 @@ void SpringSheet::lay_out_edges() {
 }
 
 void SpringSheet::lay_out_bends() {
-  const Fabric& fabric = program_.scene.fabric;
-  if (fabric.bending <= 0) return;
+  if (program_.bend.empty()) return;
+  std::vector<const MeshedPanel*> panel_of(garment_.triangles.size());
+  for (const MeshedPanel& panel : garment_.panels) {
+    std::fill_n(panel_of.begin() + panel.first_triangle, panel.triangles, &panel);
+  }
   struct Side {
     int triangle;
     int corner;  // opposite to the edge
@@ -131,6 +133,8 @@ void SpringSheet::lay_out_bends() {
     std::array<Vec2, 2> reach;
     double area = 0;
     double length = 0;
+    double rigidity = 0;
+    double damping = 0;
     for (int side = 0; side < 2; ++side) {
       const Triangle& points = garment_.triangles[faces[side].triangle];
       const int corner = faces[side].corner;
@@ -141,8 +145,14 @@ void SpringSheet::lay_out_bends() {
       hinge[2 * side + 1] = b;
       corners[side] = points[corner];
       reach[side] = from_edge(garment_.flat[a], garment_.flat[b], garment_.flat[points[corner]]);
-      area += area_of(garment_, faces[side].triangle);
-      length += 0.5 * (garment_.flat[a] - garment_.flat[b]).norm();
+      const Vec2 along = garment_.flat[b] - garment_.flat[a];
+      const double half = area_of(garment_, faces[side].triangle);
+      const MeshedPanel& panel = *panel_of[faces[side].triangle];
+      const Fabric& fabric = fabric_of(program_.scene, panel);
+      area += half;
+      rigidity += half * bending_across(fabric, std::atan2(along.x(), -along.y()) - panel.grain);
+      damping += half * fabric.damping;
+      length += 0.5 * along.norm();
     }
     const double heights = reach[0].y() + reach[1].y();
     Bend bend;
@@ -152,8 +162,9 @@ void SpringSheet::lay_out_bends() {
     // The spring shortens by `shorter` at the fold where the energies are to agree.
     const double fold = 0.6 * heights / matched_radius;  // measured: fits most meshes
     const double shorter = reach[0].y() * reach[1].y() * fold * fold / (2 * bend.rest);
-    const double energy = 0.5 * fabric.bending * std::pow(length * fold, 2) / area;
+    const double energy = 0.5 * rigidity * std::pow(length * fold / area, 2);
     bend.stiffness = 2 * energy / (shorter * shorter);
+    bend.damping = damping / area;
     point_bends_.push_back(bend);
   }
 }
@@ -186,15 +197,14 @@ void SpringSheet::refresh() {
     spring.b = node_of_point_[spring.b];
   }
   bending_.clear();
-  const double damping = program_.scene.fabric.damping;
   for (const Bend& bend : point_bends_) {
     const auto& h = bend.hinge;
     if (node(h[0]) != node(h[2]) || node(h[1]) != node(h[3])) continue;
     const double lightest = std::min(point_mass_[bend.corners[0]], point_mass_[bend.corners[1]]);
     const double stiffness =
         std::min(bending_factor_ * bend.stiffness, bending_share * rate_ * lightest);
-    bending_.push_back(
-        {node(bend.corners[0]), node(bend.corners[1]), bend.rest, stiffness, damping * stiffness});
+    bending_.push_back({node(bend.corners[0]), node(bend.corners[1]), bend.rest, stiffness,
+                        bend.damping * stiffness});
   }
   triangles_ = garment_.triangles;
   for (Triangle& t : triangles_) {

@@ -56,11 +56,11 @@ class SpringSheet {
     std::array<int, 4> hinge;    // the edge's ends in the one and the other panel
     double rest;
     double stiffness;
+    double damping;  // seconds
   };
   void lay_out_edges();
   void lay_out_bends();
   void soften_small_elements();
-  double modulus(const Vec2& along, double grain) const;
   int root(int point) const;
 
   const PanelMesh& garment_;

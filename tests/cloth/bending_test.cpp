@@ -21,9 +21,13 @@ double bend_energy(const Program& program, const std::vector<Vec3>& points) {
 }
 
 /// Energy of the mesh, rolled up around an axis at `angle` to its +y, as a share of ½ B A / R².
-double rolled(const PlanarMesh& mesh, double radius, double angle) {
-  const PanelMesh garment = test::flat_panel(mesh);
-  const Program program = compile(garment, {}, garment.placed);
+double rolled(const PlanarMesh& mesh, double radius, double angle, const Fabric& fabric = {},
+              double grain = 0) {
+  PanelMesh garment = test::flat_panel(mesh);
+  garment.panels[0].grain = grain;
+  Scene scene;
+  scene.fabric = fabric;
+  const Program program = compile(garment, scene, garment.placed);
   const Eigen::Rotation2Dd turn(-angle);
   std::vector<Vec3> points;
   double area = 0;
@@ -34,7 +38,7 @@ double rolled(const PlanarMesh& mesh, double radius, double angle) {
   }
   for (const StretchTriangle& s : program.stretch) area += s.area;
   return bend_energy(program, points) /
-         (0.5 * program.scene.fabric.bending * area / (radius * radius));
+         (0.5 * program.scene.fabric.bending_weft * area / (radius * radius));
 }
 
 /// Squares of 40 cm: one cut regularly, one as mesh_polygon does.

@@ -29,8 +29,8 @@ TEST_F(FabricFile, EveryQuantityIsRead) {
   EXPECT_EQ(fabric.stretch_warp, 5000);
   EXPECT_EQ(fabric.stretch_weft, 3000.5);
   EXPECT_EQ(fabric.shear, 0);
-  EXPECT_EQ(fabric.bending, 8e-5);
-  EXPECT_EQ(fabric.friction, 0.7);
+  EXPECT_EQ(fabric.bending_warp, 8e-5);
+  EXPECT_EQ(fabric.friction_skin, 0.7);
 }
 
 TEST_F(FabricFile, WhatIsMissingStaysAsTheDesignSays) {
@@ -40,10 +40,10 @@ TEST_F(FabricFile, WhatIsMissingStaysAsTheDesignSays) {
     EXPECT_EQ(fabric.stretch_warp, 1000);
     EXPECT_EQ(fabric.stretch_weft, 1000);
     EXPECT_EQ(fabric.shear, 200);
-    EXPECT_EQ(fabric.bending, 1e-5);
+    EXPECT_EQ(fabric.bending_warp, 1e-5);
   }
-  EXPECT_EQ(find_fabric(file.string()).friction, 0.1);
-  EXPECT_EQ(find_fabric("default").friction, 0.4);
+  EXPECT_EQ(find_fabric(file.string()).friction_skin, 0.1);
+  EXPECT_EQ(find_fabric("default").friction_skin, 0.4);
 }
 
 TEST_F(FabricFile, UnknownNamesAndKeysAreNamed) {

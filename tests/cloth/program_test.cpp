@@ -110,7 +110,7 @@ TEST(Program, ADartsTipStaysOnePoint) {
 TEST(Program, WhatTheSceneDoesNotUseIsEmpty) {
   const PanelMesh garment = test::flat_panel(test::grid(0.1, 0.1, 5, 5));
   Scene scene;
-  scene.fabric.bending = 0;
+  scene.fabric.bending_warp = scene.fabric.bending_weft = 0;
   scene.self_contact = false;
   const Program program = compile(garment, scene, garment.placed);
   EXPECT_TRUE(program.bend.empty());

@@ -98,7 +98,7 @@ class HangingStrip : public testing::Test {
     scene.fabric.areal_density = 0.2;
     scene.fabric.stretch_warp = scene.fabric.stretch_weft = stiffness;
     scene.fabric.shear = 20;
-    scene.fabric.bending = 0;
+    scene.fabric.bending_warp = scene.fabric.bending_weft = 0;
     scene.self_contact = false;
     scene.strain_limit = limit;
     const Program program = compile(garment, scene, garment.placed);
@@ -151,7 +151,7 @@ Vec3 slide(double slope, double height, RelaxReport& report, std::vector<Vec3>& 
                   [&](const Vec2& p) { return Vec3(p.x() - 0.1, height, 0.1 - p.y()); });
   Scene scene;
   scene.body = &body;
-  scene.fabric.friction = 0.4;
+  scene.fabric.friction_skin = 0.4;
   scene.gravity = 9.81 * Vec3(std::sin(slope), -std::cos(slope), 0);
   const Program program = compile(garment, scene, garment.placed);
   x = program.start;
