@@ -39,4 +39,14 @@ double self_gap_of(const Scene& scene, const PanelMesh& garment) {
   return std::max(scene.self_gap, thickest(scene, garment));
 }
 
+void check_gravity(const Vec3& gravity, const std::string& place) {
+  constexpr double least = 0.1;  // m/s²; residuals are counted in weights
+  constexpr double most = 100;
+  const double size = gravity.norm();
+  if (!(size >= least && size <= most)) {
+    throw Error(place, "is not between 0.1 and 100 m/s² strong",
+                "the earth's is 0,-9.81,0: y is up, and the body faces +z");
+  }
+}
+
 }  // namespace toile

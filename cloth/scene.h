@@ -34,6 +34,10 @@ struct Scene {
   std::optional<double> strain_limit;
 };
 
+/// Throws Error, naming `place`, for a gravity that is no number, or too weak or strong to be
+/// meant.
+void check_gravity(const Vec3& gravity, const std::string& place);
+
 /// How much stiffer the cloth is beyond its strain limit. Higher holds the limit better and
 /// converges slower, with its square root.
 inline constexpr double strain_limit_stiffening = 20;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "cloth/fabric.h"
+#include "cloth/scene.h"
 #include "geometry/error.h"
 #include "io/json_value.h"
 #include "io/output_file.h"
@@ -82,10 +83,16 @@ SceneFile read_scene(const fs::path& path) {
   const JsonDocument document(read_file(path), path.string());
   const JsonValue root = document.root();
   const fs::path folder = path.parent_path();
-  refuse_unknown_keys(root, {"body", "skeleton", "layers"});
+  refuse_unknown_keys(root, {"body", "skeleton", "gravity", "layers"});
   SceneFile scene;
   scene.body = file_named(root.get("body"), folder);
   if (const auto skeleton = root.find("skeleton")) scene.skeleton = file_named(*skeleton, folder);
+  if (const auto gravity = root.find("gravity")) {
+    gravity->size(3, 3);
+    scene.gravity.emplace(gravity->item(0).number(), gravity->item(1).number(),
+                          gravity->item(2).number());
+    check_gravity(*scene.gravity, gravity->place());
+  }
   const JsonValue layers = root.get("layers");
   const std::size_t count = layers.size(1, most_layers);
   std::set<std::string> names;

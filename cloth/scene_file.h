@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "geometry/types.h"
+
 namespace toile {
 
 /// One garment of a scene.
@@ -19,13 +21,15 @@ struct SceneLayer {
 struct SceneFile {
   std::filesystem::path body;
   std::optional<std::filesystem::path> skeleton;  ///< none: beside the body
+  std::optional<Vec3> gravity;                    ///< m/s²; none: the default
   std::vector<SceneLayer> layers;                 ///< at least one, the innermost first
 };
 
-/// Reads {"body", "skeleton", "layers": [{"name", "garment", "garment_json", "fabric"}]}, as
-/// docs/scene.schema.json describes it; relative paths count from the scene file. Throws Error,
-/// naming the file and the key, for keys it does not know, files that are missing, a scene without
-/// layers, names that two layers share (capitals aside) or that could not be part of a file's name.
+/// Reads {"body", "skeleton", "gravity": [x, y, z], "layers": [{"name", "garment", "garment_json",
+/// "fabric"}]}, as docs/scene.schema.json describes it; relative paths count from the scene file.
+/// Throws Error, naming the file and the key, for keys it does not know, files that are missing, a
+/// scene without layers, names that two layers share (capitals aside) or that could not be part of
+/// a file's name.
 SceneFile read_scene(const std::filesystem::path& path);
 
 }  // namespace toile

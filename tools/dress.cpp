@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "cloth/judge.h"
 #include "cloth/scene_file.h"
@@ -52,6 +53,7 @@ struct Settings {
   std::optional<fs::path> frames;
   bool certify_frames = false;
   std::optional<double> strain_limit;
+  Vec3 gravity = Scene().gravity;
   DressMethod method;
 };
 
@@ -70,6 +72,7 @@ void read_layers(const po::variables_map& given, const fs::path& output, Setting
     settings.scene = given["scene"].as<std::string>();
     const SceneFile scene = read_scene(*settings.scene);
     settings.body = scene.body;
+    if (scene.gravity) settings.gravity = *scene.gravity;
     settings.skeleton = scene.skeleton.value_or(skeleton_path(scene.body));
     settings.needs_skeleton = scene.skeleton.has_value();
     for (const SceneLayer& layer : scene.layers) {
@@ -87,11 +90,32 @@ void read_layers(const po::variables_map& given, const fs::path& output, Setting
   }
 }
 
+/// "x,y,z", m/s².
+Vec3 parse_gravity(const std::string& text) {
+  Vec3 gravity;
+  std::istringstream words(text);
+  char comma = ',';
+  for (int i = 0; i < 3; ++i) {
+    if (i > 0) words >> comma;
+    if (comma != ',' || !(words >> gravity[i])) {
+      throw Error("--gravity", "'" + text + "' is not three numbers",
+                  "write --gravity=X,Y,Z in m/s²: 0,-9.81,0 is the default");
+    }
+  }
+  if (words >> comma) {
+    throw Error("--gravity", "'" + text + "' goes on after three numbers",
+                "write --gravity=X,Y,Z in m/s²: 0,-9.81,0 is the default");
+  }
+  check_gravity(gravity, "--gravity");
+  return gravity;
+}
+
 Settings read_settings(const po::variables_map& given, const fs::path& output) {
   Settings settings;
   read_layers(given, output, settings);
   if (given.count("frames")) settings.frames = given["frames"].as<std::string>();
   settings.certify_frames = given.count("certify-frames") != 0;
+  if (given.count("gravity")) settings.gravity = parse_gravity(given["gravity"].as<std::string>());
   settings.strain_limit = read_strain_limit(given);
   settings.method = read_method(given);
   return settings;
@@ -183,6 +207,7 @@ Done Outfit::dress_layer(const Layer& layer, PanelMesh garment) {
   scene.subject = &subject_->surface();
   scene.layers = subject_->cloth().triangles.empty() ? nullptr : &subject_->cloth();
   scene.skeleton = skeleton_ ? &*skeleton_ : nullptr;
+  scene.gravity = settings_.gravity;
   scene.strain_limit = settings_.strain_limit;
   // What is judged needs to know where the panels stood as much as what is dressed.
   garment.placed = position_panels(garment, *scene.body, scene.skeleton).placed;
@@ -314,6 +339,8 @@ int main(int argc, char** argv) {
       "skeleton", value<string>(), "the body's joints; default: body.json beside the body")(
       "fabric", value<string>()->default_value("default"),
       "a fabric's name, or a JSON file with its quantities; in a scene, of layers that name none")(
+      "gravity", value<string>(),
+      "x,y,z in m/s²; default: the scene's, or 0,-9.81,0; write --gravity=-9.81,0,0")(
       "frames", value<string>(), "write the states on the way as OBJ files into this folder")(
       "certify-frames",
       "check every state on the way, as --frames writes them, with exact predicates: when it "

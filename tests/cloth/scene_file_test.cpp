@@ -83,6 +83,20 @@ TEST_F(SceneFiles, WhatIsWrongIsNamed) {
   EXPECT_HOLDS(samples::error_of([&] { read_scene(folder / "none.json"); }), "none.json");
 }
 
+TEST_F(SceneFiles, GravityIsAVectorOfAReasonableSize) {
+  const auto with = [](const std::string& gravity) {
+    return R"({"body": "body.ply", "layers": [{"name": "a", "garment": "parts/tee.obj"}], )"
+           R"("gravity": )" +
+           gravity + "}";
+  };
+  EXPECT_EQ(read(with("[1.5, 0, -9]")).gravity, Vec3(1.5, 0, -9));
+  EXPECT_EQ(read(with("null")).gravity, std::nullopt);
+  for (const char* wrong :
+       {"-9.81", "[0, -9.81]", "[0, 0, 0]", "[0, \"-9.81\", 0]", "[0, 1e9, 0]"}) {
+    EXPECT_HOLDS(refusal(with(wrong)), "gravity");
+  }
+}
+
 TEST_F(SceneFiles, NamesStayInTheFolder) {
   for (const char* name : {"", "..", "../x", "a/b", "a\\\\b", "c:d", ".hidden", " a", "a ", "a.",
                            "a\\u0000b", "a\\nb", "a*"}) {

@@ -343,6 +343,9 @@ TEST_F(DressInput, SettingsThatMakeNoSense) {
   expect_refused(dress({"--fabric", folder / "fabric.json"}), "friction");
   expect_refused(dress({"--strain-limit", "2"}), "--strain-limit");
   expect_refused(dress({"--strain-limit", "nan"}), "--strain-limit");
+  for (const char* gravity : {"9.81", "0,0,0", "0,-9.81,0,0", "0,-981,0", "0;-9.81;0", "nan,0,0"}) {
+    expect_refused(dress({std::string("--gravity=") + gravity}), "--gravity");
+  }
   expect_refused(dress({"--skeleton", folder / "missing.json"}), "missing.json");
   write_text(folder / "other.json", "{}");
   expect_refused(dress({"--skeleton", folder / "other.json"}), "other.json");
