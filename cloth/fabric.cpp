@@ -4,37 +4,53 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <vector>
 
 #include "geometry/error.h"
 #include "io/output_file.h"
+#include "io/text.h"
 
 namespace toile {
 
-double bending_across(const Fabric& fabric, double angle) {
-  const double mean = 0.5 * (fabric.bending_weft + fabric.bending_warp);
-  const double half = 0.5 * (fabric.bending_weft - fabric.bending_warp);
-  if (half == 0) return mean;
-  // p² + 2/3 q² = mean and 4/3 p q = half: integrated over all directions of hinges.
-  const double p =
-      std::sqrt(0.5 * (mean + std::sqrt(std::max(mean * mean - 1.5 * half * half, 0.0))));
-  const double q = 0.75 * half / p;
-  return std::pow(p + q * std::cos(2 * angle), 2);
+namespace {
+
+struct Preset {
+  const char* name;
+  const char* json;
+};
+
+/// The files of the folder fabrics, in the order of their names.
+constexpr Preset presets[] = {
+#include "fabric_presets.inc"
+};
+
+/// What a key of a fabric's file sets.
+struct Quantity {
+  std::vector<double*> values;
+  bool may_be_zero;
+  double unit = 1;
+};
+
+double number_of(const nlohmann::json& value, const std::string& key, bool may_be_zero,
+                 const std::string& place) {
+  const double number = value.get<double>();
+  if (!std::isfinite(number) || number < 0 || (number == 0 && !may_be_zero)) {
+    throw Error(place, "'" + key + "' is " + value.dump(),
+                "give a positive number in the unit of the key");
+  }
+  return number;
 }
 
-Fabric find_fabric(const std::string& name_or_file) {
-  Fabric fabric;
-  if (name_or_file == fabric.name) return fabric;
-  if (!std::filesystem::exists(name_or_file)) {
-    throw Error("--fabric", "'" + name_or_file + "' is neither a fabric of Toile's nor a file",
-                "use 'default' or a JSON file");
+void check(const Fabric& fabric, const std::string& place) {
+  const auto [less, more] = std::minmax(fabric.bending_warp, fabric.bending_weft);
+  if (more > most_bending_ratio * less) {
+    throw Error(place, "warp and weft bend with rigidities more than 9 times apart",
+                "give bending_warp_N_m and bending_weft_N_m that are nearer");
   }
-  struct Field {
-    std::vector<double*> values;
-    bool may_be_zero;
-    double unit = 1;
-  };
-  const std::map<std::string, Field> fields = {
+}
+
+Fabric read_fabric(const std::string& text, const std::string& place) {
+  Fabric fabric;
+  const std::map<std::string, Quantity> quantities = {
       {"areal_density_kg_per_m2", {{&fabric.areal_density}, false}},
       {"thickness_mm", {{&fabric.thickness}, false, 1e-3}},
       {"stretch_warp_N_per_m", {{&fabric.stretch_warp}, false}},
@@ -48,29 +64,63 @@ Fabric find_fabric(const std::string& name_or_file) {
       {"friction_cloth", {{&fabric.friction_cloth}, true}},
       {"damping_s", {{&fabric.damping}, true}}};
   try {
-    const auto json = nlohmann::json::parse(read_file(name_or_file));
-    if (!json.is_object()) throw Error(name_or_file, "is no JSON object", "see the README");
+    // Sorted by key: what says "both" is read before what says one of them.
+    const auto json = nlohmann::json::parse(text);
+    if (!json.is_object()) throw Error(place, "is no JSON object", "see the README");
     for (const auto& [key, value] : json.items()) {
       if (key == "name") {
         fabric.name = value.get<std::string>();
-        continue;
-      }
-      const auto field = fields.find(key);
-      if (field == fields.end()) {
-        throw Error(name_or_file, "'" + key + "' is no quantity of a fabric",
+      } else if (key == "source") {
+        fabric.source = value.get<std::string>();
+      } else if (key == "estimated") {
+        for (const auto& of : value.get<std::vector<std::string>>()) {
+          if (quantities.count(of) == 0) {
+            throw Error(place,
+                        std::string("'estimated' names '") + valid_utf8(of) + "', no quantity",
+                        "name keys of the file");
+          }
+        }
+      } else if (const auto found = quantities.find(key); found != quantities.end()) {
+        const Quantity& quantity = found->second;
+        const double number = number_of(value, key, quantity.may_be_zero, place);
+        for (double* of : quantity.values) *of = quantity.unit * number;
+      } else {
+        throw Error(place, std::string("'") + valid_utf8(key) + "' is no quantity of a fabric",
                     "see the README for the keys");
       }
-      const double number = value.get<double>();
-      if (!std::isfinite(number) || number < 0 || (number == 0 && !field->second.may_be_zero)) {
-        throw Error(name_or_file, "'" + key + "' is " + value.dump(),
-                    "give a positive number in the unit of the key");
-      }
-      for (double* quantity : field->second.values) *quantity = field->second.unit * number;
     }
   } catch (const nlohmann::json::exception& wrong) {
-    throw Error(name_or_file, wrong.what(), "mend the JSON");
+    throw Error(place, wrong.what(), "mend the JSON");
   }
+  check(fabric, place);
   return fabric;
+}
+
+}  // namespace
+
+std::vector<std::string> fabric_names() {
+  std::vector<std::string> names = {Fabric().name};
+  for (const Preset& preset : presets) names.emplace_back(preset.name);
+  return names;
+}
+
+Fabric find_fabric(const std::string& name_or_file) {
+  if (name_or_file == Fabric().name) return {};
+  for (const Preset& preset : presets) {
+    if (name_or_file == preset.name) return read_fabric(preset.json, name_or_file);
+  }
+  std::error_code unreachable;
+  if (std::filesystem::is_regular_file(name_or_file, unreachable)) {
+    return read_fabric(read_file(name_or_file), name_or_file);
+  }
+  std::string known;
+  for (const std::string& name : fabric_names()) {
+    if (!known.empty()) known += ", ";
+    known += name;
+  }
+  throw Error("fabric",
+              std::string("'") + valid_utf8(name_or_file) + "' is neither known nor a file",
+              "known are " + known + "; or give a JSON file");
 }
 
 }  // namespace toile

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "cloth/gathers.h"
+#include "cloth/hinge_rigidity.h"
 #include "geometry/error.h"
 
 namespace toile {
@@ -187,6 +188,8 @@ class Compiler {
       int triangle;
       int corner;  // opposite to the edge
     };
+    hinges_.assign(program_.triangles.size(), {-1, -1, -1});
+    responses_.assign(program_.triangles.size(), {});
     std::map<std::pair<int, int>, std::vector<Side>> sides;
     for (std::size_t t = 0; t < program_.node_triangles.size(); ++t) {
       for (int i = 0; i < 3; ++i) {
@@ -199,13 +202,51 @@ class Compiler {
       if (faces.size() != 2) continue;  // a border, or three panels in one seam
       add_hinge(faces[0].triangle, faces[0].corner, faces[1].triangle, faces[1].corner);
     }
+    stiffen_hinges();
   }
 
-  /// Rigidity of the cloth of triangle `t`, folded along `edge` of its flat panel.
-  double bending(int t, const Vec2& edge) const {
+  /// What the hinge opposite to corner `at` of triangle `t` feels, in that triangle's flat panel.
+  HingeResponse response(int t, int at, int other, int other_at) const {
+    const auto point = [&](int triangle, int i) { return program_.triangles[triangle][i % 3]; };
+    const auto& flat = garment_.flat;
+    const Vec2 a = flat[point(t, at + 1)];
+    int other_a = point(other, other_at + 2);
+    int other_b = point(other, other_at + 1);
+    if (program_.node_of_point[other_a] != program_.node_of_point[point(t, at + 1)]) {
+      std::swap(other_a, other_b);
+    }
+    const Vec2 along = (flat[other_b] - flat[other_a]).normalized();
+    const Vec2 to = flat[point(other, other_at)] - flat[other_a];
+    const Vec2 away(along.dot(to), std::abs(along.x() * to.y() - along.y() * to.x()));
     const MeshedPanel& panel = garment_.panels[panel_of_triangle_[t]];
-    const double across = std::atan2(edge.x(), -edge.y());
-    return bending_across(fabric_of(program_.scene, panel), across - panel.grain);
+    return hinge_response(a, flat[point(t, at + 2)], flat[point(t, at)], away, panel.grain);
+  }
+
+  /// A hinge has half its rigidity from either side, which may be another fabric or turned.
+  void stiffen_hinges() {
+    for (std::size_t t = 0; t < hinges_.size(); ++t) {
+      const Fabric& fabric = fabric_of(program_.scene, garment_.panels[panel_of_triangle_[t]]);
+      const auto rigidity = hinge_rigidities(fabric, responses_[t]);
+      for (int i = 0; i < 3; ++i) {
+        if (hinges_[t][i] >= 0) program_.bend[hinges_[t][i]].stiffness += 0.5 * rigidity[i];
+      }
+    }
+    std::vector<double> area(program_.bend.size(), 0);
+    for (std::size_t t = 0; t < hinges_.size(); ++t) {
+      for (const int hinge : hinges_[t]) {
+        if (hinge >= 0) area[hinge] += program_.stretch[t].area;
+      }
+    }
+    for (std::size_t h = 0; h < program_.bend.size(); ++h) {
+      BendHinge& hinge = program_.bend[h];
+      hinge.stiffness /= area[h];
+      double sum = 0;
+      for (const double w : hinge.weights) sum += std::abs(w);
+      for (int i = 0; i < 4; ++i) {
+        program_.bend_diagonal[program_.node_of_point[hinge.points[i]]] +=
+            hinge.stiffness * std::abs(hinge.weights[i]) * sum;
+      }
+    }
   }
 
   void add_hinge(int t0, int corner0, int t1, int corner1) {
@@ -227,18 +268,9 @@ class Compiler {
     hinge.points = {a0, b0, c, d};
     hinge.weights = {at_b0 + at_b1, at_a0 + at_a1, -at_a0 - at_b0, -at_a1 - at_b1};
     hinge.across_seam = a0 != a1 || b0 != b1;
-    const double area0 = program_.stretch[t0].area;
-    const double area1 = program_.stretch[t1].area;
-    // Two fabrics, or one that is turned, share what a seam bends.
-    hinge.stiffness =
-        (area0 * bending(t0, flat[b0] - flat[a0]) + area1 * bending(t1, flat[b1] - flat[a1])) /
-        std::pow(area0 + area1, 2);
-    double sum = 0;
-    for (const double w : hinge.weights) sum += std::abs(w);
-    for (int i = 0; i < 4; ++i) {
-      program_.bend_diagonal[program_.node_of_point[hinge.points[i]]] +=
-          hinge.stiffness * std::abs(hinge.weights[i]) * sum;
-    }
+    hinges_[t0][corner0] = hinges_[t1][corner1] = static_cast<int>(program_.bend.size());
+    responses_[t0][corner0] = response(t0, corner0, t1, corner1);
+    responses_[t1][corner1] = response(t1, corner1, t0, corner0);
     program_.bend.push_back(hinge);
   }
 
@@ -274,6 +306,8 @@ class Compiler {
   const PanelMesh& garment_;
   GatheredEdges gathered_;
   std::vector<int> panel_of_triangle_;
+  std::vector<std::array<int, 3>> hinges_;               // opposite to each corner; -1: none
+  std::vector<std::array<HingeResponse, 3>> responses_;  // of the same
   Program program_;
 };
 

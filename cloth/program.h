@@ -29,7 +29,7 @@ struct StretchTriangle {
 struct BendHinge {
   std::array<int, 4> points;  ///< edge's ends, then the two opposite corners: material points
   std::array<double, 4> weights;
-  double stiffness;  ///< N/m
+  double stiffness = 0;  ///< N/m
   bool across_seam;
 };
 

@@ -72,7 +72,9 @@ SceneLayer layer_of(const JsonValue& value, const fs::path& folder) {
   if (const auto json = value.find("garment_json")) layer.garment_json = file_named(*json, folder);
   if (const auto fabric = value.find("fabric")) {
     const std::string text = fabric->text();
-    layer.fabric = text == Fabric().name ? text : file_named(*fabric, folder).string();
+    const std::vector<std::string> known = fabric_names();
+    const bool is_name = std::find(known.begin(), known.end(), text) != known.end();
+    layer.fabric = is_name ? text : file_named(*fabric, folder).string();
   }
   return layer;
 }

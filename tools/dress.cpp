@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -17,6 +18,7 @@
 #include "io/skeleton_file.h"
 #include "pattern/garment_file.h"
 #include "tools/closed_body.h"
+#include "tools/dress_fabrics.h"
 #include "tools/dress_method.h"
 #include "tools/dress_report.h"
 #include "tools/dress_watch.h"
@@ -50,6 +52,7 @@ struct Settings {
   fs::path skeleton;
   bool needs_skeleton = false;  ///< it was asked for, not looked for
   std::vector<Layer> layers;
+  FabricChoice fabrics;
   std::optional<fs::path> frames;
   bool certify_frames = false;
   std::optional<double> strain_limit;
@@ -59,7 +62,8 @@ struct Settings {
 
 /// The garment or the scene that the command line names, with the files to write for it.
 void read_layers(const po::variables_map& given, const fs::path& output, Settings& settings) {
-  const std::string fabric = given["fabric"].as<std::string>();
+  settings.fabrics = read_fabrics(given);
+  const std::string& fabric = settings.fabrics.of_garments;
   if (given.count("scene") == 0) {
     Layer only;
     only.garment = given["garment"].as<std::string>();
@@ -169,7 +173,8 @@ class Outfit {
   const Settings& settings_;
   const CommonSettings& common_;
   const Clock::time_point start_ = Clock::now();
-  std::vector<PanelMesh> garments_;  // one a layer: all are read before the first is dressed
+  std::vector<PanelMesh> garments_;        // one a layer: all are read before the first is dressed
+  std::map<std::string, Fabric> fabrics_;  // by the names that panels give
   std::optional<Subject> subject_;
   std::optional<Skeleton> skeleton_;
   double read_seconds_ = 0;
@@ -182,6 +187,7 @@ void Outfit::read() {
   for (const Layer& layer : settings_.layers) {
     garments_.push_back(read_garment(layer.garment, layer.garment_json));
   }
+  fabrics_ = panel_fabrics(garments_, settings_.fabrics);
   const TriangleMesh body = read_closed_body(settings_.body);
   if (fs::exists(settings_.skeleton) || settings_.needs_skeleton) {
     skeleton_ = read_skeleton(settings_.skeleton);
@@ -200,9 +206,7 @@ Done Outfit::dress_layer(const Layer& layer, PanelMesh garment) {
   const auto start = Clock::now();
   Scene scene;
   scene.fabric = layer.fabric;
-  for (const MeshedPanel& panel : garment.panels) {
-    if (!panel.fabric.empty()) scene.fabrics[panel.fabric] = find_fabric(panel.fabric);
-  }
+  scene.fabrics = fabrics_;
   scene.body = &subject_->grid();
   scene.subject = &subject_->surface();
   scene.layers = subject_->cloth().triangles.empty() ? nullptr : &subject_->cloth();
@@ -337,8 +341,6 @@ int main(int argc, char** argv) {
       "instead of these: a body and its layers of garments, the innermost first; -o outfit.obj "
       "then gives outfit-NAME.obj for each")(
       "skeleton", value<string>(), "the body's joints; default: body.json beside the body")(
-      "fabric", value<string>()->default_value("default"),
-      "a fabric's name, or a JSON file with its quantities; in a scene, of layers that name none")(
       "gravity", value<string>(),
       "x,y,z in m/s²; default: the scene's, or 0,-9.81,0; write --gravity=-9.81,0,0")(
       "frames", value<string>(), "write the states on the way as OBJ files into this folder")(
@@ -346,6 +348,7 @@ int main(int argc, char** argv) {
       "check every state on the way, as --frames writes them, with exact predicates: when it "
       "became "
       "free of intersections, and whether it stayed so");
+  toile::add_fabric_option(program.options);
   toile::add_method_options(program.options);
   program.positional.add("garment", 1);
   program.check = toile::check_usage;

@@ -43,6 +43,10 @@ nlohmann::ordered_json report_of(const PanelMesh& garment, const Scene& scene,
     report["scene"]["terms"][term] = count;
   }
   report["scene"]["fabric"] = scene.fabric.name;
+  for (const MeshedPanel& panel : garment.panels) {
+    if (panel.fabric.empty()) continue;
+    report["scene"]["panel_fabrics"][panel.name] = fabric_of(scene, panel).name;
+  }
   report["scene"]["gravity_m_per_s2"] = {scene.gravity.x(), scene.gravity.y(), scene.gravity.z()};
   report["scene"]["body_offset_mm"] = 1000 * result.body_offset;
   report["scene"]["points_inside_at_start"] = result.placement.points_inside;

@@ -111,9 +111,16 @@ void SpringSheet::lay_out_edges() {
 
 void SpringSheet::lay_out_bends() {
   if (program_.bend.empty()) return;
-  std::vector<const MeshedPanel*> panel_of(garment_.triangles.size());
+  std::map<Edge, double> stiffness;
+  for (const BendHinge& hinge : program_.bend) {
+    const Edge edge =
+        edge_of(program_.node_of_point[hinge.points[0]], program_.node_of_point[hinge.points[1]]);
+    stiffness[edge] = hinge.stiffness;
+  }
+  std::vector<double> damping_of(garment_.triangles.size());
   for (const MeshedPanel& panel : garment_.panels) {
-    std::fill_n(panel_of.begin() + panel.first_triangle, panel.triangles, &panel);
+    std::fill_n(damping_of.begin() + panel.first_triangle, panel.triangles,
+                fabric_of(program_.scene, panel).damping);
   }
   struct Side {
     int triangle;
@@ -133,7 +140,6 @@ void SpringSheet::lay_out_bends() {
     std::array<Vec2, 2> reach;
     double area = 0;
     double length = 0;
-    double rigidity = 0;
     double damping = 0;
     for (int side = 0; side < 2; ++side) {
       const Triangle& points = garment_.triangles[faces[side].triangle];
@@ -145,14 +151,10 @@ void SpringSheet::lay_out_bends() {
       hinge[2 * side + 1] = b;
       corners[side] = points[corner];
       reach[side] = from_edge(garment_.flat[a], garment_.flat[b], garment_.flat[points[corner]]);
-      const Vec2 along = garment_.flat[b] - garment_.flat[a];
       const double half = area_of(garment_, faces[side].triangle);
-      const MeshedPanel& panel = *panel_of[faces[side].triangle];
-      const Fabric& fabric = fabric_of(program_.scene, panel);
       area += half;
-      rigidity += half * bending_across(fabric, std::atan2(along.x(), -along.y()) - panel.grain);
-      damping += half * fabric.damping;
-      length += 0.5 * along.norm();
+      damping += half * damping_of[faces[side].triangle];
+      length += 0.5 * (garment_.flat[a] - garment_.flat[b]).norm();
     }
     const double heights = reach[0].y() + reach[1].y();
     Bend bend;
@@ -162,7 +164,7 @@ void SpringSheet::lay_out_bends() {
     // The spring shortens by `shorter` at the fold where the energies are to agree.
     const double fold = 0.6 * heights / matched_radius;  // measured: fits most meshes
     const double shorter = reach[0].y() * reach[1].y() * fold * fold / (2 * bend.rest);
-    const double energy = 0.5 * rigidity * std::pow(length * fold / area, 2);
+    const double energy = 0.5 * stiffness.at(edge) * std::pow(length * fold, 2);
     bend.stiffness = 2 * energy / (shorter * shorter);
     bend.damping = damping / area;
     point_bends_.push_back(bend);

@@ -4,11 +4,14 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
+#include "cloth/hinge_rigidity.h"
 #include "cloth/program.h"
 #include "tests/cloth/panels.h"
 
 namespace toile {
 namespace {
+
+constexpr double pi = std::numbers::pi;
 
 double bend_energy(const Program& program, const std::vector<Vec3>& points) {
   double energy = 0;
@@ -67,6 +70,35 @@ TEST(Bend, ARegularGridHasItAlongItsEdges) {
   const PlanarMesh mesh = test::grid(0.4, 0.4, 40, 40);
   for (const double degrees : {0, 90, 135}) {
     EXPECT_NEAR(rolled(mesh, 0.2, degrees * std::numbers::pi / 180), 0.985, 0.02) << degrees;
+  }
+}
+
+// Rolled so that the threads of one kind bend, the other's rigidity does not count, as nearly as
+// hinges can have it. Rolled on the bias, the sheet's rigidity is between the two; where between
+// depends on how the edges lie to the threads.
+TEST(Bend, WarpAndWeftBendByTheirOwnRigidity) {
+  const PlanarMesh mesh = unstructured();
+  for (const double ratio : {0.12, 0.3, 0.5, 1.0, 2.0, 3.0, 5.0, 8.0}) {
+    Fabric fabric;
+    fabric.bending_weft = 1e-5;
+    fabric.bending_warp = ratio * 1e-5;
+    double worst = 0;
+    double least_bias = 1e9, most_bias = 0;
+    for (const double grain : {0.0, 0.3, pi / 4, 1.0, pi / 2}) {
+      const double weft = rolled(mesh, 0.2, grain, fabric, grain);
+      const double warp = rolled(mesh, 0.2, grain + pi / 2, fabric, grain) / ratio;
+      worst = std::max({worst, std::abs(weft - 0.985), std::abs(warp - 0.985)});
+      const double bias = rolled(mesh, 0.2, grain + pi / 4, fabric, grain);
+      least_bias = std::min(least_bias, bias);
+      most_bias = std::max(most_bias, bias);
+    }
+    std::cout << "warp " << ratio << " times as rigid as weft: off by up to " << 100 * worst
+              << " %; on the bias " << least_bias << " to " << most_bias << " of the weft's, plate "
+              << bending_along(fabric, pi / 4) / fabric.bending_weft << "\n";
+    const bool is_moderate = std::max(ratio, 1 / ratio) <= 3;
+    EXPECT_LT(worst, ratio == 1 ? 0.02 : is_moderate ? 0.06 : 0.14);
+    EXPECT_GT(least_bias, 0.97 * std::min(ratio, 1.0));
+    EXPECT_LT(most_bias, 1.03 * std::max(ratio, 1.0));
   }
 }
 

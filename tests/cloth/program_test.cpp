@@ -52,6 +52,64 @@ TEST(Program, TheWholeClothIsWeighed) {
   EXPECT_NEAR(program.mean_weight, 0.3 * 0.02 * 9.81 / program.nodes, 1e-12);
 }
 
+TEST(Program, EachPanelHasItsOwnFabric) {
+  PanelMesh garment = sewn_pair();
+  garment.panels[1].fabric = "lining";
+  garment.panels[1].grain = 0.5;
+  Scene scene;
+  scene.fabric.areal_density = 0.3;
+  scene.fabric.friction_skin = 0.6;
+  scene.fabric.thickness = 0.001;
+  Fabric& lining = scene.fabrics["lining"];
+  lining.areal_density = 0.1;
+  lining.stretch_warp = 500;
+  lining.shear = 20;
+  lining.friction_skin = 0.2;
+  lining.friction_cloth = 0.1;
+  lining.bending_warp = lining.bending_weft = 1e-6;
+  const Program program = compile(garment, scene, garment.placed);
+  EXPECT_NEAR(total(program.mass), (0.3 + 0.1) * 0.01, 1e-15);
+  const int half = garment.panels[1].first_triangle;
+  for (int t = 0; t < 2 * half; ++t) {
+    const Fabric& fabric = t < half ? scene.fabric : lining;
+    const StretchTriangle& s = program.stretch[t];
+    EXPECT_NEAR(s.warp_stiffness, fabric.stretch_warp * s.area, 1e-12);
+    EXPECT_NEAR(s.weft_stiffness, fabric.stretch_weft * s.area, 1e-12);
+    EXPECT_NEAR(s.shear_stiffness, fabric.shear * s.area, 1e-12);
+  }
+  const auto node = [&](int panel, int point) {
+    return program.node_of_point[garment.panels[panel].first_point + point];
+  };
+  EXPECT_NEAR(program.friction_skin[node(0, 0)], 0.6, 1e-12);
+  EXPECT_NEAR(program.friction_skin[node(1, 5)], 0.2, 1e-12);
+  EXPECT_NEAR(program.friction_cloth[node(1, 5)], 0.1, 1e-12);
+  // In the middle of the seam, three triangles of either panel: by mass.
+  EXPECT_NEAR(program.friction_skin[node(0, 17)], (0.3 * 0.6 + 0.1 * 0.2) / 0.4, 1e-12);
+  double across = 0;
+  for (const BendHinge& hinge : program.bend) {
+    if (!hinge.across_seam) continue;
+    // Two right-angled halves of squares of 2 cm, each panel's rigidity from its side.
+    EXPECT_NEAR(hinge.stiffness, 0.5 * (1e-5 + 1e-6) / 0.0004, 1e-9);
+    ++across;
+  }
+  EXPECT_EQ(across, 5);
+  scene.fabrics.clear();
+  EXPECT_HOLDS(samples::error_of([&] { compile(garment, scene, garment.placed); }), "'lining'");
+}
+
+TEST(Program, ThickClothKeepsFartherOff) {
+  PanelMesh garment = sewn_pair();
+  Scene scene;
+  EXPECT_EQ(self_gap_of(scene, garment), 0.002);
+  EXPECT_EQ(body_offset_of(scene, garment), 0.002);
+  scene.fabrics["fleece"].thickness = 0.004;
+  EXPECT_EQ(self_gap_of(scene, garment), 0.002);
+  garment.panels[1].fabric = "fleece";
+  EXPECT_EQ(self_gap_of(scene, garment), 0.004);
+  EXPECT_NEAR(body_offset_of(scene, garment), 0.003, 1e-15);
+  EXPECT_EQ(compile(garment, scene, garment.placed).self_gap, 0.004);
+}
+
 TEST(Program, SewnPointsAreOneNode) {
   const PanelMesh garment = sewn_pair();
   const Program program = compile(garment, {}, garment.placed);

@@ -337,6 +337,24 @@ TEST_F(DressInput, GarmentsThatAreNone) {
   expect_refused(dress(), "garment.");
 }
 
+TEST_F(DressInput, PanelsNameTheirFabrics) {
+  Json json = Json::parse(read_text(folder / "garment.json"));
+  json["panels"][0]["fabric"] = "main";
+  json["panels"][1]["fabric"] = "jersey";
+  write_text(folder / "garment.json", json.dump());
+  expect_refused(dress(), "--fabric main=FILE.json");
+  expect_refused(dress({"--fabric", "main=velvet"}), "velvet");
+  expect_refused(dress({"--fabric", "main=denim", "--fabric", "collar=denim"}), "'collar'");
+  expect_refused(dress({"--fabric", "main=denim", "--fabric", "main=jersey"}), "twice");
+  expect_refused(dress({"--fabric", "denim", "--fabric", "jersey"}), "twice");
+  const pipeline::Run done = dress({"--fabric", "main=denim", "--fabric", "silk-satin"});
+  EXPECT_TRUE(done.exit_code == 0 || done.exit_code == 3) << done.err;
+  const Json scene = Json::parse(read_text(report))["scene"];
+  EXPECT_EQ(scene["fabric"], "silk-satin");
+  EXPECT_EQ(scene["panel_fabrics"]["front"], "denim");
+  EXPECT_EQ(scene["panel_fabrics"]["back"], "jersey");
+}
+
 TEST_F(DressInput, SettingsThatMakeNoSense) {
   expect_refused(dress({"--fabric", "velvet"}), "velvet");
   write_text(folder / "fabric.json", R"({"friction": -1})");
