@@ -17,26 +17,14 @@ void append(TriangleMesh& mesh, const TriangleMesh& more) {
 
 }  // namespace
 
-Subject::Subject(const TriangleMesh& body) : surface_(body) {
-  surfaces_.emplace_back(body);
-  fill_grid();
-}
+Subject::Subject(const TriangleMesh& body)
+    : surfaces_{BodyDistance(body)}, surface_(body), grid_(surfaces_.front()) {}
 
 void Subject::add_layer(const TriangleMesh& garment) {
   surfaces_.emplace_back(garment);
   append(surface_, garment);
   append(cloth_, garment);
-  fill_grid();
-}
-
-void Subject::fill_grid() {
-  std::vector<const BodyDistance*> all;
-  for (const BodyDistance& surface : surfaces_) all.push_back(&surface);
-  if (grid_ == nullptr) {
-    grid_ = std::make_unique<DistanceGrid>(all);
-  } else {
-    *grid_ = DistanceGrid(all);
-  }
+  grid_.add(surfaces_.back());
 }
 
 double Subject::distance(const Vec3& point) const {

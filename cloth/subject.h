@@ -1,7 +1,6 @@
 // What a garment is dressed onto: the body, and the garments that it already wears.
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "geometry/body_distance.h"
@@ -28,17 +27,15 @@ class Subject {
   /// The layers alone, as one mesh; without triangles when there are none.
   const TriangleMesh& cloth() const { return cloth_; }
   /// Signed distance to the whole surface, smoothed, at a cell's cost [see DistanceGrid].
-  const DistanceGrid& grid() const { return *grid_; }
+  const DistanceGrid& grid() const { return grid_; }
   /// The same exactly, about O(log n): the least of the distances to body and layers.
   double distance(const Vec3& point) const;
 
  private:
-  void fill_grid();
-
   std::vector<BodyDistance> surfaces_;
   TriangleMesh surface_;
   TriangleMesh cloth_;
-  std::unique_ptr<DistanceGrid> grid_;
+  DistanceGrid grid_;
 };
 
 }  // namespace toile

@@ -1,27 +1,24 @@
 #include "geometry/body_distance.h"
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/intersections.h>
+#include <oneapi/tbb/parallel_for.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "geometry/error.h"
+#include "geometry/half_edges.h"
 #include "geometry/nearest.h"
+#include "geometry/triangle_tree.h"
 
 namespace toile {
 
 namespace {
 
-// Distances need no exact predicates, and the plain kernel is 15-35 % faster.
+// What triangles_in_box tells needs no exact predicates.
 using Kernel = CGAL::Simple_cartesian<double>;
-using Triangles = std::vector<Kernel::Triangle_3>;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-using AabbTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
 Kernel::Point_3 to_cgal(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
@@ -44,9 +41,10 @@ double beside_border(const Vec3& away, const Vec3& normal) {
 }  // namespace
 
 struct BodyDistance::Tree {
-  TriangleMesh body;
-  Triangles triangles;
-  AabbTree aabb;
+  explicit Tree(const TriangleMesh& mesh) : body(mesh), tree(body) { compute_normals(); }
+
+  const TriangleMesh body;
+  const TriangleTree tree;
   std::vector<Vec3> face_normals;
   std::vector<std::array<Vec3, 3>> edge_normals;  // of the edge opposite to corner i
   std::vector<Vec3> vertex_normals;
@@ -64,44 +62,40 @@ struct BodyDistance::Tree {
 };
 
 void BodyDistance::Tree::compute_normals() {
-  face_normals.resize(body.triangles.size());
-  edge_normals.resize(body.triangles.size());
+  const std::size_t count = body.triangles.size();
+  face_normals.resize(count);
+  edge_normals.resize(count);
+  edge_is_border.resize(count);
   vertex_normals.assign(body.points.size(), Vec3::Zero());
   vertex_is_border.assign(body.points.size(), 0);
-  edge_is_border.resize(body.triangles.size());
-  struct Edge {
-    Vec3 normal = Vec3::Zero();
-    int triangles = 0;
-  };
-  std::map<std::pair<int, int>, Edge> across;
-  const auto edge_key = [](int a, int b) { return std::pair(std::min(a, b), std::max(a, b)); };
-  for (std::size_t t = 0; t < body.triangles.size(); ++t) {
+  std::vector<Vec3> angles(count);  // at the triangles' corners
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t t) {
     const Triangle& corners = body.triangles[t];
     const Vec3& a = body.points[corners[0]];
     const Vec3& b = body.points[corners[1]];
     const Vec3& c = body.points[corners[2]];
     face_normals[t] = (b - a).cross(c - a).normalized();
+    angles[t] = {corner_angle(a, b, c), corner_angle(b, c, a), corner_angle(c, a, b)};
+  });
+  for (std::size_t t = 0; t < count; ++t) {
     for (int i = 0; i < 3; ++i) {
-      const int here = corners[i];
-      const int next = corners[(i + 1) % 3];
-      const int last = corners[(i + 2) % 3];
-      vertex_normals[here] +=
-          corner_angle(body.points[here], body.points[next], body.points[last]) * face_normals[t];
-      Edge& edge = across[edge_key(next, last)];
-      edge.normal += face_normals[t];
-      ++edge.triangles;
+      vertex_normals[body.triangles[t][i]] += angles[t][i] * face_normals[t];
     }
   }
   for (Vec3& normal : vertex_normals) normal.normalize();
-  for (std::size_t t = 0; t < body.triangles.size(); ++t) {
-    const Triangle& corners = body.triangles[t];
-    for (int i = 0; i < 3; ++i) {
-      const int next = corners[(i + 1) % 3];
-      const int last = corners[(i + 2) % 3];
-      const Edge& edge = across.at(edge_key(next, last));
-      edge_normals[t][i] = edge.normal.normalized();
-      edge_is_border[t][i] = edge.triangles == 1;
-      if (edge.triangles == 1) vertex_is_border[next] = vertex_is_border[last] = 1;
+  const std::vector<HalfEdge> sides = half_edges(body.triangles, body.points.size());
+  for (std::size_t i = 0; i < sides.size();) {
+    std::size_t end = i;
+    Vec3 normal = Vec3::Zero();
+    for (; end < sides.size() && sides[end].same_edge(sides[i]); ++end) {
+      normal += face_normals[sides[end].triangle];
+    }
+    normal.normalize();
+    const bool is_border = end - i == 1;
+    if (is_border) vertex_is_border[sides[i].low] = vertex_is_border[sides[i].high] = 1;
+    for (; i < end; ++i) {
+      edge_normals[sides[i].triangle][sides[i].opposite] = normal;
+      edge_is_border[sides[i].triangle][sides[i].opposite] = is_border;
     }
   }
 }
@@ -135,47 +129,35 @@ BodyPoint BodyDistance::Tree::describe(const Vec3& query, int triangle) const {
   return found;
 }
 
-BodyDistance::BodyDistance(const TriangleMesh& body) : tree_(std::make_unique<Tree>()) {
+BodyDistance::BodyDistance(const TriangleMesh& body) {
   if (body.triangles.empty()) throw Error("body", "has no triangles", "give a body mesh");
-  tree_->body = body;
-  tree_->triangles.reserve(body.triangles.size());
-  for (const Triangle& t : body.triangles) {
-    tree_->triangles.emplace_back(to_cgal(body.points[t[0]]), to_cgal(body.points[t[1]]),
-                                  to_cgal(body.points[t[2]]));
-  }
-  tree_->aabb.rebuild(tree_->triangles.cbegin(), tree_->triangles.cend());
-  tree_->compute_normals();
-  // Both are built on first use otherwise, which threads must not race for.
-  tree_->aabb.build();
-  tree_->aabb.accelerate_distance_queries();
+  tree_ = std::make_shared<const Tree>(body);
 }
-
-BodyDistance::~BodyDistance() = default;
-BodyDistance::BodyDistance(BodyDistance&&) noexcept = default;
-BodyDistance& BodyDistance::operator=(BodyDistance&&) noexcept = default;
 
 void BodyDistance::triangles_in_box(const Vec3& low, const Vec3& high,
                                     std::vector<int>& found) const {
-  std::vector<Triangles::const_iterator> met;
-  tree_->aabb.all_intersected_primitives(
-      CGAL::Bbox_3(low.x(), low.y(), low.z(), high.x(), high.y(), high.z()),
-      std::back_inserter(met));
-  for (const auto& triangle : met) {
-    found.push_back(static_cast<int>(triangle - tree_->triangles.cbegin()));
-  }
+  const CGAL::Bbox_3 box(low.x(), low.y(), low.z(), high.x(), high.y(), high.z());
+  const std::size_t before = found.size();
+  tree_->tree.meeting(low, high, found);
+  const auto misses = [&](int triangle) {
+    const Triangle& corners = tree_->body.triangles[triangle];
+    return !CGAL::do_intersect(box, Kernel::Triangle_3(to_cgal(tree_->body.points[corners[0]]),
+                                                       to_cgal(tree_->body.points[corners[1]]),
+                                                       to_cgal(tree_->body.points[corners[2]])));
+  };
+  found.erase(
+      std::remove_if(found.begin() + static_cast<std::ptrdiff_t>(before), found.end(), misses),
+      found.end());
 }
 
 const TriangleMesh& BodyDistance::body() const { return tree_->body; }
 
 BodyPoint BodyDistance::nearest(const Vec3& query) const {
-  const auto found = tree_->aabb.closest_point_and_primitive(to_cgal(query));
-  return tree_->describe(query, static_cast<int>(found.second - tree_->triangles.cbegin()));
+  return tree_->describe(query, tree_->tree.nearest(query));
 }
 
 BodyPoint BodyDistance::nearest(const Vec3& query, const BodyPoint& hint) const {
-  const auto found = tree_->aabb.closest_point_and_primitive(
-      to_cgal(query), {to_cgal(hint.point), tree_->triangles.cbegin() + hint.triangle});
-  return tree_->describe(query, static_cast<int>(found.second - tree_->triangles.cbegin()));
+  return tree_->describe(query, tree_->tree.nearest(query, hint.triangle));
 }
 
 }  // namespace toile

@@ -15,10 +15,10 @@ struct BodyPoint {
   int triangle = 0;     ///< index into the body's triangles
 };
 
-/// Exact distances to a body surface, through an AABB tree. The sign comes from the
+/// Exact distances to a body surface, through a tree of boxes. The sign comes from the
 /// angle-weighted normal of the nearest feature [Baerentzen & Aanaes 2005], so the surface has to
 /// be outward-oriented. Queries are const and may run in several threads at once.
-/// Building is O(n log n) in the triangles, a query about O(log n).
+/// Building is O(n log n) in the triangles, a query about O(log n). Copies share what was built.
 ///
 /// A closed surface is a body: negative inside. An open one is a sheet, such as a dressed garment:
 /// positive before its right side, negative behind its wrong side, and beyond its border, where the
@@ -32,9 +32,6 @@ class BodyDistance {
 
   /// Keeps a copy of the surface. Throws Error when it has no triangles.
   explicit BodyDistance(const TriangleMesh& body);
-  ~BodyDistance();
-  BodyDistance(BodyDistance&&) noexcept;
-  BodyDistance& operator=(BodyDistance&&) noexcept;
 
   BodyPoint nearest(const Vec3& query) const;
   /// As nearest(), starting from an answer known to be near: faster, the same distance.
@@ -48,7 +45,7 @@ class BodyDistance {
 
  private:
   struct Tree;
-  std::unique_ptr<Tree> tree_;
+  std::shared_ptr<const Tree> tree_;
 };
 
 }  // namespace toile

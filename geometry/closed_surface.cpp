@@ -1,19 +1,13 @@
 #include "geometry/closed_surface.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cstdint>
 #include <vector>
+
+#include "geometry/half_edges.h"
 
 namespace toile {
 
 namespace {
-
-/// A directed edge a -> b as one number that sorts next to its reverse.
-struct HalfEdge {
-  std::uint64_t key;  // smaller end, larger end
-  bool forward;       // from the smaller end to the larger
-};
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {
   return std::to_string(count) + ' ' + (count == 1 ? one : many);
@@ -23,28 +17,21 @@ std::string counted(std::size_t count, const std::string& one, const std::string
 
 std::string closed_surface_defect(const TriangleMesh& mesh) {
   if (mesh.triangles.empty()) return "has no triangles";
-  std::vector<HalfEdge> edges;
-  edges.reserve(3 * mesh.triangles.size());
   double volume = 0;
   const Vec3& origin = mesh.points[static_cast<std::size_t>(mesh.triangles[0][0])];
   for (const Triangle& triangle : mesh.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto a = static_cast<std::uint32_t>(triangle[k]);
-      const auto b = static_cast<std::uint32_t>(triangle[(k + 1) % 3]);
-      edges.push_back({static_cast<std::uint64_t>(std::min(a, b)) << 32U | std::max(a, b), a < b});
-    }
     const auto from_origin = [&](std::size_t k) -> Vec3 {
       return mesh.points[static_cast<std::size_t>(triangle[k])] - origin;
     };
     volume += from_origin(0).dot(from_origin(1).cross(from_origin(2)));
   }
-  std::ranges::sort(edges, {}, &HalfEdge::key);
+  const std::vector<HalfEdge> edges = half_edges(mesh.triangles, mesh.points.size());
   std::size_t border = 0;
   std::size_t crowded = 0;
   std::size_t turned = 0;
   for (std::size_t i = 0; i < edges.size();) {
     std::size_t end = i;
-    while (end < edges.size() && edges[end].key == edges[i].key) ++end;
+    while (end < edges.size() && edges[end].same_edge(edges[i])) ++end;
     if (end - i == 1) ++border;
     if (end - i > 2) ++crowded;
     if (end - i == 2 && edges[i].forward == edges[i + 1].forward) ++turned;

@@ -1,131 +1,185 @@
 #include "geometry/distance_grid.h"
 
-#include <oneapi/tbb/parallel_for.h>
-
-#include <algorithm>
+#include <atomic>
 #include <cmath>
-#include <limits>
+#include <cstring>
+
+#include "geometry/surface_nodes.h"
 
 namespace toile {
 
 namespace {
 
-/// Coarse cells are this many fine ones along each axis.
-constexpr int coarsening = 4;
+/// Nodes along each axis that a block holds as the nearest of some point, and with the rim that
+/// the spline around them needs.
+constexpr int block_side = 8;
+constexpr int rimmed_side = block_side + 2;
+constexpr int bricks_a_block = block_side / SurfaceNodes::side;
 
-/// Nodes of a regular grid, filled with tree distances along x so that each query starts from its
-/// neighbour's answer. The rows are independent, so the values don't depend on the threads.
-template <typename Wanted>
-void fill_exactly(const std::vector<const BodyDistance*>& surfaces, const Vec3& origin, double cell,
-                  const std::array<int, 3>& size, std::vector<float>& values,
-                  const Wanted& wanted) {
-  tbb::parallel_for(0, size[1] * size[2], [&](int row) {
-    const int j = row % size[1];
-    const int k = row / size[1];
-    std::vector<BodyPoint> last(surfaces.size());
-    bool known = false;
-    for (int i = 0; i < size[0]; ++i) {
-      if (!wanted(i, j, k)) continue;
-      const Vec3 point = origin + cell * Vec3(i, j, k);
-      double least = std::numeric_limits<double>::max();
-      for (std::size_t s = 0; s < surfaces.size(); ++s) {
-        last[s] = known ? surfaces[s]->nearest(point, last[s]) : surfaces[s]->nearest(point);
-        least = std::min(least, last[s].distance);
-      }
-      known = true;
-      values[static_cast<std::size_t>(row) * size[0] + i] = static_cast<float>(least);
-    }
-  });
-}
+using Index = SurfaceNodes::Index;
+
+using Four = Eigen::Array4d;
 
 }  // namespace
 
-DistanceGrid::DistanceGrid(const BodyDistance& body, const DistanceGridOptions& options)
-    : DistanceGrid(std::vector{&body}, options) {}
+/// All nodes that a lookup needs, next to each other: along x first, then y, then z.
+struct DistanceGrid::Block {
+  float values[rimmed_side * rimmed_side * rimmed_side + 1];  // rows are read by fours
+};
 
-DistanceGrid::DistanceGrid(const std::vector<const BodyDistance*>& surfaces,
-                           const DistanceGridOptions& options)
-    : cell_(options.cell), band_(options.band), padding_(options.padding) {
-  Vec3 low = surfaces.front()->body().points.front();
+/// The blocks, and what they are filled from.
+struct DistanceGrid::Table {
+  NodeLattice lattice;
+  std::vector<std::unique_ptr<SurfaceNodes>> surfaces;
+  Index first = {0, 0, 0};  // block; it begins at node block_side * first
+  Index size = {0, 0, 0};   // blocks along each axis
+  std::unique_ptr<std::atomic<const Block*>[]> blocks;
+
+  ~Table() { drop(); }
+  void drop() {
+    if (blocks == nullptr) return;
+    for (int i = 0; i < size[0] * size[1] * size[2]; ++i) delete blocks[i].load();
+    blocks.reset();
+  }
+  void add(const BodyDistance& surface, double padding);
+  const Block* compute(const Index& block) const;
+};
+
+void DistanceGrid::Table::add(const BodyDistance& surface, double padding) {
+  Vec3 low = surface.body().points.front();
   Vec3 high = low;
-  for (const BodyDistance* surface : surfaces) {
-    for (const Vec3& p : surface->body().points) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
+  for (const Vec3& p : surface.body().points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
   }
-  const double coarse_cell = coarsening * cell_;
-  origin_ = low - Vec3::Constant(padding_ + cell_);
-  std::array<int, 3> coarse_size;
+  const double around = padding + lattice.cell;
+  if (surfaces.empty()) lattice.origin = low - Vec3::Constant(around);
+  const double side = block_side * lattice.cell;
+  Index new_first = first;
+  Index new_size;
   for (int axis = 0; axis < 3; ++axis) {
-    const double extent = high[axis] + padding_ + cell_ - origin_[axis];
-    coarse_size[axis] = static_cast<int>(std::ceil(extent / coarse_cell)) + 1;
-    size_[axis] = (coarse_size[axis] - 1) * coarsening + 1;
+    const double from = low[axis] - around - lattice.origin[axis];
+    const double to = high[axis] + around - lattice.origin[axis];
+    new_first[axis] = std::min(first[axis], static_cast<int>(std::floor(from / side)));
+    new_size[axis] =
+        std::max(first[axis] + size[axis], static_cast<int>(std::ceil(to / side)) + 1) -
+        new_first[axis];
   }
+  drop();
+  first = new_first;
+  size = new_size;
+  blocks.reset(
+      new std::atomic<const Block*>[static_cast<std::size_t>(size[0]) * size[1] * size[2]] {});
+  surfaces.push_back(std::make_unique<SurfaceNodes>(surface, lattice));
+  Index first_brick;
+  Index bricks;
+  for (int axis = 0; axis < 3; ++axis) {
+    first_brick[axis] = bricks_a_block * first[axis] - 1;
+    bricks[axis] = bricks_a_block * size[axis] + 2;
+  }
+  for (const auto& nodes : surfaces) nodes->cover(first_brick, bricks);
+}
 
-  std::vector<float> coarse(static_cast<std::size_t>(coarse_size[0]) * coarse_size[1] *
-                            coarse_size[2]);
-  fill_exactly(surfaces, origin_, coarse_cell, coarse_size, coarse,
-               [](int, int, int) { return true; });
-
-  // Everywhere first from the coarse grid (trilinear), ...
-  values_.resize(static_cast<std::size_t>(size_[0]) * size_[1] * size_[2]);
-  const auto coarse_at = [&](int i, int j, int k) {
-    return coarse[(static_cast<std::size_t>(k) * coarse_size[1] + j) * coarse_size[0] + i];
-  };
-  tbb::parallel_for(0, size_[2], [&](int k) {
-    const int ck = std::min(k / coarsening, coarse_size[2] - 2);
-    const float w = static_cast<float>(k - ck * coarsening) / coarsening;
-    for (int j = 0; j < size_[1]; ++j) {
-      const int cj = std::min(j / coarsening, coarse_size[1] - 2);
-      const float v = static_cast<float>(j - cj * coarsening) / coarsening;
-      for (int i = 0; i < size_[0]; ++i) {
-        const int ci = std::min(i / coarsening, coarse_size[0] - 2);
-        const float u = static_cast<float>(i - ci * coarsening) / coarsening;
-        float sum = 0;
-        for (int corner = 0; corner < 8; ++corner) {
-          const int a = corner & 1;
-          const int b = (corner >> 1) & 1;
-          const int c = corner >> 2;
-          sum += (a ? u : 1 - u) * (b ? v : 1 - v) * (c ? w : 1 - w) *
-                 coarse_at(ci + a, cj + b, ck + c);
+const DistanceGrid::Block* DistanceGrid::Table::compute(const Index& block) const {
+  auto made = std::make_unique<Block>();
+  constexpr int side = SurfaceNodes::side;
+  constexpr int bricks = bricks_a_block + 2;
+  const auto fill = [&](const SurfaceNodes& nodes, const Index& brick, bool is_first) {
+    const SurfaceNodes::Brick& from = nodes.at({bricks_a_block * block[0] - 1 + brick[0],
+                                                bricks_a_block * block[1] - 1 + brick[1],
+                                                bricks_a_block * block[2] - 1 + brick[2]});
+    // The rim begins with the last node of the first brick.
+    Index low;
+    Index high;
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = brick[axis] == 0 ? side - 1 : 0;
+      high[axis] = brick[axis] == bricks - 1 ? 1 : side;
+    }
+    for (int k = low[2]; k < high[2]; ++k) {
+      for (int j = low[1]; j < high[1]; ++j) {
+        float* const row = &made->values[((side * brick[2] + k - side + 1) * rimmed_side +
+                                          side * brick[1] + j - side + 1) *
+                                             rimmed_side +
+                                         side * brick[0] - side + 1];
+        for (int i = low[0]; i < high[0]; ++i) {
+          const float value = from[(k * side + j) * side + i];
+          row[i] = is_first ? value : std::min(row[i], value);
         }
-        values_[index(i, j, k)] = sum;
       }
     }
-  });
+  };
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    for (int number = 0; number < bricks * bricks * bricks; ++number) {
+      fill(*surfaces[s], {number % bricks, number / bricks % bricks, number / bricks / bricks},
+           s == 0);
+    }
+  }
+  return made.release();
+}
 
-  // ... then exactly near the skin. A distance changes no faster than the point moves, and no point
-  // of a cell is farther from a corner than half its diagonal.
-  interpolation_error_ = 0.5 * std::sqrt(3.0) * coarse_cell;
-  const float reach = static_cast<float>(band_ + interpolation_error_);
-  std::vector<char> near(values_.size());
-  for (std::size_t n = 0; n < values_.size(); ++n) near[n] = std::abs(values_[n]) < reach;
-  fill_exactly(surfaces, origin_, cell_, size_, values_,
-               [&](int i, int j, int k) { return near[index(i, j, k)] != 0; });
+DistanceGrid::DistanceGrid(const BodyDistance& body, const DistanceGridOptions& options)
+    : DistanceGrid(std::vector{body}, options) {}
+
+DistanceGrid::DistanceGrid(const std::vector<BodyDistance>& surfaces,
+                           const DistanceGridOptions& options)
+    : options_(options), table_(std::make_unique<Table>()) {
+  table_->lattice = {Vec3::Zero(), options.cell, options.band};
+  interpolation_error_ = table_->lattice.interpolation_error();
+  for (const BodyDistance& surface : surfaces) add(surface);
+}
+
+DistanceGrid::~DistanceGrid() = default;
+DistanceGrid::DistanceGrid(DistanceGrid&&) noexcept = default;
+DistanceGrid& DistanceGrid::operator=(DistanceGrid&&) noexcept = default;
+
+void DistanceGrid::add(const BodyDistance& surface) {
+  table_->add(surface, options_.padding);
+  const Index& first = table_->first;
+  origin_ =
+      table_->lattice.origin + block_side * options_.cell * Vec3(first[0], first[1], first[2]);
+  nodes_a_metre_ = 1 / options_.cell;
+  blocks_ = table_->size;
 }
 
 DistanceGrid::Sample DistanceGrid::beyond(const Vec3& point) const {
-  if (!point.allFinite()) return {padding_, Vec3::Zero()};
-  const Vec3 low = origin_ + Vec3::Constant(1.5 * cell_);
-  const Vec3 high = origin_ + cell_ * Vec3(size_[0] - 2.5, size_[1] - 2.5, size_[2] - 2.5);
-  const Vec3 inside = point.cwiseMax(low).cwiseMin(high);
+  if (!point.allFinite()) return {options_.padding, Vec3::Zero()};
+  const Vec3 high =
+      origin_ +
+      options_.cell * (block_side * Vec3(blocks_[0], blocks_[1], blocks_[2]) - Vec3::Ones());
+  const Vec3 inside = point.cwiseMax(origin_).cwiseMin(high);
   const Sample there = at(inside);
   const Vec3 from_skin = point - inside + there.distance * there.gradient;
   // The grid is convex and holds the body: no nearer than the two legs of a right angle tell.
   return {std::hypot(there.distance, (point - inside).norm()), from_skin.normalized()};
 }
 
+const DistanceGrid::Block* DistanceGrid::fill(int number) const {
+  const Index& size = table_->size;
+  const Index block = {number % size[0] + table_->first[0],
+                       number / size[0] % size[1] + table_->first[1],
+                       number / size[0] / size[1] + table_->first[2]};
+  // Two threads may compute the same: the values are the same, the first to be done stays.
+  std::unique_ptr<const Block> made(table_->compute(block));
+  const Block* found = nullptr;
+  if (table_->blocks[number].compare_exchange_strong(found, made.get(),
+                                                     std::memory_order_acq_rel)) {
+    found = made.release();
+  }
+  return found;
+}
+
 DistanceGrid::Sample DistanceGrid::at(const Vec3& point) const {
-  const Vec3 local = (point - origin_) / cell_;
-  int base[3];
+  int block[3];
+  int corner[3];
   double weight[3][3];
   double slope[3][3];
   for (int axis = 0; axis < 3; ++axis) {
-    if (!(local[axis] >= 1 && local[axis] <= size_[axis] - 2)) return beyond(point);
-    const int centre = std::min(static_cast<int>(local[axis] + 0.5), size_[axis] - 2);
-    const double t = local[axis] - centre;  // in [-0.5, 0.5]
-    base[axis] = centre - 1;
+    const double local = (point[axis] - origin_[axis]) * nodes_a_metre_;
+    if (!(local >= -0.5 && local < block_side * blocks_[axis] - 0.5)) return beyond(point);
+    const int centre = static_cast<int>(local + 0.5);
+    const double t = local - centre;  // in [-0.5, 0.5]
+    block[axis] = centre / block_side;
+    corner[axis] = centre % block_side;  // one lower, and the block begins one lower
     weight[axis][0] = 0.5 * (0.5 - t) * (0.5 - t);
     weight[axis][1] = 0.75 - t * t;
     weight[axis][2] = 0.5 * (0.5 + t) * (0.5 + t);
@@ -133,20 +187,36 @@ DistanceGrid::Sample DistanceGrid::at(const Vec3& point) const {
     slope[axis][1] = -2 * t;
     slope[axis][2] = t + 0.5;
   }
-  double value = 0;
-  Vec3 gradient = Vec3::Zero();
+  const int number = (block[2] * blocks_[1] + block[1]) * blocks_[0] + block[0];
+  const Block* found = table_->blocks[number].load(std::memory_order_acquire);
+  if (found == nullptr) found = fill(number);
+  const float* row =
+      &found->values[(corner[2] * rimmed_side + corner[1]) * rimmed_side + corner[0]];
+  // Sums over y and z for three neighbours along x at a time, and a fourth that is not used.
+  Four value = Four::Zero();
+  Four along_y = Four::Zero();
+  Four along_z = Four::Zero();
   for (int c = 0; c < 3; ++c) {
+    Four sum = Four::Zero();
+    Four rise = Four::Zero();
     for (int b = 0; b < 3; ++b) {
-      const float* row = &values_[index(base[0], base[1] + b, base[2] + c)];
-      const double along = weight[0][0] * row[0] + weight[0][1] * row[1] + weight[0][2] * row[2];
-      const double rise = slope[0][0] * row[0] + slope[0][1] * row[1] + slope[0][2] * row[2];
-      value += weight[1][b] * weight[2][c] * along;
-      gradient.x() += weight[1][b] * weight[2][c] * rise;
-      gradient.y() += slope[1][b] * weight[2][c] * along;
-      gradient.z() += weight[1][b] * slope[2][c] * along;
+      const Four values =
+          Eigen::Map<const Eigen::Array4f>(row + (c * rimmed_side + b) * rimmed_side)
+              .cast<double>();
+      sum += weight[1][b] * values;
+      rise += slope[1][b] * values;
     }
+    value += weight[2][c] * sum;
+    along_y += weight[2][c] * rise;
+    along_z += slope[2][c] * sum;
   }
-  return {value, gradient / cell_};
+  const auto across = [](const Four& of, const double(&by)[3]) {
+    return by[0] * of[0] + by[1] * of[1] + by[2] * of[2];
+  };
+  Sample sample{across(value, weight[0]),
+                {across(value, slope[0]), across(along_y, weight[0]), across(along_z, weight[0])}};
+  sample.gradient *= nodes_a_metre_;
+  return sample;
 }
 
 }  // namespace toile

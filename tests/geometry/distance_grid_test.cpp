@@ -1,9 +1,11 @@
 #include "geometry/distance_grid.h"
 
 #include <gtest/gtest.h>
-#include <oneapi/tbb/global_control.h>
 
+#include <algorithm>
 #include <optional>
+#include <random>
+#include <thread>
 
 #include "tests/support/shapes.h"
 #include "tests/support/tubes.h"
@@ -50,13 +52,88 @@ TEST_F(SphereGrid, TellsInsideFromOutsideEverywhere) {
   EXPECT_GT(grid.at({std::nan(""), 0, 0}).distance, 0.02);
 }
 
-TEST_F(SphereGrid, HasTheSameBitsForAnyNumberOfThreads) {
-  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  const DistanceGrid alone(body);
-  for (int i = 0; i < 300; ++i) {
-    const Vec3 p(0.1 * std::sin(i), 0.1 * std::cos(2.0 * i), 0.1 * std::sin(3.0 * i));
-    EXPECT_EQ(alone.at(p).distance, grid.at(p).distance);
+/// Points in and around a box about the shape, more of them near it than far.
+std::vector<Vec3> scattered(const TriangleMesh& mesh, int count) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  std::vector<Vec3> points;
+  for (int i = 0; i < count; ++i) {
+    const Vec3& at = mesh.points[random() % mesh.points.size()];
+    const double off = std::array{0.01, 0.05, 0.3}[static_cast<std::size_t>(i) % 3];
+    points.push_back(at + off * Vec3(unit(random), unit(random), unit(random)));
   }
+  return points;
+}
+
+TEST_F(SphereGrid, HasTheSameBitsForAnyThreadsAndOrderOfAsking) {
+  const std::vector<Vec3> points = scattered(body.body(), 3000);
+  const DistanceGrid backward(body);
+  for (std::size_t i = points.size(); i-- > 0;) backward.at(points[i]);
+  // Four threads that ask for the same blocks at once.
+  const DistanceGrid crowded(body);
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 4; ++t) {
+    threads.emplace_back([&] {
+      for (const Vec3& p : points) crowded.at(p);
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const Vec3& p : points) {
+    const auto expected = grid.at(p);
+    for (const DistanceGrid* other : {&backward, &crowded}) {
+      EXPECT_EQ(other->at(p).distance, expected.distance);
+      EXPECT_EQ(other->at(p).gradient, expected.gradient);
+    }
+  }
+}
+
+TEST_F(SphereGrid, NeverSaysMoreThanAtLeastAllows) {
+  double largest = 0;
+  for (const Vec3& p : scattered(body.body(), 3000)) {
+    const double said = grid.at(p).distance;
+    const double exact = body.nearest(p).distance;
+    // The smoothing of the spline aside; deep inside nobody asks for clearance.
+    if (exact > -0.02) {
+      EXPECT_LT(grid.at_least(said), exact + 1e-4);
+    }
+    if (std::abs(exact) > 0.002) {
+      EXPECT_EQ(said < 0, exact < 0);
+    }
+    if (std::abs(exact) < 0.04) largest = std::max(largest, std::abs(said - exact));
+  }
+  std::cout << "within " << 1000 * largest << " mm up to 40 mm off\n";
+  EXPECT_LT(largest, 0.002);
+}
+
+TEST(DistanceGrid, IsExactOnEveryFeatureAtItsNodes) {
+  // A box's edges and corners, concave ones too: the spline through exact values at the nodes is
+  // what the grid says.
+  const BodyDistance body(test::box({-0.04, 0, -0.03}, {0.05, 0.3, 0.04}));
+  const DistanceGridOptions options;
+  const DistanceGrid grid(body, options);
+  const Vec3 origin = Vec3(-0.04, 0, -0.03) - Vec3::Constant(options.padding + options.cell);
+  double largest = 0;
+  for (const Vec3& p : scattered(body.body(), 600)) {
+    double spline = 0;
+    bool near = true;
+    const Vec3 local = (p - origin) / options.cell;
+    Vec3 weights[3];
+    Vec3 centre;
+    for (int axis = 0; axis < 3; ++axis) {
+      centre[axis] = std::floor(local[axis] + 0.5);
+      const double t = local[axis] - centre[axis];
+      weights[axis] = {0.5 * (0.5 - t) * (0.5 - t), 0.75 - t * t, 0.5 * (0.5 + t) * (0.5 + t)};
+    }
+    for (int n = 0; n < 27; ++n) {
+      const Vec3 node = centre + Vec3(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+      const double exact = body.nearest(origin + options.cell * node).distance;
+      near = near && std::abs(exact) < options.band;
+      spline += weights[0][n % 3] * weights[1][n / 3 % 3] * weights[2][n / 9] * exact;
+    }
+    if (near) largest = std::max(largest, std::abs(grid.at(p).distance - spline));
+  }
+  std::cout << "within " << largest << " m of the exact spline\n";
+  EXPECT_LT(largest, 1e-9);
 }
 
 /// A cylinder of 12 cm that wears a sheet `off` metres from its skin, from y = 0.12 to 0.24.
@@ -65,7 +142,7 @@ class WornSheet : public testing::Test {
   void wear(double off) {
     const DressedGarment cloth = test::cloth_tube(0.06 + off, 0.06 + off, 0.12, 0.24, 160, 12);
     sheet.emplace(TriangleMesh{cloth.points, cloth.triangles});
-    grid.emplace(std::vector<const BodyDistance*>{&body, &*sheet});
+    grid.emplace(std::vector{body, *sheet});
   }
   double at(double r, double y, double angle = 0.3) const {
     return grid->at({r * std::sin(angle), y, r * std::cos(angle)}).distance;
@@ -96,6 +173,23 @@ TEST_F(WornSheet, TheBodyWithASheetIsABodyAsLargeAsTheSheet) {
     // Far beyond the hem, the body.
     EXPECT_NEAR(at(0.065, 0.06), 0.005, 8e-5);
     EXPECT_NEAR(at(0.057, 0.06), -0.003, 8e-5);
+  }
+}
+
+TEST_F(WornSheet, AddedToAGridThatWasAskedItIsAsIfItHadBeenThereFirst) {
+  // The sheet is wider than the grid of the body alone.
+  for (const double off : {0.002, 0.1}) {
+    wear(off);
+    std::vector<Vec3> points = scattered(body.body(), 1000);
+    const std::vector<Vec3> more = scattered(sheet->body(), 1000);
+    points.insert(points.end(), more.begin(), more.end());
+    DistanceGrid grown(body);
+    for (const Vec3& p : points) grown.at(p);
+    grown.add(*sheet);
+    for (const Vec3& p : points) {
+      EXPECT_EQ(grown.at(p).distance, grid->at(p).distance);
+      EXPECT_EQ(grown.at(p).gradient, grid->at(p).gradient);
+    }
   }
 }
 

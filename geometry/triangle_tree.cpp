@@ -1,0 +1,235 @@
+#include "geometry/triangle_tree.h"
+
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_invoke.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/nearest.h"
+
+namespace toile {
+
+namespace {
+
+constexpr float infinite = std::numeric_limits<float>::infinity();
+/// Share of the largest coordinate by which rounding can falsify a distance, amply.
+constexpr double rounding = 1e-6;
+
+// Four lanes are what every processor of this kind has.
+using Lanes = float __attribute__((vector_size(16)));
+
+const Lanes& lanes(const float* four) { return *reinterpret_cast<const Lanes*>(four); }
+
+float rounded_down(double value) {
+  const auto near = static_cast<float>(value);
+  return near > value ? std::nextafter(near, -infinite) : near;
+}
+float rounded_up(double value) { return -rounded_down(-value); }
+
+/// A triangle's number and its middle.
+struct Place {
+  Vec3 middle;
+  int triangle;
+};
+
+/// Orders places so that each run of `run` of them, a power of two, and of every smaller power of
+/// two fills a small box.
+void order_by_place(Place* begin, Place* end, std::ptrdiff_t run) {
+  constexpr std::ptrdiff_t worth_a_thread = 4096;
+  while (run > 1 && end - begin <= run / 2) run /= 2;
+  if (run <= 1) return;
+  Vec3 low = begin->middle;
+  Vec3 high = low;
+  for (const Place* place = begin; place != end; ++place) {
+    low = low.cwiseMin(place->middle);
+    high = high.cwiseMax(place->middle);
+  }
+  int axis = 0;
+  (high - low).maxCoeff(&axis);
+  Place* const middle = begin + run / 2;
+  std::nth_element(begin, middle, end, [axis](const Place& a, const Place& b) {
+    return a.middle[axis] != b.middle[axis] ? a.middle[axis] < b.middle[axis]
+                                            : a.triangle < b.triangle;
+  });
+  if (end - begin < worth_a_thread) {
+    order_by_place(begin, middle, run / 2);
+    order_by_place(middle, end, run / 2);
+  } else {
+    tbb::parallel_invoke([=] { order_by_place(begin, middle, run / 2); },
+                         [=] { order_by_place(middle, end, run / 2); });
+  }
+}
+
+}  // namespace
+
+TriangleTree::TriangleTree(const TriangleMesh& mesh) : mesh_(mesh) {
+  for (const Vec3& p : mesh.points) largest_ = std::max(largest_, p.cwiseAbs().maxCoeff());
+  std::vector<Place> places(mesh.triangles.size());
+  tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t t) {
+    const Triangle& c = mesh.triangles[t];
+    places[t] = {(mesh.points[c[0]] + mesh.points[c[1]] + mesh.points[c[2]]) / 3,
+                 static_cast<int>(t)};
+  });
+  std::ptrdiff_t run = 1;
+  while (run < static_cast<std::ptrdiff_t>(places.size())) run *= 2;
+  order_by_place(places.data(), places.data() + places.size(), run);
+  order_.resize(places.size());
+
+  Boxes none;
+  std::fill(&none.low[0][0], &none.low[0][0] + 3 * width, infinite);
+  std::fill(&none.high[0][0], &none.high[0][0] + 3 * width, -infinite);
+  const auto eights = [](std::size_t count) { return (count + width - 1) / width; };
+  levels_.emplace_back(eights(order_.size()), none);
+  tbb::parallel_for(std::size_t{0}, order_.size(), [&](std::size_t i) {
+    order_[i] = places[i].triangle;
+    Boxes& boxes = levels_.front()[i / width];
+    const Triangle& corners = mesh_.triangles[order_[i]];
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto [least, most] =
+          std::minmax({mesh_.points[corners[0]][axis], mesh_.points[corners[1]][axis],
+                       mesh_.points[corners[2]][axis]});
+      boxes.low[axis][i % width] = rounded_down(least);
+      boxes.high[axis][i % width] = rounded_up(most);
+    }
+  });
+  while (levels_.back().size() > 1) {
+    std::vector<Boxes> above(eights(levels_.back().size()), none);
+    for (std::size_t i = 0; i < levels_.back().size(); ++i) {
+      const Boxes& below = levels_.back()[i];
+      for (int axis = 0; axis < 3; ++axis) {
+        above[i / width].low[axis][i % width] =
+            *std::min_element(below.low[axis], below.low[axis] + width);
+        above[i / width].high[axis][i % width] =
+            *std::max_element(below.high[axis], below.high[axis] + width);
+      }
+    }
+    levels_.push_back(std::move(above));
+  }
+}
+
+/// A point that asks how far boxes are.
+struct TriangleTree::Query {
+  Query(const Vec3& point, double largest)
+      : at{static_cast<float>(point.x()), static_cast<float>(point.y()),
+           static_cast<float>(point.z())},
+        slack(rounding * std::max(largest, point.cwiseAbs().maxCoeff())) {}
+
+  /// Squared distances of the eight boxes; infinite where there is no box.
+  void ask(const Boxes& boxes, float (&squared)[width]) const {
+    for (int half = 0; half < width; half += 4) {
+      Lanes sum = {0, 0, 0, 0};
+      for (int axis = 0; axis < 3; ++axis) {
+        const Lanes below = lanes(&boxes.low[axis][half]) - at[axis];
+        const Lanes above = at[axis] - lanes(&boxes.high[axis][half]);
+        Lanes away = below > above ? below : above;
+        away = away > 0 ? away : Lanes{0, 0, 0, 0};
+        sum += away * away;
+      }
+      for (int lane = 0; lane < 4; ++lane) squared[half + lane] = sum[lane];
+    }
+  }
+  /// What a box says at most that holds something within `distance`.
+  float limit(double distance) const { return rounded_up((distance + slack) * (distance + slack)); }
+
+  float at[3];
+  double slack;
+};
+
+struct TriangleTree::Nearest {
+  Query query;
+  Vec3 point;
+  double squared = std::numeric_limits<double>::infinity();
+  float limit = infinite;
+  int triangle = 0;
+
+  void look_at(const TriangleMesh& mesh, int t) {
+    const Triangle& corners = mesh.triangles[t];
+    const Vec3& a = mesh.points[corners[0]];
+    const Vec3& b = mesh.points[corners[1]];
+    const Vec3& c = mesh.points[corners[2]];
+    const Vec3 weights = nearest_on_triangle(point, a, b, c);
+    const double away = (weights[0] * a + weights[1] * b + weights[2] * c - point).squaredNorm();
+    if (away < squared) {
+      squared = away;
+      limit = query.limit(std::sqrt(away));
+      triangle = t;
+    }
+  }
+};
+
+void TriangleTree::search(std::size_t level, std::size_t number, Nearest& nearest) const {
+  float squared[width];
+  nearest.query.ask(levels_[level][number], squared);
+  for (;;) {
+    // The nearest of the eight first: what it holds rules out most of the others.
+    int next = 0;
+    for (int i = 1; i < width; ++i) next = squared[i] < squared[next] ? i : next;
+    if (!(squared[next] < nearest.limit)) return;
+    squared[next] = infinite;
+    const std::size_t child = number * width + static_cast<std::size_t>(next);
+    if (level > 0) {
+      search(level - 1, child, nearest);
+    } else {
+      nearest.look_at(mesh_, order_[child]);
+    }
+  }
+}
+
+int TriangleTree::nearest(const Vec3& point, int hint) const {
+  Nearest nearest{Query(point, largest_), point};
+  if (hint >= 0) nearest.look_at(mesh_, hint);
+  search(levels_.size() - 1, 0, nearest);
+  return nearest.triangle;
+}
+
+template <class Meets, class Visit>
+void TriangleTree::descend(std::size_t level, std::size_t number, const Meets& meets,
+                           const Visit& visit) const {
+  unsigned met = meets(levels_[level][number]);
+  for (std::size_t i = 0; met != 0; ++i, met >>= 1U) {
+    if ((met & 1U) == 0) continue;
+    const std::size_t child = number * width + i;
+    if (level > 0) {
+      descend(level - 1, child, meets, visit);
+    } else {
+      visit(order_[child]);
+    }
+  }
+}
+
+void TriangleTree::within(const Vec3& point, double radius, std::vector<int>& found) const {
+  const Query query(point, largest_);
+  const float limit = query.limit(radius);
+  const auto meets = [&](const Boxes& boxes) {
+    float squared[width];
+    query.ask(boxes, squared);
+    unsigned met = 0;
+    for (unsigned i = 0; i < width; ++i) met |= static_cast<unsigned>(squared[i] <= limit) << i;
+    return met;
+  };
+  descend(levels_.size() - 1, 0, meets, [&](int triangle) { found.push_back(triangle); });
+}
+
+void TriangleTree::meeting(const Vec3& low, const Vec3& high, std::vector<int>& found) const {
+  float least[3];
+  float most[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    least[axis] = rounded_down(low[axis]);
+    most[axis] = rounded_up(high[axis]);
+  }
+  const auto meets = [&](const Boxes& boxes) {
+    unsigned met = 0;
+    for (unsigned i = 0; i < width; ++i) {
+      const bool meets_all = boxes.low[0][i] <= most[0] && boxes.high[0][i] >= least[0] &&
+                             boxes.low[1][i] <= most[1] && boxes.high[1][i] >= least[1] &&
+                             boxes.low[2][i] <= most[2] && boxes.high[2][i] >= least[2];
+      met |= static_cast<unsigned>(meets_all) << i;
+    }
+    return met;
+  };
+  descend(levels_.size() - 1, 0, meets, [&](int triangle) { found.push_back(triangle); });
+}
+
+}  // namespace toile

@@ -1,0 +1,42 @@
+#include "geometry/half_edges.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "tests/support/shapes.h"
+
+namespace toile {
+namespace {
+
+TEST(HalfEdges, EverySideOnceByEdgeThenByTriangle) {
+  const TriangleMesh mesh = test::sphere(0.1, 2);
+  const std::vector<HalfEdge> sides = half_edges(mesh.triangles, mesh.points.size());
+  ASSERT_EQ(sides.size(), 3 * mesh.triangles.size());
+  const auto key = [](const HalfEdge& s) {
+    return std::tuple(s.low, s.high, s.triangle, s.opposite);
+  };
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const HalfEdge& side = sides[i];
+    const Triangle& corners = mesh.triangles[side.triangle];
+    const int from = corners[(side.opposite + 1) % 3];
+    const int to = corners[(side.opposite + 2) % 3];
+    EXPECT_EQ(side.low, std::min(from, to));
+    EXPECT_EQ(side.high, std::max(from, to));
+    EXPECT_EQ(side.forward, from < to);
+    if (i > 0) {
+      EXPECT_LT(key(sides[i - 1]), key(side));
+    }
+    // A closed surface: each edge has two sides, one either way.
+    if (i % 2 == 1) {
+      EXPECT_TRUE(side.same_edge(sides[i - 1]));
+      EXPECT_NE(side.forward, sides[i - 1].forward);
+    }
+  }
+}
+
+TEST(HalfEdges, OfNothingThereAreNone) { EXPECT_TRUE(half_edges({}, 7).empty()); }
+
+}  // namespace
+}  // namespace toile

@@ -1,0 +1,99 @@
+#include "geometry/triangle_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+#include <random>
+
+#include "geometry/nearest.h"
+#include "tests/support/shapes.h"
+
+namespace toile {
+namespace {
+
+/// Triangles of all sizes, anywhere, some of them without area.
+TriangleMesh loose(int count, double scale, const Vec3& middle) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  TriangleMesh mesh;
+  for (int t = 0; t < count; ++t) {
+    const Vec3 at = middle + scale * Vec3(unit(random), unit(random), unit(random));
+    const double size = scale * std::array{0.5, 0.02, 0.0}[static_cast<std::size_t>(t % 17 % 3)];
+    for (int i = 0; i < 3; ++i) {
+      mesh.points.push_back(at + size * Vec3(unit(random), unit(random), unit(random)));
+    }
+    mesh.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+  }
+  return mesh;
+}
+
+double distance(const TriangleMesh& mesh, int triangle, const Vec3& p) {
+  const Triangle& t = mesh.triangles[triangle];
+  const Vec3 w = nearest_on_triangle(p, mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
+  return (w[0] * mesh.points[t[0]] + w[1] * mesh.points[t[1]] + w[2] * mesh.points[t[2]] - p)
+      .norm();
+}
+
+TEST(TriangleTree, FindsWhatLookingAtEveryTriangleFinds) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (const int count : {1, 2, 7, 8, 9, 64, 65, 600}) {
+    // Also far from where coordinates begin, where single precision is coarse.
+    for (const Vec3& middle : {Vec3(0, 0, 0), Vec3(700, -300, 2000)}) {
+      const TriangleMesh mesh = loose(count, 0.3, middle);
+      const TriangleTree tree(mesh);
+      std::vector<int> found;
+      for (int i = 0; i < 60; ++i) {
+        const double off = std::array{0.3, 2.0, 1e-3}[static_cast<std::size_t>(i % 3)];
+        const Vec3 p = mesh.points[random() % mesh.points.size()] +
+                       off * Vec3(unit(random), unit(random), unit(random));
+        double least = 1e9;
+        for (int t = 0; t < count; ++t) least = std::min(least, distance(mesh, t, p));
+        EXPECT_EQ(distance(mesh, tree.nearest(p), p), least);
+        EXPECT_EQ(distance(mesh, tree.nearest(p, i % count), p), least);
+        found.clear();
+        tree.within(p, 1.2 * least + 0.01, found);
+        std::sort(found.begin(), found.end());
+        EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end());
+        for (int t = 0; t < count; ++t) {
+          const bool listed = std::binary_search(found.begin(), found.end(), t);
+          EXPECT_TRUE(listed || distance(mesh, t, p) > 1.2 * least + 0.01);
+        }
+      }
+    }
+  }
+}
+
+TEST(TriangleTree, FindsWhatMeetsABox) {
+  const TriangleMesh mesh = test::sphere(0.1, 4);
+  const TriangleTree tree(mesh);
+  std::vector<int> found;
+  tree.meeting({0, 0, 0}, {0.2, 0.2, 0.2}, found);
+  std::sort(found.begin(), found.end());
+  int corners_inside = 0;
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    const bool listed = std::binary_search(found.begin(), found.end(), t);
+    bool has_corner = false;
+    for (const int corner : mesh.triangles[t]) {
+      has_corner = has_corner || mesh.points[corner].minCoeff() >= 0;
+    }
+    corners_inside += has_corner;
+    EXPECT_TRUE(listed || !has_corner);
+  }
+  EXPECT_LT(static_cast<int>(found.size()), 1.2 * corners_inside);
+  EXPECT_GT(corners_inside, 0);
+}
+
+TEST(TriangleTree, AnswersWhateverItIsAsked) {
+  const TriangleMesh mesh = test::sphere(0.1, 3);
+  const TriangleTree tree(mesh);
+  for (const double odd : {std::nan(""), HUGE_VAL, 1e30, -1e300}) {
+    const int found = tree.nearest({odd, 0, 0});
+    EXPECT_GE(found, 0);
+    EXPECT_LT(found, static_cast<int>(mesh.triangles.size()));
+  }
+}
+
+}  // namespace
+}  // namespace toile
