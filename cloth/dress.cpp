@@ -198,12 +198,13 @@ const StageReport& Dressing::stage(const std::string& name, RelaxOptions options
   // pushes it out on the right side.
   options.layer_contact = options.closing_iterations == 0 && clear_of_layers();
   const std::vector<double> areas = panel_areas(mesh());
+  const Outlines outlines = panel_outlines(mesh());
   const std::vector<double> perimeters = panel_perimeters(mesh());
   int calls = 0;
   const auto watch = [&](const RelaxProgress& at) {
     const std::vector<Vec3> points = point_positions(program_, at.nodes, at.open);
     const double area = largest_change_percent(areas, panel_areas(mesh(), points));
-    const double perimeter = largest_change_percent(perimeters, panel_perimeters(mesh(), points));
+    const double perimeter = largest_change_percent(perimeters, panel_perimeters(outlines, points));
     result_.during.area_percent = std::max(result_.during.area_percent, area);
     result_.during.perimeter_percent = std::max(result_.during.perimeter_percent, perimeter);
     if (watcher_ && calls++ % 4 == 0) watcher_({mesh(), name, points, progress(at, options)});

@@ -7,7 +7,7 @@
 
 #include "cloth/placement.h"
 #include "cloth/program.h"
-#include "cloth/relax.h"
+#include "cloth/relaxation/relax.h"
 
 namespace toile {
 

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 
 #include "geometry/error.h"
@@ -15,10 +14,20 @@ namespace {
 using Edge = std::pair<int, int>;
 
 /// How many triangles each edge has, of the triangles [first, last).
-std::map<Edge, int> edge_uses(const std::vector<Triangle>& triangles, int first, int last) {
-  std::map<Edge, int> uses;
+std::vector<std::pair<Edge, int>> edge_uses(const std::vector<Triangle>& triangles, int first,
+                                            int last) {
+  std::vector<Edge> edges;
+  edges.reserve(3 * static_cast<std::size_t>(last - first));
   for (int t = first; t < last; ++t) {
-    for (int i = 0; i < 3; ++i) ++uses[std::minmax(triangles[t][i], triangles[t][(i + 1) % 3])];
+    for (int i = 0; i < 3; ++i) {
+      edges.push_back(std::minmax(triangles[t][i], triangles[t][(i + 1) % 3]));
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  std::vector<std::pair<Edge, int>> uses;
+  for (const Edge& edge : edges) {
+    if (uses.empty() || uses.back().first != edge) uses.push_back({edge, 0});
+    ++uses.back().second;
   }
   return uses;
 }
@@ -115,21 +124,30 @@ std::vector<double> triangle_perimeters(const PanelMesh& garment) {
   return triangle_perimeters(garment, in_space(garment.flat));
 }
 
-std::vector<double> panel_perimeters(const PanelMesh& garment, const std::vector<Vec3>& points) {
-  std::vector<double> lengths;
+Outlines panel_outlines(const PanelMesh& garment) {
+  Outlines outlines;
   for (const MeshedPanel& panel : garment.panels) {
-    double length = 0;
+    outlines.emplace_back();
     for (const auto& [edge, uses] : edge_uses(garment.triangles, panel.first_triangle,
                                               panel.first_triangle + panel.triangles)) {
-      if (uses == 1) length += (points[edge.first] - points[edge.second]).norm();
+      if (uses == 1) outlines.back().push_back({edge.first, edge.second});
     }
+  }
+  return outlines;
+}
+
+std::vector<double> panel_perimeters(const Outlines& outlines, const std::vector<Vec3>& points) {
+  std::vector<double> lengths;
+  for (const auto& outline : outlines) {
+    double length = 0;
+    for (const auto& [a, b] : outline) length += (points[a] - points[b]).norm();
     lengths.push_back(length);
   }
   return lengths;
 }
 
 std::vector<double> panel_perimeters(const PanelMesh& garment) {
-  return panel_perimeters(garment, in_space(garment.flat));
+  return panel_perimeters(panel_outlines(garment), in_space(garment.flat));
 }
 
 double largest_change_percent(const std::vector<double>& rest, const std::vector<double>& now) {
@@ -167,8 +185,8 @@ GarmentFigures measure_garment(const PanelMesh& pattern, const DressedGarment& d
       100 * (std::accumulate(areas.begin(), areas.end(), 0.0) /
                  std::accumulate(rest_areas.begin(), rest_areas.end(), 0.0) -
              1);
-  figures.perimeter_max_panel_percent =
-      largest_change_percent(panel_perimeters(pattern), panel_perimeters(pattern, points));
+  figures.perimeter_max_panel_percent = largest_change_percent(
+      panel_perimeters(pattern), panel_perimeters(panel_outlines(pattern), points));
   figures.triangle_perimeter_max_panel_percent =
       largest_change_percent(triangle_perimeters(pattern), triangle_perimeters(pattern, points));
   figures.seams = measure_seams(pattern, points);

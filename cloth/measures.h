@@ -1,6 +1,7 @@
 // What is measured on a garment: areas, perimeters, strains, seams.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,7 +16,10 @@ std::vector<double> panel_areas(const PanelMesh& garment, const std::vector<Vec3
 
 /// Length of each panel's outline, its seam edges included, metres.
 std::vector<double> panel_perimeters(const PanelMesh& garment);
-std::vector<double> panel_perimeters(const PanelMesh& garment, const std::vector<Vec3>& points);
+/// The edges of each panel's outline, for those who measure often.
+using Outlines = std::vector<std::vector<std::array<int, 2>>>;
+Outlines panel_outlines(const PanelMesh& garment);
+std::vector<double> panel_perimeters(const Outlines& outlines, const std::vector<Vec3>& points);
 
 /// Sum over each panel of the perimeters of all its triangles, metres: the perimeter of
 /// [Zhong & Xu 2009, fig. 10].

@@ -5,9 +5,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
+#include "cloth/sphere_grid.h"
 #include "geometry/nearest.h"
 
 namespace toile {
@@ -17,6 +17,10 @@ namespace {
 /// Share of the distance to the nearest thing that a vertex may move: both sides move, so just
 /// under a half.
 constexpr double bound_share = 0.45;
+/// Share of its bound that a vertex has used up when an update looks at it anew.
+constexpr double used_share = 0.4;
+/// Where more vertices than this have, all are looked at.
+constexpr double most_updated = 0.25;
 /// Share of the shortest edge at rest that neighbours in the mesh may come near each other.
 constexpr double neighbour_share = 0.25;
 /// N/m, per pair.
@@ -24,96 +28,20 @@ constexpr double push_stiffness = 200;
 /// Metres; below it, forces grow no more.
 constexpr double least_distance = 1e-9;
 /// Vertices or edges that one task looks up; fixed, so that results don't depend on the threads.
-constexpr int chunk = 512;
+constexpr std::size_t chunk = 512;
 
-struct Box {
-  Vec3 low;
-  Vec3 high;
-
-  bool meets(const Box& other, double reach) const {
-    return ((low - other.high).array() < reach).all() && ((other.low - high).array() < reach).all();
-  }
-};
-
-template <std::size_t N>
-Box box_of(const std::array<int, N>& corners, const std::vector<Vec3>& x) {
-  Box box{x[corners[0]], x[corners[0]]};
-  for (std::size_t i = 1; i < N; ++i) {
-    box.low = box.low.cwiseMin(x[corners[i]]);
-    box.high = box.high.cwiseMax(x[corners[i]]);
-  }
-  return box;
+SphereGrid::Sphere sphere_around(const std::array<int, 2>& edge, const std::vector<Vec3>& x) {
+  const Vec3 centre = 0.5 * (x[edge[0]] + x[edge[1]]);
+  return {centre, (x[edge[0]] - centre).norm()};
 }
 
-/// Boxes sorted into the cells of a regular grid.
-class CellGrid {
- public:
-  CellGrid(const std::vector<Box>& boxes, double reach) {
-    origin_ = Vec3::Constant(std::numeric_limits<double>::max());
-    Vec3 high = -origin_;
-    double extent = 0;
-    for (const Box& box : boxes) {
-      origin_ = origin_.cwiseMin(box.low);
-      high = high.cwiseMax(box.high);
-      extent += (box.high - box.low).maxCoeff();
-    }
-    origin_ -= Vec3::Constant(reach);
-    high += Vec3::Constant(reach);
-    cell_ = std::max(extent / std::max<std::size_t>(boxes.size(), 1) + reach, 1e-6);
-    // A runaway vertex must not ask for more cells than memory holds.
-    constexpr double most_cells = 4e6;
-    while (((high - origin_) / cell_ + Vec3::Ones()).prod() > most_cells) cell_ *= 1.5;
-    for (int axis = 0; axis < 3; ++axis) {
-      size_[axis] = static_cast<int>((high[axis] - origin_[axis]) / cell_) + 1;
-    }
-    first_.assign(static_cast<std::size_t>(size_[0]) * size_[1] * size_[2] + 1, 0);
-    for (const Box& box : boxes) {
-      each_cell(box, reach, [&](std::size_t c) { ++first_[c + 1]; });
-    }
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    items_.resize(first_.back());
-    std::vector<int> next(first_.begin(), first_.end() - 1);
-    for (std::size_t b = 0; b < boxes.size(); ++b) {
-      each_cell(boxes[b], reach, [&](std::size_t c) { items_[next[c]++] = static_cast<int>(b); });
-    }
-  }
-
-  std::array<int, 3> cell_at(const Vec3& p) const {
-    std::array<int, 3> cell;
-    for (int axis = 0; axis < 3; ++axis) {
-      cell[axis] =
-          std::clamp(static_cast<int>((p[axis] - origin_[axis]) / cell_), 0, size_[axis] - 1);
-    }
-    return cell;
-  }
-
-  template <typename Visit>
-  void each_cell(const Box& box, double reach, const Visit& visit) const {
-    const auto low = cell_at(box.low - Vec3::Constant(reach));
-    const auto high = cell_at(box.high + Vec3::Constant(reach));
-    for (int k = low[2]; k <= high[2]; ++k) {
-      for (int j = low[1]; j <= high[1]; ++j) {
-        for (int i = low[0]; i <= high[0]; ++i) visit(index({i, j, k}));
-      }
-    }
-  }
-
-  std::size_t index(const std::array<int, 3>& cell) const {
-    return (static_cast<std::size_t>(cell[2]) * size_[1] + cell[1]) * size_[0] + cell[0];
-  }
-
-  template <typename Visit>
-  void each_item(std::size_t cell, const Visit& visit) const {
-    for (int i = first_[cell]; i < first_[cell + 1]; ++i) visit(items_[i]);
-  }
-
- private:
-  Vec3 origin_;
-  double cell_;
-  std::array<int, 3> size_;
-  std::vector<int> first_;
-  std::vector<int> items_;
-};
+/// Not the least one, but a triangle lies within.
+SphereGrid::Sphere sphere_around(const Triangle& t, const std::vector<Vec3>& x) {
+  const Vec3 centre = (x[t[0]] + x[t[1]] + x[t[2]]) / 3;
+  return {centre,
+          std::sqrt(std::max({(x[t[0]] - centre).squaredNorm(), (x[t[1]] - centre).squaredNorm(),
+                              (x[t[2]] - centre).squaredNorm()}))};
+}
 
 std::vector<std::array<int, 2>> edges_of(const std::vector<Triangle>& triangles) {
   std::vector<std::array<int, 2>> edges;
@@ -129,37 +57,41 @@ std::vector<std::array<int, 2>> edges_of(const std::vector<Triangle>& triangles)
   return edges;
 }
 
-struct Found {
-  ContactPair pair;
-  double distance;
-};
-
 /// Runs `search(item, found)` for every item, in chunks side by side, and joins what they found.
-template <typename Search>
-void search_in_chunks(int items, std::vector<Found>& all, const Search& search) {
-  std::vector<std::vector<Found>> found((items + chunk - 1) / chunk);
-  tbb::parallel_for(0, static_cast<int>(found.size()), [&](int c) {
-    const int end = std::min((c + 1) * chunk, items);
-    for (int item = c * chunk; item < end; ++item) search(item, found[c]);
+template <typename Finds, typename Search>
+void search_in_chunks(std::size_t items, Finds& all, const Search& search) {
+  std::vector<Finds> found((items + chunk - 1) / chunk);
+  tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t c) {
+    const std::size_t end = std::min((c + 1) * chunk, items);
+    for (std::size_t item = c * chunk; item < end; ++item) search(item, found[c]);
   });
   for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
 }
 
+template <std::size_t N>
+bool any_of(const std::vector<char>& wanted, const std::array<int, N>& corners) {
+  return std::any_of(corners.begin(), corners.end(), [&](int v) { return wanted[v] != 0; });
+}
+
 }  // namespace
+
+NearestPoints nearest_points(bool edges, const std::array<Vec3, 4>& at) {
+  NearestPoints nearest;
+  if (edges) {
+    const auto [s, t] = nearest_on_segments(at[0], at[1], at[2], at[3]);
+    nearest.weights = {1 - s, s, t - 1, -t};
+  } else {
+    const Vec3 w = nearest_on_triangle(at[0], at[1], at[2], at[3]);
+    nearest.weights = {1, -w[0], -w[1], -w[2]};
+  }
+  nearest.apart = nearest.weights[0] * at[0] + nearest.weights[1] * at[1] +
+                  nearest.weights[2] * at[2] + nearest.weights[3] * at[3];
+  return nearest;
+}
 
 NearestPoints nearest_points(const ContactPair& pair, const std::vector<Vec3>& x) {
   const auto& v = pair.vertices;
-  NearestPoints nearest;
-  if (pair.edges) {
-    const auto [s, t] = nearest_on_segments(x[v[0]], x[v[1]], x[v[2]], x[v[3]]);
-    nearest.weights = {1 - s, s, t - 1, -t};
-  } else {
-    const Vec3 w = nearest_on_triangle(x[v[0]], x[v[1]], x[v[2]], x[v[3]]);
-    nearest.weights = {1, -w[0], -w[1], -w[2]};
-  }
-  nearest.apart = nearest.weights[0] * x[v[0]] + nearest.weights[1] * x[v[1]] +
-                  nearest.weights[2] * x[v[2]] + nearest.weights[3] * x[v[3]];
-  return nearest;
+  return nearest_points(pair.edges, {x[v[0]], x[v[1]], x[v[2]], x[v[3]]});
 }
 
 ContactPush contact_push(double distance, double gap, bool barrier) {
@@ -229,73 +161,139 @@ double ProximitySearch::neighbour_gap(const ContactPair& pair) const {
   return neighbour_share * shortest;
 }
 
-void ProximitySearch::find(const std::vector<Vec3>& x, double radius, double gap,
-                           std::vector<ContactPair>& pairs, std::vector<double>& bound,
-                           bool skip_neighbours) const {
-  std::vector<Found> all;
-  const auto consider = [&](const ContactPair& pair, std::vector<Found>& found) {
+double ProximitySearch::gap_to_keep(const Found& found, double gap) const {
+  if (of_layer(found.pair)) {
+    return (1 - bound_share) * found.distance < layer_gap_ ? layer_gap_ : -1;
+  }
+  if (!neighbours(found.pair)) return gap;
+  // Neighbours that can't touch before the next search need no force.
+  const double kept = std::min(gap, neighbour_gap(found.pair));
+  return found.distance < 3 * kept ? kept : -1;
+}
+
+ProximitySearch::Finds ProximitySearch::near_pairs(const std::vector<Vec3>& x, double radius,
+                                                   const std::vector<char>& wanted) const {
+  Finds all;
+  const bool only_some = !wanted.empty();
+  const auto consider = [&](const ContactPair& pair, Finds& found) {
     const double distance = nearest_points(pair, x).apart.norm();
     if (distance < radius) found.push_back({pair, distance});
   };
+  const auto point_and_triangle = [&](int v, int t, Finds& found) {
+    if (of_layer(v) && t >= moving_triangles_) return;
+    const Triangle& c = triangles_[t];
+    if (same_node(c[0], v) || same_node(c[1], v) || same_node(c[2], v)) return;
+    consider({{v, c[0], c[1], c[2]}, false, 0}, found);
+  };
+  const auto two_edges = [&](int e, int f, Finds& found) {
+    // A layer's edges come after the surface's own.
+    if (e >= moving_edges_) return;
+    const auto& a = edges_[e];
+    const auto& b = edges_[f];
+    if (same_node(a[0], b[0]) || same_node(a[0], b[1]) || same_node(a[1], b[0]) ||
+        same_node(a[1], b[1])) {
+      return;
+    }
+    consider({{a[0], a[1], b[0], b[1]}, true, 0}, found);
+  };
 
-  std::vector<Box> boxes(triangles_.size());
-  for (std::size_t t = 0; t < boxes.size(); ++t) boxes[t] = box_of(triangles_[t], x);
+  std::vector<SphereGrid::Sphere> triangles;
+  triangles.reserve(triangles_.size());
+  for (const Triangle& t : triangles_) triangles.push_back(sphere_around(t, x));
   {
-    const CellGrid grid(boxes, radius);
-    search_in_chunks(static_cast<int>(x.size()), all, [&](int v, std::vector<Found>& found) {
-      const Box here{x[v], x[v]};
-      grid.each_item(grid.index(grid.cell_at(x[v])), [&](int t) {
-        if (of_layer(v) && t >= moving_triangles_) return;
-        const Triangle& c = triangles_[t];
-        if (!boxes[t].meets(here, radius)) return;
-        if (same_node(c[0], v) || same_node(c[1], v) || same_node(c[2], v)) return;
-        consider({{v, c[0], c[1], c[2]}, false, 0}, found);
+    const SphereGrid grid(triangles, radius);
+    search_in_chunks(x.size(), all, [&](std::size_t v, Finds& found) {
+      if (only_some && wanted[v] == 0) return;
+      grid.near(x[v], 0, [&](int t) { point_and_triangle(static_cast<int>(v), t, found); });
+    });
+  }
+  if (only_some) {
+    std::vector<SphereGrid::Sphere> points;
+    points.reserve(x.size());
+    for (const Vec3& p : x) points.push_back({p, 0});
+    const SphereGrid grid(points, radius);
+    search_in_chunks(triangles_.size(), all, [&](std::size_t t, Finds& found) {
+      if (!any_of(wanted, triangles_[t])) return;
+      grid.near(triangles[t].centre, triangles[t].radius, [&](int v) {
+        if (wanted[v] == 0) point_and_triangle(v, static_cast<int>(t), found);
       });
     });
   }
 
-  boxes.resize(edges_.size());
-  for (std::size_t e = 0; e < boxes.size(); ++e) boxes[e] = box_of(edges_[e], x);
-  const CellGrid grid(boxes, 0.5 * radius);
-  // A layer's edges come after the surface's own, and are found from there.
-  search_in_chunks(moving_edges_, all, [&](int e, std::vector<Found>& found) {
-    grid.each_cell(boxes[e], 0.5 * radius, [&](std::size_t cell) {
-      grid.each_item(cell, [&](int f) {
-        if (f <= e) return;
-        const auto& a = edges_[e];
-        const auto& b = edges_[f];
-        if (!boxes[e].meets(boxes[f], radius)) return;
-        if (same_node(a[0], b[0]) || same_node(a[0], b[1]) || same_node(a[1], b[0]) ||
-            same_node(a[1], b[1])) {
-          return;
-        }
-        // Both lie in several cells: the one at the low corner of their overlap reports them.
-        const Vec3 corner = boxes[e].low.cwiseMax(boxes[f].low) - Vec3::Constant(0.5 * radius);
-        if (grid.index(grid.cell_at(corner)) != cell) return;
-        consider({{a[0], a[1], b[0], b[1]}, true, 0}, found);
-      });
+  std::vector<SphereGrid::Sphere> edges;
+  edges.reserve(edges_.size());
+  for (const auto& edge : edges_) edges.push_back(sphere_around(edge, x));
+  const SphereGrid grid(edges, radius);
+  if (!only_some) {
+    search_in_chunks(grid.parts(), all, [&](std::size_t part, Finds& found) {
+      grid.pairs(part, [&](int e, int f) { two_edges(e, f, found); });
+    });
+    return all;
+  }
+  search_in_chunks(edges_.size(), all, [&](std::size_t i, Finds& found) {
+    const int e = static_cast<int>(i);
+    if (!any_of(wanted, edges_[e])) return;
+    grid.near(edges[e].centre, edges[e].radius, [&](int f) {
+      if (f == e || (f < e && any_of(wanted, edges_[f]))) return;
+      two_edges(std::min(e, f), std::max(e, f), found);
     });
   });
+  return all;
+}
 
+void ProximitySearch::find(const std::vector<Vec3>& x, double radius, double gap,
+                           std::vector<ContactPair>& pairs, std::vector<double>& bound,
+                           bool skip_neighbours) const {
   pairs.clear();
   bound.assign(x.size(), bound_share * radius);
-  for (Found& f : all) {
-    if (of_layer(f.pair)) {
-      for (const int v : f.pair.vertices) {
-        bound[v] = std::min(bound[v], bound_share * f.distance);
+  for (Found& found : near_pairs(x, radius, {})) {
+    if (skip_neighbours && !of_layer(found.pair) && neighbours(found.pair)) continue;
+    for (const int v : found.pair.vertices) {
+      bound[v] = std::min(bound[v], bound_share * found.distance);
+    }
+    found.pair.gap = gap_to_keep(found, gap);
+    if (found.pair.gap > 0) pairs.push_back(found.pair);
+  }
+}
+
+void ProximitySearch::update(const std::vector<Vec3>& x, double radius, double gap,
+                             std::vector<ContactPair>& pairs, std::vector<double>& bound,
+                             std::vector<Vec3>& at, bool skip_neighbours) const {
+  std::vector<char> moved(x.size(), 0);
+  std::size_t count = 0;
+  for (int v = 0; v < moving_vertices_; ++v) {
+    moved[v] = (x[v] - at[v]).norm() >= used_share * bound[v];
+    count += moved[v];
+  }
+  if (count > most_updated * moving_vertices_) {
+    find(x, radius, gap, pairs, bound, skip_neighbours);
+    at = x;
+    return;
+  }
+  std::erase_if(pairs, [&](const ContactPair& pair) { return any_of(moved, pair.vertices); });
+  for (std::size_t v = 0; v < x.size(); ++v) {
+    if (moved[v] == 0) continue;
+    at[v] = x[v];
+    bound[v] = bound_share * radius;
+  }
+  // One that keeps its bound may still go as far as its whole width from where it is now.
+  const double seen = bound_share * (2 + used_share) * 1.02 * radius;
+  for (Found& found : near_pairs(x, seen, moved)) {
+    if (skip_neighbours && !of_layer(found.pair) && neighbours(found.pair)) continue;
+    const double most = bound_share * found.distance;
+    for (const int v : found.pair.vertices) {
+      if (moved[v] == 0 && !of_layer(v)) {
+        const double used = (x[v] - at[v]).norm();
+        // The other side keeps to `most`.
+        if (bound[v] + used <= found.distance - most) continue;
+        bound[v] = std::max(bound[v] - used, 0.0);
+        at[v] = x[v];
       }
-      f.pair.gap = layer_gap_;
-      if ((1 - bound_share) * f.distance < layer_gap_) pairs.push_back(f.pair);
-      continue;
+      bound[v] = std::min(bound[v], most);
     }
-    const bool near_in_mesh = neighbours(f.pair);
-    if (near_in_mesh && skip_neighbours) continue;
-    for (const int v : f.pair.vertices) {
-      bound[v] = std::min(bound[v], bound_share * f.distance);
-    }
-    f.pair.gap = near_in_mesh ? std::min(gap, neighbour_gap(f.pair)) : gap;
-    // Neighbours that can't touch before the next search need no force.
-    if (!near_in_mesh || f.distance < 3 * f.pair.gap) pairs.push_back(f.pair);
+    if (found.distance >= radius) continue;
+    found.pair.gap = gap_to_keep(found, gap);
+    if (found.pair.gap > 0) pairs.push_back(found.pair);
   }
 }
 

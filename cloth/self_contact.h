@@ -23,6 +23,8 @@ struct NearestPoints {
   std::array<double, 4> weights;
   Vec3 apart;
 };
+/// Of a pair with its vertices at `at`: two edges, or vertex and triangle.
+NearestPoints nearest_points(bool edges, const std::array<Vec3, 4>& at);
 NearestPoints nearest_points(const ContactPair& pair, const std::vector<Vec3>& x);
 
 /// Force (N) that pushes a pair at `distance` apart, and its stiffness (N/m): linear in how much of
@@ -61,7 +63,26 @@ class ProximitySearch {
   void find(const std::vector<Vec3>& x, double radius, double gap, std::vector<ContactPair>& pairs,
             std::vector<double>& bound, bool skip_neighbours) const;
 
+  /// As find(), but looks anew only at what has used up a good part of its bound, which is often a
+  /// handful of vertices; the others keep theirs. `at` holds, per vertex, the place from where its
+  /// bound counts: the `x` of a find(), or what an update() left. Costs the making of the grids and
+  /// a search for what has moved.
+  void update(const std::vector<Vec3>& x, double radius, double gap,
+              std::vector<ContactPair>& pairs, std::vector<double>& bound, std::vector<Vec3>& at,
+              bool skip_neighbours) const;
+
  private:
+  struct Found {
+    ContactPair pair;
+    double distance;
+  };
+  using Finds = std::vector<Found>;
+
+  /// All pairs nearer than `radius` of which some vertex is `wanted`; none given: all.
+  Finds near_pairs(const std::vector<Vec3>& x, double radius,
+                   const std::vector<char>& wanted) const;
+  /// What a pair keeps, metres; negative: it needs no force before the next search.
+  double gap_to_keep(const Found& found, double gap) const;
   bool of_layer(int vertex) const { return vertex >= moving_vertices_; }
   bool of_layer(const ContactPair& pair) const {
     return of_layer(pair.vertices[0]) || of_layer(pair.vertices[2]);

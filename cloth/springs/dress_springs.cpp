@@ -76,6 +76,7 @@ class SpringDressing {
   std::vector<Vec3> looked_x_;
   std::vector<Vec3> looked_v_;
   std::vector<double> rest_areas_;
+  Outlines outlines_;
   std::vector<double> rest_perimeters_;
   double mean_edge_ = 0;  // metres
   double unit_time_ = 0;  // that the wrap ended with
@@ -92,6 +93,7 @@ SpringDressing::SpringDressing(const PanelMesh& garment, const Scene& scene,
       program_(compile(garment, scene, placement_.placed)),
       motion_(garment, program_, options.motion, placement_.placed),
       rest_areas_(panel_areas(garment)),
+      outlines_(panel_outlines(garment)),
       rest_perimeters_(panel_perimeters(garment)) {
   for (const Spring& edge : motion_.sheet().edges()) mean_edge_ += edge.rest;
   mean_edge_ /= std::max<std::size_t>(motion_.sheet().edges().size(), 1);
@@ -203,7 +205,7 @@ void SpringDressing::look(const std::string& name, double progress) {
   const std::vector<Vec3>& points = motion_.points();
   const double area = largest_change_percent(rest_areas_, panel_areas(garment_, points));
   const double perimeter =
-      largest_change_percent(rest_perimeters_, panel_perimeters(garment_, points));
+      largest_change_percent(rest_perimeters_, panel_perimeters(outlines_, points));
   result_.during.area_percent = std::max(result_.during.area_percent, area);
   result_.during.perimeter_percent = std::max(result_.during.perimeter_percent, perimeter);
   if (watcher_ && looks_++ % frame_looks == 0) watcher_({garment_, name, points, progress, time_});

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "cloth/body_contact.h"
+#include "cloth/body_pull.h"
 #include "cloth/measures.h"
 #include "cloth/springs/chunks.h"
 

@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "cloth/relax.h"
+#include "cloth/relaxation/relax.h"
 #include "geometry/distance_grid.h"
 #include "tests/cloth/panels.h"
 #include "tests/support/tubes.h"

@@ -1,4 +1,4 @@
-#include "cloth/relax.h"
+#include "cloth/relaxation/relax.h"
 
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>

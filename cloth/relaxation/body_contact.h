@@ -1,0 +1,71 @@
+// The body against one vertex of the cloth: it keeps it off and holds it by friction.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "cloth/relaxation/vec4.h"
+#include "cloth/scene.h"
+#include "geometry/types.h"
+
+namespace toile {
+
+/// One vertex of the cloth against the body, through a run. The body is looked at where the vertex
+/// is, and stands as a plane until the vertex has moved on by `reach`.
+class alignas(32) BodyContact {
+ public:
+  /// Takes the body's surface, `offset` metres out, near the vertex at `p`. The scene has a body.
+  void look(const Scene& scene, const Vec3& p, double offset);
+
+  /// Metres that the vertex may still move before the body has to be looked at again; 0 and less
+  /// when it is due.
+  double remaining(const Vec3& p) const { return reach_ - (p - looked_at_).norm(); }
+
+  /// Has the body looked at again before the next force; where the vertex sticks stays.
+  void forget() { reach_ = -1; }
+
+  /// Adds the force (N) on the vertex at `p`, and a bound of its stiffness (N/m): a push off the
+  /// body, and Coulomb's friction as a spring to the place where the vertex stuck, which slides
+  /// along when it pulls too hard. `friction` 0: none.
+  [[gnu::always_inline]] void add(const Vec4& p, double friction, Vec4& force, double& stiffness) {
+    if (!near_) return;
+    const double depth = level_ - dot(normal_, p);
+    if (depth <= 0) {
+      anchored_ = false;
+      return;
+    }
+    force += push_stiffness * depth * normal_;
+    stiffness += push_stiffness;
+    if (friction <= 0) return;
+    if (!anchored_) {
+      anchored_ = true;
+      anchor_ = p;
+    }
+    const Vec4 away = p - anchor_;
+    Vec4 slip = away - dot(normal_, away) * normal_;
+    const double most = friction * push_stiffness * depth / anchor_stiffness;
+    const double squared = squared_length(slip);
+    if (squared > most * most) {
+      slip *= most / std::sqrt(squared);
+      anchor_ = p - slip;
+    }
+    force -= anchor_stiffness * slip;
+    stiffness += anchor_stiffness;
+  }
+
+ private:
+  /// N/m. A node of 1 cm² that 100 Pa press to the skin sinks in by 0.01 mm.
+  static constexpr double push_stiffness = 1000;
+  /// N/m, of the spring that holds a sticking vertex to its anchor on the skin.
+  static constexpr double anchor_stiffness = 200;
+
+  Vec4 normal_ = {0, 0, 0, 0};  // of the plane that stands for the body
+  Vec4 anchor_ = {0, 0, 0, 0};
+  double level_ = 0;  // of the plane along the normal
+  double reach_ = -1;
+  Vec3 looked_at_ = Vec3::Zero();
+  bool near_ = false;
+  bool anchored_ = false;
+};
+
+}  // namespace toile

@@ -1,0 +1,213 @@
+#include "cloth/relaxation/elastic_kernel.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace toile {
+
+namespace {
+
+/// Four points with their coordinates side by side.
+struct Columns {
+  Vec4 x;
+  Vec4 y;
+  Vec4 z;
+};
+
+[[gnu::always_inline]] inline Columns columns_of(const Vec4& a, const Vec4& b, const Vec4& c,
+                                                 const Vec4& d) {
+  const Vec4 ab_low = __builtin_shufflevector(a, b, 0, 4, 2, 6);   // ax bx az bz
+  const Vec4 ab_high = __builtin_shufflevector(a, b, 1, 5, 3, 7);  // ay by aw bw
+  const Vec4 cd_low = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+  const Vec4 cd_high = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  return {__builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5),
+          __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5),
+          __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7)};
+}
+
+[[gnu::always_inline]] inline void store_rows(const Columns& c, Vec4* out, std::size_t stride) {
+  const Vec4 zero = {0, 0, 0, 0};
+  const Vec4 xy_low = __builtin_shufflevector(c.x, c.y, 0, 4, 2, 6);   // x0 y0 x2 y2
+  const Vec4 xy_high = __builtin_shufflevector(c.x, c.y, 1, 5, 3, 7);  // x1 y1 x3 y3
+  const Vec4 zw_low = __builtin_shufflevector(c.z, zero, 0, 4, 2, 6);
+  const Vec4 zw_high = __builtin_shufflevector(c.z, zero, 1, 5, 3, 7);
+  out[0] = __builtin_shufflevector(xy_low, zw_low, 0, 1, 4, 5);
+  out[stride] = __builtin_shufflevector(xy_high, zw_high, 0, 1, 4, 5);
+  out[2 * stride] = __builtin_shufflevector(xy_low, zw_low, 2, 3, 6, 7);
+  out[3 * stride] = __builtin_shufflevector(xy_high, zw_high, 2, 3, 6, 7);
+}
+
+[[gnu::always_inline]] inline Vec4 dot(const Columns& a, const Columns& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+[[gnu::always_inline]] inline Vec4 square_root(const Vec4& a) {
+  Vec4 root;
+  for (int i = 0; i < 4; ++i) root[i] = __builtin_sqrt(a[i]);
+  return root;
+}
+
+/// Stress over stretched length, N·m/... of four triangles along one yarn.
+[[gnu::always_inline]] inline Vec4 tension(const Vec4& stiffness, const Vec4& squared,
+                                           const StretchOptions& options) {
+  // A direction crushed to nothing has no direction to push along.
+  constexpr double least = 1e-18;
+  const Vec4 length = square_root(squared > least ? squared : Vec4{1, 1, 1, 1});
+  const Vec4 strain = length - 1.0;
+  Vec4 stress = strain > 0.0 ? strain : options.compression * strain;
+  if (options.limit >= 0) {
+    const Vec4 over = strain - options.limit;
+    stress += over > 0.0 ? strain_limit_stiffening * over : Vec4{0, 0, 0, 0};
+  }
+  const Vec4 result = stiffness * stress / length;
+  return squared > least ? result : Vec4{0, 0, 0, 0};
+}
+
+}  // namespace
+
+ElasticKernel::ElasticKernel(const Program& program, bool of_points) {
+  const std::size_t vertices = of_points ? program.node_of_point.size() : program.nodes;
+  pull_first_.assign(vertices + 1, 0);
+  lay_out_triangles(program, of_points ? program.triangles : program.node_triangles);
+  if (!program.bend.empty()) lay_out_hinges(program, of_points);
+}
+
+void ElasticKernel::lay_out_triangles(const Program& program,
+                                      const std::vector<Triangle>& triangles) {
+  groups_.resize((triangles.size() + group - 1) / group);
+  pulls_.assign(2 * group * groups_.size(), Vec4{});
+  for (std::size_t t = 0; t < group * groups_.size(); ++t) {
+    TriangleGroup& g = groups_[t / group];
+    const std::size_t i = t % group;
+    if (t >= triangles.size()) {
+      // Pulls on nothing.
+      for (int c = 0; c < 3; ++c) g.corners[c][i] = 0;
+      g.weft[0][i] = g.weft[1][i] = g.warp[0][i] = g.warp[1][i] = 0;
+      g.stretch_weft[i] = g.stretch_warp[i] = g.shear[i] = 0;
+      continue;
+    }
+    const StretchTriangle& s = program.stretch[t];
+    for (int c = 0; c < 3; ++c) g.corners[c][i] = triangles[t][c];
+    for (int c = 0; c < 2; ++c) {
+      g.weft[c][i] = s.weft[c + 1];
+      g.warp[c][i] = s.warp[c + 1];
+    }
+    g.stretch_weft[i] = s.weft_stiffness;
+    g.stretch_warp[i] = s.warp_stiffness;
+    g.shear[i] = s.shear_stiffness;
+    for (const int v : triangles[t]) ++pull_first_[v + 1];
+  }
+  std::partial_sum(pull_first_.begin(), pull_first_.end(), pull_first_.begin());
+  pull_entries_.resize(pull_first_.back());
+  std::vector<int> next(pull_first_.begin(), pull_first_.end() - 1);
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const StretchTriangle& s = program.stretch[t];
+    const double weft[3] = {-(s.weft[1] + s.weft[2]), s.weft[1], s.weft[2]};
+    const double warp[3] = {-(s.warp[1] + s.warp[2]), s.warp[1], s.warp[2]};
+    for (int c = 0; c < 3; ++c) {
+      pull_entries_[next[triangles[t][c]]++] = {static_cast<int>(t), weft[c], warp[c]};
+    }
+  }
+}
+
+void ElasticKernel::lay_out_hinges(const Program& program, bool of_points) {
+  struct Link {
+    int from;
+    int to;
+    double stiffness;
+  };
+  const std::size_t vertices = pull_first_.size() - 1;
+  const auto rows_of = [&](std::vector<Link>& links) {
+    std::stable_sort(links.begin(), links.end(), [](const Link& a, const Link& b) {
+      return a.from != b.from ? a.from < b.from : a.to < b.to;
+    });
+    BendRows rows;
+    rows.first.assign(vertices + 1, 0);
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      const bool same =
+          i > 0 && links[i].from == links[i - 1].from && links[i].to == links[i - 1].to;
+      if (same) {
+        rows.stiffness.back() += links[i].stiffness;
+        continue;
+      }
+      ++rows.first[links[i].from + 1];
+      rows.vertex.push_back(links[i].to);
+      rows.stiffness.push_back(links[i].stiffness);
+    }
+    std::partial_sum(rows.first.begin(), rows.first.end(), rows.first.begin());
+    return rows;
+  };
+  std::vector<Link> inside;
+  std::vector<Link> across;
+  for (const BendHinge& hinge : program.bend) {
+    std::vector<Link>& links = of_points && hinge.across_seam ? across : inside;
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j < 4; ++j) {
+        const int a = of_points ? hinge.points[i] : program.node_of_point[hinge.points[i]];
+        const int b = of_points ? hinge.points[j] : program.node_of_point[hinge.points[j]];
+        // The weights add up to 0, so differences say it all, and a moved sheet feels nothing.
+        if (a != b) links.push_back({a, b, -hinge.stiffness * hinge.weights[i] * hinge.weights[j]});
+      }
+    }
+  }
+  bend_ = rows_of(inside);
+  if (!across.empty()) seam_bend_ = rows_of(across);
+}
+
+TOILE_CLONES
+void ElasticKernel::pull(std::size_t begin, std::size_t end, const StretchOptions& options,
+                         const Vec4s& positions) {
+  const Vec4* x = positions.data();
+  for (std::size_t g = begin; g < end; ++g) {
+    const TriangleGroup& t = groups_[g];
+    Vec4 u[group];
+    Vec4 v[group];
+    for (std::size_t i = 0; i < group; ++i) {
+      const Vec4 first = x[t.corners[0][i]];
+      const Vec4 b = x[t.corners[1][i]] - first;
+      const Vec4 c = x[t.corners[2][i]] - first;
+      u[i] = t.weft[0][i] * b + t.weft[1][i] * c;
+      v[i] = t.warp[0][i] * b + t.warp[1][i] * c;
+    }
+    const Columns weft = columns_of(u[0], u[1], u[2], u[3]);
+    const Columns warp = columns_of(v[0], v[1], v[2], v[3]);
+    const Vec4 along_weft = tension(t.stretch_weft, dot(weft, weft), options);
+    const Vec4 along_warp = tension(t.stretch_warp, dot(warp, warp), options);
+    const Vec4 sheared = t.shear * dot(weft, warp);
+    store_rows(
+        {-(along_weft * weft.x + sheared * warp.x), -(along_weft * weft.y + sheared * warp.y),
+         -(along_weft * weft.z + sheared * warp.z)},
+        &pulls_[2 * group * g], 2);
+    store_rows(
+        {-(along_warp * warp.x + sheared * weft.x), -(along_warp * warp.y + sheared * weft.y),
+         -(along_warp * warp.z + sheared * weft.z)},
+        &pulls_[2 * group * g + 1], 2);
+  }
+}
+
+[[gnu::always_inline]] inline void ElasticKernel::BendRows::add_to(std::size_t v, double scale,
+                                                                   const Vec4* x,
+                                                                   Vec4& force) const {
+  const Vec4 here = x[v];
+  Vec4 sum = {0, 0, 0, 0};
+  for (int i = first[v]; i < first[v + 1]; ++i) sum += stiffness[i] * (x[vertex[i]] - here);
+  force += scale * sum;
+}
+
+TOILE_CLONES
+void ElasticKernel::gather(std::size_t begin, std::size_t end, double bending, double seam_bending,
+                           const Vec4s& x, Vec4s& force) const {
+  for (std::size_t v = begin; v < end; ++v) {
+    Vec4 sum = {0, 0, 0, 0};
+    for (int i = pull_first_[v]; i < pull_first_[v + 1]; ++i) {
+      const PullEntry& entry = pull_entries_[i];
+      const Vec4* pull = &pulls_[2 * static_cast<std::size_t>(entry.triangle)];
+      sum += entry.weft * pull[0] + entry.warp * pull[1];
+    }
+    if (!bend_.first.empty()) bend_.add_to(v, bending, x.data(), sum);
+    if (!seam_bend_.first.empty()) seam_bend_.add_to(v, bending * seam_bending, x.data(), sum);
+    force[v] = sum;
+  }
+}
+
+}  // namespace toile

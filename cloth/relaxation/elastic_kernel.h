@@ -1,0 +1,69 @@
+// Forces of stretch, shear and bending on all vertices of a garment, laid out for the processor.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "cloth/program.h"
+#include "cloth/relaxation/vec4.h"
+#include "cloth/stretch.h"
+
+namespace toile {
+
+/// Vertices are the program's nodes, or its material points while seams stand open. Forces take two
+/// passes over disjoint ranges that may run side by side: first all of pull(), then all of
+/// gather(); a vertex sums what its triangles left in a fixed order, so that bits don't depend on
+/// the threads. The same model as stretch_forces() and the program's hinges, element for element.
+class ElasticKernel {
+ public:
+  static constexpr std::size_t group = 4;  ///< triangles that are pulled together
+
+  ElasticKernel(const Program& program, bool of_points);
+
+  std::size_t vertices() const { return pull_first_.size() - 1; }
+  std::size_t groups() const { return groups_.size(); }
+
+  /// First pass, of groups `begin` to `end`: stresses of the triangles, with vertices at `x`.
+  void pull(std::size_t begin, std::size_t end, const StretchOptions& options, const Vec4s& x);
+
+  /// Second pass: force (N) on vertices `begin` to `end`. `bending` multiplies the stiffness of all
+  /// hinges, `seam_bending` besides that of hinges across a seam.
+  void gather(std::size_t begin, std::size_t end, double bending, double seam_bending,
+              const Vec4s& x, Vec4s& force) const;
+
+ private:
+  struct alignas(32) TriangleGroup {
+    // Per triangle: derivatives of the weft and warp deformation by the second and third corner;
+    // the first's is minus their sum.
+    Vec4 weft[2];
+    Vec4 warp[2];
+    Vec4 stretch_weft;  // N·m: stiffness times area
+    Vec4 stretch_warp;
+    Vec4 shear;
+    int corners[3][group];
+  };
+  struct PullEntry {
+    int triangle;
+    double weft;
+    double warp;
+  };
+  struct BendRows {
+    std::vector<int> first;  // empty: no hinges
+    std::vector<int> vertex;
+    std::vector<double> stiffness;  // N/m, positive pulls together
+
+    void add_to(std::size_t vertex, double scale, const Vec4* x, Vec4& force) const;
+  };
+
+  void lay_out_triangles(const Program& program, const std::vector<Triangle>& triangles);
+  void lay_out_hinges(const Program& program, bool of_points);
+
+  std::vector<TriangleGroup> groups_;
+  Vec4s pulls_;  // per triangle: by weft, by warp
+  std::vector<int> pull_first_;
+  std::vector<PullEntry> pull_entries_;
+  BendRows bend_;       // of nodes: all hinges; of points: those inside panels
+  BendRows seam_bend_;  // of points: those across seams
+};
+
+}  // namespace toile

@@ -1,0 +1,48 @@
+// Pushes between cloth and cloth that came near each other.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "cloth/relaxation/vec4.h"
+#include "cloth/self_contact.h"
+
+namespace toile {
+
+/// The pairs of a search, and of these the ones that are near enough to push. Forces take two
+/// passes: push() over disjoint ranges of the active pairs, then add() for each vertex.
+class PairForces {
+ public:
+  /// How far two sides may come nearer before who is active has to be told again, metres: each
+  /// vertex half of it.
+  static constexpr double margin = 0.001;
+
+  void clear() { pairs_.clear(), active_.clear(), first_.clear(); }
+  /// All that a search found, to be kept by it.
+  std::vector<ContactPair>& pairs() { return pairs_; }
+  /// Tells anew which pairs are near, with all vertices at `x`.
+  void activate(const std::vector<Vec3>& x);
+
+  std::size_t active() const { return active_.size(); }
+  /// Pushes of active pairs `begin` to `end`. `barrier`: see contact_push().
+  void push(std::size_t begin, std::size_t end, bool barrier, const Vec4s& x);
+  /// Adds the pushes on a vertex to its force (N) and a bound of their stiffness (N/m).
+  [[gnu::always_inline]] void add(std::size_t vertex, Vec4& force, double& stiffness) const {
+    if (first_.empty()) return;
+    for (int s = first_[vertex]; s < first_[vertex + 1]; ++s) {
+      const Vec4 slot = slots_[gather_[s]];
+      const double bound = slot[3];
+      force += slot;
+      stiffness += bound;
+    }
+  }
+
+ private:
+  std::vector<ContactPair> pairs_;
+  std::vector<ContactPair> active_;
+  Vec4s slots_;             // force, and the stiffness as the fourth; four an active pair
+  std::vector<int> first_;  // per vertex, its entries in gather_
+  std::vector<int> gather_;
+};
+
+}  // namespace toile
