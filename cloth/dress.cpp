@@ -5,9 +5,9 @@
 #include <chrono>
 #include <cmath>
 
+#include "cloth/clear_start.h"
 #include "cloth/levels.h"
 #include "cloth/measures.h"
-#include "cloth/step_out.h"
 #include "geometry/distance_grid.h"
 #include "geometry/error.h"
 #include "geometry/intersections.h"
@@ -169,8 +169,7 @@ void Dressing::come_to_rest(bool bounded) {
 
 void Dressing::position() {
   const auto start = std::chrono::steady_clock::now();
-  result_.placement = place_panels(mesh(), *scene_.body, scene_.skeleton);
-  if (scene_.layers != nullptr) step_out(mesh(), *scene_.body, result_.placement);
+  result_.placement = start_of(mesh(), scene_);
   program_ = compile(mesh(), scene_, result_.placement.placed);
   result_.nodes = program_.start;
   StageReport report;

@@ -65,9 +65,10 @@ bool hangs_from_shoulders(const PanelMesh& garment, const std::vector<Vec3>& pla
   });
 }
 
-/// As place_panels, of panels that stand where `garment.placed` says.
-Placement clear_panels(const PanelMesh& garment, const DistanceGrid& body, const Skeleton* skeleton,
-                       double hang) {
+}  // namespace
+
+Placement draw_out_and_lift(const PanelMesh& garment, const DistanceGrid& body,
+                            const Skeleton* skeleton, double hang) {
   Placement placement;
   placement.placed = garment.placed;
   if (skeleton != nullptr) {
@@ -123,15 +124,13 @@ Placement clear_panels(const PanelMesh& garment, const DistanceGrid& body, const
   return placement;
 }
 
-}  // namespace
-
 Placement place_panels(const PanelMesh& garment, const DistanceGrid& body, const Skeleton* skeleton,
                        double hang) {
-  if (!asks_for_skeleton(garment)) return clear_panels(garment, body, skeleton, hang);
+  if (!asks_for_skeleton(garment)) return draw_out_and_lift(garment, body, skeleton, hang);
   Positioning positioning = position_panels(garment, body, skeleton);
   PanelMesh positioned = garment;
   positioned.placed = std::move(positioning.placed);
-  Placement placement = clear_panels(positioned, body, skeleton, hang);
+  Placement placement = draw_out_and_lift(positioned, body, skeleton, hang);
   placement.positioned = std::move(positioning.panels);
   return placement;
 }

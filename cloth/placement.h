@@ -19,6 +19,7 @@ struct Placement {
   double lift = 0;                            ///< metres, of all panels together
   std::map<std::string, double> drawn_out;    ///< metres along the limb, per part that was
   std::map<std::string, double> stepped_out;  ///< metres, per panel that was in a layer's way
+  std::map<std::string, double> moved_clear;  ///< metres, per panel that intersected something
   int points_inside = 0;                      ///< material points that are still inside the body
   int seams_inside = 0;  ///< pairs of sewn points that would meet inside the body
 };
@@ -33,5 +34,9 @@ struct Placement {
 /// unless it has tubes around limbs, which hold it where it is.
 Placement place_panels(const PanelMesh& garment, const DistanceGrid& body, const Skeleton* skeleton,
                        double hang = 0);
+
+/// The same of panels that stand where `garment.placed` says, whoever positioned them.
+Placement draw_out_and_lift(const PanelMesh& garment, const DistanceGrid& body,
+                            const Skeleton* skeleton, double hang = 0);
 
 }  // namespace toile

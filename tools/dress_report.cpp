@@ -1,5 +1,6 @@
 #include "tools/dress_report.h"
 
+#include <cmath>
 #include <iomanip>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -67,6 +68,9 @@ nlohmann::ordered_json report_of(const PanelMesh& garment, const Scene& scene,
   }
   for (const auto& [panel, distance] : result.placement.stepped_out) {
     report["scene"]["stepped_out_mm"][panel] = 1000 * distance;
+  }
+  for (const auto& [panel, distance] : result.placement.moved_clear) {
+    report["scene"]["moved_clear_mm"][panel] = 1000 * distance;
   }
   report["method"] = method;
   if (result.time_step > 0) report["time_step_s"] = result.time_step;
@@ -168,6 +172,12 @@ void say_positions(const Placement& placement, const CommonSettings& common) {
     } else {
       line << " stands " << 100 * panel.distance << " cm from the bones";
     }
+    common.say(line.str());
+  }
+  for (const auto& [panel, distance] : placement.moved_clear) {
+    std::ostringstream line;
+    line << "panel " << panel << " stood through the body or another panel, and was moved out by "
+         << std::lround(100 * distance) << " cm";
     common.say(line.str());
   }
 }

@@ -4,8 +4,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "cloth/clear_start.h"
 #include "cloth/measures.h"
-#include "cloth/step_out.h"
 #include "geometry/error.h"
 #include "geometry/intersections.h"
 
@@ -41,12 +41,6 @@ constexpr double sewing_stiffness = 10;
 constexpr double longest_untangling = 0.3;
 /// Seconds of draping before there is friction.
 constexpr double frictionless = 0.25;
-
-Placement place(const PanelMesh& garment, const Scene& scene) {
-  Placement placement = place_panels(garment, *scene.body, scene.skeleton, hang);
-  if (scene.layers != nullptr) step_out(garment, *scene.body, placement);
-  return placement;
-}
 
 class SpringDressing {
  public:
@@ -89,7 +83,7 @@ SpringDressing::SpringDressing(const PanelMesh& garment, const Scene& scene,
     : garment_(garment),
       options_(options),
       watcher_(watcher),
-      placement_(place(garment, scene)),
+      placement_(start_of(garment, scene, hang)),
       program_(compile(garment, scene, placement_.placed)),
       motion_(garment, program_, options.motion, placement_.placed),
       rest_areas_(panel_areas(garment)),
