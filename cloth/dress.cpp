@@ -29,6 +29,22 @@ constexpr double sewing_pull = 2;
 /// break, and is strained more at rest.
 constexpr std::array<double, 3> soft_compression = {0.02, 0.05, 0.01};
 
+/// N/m, while seams close: softer cloth would be drawn into strings by them, and tangle.
+constexpr double sewing_stretch = 1000;
+constexpr double sewing_shear = 200;
+
+/// The scene with no cloth softer than that.
+Scene for_sewing(Scene scene) {
+  const auto stiffen = [](Fabric& fabric) {
+    fabric.stretch_warp = std::max(fabric.stretch_warp, sewing_stretch);
+    fabric.stretch_weft = std::max(fabric.stretch_weft, sewing_stretch);
+    fabric.shear = std::max(fabric.shear, sewing_shear);
+  };
+  stiffen(scene.fabric);
+  for (auto& [name, fabric] : scene.fabrics) stiffen(fabric);
+  return scene;
+}
+
 class Dressing {
  public:
   Dressing(const PanelMesh& garment, const Scene& scene, const DressOptions& options,
@@ -93,6 +109,7 @@ DressResult Dressing::run() {
     attempt_ = attempt + 1;
     is_clean = wrap(std::pow(2.0, attempt)) && sew(std::pow(2.0, attempt));
   }
+  program_ = compile(mesh(), scene_, result_.placement.placed);
   for (;; go_finer()) {
     fall(is_clean, soft_compression[std::min<std::size_t>(level_, soft_compression.size() - 1)]);
     is_clean = is_clean || clean();
@@ -170,7 +187,7 @@ void Dressing::come_to_rest(bool bounded) {
 void Dressing::position() {
   const auto start = std::chrono::steady_clock::now();
   result_.placement = start_of(mesh(), scene_);
-  program_ = compile(mesh(), scene_, result_.placement.placed);
+  program_ = compile(mesh(), for_sewing(scene_), result_.placement.placed);
   result_.nodes = program_.start;
   StageReport report;
   report.name = "position";
