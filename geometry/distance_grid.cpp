@@ -12,9 +12,8 @@ namespace {
 
 /// Nodes along each axis that a block holds as the nearest of some point, and with the rim that
 /// the spline around them needs.
-constexpr int block_side = 8;
+constexpr int block_side = 4;
 constexpr int rimmed_side = block_side + 2;
-constexpr int bricks_a_block = block_side / SurfaceNodes::side;
 
 using Index = SurfaceNodes::Index;
 
@@ -29,7 +28,8 @@ struct DistanceGrid::Block {
 
 /// The blocks, and what they are filled from.
 struct DistanceGrid::Table {
-  NodeLattice lattice;
+  Vec3 origin;  // of the nodes
+  double cell;
   std::vector<std::unique_ptr<SurfaceNodes>> surfaces;
   Index first = {0, 0, 0};  // block; it begins at node block_side * first
   Index size = {0, 0, 0};   // blocks along each axis
@@ -41,25 +41,25 @@ struct DistanceGrid::Table {
     for (int i = 0; i < size[0] * size[1] * size[2]; ++i) delete blocks[i].load();
     blocks.reset();
   }
-  void add(const BodyDistance& surface, double padding);
+  void add(const BodyDistance& surface, const DistanceGridOptions& options);
   const Block* compute(const Index& block) const;
 };
 
-void DistanceGrid::Table::add(const BodyDistance& surface, double padding) {
+void DistanceGrid::Table::add(const BodyDistance& surface, const DistanceGridOptions& options) {
   Vec3 low = surface.body().points.front();
   Vec3 high = low;
   for (const Vec3& p : surface.body().points) {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
-  const double around = padding + lattice.cell;
-  if (surfaces.empty()) lattice.origin = low - Vec3::Constant(around);
-  const double side = block_side * lattice.cell;
+  const double around = options.padding + cell;
+  if (surfaces.empty()) origin = low - Vec3::Constant(around);
+  const double side = block_side * cell;
   Index new_first = first;
   Index new_size;
   for (int axis = 0; axis < 3; ++axis) {
-    const double from = low[axis] - around - lattice.origin[axis];
-    const double to = high[axis] + around - lattice.origin[axis];
+    const double from = low[axis] - around - origin[axis];
+    const double to = high[axis] + around - origin[axis];
     new_first[axis] = std::min(first[axis], static_cast<int>(std::floor(from / side)));
     new_size[axis] =
         std::max(first[axis] + size[axis], static_cast<int>(std::ceil(to / side)) + 1) -
@@ -70,48 +70,30 @@ void DistanceGrid::Table::add(const BodyDistance& surface, double padding) {
   size = new_size;
   blocks.reset(
       new std::atomic<const Block*>[static_cast<std::size_t>(size[0]) * size[1] * size[2]] {});
-  surfaces.push_back(std::make_unique<SurfaceNodes>(surface, lattice));
-  Index first_brick;
-  Index bricks;
+  surfaces.push_back(std::make_unique<SurfaceNodes>(surface, origin, cell, options.band));
+  Index first_node;
+  Index nodes;
   for (int axis = 0; axis < 3; ++axis) {
-    first_brick[axis] = bricks_a_block * first[axis] - 1;
-    bricks[axis] = bricks_a_block * size[axis] + 2;
+    first_node[axis] = block_side * first[axis] - 1;
+    nodes[axis] = block_side * size[axis] + 2;
   }
-  for (const auto& nodes : surfaces) nodes->cover(first_brick, bricks);
+  for (const auto& known : surfaces) known->cover(first_node, nodes);
 }
 
 const DistanceGrid::Block* DistanceGrid::Table::compute(const Index& block) const {
   auto made = std::make_unique<Block>();
-  constexpr int side = SurfaceNodes::side;
-  constexpr int bricks = bricks_a_block + 2;
-  const auto fill = [&](const SurfaceNodes& nodes, const Index& brick, bool is_first) {
-    const SurfaceNodes::Brick& from = nodes.at({bricks_a_block * block[0] - 1 + brick[0],
-                                                bricks_a_block * block[1] - 1 + brick[1],
-                                                bricks_a_block * block[2] - 1 + brick[2]});
-    // The rim begins with the last node of the first brick.
-    Index low;
-    Index high;
-    for (int axis = 0; axis < 3; ++axis) {
-      low[axis] = brick[axis] == 0 ? side - 1 : 0;
-      high[axis] = brick[axis] == bricks - 1 ? 1 : side;
-    }
-    for (int k = low[2]; k < high[2]; ++k) {
-      for (int j = low[1]; j < high[1]; ++j) {
-        float* const row = &made->values[((side * brick[2] + k - side + 1) * rimmed_side +
-                                          side * brick[1] + j - side + 1) *
-                                             rimmed_side +
-                                         side * brick[0] - side + 1];
-        for (int i = low[0]; i < high[0]; ++i) {
-          const float value = from[(k * side + j) * side + i];
-          row[i] = is_first ? value : std::min(row[i], value);
+  float* value = made->values;
+  for (int k = 0; k < rimmed_side; ++k) {
+    for (int j = 0; j < rimmed_side; ++j) {
+      for (int i = 0; i < rimmed_side; ++i) {
+        const Index node = {block_side * block[0] - 1 + i, block_side * block[1] - 1 + j,
+                            block_side * block[2] - 1 + k};
+        *value = surfaces.front()->at(node);
+        for (std::size_t s = 1; s < surfaces.size(); ++s) {
+          *value = std::min(*value, surfaces[s]->at(node));
         }
+        ++value;
       }
-    }
-  };
-  for (std::size_t s = 0; s < surfaces.size(); ++s) {
-    for (int number = 0; number < bricks * bricks * bricks; ++number) {
-      fill(*surfaces[s], {number % bricks, number / bricks % bricks, number / bricks / bricks},
-           s == 0);
     }
   }
   return made.release();
@@ -123,8 +105,7 @@ DistanceGrid::DistanceGrid(const BodyDistance& body, const DistanceGridOptions& 
 DistanceGrid::DistanceGrid(const std::vector<BodyDistance>& surfaces,
                            const DistanceGridOptions& options)
     : options_(options), table_(std::make_unique<Table>()) {
-  table_->lattice = {Vec3::Zero(), options.cell, options.band};
-  interpolation_error_ = table_->lattice.interpolation_error();
+  table_->cell = options.cell;
   for (const BodyDistance& surface : surfaces) add(surface);
 }
 
@@ -133,12 +114,16 @@ DistanceGrid::DistanceGrid(DistanceGrid&&) noexcept = default;
 DistanceGrid& DistanceGrid::operator=(DistanceGrid&&) noexcept = default;
 
 void DistanceGrid::add(const BodyDistance& surface) {
-  table_->add(surface, options_.padding);
+  table_->add(surface, options_);
   const Index& first = table_->first;
-  origin_ =
-      table_->lattice.origin + block_side * options_.cell * Vec3(first[0], first[1], first[2]);
+  origin_ = table_->origin + block_side * options_.cell * Vec3(first[0], first[1], first[2]);
   nodes_a_metre_ = 1 / options_.cell;
   blocks_ = table_->size;
+}
+
+double DistanceGrid::at_least(double distance) const {
+  return distance <= options_.band ? distance
+                                   : SurfaceNodes::at_least(distance, options_.cell, options_.band);
 }
 
 DistanceGrid::Sample DistanceGrid::beyond(const Vec3& point) const {

@@ -2,116 +2,132 @@
 
 #include <cmath>
 #include <limits>
+#include <new>
 
 namespace toile {
 
-double NodeLattice::interpolation_error() const { return 0.5 * std::sqrt(3.0) * coarsening * cell; }
+namespace {
 
-SurfaceNodes::SurfaceNodes(const BodyDistance& surface, const NodeLattice& lattice)
-    : surface_(surface), lattice_(lattice) {}
+constexpr int coarsening = 4;
+/// Distance from the surface, in cells of the middle grid, from which on that is interpolated too.
+constexpr double far_cells = 4;
 
-SurfaceNodes::~SurfaceNodes() {
-  const std::size_t count = static_cast<std::size_t>(size_[0]) * size_[1] * size_[2];
-  for (std::size_t i = 0; i < count; ++i) delete bricks_[i].load(std::memory_order_relaxed);
+/// What interpolation in a cell can be wrong by: a distance changes no faster than the point moves,
+/// and no point of a cell is farther from a corner than half its diagonal.
+double interpolation_error(double cell) { return 0.5 * std::sqrt(3.0) * cell; }
+
+int floor_by(int value, int divisor) {
+  return value >= 0 ? value / divisor : -((divisor - 1 - value) / divisor);
+}
+
+}  // namespace
+
+SurfaceNodes::SurfaceNodes(const BodyDistance& surface, const Vec3& origin, double cell,
+                           double band)
+    : surface_(surface), origin_(origin) {
+  const double middle = coarsening * cell;
+  const double coarse = coarsening * middle;
+  levels_[0].cell = cell;
+  levels_[0].reach = band + interpolation_error(middle);
+  levels_[1].cell = middle;
+  levels_[1].reach = far_cells * middle + interpolation_error(coarse);
+  levels_[2].cell = coarse;
+  levels_[2].reach = std::numeric_limits<double>::infinity();
+}
+
+double SurfaceNodes::at_least(double distance, double cell, double band) {
+  const double middle = coarsening * cell;
+  const double once = distance - interpolation_error(middle);
+  // What was interpolated twice can be wrong by both errors, but has a part only in values whose
+  // points are as far off, less a cell's diagonal and the reach of a spline.
+  const double far = far_cells * middle - std::sqrt(3.0) * (middle + 1.5 * cell);
+  if (once < far) return std::max(band, once);
+  return std::max({band, far, once - interpolation_error(coarsening * middle)});
+}
+
+std::size_t SurfaceNodes::Level::place(const Index& node) const {
+  // By small cubes, so that neighbours share pages and cache lines.
+  constexpr int side = 4;
+  std::size_t cube = 0;
+  std::size_t inside = 0;
+  for (int axis = 2; axis >= 0; --axis) {
+    const int from_first = node[axis] - first[axis];
+    cube = cube * (size[axis] / side) + from_first / side;
+    inside = inside * side + from_first % side;
+  }
+  return cube * side * side * side + inside;
 }
 
 void SurfaceNodes::cover(const Index& first, const Index& size) {
-  const auto count = [](const Index& of, int more) {
-    return static_cast<std::size_t>(of[0] + more) * (of[1] + more) * (of[2] + more);
-  };
-  std::unique_ptr<std::atomic<const Brick*>[]> bricks(
-      new std::atomic<const Brick*>[count(size, 0)] {});
-  std::unique_ptr<std::atomic<float>[]> coarse(new std::atomic<float>[count(size, 1)]);
-  for (std::size_t i = 0; i < count(size, 1); ++i) {
-    coarse[i].store(std::numeric_limits<float>::quiet_NaN(), std::memory_order_relaxed);
-  }
-  // As many coarse nodes as bricks and one more along each axis.
-  const auto each = [&](int more, const auto& visit) {
-    if (size_[0] == 0) return;
-    const Index to = {size[0] + more, size[1] + more, size[2] + more};
-    const Index from = {size_[0] + more, size_[1] + more, size_[2] + more};
-    for (int k = 0; k < from[2]; ++k) {
-      for (int j = 0; j < from[1]; ++j) {
-        for (int i = 0; i < from[0]; ++i) {
-          const Index there = {i + first_[0] - first[0], j + first_[1] - first[1],
-                               k + first_[2] - first[2]};
-          visit(place({i, j, k}, from), place(there, to));
+  Index low = first;
+  Index high;
+  for (int axis = 0; axis < 3; ++axis) high[axis] = first[axis] + size[axis];
+  for (Level& level : levels_) {
+    Level covered;
+    covered.cell = level.cell;
+    covered.reach = level.reach;
+    std::size_t count = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+      covered.first[axis] = low[axis];
+      covered.size[axis] = coarsening * (floor_by(high[axis] - 1 - low[axis], coarsening) + 1);
+      count *= static_cast<std::size_t>(covered.size[axis]);
+      // The coarser nodes around all of these.
+      high[axis] = floor_by(low[axis] + covered.size[axis] - 1, coarsening) + 2;
+      low[axis] = floor_by(low[axis], coarsening);
+    }
+    // Pages that nobody writes to cost nothing, and hold zeros.
+    void* const memory = std::calloc(count, sizeof(std::atomic<float>));
+    if (memory == nullptr) throw std::bad_alloc();
+    covered.values.reset(static_cast<std::atomic<float>*>(memory));
+    for (int k = 0; k < level.size[2]; ++k) {
+      for (int j = 0; j < level.size[1]; ++j) {
+        for (int i = 0; i < level.size[0]; ++i) {
+          const Index node = {level.first[0] + i, level.first[1] + j, level.first[2] + k};
+          const float known = level.values[level.place(node)];
+          if (known != 0) covered.values[covered.place(node)] = known;
         }
       }
     }
-  };
-  each(0, [&](std::size_t from, std::size_t to) { bricks[to] = bricks_[from].load(); });
-  each(1, [&](std::size_t from, std::size_t to) { coarse[to] = coarse_[from].load(); });
-  bricks_ = std::move(bricks);
-  coarse_ = std::move(coarse);
-  first_ = first;
-  size_ = size;
-}
-
-const SurfaceNodes::Brick& SurfaceNodes::at(const Index& brick) const {
-  std::atomic<const Brick*>& known =
-      bricks_[place({brick[0] - first_[0], brick[1] - first_[1], brick[2] - first_[2]}, size_)];
-  const Brick* found = known.load(std::memory_order_acquire);
-  if (found != nullptr) return *found;
-  // Two threads may compute the same: the values are the same, the first to be done stays.
-  std::unique_ptr<const Brick> computed(compute(brick));
-  if (known.compare_exchange_strong(found, computed.get(), std::memory_order_acq_rel)) {
-    return *computed.release();
+    level = std::move(covered);
   }
-  return *found;
 }
 
-double SurfaceNodes::coarse(const Index& node) const {
-  std::atomic<float>& known =
-      coarse_[place({node[0] - first_[0], node[1] - first_[1], node[2] - first_[2]},
-                    {size_[0] + 1, size_[1] + 1, size_[2] + 1})];
-  const float value = known.load(std::memory_order_relaxed);
-  if (!std::isnan(value)) return value;
-  const Vec3 point = lattice_.origin + side * lattice_.cell * Vec3(node[0], node[1], node[2]);
-  const auto computed = static_cast<float>(surface_.nearest(point).distance);
-  known.store(computed, std::memory_order_relaxed);
-  return computed;
+float SurfaceNodes::at(const Index& node) const { return at(0, node); }
+
+float SurfaceNodes::at(std::size_t level, const Index& node) const {
+  std::atomic<float>& known = levels_[level].values[levels_[level].place(node)];
+  float value = known.load(std::memory_order_relaxed);
+  if (value != 0) return value;
+  // Two threads may compute the same, and find the same.
+  value = compute(level, node);
+  if (value == 0) value = std::numeric_limits<float>::min();
+  known.store(value, std::memory_order_relaxed);
+  return value;
 }
 
-const SurfaceNodes::Brick* SurfaceNodes::compute(const Index& brick) const {
-  double corners[2][2][2];
-  for (int c = 0; c < 2; ++c) {
-    for (int b = 0; b < 2; ++b) {
-      for (int a = 0; a < 2; ++a) {
-        corners[c][b][a] = coarse({brick[0] + a, brick[1] + b, brick[2] + c});
-      }
+float SurfaceNodes::compute(std::size_t level, const Index& node) const {
+  if (level + 1 < levels) {
+    Index low;
+    double along[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = floor_by(node[axis], coarsening);
+      along[axis] = static_cast<double>(node[axis] - coarsening * low[axis]) / coarsening;
     }
-  }
-  auto values = std::make_unique<Brick>();
-  const double reach = lattice_.reach + lattice_.interpolation_error();
-  const auto between = [](double from, double to, int step) {
-    return from + (to - from) * step / side;
-  };
-  BodyPoint last;
-  bool has_last = false;
-  for (int k = 0; k < side; ++k) {
-    for (int j = 0; j < side; ++j) {
-      double ends[2];
-      for (int a = 0; a < 2; ++a) {
-        ends[a] = between(between(corners[0][0][a], corners[0][1][a], j),
-                          between(corners[1][0][a], corners[1][1][a], j), k);
+    double value = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+      double weight = 1;
+      Index there;
+      for (int axis = 0; axis < 3; ++axis) {
+        const int up = corner >> axis & 1;
+        there[axis] = low[axis] + up;
+        weight *= up != 0 ? along[axis] : 1 - along[axis];
       }
-      for (int step = 0; step < side; ++step) {
-        // To and fro, so that the last node is a neighbour: its triangle is most often this one's.
-        const int i = (k * side + j) % 2 == 0 ? step : side - 1 - step;
-        double value = between(ends[0], ends[1], i);
-        if (std::abs(value) < reach) {
-          const Vec3 node(side * brick[0] + i, side * brick[1] + j, side * brick[2] + k);
-          const Vec3 point = lattice_.origin + lattice_.cell * node;
-          last = has_last ? surface_.nearest(point, last) : surface_.nearest(point);
-          has_last = true;
-          value = last.distance;
-        }
-        (*values)[(k * side + j) * side + i] = static_cast<float>(value);
-      }
+      if (weight != 0) value += weight * at(level + 1, there);
     }
+    if (!(std::abs(value) < levels_[level].reach)) return static_cast<float>(value);
   }
-  return values.release();
+  const Vec3 point = origin_ + levels_[level].cell * Vec3(node[0], node[1], node[2]);
+  return static_cast<float>(surface_.nearest(point).distance);
 }
 
 }  // namespace toile

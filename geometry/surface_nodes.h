@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <cstdlib>
 #include <memory>
 
 #include "geometry/body_distance.h"
@@ -11,56 +12,51 @@
 
 namespace toile {
 
-/// Where nodes are: node (i, j, k), each of any sign, at origin + cell (i, j, k).
-struct NodeLattice {
-  Vec3 origin;
-  double cell;   ///< metres
-  double reach;  ///< metres from the surface within which nodes hold exact distances
-
-  /// Every so many nodes along each axis one is computed from the surface; the others between them
-  /// are interpolated, unless that says that they may be near.
-  static constexpr int coarsening = 4;
-  /// What interpolation can be wrong by: a distance changes no faster than the point moves, and no
-  /// point of a cell is farther from a corner than half its diagonal.
-  double interpolation_error() const;
-};
-
-/// Signed distances at the nodes of a lattice, by bricks of 4 nodes along each axis. Each is
-/// computed on first use; its values depend on surface, lattice and brick only. May be asked by
-/// several threads at once.
+/// Signed distances at the nodes origin + cell (i, j, k), i, j and k of any sign. Near the surface
+/// they are exact; farther off they are interpolated from the nodes of a grid four times as coarse,
+/// and those, where they are far, from one four times as coarse again.
+/// A node is computed on first use; its value depends on surface, grid and node only. Memory is
+/// used where nodes are asked for. Several threads may ask at once.
 class SurfaceNodes {
  public:
-  static constexpr int side = NodeLattice::coarsening;
-  /// Along x first, then y, then z.
-  using Brick = std::array<float, static_cast<std::size_t>(side) * side * side>;
   using Index = std::array<int, 3>;
 
-  SurfaceNodes(const BodyDistance& surface, const NodeLattice& lattice);
-  ~SurfaceNodes();
-  SurfaceNodes(const SurfaceNodes&) = delete;
-  SurfaceNodes& operator=(const SurfaceNodes&) = delete;
+  /// Nodes less than `band` metres from the surface are exact.
+  SurfaceNodes(const BodyDistance& surface, const Vec3& origin, double cell, double band);
 
-  /// Makes room for the bricks from `first` on, `size` along each axis, among which are all those
-  /// of before; what was computed stays. Not while others ask.
+  /// Makes room for the nodes from `first` on, `size` along each axis, among which are all those of
+  /// before; what was computed stays. Not while others ask.
   void cover(const Index& first, const Index& size);
 
-  /// The nodes from side * brick on. Costs about 64 tree queries the first time, near the skin.
-  const Brick& at(const Index& brick) const;
+  /// A tree query the first time, near the surface. The node is among those that cover() named.
+  float at(const Index& node) const;
+
+  /// What a point's true distance is at least where a spline through the nodes around it says
+  /// `distance`, which is more than `band`.
+  static double at_least(double distance, double cell, double band);
 
  private:
-  const Brick* compute(const Index& brick) const;
-  double coarse(const Index& node) const;
-  static std::size_t place(const Index& from_first, const Index& size) {
-    return (static_cast<std::size_t>(from_first[2]) * size[1] + from_first[1]) * size[0] +
-           from_first[0];
-  }
+  /// A grid of one coarseness.
+  struct Level {
+    double cell;
+    double reach;  // nodes that are said to be nearer are computed from the surface
+    Index first = {0, 0, 0};
+    Index size = {0, 0, 0};
+    struct Free {
+      void operator()(void* memory) const { std::free(memory); }
+    };
+    std::unique_ptr<std::atomic<float>[], Free> values;  // 0: not known yet
+
+    std::size_t place(const Index& node) const;
+  };
+  static constexpr std::size_t levels = 3;
+
+  float at(std::size_t level, const Index& node) const;
+  float compute(std::size_t level, const Index& node) const;
 
   BodyDistance surface_;
-  NodeLattice lattice_;
-  Index first_ = {0, 0, 0};
-  Index size_ = {0, 0, 0};
-  std::unique_ptr<std::atomic<const Brick*>[]> bricks_;
-  std::unique_ptr<std::atomic<float>[]> coarse_;  // one more along each axis; NaN: not known yet
+  Vec3 origin_;
+  std::array<Level, levels> levels_;
 };
 
 }  // namespace toile
