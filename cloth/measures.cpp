@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "geometry/error.h"
+#include "geometry/half_edges.h"
 
 namespace toile {
 
@@ -13,19 +15,15 @@ namespace {
 
 using Edge = std::pair<int, int>;
 
-/// How many triangles each edge has, of the triangles [first, last).
+/// How many triangles each edge has, of the triangles [first, last) of `points` points.
 std::vector<std::pair<Edge, int>> edge_uses(const std::vector<Triangle>& triangles, int first,
-                                            int last) {
-  std::vector<Edge> edges;
-  edges.reserve(3 * static_cast<std::size_t>(last - first));
-  for (int t = first; t < last; ++t) {
-    for (int i = 0; i < 3; ++i) {
-      edges.push_back(std::minmax(triangles[t][i], triangles[t][(i + 1) % 3]));
-    }
-  }
-  std::sort(edges.begin(), edges.end());
+                                            int last, std::size_t points) {
+  const std::span<const Triangle> some(triangles.data() + first,
+                                       static_cast<std::size_t>(last - first));
   std::vector<std::pair<Edge, int>> uses;
-  for (const Edge& edge : edges) {
+  uses.reserve(2 * some.size());
+  for (const HalfEdge& side : half_edges(some, points)) {
+    const Edge edge(side.low, side.high);
     if (uses.empty() || uses.back().first != edge) uses.push_back({edge, 0});
     ++uses.back().second;
   }
@@ -128,8 +126,9 @@ Outlines panel_outlines(const PanelMesh& garment) {
   Outlines outlines;
   for (const MeshedPanel& panel : garment.panels) {
     outlines.emplace_back();
-    for (const auto& [edge, uses] : edge_uses(garment.triangles, panel.first_triangle,
-                                              panel.first_triangle + panel.triangles)) {
+    for (const auto& [edge, uses] :
+         edge_uses(garment.triangles, panel.first_triangle, panel.first_triangle + panel.triangles,
+                   garment.flat.size())) {
       if (uses == 1) outlines.back().push_back({edge.first, edge.second});
     }
   }
@@ -168,8 +167,8 @@ GarmentFigures measure_garment(const PanelMesh& pattern, const DressedGarment& d
   }
   std::vector<double> strains;
   std::vector<double> off_seams;
-  for (const auto& [edge, uses] :
-       edge_uses(pattern.triangles, 0, static_cast<int>(pattern.triangles.size()))) {
+  for (const auto& [edge, uses] : edge_uses(
+           pattern.triangles, 0, static_cast<int>(pattern.triangles.size()), pattern.flat.size())) {
     const double rest = (flat[edge.first] - flat[edge.second]).norm();
     const double strain = std::abs((points[edge.first] - points[edge.second]).norm() / rest - 1);
     strains.push_back(strain);
@@ -202,7 +201,8 @@ int border_loops(const std::vector<Triangle>& triangles, std::size_t points) {
     return p;
   };
   std::vector<char> on_border(points, 0);
-  for (const auto& [edge, uses] : edge_uses(triangles, 0, static_cast<int>(triangles.size()))) {
+  for (const auto& [edge, uses] :
+       edge_uses(triangles, 0, static_cast<int>(triangles.size()), points)) {
     if (uses != 1) continue;
     on_border[edge.first] = on_border[edge.second] = 1;
     parent[root(edge.first)] = root(edge.second);

@@ -1,6 +1,7 @@
 // The sides of a mesh's triangles, those along one edge next to each other.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "geometry/types.h"
@@ -20,6 +21,6 @@ struct HalfEdge {
 
 /// All sides of all triangles, by edge (low, high), then by triangle and corner. Every point index
 /// is in [0, points). Linear for meshes whose points have few triangles each.
-std::vector<HalfEdge> half_edges(const std::vector<Triangle>& triangles, std::size_t points);
+std::vector<HalfEdge> half_edges(std::span<const Triangle> triangles, std::size_t points);
 
 }  // namespace toile

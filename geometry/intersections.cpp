@@ -1,9 +1,13 @@
 #include "geometry/intersections.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/box_intersection_d.h>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+
+#include "geometry/triangle_tree.h"
 
 namespace toile {
 
@@ -11,19 +15,50 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
-using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
 
 Point to_cgal(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
-std::vector<Box> boxes_of(const TriangleMesh& mesh) {
-  std::vector<Box> boxes;
-  boxes.reserve(mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    CGAL::Bbox_3 box;
-    for (const int corner : mesh.triangles[t]) box += to_cgal(mesh.points[corner]).bbox();
-    boxes.emplace_back(box, static_cast<int>(t));
-  }
-  return boxes;
+struct Box {
+  Vec3 low;
+  Vec3 high;
+};
+
+Box box_of(const TriangleMesh& mesh, int triangle) {
+  const Triangle& corners = mesh.triangles[triangle];
+  const Vec3& a = mesh.points[corners[0]];
+  const Vec3& b = mesh.points[corners[1]];
+  const Vec3& c = mesh.points[corners[2]];
+  return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
+}
+
+bool overlap(const Box& a, const Box& b) {
+  return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
+}
+
+/// Of all pairs (a triangle of `asking`, one of `asked`) whose boxes meet those that `test` lets
+/// pass, in no order.
+template <class Test>
+std::vector<TrianglePair> pairs_that(const TriangleMesh& asking, const TriangleMesh& asked,
+                                     const Test& test) {
+  std::vector<TrianglePair> pairs;
+  if (asking.triangles.empty() || asked.triangles.empty()) return pairs;
+  const TriangleTree tree(asked);
+  tbb::enumerable_thread_specific<std::vector<TrianglePair>> found;
+  tbb::parallel_for(tbb::blocked_range<int>(0, static_cast<int>(asking.triangles.size()), 256),
+                    [&](const tbb::blocked_range<int>& range) {
+                      std::vector<TrianglePair>& here = found.local();
+                      std::vector<int> near;
+                      for (int a = range.begin(); a < range.end(); ++a) {
+                        const Box box = box_of(asking, a);
+                        near.clear();
+                        tree.meeting(box.low, box.high, near);
+                        for (const int b : near) {
+                          if (overlap(box, box_of(asked, b)) && test(a, b)) here.push_back({a, b});
+                        }
+                      }
+                    });
+  for (const auto& some : found) pairs.insert(pairs.end(), some.begin(), some.end());
+  return pairs;
 }
 
 Kernel::Triangle_3 triangle_of(const TriangleMesh& mesh, const Triangle& corners) {
@@ -71,29 +106,27 @@ bool meet(const TriangleMesh& mesh, const Triangle& s, const Triangle& t) {
 }  // namespace
 
 std::vector<TrianglePair> self_intersections(const TriangleMesh& mesh) {
-  std::vector<Box> boxes = boxes_of(mesh);
-  std::vector<TrianglePair> pairs;
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-    const int first = std::min(a.info(), b.info());
-    const int second = std::max(a.info(), b.info());
-    if (meet(mesh, mesh.triangles[first], mesh.triangles[second])) pairs.push_back({first, second});
+  std::vector<TrianglePair> pairs = pairs_that(mesh, mesh, [&](int a, int b) {
+    return a < b && meet(mesh, mesh.triangles[a], mesh.triangles[b]);
   });
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
 
 std::vector<TrianglePair> intersections(const TriangleMesh& first, const TriangleMesh& second) {
-  std::vector<Box> first_boxes = boxes_of(first);
-  std::vector<Box> second_boxes = boxes_of(second);
+  const auto meets = [&](int a, int b) {
+    return CGAL::do_intersect(triangle_of(first, first.triangles[a]),
+                              triangle_of(second, second.triangles[b]));
+  };
   std::vector<TrianglePair> pairs;
-  CGAL::box_intersection_d(
-      first_boxes.begin(), first_boxes.end(), second_boxes.begin(), second_boxes.end(),
-      [&](const Box& a, const Box& b) {
-        if (CGAL::do_intersect(triangle_of(first, first.triangles[a.info()]),
-                               triangle_of(second, second.triangles[b.info()]))) {
-          pairs.push_back({a.info(), b.info()});
-        }
-      });
+  // The tree is cheaper to build of the smaller mesh; most of the other's triangles are nowhere
+  // near it, which they are told at once.
+  if (second.triangles.size() <= first.triangles.size()) {
+    pairs = pairs_that(first, second, meets);
+  } else {
+    pairs = pairs_that(second, first, [&](int b, int a) { return meets(a, b); });
+    for (TrianglePair& pair : pairs) std::swap(pair[0], pair[1]);
+  }
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }

@@ -128,14 +128,16 @@ class Body {
       : scanner_(scanner), data_(data), name_(name), binary_(binary), at_(scanner.offset()) {}
 
   /// Each element of a text file has its line, each value of a binary one its bytes.
-  void begin(const std::string& what) {
-    what_ = what;
-    if (!binary_) scanner_.need_line(what);
+  void begin(const Element& element, long long number) {
+    element_ = &element;
+    number_ = number;
+    if (!binary_) scanner_.need_line(what());
   }
 
   double value(Type type) {
-    if (!binary_) return scanner_.number("a value of " + what_);
-    if (data_.size() - at_ < size_of(type)) fail("the file ends within " + what_, "is it cut off?");
+    if (!binary_) return scanner_.number("a value of " + what());
+    if (data_.size() - at_ < size_of(type))
+      fail("the file ends within " + what(), "is it cut off?");
     const char* const bytes = &data_[at_];
     at_ += size_of(type);
     switch (type) {
@@ -162,17 +164,17 @@ class Body {
   double coordinate(Type type) {
     const double number = value(type);
     if (!std::isfinite(number)) {
-      fail("a coordinate of " + what_ + " is not a finite number", "export the body again");
+      fail("a coordinate of " + what() + " is not a finite number", "export the body again");
     }
     return number;
   }
 
-  long long whole(Type type, long long low, long long high, const std::string& which) {
+  long long whole(Type type, long long low, long long high, const char* which) {
     const double number = value(type);
     if (!(number >= low && number <= high) || number != std::floor(number)) {
       std::string text;
       append_number(text, number);
-      fail(which + " of " + what_ + " is " + text + ", not a whole number from " +
+      fail(std::string(which) + " of " + what() + " is " + text + ", not a whole number from " +
                std::to_string(low) + " to " + std::to_string(high),
            "");
     }
@@ -186,6 +188,8 @@ class Body {
     for (long long i = 0; i < values; ++i) value(property.type);
   }
 
+  std::string what() const { return element_->name + " " + std::to_string(number_); }
+
   [[noreturn]] void fail(const std::string& problem, const std::string& remedy) const {
     if (!binary_) scanner_.fail(problem, remedy);
     throw Error(name_ + ", byte " + std::to_string(at_), problem, remedy);
@@ -197,7 +201,8 @@ class Body {
   const std::string& name_;
   std::optional<std::endian> binary_;
   std::size_t at_;
-  std::string what_;
+  const Element* element_ = nullptr;
+  long long number_ = 0;
 };
 
 void read_point(Body& body, const Element& element, PolygonSoup& soup) {
@@ -270,7 +275,7 @@ PolygonSoup parse_ply(std::string_view data, const std::string& name) {
   for (const Element& element : header.elements) {
     if (element.properties.empty()) continue;  // nothing is stored of it, however many it claims
     for (long long i = 0; i < element.count; ++i) {
-      body.begin(element.name + " " + std::to_string(i));
+      body.begin(element, i);
       if (element.name == "vertex") {
         read_point(body, element, soup);
       } else if (element.name == "face") {
