@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iostream>
+#include <random>
+
 #include "tests/support/shapes.h"
 
 namespace toile {
@@ -48,6 +52,36 @@ TEST(Intersections, SeeDuplicateFaces) {
   TriangleMesh mesh = test::cube();
   mesh.triangles.push_back(mesh.triangles.front());
   EXPECT_EQ(self_intersections(mesh).size(), 1u);
+}
+
+TEST(Intersections, AreThoseOfEveryPairByItself) {
+  // Two crumpled sheets through each other: hundreds of pairs that meet, and thousands that do not.
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto crumpled = [&](int subdivisions, const Vec3& middle) {
+    TriangleMesh mesh = test::sphere(0.1, subdivisions);
+    for (Vec3& p : mesh.points) p += middle + 0.01 * Vec3(unit(random), unit(random), unit(random));
+    return mesh;
+  };
+  const TriangleMesh small = crumpled(2, {0.03, 0.02, 0.01});
+  const TriangleMesh large = crumpled(3, {0, 0, 0});
+  const auto alone = [](const TriangleMesh& mesh, int triangle) {
+    return TriangleMesh{mesh.points, {mesh.triangles[triangle]}};
+  };
+  std::vector<TrianglePair> expected;
+  for (int a = 0; a < static_cast<int>(small.triangles.size()); ++a) {
+    const TriangleMesh one = alone(small, a);
+    for (int b = 0; b < static_cast<int>(large.triangles.size()); ++b) {
+      if (!intersections(one, alone(large, b)).empty()) expected.push_back({a, b});
+    }
+  }
+  EXPECT_GT(expected.size(), 50u);
+  EXPECT_EQ(intersections(small, large), expected);
+  std::vector<TrianglePair> turned;
+  for (const auto& [b, a] : intersections(large, small)) turned.push_back({a, b});
+  std::sort(turned.begin(), turned.end());
+  EXPECT_EQ(turned, expected);
+  std::cout << expected.size() << " pairs\n";
 }
 
 }  // namespace
