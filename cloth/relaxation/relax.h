@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cloth/program.h"
+#include "cloth/relaxation/force_options.h"
 
 namespace toile {
 
@@ -15,7 +16,7 @@ struct Residual {
   double max = 0;
 };
 
-struct RelaxOptions {
+struct RelaxOptions : ForceOptions {
   int max_iterations = 4000;
   /// Seams close over this many iterations or, where cloth is in the way, more; then the run ends.
   /// 0: they are closed. 2000 and more keeps the panels from tangling on their way [measured on two
@@ -25,28 +26,10 @@ struct RelaxOptions {
   /// seams close). Far above 1, panels stay smooth and seams don't fold onto themselves.
   double bending_from = 1;
   double bending_to = 1;
-  double gravity = 1;  ///< factor on the scene's
-  /// Share of the stiffness that resists compression. Real cloth buckles in folds finer than a
-  /// coarse mesh has; a mesh that can't is held up by its own creases unless compression is cheap
-  /// [tension-field theory: Pipkin 1986].
-  double compression = 1;
-  /// Pull toward the skin, as a multiple of the cloth's weight far from it, falling to nothing at
-  /// the skin [Zhong & Xu 2009, wrapping]. Without it, the middle of a wide
-  /// panel stays where it was while its seams close, and folds into one sharp ridge.
-  double pull = 0;
-  bool friction = true;  ///< against the body; off, a garment can find its way down
-  /// Keeps every node within its bound of the last search, so that what is apart stays apart.
-  /// To be used from a state without intersections; a tangle would be locked in.
-  bool bounded = false;
-  /// Keeps the cloth apart from the scene's layers too, each vertex, edge and face of either from
-  /// the other's, within the bounds. To be used from a state that does not meet them.
-  bool layer_contact = false;
-  double momentum = 0.9995;    ///< cap of Nesterov's weight k/(k+3)
-  double max_move = 0.004;     ///< metres a node may move in an iteration
-  double body_offset = 0.002;  ///< metres; larger on coarse meshes, whose faces cut corners
-  double self_radius = 0.005;  ///< metres within which cloth is looked for
-  double stop_median = 0;      ///< at rest when the residual is below both, in node weights;
-  double stop_rms = 0;         ///< 0: run all iterations
+  double momentum = 0.9995;  ///< cap of Nesterov's weight k/(k+3)
+  double max_move = 0.004;   ///< metres a node may move in an iteration
+  double stop_median = 0;    ///< at rest when the residual is below both, in node weights;
+  double stop_rms = 0;       ///< 0: run all iterations
 };
 
 struct RelaxReport {

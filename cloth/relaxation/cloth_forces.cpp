@@ -1,0 +1,263 @@
+#include "cloth/relaxation/cloth_forces.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "cloth/relaxation/side_by_side.h"
+
+namespace toile {
+
+namespace {
+
+/// Active pairs that one task handles.
+constexpr std::size_t pair_chunk = 128;
+
+/// Largest share in [0, 1] of `way` that keeps away + share·way within `radius`.
+double share_within(const Vec3& away, const Vec3& way, double radius) {
+  const double a = way.squaredNorm();
+  if (a == 0 || (away + way).norm() <= radius) return 1;
+  const double b = away.dot(way);
+  const double c = std::min(away.squaredNorm() - radius * radius, 0.0);
+  // Just inside: the root itself may round to the outside.
+  return std::clamp((std::sqrt(b * b - a * c) - b) / a * (1 - 1e-9), 0.0, 1.0);
+}
+
+}  // namespace
+
+ClothForces::ClothForces(const Program& program, const ForceOptions& options,
+                         const std::vector<Vec3>& x, bool open_seams)
+    : program_(program),
+      options_(options),
+      stretch_{program.scene.strain_limit.value_or(-1), options.compression},
+      gravity_(options.gravity * as_vec4(program.scene.gravity)),
+      nodes_(as_vec4(x)),
+      open_(open_seams ? 1 : 0) {
+  if (layer_contact()) {
+    for (const Vec3& p : layers().points) nodes_.push_back(as_vec4(p));
+  }
+  use_skin(open_seams);
+}
+
+std::vector<Vec3> ClothForces::state() const {
+  std::vector<Vec3> state(program_.nodes);
+  for (std::size_t n = 0; n < state.size(); ++n) state[n] = as_vec3(nodes_[n]);
+  return state;
+}
+
+std::vector<Vec3> ClothForces::all_positions() const {
+  std::vector<Vec3> all;
+  all.reserve(vertices());
+  for (const Vec4& p : positions()) all.push_back(as_vec3(p));
+  return all;
+}
+
+void ClothForces::use_skin(bool points) {
+  by_points_ = points;
+  kernel_ = std::make_unique<ElasticKernel>(program_, points);
+  const std::size_t count = kernel_->vertices();
+  vertex_force_.assign(count, Vec4{});
+  vertex_first_.clear();
+  vertices_.clear();
+  points_.clear();
+  if (points) {
+    vertex_first_.assign(program_.nodes + 1, 0);
+    for (const int node : program_.node_of_point) ++vertex_first_[node + 1];
+    std::partial_sum(vertex_first_.begin(), vertex_first_.end(), vertex_first_.begin());
+    vertices_.resize(count);
+    std::vector<int> next(vertex_first_.begin(), vertex_first_.end() - 1);
+    for (std::size_t v = 0; v < count; ++v) {
+      vertices_[next[program_.node_of_point[v]]++] = static_cast<int>(v);
+    }
+    place_points();
+  }
+  contacts_.assign(count, {});
+  guards_.assign(count, Vec4{});
+  pairs_.clear();
+  bound_.clear();
+  search_due_ = true;
+  if (!self_contact()) {
+    set_guards();
+    return;
+  }
+  std::vector<int> node(count);
+  std::vector<double> shortest(count);
+  for (std::size_t v = 0; v < count; ++v) {
+    node[v] = points ? program_.node_of_point[v] : static_cast<int>(v);
+    shortest[v] = program_.shortest_edge[node[v]];
+  }
+  proximity_ = std::make_unique<ProximitySearch>(
+      points ? program_.triangles : program_.node_triangles, node, shortest);
+  if (layer_contact()) {
+    proximity_->add_layer(layers().triangles, static_cast<int>(layers().points.size()),
+                          program_.scene.layer_gap);
+  }
+}
+
+void ClothForces::place_points() {
+  if (points_.empty()) {
+    points_.resize(program_.node_of_point.size());
+    points_.insert(points_.end(), nodes_.begin() + program_.nodes, nodes_.end());
+  }
+  for (std::size_t p = 0; p < program_.node_of_point.size(); ++p) {
+    points_[p] = nodes_[program_.node_of_point[p]] + open_ * as_vec4(program_.offsets[p]);
+  }
+}
+
+void ClothForces::close_seams(double wanted) {
+  double open = wanted;
+  if (bounded()) {
+    // The closing moves points too: no farther than their bounds allow.
+    for (std::size_t p = 0; p < program_.offsets.size(); ++p) {
+      const Vec3 away = as_vec3(points_[p]) - searched_at_[p];
+      const Vec3 way = (wanted - open_) * program_.offsets[p];
+      const double share = share_within(away, way, bound_[p]);
+      if (share < 1) search_due_ = true;
+      open = std::max(open, open_ + share * (wanted - open_));
+    }
+  }
+  if (open <= 0) {
+    open_ = 0;
+    use_skin(false);
+    return;
+  }
+  open_ = open;
+  place_points();
+  for (std::size_t p = 0; p < vertices(); ++p) {
+    const Vec4 moved = points_[p] - guards_[p];
+    if (squared_length(moved) > guards_[p][3]) set_guard(p, as_vec3(points_[p]));
+  }
+}
+
+void ClothForces::search_when_due(int interval, int most_interval) {
+  if (!self_contact()) return;
+  // Unbounded, a node may leave the searched neighbourhood: look again now and then.
+  if (!options_.bounded && since_search_ >= most_interval) search_due_ = true;
+  if (search_due_ && (since_search_ >= interval || bound_.empty())) {
+    search();
+    ++searches_;
+  } else if (activation_due_) {
+    activate_pairs();
+  }
+  ++since_search_;
+}
+
+void ClothForces::look_anew() {
+  for (BodyContact& contact : contacts_) contact.forget();
+  if (self_contact()) activate_pairs();
+  set_guards();
+}
+
+void ClothForces::search() {
+  const std::vector<Vec3> p = all_positions();
+  const double gap = program_.self_gap;
+  // Bounds that nobody keeps say nothing of where things are.
+  if (bounded()) {
+    proximity_->update(p, options_.self_radius, gap, pairs_.pairs(), bound_, searched_at_,
+                       by_points_);
+  } else {
+    proximity_->find(p, options_.self_radius, gap, pairs_.pairs(), bound_, by_points_);
+    searched_at_ = p;
+  }
+  since_search_ = 0;
+  search_due_ = false;
+  activate_pairs();
+}
+
+void ClothForces::activate_pairs() {
+  activated_at_ = all_positions();
+  pairs_.activate(activated_at_);
+  activation_due_ = false;
+  set_guards();
+}
+
+void ClothForces::set_guards() {
+  side_by_side(chunks_of(vertices(), vertex_chunk), [&](std::size_t c) {
+    const std::size_t end = std::min(vertices(), (c + 1) * vertex_chunk);
+    for (std::size_t v = c * vertex_chunk; v < end; ++v) set_guard(v, as_vec3(positions()[v]));
+  });
+}
+
+/// How far a vertex that stands at `p` may go until it has to be looked after again: because the
+/// body is near, its bound used up, or a pair may begin to push.
+void ClothForces::set_guard(std::size_t v, const Vec3& p) {
+  double reach = 1e3;
+  if (program_.scene.body != nullptr) {
+    if (contacts_[v].remaining(p) <= 0) contacts_[v].look(program_.scene, p, options_.body_offset);
+    reach = contacts_[v].remaining(p);
+  }
+  if (bounded()) {
+    const double left = bound_[v] - (p - searched_at_[v]).norm();
+    reach = std::min(reach, std::max(left, 0.0));
+  }
+  if (!bound_.empty() && !activation_due_) {
+    const double left = 0.5 * PairForces::margin - (p - activated_at_[v]).norm();
+    if (left <= 0) activation_due_ = true;
+    reach = std::min(reach, std::max(left, 0.0));
+  }
+  guards_[v] = as_vec4(p);
+  guards_[v][3] = reach * reach;
+}
+
+void ClothForces::compute(double bending) {
+  bending_ = bending;
+  const Vec4s& p = positions();
+  const std::size_t pulls = chunks_of(kernel_->groups(), vertex_chunk);
+  const std::size_t pushes = chunks_of(pairs_.active(), pair_chunk);
+  side_by_side(pulls + pushes, [&](std::size_t c) {
+    if (c < pulls) {
+      kernel_->pull(c * vertex_chunk, std::min(kernel_->groups(), (c + 1) * vertex_chunk), stretch_,
+                    p);
+    } else {
+      const std::size_t begin = (c - pulls) * pair_chunk;
+      pairs_.push(begin, std::min(pairs_.active(), begin + pair_chunk), options_.bounded, p);
+    }
+  });
+  side_by_side(chunks_of(vertices(), vertex_chunk), [&](std::size_t c) {
+    // A seam bends as one cloth only when it is sewn.
+    kernel_->gather(c * vertex_chunk, std::min(vertices(), (c + 1) * vertex_chunk), bending_,
+                    1 - open_, p, vertex_force_);
+  });
+}
+
+/// Where a node comes to on its way to `wanted` without any of its vertices leaving its bound.
+Vec3 ClothForces::within_bounds(std::size_t node, const Vec3& wanted) const {
+  if (!by_points_) {
+    const Vec3 away = wanted - searched_at_[node];
+    const double distance = away.norm();
+    return distance > bound_[node] ? searched_at_[node] + away * (bound_[node] / distance) : wanted;
+  }
+  const Vec3 from = as_vec3(nodes_[node]);
+  const Vec3 way = wanted - from;
+  double share = 1;
+  for (int i = vertex_first_[node]; i < vertex_first_[node + 1]; ++i) {
+    const int v = vertices_[i];
+    share = std::min(share, share_within(as_vec3(points_[v]) - searched_at_[v], way, bound_[v]));
+  }
+  return share < 1 ? Vec3(from + share * way) : wanted;
+}
+
+/// A node that leaves the guard of one of its vertices: stopped at its bounds, looked after anew.
+bool ClothForces::leave_guard(std::size_t node, const Vec4& wanted) {
+  Vec3 next = as_vec3(wanted);
+  bool allowed = true;
+  if (bounded()) {
+    const Vec3 within = within_bounds(node, next);
+    allowed = within == next;
+    if (!allowed) search_due_ = true;
+    next = within;
+  }
+  nodes_[node] = as_vec4(next);
+  if (!by_points_) {
+    set_guard(node, next);
+    return allowed;
+  }
+  for (int i = vertex_first_[node]; i < vertex_first_[node + 1]; ++i) {
+    const int v = vertices_[i];
+    set_guard(v, next + open_ * program_.offsets[v]);
+  }
+  return allowed;
+}
+
+}  // namespace toile

@@ -1,0 +1,146 @@
+// All that acts on the nodes of a garment, and how far each may go: what relaxation and release,
+// which move them, have in common.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <vector>
+
+#include "cloth/body_pull.h"
+#include "cloth/program.h"
+#include "cloth/relaxation/body_contact.h"
+#include "cloth/relaxation/elastic_kernel.h"
+#include "cloth/relaxation/force_options.h"
+#include "cloth/relaxation/pair_forces.h"
+#include "cloth/relaxation/vec4.h"
+#include "cloth/self_contact.h"
+
+namespace toile {
+
+/// Nodes stand where move() brought them. A step of all of them: search_when_due(), compute(), then
+/// for each node at(), and move(). at() and move() of different nodes may run side by side; then
+/// moved(). The options and the program stay where they are as long as this lives.
+class ClothForces {
+ public:
+  /// `x`: one a node, metres. With `open_seams`, seams stand as they were placed, until
+  /// close_seams(); vertices, which touch things, are material points until then, else nodes.
+  ClothForces(const Program& program, const ForceOptions& options, const std::vector<Vec3>& x,
+              bool open_seams);
+
+  const Vec4& node(std::size_t n) const { return nodes_[n]; }
+  std::vector<Vec3> state() const;
+  double open() const { return open_; }  ///< 1: seams as placed, 0: closed
+  bool seams_stand_open() const { return by_points_; }
+  /// Closes them until `open` is left, or as far as bounds allow; at 0 they are sewn for good.
+  void close_seams(double open);
+
+  /// Looks for near cloth when nodes have used up their bounds; `interval` compute()s apart at
+  /// least, and, unbounded, `most_interval` at most.
+  void search_when_due(int interval, int most_interval);
+  int searches() const { return searches_; }
+  /// Forgets what is known of the body and of who is near, to see it anew where the nodes are.
+  void look_anew();
+
+  /// Between cloth and cloth, and within the cloth. `bending` multiplies its bending stiffness.
+  void compute(double bending);
+  /// What compute() found, with weight, body and friction: the force (N) and a bound of its
+  /// stiffness (N/m). Once for each compute(), for friction slides along.
+  [[gnu::always_inline]] void at(std::size_t n, Vec4& force, double& stiffness);
+
+  /// Moves a node to `wanted`, or as far as its bounds allow: then false.
+  [[gnu::always_inline]] bool move(std::size_t n, const Vec4& wanted);
+  void moved() {
+    if (by_points_) place_points();
+  }
+
+ private:
+  void use_skin(bool points);
+  bool bounded() const { return options_.bounded && !bound_.empty(); }
+  void search();
+  void activate_pairs();
+  bool leave_guard(std::size_t node, const Vec4& wanted);
+  Vec3 within_bounds(std::size_t node, const Vec3& wanted) const;
+  void set_guard(std::size_t vertex, const Vec3& p);
+  void set_guards();
+  void place_points();
+  std::vector<Vec3> all_positions() const;
+  std::size_t vertices() const { return kernel_->vertices(); }
+  const Vec4s& positions() const { return by_points_ ? points_ : nodes_; }
+  bool self_contact() const { return program_.scene.self_contact; }
+  bool layer_contact() const {
+    return self_contact() && options_.layer_contact && program_.scene.layers != nullptr;
+  }
+  const TriangleMesh& layers() const { return *program_.scene.layers; }
+  int first_vertex(std::size_t n) const {
+    return by_points_ ? vertex_first_[n] : static_cast<int>(n);
+  }
+  int last_vertex(std::size_t n) const {
+    return by_points_ ? vertex_first_[n + 1] : static_cast<int>(n) + 1;
+  }
+  int vertex(int i) const { return by_points_ ? vertices_[i] : i; }
+
+  const Program& program_;
+  const ForceOptions& options_;
+  const StretchOptions stretch_;
+  const Vec4 gravity_;
+  Vec4s nodes_;  // then the layers' points
+  std::unique_ptr<ElasticKernel> kernel_;
+  Vec4s vertex_force_;
+
+  bool by_points_ = false;
+  double open_ = 0;
+  double bending_ = 1;
+  Vec4s points_;                   // as nodes_, of the material points, while seams stand open
+  std::vector<int> vertex_first_;  // per node, its material points, while seams stand open
+  std::vector<int> vertices_;
+  std::vector<BodyContact> contacts_;  // per vertex
+  /// Per vertex: where it was last looked after, and the square of how far it may go from there
+  /// before it has to be looked after again.
+  Vec4s guards_;
+
+  std::unique_ptr<ProximitySearch> proximity_;
+  PairForces pairs_;
+  std::vector<double> bound_;
+  std::vector<Vec3> searched_at_;
+  std::vector<Vec3> activated_at_;
+  int since_search_ = 0;
+  int searches_ = 0;
+  std::atomic<bool> search_due_ = true;
+  std::atomic<bool> activation_due_ = true;
+};
+
+inline void ClothForces::at(std::size_t n, Vec4& force, double& stiffness) {
+  const bool has_body = program_.scene.body != nullptr;
+  force = program_.mass[n] * gravity_;
+  stiffness = program_.stretch_diagonal[n];
+  if (!program_.bend.empty()) stiffness += bending_ * program_.bend_diagonal[n];
+  const double friction = options_.friction ? program_.friction_skin[n] : 0;
+  const int first = first_vertex(n);
+  const int last = last_vertex(n);
+  for (int i = first; i < last; ++i) {
+    const int v = vertex(i);
+    const Vec4& p = positions()[v];
+    force += vertex_force_[v];
+    pairs_.add(v, force, stiffness);
+    if (has_body) contacts_[v].add(p, friction, force, stiffness);
+    if (options_.pull > 0 && has_body) {
+      const double weight =
+          program_.mass[n] / (last - first) * program_.scene.gravity.norm() * options_.pull;
+      force += as_vec4(pull_to_body(program_.scene, as_vec3(p), weight));
+    }
+  }
+  force[3] = 0;
+}
+
+inline bool ClothForces::move(std::size_t n, const Vec4& wanted) {
+  const int last = last_vertex(n);
+  for (int i = first_vertex(n); i < last; ++i) {
+    const int v = vertex(i);
+    const Vec4 moved = positions()[v] + (wanted - nodes_[n]) - guards_[v];
+    if (squared_length(moved) > guards_[v][3]) return leave_guard(n, wanted);
+  }
+  nodes_[n] = wanted;
+  return true;
+}
+
+}  // namespace toile

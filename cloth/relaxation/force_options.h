@@ -1,0 +1,27 @@
+// What acts on a garment, by all that moves it.
+#pragma once
+
+namespace toile {
+
+struct ForceOptions {
+  double gravity = 1;  ///< factor on the scene's
+  /// Share of the stiffness that resists compression. Real cloth buckles in folds finer than a
+  /// coarse mesh has; a mesh that can't is held up by its own creases unless compression is cheap
+  /// [tension-field theory: Pipkin 1986].
+  double compression = 1;
+  /// Pull toward the skin, as a multiple of the cloth's weight far from it, falling to nothing at
+  /// the skin [Zhong & Xu 2009, wrapping]. Without it, the middle of a wide
+  /// panel stays where it was while its seams close, and folds into one sharp ridge.
+  double pull = 0;
+  bool friction = true;  ///< off, a garment can find its way down
+  /// Keeps every node within its bound of the last search, so that what is apart stays apart.
+  /// To be used from a state without intersections; a tangle would be locked in.
+  bool bounded = false;
+  /// Keeps the cloth apart from the scene's layers too, each vertex, edge and face of either from
+  /// the other's, within the bounds. To be used from a state that does not meet them.
+  bool layer_contact = false;
+  double body_offset = 0.002;  ///< metres; larger on coarse meshes, whose faces cut corners
+  double self_radius = 0.005;  ///< metres within which cloth is looked for
+};
+
+}  // namespace toile

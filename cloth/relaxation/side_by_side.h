@@ -1,0 +1,27 @@
+// Work in parts of fixed size, so that results don't depend on the threads.
+#pragma once
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <cstddef>
+
+namespace toile {
+
+/// Vertices that one task handles.
+inline constexpr std::size_t vertex_chunk = 512;
+
+inline std::size_t chunks_of(std::size_t items, std::size_t size) {
+  return (items + size - 1) / size;
+}
+
+/// Runs `work` for each of `tasks`, side by side where that pays.
+template <typename Work>
+void side_by_side(std::size_t tasks, const Work& work) {
+  if (tasks < 2) {
+    for (std::size_t t = 0; t < tasks; ++t) work(t);
+    return;
+  }
+  tbb::parallel_for(std::size_t{0}, tasks, work, tbb::static_partitioner());
+}
+
+}  // namespace toile
