@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 
 #include "cloth/clear_start.h"
 #include "cloth/levels.h"
@@ -58,6 +59,9 @@ class Dressing {
 
  private:
   void position();
+  bool jammed() const;
+  bool lost() const;
+  DressResult give_up();
   bool wrap(double care);
   bool sew(double care);
   void fall(bool bounded, double compression);
@@ -108,16 +112,56 @@ DressResult Dressing::run() {
     result_.during = {};
     attempt_ = attempt + 1;
     is_clean = wrap(std::pow(2.0, attempt)) && sew(std::pow(2.0, attempt));
+    if (jammed()) return give_up();
   }
   program_ = compile(mesh(), scene_, result_.placement.placed);
   for (;; go_finer()) {
-    fall(is_clean, soft_compression[std::min<std::size_t>(level_, soft_compression.size() - 1)]);
+    if (!lost())
+      fall(is_clean, soft_compression[std::min<std::size_t>(level_, soft_compression.size() - 1)]);
     is_clean = is_clean || clean();
     if (level_ == 0) break;
   }
-  come_to_rest(is_clean);
+  if (!lost()) come_to_rest(is_clean);
   result_.terms = term_counts(program_);
   result_.triangles = program_.node_triangles;
+  result_.tight_seams = tight_seams(mesh(), program_, result_.nodes);
+  return std::move(result_);
+}
+
+/// Seams that have stayed this far open are held apart by something: care won't help.
+bool Dressing::jammed() const {
+  constexpr double hardly_closed = 0.1;
+  return result_.stages.back().open > hardly_closed;
+}
+
+/// Whether the cloth has fallen off, to the feet or farther: it would go on sliding.
+bool Dressing::lost() const {
+  constexpr double far = 0.6;  // metres, on average; panels are lifted by a third of that at most
+  const auto middle = [](const std::vector<Vec3>& points) {
+    const Vec3 sum = std::accumulate(points.begin(), points.end(), Vec3(Vec3::Zero()));
+    return Vec3(sum / static_cast<double>(points.size()));
+  };
+  const Vec3 fallen = middle(result_.nodes) - middle(result_.placement.placed);
+  return fallen.dot(scene_.gravity.normalized()) > far;
+}
+
+/// The garment as far as it came, its seams open.
+DressResult Dressing::give_up() {
+  std::vector<Vec3> points = point_positions(program_, result_.nodes, result_.stages.back().open);
+  const auto each_its_own = [](const PanelMesh& garment) {
+    std::vector<int> nodes(garment.flat.size());
+    std::iota(nodes.begin(), nodes.end(), 0);
+    return nodes;
+  };
+  for (; level_ > 0; --level_) {
+    const PanelMesh& fine = meshes_[level_ - 1];
+    points = refine_positions(mesh(), each_its_own(mesh()), points, fine, each_its_own(fine),
+                              static_cast<int>(fine.flat.size()));
+  }
+  result_.terms = term_counts(program_);
+  result_.residual = result_.stages.back().residual;
+  result_.nodes = std::move(points);
+  result_.triangles = mesh().triangles;
   return std::move(result_);
 }
 

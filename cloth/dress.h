@@ -8,6 +8,7 @@
 #include "cloth/placement.h"
 #include "cloth/program.h"
 #include "cloth/relaxation/relax.h"
+#include "cloth/tightness.h"
 
 namespace toile {
 
@@ -47,6 +48,7 @@ struct DressResult {
   DuringDressing during;
   Residual residual;
   bool converged = false;
+  std::vector<TightSeam> tight_seams;  ///< by the relaxation, which closes them at any tension
 };
 
 /// A state on the way: places of the material points of `mesh`, which may be coarser than the

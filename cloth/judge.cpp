@@ -5,7 +5,8 @@
 namespace toile {
 
 Judgement judge(const PanelMesh& pattern, const DressedGarment& dressed, const TriangleMesh& body,
-                const Skeleton* skeleton, bool converged, const TriangleMesh* layers) {
+                const Skeleton* skeleton, bool converged, const TriangleMesh* layers,
+                const std::vector<TightSeam>& tight) {
   Judgement judgement;
   judgement.garment = measure_garment(pattern, dressed);
   if (skeleton != nullptr) judgement.wraps = measure_wraps(pattern, dressed, *skeleton);
@@ -17,10 +18,19 @@ Judgement judge(const PanelMesh& pattern, const DressedGarment& dressed, const T
   }
   const int all_intersections =
       judgement.body_intersections + judgement.self_intersections + judgement.layer_intersections;
-  if (judgement.garment.seams.open > 0) {
+  judgement.unsewable_seams = judgement.garment.seams.open_seams;
+  for (const TightSeam& seam : tight) {
+    judgement.unsewable_seams.push_back({seam.name, seam.missing_cm});
+  }
+  for (const WrapFigure& wrap : judgement.wraps) {
+    if (wrap.tube && wrap.fraction < around_share) judgement.unwrapped.push_back(wrap.part);
+  }
+  if (!judgement.unsewable_seams.empty()) {
     judgement.verdict = "unsewable";
   } else if (all_intersections > 0) {
     judgement.verdict = "intersecting";
+  } else if (!judgement.unwrapped.empty()) {
+    judgement.verdict = "unwrapped";
   } else if (!converged) {
     judgement.verdict = "unconverged";
   } else {

@@ -8,6 +8,7 @@
 #include <queue>
 
 #include "cloth/bones.h"
+#include "cloth/measures.h"
 
 namespace toile {
 
@@ -204,6 +205,8 @@ std::vector<WrapFigure> measure_wraps(const PanelMesh& garment, const DressedGar
       const auto [station, axis] = bones.at(s);
       figure.fraction += share_met(station, axis, dressed.points, triangles) / stations;
     }
+    // A sheet has one border, whatever its shape.
+    figure.tube = border_loops(triangles, dressed.points.size()) > 1;
     figures.push_back(figure);
   }
   return figures;

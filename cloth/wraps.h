@@ -20,6 +20,7 @@ struct WrapFigure {
   double from = 0;  ///< metres along the bones from the part's first joint; negative before it
   double to = 0;
   double fraction = 0;
+  bool tube = false;  ///< the part's panels are sewn to something that can go around it
 };
 
 /// Measures every part that panels belong to, over the stretch of bone that they are meant to

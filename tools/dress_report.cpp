@@ -106,7 +106,8 @@ nlohmann::ordered_json report_of(const PanelMesh& garment, const Scene& scene,
     report["wraps"].push_back({{"part", wrap.part},
                                {"fraction", wrap.fraction},
                                {"from_m", wrap.from},
-                               {"to_m", wrap.to}});
+                               {"to_m", wrap.to},
+                               {"tube", wrap.tube}});
   }
   report["borders"] = figures.borders;
   report["intersections"] = {{"body", judgement.body_intersections},
@@ -114,9 +115,14 @@ nlohmann::ordered_json report_of(const PanelMesh& garment, const Scene& scene,
                              {"layers", judgement.layer_intersections},
                              {"check", "exact"}};
   report["verdict"] = judgement.verdict;
-  for (const OpenSeam& seam : figures.seams.open_seams) {
+  for (const OpenSeam& seam : judgement.unsewable_seams) {
     report["unsewable_seams"].push_back({{"name", seam.name}, {"missing_cm", seam.missing_cm}});
   }
+  for (const TightSeam& seam : result.tight_seams) {
+    report["tight_seams"].push_back(
+        {{"name", seam.name}, {"tension_N_per_m", seam.tension}, {"missing_cm", seam.missing_cm}});
+  }
+  for (const std::string& part : judgement.unwrapped) report["unwrapped"].push_back(part);
   return report;
 }
 
@@ -191,6 +197,33 @@ void say_terms(const DressResult& result, const CommonSettings& common) {
   common.say(line);
 }
 
+namespace {
+
+/// Why the verdict is what it is, where that takes a name.
+void warn_of_verdict(const DressResult& result, const Judgement& judgement) {
+  std::ostringstream line;
+  line << std::fixed << std::setprecision(1);
+  const char* separator = "";
+  for (const OpenSeam& seam : judgement.unsewable_seams) {
+    line << separator << seam.name << " (" << seam.missing_cm << " cm)";
+    separator = ", ";
+  }
+  if (!result.tight_seams.empty()) {
+    CommonSettings::warn("too tight: closing these seams takes more than a hand's pull of " +
+                         std::to_string(std::lround(hand_pull)) +
+                         " N/m; what is missing at each: " + line.str());
+  } else if (!judgement.unsewable_seams.empty()) {
+    CommonSettings::warn("these seams could not be closed; how far they stand open: " + line.str());
+  }
+  for (const std::string& part : judgement.unwrapped) {
+    CommonSettings::warn(
+        "the garment does not go around " + part +
+        ": check where the panels of that part are placed, and what they are sewn to");
+  }
+}
+
+}  // namespace
+
 void say_result(const DressResult& result, const Judgement& judgement,
                 const CommonSettings& common) {
   const GarmentFigures& figures = judgement.garment;
@@ -217,6 +250,7 @@ void say_result(const DressResult& result, const Judgement& judgement,
     CommonSettings::warn("the cloth is strained by " + percent(figures.strain_off_seams.p99) +
                          " in places: the garment is too small for this body, or caught on it");
   }
+  warn_of_verdict(result, judgement);
   common.say("verdict: " + judgement.verdict);
 }
 

@@ -208,23 +208,32 @@ TEST_F(OutfitInput, ALayerThatIsOnlyNotAtRestIsDressedOver) {
 }
 
 TEST_F(OutfitInput, NothingIsDressedOverALayerThatFailed) {
-  // Two panels through one another, which nothing takes apart.
-  PanelMesh cross;
-  test::add_panel(cross, "one", test::grid(0.2, 0.2, 4, 4),
-                  [](const Vec2& p) { return Vec3(p.x() - 0.1, 0.6 + p.y(), 0.01); });
-  test::add_panel(cross, "other", test::grid(0.2, 0.2, 4, 4),
-                  [](const Vec2& p) { return Vec3(0.013, 0.61 + p.y(), p.x() - 0.1); });
-  write_garment(folder / "cross.obj", cross);
+  // A tube of 44 cm for a cylinder of 63.
+  PanelMesh tight;
+  for (const double z : {0.15, -0.15}) {
+    test::add_panel(
+        tight, z > 0 ? "front" : "back", test::grid(0.22, 0.1, 8, 2),
+        [&](const Vec2& p) { return Vec3((p.x() - 0.11) * (z > 0 ? 1 : -1), 0.15 + p.y(), z); });
+  }
+  const auto side_of = [&](int panel, bool right) {
+    return test::side(tight.panels[panel], 8, 2, right);
+  };
+  tight.seams = {test::seam("left", side_of(0, true), side_of(1, false)),
+                 test::seam("right", side_of(0, false), side_of(1, true))};
+  write_garment(folder / "tight.obj", tight);
   write_text(scene, R"({"body": "body.ply", "layers": [
-      {"name": "cross", "garment": "cross.obj"}, {"name": "coat", "garment": "tube.obj"}]})");
+      {"name": "tight", "garment": "tight.obj"}, {"name": "coat", "garment": "tube.obj"}]})");
   const pipeline::Run done = dress();
   EXPECT_EQ(done.exit_code, 3) << done.err;
-  EXPECT_NE(done.err.find("layer cross is intersecting"), std::string::npos) << done.err;
+  EXPECT_NE(done.err.find("layer tight is unsewable"), std::string::npos) << done.err;
   const Json said = Json::parse(read_text(report));
-  EXPECT_EQ(said["verdict"], "intersecting");
+  EXPECT_EQ(said["verdict"], "unsewable");
   EXPECT_EQ(said["layers"].size(), 1U);
+  for (const Json& seam : said["layers"][0]["unsewable_seams"]) {
+    EXPECT_NEAR(seam["missing_cm"].get<double>(), (63 - 44) / 2.0, 2) << seam;
+  }
   EXPECT_EQ(said["not_dressed"], Json::array({"coat"}));
-  EXPECT_TRUE(fs::exists(folder / "out-cross.obj"));
+  EXPECT_TRUE(fs::exists(folder / "out-tight.obj"));
   EXPECT_FALSE(fs::exists(folder / "out-coat.obj"));
 }
 

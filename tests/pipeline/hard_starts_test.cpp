@@ -1,0 +1,159 @@
+// dress with starts that go wrong: each ends soon, sewn or with a verdict that says why.
+#include <gtest/gtest.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "tests/pipeline/run_program.h"
+
+namespace toile::pipeline {
+namespace {
+
+using Json = nlohmann::json;
+
+class HardStarts : public testing::Test {
+ protected:
+  // The body is the same for all: made once.
+  static void SetUpTestSuite() {
+    shared = new ScratchFolder;
+    ASSERT_EQ(run("make-mannequin", {"-o", body(), "--edge-length", "14mm", "-q"}).exit_code, 0);
+  }
+  static void TearDownTestSuite() {
+    delete shared;
+    shared = nullptr;
+  }
+  static fs::path body() { return *shared / "body.ply"; }
+
+  HardStarts()
+      : tshirt(Json::parse(read_text(fs::path(TOILE_SOURCE_DIR) / "samples" / "tshirt.json"))) {}
+
+  Json& panel(const std::string& name) { return tshirt["pattern"]["panels"][name]; }
+
+  void dress(int exit_code, const std::vector<std::string>& options = {}) {
+    write_text(folder / "pattern.json", tshirt.dump());
+    const fs::path garment = folder / "garment.obj";
+    ASSERT_EQ(
+        run("mesh-pattern", {folder / "pattern.json", "-o", garment, "--edge-length", "25mm", "-q"})
+            .exit_code,
+        0);
+    std::vector<std::string> words = {
+        "--body", body(), garment, "-o", dressed, "--report", folder / "report.json"};
+    words.insert(words.end(), options.begin(), options.end());
+    done = run("dress", words, 60);
+    EXPECT_EQ(done.exit_code, exit_code) << done.err;
+    if (done.exit_code == 1) return;
+    report = Json::parse(read_text(folder / "report.json"));
+    std::cout << report["verdict"] << " after " << report["seconds"] << " s\n";
+    RecordProperty("verdict", report["verdict"].get<std::string>());
+  }
+
+  void expect_sewn() {
+    EXPECT_EQ(report["verdict"], "sewn");
+    EXPECT_EQ(report["wraps"].size(), 3U);
+    for (const Json& wrap : report["wraps"]) EXPECT_GE(wrap["fraction"], 0.97) << wrap;
+  }
+
+  static ScratchFolder* shared;
+  ScratchFolder folder;
+  fs::path dressed = folder / "dressed.obj";
+  Json tshirt;
+  pipeline::Run done;
+  Json report;
+};
+
+ScratchFolder* HardStarts::shared = nullptr;
+
+TEST_F(HardStarts, PanelsThatOverlapAreMovedApartAndSewn) {
+  Json& x = panel("right_front")["translation"][0];
+  x = x.get<double>() + 15;
+  dress(0);
+  expect_sewn();
+  EXPECT_GT(report["scene"]["moved_clear_mm"]["right_front"], 20);
+  EXPECT_FALSE(report["scene"]["moved_clear_mm"].contains("left_front"));
+  EXPECT_NE(done.err.find("panel right_front stood through"), std::string::npos) << done.err;
+}
+
+TEST_F(HardStarts, PanelsInTheBodyAreMovedOutAndSewn) {
+  for (const char* name : {"left_front", "right_front", "left_back", "right_back"}) {
+    Json& z = panel(name)["translation"][2];
+    z = 0.2 * z.get<double>();
+  }
+  dress(0);
+  expect_sewn();
+  EXPECT_EQ(report["scene"]["moved_clear_mm"].size(), 4U);
+  EXPECT_EQ(report["scene"]["points_inside_at_start"], 0);
+}
+
+TEST_F(HardStarts, APanelThatFindsNoPlaceIsNamed) {
+  panel("left_front")["rotation"] = {0, 90, 0};
+  dress(1);
+  EXPECT_NE(done.err.find("'left_front'"), std::string::npos) << done.err;
+  EXPECT_EQ(done.err.find("sleeve"), std::string::npos) << done.err;
+  EXPECT_FALSE(fs::exists(dressed));
+}
+
+TEST_F(HardStarts, APanelBehindTheBodyDoesNotSew) {
+  panel("left_front")["translation"][2] = -45;
+  dress(3);
+  EXPECT_EQ(report["verdict"], "unsewable");
+  bool named = false;
+  for (const Json& seam : report["unsewable_seams"]) {
+    named = named || seam["name"] == "centre front";
+    EXPECT_GT(seam["missing_cm"], 0) << seam;
+  }
+  EXPECT_TRUE(named) << report["unsewable_seams"];
+}
+
+TEST_F(HardStarts, FrontsAndBacksOnOneSideWrapNothing) {
+  for (const std::string side : {"left", "right"}) {
+    panel(side + "_back")["translation"] = panel(side + "_front")["translation"];
+    panel(side + "_back")["rotation"] = panel(side + "_front")["rotation"];
+  }
+  dress(3);
+  // It slides down to the feet, and may be caught on them.
+  EXPECT_TRUE(report["verdict"] == "unwrapped" || report["verdict"] == "intersecting");
+  EXPECT_EQ(report["unwrapped"], Json({"torso", "left_arm", "right_arm"}));
+  EXPECT_NE(done.err.find("does not go around torso"), std::string::npos) << done.err;
+}
+
+TEST_F(HardStarts, SleevesOnTheWrongArmsDoNotSew) {
+  for (const std::string half : {"_sleeve_f", "_sleeve_b"}) {
+    for (const char* key : {"translation", "rotation", "placement"}) {
+      std::swap(panel("left" + half)[key], panel("right" + half)[key]);
+    }
+  }
+  dress(3);
+  EXPECT_EQ(report["verdict"], "unsewable");
+  EXPECT_NE(done.err.find("armhole"), std::string::npos) << done.err;
+}
+
+TEST_F(HardStarts, ThreeSizesSmallLacksCentimetres) {
+  for (auto& [name, piece] : tshirt["pattern"]["panels"].items()) {
+    for (Json& vertex : piece["vertices"]) {
+      for (Json& coordinate : vertex) coordinate = 0.7 * coordinate.get<double>();
+    }
+  }
+  dress(3);
+  EXPECT_EQ(report["verdict"], "unsewable");
+  // The hips have 98 cm, the hem 74: the four seams around it share what is missing.
+  double missing_cm = 0;
+  for (const Json& seam : report["unsewable_seams"]) {
+    std::cout << seam << "\n";
+    if (seam["name"].get<std::string>().ends_with(" side"))
+      missing_cm += seam["missing_cm"].get<double>();
+  }
+  EXPECT_GT(missing_cm, 6);
+  EXPECT_LT(missing_cm, 24);
+  for (const Json& seam : report["tight_seams"]) EXPECT_GT(seam["tension_N_per_m"], 150) << seam;
+}
+
+TEST_F(HardStarts, GravitySidewaysOrUpward) {
+  dress(0, {"--gravity=9.81,0,0"});
+  expect_sewn();
+  EXPECT_EQ(report["scene"]["gravity_m_per_s2"], Json({9.81, 0.0, 0.0}));
+  dress(0, {"--gravity=0,9.81,0"});
+  expect_sewn();
+}
+
+}  // namespace
+}  // namespace toile::pipeline
