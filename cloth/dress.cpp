@@ -66,6 +66,7 @@ class Dressing {
   bool sew(double care);
   void fall(bool bounded, double compression);
   void come_to_rest(bool bounded);
+  void let_go(bool bounded);
   const StageReport& stage(const std::string& name, RelaxOptions options);
   void go_finer();
   RelaxOptions level_options() const;
@@ -81,6 +82,7 @@ class Dressing {
   int level_ = 0;
   int attempt_ = 1;
   Program program_;  // of the mesh in hand
+  Grip grip_;        // of the last stage
   DressResult result_;
 };
 
@@ -121,7 +123,9 @@ DressResult Dressing::run() {
     is_clean = is_clean || clean();
     if (level_ == 0) break;
   }
-  if (!lost()) come_to_rest(is_clean);
+  const bool is_lost = lost();
+  if (!is_lost) come_to_rest(is_clean);
+  if (!is_lost && options_.release_seconds > 0) let_go(is_clean);
   result_.terms = term_counts(program_);
   result_.triangles = program_.node_triangles;
   result_.tight_seams = tight_seams(mesh(), program_, result_.nodes);
@@ -228,6 +232,18 @@ void Dressing::come_to_rest(bool bounded) {
   result_.converged = last.converged;
 }
 
+void Dressing::let_go(bool bounded) {
+  ReleaseOptions options;
+  static_cast<ForceOptions&>(options) = level_options();
+  options.body_offset = result_.body_offset;
+  options.bounded = bounded;
+  options.layer_contact = clear_of_layers();
+  options.grip = &grip_;
+  options.seconds = options_.release_seconds;
+  std::vector<Vec3> nodes = result_.nodes;
+  result_.release = release(program_, options, nodes);
+}
+
 void Dressing::position() {
   const auto start = std::chrono::steady_clock::now();
   result_.placement = start_of(mesh(), scene_);
@@ -270,6 +286,7 @@ const StageReport& Dressing::stage(const std::string& name, RelaxOptions options
     if (watcher_ && calls++ % 4 == 0) watcher_({mesh(), name, points, progress(at, options)});
   };
   const RelaxReport report = relax(program_, options, result_.nodes, watch);
+  grip_ = report.grip;
   if (watcher_) {
     const RelaxProgress end{report.iterations, report.open, result_.nodes};
     watcher_({mesh(), name, point_positions(program_, result_.nodes, report.open),

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cloth/placement.h"
 #include "cloth/program.h"
 #include "cloth/relaxation/relax.h"
+#include "cloth/relaxation/release.h"
 #include "cloth/tightness.h"
 
 namespace toile {
@@ -16,6 +18,7 @@ struct DressOptions {
   double stop_median = 0.05;  ///< residual of a garment at rest, in mean node weights
   double stop_rms = 0.5;
   int max_iterations = 20000;  ///< of the last stage, on the garment's own mesh
+  double release_seconds = 0;  ///< for which the dressed garment is let go, to see if it stays
 };
 
 struct StageReport {
@@ -49,6 +52,8 @@ struct DressResult {
   Residual residual;
   bool converged = false;
   std::vector<TightSeam> tight_seams;  ///< by the relaxation, which closes them at any tension
+  /// What a copy of the garment did when it was let go; nothing: it was not. `nodes` is before.
+  std::optional<ReleaseReport> release;
 };
 
 /// A state on the way: places of the material points of `mesh`, which may be coarser than the

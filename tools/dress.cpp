@@ -234,8 +234,9 @@ Done Outfit::dress_layer(const Layer& layer, PanelMesh garment) {
   write_dressed(layer.output, as_dressed(garment, result.nodes, result.triangles));
   // Judged as anybody will read it, not as it is in memory.
   const DressedGarment written = read_dressed(layer.output);
-  const Judgement judgement = judge(garment, written, subject_->body(), scene.skeleton,
-                                    result.converged, scene.layers, result.tight_seams);
+  const bool rests = result.converged && (!result.release || result.release->stays());
+  const Judgement judgement = judge(garment, written, subject_->body(), scene.skeleton, rests,
+                                    scene.layers, result.tight_seams);
   const double judge_seconds = seconds_since(judge_start);
   Done done;
   done.report = report_of(garment, scene, settings_.method.name, result, judgement,

@@ -5,6 +5,7 @@
 
 #include "cloth/springs/dress_springs.h"
 #include "geometry/error.h"
+#include "tools/program.h"
 
 namespace toile {
 
@@ -115,6 +116,9 @@ void add_method_options(po::options_description& options) {
       "sewing", po::value<std::vector<string>>()->composing(),
       "paper: a coefficient of the sewing force, NAME=VALUE: epsilon, tau, c, lambda-f, damp-n, "
       "damp-t, atten-n, atten-t, delta (m), unit-time (s), hand-pull (N/m); may be repeated")(
+      "release", po::value<string>(),
+      "relaxation: let go of the dressed garment for a time, such as 1s, in lightly damped motion, "
+      "and report how far it moves; it is to stay")(
       "time-step", po::value<double>(), "paper: seconds; default: 0.9 of what is stable")(
       "restitution", po::value<double>()->default_value(0, "0"),
       "paper: share of the speed that the cloth bounces off with");
@@ -122,7 +126,10 @@ void add_method_options(po::options_description& options) {
 
 void check_method_options(const po::variables_map& given) {
   const string method = given["method"].as<string>();
-  if (method == "paper") return;
+  if (method == "paper") {
+    if (given.count("release") == 0) return;
+    throw po::error("--release belongs to --method relaxation");
+  }
   if (method != "relaxation") throw po::error("--method is relaxation or paper");
   for (const char* option : of_the_paper) {
     if (given.count(option) != 0 && !given[option].defaulted()) {
@@ -147,6 +154,12 @@ DressMethod read_method(const po::variables_map& given) {
   }
   if (given["method"].as<string>() == "paper") return paper(given, residual);
   DressOptions options;
+  if (given.count("release")) {
+    options.release_seconds = parse_time(given["release"].as<string>(), "--release");
+    if (options.release_seconds > 60) {
+      throw Error("--release", "is longer than a minute", "1s shows whether a garment stays");
+    }
+  }
   options.stop_median = residual;
   options.stop_rms = 10 * residual;
   return {"relaxation",

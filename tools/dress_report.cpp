@@ -22,10 +22,42 @@ Json residual_json(const Residual& residual) {
   return {{"median", residual.median}, {"rms", residual.rms}, {"max", residual.max}};
 }
 
+Json moved_json(const MovedFigures& moved) {
+  return {{"median", 1000 * moved.median}, {"p99", 1000 * moved.p99}, {"max", 1000 * moved.max}};
+}
+
+Json release_json(const ReleaseReport& release) {
+  return {{"seconds", release.seconds},
+          {"moved_mm", moved_json(release.all)},
+          {"held_nodes", release.held},
+          {"crept_mm", moved_json(release.of_held)},
+          {"stays", release.stays()},
+          {"end_speed_p99_mm_per_s", 1000 * release.speed_p99},
+          {"end_kinetic_energy_J", release.kinetic},
+          {"energy_given_up_J", release.given_up},
+          {"time_step_s", release.time_step},
+          {"steps", release.steps},
+          {"searches", release.searches},
+          {"wall_seconds", release.wall_seconds}};
+}
+
 std::string percent(double fraction) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(2) << 100 * fraction << " %";
   return text.str();
+}
+
+void say_release(const ReleaseReport& release, const CommonSettings& common) {
+  std::ostringstream line;
+  line << std::fixed << std::setprecision(2) << "let go for " << release.seconds
+       << " s, half of its nodes move less than " << 1000 * release.all.median
+       << " mm, 99 % less than " << 1000 * release.all.p99 << " mm, all less than "
+       << 1000 * release.all.max << " mm";
+  common.say(line.str());
+  if (release.stays()) return;
+  CommonSettings::warn(
+      "the garment does not stay where it was draped: let go, a hundredth of its nodes "
+      "moves 2 mm and more; a smaller --residual can bring it nearer to rest");
 }
 
 }  // namespace
@@ -89,6 +121,7 @@ nlohmann::ordered_json report_of(const PanelMesh& garment, const Scene& scene,
   report["seconds"] = seconds;
   report["converged"] = result.converged;
   report["residual"] = residual_json(result.residual);
+  if (result.release) report["release"] = release_json(*result.release);
   report["strain"] = strain_json(figures.strain);
   report["strain_off_seams"] = strain_json(figures.strain_off_seams);
   report["area_change_percent"] = {{"total", figures.area_total_percent},
@@ -237,6 +270,7 @@ void say_result(const DressResult& result, const Judgement& judgement,
              std::to_string(judgement.layer_intersections) + " with layers below");
   common.say("strain off the seams: " + percent(figures.strain_off_seams.p99) +
              " (99th percentile); residual in node weights: " + residual.str());
+  if (result.release) say_release(*result.release, common);
   for (const WrapFigure& wrap : judgement.wraps) {
     common.say("wraps " + wrap.part + ": " + percent(wrap.fraction));
   }

@@ -57,6 +57,24 @@ int usage_error(const CommandLineProgram& program, const std::string& problem) {
   return exit_usage;
 }
 
+/// A positive number with one of the units.
+double parse_quantity(const std::string& text, const std::map<std::string, double>& units,
+                      const std::string& option, const std::string& what,
+                      const std::string& such_as) {
+  std::size_t used = 0;
+  double value = 0;
+  try {
+    value = std::stod(text, &used);
+  } catch (const std::exception&) {
+    used = 0;
+  }
+  const auto unit = units.find(text.substr(used));
+  if (used == 0 || unit == units.end() || !std::isfinite(value) || value <= 0) {
+    throw Error(option, "'" + text + "' is not " + what, "give a positive number with " + such_as);
+  }
+  return value * unit->second;
+}
+
 }  // namespace
 
 int run_program(int argc, char** argv, CommandLineProgram& program) {
@@ -113,19 +131,12 @@ int run_program(int argc, char** argv, CommandLineProgram& program) {
 double parse_length(const std::string& text, const std::string& option) {
   static const std::map<std::string, double> metres = {{"m", 1.0},    {"dm", 0.1},    {"cm", 0.01},
                                                        {"mm", 0.001}, {"in", 0.0254}, {"", 1.0}};
-  std::size_t used = 0;
-  double value = 0;
-  try {
-    value = std::stod(text, &used);
-  } catch (const std::exception&) {
-    used = 0;
-  }
-  const auto unit = metres.find(text.substr(used));
-  if (used == 0 || unit == metres.end() || !std::isfinite(value) || value <= 0) {
-    throw Error(option, "'" + text + "' is not a length",
-                "give a positive number with m, dm, cm, mm or in, such as 10mm");
-  }
-  return value * unit->second;
+  return parse_quantity(text, metres, option, "a length", "m, dm, cm, mm or in, such as 10mm");
+}
+
+double parse_time(const std::string& text, const std::string& option) {
+  static const std::map<std::string, double> seconds = {{"s", 1.0}, {"ms", 0.001}, {"", 1.0}};
+  return parse_quantity(text, seconds, option, "a time", "s or ms, such as 1s");
 }
 
 }  // namespace toile

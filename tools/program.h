@@ -51,4 +51,7 @@ int run_program(int argc, char** argv, CommandLineProgram& program);
 /// Throws Error, naming `option`, when it is not a positive length.
 double parse_length(const std::string& text, const std::string& option);
 
+/// The same of a time ("1s", "500ms"; a bare number is seconds), in seconds.
+double parse_time(const std::string& text, const std::string& option);
+
 }  // namespace toile

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "cloth/relaxation/vec4.h"
 #include "cloth/scene.h"
@@ -23,6 +24,19 @@ class alignas(32) BodyContact {
 
   /// Has the body looked at again before the next force; where the vertex sticks stays.
   void forget() { reach_ = -1; }
+
+  /// A bound of the stiffness that add() can add, N/m.
+  static constexpr double most_stiffness = 1200;
+
+  /// Where friction holds the vertex; nothing: it does not.
+  std::optional<Vec3> anchor() const {
+    return anchored_ ? std::optional<Vec3>(as_vec3(anchor_)) : std::nullopt;
+  }
+  /// Lets friction hold it there, instead of where it comes to touch the body.
+  void hold_at(const Vec3& anchor) {
+    anchored_ = true;
+    anchor_ = as_vec4(anchor);
+  }
 
   /// Adds the force (N) on the vertex at `p`, and a bound of its stiffness (N/m): a push off the
   /// body, and Coulomb's friction as a spring to the place where the vertex stuck, which slides
@@ -58,6 +72,7 @@ class alignas(32) BodyContact {
   static constexpr double push_stiffness = 1000;
   /// N/m, of the spring that holds a sticking vertex to its anchor on the skin.
   static constexpr double anchor_stiffness = 200;
+  static_assert(push_stiffness + anchor_stiffness <= most_stiffness);
 
   Vec4 normal_ = {0, 0, 0, 0};  // of the plane that stands for the body
   Vec4 anchor_ = {0, 0, 0, 0};

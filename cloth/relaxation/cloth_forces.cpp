@@ -38,6 +38,19 @@ ClothForces::ClothForces(const Program& program, const ForceOptions& options,
     for (const Vec3& p : layers().points) nodes_.push_back(as_vec4(p));
   }
   use_skin(open_seams);
+  if (options.grip == nullptr || open_seams) return;
+  const auto& skin = options.grip->skin;
+  for (std::size_t n = 0; n < std::min(skin.size(), contacts_.size()); ++n) {
+    if (skin[n]) contacts_[n].hold_at(*skin[n]);
+  }
+}
+
+Grip ClothForces::grip() const {
+  Grip grip;
+  if (by_points_) return grip;
+  grip.skin.reserve(contacts_.size());
+  for (const BodyContact& contact : contacts_) grip.skin.push_back(contact.anchor());
+  return grip;
 }
 
 std::vector<Vec3> ClothForces::state() const {

@@ -29,6 +29,7 @@ class ClothForces {
 
   const Vec4& node(std::size_t n) const { return nodes_[n]; }
   std::vector<Vec3> state() const;
+  Grip grip() const;
   double open() const { return open_; }  ///< 1: seams as placed, 0: closed
   bool seams_stand_open() const { return by_points_; }
   /// Closes them until `open` is left, or as far as bounds allow; at 0 they are sewn for good.

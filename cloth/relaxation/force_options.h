@@ -1,7 +1,17 @@
 // What acts on a garment, by all that moves it.
 #pragma once
 
+#include <optional>
+#include <vector>
+
+#include "geometry/types.h"
+
 namespace toile {
+
+/// Where friction holds a garment: what one run hands to the next, so that the force is not lost.
+struct Grip {
+  std::vector<std::optional<Vec3>> skin;  ///< per node; nothing: it does not
+};
 
 struct ForceOptions {
   double gravity = 1;  ///< factor on the scene's
@@ -22,6 +32,9 @@ struct ForceOptions {
   bool layer_contact = false;
   double body_offset = 0.002;  ///< metres; larger on coarse meshes, whose faces cut corners
   double self_radius = 0.005;  ///< metres within which cloth is looked for
+  /// Of a run that ended where this one begins, seams closed. None: friction holds each node where
+  /// it comes to touch.
+  const Grip* grip = nullptr;
 };
 
 }  // namespace toile

@@ -151,6 +151,7 @@ RelaxReport Relaxation::run(const RelaxWatcher& watcher) {
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   report.open = forces_.open();
   report.searches = forces_.searches();
+  report.grip = forces_.grip();
   return report;
 }
 

@@ -40,6 +40,7 @@ struct RelaxReport {
   bool converged = false;
   double open = 0;  ///< of seams that were to close: what is left, 0 for closed
   Residual residual;
+  Grip grip;  ///< where friction holds the garment at the end
 };
 
 /// Where a run stands, for those who watch it.

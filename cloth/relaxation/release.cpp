@@ -1,0 +1,162 @@
+#include "cloth/relaxation/release.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+
+#include "cloth/relaxation/cloth_forces.h"
+#include "cloth/relaxation/side_by_side.h"
+#include "geometry/error.h"
+
+namespace toile {
+
+namespace {
+
+/// Of the longest step that the bound on the stiffness allows.
+constexpr double safe_share = 0.9;
+/// How far ahead forces are taken, in steps.
+constexpr double ahead = 0.1;
+/// Seconds between two looks at where the nodes are.
+constexpr double watch_interval = 0.01;
+/// Steps between two searches when cloth is not bounded.
+constexpr int search_interval = 50;
+
+class Release {
+ public:
+  Release(const Program& program, const ReleaseOptions& options, const std::vector<Vec3>& x);
+  ReleaseReport run();
+  std::vector<Vec3> state() const;
+
+ private:
+  void step_nodes(std::size_t begin, std::size_t end);
+  double kinetic() const;
+
+  const Program& program_;
+  const ReleaseOptions& options_;
+  ClothForces forces_;  // its nodes are where forces are taken
+  Vec4s x_;
+  Vec4s v_;
+  double step_ = 0;
+  double most_inverse_ = 0;  // 1/s²: the most that stiffness over mass may be
+};
+
+Release::Release(const Program& program, const ReleaseOptions& options, const std::vector<Vec3>& x)
+    : program_(program),
+      options_(options),
+      forces_(program, options, x, false),
+      x_(as_vec4(x)),
+      v_(program.nodes, Vec4{}) {
+  double most = 0;
+  for (int n = 0; n < program.nodes; ++n) {
+    if (!(program.mass[n] > 0)) continue;
+    double stiffness = program.stretch_diagonal[n];
+    if (!program.bend.empty()) stiffness += options.bending * program.bend_diagonal[n];
+    if (program.scene.body != nullptr) stiffness += BodyContact::most_stiffness;
+    most = std::max(most, stiffness / program.mass[n]);
+  }
+  // Stable as long as (step·frequency)² (1 + 2 ahead) < 4.
+  const double limit = 4 * safe_share * safe_share / (1 + 2 * ahead);
+  const double stable = most > 0 ? std::sqrt(limit / most) : options.seconds;
+  step_ = options.seconds / std::ceil(options.seconds / stable);
+  most_inverse_ = limit / (step_ * step_);
+}
+
+std::vector<Vec3> Release::state() const {
+  std::vector<Vec3> state;
+  state.reserve(x_.size());
+  for (const Vec4& p : x_) state.push_back(as_vec3(p));
+  return state;
+}
+
+TOILE_CLONES
+void Release::step_nodes(std::size_t begin, std::size_t end) {
+  const double kept = std::exp(-options_.damping * step_);
+  for (std::size_t n = begin; n < end; ++n) {
+    Vec4 force;
+    double stiffness;
+    forces_.at(n, force, stiffness);
+    const double mass = std::max(program_.mass[n], stiffness / most_inverse_);
+    if (!(mass > 0)) continue;
+    v_[n] = kept * (v_[n] + step_ / mass * force);
+    x_[n] += step_ * v_[n];
+    const Vec4 glide = ahead * step_ * v_[n];
+    if (!forces_.move(n, x_[n] + glide)) x_[n] = forces_.node(n) - glide;
+  }
+}
+
+double Release::kinetic() const {
+  double sum = 0;
+  for (std::size_t n = 0; n < v_.size(); ++n) {
+    sum += 0.5 * program_.mass[n] * squared_length(v_[n]);
+  }
+  return sum;
+}
+
+double at_share(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  const auto at =
+      values.begin() + static_cast<long>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+MovedFigures figures_of(const std::vector<double>& moved) {
+  return {at_share(moved, 0.5), at_share(moved, 0.99), at_share(moved, 1)};
+}
+
+ReleaseReport Release::run() {
+  const auto start = std::chrono::steady_clock::now();
+  ReleaseReport report;
+  report.seconds = options_.seconds;
+  report.time_step = step_;
+  report.steps = static_cast<int>(std::lround(options_.seconds / step_));
+  report.moved.assign(x_.size(), 0);
+  const Vec4s from = x_;
+  const int watch = std::max(1, static_cast<int>(watch_interval / step_));
+  for (int i = 1; i <= report.steps; ++i) {
+    forces_.search_when_due(1, search_interval);
+    forces_.compute(options_.bending);
+    side_by_side(chunks_of(x_.size(), vertex_chunk), [&](std::size_t c) {
+      step_nodes(c * vertex_chunk, std::min(x_.size(), (c + 1) * vertex_chunk));
+    });
+    if (i % watch != 0 && i != report.steps) continue;
+    for (std::size_t n = 0; n < x_.size(); ++n) {
+      report.moved[n] = std::max(report.moved[n], std::sqrt(squared_length(x_[n] - from[n])));
+    }
+    report.kinetic = kinetic();
+    report.given_up += 2 * options_.damping * report.kinetic * watch * step_;
+    if (!std::isfinite(report.kinetic)) {
+      throw Error("garment", "flies apart when it is let go",
+                  "check the fabric's stiffness and the panels for degenerate triangles");
+    }
+  }
+  report.given_up += report.kinetic;
+  report.all = figures_of(report.moved);
+  if (options_.grip != nullptr) {
+    std::vector<double> held;
+    for (std::size_t n = 0; n < options_.grip->skin.size(); ++n) {
+      if (options_.grip->skin[n]) held.push_back(report.moved[n]);
+    }
+    report.held = static_cast<int>(held.size());
+    report.of_held = figures_of(held);
+  }
+  std::vector<double> speeds;
+  for (const Vec4& v : v_) speeds.push_back(std::sqrt(squared_length(v)));
+  report.speed_p99 = at_share(std::move(speeds), 0.99);
+  report.searches = forces_.searches();
+  report.wall_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return report;
+}
+
+}  // namespace
+
+ReleaseReport release(const Program& program, const ReleaseOptions& options, std::vector<Vec3>& x) {
+  Release released(program, options, x);
+  const ReleaseReport report = released.run();
+  x = released.state();
+  return report;
+}
+
+}  // namespace toile

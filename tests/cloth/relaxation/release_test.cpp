@@ -1,0 +1,235 @@
+#include "cloth/relaxation/release.h"
+
+#include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
+
+#include <numbers>
+
+#include "cloth/relaxation/relax.h"
+#include "geometry/distance_grid.h"
+#include "tests/cloth/panels.h"
+#include "tests/support/shapes.h"
+#include "tests/support/tubes.h"
+
+namespace toile {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double degree = pi / 180;
+
+Vec3 mean_way(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
+  Vec3 way = Vec3::Zero();
+  for (std::size_t n = 0; n < to.size(); ++n) way += (to[n] - from[n]) / to.size();
+  return way;
+}
+
+TEST(Release, AFreeSheetFallsAsDampingLetsIt) {
+  const PanelMesh garment = test::flat_panel(test::grid(0.1, 0.1, 5, 5));
+  const Program program = compile(garment, {}, garment.placed);
+  for (const double damping : {0.0, 1.0}) {
+    ReleaseOptions options;
+    options.seconds = 0.3;
+    options.damping = damping;
+    std::vector<Vec3> x = program.start;
+    const ReleaseReport report = release(program, options, x);
+    const double t = options.seconds;
+    const double fallen = damping > 0
+                              ? 9.81 / damping * (t - (1 - std::exp(-damping * t)) / damping)
+                              : 0.5 * 9.81 * t * t;
+    const double speed = damping > 0 ? 9.81 / damping * (1 - std::exp(-damping * t)) : 9.81 * t;
+    // The symplectic step is half a step ahead.
+    EXPECT_NEAR(-mean_way(program.start, x).y(), fallen, 9.81 * t * report.time_step);
+    EXPECT_NEAR(report.speed_p99, speed, 9.81 * report.time_step);
+    EXPECT_NEAR(report.all.median, fallen, 9.81 * t * report.time_step);
+    const double kinetic = 0.5 * 0.15 * 0.01 * speed * speed;
+    EXPECT_NEAR(report.kinetic / kinetic, 1, 1e-3);
+    // All of its weight's work became speed, or was damped away.
+    EXPECT_NEAR(report.given_up / (0.15 * 0.01 * 9.81 * fallen), 1, 0.05) << damping;
+    EXPECT_FALSE(report.stays());
+  }
+}
+
+TEST(Release, RingsAndLosesEnergyAsTheStepSays) {
+  // A flat sheet, stretched a little in its middle and let go, rings at the speed of sound in it.
+  const double length = 0.2, width = 0.02, amplitude = 1e-4;
+  const PanelMesh garment = test::flat_panel(test::grid(length, width, 40, 4));
+  const Program program = compile(garment, {}, garment.placed);
+  const Fabric& fabric = program.scene.fabric;
+  ReleaseOptions options;
+  options.gravity = 0;
+  options.damping = 0;
+  std::vector<Vec3> stretched = program.start;
+  for (Vec3& p : stretched) p.x() += amplitude * std::sin(pi * (p.x() / length - 0.5));
+  // A wave takes half a period along it; halfway, all is speed.
+  const double half = length / std::sqrt(fabric.stretch_weft / fabric.areal_density);
+  const double energy = 0.25 * fabric.stretch_weft * width * std::pow(amplitude * pi, 2) / length;
+  for (const int halves : {0, 1, 20}) {
+    options.seconds = (halves + 0.5) * half;
+    std::vector<Vec3> x = stretched;
+    const ReleaseReport report = release(program, options, x);
+    // Forces are taken a tenth of a step ahead.
+    const double rate = 0.1 * report.time_step * std::pow(pi / half, 2);
+    const double left = energy * std::exp(-rate * options.seconds);
+    std::cout << "after " << halves << " half periods: energy " << report.kinetic / energy
+              << " of what was put in, off by " << 100 * (report.kinetic / left - 1) << " %\n";
+    EXPECT_NEAR(report.kinetic / left, 1, 0.02) << halves;
+  }
+}
+
+/// Reference case 06, incline, mu = 0.3 (friction angle 16.699 degrees): a sheet on a slope.
+class Incline : public testing::Test {
+ protected:
+  double way(double slope, double mu, double seconds, bool hand_over = true) {
+    static const DistanceGrid body{BodyDistance(test::box({-0.4, -0.1, -0.2}, {0.9, 0, 0.2}))};
+    PanelMesh garment;
+    test::add_panel(garment, "sheet", test::grid(0.2, 0.2, 8, 8),
+                    [&](const Vec2& p) { return Vec3(p.x() - 0.3, 0.002, 0.1 - p.y()); });
+    Scene scene;
+    scene.body = &body;
+    scene.self_contact = false;
+    scene.fabric.friction_skin = mu;
+    scene.gravity = 9.81 * Vec3(std::sin(slope), -std::cos(slope), 0);
+    const Program program = compile(garment, scene, garment.placed);
+    std::vector<Vec3> x = program.start;
+    RelaxOptions rest;
+    rest.max_iterations = 2000;
+    rest.stop_median = rest.stop_rms = 1e-4;
+    const RelaxReport rested = relax(program, rest, x);
+    ReleaseOptions options;
+    options.seconds = seconds;
+    options.damping = 0;
+    if (hand_over) options.grip = &rested.grip;
+    const std::vector<Vec3> from = x;
+    last_ = release(program, options, x);
+    return mean_way(from, x).x();
+  }
+  ReleaseReport last_;
+};
+
+TEST_F(Incline, SticksBelowTheFrictionAngle) {
+  for (const double slope : {5.0, 10.0, 16.0}) {
+    const double crept = way(slope * degree, 0.3, 1);
+    std::cout << slope << " degrees: crept " << 1000 * last_.of_held.max << " mm\n";
+    EXPECT_LT(std::abs(crept), 1e-6) << slope;
+    EXPECT_EQ(last_.held, 81);
+    EXPECT_LT(last_.of_held.max, 1e-5) << slope;
+    EXPECT_TRUE(last_.stays());
+  }
+}
+
+TEST_F(Incline, SlidesBeyondItAsCoulombSays) {
+  // From case06_incline.csv, rows mu = 0.1, slopes 10, 15, 20 and 30 degrees: acceleration, m/s².
+  for (const auto& [slope, acceleration] : {std::pair(10.0, 0.737392217207611),
+                                            {15.0, 1.59144159686615},
+                                            {20.0, 2.43337914503383},
+                                            {30.0, 4.05542907888746}}) {
+    const double slid = way(slope * degree, 0.1, 0.3);
+    const double wanted = 0.5 * acceleration * 0.09;
+    std::cout << slope << " degrees: off by " << 100 * (slid / wanted - 1) << " %\n";
+    EXPECT_NEAR(slid / wanted, 1, 0.01) << slope;
+  }
+}
+
+/// A band of 5 cm around an upright cylinder, strained so that its hoop tension is `share` of what
+/// friction needs to carry it: T = W/(2π mu).
+class Band : public testing::Test {
+ protected:
+  static constexpr double radius = 0.1, height = 0.05, mu = 0.4;
+  static constexpr int columns = 48, rows = 4;
+
+  /// Metres that it goes down in `seconds`.
+  double sink(double share, double seconds) {
+    static const DistanceGrid body{BodyDistance(test::closed_tube(radius, radius, 1, 400))};
+    // Where the grid, which is smooth, has its 2 mm.
+    const double out = radius + 0.004 - body.at({0, 0.7, radius + 0.002}).distance;
+    Scene scene;
+    scene.body = &body;
+    scene.self_contact = false;
+    scene.fabric.stretch_warp = scene.fabric.stretch_weft = 50;
+    scene.fabric.shear = 20;
+    scene.fabric.friction_skin = mu;
+    const double polygon = 2 * columns * out * std::sin(pi / columns);
+    // Tension and weight both as per metre of height: Y·strain = share·rho·g·girth/(2π mu).
+    const double load = share * scene.fabric.areal_density * 9.81 / (2 * pi * mu);
+    const double girth = polygon / (1 + load * polygon / scene.fabric.stretch_weft);
+    PanelMesh garment;
+    test::add_panel(garment, "band", test::grid(girth, height, columns, rows), [&](const Vec2& p) {
+      const double angle = 2 * pi * p.x() / girth;
+      return Vec3(out * std::sin(angle), 0.7 + p.y(), out * std::cos(angle));
+    });
+    garment.seams = {test::seam("", test::side(garment.panels[0], columns, rows, false),
+                                test::side(garment.panels[0], columns, rows, true))};
+    const Program program = compile(garment, scene, garment.placed);
+    std::vector<Vec3> x = program.start;
+    RelaxOptions rest;
+    rest.gravity = 0;
+    rest.max_iterations = 4000;
+    rest.stop_median = rest.stop_rms = 1e-4;
+    relax(program, rest, x);
+    rest.gravity = 1;
+    RelaxReport rested;
+    if (share > 1) {
+      rested = relax(program, rest, x);
+      EXPECT_TRUE(rested.converged);
+    }
+    ReleaseOptions options;
+    options.seconds = seconds;
+    options.damping = share > 1 ? 1 : 0;
+    if (share > 1) options.grip = &rested.grip;
+    const std::vector<Vec3> from = x;
+    last_ = release(program, options, x);
+    return -mean_way(from, x).y();
+  }
+  ReleaseReport last_;
+};
+
+TEST_F(Band, HoldsItsWeightByHoopTension) {
+  for (const double share : {1.05, 1.5}) {
+    const double sunk = sink(share, 10);
+    std::cout << "tension " << share << " of what is needed: crept " << 1000 * last_.all.max
+              << " mm in 10 s, " << last_.steps << " steps\n";
+    EXPECT_LT(std::abs(sunk), 1e-5);
+    EXPECT_LT(last_.all.max, 0.0005);
+    EXPECT_TRUE(last_.stays());
+  }
+}
+
+TEST_F(Band, SlidesWhereTheTensionIsTooLittle) {
+  for (const double share : {0.9, 0.5}) {
+    const double sunk = sink(share, 0.3);
+    const double wanted = 0.5 * 9.81 * (1 - share) * 0.09;
+    std::cout << "tension " << share << " of what is needed: slid " << 1000 * sunk << " mm, "
+              << 1000 * wanted << " mm by Coulomb's law\n";
+    EXPECT_NEAR(sunk / wanted, 1, 0.05) << share;
+    EXPECT_FALSE(last_.stays());
+  }
+}
+
+TEST(Release, TheSameBitsForAnyNumberOfThreads) {
+  const DistanceGrid body{BodyDistance(test::closed_tube(0.03, 0.03, 0.5, 100))};
+  const PanelMesh garment = [] {
+    PanelMesh sheet;
+    test::add_panel(sheet, "sheet", test::grid(0.5, 0.5, 50, 50),
+                    [](const Vec2& p) { return Vec3(p.x() - 0.25, 0.505, p.y() - 0.25); });
+    return sheet;
+  }();
+  Scene scene;
+  scene.body = &body;
+  const Program program = compile(garment, scene, garment.placed);
+  ASSERT_GT(program.nodes, 2048);  // several chunks
+  ReleaseOptions options;
+  options.seconds = 0.02;
+  options.bounded = true;
+  const auto run = [&](int threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    std::vector<Vec3> x = program.start;
+    release(program, options, x);
+    return x;
+  };
+  const std::vector<Vec3> one = run(1);
+  EXPECT_TRUE(one == run(2));
+  EXPECT_FALSE(one == program.start);
+}
+
+}  // namespace
+}  // namespace toile
