@@ -123,4 +123,12 @@ Fabric find_fabric(const std::string& name_or_file) {
               "known are " + known + "; or give a JSON file");
 }
 
+double modulus_at(const Fabric& fabric, double angle) {
+  const double weft = std::pow(std::cos(angle), 2);
+  const double warp = 1 - weft;
+  const double shear = std::max(fabric.shear, 1e-3 * fabric.stretch_weft);
+  return 1 / (weft * weft / fabric.stretch_weft + warp * warp / fabric.stretch_warp +
+              weft * warp / shear);
+}
+
 }  // namespace toile

@@ -26,6 +26,11 @@ struct Fabric {
   double damping = 2e-5;
 };
 
+/// Young's modulus, N/m, in the direction at `angle` (radians) to the weft, of a sheet without
+/// contraction across [Jones 1999, Mechanics of Composite Materials, 2.6]. Shear counts as no less
+/// than a thousandth of the weft's.
+double modulus_at(const Fabric& fabric, double angle);
+
 /// How far the bending rigidities of warp and weft may be apart, see hinge_rigidities().
 inline constexpr double most_bending_ratio = 9;
 

@@ -26,4 +26,39 @@ GatheredEdges gathered_edges(const PanelMesh& garment) {
   return shares;
 }
 
+std::map<int, Vec2> gathered_rows(const PanelMesh& garment, const GatheredEdges& gathered) {
+  if (gathered.empty()) return {};
+  struct Place {
+    Vec2 along = Vec2::Zero();
+    int edges = 0;
+  };
+  const auto add = [](Vec2& sum, const Vec2& along) {
+    sum += sum.dot(along) < 0 ? Vec2(-along) : along;
+  };
+  std::map<int, Place> places;  // material points of gathered edges
+  for (const auto& [edge, share] : gathered) {
+    for (const int end : {edge.first, edge.second}) {
+      add(places[end].along, garment.flat[edge.second] - garment.flat[edge.first]);
+      ++places[end].edges;
+    }
+  }
+  std::map<int, Vec2> rows;
+  for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
+    Vec2 along = Vec2::Zero();
+    int touching = 0;
+    bool inside = false;
+    for (const int point : garment.triangles[t]) {
+      const auto found = places.find(point);
+      if (found == places.end()) continue;
+      add(along, found->second.along);
+      ++touching;
+      inside = inside || found->second.edges > 1;
+    }
+    // What touches only the end of a gather may lie on the next seam, which has to hold.
+    if (touching > 1 || inside) rows[static_cast<int>(t)] = along;
+  }
+  for (auto& [triangle, along] : rows) along.normalize();
+  return rows;
+}
+
 }  // namespace toile

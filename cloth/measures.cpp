@@ -6,6 +6,7 @@
 #include <numeric>
 #include <span>
 
+#include "cloth/gathers.h"
 #include "geometry/error.h"
 #include "geometry/half_edges.h"
 
@@ -165,14 +166,20 @@ GarmentFigures measure_garment(const PanelMesh& pattern, const DressedGarment& d
     for (const int p : seam.a) on_seam[p] = 1;
     for (const int p : seam.b) on_seam[p] = 1;
   }
+  std::vector<char> gathered(points.size(), 0);
+  for (const auto& [edge, share] : gathered_edges(pattern)) {
+    gathered[edge.first] = gathered[edge.second] = 1;
+  }
   std::vector<double> strains;
   std::vector<double> off_seams;
   for (const auto& [edge, uses] : edge_uses(
            pattern.triangles, 0, static_cast<int>(pattern.triangles.size()), pattern.flat.size())) {
     const double rest = (flat[edge.first] - flat[edge.second]).norm();
-    const double strain = std::abs((points[edge.first] - points[edge.second]).norm() / rest - 1);
-    strains.push_back(strain);
-    if (!on_seam[edge.first] || !on_seam[edge.second]) off_seams.push_back(strain);
+    const double longer = (points[edge.first] - points[edge.second]).norm() / rest - 1;
+    strains.push_back(std::abs(longer));
+    if (on_seam[edge.first] && on_seam[edge.second]) continue;
+    const bool folds = gathered[edge.first] || gathered[edge.second];
+    off_seams.push_back(folds ? std::max(longer, 0.0) : std::abs(longer));
   }
   GarmentFigures figures;
   figures.strain = figures_of(strains);

@@ -52,9 +52,11 @@ struct SeamFigures {
 inline constexpr double sewn_gap = 1e-5;
 
 struct GarmentFigures {
-  StrainFigures strain;            ///< of all mesh edges
-  StrainFigures strain_off_seams;  ///< without edges that have both ends on a seam
-  double area_total_percent = 0;   ///< signed; the others are the largest |change|
+  StrainFigures strain;  ///< of all mesh edges
+  /// Without edges that have both ends on a seam; of those beside a gathered one, whose fullness
+  /// lies in folds finer than the mesh, only how much longer they became.
+  StrainFigures strain_off_seams;
+  double area_total_percent = 0;  ///< signed; the others are the largest |change|
   double area_max_panel_percent = 0;
   double perimeter_max_panel_percent = 0;
   double triangle_perimeter_max_panel_percent = 0;

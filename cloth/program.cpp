@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <numeric>
 
 #include "cloth/gathers.h"
@@ -64,7 +65,9 @@ double cotangent(const Vec2& at, const Vec2& a, const Vec2& b) {
 class Compiler {
  public:
   Compiler(const PanelMesh& garment, const Scene& scene)
-      : garment_(garment), gathered_(gathered_edges(garment)) {
+      : garment_(garment),
+        gathered_(gathered_edges(garment)),
+        rows_(gathered_rows(garment, gathered_)) {
     program_.scene = scene;
     program_.triangles = garment.triangles;
     program_.node_of_point = weld(garment, program_.nodes);
@@ -124,10 +127,7 @@ class Compiler {
         program_.node_triangles.push_back(nodes);
         const std::array<Vec2, 3> flat = {garment_.flat[points[0]], garment_.flat[points[1]],
                                           garment_.flat[points[2]]};
-        StretchTriangle s = stretch_of(gathered(points, flat), panel.grain);
-        s.weft_stiffness = s.area * fabric.stretch_weft;
-        s.warp_stiffness = s.area * fabric.stretch_warp;
-        s.shear_stiffness = s.area * fabric.shear;
+        const StretchTriangle s = stretch(t, flat, panel, fabric);
         const double area = stretch_of(flat, panel.grain).area;
         if (!(area > 0)) {
           throw Error("panel '" + panel.name + "'", "has a triangle without area",
@@ -166,8 +166,30 @@ class Compiler {
         total * std::max(program_.scene.gravity.norm(), 1e-9) / std::max(program_.nodes, 1);
   }
 
-  /// The rest shape of a triangle: its flat one, drawn together along a gathered seam.
-  std::array<Vec2, 3> gathered(const Triangle& points, std::array<Vec2, 3> flat) const {
+  /// In a gathered row, weft and warp stand for the directions along the seam and across it.
+  StretchTriangle stretch(int t, const std::array<Vec2, 3>& flat, const MeshedPanel& panel,
+                          const Fabric& fabric) const {
+    const auto row = rows_.find(t);
+    if (row == rows_.end()) {
+      StretchTriangle s = stretch_of(flat, panel.grain);
+      s.weft_stiffness = s.area * fabric.stretch_weft;
+      s.warp_stiffness = s.area * fabric.stretch_warp;
+      s.shear_stiffness = s.area * fabric.shear;
+      return s;
+    }
+    const double along = std::atan2(row->second.y(), row->second.x());
+    const double area = stretch_of(flat, along).area;
+    const std::array<Vec2, 3> rest = drawn_up(garment_.triangles[t], flat);
+    const double share = rest == flat ? gathered_stiffness : 1;
+    StretchTriangle s = stretch_of(rest, along);
+    s.weft_stiffness = area * share * modulus_at(fabric, along - panel.grain);
+    s.warp_stiffness = area * modulus_at(fabric, along - panel.grain + std::numbers::pi / 2);
+    s.shear_stiffness = area * gathered_stiffness * fabric.shear;
+    return s;
+  }
+
+  /// The rest shape of a triangle on a gathered seam: its flat one, drawn together along it.
+  std::array<Vec2, 3> drawn_up(const Triangle& points, std::array<Vec2, 3> flat) const {
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3;
       const auto found = gathered_.find(std::minmax(points[i], points[j]));
@@ -305,6 +327,7 @@ class Compiler {
 
   const PanelMesh& garment_;
   GatheredEdges gathered_;
+  std::map<int, Vec2> rows_;  // along gathered edges
   std::vector<int> panel_of_triangle_;
   std::vector<std::array<int, 3>> hinges_;               // opposite to each corner; -1: none
   std::vector<std::array<HingeResponse, 3>> responses_;  // of the same

@@ -65,6 +65,8 @@ struct Stitch {
   EdgeRef a;
   EdgeRef b;
   StitchDirection direction = StitchDirection::by_position;
+  bool gathered = false;  ///< the longer side is meant to be gathered
+  double fullness = 0;    ///< longer side over shorter, as declared; 0: as drawn
 };
 
 struct Pattern {

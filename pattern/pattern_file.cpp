@@ -329,8 +329,19 @@ class Reader {
         stitch.direction = StitchDirection::start_to_start;
       } else {
         if (!extra.is_object()) extra.fail("is neither 'right_wrong' nor an object");
-        unread(extra, {"name", "reversed"});
+        unread(extra, {"name", "reversed", "gather"});
         if (const auto name = extra.find("name")) stitch.name = name->text();
+        if (const auto gather = extra.find("gather")) {
+          stitch.gathered = true;
+          if (gather->is_flag()) {
+            stitch.gathered = gather->flag();
+          } else {
+            stitch.fullness = gather->number();
+            if (!(stitch.fullness >= 1 && stitch.fullness <= 20)) {
+              gather->fail("is no fullness", "use true, or the longer side over the shorter: 1.5");
+            }
+          }
+        }
         if (const auto reversed = extra.find("reversed")) {
           stitch.direction =
               reversed->flag() ? StitchDirection::end_to_start : StitchDirection::start_to_start;

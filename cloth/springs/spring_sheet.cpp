@@ -32,17 +32,6 @@ double area_of(const PanelMesh& garment, int t) {
   return 0.5 * (u.x() * v.y() - u.y() * v.x());
 }
 
-/// Young's modulus of an orthotropic sheet without contraction across, in the direction `along`
-/// [Jones 1999, Mechanics of Composite Materials, 2.6].
-double modulus(const Fabric& fabric, const Vec2& along, double grain) {
-  const double angle = std::atan2(along.y(), along.x()) - grain;
-  const double weft = std::pow(std::cos(angle), 2);
-  const double warp = 1 - weft;
-  const double shear = std::max(fabric.shear, 1e-3 * fabric.stretch_weft);
-  return 1 / (weft * weft / fabric.stretch_weft + warp * warp / fabric.stretch_warp +
-              weft * warp / shear);
-}
-
 }  // namespace
 
 SpringSheet::SpringSheet(const PanelMesh& garment, const Program& program)
@@ -100,7 +89,8 @@ void SpringSheet::lay_out_edges() {
     for (const auto& [edge, area] : area_at) {
       const Vec2 along = garment_.flat[edge.second] - garment_.flat[edge.first];
       Spring spring{edge.first, edge.second, along.norm()};
-      spring.stiffness = modulus(fabric, along, panel.grain) * area / along.squaredNorm();
+      const double angle = std::atan2(along.y(), along.x()) - panel.grain;
+      spring.stiffness = modulus_at(fabric, angle) * area / along.squaredNorm();
       spring.damping = fabric.damping * spring.stiffness;
       const auto share = gathered.find(edge);
       if (share != gathered.end()) spring.rest *= share->second;

@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "cloth/gathers.h"
 #include "tests/cloth/panels.h"
 #include "tests/pattern/samples.h"
 
@@ -238,22 +239,37 @@ TEST(Program, AGatheredSeamTakesTheShorterSidesLength) {
   garment.seams = {test::seam("waist", test::side(garment.panels[0], 5, 10, true),
                               test::side(garment.panels[1], 5, 10, false))};
   const Program program = compile(garment, {}, garment.placed);
-  const auto warp_length = [&](int t, const std::vector<Vec3>& at) {
+  const auto length = [&](int t, const std::array<double, 3> StretchTriangle::*direction) {
     Vec3 sum = Vec3::Zero();
-    for (int i = 0; i < 3; ++i) sum += program.stretch[t].warp[i] * at[garment.triangles[t][i]];
+    for (int i = 0; i < 3; ++i) {
+      sum += (program.stretch[t].*direction)[i] * garment.placed[garment.triangles[t][i]];
+    }
     return sum.norm();
   };
-  int gathered = 0;
+  // Beside the seam, weft and warp stand for along it and across it.
+  int drawn = 0, row = 0;
   for (int t = 0; t < 200; ++t) {
     int on_seam = 0;
     for (const int p : garment.triangles[t]) {
       on_seam += std::count(garment.seams[0].a.begin(), garment.seams[0].a.end(), p);
     }
     const bool wide = t < 100 && on_seam == 2;
-    gathered += wide;
-    EXPECT_NEAR(warp_length(t, garment.placed), wide ? 1.3 : 1.0, 1e-12) << t;
+    const StretchTriangle& s = program.stretch[t];
+    const double area = t < 100 ? 0.00013 : 0.0001;
+    const bool gives = s.shear_stiffness < 0.5 * area * 200;
+    drawn += wide;
+    row += gives;
+    EXPECT_TRUE(gives || !wide) << t;
+    EXPECT_NEAR(length(t, &StretchTriangle::weft), wide ? 1.3 : 1.0, 1e-12) << t;
+    EXPECT_NEAR(length(t, &StretchTriangle::warp), 1.0, 1e-12) << t;
+    EXPECT_NEAR(s.shear_stiffness, area * 200 * (gives ? gathered_stiffness : 1), 1e-12) << t;
+    EXPECT_NEAR(s.warp_stiffness, area * 1000, 1e-12) << t;
+    EXPECT_NEAR(s.weft_stiffness, area * 1000 * (gives && !wide ? gathered_stiffness : 1), 1e-12)
+        << t;
   }
-  EXPECT_EQ(gathered, 10);
+  EXPECT_EQ(drawn, 10);
+  // Those with a corner on it too, apart from those that only touch its end.
+  EXPECT_EQ(row, 19);
   // What gathering does to the rest shape it does not do to the cloth's weight.
   EXPECT_NEAR(total(program.mass), 0.15 * (0.013 + 0.010), 1e-15);
 }

@@ -88,6 +88,7 @@ const std::vector<Sample>& all_samples() {
         {"left_skirt_back", 37.5, 26}}},
       {"band", 2, 2, 1, {72.66, 102}, {}},
       {"band_small", 2, 2, 1, {63.59, 88.2}, {}},
+      {"gathered_skirt", 4, 6, 1, {74, 148}, {}},
   };
   return samples;
 }
@@ -273,6 +274,7 @@ TEST_P(SamplePatterns, HaveSeamsWhoseSidesAgree) {
   const Draft draft(GetParam().name);
   double worst = 0;
   for (const Stitch& stitch : draft.pattern.stitches) {
+    if (stitch.gathered) continue;
     const double off = std::abs(draft.curve(stitch.a).length() - draft.curve(stitch.b).length());
     EXPECT_LT(off, 0.0015) << stitch.name;
     worst = std::max(worst, off);

@@ -1,0 +1,79 @@
+// Gathers through the whole chain: fullness becomes folds beside the seam.
+#include <gtest/gtest.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "pattern/garment_file.h"
+#include "tests/pipeline/run_program.h"
+#include "tests/support/level_line.h"
+
+namespace toile::pipeline {
+namespace {
+
+using Json = nlohmann::json;
+
+class Gathers : public testing::Test {
+ protected:
+  void succeed(const std::string& program, const std::vector<std::string>& words) {
+    const pipeline::Run done = run(program, words);
+    ASSERT_TRUE(done.exit_code == 0 || (weightless_ && done.exit_code == 3)) << done.err;
+    EXPECT_EQ(done.err.find("warning"), std::string::npos) << done.err;
+  }
+
+  DressedGarment dress(const std::string& sample, const std::vector<std::string>& options = {}) {
+    const fs::path body = folder_ / "body.ply";
+    const fs::path garment = folder_ / "garment.obj";
+    const fs::path dressed = folder_ / "dressed.obj";
+    succeed("make-mannequin", {"-o", body, "-q"});
+    succeed("mesh-pattern", {fs::path(TOILE_SOURCE_DIR) / "samples" / (sample + ".json"), "-o",
+                             garment, "--edge-length", "20mm", "-q"});
+    std::vector<std::string> words = {"--body",           body, garment, "-o", dressed, "--report",
+                                      folder_ / "r.json", "-q"};
+    words.insert(words.end(), options.begin(), options.end());
+    succeed("dress", words);
+    report_ = Json::parse(read_text(folder_ / "r.json"));
+    return read_dressed(dressed);
+  }
+
+  ScratchFolder folder_;
+  Json report_;
+  bool weightless_ = false;  ///< then forces never fall below node weights: verdict unconverged
+};
+
+// Gathered 2 : 1 at -4 cm. Nearer to the seam than an edge of the mesh, the folds are finer than
+// it.
+TEST_F(Gathers, OfASkirtBecomeFoldsBesideTheSeam) {
+  const DressedGarment skirt = dress("gathered_skirt");
+  EXPECT_EQ(report_["verdict"], "sewn");
+  EXPECT_LT(report_["strain_off_seams"]["p99"], 0.05);
+  for (const double below : {0.02, 0.04, 0.08}) {
+    int all_folds = 0;
+    for (const std::string panel : {"skirt_front", "skirt_back"}) {
+      const test::LevelLine line = test::level_line(skirt, panel, -0.04 - below);
+      const int folds = test::folds(line, 0.003);
+      std::cout << panel << ", " << 100 * below << " cm below: " << 100 * line.now << " of "
+                << 100 * line.flat << " cm, " << folds << " folds\n";
+      EXPECT_NEAR(line.flat, 0.74, 1e-9);
+      EXPECT_GT(line.now / line.flat, below < 0.03 ? 0.93 : 0.99);
+      EXPECT_LT(line.now / line.flat, 1.01);
+      all_folds += folds;
+    }
+    EXPECT_GE(all_folds, 8);
+  }
+}
+
+TEST_F(Gathers, DoNotStretchTheShorterSide) {
+  weightless_ = true;
+  // Hardly any weight hangs on the waistband, so that the gather alone pulls.
+  write_text(folder_ / "light.json", R"({"areal_density_kg_per_m2": 0.001})");
+  const DressedGarment skirt = dress("gathered_skirt", {"--fabric", folder_ / "light.json"});
+  for (const std::string panel : {"band_front", "band_back"}) {
+    const test::LevelLine line = test::level_line(skirt, panel, -0.0395);
+    std::cout << panel << " at the seam: " << 100 * (line.now / line.flat - 1) << " % longer\n";
+    EXPECT_LT(line.now / line.flat, 1.02);
+  }
+}
+
+}  // namespace
+}  // namespace toile::pipeline
