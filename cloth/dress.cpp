@@ -82,7 +82,6 @@ class Dressing {
   int level_ = 0;
   int attempt_ = 1;
   Program program_;  // of the mesh in hand
-  Grip grip_;        // of the last stage
   DressResult result_;
 };
 
@@ -238,7 +237,7 @@ void Dressing::let_go(bool bounded) {
   options.body_offset = result_.body_offset;
   options.bounded = bounded;
   options.layer_contact = clear_of_layers();
-  options.grip = &grip_;
+  options.grip = &result_.grip;
   options.seconds = options_.release_seconds;
   std::vector<Vec3> nodes = result_.nodes;
   result_.release = release(program_, options, nodes);
@@ -286,7 +285,7 @@ const StageReport& Dressing::stage(const std::string& name, RelaxOptions options
     if (watcher_ && calls++ % 4 == 0) watcher_({mesh(), name, points, progress(at, options)});
   };
   const RelaxReport report = relax(program_, options, result_.nodes, watch);
-  grip_ = report.grip;
+  result_.grip = report.grip;
   if (watcher_) {
     const RelaxProgress end{report.iterations, report.open, result_.nodes};
     watcher_({mesh(), name, point_positions(program_, result_.nodes, report.open),

@@ -85,7 +85,7 @@ SceneFile read_scene(const fs::path& path) {
   const JsonDocument document(read_file(path), path.string());
   const JsonValue root = document.root();
   const fs::path folder = path.parent_path();
-  refuse_unknown_keys(root, {"body", "skeleton", "gravity", "layers"});
+  refuse_unknown_keys(root, {"body", "skeleton", "gravity", "layering", "layers"});
   SceneFile scene;
   scene.body = file_named(root.get("body"), folder);
   if (const auto skeleton = root.find("skeleton")) scene.skeleton = file_named(*skeleton, folder);
@@ -94,6 +94,13 @@ SceneFile read_scene(const fs::path& path) {
     scene.gravity.emplace(gravity->item(0).number(), gravity->item(1).number(),
                           gravity->item(2).number());
     check_gravity(*scene.gravity, gravity->place());
+  }
+  if (const auto layering = root.find("layering")) {
+    scene.coupled = layering->text() == "coupled";
+    if (!scene.coupled && layering->text() != "frozen") {
+      layering->fail("'" + layering->text() + "' is neither 'frozen' nor 'coupled'",
+                     "leave it out for frozen");
+    }
   }
   const JsonValue layers = root.get("layers");
   const std::size_t count = layers.size(1, most_layers);

@@ -22,14 +22,15 @@ struct SceneFile {
   std::filesystem::path body;
   std::optional<std::filesystem::path> skeleton;  ///< none: beside the body
   std::optional<Vec3> gravity;                    ///< m/s²; none: the default
+  bool coupled = false;                           ///< "layering": the layers move together
   std::vector<SceneLayer> layers;                 ///< at least one, the innermost first
 };
 
-/// Reads {"body", "skeleton", "gravity": [x, y, z], "layers": [{"name", "garment", "garment_json",
-/// "fabric"}]}, as docs/scene.schema.json describes it; relative paths count from the scene file.
-/// Throws Error, naming the file and the key, for keys it does not know, files that are missing, a
-/// scene without layers, names that two layers share (capitals aside) or that could not be part of
-/// a file's name.
+/// Reads {"body", "skeleton", "gravity": [x, y, z], "layering", "layers": [{"name", "garment",
+/// "garment_json", "fabric"}]}, as docs/scene.schema.json describes it; relative paths count from
+/// the scene file. Throws Error, naming the file and the key, for keys it does not know, files that
+/// are missing, a scene without layers, names that two layers share (capitals aside) or that could
+/// not be part of a file's name.
 SceneFile read_scene(const std::filesystem::path& path);
 
 }  // namespace toile

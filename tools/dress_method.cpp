@@ -96,7 +96,8 @@ DressMethod paper(const po::variables_map& given, double residual) {
   return {"paper",
           [options](const PanelMesh& garment, const Scene& scene, const FrameWatcher& watcher) {
             return dress_springs(garment, scene, options, watcher);
-          }};
+          },
+          {}};
 }
 
 }  // namespace
@@ -147,12 +148,15 @@ std::optional<double> read_strain_limit(const po::variables_map& given) {
   return limit;
 }
 
-DressMethod read_method(const po::variables_map& given) {
+DressMethod read_method(const po::variables_map& given, bool together) {
   const double residual = given["residual"].as<double>();
   if (!(residual > 0 && residual < 1)) {
     throw Error("--residual", "is not between 0 and 1", "0.05 is the default");
   }
-  if (given["method"].as<string>() == "paper") return paper(given, residual);
+  if (given["method"].as<string>() == "paper") {
+    if (!together) return paper(given, residual);
+    throw Error("--method", "paper's layers are frozen", "leave \"layering\" out of the scene");
+  }
   DressOptions options;
   if (given.count("release")) {
     options.release_seconds = parse_time(given["release"].as<string>(), "--release");
@@ -163,8 +167,15 @@ DressMethod read_method(const po::variables_map& given) {
   options.stop_median = residual;
   options.stop_rms = 10 * residual;
   return {"relaxation",
-          [options](const PanelMesh& garment, const Scene& scene, const FrameWatcher& watcher) {
-            return dress(garment, scene, options, watcher);
+          [options, together](const PanelMesh& garment, const Scene& scene,
+                              const FrameWatcher& watcher) {
+            DressOptions of_one = options;
+            if (together) of_one.release_seconds = 0;
+            return dress(garment, scene, of_one, watcher);
+          },
+          [options](const std::vector<WornGarment>& garments, const Scene& scene,
+                    const FrameWatcher& watcher) {
+            return move_together(garments, scene, options, watcher);
           }};
 }
 

@@ -5,13 +5,16 @@
 #include <functional>
 #include <string>
 
-#include "cloth/dress.h"
+#include "cloth/together.h"
 
 namespace toile {
 
 struct DressMethod {
   std::string name;
   std::function<DressResult(const PanelMesh&, const Scene&, const FrameWatcher&)> dress;
+  /// Empty: garments stay where this method dressed them.
+  std::function<TogetherResult(const std::vector<WornGarment>&, const Scene&, const FrameWatcher&)>
+      move_together;
 };
 
 /// Adds --method, --strain-limit, --residual and what belongs to one method only.
@@ -20,8 +23,9 @@ void add_method_options(boost::program_options::options_description& options);
 /// Throws boost::program_options::error when an option belongs to a method that is not chosen.
 void check_method_options(const boost::program_options::variables_map& given);
 
-/// The method that was asked for. Throws Error for values out of range.
-DressMethod read_method(const boost::program_options::variables_map& given);
+/// The method that was asked for; of several garments that are to move `together`, the whole is
+/// released, not each. Throws Error for values out of range, and for a method that can't.
+DressMethod read_method(const boost::program_options::variables_map& given, bool together);
 
 /// --strain-limit, if it was given and is a fraction.
 std::optional<double> read_strain_limit(const boost::program_options::variables_map& given);

@@ -18,14 +18,6 @@ Json strain_json(const StrainFigures& strain) {
   return {{"max", strain.max}, {"p99", strain.p99}, {"rms", strain.rms}};
 }
 
-Json residual_json(const Residual& residual) {
-  return {{"median", residual.median}, {"rms", residual.rms}, {"max", residual.max}};
-}
-
-Json moved_json(const MovedFigures& moved) {
-  return {{"median", 1000 * moved.median}, {"p99", 1000 * moved.p99}, {"max", 1000 * moved.max}};
-}
-
 Json release_json(const ReleaseReport& release) {
   return {{"seconds", release.seconds},
           {"moved_mm", moved_json(release.all)},
@@ -61,6 +53,14 @@ void say_release(const ReleaseReport& release, const CommonSettings& common) {
 }
 
 }  // namespace
+
+nlohmann::ordered_json residual_json(const Residual& residual) {
+  return {{"median", residual.median}, {"rms", residual.rms}, {"max", residual.max}};
+}
+
+nlohmann::ordered_json moved_json(const MovedFigures& moved) {
+  return {{"median", 1000 * moved.median}, {"p99", 1000 * moved.p99}, {"max", 1000 * moved.max}};
+}
 
 nlohmann::ordered_json report_of(const PanelMesh& garment, const Scene& scene,
                                  const std::string& method, const DressResult& result,

@@ -16,6 +16,10 @@ nlohmann::ordered_json report_of(const PanelMesh& garment, const Scene& scene,
                                  const std::string& method, const DressResult& result,
                                  const Judgement& judgement, double seconds);
 
+/// A residual in node weights, and ways in millimetres, as entries of a report.
+nlohmann::ordered_json residual_json(const Residual& residual);
+nlohmann::ordered_json moved_json(const MovedFigures& moved);
+
 /// What --certify-frames found: its entry in the report, and a line for the user or a warning.
 nlohmann::ordered_json certified_json(const Certificate& certificate);
 void say_certificate(const Certificate& certificate, const CommonSettings& common);

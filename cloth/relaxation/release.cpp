@@ -101,10 +101,6 @@ double at_share(std::vector<double> values, double share) {
   return *at;
 }
 
-MovedFigures figures_of(const std::vector<double>& moved) {
-  return {at_share(moved, 0.5), at_share(moved, 0.99), at_share(moved, 1)};
-}
-
 ReleaseReport Release::run() {
   const auto start = std::chrono::steady_clock::now();
   ReleaseReport report;
@@ -132,14 +128,14 @@ ReleaseReport Release::run() {
     }
   }
   report.given_up += report.kinetic;
-  report.all = figures_of(report.moved);
+  report.all = moved_figures(report.moved);
   if (options_.grip != nullptr) {
     std::vector<double> held;
     for (std::size_t n = 0; n < options_.grip->skin.size(); ++n) {
       if (options_.grip->skin[n]) held.push_back(report.moved[n]);
     }
     report.held = static_cast<int>(held.size());
-    report.of_held = figures_of(held);
+    report.of_held = moved_figures(held);
   }
   std::vector<double> speeds;
   for (const Vec4& v : v_) speeds.push_back(std::sqrt(squared_length(v)));
@@ -151,6 +147,10 @@ ReleaseReport Release::run() {
 }
 
 }  // namespace
+
+MovedFigures moved_figures(const std::vector<double>& moved) {
+  return {at_share(moved, 0.5), at_share(moved, 0.99), at_share(moved, 1)};
+}
 
 ReleaseReport release(const Program& program, const ReleaseOptions& options, std::vector<Vec3>& x) {
   Release released(program, options, x);

@@ -20,6 +20,8 @@ struct MovedFigures {
   double p99 = 0;
   double max = 0;
 };
+/// Of the ways, metres, that each of some nodes went.
+MovedFigures moved_figures(const std::vector<double>& moved);
 
 struct ReleaseReport {
   double seconds = 0;    ///< simulated

@@ -61,6 +61,15 @@ TEST_F(SceneFiles, PathsCountFromTheSceneFile) {
             absolute);
 }
 
+TEST_F(SceneFiles, LayersAreFrozenUnlessTheyAreCoupled) {
+  const std::string layers = R"("layers": [{"name": "a", "garment": "parts/tee.obj"}]})";
+  EXPECT_FALSE(read(R"({"body": "body.ply", )" + layers).coupled);
+  EXPECT_FALSE(read(R"({"body": "body.ply", "layering": "frozen", )" + layers).coupled);
+  EXPECT_TRUE(read(R"({"body": "body.ply", "layering": "coupled", )" + layers).coupled);
+  EXPECT_HOLDS(refusal(R"({"body": "body.ply", "layering": "loose", )" + layers), "layering");
+  EXPECT_HOLDS(refusal(R"({"body": "body.ply", "layering": true, )" + layers), "is not text");
+}
+
 TEST_F(SceneFiles, WhatIsWrongIsNamed) {
   EXPECT_HOLDS(refusal("{"), "scene.json:1");
   EXPECT_HOLDS(refusal("[]"), "is not an object");

@@ -1,6 +1,7 @@
 // dress --scene: one garment over another, from patterns to the report.
 #include <gtest/gtest.h>
 
+#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "geometry/body_distance.h"
@@ -101,6 +102,51 @@ TEST(Outfit, AShirtOverAShirt) {
   RecordProperty("outer_points_that_touch", near);
   EXPECT_GT(least_outer, 0);
   EXPECT_GT(near, 100) << "the layers touch, so the test can fail";
+
+  // The same, moving together in the end: the outer shirt weighs on the inner one, which gives way.
+  write_text(folder / "coupled.json", R"({"body": "body.ply", "layering": "coupled", "layers": [
+      {"name": "tee", "garment": "tee.obj"}, {"name": "coat", "garment": "coat.obj"}]})");
+  for (const char* threads : {"1", "2"}) {
+    const std::string name = std::string("moved") + threads;
+    std::vector<std::string> words = {
+        "--scene",  folder / "coupled.json",          "-o",        folder / (name + ".obj"),
+        "--report", folder / (name + "-report.json"), "--threads", threads,
+        "-q"};
+    if (name == "moved1") words.push_back("--certify-frames");
+    succeed("dress", words);
+  }
+  for (const char* layer : {"-tee.obj", "-coat.obj"}) {
+    EXPECT_TRUE(read_text(folder / (std::string("moved1") + layer)) ==
+                read_text(folder / (std::string("moved2") + layer)))
+        << layer;
+  }
+  const Json moved = Json::parse(read_text(folder / "moved1-report.json"));
+  EXPECT_EQ(report["layering"], "frozen");
+  EXPECT_EQ(moved["layering"], "coupled");
+  EXPECT_EQ(moved["verdict"], "sewn");
+  const Json& whole = moved["together"];
+  EXPECT_TRUE(whole["converged"].get<bool>());
+  EXPECT_LT(whole["residual"]["median"].get<double>(), 0.05);
+  EXPECT_TRUE(whole["certified"]["stayed_clean"].get<bool>());
+  ASSERT_EQ(whole["pressing"].size(), 1U);
+  EXPECT_EQ(whole["pressing"][0]["inner"], "tee");
+  EXPECT_EQ(whole["pressing"][0]["outer"], "coat");
+  EXPECT_GT(whole["pressing"][0]["force_N"].get<double>(), 0.1);
+  const TriangleMesh moved_inner = mesh_of(folder / "moved1-tee.obj");
+  const TriangleMesh moved_outer = mesh_of(folder / "moved1-coat.obj");
+  const TriangleMesh bare = fan_triangles(read_mesh(body));
+  EXPECT_TRUE(intersections(moved_inner, moved_outer).empty());
+  for (const TriangleMesh* layer : {&moved_inner, &moved_outer}) {
+    EXPECT_TRUE(self_intersections(*layer).empty());
+    EXPECT_TRUE(intersections(*layer, bare).empty());
+  }
+  double farthest = 0;
+  for (std::size_t n = 0; n < inner.points.size(); ++n) {
+    farthest = std::max(farthest, (moved_inner.points[n] - inner.points[n]).norm());
+  }
+  std::cout << "inner shirt gives way by " << 1000 * farthest << " mm\n";
+  EXPECT_GT(farthest, 1e-4);
+  EXPECT_NEAR(moved["layers"][0]["moved_together_mm"]["max"].get<double>(), 1000 * farthest, 1e-6);
 }
 
 /// A cylinder, and a loose tube around it; nothing holds the tube, so it finds no rest.
@@ -162,6 +208,11 @@ TEST_F(OutfitInput, ScenesThatAreNoneAreRefused) {
   expect_refused(dress(), "file's name");
   write_scene({"a"});
   expect_refused(dress({"--fabric", "velvet"}), "velvet");
+  const std::string layers = R"("layers": [{"name": "a", "garment": "tube.obj"}]})";
+  write_text(scene, R"({"body": "body.ply", "layering": "glued", )" + layers);
+  expect_refused(dress(), "neither 'frozen' nor 'coupled'");
+  write_text(scene, R"({"body": "body.ply", "layering": "coupled", )" + layers);
+  expect_refused(dress({"--method", "paper"}), "--method");
   fs::remove(scene);
   std::erase(before, "scene.json");
   expect_refused(dress(), "scene.json");

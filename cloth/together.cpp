@@ -1,0 +1,210 @@
+#include "cloth/together.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "cloth/self_contact.h"
+#include "geometry/error.h"
+#include "geometry/intersections.h"
+
+namespace toile {
+
+namespace {
+
+/// The scene with each garment's fabric known by name.
+Scene with_fabrics(Scene scene, const std::vector<WornGarment>& garments) {
+  for (std::size_t i = 0; i < garments.size(); ++i) {
+    scene.fabrics[garment_fabric(i)] = garments[i].fabric;
+  }
+  scene.layers = nullptr;
+  return scene;
+}
+
+class Together {
+ public:
+  Together(const std::vector<WornGarment>& garments, const Scene& scene,
+           const DressOptions& options, const FrameWatcher& watcher)
+      : garments_(garments),
+        scene_(with_fabrics(scene, garments)),
+        options_(options),
+        watcher_(watcher),
+        mesh_(join_garments(garments)),
+        program_(compile(mesh_, scene_, mesh_.placed)) {
+    for (const WornGarment& worn : garments) {
+      first_.push_back(static_cast<int>(start_.size()));
+      start_.insert(start_.end(), worn.nodes.begin(), worn.nodes.end());
+      grip_.skin.insert(grip_.skin.end(), worn.grip.skin.begin(), worn.grip.skin.end());
+      grip_.skin.resize(start_.size());
+    }
+    first_.push_back(static_cast<int>(start_.size()));
+    if (first_.back() != program_.nodes) {
+      throw Error("garments", "have other nodes than their meshes", "dress them anew");
+    }
+    // A mesh without nested ones has no coarser state that could be clean.
+    if (!self_intersections({start_, program_.node_triangles}).empty()) {
+      throw Error("garments", "intersect each other, and can't be moved together",
+                  "dress each clear of the others first");
+    }
+  }
+
+  TogetherResult run() {
+    std::vector<Vec3> x = start_;
+    relax_all(x);
+    for (std::size_t i = 0; i < garments_.size(); ++i) take_out(i, x);
+    measure_pressings(x);
+    if (options_.release_seconds > 0) let_go(x);
+    return std::move(result_);
+  }
+
+ private:
+  void set_forces(ForceOptions& options) const {
+    options.bounded = true;
+    for (const WornGarment& worn : garments_) {
+      options.body_offset = std::max(options.body_offset, worn.body_offset);
+    }
+    options.grip = &grip_;
+  }
+
+  void relax_all(std::vector<Vec3>& x) {
+    RelaxOptions options;
+    set_forces(options);
+    options.max_iterations = options_.max_iterations;
+    options.stop_median = options_.stop_median;
+    options.stop_rms = options_.stop_rms;
+    StageReport& stage = result_.stage;
+    stage.name = "together";
+    int calls = 0;
+    const auto watch = [&](const std::vector<Vec3>& nodes, double progress) {
+      if (watcher_) watcher_({mesh_, stage.name, point_positions(program_, nodes, 0), progress});
+    };
+    watch(x, 0);
+    const RelaxReport report = relax(program_, options, x, [&](const RelaxProgress& at) {
+      if (calls++ % 4 == 0) {
+        watch(at.nodes, static_cast<double>(at.iteration) / options.max_iterations);
+      }
+    });
+    watch(x, 1);
+    grip_ = report.grip;
+    stage.vertices = program_.nodes;
+    stage.steps = report.iterations;
+    stage.searches = report.searches;
+    stage.seconds = report.seconds;
+    stage.converged = report.converged;
+    stage.residual = report.residual;
+  }
+
+  /// One garment's part of the state.
+  void take_out(std::size_t garment, const std::vector<Vec3>& x) {
+    const WornGarment& worn = garments_[garment];
+    result_.nodes.emplace_back(x.begin() + first_[garment], x.begin() + first_[garment + 1]);
+    std::vector<double> moved;
+    for (std::size_t n = 0; n < worn.nodes.size(); ++n) {
+      moved.push_back((result_.nodes.back()[n] - worn.nodes[n]).norm());
+    }
+    result_.moved.push_back(moved_figures(moved));
+    Scene scene = scene_;
+    scene.fabric = worn.fabric;
+    result_.tight_seams.push_back(tight_seams(
+        *worn.garment, compile(*worn.garment, scene, worn.garment->placed), result_.nodes.back()));
+  }
+
+  int garment_of(int node) const {
+    return static_cast<int>(std::upper_bound(first_.begin(), first_.end(), node) - first_.begin()) -
+           1;
+  }
+
+  void measure_pressings(const std::vector<Vec3>& x) {
+    std::vector<int> nodes(x.size());
+    std::iota(nodes.begin(), nodes.end(), 0);
+    const ProximitySearch search(program_.node_triangles, nodes, program_.shortest_edge);
+    std::vector<ContactPair> pairs;
+    std::vector<double> bound;
+    search.find(x, program_.self_gap, program_.self_gap, pairs, bound, false);
+    const std::size_t count = garments_.size();
+    std::vector<Pressing> table(count * count);
+    std::vector<std::vector<char>> pushed(count * count);
+    for (const ContactPair& pair : pairs) {
+      const int a = garment_of(pair.vertices[0]);
+      const int b = garment_of(pair.vertices[3]);
+      if (a == b) continue;
+      const int inner = std::min(a, b);
+      const std::size_t at = inner * count + std::max(a, b);
+      const double distance = nearest_points(pair, x).apart.norm();
+      table[at].force += contact_push(distance, pair.gap, true).force;
+      pushed[at].resize(x.size());
+      for (const int v : pair.vertices) pushed[at][v] |= garment_of(v) == inner;
+    }
+    for (std::size_t t = 0; t < program_.stretch.size(); ++t) {
+      for (const int node : program_.node_triangles[t]) {
+        for (std::size_t at = 0; at < table.size(); ++at) {
+          if (!pushed[at].empty() && pushed[at][node]) {
+            table[at].area += program_.stretch[t].area / 3;
+          }
+        }
+      }
+    }
+    for (std::size_t at = 0; at < table.size(); ++at) {
+      if (table[at].force <= 0) continue;
+      table[at].inner = static_cast<int>(at / count);
+      table[at].outer = static_cast<int>(at % count);
+      result_.pressings.push_back(table[at]);
+    }
+  }
+
+  void let_go(std::vector<Vec3> x) {
+    ReleaseOptions options;
+    set_forces(options);
+    options.seconds = options_.release_seconds;
+    result_.release = release(program_, options, x);
+  }
+
+  const std::vector<WornGarment>& garments_;
+  const Scene scene_;
+  const DressOptions& options_;
+  const FrameWatcher& watcher_;
+  const PanelMesh mesh_;
+  const Program program_;
+  std::vector<int> first_;  // node of each garment, and the number of nodes
+  std::vector<Vec3> start_;
+  Grip grip_;
+  TogetherResult result_;
+};
+
+}  // namespace
+
+std::string garment_fabric(std::size_t garment) { return "of garment " + std::to_string(garment); }
+
+PanelMesh join_garments(const std::vector<WornGarment>& garments) {
+  PanelMesh all;
+  for (std::size_t i = 0; i < garments.size(); ++i) {
+    const PanelMesh& one = *garments[i].garment;
+    const int first_point = static_cast<int>(all.flat.size());
+    const int first_triangle = static_cast<int>(all.triangles.size());
+    all.flat.insert(all.flat.end(), one.flat.begin(), one.flat.end());
+    all.placed.insert(all.placed.end(), one.placed.begin(), one.placed.end());
+    for (const Triangle& t : one.triangles) {
+      all.triangles.push_back({t[0] + first_point, t[1] + first_point, t[2] + first_point});
+    }
+    for (MeshedPanel panel : one.panels) {
+      panel.first_point += first_point;
+      panel.first_triangle += first_triangle;
+      if (panel.fabric.empty()) panel.fabric = garment_fabric(i);
+      all.panels.push_back(std::move(panel));
+    }
+    for (MeshedSeam seam : one.seams) {
+      for (int& point : seam.a) point += first_point;
+      for (int& point : seam.b) point += first_point;
+      all.seams.push_back(std::move(seam));
+    }
+    all.edge_length = std::max(all.edge_length, one.edge_length);
+    all.subdivisions = i == 0 ? one.subdivisions : std::min(all.subdivisions, one.subdivisions);
+  }
+  return all;
+}
+
+TogetherResult move_together(const std::vector<WornGarment>& garments, const Scene& scene,
+                             const DressOptions& options, const FrameWatcher& watcher) {
+  return Together(garments, scene, options, watcher).run();
+}
+
+}  // namespace toile

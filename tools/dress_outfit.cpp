@@ -1,0 +1,310 @@
+#include "tools/dress_outfit.h"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <iomanip>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "cloth/judge.h"
+#include "cloth/subject.h"
+#include "geometry/body/skeleton.h"
+#include "io/output_file.h"
+#include "io/skeleton_file.h"
+#include "pattern/garment_file.h"
+#include "tools/closed_body.h"
+#include "tools/dress_report.h"
+#include "tools/dress_watch.h"
+
+namespace toile {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// A layer that was dressed, written and judged.
+struct Done {
+  PanelMesh garment;  ///< its panels placed where they started
+  Scene scene;        ///< fabrics and options; its surfaces are those of the last layer's
+  DressResult result;
+  std::optional<Certificate> certificate;
+  double seconds = 0;  ///< all it took, but for the judging
+  Json other_seconds;
+  Judgement judgement;
+  TriangleMesh cloth;  ///< as written
+};
+
+void append(TriangleMesh& mesh, const DressResult& dressed) {
+  const int first = static_cast<int>(mesh.points.size());
+  mesh.points.insert(mesh.points.end(), dressed.nodes.begin(), dressed.nodes.end());
+  for (const Triangle& t : dressed.triangles) {
+    mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+}
+
+class Outfit {
+ public:
+  Outfit(const OutfitSettings& settings, const CommonSettings& common)
+      : settings_(settings), common_(common) {}
+
+  int run();
+
+ private:
+  void read();
+  Scene scene_of(const OutfitLayer& layer) const;
+  Done dress_layer(const OutfitLayer& layer, PanelMesh garment);
+  void write_and_judge(std::size_t layer, const TriangleMesh* others);
+  bool dress_one_by_one();
+  void move_together();
+  Json report_of_layer(std::size_t layer) const;
+  Json together_json() const;
+  /// Of a scene: each layer's entry, and what became of the whole.
+  Json whole_report() const;
+  std::string verdict() const;  // the first of a layer that is not "sewn"
+
+  const OutfitSettings& settings_;
+  const CommonSettings& common_;
+  const Clock::time_point start_ = Clock::now();
+  std::vector<PanelMesh> garments_;        // one a layer: all are read before the first is dressed
+  std::map<std::string, Fabric> fabrics_;  // by the names that panels give
+  std::optional<Subject> subject_;
+  std::optional<Skeleton> skeleton_;
+  double read_seconds_ = 0;
+  double grid_seconds_ = 0;
+  std::vector<Done> done_;
+  std::optional<TogetherResult> together_;
+  std::optional<Certificate> together_certificate_;
+};
+
+void Outfit::read() {
+  for (const OutfitLayer& layer : settings_.layers) {
+    garments_.push_back(read_garment(layer.garment, layer.garment_json));
+  }
+  fabrics_ = panel_fabrics(garments_, settings_.fabrics);
+  const TriangleMesh body = read_closed_body(settings_.body);
+  if (fs::exists(settings_.skeleton) || settings_.needs_skeleton) {
+    skeleton_ = read_skeleton(settings_.skeleton);
+  } else {
+    CommonSettings::warn(
+        settings_.skeleton.string() +
+        " is missing: what the garment wraps is not measured; clean-body makes it");
+  }
+  read_seconds_ = seconds_since(start_);
+  const auto grid_start = Clock::now();
+  subject_.emplace(body);
+  grid_seconds_ = seconds_since(grid_start);
+}
+
+Scene Outfit::scene_of(const OutfitLayer& layer) const {
+  Scene scene;
+  scene.fabric = layer.fabric;
+  scene.fabrics = fabrics_;
+  scene.body = &subject_->grid();
+  scene.subject = &subject_->surface();
+  scene.layers = subject_->cloth().triangles.empty() ? nullptr : &subject_->cloth();
+  scene.skeleton = skeleton_ ? &*skeleton_ : nullptr;
+  scene.gravity = settings_.gravity;
+  scene.strain_limit = settings_.strain_limit;
+  return scene;
+}
+
+Done Outfit::dress_layer(const OutfitLayer& layer, PanelMesh garment) {
+  const auto start = Clock::now();
+  Done done;
+  done.scene = scene_of(layer);
+  // What is judged needs to know where the panels stood as much as what is dressed.
+  garment.placed = position_panels(garment, *done.scene.body, done.scene.skeleton).placed;
+  if (settings_.certify_frames) done.certificate.emplace(subject_->body(), done.scene.layers);
+  {
+    std::optional<fs::path> frames = settings_.frames;
+    if (frames && settings_.scene) *frames /= layer.name;
+    DressWatch watch(frames, !common_.quiet && isatty(STDERR_FILENO) != 0,
+                     done.certificate ? &*done.certificate : nullptr);
+    done.result =
+        settings_.method.dress(garment, done.scene, [&](const DressFrame& frame) { watch(frame); });
+    watch({garment, "dressed", material_points(garment, done.result), 1});
+  }
+  say_positions(done.result.placement, common_);
+  say_terms(done.result, common_);
+  done.garment = std::move(garment);
+  done.seconds = seconds_since(start) + read_seconds_ + grid_seconds_;
+  done.other_seconds = {{"read", read_seconds_}, {"body_grid", grid_seconds_}};
+  read_seconds_ = 0;
+  return done;
+}
+
+/// `others`: the cloth that this layer must not meet; null: none.
+void Outfit::write_and_judge(std::size_t layer, const TriangleMesh* others) {
+  const auto start = Clock::now();
+  Done& done = done_[layer];
+  const DressResult& result = done.result;
+  const fs::path& output = settings_.layers[layer].output;
+  write_dressed(output, as_dressed(done.garment, result.nodes, result.triangles));
+  // Judged as anybody will read it, not as it is in memory.
+  const DressedGarment written = read_dressed(output);
+  const bool rests = result.converged && (!result.release || result.release->stays());
+  done.judgement = judge(done.garment, written, subject_->body(), done.scene.skeleton, rests,
+                         others, result.tight_seams);
+  done.cloth = {written.points, written.triangles};
+  const double seconds = seconds_since(start);
+  done.other_seconds["write_and_judge"] = seconds;
+  done.seconds += seconds;
+}
+
+/// Whether all could be dressed; none is over a layer that failed.
+bool Outfit::dress_one_by_one() {
+  for (std::size_t i = 0; i < garments_.size(); ++i) {
+    const OutfitLayer& layer = settings_.layers[i];
+    if (settings_.scene) common_.say("layer " + layer.name + ":");
+    done_.push_back(dress_layer(layer, garments_[i]));
+    Done& done = done_.back();
+    write_and_judge(i, done.scene.layers);
+    if (done.certificate) say_certificate(*done.certificate, common_);
+    say_result(done.result, done.judgement, common_);
+    // What is not at rest is a surface still; what is open or meets something is none.
+    const std::string& verdict = done.judgement.verdict;
+    const bool is_surface = verdict == "sewn" || verdict == "unconverged";
+    if (i + 1 == garments_.size()) return is_surface;
+    if (!is_surface) {
+      CommonSettings::warn("layer " + layer.name + " is " + verdict +
+                           ": the layers over it are not dressed");
+      return false;
+    }
+    const auto grid_start = Clock::now();
+    subject_->add_layer(done.cloth);
+    grid_seconds_ = seconds_since(grid_start);
+  }
+  return true;
+}
+
+void Outfit::move_together() {
+  common_.say("together:");
+  const Subject bare(subject_->body());
+  Scene scene = scene_of(settings_.layers.front());
+  scene.body = &bare.grid();
+  scene.subject = &bare.surface();
+  scene.layers = nullptr;
+  std::vector<WornGarment> worn;
+  for (const Done& done : done_) {
+    worn.push_back({&done.garment, done.scene.fabric, done.result.nodes, done.result.grip,
+                    done.result.body_offset});
+  }
+  if (settings_.certify_frames) together_certificate_.emplace(bare.body(), nullptr);
+  {
+    std::optional<fs::path> frames = settings_.frames;
+    if (frames) *frames /= "together";
+    DressWatch watch(frames, !common_.quiet && isatty(STDERR_FILENO) != 0,
+                     together_certificate_ ? &*together_certificate_ : nullptr);
+    together_ =
+        settings_.method.move_together(worn, scene, [&](const DressFrame& frame) { watch(frame); });
+  }
+  if (together_certificate_) say_certificate(*together_certificate_, common_);
+  for (std::size_t i = 0; i < done_.size(); ++i) {
+    DressResult& result = done_[i].result;
+    result.nodes = together_->nodes[i];
+    result.tight_seams = together_->tight_seams[i];
+    result.converged = together_->stage.converged;
+    result.residual = together_->stage.residual;
+    result.release = together_->release;
+  }
+  for (std::size_t i = 0; i < done_.size(); ++i) {
+    TriangleMesh others;
+    for (std::size_t j = 0; j < done_.size(); ++j) {
+      if (j == i) continue;
+      append(others, done_[j].result);
+    }
+    write_and_judge(i, &others);
+    common_.say("layer " + settings_.layers[i].name + ", moved together:");
+    say_result(done_[i].result, done_[i].judgement, common_);
+  }
+  for (const Pressing& pressing : together_->pressings) {
+    std::ostringstream line;
+    line << std::fixed << std::setprecision(1) << settings_.layers[pressing.outer].name
+         << " presses on " << settings_.layers[pressing.inner].name << " with " << pressing.force
+         << " N, " << pressing.force / pressing.area << " Pa where they touch";
+    common_.say(line.str());
+  }
+}
+
+Json Outfit::report_of_layer(std::size_t layer) const {
+  const Done& done = done_[layer];
+  Json report = report_of(done.garment, done.scene, settings_.method.name, done.result,
+                          done.judgement, done.seconds);
+  report["other_seconds"] = done.other_seconds;
+  if (done.certificate) report["certified"] = certified_json(*done.certificate);
+  if (together_) report["moved_together_mm"] = moved_json(together_->moved[layer]);
+  if (!settings_.scene) return report;
+  Json named = {{"name", settings_.layers[layer].name},
+                {"dressed", settings_.layers[layer].output.string()}};
+  named.update(report);
+  return named;
+}
+
+Json Outfit::together_json() const {
+  const StageReport& stage = together_->stage;
+  Json json = {{"vertices", stage.vertices},   {"steps", stage.steps},
+               {"searches", stage.searches},   {"seconds", stage.seconds},
+               {"converged", stage.converged}, {"residual", residual_json(stage.residual)},
+               {"pressing", Json::array()}};
+  for (const Pressing& pressing : together_->pressings) {
+    json["pressing"].push_back({{"inner", settings_.layers[pressing.inner].name},
+                                {"outer", settings_.layers[pressing.outer].name},
+                                {"force_N", pressing.force},
+                                {"area_m2", pressing.area},
+                                {"mean_Pa", pressing.force / pressing.area}});
+  }
+  if (together_certificate_) json["certified"] = certified_json(*together_certificate_);
+  return json;
+}
+
+std::string Outfit::verdict() const {
+  for (const Done& done : done_) {
+    if (done.judgement.verdict != "sewn") return done.judgement.verdict;
+  }
+  return "sewn";
+}
+
+Json Outfit::whole_report() const {
+  Json report;
+  report["scene_file"] = settings_.scene->string();
+  report["body"] = settings_.body.string();
+  report["layering"] = settings_.coupled ? "coupled" : "frozen";
+  report["layers"] = Json::array();
+  for (std::size_t i = 0; i < done_.size(); ++i) report["layers"].push_back(report_of_layer(i));
+  report["not_dressed"] = Json::array();
+  for (std::size_t i = done_.size(); i < settings_.layers.size(); ++i) {
+    report["not_dressed"].push_back(settings_.layers[i].name);
+  }
+  if (together_) report["together"] = together_json();
+  report["seconds"] = seconds_since(start_);
+  report["verdict"] = verdict();
+  return report;
+}
+
+int Outfit::run() {
+  read();
+  const bool all_dressed = dress_one_by_one();
+  if (settings_.coupled && all_dressed && done_.size() > 1) move_together();
+  if (common_.report) {
+    const Json report = settings_.scene ? whole_report() : report_of_layer(0);
+    write_file(*common_.report, report.dump(2) + "\n");
+  }
+  if (settings_.scene) common_.say("outfit: " + verdict());
+  return verdict() == "sewn" ? exit_done : exit_negative;
+}
+
+}  // namespace
+
+int dress_outfit(const OutfitSettings& settings, const CommonSettings& common) {
+  return Outfit(settings, common).run();
+}
+
+}  // namespace toile

@@ -1,0 +1,44 @@
+// What dress does once it knows what is asked: reads, dresses layer by layer, writes and judges.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cloth/scene.h"
+#include "tools/dress_fabrics.h"
+#include "tools/dress_method.h"
+#include "tools/program.h"
+
+namespace toile {
+
+/// One garment that is to be dressed.
+struct OutfitLayer {
+  std::string name;  ///< empty: the only one, not of a scene file
+  std::filesystem::path garment;
+  std::filesystem::path garment_json;
+  Fabric fabric;
+  std::filesystem::path output;
+};
+
+struct OutfitSettings {
+  std::optional<std::filesystem::path> scene;
+  std::filesystem::path body;
+  std::filesystem::path skeleton;
+  bool needs_skeleton = false;  ///< it was asked for, not looked for
+  std::vector<OutfitLayer> layers;
+  bool coupled = false;  ///< the layers move together once all are dressed
+  FabricChoice fabrics;
+  std::optional<std::filesystem::path> frames;
+  bool certify_frames = false;
+  std::optional<double> strain_limit;
+  Vec3 gravity = Scene().gravity;
+  DressMethod method;
+};
+
+/// Dresses all layers, writes their files and the report, and gives the exit code. Throws Error for
+/// what can't be read or dressed.
+int dress_outfit(const OutfitSettings& settings, const CommonSettings& common);
+
+}  // namespace toile
