@@ -226,6 +226,7 @@ void Dressing::come_to_rest(bool bounded) {
   options.max_iterations = options_.max_iterations;
   options.stop_median = options_.stop_median;
   options.stop_rms = options_.stop_rms;
+  options.stop_wide = options_.stop_wide;
   const StageReport& last = stage("drape", options);
   result_.residual = last.residual;
   result_.converged = last.converged;

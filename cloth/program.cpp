@@ -70,6 +70,7 @@ class Compiler {
         rows_(gathered_rows(garment, gathered_)) {
     program_.scene = scene;
     program_.triangles = garment.triangles;
+    program_.subdivisions = garment.subdivisions;
     program_.node_of_point = weld(garment, program_.nodes);
   }
 

@@ -52,6 +52,7 @@ struct BendGather {
 /// open·offset[p], with `open` going from 1 to 0.
 struct Program {
   int nodes = 0;
+  int subdivisions = 0;  ///< of the nested mesh, as PanelMesh says
   std::vector<int> node_of_point;
   std::vector<Vec3> offsets;             ///< per material point; empty: nothing is sewn
   std::vector<Triangle> triangles;       ///< of material points

@@ -118,8 +118,8 @@ void add_method_options(po::options_description& options) {
       "paper: a coefficient of the sewing force, NAME=VALUE: epsilon, tau, c, lambda-f, damp-n, "
       "damp-t, atten-n, atten-t, delta (m), unit-time (s), hand-pull (N/m); may be repeated")(
       "release", po::value<string>(),
-      "relaxation: let go of the dressed garment for a time, such as 1s, in lightly damped motion, "
-      "and report how far it moves; it is to stay")(
+      "relaxation: drape until the garment stays, let go of it for a time, such as 1s, in lightly "
+      "damped motion, and report how far it moves")(
       "time-step", po::value<double>(), "paper: seconds; default: 0.9 of what is stable")(
       "restitution", po::value<double>()->default_value(0, "0"),
       "paper: share of the speed that the cloth bounces off with");
@@ -159,6 +159,8 @@ DressMethod read_method(const po::variables_map& given, bool together) {
   }
   DressOptions options;
   if (given.count("release")) {
+    // What isn't at rest as a whole would swing.
+    options.stop_wide = 0.0007;
     options.release_seconds = parse_time(given["release"].as<string>(), "--release");
     if (options.release_seconds > 60) {
       throw Error("--release", "is longer than a minute", "1s shows whether a garment stays");

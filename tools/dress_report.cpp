@@ -55,7 +55,10 @@ void say_release(const ReleaseReport& release, const CommonSettings& common) {
 }  // namespace
 
 nlohmann::ordered_json residual_json(const Residual& residual) {
-  return {{"median", residual.median}, {"rms", residual.rms}, {"max", residual.max}};
+  return {{"median", residual.median},
+          {"rms", residual.rms},
+          {"max", residual.max},
+          {"wide", residual.wide}};
 }
 
 nlohmann::ordered_json moved_json(const MovedFigures& moved) {

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "cloth/relaxation/cloth_forces.h"
+#include "cloth/relaxation/coarse_motion.h"
 #include "cloth/relaxation/side_by_side.h"
 #include "geometry/error.h"
 
@@ -16,6 +17,8 @@ namespace {
 /// Steps are this much longer than the bound on the stiffness allows, for the bound is pessimistic:
 /// 1 needs twice the iterations, 1.7 about the same.
 constexpr double step_factor = 1.3;
+/// What each coarser level adds to the bound: 1 would always be safe, 0 is not stable with two.
+constexpr double level_share = 0.2;
 /// Iterations between two measurements of the residual, and calls of the watcher.
 constexpr int watch_interval = 50;
 /// Least iterations between two searches for near cloth; a node that has used up its bound waits.
@@ -28,9 +31,11 @@ class Relaxation {
       : program_(program),
         options_(options),
         forces_(program, options, x, options.closing_iterations > 0 && !program.offsets.empty()),
+        coarse_(program),
+        step_factor_(step_factor / (1 + level_share * coarse_.levels())),
+        node_force_(program.nodes, Vec4{}),
         x_(as_vec4(x)),
-        partial_(chunks_of(program.nodes, vertex_chunk)),
-        squared_forces_(program.nodes) {}
+        partial_(chunks_of(program.nodes, vertex_chunk)) {}
 
   RelaxReport run(const RelaxWatcher& watcher);
   std::vector<Vec3> state() const { return forces_.state(); }
@@ -38,35 +43,64 @@ class Relaxation {
  private:
   /// One step of all nodes; returns the power of the forces along the last step.
   double step();
+  void find_forces();
+  void find_forces(std::size_t begin, std::size_t end);
+  double own_stiffness(std::size_t n) const {
+    return program_.stretch_diagonal[n] +
+           (program_.bend.empty() ? 0 : bending_ * program_.bend_diagonal[n]);
+  }
   double step_nodes(std::size_t begin, std::size_t end);
   Residual measure_residual();
   Residual last_residual() const;
   bool at_rest(const Residual& residual) const {
-    return residual.median < options_.stop_median && residual.rms < options_.stop_rms;
+    return residual.median < options_.stop_median && residual.rms < options_.stop_rms &&
+           (options_.stop_wide == 0 || residual.wide < options_.stop_wide);
   }
 
   const Program& program_;
   const RelaxOptions& options_;
   ClothForces forces_;  // its nodes are the state: the iterate with momentum
-  Vec4s x_;             // the iterate before momentum
+  CoarseMotion coarse_;
+  double step_factor_;
+  Vec4s node_force_;  // N, and the stiffness of what the node touches as the fourth
+  Vec4s x_;           // the iterate before momentum
   std::vector<double> partial_;
-  std::vector<double> squared_forces_;  // N²
   double bending_ = 1;
   double momentum_ = 0;
   int momentum_age_ = 0;
 };
 
 TOILE_CLONES
-double Relaxation::step_nodes(std::size_t begin, std::size_t end) {
-  const double most_squared = options_.max_move * options_.max_move;
-  double power = 0;
+void Relaxation::find_forces(std::size_t begin, std::size_t end) {
   for (std::size_t n = begin; n < end; ++n) {
     Vec4 force;
     double stiffness;
     forces_.at(n, force, stiffness);
-    squared_forces_[n] = squared_length(force);
+    force[3] = stiffness - own_stiffness(n);
+    node_force_[n] = force;
+  }
+}
+
+/// Of all nodes, and of the patches of the coarser levels.
+void Relaxation::find_forces() {
+  side_by_side(partial_.size(), [&](std::size_t c) {
+    const std::size_t end = std::min<std::size_t>(program_.nodes, (c + 1) * vertex_chunk);
+    find_forces(c * vertex_chunk, end);
+  });
+  coarse_.compute(node_force_, bending_);
+}
+
+TOILE_CLONES
+double Relaxation::step_nodes(std::size_t begin, std::size_t end) {
+  const double most_squared = options_.max_move * options_.max_move;
+  double power = 0;
+  for (std::size_t n = begin; n < end; ++n) {
+    Vec4 force = node_force_[n];
+    const double stiffness = force[3] + own_stiffness(n);
+    force[3] = 0;
     // A node that no triangle holds has nothing to be moved by.
-    Vec4 way = stiffness > 0 ? step_factor / stiffness * force : Vec4{};
+    Vec4 way = stiffness > 0 ? step_factor_ / stiffness * force : Vec4{};
+    way += step_factor_ * coarse_.of_node(n);
     const double squared = squared_length(way);
     if (squared > most_squared) way *= options_.max_move / std::sqrt(squared);
     const Vec4 next = forces_.node(n) + way;
@@ -81,6 +115,7 @@ double Relaxation::step_nodes(std::size_t begin, std::size_t end) {
 
 double Relaxation::step() {
   momentum_ = std::min(options_.momentum, momentum_age_ / (momentum_age_ + 3.0));
+  find_forces();
   side_by_side(partial_.size(), [&](std::size_t c) {
     const std::size_t end = std::min<std::size_t>(program_.nodes, (c + 1) * vertex_chunk);
     partial_[c] = step_nodes(c * vertex_chunk, end);
@@ -93,12 +128,7 @@ double Relaxation::step() {
 Residual Relaxation::measure_residual() {
   forces_.look_anew();
   forces_.compute(bending_);
-  for (std::size_t n = 0; n < squared_forces_.size(); ++n) {
-    Vec4 force;
-    double stiffness;
-    forces_.at(n, force, stiffness);
-    squared_forces_[n] = squared_length(force);
-  }
+  find_forces();
   return last_residual();
 }
 
@@ -108,7 +138,7 @@ Residual Relaxation::last_residual() const {
   std::vector<double> norms(program_.nodes);
   double sum = 0;
   for (std::size_t n = 0; n < norms.size(); ++n) {
-    norms[n] = std::sqrt(squared_forces_[n]) / program_.mean_weight;
+    norms[n] = std::sqrt(squared_length(node_force_[n])) / program_.mean_weight;
     sum += norms[n] * norms[n];
   }
   r.rms = std::sqrt(sum / static_cast<double>(norms.size()));
@@ -116,6 +146,7 @@ Residual Relaxation::last_residual() const {
     throw Error("garment", "its forces grew beyond all numbers",
                 "check the fabric's stiffness and the panels for degenerate triangles");
   }
+  r.wide = coarse_.rms_acceleration() / std::max(program_.scene.gravity.norm(), 1e-9);
   r.max = *std::max_element(norms.begin(), norms.end());
   std::nth_element(norms.begin(), norms.begin() + norms.size() / 2, norms.end());
   r.median = norms[norms.size() / 2];

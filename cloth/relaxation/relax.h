@@ -14,6 +14,9 @@ struct Residual {
   double median = 0;
   double rms = 0;
   double max = 0;
+  /// Rms over the patches of the coarsest level, in their weights: what would set the cloth in
+  /// motion as a whole. 0 without levels.
+  double wide = 0;
 };
 
 struct RelaxOptions : ForceOptions {
@@ -30,6 +33,7 @@ struct RelaxOptions : ForceOptions {
   double max_move = 0.004;   ///< metres a node may move in an iteration
   double stop_median = 0;    ///< at rest when the residual is below both, in node weights;
   double stop_rms = 0;       ///< 0: run all iterations
+  double stop_wide = 0;      ///< and, unless 0, the wide one below this
 };
 
 struct RelaxReport {
@@ -57,9 +61,10 @@ std::vector<Vec3> point_positions(const Program& program, const std::vector<Vec3
 
 /// Moves the nodes `x` (one a node, metres) toward rest: each is stepped by its force over a bound
 /// of its stiffness, with Nesterov's momentum, restarted when it runs uphill [O'Donoghue & Candes
-/// 2015]. The watcher is called every 50 iterations. Cost per iteration is linear in the triangles;
-/// the number of iterations grows with the square root of the stiffness ratios, so about with
-/// the number of nodes across. Same bits for any number of threads.
+/// 2015]; patches of the coarser levels likewise (CoarseMotion). The watcher is called every 50
+/// iterations. Cost per iteration is linear in the triangles; the number of iterations grows with
+/// the square root of the stiffness ratios, so about with the number of nodes across. Same bits for
+/// any number of threads.
 RelaxReport relax(const Program& program, const RelaxOptions& options, std::vector<Vec3>& x,
                   const RelaxWatcher& watcher = {});
 

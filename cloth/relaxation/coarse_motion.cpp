@@ -1,0 +1,120 @@
+#include "cloth/relaxation/coarse_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "cloth/relaxation/side_by_side.h"
+
+namespace toile {
+
+CoarseMotion::CoarseMotion(const Program& program) {
+  std::vector<Triangle> triangles = program.node_triangles;
+  std::vector<int> own(program.nodes);  // the program's node of each node of the level
+  std::iota(own.begin(), own.end(), 0);
+  for (int depth = 0; depth < program.subdivisions; ++depth) {
+    const std::size_t count = own.size();
+    // Child i of a triangle holds its corner i; child 3 the middles of its sides.
+    std::vector<int> index(count, -1);
+    for (std::size_t t = 0; t < triangles.size(); t += 4) {
+      for (int i = 0; i < 3; ++i) index[triangles[t + i][i]] = 0;
+    }
+    Level level;
+    std::vector<int> coarse_own;
+    for (std::size_t n = 0; n < count; ++n) {
+      if (index[n] < 0) continue;
+      index[n] = static_cast<int>(coarse_own.size());
+      coarse_own.push_back(own[n]);
+    }
+    level.parents.assign(count, {-1, -1});
+    std::vector<Triangle> coarse(triangles.size() / 4);
+    for (std::size_t t = 0; t < coarse.size(); ++t) {
+      for (int i = 0; i < 3; ++i) coarse[t][i] = index[triangles[4 * t + i][i]];
+      for (int i = 0; i < 3; ++i) {
+        level.parents[triangles[4 * t + i][i]] = {coarse[t][i], coarse[t][i]};
+        auto& middle = level.parents[triangles[4 * t + 3][i]];
+        if (middle[0] < 0) middle = {coarse[t][i], coarse[t][(i + 1) % 3]};
+      }
+    }
+    level.first.assign(coarse_own.size() + 1, 0);
+    for (const auto& [a, b] : level.parents) {
+      ++level.first[a + 1];
+      if (a != b) ++level.first[b + 1];
+    }
+    std::partial_sum(level.first.begin(), level.first.end(), level.first.begin());
+    level.shares.resize(level.first.back());
+    std::vector<int> next(level.first.begin(), level.first.end() - 1);
+    for (std::size_t n = 0; n < count; ++n) {
+      const auto& [a, b] = level.parents[n];
+      level.shares[next[a]++] = {static_cast<int>(n), a == b ? 1.0 : 0.5};
+      if (a != b) level.shares[next[b]++] = {static_cast<int>(n), 0.5};
+    }
+    for (const int n : coarse_own) {
+      level.stretch.push_back(program.stretch_diagonal[n]);
+      level.bend.push_back(program.bend.empty() ? 0 : program.bend_diagonal[n]);
+    }
+    const std::vector<double>& finer = levels_.empty() ? program.mass : levels_.back().mass;
+    level.mass.assign(coarse_own.size(), 0);
+    for (std::size_t n = 0; n < coarse_own.size(); ++n) {
+      for (int i = level.first[n]; i < level.first[n + 1]; ++i) {
+        level.mass[n] += level.shares[i].weight * finer[level.shares[i].node];
+      }
+    }
+    level.force.assign(coarse_own.size(), Vec4{});
+    level.way.assign(coarse_own.size(), Vec4{});
+    levels_.push_back(std::move(level));
+    triangles = std::move(coarse);
+    own = std::move(coarse_own);
+  }
+}
+
+void CoarseMotion::restrict_forces(const Level& level, const Vec4s& finer, Vec4s& force) const {
+  side_by_side(chunks_of(force.size(), vertex_chunk), [&](std::size_t c) {
+    const std::size_t end = std::min(force.size(), (c + 1) * vertex_chunk);
+    for (std::size_t n = c * vertex_chunk; n < end; ++n) {
+      Vec4 sum = {0, 0, 0, 0};
+      for (int i = level.first[n]; i < level.first[n + 1]; ++i) {
+        sum += level.shares[i].weight * finer[level.shares[i].node];
+      }
+      force[n] = sum;
+    }
+  });
+}
+
+double CoarseMotion::rms_acceleration() const {
+  if (levels_.empty() || levels_.back().mass.empty()) return 0;
+  const Level& level = levels_.back();
+  double sum = 0;
+  for (std::size_t n = 0; n < level.mass.size(); ++n) {
+    const Vec4 force = {level.force[n][0], level.force[n][1], level.force[n][2], 0};
+    if (level.mass[n] > 0) sum += squared_length(force) / (level.mass[n] * level.mass[n]);
+  }
+  return std::sqrt(sum / static_cast<double>(level.mass.size()));
+}
+
+void CoarseMotion::compute(const Vec4s& forces, double bending) {
+  const Vec4s* finer = &forces;
+  for (Level& level : levels_) {
+    restrict_forces(level, *finer, level.force);
+    finer = &level.force;
+  }
+  for (std::size_t l = levels_.size(); l-- > 0;) {
+    Level& level = levels_[l];
+    side_by_side(chunks_of(level.way.size(), vertex_chunk), [&](std::size_t c) {
+      const std::size_t end = std::min(level.way.size(), (c + 1) * vertex_chunk);
+      for (std::size_t n = c * vertex_chunk; n < end; ++n) {
+        const double stiffness = level.stretch[n] + bending * level.bend[n] + level.force[n][3];
+        Vec4 way = stiffness > 0 ? level.force[n] / stiffness : Vec4{};
+        way[3] = 0;
+        if (l + 1 < levels_.size()) {
+          const Level& coarser = levels_[l + 1];
+          const auto& [a, b] = coarser.parents[n];
+          way += 0.5 * (coarser.way[a] + coarser.way[b]);
+        }
+        level.way[n] = way;
+      }
+    });
+  }
+}
+
+}  // namespace toile

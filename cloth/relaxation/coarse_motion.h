@@ -1,0 +1,58 @@
+// Moves whole patches of a nested mesh by the forces on them: what is soft and wide comes to rest
+// with the coarse meshes' iterations, not the fine one's.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "cloth/program.h"
+#include "cloth/relaxation/vec4.h"
+
+namespace toile {
+
+/// Additive multilevel preconditioner [Bramble, Pasciak & Xu 1990]: on each coarser level of the
+/// program's nested mesh, the forces on a patch over a bound of its stiffness; patches are the hat
+/// functions of the coarse nodes. A patch's bound is its middle node's, for the stiffness of a
+/// membrane does not depend on the size of its triangles, and that of bending grows with finer
+/// ones; what touches adds up.
+class CoarseMotion {
+ public:
+  explicit CoarseMotion(const Program& program);
+
+  int levels() const { return static_cast<int>(levels_.size()); }
+
+  /// Ways of the coarse nodes, by the forces (N) on all nodes, with the stiffness (N/m) of what
+  /// they touch as the fourth. `bending` multiplies the bending stiffness.
+  void compute(const Vec4s& forces, double bending);
+  /// What compute() found for a node, metres.
+  [[gnu::always_inline]] Vec4 of_node(std::size_t n) const {
+    if (levels_.empty()) return Vec4{};
+    const Level& level = levels_.front();
+    const auto& [a, b] = level.parents[n];
+    return 0.5 * (level.way[a] + level.way[b]);
+  }
+  /// Of the coarsest patches by what compute() was given, m/s²; 0 without levels. Forces that
+  /// neighbours have on each other cancel: what is left sets cloth in motion as a whole.
+  double rms_acceleration() const;
+
+ private:
+  struct Share {
+    int node;
+    double weight;
+  };
+  struct Level {
+    std::vector<std::array<int, 2>> parents;  // per finer node; the same twice: it is one of these
+    std::vector<int> first;                   // per node, its entries in `shares`
+    std::vector<Share> shares;                // of finer nodes
+    std::vector<double> stretch;              // N/m, per node
+    std::vector<double> bend;
+    std::vector<double> mass;  // kg
+    Vec4s force;
+    Vec4s way;
+  };
+  void restrict_forces(const Level& level, const Vec4s& finer, Vec4s& force) const;
+
+  std::vector<Level> levels_;  // the finer first
+};
+
+}  // namespace toile
