@@ -26,6 +26,27 @@ GatheredEdges gathered_edges(const PanelMesh& garment) {
   return shares;
 }
 
+GatheredEdges elastic_edges(const PanelMesh& garment) {
+  GatheredEdges shares;
+  if (garment.elastics.empty()) return shares;
+  for (const MeshedElastic& elastic : garment.elastics) {
+    for (std::size_t i = 0; i + 1 < elastic.points.size(); ++i) {
+      shares[std::minmax(elastic.points[i], elastic.points[i + 1])] = elastic.ratio;
+    }
+  }
+  for (const MeshedSeam& seam : garment.seams) {
+    for (std::size_t i = 0; i + 1 < seam.a.size(); ++i) {
+      const std::pair<int, int> a = std::minmax(seam.a[i], seam.a[i + 1]);
+      const std::pair<int, int> b = std::minmax(seam.b[i], seam.b[i + 1]);
+      const auto on_a = shares.find(a);
+      const auto on_b = shares.find(b);
+      if (on_a != shares.end()) shares.try_emplace(b, on_a->second);
+      if (on_b != shares.end()) shares.try_emplace(a, on_b->second);
+    }
+  }
+  return shares;
+}
+
 std::map<int, Vec2> gathered_rows(const PanelMesh& garment, const GatheredEdges& gathered) {
   if (gathered.empty()) return {};
   struct Place {

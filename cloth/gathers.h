@@ -17,6 +17,10 @@ using GatheredEdges = std::map<std::pair<int, int>, double>;
 /// stretching its partner.
 GatheredEdges gathered_edges(const PanelMesh& garment);
 
+/// Edges along the garment's elastics and what is sewn to them, with the share that the elastic's
+/// rest is of their length: cloth that an elastic draws up.
+GatheredEdges elastic_edges(const PanelMesh& garment);
+
 /// Triangles that touch a gathered edge, each with the direction of the seam there (a unit vector
 /// of the flat panel). Drawn up by its thread, cloth lies in folds of a few millimetres, finer than
 /// the mesh, which open within the depth of this row into those that the mesh can have. So the row

@@ -67,6 +67,11 @@ PanelMesh coarsen(const PanelMesh& fine) {
     thinned.b = kept_of(seam.b, index);
     coarse.seams.push_back(thinned);
   }
+  for (const MeshedElastic& elastic : fine.elastics) {
+    MeshedElastic thinned = elastic;
+    thinned.points = kept_of(elastic.points, index);
+    coarse.elastics.push_back(thinned);
+  }
   return coarse;
 }
 

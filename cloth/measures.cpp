@@ -167,8 +167,8 @@ GarmentFigures measure_garment(const PanelMesh& pattern, const DressedGarment& d
     for (const int p : seam.b) on_seam[p] = 1;
   }
   std::vector<char> gathered(points.size(), 0);
-  for (const auto& [edge, share] : gathered_edges(pattern)) {
-    gathered[edge.first] = gathered[edge.second] = 1;
+  for (const GatheredEdges& edges : {gathered_edges(pattern), elastic_edges(pattern)}) {
+    for (const auto& [edge, share] : edges) gathered[edge.first] = gathered[edge.second] = 1;
   }
   std::vector<double> strains;
   std::vector<double> off_seams;
@@ -196,6 +196,7 @@ GarmentFigures measure_garment(const PanelMesh& pattern, const DressedGarment& d
   figures.triangle_perimeter_max_panel_percent =
       largest_change_percent(triangle_perimeters(pattern), triangle_perimeters(pattern, points));
   figures.seams = measure_seams(pattern, points);
+  figures.bands = measure_bands(pattern, points);
   figures.borders = border_loops(dressed.triangles, dressed.points.size());
   return figures;
 }

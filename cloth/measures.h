@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cloth/bands.h"
 #include "pattern/panel_mesh.h"
 
 namespace toile {
@@ -53,15 +54,16 @@ inline constexpr double sewn_gap = 1e-5;
 
 struct GarmentFigures {
   StrainFigures strain;  ///< of all mesh edges
-  /// Without edges that have both ends on a seam; of those beside a gathered one, whose fullness
-  /// lies in folds finer than the mesh, only how much longer they became.
+  /// Without edges that have both ends on a seam; of those beside a gathered one or an elastic,
+  /// whose fullness lies in folds finer than the mesh, only how much longer they became.
   StrainFigures strain_off_seams;
   double area_total_percent = 0;  ///< signed; the others are the largest |change|
   double area_max_panel_percent = 0;
   double perimeter_max_panel_percent = 0;
   double triangle_perimeter_max_panel_percent = 0;
   SeamFigures seams;
-  int borders = 0;  ///< open border loops
+  std::vector<BandFigures> bands;  ///< elastics
+  int borders = 0;                 ///< open border loops
 };
 
 /// Measures a dressed garment against its pattern. Throws Error when the two have different faces.

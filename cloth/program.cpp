@@ -65,9 +65,11 @@ double cotangent(const Vec2& at, const Vec2& a, const Vec2& b) {
 class Compiler {
  public:
   Compiler(const PanelMesh& garment, const Scene& scene)
-      : garment_(garment),
-        gathered_(gathered_edges(garment)),
-        rows_(gathered_rows(garment, gathered_)) {
+      : garment_(garment), gathered_(gathered_edges(garment)) {
+    GatheredEdges free = elastic_edges(garment);
+    for (const auto& [edge, share] : free) gathered_.erase(edge);
+    free.insert(gathered_.begin(), gathered_.end());
+    rows_ = gathered_rows(garment, free);
     program_.scene = scene;
     program_.triangles = garment.triangles;
     program_.subdivisions = garment.subdivisions;
@@ -77,6 +79,7 @@ class Compiler {
   Program run(const std::vector<Vec3>& placed) {
     place(placed);
     lay_out_stretch();
+    lay_out_bands();
     program_.self_gap = self_gap_of(program_.scene, garment_);
     if (bends()) lay_out_bend();
     lay_out_gather();
@@ -204,6 +207,16 @@ class Compiler {
     return flat;
   }
 
+  void lay_out_bands() {
+    program_.bands = band_segments(garment_, program_.scene, program_.node_of_point);
+    for (const BandSegment& band : program_.bands) {
+      const double stiffness = 2 * (band.stiffness / band.rest + band.cloth / band.flat);
+      for (const int p : band.points) {
+        program_.stretch_diagonal[program_.node_of_point[p]] += stiffness;
+      }
+    }
+  }
+
   void lay_out_bend() {
     program_.bend_diagonal.assign(program_.nodes, 0);
     // Triangles by their node edge: also finds the hinge across a sewn seam.
@@ -328,7 +341,7 @@ class Compiler {
 
   const PanelMesh& garment_;
   GatheredEdges gathered_;
-  std::map<int, Vec2> rows_;  // along gathered edges
+  std::map<int, Vec2> rows_;  // along gathered edges and elastics
   std::vector<int> panel_of_triangle_;
   std::vector<std::array<int, 3>> hinges_;               // opposite to each corner; -1: none
   std::vector<std::array<HingeResponse, 3>> responses_;  // of the same
@@ -352,6 +365,7 @@ std::vector<std::pair<std::string, int>> term_counts(const Program& program) {
                                         [](double friction) { return friction > 0; }));
   return {{"stretch", triangles},
           {"bend", count(program.bend.size())},
+          {"elastic", count(program.bands.size())},
           {"seam", program.offsets.empty() ? 0 : sewn},
           {"body_contact", scene.body != nullptr ? program.nodes : 0},
           {"friction", scene.body != nullptr ? rough : 0},

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "cloth/bands.h"
 #include "cloth/scene.h"
 #include "geometry/types.h"
 #include "pattern/panel_mesh.h"
@@ -59,15 +60,17 @@ struct Program {
   std::vector<Triangle> node_triangles;  ///< the same, of nodes
   std::vector<StretchTriangle> stretch;  ///< one per triangle
   std::vector<BendHinge> bend;           ///< empty: fabric without bending stiffness
+  std::vector<BandSegment> bands;        ///< elastics; empty: the garment has none
   StretchGather stretch_gather;
   BendGather bend_gather;
-  std::vector<double> mass;              ///< kg, per node
-  std::vector<double> stretch_diagonal;  ///< N/m, per node: bound of the row sum of the stiffness
-  std::vector<double> bend_diagonal;     ///< N/m
-  std::vector<double> shortest_edge;     ///< metres at rest, per node, of its triangles
-  std::vector<double> friction_skin;     ///< Coulomb, per node: the mean of its panels' by mass
-  std::vector<double> friction_cloth;    ///< Coulomb, per node: the same, against cloth
-  std::vector<Vec3> start;               ///< metres, per node
+  std::vector<double> mass;  ///< kg, per node
+  std::vector<double>
+      stretch_diagonal;  ///< N/m, per node: bound of the row sum of the stiffness, elastics' too
+  std::vector<double> bend_diagonal;   ///< N/m
+  std::vector<double> shortest_edge;   ///< metres at rest, per node, of its triangles
+  std::vector<double> friction_skin;   ///< Coulomb, per node: the mean of its panels' by mass
+  std::vector<double> friction_cloth;  ///< Coulomb, per node: the same, against cloth
+  std::vector<Vec3> start;             ///< metres, per node
   Scene scene;
   double mean_weight = 0;  ///< N, of a node
   double self_gap = 0;     ///< metres kept between the middles of cloth and cloth

@@ -196,6 +196,10 @@ PanelMesh join_garments(const std::vector<WornGarment>& garments) {
       for (int& point : seam.b) point += first_point;
       all.seams.push_back(std::move(seam));
     }
+    for (MeshedElastic elastic : one.elastics) {
+      for (int& point : elastic.points) point += first_point;
+      all.elastics.push_back(std::move(elastic));
+    }
     all.edge_length = std::max(all.edge_length, one.edge_length);
     all.subdivisions = i == 0 ? one.subdivisions : std::min(all.subdivisions, one.subdivisions);
   }

@@ -58,7 +58,17 @@ std::string garment_json(const PanelMesh& garment) {
     text += json.dump();
     separator = ",\n";
   }
-  return text + "]}\n";
+  text += "]";
+  separator = ",\n\"elastics\": [\n";
+  for (const MeshedElastic& elastic : garment.elastics) {
+    const Json json = {{"name", elastic.name},
+                       {"points", elastic.points},
+                       {"ratio", elastic.ratio},
+                       {"stiffness_N", elastic.stiffness}};
+    text += separator + json.dump();
+    separator = ",\n";
+  }
+  return text + (garment.elastics.empty() ? "}\n" : "]}\n");
 }
 
 int count_of(const JsonValue& value) { return value.index(std::numeric_limits<int>::max() / 2); }
@@ -88,19 +98,28 @@ MeshedPanel panel_of(const JsonValue& value) {
   return panel;
 }
 
+std::vector<int> points_of(const JsonValue& list, std::size_t points) {
+  std::vector<int> along;
+  for (std::size_t i = 0; i < list.size(2); ++i) {
+    along.push_back(list.item(i).index(static_cast<int>(points)));
+  }
+  return along;
+}
+
+MeshedElastic elastic_of(const JsonValue& value, std::size_t points) {
+  MeshedElastic elastic{value.get("name").text(), points_of(value.get("points"), points),
+                        value.get("ratio").number(), value.get("stiffness_N").number()};
+  if (!(elastic.ratio > 0 && elastic.ratio <= 1 && elastic.stiffness > 0)) {
+    fail(value.place(), "has no ratio in (0, 1] or no stiffness");
+  }
+  return elastic;
+}
+
 MeshedSeam seam_of(const JsonValue& value, std::size_t points) {
   MeshedSeam seam;
   seam.name = value.get("name").text();
-  const auto side = [&](const char* key) {
-    const JsonValue list = value.get(key);
-    std::vector<int> along;
-    for (std::size_t i = 0; i < list.size(2); ++i) {
-      along.push_back(list.item(i).index(static_cast<int>(points)));
-    }
-    return along;
-  };
-  seam.a = side("a");
-  seam.b = side("b");
+  seam.a = points_of(value.get("a"), points);
+  seam.b = points_of(value.get("b"), points);
   if (seam.a.size() != seam.b.size()) {
     fail(value.place(), "has sides of " + std::to_string(seam.a.size()) + " and " +
                             std::to_string(seam.b.size()) + " points");
@@ -225,6 +244,12 @@ PanelMesh read_garment(const fs::path& obj, const fs::path& json) {
   for (std::size_t i = 0; i < seams.size(); ++i) {
     garment.seams.push_back(
         seam_of(seams.item(i).called(name + ": seam " + std::to_string(i)), garment.flat.size()));
+  }
+  if (const auto elastics = root.find("elastics")) {
+    for (std::size_t i = 0; i < elastics->size(); ++i) {
+      garment.elastics.push_back(elastic_of(
+          elastics->item(i).called(name + ": elastic " + std::to_string(i)), garment.flat.size()));
+    }
   }
   if (const auto problem = nesting_problem(garment)) fail(name, *problem);
   return garment;

@@ -272,6 +272,13 @@ PanelMesh assemble(const Pattern& pattern, const Orientation& orientation,
       garment.triangles.push_back(
           {a + meshed.first_point, b + meshed.first_point, c + meshed.first_point});
     }
+    for (std::size_t e = 0; e < panel.edges.size(); ++e) {
+      if (!panel.edges[e].elastic) continue;
+      MeshedElastic elastic{panel.name + "." + std::to_string(e), works[p].along[e],
+                            panel.edges[e].elastic->ratio, panel.edges[e].elastic->stiffness};
+      for (int& point : elastic.points) point += meshed.first_point;
+      garment.elastics.push_back(std::move(elastic));
+    }
     garment.panels.push_back(std::move(meshed));
   }
   for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {

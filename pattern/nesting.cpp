@@ -79,15 +79,23 @@ std::optional<std::string> nesting_problem(const PanelMesh& garment) {
     }
   }
   const std::size_t stride = std::size_t{1} << garment.subdivisions;
+  const auto nested = [&](const std::vector<int>& along) {
+    bool follows = (along.size() - 1) % stride == 0;
+    for (std::size_t i = 0; i < along.size() && follows; ++i) {
+      int level = 0;
+      while (level < garment.subdivisions && i % (std::size_t{2} << level) == 0) ++level;
+      follows = level_of[at(along[i])] == level;
+    }
+    return follows;
+  };
   for (const MeshedSeam& seam : garment.seams) {
-    for (const std::vector<int>* side : {&seam.a, &seam.b}) {
-      bool nested = (side->size() - 1) % stride == 0;
-      for (std::size_t i = 0; i < side->size() && nested; ++i) {
-        int level = 0;
-        while (level < garment.subdivisions && i % (std::size_t{2} << level) == 0) ++level;
-        nested = level_of[at((*side)[i])] == level;
-      }
-      if (!nested) return "seam '" + seam.name + "' does not follow the subdivision";
+    if (!nested(seam.a) || !nested(seam.b)) {
+      return "seam '" + seam.name + "' does not follow the subdivision";
+    }
+  }
+  for (const MeshedElastic& elastic : garment.elastics) {
+    if (!nested(elastic.points)) {
+      return "elastic '" + elastic.name + "' does not follow the subdivision";
     }
   }
   return std::nullopt;

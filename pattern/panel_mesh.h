@@ -32,6 +32,14 @@ struct MeshedSeam {
   double length_b = 0;
 };
 
+/// An elastic that is sewn along an outline edge while stretched to the edge's length.
+struct MeshedElastic {
+  std::string name;         ///< "panel.edge"
+  std::vector<int> points;  ///< material points along the edge, at least two
+  double ratio = 1;         ///< length of the elastic at rest over that of the edge, at most 1
+  double stiffness = 0;     ///< N: its tension is this times the strain
+};
+
 /// Panels as triangulated, before anything is sewn. A *material point* belongs to one panel and
 /// has flat coordinates there; where panels are sewn, two material points share one node. Flat
 /// coordinates show the cloth's right side, so once sewn all triangles face out of the garment.
@@ -48,6 +56,7 @@ struct PanelMesh {
   std::vector<Triangle> triangles;  ///< of material points, counter-clockwise in flat coordinates
   std::vector<MeshedPanel> panels;  ///< in order of their ranges
   std::vector<MeshedSeam> seams;
+  std::vector<MeshedElastic> elastics;
   int subdivisions = 0;
   double edge_length = 0;  ///< the length asked for, metres; 0: not known
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,10 +18,17 @@ struct Remark {
   std::string text;      ///< names panel and edge
 };
 
+/// An elastic along an edge.
+struct Elastic {
+  double ratio = 1;      ///< its length at rest over the edge's
+  double stiffness = 0;  ///< N: its tension is this times the strain
+};
+
 /// One edge of a panel's outline, as the pattern numbers them. Metres, in the panel's drawing.
 struct PatternEdge {
   EdgeCurve curve;
   std::string label;
+  std::optional<Elastic> elastic{};
 };
 
 /// An edge as the outline is walked: `forward` when the walk runs from its start to its end.

@@ -23,6 +23,9 @@ constexpr double largest_coordinate = 1000;
 /// A radius too short for its chord by more than this share is worth a note.
 constexpr double radius_tolerance = 1e-3;
 
+/// N, estimated: a waistband's elastic takes some 10 N when it is half as long again.
+constexpr double usual_elastic = 20;
+
 constexpr double degree = std::numbers::pi / 180;
 
 std::string in_quotes(const std::string& text) { return "'" + text + "'"; }
@@ -189,7 +192,7 @@ class Reader {
     std::vector<std::array<int, 2>> ends;
     for (std::size_t i = 0; i < count; ++i) {
       const JsonValue edge = list.item(i).called(place + ", edge " + std::to_string(i));
-      unread(edge, {"endpoints", "curvature", "label"});
+      unread(edge, {"endpoints", "curvature", "label", "elastic"});
       const JsonValue endpoints = edge.get("endpoints");
       endpoints.size(2, 2);
       std::array<int, 2> pair{};
@@ -206,9 +209,26 @@ class Reader {
                              points[static_cast<std::size_t>(pair[1])]),
                        ""};
       if (const auto label = edge.find("label")) read.label = label->text();
+      if (const auto given = edge.find("elastic")) read.elastic = elastic(*given);
       panel.edges.push_back(std::move(read));
     }
     panel.outline = loop(place, ends);
+  }
+
+  Elastic elastic(const JsonValue& value) {
+    unread(value, {"ratio", "stiffness_N"});
+    Elastic elastic;
+    const JsonValue ratio = value.get("ratio");
+    elastic.ratio = ratio.number();
+    if (!(elastic.ratio >= 0.1 && elastic.ratio <= 1)) {
+      ratio.fail("is not between 0.1 and 1", "it is the elastic's length over the edge's");
+    }
+    const auto stiffness = value.find("stiffness_N");
+    elastic.stiffness = stiffness ? stiffness->number() : usual_elastic;
+    if (!(elastic.stiffness > 0 && elastic.stiffness <= 1e4)) {
+      stiffness->fail("is not between 0 and 10,000 N", "a waistband's is some 20");
+    }
+    return elastic;
   }
 
   /// Walks the edges from the first one into one closed loop.

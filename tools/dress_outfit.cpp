@@ -88,6 +88,10 @@ void Outfit::read() {
   for (const OutfitLayer& layer : settings_.layers) {
     garments_.push_back(read_garment(layer.garment, layer.garment_json));
   }
+  for (const PanelMesh& garment : garments_) {
+    if (settings_.method.name != "paper" || garment.elastics.empty()) continue;
+    CommonSettings::warn("elastics are left out: --method paper does not know them");
+  }
   fabrics_ = panel_fabrics(garments_, settings_.fabrics);
   const TriangleMesh body = read_closed_body(settings_.body);
   if (fs::exists(settings_.skeleton) || settings_.needs_skeleton) {

@@ -137,6 +137,13 @@ nlohmann::ordered_json report_of(const PanelMesh& garment, const Scene& scene,
   report["seams"] = {{"sewn", figures.seams.sewn},
                      {"open", figures.seams.open},
                      {"max_gap_mm", figures.seams.max_gap_mm}};
+  for (const BandFigures& band : figures.bands) {
+    report["elastics"].push_back({{"name", band.name},
+                                  {"flat_cm", 100 * band.flat},
+                                  {"rest_cm", 100 * band.rest},
+                                  {"worn_cm", 100 * band.now},
+                                  {"tension_N", band.tension}});
+  }
   report["wraps"] = Json::array();
   for (const WrapFigure& wrap : judgement.wraps) {
     report["wraps"].push_back({{"part", wrap.part},

@@ -69,6 +69,7 @@ std::vector<Vec3> ClothForces::all_positions() const {
 void ClothForces::use_skin(bool points) {
   by_points_ = points;
   kernel_ = std::make_unique<ElasticKernel>(program_, points);
+  bands_ = std::make_unique<BandForces>(program_, points);
   const std::size_t count = kernel_->vertices();
   vertex_force_.assign(count, Vec4{});
   vertex_first_.clear();
@@ -229,8 +230,9 @@ void ClothForces::compute(double bending) {
   });
   side_by_side(chunks_of(vertices(), vertex_chunk), [&](std::size_t c) {
     // A seam bends as one cloth only when it is sewn.
-    kernel_->gather(c * vertex_chunk, std::min(vertices(), (c + 1) * vertex_chunk), bending_,
-                    1 - open_, p, vertex_force_);
+    const std::size_t end = std::min(vertices(), (c + 1) * vertex_chunk);
+    kernel_->gather(c * vertex_chunk, end, bending_, 1 - open_, p, vertex_force_);
+    if (!bands_->empty()) bands_->add(c * vertex_chunk, end, p, vertex_force_);
   });
 }
 

@@ -8,6 +8,7 @@
 
 #include "cloth/body_pull.h"
 #include "cloth/program.h"
+#include "cloth/relaxation/band_forces.h"
 #include "cloth/relaxation/body_contact.h"
 #include "cloth/relaxation/elastic_kernel.h"
 #include "cloth/relaxation/force_options.h"
@@ -86,6 +87,7 @@ class ClothForces {
   const Vec4 gravity_;
   Vec4s nodes_;  // then the layers' points
   std::unique_ptr<ElasticKernel> kernel_;
+  std::unique_ptr<BandForces> bands_;
   Vec4s vertex_force_;
 
   bool by_points_ = false;

@@ -176,6 +176,7 @@ TEST(Program, WhatTheSceneDoesNotUseIsEmpty) {
   EXPECT_TRUE(program.offsets.empty());
   EXPECT_EQ(terms(program), (std::map<std::string, int>{{"stretch", 50},
                                                         {"bend", 0},
+                                                        {"elastic", 0},
                                                         {"seam", 0},
                                                         {"body_contact", 0},
                                                         {"friction", 0},

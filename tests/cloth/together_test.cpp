@@ -146,6 +146,7 @@ TEST_F(TwoTubes, GarmentsKeepTheirFabrics) {
   PanelMesh one = tube(2 * pi * 0.1, 0.1, 48, 4);
   PanelMesh other = tube(2 * pi * 0.12, 0.12, 48, 4);
   other.panels[0].fabric = "heavy";
+  other.elastics = {{"waist", {3, 4}, 0.5, 20}};
   scene.fabrics["heavy"].areal_density = 3;
   const std::vector<WornGarment> worn = {wear(one, 1000), wear(other, 1000)};
   const PanelMesh all = join_garments(worn);
@@ -155,6 +156,8 @@ TEST_F(TwoTubes, GarmentsKeepTheirFabrics) {
   EXPECT_EQ(all.panels[1].first_point, one.panels[0].points);
   EXPECT_EQ(all.triangles.size(), one.triangles.size() + other.triangles.size());
   EXPECT_EQ(all.seams[1].a[0], other.seams[0].a[0] + static_cast<int>(one.flat.size()));
+  ASSERT_EQ(all.elastics.size(), 1U);
+  EXPECT_EQ(all.elastics[0].points[0], static_cast<int>(one.flat.size()) + 3);
   scene.fabrics.clear();
   EXPECT_HOLDS(samples::error_of([&] { move_together(worn, scene, options); }), "heavy");
 }

@@ -60,6 +60,7 @@ PanelMesh bag(int subdivisions = 1) {
                                  "chest",
                                  1 / 3.0};
   pattern.panels[1].grain = 0.1;
+  pattern.panels[0].edges[2].elastic = {0.7, 12.5};
   return mesh_panels(pattern, {0.03, subdivisions}, remarks);
 }
 
@@ -89,6 +90,13 @@ void expect_equal(const PanelMesh& a, const PanelMesh& b) {
     EXPECT_EQ(a.seams[s].length_a, b.seams[s].length_a);
     EXPECT_EQ(a.seams[s].length_b, b.seams[s].length_b);
   }
+  ASSERT_EQ(a.elastics.size(), 1u);
+  ASSERT_EQ(b.elastics.size(), 1u);
+  EXPECT_EQ(a.elastics[0].name, "front.2");
+  EXPECT_EQ(a.elastics[0].name, b.elastics[0].name);
+  EXPECT_EQ(a.elastics[0].points, b.elastics[0].points);
+  EXPECT_EQ(a.elastics[0].ratio, b.elastics[0].ratio);
+  EXPECT_EQ(a.elastics[0].stiffness, b.elastics[0].stiffness);
 }
 
 TEST_F(GarmentFile, SurvivesTheRoundTripExactly) {

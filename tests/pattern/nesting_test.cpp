@@ -65,5 +65,15 @@ TEST(Nesting, ASeamOutOfStepIsFound) {
   EXPECT_HOLDS(*problem, "seam 'front.1-back.2'");
 }
 
+TEST(Nesting, AnElasticOutOfStepIsFound) {
+  PanelMesh garment = bag(1);
+  garment.elastics = {{"front.1", garment.seams[0].a, 0.5, 20}};
+  EXPECT_FALSE(nesting_problem(garment));
+  garment.elastics[0].points.pop_back();
+  const auto problem = nesting_problem(garment);
+  ASSERT_TRUE(problem);
+  EXPECT_HOLDS(*problem, "elastic 'front.1'");
+}
+
 }  // namespace
 }  // namespace toile

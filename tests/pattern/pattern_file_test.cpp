@@ -229,5 +229,25 @@ TEST(PatternFile, MutatedFilesAreReadOrRefusedButNeverCrash) {
   EXPECT_GT(refused, 250);
 }
 
+TEST(PatternFile, ElasticsAreRead) {
+  const auto elastic = [](const std::string& keys) {
+    const std::string panel = R"("p": {"vertices": [[0,0],[20,0],[0,20]], "edges": [
+        {"endpoints": [0,1], "elastic": {)" +
+                              keys + R"(}}, {"endpoints": [1,2]}, {"endpoints": [2,0]}]})";
+    return samples::parse(samples::file(panel)).panels[0].edges;
+  };
+  const auto edges = elastic(R"("ratio": 0.6, "stiffness_N": 12)");
+  ASSERT_TRUE(edges[0].elastic);
+  EXPECT_EQ(edges[0].elastic->ratio, 0.6);
+  EXPECT_EQ(edges[0].elastic->stiffness, 12);
+  EXPECT_FALSE(edges[1].elastic);
+  EXPECT_EQ(elastic(R"("ratio": 1)")[0].elastic->stiffness, 20);
+  for (const char* keys :
+       {"", R"("ratio": 0)", R"("ratio": 1.2)", R"("ratio": 0.5, "stiffness_N": 0)",
+        R"("ratio": 0.5, "stiffness_N": -3)"}) {
+    EXPECT_HOLDS(samples::error_of([&] { elastic(keys); }), "panel 'p', edge 0") << keys;
+  }
+}
+
 }  // namespace
 }  // namespace toile

@@ -89,6 +89,7 @@ const std::vector<Sample>& all_samples() {
       {"band", 2, 2, 1, {72.66, 102}, {}},
       {"band_small", 2, 2, 1, {63.59, 88.2}, {}},
       {"gathered_skirt", 4, 6, 1, {74, 148}, {}},
+      {"elastic_skirt", 2, 2, 1, {120, 120}, {}},
   };
   return samples;
 }

@@ -3,6 +3,7 @@
 
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "pattern/garment_file.h"
 #include "tests/pipeline/run_program.h"
@@ -72,6 +73,32 @@ TEST_F(Gathers, DoNotStretchTheShorterSide) {
     const test::LevelLine line = test::level_line(skirt, panel, -0.0395);
     std::cout << panel << " at the seam: " << 100 * (line.now / line.flat - 1) << " % longer\n";
     EXPECT_LT(line.now / line.flat, 1.02);
+  }
+}
+
+// 120 cm of cloth on 66 cm of elastic, at a waist of 70.7 cm that the cloth keeps 2 mm from.
+TEST_F(Gathers, OfAnElasticHoldTheSkirtAtTheWaist) {
+  const DressedGarment skirt = dress("elastic_skirt");
+  EXPECT_EQ(report_["verdict"], "sewn");
+  EXPECT_GT(report_["scene"]["terms"]["elastic"], 0);
+  EXPECT_LT(report_["strain_off_seams"]["p99"], 0.05);
+  double worn = 0;
+  for (const Json& elastic : report_["elastics"]) {
+    std::cout << elastic << "\n";
+    EXPECT_NEAR(elastic["flat_cm"], 60, 1e-6);
+    EXPECT_NEAR(elastic["rest_cm"], 33, 1e-6);
+    const double now = elastic["worn_cm"];
+    EXPECT_NEAR(elastic["tension_N"], 20 * (now / 33 - 1), 0.02);
+    worn += now;
+  }
+  // Coarse edges keep farther from the skin.
+  EXPECT_NEAR(worn, 70.66 + 200 * std::numbers::pi * 0.004, 1.5);
+  for (const std::string panel : {"skirt_front", "skirt_back"}) {
+    const test::LevelLine line = test::level_line(skirt, panel, -0.04);
+    EXPECT_NEAR(line.now / line.flat, 1, 0.02);
+    for (const Vec3& p : test::level_line(skirt, panel, -1e-4).points) {
+      EXPECT_NEAR(p.y(), 1.05, 0.02);
+    }
   }
 }
 
