@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "cloth/clear_start.h"
 #include "cloth/levels.h"
@@ -29,6 +30,9 @@ constexpr double sewing_pull = 2;
 /// mesh to the coarsest. With all of it, cloth stands on creases that its mesh is too coarse to
 /// break, and is strained more at rest.
 constexpr std::array<double, 3> soft_compression = {0.02, 0.05, 0.01};
+/// Iterations in which the finest mesh gets all of it, and is pushed back to its own offset: at
+/// once, it would be thrown about.
+constexpr int stiffening_iterations = 2000;
 
 /// N/m, while seams close: softer cloth would be drawn into strings by them, and tangle.
 constexpr double sewing_stretch = 1000;
@@ -51,6 +55,10 @@ class Dressing {
   Dressing(const PanelMesh& garment, const Scene& scene, const DressOptions& options,
            const FrameWatcher& watcher)
       : scene_(scene), options_(options), watcher_(watcher) {
+    if (scene.subject != nullptr) {
+      subject_tree_.emplace(*scene.subject);
+      subject_.emplace(BodySurface{*scene.subject, *subject_tree_, *scene.body});
+    }
     meshes_.push_back(garment);
     while (meshes_.back().subdivisions > 0) meshes_.push_back(coarsen(meshes_.back()));
   }
@@ -64,13 +72,14 @@ class Dressing {
   DressResult give_up();
   bool wrap(double care);
   bool sew(double care);
-  void fall(bool bounded, double compression);
+  void fall(bool bounded);
   void come_to_rest(bool bounded);
   void let_go(bool bounded);
   const StageReport& stage(const std::string& name, RelaxOptions options);
   void go_finer();
   RelaxOptions level_options() const;
   double progress(const RelaxProgress& at, const RelaxOptions& options) const;
+  double soft() const;
   bool clean() const;
   bool clear_of_layers() const;
   const PanelMesh& mesh() const { return meshes_[level_]; }
@@ -79,6 +88,8 @@ class Dressing {
   const DressOptions& options_;
   const FrameWatcher& watcher_;
   std::vector<PanelMesh> meshes_;  // finest first
+  std::optional<TriangleTree> subject_tree_;  // of the scene's subject, if it has one
+  std::optional<BodySurface> subject_;
   int level_ = 0;
   int attempt_ = 1;
   Program program_;  // of the mesh in hand
@@ -116,11 +127,12 @@ DressResult Dressing::run() {
     if (jammed()) return give_up();
   }
   program_ = compile(mesh(), scene_, result_.placement.placed);
-  for (;; go_finer()) {
-    if (!lost())
-      fall(is_clean, soft_compression[std::min<std::size_t>(level_, soft_compression.size() - 1)]);
+  // A mesh without coarser ones has to fall itself.
+  const bool alone = level_ == 0;
+  for (; level_ > 0 || alone; go_finer()) {
+    if (!lost()) fall(is_clean);
     is_clean = is_clean || clean();
-    if (level_ == 0) break;
+    if (alone) break;
   }
   const bool is_lost = lost();
   if (!is_lost) come_to_rest(is_clean);
@@ -208,9 +220,13 @@ bool Dressing::sew(double care) {
   return true;
 }
 
-void Dressing::fall(bool bounded, double compression) {
+double Dressing::soft() const {
+  return soft_compression[std::min<std::size_t>(level_, soft_compression.size() - 1)];
+}
+
+void Dressing::fall(bool bounded) {
   RelaxOptions options = level_options();
-  options.compression = compression;
+  options.compression = soft();
   options.friction = false;
   options.bounded = bounded;
   options.max_iterations = 2000;
@@ -222,8 +238,13 @@ void Dressing::fall(bool bounded, double compression) {
 void Dressing::come_to_rest(bool bounded) {
   RelaxOptions options = level_options();
   options.body_offset = result_.body_offset;
+  options.compression = soft();
+  options.stiffening_iterations = stiffening_iterations;
   options.bounded = bounded;
-  options.max_iterations = options_.max_iterations;
+  // What is far too small is held off the body by its own tension, and never at rest.
+  const bool hopeless = !tight_seams(mesh(), program_, result_.nodes).empty();
+  options.max_iterations =
+      hopeless ? std::min(stiffening_iterations, options_.max_iterations) : options_.max_iterations;
   options.stop_median = options_.stop_median;
   options.stop_rms = options_.stop_rms;
   options.stop_wide = options_.stop_wide;
@@ -276,6 +297,7 @@ const StageReport& Dressing::stage(const std::string& name, RelaxOptions options
   const std::vector<double> areas = panel_areas(mesh());
   const Outlines outlines = panel_outlines(mesh());
   const std::vector<double> perimeters = panel_perimeters(mesh());
+  options.surface = subject_ ? &*subject_ : nullptr;
   int calls = 0;
   const auto watch = [&](const RelaxProgress& at) {
     const std::vector<Vec3> points = point_positions(program_, at.nodes, at.open);

@@ -15,8 +15,8 @@
 namespace toile {
 
 struct DressOptions {
-  double stop_median = 0.05;  ///< residual of a garment at rest, in mean node weights
-  double stop_rms = 0.5;
+  double stop_median = 0.01;  ///< residual of a garment at rest, in mean node weights
+  double stop_rms = 0.1;
   /// And of whole patches of cloth, in their weights, 0: not asked for. Soft motions are slow to
   /// come to rest: 0.0007 lets 99 % of a garment move less than 2 mm when it is let go for a second,
   /// for three to five times the iterations of the last stage [measured].

@@ -108,9 +108,9 @@ void add_method_options(po::options_description& options) {
       "strain-limit", po::value<double>(),
       "relaxation: stiffen warp and weft beyond this strain, a fraction: 0.01 is 1 %; paper: hold "
       "every edge within it, 0.01 if not given")(
-      "residual", po::value<double>()->default_value(0.05, "0.05"),
+      "residual", po::value<double>(),
       "at rest when half of the nodes have less force left than this share of a node's weight, and "
-      "their rms is below ten times it")(
+      "their rms is below ten times it; default: 0.01, for the paper's method 0.05")(
       "strain-control", po::value<string>()->default_value("velocity"),
       "paper: velocity (three passes), converged (velocities too, until the limit holds, while "
       "draping), position (Provot's, limit 0.1) or none")(
@@ -149,11 +149,13 @@ std::optional<double> read_strain_limit(const po::variables_map& given) {
 }
 
 DressMethod read_method(const po::variables_map& given, bool together) {
-  const double residual = given["residual"].as<double>();
+  const bool of_paper = given["method"].as<string>() == "paper";
+  double residual = of_paper ? 0.05 : 0.01;
+  if (given.count("residual")) residual = given["residual"].as<double>();
   if (!(residual > 0 && residual < 1)) {
-    throw Error("--residual", "is not between 0 and 1", "0.05 is the default");
+    throw Error("--residual", "is not between 0 and 1", "leave it out for the default");
   }
-  if (given["method"].as<string>() == "paper") {
+  if (of_paper) {
     if (!together) return paper(given, residual);
     throw Error("--method", "paper's layers are frozen", "leave \"layering\" out of the scene");
   }

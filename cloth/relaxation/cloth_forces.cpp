@@ -14,6 +14,12 @@ namespace {
 /// Active pairs that one task handles.
 constexpr std::size_t pair_chunk = 128;
 
+/// Metres: the tightest curves of a body that a garment spans with whole triangles.
+constexpr double body_curve = 0.02;
+/// Share of the offset from the body that the sagitta of an edge over such a curve may use up
+/// before its middle has to touch the body too.
+constexpr double most_sagitta = 0.7;
+
 /// Largest share in [0, 1] of `way` that keeps away + share·way within `radius`.
 double share_within(const Vec3& away, const Vec3& way, double radius) {
   const double a = way.squaredNorm();
@@ -86,6 +92,16 @@ void ClothForces::use_skin(bool points) {
     }
     place_points();
   }
+  const std::vector<Triangle>& triangles = points ? program_.triangles : program_.node_triangles;
+  body_bounds_.reset();
+  if (options_.bounded && options_.surface != nullptr && !points) {
+    body_bounds_ = std::make_unique<BodyBounds>(*options_.surface, triangles, count);
+  }
+  edge_contacts_.reset();
+  if (program_.scene.body != nullptr && options_.surface != nullptr) {
+    const double shortest = std::sqrt(8 * body_curve * most_sagitta * options_.body_offset);
+    edge_contacts_ = std::make_unique<EdgeContacts>(triangles, positions(), shortest);
+  }
   contacts_.assign(count, {});
   guards_.assign(count, Vec4{});
   pairs_.clear();
@@ -101,8 +117,7 @@ void ClothForces::use_skin(bool points) {
     node[v] = points ? program_.node_of_point[v] : static_cast<int>(v);
     shortest[v] = program_.shortest_edge[node[v]];
   }
-  proximity_ = std::make_unique<ProximitySearch>(
-      points ? program_.triangles : program_.node_triangles, node, shortest);
+  proximity_ = std::make_unique<ProximitySearch>(triangles, node, shortest);
   if (layer_contact()) {
     proximity_->add_layer(layers().triangles, static_cast<int>(layers().points.size()),
                           program_.scene.layer_gap);
@@ -145,6 +160,7 @@ void ClothForces::close_seams(double wanted) {
 }
 
 void ClothForces::search_when_due(int interval, int most_interval) {
+  look_after_body_bounds();
   if (!self_contact()) return;
   // Unbounded, a node may leave the searched neighbourhood: look again now and then.
   if (!options_.bounded && since_search_ >= most_interval) search_due_ = true;
@@ -159,6 +175,7 @@ void ClothForces::search_when_due(int interval, int most_interval) {
 
 void ClothForces::look_anew() {
   for (BodyContact& contact : contacts_) contact.forget();
+  if (edge_contacts_) edge_contacts_->look_anew();
   if (self_contact()) activate_pairs();
   set_guards();
 }
@@ -193,19 +210,34 @@ void ClothForces::set_guards() {
   });
 }
 
+void ClothForces::look_after_body_bounds() {
+  if (!body_bounds_) return;
+  constexpr int meeting_interval = 32;
+  if (++looks_ % meeting_interval == 0) body_bounds_->look_at_meeting();
+  if (!body_bounds_->due()) return;
+  for (const int v : body_bounds_->look(all_positions())) {
+    if (body_bounds_->lift(v) > 0) contacts_[v].forget();
+    set_guard(v, as_vec3(nodes_[v]));
+  }
+}
+
 /// How far a vertex that stands at `p` may go until it has to be looked after again: because the
 /// body is near, its bound used up, or a pair may begin to push.
 void ClothForces::set_guard(std::size_t v, const Vec3& p) {
   double reach = 1e3;
   if (program_.scene.body != nullptr) {
-    if (contacts_[v].remaining(p) <= 0) contacts_[v].look(program_.scene, p, options_.body_offset);
+    if (contacts_[v].remaining(p) <= 0) {
+      const double lift = body_bounds_ ? body_bounds_->lift(static_cast<int>(v)) : 0;
+      contacts_[v].look(program_.scene, p, options_.body_offset + lift);
+    }
     reach = contacts_[v].remaining(p);
   }
   if (bounded()) {
     const double left = bound_[v] - (p - searched_at_[v]).norm();
     reach = std::min(reach, std::max(left, 0.0));
   }
-  if (!bound_.empty() && !activation_due_) {
+  if (body_bounds_) reach = std::min(reach, body_bounds_->free(static_cast<int>(v), p));
+  if (!bound_.empty()) {
     const double left = 0.5 * PairForces::margin - (p - activated_at_[v]).norm();
     if (left <= 0) activation_due_ = true;
     reach = std::min(reach, std::max(left, 0.0));
@@ -234,6 +266,11 @@ void ClothForces::compute(double bending) {
     kernel_->gather(c * vertex_chunk, end, bending_, 1 - open_, p, vertex_force_);
     if (!bands_->empty()) bands_->add(c * vertex_chunk, end, p, vertex_force_);
   });
+  if (edge_contacts_ && !edge_contacts_->empty()) {
+    edge_contacts_->add(program_.scene, options_.body_offset, program_.friction_skin,
+                        by_points_ ? program_.node_of_point : std::vector<int>{}, options_.friction,
+                        p, vertex_force_);
+  }
 }
 
 /// Where a node comes to on its way to `wanted` without any of its vertices leaving its bound.
@@ -262,6 +299,14 @@ bool ClothForces::leave_guard(std::size_t node, const Vec4& wanted) {
     allowed = within == next;
     if (!allowed) search_due_ = true;
     next = within;
+  }
+  if (body_bounds_) {
+    const Vec3 from = as_vec3(nodes_[node]);
+    const double share = body_bounds_->share(static_cast<int>(node), from, next);
+    if (share < 1) {
+      next = from + share * (next - from);
+      allowed = false;
+    }
   }
   nodes_[node] = as_vec4(next);
   if (!by_points_) {

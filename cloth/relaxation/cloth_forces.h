@@ -10,6 +10,7 @@
 #include "cloth/program.h"
 #include "cloth/relaxation/band_forces.h"
 #include "cloth/relaxation/body_contact.h"
+#include "cloth/relaxation/edge_contacts.h"
 #include "cloth/relaxation/elastic_kernel.h"
 #include "cloth/relaxation/force_options.h"
 #include "cloth/relaxation/pair_forces.h"
@@ -40,6 +41,10 @@ class ClothForces {
   /// least, and, unbounded, `most_interval` at most.
   void search_when_due(int interval, int most_interval);
   int searches() const { return searches_; }
+  /// Triangles that no bound holds, because they meet the body and have to come out.
+  int meeting_body() const { return body_bounds_ ? body_bounds_->meeting() : 0; }
+  /// Share of the stiffness that resists compression from now on.
+  void resist_compression(double share) { stretch_.compression = share; }
   /// Forgets what is known of the body and of who is near, to see it anew where the nodes are.
   void look_anew();
 
@@ -64,6 +69,7 @@ class ClothForces {
   Vec3 within_bounds(std::size_t node, const Vec3& wanted) const;
   void set_guard(std::size_t vertex, const Vec3& p);
   void set_guards();
+  void look_after_body_bounds();
   void place_points();
   std::vector<Vec3> all_positions() const;
   std::size_t vertices() const { return kernel_->vertices(); }
@@ -83,7 +89,7 @@ class ClothForces {
 
   const Program& program_;
   const ForceOptions& options_;
-  const StretchOptions stretch_;
+  StretchOptions stretch_;
   const Vec4 gravity_;
   Vec4s nodes_;  // then the layers' points
   std::unique_ptr<ElasticKernel> kernel_;
@@ -101,6 +107,8 @@ class ClothForces {
   /// before it has to be looked after again.
   Vec4s guards_;
 
+  std::unique_ptr<EdgeContacts> edge_contacts_;
+  std::unique_ptr<BodyBounds> body_bounds_;
   std::unique_ptr<ProximitySearch> proximity_;
   PairForces pairs_;
   std::vector<double> bound_;
@@ -108,6 +116,7 @@ class ClothForces {
   std::vector<Vec3> activated_at_;
   int since_search_ = 0;
   int searches_ = 0;
+  int looks_ = 0;
   std::atomic<bool> search_due_ = true;
   std::atomic<bool> activation_due_ = true;
 };
@@ -123,6 +132,7 @@ inline void ClothForces::at(std::size_t n, Vec4& force, double& stiffness) {
   for (int i = first; i < last; ++i) {
     const int v = vertex(i);
     const Vec4& p = positions()[v];
+    stiffness += vertex_force_[v][3];
     force += vertex_force_[v];
     pairs_.add(v, force, stiffness);
     if (has_body) contacts_[v].add(p, friction, force, stiffness);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "cloth/relaxation/body_bounds.h"
 #include "geometry/types.h"
 
 namespace toile {
@@ -27,6 +28,10 @@ struct ForceOptions {
   /// Keeps every node within its bound of the last search, so that what is apart stays apart.
   /// To be used from a state without intersections; a tangle would be locked in.
   bool bounded = false;
+  /// The body as what cloth must not meet. Long edges touch it in their middles too; and with
+  /// `bounded`, once seams are closed, no triangle that is clear of it comes to meet it, while what
+  /// meets it can come out. None: the body pushes at nodes, and bounds nothing.
+  const BodySurface* surface = nullptr;
   /// Keeps the cloth apart from the scene's layers too, each vertex, edge and face of either from
   /// the other's, within the bounds. To be used from a state that does not meet them.
   bool layer_contact = false;

@@ -161,6 +161,10 @@ RelaxReport Relaxation::run(const RelaxWatcher& watcher) {
   for (int i = 0; i < options_.max_iterations; ++i) {
     const double t = std::min(1.0, static_cast<double>(i) / schedule);
     bending_ = options_.bending_from * std::pow(options_.bending_to / options_.bending_from, t);
+    if (options_.stiffening_iterations > 0) {
+      const double stiffened = static_cast<double>(i) / options_.stiffening_iterations;
+      forces_.resist_compression(std::pow(options_.compression, 1 - std::min(stiffened, 1.0)));
+    }
     if (closing) {
       forces_.close_seams(t < 1 ? 1 - smoothstep(t) : 0);
       report.converged = !forces_.seams_stand_open();
@@ -173,7 +177,7 @@ RelaxReport Relaxation::run(const RelaxWatcher& watcher) {
     report.iterations = i + 1;
     if ((i + 1) % watch_interval != 0 && i + 1 != options_.max_iterations) continue;
     if (watcher) watcher({i + 1, forces_.open(), state()});
-    if (closing || !at_rest(last_residual())) continue;
+    if (closing || i < options_.stiffening_iterations || !at_rest(last_residual())) continue;
     report.residual = measure_residual();
     report.converged = at_rest(report.residual);
     if (report.converged) break;

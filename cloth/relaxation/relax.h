@@ -29,6 +29,9 @@ struct RelaxOptions : ForceOptions {
   /// seams close). Far above 1, panels stay smooth and seams don't fold onto themselves.
   double bending_from = 1;
   double bending_to = 1;
+  /// Over so many iterations the share that resists compression grows to 1, and the run does not
+  /// end before; 0: it stays.
+  int stiffening_iterations = 0;
   double momentum = 0.9995;  ///< cap of Nesterov's weight k/(k+3)
   double max_move = 0.004;   ///< metres a node may move in an iteration
   double stop_median = 0;    ///< at rest when the residual is below both, in node weights;

@@ -1,0 +1,40 @@
+// Contact of a coarse cloth with the body between its vertices.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "cloth/relaxation/body_contact.h"
+#include "cloth/relaxation/vec4.h"
+#include "cloth/scene.h"
+
+namespace toile {
+
+/// The middles of long edges touch the body as vertices do: else, with only its vertices held off,
+/// a coarse triangle cuts the curves of the body. Their forces go to the ends in halves.
+class EdgeContacts {
+ public:
+  /// Takes the edges of the triangles that are longer than `shortest` metres, with vertices at `x`.
+  EdgeContacts(const std::vector<Triangle>& triangles, const Vec4s& x, double shortest);
+
+  bool empty() const { return contacts_.empty(); }
+
+  /// Has the body looked at again before the next forces.
+  void look_anew();
+
+  /// Adds the forces (N) to those of the vertices, and a bound of their stiffness (N/m) as the
+  /// fourth of them. `offset`: see BodyContact; `friction` is that of each node, `node` the node of
+  /// each vertex (empty: itself); without `rubbing` there is none. The scene has a body.
+  void add(const Scene& scene, double offset, const std::vector<double>& friction,
+           const std::vector<int>& node, bool rubbing, const Vec4s& x, Vec4s& force);
+
+ private:
+  std::vector<std::array<int, 2>> edges_;
+  std::vector<BodyContact> contacts_;
+  Vec4s forces_;            // per edge, stiffness as the fourth
+  std::vector<int> first_;  // per vertex, its entries in of_vertex_
+  std::vector<int> of_vertex_;
+};
+
+}  // namespace toile
