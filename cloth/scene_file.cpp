@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t longest_name = 64;  // bytes
 constexpr std::size_t most_layers = 100;
+constexpr std::size_t most_panels = 1000;
 
 void refuse_unknown_keys(const JsonValue& value, const std::vector<std::string>& known) {
   for (const std::string& key : value.keys()) {
@@ -65,7 +66,7 @@ std::string layer_name(const JsonValue& value) {
 }
 
 SceneLayer layer_of(const JsonValue& value, const fs::path& folder) {
-  refuse_unknown_keys(value, {"name", "garment", "garment_json", "fabric"});
+  refuse_unknown_keys(value, {"name", "garment", "garment_json", "fabric", "panels_over"});
   SceneLayer layer;
   layer.name = layer_name(value.get("name"));
   layer.garment = file_named(value.get("garment"), folder);
@@ -76,7 +77,35 @@ SceneLayer layer_of(const JsonValue& value, const fs::path& folder) {
     const bool is_name = std::find(known.begin(), known.end(), text) != known.end();
     layer.fabric = is_name ? text : file_named(*fabric, folder).string();
   }
+  if (const auto over = value.find("panels_over")) {
+    for (const std::string& other : over->keys()) {
+      const JsonValue panels = over->get(other);
+      const std::size_t count = panels.size(1, most_panels);
+      for (std::size_t i = 0; i < count; ++i) {
+        layer.panels_over[other].push_back(panels.item(i).text());
+      }
+    }
+  }
   return layer;
+}
+
+/// Panels lie over garments that are dressed later, and come to rest with them.
+void check_panels_over(const JsonValue& layers, const SceneFile& scene) {
+  for (std::size_t i = 0; i < scene.layers.size(); ++i) {
+    for (const auto& [other, panels] : scene.layers[i].panels_over) {
+      const JsonValue over = layers.item(i).get("panels_over");
+      const auto later = std::find_if(
+          scene.layers.begin() + static_cast<std::ptrdiff_t>(i) + 1, scene.layers.end(),
+          [&name = other](const SceneLayer& layer) { return layer.name == name; });
+      if (later == scene.layers.end()) {
+        over.get(other).fail("belongs to no later layer",
+                             "name a layer that is dressed over this one");
+      }
+      if (!scene.coupled) {
+        over.fail("needs layers that move together", "add \"layering\": \"coupled\"");
+      }
+    }
+  }
 }
 
 }  // namespace
@@ -114,6 +143,7 @@ SceneFile read_scene(const fs::path& path) {
                             "give each layer a name of its own, capitals aside");
     }
   }
+  check_panels_over(layers, scene);
   return scene;
 }
 

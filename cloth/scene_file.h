@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,9 @@ struct SceneLayer {
   std::filesystem::path garment;       ///< as mesh-pattern writes it
   std::filesystem::path garment_json;  ///< empty: beside the garment
   std::string fabric;                  ///< a fabric's name or a file; empty: not said
+  /// By the names of later layers: names of this garment's panels that lie over those, `*` for any
+  /// letters.
+  std::map<std::string, std::vector<std::string>> panels_over;
 };
 
 struct SceneFile {

@@ -41,7 +41,7 @@ void read_layers(const po::variables_map& given, const fs::path& output, OutfitS
       const std::string file = output.stem().string() + "-" + layer.name + ".obj";
       settings.layers.push_back({layer.name, layer.garment, layer.garment_json,
                                  find_fabric(layer.fabric.empty() ? fabric : layer.fabric),
-                                 output.parent_path() / file});
+                                 output.parent_path() / file, layer.panels_over});
     }
   }
   if (given.count("skeleton")) {

@@ -10,6 +10,7 @@
 
 #include "cloth/judge.h"
 #include "cloth/subject.h"
+#include "cloth/turn_out.h"
 #include "geometry/body/skeleton.h"
 #include "io/output_file.h"
 #include "io/skeleton_file.h"
@@ -62,6 +63,11 @@ class Outfit {
   Scene scene_of(const OutfitLayer& layer) const;
   Done dress_layer(const OutfitLayer& layer, PanelMesh garment);
   void write_and_judge(std::size_t layer, const TriangleMesh* others);
+  /// Which panels of a layer lie over another one, by their indices.
+  std::vector<int> panels_over(std::size_t layer, std::size_t other) const;
+  bool is_below_panels(std::size_t layer) const;
+  Subject subject_of(std::size_t layers, std::size_t under, std::size_t without) const;
+  bool turn_panels_out(std::size_t over);
   bool dress_one_by_one();
   void move_together();
   Json report_of_layer(std::size_t layer) const;
@@ -163,11 +169,68 @@ void Outfit::write_and_judge(std::size_t layer, const TriangleMesh* others) {
   done.seconds += seconds;
 }
 
+std::vector<int> Outfit::panels_over(std::size_t layer, std::size_t other) const {
+  const auto& all = settings_.layers[layer].panels_over;
+  const auto found = all.find(settings_.layers[other].name);
+  if (found == all.end()) return {};
+  return panels_named(garments_[layer], found->second);
+}
+
+bool Outfit::is_below_panels(std::size_t layer) const {
+  for (std::size_t i = 0; i < layer; ++i) {
+    if (!panels_over(i, layer).empty()) return true;
+  }
+  return false;
+}
+
+/// The body and the first `layers`, but for what lies over the layer `under`, and all of `without`.
+Subject Outfit::subject_of(std::size_t layers, std::size_t under, std::size_t without) const {
+  Subject subject(subject_->body());
+  for (std::size_t i = 0; i < layers; ++i) {
+    if (i == without) continue;
+    TriangleMesh cloth = done_[i].cloth;
+    if (under < settings_.layers.size()) {
+      leave_out(garments_[i], panels_over(i, under), cloth.triangles);
+    }
+    if (!cloth.triangles.empty()) subject.add_layer(cloth);
+  }
+  return subject;
+}
+
+/// Turns out the panels that lie over the layer that was dressed last; whether nothing meets then.
+bool Outfit::turn_panels_out(std::size_t over) {
+  const std::size_t nothing = settings_.layers.size();
+  for (std::size_t i = 0; i < over; ++i) {
+    const std::vector<int> panels = panels_over(i, over);
+    if (panels.empty()) continue;
+    Done& done = done_[i];
+    // What the layer lay on, and the same with the other one on it.
+    const Subject below = subject_of(i, nothing, nothing);
+    Subject above = subject_of(i, nothing, nothing);
+    above.add_layer(done_[over].cloth);
+    const std::vector<char> moved = turn_out(done.garment, panels, below.grid(), above.grid(),
+                                             done.result.triangles, done.result.nodes);
+    for (std::size_t n = 0; n < std::min(moved.size(), done.result.grip.skin.size()); ++n) {
+      if (moved[n]) done.result.grip.skin[n].reset();
+    }
+    const Subject others = subject_of(over + 1, nothing, i);
+    write_and_judge(i, &others.cloth());
+    const std::string& verdict = done.judgement.verdict;
+    if (verdict == "sewn" || verdict == "unconverged") continue;
+    CommonSettings::warn("layer " + settings_.layers[i].name + " is " + verdict +
+                         " once its panels lie over " + settings_.layers[over].name +
+                         ": the seams that join them to the rest have to be clear of it");
+    return false;
+  }
+  return true;
+}
+
 /// Whether all could be dressed; none is over a layer that failed.
 bool Outfit::dress_one_by_one() {
   for (std::size_t i = 0; i < garments_.size(); ++i) {
     const OutfitLayer& layer = settings_.layers[i];
     if (settings_.scene) common_.say("layer " + layer.name + ":");
+    if (is_below_panels(i)) subject_ = subject_of(i, i, settings_.layers.size());
     done_.push_back(dress_layer(layer, garments_[i]));
     Done& done = done_.back();
     write_and_judge(i, done.scene.layers);
@@ -176,6 +239,10 @@ bool Outfit::dress_one_by_one() {
     // What is not at rest is a surface still; what is open or meets something is none.
     const std::string& verdict = done.judgement.verdict;
     const bool is_surface = verdict == "sewn" || verdict == "unconverged";
+    if (is_surface && is_below_panels(i)) {
+      if (!turn_panels_out(i)) return false;
+      subject_ = subject_of(i, settings_.layers.size(), settings_.layers.size());
+    }
     if (i + 1 == garments_.size()) return is_surface;
     if (!is_surface) {
       CommonSettings::warn("layer " + layer.name + " is " + verdict +

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,8 @@ struct OutfitLayer {
   std::filesystem::path garment_json;
   Fabric fabric;
   std::filesystem::path output;
+  /// See SceneLayer.
+  std::map<std::string, std::vector<std::string>> panels_over = {};
 };
 
 struct OutfitSettings {

@@ -70,6 +70,22 @@ TEST_F(SceneFiles, LayersAreFrozenUnlessTheyAreCoupled) {
   EXPECT_HOLDS(refusal(R"({"body": "body.ply", "layering": true, )" + layers), "is not text");
 }
 
+TEST_F(SceneFiles, PanelsMayLieOverALaterLayer) {
+  const auto scene_of = [](const std::string& layering, const std::string& over) {
+    return R"({"body": "body.ply", "layering": ")" + layering + R"(", "layers": [
+        {"name": "shirt", "garment": "parts/tee.obj", "panels_over": )" +
+           over + R"(}, {"name": "jacket", "garment": "parts/coat.obj"}]})";
+  };
+  const SceneFile given = read(scene_of("coupled", R"({"jacket": ["collar_*", "bow"]})"));
+  EXPECT_EQ(given.layers[0].panels_over.at("jacket"),
+            (std::vector<std::string>{"collar_*", "bow"}));
+  EXPECT_TRUE(given.layers[1].panels_over.empty());
+  EXPECT_HOLDS(refusal(scene_of("frozen", R"({"jacket": ["collar_*"]})")), "move together");
+  EXPECT_HOLDS(refusal(scene_of("coupled", R"({"shirt": ["collar_*"]})")), "no later layer");
+  EXPECT_HOLDS(refusal(scene_of("coupled", R"({"coat": ["collar_*"]})")), "no later layer");
+  EXPECT_HOLDS(refusal(scene_of("coupled", R"({"jacket": []})")), "has 0 entries");
+}
+
 TEST_F(SceneFiles, WhatIsWrongIsNamed) {
   EXPECT_HOLDS(refusal("{"), "scene.json:1");
   EXPECT_HOLDS(refusal("[]"), "is not an object");
