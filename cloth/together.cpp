@@ -6,6 +6,7 @@
 #include "cloth/self_contact.h"
 #include "geometry/error.h"
 #include "geometry/intersections.h"
+#include "geometry/triangle_tree.h"
 
 namespace toile {
 
@@ -37,6 +38,10 @@ class Together {
       grip_.skin.resize(start_.size());
     }
     first_.push_back(static_cast<int>(start_.size()));
+    if (scene_.body != nullptr && scene_.subject != nullptr) {
+      body_tree_.emplace(*scene_.subject);
+      surface_.emplace(BodySurface{*scene_.subject, *body_tree_, *scene_.body});
+    }
     if (first_.back() != program_.nodes) {
       throw Error("garments", "have other nodes than their meshes", "dress them anew");
     }
@@ -59,6 +64,7 @@ class Together {
  private:
   void set_forces(ForceOptions& options) const {
     options.bounded = true;
+    options.surface = surface_ ? &*surface_ : nullptr;
     for (const WornGarment& worn : garments_) {
       options.body_offset = std::max(options.body_offset, worn.body_offset);
     }
@@ -164,6 +170,8 @@ class Together {
   const FrameWatcher& watcher_;
   const PanelMesh mesh_;
   const Program program_;
+  std::optional<TriangleTree> body_tree_;  // of the scene's subject, if it has one
+  std::optional<BodySurface> surface_;
   std::vector<int> first_;  // node of each garment, and the number of nodes
   std::vector<Vec3> start_;
   Grip grip_;
