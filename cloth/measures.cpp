@@ -7,6 +7,7 @@
 #include <span>
 
 #include "cloth/gathers.h"
+#include "cloth/yarn_strain.h"
 #include "geometry/error.h"
 #include "geometry/half_edges.h"
 
@@ -88,6 +89,21 @@ SeamFigures measure_seams(const PanelMesh& pattern, const std::vector<Vec3>& poi
     }
   }
   return figures;
+}
+
+void measure_yarns(const PanelMesh& pattern, const std::vector<Vec3>& points,
+                   GarmentFigures& figures) {
+  const std::vector<char> gathered = on_gathers(pattern);
+  const std::vector<YarnStrain> yarns = yarn_strains(pattern, points);
+  std::vector<double> longer;
+  std::vector<double> shear;
+  for (std::size_t t = 0; t < yarns.size(); ++t) {
+    if (gathered[t]) continue;
+    longer.push_back(std::max(yarns[t].largest(), 0.0));
+    shear.push_back(std::abs(yarns[t].shear));
+  }
+  figures.warp_weft_strain = figures_of(longer);
+  figures.shear = figures_of(shear);
 }
 
 /// Places of the material points in the dressed garment.
@@ -184,6 +200,7 @@ GarmentFigures measure_garment(const PanelMesh& pattern, const DressedGarment& d
   GarmentFigures figures;
   figures.strain = figures_of(strains);
   figures.strain_off_seams = figures_of(off_seams);
+  measure_yarns(pattern, points, figures);
   const std::vector<double> rest_areas = panel_areas(pattern);
   const std::vector<double> areas = panel_areas(pattern, points);
   figures.area_max_panel_percent = largest_change_percent(rest_areas, areas);

@@ -57,6 +57,10 @@ struct GarmentFigures {
   /// Without edges that have both ends on a seam; of those beside a gathered one or an elastic,
   /// whose fullness lies in folds finer than the mesh, only how much longer they became.
   StrainFigures strain_off_seams;
+  /// Off the gathered seams, per triangle: how much longer its warp or weft is, whichever is more;
+  /// 0 where both are slack. And radians off the right angle between them.
+  StrainFigures warp_weft_strain;
+  StrainFigures shear;
   double area_total_percent = 0;  ///< signed; the others are the largest |change|
   double area_max_panel_percent = 0;
   double perimeter_max_panel_percent = 0;

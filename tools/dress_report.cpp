@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iomanip>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <sstream>
 
 namespace toile {
@@ -32,6 +33,8 @@ Json release_json(const ReleaseReport& release) {
           {"searches", release.searches},
           {"wall_seconds", release.wall_seconds}};
 }
+
+double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
 std::string percent(double fraction) {
   std::ostringstream text;
@@ -127,6 +130,10 @@ nlohmann::ordered_json report_of(const PanelMesh& garment, const Scene& scene,
   if (result.release) report["release"] = release_json(*result.release);
   report["strain"] = strain_json(figures.strain);
   report["strain_off_seams"] = strain_json(figures.strain_off_seams);
+  report["warp_weft_strain"] = strain_json(figures.warp_weft_strain);
+  report["shear_degrees"] = {{"max", degrees(figures.shear.max)},
+                             {"p99", degrees(figures.shear.p99)},
+                             {"rms", degrees(figures.shear.rms)}};
   report["area_change_percent"] = {{"total", figures.area_total_percent},
                                    {"max_panel", figures.area_max_panel_percent},
                                    {"max_during", result.during.area_percent}};
