@@ -47,6 +47,9 @@ Scene for_sewing(Scene scene) {
   };
   stiffen(scene.fabric);
   for (auto& [name, fabric] : scene.fabrics) stiffen(fabric);
+  // Limits are for the drape.
+  scene.strain_limit.reset();
+  scene.shear_limit.reset();
   return scene;
 }
 
@@ -139,7 +142,7 @@ DressResult Dressing::run() {
   if (!is_lost && options_.release_seconds > 0) let_go(is_clean);
   result_.terms = term_counts(program_);
   result_.triangles = program_.node_triangles;
-  result_.tight_seams = tight_seams(mesh(), program_, result_.nodes);
+  result_.tight_seams = tight_seams(mesh(), program_, result_.nodes, result_.grip.yarns);
   return std::move(result_);
 }
 
@@ -260,6 +263,7 @@ void Dressing::let_go(bool bounded) {
   options.bounded = bounded;
   options.layer_contact = clear_of_layers();
   options.grip = &result_.grip;
+  options.yarns = &result_.grip.yarns;
   options.seconds = options_.release_seconds;
   std::vector<Vec3> nodes = result_.nodes;
   result_.release = release(program_, options, nodes);
@@ -307,6 +311,7 @@ const StageReport& Dressing::stage(const std::string& name, RelaxOptions options
     result_.during.perimeter_percent = std::max(result_.during.perimeter_percent, perimeter);
     if (watcher_ && calls++ % 4 == 0) watcher_({mesh(), name, points, progress(at, options)});
   };
+  options.yarns = &result_.grip.yarns;
   const RelaxReport report = relax(program_, options, result_.nodes, watch);
   result_.grip = report.grip;
   if (watcher_) {
@@ -342,6 +347,9 @@ void Dressing::go_finer() {
                                    program.node_of_point, program.nodes);
   program_ = std::move(program);
   --level_;
+  std::vector<Restraint> finer;
+  for (const Restraint& held : result_.grip.yarns) finer.insert(finer.end(), 4, held);
+  result_.grip.yarns = std::move(finer);
 }
 
 bool Dressing::clean() const {

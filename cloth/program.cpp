@@ -115,8 +115,6 @@ class Compiler {
     program_.mass.assign(program_.nodes, 0);
     program_.stretch_diagonal.assign(program_.nodes, 0);
     program_.shortest_edge.assign(program_.nodes, 1e9);
-    // The strain limit is a stiffness too, and the step has to be stable against it.
-    const double stiffening = program_.scene.strain_limit ? 1 + strain_limit_stiffening : 1;
     for (const MeshedPanel& panel : garment_.panels) {
       const Fabric& fabric = fabric_of(program_.scene, panel);
       for (int t = panel.first_triangle; t < panel.first_triangle + panel.triangles; ++t) {
@@ -150,7 +148,7 @@ class Compiler {
             const double vv = std::abs(s.warp[i] * s.warp[j]);
             const double uv =
                 0.5 * (std::abs(s.weft[i] * s.warp[j]) + std::abs(s.warp[i] * s.weft[j]));
-            row += stiffening * (s.weft_stiffness * uu + s.warp_stiffness * vv) +
+            row += s.weft_stiffness * uu + s.warp_stiffness * vv +
                    s.shear_stiffness * (0.5 * (uu + vv) + uv);
           }
           program_.stretch_diagonal[nodes[i]] += row;
@@ -189,6 +187,7 @@ class Compiler {
     s.weft_stiffness = area * share * modulus_at(fabric, along - panel.grain);
     s.warp_stiffness = area * modulus_at(fabric, along - panel.grain + std::numbers::pi / 2);
     s.shear_stiffness = area * gathered_stiffness * fabric.shear;
+    s.held = false;
     return s;
   }
 

@@ -23,6 +23,7 @@ struct StretchTriangle {
   double weft_stiffness = 0;   ///< N·m
   double warp_stiffness = 0;   ///< N·m
   double shear_stiffness = 0;  ///< N·m
+  bool held = true;            ///< to the scene's limits; not on a gathered seam, which gives way
 };
 
 /// Hinge of two triangles across an edge, at rest flat; E = ½ stiffness |Σ weight_i x_i|²

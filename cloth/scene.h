@@ -30,17 +30,22 @@ struct Scene {
   /// Metres at least kept between this garment and the layers below. The distance grid, which is
   /// smooth, keeps `body_offset`; this is exact, and holds where their folds are sharp.
   double layer_gap = 0.001;
-  /// Warp and weft strain above this meets `strain_limit_stiffening` times the fabric's stiffness.
+  /// Most that warp and weft lengthen, a fraction, where anything gives way for that: they are held
+  /// by up to `most_restraint`. Compression has no limit: cloth buckles.
   std::optional<double> strain_limit;
+  std::optional<double> shear_limit;  ///< likewise, sine of the angle that the yarns turn by
 };
 
 /// Throws Error, naming `place`, for a gravity that is no number, or too weak or strong to be
 /// meant.
 void check_gravity(const Vec3& gravity, const std::string& place);
 
-/// How much stiffer the cloth is beyond its strain limit. Higher holds the limit better and
-/// converges slower, with its square root.
-inline constexpr double strain_limit_stiffening = 20;
+/// How much stiffer the cloth is beyond its limits, besides what holds it there. Higher finds that
+/// sooner, and converges slower.
+inline constexpr double strain_limit_stiffening = 1;
+/// N/m that holds a yarn to its limit at most: what a hand closes a seam with. A garment that takes
+/// more is too tight there.
+inline constexpr double most_restraint = 300;
 
 /// The fabric of a panel. Throws Error when the scene has none of that name.
 const Fabric& fabric_of(const Scene& scene, const MeshedPanel& panel);

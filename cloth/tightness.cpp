@@ -5,8 +5,6 @@
 #include <cmath>
 #include <map>
 
-#include "cloth/stretch.h"
-
 namespace toile {
 
 namespace {
@@ -16,9 +14,11 @@ constexpr int most_lines = 24;
 
 class Tightness {
  public:
-  Tightness(const PanelMesh& garment, const Program& program, const std::vector<Vec3>& nodes)
-      : garment_(garment), program_(program), nodes_(nodes) {
+  Tightness(const PanelMesh& garment, const Program& program, const std::vector<Vec3>& nodes,
+            const std::vector<Restraint>& held)
+      : garment_(garment), program_(program), nodes_(nodes), held_(held) {
     options_.limit = program.scene.strain_limit.value_or(-1);
+    options_.shear_limit = program.scene.shear_limit.value_or(-1);
     std::vector<char> on_seam(garment.flat.size(), 0);
     for (const MeshedSeam& seam : garment.seams) {
       for (const int p : seam.a) on_seam[p] = 1;
@@ -70,7 +70,8 @@ class Tightness {
     if (at == nullptr) return 0;
     const Triangle& corners = program_.node_triangles[at->triangle];
     const auto forces = stretch_forces(program_.stretch[at->triangle], options_, nodes_[corners[0]],
-                                       nodes_[corners[1]], nodes_[corners[2]]);
+                                       nodes_[corners[1]], nodes_[corners[2]],
+                                       held_.empty() ? Restraint{} : held_[at->triangle]);
     const Vec3& p = nodes_[corners[(at->corner + 1) % 3]];
     const Vec3& q = nodes_[corners[(at->corner + 2) % 3]];
     const Vec3 along = (q - p).normalized();
@@ -195,6 +196,7 @@ class Tightness {
   const PanelMesh& garment_;
   const Program& program_;
   const std::vector<Vec3>& nodes_;
+  const std::vector<Restraint>& held_;
   StretchOptions options_;
   std::map<std::pair<int, int>, Beside> beside_;
 };
@@ -202,8 +204,9 @@ class Tightness {
 }  // namespace
 
 std::vector<TightSeam> tight_seams(const PanelMesh& garment, const Program& program,
-                                   const std::vector<Vec3>& nodes) {
-  return Tightness(garment, program, nodes).run();
+                                   const std::vector<Vec3>& nodes,
+                                   const std::vector<Restraint>& held) {
+  return Tightness(garment, program, nodes, held).run();
 }
 
 }  // namespace toile

@@ -36,6 +36,9 @@ class Together {
       start_.insert(start_.end(), worn.nodes.begin(), worn.nodes.end());
       grip_.skin.insert(grip_.skin.end(), worn.grip.skin.begin(), worn.grip.skin.end());
       grip_.skin.resize(start_.size());
+      grip_.yarns.insert(grip_.yarns.end(), worn.grip.yarns.begin(), worn.grip.yarns.end());
+      first_triangle_.push_back(first_triangle_.back() + worn.garment->triangles.size());
+      grip_.yarns.resize(first_triangle_.back());
     }
     first_.push_back(static_cast<int>(start_.size()));
     if (scene_.body != nullptr && scene_.subject != nullptr) {
@@ -69,6 +72,7 @@ class Together {
       options.body_offset = std::max(options.body_offset, worn.body_offset);
     }
     options.grip = &grip_;
+    options.yarns = &grip_.yarns;
   }
 
   void relax_all(std::vector<Vec3>& x) {
@@ -110,8 +114,14 @@ class Together {
     result_.moved.push_back(moved_figures(moved));
     Scene scene = scene_;
     scene.fabric = worn.fabric;
-    result_.tight_seams.push_back(tight_seams(
-        *worn.garment, compile(*worn.garment, scene, worn.garment->placed), result_.nodes.back()));
+    std::vector<Restraint> held;
+    if (!grip_.yarns.empty()) {
+      held.assign(grip_.yarns.begin() + first_triangle_[garment],
+                  grip_.yarns.begin() + first_triangle_[garment + 1]);
+    }
+    result_.tight_seams.push_back(tight_seams(*worn.garment,
+                                              compile(*worn.garment, scene, worn.garment->placed),
+                                              result_.nodes.back(), held));
   }
 
   int garment_of(int node) const {
@@ -174,6 +184,7 @@ class Together {
   std::optional<BodySurface> surface_;
   std::vector<int> first_;  // node of each garment, and the number of nodes
   std::vector<Vec3> start_;
+  std::vector<std::size_t> first_triangle_ = {0};  // likewise
   Grip grip_;
   TogetherResult result_;
 };

@@ -36,7 +36,8 @@ ClothForces::ClothForces(const Program& program, const ForceOptions& options,
                          const std::vector<Vec3>& x, bool open_seams)
     : program_(program),
       options_(options),
-      stretch_{program.scene.strain_limit.value_or(-1), options.compression},
+      stretch_{program.scene.strain_limit.value_or(-1), options.compression,
+               program.scene.shear_limit.value_or(-1)},
       gravity_(options.gravity * as_vec4(program.scene.gravity)),
       nodes_(as_vec4(x)),
       open_(open_seams ? 1 : 0) {
@@ -44,6 +45,10 @@ ClothForces::ClothForces(const Program& program, const ForceOptions& options,
     for (const Vec3& p : layers().points) nodes_.push_back(as_vec4(p));
   }
   use_skin(open_seams);
+  if (has_limits()) {
+    if (options.yarns != nullptr) kernel_->begin_holding(*options.yarns);
+    hold_to_limits();
+  }
   if (options.grip == nullptr || open_seams) return;
   const auto& skin = options.grip->skin;
   for (std::size_t n = 0; n < std::min(skin.size(), contacts_.size()); ++n) {
@@ -53,6 +58,7 @@ ClothForces::ClothForces(const Program& program, const ForceOptions& options,
 
 Grip ClothForces::grip() const {
   Grip grip;
+  if (has_limits()) grip.yarns = kernel_->restraints();
   if (by_points_) return grip;
   grip.skin.reserve(contacts_.size());
   for (const BodyContact& contact : contacts_) grip.skin.push_back(contact.anchor());
@@ -74,8 +80,12 @@ std::vector<Vec3> ClothForces::all_positions() const {
 
 void ClothForces::use_skin(bool points) {
   by_points_ = points;
+  // Triangles are the same, of nodes as of points.
+  const std::vector<Restraint> yarns =
+      kernel_ && has_limits() ? kernel_->restraints() : std::vector<Restraint>{};
   kernel_ = std::make_unique<ElasticKernel>(program_, points);
   bands_ = std::make_unique<BandForces>(program_, points);
+  kernel_->begin_holding(yarns);
   const std::size_t count = kernel_->vertices();
   vertex_force_.assign(count, Vec4{});
   vertex_first_.clear();
@@ -157,6 +167,24 @@ void ClothForces::close_seams(double wanted) {
     const Vec4 moved = points_[p] - guards_[p];
     if (squared_length(moved) > guards_[p][3]) set_guard(p, as_vec3(points_[p]));
   }
+}
+
+bool ClothForces::hold_to_limits() {
+  if (!has_limits()) return true;
+  const std::size_t tasks = chunks_of(kernel_->groups(), vertex_chunk);
+  std::vector<ElasticKernel::Held> counts(tasks);
+  side_by_side(tasks, [&](std::size_t c) {
+    counts[c] = kernel_->hold(c * vertex_chunk, std::min(kernel_->groups(), (c + 1) * vertex_chunk),
+                              stretch_, positions());
+  });
+  stiffening_.assign(program_.nodes, 0);
+  for (std::size_t n = 0; n < stiffening_.size(); ++n) {
+    for (int i = first_vertex(n); i < last_vertex(n); ++i) {
+      stiffening_[n] += kernel_->stiffening(vertex(i));
+    }
+  }
+  return std::all_of(counts.begin(), counts.end(),
+                     [](const ElasticKernel::Held& held) { return held.beyond == 0; });
 }
 
 void ClothForces::search_when_due(int interval, int most_interval) {

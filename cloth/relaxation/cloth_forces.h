@@ -45,6 +45,15 @@ class ClothForces {
   int meeting_body() const { return body_bounds_ ? body_bounds_->meeting() : 0; }
   /// Share of the stiffness that resists compression from now on.
   void resist_compression(double share) { stretch_.compression = share; }
+  /// Tightens and loosens what holds the yarns to the scene's limits, now and then. Returns whether
+  /// they are within them, but for those that are held as much as they can be.
+  bool hold_to_limits();
+  bool has_limits() const { return stretch_.limit >= 0 || stretch_.shear_limit >= 0; }
+  /// A bound of the cloth's own stiffness in its plane at node n, N/m.
+  double stretch_stiffness(std::size_t n) const {
+    return program_.stretch_diagonal[n] + (stiffening_.empty() ? 0 : stiffening_[n]);
+  }
+
   /// Forgets what is known of the body and of who is near, to see it anew where the nodes are.
   void look_anew();
 
@@ -95,6 +104,7 @@ class ClothForces {
   std::unique_ptr<ElasticKernel> kernel_;
   std::unique_ptr<BandForces> bands_;
   Vec4s vertex_force_;
+  std::vector<double> stiffening_;  // N/m, per node: by the limits; empty: there are none
 
   bool by_points_ = false;
   double open_ = 0;
@@ -124,7 +134,7 @@ class ClothForces {
 inline void ClothForces::at(std::size_t n, Vec4& force, double& stiffness) {
   const bool has_body = program_.scene.body != nullptr;
   force = program_.mass[n] * gravity_;
-  stiffness = program_.stretch_diagonal[n];
+  stiffness = stretch_stiffness(n);
   if (!program_.bend.empty()) stiffness += bending_ * program_.bend_diagonal[n];
   const double friction = options_.friction ? program_.friction_skin[n] : 0;
   const int first = first_vertex(n);

@@ -1,6 +1,7 @@
 #include "cloth/relaxation/elastic_kernel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace toile {
@@ -47,20 +48,29 @@ struct Columns {
   return root;
 }
 
+/// Share of the limit from which on the step reckons with the stiffness beyond it.
+constexpr double near_limit = 0.5;
+
+[[gnu::always_inline]] inline Vec4 larger(const Vec4& a, const Vec4& b) { return a > b ? a : b; }
+
+/// What limits add to the stress of four triangles that are beyond them `by` so much strain.
+[[gnu::always_inline]] inline Vec4 holding(const Vec4& stiffness, const Vec4& by,
+                                           const Vec4& restraint) {
+  return larger(restraint + strain_limit_stiffening * stiffness * by, Vec4{0, 0, 0, 0});
+}
+
+// A direction crushed to nothing has no direction to push along.
+constexpr double least_squared = 1e-18;
+
 /// Stress over stretched length, N·m/... of four triangles along one yarn.
 [[gnu::always_inline]] inline Vec4 tension(const Vec4& stiffness, const Vec4& squared,
-                                           const StretchOptions& options) {
-  // A direction crushed to nothing has no direction to push along.
-  constexpr double least = 1e-18;
-  const Vec4 length = square_root(squared > least ? squared : Vec4{1, 1, 1, 1});
+                                           const StretchOptions& options, const Vec4* restraint) {
+  const Vec4 length = square_root(squared > least_squared ? squared : Vec4{1, 1, 1, 1});
   const Vec4 strain = length - 1.0;
-  Vec4 stress = strain > 0.0 ? strain : options.compression * strain;
-  if (options.limit >= 0) {
-    const Vec4 over = strain - options.limit;
-    stress += over > 0.0 ? strain_limit_stiffening * over : Vec4{0, 0, 0, 0};
-  }
-  const Vec4 result = stiffness * stress / length;
-  return squared > least ? result : Vec4{0, 0, 0, 0};
+  Vec4 stress = stiffness * (strain > 0.0 ? strain : options.compression * strain);
+  if (restraint != nullptr) stress += holding(stiffness, strain - options.limit, *restraint);
+  const Vec4 result = stress / length;
+  return squared > least_squared ? result : Vec4{0, 0, 0, 0};
 }
 
 }  // namespace
@@ -70,6 +80,46 @@ ElasticKernel::ElasticKernel(const Program& program, bool of_points) {
   pull_first_.assign(vertices + 1, 0);
   lay_out_triangles(program, of_points ? program.triangles : program.node_triangles);
   if (!program.bend.empty()) lay_out_hinges(program, of_points);
+  if (program.scene.strain_limit || program.scene.shear_limit) lay_out_limits(program);
+}
+
+void ElasticKernel::lay_out_limits(const Program& program) {
+  held_.assign(groups_.size(), HeldGroup{});
+  triangles_ = program.stretch.size();
+  for (std::size_t t = 0; t < triangles_; ++t) {
+    const StretchTriangle& s = program.stretch[t];
+    HeldGroup& held = held_[t / group];
+    held.area[t % group] = s.area;
+    held.most[t % group] = s.held ? s.area * most_restraint : 0;
+    for (int c = 0; c < 3; ++c) {
+      held.sum_weft[t % group] += std::abs(s.weft[c]);
+      held.sum_warp[t % group] += std::abs(s.warp[c]);
+    }
+  }
+}
+
+void ElasticKernel::begin_holding(const std::vector<Restraint>& yarns) {
+  for (std::size_t t = 0; t < std::min(yarns.size(), triangles_); ++t) {
+    HeldGroup& held = held_[t / group];
+    const std::size_t i = t % group;
+    const auto within = [&](double restraint) {
+      return std::clamp(held.area[i] * restraint, -held.most[i], held.most[i]);
+    };
+    held.weft[i] = within(yarns[t].weft);
+    held.warp[i] = within(yarns[t].warp);
+    held.shear[i] = within(yarns[t].shear);
+  }
+}
+
+std::vector<Restraint> ElasticKernel::restraints() const {
+  std::vector<Restraint> yarns(triangles_);
+  for (std::size_t t = 0; t < triangles_; ++t) {
+    const HeldGroup& held = held_[t / group];
+    const std::size_t i = t % group;
+    yarns[t] = {held.weft[i] / held.area[i], held.warp[i] / held.area[i],
+                held.shear[i] / held.area[i]};
+  }
+  return yarns;
 }
 
 void ElasticKernel::lay_out_triangles(const Program& program,
@@ -154,26 +204,44 @@ void ElasticKernel::lay_out_hinges(const Program& program, bool of_points) {
   if (!across.empty()) seam_bend_ = rows_of(across);
 }
 
+template <typename Group>
+[[gnu::always_inline]] inline void deform(const Group& t, const Vec4* x, Columns& weft,
+                                          Columns& warp) {
+  constexpr std::size_t group = ElasticKernel::group;
+  Vec4 u[group];
+  Vec4 v[group];
+  for (std::size_t i = 0; i < group; ++i) {
+    const Vec4 first = x[t.corners[0][i]];
+    const Vec4 b = x[t.corners[1][i]] - first;
+    const Vec4 c = x[t.corners[2][i]] - first;
+    u[i] = t.weft[0][i] * b + t.weft[1][i] * c;
+    v[i] = t.warp[0][i] * b + t.warp[1][i] * c;
+  }
+  weft = columns_of(u[0], u[1], u[2], u[3]);
+  warp = columns_of(v[0], v[1], v[2], v[3]);
+}
+
 TOILE_CLONES
 void ElasticKernel::pull(std::size_t begin, std::size_t end, const StretchOptions& options,
                          const Vec4s& positions) {
   const Vec4* x = positions.data();
   for (std::size_t g = begin; g < end; ++g) {
     const TriangleGroup& t = groups_[g];
-    Vec4 u[group];
-    Vec4 v[group];
-    for (std::size_t i = 0; i < group; ++i) {
-      const Vec4 first = x[t.corners[0][i]];
-      const Vec4 b = x[t.corners[1][i]] - first;
-      const Vec4 c = x[t.corners[2][i]] - first;
-      u[i] = t.weft[0][i] * b + t.weft[1][i] * c;
-      v[i] = t.warp[0][i] * b + t.warp[1][i] * c;
+    Columns weft;
+    Columns warp;
+    deform(t, x, weft, warp);
+    const HeldGroup* held = held_.empty() ? nullptr : &held_[g];
+    const bool stretch_held = held != nullptr && options.limit >= 0;
+    const Vec4 along_weft =
+        tension(t.stretch_weft, dot(weft, weft), options, stretch_held ? &held->weft : nullptr);
+    const Vec4 along_warp =
+        tension(t.stretch_warp, dot(warp, warp), options, stretch_held ? &held->warp : nullptr);
+    const Vec4 turned = dot(weft, warp);
+    Vec4 sheared = t.shear * turned;
+    if (held != nullptr && options.shear_limit >= 0) {
+      sheared += holding(t.shear, turned - options.shear_limit, held->shear) -
+                 holding(t.shear, -turned - options.shear_limit, -held->shear);
     }
-    const Columns weft = columns_of(u[0], u[1], u[2], u[3]);
-    const Columns warp = columns_of(v[0], v[1], v[2], v[3]);
-    const Vec4 along_weft = tension(t.stretch_weft, dot(weft, weft), options);
-    const Vec4 along_warp = tension(t.stretch_warp, dot(warp, warp), options);
-    const Vec4 sheared = t.shear * dot(weft, warp);
     store_rows(
         {-(along_weft * weft.x + sheared * warp.x), -(along_weft * weft.y + sheared * warp.y),
          -(along_weft * weft.z + sheared * warp.z)},
@@ -183,6 +251,74 @@ void ElasticKernel::pull(std::size_t begin, std::size_t end, const StretchOption
          -(along_warp * warp.z + sheared * weft.z)},
         &pulls_[2 * group * g + 1], 2);
   }
+}
+
+ElasticKernel::Held ElasticKernel::hold(std::size_t begin, std::size_t end,
+                                        const StretchOptions& options, const Vec4s& x) {
+  // So a load that has one way to go is held at once. Half of it takes twice the iterations, one
+  // and a half don't settle where much is held [measured on five garments].
+  constexpr double step = 1 + strain_limit_stiffening;
+  Held count;
+  for (std::size_t g = begin; g < end; ++g) {
+    const TriangleGroup& t = groups_[g];
+    HeldGroup& held = held_[g];
+    Columns weft;
+    Columns warp;
+    deform(t, x.data(), weft, warp);
+    // Returns what the limit adds to the stiffness.
+    const auto adjust = [&](const Vec4& stiffness, const Vec4& strain, double limit,
+                            Vec4& restraint) {
+      const Vec4 zero = {0, 0, 0, 0};
+      const Vec4 by = strain - limit;
+      const Vec4 wanted = larger(restraint + step * stiffness * by, zero);
+      restraint = wanted < held.most ? wanted : held.most;
+      for (std::size_t i = 0; i < group; ++i) {
+        if (strain[i] <= (1 + limit_tolerance) * limit || held.most[i] <= 0) continue;
+        ++(wanted[i] >= held.most[i] ? count.in_vain : count.beyond);
+      }
+      const Vec4 stiffer = strain > near_limit * limit || restraint > zero
+                               ? strain_limit_stiffening * stiffness
+                               : zero;
+      // Tension is a stiffness too, across the yarn.
+      const Vec4 stress = stiffness * strain + holding(stiffness, by, restraint);
+      return larger(stiffer, stress - stiffness);
+    };
+    Vec4 more_weft = {0, 0, 0, 0};
+    Vec4 more_warp = {0, 0, 0, 0};
+    if (options.limit >= 0) {
+      const auto strain = [](const Columns& c) { return square_root(dot(c, c)) - 1.0; };
+      more_weft = held.sum_weft * adjust(t.stretch_weft, strain(weft), options.limit, held.weft);
+      more_warp = held.sum_warp * adjust(t.stretch_warp, strain(warp), options.limit, held.warp);
+    }
+    if (options.shear_limit >= 0) {
+      const Vec4 turned = dot(weft, warp);
+      // Held to one side at most.
+      const Vec4 side = held.shear < 0.0 || (held.shear == 0.0 && turned < 0.0)
+                            ? Vec4{-1, -1, -1, -1}
+                            : Vec4{1, 1, 1, 1};
+      Vec4 restraint = side * held.shear;
+      const Vec4 more = adjust(t.shear, side * turned, options.shear_limit, restraint);
+      held.shear = side * restraint;
+      const Vec4 both = 0.5 * (held.sum_weft + held.sum_warp) * more;
+      more_weft += both;
+      more_warp += both;
+    }
+    held.stiffening_weft = more_weft;
+    held.stiffening_warp = more_warp;
+  }
+  return count;
+}
+
+double ElasticKernel::stiffening(std::size_t v) const {
+  double sum = 0;
+  for (int i = pull_first_[v]; i < pull_first_[v + 1]; ++i) {
+    const PullEntry& entry = pull_entries_[i];
+    const HeldGroup& held = held_[entry.triangle / group];
+    const std::size_t at = entry.triangle % group;
+    sum += std::abs(entry.weft) * held.stiffening_weft[at] +
+           std::abs(entry.warp) * held.stiffening_warp[at];
+  }
+  return sum;
 }
 
 [[gnu::always_inline]] inline void ElasticKernel::BendRows::add_to(std::size_t v, double scale,

@@ -10,6 +10,9 @@
 
 namespace toile {
 
+/// Share of a limit by which it is missed at most.
+inline constexpr double limit_tolerance = 0.08;
+
 /// Vertices are the program's nodes, or its material points while seams stand open. Forces take two
 /// passes over disjoint ranges that may run side by side: first all of pull(), then all of
 /// gather(); a vertex sums what its triangles left in a fixed order, so that bits don't depend on
@@ -31,6 +34,20 @@ class ElasticKernel {
   void gather(std::size_t begin, std::size_t end, double bending, double seam_bending,
               const Vec4s& x, Vec4s& force) const;
 
+  /// What holds the yarns to the limits of `options`, per triangle: to begin with, and now.
+  void begin_holding(const std::vector<Restraint>& yarns);
+  std::vector<Restraint> restraints() const;
+  /// Lets go where yarns of groups `begin` to `end` are within their limits at `x` and holds them
+  /// harder where they are not, so that repeated they come to be. Returns how many were beyond by
+  /// more than `limit_tolerance`, but are held as much as they can be, and how many others.
+  struct Held {
+    int in_vain = 0;
+    int beyond = 0;
+  };
+  Held hold(std::size_t begin, std::size_t end, const StretchOptions& options, const Vec4s& x);
+  /// A bound of the stiffness (N/m) that limits add to a vertex, as of the last hold().
+  double stiffening(std::size_t vertex) const;
+
  private:
   struct alignas(32) TriangleGroup {
     // Per triangle: derivatives of the weft and warp deformation by the second and third corner;
@@ -41,6 +58,17 @@ class ElasticKernel {
     Vec4 stretch_warp;
     Vec4 shear;
     int corners[3][group];
+  };
+  struct alignas(32) HeldGroup {
+    Vec4 weft;  // N·m: restraint times area
+    Vec4 warp;
+    Vec4 shear;
+    Vec4 most;      // N·m: of each
+    Vec4 area;      // m²
+    Vec4 sum_weft;  // 1/m: of the corners' derivatives
+    Vec4 sum_warp;
+    Vec4 stiffening_weft;  // N: what limits add to the stiffness, times those
+    Vec4 stiffening_warp;
   };
   struct PullEntry {
     int triangle;
@@ -57,8 +85,11 @@ class ElasticKernel {
 
   void lay_out_triangles(const Program& program, const std::vector<Triangle>& triangles);
   void lay_out_hinges(const Program& program, bool of_points);
+  void lay_out_limits(const Program& program);
 
   std::vector<TriangleGroup> groups_;
+  std::vector<HeldGroup> held_;  // empty: no limits
+  std::size_t triangles_ = 0;
   Vec4s pulls_;  // per triangle: by weft, by warp
   std::vector<int> pull_first_;
   std::vector<PullEntry> pull_entries_;

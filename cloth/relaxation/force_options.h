@@ -5,13 +5,16 @@
 #include <vector>
 
 #include "cloth/relaxation/body_bounds.h"
+#include "cloth/stretch.h"
 #include "geometry/types.h"
 
 namespace toile {
 
-/// Where friction holds a garment: what one run hands to the next, so that the force is not lost.
+/// Where friction holds a garment, and what holds its yarns to their limits: what one run hands to
+/// the next, so that the force is not lost.
 struct Grip {
   std::vector<std::optional<Vec3>> skin;  ///< per node; nothing: it does not
+  std::vector<Restraint> yarns;           ///< per triangle; empty: no limits
 };
 
 struct ForceOptions {
@@ -40,6 +43,8 @@ struct ForceOptions {
   /// Of a run that ended where this one begins, seams closed. None: friction holds each node where
   /// it comes to touch.
   const Grip* grip = nullptr;
+  /// Begins with these restraints, likewise. None: they are found from nothing.
+  const std::vector<Restraint>* yarns = nullptr;
 };
 
 }  // namespace toile

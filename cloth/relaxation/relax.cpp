@@ -21,6 +21,8 @@ constexpr double step_factor = 1.3;
 constexpr double level_share = 0.2;
 /// Iterations between two measurements of the residual, and calls of the watcher.
 constexpr int watch_interval = 50;
+/// How often a garment at rest is held harder where it is beyond its limits.
+constexpr int most_waits = 20;
 /// Least iterations between two searches for near cloth; a node that has used up its bound waits.
 constexpr int search_interval = 8;
 double smoothstep(double t) { return t * t * (3 - 2 * t); }
@@ -46,7 +48,7 @@ class Relaxation {
   void find_forces();
   void find_forces(std::size_t begin, std::size_t end);
   double own_stiffness(std::size_t n) const {
-    return program_.stretch_diagonal[n] +
+    return forces_.stretch_stiffness(n) +
            (program_.bend.empty() ? 0 : bending_ * program_.bend_diagonal[n]);
   }
   double step_nodes(std::size_t begin, std::size_t end);
@@ -156,6 +158,7 @@ Residual Relaxation::last_residual() const {
 RelaxReport Relaxation::run(const RelaxWatcher& watcher) {
   const auto start = std::chrono::steady_clock::now();
   RelaxReport report;
+  int waited = 0;
   const bool closing = forces_.seams_stand_open();
   const int schedule = closing ? options_.closing_iterations : options_.max_iterations;
   for (int i = 0; i < options_.max_iterations; ++i) {
@@ -177,7 +180,10 @@ RelaxReport Relaxation::run(const RelaxWatcher& watcher) {
     report.iterations = i + 1;
     if ((i + 1) % watch_interval != 0 && i + 1 != options_.max_iterations) continue;
     if (watcher) watcher({i + 1, forces_.open(), state()});
-    if (closing || i < options_.stiffening_iterations || !at_rest(last_residual())) continue;
+    if (closing) continue;
+    const bool within_limits = forces_.hold_to_limits();
+    if (i < options_.stiffening_iterations || !at_rest(last_residual())) continue;
+    if (!within_limits && ++waited < most_waits) continue;
     report.residual = measure_residual();
     report.converged = at_rest(report.residual);
     if (report.converged) break;

@@ -50,7 +50,7 @@ Release::Release(const Program& program, const ReleaseOptions& options, const st
   double most = 0;
   for (int n = 0; n < program.nodes; ++n) {
     if (!(program.mass[n] > 0)) continue;
-    double stiffness = program.stretch_diagonal[n];
+    double stiffness = forces_.stretch_stiffness(n);
     if (!program.bend.empty()) stiffness += options.bending * program.bend_diagonal[n];
     if (program.scene.body != nullptr) stiffness += BodyContact::most_stiffness;
     most = std::max(most, stiffness / program.mass[n]);

@@ -16,7 +16,7 @@ using FlatCorners = std::array<Vec2, 3>;
 
 /// The energy from the deformation gradient: an own way to the same quantity, compression included.
 double energy(const FlatCorners& flat, double grain, const Fabric& fabric,
-              const StretchOptions& options, const Corners& x) {
+              const StretchOptions& options, const Corners& x, const Restraint& held = {}) {
   Eigen::Matrix2d rest;
   rest << flat[1] - flat[0], flat[2] - flat[0];
   Eigen::Matrix<double, 3, 2> now;
@@ -24,15 +24,23 @@ double energy(const FlatCorners& flat, double grain, const Fabric& fabric,
   const Eigen::Matrix<double, 3, 2> gradient = now * rest.inverse();
   const Vec3 weft = gradient * (Eigen::Rotation2Dd(grain) * Vec2(1, 0));
   const Vec3 warp = gradient * (Eigen::Rotation2Dd(grain) * Vec2(0, 1));
-  const auto along = [&](double stiffness, double strain) {
-    const double over = options.limit >= 0 ? std::max(strain - options.limit, 0.0) : 0;
-    return stiffness * (strain < 0 ? options.compression : 1) * strain * strain +
-           strain_limit_stiffening * stiffness * over * over;
+  const auto beyond = [&](double stiffness, double by, double restraint) {
+    const double stiffer = strain_limit_stiffening * stiffness;
+    return stiffer * std::pow(std::max(by + restraint / stiffer, 0.0), 2);
   };
-  const double shear = weft.dot(warp);
+  const auto along = [&](double stiffness, double strain, double restraint) {
+    const double own = stiffness * (strain < 0 ? options.compression : 1) * strain * strain;
+    return options.limit < 0 ? own : own + beyond(stiffness, strain - options.limit, restraint);
+  };
+  const double turned = weft.dot(warp);
+  double shear = fabric.shear * turned * turned;
+  if (options.shear_limit >= 0) {
+    shear += beyond(fabric.shear, turned - options.shear_limit, held.shear) +
+             beyond(fabric.shear, -turned - options.shear_limit, -held.shear);
+  }
   return 0.5 * 0.5 * rest.determinant() *
-         (along(fabric.stretch_weft, weft.norm() - 1) +
-          along(fabric.stretch_warp, warp.norm() - 1) + fabric.shear * shear * shear);
+         (along(fabric.stretch_weft, weft.norm() - 1, held.weft) +
+          along(fabric.stretch_warp, warp.norm() - 1, held.warp) + shear);
 }
 
 class Stretch : public testing::Test {
@@ -92,7 +100,12 @@ TEST_F(Stretch, ForcesAreMinusTheGradientOfTheEnergy) {
     StretchOptions options;
     if (trial % 3 == 1) options.limit = 0.01;
     if (trial % 2 == 1) options.compression = 0.05;
-    const std::array<Vec3, 3> forces = stretch_forces(s, options, x[0], x[1], x[2]);
+    if (trial % 5 == 1) options.shear_limit = 0.05;
+    Restraint held;
+    if (trial % 4 == 1) {
+      held = {100 * std::abs(unit(random)), 100 * std::abs(unit(random)), 20 * unit(random)};
+    }
+    const std::array<Vec3, 3> forces = stretch_forces(s, options, x[0], x[1], x[2], held);
     double largest = 0;
     for (const Vec3& f : forces) largest = std::max(largest, f.norm());
     for (int corner = 0; corner < 3; ++corner) {
@@ -101,14 +114,14 @@ TEST_F(Stretch, ForcesAreMinusTheGradientOfTheEnergy) {
         Corners ahead = x, behind = x;
         ahead[corner][axis] += h;
         behind[corner][axis] -= h;
-        const double slope = (energy(flat, grain, fabric, options, ahead) -
-                              energy(flat, grain, fabric, options, behind)) /
+        const double slope = (energy(flat, grain, fabric, options, ahead, held) -
+                              energy(flat, grain, fabric, options, behind, held)) /
                              (2 * h);
         ASSERT_NEAR(forces[corner][axis], -slope, 2e-5 * largest) << trial;
       }
     }
     const double with_limit = energy(flat, grain, fabric, options, x);
-    if (options.compression == 1) {
+    if (options.compression == 1 && options.shear_limit < 0) {
       ASSERT_NEAR(stretch_energy(s, options.limit, x[0], x[1], x[2]), with_limit,
                   1e-9 * with_limit);
     }
