@@ -362,6 +362,8 @@ std::vector<std::pair<std::string, int>> term_counts(const Program& program) {
   for (const int node : program.node_of_point) sewn += seen[node]++ == 1;
   const int rough = count(std::count_if(program.friction_skin.begin(), program.friction_skin.end(),
                                         [](double friction) { return friction > 0; }));
+  const int held = count(std::count_if(program.stretch.begin(), program.stretch.end(),
+                                       [](const StretchTriangle& s) { return s.held; }));
   return {{"stretch", triangles},
           {"bend", count(program.bend.size())},
           {"elastic", count(program.bands.size())},
@@ -370,7 +372,8 @@ std::vector<std::pair<std::string, int>> term_counts(const Program& program) {
           {"friction", scene.body != nullptr ? rough : 0},
           {"self_contact", scene.self_contact ? triangles : 0},
           {"layer_contact", scene.layers != nullptr ? count(scene.layers->triangles.size()) : 0},
-          {"strain_limit", scene.strain_limit ? triangles : 0}};
+          {"strain_limit", scene.strain_limit ? held : 0},
+          {"shear_limit", scene.shear_limit ? held : 0}};
 }
 
 }  // namespace toile

@@ -182,9 +182,9 @@ class Together {
   const Program program_;
   std::optional<TriangleTree> body_tree_;  // of the scene's subject, if it has one
   std::optional<BodySurface> surface_;
-  std::vector<int> first_;  // node of each garment, and the number of nodes
-  std::vector<Vec3> start_;
+  std::vector<int> first_;                         // node of each garment, and the number of nodes
   std::vector<std::size_t> first_triangle_ = {0};  // likewise
+  std::vector<Vec3> start_;
   Grip grip_;
   TogetherResult result_;
 };

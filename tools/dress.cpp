@@ -79,6 +79,7 @@ OutfitSettings read_settings(const po::variables_map& given, const fs::path& out
   settings.certify_frames = given.count("certify-frames") != 0;
   if (given.count("gravity")) settings.gravity = parse_gravity(given["gravity"].as<std::string>());
   settings.strain_limit = read_strain_limit(given);
+  settings.shear_limit = read_shear_limit(given);
   settings.method = read_method(given, settings.coupled);
   return settings;
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "cloth/springs/dress_springs.h"
 #include "geometry/error.h"
@@ -106,8 +107,10 @@ void add_method_options(po::options_description& options) {
   options.add_options()("method", po::value<string>()->default_value("relaxation"),
                         "relaxation: fast; paper: Zhong & Xu 2009, masses and springs in time")(
       "strain-limit", po::value<double>(),
-      "relaxation: stiffen warp and weft beyond this strain, a fraction: 0.01 is 1 %; paper: hold "
-      "every edge within it, 0.01 if not given")(
+      "relaxation: hold warp and weft to this strain, a fraction: 0.01 is 1 %; paper: hold every "
+      "edge within it, 0.01 if not given")(
+      "shear-limit", po::value<double>(),
+      "relaxation: hold the angle between warp and weft to this many degrees off the right one")(
       "residual", po::value<double>(),
       "at rest when half of the nodes have less force left than this share of a node's weight, and "
       "their rms is below ten times it; default: 0.01, for the paper's method 0.05")(
@@ -128,8 +131,11 @@ void add_method_options(po::options_description& options) {
 void check_method_options(const po::variables_map& given) {
   const string method = given["method"].as<string>();
   if (method == "paper") {
-    if (given.count("release") == 0) return;
-    throw po::error("--release belongs to --method relaxation");
+    for (const char* option : {"release", "shear-limit"}) {
+      if (given.count(option) == 0) continue;
+      throw po::error("--" + string(option) + " belongs to --method relaxation");
+    }
+    return;
   }
   if (method != "relaxation") throw po::error("--method is relaxation or paper");
   for (const char* option : of_the_paper) {
@@ -143,9 +149,18 @@ std::optional<double> read_strain_limit(const po::variables_map& given) {
   if (given.count("strain-limit") == 0) return std::nullopt;
   const double limit = given["strain-limit"].as<double>();
   if (!(limit >= 0 && limit < 1)) {
-    throw Error("--strain-limit", "is not a fraction", "0.01 holds warp and weft near 1 %");
+    throw Error("--strain-limit", "is not a fraction", "0.01 holds warp and weft to 1 %");
   }
   return limit;
+}
+
+std::optional<double> read_shear_limit(const po::variables_map& given) {
+  if (given.count("shear-limit") == 0) return std::nullopt;
+  const double degrees = given["shear-limit"].as<double>();
+  if (!(degrees > 0 && degrees < 90)) {
+    throw Error("--shear-limit", "is not between 0 and 90 degrees", "10 is that of a dense woven");
+  }
+  return std::sin(degrees * std::numbers::pi / 180);
 }
 
 DressMethod read_method(const po::variables_map& given, bool together) {

@@ -17,7 +17,7 @@ struct DressMethod {
       move_together;
 };
 
-/// Adds --method, --strain-limit, --residual and what belongs to one method only.
+/// Adds --method, --strain-limit, --shear-limit, --residual and what belongs to one method only.
 void add_method_options(boost::program_options::options_description& options);
 
 /// Throws boost::program_options::error when an option belongs to a method that is not chosen.
@@ -29,5 +29,7 @@ DressMethod read_method(const boost::program_options::variables_map& given, bool
 
 /// --strain-limit, if it was given and is a fraction.
 std::optional<double> read_strain_limit(const boost::program_options::variables_map& given);
+/// --shear-limit, if it was given and is an angle: its sine.
+std::optional<double> read_shear_limit(const boost::program_options::variables_map& given);
 
 }  // namespace toile

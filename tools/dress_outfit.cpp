@@ -123,6 +123,7 @@ Scene Outfit::scene_of(const OutfitLayer& layer) const {
   scene.skeleton = skeleton_ ? &*skeleton_ : nullptr;
   scene.gravity = settings_.gravity;
   scene.strain_limit = settings_.strain_limit;
+  scene.shear_limit = settings_.shear_limit;
   return scene;
 }
 

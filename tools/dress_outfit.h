@@ -36,6 +36,7 @@ struct OutfitSettings {
   std::optional<std::filesystem::path> frames;
   bool certify_frames = false;
   std::optional<double> strain_limit;
+  std::optional<double> shear_limit;
   Vec3 gravity = Scene().gravity;
   DressMethod method;
 };

@@ -21,8 +21,9 @@ constexpr double step_factor = 1.3;
 constexpr double level_share = 0.2;
 /// Iterations between two measurements of the residual, and calls of the watcher.
 constexpr int watch_interval = 50;
-/// How often a garment at rest is held harder where it is beyond its limits.
-constexpr int most_waits = 20;
+/// How often a garment that is at rest but for a few nodes is held harder, where it is beyond its
+/// limits: what can't be held would never come to rest.
+constexpr int most_waits = 30;
 /// Least iterations between two searches for near cloth; a node that has used up its bound waits.
 constexpr int search_interval = 8;
 double smoothstep(double t) { return t * t * (3 - 2 * t); }
@@ -181,9 +182,10 @@ RelaxReport Relaxation::run(const RelaxWatcher& watcher) {
     if ((i + 1) % watch_interval != 0 && i + 1 != options_.max_iterations) continue;
     if (watcher) watcher({i + 1, forces_.open(), state()});
     if (closing) continue;
-    const bool within_limits = forces_.hold_to_limits();
-    if (i < options_.stiffening_iterations || !at_rest(last_residual())) continue;
-    if (!within_limits && ++waited < most_waits) continue;
+    const bool within_limits = waited >= most_waits || forces_.hold_to_limits();
+    const Residual left = last_residual();
+    if (left.median < options_.stop_median) ++waited;
+    if (i < options_.stiffening_iterations || !within_limits || !at_rest(left)) continue;
     report.residual = measure_residual();
     report.converged = at_rest(report.residual);
     if (report.converged) break;

@@ -182,7 +182,8 @@ TEST(Program, WhatTheSceneDoesNotUseIsEmpty) {
                                                         {"friction", 0},
                                                         {"self_contact", 0},
                                                         {"layer_contact", 0},
-                                                        {"strain_limit", 0}}));
+                                                        {"strain_limit", 0},
+                                                        {"shear_limit", 0}}));
 }
 
 TEST(Program, WhatTheSceneUsesIsCounted) {

@@ -129,6 +129,7 @@ TEST(Dress, OptionsOfThePapersMethodAreChecked) {
   };
   EXPECT_EQ(with({"--method", "magic"}).exit_code, 2);
   EXPECT_EQ(with({"--sewing", "tau=0.3"}).exit_code, 2);  // belongs to the paper's
+  EXPECT_EQ(with({"--method", "paper", "--shear-limit", "5"}).exit_code, 2);
   for (const std::vector<std::string>& wrong : {std::vector<std::string>{"--sewing", "tau"},
                                                 {"--sewing", "tua=1"},
                                                 {"--sewing", "tau=-1"},
@@ -361,6 +362,7 @@ TEST_F(DressInput, SettingsThatMakeNoSense) {
   expect_refused(dress({"--fabric", folder / "fabric.json"}), "friction");
   expect_refused(dress({"--strain-limit", "2"}), "--strain-limit");
   expect_refused(dress({"--strain-limit", "nan"}), "--strain-limit");
+  expect_refused(dress({"--shear-limit", "90"}), "--shear-limit");
   for (const char* gravity : {"9.81", "0,0,0", "0,-9.81,0,0", "0,-981,0", "0;-9.81;0", "nan,0,0"}) {
     expect_refused(dress({std::string("--gravity=") + gravity}), "--gravity");
   }

@@ -127,7 +127,7 @@ class HangingStrip : public testing::Test {
 
 TEST_F(HangingStrip, StretchesWithTheWeightBelow) {
   for (const auto& [below, strain] : hang(std::nullopt)) {
-    EXPECT_NEAR(strain, weight * below / stiffness, 2e-5) << below;
+    EXPECT_NEAR(strain, weight * below / stiffness, 4e-5) << below;
   }
 }
 
@@ -141,7 +141,7 @@ TEST_F(HangingStrip, IsHeldToItsLimit) {
     }
     std::cout << 1000 * total << " mm longer, strained by " << 100 * largest << " % at most\n";
     EXPECT_NEAR(total, limited ? 0.0083333 : 0.015, limited ? 4e-5 : 3e-5);
-    if (limited) EXPECT_LT(largest, 0.0101);
+    EXPECT_LT(largest, limited ? 0.0101 : 0.03);
   }
 }
 
