@@ -3,10 +3,12 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -25,6 +27,9 @@ struct Run {
   int exit_code = -1;
   std::string out;
   std::string err;
+  double seconds = 0;            ///< from its start to its end
+  double processor_seconds = 0;  ///< of all its threads
+  double peak_MiB = 0;           ///< of memory; at least what the caller itself had
 };
 
 /// A new empty folder, removed with all that is in it at the end of the scope.
@@ -65,8 +70,9 @@ inline void write_text(const fs::path& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
 }
 
-/// Runs the program `name` from the build's tools folder, its stdin empty. A run that takes longer
-/// than `seconds` is killed, so a program that hangs fails its test instead of stopping the suite.
+/// Runs the program `name` from the build's tools folder, or at an absolute path, its stdin empty.
+/// A run that takes longer than `seconds` is killed, so a program that hangs fails its test instead
+/// of stopping the suite.
 inline Run run(const std::string& name, const std::vector<std::string>& arguments,
                int seconds = 280) {
   const ScratchFolder scratch;
@@ -79,6 +85,7 @@ inline Run run(const std::string& name, const std::vector<std::string>& argument
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
 
+  const auto start = std::chrono::steady_clock::now();
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("can't start " + program.string());
   if (child == 0) {
@@ -95,8 +102,17 @@ inline Run run(const std::string& name, const std::vector<std::string>& argument
     _exit(127);
   }
   int status = 0;
-  if (waitpid(child, &status, 0) != child) throw std::runtime_error("lost " + program.string());
+  rusage used = {};
+  if (wait4(child, &status, 0, &used) != child) {
+    throw std::runtime_error("lost " + program.string());
+  }
   Run result;
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const auto seconds_of = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  result.processor_seconds = seconds_of(used.ru_utime) + seconds_of(used.ru_stime);
+  result.peak_MiB = static_cast<double>(used.ru_maxrss) / 1024;
   result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   result.out = read_text(out);
   result.err = read_text(err);
