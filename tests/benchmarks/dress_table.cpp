@@ -67,6 +67,8 @@ class Table {
       for (const std::string& column : columns_) {
         const auto found = row.find(column);
         cells.push_back(found == row.end() ? none : found->second);
+        // No cell ends early, whatever a message holds.
+        std::replace(cells.back().begin(), cells.back().end(), rule ? '|' : ',', ';');
       }
       all += line(cells, before, between, after);
     }
@@ -89,12 +91,6 @@ std::string fixed(double value, int digits) {
   char text[40];
   std::snprintf(text, sizeof text, "%.*f", digits, value);
   return text;
-}
-
-/// The first line of what a program complained about.
-std::string complaint(const Run& run) {
-  if (run.exit_code > 128) return "killed by signal " + std::to_string(run.exit_code - 128);
-  return run.err.substr(0, run.err.find('\n'));
 }
 
 Run run_or_throw(const std::string& name, const std::vector<std::string>& arguments) {
@@ -248,6 +244,7 @@ void paper_row(Table& table, std::size_t row, const Case& at, const Settings& se
     return;
   }
   table.set(row, "paper s", fixed(done.seconds, 1));
+  table.set(row, "paper processor s", fixed(done.processor_seconds, 1));
   if (at.seconds > 0) table.set(row, "paper/ours", fixed(done.seconds / at.seconds, 1));
 }
 
@@ -257,6 +254,7 @@ void blender_row(Table& table, std::size_t row, const Case& at, const Settings& 
     const PeerFigures peer = run_blender(*settings.blender, at.mesh, at.body, output, at.lift,
                                          settings.threads, settings.limit);
     table.set(row, "Blender s", fixed(peer.run.seconds, 1));
+    table.set(row, "Blender processor s", fixed(peer.run.processor_seconds, 1));
     if (at.seconds > 0) table.set(row, "Blender/ours", fixed(peer.run.seconds / at.seconds, 1));
     table.set(row, "Blender strain p99 %", fixed(100 * peer.strain_p99, 2));
     table.set(row, "Blender seam gap mm", fixed(peer.gap_mm, 2));

@@ -25,6 +25,12 @@ struct PeerFigures {
   int self = 0;
 };
 
+/// The first line of what a program complained about.
+inline std::string complaint(const Run& run) {
+  if (run.exit_code > 128) return "killed by signal " + std::to_string(run.exit_code - 128);
+  return run.err.substr(0, run.err.find('\n'));
+}
+
 inline std::optional<fs::path> find_in_path(const std::string& name) {
   const char* folders = std::getenv("PATH");
   std::istringstream stream(folders != nullptr ? folders : "");
@@ -82,7 +88,7 @@ inline PeerFigures run_blender(const fs::path& blender, const fs::path& garment_
           {"-b", "-t", std::to_string(threads), "-P", script.string(), "--", garment_file.string(),
            json.string(), body_file.string(), output.string(), "--lift", std::to_string(lift)},
           seconds);
-  if (figures.run.exit_code != 0) throw std::runtime_error("blender: " + figures.run.err);
+  if (figures.run.exit_code != 0) throw std::runtime_error("blender: " + complaint(figures.run));
   const PanelMesh garment = read_garment(garment_file);
   const std::vector<Vec3> points = read_obj(output).points;
   const TriangleMesh body = fan_triangles(read_mesh(body_file));
