@@ -32,7 +32,7 @@ constexpr double sewing_pull = 2;
 constexpr std::array<double, 3> soft_compression = {0.02, 0.05, 0.01};
 /// Iterations in which the finest mesh gets all of it, and is pushed back to its own offset: at
 /// once, it would be thrown about.
-constexpr int stiffening_iterations = 2000;
+constexpr int stiffening_iterations = 1000;
 
 /// N/m, while seams close: softer cloth would be drawn into strings by them, and tangle.
 constexpr double sewing_stretch = 1000;
