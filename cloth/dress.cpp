@@ -53,14 +53,24 @@ Scene for_sewing(Scene scene) {
   return scene;
 }
 
+/// The layers have bounds of their own, and come after the body in the subject.
+TriangleMesh bare_body(const Scene& scene) {
+  TriangleMesh body = *scene.subject;
+  if (scene.layers != nullptr) {
+    body.triangles.resize(body.triangles.size() - scene.layers->triangles.size());
+  }
+  return body;
+}
+
 class Dressing {
  public:
   Dressing(const PanelMesh& garment, const Scene& scene, const DressOptions& options,
            const FrameWatcher& watcher)
       : scene_(scene), options_(options), watcher_(watcher) {
     if (scene.subject != nullptr) {
-      subject_tree_.emplace(*scene.subject);
-      subject_.emplace(BodySurface{*scene.subject, *subject_tree_, *scene.body});
+      body_ = bare_body(scene);
+      body_tree_.emplace(body_);
+      surface_.emplace(BodySurface{body_, *body_tree_, *scene.body});
     }
     meshes_.push_back(garment);
     while (meshes_.back().subdivisions > 0) meshes_.push_back(coarsen(meshes_.back()));
@@ -91,8 +101,9 @@ class Dressing {
   const DressOptions& options_;
   const FrameWatcher& watcher_;
   std::vector<PanelMesh> meshes_;  // finest first
-  std::optional<TriangleTree> subject_tree_;  // of the scene's subject, if it has one
-  std::optional<BodySurface> subject_;
+  TriangleMesh body_;              // of the scene's subject, if it has one, without layers
+  std::optional<TriangleTree> body_tree_;
+  std::optional<BodySurface> surface_;
   int level_ = 0;
   int attempt_ = 1;
   Program program_;  // of the mesh in hand
@@ -264,6 +275,7 @@ void Dressing::let_go(bool bounded) {
   options.layer_contact = clear_of_layers();
   options.grip = &result_.grip;
   options.yarns = &result_.grip.yarns;
+  options.surface = surface_ ? &*surface_ : nullptr;
   options.seconds = options_.release_seconds;
   std::vector<Vec3> nodes = result_.nodes;
   result_.release = release(program_, options, nodes);
@@ -301,7 +313,7 @@ const StageReport& Dressing::stage(const std::string& name, RelaxOptions options
   const std::vector<double> areas = panel_areas(mesh());
   const Outlines outlines = panel_outlines(mesh());
   const std::vector<double> perimeters = panel_perimeters(mesh());
-  options.surface = subject_ ? &*subject_ : nullptr;
+  options.surface = surface_ ? &*surface_ : nullptr;
   int calls = 0;
   const auto watch = [&](const RelaxProgress& at) {
     const std::vector<Vec3> points = point_positions(program_, at.nodes, at.open);

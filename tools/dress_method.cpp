@@ -1,5 +1,6 @@
 #include "tools/dress_method.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -111,9 +112,13 @@ void add_method_options(po::options_description& options) {
       "edge within it, 0.01 if not given")(
       "shear-limit", po::value<double>(),
       "relaxation: hold the angle between warp and weft to this many degrees off the right one")(
+      "quality", po::value<string>(),
+      "draft (a residual of 0.05), standard (0.01; the default) or fine (0.001); for the paper's "
+      "method, standard is 0.05")(
       "residual", po::value<double>(),
-      "at rest when half of the nodes have less force left than this share of a node's weight, and "
-      "their rms is below ten times it; default: 0.01, for the paper's method 0.05")(
+      "instead: at rest when half of the nodes have less force left than this share of a node's "
+      "weight, their rms is below ten times it and, by the relaxation, whole patches of cloth have "
+      "less left than this share of theirs")(
       "strain-control", po::value<string>()->default_value("velocity"),
       "paper: velocity (three passes), converged (velocities too, until the limit holds, while "
       "draping), position (Provot's, limit 0.1) or none")(
@@ -130,6 +135,13 @@ void add_method_options(po::options_description& options) {
 
 void check_method_options(const po::variables_map& given) {
   const string method = given["method"].as<string>();
+  if (given.count("quality")) {
+    const string quality = given["quality"].as<string>();
+    if (quality != "draft" && quality != "standard" && quality != "fine") {
+      throw po::error("--quality is draft, standard or fine");
+    }
+    if (given.count("residual")) throw po::error("--quality and --residual say the same: give one");
+  }
   if (method == "paper") {
     for (const char* option : {"release", "shear-limit"}) {
       if (given.count(option) == 0) continue;
@@ -163,21 +175,33 @@ std::optional<double> read_shear_limit(const po::variables_map& given) {
   return std::sin(degrees * std::numbers::pi / 180);
 }
 
-DressMethod read_method(const po::variables_map& given, bool together) {
-  const bool of_paper = given["method"].as<string>() == "paper";
+/// What a garment at rest may have left, in node weights.
+double read_residual(const po::variables_map& given, bool of_paper) {
   double residual = of_paper ? 0.05 : 0.01;
+  if (given.count("quality")) {
+    const string quality = given["quality"].as<string>();
+    if (quality == "draft") residual = 0.05;
+    if (quality == "fine") residual = 0.001;
+  }
   if (given.count("residual")) residual = given["residual"].as<double>();
   if (!(residual > 0 && residual < 1)) {
     throw Error("--residual", "is not between 0 and 1", "leave it out for the default");
   }
+  return residual;
+}
+
+DressMethod read_method(const po::variables_map& given, bool together) {
+  const bool of_paper = given["method"].as<string>() == "paper";
+  const double residual = read_residual(given, of_paper);
   if (of_paper) {
     if (!together) return paper(given, residual);
     throw Error("--method", "paper's layers are frozen", "leave \"layering\" out of the scene");
   }
   DressOptions options;
+  options.stop_wide = residual;
   if (given.count("release")) {
     // What isn't at rest as a whole would swing.
-    options.stop_wide = 0.0007;
+    options.stop_wide = std::min(residual, 0.0007);
     options.release_seconds = parse_time(given["release"].as<string>(), "--release");
     if (options.release_seconds > 60) {
       throw Error("--release", "is longer than a minute", "1s shows whether a garment stays");
