@@ -64,8 +64,8 @@ TEST(Dart, OfADiscMakesACone) {
     options.max_iterations = 4000;
     EXPECT_EQ(relax(program, options, x).open, 0);
     options.closing_iterations = 0;
-    options.max_iterations = 6000;
-    options.stop_median = options.stop_rms = 1e-2;
+    options.max_iterations = 12000;
+    options.stop_median = options.stop_rms = 1e-3;
     relax(program, options, x);
     // The plane through the rim, its middle, and the angle there between slope and axis.
     Vec3 middle = Vec3::Zero();
