@@ -82,7 +82,6 @@ class Compiler {
     lay_out_bands();
     program_.self_gap = self_gap_of(program_.scene, garment_);
     if (bends()) lay_out_bend();
-    lay_out_gather();
     return std::move(program_);
   }
 
@@ -307,35 +306,6 @@ class Compiler {
     responses_[t0][corner0] = response(t0, corner0, t1, corner1);
     responses_[t1][corner1] = response(t1, corner1, t0, corner0);
     program_.bend.push_back(hinge);
-  }
-
-  void lay_out_gather() {
-    std::vector<int> owner;
-    owner.reserve(3 * program_.triangles.size());
-    for (const Triangle& nodes : program_.node_triangles) {
-      owner.insert(owner.end(), nodes.begin(), nodes.end());
-    }
-    program_.stretch_gather.corners = by_owner(owner, program_.stretch_gather.first);
-    if (program_.bend.empty()) return;
-    owner.clear();
-    for (const BendHinge& hinge : program_.bend) {
-      for (const int point : hinge.points) owner.push_back(program_.node_of_point[point]);
-    }
-    for (const int slot : by_owner(owner, program_.bend_gather.first)) {
-      program_.bend_gather.entries.push_back({slot / 4, program_.bend[slot / 4].weights[slot % 4]});
-    }
-  }
-
-  /// The indices of `owner` sorted by its values, which are nodes; `first` tells where each
-  /// node's begin.
-  std::vector<int> by_owner(const std::vector<int>& owner, std::vector<int>& first) const {
-    first.assign(program_.nodes + 1, 0);
-    for (const int node : owner) ++first[node + 1];
-    std::partial_sum(first.begin(), first.end(), first.begin());
-    std::vector<int> sorted(owner.size());
-    std::vector<int> next(first.begin(), first.end() - 1);
-    for (std::size_t i = 0; i < owner.size(); ++i) sorted[next[owner[i]]++] = static_cast<int>(i);
-    return sorted;
   }
 
   const PanelMesh& garment_;

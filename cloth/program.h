@@ -35,20 +35,6 @@ struct BendHinge {
   bool across_seam;
 };
 
-/// What acts on each node: entries first[n] .. first[n + 1]-1 are node n's.
-struct StretchGather {
-  std::vector<int> first;    ///< nodes + 1
-  std::vector<int> corners;  ///< 3t + i: corner i of triangle t
-};
-struct BendGather {
-  struct Entry {
-    int hinge;
-    double weight;
-  };
-  std::vector<int> first;  ///< nodes + 1; empty without bending
-  std::vector<Entry> entries;
-};
-
 /// A *material point* has a place in a flat panel; sewn points share a *node*, which moves. While
 /// a seam closes, its points still stand apart: point p is at x[node_of_point[p]] +
 /// open·offset[p], with `open` going from 1 to 0.
@@ -62,8 +48,6 @@ struct Program {
   std::vector<StretchTriangle> stretch;  ///< one per triangle
   std::vector<BendHinge> bend;           ///< empty: fabric without bending stiffness
   std::vector<BandSegment> bands;        ///< elastics; empty: the garment has none
-  StretchGather stretch_gather;
-  BendGather bend_gather;
   std::vector<double> mass;  ///< kg, per node
   std::vector<double>
       stretch_diagonal;  ///< N/m, per node: bound of the row sum of the stiffness, elastics' too

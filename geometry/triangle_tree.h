@@ -8,9 +8,8 @@
 
 namespace toile {
 
-/// Boxes around triangles, eight to a box of the next level. It does what a general box tree does,
-/// in a tenth of the time to build and a fourth of the time to ask, because eight boxes are tested
-/// side by side, in single precision, rounded to the safe side.
+/// Boxes around triangles, eight to a box of the next level: eight are tested side by side, in
+/// single precision, rounded to the safe side.
 /// Building is O(n log n), a question about O(log n). Answers depend on the mesh only.
 class TriangleTree {
  public:
