@@ -62,6 +62,9 @@ TriangleMesh bare_body(const Scene& scene) {
   return body;
 }
 
+/// Iterations without coming nearer to rest after which the last stage gives up.
+constexpr int stall_patience = 8000;
+
 class Dressing {
  public:
   Dressing(const PanelMesh& garment, const Scene& scene, const DressOptions& options,
@@ -262,6 +265,7 @@ void Dressing::come_to_rest(bool bounded) {
   options.stop_median = options_.stop_median;
   options.stop_rms = options_.stop_rms;
   options.stop_wide = options_.stop_wide;
+  options.patience = stall_patience;
   const StageReport& last = stage("drape", options);
   result_.residual = last.residual;
   result_.converged = last.converged;

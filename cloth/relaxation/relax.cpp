@@ -56,6 +56,7 @@ class Relaxation {
   double step_nodes(std::size_t begin, std::size_t end);
   Residual measure_residual();
   Residual last_residual() const;
+  bool stalls(const Residual& residual, int iteration);
   bool at_rest(const Residual& residual) const {
     return residual.median < options_.stop_median && residual.rms < options_.stop_rms &&
            (options_.stop_wide == 0 || residual.wide < options_.stop_wide);
@@ -71,6 +72,8 @@ class Relaxation {
   std::vector<double> partial_;
   double bending_ = 1;
   double momentum_ = 0;
+  double nearest_to_rest_ = -1;  // the residual as a multiple of what it has to be, at its least
+  int nearest_at_ = 0;           // and in which iteration
   int momentum_age_ = 0;
 };
 
@@ -157,6 +160,21 @@ Residual Relaxation::last_residual() const {
   return r;
 }
 
+/// Whether the residual has not come nearer to what it has to be for long: a node or two are held
+/// against their bounds, and going on would not change that.
+bool Relaxation::stalls(const Residual& residual, int iteration) {
+  constexpr double progress = 0.98;
+  if (options_.patience == 0) return false;
+  double farthest =
+      std::max(residual.median / options_.stop_median, residual.rms / options_.stop_rms);
+  if (options_.stop_wide > 0) farthest = std::max(farthest, residual.wide / options_.stop_wide);
+  if (nearest_to_rest_ < 0 || farthest < progress * nearest_to_rest_) {
+    nearest_to_rest_ = farthest;
+    nearest_at_ = iteration;
+  }
+  return iteration - nearest_at_ > options_.patience;
+}
+
 RelaxReport Relaxation::run(const RelaxWatcher& watcher) {
   const auto start = std::chrono::steady_clock::now();
   RelaxReport report;
@@ -186,7 +204,9 @@ RelaxReport Relaxation::run(const RelaxWatcher& watcher) {
     const bool within_limits = waited >= most_waits || forces_.hold_to_limits();
     const Residual left = last_residual();
     if (left.median < options_.stop_median) ++waited;
-    if (i < options_.stiffening_iterations || !within_limits || !at_rest(left)) continue;
+    if (i < options_.stiffening_iterations) continue;
+    if (stalls(left, i)) break;
+    if (!within_limits || !at_rest(left)) continue;
     report.residual = measure_residual();
     report.converged = at_rest(report.residual);
     if (report.converged) break;

@@ -37,6 +37,7 @@ struct RelaxOptions : ForceOptions {
   double stop_median = 0;    ///< at rest when the residual is below both, in node weights;
   double stop_rms = 0;       ///< 0: run all iterations
   double stop_wide = 0;      ///< and, unless 0, the wide one below this
+  int patience = 0;          ///< iterations without coming nearer to rest that end a run; 0: never
 };
 
 struct RelaxReport {
