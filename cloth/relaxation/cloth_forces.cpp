@@ -110,7 +110,8 @@ void ClothForces::use_skin(bool points) {
   edge_contacts_.reset();
   if (program_.scene.body != nullptr && options_.surface != nullptr) {
     const double shortest = std::sqrt(8 * body_curve * most_sagitta * options_.body_offset);
-    edge_contacts_ = std::make_unique<EdgeContacts>(triangles, positions(), shortest);
+    edge_contacts_ = std::make_unique<EdgeContacts>(triangles, positions(), shortest,
+                                                    of_vertices(program_.friction_skin));
   }
   contacts_.assign(count, {});
   guards_.assign(count, Vec4{});
@@ -121,17 +122,24 @@ void ClothForces::use_skin(bool points) {
     set_guards();
     return;
   }
-  std::vector<int> node(count);
-  std::vector<double> shortest(count);
-  for (std::size_t v = 0; v < count; ++v) {
-    node[v] = points ? program_.node_of_point[v] : static_cast<int>(v);
-    shortest[v] = program_.shortest_edge[node[v]];
+  std::vector<int> node = program_.node_of_point;
+  if (!points) {
+    node.resize(count);
+    std::iota(node.begin(), node.end(), 0);
   }
-  proximity_ = std::make_unique<ProximitySearch>(triangles, node, shortest);
+  proximity_ =
+      std::make_unique<ProximitySearch>(triangles, node, of_vertices(program_.shortest_edge));
   if (layer_contact()) {
     proximity_->add_layer(layers().triangles, static_cast<int>(layers().points.size()),
                           program_.scene.layer_gap);
   }
+}
+
+std::vector<double> ClothForces::of_vertices(const std::vector<double>& of_nodes) const {
+  if (!by_points_) return of_nodes;
+  std::vector<double> values;
+  for (const int node : program_.node_of_point) values.push_back(of_nodes[node]);
+  return values;
 }
 
 void ClothForces::place_points() {
@@ -295,9 +303,7 @@ void ClothForces::compute(double bending) {
     if (!bands_->empty()) bands_->add(c * vertex_chunk, end, p, vertex_force_);
   });
   if (edge_contacts_ && !edge_contacts_->empty()) {
-    edge_contacts_->add(program_.scene, options_.body_offset, program_.friction_skin,
-                        by_points_ ? program_.node_of_point : std::vector<int>{}, options_.friction,
-                        p, vertex_force_);
+    edge_contacts_->add(program_.scene, options_.body_offset, options_.friction, p, vertex_force_);
   }
 }
 

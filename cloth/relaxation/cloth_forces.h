@@ -80,6 +80,7 @@ class ClothForces {
   void set_guards();
   void look_after_body_bounds();
   void place_points();
+  std::vector<double> of_vertices(const std::vector<double>& of_nodes) const;
   std::vector<Vec3> all_positions() const;
   std::size_t vertices() const { return kernel_->vertices(); }
   const Vec4s& positions() const { return by_points_ ? points_ : nodes_; }

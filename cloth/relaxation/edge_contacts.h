@@ -16,7 +16,9 @@ namespace toile {
 class EdgeContacts {
  public:
   /// Takes the edges of the triangles that are longer than `shortest` metres, with vertices at `x`.
-  EdgeContacts(const std::vector<Triangle>& triangles, const Vec4s& x, double shortest);
+  /// `friction` is that of each vertex, on the body; an edge has the mean of its ends'.
+  EdgeContacts(const std::vector<Triangle>& triangles, const Vec4s& x, double shortest,
+               const std::vector<double>& friction);
 
   bool empty() const { return contacts_.empty(); }
 
@@ -24,14 +26,14 @@ class EdgeContacts {
   void look_anew();
 
   /// Adds the forces (N) to those of the vertices, and a bound of their stiffness (N/m) as the
-  /// fourth of them. `offset`: see BodyContact; `friction` is that of each node, `node` the node of
-  /// each vertex (empty: itself); without `rubbing` there is none. The scene has a body.
-  void add(const Scene& scene, double offset, const std::vector<double>& friction,
-           const std::vector<int>& node, bool rubbing, const Vec4s& x, Vec4s& force);
+  /// fourth of them. `offset`: see BodyContact; without `rubbing` there is no friction. The scene has
+  /// a body.
+  void add(const Scene& scene, double offset, bool rubbing, const Vec4s& x, Vec4s& force);
 
  private:
   std::vector<std::array<int, 2>> edges_;
   std::vector<BodyContact> contacts_;
+  std::vector<double> friction_;  // Coulomb, per edge
   Vec4s forces_;            // per edge, stiffness as the fourth
   std::vector<int> first_;  // per vertex, its entries in of_vertex_
   std::vector<int> of_vertex_;
