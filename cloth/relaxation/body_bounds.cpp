@@ -1,7 +1,5 @@
 #include "cloth/relaxation/body_bounds.h"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -9,6 +7,8 @@
 #include <map>
 #include <numeric>
 
+#include "cloth/relaxation/share_within.h"
+#include "cloth/relaxation/side_by_side.h"
 #include "geometry/nearest.h"
 
 namespace toile {
@@ -171,7 +171,7 @@ const std::vector<int>& BodyBounds::look(const std::vector<Vec3>& x) {
     next_look_[t] = looks_ + look_interval;
     due.push_back(static_cast<int>(t));
   }
-  tbb::parallel_for(std::size_t{0}, (due.size() + chunk - 1) / chunk, [&](std::size_t c) {
+  side_by_side(chunks_of(due.size(), chunk), [&](std::size_t c) {
     std::vector<int> near;
     const std::size_t end = std::min(due.size(), (c + 1) * chunk);
     for (std::size_t i = c * chunk; i < end; ++i) {
@@ -210,26 +210,20 @@ double BodyBounds::free(int vertex, const Vec3& p) const {
 double BodyBounds::share(int vertex, const Vec3& p, const Vec3& wanted) {
   double share = 1;
   const Vec3 way = wanted - p;
-  // A little less than the root says, which may round to the outside.
-  constexpr double inside = 1 - 1e-9;
   for (int i = first_[vertex]; i < first_[vertex + 1]; ++i) {
     const int t = corners_[i] / 3;
     const Region& region = regions_[t];
     if (region.meets) continue;
     const Vec3 away = p - region.at[corners_[i] % 3];
-    const double distance = (away + way).norm();
-    if (distance > (1 - due_share) * region.reach) make_due(t);
-    if (distance > region.reach) {
-      const double a = way.squaredNorm();
-      const double b = away.dot(way);
-      const double c = std::min(away.squaredNorm() - region.reach * region.reach, 0.0);
-      share = std::min(share, std::clamp((std::sqrt(b * b - a * c) - b) / a * inside, 0.0, 1.0));
-    }
+    if ((away + way).norm() > (1 - due_share) * region.reach) make_due(t);
+    share = std::min(share, share_within(away, way, region.reach));
     if (region.normal == Vec3::Zero()) continue;
     const double from = region.normal.dot(p) - region.level;
     const double to = region.normal.dot(wanted) - region.level;
     if (to < due_share * region.slack) make_due(t);
     if (to >= 0 || to >= from) continue;
+    // A little less, for the quotient may round to the outside.
+    constexpr double inside = 1 - 1e-9;
     share = std::min(share, std::clamp(from / (from - to) * inside, 0.0, 1.0));
   }
   return share;

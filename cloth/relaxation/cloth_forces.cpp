@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "cloth/relaxation/share_within.h"
 #include "cloth/relaxation/side_by_side.h"
 
 namespace toile {
@@ -19,16 +20,6 @@ constexpr double body_curve = 0.02;
 /// Share of the offset from the body that the sagitta of an edge over such a curve may use up
 /// before its middle has to touch the body too.
 constexpr double most_sagitta = 0.7;
-
-/// Largest share in [0, 1] of `way` that keeps away + share·way within `radius`.
-double share_within(const Vec3& away, const Vec3& way, double radius) {
-  const double a = way.squaredNorm();
-  if (a == 0 || (away + way).norm() <= radius) return 1;
-  const double b = away.dot(way);
-  const double c = std::min(away.squaredNorm() - radius * radius, 0.0);
-  // Just inside: the root itself may round to the outside.
-  return std::clamp((std::sqrt(b * b - a * c) - b) / a * (1 - 1e-9), 0.0, 1.0);
-}
 
 }  // namespace
 

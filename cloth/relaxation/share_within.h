@@ -1,0 +1,22 @@
+// How far along its way a point comes within a ball.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/types.h"
+
+namespace toile {
+
+/// Largest share in [0, 1] of `way` that keeps away + share·way within `radius` (metres); `away` is
+/// within it, up to rounding.
+inline double share_within(const Vec3& away, const Vec3& way, double radius) {
+  const double a = way.squaredNorm();
+  if (a == 0 || (away + way).norm() <= radius) return 1;
+  const double b = away.dot(way);
+  const double c = std::min(away.squaredNorm() - radius * radius, 0.0);
+  // Just inside: the root itself may round to the outside.
+  return std::clamp((std::sqrt(b * b - a * c) - b) / a * (1 - 1e-9), 0.0, 1.0);
+}
+
+}  // namespace toile
