@@ -1,0 +1,67 @@
+// The lines of docs/validation.md: what was measured, beside what it should be.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+#include <sstream>
+#include <string>
+
+namespace toile::test {
+
+struct Figure {
+  std::string what;        ///< case and quantity
+  std::string method;      ///< relaxation, release, springs; or a plain function
+  std::string resolution;  ///< elements, step, what it was measured at
+  std::string unit = "";
+  /// The bound that was asked for, where a measured reason keeps the test from it; 0: it is met.
+  double asked = 0;
+  std::string reason = "";  ///< why it is not met, or what else is to be known
+};
+
+inline std::string number(double value, int digits = 4) {
+  std::ostringstream out;
+  out.precision(digits);
+  out << value;
+  return out.str();
+}
+
+/// One row of Markdown, and the same as a property of the test.
+inline void print_figure(const Figure& figure, double measured, const std::string& reference,
+                         const std::string& error, const std::string& bound) {
+  const std::string unit = figure.unit.empty() ? "" : " " + figure.unit;
+  const std::string row = "| " + figure.what + " | " + figure.method + " | " + figure.resolution +
+                          " | " + number(measured, 6) + unit + " | " + reference + " | " + error +
+                          " | " + bound + " | " + figure.reason + " |";
+  std::cout << row << std::endl;
+  testing::Test::RecordProperty(figure.what + ", " + figure.method + ", " + figure.resolution, row);
+}
+
+/// Of the reference, as a fraction.
+inline void expect_relative(const Figure& figure, double measured, double reference, double bound) {
+  const double error = measured / reference - 1;
+  std::string allowed = number(100 * bound) + " %";
+  if (figure.asked > 0) allowed += "; asked " + number(100 * figure.asked) + " %: missed";
+  print_figure(figure, measured, number(reference, 6) + " " + figure.unit,
+               number(100 * error, 3) + " %", allowed);
+  EXPECT_LE(std::abs(error), bound) << figure.what << ", " << figure.resolution;
+}
+
+/// In the figure's unit.
+inline void expect_near(const Figure& figure, double measured, double reference, double bound) {
+  const double error = measured - reference;
+  std::string allowed = number(bound) + " " + figure.unit;
+  if (figure.asked > 0) allowed += "; asked " + number(figure.asked) + ": missed";
+  print_figure(figure, measured, number(reference, 6) + " " + figure.unit,
+               number(error, 3) + " " + figure.unit, allowed);
+  EXPECT_LE(std::abs(error), bound) << figure.what << ", " << figure.resolution;
+}
+
+/// For information: no bound is due. `reference` may be empty.
+inline void state(const Figure& figure, double measured, const std::string& reference = "",
+                  const std::string& error = "") {
+  print_figure(figure, measured, reference, error, "reported");
+}
+
+}  // namespace toile::test
