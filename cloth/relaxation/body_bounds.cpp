@@ -235,9 +235,4 @@ void BodyBounds::look_at_meeting() {
   }
 }
 
-int BodyBounds::meeting() const {
-  return static_cast<int>(std::count_if(regions_.begin(), regions_.end(),
-                                        [](const Region& region) { return region.meets; }));
-}
-
 }  // namespace toile

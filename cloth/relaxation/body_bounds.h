@@ -35,7 +35,8 @@ class BodyBounds {
   /// triangles, sorted.
   const std::vector<int>& look(const std::vector<Vec3>& x);
 
-  /// Metres that a vertex at `p`, in its region, may move in any direction and stay in it.
+  /// Metres that a vertex at `p`, in its region, may move in any direction and stay in it; without
+  /// end where all its triangles meet the body.
   double free(int vertex, const Vec3& p) const;
 
   /// The share in [0, 1] of the way from `p`, in the region, to `wanted` that stays in it. What
@@ -49,9 +50,6 @@ class BodyBounds {
   /// Metres that a vertex has to keep from the body beyond the offset of all, because a triangle of
   /// its own spans something sharp there, as far as is known; it only grows.
   double lift(int vertex) const { return lift_[vertex]; }
-
-  /// Triangles that met a facet when they were last looked after.
-  int meeting() const;
 
  private:
   struct Region {

@@ -41,8 +41,6 @@ class ClothForces {
   /// least, and, unbounded, `most_interval` at most.
   void search_when_due(int interval, int most_interval);
   int searches() const { return searches_; }
-  /// Triangles that no bound holds, because they meet the body and have to come out.
-  int meeting_body() const { return body_bounds_ ? body_bounds_->meeting() : 0; }
   /// Share of the stiffness that resists compression from now on.
   void resist_compression(double share) { stretch_.compression = share; }
   /// Tightens and loosens what holds the yarns to the scene's limits, now and then. Returns whether

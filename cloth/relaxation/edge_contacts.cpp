@@ -7,8 +7,8 @@
 
 namespace toile {
 
-EdgeContacts::EdgeContacts(const std::vector<Triangle>& triangles, const Vec4s& x,
-                           double shortest, const std::vector<double>& friction) {
+EdgeContacts::EdgeContacts(const std::vector<Triangle>& triangles, const Vec4s& x, double shortest,
+                           const std::vector<double>& friction) {
   for (const Triangle& t : triangles) {
     for (int i = 0; i < 3; ++i) {
       const int a = std::min(t[i], t[(i + 1) % 3]);

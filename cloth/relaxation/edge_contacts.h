@@ -26,16 +26,16 @@ class EdgeContacts {
   void look_anew();
 
   /// Adds the forces (N) to those of the vertices, and a bound of their stiffness (N/m) as the
-  /// fourth of them. `offset`: see BodyContact; without `rubbing` there is no friction. The scene has
-  /// a body.
+  /// fourth of them. `offset`: see BodyContact; without `rubbing` there is no friction. The scene
+  /// has a body.
   void add(const Scene& scene, double offset, bool rubbing, const Vec4s& x, Vec4s& force);
 
  private:
   std::vector<std::array<int, 2>> edges_;
   std::vector<BodyContact> contacts_;
   std::vector<double> friction_;  // Coulomb, per edge
-  Vec4s forces_;            // per edge, stiffness as the fourth
-  std::vector<int> first_;  // per vertex, its entries in of_vertex_
+  Vec4s forces_;                  // per edge, stiffness as the fourth
+  std::vector<int> first_;        // per vertex, its entries in of_vertex_
   std::vector<int> of_vertex_;
 };
 
