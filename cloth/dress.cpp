@@ -62,9 +62,6 @@ TriangleMesh bare_body(const Scene& scene) {
   return body;
 }
 
-/// Iterations without coming nearer to rest after which the last stage gives up.
-constexpr int stall_patience = 8000;
-
 class Dressing {
  public:
   Dressing(const PanelMesh& garment, const Scene& scene, const DressOptions& options,
@@ -258,14 +255,10 @@ void Dressing::come_to_rest(bool bounded) {
   options.compression = soft();
   options.stiffening_iterations = stiffening_iterations;
   options.bounded = bounded;
+  ask_for_rest(options_, options);
   // What is far too small is held off the body by its own tension, and never at rest.
   const bool hopeless = !tight_seams(mesh(), program_, result_.nodes).empty();
-  options.max_iterations =
-      hopeless ? std::min(stiffening_iterations, options_.max_iterations) : options_.max_iterations;
-  options.stop_median = options_.stop_median;
-  options.stop_rms = options_.stop_rms;
-  options.stop_wide = options_.stop_wide;
-  options.patience = stall_patience;
+  if (hopeless) options.max_iterations = std::min(stiffening_iterations, options.max_iterations);
   const StageReport& last = stage("drape", options);
   result_.residual = last.residual;
   result_.converged = last.converged;
@@ -335,17 +328,9 @@ const StageReport& Dressing::stage(const std::string& name, RelaxOptions options
     watcher_({mesh(), name, point_positions(program_, result_.nodes, report.open),
               progress(end, options)});
   }
-  StageReport& stage = result_.stages.emplace_back();
-  stage.name = name;
-  stage.attempt = attempt_;
-  stage.open = report.open;
-  stage.vertices = program_.nodes;
-  stage.steps = report.iterations;
-  stage.searches = report.searches;
-  stage.seconds = report.seconds;
-  stage.converged = report.converged;
-  stage.residual = report.residual;
-  return stage;
+  result_.stages.push_back(stage_of(name, program_.nodes, report));
+  result_.stages.back().attempt = attempt_;
+  return result_.stages.back();
 }
 
 /// Roughly: each mesh costs some four times the coarser one, and the finest comes to rest twice.
@@ -384,6 +369,29 @@ bool Dressing::clear_of_layers() const {
 }
 
 }  // namespace
+
+StageReport stage_of(const std::string& name, int vertices, const RelaxReport& report) {
+  StageReport stage;
+  stage.name = name;
+  stage.open = report.open;
+  stage.vertices = vertices;
+  stage.steps = report.iterations;
+  stage.searches = report.searches;
+  stage.seconds = report.seconds;
+  stage.converged = report.converged;
+  stage.residual = report.residual;
+  return stage;
+}
+
+void ask_for_rest(const DressOptions& wanted, RelaxOptions& options) {
+  // Iterations without coming nearer to rest after which a run gives up.
+  constexpr int patience = 8000;
+  options.max_iterations = wanted.max_iterations;
+  options.stop_median = wanted.stop_median;
+  options.stop_rms = wanted.stop_rms;
+  options.stop_wide = wanted.stop_wide;
+  options.patience = patience;
+}
 
 DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptions& options,
                   const FrameWatcher& watcher) {

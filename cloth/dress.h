@@ -38,6 +38,12 @@ struct StageReport {
   Residual residual;
 };
 
+/// Of a run of relax() over that many nodes.
+StageReport stage_of(const std::string& name, int vertices, const RelaxReport& report);
+
+/// Makes a run go on until the rest that is asked for, or until it comes no nearer to it.
+void ask_for_rest(const DressOptions& wanted, RelaxOptions& options);
+
 /// What a garment went through on its way: largest changes of any panel, in percent.
 struct DuringDressing {
   double area_percent = 0;

@@ -78,14 +78,11 @@ class Together {
   void relax_all(std::vector<Vec3>& x) {
     RelaxOptions options;
     set_forces(options);
-    options.max_iterations = options_.max_iterations;
-    options.stop_median = options_.stop_median;
-    options.stop_rms = options_.stop_rms;
-    StageReport& stage = result_.stage;
-    stage.name = "together";
+    ask_for_rest(options_, options);
+    const std::string name = "together";
     int calls = 0;
     const auto watch = [&](const std::vector<Vec3>& nodes, double progress) {
-      if (watcher_) watcher_({mesh_, stage.name, point_positions(program_, nodes, 0), progress});
+      if (watcher_) watcher_({mesh_, name, point_positions(program_, nodes, 0), progress});
     };
     watch(x, 0);
     const RelaxReport report = relax(program_, options, x, [&](const RelaxProgress& at) {
@@ -95,12 +92,7 @@ class Together {
     });
     watch(x, 1);
     grip_ = report.grip;
-    stage.vertices = program_.nodes;
-    stage.steps = report.iterations;
-    stage.searches = report.searches;
-    stage.seconds = report.seconds;
-    stage.converged = report.converged;
-    stage.residual = report.residual;
+    result_.stage = stage_of(name, program_.nodes, report);
   }
 
   /// One garment's part of the state.
