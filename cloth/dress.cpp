@@ -91,7 +91,7 @@ class Dressing {
   const StageReport& stage(const std::string& name, RelaxOptions options);
   void go_finer();
   RelaxOptions level_options() const;
-  double progress(const RelaxProgress& at, const RelaxOptions& options) const;
+  double end_of_stage(const RelaxOptions& options) const;
   double soft() const;
   bool clean() const;
   bool clear_of_layers() const;
@@ -106,7 +106,8 @@ class Dressing {
   std::optional<BodySurface> surface_;
   int level_ = 0;
   int attempt_ = 1;
-  Program program_;  // of the mesh in hand
+  double progress_ = 0;  // of the whole dressing, 0 to 1
+  Program program_;      // of the mesh in hand
   DressResult result_;
 };
 
@@ -311,6 +312,8 @@ const StageReport& Dressing::stage(const std::string& name, RelaxOptions options
   const Outlines outlines = panel_outlines(mesh());
   const std::vector<double> perimeters = panel_perimeters(mesh());
   options.surface = surface_ ? &*surface_ : nullptr;
+  const double begin = progress_;
+  const double end = end_of_stage(options);
   int calls = 0;
   const auto watch = [&](const RelaxProgress& at) {
     const std::vector<Vec3> points = point_positions(program_, at.nodes, at.open);
@@ -318,26 +321,28 @@ const StageReport& Dressing::stage(const std::string& name, RelaxOptions options
     const double perimeter = largest_change_percent(perimeters, panel_perimeters(outlines, points));
     result_.during.area_percent = std::max(result_.during.area_percent, area);
     result_.during.perimeter_percent = std::max(result_.during.perimeter_percent, perimeter);
-    if (watcher_ && calls++ % 4 == 0) watcher_({mesh(), name, points, progress(at, options)});
+    progress_ = begin + (end - begin) * at.iteration / options.max_iterations;
+    if (watcher_ && calls++ % 4 == 0) watcher_({mesh(), name, points, progress_});
   };
   options.yarns = &result_.grip.yarns;
   const RelaxReport report = relax(program_, options, result_.nodes, watch);
   result_.grip = report.grip;
+  progress_ = end;
   if (watcher_) {
-    const RelaxProgress end{report.iterations, report.open, result_.nodes};
-    watcher_({mesh(), name, point_positions(program_, result_.nodes, report.open),
-              progress(end, options)});
+    watcher_({mesh(), name, point_positions(program_, result_.nodes, report.open), progress_});
   }
   result_.stages.push_back(stage_of(name, program_.nodes, report));
   result_.stages.back().attempt = attempt_;
   return result_.stages.back();
 }
 
-/// Roughly: each mesh costs some four times the coarser one, and the finest comes to rest twice.
-double Dressing::progress(const RelaxProgress& at, const RelaxOptions& options) const {
-  const double share = static_cast<double>(at.iteration) / options.max_iterations;
-  if (level_ > 0) return 0.3 * std::pow(0.25, level_ - 1) * share;
-  return options.friction ? 0.65 + 0.35 * share : 0.3 + 0.35 * share;
+/// Progress at the end of a stage that begins now; roughly: each mesh costs some four times the
+/// coarser one, and coming to rest more than twice what comes before.
+double Dressing::end_of_stage(const RelaxOptions& options) const {
+  if (options.friction) return 1;
+  const double end_of_level = 0.3 * std::pow(0.25, std::max(level_ - 1, 0));
+  // Nobody knows how many times it will be sewn before it falls.
+  return options.gravity > 0 ? end_of_level : 0.5 * (progress_ + end_of_level);
 }
 
 void Dressing::go_finer() {
