@@ -6,6 +6,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <variant>
 
 #include "geometry/triangle_tree.h"
 
@@ -61,9 +62,26 @@ std::vector<TrianglePair> pairs_that(const TriangleMesh& asking, const TriangleM
   return pairs;
 }
 
-Kernel::Triangle_3 triangle_of(const TriangleMesh& mesh, const Triangle& corners) {
-  return {to_cgal(mesh.points[corners[0]]), to_cgal(mesh.points[corners[1]]),
-          to_cgal(mesh.points[corners[2]])};
+/// A triangle as the points it has: without area it is a segment or one point, of which CGAL's test
+/// for triangles knows nothing.
+using Piece = std::variant<Kernel::Triangle_3, Kernel::Segment_3, Point>;
+
+Piece segment_or_point(const Point& a, const Point& b) {
+  if (a == b) return a;
+  return Kernel::Segment_3(a, b);
+}
+
+Piece piece_of(const TriangleMesh& mesh, const Triangle& corners) {
+  const Point a = to_cgal(mesh.points[corners[0]]);
+  const Point b = to_cgal(mesh.points[corners[1]]);
+  const Point c = to_cgal(mesh.points[corners[2]]);
+  if (!CGAL::collinear(a, b, c)) return Kernel::Triangle_3(a, b, c);
+  const auto [first, last] = std::minmax({a, b, c});
+  return segment_or_point(first, last);
+}
+
+bool meet(const Piece& s, const Piece& t) {
+  return std::visit([](const auto& a, const auto& b) { return CGAL::do_intersect(a, b); }, s, t);
 }
 
 /// Whether two triangles of one mesh meet beyond what they share.
@@ -81,16 +99,15 @@ bool meet(const TriangleMesh& mesh, const Triangle& s, const Triangle& t) {
       }
     }
   }
-  if (shared == 0) return CGAL::do_intersect(triangle_of(mesh, s), triangle_of(mesh, t));
+  if (shared == 0) return meet(piece_of(mesh, s), piece_of(mesh, t));
   const auto point = [&](int index) { return to_cgal(mesh.points[index]); };
   if (shared == 1) {
     // Two triangles hinged at a vertex meet again only if one's far edge meets the other.
     const int i = in_s[0];
     const int j = in_t[0];
-    const Kernel::Segment_3 far_s(point(s[(i + 1) % 3]), point(s[(i + 2) % 3]));
-    const Kernel::Segment_3 far_t(point(t[(j + 1) % 3]), point(t[(j + 2) % 3]));
-    return CGAL::do_intersect(triangle_of(mesh, s), far_t) ||
-           CGAL::do_intersect(triangle_of(mesh, t), far_s);
+    const Piece far_s = segment_or_point(point(s[(i + 1) % 3]), point(s[(i + 2) % 3]));
+    const Piece far_t = segment_or_point(point(t[(j + 1) % 3]), point(t[(j + 2) % 3]));
+    return meet(piece_of(mesh, s), far_t) || meet(piece_of(mesh, t), far_s);
   }
   if (shared == 2) {
     // Hinged at an edge: they overlap only when folded flat onto each other.
@@ -98,7 +115,9 @@ bool meet(const TriangleMesh& mesh, const Triangle& s, const Triangle& t) {
     const Point b = point(s[in_s[1]]);
     const Point c = point(s[3 - in_s[0] - in_s[1]]);
     const Point d = point(t[3 - in_t[0] - in_t[1]]);
-    return CGAL::coplanar(a, b, c, d) && CGAL::coplanar_orientation(a, b, c, d) == CGAL::POSITIVE;
+    // One without area lies on the edge they share, or on beyond its end.
+    return CGAL::coplanar(a, b, c, d) && !CGAL::collinear(a, b, c) && !CGAL::collinear(a, b, d) &&
+           CGAL::coplanar_orientation(a, b, c, d) == CGAL::POSITIVE;
   }
   return true;
 }
@@ -115,8 +134,7 @@ std::vector<TrianglePair> self_intersections(const TriangleMesh& mesh) {
 
 std::vector<TrianglePair> intersections(const TriangleMesh& first, const TriangleMesh& second) {
   const auto meets = [&](int a, int b) {
-    return CGAL::do_intersect(triangle_of(first, first.triangles[a]),
-                              triangle_of(second, second.triangles[b]));
+    return meet(piece_of(first, first.triangles[a]), piece_of(second, second.triangles[b]));
   };
   std::vector<TrianglePair> pairs;
   // The tree is cheaper to build of the smaller mesh; most of the other's triangles are nowhere

@@ -54,6 +54,44 @@ TEST(Intersections, SeeDuplicateFaces) {
   EXPECT_EQ(self_intersections(mesh).size(), 1u);
 }
 
+/// Two corners in one place, three on a line, and all in one place.
+TEST(Intersections, TrianglesWithoutAreaAreSegmentsAndPoints) {
+  TriangleMesh flat;
+  flat.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  flat.triangles = {{0, 1, 2}};
+  const auto meets = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+    const TriangleMesh thin{{a, b, c}, {{0, 1, 2}}};
+    const bool met = !intersections(flat, thin).empty();
+    EXPECT_EQ(!intersections(thin, flat).empty(), met);
+    EXPECT_EQ(!self_intersections(test::together(flat, thin)).empty(), met);
+    return met;
+  };
+  const Vec3 below(0.25, 0.25, -1), in(0.25, 0.25, 0), above(0.25, 0.25, 1), far(0.75, 0.75, 1);
+  const Vec3 beside(0.75, 0.75, -1);
+  EXPECT_TRUE(meets(below, below, above));
+  EXPECT_TRUE(meets(above, below, 0.5 * (below + above)));
+  EXPECT_TRUE(meets(below, above, in));
+  EXPECT_FALSE(meets(far, far, beside)) << "its box meets the triangle's, it does not";
+  EXPECT_FALSE(meets(far, beside, 0.5 * (far + beside)));
+  EXPECT_FALSE(meets(above, above, Vec3(0.25, 0.25, 1e-9)));
+  EXPECT_TRUE(meets(in, in, in));
+  EXPECT_FALSE(meets(Vec3(0.75, 0.75, 0), Vec3(0.75, 0.75, 0), Vec3(0.75, 0.75, 0)));
+  EXPECT_TRUE(meets(Vec3(-1, 0, 0), Vec3(0.5, 0, 0), Vec3(-1, 0, 0))) << "along an edge";
+}
+
+/// An edge of a closed surface split with nothing between: two triangles more, of no area.
+TEST(Intersections, ASplitEdgeMeetsNothingNew) {
+  TriangleMesh split = test::sphere(0.5, 3);
+  const Triangle first = split.triangles.front();
+  const int added = static_cast<int>(split.points.size());
+  split.points.push_back(split.points[first[0]]);
+  split.triangles.front() = {added, first[1], first[2]};
+  split.triangles.push_back({first[0], first[1], added});
+  split.triangles.push_back({first[0], added, first[2]});
+  EXPECT_TRUE(test::is_closed(split));
+  EXPECT_TRUE(intersections(test::sphere(0.501, 3), split).empty());
+}
+
 TEST(Intersections, AreThoseOfEveryPairByItself) {
   // Two crumpled sheets through each other: hundreds of pairs that meet, and thousands that do not.
   std::mt19937 random(9);
