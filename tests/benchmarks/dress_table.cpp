@@ -12,7 +12,7 @@
 
 #include "io/output_file.h"
 #include "tests/benchmarks/peer_blender.h"
-#include "tests/pipeline/run_program.h"
+#include "tests/support/run_program.h"
 
 namespace {
 

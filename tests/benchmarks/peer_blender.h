@@ -13,7 +13,7 @@
 #include "io/mesh_file.h"
 #include "io/obj.h"
 #include "pattern/garment_file.h"
-#include "tests/pipeline/run_program.h"
+#include "tests/support/run_program.h"
 
 namespace toile::pipeline {
 

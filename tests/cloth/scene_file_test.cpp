@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/pattern/samples.h"
-#include "tests/pipeline/run_program.h"
+#include "tests/support/run_program.h"
 
 namespace toile {
 namespace {

@@ -8,7 +8,7 @@
 #include "geometry/intersections.h"
 #include "io/mesh_file.h"
 #include "io/skeleton_file.h"
-#include "tests/pipeline/run_program.h"
+#include "tests/support/run_program.h"
 #include "tests/support/shapes.h"
 
 namespace toile {

@@ -8,7 +8,7 @@
 #include "io/mesh_file.h"
 #include "tests/cloth/panels.h"
 #include "tests/pattern/samples.h"
-#include "tests/pipeline/run_program.h"
+#include "tests/support/run_program.h"
 #include "tests/support/tubes.h"
 
 namespace toile::pipeline {

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/pipeline/run_program.h"
+#include "tests/support/run_program.h"
 
 namespace toile {
 namespace {

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "pattern/garment_file.h"
-#include "tests/pipeline/run_program.h"
 #include "tests/support/level_line.h"
+#include "tests/support/run_program.h"
 
 namespace toile::pipeline {
 namespace {

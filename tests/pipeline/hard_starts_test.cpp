@@ -4,7 +4,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "tests/pipeline/run_program.h"
+#include "tests/support/run_program.h"
 
 namespace toile::pipeline {
 namespace {

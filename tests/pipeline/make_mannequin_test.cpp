@@ -5,7 +5,7 @@
 
 #include "io/mesh_file.h"
 #include "io/skeleton_file.h"
-#include "tests/pipeline/run_program.h"
+#include "tests/support/run_program.h"
 
 namespace toile::pipeline {
 namespace {

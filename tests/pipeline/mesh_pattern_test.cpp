@@ -5,7 +5,7 @@
 
 #include "pattern/garment_file.h"
 #include "tests/pattern/samples.h"
-#include "tests/pipeline/run_program.h"
+#include "tests/support/run_program.h"
 
 namespace toile {
 namespace {

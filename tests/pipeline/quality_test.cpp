@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/mesh_file.h"
-#include "tests/pipeline/run_program.h"
+#include "tests/support/run_program.h"
 
 namespace toile {
 namespace {
