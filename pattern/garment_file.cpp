@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/error.h"
+#include "geometry/half_edges.h"
 #include "io/json_value.h"
 #include "io/obj.h"
 #include "io/output_file.h"
@@ -166,6 +167,19 @@ void read_mesh(const ObjData& data, const std::string& name, PanelMesh& garment)
   }
 }
 
+/// Flat panels turn none of their triangles over, so two that pass an edge the same way lie on each
+/// other there.
+void check_overlaps(const PanelMesh& garment, const std::string& name) {
+  const std::vector<HalfEdge> edges = half_edges(garment.triangles, garment.flat.size());
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    for (std::size_t j = i + 1; j < edges.size() && edges[j].same_edge(edges[i]); ++j) {
+      if (edges[j].forward != edges[i].forward) continue;
+      fail(name, "faces " + std::to_string(edges[i].triangle) + " and " +
+                     std::to_string(edges[j].triangle) + " lie on each other in the flat panel");
+    }
+  }
+}
+
 /// The panels' ranges follow one another, cover everything, and hold their own triangles.
 void check_ranges(const PanelMesh& garment, const std::string& name) {
   std::int64_t point = 0;
@@ -226,6 +240,7 @@ void write_garment(const fs::path& obj, const PanelMesh& garment) {
 PanelMesh read_garment(const fs::path& obj, const fs::path& json) {
   PanelMesh garment;
   read_mesh(read_obj(obj), obj.string(), garment);
+  check_overlaps(garment, obj.string());
   const fs::path path = json.empty() ? beside(obj) : json;
   const std::string name = path.string();
   const JsonDocument document(read_file(path), name);

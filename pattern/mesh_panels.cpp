@@ -235,8 +235,10 @@ void check_size(const Pattern& pattern, double edge_length) {
   }
   if (triangles <= most_triangles) return;
   throw Error(pattern.source,
-              "would need about " + std::to_string(static_cast<int>(triangles / 1e6)) +
-                  " million triangles",
+              triangles < 1e12
+                  ? "would need about " + std::to_string(static_cast<int>(triangles / 1e6)) +
+                        " million triangles"
+                  : "would need more than a million million triangles",
               "check 'units_in_meter', or ask for a longer --edge-length");
 }
 

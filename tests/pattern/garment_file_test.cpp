@@ -164,6 +164,19 @@ TEST_F(GarmentFile, FlatTrianglesMustNotBeTurnedOver) {
   EXPECT_HOLDS(error_of([&] { read_garment(obj_); }), "has no flat coordinates");
 }
 
+TEST_F(GarmentFile, FlatTrianglesMustNotLieOnEachOther) {
+  const std::string corners =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvt 1 1\n";
+  const std::string two = corners + "f 1/1 2/2 3/3\nf 2/2 4/4 3/3\n";
+  write_file(json_, R"({"panels": [], "seams": []})");
+  write_file(obj_, two + "f 2/2 3/3 1/1\n");
+  EXPECT_HOLDS(error_of([&] { read_garment(obj_); }), "faces 0 and 2 lie on each other");
+  write_file(obj_, two + "f 1/1 2/2 4/4\n");
+  EXPECT_HOLDS(error_of([&] { read_garment(obj_); }), "faces 0 and 2 lie on each other");
+  write_file(obj_, two);
+  EXPECT_HOLDS(error_of([&] { read_garment(obj_); }), "covers 0 points");
+}
+
 TEST_F(GarmentFile, MutatedPairsAreReadOrRefusedButNeverCrash) {
   write_garment(obj_, bag());
   const std::string obj = read_file(obj_);

@@ -290,6 +290,10 @@ TEST(MeshPanels, ShorterEdgesForTheAskingAndAMessageForTooMany) {
   EXPECT_GT(static_cast<double>(fine), 3 * static_cast<double>(coarse));
   EXPECT_LT(static_cast<double>(fine), 5 * static_cast<double>(coarse));
   EXPECT_HOLDS(samples::error_of([&] { mesh(pattern, {1e-5, -1}); }), "million triangles");
+  EXPECT_HOLDS(samples::error_of([&] {
+                 mesh(pattern, {1e-300, -1});
+               }),
+               "more than a million million");
 }
 
 TEST(MeshPanels, EdgesHaveAboutTheLengthAskedFor) {
