@@ -3,6 +3,7 @@
 #include <oneapi/tbb/global_control.h>
 
 #include <cmath>
+#include <csignal>
 #include <iostream>
 #include <map>
 
@@ -78,6 +79,8 @@ double parse_quantity(const std::string& text, const std::map<std::string, doubl
 }  // namespace
 
 int run_program(int argc, char** argv, CommandLineProgram& program) {
+  // A file that grows beyond the shell's limit is an error like a full disk, not a signal.
+  std::signal(SIGXFSZ, SIG_IGN);
   po::options_description all;
   const po::options_description common = common_options();
   all.add(program.options).add(common);
