@@ -77,6 +77,10 @@ void say_changes(const CleanReport& report, const CommonSettings& common) {
   if (report.lifted != 0) {
     common.say("lifted by " + number(100 * report.lifted, "%.2f") + " cm to stand on y = 0");
   }
+  if (!report.brought.isZero(0)) {
+    common.say("moved by " + number(report.brought.x(), "%.2f") + " m along x and " +
+               number(report.brought.z(), "%.2f") + " m along z: it stood too far from the origin");
+  }
 }
 
 void warn_remains(const CleanReport& report) {
@@ -113,7 +117,8 @@ Json report_json(const CleanBody& body, bool given) {
             {"turned_inside_out", r.turned_inside_out},
             {"largest_move_mm", 1000 * unit * r.largest_move},
             {"turned", report.turned},
-            {"lifted_mm", 1000 * report.lifted}}},
+            {"lifted_mm", 1000 * report.lifted},
+            {"brought_m", {report.brought.x(), report.brought.z()}}}},
           {"self_intersections",
            {{"found", r.self_intersections_found}, {"left", r.self_intersections_left}}},
           {"unit", {{"metres", unit}, {"inferred", report.unit_inferred}}},

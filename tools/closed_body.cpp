@@ -1,10 +1,12 @@
 #include "tools/closed_body.h"
 
-#include <algorithm>
+#include <Eigen/Geometry>
+#include <cmath>
 
 #include "geometry/closed_surface.h"
 #include "geometry/error.h"
 #include "io/mesh_file.h"
+#include "io/skeleton_file.h"
 
 namespace toile {
 
@@ -13,6 +15,16 @@ namespace {
 /// Metres; from a child's torso to a giant.
 constexpr double least_height = 0.1;
 constexpr double most_height = 3;
+/// Metres from the origin.
+constexpr double most_away = 10;
+/// Metres that a joint may lie outside of the body's box.
+constexpr double most_beside = 0.1;
+
+Eigen::AlignedBox3d bounds_of(const TriangleMesh& body) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : body.points) box.extend(p);
+  return box;
+}
 
 }  // namespace
 
@@ -23,17 +35,31 @@ TriangleMesh read_closed_body(const std::filesystem::path& path) {
     throw Error(path.string(), "the body " + defect + ", so inside and outside can't be told",
                 "run clean-body on it");
   }
-  double low = body.points.front().y();
-  double high = low;
-  for (const Vec3& p : body.points) {
-    low = std::min(low, p.y());
-    high = std::max(high, p.y());
-  }
-  if (!(high - low > least_height && high - low < most_height)) {
-    throw Error(path.string(), "the body is " + std::to_string(high - low) + " m tall",
+  const Eigen::AlignedBox3d bounds = bounds_of(body);
+  const double height = bounds.sizes().y();
+  if (!(height > least_height && height < most_height)) {
+    throw Error(path.string(), "the body is " + std::to_string(height) + " m tall",
                 "let clean-body bring it to metres, with --unit if need be");
   }
+  const double away = bounds.exteriorDistance(Vec3(0, 0, 0));
+  if (!(away < most_away)) {
+    throw Error(path.string(),
+                "the body stands " + std::to_string(std::lround(away)) +
+                    " m from the origin, which garments are placed around",
+                "let clean-body bring it there");
+  }
   return body;
+}
+
+Skeleton read_skeleton_of(const TriangleMesh& body, const std::filesystem::path& path) {
+  Skeleton skeleton = read_skeleton(path);
+  const Eigen::AlignedBox3d bounds = bounds_of(body);
+  for (const auto& [name, point] : skeleton.joints) {
+    if (bounds.exteriorDistance(point) < most_beside) continue;
+    throw Error(path.string(), "joint '" + name + "' lies far outside of the body",
+                "they are another body's joints: write this one's with clean-body");
+  }
+  return skeleton;
 }
 
 }  // namespace toile

@@ -101,7 +101,7 @@ void Outfit::read() {
   fabrics_ = panel_fabrics(garments_, settings_.fabrics);
   const TriangleMesh body = read_closed_body(settings_.body);
   if (fs::exists(settings_.skeleton) || settings_.needs_skeleton) {
-    skeleton_ = read_skeleton(settings_.skeleton);
+    skeleton_ = read_skeleton_of(body, settings_.skeleton);
   } else {
     CommonSettings::warn(
         settings_.skeleton.string() +

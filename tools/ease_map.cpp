@@ -34,7 +34,7 @@ std::vector<GirthEase> girths_of(const EaseReport& report, const Settings& setti
                "; clean-body writes them beside the body");
     return {};
   }
-  const Skeleton skeleton = read_skeleton(path);
+  const Skeleton skeleton = read_skeleton_of(report.body, path);
   for (const char* joint : {"pelvis", "waist", "chest"}) {
     if (skeleton.joints.count(joint) == 0) {
       throw Error(path.string(), std::string("has no joint '") + joint + "'",

@@ -143,6 +143,19 @@ void scale(Standing& body, double factor) {
   for (auto& [joint, point] : body.skeleton->joints) point *= factor;
 }
 
+/// Brings a body that stands farther than that from the y axis onto it; how far, in metres.
+Vec3 bring_near(Standing& body) {
+  constexpr double far = 10;
+  Vec3 middle = bounds(body.mesh).center();
+  middle.y() = 0;
+  if (middle.norm() <= far) return Vec3::Zero();
+  for (Vec3& p : body.mesh.points) p -= middle;
+  if (body.skeleton) {
+    for (auto& [joint, point] : body.skeleton->joints) point -= middle;
+  }
+  return -middle;
+}
+
 /// What is wrong with joints given for a body of that unit; empty: nothing.
 std::string refusal(const Skeleton& skeleton, const TriangleMesh& mesh, double unit) {
   const BodyDistance body(mesh);
@@ -209,6 +222,7 @@ CleanBody clean_body(const PolygonSoup& soup, const std::string& name,
   }
   report.lifted = standing.lifted * report.metres_per_unit;
   scale(standing, report.metres_per_unit);
+  report.brought = bring_near(standing);
   body.mesh = std::move(standing.mesh);
   body.skeleton = std::move(standing.skeleton);
   report.no_skeleton = std::move(standing.no_skeleton);

@@ -24,9 +24,10 @@ struct CleanReport {
   RepairReport repair;
   double metres_per_unit = 1;
   bool unit_inferred = false;
-  std::string turned;  ///< how the body was turned to stand and face +z; empty: it was not
-  double lifted = 0;   ///< metres added to y to put the feet on the floor
-  double height = 0;   ///< metres
+  std::string turned;     ///< how the body was turned to stand and face +z; empty: it was not
+  double lifted = 0;      ///< metres added to y to put the feet on the floor
+  Vec3 brought{0, 0, 0};  ///< metres that a body far from the y axis was brought to it
+  double height = 0;      ///< metres
   std::string
       skeleton_refused;     ///< why the given joints are not taken; empty: they are, or none are
   std::string no_skeleton;  ///< why there is none; empty: there is one
@@ -43,9 +44,10 @@ struct CleanBody {
 /// It is turned by right angles only, and only where there is no doubt: when it lies along z as
 /// z-up programs leave it, when it has a skeleton along exactly one axis and that is not y, when it
 /// is wider from front to back than from side to side, and when its toes point to -z. Its place on
-/// the floor is left as it is.
+/// the floor is left as it is within 10 m of the origin; beyond, where no garment is, it is brought
+/// to it.
 ///
-/// Given joints say which way the body stands; they are only lifted with it.
+/// Given joints say which way the body stands; they only move with it.
 ///
 /// Throws Error as repair() does, and when the unit can't be told or the body is no body's size. A
 /// body without a skeleton is no error.

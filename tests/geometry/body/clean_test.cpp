@@ -66,6 +66,26 @@ TEST(CleanBody, StandsOnTheFloorAndElsewhereStays) {
   EXPECT_NEAR(body.skeleton->joint("pelvis").x(), 0.25, 0.003);
 }
 
+TEST(CleanBody, FromKilometresAwayItIsBroughtToTheOrigin) {
+  const CleanBody here = clean_body(mannequin_soup(), "body");
+  PolygonSoup soup = mannequin_soup();
+  const Vec3 away(1e4, 1e4, -5e3);
+  for (Vec3& p : soup.points) p += away;
+  const CleanBody body = clean_body(soup, "body");
+  EXPECT_NEAR((body.report.brought + Vec3(1e4, 0, -5e3)).norm(), 0, 0.5);
+  ASSERT_EQ(body.mesh.points.size(), here.mesh.points.size());
+  const Vec3 shift = body.mesh.points[0] - here.mesh.points[0];
+  EXPECT_LT(shift.norm(), 0.5);
+  for (std::size_t i = 0; i < here.mesh.points.size(); ++i) {
+    ASSERT_LT((body.mesh.points[i] - here.mesh.points[i] - shift).norm(), 1e-9);
+  }
+  ASSERT_TRUE(body.skeleton && here.skeleton);
+  for (const auto& [joint, point] : here.skeleton->joints) {
+    EXPECT_LT((body.skeleton->joint(joint) - point - shift).norm(), 1e-6) << joint;
+  }
+  EXPECT_EQ(here.report.brought, Vec3(0, 0, 0));
+}
+
 TEST(CleanBody, IsTurnedByRightAnglesToStandFacingForward) {
   const CleanBody upright = clean_body(mannequin_soup(), "body");
   EXPECT_EQ(upright.report.turned, "");
