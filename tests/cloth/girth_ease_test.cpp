@@ -80,16 +80,6 @@ TEST(GirthEase, NamedLevelsAreFoundOnTheBody) {
   }
 }
 
-TEST(GirthEase, CoaxialCylindersDifferByTwoPiGap) {
-  const auto girths = measure_girth_ease(test::cloth_tube(0.16, 0.16, 0.2, 0.8, 400, 10),
-                                         test::closed_tube(0.15, 0.15, 1.6, 400), joints(), 0.1);
-  ASSERT_FALSE(girths.empty());
-  for (const GirthEase& girth : girths) {
-    EXPECT_NEAR(girth.ease, 2 * std::numbers::pi * 0.010, 1e-4);
-    EXPECT_LT(girth.height, 0.801);  // above, there is no garment
-  }
-}
-
 TEST(GirthEase, FromTheTopDown) {
   const auto girths =
       measure_girth_ease(test::cloth_tube(0.25, 0.25, 0.7, 1.45, 40, 15), torso(60), joints());

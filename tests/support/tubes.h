@@ -1,10 +1,11 @@
-// Garments and bodies of known gaps: tubes around the y axis.
+// Garments and bodies of known gaps: tubes around the y axis, spheres.
 #pragma once
 
 #include <cmath>
 #include <numbers>
 
 #include "pattern/garment_file.h"
+#include "tests/support/shapes.h"
 
 namespace toile::test {
 
@@ -65,6 +66,19 @@ inline DressedGarment cloth_tube(double a, double b, double low, double high, in
       }
     }
   }
+  return garment;
+}
+
+/// A whole sphere as a garment of one panel.
+inline DressedGarment sphere_garment(double radius, int levels) {
+  DressedGarment garment;
+  const TriangleMesh ball = sphere(radius, levels);
+  garment.points = ball.points;
+  garment.triangles = ball.triangles;
+  garment.flat.assign(ball.points.size(), Vec2::Zero());
+  garment.flat_triangles = ball.triangles;
+  garment.panels = {"ball"};
+  garment.panel_of_triangle.assign(ball.triangles.size(), 0);
   return garment;
 }
 

@@ -8,14 +8,12 @@
 #include "cloth/relaxation/relax.h"
 #include "geometry/distance_grid.h"
 #include "tests/cloth/panels.h"
-#include "tests/support/shapes.h"
 #include "tests/support/tubes.h"
 
 namespace toile {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double degree = pi / 180;
 
 Vec3 mean_way(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
   Vec3 way = Vec3::Zero();
@@ -73,60 +71,6 @@ TEST(Release, RingsAndLosesEnergyAsTheStepSays) {
     std::cout << "after " << halves << " half periods: energy " << report.kinetic / energy
               << " of what was put in, off by " << 100 * (report.kinetic / left - 1) << " %\n";
     EXPECT_NEAR(report.kinetic / left, 1, 0.02) << halves;
-  }
-}
-
-/// Reference case 06, incline, mu = 0.3 (friction angle 16.699 degrees): a sheet on a slope.
-class Incline : public testing::Test {
- protected:
-  double way(double slope, double mu, double seconds, bool hand_over = true) {
-    static const DistanceGrid body{BodyDistance(test::box({-0.4, -0.1, -0.2}, {0.9, 0, 0.2}))};
-    PanelMesh garment;
-    test::add_panel(garment, "sheet", test::grid(0.2, 0.2, 8, 8),
-                    [&](const Vec2& p) { return Vec3(p.x() - 0.3, 0.002, 0.1 - p.y()); });
-    Scene scene;
-    scene.body = &body;
-    scene.self_contact = false;
-    scene.fabric.friction_skin = mu;
-    scene.gravity = 9.81 * Vec3(std::sin(slope), -std::cos(slope), 0);
-    const Program program = compile(garment, scene, garment.placed);
-    std::vector<Vec3> x = program.start;
-    RelaxOptions rest;
-    rest.max_iterations = 2000;
-    rest.stop_median = rest.stop_rms = 1e-4;
-    const RelaxReport rested = relax(program, rest, x);
-    ReleaseOptions options;
-    options.seconds = seconds;
-    options.damping = 0;
-    if (hand_over) options.grip = &rested.grip;
-    const std::vector<Vec3> from = x;
-    last_ = release(program, options, x);
-    return mean_way(from, x).x();
-  }
-  ReleaseReport last_;
-};
-
-TEST_F(Incline, SticksBelowTheFrictionAngle) {
-  for (const double slope : {5.0, 10.0, 16.0}) {
-    const double crept = way(slope * degree, 0.3, 1);
-    std::cout << slope << " degrees: crept " << 1000 * last_.of_held.max << " mm\n";
-    EXPECT_LT(std::abs(crept), 1e-6) << slope;
-    EXPECT_EQ(last_.held, 81);
-    EXPECT_LT(last_.of_held.max, 1e-5) << slope;
-    EXPECT_TRUE(last_.stays());
-  }
-}
-
-TEST_F(Incline, SlidesBeyondItAsCoulombSays) {
-  // From case06_incline.csv, rows mu = 0.1, slopes 10, 15, 20 and 30 degrees: acceleration, m/s².
-  for (const auto& [slope, acceleration] : {std::pair(10.0, 0.737392217207611),
-                                            {15.0, 1.59144159686615},
-                                            {20.0, 2.43337914503383},
-                                            {30.0, 4.05542907888746}}) {
-    const double slid = way(slope * degree, 0.1, 0.3);
-    const double wanted = 0.5 * acceleration * 0.09;
-    std::cout << slope << " degrees: off by " << 100 * (slid / wanted - 1) << " %\n";
-    EXPECT_NEAR(slid / wanted, 1, 0.01) << slope;
   }
 }
 
