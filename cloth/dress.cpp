@@ -53,25 +53,13 @@ Scene for_sewing(Scene scene) {
   return scene;
 }
 
-/// The layers have bounds of their own, and come after the body in the subject.
-TriangleMesh bare_body(const Scene& scene) {
-  TriangleMesh body = *scene.subject;
-  if (scene.layers != nullptr) {
-    body.triangles.resize(body.triangles.size() - scene.layers->triangles.size());
-  }
-  return body;
-}
 
 class Dressing {
  public:
   Dressing(const PanelMesh& garment, const Scene& scene, const DressOptions& options,
            const FrameWatcher& watcher)
       : scene_(scene), options_(options), watcher_(watcher) {
-    if (scene.subject != nullptr) {
-      body_ = bare_body(scene);
-      body_tree_.emplace(body_);
-      surface_.emplace(BodySurface{body_, *body_tree_, *scene.body});
-    }
+    if (scene.skin != nullptr) surface_.emplace(BodySurface{*scene.skin, *scene.body});
     meshes_.push_back(garment);
     while (meshes_.back().subdivisions > 0) meshes_.push_back(coarsen(meshes_.back()));
   }
@@ -101,9 +89,7 @@ class Dressing {
   const DressOptions& options_;
   const FrameWatcher& watcher_;
   std::vector<PanelMesh> meshes_;  // finest first
-  TriangleMesh body_;              // of the scene's subject, if it has one, without layers
-  std::optional<TriangleTree> body_tree_;
-  std::optional<BodySurface> surface_;
+  std::optional<BodySurface> surface_;  // of the scene's skin, if it has one
   int level_ = 0;
   int attempt_ = 1;
   double progress_ = 0;  // of the whole dressing, 0 to 1

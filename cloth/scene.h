@@ -10,6 +10,7 @@
 
 namespace toile {
 
+class BodyDistance;
 class DistanceGrid;
 struct MeshedPanel;
 struct PanelMesh;
@@ -23,6 +24,7 @@ struct Scene {
   const DistanceGrid* body = nullptr;
   const TriangleMesh* subject = nullptr;  ///< the same surface as triangles, facets outward
   const TriangleMesh* layers = nullptr;   ///< the layers of it alone; none: the body is bare
+  const BodyDistance* skin = nullptr;     ///< exactly, of the bare body; none: nothing bounds
   const Skeleton* skeleton = nullptr;     ///< of the body; none: panels start as the pattern says
   double body_offset = 0.002;             ///< metres at least kept between skin and cloth's middle
   bool self_contact = true;

@@ -1,7 +1,7 @@
 // What a garment is dressed onto: the body, and the garments that it already wears.
 #pragma once
 
-#include <vector>
+#include <deque>
 
 #include "geometry/body_distance.h"
 #include "geometry/distance_grid.h"
@@ -21,7 +21,8 @@ class Subject {
   /// references that the others return stay valid, and speak of the new surface.
   void add_layer(const TriangleMesh& garment);
 
-  const TriangleMesh& body() const { return surfaces_.front().body(); }
+  const TriangleMesh& body() const { return skin().body(); }
+  const BodyDistance& skin() const { return surfaces_.front(); }
   /// Body and layers as one mesh, facets outward: the body's first, then layer by layer.
   const TriangleMesh& surface() const { return surface_; }
   /// The layers alone, as one mesh; without triangles when there are none.
@@ -32,7 +33,7 @@ class Subject {
   double distance(const Vec3& point) const;
 
  private:
-  std::vector<BodyDistance> surfaces_;
+  std::deque<BodyDistance> surfaces_;  // which stay where they are
   TriangleMesh surface_;
   TriangleMesh cloth_;
   DistanceGrid grid_;

@@ -6,7 +6,6 @@
 #include "cloth/self_contact.h"
 #include "geometry/error.h"
 #include "geometry/intersections.h"
-#include "geometry/triangle_tree.h"
 
 namespace toile {
 
@@ -41,10 +40,7 @@ class Together {
       grip_.yarns.resize(first_triangle_.back());
     }
     first_.push_back(static_cast<int>(start_.size()));
-    if (scene_.body != nullptr && scene_.subject != nullptr) {
-      body_tree_.emplace(*scene_.subject);
-      surface_.emplace(BodySurface{*scene_.subject, *body_tree_, *scene_.body});
-    }
+    if (scene_.skin != nullptr) surface_.emplace(BodySurface{*scene_.skin, *scene_.body});
     if (first_.back() != program_.nodes) {
       throw Error("garments", "have other nodes than their meshes", "dress them anew");
     }
@@ -172,8 +168,7 @@ class Together {
   const FrameWatcher& watcher_;
   const PanelMesh mesh_;
   const Program program_;
-  std::optional<TriangleTree> body_tree_;  // of the scene's subject, if it has one
-  std::optional<BodySurface> surface_;
+  std::optional<BodySurface> surface_;             // of the scene's skin, if it has one
   std::vector<int> first_;                         // node of each garment, and the number of nodes
   std::vector<std::size_t> first_triangle_ = {0};  // likewise
   std::vector<Vec3> start_;

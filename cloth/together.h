@@ -43,7 +43,7 @@ struct TogetherResult {
 /// Relaxes garments, each as it was dressed over the ones before, on the scene's body until the
 /// whole is at rest: every garment moves, and those that touch push each other. The scene's body
 /// has to be bare, and nothing may meet: moves are bounded, so that nothing comes to, nor the cloth
-/// and the scene's subject, the bare body, where it has one. A frame's mesh is join_garments().
+/// and the scene's skin, where it has one. A frame's mesh is join_garments().
 /// Throws Error for garments that intersect each other or themselves.
 TogetherResult move_together(const std::vector<WornGarment>& garments, const Scene& scene,
                              const DressOptions& options, const FrameWatcher& watcher = {});

@@ -151,6 +151,7 @@ void BodyDistance::triangles_in_box(const Vec3& low, const Vec3& high,
 }
 
 const TriangleMesh& BodyDistance::body() const { return tree_->body; }
+const TriangleTree& BodyDistance::tree() const { return tree_->tree; }
 
 BodyPoint BodyDistance::nearest(const Vec3& query) const {
   return tree_->describe(query, tree_->tree.nearest(query));

@@ -7,6 +7,8 @@
 
 namespace toile {
 
+class TriangleTree;
+
 /// The nearest point of the surface to a query point.
 struct BodyPoint {
   double distance = 0;  ///< metres; negative inside the body, or behind a sheet
@@ -42,6 +44,7 @@ class BodyDistance {
   void triangles_in_box(const Vec3& low, const Vec3& high, std::vector<int>& found) const;
 
   const TriangleMesh& body() const;
+  const TriangleTree& tree() const;  ///< of its triangles
 
  private:
   struct Tree;

@@ -119,6 +119,7 @@ Scene Outfit::scene_of(const OutfitLayer& layer) const {
   scene.fabrics = fabrics_;
   scene.body = &subject_->grid();
   scene.subject = &subject_->surface();
+  scene.skin = &subject_->skin();
   scene.layers = subject_->cloth().triangles.empty() ? nullptr : &subject_->cloth();
   scene.skeleton = skeleton_ ? &*skeleton_ : nullptr;
   scene.gravity = settings_.gravity;
@@ -263,6 +264,7 @@ void Outfit::move_together() {
   Scene scene = scene_of(settings_.layers.front());
   scene.body = &bare.grid();
   scene.subject = &bare.surface();
+  scene.skin = &bare.skin();
   scene.layers = nullptr;
   std::vector<WornGarment> worn;
   for (const Done& done : done_) {

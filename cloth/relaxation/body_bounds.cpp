@@ -10,6 +10,7 @@
 #include "cloth/relaxation/share_within.h"
 #include "cloth/relaxation/side_by_side.h"
 #include "geometry/nearest.h"
+#include "geometry/triangle_tree.h"
 
 namespace toile {
 
@@ -93,7 +94,7 @@ BodyBounds::BodyBounds(const BodySurface& surface, const std::vector<Triangle>& 
 }
 
 BodyBounds::Region BodyBounds::region_of(const Triangle& corners, const std::vector<Vec3>& x,
-                                         std::vector<int>& near) const {
+                                         const BodyPoint& hint, std::vector<int>& near) const {
   Region region;
   region.at = {x[corners[0]], x[corners[1]], x[corners[2]]};
   const auto& p = region.at;
@@ -101,31 +102,26 @@ BodyBounds::Region BodyBounds::region_of(const Triangle& corners, const std::vec
   const double radius =
       std::sqrt(std::max({(p[0] - centre).squaredNorm(), (p[1] - centre).squaredNorm(),
                           (p[2] - centre).squaredNorm()}));
-  const DistanceGrid::Sample sample = surface_.distance.at(centre);
-  // The grid is smooth: it may not know of a spike, and only says where it pays to ask exactly.
-  if (sample.distance - radius > around) {
-    const Triangle& facet = surface_.mesh.triangles[surface_.tree.nearest(centre)];
-    const auto& q = surface_.mesh.points;
-    const Vec3 weights = nearest_on_triangle(centre, q[facet[0]], q[facet[1]], q[facet[2]]);
-    const Vec3 there =
-        weights[0] * q[facet[0]] + weights[1] * q[facet[1]] + weights[2] * q[facet[2]];
-    const double clear = (centre - there).norm() - radius;
-    if (clear > around) {
-      region.reach = clear - safety;
-      return region;
-    }
+  region.nearest = surface_.exact.nearest(centre, hint);
+  region.meets = region.nearest.distance < 0;
+  if (region.meets) return region;
+  const double clear = region.nearest.distance - radius;
+  if (clear > around) {
+    region.reach = clear - safety;
+    return region;
   }
   region.reach = around;
   near.clear();
   const Vec3 margin = Vec3::Constant(around);
-  surface_.tree.meeting(p[0].cwiseMin(p[1]).cwiseMin(p[2]) - margin,
+  surface_.exact.tree().meeting(p[0].cwiseMin(p[1]).cwiseMin(p[2]) - margin,
                         p[0].cwiseMax(p[1]).cwiseMax(p[2]) + margin, near);
   if (near.empty()) return region;
 
-  const TriangleMesh& body = surface_.mesh;
+  const TriangleMesh& body = surface_.exact.body();
   // A plane with all facets behind it: square to the way out, or along the triangle itself.
   const Vec3 own = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
-  for (const Vec3& normal : {Vec3(sample.gradient.normalized()), own, Vec3(-own)}) {
+  const Vec3 out = surface_.smooth.at(centre).gradient.normalized();
+  for (const Vec3& normal : {out, own, Vec3(-own)}) {
     double highest = -std::numeric_limits<double>::max();
     for (const int f : near) {
       for (const int v : body.triangles[f]) {
@@ -175,7 +171,7 @@ const std::vector<int>& BodyBounds::look(const std::vector<Vec3>& x) {
     std::vector<int> near;
     const std::size_t end = std::min(due.size(), (c + 1) * chunk);
     for (std::size_t i = c * chunk; i < end; ++i) {
-      regions_[due[i]] = region_of(triangles_[due[i]], x, near);
+      regions_[due[i]] = region_of(triangles_[due[i]], x, regions_[due[i]].nearest, near);
     }
   });
   std::map<int, double> lifted;

@@ -4,17 +4,16 @@
 #include <atomic>
 #include <vector>
 
+#include "geometry/body_distance.h"
 #include "geometry/distance_grid.h"
-#include "geometry/triangle_tree.h"
 #include "geometry/types.h"
 
 namespace toile {
 
-/// The body as triangles, and the means to find them and the way out.
+/// The body as what cloth must not meet, and a smooth distance that tells the way out.
 struct BodySurface {
-  const TriangleMesh& mesh;
-  const TriangleTree& tree;
-  const DistanceGrid& distance;
+  const BodyDistance& exact;
+  const DistanceGrid& smooth;
 };
 
 /// For each triangle of the cloth a region that its corners must not leave: about where they were
@@ -23,7 +22,8 @@ struct BodySurface {
 /// with its corners in its region meets no facet, so a cloth that keeps to its bounds never comes
 /// to intersect the body. The region is convex: it holds a straight way if it holds its ends.
 ///
-/// What meets the body already is not bound, for it has to come out; from when it is clear, it is.
+/// What meets the body already, or is inside, is not bound, for it has to come out; from when it is
+/// clear, it is.
 class BodyBounds {
  public:
   /// Vertices are numbered from 0 to `vertices`-1. The surface has to outlive the bounds.
@@ -59,10 +59,11 @@ class BodyBounds {
     double reach = 0;            // metres from where the corner was
     std::array<Vec3, 3> at;      // the corners
     double lift = 0;             // metres that the corners should come out
+    BodyPoint nearest;           // to the middle
     bool meets = false;          // the body: no bounds
   };
 
-  Region region_of(const Triangle& corners, const std::vector<Vec3>& x,
+  Region region_of(const Triangle& corners, const std::vector<Vec3>& x, const BodyPoint& hint,
                    std::vector<int>& near) const;
   void make_due(int triangle);
 

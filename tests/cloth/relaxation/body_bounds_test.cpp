@@ -30,9 +30,9 @@ TriangleMesh spiked_box() {
 
 struct Surface {
   TriangleMesh mesh;
-  TriangleTree tree{mesh};
-  DistanceGrid distance{BodyDistance(mesh)};
-  BodySurface surface{mesh, tree, distance};
+  BodyDistance exact{mesh};
+  DistanceGrid distance{exact};
+  BodySurface surface{exact, distance};
 };
 
 }  // namespace
@@ -85,6 +85,24 @@ TEST(BodyBounds, WhatMeetsTheBodyCanComeOut) {
   }
   EXPECT_GT(x[0].y(), 0);
   EXPECT_LT(x[0].y(), 1e-4);  // the box's top is flat: a plane just above it
+}
+
+/// What is wholly inside meets no facet, and has to come out as well; what lies a hair above may not
+/// go in. Near the skin, where planes are looked for, and deep.
+TEST(BodyBounds, WhatIsInsideCanComeOut) {
+  const Surface body{test::box({-0.2, -0.2, -0.2}, {0.2, 0, 0.2})};
+  const std::vector<Triangle> triangles = {{0, 1, 2}};
+  for (const double depth : {0.00005, 0.0002, 0.001, 0.004, 0.03, 0.1}) {
+    for (const double side : {-1, 1}) {
+      const double y = side * depth;
+      std::vector<Vec3> x = {{0, y, 0}, {0.02, y, 0}, {0, y, 0.02}};
+      BodyBounds bounds(body.surface, triangles, 3);
+      bounds.look(x);
+      const Vec3 through(0, -2 * y, 0);
+      const double share = bounds.share(0, x[0], x[0] + through);
+      EXPECT_EQ(share, side < 0 ? 1 : std::min(share, 0.5)) << y;
+    }
+  }
 }
 
 /// A sheet falls on a spike that is finer than its mesh: it hangs on it, with no facet through it
