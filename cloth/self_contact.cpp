@@ -97,9 +97,13 @@ NearestPoints nearest_points(const ContactPair& pair, const std::vector<Vec3>& x
 ContactPush contact_push(double distance, double gap, bool barrier) {
   if (distance >= gap) return {};
   const double half = 0.5 * gap;
-  if (distance >= half || !barrier) return {push_stiffness * (gap - distance), push_stiffness};
+  if (distance >= half || !barrier) {
+    const double depth = gap - distance;
+    return {push_stiffness * depth, push_stiffness, 0.5 * push_stiffness * depth * depth};
+  }
   const double d = std::max(distance, least_distance);
-  return {push_stiffness * half * half / d, push_stiffness * half * half / (d * d)};
+  const double scale = push_stiffness * half * half;
+  return {scale / d, scale / (d * d), scale * (0.5 + std::log(half / d))};
 }
 
 ProximitySearch::ProximitySearch(const std::vector<Triangle>& triangles,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "cloth/relaxation/pair_forces.h"
 #include "cloth/self_contact.h"
 #include "geometry/error.h"
 #include "geometry/intersections.h"
@@ -133,8 +134,8 @@ class Together {
       if (a == b) continue;
       const int inner = std::min(a, b);
       const std::size_t at = inner * count + std::max(a, b);
-      const double distance = nearest_points(pair, x).apart.norm();
-      table[at].force += contact_push(distance, pair.gap, true).force;
+      const auto& of = pair.vertices;
+      table[at].force += push_of(pair, {x[of[0]], x[of[1]], x[of[2]], x[of[3]]}, true).force;
       pushed[at].resize(x.size());
       for (const int v : pair.vertices) pushed[at][v] |= garment_of(v) == inner;
     }

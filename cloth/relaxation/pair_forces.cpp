@@ -1,10 +1,44 @@
 #include "cloth/relaxation/pair_forces.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 namespace toile {
+
+namespace {
+
+/// Square of the sine below which edges count as nearly parallel: at 27 degrees. Less makes the push
+/// change too fast with the angle, and needs shorter steps.
+constexpr double nearly_parallel = 0.2;
+
+/// How much of their push two edges get, by their angle, and its slope along each edge's vector.
+struct EdgeShare {
+  double share = 1;
+  Vec3 first = Vec3::Zero();
+  Vec3 second = Vec3::Zero();
+  double curvature = 0;  // 1/m², a bound
+};
+
+EdgeShare share_of(const Vec3& a, const Vec3& b) {
+  const double aa = a.squaredNorm();
+  const double bb = b.squaredNorm();
+  const double ab = a.dot(b);
+  EdgeShare result;
+  if (aa == 0 || bb == 0) return result;
+  const double squared_sine = a.cross(b).squaredNorm() / (aa * bb);
+  if (squared_sine >= nearly_parallel) return result;
+  const double c = squared_sine / nearly_parallel;
+  result.share = (2 - c) * c;
+  const double slope = 2 * (1 - c) / nearly_parallel * 2 * ab / (aa * bb);
+  result.first = slope * (ab / aa * a - b);
+  result.second = slope * (ab / bb * b - a);
+  result.curvature = 12 / (nearly_parallel * std::min(aa, bb));
+  return result;
+}
+
+}  // namespace
 
 void PairForces::activate(const std::vector<Vec3>& x) {
   active_.clear();
@@ -32,18 +66,36 @@ void PairForces::activate(const std::vector<Vec3>& x) {
   }
 }
 
+PairPush push_of(const ContactPair& pair, const std::array<Vec3, 4>& at, bool barrier) {
+  const NearestPoints nearest = nearest_points(pair.edges, at);
+  const double distance = nearest.apart.norm();
+  const ContactPush push = contact_push(distance, pair.gap, barrier);
+  PairPush result;
+  const EdgeShare edges =
+      pair.edges && push.force > 0 ? share_of(at[1] - at[0], at[3] - at[2]) : EdgeShare{};
+  result.force = edges.share * push.force;
+  const Vec3 along = distance > 0 ? Vec3(result.force / distance * nearest.apart) : Vec3::Zero();
+  // Edges give way by turning parallel as well.
+  const Vec3 first = push.energy * edges.first;
+  const Vec3 second = push.energy * edges.second;
+  const std::array<Vec3, 4> turn = {first, -first, second, -second};
+  for (int j = 0; j < 4; ++j) {
+    result.on[j] = nearest.weights[j] * along + turn[j];
+    result.stiffness[j] = 2 * edges.share * push.stiffness * std::abs(nearest.weights[j]) +
+                          push.energy * edges.curvature;
+  }
+  return result;
+}
+
 void PairForces::push(std::size_t begin, std::size_t end, bool barrier, const Vec4s& x) {
   for (std::size_t i = begin; i < end; ++i) {
     const auto& v = active_[i].vertices;
-    const NearestPoints nearest = nearest_points(
-        active_[i].edges, {as_vec3(x[v[0]]), as_vec3(x[v[1]]), as_vec3(x[v[2]]), as_vec3(x[v[3]])});
-    const double distance = nearest.apart.norm();
-    const auto [push, stiffness] = contact_push(distance, active_[i].gap, barrier);
-    const Vec3 force = distance > 0 ? Vec3(push / distance * nearest.apart) : Vec3::Zero();
+    const PairPush push =
+        push_of(active_[i], {as_vec3(x[v[0]]), as_vec3(x[v[1]]), as_vec3(x[v[2]]), as_vec3(x[v[3]])},
+                barrier);
     for (int j = 0; j < 4; ++j) {
-      Vec4 slot = as_vec4(nearest.weights[j] * force);
-      slot[3] = 2 * stiffness * std::abs(nearest.weights[j]);
-      slots_[4 * i + j] = slot;
+      slots_[4 * i + j] = as_vec4(push.on[j]);
+      slots_[4 * i + j][3] = push.stiffness[j];
     }
   }
 }

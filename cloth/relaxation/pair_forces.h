@@ -1,6 +1,7 @@
 // Pushes between cloth and cloth that came near each other.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -8,6 +9,20 @@
 #include "cloth/self_contact.h"
 
 namespace toile {
+
+/// What a pair presses with, and how that acts on its four vertices: forces (N) and a bound of their
+/// stiffness (N/m). `barrier`: see contact_push().
+///
+/// Where two edges become parallel, what is nearest on them jumps from one end to the other. A push
+/// that jumped with it would never come to rest, and mirrored folds are full of such pairs: edges
+/// push the less the more parallel they are [Li et al. 2020, Incremental Potential Contact, the
+/// mollifier], and leave it to their ends, which push at faces.
+struct PairPush {
+  double force = 0;
+  std::array<Vec3, 4> on;
+  std::array<double, 4> stiffness;
+};
+PairPush push_of(const ContactPair& pair, const std::array<Vec3, 4>& at, bool barrier);
 
 /// The pairs of a search, and of these the ones that are near enough to push. Forces take two
 /// passes: push() over disjoint ranges of the active pairs, then add() for each vertex.
