@@ -20,20 +20,19 @@ struct Figure {
   std::string reason = "";  ///< why it is not met, or what else is to be known
 };
 
-inline std::string number(double value, int digits = 4) {
+inline std::string number(double value, int digits = 4, const std::string& unit = "") {
   std::ostringstream out;
   out.precision(digits);
-  out << value;
+  out << value << (unit.empty() ? "" : " ") << unit;
   return out.str();
 }
 
 /// One row of Markdown, and the same as a property of the test.
 inline void print_figure(const Figure& figure, double measured, const std::string& reference,
                          const std::string& error, const std::string& bound) {
-  const std::string unit = figure.unit.empty() ? "" : " " + figure.unit;
   const std::string row = "| " + figure.what + " | " + figure.method + " | " + figure.resolution +
-                          " | " + number(measured, 6) + unit + " | " + reference + " | " + error +
-                          " | " + bound + " | " + figure.reason + " |";
+                          " | " + number(measured, 6, figure.unit) + " | " + reference + " | " +
+                          error + " | " + bound + " | " + figure.reason + " |";
   std::cout << row << std::endl;
   testing::Test::RecordProperty(figure.what + ", " + figure.method + ", " + figure.resolution, row);
 }
@@ -43,18 +42,18 @@ inline void expect_relative(const Figure& figure, double measured, double refere
   const double error = measured / reference - 1;
   std::string allowed = number(100 * bound) + " %";
   if (figure.asked > 0) allowed += "; asked " + number(100 * figure.asked) + " %: missed";
-  print_figure(figure, measured, number(reference, 6) + " " + figure.unit,
-               number(100 * error, 3) + " %", allowed);
+  print_figure(figure, measured, number(reference, 6, figure.unit), number(100 * error, 3) + " %",
+               allowed);
   EXPECT_LE(std::abs(error), bound) << figure.what << ", " << figure.resolution;
 }
 
 /// In the figure's unit.
 inline void expect_near(const Figure& figure, double measured, double reference, double bound) {
   const double error = measured - reference;
-  std::string allowed = number(bound) + " " + figure.unit;
+  std::string allowed = number(bound, 4, figure.unit);
   if (figure.asked > 0) allowed += "; asked " + number(figure.asked) + ": missed";
-  print_figure(figure, measured, number(reference, 6) + " " + figure.unit,
-               number(error, 3) + " " + figure.unit, allowed);
+  print_figure(figure, measured, number(reference, 6, figure.unit), number(error, 3, figure.unit),
+               allowed);
   EXPECT_LE(std::abs(error), bound) << figure.what << ", " << figure.resolution;
 }
 
