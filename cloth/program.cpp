@@ -330,8 +330,10 @@ std::vector<std::pair<std::string, int>> term_counts(const Program& program) {
   int sewn = 0;
   std::vector<char> seen(program.nodes, 0);
   for (const int node : program.node_of_point) sewn += seen[node]++ == 1;
-  const int rough = count(std::count_if(program.friction_skin.begin(), program.friction_skin.end(),
-                                        [](double friction) { return friction > 0; }));
+  const auto rough = [&](const std::vector<double>& frictions) {
+    return count(std::count_if(frictions.begin(), frictions.end(),
+                               [](double friction) { return friction > 0; }));
+  };
   const int held = count(std::count_if(program.stretch.begin(), program.stretch.end(),
                                        [](const StretchTriangle& s) { return s.held; }));
   return {{"stretch", triangles},
@@ -339,8 +341,9 @@ std::vector<std::pair<std::string, int>> term_counts(const Program& program) {
           {"elastic", count(program.bands.size())},
           {"seam", program.offsets.empty() ? 0 : sewn},
           {"body_contact", scene.body != nullptr ? program.nodes : 0},
-          {"friction", scene.body != nullptr ? rough : 0},
+          {"friction", scene.body != nullptr ? rough(program.friction_skin) : 0},
           {"self_contact", scene.self_contact ? triangles : 0},
+          {"cloth_friction", scene.self_contact ? rough(program.friction_cloth) : 0},
           {"layer_contact", scene.layers != nullptr ? count(scene.layers->triangles.size()) : 0},
           {"strain_limit", scene.strain_limit ? held : 0},
           {"shear_limit", scene.shear_limit ? held : 0}};

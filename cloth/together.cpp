@@ -36,6 +36,7 @@ class Together {
       start_.insert(start_.end(), worn.nodes.begin(), worn.nodes.end());
       grip_.skin.insert(grip_.skin.end(), worn.grip.skin.begin(), worn.grip.skin.end());
       grip_.skin.resize(start_.size());
+      take_over(worn);
       grip_.yarns.insert(grip_.yarns.end(), worn.grip.yarns.begin(), worn.grip.yarns.end());
       first_triangle_.push_back(first_triangle_.back() + worn.garment->triangles.size());
       grip_.yarns.resize(first_triangle_.back());
@@ -62,6 +63,16 @@ class Together {
   }
 
  private:
+  /// What friction holds of a garment's own cloth; what was a layer below has its own nodes now.
+  void take_over(const WornGarment& worn) {
+    const int nodes = static_cast<int>(worn.nodes.size());
+    for (PairGrip grip : worn.grip.cloth) {
+      if (*std::max_element(grip.vertices.begin(), grip.vertices.end()) >= nodes) continue;
+      for (int& v : grip.vertices) v += first_.back();
+      grip_.cloth.push_back(grip);
+    }
+  }
+
   void set_forces(ForceOptions& options) const {
     options.bounded = true;
     options.surface = surface_ ? &*surface_ : nullptr;

@@ -212,9 +212,7 @@ bool Outfit::turn_panels_out(std::size_t over) {
     above.add_layer(done_[over].cloth);
     const std::vector<char> moved = turn_out(done.garment, panels, below.grid(), above.grid(),
                                              done.result.triangles, done.result.nodes);
-    for (std::size_t n = 0; n < std::min(moved.size(), done.result.grip.skin.size()); ++n) {
-      if (moved[n]) done.result.grip.skin[n].reset();
-    }
+    done.result.grip.let_go(moved);
     const Subject others = subject_of(over + 1, nothing, i);
     write_and_judge(i, &others.cloth());
     const std::string& verdict = done.judgement.verdict;

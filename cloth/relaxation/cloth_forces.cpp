@@ -41,6 +41,7 @@ ClothForces::ClothForces(const Program& program, const ForceOptions& options,
     hold_to_limits();
   }
   if (options.grip == nullptr || open_seams) return;
+  pairs_.friction().hold(options.grip->cloth);
   const auto& skin = options.grip->skin;
   for (std::size_t n = 0; n < std::min(skin.size(), contacts_.size()); ++n) {
     if (skin[n]) contacts_[n].hold_at(*skin[n]);
@@ -51,6 +52,7 @@ Grip ClothForces::grip() const {
   Grip grip;
   if (has_limits()) grip.yarns = kernel_->restraints();
   if (by_points_) return grip;
+  grip.cloth = pairs_.friction().grips();
   grip.skin.reserve(contacts_.size());
   for (const BodyContact& contact : contacts_) grip.skin.push_back(contact.anchor());
   return grip;
@@ -112,6 +114,9 @@ void ClothForces::use_skin(bool points) {
   if (!self_contact()) {
     set_guards();
     return;
+  }
+  if (options_.friction) {
+    pairs_.friction().set_coefficients(of_vertices(program_.friction_cloth));
   }
   std::vector<int> node = program_.node_of_point;
   if (!points) {

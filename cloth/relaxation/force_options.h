@@ -1,10 +1,12 @@
 // What acts on a garment, by all that moves it.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
 #include "cloth/relaxation/body_bounds.h"
+#include "cloth/relaxation/pair_grip.h"
 #include "cloth/stretch.h"
 #include "geometry/types.h"
 
@@ -14,7 +16,20 @@ namespace toile {
 /// the next, so that the force is not lost.
 struct Grip {
   std::vector<std::optional<Vec3>> skin;  ///< per node; nothing: it does not
+  std::vector<PairGrip> cloth;            ///< where it rubs on cloth, of nodes and then of layers
   std::vector<Restraint> yarns;           ///< per triangle; empty: no limits
+
+  /// Friction lets go of the nodes for which `moved` is not 0.
+  void let_go(const std::vector<char>& moved) {
+    for (std::size_t n = 0; n < std::min(moved.size(), skin.size()); ++n) {
+      if (moved[n] != 0) skin[n].reset();
+    }
+    std::erase_if(cloth, [&](const PairGrip& grip) {
+      return std::any_of(grip.vertices.begin(), grip.vertices.end(), [&](int v) {
+        return static_cast<std::size_t>(v) < moved.size() && moved[v] != 0;
+      });
+    });
+  }
 };
 
 struct ForceOptions {
@@ -40,8 +55,8 @@ struct ForceOptions {
   bool layer_contact = false;
   double body_offset = 0.002;  ///< metres; larger on coarse meshes, whose faces cut corners
   double self_radius = 0.005;  ///< metres within which cloth is looked for
-  /// Of a run that ended where this one begins, seams closed. None: friction holds each node where
-  /// it comes to touch.
+  /// Of a run that ended where this one begins, seams closed. None: friction holds what
+  /// touches where it comes to touch.
   const Grip* grip = nullptr;
   /// Begins with these restraints, likewise. None: they are found from nothing.
   const std::vector<Restraint>* yarns = nullptr;

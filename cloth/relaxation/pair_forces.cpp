@@ -9,8 +9,8 @@ namespace toile {
 
 namespace {
 
-/// Square of the sine below which edges count as nearly parallel: at 27 degrees. Less makes the push
-/// change too fast with the angle, and needs shorter steps.
+/// Square of the sine below which edges count as nearly parallel: at 27 degrees. Less makes the
+/// push change too fast with the angle, and needs shorter steps.
 constexpr double nearly_parallel = 0.2;
 
 /// How much of their push two edges get, by their angle, and its slope along each edge's vector.
@@ -50,6 +50,7 @@ void PairForces::activate(const std::vector<Vec3>& x) {
       active_.push_back(pair);
     }
   }
+  friction_.activate(active_);
   first_.clear();
   if (active_.empty()) return;
   slots_.assign(4 * active_.size(), Vec4{});
@@ -71,6 +72,7 @@ PairPush push_of(const ContactPair& pair, const std::array<Vec3, 4>& at, bool ba
   const double distance = nearest.apart.norm();
   const ContactPush push = contact_push(distance, pair.gap, barrier);
   PairPush result;
+  result.nearest = nearest;
   const EdgeShare edges =
       pair.edges && push.force > 0 ? share_of(at[1] - at[0], at[3] - at[2]) : EdgeShare{};
   result.force = edges.share * push.force;
@@ -91,12 +93,13 @@ void PairForces::push(std::size_t begin, std::size_t end, bool barrier, const Ve
   for (std::size_t i = begin; i < end; ++i) {
     const auto& v = active_[i].vertices;
     const PairPush push =
-        push_of(active_[i], {as_vec3(x[v[0]]), as_vec3(x[v[1]]), as_vec3(x[v[2]]), as_vec3(x[v[3]])},
-                barrier);
+        push_of(active_[i],
+                {as_vec3(x[v[0]]), as_vec3(x[v[1]]), as_vec3(x[v[2]]), as_vec3(x[v[3]])}, barrier);
     for (int j = 0; j < 4; ++j) {
       slots_[4 * i + j] = as_vec4(push.on[j]);
       slots_[4 * i + j][3] = push.stiffness[j];
     }
+    if (!friction_.empty()) friction_.rub(i, push.nearest, push.force, x, &slots_[4 * i]);
   }
 }
 

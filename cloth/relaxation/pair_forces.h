@@ -1,23 +1,25 @@
-// Pushes between cloth and cloth that came near each other.
+// Pushes between cloth and cloth that came near each other, and the friction that they cause.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <vector>
 
+#include "cloth/relaxation/pair_friction.h"
 #include "cloth/relaxation/vec4.h"
 #include "cloth/self_contact.h"
 
 namespace toile {
 
-/// What a pair presses with, and how that acts on its four vertices: forces (N) and a bound of their
-/// stiffness (N/m). `barrier`: see contact_push().
+/// What a pair presses with, and how that acts on its four vertices: forces (N) and a bound of
+/// their stiffness (N/m). `barrier`: see contact_push().
 ///
 /// Where two edges become parallel, what is nearest on them jumps from one end to the other. A push
 /// that jumped with it would never come to rest, and mirrored folds are full of such pairs: edges
 /// push the less the more parallel they are [Li et al. 2020, Incremental Potential Contact, the
 /// mollifier], and leave it to their ends, which push at faces.
 struct PairPush {
+  NearestPoints nearest;
   double force = 0;
   std::array<Vec3, 4> on;
   std::array<double, 4> stiffness;
@@ -32,14 +34,17 @@ class PairForces {
   /// vertex half of it.
   static constexpr double margin = 0.001;
 
-  void clear() { pairs_.clear(), active_.clear(), first_.clear(); }
+  void clear() { pairs_.clear(), active_.clear(), first_.clear(), friction_.clear(); }
+  PairFriction& friction() { return friction_; }
+  const PairFriction& friction() const { return friction_; }
   /// All that a search found, to be kept by it.
   std::vector<ContactPair>& pairs() { return pairs_; }
   /// Tells anew which pairs are near, with all vertices at `x`.
   void activate(const std::vector<Vec3>& x);
 
   std::size_t active() const { return active_.size(); }
-  /// Pushes of active pairs `begin` to `end`. `barrier`: see contact_push().
+  /// Pushes of active pairs `begin` to `end`, and their friction, which slides along. `barrier`:
+  /// see contact_push().
   void push(std::size_t begin, std::size_t end, bool barrier, const Vec4s& x);
   /// Adds the pushes on a vertex to its force (N) and a bound of their stiffness (N/m).
   [[gnu::always_inline]] void add(std::size_t vertex, Vec4& force, double& stiffness) const {
@@ -55,6 +60,7 @@ class PairForces {
  private:
   std::vector<ContactPair> pairs_;
   std::vector<ContactPair> active_;
+  PairFriction friction_;   // of the active pairs
   Vec4s slots_;             // force, and the stiffness as the fourth; four an active pair
   std::vector<int> first_;  // per vertex, its entries in gather_
   std::vector<int> gather_;

@@ -181,6 +181,7 @@ TEST(Program, WhatTheSceneDoesNotUseIsEmpty) {
                                                         {"body_contact", 0},
                                                         {"friction", 0},
                                                         {"self_contact", 0},
+                                                        {"cloth_friction", 0},
                                                         {"layer_contact", 0},
                                                         {"strain_limit", 0},
                                                         {"shear_limit", 0}}));
@@ -193,6 +194,7 @@ TEST(Program, WhatTheSceneUsesIsCounted) {
   auto counts = terms(compile(garment, scene, garment.placed));
   EXPECT_EQ(counts["stretch"], 100);
   EXPECT_EQ(counts["self_contact"], 100);
+  EXPECT_EQ(counts["cloth_friction"], 66);
   EXPECT_EQ(counts["strain_limit"], 100);
   EXPECT_EQ(counts["seam"], 6);
   // Inner edges: in each panel 3·25 - 10 of its 85, and 5 across the seam.

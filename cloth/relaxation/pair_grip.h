@@ -1,0 +1,18 @@
+// What friction remembers of cloth that presses on cloth.
+#pragma once
+
+#include <array>
+
+#include "geometry/types.h"
+
+namespace toile {
+
+/// Two points of a pair, one of either side, that try to stay side by side.
+struct PairGrip {
+  std::array<int, 4> vertices;    ///< as a ContactPair's
+  bool edges;                     ///< likewise
+  std::array<double, 4> weights;  ///< of the points: one less the other, as NearestPoints'
+  Vec3 anchor;                    ///< metres along the cloth, of the one from the other, unpulled
+};
+
+}  // namespace toile
