@@ -20,6 +20,11 @@ constexpr double step_factor = 1.3;
 /// What each coarser level adds to the bound: 1 would always be safe; at 0.2, garments of the
 /// default fabric come to rest, but those of jersey and denim go on trembling.
 constexpr double level_share = 0.5;
+/// Of the age of its momentum, what a run keeps that goes uphill: what trembles somewhere must not
+/// stop what is slow elsewhere. With nothing kept, ten garments take 1.34 times the iterations, with
+/// a half 1.24 times. What is younger than the least age is left alone.
+constexpr double kept_age = 0.75;
+constexpr int least_age = 50;
 /// Iterations between two measurements of the residual, and calls of the watcher.
 constexpr int watch_interval = 50;
 /// How often a garment that is at rest but for a few nodes is held harder, where it is beyond its
@@ -56,6 +61,7 @@ class Relaxation {
   double step_nodes(std::size_t begin, std::size_t end);
   Residual measure_residual();
   Residual last_residual() const;
+  void adjust_momentum(double power, bool closing);
   bool stalls(const Residual& residual, int iteration);
   bool at_rest(const Residual& residual) const {
     return residual.median < options_.stop_median && residual.rms < options_.stop_rms &&
@@ -74,7 +80,7 @@ class Relaxation {
   double momentum_ = 0;
   double nearest_to_rest_ = -1;  // the residual as a multiple of what it has to be, at its least
   int nearest_at_ = 0;           // and in which iteration
-  int momentum_age_ = 0;
+  int momentum_age_ = 0;  // iterations that momentum has grown for
 };
 
 TOILE_CLONES
@@ -160,6 +166,12 @@ Residual Relaxation::last_residual() const {
   return r;
 }
 
+/// Less of it when the forces are against the last step, all nodes together.
+void Relaxation::adjust_momentum(double power, bool closing) {
+  const bool uphill = power < 0 && !closing && momentum_age_ >= least_age;
+  momentum_age_ = uphill ? static_cast<int>(kept_age * momentum_age_) : momentum_age_ + 1;
+}
+
 /// Whether the residual has not come nearer to what it has to be for long: a node or two are held
 /// against their bounds, and going on would not change that.
 bool Relaxation::stalls(const Residual& residual, int iteration) {
@@ -196,7 +208,7 @@ RelaxReport Relaxation::run(const RelaxWatcher& watcher) {
     forces_.search_when_due(search_interval, watch_interval);
     forces_.compute(bending_);
     const double power = step();
-    momentum_age_ = power < 0 && !closing ? 0 : momentum_age_ + 1;
+    adjust_momentum(power, closing);
     report.iterations = i + 1;
     if ((i + 1) % watch_interval != 0 && i + 1 != options_.max_iterations) continue;
     if (watcher) watcher({i + 1, forces_.open(), state()});

@@ -64,7 +64,7 @@ std::vector<Vec3> point_positions(const Program& program, const std::vector<Vec3
                                   double open);
 
 /// Moves the nodes `x` (one a node, metres) toward rest: each is stepped by its force over a bound
-/// of its stiffness, with Nesterov's momentum, restarted when it runs uphill [O'Donoghue & Candes
+/// of its stiffness, with Nesterov's momentum, cut when it runs uphill [after O'Donoghue & Candes
 /// 2015]; patches of the coarser levels likewise (CoarseMotion). The watcher is called every 50
 /// iterations. Cost per iteration is linear in the triangles; the number of iterations grows with
 /// the square root of the stiffness ratios, so about with the number of nodes across. Same bits for
