@@ -27,15 +27,20 @@ constexpr Preset presets[] = {
 struct Quantity {
   std::vector<double*> values;
   bool may_be_zero;
+  double most;  ///< that anything worn has, and far more; in the key's unit
   double unit = 1;
 };
 
-double number_of(const nlohmann::json& value, const std::string& key, bool may_be_zero,
+double number_of(const nlohmann::json& value, const std::string& key, const Quantity& quantity,
                  const std::string& place) {
   const double number = value.get<double>();
-  if (!std::isfinite(number) || number < 0 || (number == 0 && !may_be_zero)) {
+  if (!std::isfinite(number) || number < 0 || (number == 0 && !quantity.may_be_zero)) {
     throw Error(place, "'" + key + "' is " + value.dump(),
                 "give a positive number in the unit of the key");
+  }
+  if (number > quantity.most) {
+    throw Error(place, "'" + key + "' is " + value.dump() + ", more than any fabric has",
+                "give it in the unit of the key");
   }
   return number;
 }
@@ -51,18 +56,18 @@ void check(const Fabric& fabric, const std::string& place) {
 Fabric read_fabric(const std::string& text, const std::string& place) {
   Fabric fabric;
   const std::map<std::string, Quantity> quantities = {
-      {"areal_density_kg_per_m2", {{&fabric.areal_density}, false}},
-      {"thickness_mm", {{&fabric.thickness}, false, 1e-3}},
-      {"stretch_warp_N_per_m", {{&fabric.stretch_warp}, false}},
-      {"stretch_weft_N_per_m", {{&fabric.stretch_weft}, false}},
-      {"shear_N_per_m", {{&fabric.shear}, true}},
-      {"bending_N_m", {{&fabric.bending_warp, &fabric.bending_weft}, true}},
-      {"bending_warp_N_m", {{&fabric.bending_warp}, true}},
-      {"bending_weft_N_m", {{&fabric.bending_weft}, true}},
-      {"friction", {{&fabric.friction_skin, &fabric.friction_cloth}, true}},
-      {"friction_skin", {{&fabric.friction_skin}, true}},
-      {"friction_cloth", {{&fabric.friction_cloth}, true}},
-      {"damping_s", {{&fabric.damping}, true}}};
+      {"areal_density_kg_per_m2", {{&fabric.areal_density}, false, 100}},
+      {"thickness_mm", {{&fabric.thickness}, false, 30, 1e-3}},
+      {"stretch_warp_N_per_m", {{&fabric.stretch_warp}, false, 1e9}},
+      {"stretch_weft_N_per_m", {{&fabric.stretch_weft}, false, 1e9}},
+      {"shear_N_per_m", {{&fabric.shear}, true, 1e9}},
+      {"bending_N_m", {{&fabric.bending_warp, &fabric.bending_weft}, true, 10}},
+      {"bending_warp_N_m", {{&fabric.bending_warp}, true, 10}},
+      {"bending_weft_N_m", {{&fabric.bending_weft}, true, 10}},
+      {"friction", {{&fabric.friction_skin, &fabric.friction_cloth}, true, 100}},
+      {"friction_skin", {{&fabric.friction_skin}, true, 100}},
+      {"friction_cloth", {{&fabric.friction_cloth}, true, 100}},
+      {"damping_s", {{&fabric.damping}, true, 1}}};
   try {
     // Sorted by key: what says "both" is read before what says one of them.
     const auto json = nlohmann::json::parse(text);
@@ -82,7 +87,7 @@ Fabric read_fabric(const std::string& text, const std::string& place) {
         }
       } else if (const auto found = quantities.find(key); found != quantities.end()) {
         const Quantity& quantity = found->second;
-        const double number = number_of(value, key, quantity.may_be_zero, place);
+        const double number = number_of(value, key, quantity, place);
         for (double* of : quantity.values) *of = quantity.unit * number;
       } else {
         throw Error(place, std::string("'") + valid_utf8(key) + "' is no quantity of a fabric",

@@ -40,7 +40,8 @@ std::vector<std::string> fabric_names();
 /// A fabric of fabric_names(), or a JSON file as docs/fabric.schema.json says, whose keys are the
 /// fields above with their units; missing ones keep their defaults. Throws Error for an unknown
 /// name or key, for values that are not finite and positive (bending, shear, friction and damping
-/// may be 0), and for bending rigidities more than `most_bending_ratio` apart.
+/// may be 0) or are beyond any fabric's, and for bending rigidities more than `most_bending_ratio`
+/// apart.
 Fabric find_fabric(const std::string& name_or_file);
 
 }  // namespace toile

@@ -1,5 +1,6 @@
 #include "pattern/garment_file.h"
 
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -180,6 +181,25 @@ void check_overlaps(const PanelMesh& garment, const std::string& name) {
   }
 }
 
+/// A panel may be placed bent, or a little out of shape, but not crushed: nothing could unfold it.
+void check_placed(const PanelMesh& garment, const std::string& name) {
+  constexpr double least_share = 0.01;
+  for (const MeshedPanel& panel : garment.panels) {
+    double flat = 0;
+    double placed = 0;
+    for (int t = panel.first_triangle; t < panel.first_triangle + panel.triangles; ++t) {
+      const auto& [a, b, c] = garment.triangles[at(t)];
+      const Vec2 u = garment.flat[at(b)] - garment.flat[at(a)];
+      const Vec2 v = garment.flat[at(c)] - garment.flat[at(a)];
+      const Vec3 along = garment.placed[at(b)] - garment.placed[at(a)];
+      flat += u.x() * v.y() - u.y() * v.x();
+      placed += along.cross(garment.placed[at(c)] - garment.placed[at(a)]).norm();
+    }
+    if (placed > least_share * flat) continue;
+    fail(name, "panel '" + panel.name + "' is placed with less than a hundredth of its area");
+  }
+}
+
 /// The panels' ranges follow one another, cover everything, and hold their own triangles.
 void check_ranges(const PanelMesh& garment, const std::string& name) {
   std::int64_t point = 0;
@@ -255,6 +275,7 @@ PanelMesh read_garment(const fs::path& obj, const fs::path& json) {
         panel_of(panels.item(i).called(name + ": panel " + std::to_string(i))));
   }
   check_ranges(garment, name);
+  check_placed(garment, obj.string());
   const JsonValue seams = root.get("seams");
   for (std::size_t i = 0; i < seams.size(); ++i) {
     garment.seams.push_back(

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <vector>
 
 #include "geometry/closed_surface.h"
 #include "geometry/error.h"
@@ -26,6 +27,24 @@ Eigen::AlignedBox3d bounds_of(const TriangleMesh& body) {
   return box;
 }
 
+/// Points that no triangle has may be anywhere, and are no part of the body.
+void remove_loose_points(TriangleMesh& body) {
+  std::vector<int> now(body.points.size(), -1);
+  for (const Triangle& triangle : body.triangles) {
+    for (const int p : triangle) now[p] = 0;
+  }
+  int kept = 0;
+  for (std::size_t p = 0; p < now.size(); ++p) {
+    if (now[p] < 0) continue;
+    body.points[kept] = body.points[p];
+    now[p] = kept++;
+  }
+  body.points.resize(kept);
+  for (Triangle& triangle : body.triangles) {
+    for (int& p : triangle) p = now[p];
+  }
+}
+
 }  // namespace
 
 TriangleMesh read_closed_body(const std::filesystem::path& path) {
@@ -35,6 +54,7 @@ TriangleMesh read_closed_body(const std::filesystem::path& path) {
     throw Error(path.string(), "the body " + defect + ", so inside and outside can't be told",
                 "run clean-body on it");
   }
+  remove_loose_points(body);
   const Eigen::AlignedBox3d bounds = bounds_of(body);
   const double height = bounds.sizes().y();
   if (!(height > least_height && height < most_height)) {

@@ -102,6 +102,12 @@ TEST_F(FabricFile, WhatIsNoFabricIsRefused) {
   }
 }
 
+TEST_F(FabricFile, WhatNoFabricHasIsAMistakenUnit) {
+  EXPECT_HOLDS(error("{\"thickness_mm\": 300}"), "'thickness_mm' is 300, more than any fabric has");
+  EXPECT_HOLDS(error("{\"areal_density_kg_per_m2\": 150}"), "'areal_density_kg_per_m2' is 150");
+  EXPECT_HOLDS(error("{\"bending_N_m\": 1e300}"), "more than any fabric has");
+}
+
 /// Of what can be worn; far outside, a unit was mistaken.
 void expect_plausible(const Fabric& fabric) {
   const auto expect_within = [&](const char* what, double value, double least, double most) {

@@ -164,6 +164,15 @@ TEST_F(GarmentFile, FlatTrianglesMustNotBeTurnedOver) {
   EXPECT_HOLDS(error_of([&] { read_garment(obj_); }), "has no flat coordinates");
 }
 
+TEST_F(GarmentFile, PlacedPanelsMustNotBeCrushed) {
+  PanelMesh garment = bag();
+  const int first = garment.panels[1].first_point;
+  for (int p = first; p < first + garment.panels[1].points; ++p) garment.placed[p].setZero();
+  write_garment(obj_, garment);
+  EXPECT_HOLDS(error_of([&] { read_garment(obj_); }),
+               "panel '" + garment.panels[1].name + "' is placed with less than");
+}
+
 TEST_F(GarmentFile, FlatTrianglesMustNotLieOnEachOther) {
   const std::string corners =
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvt 1 1\n";

@@ -2,14 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <iostream>
-#include <nlohmann/json.hpp>
 
-#include "tests/support/run_program.h"
+#include "tests/stability/hard_case.h"
 
 namespace toile::pipeline {
 namespace {
 
-using Json = nlohmann::json;
+using test::Json;
 
 class HardStarts : public testing::Test {
  protected:
@@ -41,9 +40,16 @@ class HardStarts : public testing::Test {
     words.insert(words.end(), options.begin(), options.end());
     done = run("dress", words, 60);
     EXPECT_EQ(done.exit_code, exit_code) << done.err;
-    if (done.exit_code == 1) return;
+    const std::string start = testing::UnitTest::GetInstance()->current_test_info()->name();
+    if (done.exit_code == 1) {
+      test::state("7 " + start, "relaxation", "error", "names the panel");
+      return;
+    }
     report = Json::parse(read_text(folder / "report.json"));
-    std::cout << report["verdict"] << " after " << report["seconds"] << " s\n";
+    const Json& meets = report["intersections"];
+    test::state(
+        "7 " + start, "relaxation", report["verdict"],
+        std::to_string(meets["body"].get<int>() + meets["self"].get<int>()) + " intersections");
     RecordProperty("verdict", report["verdict"].get<std::string>());
   }
 

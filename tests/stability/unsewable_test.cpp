@@ -1,0 +1,105 @@
+// Case 7: what can't be sewn, or only by force. More starts that go wrong: hard_starts_test.cpp.
+#include "tests/stability/hard_case.h"
+
+namespace toile::test {
+namespace {
+
+class Unsewable : public HardCase {
+ protected:
+  /// The band's panels as rectangles.
+  static void rectangle(Json& panel, double width, double low, double high) {
+    const double half = width / 2;
+    panel["vertices"] = {{-half, low}, {half, low}, {half, high}, {-half, high}};
+    panel["edges"] = Json::array();
+    for (int i = 0; i < 4; ++i) panel["edges"].push_back({{"endpoints", {i, (i + 1) % 4}}});
+  }
+};
+
+using LongUnsewable = Unsewable;
+
+/// A tube of 50 cm for a waist of 71 and hips of 98.
+TEST_F(Unsewable, ABandThreeSizesSmallLacksCentimetres) {
+  const fs::path garment = band([](Json& panels, Json&) {
+    for (Json& panel : panels) rectangle(panel, 25, 5, 21);
+  });
+  for (const std::string& method : both_methods) {
+    const Ending ending = dress(mannequin(), garment, method);
+    // The relaxation lets soft panels close on one side of the body, and says that they do.
+    if (method == "relaxation" && ending.outcome == "unwrapped") {
+      EXPECT_TRUE(ending.says("does not go around torso")) << ending.said;
+      state("7 band three sizes small", method, "unwrapped",
+            "**falls short**: says that it is not around the torso, not that it is too small");
+      continue;
+    }
+    EXPECT_EQ(ending.outcome, "unsewable") << ending.said;
+    double missing = 0;
+    for (const Json& seam : ending.report["unsewable_seams"]) {
+      missing += seam["missing_cm"].get<double>();
+      EXPECT_TRUE(ending.says(seam["name"].get<std::string>())) << ending.said;
+    }
+    // The waist has 21 cm more than the tube, the hips 48.
+    EXPECT_GT(missing, 10) << ending.report["unsewable_seams"];
+    EXPECT_LT(missing, 48) << ending.report["unsewable_seams"];
+    state("7 band three sizes small", method, ending.outcome,
+          "lacks " + number(missing) + " cm in all");
+  }
+}
+
+/// Armholes sewn to the neck's other side can meet through the neck only.
+TEST_F(LongUnsewable, AStitchThroughTheBody) {
+  Json tshirt = sample("tshirt");
+  Json& panels = tshirt["pattern"]["panels"];
+  for (const std::string half : {"_sleeve_f", "_sleeve_b"}) {
+    for (const char* key : {"translation", "rotation", "placement"}) {
+      std::swap(panels["left" + half][key], panels["right" + half][key]);
+    }
+  }
+  const fs::path garment = meshed(tshirt);
+  for (const std::string& method : both_methods) {
+    const Ending ending = dress(mannequin(), garment, method, {}, 280);
+    EXPECT_EQ(ending.outcome, "unsewable") << ending.said;
+    EXPECT_TRUE(ending.says("armhole")) << ending.said;
+    state("7 sleeves sewn through the torso", method, ending.outcome, ending.figures());
+  }
+}
+
+/// Sides of 36 and 18 cm: gathered, as nobody said, to the shorter.
+TEST_F(Unsewable, SeamsOfOneToTwoAreNamedWithBothLengths) {
+  for (const bool declared : {false, true}) {
+    Json pattern = sample("band");
+    Json& panels = pattern["pattern"]["panels"];
+    rectangle(panels["front"], 49, 0, 18);
+    rectangle(panels["back"], 49, -9, 27);
+    for (Json& stitch : pattern["pattern"]["stitches"]) {
+      if (declared) stitch[2]["gather"] = true;
+    }
+    pipeline::write_text(folder / "uneven-pattern.json", pattern.dump());
+    const pipeline::Run meshing =
+        pipeline::run("mesh-pattern", {folder / "uneven-pattern.json", "-o", folder / "uneven.obj",
+                                       "--edge-length", "25mm", "-q"});
+    ASSERT_EQ(meshing.exit_code, 0) << meshing.err;
+    const bool warned = meshing.err.find("warning: ") != std::string::npos;
+    EXPECT_EQ(warned, !declared) << meshing.err;
+    if (warned) {
+      for (const char* words : {"36.00 cm", "18.00 cm", "2.00 : 1", "gather"}) {
+        EXPECT_NE(meshing.err.find(words), std::string::npos) << words << ": " << meshing.err;
+      }
+    }
+    state(std::string("7 seams of 2 : 1, ") + (declared ? "declared" : "undeclared"),
+          "mesh-pattern", warned ? "warning" : "meshed", warned ? "names both lengths" : "");
+  }
+  for (const std::string& method : both_methods) {
+    const Ending ending = dress(mannequin(), folder / "uneven.obj", method);
+    if (method == "relaxation") {
+      EXPECT_EQ(ending.report["seams"]["open"], 0) << ending.said;
+    } else {
+      // Its edges may not be strained by more than 1 %, and know no gathers finer than the mesh.
+      EXPECT_TRUE(ending.outcome == "unsewable" || ending.report["seams"]["open"] == 0);
+    }
+    EXPECT_NE(ending.outcome, "error");
+    state("7 seams of 2 : 1, undeclared", method, ending.outcome, ending.figures());
+  }
+}
+
+}  // namespace
+}  // namespace toile::test
