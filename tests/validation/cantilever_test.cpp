@@ -84,6 +84,14 @@ double held_to(test::Cut cut) {
   return cut == test::Cut::structured ? 0.21 : cut == test::Cut::turned ? 0.65 : 0.15;
 }
 
+void state_bent(const test::Figure& drop, const test::Figure& tip, const Bent& bent, double ratio,
+                double angle) {
+  test::state(drop, bent.drop_over_reach, test::number(ratio, 6),
+              test::number(100 * (bent.drop_over_reach / ratio - 1), 3) + " %");
+  test::state(tip, bent.tip_angle, test::number(angle, 6),
+              test::number(bent.tip_angle - angle, 3) + " degrees");
+}
+
 void bend(double gamma, int elements, bool bounded) {
   const test::ReferenceTable table("case04_heavy_elastica.csv");
   const double layer = elements / std::sqrt(gamma);
@@ -100,10 +108,7 @@ void bend(double gamma, int elements, bool bounded) {
     test::Figure drop{elastica + "drop over reach", "relaxation", test::name_of(cut) + at};
     test::Figure tip{elastica + "tip angle", "relaxation", test::name_of(cut) + at, "degrees"};
     if (!bounded) {
-      test::state(drop, bent.drop_over_reach, test::number(ratio, 6),
-                  test::number(100 * (bent.drop_over_reach / ratio - 1), 3) + " %");
-      test::state(tip, bent.tip_angle, test::number(angle, 6),
-                  test::number(bent.tip_angle - angle, 3) + " degrees");
+      state_bent(drop, tip, bent, ratio, angle);
       continue;
     }
     drop.asked = 0.02, tip.asked = layer > 6 ? 1 : 0;
@@ -124,6 +129,26 @@ TEST(LongCantilever, BendsAsTheHeavyElastica) {
   for (const double gamma : {0.1, 1.0, 10.0, 100.0}) bend(gamma, 32, gamma < 100);
   // Boundary layers of less than two elements: information.
   bend(1000, 32, false);
+}
+
+// The springs across an edge have the fabric's energy at one curvature only, and no more than the
+// step can bear: what they make of it is information.
+TEST(LongCantilever, OfSprings) {
+  const test::ReferenceTable table("case04_heavy_elastica.csv");
+  for (const double gamma : {10.0, 100.0}) {
+    for (const test::Cut cut : test::all_cuts) {
+      const Cantilever scene{gamma, 16, cut};
+      const PanelMesh garment = scene.garment();
+      const Program program = scene.program(garment);
+      const std::vector<Vec3> x = test::sprung(garment, program, {.seconds = 6, .speed = 1e-5});
+      const std::string elastica = "elastica, weight group " + test::number(gamma) + ": ";
+      const std::string at = test::name_of(cut) + ", 16 elements";
+      state_bent({elastica + "drop over reach", "springs", at},
+                 {elastica + "tip angle", "springs", at, "degrees"},
+                 scene.measure(garment, program, x), table.find("Gamma", gamma, "H_over_W"),
+                 table.find("Gamma", gamma, "tip_angle_deg"));
+    }
+  }
 }
 
 }  // namespace
