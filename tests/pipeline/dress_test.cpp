@@ -8,8 +8,8 @@
 #include "io/mesh_file.h"
 #include "tests/cloth/panels.h"
 #include "tests/pattern/samples.h"
-#include "tests/support/run_program.h"
 #include "tests/support/tubes.h"
+#include "tests/support/worn_sample.h"
 
 namespace toile::pipeline {
 namespace {
@@ -59,12 +59,6 @@ struct Chain {
     report = Json::parse(read_text(to.string() + ".json"));
   }
 
-  static void succeed(const std::string& program, const std::vector<std::string>& words) {
-    const Run done = run(program, words);
-    ASSERT_EQ(done.exit_code, 0) << program << ": " << done.err;
-    EXPECT_EQ(done.out, "");
-  }
-
   double number(const std::string& pointer) const {
     return report.at(Json::json_pointer(pointer)).get<double>();
   }
@@ -91,7 +85,7 @@ void expect_sewn_without_intersections(const Chain& chain) {
 TEST(Dress, ByThePapersMethodTellsWhatSewsFromWhatDoesNot) {
   Chain chain;
   const fs::path mannequin = chain.folder / "mannequin.ply";
-  Chain::succeed("make-mannequin", {"-o", mannequin, "--edge-length", "12mm", "-q"});
+  succeed("make-mannequin", {"-o", mannequin, "--edge-length", "12mm", "-q"});
   chain.prepare(mannequin, fs::path(TOILE_SOURCE_DIR) / "samples/band.json", "25mm");
   chain.dress(chain.dressed, {"--method", "paper", "--strain-control", "converged", "-q"});
   EXPECT_EQ(chain.report["method"], "paper");
@@ -102,8 +96,8 @@ TEST(Dress, ByThePapersMethodTellsWhatSewsFromWhatDoesNot) {
   EXPECT_GT(chain.wrapped("torso"), 0.95);
 
   const fs::path small = chain.folder / "small.obj";
-  Chain::succeed("mesh-pattern", {fs::path(TOILE_SOURCE_DIR) / "samples/band_small.json", "-o",
-                                  small, "--edge-length", "25mm", "-q"});
+  succeed("mesh-pattern", {fs::path(TOILE_SOURCE_DIR) / "samples/band_small.json", "-o", small,
+                           "--edge-length", "25mm", "-q"});
   const fs::path report = chain.folder / "small.report.json";
   const pipeline::Run done =
       run("dress", {"--body", chain.body, small, "-o", chain.folder / "short.obj", "--report",
@@ -148,7 +142,7 @@ TEST(Dress, OptionsOfThePapersMethodAreChecked) {
 TEST(Dress, TheSampleFromBodyAndPatternToEaseMap) {
   Chain chain;
   const fs::path raw = chain.folder / "raw.ply";
-  Chain::succeed("make-mannequin", {"-o", raw, "-q"});
+  succeed("make-mannequin", {"-o", raw, "-q"});
   chain.prepare(raw, fs::path(TOILE_SOURCE_DIR) / "samples" / "tshirt.json", "15mm");
   chain.dress(chain.dressed, {"-q", "--threads", "1"});
 
@@ -218,8 +212,8 @@ TEST(Dress, TheSampleFromBodyAndPatternToEaseMap) {
   EXPECT_TRUE(read_text(chain.folder / "two.obj") == read_text(chain.dressed));
 
   const fs::path ease = chain.folder / "ease.json";
-  Chain::succeed("ease-map", {"--body", chain.body, chain.dressed, "-o", chain.folder / "ease.html",
-                              "--json", ease, "-q"});
+  succeed("ease-map", {"--body", chain.body, chain.dressed, "-o", chain.folder / "ease.html",
+                       "--json", ease, "-q"});
   const Json total = Json::parse(read_text(ease))["total"];
   // Outside the body everywhere, on it somewhere.
   EXPECT_GT(total["min_mm"].get<double>(), 0);

@@ -1,46 +1,33 @@
 // A garment of other fabrics than the default, from pattern to drape.
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
+#include <iostream>
 
-#include "tests/support/run_program.h"
+#include "tests/support/worn_sample.h"
 
-namespace toile {
+namespace toile::pipeline {
 namespace {
 
 using Json = nlohmann::json;
-using pipeline::read_text;
-using pipeline::run;
-namespace fs = std::filesystem;
 
-class TshirtOf : public testing::Test {
+class TshirtOf : public WornSample {
  protected:
-  void prepare(const std::string& edge_length) {
-    succeed("make-mannequin", {"-o", body, "--edge-length", "12mm", "-q"});
-    Json pattern = Json::parse(read_text(fs::path(TOILE_SOURCE_DIR) / "samples" / "tshirt.json"));
+  void prepare(const std::string& edge_length) const {
+    make_body("12mm");
+    Json pattern = Json::parse(read_text(sample("tshirt")));
     for (auto& [name, panel] : pattern["pattern"]["panels"].items()) {
       if (name.find("sleeve") != std::string::npos) panel["fabric"] = "sleeves";
     }
-    pipeline::write_text(folder / "tee.json", pattern.dump());
-    succeed("mesh-pattern",
-            {folder / "tee.json", "-o", garment, "--edge-length", edge_length, "-q"});
+    write_text(folder / "tee.json", pattern.dump());
+    mesh(folder / "tee.json", edge_length);
   }
 
-  static void succeed(const std::string& program, const std::vector<std::string>& words) {
-    const pipeline::Run done = run(program, words);
-    ASSERT_EQ(done.exit_code, 0) << program << ": " << done.err;
+  Json dressed_in(const std::string& fabric, const std::string& sleeves) const {
+    const pipeline::Run done =
+        dress("dressed", {"--fabric", fabric, "--fabric", "sleeves=" + sleeves});
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+    return report("dressed");
   }
-
-  Json dressed_in(const std::string& fabric, const std::string& sleeves) {
-    const fs::path report = folder / "dressed.json";
-    succeed("dress", {"--body", body, garment, "-o", folder / "dressed.obj", "--report", report,
-                      "--fabric", fabric, "--fabric", "sleeves=" + sleeves, "-q"});
-    return Json::parse(read_text(report));
-  }
-
-  pipeline::ScratchFolder folder;
-  fs::path body = folder / "body.ply";
-  fs::path garment = folder / "garment.obj";
 };
 
 // Seams pull as they close; cloth as soft as that is drawn into strings and tangles.
@@ -74,4 +61,4 @@ TEST_F(TshirtOf, FabricsThatDifferByAHundredTimes) {
 }
 
 }  // namespace
-}  // namespace toile
+}  // namespace toile::pipeline

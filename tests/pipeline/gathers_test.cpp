@@ -2,42 +2,29 @@
 #include <gtest/gtest.h>
 
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "pattern/garment_file.h"
 #include "tests/support/level_line.h"
-#include "tests/support/run_program.h"
+#include "tests/support/worn_sample.h"
 
 namespace toile::pipeline {
 namespace {
 
 using Json = nlohmann::json;
 
-class Gathers : public testing::Test {
+class Gathers : public WornSample {
  protected:
-  void succeed(const std::string& program, const std::vector<std::string>& words) {
-    const pipeline::Run done = run(program, words);
-    ASSERT_TRUE(done.exit_code == 0 || (weightless_ && done.exit_code == 3)) << done.err;
+  DressedGarment wear(const std::string& name, const std::vector<std::string>& options = {}) {
+    make_body();
+    mesh(sample(name), "20mm");
+    const pipeline::Run done = dress("dressed", options);
+    EXPECT_TRUE(done.exit_code == 0 || (weightless_ && done.exit_code == 3)) << done.err;
     EXPECT_EQ(done.err.find("warning"), std::string::npos) << done.err;
+    report_ = report("dressed");
+    return read_dressed(folder / "dressed.obj");
   }
 
-  DressedGarment dress(const std::string& sample, const std::vector<std::string>& options = {}) {
-    const fs::path body = folder_ / "body.ply";
-    const fs::path garment = folder_ / "garment.obj";
-    const fs::path dressed = folder_ / "dressed.obj";
-    succeed("make-mannequin", {"-o", body, "-q"});
-    succeed("mesh-pattern", {fs::path(TOILE_SOURCE_DIR) / "samples" / (sample + ".json"), "-o",
-                             garment, "--edge-length", "20mm", "-q"});
-    std::vector<std::string> words = {"--body",           body, garment, "-o", dressed, "--report",
-                                      folder_ / "r.json", "-q"};
-    words.insert(words.end(), options.begin(), options.end());
-    succeed("dress", words);
-    report_ = Json::parse(read_text(folder_ / "r.json"));
-    return read_dressed(dressed);
-  }
-
-  ScratchFolder folder_;
   Json report_;
   bool weightless_ = false;  ///< then forces never fall below node weights: verdict unconverged
 };
@@ -45,7 +32,7 @@ class Gathers : public testing::Test {
 // Gathered 2 : 1 at -4 cm. Nearer to the seam than an edge of the mesh, the folds are finer than
 // it.
 TEST_F(Gathers, OfASkirtBecomeFoldsBesideTheSeam) {
-  const DressedGarment skirt = dress("gathered_skirt");
+  const DressedGarment skirt = wear("gathered_skirt");
   EXPECT_EQ(report_["verdict"], "sewn");
   EXPECT_LT(report_["strain_off_seams"]["p99"], 0.05);
   for (const double below : {0.02, 0.04, 0.08}) {
@@ -67,8 +54,8 @@ TEST_F(Gathers, OfASkirtBecomeFoldsBesideTheSeam) {
 TEST_F(Gathers, DoNotStretchTheShorterSide) {
   weightless_ = true;
   // Hardly any weight hangs on the waistband, so that the gather alone pulls.
-  write_text(folder_ / "light.json", R"({"areal_density_kg_per_m2": 0.001})");
-  const DressedGarment skirt = dress("gathered_skirt", {"--fabric", folder_ / "light.json"});
+  write_text(folder / "light.json", R"({"areal_density_kg_per_m2": 0.001})");
+  const DressedGarment skirt = wear("gathered_skirt", {"--fabric", folder / "light.json"});
   for (const std::string panel : {"band_front", "band_back"}) {
     const test::LevelLine line = test::level_line(skirt, panel, -0.0395);
     std::cout << panel << " at the seam: " << 100 * (line.now / line.flat - 1) << " % longer\n";
@@ -78,7 +65,7 @@ TEST_F(Gathers, DoNotStretchTheShorterSide) {
 
 // 120 cm of cloth on 66 cm of elastic, at a waist of 70.7 cm that the cloth keeps 2 mm from.
 TEST_F(Gathers, OfAnElasticHoldTheSkirtAtTheWaist) {
-  const DressedGarment skirt = dress("elastic_skirt");
+  const DressedGarment skirt = wear("elastic_skirt");
   EXPECT_EQ(report_["verdict"], "sewn");
   EXPECT_GT(report_["scene"]["terms"]["elastic"], 0);
   EXPECT_LT(report_["strain_off_seams"]["p99"], 0.05);

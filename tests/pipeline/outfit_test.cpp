@@ -9,24 +9,18 @@
 #include "io/mesh_file.h"
 #include "pattern/garment_file.h"
 #include "tests/cloth/panels.h"
-#include "tests/support/run_program.h"
 #include "tests/support/tubes.h"
+#include "tests/support/worn_sample.h"
 
 namespace toile::pipeline {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-void succeed(const std::string& program, const std::vector<std::string>& words) {
-  const Run done = run(program, words);
-  ASSERT_EQ(done.exit_code, 0) << program << ": " << done.err;
-  EXPECT_EQ(done.out, "");
-}
-
 /// The sample T-shirt, larger in both directions and placed so that its shoulders lie where the
 /// original's do.
 std::string larger_tshirt(double factor) {
-  Json pattern = Json::parse(read_text(fs::path(TOILE_SOURCE_DIR) / "samples" / "tshirt.json"));
+  Json pattern = Json::parse(read_text(sample("tshirt")));
   for (auto& [name, panel] : pattern["pattern"]["panels"].items()) {
     for (Json& vertex : panel["vertices"]) {
       for (Json& coordinate : vertex) coordinate = factor * coordinate.get<double>();
@@ -57,7 +51,7 @@ TEST(Outfit, AShirtOverAShirt) {
     words.push_back(to);
     succeed("mesh-pattern", words);
   };
-  mesh_pattern(fs::path(TOILE_SOURCE_DIR) / "samples" / "tshirt.json", folder / "tee.obj");
+  mesh_pattern(sample("tshirt"), folder / "tee.obj");
   mesh_pattern(folder / "large.json", folder / "coat.obj");
   write_text(folder / "scene.json", R"({"body": "body.ply", "layers": [
       {"name": "tee", "garment": "tee.obj"}, {"name": "coat", "garment": "coat.obj"}]})");

@@ -4,7 +4,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "tests/support/run_program.h"
+#include "tests/support/worn_sample.h"
 
 namespace toile::pipeline {
 namespace {
@@ -23,7 +23,7 @@ void mirror(Json& panel) {
 /// The sample T-shirt without a translation or rotation: its body flat, its sleeves in one piece
 /// and rolled, their halves joined along the overarm.
 Json tshirt_by_part() {
-  Json file = Json::parse(read_text(fs::path(TOILE_SOURCE_DIR) / "samples" / "tshirt.json"));
+  Json file = Json::parse(read_text(sample("tshirt")));
   Json& panels = file["pattern"]["panels"];
   for (auto& [name, panel] : panels.items()) {
     panel.erase("translation");
@@ -115,28 +115,18 @@ Json trousers() {
   return file;
 }
 
-class Positioned : public testing::Test {
+class Positioned : public WornSample {
  protected:
   // The mannequin comes clean, with its joints.
-  Positioned() { succeed("make-mannequin", {"-o", body, "--edge-length", "14mm", "-q"}); }
-
-  static void succeed(const std::string& program, const std::vector<std::string>& words) {
-    const pipeline::Run done = run(program, words);
-    EXPECT_EQ(done.exit_code, 0) << program << ": " << done.err;
-  }
-
-  void mesh(const Json& pattern) {
-    write_text(folder / "pattern.json", pattern.dump());
-    succeed("mesh-pattern",
-            {folder / "pattern.json", "-o", garment, "--edge-length", "20mm", "-q"});
-  }
+  void SetUp() override { make_body("14mm"); }
 
   /// The report of a dressing that ends well.
   Json dress(const Json& pattern) {
-    mesh(pattern);
-    const fs::path report = folder / "dressed.json";
-    succeed("dress", {"--body", body, garment, "-o", folder / "dressed.obj", "--report", report});
-    const Json said = Json::parse(read_text(report));
+    write_text(folder / "pattern.json", pattern.dump());
+    mesh(folder / "pattern.json", "20mm");
+    const pipeline::Run done = WornSample::dress("dressed");
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+    const Json said = report("dressed");
     EXPECT_EQ(said["verdict"], "sewn");
     EXPECT_EQ(said["scene"]["points_inside_at_start"], 0);
     EXPECT_EQ(said["intersections"]["self"], 0);
@@ -144,10 +134,6 @@ class Positioned : public testing::Test {
     for (const Json& panel : said["scene"]["positioned"]) std::cout << panel << "\n";
     return said;
   }
-
-  ScratchFolder folder;
-  fs::path body = folder / "body.ply";
-  fs::path garment = folder / "garment.obj";
 };
 
 TEST_F(Positioned, ATshirtOfFlatPanelsAndRolledSleeves) {

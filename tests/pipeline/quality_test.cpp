@@ -2,49 +2,27 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iostream>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "io/mesh_file.h"
-#include "tests/support/run_program.h"
+#include "tests/support/worn_sample.h"
 
-namespace toile {
+namespace toile::pipeline {
 namespace {
 
 using Json = nlohmann::json;
-using pipeline::read_text;
-using pipeline::run;
-namespace fs = std::filesystem;
 
-class Quality : public testing::Test {
+class Quality : public WornSample {
  protected:
   void SetUp() override {
-    ASSERT_EQ(run("make-mannequin", {"-o", body, "--edge-length", "12mm", "-q"}).exit_code, 0);
-    const fs::path pattern = fs::path(TOILE_SOURCE_DIR) / "samples" / "tshirt.json";
-    ASSERT_EQ(
-        run("mesh-pattern", {pattern, "-o", garment, "--edge-length", "25mm", "-q"}).exit_code, 0);
-  }
-
-  pipeline::Run dress(const std::string& name, const std::vector<std::string>& options) {
-    std::vector<std::string> words = {"--body",
-                                      body,
-                                      garment,
-                                      "-o",
-                                      folder / (name + ".obj"),
-                                      "--report",
-                                      folder / (name + ".json"),
-                                      "-q"};
-    words.insert(words.end(), options.begin(), options.end());
-    return run("dress", words);
+    make_body("12mm");
+    mesh(sample("tshirt"), "25mm");
   }
 
   std::vector<Vec3> nodes(const std::string& name) const {
     return read_mesh(folder / (name + ".obj")).points;
   }
-
-  pipeline::ScratchFolder folder;
-  fs::path body = folder / "body.ply";
-  fs::path garment = folder / "garment.obj";
 };
 
 /// Root of the mean square, metres.
@@ -59,13 +37,13 @@ TEST_F(Quality, FinerPresetsLeaveLessAndEndNearerToRest) {
   std::map<std::string, Json> reports;
   for (const auto& [quality, most] : left) {
     ASSERT_EQ(dress(quality, {"--quality", quality}).exit_code, 0) << quality;
-    const Json report = Json::parse(read_text(folder / (quality + ".json")));
+    reports[quality] = report(quality);
+    const Json& report = reports[quality];
     EXPECT_LT(report["residual"]["median"], most) << quality;
     EXPECT_LT(report["residual"]["rms"], 10 * most) << quality;
     EXPECT_LT(report["residual"]["wide"], most) << quality;
     EXPECT_EQ(report["intersections"]["body"], 0) << quality;
     EXPECT_EQ(report["intersections"]["self"], 0) << quality;
-    reports[quality] = report;
   }
   ASSERT_EQ(dress("rest", {"--residual", "0.00001"}).exit_code, 0);
   const auto rest = nodes("rest");
@@ -79,7 +57,7 @@ TEST_F(Quality, FinerPresetsLeaveLessAndEndNearerToRest) {
   EXPECT_LT(standard, 2e-3);
   EXPECT_LT(fine, 1e-3);
   // A tenth of a percentage point.
-  const Json converged = Json::parse(read_text(folder / "rest.json"));
+  const Json converged = report("rest");
   EXPECT_NEAR(reports["standard"]["strain_off_seams"]["p99"].get<double>(),
               converged["strain_off_seams"]["p99"].get<double>(), 1e-3);
 }
@@ -91,4 +69,4 @@ TEST_F(Quality, IsOneOfThreeAndNoResidualBeside) {
 }
 
 }  // namespace
-}  // namespace toile
+}  // namespace toile::pipeline
