@@ -63,9 +63,14 @@ class Together {
   }
 
  private:
-  /// What friction holds of a garment's own cloth; what was a layer below has its own nodes now.
+  /// What friction holds of a garment beside its nodes; what was a layer below has nodes of its own
+  /// now.
   void take_over(const WornGarment& worn) {
     const int nodes = static_cast<int>(worn.nodes.size());
+    for (EdgeGrip grip : worn.grip.edges) {
+      for (int& v : grip.edge) v += first_.back();
+      grip_.edges.push_back(grip);
+    }
     for (PairGrip grip : worn.grip.cloth) {
       if (*std::max_element(grip.vertices.begin(), grip.vertices.end()) >= nodes) continue;
       for (int& v : grip.vertices) v += first_.back();

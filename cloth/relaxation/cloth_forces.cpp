@@ -42,6 +42,7 @@ ClothForces::ClothForces(const Program& program, const ForceOptions& options,
   }
   if (options.grip == nullptr || open_seams) return;
   pairs_.friction().hold(options.grip->cloth);
+  if (edge_contacts_) edge_contacts_->hold(options.grip->edges);
   const auto& skin = options.grip->skin;
   for (std::size_t n = 0; n < std::min(skin.size(), contacts_.size()); ++n) {
     if (skin[n]) contacts_[n].hold_at(*skin[n]);
@@ -52,6 +53,7 @@ Grip ClothForces::grip() const {
   Grip grip;
   if (has_limits()) grip.yarns = kernel_->restraints();
   if (by_points_) return grip;
+  if (edge_contacts_) grip.edges = edge_contacts_->grips();
   grip.cloth = pairs_.friction().grips();
   grip.skin.reserve(contacts_.size());
   for (const BodyContact& contact : contacts_) grip.skin.push_back(contact.anchor());

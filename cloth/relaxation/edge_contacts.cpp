@@ -39,6 +39,23 @@ void EdgeContacts::look_anew() {
   for (BodyContact& contact : contacts_) contact.forget();
 }
 
+std::vector<EdgeGrip> EdgeContacts::grips() const {
+  std::vector<EdgeGrip> grips;
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    const auto anchor = contacts_[e].anchor();
+    if (anchor) grips.push_back({edges_[e], *anchor});
+  }
+  return grips;
+}
+
+void EdgeContacts::hold(const std::vector<EdgeGrip>& grips) {
+  for (const EdgeGrip& grip : grips) {
+    const auto found = std::lower_bound(edges_.begin(), edges_.end(), grip.edge);
+    if (found == edges_.end() || *found != grip.edge) continue;
+    contacts_[found - edges_.begin()].hold_at(grip.anchor);
+  }
+}
+
 void EdgeContacts::add(const Scene& scene, double offset, bool rubbing, const Vec4s& x,
                        Vec4s& force) {
   side_by_side(chunks_of(edges_.size(), vertex_chunk), [&](std::size_t c) {

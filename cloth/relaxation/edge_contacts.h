@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cloth/relaxation/body_contact.h"
+#include "cloth/relaxation/grips.h"
 #include "cloth/relaxation/vec4.h"
 #include "cloth/scene.h"
 
@@ -24,6 +25,11 @@ class EdgeContacts {
 
   /// Has the body looked at again before the next forces.
   void look_anew();
+
+  /// Where friction holds the middles, sorted by their edges.
+  std::vector<EdgeGrip> grips() const;
+  /// Lets friction hold them there, instead of where they come to touch the body.
+  void hold(const std::vector<EdgeGrip>& grips);
 
   /// Adds the forces (N) to those of the vertices, and a bound of their stiffness (N/m) as the
   /// fourth of them. `offset`: see BodyContact; without `rubbing` there is no friction. The scene

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cloth/relaxation/body_bounds.h"
-#include "cloth/relaxation/pair_grip.h"
+#include "cloth/relaxation/grips.h"
 #include "cloth/stretch.h"
 #include "geometry/types.h"
 
@@ -16,6 +16,7 @@ namespace toile {
 /// the next, so that the force is not lost.
 struct Grip {
   std::vector<std::optional<Vec3>> skin;  ///< per node; nothing: it does not
+  std::vector<EdgeGrip> edges;            ///< of nodes, sorted: their middles on the skin
   std::vector<PairGrip> cloth;            ///< where it rubs on cloth, of nodes and then of layers
   std::vector<Restraint> yarns;           ///< per triangle; empty: no limits
 
@@ -24,11 +25,13 @@ struct Grip {
     for (std::size_t n = 0; n < std::min(moved.size(), skin.size()); ++n) {
       if (moved[n] != 0) skin[n].reset();
     }
-    std::erase_if(cloth, [&](const PairGrip& grip) {
-      return std::any_of(grip.vertices.begin(), grip.vertices.end(), [&](int v) {
+    const auto any_moved = [&](const auto& vertices) {
+      return std::any_of(vertices.begin(), vertices.end(), [&](int v) {
         return static_cast<std::size_t>(v) < moved.size() && moved[v] != 0;
       });
-    });
+    };
+    std::erase_if(edges, [&](const EdgeGrip& grip) { return any_moved(grip.edge); });
+    std::erase_if(cloth, [&](const PairGrip& grip) { return any_moved(grip.vertices); });
   }
 };
 

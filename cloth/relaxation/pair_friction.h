@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "cloth/relaxation/pair_grip.h"
+#include "cloth/relaxation/grips.h"
 #include "cloth/relaxation/vec4.h"
 #include "cloth/self_contact.h"
 

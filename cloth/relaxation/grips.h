@@ -1,4 +1,4 @@
-// What friction remembers of cloth that presses on cloth.
+// What friction remembers of cloth that presses on something.
 #pragma once
 
 #include <array>
@@ -6,6 +6,12 @@
 #include "geometry/types.h"
 
 namespace toile {
+
+/// The middle of an edge that sticks to the body.
+struct EdgeGrip {
+  std::array<int, 2> edge;  ///< its vertices, the lower first
+  Vec3 anchor;              ///< metres, where it sticks
+};
 
 /// Two points of a pair, one of either side, that try to stay side by side.
 struct PairGrip {
