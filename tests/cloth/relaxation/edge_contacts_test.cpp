@@ -8,8 +8,8 @@
 namespace toile {
 namespace {
 
-/// What holds a coarse mesh by the middles of its edges goes on to hold it in the next run: it had
-/// sagged by half a millimetre until they had taken hold anew.
+/// What holds a coarse mesh by the middles of its edges goes on to hold it in the next run: else it
+/// sags until they have taken hold anew.
 TEST(EdgeContacts, HoldOnFromRunToRun) {
   const DistanceGrid body{BodyDistance(test::box({-0.2, -0.1, -0.2}, {0.2, 0, 0.2}))};
   Scene scene;
