@@ -10,6 +10,7 @@
 #include "cloth/clear_start.h"
 #include "cloth/levels.h"
 #include "cloth/measures.h"
+#include "cloth/relaxation/body_bounds.h"
 #include "geometry/distance_grid.h"
 #include "geometry/error.h"
 #include "geometry/intersections.h"
@@ -33,6 +34,9 @@ constexpr std::array<double, 3> soft_compression = {0.02, 0.05, 0.01};
 /// Iterations in which the finest mesh gets all of it, and is pushed back to its own offset: at
 /// once, it would be thrown about.
 constexpr int stiffening_iterations = 1000;
+
+/// Metres, while seams close, where nothing has to come to rest.
+constexpr double coarse_body_reach = 2e-4;
 
 /// N/m, while seams close: softer cloth would be drawn into strings by them, and tangle.
 constexpr double sewing_stretch = 1000;
@@ -191,6 +195,7 @@ bool Dressing::wrap(double care) {
   options.compression = soft_compression.back();
   options.gravity = 0;
   options.pull = sewing_pull;
+  options.body_reach = coarse_body_reach;
   options.friction = false;
   options.bounded = true;
   options.momentum = 0.99;
@@ -204,6 +209,7 @@ bool Dressing::sew(double care) {
   options.bending_from = options.bending_to = sewing_stiffness * care;
   options.gravity = 0;
   options.pull = sewing_pull;
+  options.body_reach = coarse_body_reach;
   options.friction = false;
   // Stiff seams open small folds that have gone through themselves.
   bool is_clean = clean();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "cloth/relaxation/body_bounds.h"
 #include "cloth/relaxation/pair_forces.h"
 #include "cloth/self_contact.h"
 #include "geometry/error.h"

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -79,7 +80,7 @@ BodyBounds::BodyBounds(const BodySurface& surface, const std::vector<Triangle>& 
       first_(vertices + 1, 0),
       corners_(3 * triangles.size()),
       regions_(triangles.size()),
-      due_(triangles.size()),
+      due_(triangles.size(), 1),
       next_look_(triangles.size(), 0),
       lift_(vertices, 0) {
   for (const Triangle& t : triangles) {
@@ -90,22 +91,24 @@ BodyBounds::BodyBounds(const BodySurface& surface, const std::vector<Triangle>& 
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     for (int i = 0; i < 3; ++i) corners_[next[triangles[t][i]]++] = static_cast<int>(3 * t) + i;
   }
-  for (auto& due : due_) due = 1;
 }
 
-BodyBounds::Region BodyBounds::region_of(const Triangle& corners, const std::vector<Vec3>& x,
-                                         const BodyPoint& hint, std::vector<int>& near) const {
+BodyBounds::Region BodyBounds::region_of(const Triangle& corners, const Vec4s& x, int near_facet,
+                                         std::vector<int>& near) const {
   Region region;
-  region.at = {x[corners[0]], x[corners[1]], x[corners[2]]};
+  region.at = {as_vec3(x[corners[0]]), as_vec3(x[corners[1]]), as_vec3(x[corners[2]])};
   const auto& p = region.at;
   const Vec3 centre = (p[0] + p[1] + p[2]) / 3;
   const double radius =
       std::sqrt(std::max({(p[0] - centre).squaredNorm(), (p[1] - centre).squaredNorm(),
                           (p[2] - centre).squaredNorm()}));
-  region.nearest = surface_.exact.nearest(centre, hint);
-  region.meets = region.nearest.distance < 0;
+  BodyPoint hint;
+  hint.triangle = near_facet;
+  const BodyPoint nearest_point = surface_.exact.nearest(centre, hint);
+  region.facet = nearest_point.triangle;
+  region.meets = nearest_point.distance < 0;
   if (region.meets) return region;
-  const double clear = region.nearest.distance - radius;
+  const double clear = nearest_point.distance - radius;
   if (clear > around) {
     region.reach = clear - safety;
     return region;
@@ -152,18 +155,22 @@ BodyBounds::Region BodyBounds::region_of(const Triangle& corners, const std::vec
   return region;
 }
 
-const std::vector<int>& BodyBounds::look(const std::vector<Vec3>& x) {
+const std::vector<int>& BodyBounds::look(const Vec4s& x) {
   looked_.clear();
   std::vector<int> due;
   ++looks_;
   any_due_ = false;
-  for (std::size_t t = 0; t < due_.size(); ++t) {
-    if (due_[t].load(std::memory_order_relaxed) == 0) continue;
+  const auto next_due = [&](std::size_t from) {
+    const void* at = std::memchr(due_.data() + from, 1, due_.size() - from);
+    return at == nullptr ? due_.size()
+                         : static_cast<std::size_t>(static_cast<const char*>(at) - due_.data());
+  };
+  for (std::size_t t = next_due(0); t < due_.size(); t = next_due(t + 1)) {
     if (looks_ < next_look_[t]) {
       any_due_ = true;
       continue;
     }
-    due_[t].store(0, std::memory_order_relaxed);
+    due_[t] = 0;
     next_look_[t] = looks_ + look_interval;
     due.push_back(static_cast<int>(t));
   }
@@ -171,7 +178,7 @@ const std::vector<int>& BodyBounds::look(const std::vector<Vec3>& x) {
     std::vector<int> near;
     const std::size_t end = std::min(due.size(), (c + 1) * chunk);
     for (std::size_t i = c * chunk; i < end; ++i) {
-      regions_[due[i]] = region_of(triangles_[due[i]], x, regions_[due[i]].nearest, near);
+      regions_[due[i]] = region_of(triangles_[due[i]], x, regions_[due[i]].facet, near);
     }
   });
   std::map<int, double> lifted;
@@ -188,7 +195,7 @@ const std::vector<int>& BodyBounds::look(const std::vector<Vec3>& x) {
 }
 
 void BodyBounds::make_due(int triangle) {
-  due_[triangle].store(1, std::memory_order_relaxed);
+  std::atomic_ref(due_[triangle]).store(1, std::memory_order_relaxed);
   any_due_.store(true, std::memory_order_relaxed);
 }
 

@@ -1,9 +1,11 @@
 // How far cloth may move without meeting the body: no triangle through a facet, ever.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <vector>
 
+#include "cloth/relaxation/vec4.h"
 #include "geometry/body_distance.h"
 #include "geometry/distance_grid.h"
 #include "geometry/types.h"
@@ -33,7 +35,7 @@ class BodyBounds {
   /// Looks after the triangles that are due, at first all, and each only now and then; `x` per
   /// vertex. Side by side; what it finds depends on the places only. Returns the vertices of those
   /// triangles, sorted.
-  const std::vector<int>& look(const std::vector<Vec3>& x);
+  const std::vector<int>& look(const Vec4s& x);
 
   /// Metres that a vertex at `p`, in its region, may move in any direction and stay in it; without
   /// end where all its triangles meet the body.
@@ -59,11 +61,11 @@ class BodyBounds {
     double reach = 0;            // metres from where the corner was
     std::array<Vec3, 3> at;      // the corners
     double lift = 0;             // metres that the corners should come out
-    BodyPoint nearest;           // to the middle
+    int facet = 0;               // nearest to the middle
     bool meets = false;          // the body: no bounds
   };
 
-  Region region_of(const Triangle& corners, const std::vector<Vec3>& x, const BodyPoint& hint,
+  Region region_of(const Triangle& corners, const Vec4s& x, int near_facet,
                    std::vector<int>& near) const;
   void make_due(int triangle);
 
@@ -72,7 +74,7 @@ class BodyBounds {
   std::vector<int> first_;    // per vertex, its corners
   std::vector<int> corners_;  // 3 triangle + corner
   std::vector<Region> regions_;
-  std::vector<std::atomic<char>> due_;
+  std::vector<char> due_;  // per triangle
   std::vector<int> next_look_;  // per triangle, the first that may be again
   int looks_ = 0;
   std::atomic<bool> any_due_ = true;

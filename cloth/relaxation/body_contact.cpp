@@ -6,15 +6,12 @@ namespace toile {
 
 namespace {
 
-/// Metres along which the body passes for a plane: curved with a radius of 2 cm, it leaves it by
-/// 6e-9 m, a force of 6e-6 N on a vertex that touches it.
-constexpr double plane_reach = 1.5e-5;
 /// Metres off the surface from which the body is taken for a plane.
 constexpr double near_surface = 2e-4;
 
 }  // namespace
 
-void BodyContact::look(const Scene& scene, const Vec3& p, double offset) {
+void BodyContact::look(const Scene& scene, const Vec3& p, double offset, double plane_reach) {
   const DistanceGrid::Sample sample = scene.body->at(p);
   const double away = sample.distance - offset;
   looked_at_ = p;

@@ -15,8 +15,9 @@ namespace toile {
 /// is, and stands as a plane until the vertex has moved on by `reach`.
 class alignas(32) BodyContact {
  public:
-  /// Takes the body's surface, `offset` metres out, near the vertex at `p`. The scene has a body.
-  void look(const Scene& scene, const Vec3& p, double offset);
+  /// Takes the body's surface, `offset` metres out, near the vertex at `p`, for a plane along
+  /// `plane_reach` metres. The scene has a body.
+  void look(const Scene& scene, const Vec3& p, double offset, double plane_reach);
 
   /// Metres that the vertex may still move before the body has to be looked at again; 0 and less
   /// when it is due.

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "cloth/relaxation/share_within.h"
+#include "cloth/body_pull.h"
 #include "cloth/relaxation/side_by_side.h"
 
 namespace toile {
@@ -15,6 +16,8 @@ namespace {
 /// Active pairs that one task handles.
 constexpr std::size_t pair_chunk = 128;
 
+/// Forces between two looks at the pull to the body, which is wide and smooth.
+constexpr int pull_interval = 16;
 /// Metres: the tightest curves of a body that a garment spans with whole triangles.
 constexpr double body_curve = 0.02;
 /// Share of the offset from the body that the sagitta of an edge over such a curve may use up
@@ -110,6 +113,8 @@ void ClothForces::use_skin(bool points) {
   }
   contacts_.assign(count, {});
   guards_.assign(count, Vec4{});
+  pull_.clear();
+  computed_ = 0;
   pairs_.clear();
   bound_.clear();
   search_due_ = true;
@@ -249,7 +254,7 @@ void ClothForces::look_after_body_bounds() {
   constexpr int meeting_interval = 32;
   if (++looks_ % meeting_interval == 0) body_bounds_->look_at_meeting();
   if (!body_bounds_->due()) return;
-  for (const int v : body_bounds_->look(all_positions())) {
+  for (const int v : body_bounds_->look(positions())) {
     if (body_bounds_->lift(v) > 0) contacts_[v].forget();
     set_guard(v, as_vec3(nodes_[v]));
   }
@@ -262,7 +267,7 @@ void ClothForces::set_guard(std::size_t v, const Vec3& p) {
   if (program_.scene.body != nullptr) {
     if (contacts_[v].remaining(p) <= 0) {
       const double lift = body_bounds_ ? body_bounds_->lift(static_cast<int>(v)) : 0;
-      contacts_[v].look(program_.scene, p, options_.body_offset + lift);
+      contacts_[v].look(program_.scene, p, options_.body_offset + lift, options_.body_reach);
     }
     reach = contacts_[v].remaining(p);
   }
@@ -280,8 +285,25 @@ void ClothForces::set_guard(std::size_t v, const Vec3& p) {
   guards_[v][3] = reach * reach;
 }
 
+void ClothForces::find_pull() {
+  pull_.resize(vertices());
+  side_by_side(chunks_of(program_.nodes, vertex_chunk), [&](std::size_t c) {
+    const std::size_t end = std::min<std::size_t>(program_.nodes, (c + 1) * vertex_chunk);
+    for (std::size_t n = c * vertex_chunk; n < end; ++n) {
+      const double weight = program_.mass[n] / (last_vertex(n) - first_vertex(n)) *
+                            program_.scene.gravity.norm() * options_.pull;
+      for (int i = first_vertex(n); i < last_vertex(n); ++i) {
+        const int v = vertex(i);
+        pull_[v] = as_vec4(pull_to_body(program_.scene, as_vec3(positions()[v]), weight));
+      }
+    }
+  });
+}
+
 void ClothForces::compute(double bending) {
   bending_ = bending;
+  const bool pulls_to_body = options_.pull > 0 && program_.scene.body != nullptr;
+  if (pulls_to_body && computed_++ % pull_interval == 0) find_pull();
   const Vec4s& p = positions();
   const std::size_t pulls = chunks_of(kernel_->groups(), vertex_chunk);
   const std::size_t pushes = chunks_of(pairs_.active(), pair_chunk);
@@ -301,7 +323,7 @@ void ClothForces::compute(double bending) {
     if (!bands_->empty()) bands_->add(c * vertex_chunk, end, p, vertex_force_);
   });
   if (edge_contacts_ && !edge_contacts_->empty()) {
-    edge_contacts_->add(program_.scene, options_.body_offset, options_.friction, p, vertex_force_);
+    edge_contacts_->add(program_.scene, options_, p, vertex_force_);
   }
 }
 

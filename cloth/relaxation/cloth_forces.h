@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
-#include "cloth/body_pull.h"
 #include "cloth/program.h"
 #include "cloth/relaxation/band_forces.h"
+#include "cloth/relaxation/body_bounds.h"
 #include "cloth/relaxation/body_contact.h"
 #include "cloth/relaxation/edge_contacts.h"
 #include "cloth/relaxation/elastic_kernel.h"
@@ -78,6 +78,7 @@ class ClothForces {
   void set_guards();
   void look_after_body_bounds();
   void place_points();
+  void find_pull();
   std::vector<double> of_vertices(const std::vector<double>& of_nodes) const;
   std::vector<Vec3> all_positions() const;
   std::size_t vertices() const { return kernel_->vertices(); }
@@ -103,6 +104,8 @@ class ClothForces {
   std::unique_ptr<ElasticKernel> kernel_;
   std::unique_ptr<BandForces> bands_;
   Vec4s vertex_force_;
+  Vec4s pull_;  // N, per vertex, to the body; empty: none
+  int computed_ = 0;
   std::vector<double> stiffening_;  // N/m, per node: by the limits; empty: there are none
 
   bool by_points_ = false;
@@ -145,11 +148,7 @@ inline void ClothForces::at(std::size_t n, Vec4& force, double& stiffness) {
     force += vertex_force_[v];
     pairs_.add(v, force, stiffness);
     if (has_body) contacts_[v].add(p, friction, force, stiffness);
-    if (options_.pull > 0 && has_body) {
-      const double weight =
-          program_.mass[n] / (last - first) * program_.scene.gravity.norm() * options_.pull;
-      force += as_vec4(pull_to_body(program_.scene, as_vec3(p), weight));
-    }
+    if (!pull_.empty()) force += pull_[v];
   }
   force[3] = 0;
 }

@@ -56,7 +56,7 @@ void EdgeContacts::hold(const std::vector<EdgeGrip>& grips) {
   }
 }
 
-void EdgeContacts::add(const Scene& scene, double offset, bool rubbing, const Vec4s& x,
+void EdgeContacts::add(const Scene& scene, const ForceOptions& options, const Vec4s& x,
                        Vec4s& force) {
   side_by_side(chunks_of(edges_.size(), vertex_chunk), [&](std::size_t c) {
     const std::size_t end = std::min(edges_.size(), (c + 1) * vertex_chunk);
@@ -64,10 +64,12 @@ void EdgeContacts::add(const Scene& scene, double offset, bool rubbing, const Ve
       const auto [a, b] = edges_[e];
       const Vec4 middle = 0.5 * (x[a] + x[b]);
       const Vec3 p = as_vec3(middle);
-      if (contacts_[e].remaining(p) <= 0) contacts_[e].look(scene, p, offset);
+      if (contacts_[e].remaining(p) <= 0) {
+        contacts_[e].look(scene, p, options.body_offset, options.body_reach);
+      }
       Vec4 sum = {0, 0, 0, 0};
       double stiffness = 0;
-      contacts_[e].add(middle, rubbing ? friction_[e] : 0, sum, stiffness);
+      contacts_[e].add(middle, options.friction ? friction_[e] : 0, sum, stiffness);
       forces_[e] = 0.5 * sum;
       forces_[e][3] = 0.5 * stiffness;
     }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cloth/relaxation/body_contact.h"
-#include "cloth/relaxation/grips.h"
+#include "cloth/relaxation/force_options.h"
 #include "cloth/relaxation/vec4.h"
 #include "cloth/scene.h"
 
@@ -32,9 +32,8 @@ class EdgeContacts {
   void hold(const std::vector<EdgeGrip>& grips);
 
   /// Adds the forces (N) to those of the vertices, and a bound of their stiffness (N/m) as the
-  /// fourth of them. `offset`: see BodyContact; without `rubbing` there is no friction. The scene
-  /// has a body.
-  void add(const Scene& scene, double offset, bool rubbing, const Vec4s& x, Vec4s& force);
+  /// fourth of them. The scene has a body.
+  void add(const Scene& scene, const ForceOptions& options, const Vec4s& x, Vec4s& force);
 
  private:
   std::vector<std::array<int, 2>> edges_;

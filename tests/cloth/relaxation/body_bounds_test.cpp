@@ -50,7 +50,7 @@ TEST(BodyBounds, NothingThatKeepsToThemMeetsTheBody) {
   std::uniform_real_distribution<double> any(-1, 1);
   int stopped = 0;
   for (int round = 0; round < 200; ++round) {
-    bounds.look(x);
+    bounds.look(as_vec4(x));
     for (std::size_t v = 0; v < x.size(); ++v) {
       // Down, at 3 cm a round, and about.
       const Vec3 wanted = x[v] + Vec3(0.01 * any(random), -0.03, 0.01 * any(random));
@@ -72,16 +72,16 @@ TEST(BodyBounds, WhatMeetsTheBodyCanComeOut) {
   const std::vector<Triangle> triangles = {{0, 1, 2}};
   std::vector<Vec3> x = {{0, -0.01, 0}, {0.02, 0.01, 0}, {0, 0.01, 0.02}};
   BodyBounds bounds(body.surface, triangles, 3);
-  bounds.look(x);
+  bounds.look(as_vec4(x));
   EXPECT_GT(bounds.free(0, x[0]), 1);
   EXPECT_EQ(bounds.share(0, x[0], {0, 0.01, 0}), 1);
   x[0] = {0, 0.01, 0};
   bounds.look_at_meeting();
-  for (int i = 0; i < 4; ++i) bounds.look(x);  // each triangle only now and then
+  for (int i = 0; i < 4; ++i) bounds.look(as_vec4(x));  // each triangle only now and then
   EXPECT_LT(bounds.free(0, x[0]), 0.01);
   for (int i = 0; i < 80; ++i) {
     x[0] += bounds.share(0, x[0], {0, -0.01, 0}) * (Vec3(0, -0.01, 0) - x[0]);
-    bounds.look(x);
+    bounds.look(as_vec4(x));
   }
   EXPECT_GT(x[0].y(), 0);
   EXPECT_LT(x[0].y(), 1e-4);  // the box's top is flat: a plane just above it
@@ -97,7 +97,7 @@ TEST(BodyBounds, WhatIsInsideCanComeOut) {
       const double y = side * depth;
       std::vector<Vec3> x = {{0, y, 0}, {0.02, y, 0}, {0, y, 0.02}};
       BodyBounds bounds(body.surface, triangles, 3);
-      bounds.look(x);
+      bounds.look(as_vec4(x));
       const Vec3 through(0, -2 * y, 0);
       const double share = bounds.share(0, x[0], x[0] + through);
       EXPECT_EQ(share, side < 0 ? 1 : std::min(share, 0.5)) << y;
