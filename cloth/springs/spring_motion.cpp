@@ -1,11 +1,15 @@
 #include "cloth/springs/spring_motion.h"
 
 #include <algorithm>
+#include <iomanip>
 #include <limits>
+#include <sstream>
+#include <string>
 
 #include "cloth/body_pull.h"
 #include "cloth/measures.h"
 #include "cloth/springs/chunks.h"
+#include "geometry/error.h"
 
 namespace toile {
 
@@ -20,6 +24,15 @@ constexpr double easing_gap = 0.012;
 constexpr int easing_interval = 100;
 /// Times such pairs are gone through in a step: those that share a node undo each other's work.
 constexpr int sewing_sweeps = 4;
+/// The bound on the stable step is a safe one, and the strain control tames a little more. Beyond,
+/// the cloth is thrown about, and each step finds ever more collisions.
+constexpr double most_step_share = 2.001;
+
+std::string shown(double value) {
+  std::ostringstream text;
+  text << std::setprecision(3) << value;
+  return text.str();
+}
 
 }  // namespace
 
@@ -78,10 +91,13 @@ std::vector<Spring> SpringMotion::all_springs() const {
 
 /// Merging adds springs and masses alike: the step of the open panels serves to the end.
 void SpringMotion::choose_time_step() {
-  time_step_ =
-      options_.time_step > 0
-          ? options_.time_step
-          : options_.step_share * stable_step(all_springs(), sheet_.inverse_mass(), options_.drag);
+  const double stable = stable_step(all_springs(), sheet_.inverse_mass(), options_.drag);
+  time_step_ = options_.time_step > 0 ? options_.time_step : options_.step_share * stable;
+  if (time_step_ <= most_step_share * stable) return;
+  throw Error("time step",
+              "of " + shown(1e6 * time_step_) + " µs is too long: this cloth moves stably up to " +
+                  shown(1e6 * stable) + " µs",
+              "leave --time-step out, or give a shorter one");
 }
 
 void SpringMotion::close_bounds() {

@@ -55,7 +55,8 @@ struct SpringCounts {
 class SpringMotion {
  public:
   /// `program`: `garment` compiled for a scene that has a subject; starts with the material points
-  /// at `placed`. All have to outlive this.
+  /// at `placed`. All have to outlive this. Throws Error for a time step beyond twice
+  /// stable_step().
   SpringMotion(const PanelMesh& garment, const Program& program, const SpringOptions& options,
                const std::vector<Vec3>& placed);
 
