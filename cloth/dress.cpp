@@ -145,6 +145,9 @@ DressResult Dressing::run() {
   result_.terms = term_counts(program_);
   result_.triangles = program_.node_triangles;
   result_.tight_seams = tight_seams(mesh(), program_, result_.nodes, result_.grip.yarns);
+  if (scene_.strain_limit) {
+    result_.tight_places = tight_places(mesh(), program_, result_.nodes, result_.grip.yarns);
+  }
   return std::move(result_);
 }
 

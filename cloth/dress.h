@@ -10,6 +10,7 @@
 #include "cloth/program.h"
 #include "cloth/relaxation/relax.h"
 #include "cloth/relaxation/release.h"
+#include "cloth/tight_places.h"
 #include "cloth/tightness.h"
 
 namespace toile {
@@ -63,6 +64,8 @@ struct DressResult {
   Residual residual;
   bool converged = false;
   std::vector<TightSeam> tight_seams;  ///< by the relaxation, which closes them at any tension
+  /// Nothing: not looked for, without a strain limit or by another method than the relaxation.
+  std::optional<TightPlaces> tight_places;
   /// What a copy of the garment did when it was let go; nothing: it was not. `nodes` is before.
   std::optional<ReleaseReport> release;
 };

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "cloth/flat_line.h"
+
 namespace toile {
 
 namespace {
@@ -136,31 +138,10 @@ class Tightness {
         });
     double missing = 0;
     for (int t = panel->first_triangle; t < panel->first_triangle + panel->triangles; ++t) {
-      const double length = length_within(t, from, way);
+      const double length = length_within(flat_corners(garment_, t), from, way);
       if (length > 0) missing += length * strain_along(t, way);
     }
     return missing;
-  }
-
-  /// Metres of the line that run through the flat triangle.
-  double length_within(int t, const Vec2& from, const Vec2& way) const {
-    const Triangle& corners = garment_.triangles[t];
-    double low = 0;
-    double high = 1e300;
-    for (int i = 0; i < 3; ++i) {
-      const Vec2& p = garment_.flat[corners[i]];
-      const Vec2 edge = garment_.flat[corners[(i + 1) % 3]] - p;
-      const double inside = edge.x() * (from - p).y() - edge.y() * (from - p).x();
-      const double rate = edge.x() * way.y() - edge.y() * way.x();
-      if (std::abs(rate) < 1e-15) {
-        if (inside < 0) return 0;
-      } else if (rate > 0) {
-        low = std::max(low, -inside / rate);
-      } else {
-        high = std::min(high, -inside / rate);
-      }
-    }
-    return high - low;
   }
 
   /// Strain of a triangle along a flat direction; 0 where it is slack.

@@ -125,9 +125,10 @@ class Together {
       held.assign(grip_.yarns.begin() + first_triangle_[garment],
                   grip_.yarns.begin() + first_triangle_[garment + 1]);
     }
-    result_.tight_seams.push_back(tight_seams(*worn.garment,
-                                              compile(*worn.garment, scene, worn.garment->placed),
-                                              result_.nodes.back(), held));
+    const Program program = compile(*worn.garment, scene, worn.garment->placed);
+    const std::vector<Vec3>& nodes = result_.nodes.back();
+    result_.tight_seams.push_back(tight_seams(*worn.garment, program, nodes, held));
+    result_.tight_places.push_back(tight_places(*worn.garment, program, nodes, held));
   }
 
   int garment_of(int node) const {

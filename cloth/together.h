@@ -36,6 +36,7 @@ struct TogetherResult {
   std::vector<std::vector<Vec3>> nodes;             ///< metres, by garment
   std::vector<MovedFigures> moved;                  ///< by garment: from where it was dressed
   std::vector<std::vector<TightSeam>> tight_seams;  ///< by garment
+  std::vector<TightPlaces> tight_places;            ///< by garment
   std::vector<Pressing> pressings;                  ///< of garments that touch, sorted
   std::optional<ReleaseReport> release;             ///< of the whole, if it was asked for
 };

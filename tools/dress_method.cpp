@@ -108,8 +108,9 @@ void add_method_options(po::options_description& options) {
   options.add_options()("method", po::value<string>()->default_value("relaxation"),
                         "relaxation: fast; paper: Zhong & Xu 2009, masses and springs in time")(
       "strain-limit", po::value<double>(),
-      "relaxation: hold warp and weft to this strain, a fraction: 0.01 is 1 %; paper: hold every "
-      "edge within it, 0.01 if not given")(
+      "relaxation: hold warp and weft to this strain, a fraction: 0.01 is 1 %, and name in the "
+      "report the places where they can't be; paper: hold every edge within it, 0.01 if not "
+      "given")(
       "shear-limit", po::value<double>(),
       "relaxation: hold the angle between warp and weft to this many degrees off the right one")(
       "quality", po::value<string>(),

@@ -283,6 +283,7 @@ void Outfit::move_together() {
     DressResult& result = done_[i].result;
     result.nodes = together_->nodes[i];
     result.tight_seams = together_->tight_seams[i];
+    if (settings_.strain_limit) result.tight_places = together_->tight_places[i];
     result.converged = together_->stage.converged;
     result.residual = together_->stage.residual;
     result.release = together_->release;

@@ -34,12 +34,43 @@ Json release_json(const ReleaseReport& release) {
           {"wall_seconds", release.wall_seconds}};
 }
 
+Json tight_places_json(const TightPlaces& tight) {
+  Json all = Json::array();
+  for (const TightPlace& place : tight.places) {
+    all.push_back({{"panel", place.panel},
+                   {"flat_cm", {100 * place.flat.x(), 100 * place.flat.y()}},
+                   {"height_cm", 100 * place.height},
+                   {"area_cm2", 1e4 * place.area},
+                   {"direction", place.along_warp ? "warp" : "weft"},
+                   {"largest_percent", 100 * place.largest},
+                   {"mean_percent", 100 * place.mean},
+                   {"missing_cm", 100 * place.missing}});
+  }
+  return all;
+}
+
 double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
 std::string percent(double fraction) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(2) << 100 * fraction << " %";
   return text.str();
+}
+
+/// Names the most strained place of those that can't be held to the strain limit.
+void say_tight_places(const TightPlaces& tight, const CommonSettings& common) {
+  if (tight.places.empty()) return;
+  const TightPlace& most = tight.places.front();
+  std::ostringstream line;
+  line << std::fixed << std::setprecision(1) << "beyond the strain limit: panel " << most.panel
+       << ", " << 100 * most.height << " cm above the ground, " << 1e4 * most.area
+       << " cm2, is strained by up to " << percent(most.largest) << " along the "
+       << (most.along_warp ? "warp" : "weft") << ", where " << 100 * most.missing
+       << " cm are missing";
+  if (const std::size_t others = tight.places.size() - 1; others > 0) {
+    line << "; other places: " << others;
+  }
+  common.say(line.str());
 }
 
 void say_release(const ReleaseReport& release, const CommonSettings& common) {
@@ -172,6 +203,10 @@ nlohmann::ordered_json report_of(const PanelMesh& garment, const Scene& scene,
     report["tight_seams"].push_back(
         {{"name", seam.name}, {"tension_N_per_m", seam.tension}, {"missing_cm", seam.missing_cm}});
   }
+  if (result.tight_places) {
+    report["tight_places"] = tight_places_json(*result.tight_places);
+    report["tight_specks"] = result.tight_places->specks;
+  }
   for (const std::string& part : judgement.unwrapped) report["unwrapped"].push_back(part);
   return report;
 }
@@ -287,6 +322,7 @@ void say_result(const DressResult& result, const Judgement& judgement,
              std::to_string(judgement.layer_intersections) + " with layers below");
   common.say("strain off the seams: " + percent(figures.strain_off_seams.p99) +
              " (99th percentile); residual in node weights: " + residual.str());
+  if (result.tight_places) say_tight_places(*result.tight_places, common);
   if (result.release) say_release(*result.release, common);
   for (const WrapFigure& wrap : judgement.wraps) {
     common.say("wraps " + wrap.part + ": " + percent(wrap.fraction));

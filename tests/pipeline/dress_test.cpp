@@ -248,6 +248,44 @@ TEST(Dress, ARealDress) {
   EXPECT_LE(chain.number("/strain_off_seams/p99"), 0.06);
 }
 
+// Places that the report names are compared with the strain that is measured on the written file.
+TEST(Dress, AStrainLimitIsKeptOrThePlacesAreNamedWhereItIsNot) {
+  Chain chain;
+  const fs::path raw = chain.folder / "raw.ply";
+  succeed("make-mannequin", {"-o", raw, "-q"});
+  chain.prepare(raw, sample("tshirt"), "25mm");
+  chain.dress(chain.dressed, {"-q"});
+  EXPECT_FALSE(chain.report.contains("tight_places"));
+  chain.dress(chain.dressed, {"-q", "--strain-limit", "0.01"});
+  std::cout << "T-shirt: " << chain.report["warp_weft_strain"] << "\n";
+  EXPECT_LE(chain.number("/warp_weft_strain/max"), 0.011);
+  EXPECT_EQ(chain.report["tight_places"], Json::array());
+  EXPECT_EQ(chain.number("/tight_specks"), 0);
+
+  chain.prepare(raw, sample("fitted_tshirt"), "25mm");
+  const pipeline::Run done =
+      run("dress", {"--body", chain.body, chain.garment, "-o", chain.dressed, "--strain-limit",
+                    "0.01", "--report", chain.dressed.string() + ".json"});
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  chain.report = Json::parse(read_text(chain.dressed.string() + ".json"));
+  EXPECT_EQ(chain.report["verdict"], "sewn");
+  ASSERT_FALSE(chain.report["tight_places"].empty());
+  double before = 100 * chain.number("/warp_weft_strain/max");
+  EXPECT_NEAR(chain.number("/tight_places/0/largest_percent"), before, 1e-6);
+  for (const Json& place : chain.report["tight_places"]) {
+    std::cout << "fitted T-shirt: " << place << "\n";
+    const double largest = place["largest_percent"];
+    EXPECT_LE(largest, before + 1e-6);
+    EXPECT_GT(place["mean_percent"], 1.1);
+    EXPECT_GE(place["area_cm2"], 1);
+    EXPECT_GT(place["missing_cm"], 0);
+    before = largest;
+  }
+  const std::string panel = chain.report["tight_places"][0]["panel"];
+  EXPECT_NE(done.err.find("beyond the strain limit: panel " + panel), std::string::npos)
+      << done.err;
+}
+
 /// A loose tube of cloth placed around a cylinder: small, and quickly read.
 class DressInput : public testing::Test {
  protected:
