@@ -44,13 +44,14 @@ class alignas(32) BodyContact {
   /// along when it pulls too hard. `friction` 0: none.
   [[gnu::always_inline]] void add(const Vec4& p, double friction, Vec4& force, double& stiffness) {
     if (!near_) return;
+    // Before it touches, too: a step that does not reckon with it would throw the vertex back off.
+    stiffness += push_stiffness;
     const double depth = level_ - dot(normal_, p);
     if (depth <= 0) {
       anchored_ = false;
       return;
     }
     force += push_stiffness * depth * normal_;
-    stiffness += push_stiffness;
     if (friction <= 0) return;
     if (!anchored_) {
       anchored_ = true;
