@@ -65,6 +65,18 @@ double positive(const po::variables_map& given, const string& option, double mos
   return value;
 }
 
+const Quality& quality_named(const string& name) {
+  for (const Quality& quality : qualities) {
+    if (name == quality.name) return quality;
+  }
+  throw po::error("--quality is draft, standard or fine");
+}
+
+const Quality& quality_of(const po::variables_map& given) {
+  if (given.count("quality") == 0) return standard_quality;
+  return quality_named(given["quality"].as<string>());
+}
+
 DressMethod paper(const po::variables_map& given, double residual) {
   SpringDressOptions options;
   options.stop_median = residual;
@@ -96,6 +108,7 @@ DressMethod paper(const po::variables_map& given, double residual) {
     }
   }
   return {"paper",
+          {},
           [options](const PanelMesh& garment, const Scene& scene, const FrameWatcher& watcher) {
             return dress_springs(garment, scene, options, watcher);
           },
@@ -137,10 +150,7 @@ void add_method_options(po::options_description& options) {
 void check_method_options(const po::variables_map& given) {
   const string method = given["method"].as<string>();
   if (given.count("quality")) {
-    const string quality = given["quality"].as<string>();
-    if (quality != "draft" && quality != "standard" && quality != "fine") {
-      throw po::error("--quality is draft, standard or fine");
-    }
+    quality_named(given["quality"].as<string>());
     if (given.count("residual")) throw po::error("--quality and --residual say the same: give one");
   }
   if (method == "paper") {
@@ -178,12 +188,9 @@ std::optional<double> read_shear_limit(const po::variables_map& given) {
 
 /// What a garment at rest may have left, in node weights.
 double read_residual(const po::variables_map& given, bool of_paper) {
-  double residual = of_paper ? 0.05 : 0.01;
-  if (given.count("quality")) {
-    const string quality = given["quality"].as<string>();
-    if (quality == "draft") residual = 0.05;
-    if (quality == "fine") residual = 0.001;
-  }
+  const Quality quality = quality_of(given);
+  const bool of_its_own = of_paper && string(quality.name) == standard_quality.name;
+  double residual = of_its_own ? 0.05 : quality.residual;
   if (given.count("residual")) residual = given["residual"].as<double>();
   if (!(residual > 0 && residual < 1)) {
     throw Error("--residual", "is not between 0 and 1", "leave it out for the default");
@@ -210,7 +217,10 @@ DressMethod read_method(const po::variables_map& given, bool together) {
   }
   options.stop_median = residual;
   options.stop_rms = 10 * residual;
+  std::optional<Quality> quality;
+  if (given.count("residual") == 0) quality = quality_of(given);
   return {"relaxation",
+          quality,
           [options, together](const PanelMesh& garment, const Scene& scene,
                               const FrameWatcher& watcher) {
             DressOptions of_one = options;

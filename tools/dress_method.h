@@ -3,14 +3,18 @@
 
 #include <boost/program_options.hpp>
 #include <functional>
+#include <optional>
 #include <string>
 
+#include "cloth/quality.h"
 #include "cloth/together.h"
 
 namespace toile {
 
 struct DressMethod {
   std::string name;
+  /// The preset that says how far it goes; none: a --residual, or a method without measured ones.
+  std::optional<Quality> quality;
   std::function<DressResult(const PanelMesh&, const Scene&, const FrameWatcher&)> dress;
   /// Empty: garments stay where this method dressed them.
   std::function<TogetherResult(const std::vector<WornGarment>&, const Scene&, const FrameWatcher&)>

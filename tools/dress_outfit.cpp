@@ -312,6 +312,7 @@ Json Outfit::report_of_layer(std::size_t layer) const {
   Json report = report_of(done.garment, done.scene, settings_.method.name, done.result,
                           done.judgement, done.seconds);
   report["other_seconds"] = done.other_seconds;
+  if (settings_.method.quality) report.update(quality_json(*settings_.method.quality));
   if (done.certificate) report["certified"] = certified_json(*done.certificate);
   if (together_) report["moved_together_mm"] = moved_json(together_->moved[layer]);
   if (!settings_.scene) return report;

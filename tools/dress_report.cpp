@@ -88,6 +88,14 @@ void say_release(const ReleaseReport& release, const CommonSettings& common) {
 
 }  // namespace
 
+nlohmann::ordered_json quality_json(const Quality& quality) {
+  return {{"quality", quality.name},
+          {"expected_error",
+           {{"node_distance_rms_mm", quality.distance_rms_mm},
+            {"against", "the same run brought to rest"},
+            {"measured_on", measured_on}}}};
+}
+
 nlohmann::ordered_json residual_json(const Residual& residual) {
   return {{"median", residual.median},
           {"rms", residual.rms},

@@ -7,6 +7,7 @@
 #include "cloth/certify.h"
 #include "cloth/dress.h"
 #include "cloth/judge.h"
+#include "cloth/quality.h"
 #include "tools/program.h"
 
 namespace toile {
@@ -15,6 +16,9 @@ namespace toile {
 nlohmann::ordered_json report_of(const PanelMesh& garment, const Scene& scene,
                                  const std::string& method, const DressResult& result,
                                  const Judgement& judgement, double seconds);
+
+/// The preset that a garment was draped by, and the error to expect of it: two entries of a report.
+nlohmann::ordered_json quality_json(const Quality& quality);
 
 /// A residual in node weights, and ways in millimetres, as entries of a report.
 nlohmann::ordered_json residual_json(const Residual& residual);

@@ -12,6 +12,7 @@
 
 #include "io/output_file.h"
 #include "tests/benchmarks/peer_blender.h"
+#include "tests/benchmarks/prepare.h"
 #include "tests/support/run_program.h"
 
 namespace {
@@ -93,12 +94,6 @@ std::string fixed(double value, int digits) {
   return text;
 }
 
-Run run_or_throw(const std::string& name, const std::vector<std::string>& arguments) {
-  Run done = run(name, arguments);
-  if (done.exit_code != 0) throw std::runtime_error(name + ": " + complaint(done));
-  return done;
-}
-
 /// A row that is dressed: where its files are.
 struct Case {
   std::string garment;
@@ -107,30 +102,6 @@ struct Case {
   fs::path body;
   double seconds = 0;  ///< 0: it failed
   double lift = 0;     ///< metres that the panels were raised by at the start
-};
-
-/// Writes the bodies once each.
-class Bodies {
- public:
-  explicit Bodies(const fs::path& folder) : folder_(folder) {}
-  /// Nothing where the real data is absent.
-  std::optional<fs::path> get(const std::string& name) {
-    const fs::path body = folder_ / (name + "_body.ply");
-    if (fs::exists(body)) return body;
-    fs::path raw = folder_ / (name + ".ply");
-    if (name == "mean_all") {
-      const auto found = real_data("bodies/mean_all.obj");
-      if (!found) return std::nullopt;
-      raw = *found;
-    } else {
-      run_or_throw("make-mannequin", {"--pose", name, "-o", raw.string()});
-    }
-    run_or_throw("clean-body", {raw.string(), "-o", body.string(), "-q"});
-    return body;
-  }
-
- private:
-  fs::path folder_;
 };
 
 std::vector<std::string> dress_arguments(const Case& at, const fs::path& output,
@@ -279,10 +250,7 @@ std::vector<Case> mesh_all(const Settings& settings, const fs::path& folder) {
   for (const Subject& subject : subjects) {
     const auto& wanted = settings.garments;
     if (std::find(wanted.begin(), wanted.end(), subject.name) == wanted.end()) continue;
-    const bool real = subject.body == "mean_all";
-    const auto pattern =
-        real ? real_data(subject.pattern)
-             : std::optional(fs::path(TOILE_SOURCE_DIR) / "samples" / subject.pattern);
+    const auto pattern = pattern_for(subject.body, subject.pattern);
     const auto body = pattern ? bodies.get(subject.body) : std::nullopt;
     if (!body) {
       std::cerr << subject.name

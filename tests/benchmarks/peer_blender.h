@@ -13,7 +13,7 @@
 #include "io/mesh_file.h"
 #include "io/obj.h"
 #include "pattern/garment_file.h"
-#include "tests/support/run_program.h"
+#include "tests/benchmarks/prepare.h"
 
 namespace toile::pipeline {
 
@@ -24,12 +24,6 @@ struct PeerFigures {
   int body = 0;           ///< pairs of triangles that intersect
   int self = 0;
 };
-
-/// The first line of what a program complained about.
-inline std::string complaint(const Run& run) {
-  if (run.exit_code > 128) return "killed by signal " + std::to_string(run.exit_code - 128);
-  return run.err.substr(0, run.err.find('\n'));
-}
 
 inline std::optional<fs::path> find_in_path(const std::string& name) {
   const char* folders = std::getenv("PATH");

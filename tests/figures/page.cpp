@@ -10,12 +10,15 @@
 #include "io/output_file.h"
 #include "io/text.h"
 #include "tests/figures/sheet.h"
+#include "tests/support/html.h"
 
 namespace toile::figures {
 namespace {
 
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
+using html::Cell;
+using html::table;
 
 constexpr double wrapped = 0.95;  // share of the directions around a bone
 
@@ -55,29 +58,6 @@ std::vector<Json> read_sheets(const fs::path& folder) {
     throw Error(folder.string(), "holds no figure's JSON", "run the figure programs first");
   }
   return sheets;
-}
-
-struct Cell {
-  std::string text;
-  std::string mark;  ///< "good", "bad" or empty
-};
-
-std::string table(const std::string& caption, const std::vector<std::string>& columns,
-                  const std::vector<std::vector<Cell>>& rows) {
-  std::string html = "<div class=\"wide\"><table>";
-  if (!caption.empty()) html += "<caption>" + html_escaped(caption) + "</caption>";
-  html += "<thead><tr>";
-  for (const std::string& column : columns) html += "<th>" + html_escaped(column) + "</th>";
-  html += "</tr></thead><tbody>";
-  for (const auto& row : rows) {
-    html += "<tr>";
-    for (const Cell& cell : row) {
-      html += cell.mark.empty() ? "<td>" : "<td class=\"" + cell.mark + "\">";
-      html += html_escaped(cell.text) + "</td>";
-    }
-    html += "</tr>";
-  }
-  return html + "</tbody></table></div>\n";
 }
 
 std::string fixed(const Json& value, int decimals) {
@@ -253,12 +233,6 @@ std::string block_html(const Json& block, const fs::path& folder, Json& charts) 
   return table(t["caption"], t["columns"], rows);
 }
 
-void replace(std::string& text, const std::string& mark, const std::string& with) {
-  const std::size_t at = text.find(mark);
-  if (at == std::string::npos) throw Error("page.html", "lacks " + mark, "");
-  text.replace(at, mark.size(), with);
-}
-
 }  // namespace
 
 std::string figures_page(const fs::path& folder) {
@@ -271,15 +245,10 @@ std::string figures_page(const fs::path& folder) {
     for (const Json& block : sheet["blocks"]) body += block_html(block, folder, charts);
     body += "</section>\n";
   }
-  std::string data = charts.dump();
-  // "</script" in a name must not end the element that the data stands in.
-  for (std::size_t at = 0; (at = data.find('<', at)) != std::string::npos;) {
-    data.replace(at, 1, "\\u003c");
-  }
   std::string page = read_file(fs::path(TOILE_SOURCE_DIR) / "tests/figures/page.html");
-  replace(page, "@BODY@", body);
-  replace(page, "@CHARTS@", data);
-  replace(page, "@CHART_JS@", read_file(TOILE_CHART_JS));
+  html::fill(page, "@BODY@", body);
+  html::fill(page, "@CHARTS@", html::script_json(charts));
+  html::fill(page, "@CHART_JS@", read_file(TOILE_CHART_JS));
   return page;
 }
 

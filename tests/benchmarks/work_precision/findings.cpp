@@ -1,0 +1,196 @@
+#include "tests/benchmarks/work_precision/findings.h"
+
+#include <algorithm>
+#include <set>
+
+#include "cloth/quality.h"
+#include "io/text.h"
+
+namespace toile::precision {
+
+namespace {
+
+std::string join(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+/// Where `loser` needs longer than `winner` for the same distance, or never comes as near.
+std::string slower(const Results& results, const std::string& loser, const std::string& winner) {
+  std::vector<std::string> places;
+  for (const Subject& subject : subjects(results.rows)) {
+    for (const double distance : asked_distances) {
+      const auto mine = seconds_within(results.rows, subject, loser, distance);
+      const auto other = seconds_within(results.rows, subject, winner, distance);
+      if (!other || (mine && *mine <= *other)) continue;
+      places.push_back(subject.scene + " within " + mm(distance, 1) + " mm (" +
+                       (mine ? number(*mine, 3) + " s" : "never") + " against " +
+                       number(*other, 3) + " s)");
+    }
+  }
+  if (places.empty()) {
+    return "In processor time, the " + loser + " method is behind nowhere here, at no distance.";
+  }
+  return "In processor time, the " + loser + " method is behind at: " + join(places) + ".";
+}
+
+/// Whether its runs end within a millimetre of its rest at all.
+std::string never_near(const Results& results, const std::string& method) {
+  constexpr double near = 0.001;
+  std::vector<std::string> places;
+  for (const Subject& subject : subjects(results.rows)) {
+    const auto rows = rows_of(results.rows, subject, method);
+    if (rows.empty() || seconds_within(results.rows, subject, method, near)) continue;
+    const Row* best = *std::min_element(rows.begin(), rows.end(), [](const Row* a, const Row* b) {
+      return a->error.rms < b->error.rms;
+    });
+    places.push_back(subject.scene + " (" + mm(best->error.rms) + " mm at best, after " +
+                     number(best->outcome.processor, 3) + " s)");
+  }
+  if (places.empty()) return "";
+  return "No setting of the " + method + " method ends within 1 mm of its own rest: " +
+         join(places) + ".";
+}
+
+std::string no_rest(const Results& results) {
+  std::vector<std::string> places;
+  for (const Row& row : results.rows) {
+    if (row.knob != "reference" || row.outcome.converged) continue;
+    places.push_back(row.scene + ", " + number(row.edge_mm) + " mm, " + row.method +
+                     " (" + end_of(row.outcome) + ", residual " +
+                     number(row.outcome.residual.median, 2) + ")");
+  }
+  if (places.empty()) return "";
+  return "References that did not come to the rest asked for, so that errors against them are "
+         "themselves uncertain: " + join(places) + ".";
+}
+
+/// The relaxation's own weak side: a rms that hides single nodes.
+std::string single_nodes(const Results& results) {
+  const Row* worst = nullptr;
+  for (const Row& row : results.rows) {
+    if (row.knob != "quality" || row.value != standard_quality.name) continue;
+    if (worst == nullptr || row.error.max > worst->error.max) worst = &row;
+  }
+  if (worst == nullptr) return "";
+  return "The relaxation's standard preset leaves single nodes farther off than its rms says: " +
+         mm(worst->error.max, 1) + " mm against " + mm(worst->error.rms) + " mm rms on the " +
+         worst->scene + " at " + number(worst->edge_mm) + " mm edges.";
+}
+
+/// Presets that are farther from rest than the next coarser one, and those that sheets get.
+std::string out_of_order(const Results& results) {
+  std::vector<std::string> places;
+  for (std::size_t i = 0; i + 1 < results.rows.size(); ++i) {
+    const Row& a = results.rows[i];
+    const Row& b = results.rows[i + 1];
+    const bool pair = a.knob == "quality" && b.knob == "quality" && a.scene == b.scene;
+    if (!pair || b.error.rms <= a.error.rms) continue;
+    places.push_back(a.scene + " at " + number(a.edge_mm) + " mm: " + b.value + " " +
+                     mm(b.error.rms) + " mm, " + a.value + " " + mm(a.error.rms) + " mm");
+  }
+  if (places.empty()) return "";
+  return "The relaxation's residual bounds forces, not distances. A finer preset ended farther "
+         "from rest than a coarser one: " + join(places) + ".";
+}
+
+std::string models(const Results& results) {
+  std::vector<std::string> places;
+  for (const Subject& subject : subjects(results.rows)) {
+    const Row* row = find_row(results.rows, subject, "relaxation", "reference", "");
+    if (row == nullptr || !row->models_apart) continue;
+    places.push_back(subject.scene + " " + mm(*row->models_apart, 1) + " mm");
+  }
+  if (places.empty()) return "";
+  return "Both at rest on the same mesh, the two models are apart by (rms): " + join(places) +
+         ". No time spent on either makes that less: springs are no continuum, and what friction "
+         "holds depends on the way there.";
+}
+
+}  // namespace
+
+std::vector<Subject> subjects(const std::vector<Row>& rows) {
+  std::vector<Subject> all;
+  std::vector<std::size_t> counts;
+  for (const Row& row : rows) {
+    const Subject at{row.scene, row.edge_mm};
+    const auto count = static_cast<std::size_t>(
+        std::count_if(rows.begin(), rows.end(), [&](const Row& other) {
+          return other.scene == at.scene && other.edge_mm == at.edge_mm;
+        }));
+    if (all.empty() || all.back().scene != at.scene) {
+      all.push_back(at);
+      counts.push_back(count);
+    } else if (count > counts.back()) {
+      all.back() = at;
+      counts.back() = count;
+    }
+  }
+  return all;
+}
+
+std::vector<const Row*> rows_of(const std::vector<Row>& rows, const Subject& subject,
+                                const std::string& method) {
+  std::vector<const Row*> found;
+  for (const Row& row : rows) {
+    if (row.scene != subject.scene || row.edge_mm != subject.edge_mm) continue;
+    if (row.knob == "reference" || (!method.empty() && row.method != method)) continue;
+    found.push_back(&row);
+  }
+  return found;
+}
+
+const Row* find_row(const std::vector<Row>& rows, const Subject& subject, const std::string& method,
+                    const std::string& knob, const std::string& value) {
+  const auto found = std::find_if(rows.begin(), rows.end(), [&](const Row& row) {
+    return row.scene == subject.scene && row.edge_mm == subject.edge_mm && row.method == method &&
+           row.knob == knob && row.value == value;
+  });
+  return found == rows.end() ? nullptr : &*found;
+}
+
+std::optional<double> seconds_within(const std::vector<Row>& rows, const Subject& subject,
+                                     const std::string& method, double distance) {
+  std::optional<double> least;
+  for (const Row* row : rows_of(rows, subject, method)) {
+    if (row->error.rms > distance) continue;
+    least = std::min(least.value_or(row->outcome.processor), row->outcome.processor);
+  }
+  return least;
+}
+
+std::vector<std::string> losses(const Results& results) {
+  std::vector<std::string> all = {slower(results, "relaxation", "paper"),
+                                  slower(results, "paper", "relaxation"),
+                                  never_near(results, "relaxation"),
+                                  never_near(results, "paper"),
+                                  single_nodes(results),
+                                  out_of_order(results),
+                                  models(results),
+                                  no_rest(results)};
+  std::erase(all, "");
+  return all;
+}
+
+std::vector<Preset> presets(const Results& results) {
+  std::vector<Preset> all;
+  std::set<std::string> seen;
+  for (const Row& row : results.rows) {
+    if (row.edge_mm != results.presets_mm || !row.error.ease) continue;
+    if (!seen.insert(row.scene).second) continue;
+    const Subject at{row.scene, row.edge_mm};
+    const Row* standard =
+        find_row(results.rows, at, "relaxation", "quality", standard_quality.name);
+    for (const Quality& quality : qualities) {
+      const Row* preset = find_row(results.rows, at, "relaxation", "quality", quality.name);
+      if (preset == nullptr || standard == nullptr) continue;
+      all.push_back({preset, preset->outcome.processor / standard->outcome.processor});
+    }
+  }
+  return all;
+}
+
+std::string mm(double metres, int digits) { return fixed_number(1000 * metres, digits); }
+
+}  // namespace toile::precision
