@@ -219,8 +219,7 @@ DressMethod read_method(const po::variables_map& given, bool together) {
   options.stop_rms = 10 * residual;
   std::optional<Quality> quality;
   if (given.count("residual") == 0) quality = quality_of(given);
-  return {"relaxation",
-          quality,
+  return {"relaxation", quality,
           [options, together](const PanelMesh& garment, const Scene& scene,
                               const FrameWatcher& watcher) {
             DressOptions of_one = options;

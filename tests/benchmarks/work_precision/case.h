@@ -18,13 +18,13 @@ inline const char* name_of(Method method) {
 
 /// One turn of a method's knob. What a method does not know has no effect on it.
 struct Setting {
-  std::string knob;            ///< the one that is turned
-  std::string value;           ///< as shown
-  double residual = 0.01;      ///< of the median, in node weights; the rms may be ten times that
-  int iterations = 400000;     ///< relaxation: at most, on the garment's own mesh
-  double step_share = 0.9;     ///< paper: of the largest stable step
-  double seconds = 3;          ///< paper: simulated at most, of the fall
-  bool exact_limit = false;    ///< paper: the strain limit is held, not only approached
+  std::string knob;          ///< the one that is turned
+  std::string value;         ///< as shown
+  double residual = 0.01;    ///< of the median, in node weights; the rms may be ten times that
+  int iterations = 400000;   ///< relaxation: at most, on the garment's own mesh
+  double step_share = 0.9;   ///< paper: of the largest stable step
+  double seconds = 3;        ///< paper: simulated at most, of the fall
+  bool exact_limit = false;  ///< paper: the strain limit is held, not only approached
 };
 
 /// Where a run ended.

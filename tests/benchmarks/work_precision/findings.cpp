@@ -49,21 +49,22 @@ std::string never_near(const Results& results, const std::string& method) {
                      number(best->outcome.processor, 3) + " s)");
   }
   if (places.empty()) return "";
-  return "No setting of the " + method + " method ends within 1 mm of its own rest: " +
-         join(places) + ".";
+  return "No setting of the " + method +
+         " method ends within 1 mm of its own rest: " + join(places) + ".";
 }
 
 std::string no_rest(const Results& results) {
   std::vector<std::string> places;
   for (const Row& row : results.rows) {
     if (row.knob != "reference" || row.outcome.converged) continue;
-    places.push_back(row.scene + ", " + number(row.edge_mm) + " mm, " + row.method +
-                     " (" + end_of(row.outcome) + ", residual " +
-                     number(row.outcome.residual.median, 2) + ")");
+    places.push_back(row.scene + ", " + number(row.edge_mm) + " mm, " + row.method + " (" +
+                     end_of(row.outcome) + ", residual " + number(row.outcome.residual.median, 2) +
+                     ")");
   }
   if (places.empty()) return "";
   return "References that did not come to the rest asked for, so that errors against them are "
-         "themselves uncertain: " + join(places) + ".";
+         "themselves uncertain: " +
+         join(places) + ".";
 }
 
 /// The relaxation's own weak side: a rms that hides single nodes.
@@ -92,7 +93,8 @@ std::string out_of_order(const Results& results) {
   }
   if (places.empty()) return "";
   return "The relaxation's residual bounds forces, not distances. A finer preset ended farther "
-         "from rest than a coarser one: " + join(places) + ".";
+         "from rest than a coarser one: " +
+         join(places) + ".";
 }
 
 std::string models(const Results& results) {
@@ -115,8 +117,8 @@ std::vector<Subject> subjects(const std::vector<Row>& rows) {
   std::vector<std::size_t> counts;
   for (const Row& row : rows) {
     const Subject at{row.scene, row.edge_mm};
-    const auto count = static_cast<std::size_t>(
-        std::count_if(rows.begin(), rows.end(), [&](const Row& other) {
+    const auto count =
+        static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), [&](const Row& other) {
           return other.scene == at.scene && other.edge_mm == at.edge_mm;
         }));
     if (all.empty() || all.back().scene != at.scene) {

@@ -155,8 +155,7 @@ std::unique_ptr<Case> cantilever(int elements) {
   test::add_panel(garment, "strip", test::grid(2 * length, width, 2 * elements, elements / 2),
                   [&](const Vec2& p) { return Vec3(p.x() - length, 0, -p.y()); });
   return std::make_unique<HeldSheet>("cantilever", 1000 * length / elements, std::move(garment),
-                                     fabric,
-                                     [](const Vec3& p) { return std::abs(p.x()) < 1e-9; });
+                                     fabric, [](const Vec3& p) { return std::abs(p.x()) < 1e-9; });
 }
 
 }  // namespace toile::precision

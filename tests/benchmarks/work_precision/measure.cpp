@@ -18,8 +18,7 @@ Drape measure(const Case& scene, const Outcome& outcome) {
   for (std::size_t p = 0; p < outcome.points.size(); ++p) {
     drape.nodes[program.node_of_point[p]] = outcome.points[p];
   }
-  const DressedGarment dressed =
-      as_dressed(scene.garment(), drape.nodes, program.node_triangles);
+  const DressedGarment dressed = as_dressed(scene.garment(), drape.nodes, program.node_triangles);
   drape.strain_p99 = measure_garment(scene.garment(), dressed).strain_off_seams.p99;
   drape.lowest = drape.nodes.front().y();
   for (const Vec3& p : drape.nodes) drape.lowest = std::min(drape.lowest, p.y());
@@ -66,30 +65,29 @@ std::string csv_of(const std::vector<Row>& rows) {
   for (const Row& row : rows) {
     const Outcome& run = row.outcome;
     const bool worn = row.error.ease.has_value();
-    const std::vector<std::string> cells = {
-        row.scene,
-        number(row.edge_mm),
-        std::to_string(row.nodes),
-        row.method,
-        row.knob,
-        row.value,
-        number(run.wall),
-        number(run.processor),
-        std::to_string(run.iterations),
-        number(run.simulated),
-        end_of(run),
-        number(run.residual.median),
-        number(run.residual.rms),
-        number(1e3 * row.error.rms),
-        number(1e3 * row.error.max),
-        number(1e2 * row.drape.strain_p99),
-        number(1e2 * row.error.strain_p99),
-        worn ? number(1e3 * row.drape.ease) : "",
-        worn ? number(1e3 * *row.error.ease) : "",
-        number(row.drape.lowest),
-        row.models_apart ? number(1e3 * *row.models_apart) : "",
-        number(row.reference_residual),
-        row.reference_end};
+    const std::vector<std::string> cells = {row.scene,
+                                            number(row.edge_mm),
+                                            std::to_string(row.nodes),
+                                            row.method,
+                                            row.knob,
+                                            row.value,
+                                            number(run.wall),
+                                            number(run.processor),
+                                            std::to_string(run.iterations),
+                                            number(run.simulated),
+                                            end_of(run),
+                                            number(run.residual.median),
+                                            number(run.residual.rms),
+                                            number(1e3 * row.error.rms),
+                                            number(1e3 * row.error.max),
+                                            number(1e2 * row.drape.strain_p99),
+                                            number(1e2 * row.error.strain_p99),
+                                            worn ? number(1e3 * row.drape.ease) : "",
+                                            worn ? number(1e3 * *row.error.ease) : "",
+                                            number(row.drape.lowest),
+                                            row.models_apart ? number(1e3 * *row.models_apart) : "",
+                                            number(row.reference_residual),
+                                            row.reference_end};
     for (std::size_t i = 0; i < cells.size(); ++i) text += (i > 0 ? "," : "") + cells[i];
     text += "\n";
   }

@@ -39,7 +39,7 @@ struct Row {
   Drape drape;      ///< its nodes and gaps are not kept
   Error error;      ///< against the same method's reference
   double reference_residual = 0;
-  std::string reference_end;  ///< as end_of()
+  std::string reference_end;           ///< as end_of()
   std::optional<double> models_apart;  ///< metres, rms between the methods' references
 };
 

@@ -45,9 +45,10 @@ std::string presets_html(const Results& results) {
                      {number(row.outcome.residual.median, 2), ""}});
   }
   return "<h2>What --quality leaves</h2>\n" +
-         html::table("", {"garment", "preset", "nodes", "iterations", "wall, s", "processor, s",
-                          "time ÷ standard's", "distance rms, mm", "largest, mm",
-                          "strain p99, points", "ease, mm", "residual"},
+         html::table("",
+                     {"garment", "preset", "nodes", "iterations", "wall, s", "processor, s",
+                      "time ÷ standard's", "distance rms, mm", "largest, mm", "strain p99, points",
+                      "ease, mm", "residual"},
                      lines);
 }
 
@@ -70,9 +71,10 @@ std::string within_html(const Results& results) {
       lines.push_back(line);
     }
   }
-  return html::table("Processor seconds of the cheapest run that ended within that distance (rms) "
-                     "of its own rest",
-                     columns, lines);
+  return html::table(
+      "Processor seconds of the cheapest run that ended within that distance (rms) "
+      "of its own rest",
+      columns, lines);
 }
 
 std::string losses_html(const Results& results) {
@@ -120,8 +122,7 @@ std::string charts_html(const Results& results, Json& charts) {
   const std::vector<Quantity> quantities = {
       {"nodes' distance from rest, rms, mm", [](const Row& row) { return 1e3 * row.error.rms; }},
       {"strain p99, error in points", [](const Row& row) { return 1e2 * row.error.strain_p99; }},
-      {"ease, mean error in mm",
-       [](const Row& row) { return 1e3 * row.error.ease.value_or(0); }}};
+      {"ease, mean error in mm", [](const Row& row) { return 1e3 * row.error.ease.value_or(0); }}};
   std::string html = "<h2>Error against time</h2>\n";
   for (const Subject& subject : subjects(results.rows)) {
     const auto rows = rows_of(results.rows, subject, "");
@@ -167,9 +168,10 @@ std::string meshes_html(const Results& results) {
          "<p>The references: each method at rest on each mesh. Time and distance are those of its "
          "usual run there (<code>--quality standard</code>; <code>--method paper</code>). A drape "
          "is one of several a real garment could take, and a finer mesh can find another.</p>\n" +
-         html::table("", {"scene", "method", "edges, mm", "nodes", "usual run, processor s",
-                          "its distance rms, mm", "strain p99, %", "lowest node, mm",
-                          "ease, mean, mm", "models apart, rms, mm", "residual", "end"},
+         html::table("",
+                     {"scene", "method", "edges, mm", "nodes", "usual run, processor s",
+                      "its distance rms, mm", "strain p99, %", "lowest node, mm", "ease, mean, mm",
+                      "models apart, rms, mm", "residual", "end"},
                      lines);
 }
 
@@ -203,9 +205,10 @@ std::string terms_html(const Results& results) {
          "one iteration tells a term's cost apart from the way to rest that it changes. Edge "
          "contact is that of edges' middles with the body, and the bounds that keep triangles from "
          "meeting it; both need the body's exact surface and go together.</p>\n" +
-         html::table("", {"scene", "terms", "processor, s", "time ÷ all terms", "iterations",
-                          "an iteration ÷ all terms", "distance rms, mm", "largest, mm",
-                          "strain p99, points", "ease, mm", "intersections body / self", "end"},
+         html::table("",
+                     {"scene", "terms", "processor, s", "time ÷ all terms", "iterations",
+                      "an iteration ÷ all terms", "distance rms, mm", "largest, mm",
+                      "strain p99, points", "ease, mm", "intersections body / self", "end"},
                      lines);
 }
 
@@ -229,9 +232,10 @@ std::string all_html(const Results& results) {
                      end_cell(run)});
   }
   return "<h2>All runs</h2>\n" +
-         html::table("", {"scene", "method", "knob", "wall, s", "processor, s", "iterations",
-                          "simulated, s", "residual", "distance rms, mm", "largest, mm",
-                          "strain p99, points", "ease, mm", "models apart, rms, mm", "end"},
+         html::table("",
+                     {"scene", "method", "knob", "wall, s", "processor, s", "iterations",
+                      "simulated, s", "residual", "distance rms, mm", "largest, mm",
+                      "strain p99, points", "ease, mm", "models apart, rms, mm", "end"},
                      lines);
 }
 
@@ -267,8 +271,8 @@ std::string expectations(const Results& results) {
 std::string page_of(const Results& results) {
   Json charts = Json::array();
   std::string body = "<p>" + std::to_string(std::thread::hardware_concurrency()) +
-                     " processors; load of the machine at the start " +
-                     html_escaped(results.load) + ".</p>\n";
+                     " processors; load of the machine at the start " + html_escaped(results.load) +
+                     ".</p>\n";
   if (!results.rows.empty()) {
     body += presets_html(results) + losses_html(results) + charts_html(results, charts) +
             meshes_html(results);

@@ -67,9 +67,8 @@ std::string method_svg(const std::vector<const Row*>& rows, const Axis& x, const
   if (rows.empty()) return "";
   const std::string colour = colour_of(rows.front()->method);
   std::vector<const Row*> by_time = rows;
-  std::sort(by_time.begin(), by_time.end(), [](const Row* a, const Row* b) {
-    return a->outcome.processor < b->outcome.processor;
-  });
+  std::sort(by_time.begin(), by_time.end(),
+            [](const Row* a, const Row* b) { return a->outcome.processor < b->outcome.processor; });
   std::string svg, best;
   double least = 0;
   for (const Row* row : by_time) {
@@ -80,8 +79,8 @@ std::string method_svg(const std::vector<const Row*>& rows, const Axis& x, const
       least = row->error.rms;
     }
     const bool named = row->knob == "quality" || row->knob == "default";
-    svg += "<circle cx=\"" + px(at_x) + "\" cy=\"" + px(at_y) + "\" r=\"" + (named ? "4.5" : "2.5") +
-           "\" fill=\"" + colour + "\"/>\n";
+    svg += "<circle cx=\"" + px(at_x) + "\" cy=\"" + px(at_y) + "\" r=\"" +
+           (named ? "4.5" : "2.5") + "\" fill=\"" + colour + "\"/>\n";
     if (named) {
       svg += text(at_x + 7, at_y - 5, row->knob == "default" ? "default" : row->value,
                   "fill=\"" + colour + "\" font-size=\"11\"");
@@ -103,9 +102,9 @@ std::string frame_svg(const Results& results, const Subject& subject, double x0,
   if (times.empty()) return "";
   const double x1 = x0 + frame_width, y1 = y0 + frame_height;
   const Axis x(times, x0, x1), y(errors, y1, y0);
-  std::string svg = text(x0, y0 - 10, subject.scene + ", " + std::to_string(rows.front()->nodes) +
-                                          " nodes",
-                         "font-weight=\"bold\"");
+  std::string svg =
+      text(x0, y0 - 10, subject.scene + ", " + std::to_string(rows.front()->nodes) + " nodes",
+           "font-weight=\"bold\"");
   for (const double tick : x.ticks()) {
     svg += line(x.at(tick), y0, x.at(tick), y1, "#e0e0e0");
     svg += text(x.at(tick), y1 + 16, number(tick), "text-anchor=\"middle\"");
@@ -133,7 +132,8 @@ std::string headline_plot(const Results& results) {
   }
   const std::size_t rows = (shown.size() + frames_across - 1) / frames_across;
   const double width = left + frames_across * (frame_width + between_x) - between_x + 30;
-  const double height = top + static_cast<double>(rows) * (frame_height + between_y) - between_y + 50;
+  const double height =
+      top + static_cast<double>(rows) * (frame_height + between_y) - between_y + 50;
   std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + px(width) +
                     "\" height=\"" + px(height) + "\" viewBox=\"0 0 " + px(width) + " " +
                     px(height) +
@@ -142,8 +142,12 @@ std::string headline_plot(const Results& results) {
   double key = left;
   for (const std::string method : {"relaxation", "paper"}) {
     svg += "<circle cx=\"" + px(key) + "\" cy=\"18\" r=\"4.5\" fill=\"" + colour_of(method) +
-           "\"/>\n" + text(key + 9, 22, method == "paper" ? "--method paper" : "relaxation, with "
-                           "its presets", "");
+           "\"/>\n" +
+           text(key + 9, 22,
+                method == "paper" ? "--method paper"
+                                  : "relaxation, with "
+                                    "its presets",
+                "");
     key += 190;
   }
   for (std::size_t i = 0; i < shown.size(); ++i) {

@@ -75,8 +75,8 @@ Ran run(const Case& scene, Method method, const Setting& setting) {
   ran.drape = measure(scene, ran.outcome);
   const Outcome& done = ran.outcome;
   std::cerr << number(done.wall) << " s, " << number(done.processor) << " s of processors, "
-            << done.iterations << " iterations, residual " << number(done.residual.median)
-            << ", " << end_of(done) << std::endl;
+            << done.iterations << " iterations, residual " << number(done.residual.median) << ", "
+            << end_of(done) << std::endl;
   return ran;
 }
 

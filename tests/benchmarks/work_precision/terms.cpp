@@ -35,10 +35,9 @@ std::vector<TermRow> study_terms(Wardrobe& wardrobe, const WornGarment& garment,
     row.scene = garment.scene;
     row.term = term.name;
     // What comes to no rest ends some time.
-    row.outcome = scene->run(Method::relaxation, {.knob = "terms",
-                                                  .value = term.name,
-                                                  .residual = quality.residual,
-                                                  .iterations = 40000});
+    row.outcome = scene->run(
+        Method::relaxation,
+        {.knob = "terms", .value = term.name, .residual = quality.residual, .iterations = 40000});
     std::cerr << number(row.outcome.wall) << " s, " << end_of(row.outcome) << std::endl;
     const Drape drape = measure(*scene, row.outcome);
     if (rows.empty()) with_all = drape;

@@ -35,8 +35,7 @@ class Worn : public Case {
   Outcome run(Method method, const Setting& setting) const override {
     Outcome done;
     const Stopwatch watch;
-    const DressResult result =
-        method == Method::relaxation ? relaxed(setting) : by_paper(setting);
+    const DressResult result = method == Method::relaxation ? relaxed(setting) : by_paper(setting);
     watch.stop(done);
     done.points = material_points(garment_, result.nodes, result.triangles);
     done.residual = result.residual;
@@ -53,14 +52,23 @@ class Worn : public Case {
  private:
   void switch_term(Switched term) {
     switch (term) {
-      case Switched::none: break;
-      case Switched::bending: scene_.fabric.bending_warp = scene_.fabric.bending_weft = 0; break;
-      case Switched::self_contact: scene_.self_contact = false; break;
-      case Switched::edge_contact: scene_.skin = nullptr; break;
+      case Switched::none:
+        break;
+      case Switched::bending:
+        scene_.fabric.bending_warp = scene_.fabric.bending_weft = 0;
+        break;
+      case Switched::self_contact:
+        scene_.self_contact = false;
+        break;
+      case Switched::edge_contact:
+        scene_.skin = nullptr;
+        break;
       case Switched::friction:
         scene_.fabric.friction_skin = scene_.fabric.friction_cloth = 0;
         break;
-      case Switched::strain_limit: scene_.strain_limit = 0.01; break;
+      case Switched::strain_limit:
+        scene_.strain_limit = 0.01;
+        break;
     }
   }
 
@@ -113,8 +121,8 @@ std::unique_ptr<Case> Wardrobe::get(const WornGarment& garment, double edge_mm, 
   const std::string name = garment.scene + " " + length.str();
   if (shelf_->garments.count(name) == 0) {
     const fs::path mesh = shelf_->folder / (name + ".obj");
-    pipeline::run_or_throw("mesh-pattern", {pattern->string(), "-o", mesh.string(),
-                                            "--edge-length", length.str(), "-q"});
+    pipeline::run_or_throw("mesh-pattern", {pattern->string(), "-o", mesh.string(), "--edge-length",
+                                            length.str(), "-q"});
     shelf_->garments[name] = read_garment(mesh);
   }
   return std::make_unique<Worn>(garment.scene, edge_mm, shelf_->garments[name], wearer, term);

@@ -29,8 +29,8 @@ struct WornGarment {
 inline const WornGarment tshirt = {"sample T-shirt", "tshirt.json", "standing"};
 inline const WornGarment shirt = {"GarmentCode shirt", "patterns/garmentcode/shirt_mean.json",
                                   "mean_all"};
-inline const WornGarment pencil_dress = {
-    "GarmentCode pencil dress", "patterns/garmentcode/dress_pencil.json", "mean_all"};
+inline const WornGarment pencil_dress = {"GarmentCode pencil dress",
+                                         "patterns/garmentcode/dress_pencil.json", "mean_all"};
 
 /// The term that a scene does without, to see what it costs and buys; the strain limit, which
 /// scenes do not have, is put in instead.
