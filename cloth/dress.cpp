@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "cloth/clear_start.h"
+#include "cloth/gathers.h"
 #include "cloth/levels.h"
 #include "cloth/measures.h"
 #include "cloth/relaxation/body_bounds.h"
@@ -57,6 +58,14 @@ Scene for_sewing(Scene scene) {
   return scene;
 }
 
+/// Lets gathered rows give way along their seams too. Drawn up while a seam stands open, they turn
+/// the whole garment about the body by up to a right angle, for that brings them nearer; but the
+/// seam is to close the way it was placed, so its sides would then pass through the cloth.
+void slacken_gathers(const PanelMesh& garment, Program& program) {
+  for (const auto& [triangle, along] : gathered_rows(garment, gathered_edges(garment))) {
+    program.stretch[triangle].weft_stiffness *= gathered_stiffness;
+  }
+}
 
 class Dressing {
  public:
@@ -92,7 +101,7 @@ class Dressing {
   Scene scene_;
   const DressOptions& options_;
   const FrameWatcher& watcher_;
-  std::vector<PanelMesh> meshes_;  // finest first
+  std::vector<PanelMesh> meshes_;       // finest first
   std::optional<BodySurface> surface_;  // of the scene's skin, if it has one
   int level_ = 0;
   int attempt_ = 1;
@@ -202,7 +211,11 @@ bool Dressing::wrap(double care) {
   options.friction = false;
   options.bounded = true;
   options.momentum = 0.99;
-  return stage("wrap", options).converged;
+  const std::vector<StretchTriangle> drawn_up = program_.stretch;
+  slacken_gathers(mesh(), program_);
+  const bool closed = stage("wrap", options).converged;
+  program_.stretch = drawn_up;
+  return closed;
 }
 
 bool Dressing::sew(double care) {
