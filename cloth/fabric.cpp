@@ -45,14 +45,6 @@ double number_of(const nlohmann::json& value, const std::string& key, const Quan
   return number;
 }
 
-void check(const Fabric& fabric, const std::string& place) {
-  const auto [less, more] = std::minmax(fabric.bending_warp, fabric.bending_weft);
-  if (more > most_bending_ratio * less) {
-    throw Error(place, "warp and weft bend with rigidities more than 9 times apart",
-                "give bending_warp_N_m and bending_weft_N_m that are nearer");
-  }
-}
-
 Fabric read_fabric(const std::string& text, const std::string& place) {
   Fabric fabric;
   const std::map<std::string, Quantity> quantities = {
@@ -97,7 +89,6 @@ Fabric read_fabric(const std::string& text, const std::string& place) {
   } catch (const nlohmann::json::exception& wrong) {
     throw Error(place, wrong.what(), "mend the JSON");
   }
-  check(fabric, place);
   return fabric;
 }
 

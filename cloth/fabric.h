@@ -31,17 +31,13 @@ struct Fabric {
 /// than a thousandth of the weft's.
 double modulus_at(const Fabric& fabric, double angle);
 
-/// How far the bending rigidities of warp and weft may be apart, see hinge_rigidities().
-inline constexpr double most_bending_ratio = 9;
-
 /// Names of the fabrics that find_fabric() knows, "default" first.
 std::vector<std::string> fabric_names();
 
 /// A fabric of fabric_names(), or a JSON file as docs/fabric.schema.json says, whose keys are the
 /// fields above with their units; missing ones keep their defaults. Throws Error for an unknown
-/// name or key, for values that are not finite and positive (bending, shear, friction and damping
-/// may be 0) or are beyond any fabric's, and for bending rigidities more than `most_bending_ratio`
-/// apart.
+/// name or key, and for values that are not finite and positive (bending, shear, friction and
+/// damping may be 0) or are beyond any fabric's.
 Fabric find_fabric(const std::string& name_or_file);
 
 }  // namespace toile

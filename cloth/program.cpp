@@ -6,8 +6,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "cloth/bend_rows.h"
 #include "cloth/gathers.h"
-#include "cloth/hinge_rigidity.h"
 #include "geometry/error.h"
 
 namespace toile {
@@ -55,13 +55,6 @@ StretchTriangle stretch_of(const std::array<Vec2, 3>& corners, double grain) {
   return s;
 }
 
-/// Cotangent of the angle at `at`.
-double cotangent(const Vec2& at, const Vec2& a, const Vec2& b) {
-  const Vec2 u = a - at;
-  const Vec2 v = b - at;
-  return u.dot(v) / std::abs(u.x() * v.y() - u.y() * v.x());
-}
-
 class Compiler {
  public:
   Compiler(const PanelMesh& garment, const Scene& scene)
@@ -81,7 +74,7 @@ class Compiler {
     lay_out_stretch();
     lay_out_bands();
     program_.self_gap = self_gap_of(program_.scene, garment_);
-    if (bends()) lay_out_bend();
+    if (bends()) lay_out_bending(garment_, program_);
     return std::move(program_);
   }
 
@@ -135,7 +128,6 @@ class Compiler {
                       "mesh the pattern again");
         }
         program_.stretch.push_back(s);
-        panel_of_triangle_.push_back(static_cast<int>(&panel - garment_.panels.data()));
         for (int i = 0; i < 3; ++i) {
           const double mass = area * fabric.areal_density / 3;
           program_.mass[nodes[i]] += mass;
@@ -215,105 +207,9 @@ class Compiler {
     }
   }
 
-  void lay_out_bend() {
-    program_.bend_diagonal.assign(program_.nodes, 0);
-    // Triangles by their node edge: also finds the hinge across a sewn seam.
-    struct Side {
-      int triangle;
-      int corner;  // opposite to the edge
-    };
-    hinges_.assign(program_.triangles.size(), {-1, -1, -1});
-    responses_.assign(program_.triangles.size(), {});
-    std::map<std::pair<int, int>, std::vector<Side>> sides;
-    for (std::size_t t = 0; t < program_.node_triangles.size(); ++t) {
-      for (int i = 0; i < 3; ++i) {
-        const int a = program_.node_triangles[t][(i + 1) % 3];
-        const int b = program_.node_triangles[t][(i + 2) % 3];
-        sides[std::minmax(a, b)].push_back({static_cast<int>(t), i});
-      }
-    }
-    for (const auto& [edge, faces] : sides) {
-      if (faces.size() != 2) continue;  // a border, or three panels in one seam
-      add_hinge(faces[0].triangle, faces[0].corner, faces[1].triangle, faces[1].corner);
-    }
-    stiffen_hinges();
-  }
-
-  /// What the hinge opposite to corner `at` of triangle `t` feels, in that triangle's flat panel.
-  HingeResponse response(int t, int at, int other, int other_at) const {
-    const auto point = [&](int triangle, int i) { return program_.triangles[triangle][i % 3]; };
-    const auto& flat = garment_.flat;
-    const Vec2 a = flat[point(t, at + 1)];
-    int other_a = point(other, other_at + 2);
-    int other_b = point(other, other_at + 1);
-    if (program_.node_of_point[other_a] != program_.node_of_point[point(t, at + 1)]) {
-      std::swap(other_a, other_b);
-    }
-    const Vec2 along = (flat[other_b] - flat[other_a]).normalized();
-    const Vec2 to = flat[point(other, other_at)] - flat[other_a];
-    const Vec2 away(along.dot(to), std::abs(along.x() * to.y() - along.y() * to.x()));
-    const MeshedPanel& panel = garment_.panels[panel_of_triangle_[t]];
-    return hinge_response(a, flat[point(t, at + 2)], flat[point(t, at)], away, panel.grain);
-  }
-
-  /// A hinge has half its rigidity from either side, which may be another fabric or turned.
-  void stiffen_hinges() {
-    for (std::size_t t = 0; t < hinges_.size(); ++t) {
-      const Fabric& fabric = fabric_of(program_.scene, garment_.panels[panel_of_triangle_[t]]);
-      const auto rigidity = hinge_rigidities(fabric, responses_[t]);
-      for (int i = 0; i < 3; ++i) {
-        if (hinges_[t][i] >= 0) program_.bend[hinges_[t][i]].stiffness += 0.5 * rigidity[i];
-      }
-    }
-    std::vector<double> area(program_.bend.size(), 0);
-    for (std::size_t t = 0; t < hinges_.size(); ++t) {
-      for (const int hinge : hinges_[t]) {
-        if (hinge >= 0) area[hinge] += program_.stretch[t].area;
-      }
-    }
-    for (std::size_t h = 0; h < program_.bend.size(); ++h) {
-      BendHinge& hinge = program_.bend[h];
-      hinge.stiffness /= area[h];
-      double sum = 0;
-      for (const double w : hinge.weights) sum += std::abs(w);
-      for (int i = 0; i < 4; ++i) {
-        program_.bend_diagonal[program_.node_of_point[hinge.points[i]]] +=
-            hinge.stiffness * std::abs(hinge.weights[i]) * sum;
-      }
-    }
-  }
-
-  void add_hinge(int t0, int corner0, int t1, int corner1) {
-    const auto& p0 = program_.triangles[t0];
-    const auto& p1 = program_.triangles[t1];
-    const int a0 = p0[(corner0 + 1) % 3];
-    const int b0 = p0[(corner0 + 2) % 3];
-    int a1 = p1[(corner1 + 1) % 3];
-    int b1 = p1[(corner1 + 2) % 3];
-    if (program_.node_of_point[a1] != program_.node_of_point[a0]) std::swap(a1, b1);
-    const int c = p0[corner0];
-    const int d = p1[corner1];
-    const auto& flat = garment_.flat;
-    const double at_a0 = cotangent(flat[a0], flat[b0], flat[c]);
-    const double at_b0 = cotangent(flat[b0], flat[a0], flat[c]);
-    const double at_a1 = cotangent(flat[a1], flat[b1], flat[d]);
-    const double at_b1 = cotangent(flat[b1], flat[a1], flat[d]);
-    BendHinge hinge;
-    hinge.points = {a0, b0, c, d};
-    hinge.weights = {at_b0 + at_b1, at_a0 + at_a1, -at_a0 - at_b0, -at_a1 - at_b1};
-    hinge.across_seam = a0 != a1 || b0 != b1;
-    hinges_[t0][corner0] = hinges_[t1][corner1] = static_cast<int>(program_.bend.size());
-    responses_[t0][corner0] = response(t0, corner0, t1, corner1);
-    responses_[t1][corner1] = response(t1, corner1, t0, corner0);
-    program_.bend.push_back(hinge);
-  }
-
   const PanelMesh& garment_;
   GatheredEdges gathered_;
   std::map<int, Vec2> rows_;  // along gathered edges and elastics
-  std::vector<int> panel_of_triangle_;
-  std::vector<std::array<int, 3>> hinges_;               // opposite to each corner; -1: none
-  std::vector<std::array<HingeResponse, 3>> responses_;  // of the same
   Program program_;
 };
 

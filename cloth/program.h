@@ -26,13 +26,26 @@ struct StretchTriangle {
   bool held = true;            ///< to the scene's limits; not on a gathered seam, which gives way
 };
 
-/// Hinge of two triangles across an edge, at rest flat; E = ½ stiffness |Σ weight_i x_i|²
-/// [Bergou et al. 2006, A Quadratic Bending Model for Inextensible Surfaces].
+/// Hinge of two triangles across an edge, at rest flat: Σ weight_i x_i is how the slope jumps
+/// across it, square to the cloth as long as that is nearly flat.
 struct BendHinge {
-  std::array<int, 4> points;  ///< edge's ends, then the two opposite corners: material points
-  std::array<double, 4> weights;
-  double stiffness = 0;  ///< N/m
+  std::array<int, 4> points;      ///< edge's ends, then the two opposite corners: material points
+  std::array<double, 4> weights;  ///< 1/m, add up to 0
+  /// N·m: were it to bend on its own, E = ½ stiffness |jump|², as if rolled square to its edge,
+  /// half by the rigidity of either side. Only the springs of the paper's method are made from it.
+  double stiffness = 0;
   bool across_seam;
+};
+
+/// A triangle's piece of a bent plate, E = ½ Σ stiffness_ij jump_i · jump_j over its hinges: the
+/// plate's energy ½ area κᵀ D κ at the curvature κ that the three jumps tell of, that of the
+/// quadratic surface through a triangle and its neighbours, so that a sheet bends as stiffly
+/// whichever way its mesh is cut [Phaal & Calladine 1992, A Simple Class of Finite Elements for
+/// Plate and Shell Problems]. Jumps are linear in the places, so the stiffness is constant [Bergou
+/// et al. 2006, A Quadratic Bending Model for Inextensible Surfaces].
+struct BendTriangle {
+  std::array<int, 3> hinges;  ///< across from each corner; -1: a border
+  Eigen::Matrix3d stiffness;  ///< N·m, see plate_stiffness()
 };
 
 /// A *material point* has a place in a flat panel; sewn points share a *node*, which moves. While
@@ -42,16 +55,18 @@ struct Program {
   int nodes = 0;
   int subdivisions = 0;  ///< of the nested mesh, as PanelMesh says
   std::vector<int> node_of_point;
-  std::vector<Vec3> offsets;             ///< per material point; empty: nothing is sewn
-  std::vector<Triangle> triangles;       ///< of material points
-  std::vector<Triangle> node_triangles;  ///< the same, of nodes
-  std::vector<StretchTriangle> stretch;  ///< one per triangle
-  std::vector<BendHinge> bend;           ///< empty: fabric without bending stiffness
-  std::vector<BandSegment> bands;        ///< elastics; empty: the garment has none
-  std::vector<double> mass;  ///< kg, per node
+  std::vector<Vec3> offsets;                 ///< per material point; empty: nothing is sewn
+  std::vector<Triangle> triangles;           ///< of material points
+  std::vector<Triangle> node_triangles;      ///< the same, of nodes
+  std::vector<StretchTriangle> stretch;      ///< one per triangle
+  std::vector<BendHinge> bend;               ///< empty: fabric without bending stiffness
+  std::vector<BendTriangle> bend_triangles;  ///< those with stiffness and hinges
+  std::vector<BandSegment> bands;            ///< elastics; empty: the garment has none
+  std::vector<double> mass;                  ///< kg, per node
   std::vector<double>
       stretch_diagonal;  ///< N/m, per node: bound of the row sum of the stiffness, elastics' too
-  std::vector<double> bend_diagonal;   ///< N/m
+  std::vector<double> bend_diagonal;   ///< N/m, per node: the same of what bends, with any share
+                                       ///< from 0 to 1 of what is across seams
   std::vector<double> shortest_edge;   ///< metres at rest, per node, of its triangles
   std::vector<double> friction_skin;   ///< Coulomb, per node: the mean of its panels' by mass
   std::vector<double> friction_cloth;  ///< Coulomb, per node: the same, against cloth

@@ -79,7 +79,11 @@ ElasticKernel::ElasticKernel(const Program& program, bool of_points) {
   const std::size_t vertices = of_points ? program.node_of_point.size() : program.nodes;
   pull_first_.assign(vertices + 1, 0);
   lay_out_triangles(program, of_points ? program.triangles : program.node_triangles);
-  if (!program.bend.empty()) lay_out_hinges(program, of_points);
+  if (!program.bend.empty()) {
+    std::vector<int> points(vertices);
+    std::iota(points.begin(), points.end(), 0);
+    bend_ = bend_matrix(program, of_points ? points : program.node_of_point, vertices, of_points);
+  }
   if (program.scene.strain_limit || program.scene.shear_limit) lay_out_limits(program);
 }
 
@@ -158,50 +162,6 @@ void ElasticKernel::lay_out_triangles(const Program& program,
       pull_entries_[next[triangles[t][c]]++] = {static_cast<int>(t), weft[c], warp[c]};
     }
   }
-}
-
-void ElasticKernel::lay_out_hinges(const Program& program, bool of_points) {
-  struct Link {
-    int from;
-    int to;
-    double stiffness;
-  };
-  const std::size_t vertices = pull_first_.size() - 1;
-  const auto rows_of = [&](std::vector<Link>& links) {
-    std::stable_sort(links.begin(), links.end(), [](const Link& a, const Link& b) {
-      return a.from != b.from ? a.from < b.from : a.to < b.to;
-    });
-    BendRows rows;
-    rows.first.assign(vertices + 1, 0);
-    for (std::size_t i = 0; i < links.size(); ++i) {
-      const bool same =
-          i > 0 && links[i].from == links[i - 1].from && links[i].to == links[i - 1].to;
-      if (same) {
-        rows.stiffness.back() += links[i].stiffness;
-        continue;
-      }
-      ++rows.first[links[i].from + 1];
-      rows.vertex.push_back(links[i].to);
-      rows.stiffness.push_back(links[i].stiffness);
-    }
-    std::partial_sum(rows.first.begin(), rows.first.end(), rows.first.begin());
-    return rows;
-  };
-  std::vector<Link> inside;
-  std::vector<Link> across;
-  for (const BendHinge& hinge : program.bend) {
-    std::vector<Link>& links = of_points && hinge.across_seam ? across : inside;
-    for (int i = 0; i < 4; ++i) {
-      for (int j = 0; j < 4; ++j) {
-        const int a = of_points ? hinge.points[i] : program.node_of_point[hinge.points[i]];
-        const int b = of_points ? hinge.points[j] : program.node_of_point[hinge.points[j]];
-        // The weights add up to 0, so differences say it all, and a moved sheet feels nothing.
-        if (a != b) links.push_back({a, b, -hinge.stiffness * hinge.weights[i] * hinge.weights[j]});
-      }
-    }
-  }
-  bend_ = rows_of(inside);
-  if (!across.empty()) seam_bend_ = rows_of(across);
 }
 
 template <typename Group>
@@ -321,12 +281,13 @@ double ElasticKernel::stiffening(std::size_t v) const {
   return sum;
 }
 
-[[gnu::always_inline]] inline void ElasticKernel::BendRows::add_to(std::size_t v, double scale,
-                                                                   const Vec4* x,
-                                                                   Vec4& force) const {
+[[gnu::always_inline]] inline void add_bending(const BendRows& rows, std::size_t v, double scale,
+                                               const Vec4* x, Vec4& force) {
   const Vec4 here = x[v];
   Vec4 sum = {0, 0, 0, 0};
-  for (int i = first[v]; i < first[v + 1]; ++i) sum += stiffness[i] * (x[vertex[i]] - here);
+  for (int i = rows.first[v]; i < rows.first[v + 1]; ++i) {
+    sum += rows.stiffness[i] * (x[rows.vertex[i]] - here);
+  }
   force += scale * sum;
 }
 
@@ -340,8 +301,10 @@ void ElasticKernel::gather(std::size_t begin, std::size_t end, double bending, d
       const Vec4* pull = &pulls_[2 * static_cast<std::size_t>(entry.triangle)];
       sum += entry.weft * pull[0] + entry.warp * pull[1];
     }
-    if (!bend_.first.empty()) bend_.add_to(v, bending, x.data(), sum);
-    if (!seam_bend_.first.empty()) seam_bend_.add_to(v, bending * seam_bending, x.data(), sum);
+    if (!bend_.inside.first.empty()) add_bending(bend_.inside, v, bending, x.data(), sum);
+    if (!bend_.seams.first.empty()) {
+      add_bending(bend_.seams, v, bending * seam_bending, x.data(), sum);
+    }
     force[v] = sum;
   }
 }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "cloth/bend_rows.h"
 #include "cloth/program.h"
 #include "cloth/relaxation/vec4.h"
 #include "cloth/stretch.h"
@@ -16,7 +17,8 @@ inline constexpr double limit_tolerance = 0.08;
 /// Vertices are the program's nodes, or its material points while seams stand open. Forces take two
 /// passes over disjoint ranges that may run side by side: first all of pull(), then all of
 /// gather(); a vertex sums what its triangles left in a fixed order, so that bits don't depend on
-/// the threads. The same model as stretch_forces() and the program's hinges, element for element.
+/// the threads. The same model as stretch_forces() and the program's bend triangles, element for
+/// element.
 class ElasticKernel {
  public:
   static constexpr std::size_t group = 4;  ///< triangles that are pulled together
@@ -30,7 +32,7 @@ class ElasticKernel {
   void pull(std::size_t begin, std::size_t end, const StretchOptions& options, const Vec4s& x);
 
   /// Second pass: force (N) on vertices `begin` to `end`. `bending` multiplies the stiffness of all
-  /// hinges, `seam_bending` besides that of hinges across a seam.
+  /// that bends, `seam_bending` (0 to 1) besides that of what bends across a seam.
   void gather(std::size_t begin, std::size_t end, double bending, double seam_bending,
               const Vec4s& x, Vec4s& force) const;
 
@@ -75,16 +77,8 @@ class ElasticKernel {
     double weft;
     double warp;
   };
-  struct BendRows {
-    std::vector<int> first;  // empty: no hinges
-    std::vector<int> vertex;
-    std::vector<double> stiffness;  // N/m, positive pulls together
-
-    void add_to(std::size_t vertex, double scale, const Vec4* x, Vec4& force) const;
-  };
 
   void lay_out_triangles(const Program& program, const std::vector<Triangle>& triangles);
-  void lay_out_hinges(const Program& program, bool of_points);
   void lay_out_limits(const Program& program);
 
   std::vector<TriangleGroup> groups_;
@@ -93,8 +87,7 @@ class ElasticKernel {
   Vec4s pulls_;  // per triangle: by weft, by warp
   std::vector<int> pull_first_;
   std::vector<PullEntry> pull_entries_;
-  BendRows bend_;       // of nodes: all hinges; of points: those inside panels
-  BendRows seam_bend_;  // of points: those across seams
+  BendMatrix bend_;
 };
 
 }  // namespace toile

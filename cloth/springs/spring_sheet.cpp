@@ -129,7 +129,6 @@ void SpringSheet::lay_out_bends() {
     std::array<int, 2> corners;
     std::array<Vec2, 2> reach;
     double area = 0;
-    double length = 0;
     double damping = 0;
     for (int side = 0; side < 2; ++side) {
       const Triangle& points = garment_.triangles[faces[side].triangle];
@@ -144,7 +143,6 @@ void SpringSheet::lay_out_bends() {
       const double half = area_of(garment_, faces[side].triangle);
       area += half;
       damping += half * damping_of[faces[side].triangle];
-      length += 0.5 * (garment_.flat[a] - garment_.flat[b]).norm();
     }
     const double heights = reach[0].y() + reach[1].y();
     Bend bend;
@@ -154,7 +152,7 @@ void SpringSheet::lay_out_bends() {
     // The spring shortens by `shorter` at the fold where the energies are to agree.
     const double fold = 0.6 * heights / matched_radius;  // measured: fits most meshes
     const double shorter = reach[0].y() * reach[1].y() * fold * fold / (2 * bend.rest);
-    const double energy = 0.5 * stiffness.at(edge) * std::pow(length * fold, 2);
+    const double energy = 0.5 * stiffness.at(edge) * fold * fold;
     bend.stiffness = 2 * energy / (shorter * shorter);
     bend.damping = damping / area;
     point_bends_.push_back(bend);

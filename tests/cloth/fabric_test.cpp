@@ -85,11 +85,8 @@ TEST_F(FabricFile, ValuesOutOfRangeAreRefused) {
       EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 0) << message;
     }
   }
-  EXPECT_HOLDS(error(R"({"bending_warp_N_m": 1e-4})"), "9 times apart");
-  EXPECT_HOLDS(error(R"({"bending_weft_N_m": 0})"), "9 times apart");
-  EXPECT_EQ(error(R"({"bending_weft_N_m": 2e-6})"), "");
-  for (const char* key : {"shear_N_per_m", "bending_N_m", "friction", "friction_skin",
-                          "friction_cloth", "damping_s"}) {
+  for (const char* key : {"shear_N_per_m", "bending_N_m", "bending_weft_N_m", "friction",
+                          "friction_skin", "friction_cloth", "damping_s"}) {
     EXPECT_EQ(error("{\"" + std::string(key) + "\": 0}"), "");
     EXPECT_HOLDS(error("{\"" + std::string(key) + "\": -0.1}"), key);
   }

@@ -76,12 +76,13 @@ struct Cantilever {
   }
 };
 
-/// Largest error of H/W that a cut is held to, as a fraction, at 16 elements and more. The reason
-/// that the asked 2 % are missed: hinges are each stiff on their own. What a bent sheet's energy is
-/// depends on how its hinges lie to the bend; free at its borders, it moreover twists to where they
-/// resist least. Neither goes away as the mesh gets finer.
-double held_to(test::Cut cut) {
-  return cut == test::Cut::structured ? 0.21 : cut == test::Cut::turned ? 0.65 : 0.15;
+/// Largest error of H/W that a cut is held to, as a fraction, at 16 elements and at 32. Where it is
+/// more than the asked 2 %: triangles at a border have jumps at two edges or one, and the least
+/// energy of those, so free borders are softer by as much as the mesh is coarse.
+double held_to(test::Cut cut, int elements) {
+  const bool fine = elements >= 32;
+  if (cut == test::Cut::turned) return fine ? 0.035 : 0.06;
+  return cut == test::Cut::unstructured && !fine ? 0.03 : 0.02;
 }
 
 void state_bent(const test::Figure& drop, const test::Figure& tip, const Bent& bent, double ratio,
@@ -97,6 +98,8 @@ void bend(double gamma, int elements, bool bounded) {
   const double layer = elements / std::sqrt(gamma);
   const std::string at =
       ", " + std::to_string(elements) + " elements (boundary layer " + test::number(layer, 3) + ")";
+  const std::string borders = "free borders are softer";
+  double least = 1e9, most = 0;
   for (const test::Cut cut : test::all_cuts) {
     const Cantilever scene{gamma, elements, cut};
     const PanelMesh garment = scene.garment();
@@ -112,10 +115,19 @@ void bend(double gamma, int elements, bool bounded) {
       continue;
     }
     drop.asked = 0.02, tip.asked = layer > 6 ? 1 : 0;
-    drop.reason = tip.reason = "hinges depend on the triangulation";
-    test::expect_relative(drop, bent.drop_over_reach, ratio, held_to(cut));
-    test::expect_near(tip, bent.tip_angle, angle, cut == test::Cut::turned ? 31 : 5);
+    if (held_to(cut, elements) > drop.asked) drop.reason = borders;
+    test::expect_relative(drop, bent.drop_over_reach, ratio, held_to(cut, elements));
+    test::expect_near(tip, bent.tip_angle, angle, 1);
+    least = std::min(least, bent.drop_over_reach);
+    most = std::max(most, bent.drop_over_reach);
   }
+  if (!bounded) return;
+  test::Figure spread{"elastica, weight group " + test::number(gamma) +
+                          ": drop over reach, spread over the three cuts",
+                      "relaxation", at.substr(2), "%"};
+  spread.asked = 2;
+  spread.reason = borders;
+  test::expect_near(spread, 100 * (most / least - 1), 0, elements >= 32 ? 3.2 : 4.5);
 }
 
 TEST(Cantilever, BendsAsTheHeavyElastica) {

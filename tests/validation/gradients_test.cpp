@@ -12,6 +12,7 @@
 #include "cloth/springs/spring_sheet.h"
 #include "cloth/stretch.h"
 #include "geometry/distance_grid.h"
+#include "tests/cloth/bend_energy.h"
 #include "tests/cloth/panels.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tubes.h"
@@ -97,11 +98,9 @@ double energy(const Program& program, const Places& x) {
     const Triangle& c = program.triangles[t];
     sum += stretch_energy(program.stretch[t], -1, at(c[0]), at(c[1]), at(c[2]));
   }
-  for (const BendHinge& hinge : program.bend) {
-    Vec3 bent = Vec3::Zero();
-    for (int i = 0; i < 4; ++i) bent += hinge.weights[i] * at(hinge.points[i]);
-    sum += 0.5 * hinge.stiffness * bent.squaredNorm();
-  }
+  Places points(program.node_of_point.size());
+  for (std::size_t p = 0; p < points.size(); ++p) points[p] = at(static_cast<int>(p));
+  sum += test::bend_energy(program, points);
   for (const BandSegment& s : program.bands) {
     const double length = (at(s.points[0]) - at(s.points[1])).norm();
     sum += 0.5 * s.rest * s.stiffness * std::pow(std::max(length / s.rest - 1, 0.0), 2) +
