@@ -166,8 +166,8 @@ int main(int argc, char** argv) try {
   if (!settings.plot.empty()) check_writable(settings.plot);
   const Results results = Benchmark(settings).run();
   if (!settings.plot.empty()) write_file(settings.plot, headline_plot(results));
-  std::cout << presets_table(results) << expectations(results)
-            << "written: " << fs::absolute(settings.folder / "index.html").string()
+  if (settings.wants("presets")) std::cout << presets_table(results) << expectations(results);
+  std::cout << "written: " << fs::absolute(settings.folder / "index.html").string()
             << ", work_precision.csv, terms.csv and work_precision.svg beside it\n";
   return 0;
 } catch (const boost::program_options::error& error) {

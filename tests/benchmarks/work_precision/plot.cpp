@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloth/quality.h"
 #include "io/text.h"
 #include "tests/benchmarks/work_precision/findings.h"
 
@@ -82,8 +83,11 @@ std::string method_svg(const std::vector<const Row*>& rows, const Axis& x, const
     svg += "<circle cx=\"" + px(at_x) + "\" cy=\"" + px(at_y) + "\" r=\"" +
            (named ? "4.5" : "2.5") + "\" fill=\"" + colour + "\"/>\n";
     if (named) {
-      svg += text(at_x + 7, at_y - 5, row->knob == "default" ? "default" : row->value,
-                  "fill=\"" + colour + "\" font-size=\"11\"");
+      // Presets can be next to each other.
+      const bool below = row->value == qualities.back().name;
+      svg +=
+          text(at_x + 7, at_y + (below ? 13 : -5), row->knob == "default" ? "default" : row->value,
+               "fill=\"" + colour + "\" font-size=\"11\"");
     }
   }
   if (best.empty()) return "";
