@@ -191,7 +191,8 @@ std::optional<double> seconds_within(const std::vector<Row>& rows, const Subject
                                      const std::string& method, double distance) {
   std::optional<double> least;
   for (const Row* row : rows_of(rows, subject, method)) {
-    if (row->error.rms > distance) continue;
+    // What is not sewn ends near to what is not sewn either: that is no rest.
+    if (!row->outcome.sewn || row->error.rms > distance) continue;
     least = std::min(least.value_or(row->outcome.processor), row->outcome.processor);
   }
   return least;

@@ -61,7 +61,9 @@ std::string colour_of(const std::string& method) {
   return method == "paper" ? "#a8501e" : "#20558a";
 }
 
-bool drawn(const Row& row) { return row.error.rms > 0 && row.outcome.processor > 0; }
+bool drawn(const Row& row) {
+  return row.outcome.sewn && row.error.rms > 0 && row.outcome.processor > 0;
+}
 
 /// All runs as dots; the best that can be had for a time as a line; the presets named.
 std::string method_svg(const std::vector<const Row*>& rows, const Axis& x, const Axis& y) {

@@ -12,8 +12,9 @@ namespace toile::precision {
 /// What is run of one case.
 struct Plan {
   bool paper = true;
-  bool all_knobs = true;  ///< else the presets and the paper's defaults only
-  bool fast = false;      ///< less of everything: to see that it runs
+  bool all_knobs = true;      ///< else the presets and the paper's defaults only
+  bool few_of_paper = false;  ///< where a run of the paper's method takes minutes
+  bool fast = false;          ///< less of everything: to see that it runs
 };
 
 /// Each method's reference, and each setting of its knobs, against it. Says on stderr what it does.
