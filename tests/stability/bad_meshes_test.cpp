@@ -74,10 +74,11 @@ TEST_F(BadGarment, PointsInOnePlaceOfThePanel) {
   refuses(cape(mesh), "two points in one place of the panel", "counter-clockwise");
 }
 
+/// The paper's springs may go on trembling there, and then say so.
 TEST_F(BadGarment, PointsPlacedInOnePlace) {
   PanelMesh garment = cape();
   garment.placed[101] = garment.placed[100];
-  dresses(garment, "two points placed in one place", {"sewn"});
+  dresses(garment, "two points placed in one place", {"sewn", "unconverged"});
 }
 
 TEST_F(BadGarment, AllPointsPlacedInOnePlace) {
