@@ -121,9 +121,9 @@ class Positioned : public WornSample {
   void SetUp() override { make_body("14mm"); }
 
   /// The report of a dressing that ends well.
-  Json dress(const Json& pattern) {
+  Json dress(const Json& pattern, const std::string& edge_length) {
     write_text(folder / "pattern.json", pattern.dump());
-    mesh(folder / "pattern.json", "20mm");
+    mesh(folder / "pattern.json", edge_length);
     const pipeline::Run done = WornSample::dress("dressed");
     EXPECT_EQ(done.exit_code, 0) << done.err;
     const Json said = report("dressed");
@@ -137,12 +137,12 @@ class Positioned : public WornSample {
 };
 
 TEST_F(Positioned, ATshirtOfFlatPanelsAndRolledSleeves) {
-  const Json said = dress(tshirt_by_part());
+  // Edges of 20 mm are strained in folds as fine as they are, by what they can't follow.
+  const Json said = dress(tshirt_by_part(), "15mm");
   ASSERT_EQ(said["scene"]["positioned"].size(), 6U);
   EXPECT_EQ(said["wraps"].size(), 3U);
   EXPECT_EQ(said["borders"], 4);
-  // 1.58 % with the bending of today: folds as fine as the mesh, where each change moves them.
-  EXPECT_LE(said["strain_off_seams"]["p99"], 0.02);
+  EXPECT_LE(said["strain_off_seams"]["p99"], 0.015);
   for (const Json& panel : said["scene"]["positioned"]) {
     const bool sleeve = panel["panel"].get<std::string>().ends_with("sleeve");
     EXPECT_EQ(panel["rolled"], sleeve) << panel;
@@ -154,7 +154,7 @@ TEST_F(Positioned, ATshirtOfFlatPanelsAndRolledSleeves) {
 }
 
 TEST_F(Positioned, TrousersRolledAroundTheLegs) {
-  const Json said = dress(trousers());
+  const Json said = dress(trousers(), "20mm");
   ASSERT_EQ(said["scene"]["positioned"].size(), 2U);
   EXPECT_EQ(said["wraps"].size(), 2U);
   EXPECT_EQ(said["borders"], 3);
