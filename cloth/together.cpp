@@ -22,6 +22,10 @@ Scene with_fabrics(Scene scene, const std::vector<WornGarment>& garments) {
   return scene;
 }
 
+/// Gaps within which two garments touch: between nodes that press, others stand off by as much as
+/// the cloth is curved under their triangles.
+constexpr double touching = 1.05;
+
 class Together {
  public:
   Together(const std::vector<WornGarment>& garments, const Scene& scene,
@@ -142,10 +146,10 @@ class Together {
     const ProximitySearch search(program_.node_triangles, nodes, program_.shortest_edge);
     std::vector<ContactPair> pairs;
     std::vector<double> bound;
-    search.find(x, program_.self_gap, program_.self_gap, pairs, bound, false);
+    search.find(x, touching * program_.self_gap, program_.self_gap, pairs, bound, false);
     const std::size_t count = garments_.size();
     std::vector<Pressing> table(count * count);
-    std::vector<std::vector<char>> pushed(count * count);
+    std::vector<std::vector<char>> touched(count * count);
     for (const ContactPair& pair : pairs) {
       const int a = garment_of(pair.vertices[0]);
       const int b = garment_of(pair.vertices[3]);
@@ -154,13 +158,13 @@ class Together {
       const std::size_t at = inner * count + std::max(a, b);
       const auto& of = pair.vertices;
       table[at].force += push_of(pair, {x[of[0]], x[of[1]], x[of[2]], x[of[3]]}, true).force;
-      pushed[at].resize(x.size());
-      for (const int v : pair.vertices) pushed[at][v] |= garment_of(v) == inner;
+      touched[at].resize(x.size());
+      for (const int v : pair.vertices) touched[at][v] |= garment_of(v) == inner;
     }
     for (std::size_t t = 0; t < program_.stretch.size(); ++t) {
       for (const int node : program_.node_triangles[t]) {
         for (std::size_t at = 0; at < table.size(); ++at) {
-          if (!pushed[at].empty() && pushed[at][node]) {
+          if (!touched[at].empty() && touched[at][node]) {
             table[at].area += program_.stretch[t].area / 3;
           }
         }

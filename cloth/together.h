@@ -28,7 +28,7 @@ struct Pressing {
   int inner = 0;
   int outer = 0;
   double force = 0;  ///< N, sum of the pushes between them
-  double area = 0;   ///< m² of the inner one's nodes that are pushed
+  double area = 0;   ///< m² of the inner one's nodes that touch, to a twentieth of the gap
 };
 
 struct TogetherResult {

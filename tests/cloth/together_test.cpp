@@ -117,8 +117,7 @@ TEST_F(TwoTubes, TheOuterOneCompressesTheInnerOne) {
   EXPECT_EQ(pressing.outer, 1);
   const double force = 2 * pi * height * (outer_stiffness * outer_strain + bent);
   EXPECT_NEAR(pressing.force, force, 0.05 * force);
-  // Of two polygons with other corners some nodes stand a little off.
-  EXPECT_NEAR(pressing.area, inner_girth * height, 0.05 * inner_girth * height);
+  EXPECT_NEAR(pressing.area, inner_girth * height, 0.01 * inner_girth * height);
   std::cout << "inner strain " << 100 * inner_strain << " %, outer " << 100 * outer_strain
             << " %, largest error " << 100 * worst << " % of it; pressing " << pressing.force
             << " N of " << force << " N; residual " << result.stage.residual.median << ", "
