@@ -272,8 +272,10 @@ void ClothForces::set_guard(std::size_t v, const Vec3& p) {
     reach = contacts_[v].remaining(p);
   }
   if (bounded()) {
-    const double left = bound_[v] - (p - searched_at_[v]).norm();
-    reach = std::min(reach, std::max(left, 0.0));
+    const double used = (p - searched_at_[v]).norm();
+    const double due = options_.search_share * bound_[v];
+    if (used > due) search_due_ = true;
+    reach = std::min(reach, std::max((used > due ? bound_[v] : due) - used, 0.0));
   }
   if (body_bounds_) reach = std::min(reach, body_bounds_->free(static_cast<int>(v), p));
   if (!bound_.empty()) {
