@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "io/output_file.h"
+#include "tests/benchmarks/ended.h"
 #include "tests/benchmarks/peer_blender.h"
 #include "tests/benchmarks/prepare.h"
 #include "tests/support/run_program.h"
@@ -303,9 +304,7 @@ std::string measure(const Settings& settings, const fs::path& csv) {
          " runs; load of the machine before " + load_before + ", after " + load_after + ".\n";
 }
 
-}  // namespace
-
-int main(int argc, char** argv) try {
+int measured(int argc, char** argv) {
   namespace po = boost::program_options;
   Settings settings;
   for (const Subject& subject : subjects) settings.garments.push_back(subject.name);
@@ -346,10 +345,10 @@ int main(int argc, char** argv) try {
   }
   std::cout << measure(settings, csv);
   return 0;
-} catch (const boost::program_options::error& error) {
-  std::cerr << "bench_dress_table: " << error.what() << "; see --help\n";
-  return 2;
-} catch (const std::exception& error) {
-  std::cerr << "bench_dress_table: " << error.what() << "\n";
-  return 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return toile::ended("bench_dress_table", [&] { return measured(argc, argv); });
 }

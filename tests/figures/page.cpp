@@ -246,6 +246,8 @@ std::string figures_page(const fs::path& folder) {
     body += "</section>\n";
   }
   std::string page = read_file(fs::path(TOILE_SOURCE_DIR) / "tests/figures/page.html");
+  html::fill(page, "@STYLE@",
+             read_file(std::filesystem::path(TOILE_SOURCE_DIR) / "tests/support/page.css"));
   html::fill(page, "@BODY@", body);
   html::fill(page, "@CHARTS@", html::script_json(charts));
   html::fill(page, "@CHART_JS@", read_file(TOILE_CHART_JS));

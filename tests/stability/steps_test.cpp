@@ -1,7 +1,6 @@
 // Case 1: steps a hundred times too long and too short, and a million of them at rest.
 #include <numeric>
 
-#include "cloth/relaxation/body_bounds.h"
 #include "cloth/relaxation/relax.h"
 #include "cloth/relaxation/release.h"
 #include "cloth/springs/spring_motion.h"
@@ -10,6 +9,7 @@
 #include "tests/cloth/panels.h"
 #include "tests/stability/hard_case.h"
 #include "tests/support/shapes.h"
+#include "tests/support/solid_body.h"
 
 namespace toile::test {
 namespace {
@@ -20,9 +20,9 @@ class Handkerchief : public testing::Test {
   Handkerchief() {
     add_panel(garment, "handkerchief", grid(0.2, 0.2, 10, 10),
               [](const Vec2& p) { return Vec3(p.x() - 0.1, 0.105, 0.1 - p.y()); });
-    scene.body = &distance;
-    scene.subject = &ball;
-    options.surface = &surface;
+    scene.body = &ball.distance;
+    scene.subject = &ball.mesh;
+    options.surface = &ball.surface;
     options.bounded = true;
     options.max_iterations = 40000;
     options.stop_median = 1e-5;
@@ -96,10 +96,7 @@ class Handkerchief : public testing::Test {
               " mm/s first, " + number(1000 * fastest) + " last");
   }
 
-  const TriangleMesh ball = sphere(0.1, 4);
-  const BodyDistance exact{ball};
-  const DistanceGrid distance{BodyDistance(ball)};
-  const BodySurface surface{exact, distance};
+  const SolidBody ball{sphere(0.1, 4)};
   PanelMesh garment;
   Scene scene;
   Program program;

@@ -64,6 +64,18 @@ inline TriangleMesh together(TriangleMesh a, const TriangleMesh& b) {
   return a;
 }
 
+/// A pyramid on the square of half width `half` around (x, z), from below y = 0 up to `height`.
+inline TriangleMesh spike(double x, double z, double half, double height) {
+  TriangleMesh mesh;
+  mesh.points = {{x - half, -0.01, z - half},
+                 {x - half, -0.01, z + half},
+                 {x + half, -0.01, z + half},
+                 {x + half, -0.01, z - half},
+                 {x, height, z}};
+  mesh.triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {0, 3, 1}, {1, 3, 2}};
+  return mesh;
+}
+
 /// The same surface, facing the other way.
 inline TriangleMesh inside_out(TriangleMesh mesh) {
   for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);

@@ -6,15 +6,13 @@
 #include <cmath>
 
 #include "cloth/relaxation/relax.h"
-#include "cloth/springs/spring_sheet.h"
 #include "tests/cloth/panels.h"
+#include "tests/support/held_nodes.h"
 #include "tests/support/spring_motion.h"
 
 namespace toile::test {
 
 namespace {
-
-constexpr double held_stiffness = 1e30;  // N/m
 
 /// Squares stood on their corners, halved along x. `columns` and `rows` of half diagonals, both
 /// even.
@@ -84,13 +82,7 @@ PlanarMesh mirrored(const PlanarMesh& right) {
 }
 
 void hold(Program& program, const std::function<bool(const Vec3&)>& held) {
-  int count = 0;
-  for (int n = 0; n < program.nodes; ++n) {
-    if (!held(program.start[n])) continue;
-    program.stretch_diagonal[n] = held_stiffness;
-    program.mass[n] = 0;
-    ++count;
-  }
+  const int count = hold_nodes(program, held);
   ASSERT_GT(count, 0) << "nothing is held";
   ASSERT_LT(count, program.nodes / 2) << "the residual's median would be of what is held";
 }
@@ -109,13 +101,7 @@ std::vector<Vec3> relaxed(const Program& program, double residual, int max_itera
 
 std::vector<Vec3> sprung(const PanelMesh& garment, const Program& program,
                          const SpringRestOptions& options) {
-  const SpringSheet sheet(garment, program);
-  std::vector<Spring> springs = sheet.edges();
-  springs.insert(springs.end(), sheet.bending().begin(), sheet.bending().end());
-  std::vector<double> mass = sheet.mass();
-  for (int n = 0; n < program.nodes; ++n) {
-    if (program.stretch_diagonal[n] == held_stiffness) mass[n] = 0;
-  }
+  const auto [springs, mass] = HeldSprings(SpringSheet(garment, program), program);
   SpringMotion motion(springs, program.start, mass, options.drag, program.scene.gravity);
   const double dt = 0.9 * stable_step(springs, motion.inverse_mass, options.drag);
   double time = 0;

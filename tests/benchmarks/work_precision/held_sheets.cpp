@@ -5,17 +5,15 @@
 #include <functional>
 #include <limits>
 
-#include "cloth/springs/spring_sheet.h"
 #include "cloth/springs/strain_control.h"
 #include "tests/cloth/panels.h"
+#include "tests/support/held_nodes.h"
 #include "tests/support/spring_motion.h"
 
 namespace toile::precision {
 
 namespace {
 
-/// N/m: no force moves what is stiff beyond all others.
-constexpr double held_stiffness = 1e30;
 /// As dress_springs(): 1/s of air drag, and seconds between two looks at what is left.
 constexpr double drag = 5;
 constexpr double look_interval = 0.005;
@@ -29,11 +27,7 @@ class HeldSheet : public Case {
     at.fabric = fabric;
     at.self_contact = false;
     program_ = compile(garment_, at, garment_.placed);
-    for (int n = 0; n < program_.nodes; ++n) {
-      if (!held(program_.start[n])) continue;
-      program_.stretch_diagonal[n] = held_stiffness;
-      program_.mass[n] = 0;
-    }
+    test::hold_nodes(program_, held);
   }
 
   const PanelMesh& garment() const override { return garment_; }
@@ -99,12 +93,7 @@ Outcome HeldSheet::sprung(const Setting& setting) const {
   Outcome done;
   const Stopwatch watch;
   const SpringSheet sheet(garment_, program_);
-  std::vector<Spring> springs = sheet.edges();
-  springs.insert(springs.end(), sheet.bending().begin(), sheet.bending().end());
-  std::vector<double> mass = sheet.mass();
-  for (int n = 0; n < program_.nodes; ++n) {
-    if (program_.stretch_diagonal[n] == held_stiffness) mass[n] = 0;
-  }
+  const auto [springs, mass] = test::HeldSprings(sheet, program_);
   test::SpringMotion motion(springs, program_.start, mass, drag, program_.scene.gravity);
   StrainControl control(sheet.edges(), program_.nodes);
   const StrainControlOptions limit = limit_of(setting);

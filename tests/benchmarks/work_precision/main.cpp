@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "io/output_file.h"
+#include "tests/benchmarks/ended.h"
 #include "tests/benchmarks/work_precision/held_sheets.h"
 #include "tests/benchmarks/work_precision/page.h"
 #include "tests/benchmarks/work_precision/study.h"
@@ -140,9 +141,7 @@ Results Benchmark::run() {
   return results_;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) try {
+int measured(int argc, char** argv) {
   namespace po = boost::program_options;
   Settings settings;
   po::options_description options("bench_work_precision");
@@ -172,10 +171,10 @@ int main(int argc, char** argv) try {
   std::cout << "written: " << fs::absolute(settings.folder / "index.html").string()
             << ", work_precision.csv, terms.csv and work_precision.svg beside it\n";
   return 0;
-} catch (const boost::program_options::error& error) {
-  std::cerr << "bench_work_precision: " << error.what() << "; see --help\n";
-  return 2;
-} catch (const std::exception& error) {
-  std::cerr << "bench_work_precision: " << error.what() << "\n";
-  return 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return toile::ended("bench_work_precision", [&] { return measured(argc, argv); });
 }

@@ -281,6 +281,8 @@ std::string page_of(const Results& results) {
   if (!results.rows.empty()) body += all_html(results);
   std::string page = read_file(std::filesystem::path(TOILE_SOURCE_DIR) /
                                "tests/benchmarks/work_precision/page.html");
+  html::fill(page, "@STYLE@",
+             read_file(std::filesystem::path(TOILE_SOURCE_DIR) / "tests/support/page.css"));
   html::fill(page, "@BODY@", body);
   html::fill(page, "@CHARTS@", html::script_json(charts));
   html::fill(page, "@CHART_JS@", read_file(TOILE_CHART_JS));

@@ -8,6 +8,7 @@
 #include "geometry/intersections.h"
 #include "tests/cloth/panels.h"
 #include "tests/support/shapes.h"
+#include "tests/support/solid_body.h"
 
 namespace toile {
 
@@ -15,31 +16,15 @@ namespace {
 
 /// A body with a spike: a box with a needle of a pyramid on it, 1 cm wide and 6 cm high.
 TriangleMesh spiked_box() {
-  TriangleMesh mesh = test::box({-0.2, -0.05, -0.2}, {0.2, 0, 0.2});
-  const int first = static_cast<int>(mesh.points.size());
-  for (const Vec3& p : {Vec3(-0.005, -0.01, -0.005), Vec3(-0.005, -0.01, 0.005),
-                        Vec3(0.005, -0.01, 0.005), Vec3(0.005, -0.01, -0.005), Vec3(0, 0.06, 0)}) {
-    mesh.points.push_back(p);
-  }
-  for (const Triangle& t : {Triangle{0, 1, 4}, Triangle{1, 2, 4}, Triangle{2, 3, 4},
-                            Triangle{3, 0, 4}, Triangle{0, 3, 1}, Triangle{1, 3, 2}}) {
-    mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-  }
-  return mesh;
+  return test::together(test::box({-0.2, -0.05, -0.2}, {0.2, 0, 0.2}),
+                        test::spike(0, 0, 0.005, 0.06));
 }
-
-struct Surface {
-  TriangleMesh mesh;
-  BodyDistance exact{mesh};
-  DistanceGrid distance{exact};
-  BodySurface surface{exact, distance};
-};
 
 }  // namespace
 
 /// Corners thrown about as far as the bounds let them, and anew from there: never through a facet.
 TEST(BodyBounds, NothingThatKeepsToThemMeetsTheBody) {
-  const Surface body{spiked_box()};
+  const test::SolidBody body{spiked_box()};
   PanelMesh garment;
   test::add_panel(garment, "sheet", test::grid(0.2, 0.2, 10, 10), [](const Vec2& p) {
     return Vec3(p.x() - 0.1 + 0.003, 0.065, p.y() - 0.1 + 0.002);
@@ -68,7 +53,7 @@ TEST(BodyBounds, NothingThatKeepsToThemMeetsTheBody) {
 
 /// What is through the body already is let go of, and held once it is out.
 TEST(BodyBounds, WhatMeetsTheBodyCanComeOut) {
-  const Surface body{test::box({-0.2, -0.05, -0.2}, {0.2, 0, 0.2})};
+  const test::SolidBody body{test::box({-0.2, -0.05, -0.2}, {0.2, 0, 0.2})};
   const std::vector<Triangle> triangles = {{0, 1, 2}};
   std::vector<Vec3> x = {{0, -0.01, 0}, {0.02, 0.01, 0}, {0, 0.01, 0.02}};
   BodyBounds bounds(body.surface, triangles, 3);
@@ -90,7 +75,7 @@ TEST(BodyBounds, WhatMeetsTheBodyCanComeOut) {
 /// What is wholly inside meets no facet, and has to come out as well; what lies a hair above may not
 /// go in. Near the skin, where planes are looked for, and deep.
 TEST(BodyBounds, WhatIsInsideCanComeOut) {
-  const Surface body{test::box({-0.2, -0.2, -0.2}, {0.2, 0, 0.2})};
+  const test::SolidBody body{test::box({-0.2, -0.2, -0.2}, {0.2, 0, 0.2})};
   const std::vector<Triangle> triangles = {{0, 1, 2}};
   for (const double depth : {0.00005, 0.0002, 0.001, 0.004, 0.03, 0.1}) {
     for (const double side : {-1, 1}) {
@@ -108,7 +93,7 @@ TEST(BodyBounds, WhatIsInsideCanComeOut) {
 /// A sheet falls on a spike that is finer than its mesh: it hangs on it, with no facet through it
 /// at any time.
 TEST(BodyBounds, ASheetHangsOnASpike) {
-  const Surface body{spiked_box()};
+  const test::SolidBody body{spiked_box()};
   PanelMesh garment;
   test::add_panel(garment, "sheet", test::grid(0.3, 0.3, 12, 12), [](const Vec2& p) {
     return Vec3(p.x() - 0.15 + 0.003, 0.08, p.y() - 0.15 + 0.002);

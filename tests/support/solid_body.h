@@ -1,0 +1,23 @@
+// A body by its mesh, with all that cloth asks of it.
+#pragma once
+
+#include <utility>
+
+#include "cloth/relaxation/body_bounds.h"
+#include "geometry/body_distance.h"
+#include "geometry/distance_grid.h"
+
+namespace toile::test {
+
+/// Its parts refer to each other, so it stays where it is.
+struct SolidBody {
+  explicit SolidBody(TriangleMesh of) : mesh(std::move(of)) {}
+  SolidBody(const SolidBody&) = delete;
+
+  const TriangleMesh mesh;  ///< closed, facets outward
+  const BodyDistance exact{mesh};
+  const DistanceGrid distance{exact};
+  const BodySurface surface{exact, distance};
+};
+
+}  // namespace toile::test
