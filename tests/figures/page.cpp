@@ -245,13 +245,7 @@ std::string figures_page(const fs::path& folder) {
     for (const Json& block : sheet["blocks"]) body += block_html(block, folder, charts);
     body += "</section>\n";
   }
-  std::string page = read_file(fs::path(TOILE_SOURCE_DIR) / "tests/figures/page.html");
-  html::fill(page, "@STYLE@",
-             read_file(std::filesystem::path(TOILE_SOURCE_DIR) / "tests/support/page.css"));
-  html::fill(page, "@BODY@", body);
-  html::fill(page, "@CHARTS@", html::script_json(charts));
-  html::fill(page, "@CHART_JS@", read_file(TOILE_CHART_JS));
-  return page;
+  return html::page("tests/figures/page.html", body, charts, TOILE_CHART_JS);
 }
 
 }  // namespace toile::figures

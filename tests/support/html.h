@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "geometry/error.h"
+#include "io/output_file.h"
 #include "io/text.h"
 
 namespace toile::html {
@@ -49,6 +51,20 @@ inline void fill(std::string& page, const std::string& mark, const std::string& 
   const std::size_t at = page.find(mark);
   if (at == std::string::npos) throw Error("page.html", "lacks " + mark, "");
   page.replace(at, mark.size(), with);
+}
+
+/// A page by its template, a path in the source tree, with the style of all; `charts` is what its
+/// script draws, by the library at `chart_js`. Throws Error when a file or a mark is missing.
+inline std::string page(const std::string& page_template, const std::string& body,
+                        const nlohmann::ordered_json& charts,
+                        const std::filesystem::path& chart_js) {
+  const std::filesystem::path source = TOILE_SOURCE_DIR;
+  std::string page = read_file(source / page_template);
+  fill(page, "@STYLE@", read_file(source / "tests/support/page.css"));
+  fill(page, "@BODY@", body);
+  fill(page, "@CHARTS@", script_json(charts));
+  fill(page, "@CHART_JS@", read_file(chart_js));
+  return page;
 }
 
 }  // namespace toile::html

@@ -9,7 +9,6 @@
 #include <thread>
 
 #include "cloth/quality.h"
-#include "io/output_file.h"
 #include "tests/benchmarks/work_precision/findings.h"
 #include "tests/support/html.h"
 
@@ -279,14 +278,7 @@ std::string page_of(const Results& results) {
   }
   if (!results.terms.empty()) body += terms_html(results);
   if (!results.rows.empty()) body += all_html(results);
-  std::string page = read_file(std::filesystem::path(TOILE_SOURCE_DIR) /
-                               "tests/benchmarks/work_precision/page.html");
-  html::fill(page, "@STYLE@",
-             read_file(std::filesystem::path(TOILE_SOURCE_DIR) / "tests/support/page.css"));
-  html::fill(page, "@BODY@", body);
-  html::fill(page, "@CHARTS@", html::script_json(charts));
-  html::fill(page, "@CHART_JS@", read_file(TOILE_CHART_JS));
-  return page;
+  return html::page("tests/benchmarks/work_precision/page.html", body, charts, TOILE_CHART_JS);
 }
 
 }  // namespace toile::precision
