@@ -213,6 +213,7 @@ TEST(Drape, TheTesterReadsShadowsOfKnownShape) {
     }
     worst =
         std::max(worst, std::abs(tester.drape_coefficient(x) - table.at(row, "drape_coefficient")));
+    EXPECT_EQ(tester.folds(x), table.at(row, "lobes"));
   }
   test::expect_near(
       {"drape tester: coefficient of shadows of known shape", "shadow", "86 rim points", "points"},

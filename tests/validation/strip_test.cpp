@@ -181,7 +181,7 @@ TEST_F(Catenary, ShapeOfAStripOfSprings) {
     hang(set, 40);
     test::expect_near({"catenary " + set + ": shape, of the span", "springs", "40 columns", "%"},
                       100 * shape_error(test::sprung(garment, program, {.seconds = 6}), set), 0,
-                      0.5);
+                      0.2);
   }
 }
 
