@@ -87,10 +87,12 @@ class Dressing {
   bool wrap(double care);
   bool sew(double care);
   void fall(bool bounded);
+  void end_dressing();
   void come_to_rest(bool bounded);
   void let_go(bool bounded);
   const StageReport& stage(const std::string& name, RelaxOptions options);
   void go_finer();
+  Program compiled(Scene scene) const;
   RelaxOptions level_options() const;
   double end_of_stage(const RelaxOptions& options) const;
   double soft() const;
@@ -105,8 +107,9 @@ class Dressing {
   std::optional<BodySurface> surface_;  // of the scene's skin, if it has one
   int level_ = 0;
   int attempt_ = 1;
-  double progress_ = 0;  // of the whole dressing, 0 to 1
-  Program program_;      // of the mesh in hand
+  double progress_ = 0;       // of the whole dressing, 0 to 1
+  std::vector<Vec3> placed_;  // the mesh in hand, where its panels started
+  Program program_;           // of it
   DressResult result_;
 };
 
@@ -140,7 +143,7 @@ DressResult Dressing::run() {
     is_clean = wrap(std::pow(2.0, attempt)) && sew(std::pow(2.0, attempt));
     if (jammed()) return give_up();
   }
-  program_ = compile(mesh(), scene_, result_.placement.placed);
+  program_ = compiled(scene_);
   // A mesh without coarser ones has to fall itself.
   const bool alone = level_ == 0;
   for (; level_ > 0 || alone; go_finer()) {
@@ -151,6 +154,10 @@ DressResult Dressing::run() {
   const bool is_lost = lost();
   if (!is_lost) come_to_rest(is_clean);
   if (!is_lost && options_.release_seconds > 0) let_go(is_clean);
+  end_dressing();
+  measure_lasting(mesh(), program_.attachments, point_positions(program_, result_.nodes, 0),
+                  result_.attachments);
+  result_.held = program_.attachments;
   result_.terms = term_counts(program_);
   result_.triangles = program_.node_triangles;
   result_.tight_seams = tight_seams(mesh(), program_, result_.nodes, result_.grip.yarns);
@@ -180,16 +187,8 @@ bool Dressing::lost() const {
 /// The garment as far as it came, its seams open.
 DressResult Dressing::give_up() {
   std::vector<Vec3> points = point_positions(program_, result_.nodes, result_.stages.back().open);
-  const auto each_its_own = [](const PanelMesh& garment) {
-    std::vector<int> nodes(garment.flat.size());
-    std::iota(nodes.begin(), nodes.end(), 0);
-    return nodes;
-  };
-  for (; level_ > 0; --level_) {
-    const PanelMesh& fine = meshes_[level_ - 1];
-    points = refine_positions(mesh(), each_its_own(mesh()), points, fine, each_its_own(fine),
-                              static_cast<int>(fine.flat.size()));
-  }
+  result_.attachments = measure_attachments(mesh(), program_.attachments, points);
+  for (; level_ > 0; --level_) points = refine_points(mesh(), points, meshes_[level_ - 1]);
   result_.terms = term_counts(program_);
   result_.residual = result_.stages.back().residual;
   result_.nodes = std::move(points);
@@ -258,6 +257,14 @@ void Dressing::fall(bool bounded) {
   stage("drape", options);
 }
 
+/// From here on friction holds what attachments held on the way.
+void Dressing::end_dressing() {
+  if (program_.attachments.empty() || !result_.attachments.empty()) return;
+  result_.attachments = measure_attachments(mesh(), program_.attachments,
+                                            point_positions(program_, result_.nodes, 0));
+  program_.attachments = lasting(std::move(program_.attachments));
+}
+
 void Dressing::come_to_rest(bool bounded) {
   RelaxOptions options = level_options();
   options.body_offset = result_.body_offset;
@@ -268,6 +275,18 @@ void Dressing::come_to_rest(bool bounded) {
   // What is far too small is held off the body by its own tension, and never at rest.
   const bool hopeless = !tight_seams(mesh(), program_, result_.nodes).empty();
   if (hopeless) options.max_iterations = std::min(stiffening_iterations, options.max_iterations);
+  if (lasting(program_.attachments).size() < program_.attachments.size()) {
+    // What is let go before friction holds it would slide off meanwhile.
+    RelaxOptions settling = options;
+    settling.max_iterations = std::min(2 * stiffening_iterations, options.max_iterations);
+    settling.stop_median = 2 * options_.stop_median;
+    settling.stop_rms = 2 * options_.stop_rms;
+    stage("drape", settling);
+    end_dressing();
+    options.grip = &result_.grip;
+    options.compression = 1;
+    options.stiffening_iterations = 0;
+  }
   const StageReport& last = stage("drape", options);
   result_.residual = last.residual;
   result_.converged = last.converged;
@@ -290,7 +309,8 @@ void Dressing::let_go(bool bounded) {
 void Dressing::position() {
   const auto start = std::chrono::steady_clock::now();
   result_.placement = start_of(mesh(), scene_);
-  program_ = compile(mesh(), for_sewing(scene_), result_.placement.placed);
+  placed_ = result_.placement.placed;
+  program_ = compiled(for_sewing(scene_));
   result_.nodes = program_.start;
   StageReport report;
   report.name = "position";
@@ -299,6 +319,12 @@ void Dressing::position() {
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   result_.stages.push_back(report);
   if (watcher_) watcher_({mesh(), report.name, result_.placement.placed, 0});
+}
+
+/// The mesh in hand, which keeps as far from the skin as it does on its level.
+Program Dressing::compiled(Scene scene) const {
+  scene.body_offset = level_options().body_offset;
+  return compile(mesh(), scene, placed_);
 }
 
 RelaxOptions Dressing::level_options() const {
@@ -356,11 +382,12 @@ double Dressing::end_of_stage(const RelaxOptions& options) const {
 void Dressing::go_finer() {
   const PanelMesh& coarse = mesh();
   const PanelMesh& fine = meshes_[level_ - 1];
-  Program program = compile(fine, scene_, fine.placed);
+  placed_ = refine_placed(coarse, placed_, fine);
+  --level_;
+  Program program = compiled(scene_);
   result_.nodes = refine_positions(coarse, program_.node_of_point, result_.nodes, fine,
                                    program.node_of_point, program.nodes);
   program_ = std::move(program);
-  --level_;
   std::vector<Restraint> finer;
   for (const Restraint& held : result_.grip.yarns) finer.insert(finer.end(), 4, held);
   result_.grip.yarns = std::move(finer);

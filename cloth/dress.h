@@ -63,6 +63,9 @@ struct DressResult {
   DuringDressing during;
   Residual residual;
   bool converged = false;
+  /// One for each of the garment's: at rest, or of those that end, when they were let go.
+  std::vector<AttachmentFigures> attachments;
+  std::vector<AttachedPoint> held;     ///< what holds the garment for good
   std::vector<TightSeam> tight_seams;  ///< by the relaxation, which closes them at any tension
   /// Nothing: not looked for, without a strain limit or by another method than the relaxation.
   std::optional<TightPlaces> tight_places;
@@ -85,7 +88,9 @@ using FrameWatcher = std::function<void(const DressFrame&)>;
 /// panels are placed and their seams closed, without gravity or friction (wrap), and settle as one
 /// cloth (sew); then it falls, without friction and giving way to compression, mesh by mesh, each
 /// finer one starting from the coarser one's rest; at last the finest comes to rest with the
-/// fabric's full stiffness and friction (drape). Throws Error when the scene has no body.
+/// fabric's full stiffness and friction (drape). Attachments hold until then, since nothing but
+/// friction may hold the garment where they do; those that are for good go on. Throws Error when
+/// the scene has no body.
 DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptions& options,
                   const FrameWatcher& watcher = {});
 

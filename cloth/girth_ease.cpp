@@ -34,13 +34,9 @@ std::optional<Section> torso_section(const TriangleMesh& body, double height) {
   return std::move(sections.front());
 }
 
-struct Level {
-  std::string name;
-  double height;
-};
+}  // namespace
 
-/// Bust, waist and hip, as far as they can be told.
-std::vector<Level> named_levels(const TriangleMesh& body, const Skeleton& skeleton) {
+std::vector<TorsoLevel> torso_levels(const TriangleMesh& body, const Skeleton& skeleton) {
   const double crotch = skeleton.joint("pelvis").y();
   const double middle = skeleton.joint("waist").y();
   const double armpit = skeleton.joint("chest").y();
@@ -72,25 +68,23 @@ std::vector<Level> named_levels(const TriangleMesh& body, const Skeleton& skelet
       waist = y;
     }
   }
-  std::vector<Level> levels = {{"bust", *bust}};
+  std::vector<TorsoLevel> levels = {{"bust", *bust}};
   if (waist) levels.push_back({"waist", *waist});
   levels.push_back({"hip", *hip});
   return levels;
 }
 
-}  // namespace
-
 std::vector<GirthEase> measure_girth_ease(const DressedGarment& garment, const TriangleMesh& body,
                                           const Skeleton& skeleton, double step) {
-  std::vector<Level> levels = named_levels(body, skeleton);
+  std::vector<TorsoLevel> levels = torso_levels(body, skeleton);
   const double crotch = skeleton.joint("pelvis").y();
   const double armpit = skeleton.joint("chest").y();
   for (double y = std::ceil(crotch / step) * step; y < armpit; y += step) levels.push_back({"", y});
-  std::ranges::stable_sort(levels, std::ranges::greater{}, &Level::height);
+  std::ranges::stable_sort(levels, std::ranges::greater{}, &TorsoLevel::height);
 
   const TriangleMesh cloth{garment.points, garment.triangles};
   std::vector<GirthEase> result;
-  for (const Level& level : levels) {
+  for (const TorsoLevel& level : levels) {
     const std::optional<Section> torso = torso_section(body, level.height);
     if (!torso) continue;
     const Section* around = nullptr;

@@ -18,6 +18,15 @@ struct GirthEase {
   double ease = 0;     ///< garment - body
 };
 
+/// A level of the torso that its shape tells: "bust", "waist" or "hip".
+struct TorsoLevel {
+  std::string name;
+  double height = 0;  ///< above the floor, metres
+};
+
+/// Bust, waist and hip of ISO 8559-1, as far as they can be told: see measure_girth_ease().
+std::vector<TorsoLevel> torso_levels(const TriangleMesh& body, const Skeleton& skeleton);
+
 /// Girth ease on horizontal planes through the torso, from the top down: at the bust, waist and hip
 /// of ISO 8559-1 and every `step` between crotch and armpits. Levels at which the garment does not
 /// close around the torso are left out.

@@ -1,6 +1,7 @@
 #include "cloth/levels.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace toile {
 
@@ -72,6 +73,11 @@ PanelMesh coarsen(const PanelMesh& fine) {
     thinned.points = kept_of(elastic.points, index);
     coarse.elastics.push_back(thinned);
   }
+  for (const MeshedAttachment& attached : fine.attachments) {
+    MeshedAttachment thinned = attached;
+    thinned.points = kept_of(attached.points, index);
+    coarse.attachments.push_back(thinned);
+  }
   return coarse;
 }
 
@@ -93,6 +99,25 @@ std::vector<Vec3> refine_positions(const PanelMesh& coarse, const std::vector<in
     }
   }
   return positions;
+}
+
+std::vector<Vec3> refine_points(const PanelMesh& coarse, const std::vector<Vec3>& of_points,
+                                const PanelMesh& fine) {
+  const auto each_its_own = [](const PanelMesh& garment) {
+    std::vector<int> nodes(garment.flat.size());
+    std::iota(nodes.begin(), nodes.end(), 0);
+    return nodes;
+  };
+  return refine_positions(coarse, each_its_own(coarse), of_points, fine, each_its_own(fine),
+                          static_cast<int>(fine.flat.size()));
+}
+
+std::vector<Vec3> refine_placed(const PanelMesh& coarse, std::vector<Vec3> placed,
+                                const PanelMesh& fine) {
+  for (std::size_t p = 0; p < placed.size(); ++p) placed[p] -= coarse.placed[p];
+  std::vector<Vec3> finer = refine_points(coarse, placed, fine);
+  for (std::size_t p = 0; p < finer.size(); ++p) finer[p] += fine.placed[p];
+  return finer;
 }
 
 }  // namespace toile

@@ -18,4 +18,13 @@ std::vector<Vec3> refine_positions(const PanelMesh& coarse, const std::vector<in
                                    const std::vector<Vec3>& coarse_positions, const PanelMesh& fine,
                                    const std::vector<int>& fine_nodes, int fine_node_count);
 
+/// The same of what each material point has of its own: places, or moves.
+std::vector<Vec3> refine_points(const PanelMesh& coarse, const std::vector<Vec3>& of_points,
+                                const PanelMesh& fine);
+
+/// Where a finer mesh of the panels stands when the coarser one was moved from where its garment
+/// puts it to `placed`: each point is moved as those around it were.
+std::vector<Vec3> refine_placed(const PanelMesh& coarse, std::vector<Vec3> placed,
+                                const PanelMesh& fine);
+
 }  // namespace toile

@@ -73,6 +73,7 @@ class Compiler {
     place(placed);
     lay_out_stretch();
     lay_out_bands();
+    program_.attachments = attached_points(garment_, program_.scene, placed);
     program_.self_gap = self_gap_of(program_.scene, garment_);
     if (bends()) lay_out_bending(garment_, program_);
     return std::move(program_);
@@ -235,6 +236,7 @@ std::vector<std::pair<std::string, int>> term_counts(const Program& program) {
   return {{"stretch", triangles},
           {"bend", count(program.bend.size())},
           {"elastic", count(program.bands.size())},
+          {"attachment", count(program.attachments.size())},
           {"seam", program.offsets.empty() ? 0 : sewn},
           {"body_contact", scene.body != nullptr ? program.nodes : 0},
           {"friction", scene.body != nullptr ? rough(program.friction_skin) : 0},

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "cloth/attachments.h"
 #include "cloth/bands.h"
 #include "cloth/scene.h"
 #include "geometry/types.h"
@@ -62,6 +63,7 @@ struct Program {
   std::vector<BendHinge> bend;               ///< empty: fabric without bending stiffness
   std::vector<BendTriangle> bend_triangles;  ///< those with stiffness and hinges
   std::vector<BandSegment> bands;            ///< elastics; empty: the garment has none
+  std::vector<AttachedPoint> attachments;    ///< what is held; empty: nothing is
   std::vector<double> mass;                  ///< kg, per node
   std::vector<double>
       stretch_diagonal;  ///< N/m, per node: bound of the row sum of the stiffness, elastics' too

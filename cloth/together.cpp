@@ -36,6 +36,7 @@ class Together {
         watcher_(watcher),
         mesh_(join_garments(garments)),
         program_(compile(mesh_, scene_, mesh_.placed)) {
+    hold_for_good();
     for (const WornGarment& worn : garments) {
       first_.push_back(static_cast<int>(start_.size()));
       start_.insert(start_.end(), worn.nodes.begin(), worn.nodes.end());
@@ -68,6 +69,18 @@ class Together {
   }
 
  private:
+  /// What is attached for good stays so.
+  void hold_for_good() {
+    int first_point = 0;
+    for (const WornGarment& worn : garments_) {
+      for (AttachedPoint held : worn.held) {
+        held.point += first_point;
+        program_.attachments.push_back(held);
+      }
+      first_point += static_cast<int>(worn.garment->flat.size());
+    }
+  }
+
   /// What friction holds of a garment beside its nodes; what was a layer below has nodes of its own
   /// now.
   void take_over(const WornGarment& worn) {
@@ -190,7 +203,7 @@ class Together {
   const DressOptions& options_;
   const FrameWatcher& watcher_;
   const PanelMesh mesh_;
-  const Program program_;
+  Program program_;
   std::optional<BodySurface> surface_;             // of the scene's skin, if it has one
   std::vector<int> first_;                         // node of each garment, and the number of nodes
   std::vector<std::size_t> first_triangle_ = {0};  // likewise

@@ -11,14 +11,16 @@ namespace toile {
 /// A garment that is dressed, one of several.
 struct WornGarment {
   const PanelMesh* garment = nullptr;
-  Fabric fabric;            ///< of the panels that name none
-  std::vector<Vec3> nodes;  ///< metres, where it was dressed
-  Grip grip;                ///< where friction holds it
-  double body_offset = 0;   ///< metres kept from the skin
+  Fabric fabric;                         ///< of the panels that name none
+  std::vector<Vec3> nodes;               ///< metres, where it was dressed
+  Grip grip;                             ///< where friction holds it
+  double body_offset = 0;                ///< metres kept from the skin
+  std::vector<AttachedPoint> held = {};  ///< what holds it for good
 };
 
 /// Panels, seams and points of all garments in one mesh, in their order, garment by garment; seams
-/// join what they joined, so garments share no node. Panels that name no fabric get the name
+/// join what they joined, so garments share no node. Without attachments, whose places only the
+/// dressing knows. Panels that name no fabric get the name
 /// `garment_fabric(i)` of garment i. The mesh is nested as deep as the least of them.
 PanelMesh join_garments(const std::vector<WornGarment>& garments);
 std::string garment_fabric(std::size_t garment);

@@ -10,6 +10,7 @@
 #include "io/json_value.h"
 #include "io/obj.h"
 #include "io/output_file.h"
+#include "pattern/attachment_json.h"
 #include "pattern/nesting.h"
 #include "pattern/placement_json.h"
 
@@ -70,7 +71,15 @@ std::string garment_json(const PanelMesh& garment) {
     text += separator + json.dump();
     separator = ",\n";
   }
-  return text + (garment.elastics.empty() ? "}\n" : "]}\n");
+  if (!garment.elastics.empty()) text += "]";
+  separator = ",\n\"attachments\": [\n";
+  for (const MeshedAttachment& attached : garment.attachments) {
+    nlohmann::ordered_json json = {{"name", attached.name}, {"points", attached.points}};
+    json.update(attachment_json(attached.how));
+    text += separator + json.dump();
+    separator = ",\n";
+  }
+  return text + (garment.attachments.empty() ? "}\n" : "]}\n");
 }
 
 int count_of(const JsonValue& value) { return value.index(std::numeric_limits<int>::max() / 2); }
@@ -100,9 +109,9 @@ MeshedPanel panel_of(const JsonValue& value) {
   return panel;
 }
 
-std::vector<int> points_of(const JsonValue& list, std::size_t points) {
+std::vector<int> points_of(const JsonValue& list, std::size_t points, std::size_t least = 2) {
   std::vector<int> along;
-  for (std::size_t i = 0; i < list.size(2); ++i) {
+  for (std::size_t i = 0; i < list.size(least); ++i) {
     along.push_back(list.item(i).index(static_cast<int>(points)));
   }
   return along;
@@ -115,6 +124,11 @@ MeshedElastic elastic_of(const JsonValue& value, std::size_t points) {
     fail(value.place(), "has no ratio in (0, 1] or no stiffness");
   }
   return elastic;
+}
+
+MeshedAttachment attachment_of(const JsonValue& value, std::size_t points) {
+  return {value.get("name").text(), points_of(value.get("points"), points, 1),
+          read_attachment(value, 1)};
 }
 
 MeshedSeam seam_of(const JsonValue& value, std::size_t points) {
@@ -285,6 +299,13 @@ PanelMesh read_garment(const fs::path& obj, const fs::path& json) {
     for (std::size_t i = 0; i < elastics->size(); ++i) {
       garment.elastics.push_back(elastic_of(
           elastics->item(i).called(name + ": elastic " + std::to_string(i)), garment.flat.size()));
+    }
+  }
+  if (const auto attachments = root.find("attachments")) {
+    for (std::size_t i = 0; i < attachments->size(); ++i) {
+      garment.attachments.push_back(
+          attachment_of(attachments->item(i).called(name + ": attachment " + std::to_string(i)),
+                        garment.flat.size()));
     }
   }
   if (const auto problem = nesting_problem(garment)) fail(name, *problem);

@@ -249,6 +249,11 @@ std::string default_name(const Pattern& pattern, const Stitch& stitch) {
   return side(stitch.a) + "-" + side(stitch.b);
 }
 
+std::vector<int> share_of(const std::vector<int>& along, PanelAttachment::Share share) {
+  if (share == PanelAttachment::Share::whole) return along;
+  return {share == PanelAttachment::Share::start ? along.front() : along.back()};
+}
+
 PanelMesh assemble(const Pattern& pattern, const Orientation& orientation,
                    const std::vector<Work>& works) {
   PanelMesh garment;
@@ -280,6 +285,13 @@ PanelMesh assemble(const Pattern& pattern, const Orientation& orientation,
                             panel.edges[e].elastic->ratio, panel.edges[e].elastic->stiffness};
       for (int& point : elastic.points) point += meshed.first_point;
       garment.elastics.push_back(std::move(elastic));
+    }
+    for (const PanelAttachment& attached : panel.attachments) {
+      MeshedAttachment held{panel.name + "." + attached.name,
+                            share_of(works[p].along[at(attached.edge)], attached.share),
+                            attached.how};
+      for (int& point : held.points) point += meshed.first_point;
+      garment.attachments.push_back(std::move(held));
     }
     garment.panels.push_back(std::move(meshed));
   }

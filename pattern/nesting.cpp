@@ -98,6 +98,11 @@ std::optional<std::string> nesting_problem(const PanelMesh& garment) {
       return "elastic '" + elastic.name + "' does not follow the subdivision";
     }
   }
+  for (const MeshedAttachment& attached : garment.attachments) {
+    if (!nested(attached.points)) {
+      return "attachment '" + attached.name + "' does not follow the subdivision";
+    }
+  }
   return std::nullopt;
 }
 

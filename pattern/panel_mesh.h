@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/types.h"
+#include "pattern/attachment.h"
 #include "pattern/panel_placement.h"
 
 namespace toile {
@@ -57,6 +58,7 @@ struct PanelMesh {
   std::vector<MeshedPanel> panels;  ///< in order of their ranges
   std::vector<MeshedSeam> seams;
   std::vector<MeshedElastic> elastics;
+  std::vector<MeshedAttachment> attachments;
   int subdivisions = 0;
   double edge_length = 0;  ///< the length asked for, metres; 0: not known
 };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/types.h"
+#include "pattern/attachment.h"
 #include "pattern/edge_curve.h"
 #include "pattern/panel_placement.h"
 
@@ -31,6 +32,15 @@ struct PatternEdge {
   std::optional<Elastic> elastic{};
 };
 
+/// An edge of a panel that something holds, or one of its ends.
+struct PanelAttachment {
+  enum class Share { whole, start, end };
+  std::string name;  ///< "edge", or "vVERTEX"
+  int edge = 0;
+  Share share = Share::whole;
+  Attachment how;
+};
+
 /// An edge as the outline is walked: `forward` when the walk runs from its start to its end.
 struct OutlineStep {
   int edge = 0;  ///< index into PatternPanel::edges
@@ -44,8 +54,9 @@ struct PatternPanel {
   std::string fabric;  ///< empty: the garment's
   double grain =
       0;  ///< angle of the warp against the drawing's +y axis, radians, counter-clockwise
-  std::vector<PatternEdge> edges;                          ///< in the file's order
-  std::vector<OutlineStep> outline;                        ///< one closed loop through all edges
+  std::vector<PatternEdge> edges;    ///< in the file's order
+  std::vector<OutlineStep> outline;  ///< one closed loop through all edges
+  std::vector<PanelAttachment> attachments;
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< drawing (x, y, 0) to space
   Vec3 translation = Vec3::Zero();
   PanelPlacement placement{};  ///< how the skeleton positions it; by default it does not

@@ -10,6 +10,8 @@
 #include "geometry/error.h"
 #include "io/json_value.h"
 #include "io/output_file.h"
+#include "pattern/attachment_json.h"
+#include "pattern/json_words.h"
 #include "pattern/placement_json.h"
 #include "pattern/schematic.h"
 
@@ -27,8 +29,6 @@ constexpr double radius_tolerance = 1e-3;
 constexpr double usual_elastic = 20;
 
 constexpr double degree = std::numbers::pi / 180;
-
-std::string in_quotes(const std::string& text) { return "'" + text + "'"; }
 
 Vec2 pair(const JsonValue& value) {
   value.size(2, 2);
@@ -138,7 +138,7 @@ class Reader {
 
   void panel(const std::string& name, const JsonValue& value) {
     unread(value, {"translation", "rotation", "vertices", "edges", "label", "placement", "grain",
-                   "fabric"});
+                   "fabric", "attach"});
     PatternPanel panel;
     panel.name = name;
     if (const auto translation = value.find("translation")) {
@@ -175,6 +175,10 @@ class Reader {
         *panel.placement.level -= upright(panel.placement.axis, centre).y();
     }
     edges(panel, value.get("edges"), points);
+    if (const auto held = value.find("attach")) {
+      panel.attachments = read_panel_attachments(held->called(value.place() + ", attach"),
+                                                 value.get("edges"), unit_);
+    }
     if (panel.placement.by_part()) {
       for (const char* key : {"translation", "rotation"}) {
         if (!value.find(key)) continue;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/body/skeleton.h"
+#include "pattern/json_words.h"
 
 namespace toile {
 
@@ -21,28 +22,6 @@ constexpr std::array<std::string_view, 9> known_keys = {"part",  "side",   "arou
 /// Metres: no panel stands farther off, nor is drawn farther out.
 constexpr double farthest_offset = 1;
 constexpr double farthest_drawn = 1000;
-
-template <class Words>
-std::string listed(const Words& words) {
-  std::string all;
-  for (const std::string_view word : words) {
-    if (word.empty()) continue;
-    all += (all.empty() ? "" : ", ") + std::string(word);
-  }
-  return all;
-}
-
-std::string in_quotes(const std::string& text) { return "'" + text + "'"; }
-
-template <class Words>
-std::size_t word_of(const JsonValue& value, const Words& words) {
-  const std::string word = value.text();
-  const auto found = std::find(words.begin(), words.end(), word);
-  if (word.empty() || found == words.end()) {
-    value.fail(in_quotes(word) + " is unknown", "use one of " + listed(words));
-  }
-  return static_cast<std::size_t>(found - words.begin());
-}
 
 double length(const JsonValue& value, double unit, double low, double high) {
   const double metres = value.number() * unit;
@@ -81,11 +60,7 @@ std::string read_part(const JsonValue& placement) {
 
 PanelPlacement read_placement(const JsonValue& value, const std::string& part, double unit) {
   PanelPlacement placement;
-  for (const std::string& key : value.keys()) {
-    if (std::find(known_keys.begin(), known_keys.end(), key) == known_keys.end()) {
-      value.fail("has an unknown key " + in_quotes(key), "use " + listed(known_keys));
-    }
-  }
+  refuse_other_keys(value, known_keys);
   if (const auto side = value.find("side")) {
     placement.side = static_cast<PlacementSide>(word_of(*side, side_words));
   }

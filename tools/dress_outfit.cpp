@@ -95,8 +95,13 @@ void Outfit::read() {
     garments_.push_back(read_garment(layer.garment, layer.garment_json));
   }
   for (const PanelMesh& garment : garments_) {
-    if (settings_.method.name != "paper" || garment.elastics.empty()) continue;
-    CommonSettings::warn("elastics are left out: --method paper does not know them");
+    if (settings_.method.name != "paper") continue;
+    if (!garment.elastics.empty()) {
+      CommonSettings::warn("elastics are left out: --method paper does not know them");
+    }
+    if (!garment.attachments.empty()) {
+      CommonSettings::warn("attachments are left out: --method paper does not know them");
+    }
   }
   fabrics_ = panel_fabrics(garments_, settings_.fabrics);
   const TriangleMesh body = read_closed_body(settings_.body);
@@ -267,7 +272,7 @@ void Outfit::move_together() {
   std::vector<WornGarment> worn;
   for (const Done& done : done_) {
     worn.push_back({&done.garment, done.scene.fabric, done.result.nodes, done.result.grip,
-                    done.result.body_offset});
+                    done.result.body_offset, done.result.held});
   }
   if (settings_.certify_frames) together_certificate_.emplace(bare.body(), nullptr);
   {
@@ -287,6 +292,8 @@ void Outfit::move_together() {
     result.converged = together_->stage.converged;
     result.residual = together_->stage.residual;
     result.release = together_->release;
+    const PanelMesh& garment = done_[i].garment;
+    measure_lasting(garment, result.held, material_points(garment, result), result.attachments);
   }
   for (std::size_t i = 0; i < done_.size(); ++i) {
     TriangleMesh others;

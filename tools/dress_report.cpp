@@ -6,6 +6,8 @@
 #include <numbers>
 #include <sstream>
 
+#include "tools/dress_attachments.h"
+
 namespace toile {
 
 namespace {
@@ -190,6 +192,7 @@ nlohmann::ordered_json report_of(const PanelMesh& garment, const Scene& scene,
                                   {"worn_cm", 100 * band.now},
                                   {"tension_N", band.tension}});
   }
+  if (!result.attachments.empty()) report["attachments"] = attachments_json(result.attachments);
   report["wraps"] = Json::array();
   for (const WrapFigure& wrap : judgement.wraps) {
     report["wraps"].push_back({{"part", wrap.part},
@@ -330,6 +333,7 @@ void say_result(const DressResult& result, const Judgement& judgement,
              std::to_string(judgement.layer_intersections) + " with layers below");
   common.say("strain off the seams: " + percent(figures.strain_off_seams.p99) +
              " (99th percentile); residual in node weights: " + residual.str());
+  say_attachments(result.attachments, common);
   if (result.tight_places) say_tight_places(*result.tight_places, common);
   if (result.release) say_release(*result.release, common);
   for (const WrapFigure& wrap : judgement.wraps) {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "cloth/relaxation/share_within.h"
 #include "cloth/body_pull.h"
+#include "cloth/relaxation/share_within.h"
 #include "cloth/relaxation/side_by_side.h"
 
 namespace toile {
@@ -83,6 +83,7 @@ void ClothForces::use_skin(bool points) {
       kernel_ && has_limits() ? kernel_->restraints() : std::vector<Restraint>{};
   kernel_ = std::make_unique<ElasticKernel>(program_, points);
   bands_ = std::make_unique<BandForces>(program_, points);
+  attachments_ = std::make_unique<AttachmentForces>(program_, points);
   kernel_->begin_holding(yarns);
   const std::size_t count = kernel_->vertices();
   vertex_force_.assign(count, Vec4{});
@@ -323,6 +324,7 @@ void ClothForces::compute(double bending) {
     const std::size_t end = std::min(vertices(), (c + 1) * vertex_chunk);
     kernel_->gather(c * vertex_chunk, end, bending_, 1 - open_, p, vertex_force_);
     if (!bands_->empty()) bands_->add(c * vertex_chunk, end, p, vertex_force_);
+    if (!attachments_->empty()) attachments_->add(c * vertex_chunk, end, p, vertex_force_);
   });
   if (edge_contacts_ && !edge_contacts_->empty()) {
     edge_contacts_->add(program_.scene, options_, p, vertex_force_);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cloth/program.h"
+#include "cloth/relaxation/attachment_forces.h"
 #include "cloth/relaxation/band_forces.h"
 #include "cloth/relaxation/body_bounds.h"
 #include "cloth/relaxation/body_contact.h"
@@ -103,6 +104,7 @@ class ClothForces {
   Vec4s nodes_;  // then the layers' points
   std::unique_ptr<ElasticKernel> kernel_;
   std::unique_ptr<BandForces> bands_;
+  std::unique_ptr<AttachmentForces> attachments_;
   Vec4s vertex_force_;
   Vec4s pull_;  // N, per vertex, to the body; empty: none
   int computed_ = 0;

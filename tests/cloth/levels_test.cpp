@@ -124,5 +124,24 @@ TEST(Levels, RefiningKeepsTheSurface) {
   EXPECT_TRUE(self_intersections(after).empty());
 }
 
+TEST(Levels, MovedPanelsAreMovedOnEveryLevel) {
+  PanelMesh fine = bag(1);
+  const PanelMesh coarse = coarsen(fine);
+  const auto moved = [](const PanelMesh& garment) {
+    std::vector<Vec3> placed = garment.placed;
+    for (const MeshedPanel& panel : garment.panels) {
+      const Vec3 way(0.1, panel.first_point > 0 ? -0.2 : 0.3, 0);
+      for (int p = panel.first_point; p < panel.first_point + panel.points; ++p) placed[p] += way;
+    }
+    return placed;
+  };
+  const std::vector<Vec3> wanted = moved(fine);
+  const std::vector<Vec3> placed = refine_placed(coarse, moved(coarse), fine);
+  // On the curved bottom too, where middles of edges do not lie.
+  for (std::size_t p = 0; p < placed.size(); ++p) {
+    ASSERT_LT((placed[p] - wanted[p]).norm(), 1e-15) << p;
+  }
+}
+
 }  // namespace
 }  // namespace toile

@@ -167,6 +167,7 @@ TEST(Program, WhatTheSceneDoesNotUseIsEmpty) {
   EXPECT_EQ(terms(program), (std::map<std::string, int>{{"stretch", 50},
                                                         {"bend", 0},
                                                         {"elastic", 0},
+                                                        {"attachment", 0},
                                                         {"seam", 0},
                                                         {"body_contact", 0},
                                                         {"friction", 0},

@@ -162,5 +162,24 @@ TEST_F(TwoTubes, GarmentsKeepTheirFabrics) {
   EXPECT_HOLDS(samples::error_of([&] { move_together(worn, scene, options); }), "heavy");
 }
 
+TEST_F(TwoTubes, WhatIsAttachedForGoodStaysSo) {
+  const int columns = 48;
+  const PanelMesh inner = tube(2 * pi * 0.08, 0.08, columns, 4);
+  const PanelMesh outer = tube(2 * pi * 0.1, 0.1, columns, 4);
+  std::vector<WornGarment> worn = {wear(inner, 1000), wear(outer, 1000)};
+  // The outer one is held 2 cm up, all around its middle.
+  const double weight = 2 * pi * 0.1 * height * worn[1].fabric.areal_density * 9.81;
+  for (int i = 0; i < columns; ++i) {
+    const int point = 2 * (columns + 1) + i;
+    worn[1].held.push_back({point, 0, outer.placed[point] + Vec3(0, 0.02, 0), Vec3::UnitY(), 5,
+                            1.5 * weight / columns, true});
+  }
+  const TogetherResult result = move_together(worn, scene, options);
+  double low = 1e9;
+  for (const Vec3& p : result.nodes[1]) low = std::min(low, p.y());
+  EXPECT_NEAR(low, 0.022 - weight / columns / 5, 0.002);
+  for (const Vec3& p : result.nodes[0]) EXPECT_LT(p.y(), 0.002 + height + 1e-3);
+}
+
 }  // namespace
 }  // namespace toile

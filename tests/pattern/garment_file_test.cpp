@@ -61,6 +61,10 @@ PanelMesh bag(int subdivisions = 1) {
                                  1 / 3.0};
   pattern.panels[1].grain = 0.1;
   pattern.panels[0].edges[2].elastic = {0.7, 12.5};
+  using Share = PanelAttachment::Share;
+  pattern.panels[1].attachments = {
+      {"1", 1, Share::whole, {AttachedTo::level, "bust", 1 / 3.0, Vec3::Zero(), true, 70, 1 / 7.0}},
+      {"v2", 1, Share::end, {AttachedTo::point, "", 0, Vec3(0.1, 1 / 9.0, 3), false, 5, 6}}};
   return mesh_panels(pattern, {0.03, subdivisions}, remarks);
 }
 
@@ -97,6 +101,17 @@ void expect_equal(const PanelMesh& a, const PanelMesh& b) {
   EXPECT_EQ(a.elastics[0].points, b.elastics[0].points);
   EXPECT_EQ(a.elastics[0].ratio, b.elastics[0].ratio);
   EXPECT_EQ(a.elastics[0].stiffness, b.elastics[0].stiffness);
+  ASSERT_EQ(a.attachments.size(), 2u);
+  ASSERT_EQ(b.attachments.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(a.attachments[i].name, b.attachments[i].name);
+    EXPECT_EQ(a.attachments[i].points, b.attachments[i].points);
+    EXPECT_EQ(a.attachments[i].how, b.attachments[i].how);
+  }
+  // Vertex 2 is the end of edge 1.
+  EXPECT_EQ(a.attachments[0].name, "back.1");
+  EXPECT_EQ(a.attachments[1].name, "back.v2");
+  EXPECT_EQ(a.attachments[1].points, std::vector<int>{a.attachments[0].points.back()});
 }
 
 TEST_F(GarmentFile, SurvivesTheRoundTripExactly) {

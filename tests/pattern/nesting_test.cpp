@@ -75,5 +75,16 @@ TEST(Nesting, AnElasticOutOfStepIsFound) {
   EXPECT_HOLDS(*problem, "elastic 'front.1'");
 }
 
+TEST(Nesting, AnAttachmentOutOfStepIsFound) {
+  PanelMesh garment = bag(1);
+  const std::vector<int> along = garment.seams[0].a;
+  garment.attachments = {{"front.1", along, {}}, {"front.v1", {along.front()}, {}}};
+  EXPECT_FALSE(nesting_problem(garment));
+  garment.attachments[1].points = {along[1]};
+  const auto problem = nesting_problem(garment);
+  ASSERT_TRUE(problem);
+  EXPECT_HOLDS(*problem, "attachment 'front.v1'");
+}
+
 }  // namespace
 }  // namespace toile

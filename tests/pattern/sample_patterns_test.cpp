@@ -96,6 +96,7 @@ const std::vector<Sample>& all_samples() {
       {"band_small", 2, 2, 1, {63.59, 88.2}, {}},
       {"gathered_skirt", 4, 6, 1, {74, 148}, {}},
       {"elastic_skirt", 2, 2, 1, {120, 120}, {}},
+      {"tube_top", 2, 2, 1, {100, 100}, {}},
   };
   return samples;
 }

@@ -5,6 +5,9 @@
 #include "cloth/program.h"
 #include "cloth/relaxation/relax.h"
 #include "geometry/distance_grid.h"
+#include "geometry/repair.h"
+#include "io/mesh_file.h"
+#include "io/skeleton_file.h"
 #include "pattern/garment_file.h"
 #include "tests/cloth/panels.h"
 #include "tests/stability/hard_case.h"
@@ -47,6 +50,11 @@ TEST_P(SampleTerms, AreThoseOfTheGarment) {
   for (const MeshedPanel& panel : garment.panels) {
     if (!panel.fabric.empty()) scene.fabrics[panel.fabric] = {};
   }
+  // For what is attached at a level of the body.
+  const BodyDistance skin(fan_triangles(read_mesh(mannequin())));
+  const Skeleton skeleton = read_skeleton(skeleton_path(mannequin()));
+  scene.skin = &skin;
+  scene.skeleton = &skeleton;
   const Program bare = compile(garment, scene, garment.placed);
   const std::vector<int> node = joined(garment);
   std::map<int, int> copies;
@@ -63,16 +71,21 @@ TEST_P(SampleTerms, AreThoseOfTheGarment) {
   for (const MeshedElastic& elastic : garment.elastics) {
     segments += static_cast<int>(elastic.points.size()) - 1;
   }
+  int attached = 0;
+  for (const MeshedAttachment& each : garment.attachments) {
+    attached += static_cast<int>(each.points.size());
+  }
   const int triangles = static_cast<int>(garment.triangles.size());
   const int nodes = static_cast<int>(copies.size());
-  const bool has_elastic = std::string(GetParam()) == "elastic_skirt";
-  EXPECT_EQ(segments > 0, has_elastic);
+  const std::set<std::string> with_elastics = {"elastic_skirt", "tube_top"};
+  EXPECT_EQ(segments > 0, with_elastics.contains(GetParam()));
 
   Terms found = terms_of(bare);
   EXPECT_EQ(found["stretch"], triangles);
   EXPECT_EQ(found["bend"], hinges);
   EXPECT_EQ(found["seam"], sewn);
   EXPECT_EQ(found["elastic"], segments);
+  EXPECT_EQ(found["attachment"], attached);
   EXPECT_EQ(found["self_contact"], triangles);
   EXPECT_EQ(found["cloth_friction"], nodes);
   for (const char* unused :
@@ -105,13 +118,13 @@ TEST_P(SampleTerms, AreThoseOfTheGarment) {
   state("D terms of " + std::string(GetParam()), "relaxation", "compiled",
         std::to_string(triangles) + " stretch, " + std::to_string(hinges) + " bend, " +
             std::to_string(sewn) + " seam, " + std::to_string(segments) + " elastic, " +
-            std::to_string(nodes) + " body_contact");
+            std::to_string(attached) + " attachment, " + std::to_string(nodes) + " body_contact");
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SampleTerms,
                          testing::Values("band", "band_small", "bodice_dress", "elastic_skirt",
                                          "fitted_tshirt", "gathered_skirt", "jacket", "trousers",
-                                         "tshirt", "walking_dress"),
+                                         "tshirt", "tube_top", "walking_dress"),
                          [](const auto& test) { return std::string(test.param); });
 
 /// Two handkerchiefs sewn along a side, draped over a ball: the scene uses all that is switched.

@@ -1,0 +1,45 @@
+// Words and keys of a pattern file that come from a list.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "io/json_value.h"
+
+namespace toile {
+
+inline std::string in_quotes(const std::string& text) { return "'" + text + "'"; }
+
+/// "a, b, c": all but the empty ones.
+template <class Words>
+std::string listed(const Words& words) {
+  std::string all;
+  for (const std::string_view word : words) {
+    if (word.empty()) continue;
+    all += (all.empty() ? "" : ", ") + std::string(word);
+  }
+  return all;
+}
+
+/// Throws Error, naming the value's place, for a key that is none of `known`.
+template <class Words>
+void refuse_other_keys(const JsonValue& value, const Words& known) {
+  for (const std::string& key : value.keys()) {
+    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+    value.fail("has an unknown key " + in_quotes(key), "use " + listed(known));
+  }
+}
+
+/// The index of the value's word; throws Error when it is none of `words`.
+template <class Words>
+std::size_t word_of(const JsonValue& value, const Words& words) {
+  const std::string word = value.text();
+  const auto found = std::find(words.begin(), words.end(), word);
+  if (word.empty() || found == words.end()) {
+    value.fail(in_quotes(word) + " is unknown", "use one of " + listed(words));
+  }
+  return static_cast<std::size_t>(found - words.begin());
+}
+
+}  // namespace toile
