@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 
 #include "cloth/bones.h"
+#include "cloth/disjoint_sets.h"
 #include "cloth/step_out.h"
 #include "cloth/wraps.h"
 #include "geometry/error.h"
@@ -39,25 +39,6 @@ void for_joined_points(const PanelMesh& garment, const std::vector<Vec3>& placed
     }
   }
 }
-
-/// Disjoint sets, each named by its lowest member.
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-  int of(int i) const {
-    while (parent_[i] != i) i = parent_[i];
-    return i;
-  }
-  void join(int a, int b) {
-    const auto [low, high] = std::minmax({of(a), of(b)});
-    parent_[high] = low;
-  }
-
- private:
-  std::vector<int> parent_;
-};
 
 /// Panels that stand joined along a seam: they are moved as one.
 struct Unit {
@@ -113,7 +94,7 @@ class Clearing {
     for (std::size_t p = 0; p < garment_.panels.size(); ++p) {
       panel_of.insert(panel_of.end(), garment_.panels[p].points, static_cast<int>(p));
     }
-    Sets sets(garment_.panels.size());
+    DisjointSets sets(garment_.panels.size());
     for_joined_points(garment_, placement_.placed,
                       [&](int a, int b) { sets.join(panel_of[a], panel_of[b]); });
     // What crosses what it is joined to can't get clear of it with it.
@@ -249,7 +230,7 @@ class Clearing {
 
 /// The garment's triangles, sewn points that are in one place made one.
 std::vector<Triangle> joined(const PanelMesh& garment, const std::vector<Vec3>& placed) {
-  Sets sets(placed.size());
+  DisjointSets sets(placed.size());
   for_joined_points(garment, placed, [&](int a, int b) { sets.join(a, b); });
   std::vector<Triangle> triangles = garment.triangles;
   for (Triangle& t : triangles) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "cloth/doubtful_start.h"
 #include "cloth/judge.h"
 #include "cloth/subject.h"
 #include "cloth/turn_out.h"
@@ -37,7 +38,8 @@ struct Done {
   Scene scene;        ///< fabrics and options; its surfaces are those of the last layer's
   DressResult result;
   std::optional<Certificate> certificate;
-  double seconds = 0;  ///< all it took, but for the judging
+  std::vector<std::string> warnings;  ///< of where its panels were placed
+  double seconds = 0;                 ///< all it took, but for the judging
   Json other_seconds;
   Judgement judgement;
   TriangleMesh cloth;  ///< as written
@@ -139,6 +141,10 @@ Done Outfit::dress_layer(const OutfitLayer& layer, PanelMesh garment) {
   done.scene = scene_of(layer);
   // What is judged needs to know where the panels stood as much as what is dressed.
   garment.placed = position_panels(garment, *done.scene.body, done.scene.skeleton).placed;
+  for (const DoubtfulPanel& doubtful : doubtful_start(garment, done.scene)) {
+    done.warnings.push_back(doubt_text(doubtful));
+    CommonSettings::warn(done.warnings.back());
+  }
   if (settings_.certify_frames) done.certificate.emplace(subject_->body(), done.scene.layers);
   {
     std::optional<fs::path> frames = settings_.frames;
@@ -318,6 +324,7 @@ Json Outfit::report_of_layer(std::size_t layer) const {
   const Done& done = done_[layer];
   Json report = report_of(done.garment, done.scene, settings_.method.name, done.result,
                           done.judgement, done.seconds);
+  report["warnings"] = done.warnings;
   report["other_seconds"] = done.other_seconds;
   if (settings_.method.quality) report.update(quality_json(*settings_.method.quality));
   if (done.certificate) report["certified"] = certified_json(*done.certificate);

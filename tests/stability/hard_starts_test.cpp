@@ -55,8 +55,19 @@ class HardStarts : public testing::Test {
 
   void expect_sewn() {
     EXPECT_EQ(report["verdict"], "sewn");
+    expect_warned({}, "");
     EXPECT_EQ(report["wraps"].size(), 3U);
     for (const Json& wrap : report["wraps"]) EXPECT_GE(wrap["fraction"], 0.97) << wrap;
+  }
+
+  /// That what is said of the placement is this of these panels, and that the report has it too.
+  void expect_warned(const std::vector<std::string>& panels, const std::string& words) {
+    ASSERT_EQ(report["warnings"].size(), panels.size()) << report["warnings"];
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+      const std::string warning = report["warnings"][i];
+      EXPECT_EQ(warning.find("panel '" + panels[i] + "' " + words), 0U) << warning;
+      EXPECT_NE(done.err.find("warning: " + warning + "\n"), std::string::npos) << done.err;
+    }
   }
 
   static ScratchFolder* shared;
@@ -131,6 +142,15 @@ TEST_F(HardStarts, SleevesOnTheWrongArmsDoNotSew) {
   dress(3);
   EXPECT_EQ(report["verdict"], "unsewable");
   EXPECT_NE(done.err.find("armhole"), std::string::npos) << done.err;
+  expect_warned({"left_sleeve_b", "left_sleeve_f", "right_sleeve_b", "right_sleeve_f"},
+                "stands on the other side of the body");
+}
+
+TEST_F(HardStarts, APanelInsideOutIsSaid) {
+  Json& y = panel("left_back")["rotation"][1];
+  y = y.get<double>() + 180;
+  dress(3);
+  expect_warned({"left_back"}, "starts inside out");
 }
 
 TEST_F(HardStarts, ThreeSizesSmallLacksCentimetres) {
