@@ -129,7 +129,7 @@ TEST_F(TshirtSleeves, AtEachOthersArmsAreNamed) {
   }
   const Found found = doubts(file);
   EXPECT_EQ(found.other_side,
-            Names({"left_sleeve_f", "left_sleeve_b", "right_sleeve_f", "right_sleeve_b"}));
+            Names({"left_sleeve_b", "left_sleeve_f", "right_sleeve_b", "right_sleeve_f"}));
   EXPECT_EQ(found.inside_out, Names());
 }
 
