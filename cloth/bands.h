@@ -28,6 +28,11 @@ inline double band_tension(const BandSegment& s, double length) {
          s.cloth * std::max(length / s.flat - 1, 0.0);
 }
 
+/// A bound of the stiffness that a segment adds to each of its points, N/m.
+inline double stiffness_bound(const BandSegment& s) {
+  return 2 * (s.stiffness / s.rest + s.cloth / s.flat);
+}
+
 /// All segments, in the order of the garment's elastics. Cost is linear in the triangles, nothing
 /// without elastics.
 std::vector<BandSegment> band_segments(const PanelMesh& garment, const Scene& scene,

@@ -201,9 +201,8 @@ class Compiler {
   void lay_out_bands() {
     program_.bands = band_segments(garment_, program_.scene, program_.node_of_point);
     for (const BandSegment& band : program_.bands) {
-      const double stiffness = 2 * (band.stiffness / band.rest + band.cloth / band.flat);
       for (const int p : band.points) {
-        program_.stretch_diagonal[program_.node_of_point[p]] += stiffness;
+        program_.stretch_diagonal[program_.node_of_point[p]] += stiffness_bound(band);
       }
     }
   }

@@ -94,8 +94,9 @@ NearestPoints nearest_points(const ContactPair& pair, const std::vector<Vec3>& x
   return nearest_points(pair.edges, {x[v[0]], x[v[1]], x[v[2]], x[v[3]]});
 }
 
-ContactPush contact_push(double distance, double gap, bool barrier) {
-  if (distance >= gap) return {};
+ContactPush contact_push(double distance, double gap, bool barrier, double early) {
+  if (distance >= gap + early) return {};
+  if (distance >= gap) return {0, push_stiffness, 0};
   const double half = 0.5 * gap;
   if (distance >= half || !barrier) {
     const double depth = gap - distance;

@@ -27,8 +27,8 @@ struct NearestPoints {
 NearestPoints nearest_points(bool edges, const std::array<Vec3, 4>& at);
 NearestPoints nearest_points(const ContactPair& pair, const std::vector<Vec3>& x);
 
-/// Force (N) that pushes a pair at `distance` apart, its stiffness (N/m) and its energy (J): linear
-/// in how much of the gap is used up; with `barrier`, beyond half the gap as 1/distance, so that nothing can press
+/// Force (N) that pushes a pair at `distance` apart, a bound of its stiffness (N/m), which it has
+/// `early` metres before it pushes, and its energy (J): linear in how much of the gap is used up; with `barrier`, beyond half the gap as 1/distance, so that nothing can press
 /// the two to touch [Chen et al. 2025, the two-stage activation]. A barrier belongs to a state
 /// without intersections: it would hold a tangle fast.
 struct ContactPush {
@@ -36,7 +36,7 @@ struct ContactPush {
   double stiffness = 0;
   double energy = 0;
 };
-ContactPush contact_push(double distance, double gap, bool barrier);
+ContactPush contact_push(double distance, double gap, bool barrier, double early = 0);
 
 /// Finds the close pairs of a surface whose connectivity stays the same. Vertices that are one
 /// node, or are to become one when a seam closes, never pair with what holds the other. Between

@@ -316,7 +316,8 @@ void ClothForces::compute(double bending) {
                     p);
     } else {
       const std::size_t begin = (c - pulls) * pair_chunk;
-      pairs_.push(begin, std::min(pairs_.active(), begin + pair_chunk), options_.bounded, p);
+      pairs_.push(begin, std::min(pairs_.active(), begin + pair_chunk), options_.bounded,
+                  options_.early_contact, p);
     }
   });
   side_by_side(chunks_of(vertices(), vertex_chunk), [&](std::size_t c) {

@@ -31,6 +31,7 @@ class ClothForces {
               bool open_seams);
 
   const Vec4& node(std::size_t n) const { return nodes_[n]; }
+  const Vec4s& nodes() const { return nodes_; }  ///< and then what does not move
   std::vector<Vec3> state() const;
   Grip grip() const;
   double open() const { return open_; }  ///< 1: seams as placed, 0: closed
@@ -48,10 +49,11 @@ class ClothForces {
   /// they are within them, but for those that are held as much as they can be.
   bool hold_to_limits();
   bool has_limits() const { return stretch_.limit >= 0 || stretch_.shear_limit >= 0; }
-  /// A bound of the cloth's own stiffness in its plane at node n, N/m.
+  /// A bound of the cloth's own stiffness in its plane at node n, N/m; and what of it limits add.
   double stretch_stiffness(std::size_t n) const {
-    return program_.stretch_diagonal[n] + (stiffening_.empty() ? 0 : stiffening_[n]);
+    return program_.stretch_diagonal[n] + stiffening(n);
   }
+  double stiffening(std::size_t n) const { return stiffening_.empty() ? 0 : stiffening_[n]; }
 
   /// Forgets what is known of the body and of who is near, to see it anew where the nodes are.
   void look_anew();

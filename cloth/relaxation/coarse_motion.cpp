@@ -60,6 +60,7 @@ CoarseMotion::CoarseMotion(const Program& program) {
         level.mass[n] += level.shares[i].weight * finer[level.shares[i].node];
       }
     }
+    level.directed.assign(coarse_own.size(), Stiffness{});
     level.force.assign(coarse_own.size(), Vec4{});
     level.way.assign(coarse_own.size(), Vec4{});
     levels_.push_back(std::move(level));
@@ -79,6 +80,30 @@ void CoarseMotion::restrict_forces(const Level& level, const Vec4s& finer, Vec4s
       force[n] = sum;
     }
   });
+}
+
+void CoarseMotion::take_directions(const std::vector<Stiffness>& of_nodes) {
+  in_all_directions_ = undirected_share_of_patches;
+  const std::vector<Stiffness>* finer = &of_nodes;
+  for (Level& level : levels_) {
+    side_by_side(chunks_of(level.directed.size(), vertex_chunk), [&](std::size_t c) {
+      const std::size_t end = std::min(level.directed.size(), (c + 1) * vertex_chunk);
+      for (std::size_t n = c * vertex_chunk; n < end; ++n) {
+        Stiffness sum{};
+        double weight = 0;
+        for (int i = level.first[n]; i < level.first[n + 1]; ++i) {
+          const Share& share = level.shares[i];
+          weight += share.weight;
+          for (std::size_t k = 0; k < sum.size(); ++k) {
+            sum[k] += share.weight * (*finer)[share.node][k];
+          }
+        }
+        for (double& k : sum) k /= weight;
+        level.directed[n] = sum;
+      }
+    });
+    finer = &level.directed;
+  }
 }
 
 double CoarseMotion::rms_acceleration() const {
@@ -103,9 +128,9 @@ void CoarseMotion::compute(const Vec4s& forces, double bending) {
     side_by_side(chunks_of(level.way.size(), vertex_chunk), [&](std::size_t c) {
       const std::size_t end = std::min(level.way.size(), (c + 1) * vertex_chunk);
       for (std::size_t n = c * vertex_chunk; n < end; ++n) {
-        const double stiffness = level.stretch[n] + bending * level.bend[n] + level.force[n][3];
-        Vec4 way = stiffness > 0 ? level.force[n] / stiffness : Vec4{};
-        way[3] = 0;
+        const double stiffness = in_all_directions_ * level.stretch[n] + bending * level.bend[n] +
+                                 level.force[n][3];
+        Vec4 way = way_of(level.directed[n], stiffness, level.force[n]);
         if (l + 1 < levels_.size()) {
           const Level& coarser = levels_[l + 1];
           const auto& [a, b] = coarser.parents[n];

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cloth/program.h"
+#include "cloth/relaxation/directed_stiffness.h"
 #include "cloth/relaxation/vec4.h"
 
 namespace toile {
@@ -20,6 +21,10 @@ class CoarseMotion {
   explicit CoarseMotion(const Program& program);
 
   int levels() const { return static_cast<int>(levels_.size()); }
+
+  /// The cloth's stiffness at each of the program's nodes: from now on a patch has the mean of its
+  /// nodes', instead of the same in all directions.
+  void take_directions(const std::vector<Stiffness>& of_nodes);
 
   /// Ways of the coarse nodes, by the forces (N) on all nodes, with the stiffness (N/m) of what
   /// they touch as the fourth. `bending` multiplies the bending stiffness.
@@ -44,7 +49,8 @@ class CoarseMotion {
     std::vector<std::array<int, 2>> parents;  // per finer node; the same twice: it is one of these
     std::vector<int> first;                   // per node, its entries in `shares`
     std::vector<Share> shares;                // of finer nodes
-    std::vector<double> stretch;              // N/m, per node
+    std::vector<double> stretch;              // N/m, per node, in all directions
+    std::vector<Stiffness> directed;          // per node
     std::vector<double> bend;
     std::vector<double> mass;  // kg
     Vec4s force;
@@ -52,6 +58,7 @@ class CoarseMotion {
   };
   void restrict_forces(const Level& level, const Vec4s& finer, Vec4s& force) const;
 
+  double in_all_directions_ = 1;  // share of the levels' stretch
   std::vector<Level> levels_;  // the finer first
 };
 

@@ -63,6 +63,9 @@ struct ForceOptions {
   double body_reach = 1.5e-5;
   double body_offset = 0.002;  ///< metres; larger on coarse meshes, whose faces cut corners
   double self_radius = 0.005;  ///< metres within which cloth is looked for
+  /// Metres before cloth touches cloth at which the step reckons with the stiffness of the touch: a
+  /// longer step would be thrown back, for ever. release() takes 0.
+  double early_contact = 1e-4;
   /// Share of its bound beyond which a node has near cloth looked for anew. 1: when it is stopped;
   /// with less, what moves freely never is, for more searches.
   double search_share = 1;

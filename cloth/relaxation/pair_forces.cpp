@@ -67,14 +67,15 @@ void PairForces::activate(const std::vector<Vec3>& x) {
   }
 }
 
-PairPush push_of(const ContactPair& pair, const std::array<Vec3, 4>& at, bool barrier) {
+PairPush push_of(const ContactPair& pair, const std::array<Vec3, 4>& at, bool barrier,
+                 double early) {
   const NearestPoints nearest = nearest_points(pair.edges, at);
   const double distance = nearest.apart.norm();
-  const ContactPush push = contact_push(distance, pair.gap, barrier);
+  const ContactPush push = contact_push(distance, pair.gap, barrier, early);
   PairPush result;
   result.nearest = nearest;
   const EdgeShare edges =
-      pair.edges && push.force > 0 ? share_of(at[1] - at[0], at[3] - at[2]) : EdgeShare{};
+      pair.edges && push.stiffness > 0 ? share_of(at[1] - at[0], at[3] - at[2]) : EdgeShare{};
   result.force = edges.share * push.force;
   const Vec3 along = distance > 0 ? Vec3(result.force / distance * nearest.apart) : Vec3::Zero();
   // Edges give way by turning parallel as well.
@@ -89,12 +90,14 @@ PairPush push_of(const ContactPair& pair, const std::array<Vec3, 4>& at, bool ba
   return result;
 }
 
-void PairForces::push(std::size_t begin, std::size_t end, bool barrier, const Vec4s& x) {
+void PairForces::push(std::size_t begin, std::size_t end, bool barrier, double early,
+                      const Vec4s& x) {
   for (std::size_t i = begin; i < end; ++i) {
     const auto& v = active_[i].vertices;
     const PairPush push =
         push_of(active_[i],
-                {as_vec3(x[v[0]]), as_vec3(x[v[1]]), as_vec3(x[v[2]]), as_vec3(x[v[3]])}, barrier);
+                {as_vec3(x[v[0]]), as_vec3(x[v[1]]), as_vec3(x[v[2]]), as_vec3(x[v[3]])}, barrier,
+                early);
     for (int j = 0; j < 4; ++j) {
       slots_[4 * i + j] = as_vec4(push.on[j]);
       slots_[4 * i + j][3] = push.stiffness[j];

@@ -12,7 +12,7 @@
 namespace toile {
 
 /// What a pair presses with, and how that acts on its four vertices: forces (N) and a bound of
-/// their stiffness (N/m). `barrier`: see contact_push().
+/// their stiffness (N/m). `barrier` and `early`: see contact_push().
 ///
 /// Where two edges become parallel, what is nearest on them jumps from one end to the other. A push
 /// that jumped with it would never come to rest, and mirrored folds are full of such pairs: edges
@@ -24,7 +24,8 @@ struct PairPush {
   std::array<Vec3, 4> on;
   std::array<double, 4> stiffness;
 };
-PairPush push_of(const ContactPair& pair, const std::array<Vec3, 4>& at, bool barrier);
+PairPush push_of(const ContactPair& pair, const std::array<Vec3, 4>& at, bool barrier,
+                 double early = 0);
 
 /// The pairs of a search, and of these the ones that are near enough to push. Forces take two
 /// passes: push() over disjoint ranges of the active pairs, then add() for each vertex.
@@ -43,9 +44,9 @@ class PairForces {
   void activate(const std::vector<Vec3>& x);
 
   std::size_t active() const { return active_.size(); }
-  /// Pushes of active pairs `begin` to `end`, and their friction, which slides along. `barrier`:
-  /// see contact_push().
-  void push(std::size_t begin, std::size_t end, bool barrier, const Vec4s& x);
+  /// Pushes of active pairs `begin` to `end`, and their friction, which slides along. `barrier`
+  /// and `early`: see contact_push().
+  void push(std::size_t begin, std::size_t end, bool barrier, double early, const Vec4s& x);
   /// Adds the pushes on a vertex to its force (N) and a bound of their stiffness (N/m).
   [[gnu::always_inline]] void add(std::size_t vertex, Vec4& force, double& stiffness) const {
     if (first_.empty()) return;

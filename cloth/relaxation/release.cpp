@@ -22,9 +22,10 @@ constexpr double watch_interval = 0.01;
 /// Steps between two searches when cloth is not bounded.
 constexpr int search_interval = 50;
 
-/// Who flies is not to be stopped by a bound that is old.
-ReleaseOptions looking_early(ReleaseOptions options) {
+/// Who flies is not to be stopped by a bound that is old, nor made heavier by what it may touch.
+ReleaseOptions in_time(ReleaseOptions options) {
   options.search_share = 0.5;
+  options.early_contact = 0;
   return options;
 }
 
@@ -50,7 +51,7 @@ class Release {
 
 Release::Release(const Program& program, const ReleaseOptions& options, const std::vector<Vec3>& x)
     : program_(program),
-      options_(looking_early(options)),
+      options_(in_time(options)),
       forces_(program, options_, x, false),
       x_(as_vec4(x)),
       v_(program.nodes, Vec4{}) {

@@ -16,7 +16,7 @@ Corners forces_on(const Corners& x) {
   forces.pairs() = {{{0, 1, 2, 3}, true, 0.002}};
   const std::vector<Vec3> points(x.begin(), x.end());
   forces.activate(points);
-  forces.push(0, forces.active(), true, as_vec4(points));
+  forces.push(0, forces.active(), true, 0, as_vec4(points));
   Corners force;
   for (std::size_t v = 0; v < 4; ++v) {
     Vec4 sum = {0, 0, 0, 0};
