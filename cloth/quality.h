@@ -16,9 +16,9 @@ struct Quality {
 
 /// Of the relaxation. Expected, not bounded: loose cloth can be farther from its rest.
 inline constexpr std::array<Quality, 3> qualities = {{
-    {"draft", 0.05, 2.69},
-    {"standard", 0.01, 0.92},
-    {"fine", 0.001, 0.23},
+    {"draft", 0.05, 5.45},
+    {"standard", 0.01, 0.90},
+    {"fine", 0.001, 0.08},
 }};
 inline constexpr const Quality& standard_quality = qualities[1];
 inline constexpr const char* measured_on =
