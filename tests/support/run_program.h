@@ -70,9 +70,16 @@ inline void write_text(const fs::path& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
 }
 
+/// How many times as long the built programs may take as those of the release.
+#ifdef __SANITIZE_ADDRESS__
+inline constexpr int slower = 20;
+#else
+inline constexpr int slower = 1;
+#endif
+
 /// Runs the program `name` from the build's tools folder, or at an absolute path, its stdin empty.
-/// A run that takes longer than `seconds` is killed, so a program that hangs fails its test instead
-/// of stopping the suite.
+/// A run that takes longer than `seconds` (of a release) is killed, so a program that hangs fails
+/// its test instead of stopping the suite.
 inline Run run(const std::string& name, const std::vector<std::string>& arguments,
                int seconds = 280) {
   const ScratchFolder scratch;
@@ -97,7 +104,7 @@ inline Run run(const std::string& name, const std::vector<std::string>& argument
     redirect("/dev/null", O_RDONLY, STDIN_FILENO);
     redirect(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, STDOUT_FILENO);
     redirect(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, STDERR_FILENO);
-    alarm(static_cast<unsigned>(seconds));
+    alarm(static_cast<unsigned>(slower * seconds));
     execv(argv[0], argv.data());
     _exit(127);
   }
