@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 
+#include "cloth/grouped.h"
 #include "cloth/plate_bending.h"
 
 namespace toile {
@@ -173,19 +173,18 @@ class HingeLayout {
 
 /// Entries of the same place are added up in their order, so bits don't depend on the sorting.
 BendRows rows_of(const std::vector<Link>& links, std::size_t vertices) {
-  std::vector<int> begin(vertices + 1, 0);
-  for (const Link& link : links) ++begin[link.from + 1];
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<Link> sorted(links.size());
-  std::vector<int> next(begin.begin(), begin.end() - 1);
-  for (const Link& link : links) sorted[next[link.from]++] = link;
+  const Grouped<Link> links_of(vertices, [&](const auto& add) {
+    for (const Link& link : links) add(link.from, link);
+  });
+  std::vector<Link> sorted;
   BendRows rows;
   rows.first.push_back(0);
   for (std::size_t v = 0; v < vertices; ++v) {
-    std::stable_sort(sorted.begin() + begin[v], sorted.begin() + begin[v + 1],
+    sorted.assign(links_of[v].begin(), links_of[v].end());
+    std::stable_sort(sorted.begin(), sorted.end(),
                      [](const Link& a, const Link& b) { return a.to < b.to; });
-    for (int i = begin[v]; i < begin[v + 1]; ++i) {
-      if (i > begin[v] && sorted[i].to == sorted[i - 1].to) {
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+      if (i > 0 && sorted[i].to == sorted[i - 1].to) {
         rows.stiffness.back() += sorted[i].stiffness;
       } else {
         rows.vertex.push_back(sorted[i].to);

@@ -1,8 +1,7 @@
 // Pulls of elastics on the vertices along them.
 #pragma once
 
-#include <vector>
-
+#include "cloth/grouped.h"
 #include "cloth/program.h"
 #include "cloth/relaxation/vec4.h"
 
@@ -13,7 +12,7 @@ class BandForces {
  public:
   BandForces(const Program& program, bool of_points);
 
-  bool empty() const { return first_.empty(); }
+  bool empty() const { return segments_.empty(); }
   /// Adds to the forces (N) on vertices `begin` to `end`, with all vertices at `x`.
   void add(std::size_t begin, std::size_t end, const Vec4s& x, Vec4s& force) const;
 
@@ -22,8 +21,7 @@ class BandForces {
     int other;
     BandSegment segment;
   };
-  std::vector<int> first_;  // per vertex, its entries; empty: no elastics
-  std::vector<Entry> entries_;
+  Grouped<Entry> segments_;  // per vertex; empty: no elastics
 };
 
 }  // namespace toile

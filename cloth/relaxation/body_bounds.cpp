@@ -6,7 +6,6 @@
 #include <cstring>
 #include <limits>
 #include <map>
-#include <numeric>
 
 #include "cloth/relaxation/share_within.h"
 #include "cloth/relaxation/side_by_side.h"
@@ -77,21 +76,11 @@ BodyBounds::BodyBounds(const BodySurface& surface, const std::vector<Triangle>& 
                        std::size_t vertices)
     : surface_(surface),
       triangles_(triangles),
-      first_(vertices + 1, 0),
-      corners_(3 * triangles.size()),
+      corners_(corners_by_vertex(triangles, vertices)),
       regions_(triangles.size()),
       due_(triangles.size(), 1),
       next_look_(triangles.size(), 0),
-      lift_(vertices, 0) {
-  for (const Triangle& t : triangles) {
-    for (const int v : t) ++first_[v + 1];
-  }
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  std::vector<int> next(first_.begin(), first_.end() - 1);
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    for (int i = 0; i < 3; ++i) corners_[next[triangles[t][i]]++] = static_cast<int>(3 * t) + i;
-  }
-}
+      lift_(vertices, 0) {}
 
 BodyBounds::Region BodyBounds::region_of(const Triangle& corners, const Vec4s& x, int near_facet,
                                          std::vector<int>& near) const {
@@ -117,7 +106,7 @@ BodyBounds::Region BodyBounds::region_of(const Triangle& corners, const Vec4s& x
   near.clear();
   const Vec3 margin = Vec3::Constant(around);
   surface_.exact.tree().meeting(p[0].cwiseMin(p[1]).cwiseMin(p[2]) - margin,
-                        p[0].cwiseMax(p[1]).cwiseMax(p[2]) + margin, near);
+                                p[0].cwiseMax(p[1]).cwiseMax(p[2]) + margin, near);
   if (near.empty()) return region;
 
   const TriangleMesh& body = surface_.exact.body();
@@ -201,10 +190,10 @@ void BodyBounds::make_due(int triangle) {
 
 double BodyBounds::free(int vertex, const Vec3& p) const {
   double least = std::numeric_limits<double>::max();
-  for (int i = first_[vertex]; i < first_[vertex + 1]; ++i) {
-    const Region& region = regions_[corners_[i] / 3];
+  for (const auto& [t, corner] : corners_[vertex]) {
+    const Region& region = regions_[t];
     if (region.meets) continue;
-    least = std::min(least, region.reach - (p - region.at[corners_[i] % 3]).norm());
+    least = std::min(least, region.reach - (p - region.at[corner]).norm());
     if (region.normal != Vec3::Zero()) least = std::min(least, region.normal.dot(p) - region.level);
   }
   return std::max(least, 0.0);
@@ -213,11 +202,10 @@ double BodyBounds::free(int vertex, const Vec3& p) const {
 double BodyBounds::share(int vertex, const Vec3& p, const Vec3& wanted) {
   double share = 1;
   const Vec3 way = wanted - p;
-  for (int i = first_[vertex]; i < first_[vertex + 1]; ++i) {
-    const int t = corners_[i] / 3;
+  for (const auto& [t, corner] : corners_[vertex]) {
     const Region& region = regions_[t];
     if (region.meets) continue;
-    const Vec3 away = p - region.at[corners_[i] % 3];
+    const Vec3 away = p - region.at[corner];
     if ((away + way).norm() > (1 - due_share) * region.reach) make_due(t);
     share = std::min(share, share_within(away, way, region.reach));
     if (region.normal == Vec3::Zero()) continue;

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <vector>
 
+#include "cloth/grouped.h"
 #include "cloth/relaxation/vec4.h"
 #include "geometry/body_distance.h"
 #include "geometry/distance_grid.h"
@@ -71,10 +72,9 @@ class BodyBounds {
 
   const BodySurface& surface_;
   const std::vector<Triangle>& triangles_;
-  std::vector<int> first_;    // per vertex, its corners
-  std::vector<int> corners_;  // 3 triangle + corner
+  Grouped<TriangleCorner> corners_;  // per vertex
   std::vector<Region> regions_;
-  std::vector<char> due_;  // per triangle
+  std::vector<char> due_;       // per triangle
   std::vector<int> next_look_;  // per triangle, the first that may be again
   int looks_ = 0;
   std::atomic<bool> any_due_ = true;

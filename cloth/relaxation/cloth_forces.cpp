@@ -87,20 +87,13 @@ void ClothForces::use_skin(bool points) {
   kernel_->begin_holding(yarns);
   const std::size_t count = kernel_->vertices();
   vertex_force_.assign(count, Vec4{});
-  vertex_first_.clear();
-  vertices_.clear();
-  points_.clear();
-  if (points) {
-    vertex_first_.assign(program_.nodes + 1, 0);
-    for (const int node : program_.node_of_point) ++vertex_first_[node + 1];
-    std::partial_sum(vertex_first_.begin(), vertex_first_.end(), vertex_first_.begin());
-    vertices_.resize(count);
-    std::vector<int> next(vertex_first_.begin(), vertex_first_.end() - 1);
+  vertices_of_.assign(program_.nodes, [&](const auto& add) {
     for (std::size_t v = 0; v < count; ++v) {
-      vertices_[next[program_.node_of_point[v]]++] = static_cast<int>(v);
+      add(points ? program_.node_of_point[v] : v, static_cast<int>(v));
     }
-    place_points();
-  }
+  });
+  points_.clear();
+  if (points) place_points();
   const std::vector<Triangle>& triangles = points ? program_.triangles : program_.node_triangles;
   body_bounds_.reset();
   if (options_.bounded && options_.surface != nullptr && !points) {
@@ -191,9 +184,7 @@ bool ClothForces::hold_to_limits() {
   });
   stiffening_.assign(program_.nodes, 0);
   for (std::size_t n = 0; n < stiffening_.size(); ++n) {
-    for (int i = first_vertex(n); i < last_vertex(n); ++i) {
-      stiffening_[n] += kernel_->stiffening(vertex(i));
-    }
+    for (const int v : vertices_of_[n]) stiffening_[n] += kernel_->stiffening(v);
   }
   return std::all_of(counts.begin(), counts.end(),
                      [](const ElasticKernel::Held& held) { return held.beyond == 0; });
@@ -293,10 +284,9 @@ void ClothForces::find_pull() {
   side_by_side(chunks_of(program_.nodes, vertex_chunk), [&](std::size_t c) {
     const std::size_t end = std::min<std::size_t>(program_.nodes, (c + 1) * vertex_chunk);
     for (std::size_t n = c * vertex_chunk; n < end; ++n) {
-      const double weight = program_.mass[n] / (last_vertex(n) - first_vertex(n)) *
+      const double weight = program_.mass[n] / static_cast<double>(vertices_of_[n].size()) *
                             program_.scene.gravity.norm() * options_.pull;
-      for (int i = first_vertex(n); i < last_vertex(n); ++i) {
-        const int v = vertex(i);
+      for (const int v : vertices_of_[n]) {
         pull_[v] = as_vec4(pull_to_body(program_.scene, as_vec3(positions()[v]), weight));
       }
     }
@@ -342,8 +332,7 @@ Vec3 ClothForces::within_bounds(std::size_t node, const Vec3& wanted) const {
   const Vec3 from = as_vec3(nodes_[node]);
   const Vec3 way = wanted - from;
   double share = 1;
-  for (int i = vertex_first_[node]; i < vertex_first_[node + 1]; ++i) {
-    const int v = vertices_[i];
+  for (const int v : vertices_of_[node]) {
     share = std::min(share, share_within(as_vec3(points_[v]) - searched_at_[v], way, bound_[v]));
   }
   return share < 1 ? Vec3(from + share * way) : wanted;
@@ -372,8 +361,7 @@ bool ClothForces::leave_guard(std::size_t node, const Vec4& wanted) {
     set_guard(node, next);
     return allowed;
   }
-  for (int i = vertex_first_[node]; i < vertex_first_[node + 1]; ++i) {
-    const int v = vertices_[i];
+  for (const int v : vertices_of_[node]) {
     set_guard(v, next + open_ * program_.offsets[v]);
   }
   return allowed;

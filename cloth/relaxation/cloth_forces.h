@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "cloth/grouped.h"
 #include "cloth/program.h"
 #include "cloth/relaxation/attachment_forces.h"
 #include "cloth/relaxation/band_forces.h"
@@ -91,13 +92,6 @@ class ClothForces {
     return self_contact() && options_.layer_contact && program_.scene.layers != nullptr;
   }
   const TriangleMesh& layers() const { return *program_.scene.layers; }
-  int first_vertex(std::size_t n) const {
-    return by_points_ ? vertex_first_[n] : static_cast<int>(n);
-  }
-  int last_vertex(std::size_t n) const {
-    return by_points_ ? vertex_first_[n + 1] : static_cast<int>(n) + 1;
-  }
-  int vertex(int i) const { return by_points_ ? vertices_[i] : i; }
 
   const Program& program_;
   const ForceOptions& options_;
@@ -115,9 +109,8 @@ class ClothForces {
   bool by_points_ = false;
   double open_ = 0;
   double bending_ = 1;
-  Vec4s points_;                   // as nodes_, of the material points, while seams stand open
-  std::vector<int> vertex_first_;  // per node, its material points, while seams stand open
-  std::vector<int> vertices_;
+  Vec4s points_;                       // as nodes_, of the material points, while seams stand open
+  Grouped<int> vertices_of_;           // per node: its material points, while seams stand open
   std::vector<BodyContact> contacts_;  // per vertex
   /// Per vertex: where it was last looked after, and the square of how far it may go from there
   /// before it has to be looked after again.
@@ -143,10 +136,7 @@ inline void ClothForces::at(std::size_t n, Vec4& force, double& stiffness) {
   stiffness = stretch_stiffness(n);
   if (!program_.bend.empty()) stiffness += bending_ * program_.bend_diagonal[n];
   const double friction = options_.friction ? program_.friction_skin[n] : 0;
-  const int first = first_vertex(n);
-  const int last = last_vertex(n);
-  for (int i = first; i < last; ++i) {
-    const int v = vertex(i);
+  for (const int v : vertices_of_[n]) {
     const Vec4& p = positions()[v];
     stiffness += vertex_force_[v][3];
     force += vertex_force_[v];
@@ -158,9 +148,7 @@ inline void ClothForces::at(std::size_t n, Vec4& force, double& stiffness) {
 }
 
 inline bool ClothForces::move(std::size_t n, const Vec4& wanted) {
-  const int last = last_vertex(n);
-  for (int i = first_vertex(n); i < last; ++i) {
-    const int v = vertex(i);
+  for (const int v : vertices_of_[n]) {
     const Vec4 moved = positions()[v] + (wanted - nodes_[n]) - guards_[v];
     if (squared_length(moved) > guards_[v][3]) return leave_guard(n, wanted);
   }

@@ -36,19 +36,13 @@ CoarseMotion::CoarseMotion(const Program& program) {
         if (middle[0] < 0) middle = {coarse[t][i], coarse[t][(i + 1) % 3]};
       }
     }
-    level.first.assign(coarse_own.size() + 1, 0);
-    for (const auto& [a, b] : level.parents) {
-      ++level.first[a + 1];
-      if (a != b) ++level.first[b + 1];
-    }
-    std::partial_sum(level.first.begin(), level.first.end(), level.first.begin());
-    level.shares.resize(level.first.back());
-    std::vector<int> next(level.first.begin(), level.first.end() - 1);
-    for (std::size_t n = 0; n < count; ++n) {
-      const auto& [a, b] = level.parents[n];
-      level.shares[next[a]++] = {static_cast<int>(n), a == b ? 1.0 : 0.5};
-      if (a != b) level.shares[next[b]++] = {static_cast<int>(n), 0.5};
-    }
+    level.shares = Grouped<Share>(coarse_own.size(), [&](const auto& add) {
+      for (std::size_t n = 0; n < count; ++n) {
+        const auto& [a, b] = level.parents[n];
+        add(a, {static_cast<int>(n), a == b ? 1.0 : 0.5});
+        if (a != b) add(b, {static_cast<int>(n), 0.5});
+      }
+    });
     for (const int n : coarse_own) {
       level.stretch.push_back(program.stretch_diagonal[n]);
       level.bend.push_back(program.bend.empty() ? 0 : program.bend_diagonal[n]);
@@ -56,9 +50,7 @@ CoarseMotion::CoarseMotion(const Program& program) {
     const std::vector<double>& finer = levels_.empty() ? program.mass : levels_.back().mass;
     level.mass.assign(coarse_own.size(), 0);
     for (std::size_t n = 0; n < coarse_own.size(); ++n) {
-      for (int i = level.first[n]; i < level.first[n + 1]; ++i) {
-        level.mass[n] += level.shares[i].weight * finer[level.shares[i].node];
-      }
+      for (const auto& [node, weight] : level.shares[n]) level.mass[n] += weight * finer[node];
     }
     level.directed.assign(coarse_own.size(), Stiffness{});
     level.force.assign(coarse_own.size(), Vec4{});
@@ -74,9 +66,7 @@ void CoarseMotion::restrict_forces(const Level& level, const Vec4s& finer, Vec4s
     const std::size_t end = std::min(force.size(), (c + 1) * vertex_chunk);
     for (std::size_t n = c * vertex_chunk; n < end; ++n) {
       Vec4 sum = {0, 0, 0, 0};
-      for (int i = level.first[n]; i < level.first[n + 1]; ++i) {
-        sum += level.shares[i].weight * finer[level.shares[i].node];
-      }
+      for (const auto& [node, weight] : level.shares[n]) sum += weight * finer[node];
       force[n] = sum;
     }
   });
@@ -91,8 +81,7 @@ void CoarseMotion::take_directions(const std::vector<Stiffness>& of_nodes) {
       for (std::size_t n = c * vertex_chunk; n < end; ++n) {
         Stiffness sum{};
         double weight = 0;
-        for (int i = level.first[n]; i < level.first[n + 1]; ++i) {
-          const Share& share = level.shares[i];
+        for (const Share& share : level.shares[n]) {
           weight += share.weight;
           for (std::size_t k = 0; k < sum.size(); ++k) {
             sum[k] += share.weight * (*finer)[share.node][k];
@@ -128,8 +117,8 @@ void CoarseMotion::compute(const Vec4s& forces, double bending) {
     side_by_side(chunks_of(level.way.size(), vertex_chunk), [&](std::size_t c) {
       const std::size_t end = std::min(level.way.size(), (c + 1) * vertex_chunk);
       for (std::size_t n = c * vertex_chunk; n < end; ++n) {
-        const double stiffness = in_all_directions_ * level.stretch[n] + bending * level.bend[n] +
-                                 level.force[n][3];
+        const double stiffness =
+            in_all_directions_ * level.stretch[n] + bending * level.bend[n] + level.force[n][3];
         Vec4 way = way_of(level.directed[n], stiffness, level.force[n]);
         if (l + 1 < levels_.size()) {
           const Level& coarser = levels_[l + 1];

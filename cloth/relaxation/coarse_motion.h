@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "cloth/grouped.h"
 #include "cloth/program.h"
 #include "cloth/relaxation/directed_stiffness.h"
 #include "cloth/relaxation/vec4.h"
@@ -47,8 +48,7 @@ class CoarseMotion {
   };
   struct Level {
     std::vector<std::array<int, 2>> parents;  // per finer node; the same twice: it is one of these
-    std::vector<int> first;                   // per node, its entries in `shares`
-    std::vector<Share> shares;                // of finer nodes
+    Grouped<Share> shares;                    // per node, of finer ones
     std::vector<double> stretch;              // N/m, per node, in all directions
     std::vector<Stiffness> directed;          // per node
     std::vector<double> bend;
@@ -59,7 +59,7 @@ class CoarseMotion {
   void restrict_forces(const Level& level, const Vec4s& finer, Vec4s& force) const;
 
   double in_all_directions_ = 1;  // share of the levels' stretch
-  std::vector<Level> levels_;  // the finer first
+  std::vector<Level> levels_;     // the finer first
 };
 
 }  // namespace toile

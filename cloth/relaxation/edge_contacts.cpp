@@ -1,7 +1,6 @@
 #include "cloth/relaxation/edge_contacts.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "cloth/relaxation/side_by_side.h"
 
@@ -23,16 +22,11 @@ EdgeContacts::EdgeContacts(const std::vector<Triangle>& triangles, const Vec4s& 
   contacts_.resize(edges_.size());
   for (const auto& [a, b] : edges_) friction_.push_back(0.5 * (friction[a] + friction[b]));
   forces_.assign(edges_.size(), Vec4{});
-  first_.assign(x.size() + 1, 0);
-  for (const auto& edge : edges_) {
-    for (const int v : edge) ++first_[v + 1];
-  }
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  of_vertex_.resize(2 * edges_.size());
-  std::vector<int> next(first_.begin(), first_.end() - 1);
-  for (std::size_t e = 0; e < edges_.size(); ++e) {
-    for (const int v : edges_[e]) of_vertex_[next[v]++] = static_cast<int>(e);
-  }
+  edges_of_ = Grouped<int>(x.size(), [&](const auto& add) {
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      for (const int v : edges_[e]) add(v, static_cast<int>(e));
+    }
+  });
 }
 
 void EdgeContacts::look_anew() {
@@ -74,11 +68,11 @@ void EdgeContacts::add(const Scene& scene, const ForceOptions& options, const Ve
       forces_[e][3] = 0.5 * stiffness;
     }
   });
-  const std::size_t vertices = first_.size() - 1;
+  const std::size_t vertices = edges_of_.size();
   side_by_side(chunks_of(vertices, vertex_chunk), [&](std::size_t c) {
     const std::size_t end = std::min(vertices, (c + 1) * vertex_chunk);
     for (std::size_t v = c * vertex_chunk; v < end; ++v) {
-      for (int i = first_[v]; i < first_[v + 1]; ++i) force[v] += forces_[of_vertex_[i]];
+      for (const int e : edges_of_[v]) force[v] += forces_[e];
     }
   });
 }

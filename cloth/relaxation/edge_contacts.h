@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "cloth/grouped.h"
 #include "cloth/relaxation/body_contact.h"
 #include "cloth/relaxation/force_options.h"
 #include "cloth/relaxation/vec4.h"
@@ -40,8 +41,7 @@ class EdgeContacts {
   std::vector<BodyContact> contacts_;
   std::vector<double> friction_;  // Coulomb, per edge
   Vec4s forces_;                  // per edge, stiffness as the fourth
-  std::vector<int> first_;        // per vertex, its entries in of_vertex_
-  std::vector<int> of_vertex_;
+  Grouped<int> edges_of_;         // per vertex
 };
 
 }  // namespace toile

@@ -77,8 +77,7 @@ constexpr double least_squared = 1e-18;
 
 ElasticKernel::ElasticKernel(const Program& program, bool of_points) {
   const std::size_t vertices = of_points ? program.node_of_point.size() : program.nodes;
-  pull_first_.assign(vertices + 1, 0);
-  lay_out_triangles(program, of_points ? program.triangles : program.node_triangles);
+  lay_out_triangles(program, of_points ? program.triangles : program.node_triangles, vertices);
   if (!program.bend.empty()) {
     std::vector<int> points(vertices);
     std::iota(points.begin(), points.end(), 0);
@@ -127,7 +126,8 @@ std::vector<Restraint> ElasticKernel::restraints() const {
 }
 
 void ElasticKernel::lay_out_triangles(const Program& program,
-                                      const std::vector<Triangle>& triangles) {
+                                      const std::vector<Triangle>& triangles,
+                                      std::size_t vertices) {
   groups_.resize((triangles.size() + group - 1) / group);
   pulls_.assign(2 * group * groups_.size(), Vec4{});
   for (std::size_t t = 0; t < group * groups_.size(); ++t) {
@@ -149,19 +149,15 @@ void ElasticKernel::lay_out_triangles(const Program& program,
     g.stretch_weft[i] = s.weft_stiffness;
     g.stretch_warp[i] = s.warp_stiffness;
     g.shear[i] = s.shear_stiffness;
-    for (const int v : triangles[t]) ++pull_first_[v + 1];
   }
-  std::partial_sum(pull_first_.begin(), pull_first_.end(), pull_first_.begin());
-  pull_entries_.resize(pull_first_.back());
-  std::vector<int> next(pull_first_.begin(), pull_first_.end() - 1);
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const StretchTriangle& s = program.stretch[t];
-    const double weft[3] = {-(s.weft[1] + s.weft[2]), s.weft[1], s.weft[2]};
-    const double warp[3] = {-(s.warp[1] + s.warp[2]), s.warp[1], s.warp[2]};
-    for (int c = 0; c < 3; ++c) {
-      pull_entries_[next[triangles[t][c]]++] = {static_cast<int>(t), weft[c], warp[c]};
+  pulls_on_ = Grouped<PullEntry>(vertices, [&](const auto& add) {
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      const StretchTriangle& s = program.stretch[t];
+      const double weft[3] = {-(s.weft[1] + s.weft[2]), s.weft[1], s.weft[2]};
+      const double warp[3] = {-(s.warp[1] + s.warp[2]), s.warp[1], s.warp[2]};
+      for (int c = 0; c < 3; ++c) add(triangles[t][c], {static_cast<int>(t), weft[c], warp[c]});
     }
-  }
+  });
 }
 
 template <typename Group>
@@ -271,8 +267,7 @@ ElasticKernel::Held ElasticKernel::hold(std::size_t begin, std::size_t end,
 
 double ElasticKernel::stiffening(std::size_t v) const {
   double sum = 0;
-  for (int i = pull_first_[v]; i < pull_first_[v + 1]; ++i) {
-    const PullEntry& entry = pull_entries_[i];
+  for (const PullEntry& entry : pulls_on_[v]) {
     const HeldGroup& held = held_[entry.triangle / group];
     const std::size_t at = entry.triangle % group;
     sum += std::abs(entry.weft) * held.stiffening_weft[at] +
@@ -296,8 +291,7 @@ void ElasticKernel::gather(std::size_t begin, std::size_t end, double bending, d
                            const Vec4s& x, Vec4s& force) const {
   for (std::size_t v = begin; v < end; ++v) {
     Vec4 sum = {0, 0, 0, 0};
-    for (int i = pull_first_[v]; i < pull_first_[v + 1]; ++i) {
-      const PullEntry& entry = pull_entries_[i];
+    for (const PullEntry& entry : pulls_on_[v]) {
       const Vec4* pull = &pulls_[2 * static_cast<std::size_t>(entry.triangle)];
       sum += entry.weft * pull[0] + entry.warp * pull[1];
     }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cloth/bend_rows.h"
+#include "cloth/grouped.h"
 #include "cloth/program.h"
 #include "cloth/relaxation/vec4.h"
 #include "cloth/stretch.h"
@@ -25,7 +26,7 @@ class ElasticKernel {
 
   ElasticKernel(const Program& program, bool of_points);
 
-  std::size_t vertices() const { return pull_first_.size() - 1; }
+  std::size_t vertices() const { return pulls_on_.size(); }
   std::size_t groups() const { return groups_.size(); }
 
   /// First pass, of groups `begin` to `end`: stresses of the triangles, with vertices at `x`.
@@ -78,15 +79,15 @@ class ElasticKernel {
     double warp;
   };
 
-  void lay_out_triangles(const Program& program, const std::vector<Triangle>& triangles);
+  void lay_out_triangles(const Program& program, const std::vector<Triangle>& triangles,
+                         std::size_t vertices);
   void lay_out_limits(const Program& program);
 
   std::vector<TriangleGroup> groups_;
   std::vector<HeldGroup> held_;  // empty: no limits
   std::size_t triangles_ = 0;
-  Vec4s pulls_;  // per triangle: by weft, by warp
-  std::vector<int> pull_first_;
-  std::vector<PullEntry> pull_entries_;
+  Vec4s pulls_;                  // per triangle: by weft, by warp
+  Grouped<PullEntry> pulls_on_;  // per vertex
   BendMatrix bend_;
 };
 

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace toile {
 
@@ -51,20 +50,14 @@ void PairForces::activate(const std::vector<Vec3>& x) {
     }
   }
   friction_.activate(active_);
-  first_.clear();
+  slots_of_.clear();
   if (active_.empty()) return;
   slots_.assign(4 * active_.size(), Vec4{});
-  first_.assign(x.size() + 1, 0);
-  for (const ContactPair& pair : active_) {
-    for (const int v : pair.vertices) ++first_[v + 1];
-  }
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  gather_.resize(4 * active_.size());
-  std::vector<int> next(first_.begin(), first_.end() - 1);
-  for (std::size_t i = 0; i < active_.size(); ++i) {
-    for (int j = 0; j < 4; ++j)
-      gather_[next[active_[i].vertices[j]]++] = static_cast<int>(4 * i + j);
-  }
+  slots_of_.assign(x.size(), [&](const auto& add) {
+    for (std::size_t i = 0; i < active_.size(); ++i) {
+      for (int j = 0; j < 4; ++j) add(active_[i].vertices[j], static_cast<int>(4 * i + j));
+    }
+  });
 }
 
 PairPush push_of(const ContactPair& pair, const std::array<Vec3, 4>& at, bool barrier,
@@ -94,10 +87,9 @@ void PairForces::push(std::size_t begin, std::size_t end, bool barrier, double e
                       const Vec4s& x) {
   for (std::size_t i = begin; i < end; ++i) {
     const auto& v = active_[i].vertices;
-    const PairPush push =
-        push_of(active_[i],
-                {as_vec3(x[v[0]]), as_vec3(x[v[1]]), as_vec3(x[v[2]]), as_vec3(x[v[3]])}, barrier,
-                early);
+    const PairPush push = push_of(
+        active_[i], {as_vec3(x[v[0]]), as_vec3(x[v[1]]), as_vec3(x[v[2]]), as_vec3(x[v[3]])},
+        barrier, early);
     for (int j = 0; j < 4; ++j) {
       slots_[4 * i + j] = as_vec4(push.on[j]);
       slots_[4 * i + j][3] = push.stiffness[j];

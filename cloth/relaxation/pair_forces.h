@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "cloth/grouped.h"
 #include "cloth/relaxation/pair_friction.h"
 #include "cloth/relaxation/vec4.h"
 #include "cloth/self_contact.h"
@@ -35,7 +36,7 @@ class PairForces {
   /// vertex half of it.
   static constexpr double margin = 0.001;
 
-  void clear() { pairs_.clear(), active_.clear(), first_.clear(), friction_.clear(); }
+  void clear() { pairs_.clear(), active_.clear(), slots_of_.clear(), friction_.clear(); }
   PairFriction& friction() { return friction_; }
   const PairFriction& friction() const { return friction_; }
   /// All that a search found, to be kept by it.
@@ -49,9 +50,9 @@ class PairForces {
   void push(std::size_t begin, std::size_t end, bool barrier, double early, const Vec4s& x);
   /// Adds the pushes on a vertex to its force (N) and a bound of their stiffness (N/m).
   [[gnu::always_inline]] void add(std::size_t vertex, Vec4& force, double& stiffness) const {
-    if (first_.empty()) return;
-    for (int s = first_[vertex]; s < first_[vertex + 1]; ++s) {
-      const Vec4 slot = slots_[gather_[s]];
+    if (slots_of_.empty()) return;
+    for (const int s : slots_of_[vertex]) {
+      const Vec4 slot = slots_[s];
       const double bound = slot[3];
       force += slot;
       stiffness += bound;
@@ -61,10 +62,9 @@ class PairForces {
  private:
   std::vector<ContactPair> pairs_;
   std::vector<ContactPair> active_;
-  PairFriction friction_;   // of the active pairs
-  Vec4s slots_;             // force, and the stiffness as the fourth; four an active pair
-  std::vector<int> first_;  // per vertex, its entries in gather_
-  std::vector<int> gather_;
+  PairFriction friction_;  // of the active pairs
+  Vec4s slots_;            // force, and the stiffness as the fourth; four an active pair
+  Grouped<int> slots_of_;  // per vertex; empty: none is active
 };
 
 }  // namespace toile
