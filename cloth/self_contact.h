@@ -28,9 +28,10 @@ NearestPoints nearest_points(bool edges, const std::array<Vec3, 4>& at);
 NearestPoints nearest_points(const ContactPair& pair, const std::vector<Vec3>& x);
 
 /// Force (N) that pushes a pair at `distance` apart, a bound of its stiffness (N/m), which it has
-/// `early` metres before it pushes, and its energy (J): linear in how much of the gap is used up; with `barrier`, beyond half the gap as 1/distance, so that nothing can press
-/// the two to touch [Chen et al. 2025, the two-stage activation]. A barrier belongs to a state
-/// without intersections: it would hold a tangle fast.
+/// `early` metres before it pushes, and its energy (J). The force is linear in how much of the gap
+/// is used up; with `barrier`, beyond half the gap as 1/distance, so that nothing can press the two
+/// to touch [Chen et al. 2025, the two-stage activation]. A barrier belongs to a state without
+/// intersections: it would hold a tangle fast.
 struct ContactPush {
   double force = 0;
   double stiffness = 0;

@@ -39,18 +39,7 @@ double sum_of(const std::array<double, 3>& weights) {
 }  // namespace
 
 DirectedStiffness::DirectedStiffness(const Program& program) : program_(program) {
-  first_.assign(program.nodes + 1, 0);
-  for (const Triangle& t : program.node_triangles) {
-    for (const int n : t) ++first_[n + 1];
-  }
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  corners_.resize(first_.back());
-  std::vector<int> next(first_.begin(), first_.end() - 1);
-  for (std::size_t t = 0; t < program.node_triangles.size(); ++t) {
-    for (int c = 0; c < 3; ++c) {
-      corners_[next[program.node_triangles[t][c]]++] = {static_cast<int>(t), c};
-    }
-  }
+  corners_ = corners_by_vertex(program.node_triangles, program.nodes);
   if (!program.bands.empty()) elastic_.assign(program.nodes, 0);
   for (const BandSegment& band : program.bands) {
     for (const int p : band.points) elastic_[program.node_of_point[p]] += stiffness_bound(band);
@@ -61,8 +50,7 @@ DirectedStiffness::DirectedStiffness(const Program& program) : program_(program)
 
 Stiffness DirectedStiffness::at(std::size_t node, const Vec4s& x) const {
   Stiffness sum{};
-  for (int i = first_[node]; i < first_[node + 1]; ++i) {
-    const auto& [t, c] = corners_[i];
+  for (const auto& [t, c] : corners_[node]) {
     const StretchTriangle& s = program_.stretch[t];
     const Triangle& nodes = program_.node_triangles[t];
     const Vec4& a = x[nodes[0]];
@@ -77,14 +65,15 @@ Stiffness DirectedStiffness::at(std::size_t node, const Vec4s& x) const {
     const double weft_sum = sum_of(s.weft);
     const double warp_sum = sum_of(s.warp);
     // A shearing triangle pulls each of its yarns along the other, |Σ a_i + b_i|² being at most
-    // the sum of the weights times the sum of their squares.
+    // the sum of the weights times the sum of their squares; and once it is sheared, its pulls turn
+    // with the yarns, whichever way these go.
     const double shear = s.shear_stiffness * (weft_sum + warp_sum);
-    const double sheared = s.shear_stiffness * std::abs(dot(weft, warp)) *
-                           (of_weft * warp_sum + of_warp * weft_sum);
+    const double sheared =
+        s.shear_stiffness * std::abs(dot(weft, warp)) * (of_weft * warp_sum + of_warp * weft_sum);
     const double weft_stiffness = s.weft_stiffness * of_weft * weft_sum;
     const double warp_stiffness = s.warp_stiffness * of_warp * warp_sum;
     const auto tension = [](double squared) { return std::max(0.0, 1 - 1 / std::sqrt(squared)); };
-    add_yarn(sum, weft_stiffness + shear * of_warp * weft_squared,
+    add_yarn(sum, weft_stiffness + shear * of_warp * weft_squared + sheared,
              weft_stiffness * tension(weft_squared) + sheared, weft, weft_squared);
     add_yarn(sum, warp_stiffness + shear * of_weft * warp_squared,
              warp_stiffness * tension(warp_squared), warp, warp_squared);

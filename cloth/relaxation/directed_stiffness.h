@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "cloth/grouped.h"
 #include "cloth/program.h"
 #include "cloth/relaxation/vec4.h"
 
@@ -32,8 +33,9 @@ using Stiffness = std::array<double, 6>;
 }
 
 /// Share of the undirected bound that those who step by a directed one add to it, for cloth turns
-/// while they step, and a patch is not flat [measured on ten garments: between 0.05 and 0.2, and 0.2
-/// and 0.35, they come to rest in as many iterations; with 0.03 or nothing for patches, some do not].
+/// while they step, and a patch is not flat. Ten garments at 15 mm come to rest in as many
+/// iterations, within 4 %, with 0.05 as with 0.1; at 10 mm a pencil dress never does with 0.03, nor
+/// with 0.1 for patches.
 inline constexpr double undirected_share = 0.1;
 inline constexpr double undirected_share_of_patches = 0.25;
 
@@ -49,22 +51,18 @@ class DirectedStiffness {
   /// angle by which yarns turned; 1 the first time. Linear in the triangles; same bits for any
   /// number of threads.
   double update(const Vec4s& x);
-  /// Zero before the first update().
+  /// Whether there was an update(): before, of_nodes() are zero.
+  bool known() const { return known_; }
   const std::vector<Stiffness>& of_nodes() const { return of_nodes_; }
 
  private:
-  struct Corner {
-    int triangle;
-    int corner;
-  };
   Stiffness at(std::size_t node, const Vec4s& x) const;
   /// update() of nodes `begin` to `end`; the sum over them.
   double update(std::size_t begin, std::size_t end, const Vec4s& x);
 
   const Program& program_;
-  std::vector<int> first_;  // per node, its entries in corners_
-  std::vector<Corner> corners_;
-  std::vector<double> elastic_;  // N/m, per node; empty: no elastics
+  Grouped<TriangleCorner> corners_;  // per node
+  std::vector<double> elastic_;      // N/m, per node; empty: no elastics
   std::vector<Stiffness> of_nodes_;
   std::vector<double> partial_;
   bool known_ = false;

@@ -21,8 +21,9 @@ constexpr double step_factor = 1.3;
 /// What each coarser level adds to the bound: 1 would always be safe; at 0.2, garments of the
 /// default fabric come to rest, but those of jersey and denim go on trembling.
 constexpr double level_share = 0.5;
-/// Of a force's stiffness, how much longer a step may be with momentum [Nesterov's weights near 1:
-/// Lessard, Recht & Packard 2016].
+/// How many times the inverse of a force's stiffness a step may be with momentum. Of a stiffness λ,
+/// steps of s and momentum β change what is off by x'' = (1 - sλ)((1 + β) x' - β x), which stays
+/// bounded for sλ < (2 + 2β) / (1 + 2β): 4/3 with β near 1.
 constexpr double most_step = 4.0 / 3;
 /// Iterations that the directions of the stiffness are kept, and how far the yarns may turn
 /// meanwhile, as a sine: what turns faster is looked at more often. Garments turn by 0.001 to 0.01;
@@ -32,8 +33,8 @@ constexpr int least_directed_interval = 4;
 constexpr int most_directed_interval = 25;
 constexpr double most_turn = 0.02;
 /// Of the age of its momentum, what a run keeps that goes uphill: what trembles somewhere must not
-/// stop what is slow elsewhere. With nothing kept, ten garments take 1.34 times the iterations, with
-/// a half 1.24 times. What is younger than the least age is left alone.
+/// stop what is slow elsewhere. With nothing kept, ten garments take 1.34 times the iterations,
+/// with a half 1.24 times. What is younger than the least age is left alone.
 constexpr double kept_age = 0.75;
 constexpr int least_age = 50;
 /// Iterations between two measurements of the residual, and calls of the watcher.
@@ -88,7 +89,6 @@ class Relaxation {
   DirectedStiffness directed_;
   int directed_interval_ = least_directed_interval;
   int until_directed_ = 0;
-  double in_all_directions_ = 1;  // share of the stretch diagonal
   double step_factor_;
   /// What touches holds its nodes alike on all levels, whose steps add up.
   double touch_factor_;
@@ -99,7 +99,7 @@ class Relaxation {
   double momentum_ = 0;
   double nearest_to_rest_ = -1;  // the residual as a multiple of what it has to be, at its least
   int nearest_at_ = 0;           // and in which iteration
-  int momentum_age_ = 0;  // iterations that momentum has grown for
+  int momentum_age_ = 0;         // iterations that momentum has grown for
 };
 
 TOILE_CLONES
@@ -117,11 +117,9 @@ void Relaxation::find_forces(std::size_t begin, std::size_t end) {
 /// taken for the same in all directions.
 void Relaxation::find_directions() {
   if (forces_.seams_stand_open() || --until_directed_ > 0) return;
-  in_all_directions_ = undirected_share;
   const double turn = std::max(directed_.update(forces_.nodes()), 1e-9);
-  directed_interval_ = static_cast<int>(std::clamp<double>(directed_interval_ * most_turn / turn,
-                                                           least_directed_interval,
-                                                           most_directed_interval));
+  directed_interval_ = static_cast<int>(std::clamp<double>(
+      directed_interval_ * most_turn / turn, least_directed_interval, most_directed_interval));
   until_directed_ = directed_interval_;
   coarse_.take_directions(directed_.of_nodes());
 }
@@ -139,11 +137,12 @@ void Relaxation::find_forces() {
 TOILE_CLONES
 double Relaxation::step_nodes(std::size_t begin, std::size_t end) {
   const double most_squared = options_.max_move * options_.max_move;
+  const double in_all_directions = directed_.known() ? undirected_share : 1;
   double power = 0;
   for (std::size_t n = begin; n < end; ++n) {
     Vec4 force = node_force_[n];
     const double stiffness = force[3] + bend_stiffness(n) + forces_.stiffening(n) +
-                             in_all_directions_ * program_.stretch_diagonal[n];
+                             in_all_directions * program_.stretch_diagonal[n];
     force[3] = 0;
     Vec4 way = step_factor_ * way_of(directed_.of_nodes()[n], stiffness, force);
     way += step_factor_ * coarse_.of_node(n);

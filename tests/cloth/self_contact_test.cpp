@@ -376,5 +376,19 @@ TEST(Bounds, FartherMovesWouldIntersect) {
   EXPECT_FALSE(self_intersections({x, surface.triangles}).empty());
 }
 
+// The step has to know of a touch before it comes, or it is thrown back for ever.
+TEST(SelfContact, AnEarlyTouchIsStiffAndDoesNotPush) {
+  constexpr double gap = 0.002, early = 1e-4;
+  for (const bool barrier : {false, true}) {
+    const ContactPush near = contact_push(gap + 0.5 * early, gap, barrier, early);
+    EXPECT_EQ(near.force, 0);
+    EXPECT_EQ(near.energy, 0);
+    EXPECT_EQ(near.stiffness, contact_push(0.9 * gap, gap, barrier, early).stiffness);
+    EXPECT_GT(near.stiffness, 0);
+    EXPECT_EQ(contact_push(gap + 0.5 * early, gap, barrier).stiffness, 0);
+    EXPECT_EQ(contact_push(gap + 1.5 * early, gap, barrier, early).stiffness, 0);
+  }
+}
+
 }  // namespace
 }  // namespace toile

@@ -8,6 +8,7 @@
 #include "cloth/relaxation/relax.h"
 #include "geometry/distance_grid.h"
 #include "tests/cloth/panels.h"
+#include "tests/support/shapes.h"
 #include "tests/support/tubes.h"
 
 namespace toile {
@@ -106,6 +107,27 @@ TEST(CoarseMotion, BringsWideMotionsToRestInFewerIterations) {
   }
   std::cout << "rests " << 1000 * farthest << " mm apart\n";
   EXPECT_LT(farthest, 0.001);
+}
+
+/// Where all of a sheet touches, each level would take the whole stiffness of the touch for its own
+/// step, and the steps add up.
+TEST(CoarseMotion, SoftClothComesToRestOnWhatItTouches) {
+  const DistanceGrid body{BodyDistance(test::box({-0.3, -0.1, -0.3}, {0.3, 0, 0.3}))};
+  PanelMesh garment;
+  test::add_panel(garment, "sheet", subdivided(subdivided(test::grid(0.2, 0.2, 4, 4))),
+                  [](const Vec2& p) { return Vec3(p.x() - 0.1, 0.0025, 0.1 - p.y()); });
+  garment.subdivisions = 2;
+  Scene scene;
+  scene.body = &body;
+  scene.fabric = find_fabric("jersey");
+  const Program program = compile(garment, scene, garment.placed);
+  std::vector<Vec3> x = program.start;
+  RelaxOptions options;
+  options.max_iterations = 4000;
+  options.stop_median = options.stop_rms = 1e-3;
+  const RelaxReport report = relax(program, options, x);
+  std::cout << report.iterations << " iterations, residual " << report.residual.rms << "\n";
+  EXPECT_TRUE(report.converged);
 }
 
 }  // namespace
