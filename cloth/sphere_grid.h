@@ -35,9 +35,10 @@ class SphereGrid {
     constexpr double much_larger = 1.5;
     most_radius_ = much_larger * sum / std::max<std::size_t>(spheres.size(), 1);
     cell_ = std::max(0.5 * (2 * most_radius_ + reach), 1e-6);
-    // A runaway vertex must not ask for more cells than memory holds.
-    constexpr double most_cells = 4e6;
-    while (((high - low_) / cell_ + Vec3::Ones()).prod() > most_cells) cell_ *= 1.5;
+    // Empty cells cost too: small spheres far apart get large ones.
+    constexpr double most_cells_a_sphere = 8;
+    const double most_cells = most_cells_a_sphere * static_cast<double>(spheres.size()) + 1;
+    while (((high - low_) / cell_ + Vec3::Ones()).prod() > most_cells) cell_ *= 1.2;
     for (int axis = 0; axis < 3; ++axis) {
       size_[axis] = static_cast<int>((high[axis] - low_[axis]) / cell_) + 1;
     }
