@@ -17,8 +17,10 @@ void append(TriangleMesh& mesh, const TriangleMesh& more) {
 
 }  // namespace
 
-Subject::Subject(const TriangleMesh& body)
-    : surfaces_{BodyDistance(body)}, surface_(body), grid_(surfaces_.front()) {}
+Subject::Subject(const TriangleMesh& body, const KnownDistances& known)
+    : surfaces_{BodyDistance(body)}, surface_(body), grid_(surfaces_.front()) {
+  if (!known.empty()) grid_.remember(known);
+}
 
 void Subject::add_layer(const TriangleMesh& garment) {
   surfaces_.emplace_back(garment);

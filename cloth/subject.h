@@ -15,7 +15,8 @@ namespace toile {
 class Subject {
  public:
   /// The body alone: closed, outward-oriented, metres. Throws Error when it has no triangles.
-  explicit Subject(const TriangleMesh& body);
+  /// `known`, of an earlier one of the same body, spares computing it again.
+  explicit Subject(const TriangleMesh& body, const KnownDistances& known = {});
 
   /// A dressed garment becomes part of the surface; its triangles face away from the body. The
   /// references that the others return stay valid, and speak of the new surface.

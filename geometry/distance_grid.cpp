@@ -121,6 +121,12 @@ void DistanceGrid::add(const BodyDistance& surface) {
   blocks_ = table_->size;
 }
 
+KnownDistances DistanceGrid::known() const { return table_->surfaces.front()->known(); }
+std::size_t DistanceGrid::computed() const { return table_->surfaces.front()->computed(); }
+bool DistanceGrid::remember(const KnownDistances& known) {
+  return table_->surfaces.front()->remember(known);
+}
+
 double DistanceGrid::at_least(double distance) const {
   return distance <= options_.band ? distance
                                    : SurfaceNodes::at_least(distance, options_.cell, options_.band);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/body_distance.h"
+#include "geometry/known_distances.h"
 #include "geometry/types.h"
 
 namespace toile {
@@ -42,6 +43,14 @@ class DistanceGrid {
 
   /// One surface more. What is known of the others is kept. Not while lookups run.
   void add(const BodyDistance& surface);
+
+  /// What is known of the first surface, for a grid of the same surface alone and of the same
+  /// options; and how many nodes of it were computed here. Not while lookups run.
+  KnownDistances known() const;
+  std::size_t computed() const;
+  /// Takes what such a grid knew: lookups say the same, sooner. False, and nothing is taken, when
+  /// it was another one's. To be called before the first lookup.
+  bool remember(const KnownDistances& known);
 
   struct Sample {
     double distance;  ///< metres, negative inside

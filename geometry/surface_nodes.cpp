@@ -9,6 +9,9 @@ namespace toile {
 namespace {
 
 constexpr int coarsening = 4;
+constexpr int cube_side = 4;
+constexpr std::size_t cube_nodes = std::tuple_size_v<decltype(KnownDistances::Cube::values)>;
+static_assert(cube_nodes == cube_side * cube_side * cube_side);
 /// Distance from the surface, in cells of the middle grid, from which on that is interpolated too.
 constexpr double far_cells = 4;
 
@@ -24,7 +27,7 @@ int floor_by(int value, int divisor) {
 
 SurfaceNodes::SurfaceNodes(const BodyDistance& surface, const Vec3& origin, double cell,
                            double band)
-    : surface_(surface), origin_(origin) {
+    : surface_(surface), origin_(origin), band_(band) {
   const double middle = coarsening * cell;
   const double coarse = coarsening * middle;
   levels_[0].cell = cell;
@@ -47,7 +50,7 @@ double SurfaceNodes::at_least(double distance, double cell, double band) {
 
 std::size_t SurfaceNodes::Level::place(const Index& node) const {
   // By small cubes, so that neighbours share pages and cache lines.
-  constexpr int side = 4;
+  constexpr int side = cube_side;
   std::size_t cube = 0;
   std::size_t inside = 0;
   for (int axis = 2; axis >= 0; --axis) {
@@ -56,6 +59,49 @@ std::size_t SurfaceNodes::Level::place(const Index& node) const {
     inside = inside * side + from_first % side;
   }
   return cube * side * side * side + inside;
+}
+
+std::size_t SurfaceNodes::Level::cubes() const {
+  return static_cast<std::size_t>(size[0]) * size[1] * size[2] / cube_nodes;
+}
+
+KnownDistances SurfaceNodes::known() const {
+  KnownDistances known{levels_[0].cell, band_, levels_[0].first, levels_[0].size, {}};
+  for (std::size_t l = 0; l < levels; ++l) {
+    for (std::size_t c = 0; c < levels_[l].cubes(); ++c) {
+      KnownDistances::Cube cube{static_cast<int>(c), {}};
+      bool any = false;
+      for (std::size_t i = 0; i < cube_nodes; ++i) {
+        cube.values[i] = levels_[l].values[c * cube_nodes + i].load(std::memory_order_relaxed);
+        any |= cube.values[i] != 0;
+      }
+      if (any) known.levels[l].push_back(cube);
+    }
+  }
+  return known;
+}
+
+bool SurfaceNodes::remember(const KnownDistances& known) {
+  if (known.cell != levels_[0].cell || known.band != band_ || known.first != levels_[0].first ||
+      known.size != levels_[0].size) {
+    return false;
+  }
+  for (std::size_t l = 0; l < levels; ++l) {
+    for (const KnownDistances::Cube& cube : known.levels[l]) {
+      if (cube.number < 0 || static_cast<std::size_t>(cube.number) >= levels_[l].cubes()) {
+        return false;
+      }
+    }
+  }
+  for (std::size_t l = 0; l < levels; ++l) {
+    for (const KnownDistances::Cube& cube : known.levels[l]) {
+      std::atomic<float>* const values = &levels_[l].values[cube.number * cube_nodes];
+      for (std::size_t i = 0; i < cube_nodes; ++i) {
+        if (cube.values[i] != 0) values[i].store(cube.values[i], std::memory_order_relaxed);
+      }
+    }
+  }
+  return true;
 }
 
 void SurfaceNodes::cover(const Index& first, const Index& size) {
@@ -101,7 +147,9 @@ float SurfaceNodes::at(std::size_t level, const Index& node) const {
   // Two threads may compute the same, and find the same.
   value = compute(level, node);
   if (value == 0) value = std::numeric_limits<float>::min();
-  known.store(value, std::memory_order_relaxed);
+  if (known.exchange(value, std::memory_order_relaxed) == 0) {
+    computed_.fetch_add(1, std::memory_order_relaxed);
+  }
   return value;
 }
 

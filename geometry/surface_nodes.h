@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "geometry/body_distance.h"
+#include "geometry/known_distances.h"
 #include "geometry/types.h"
 
 namespace toile {
@@ -31,6 +32,13 @@ class SurfaceNodes {
   /// A tree query the first time, near the surface. The node is among those that cover() named.
   float at(const Index& node) const;
 
+  /// What is known so far, and how many nodes of it were computed here. Not while others ask.
+  KnownDistances known() const;
+  std::size_t computed() const { return computed_.load(); }
+  /// Takes what another one knew of the same surface. False, and nothing is taken, when its grid
+  /// was another or its numbers are none of cubes. Not while others ask.
+  bool remember(const KnownDistances& known);
+
   /// What a point's true distance is at least where a spline through the nodes around it says
   /// `distance`, which is more than `band`.
   static double at_least(double distance, double cell, double band);
@@ -48,6 +56,7 @@ class SurfaceNodes {
     std::unique_ptr<std::atomic<float>[], Free> values;  // 0: not known yet
 
     std::size_t place(const Index& node) const;
+    std::size_t cubes() const;
   };
   static constexpr std::size_t levels = 3;
 
@@ -56,6 +65,8 @@ class SurfaceNodes {
 
   BodyDistance surface_;
   Vec3 origin_;
+  double band_;
+  mutable std::atomic<std::size_t> computed_ = 0;
   std::array<Level, levels> levels_;
 };
 

@@ -76,6 +76,7 @@ OutfitSettings read_settings(const po::variables_map& given, const fs::path& out
   OutfitSettings settings;
   read_layers(given, output, settings);
   if (given.count("frames")) settings.frames = given["frames"].as<std::string>();
+  if (given.count("cache")) settings.cache = fs::path(settings.body).replace_extension("distances");
   settings.certify_frames = given.count("certify-frames") != 0;
   if (given.count("gravity")) settings.gravity = parse_gravity(given["gravity"].as<std::string>());
   settings.strain_limit = read_strain_limit(given);
@@ -90,6 +91,7 @@ void refuse_overwriting(const OutfitSettings& settings, const CommonSettings& co
     return fs::weakly_canonical(a) == fs::weakly_canonical(b);
   };
   std::vector<fs::path> inputs = {settings.body, settings.skeleton};
+  if (settings.cache) inputs.push_back(*settings.cache);
   if (settings.scene) inputs.push_back(*settings.scene);
   for (const OutfitLayer& layer : settings.layers) {
     inputs.push_back(layer.garment);
@@ -157,7 +159,10 @@ int main(int argc, char** argv) {
       "certify-frames",
       "check every state on the way, as --frames writes them, with exact predicates: when it "
       "became "
-      "free of intersections, and whether it stayed so");
+      "free of intersections, and whether it stayed so")(
+      "cache",
+      "keep the body's distances beside it, body.distances for body.ply: later garments on this "
+      "body are dressed the same, sooner");
   toile::add_fabric_option(program.options);
   toile::add_method_options(program.options);
   program.positional.add("garment", 1);

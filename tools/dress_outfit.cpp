@@ -13,6 +13,8 @@
 #include "cloth/subject.h"
 #include "cloth/turn_out.h"
 #include "geometry/body/skeleton.h"
+#include "geometry/error.h"
+#include "io/known_distances_file.h"
 #include "io/output_file.h"
 #include "io/skeleton_file.h"
 #include "pattern/garment_file.h"
@@ -41,6 +43,7 @@ struct Done {
   std::vector<std::string> warnings;  ///< of where its panels were placed
   double seconds = 0;                 ///< all it took, but for the judging
   Json other_seconds;
+  std::size_t distances = 0;  ///< of the body, that were computed
   Judgement judgement;
   TriangleMesh cloth;  ///< as written
 };
@@ -62,6 +65,7 @@ class Outfit {
 
  private:
   void read();
+  void keep_distances();
   Scene scene_of(const OutfitLayer& layer) const;
   Done dress_layer(const OutfitLayer& layer, PanelMesh garment);
   void write_and_judge(std::size_t layer, const TriangleMesh* others);
@@ -83,6 +87,7 @@ class Outfit {
   const Clock::time_point start_ = Clock::now();
   std::vector<PanelMesh> garments_;        // one a layer: all are read before the first is dressed
   std::map<std::string, Fabric> fabrics_;  // by the names that panels give
+  KnownDistances known_;                   // of the body, from earlier runs
   std::optional<Subject> subject_;
   std::optional<Skeleton> skeleton_;
   double read_seconds_ = 0;
@@ -116,8 +121,24 @@ void Outfit::read() {
   }
   read_seconds_ = seconds_since(start_);
   const auto grid_start = Clock::now();
-  subject_.emplace(body);
+  if (settings_.cache) known_ = read_known_distances(*settings_.cache, body).value_or(known_);
+  subject_.emplace(body, known_);
   grid_seconds_ = seconds_since(grid_start);
+}
+
+/// Of the body alone, so before a layer lies on it. What is hardly more than was known is not
+/// written; nor is it an error when nothing can be.
+void Outfit::keep_distances() {
+  constexpr std::size_t worth_writing = 2000;  // nodes, a few milliseconds' work
+  if (!settings_.cache || done_.front().distances < worth_writing) return;
+  const auto start = Clock::now();
+  try {
+    write_known_distances(*settings_.cache, subject_->body(), subject_->grid().known());
+  } catch (const Error& error) {
+    CommonSettings::warn(std::string("the body's distances are not kept: ") + error.what());
+  }
+  done_.front().other_seconds["write_cache"] = seconds_since(start);
+  done_.front().seconds += seconds_since(start);
 }
 
 Scene Outfit::scene_of(const OutfitLayer& layer) const {
@@ -155,6 +176,7 @@ Done Outfit::dress_layer(const OutfitLayer& layer, PanelMesh garment) {
         settings_.method.dress(garment, done.scene, [&](const DressFrame& frame) { watch(frame); });
     watch({garment, "dressed", material_points(garment, done.result), 1});
   }
+  done.distances = subject_->grid().computed();
   say_positions(done.result.placement, common_);
   say_terms(done.result, common_);
   done.garment = std::move(garment);
@@ -198,7 +220,7 @@ bool Outfit::is_below_panels(std::size_t layer) const {
 
 /// The body and the first `layers`, but for what lies over the layer `under`, and all of `without`.
 Subject Outfit::subject_of(std::size_t layers, std::size_t under, std::size_t without) const {
-  Subject subject(subject_->body());
+  Subject subject(subject_->body(), known_);
   for (std::size_t i = 0; i < layers; ++i) {
     if (i == without) continue;
     TriangleMesh cloth = done_[i].cloth;
@@ -243,6 +265,7 @@ bool Outfit::dress_one_by_one() {
     if (settings_.scene) common_.say("layer " + layer.name + ":");
     if (is_below_panels(i)) subject_ = subject_of(i, i, settings_.layers.size());
     done_.push_back(dress_layer(layer, garments_[i]));
+    if (i == 0) keep_distances();
     Done& done = done_.back();
     write_and_judge(i, done.scene.layers);
     if (done.certificate) say_certificate(*done.certificate, common_);
@@ -269,7 +292,7 @@ bool Outfit::dress_one_by_one() {
 
 void Outfit::move_together() {
   common_.say("together:");
-  const Subject bare(subject_->body());
+  const Subject bare(subject_->body(), known_);
   Scene scene = scene_of(settings_.layers.front());
   scene.body = &bare.grid();
   scene.subject = &bare.surface();
@@ -326,6 +349,7 @@ Json Outfit::report_of_layer(std::size_t layer) const {
                           done.judgement, done.seconds);
   report["warnings"] = done.warnings;
   report["other_seconds"] = done.other_seconds;
+  report["body_distances_computed"] = done.distances;
   if (settings_.method.quality) report.update(quality_json(*settings_.method.quality));
   if (done.certificate) report["certified"] = certified_json(*done.certificate);
   if (together_) report["moved_together_mm"] = moved_json(together_->moved[layer]);

@@ -35,6 +35,8 @@ struct OutfitSettings {
   FabricChoice fabrics;
   std::optional<std::filesystem::path> frames;
   bool certify_frames = false;
+  /// Where the body's distances are kept from run to run; none: they are not.
+  std::optional<std::filesystem::path> cache;
   std::optional<double> strain_limit;
   std::optional<double> shear_limit;
   Vec3 gravity = Scene().gravity;

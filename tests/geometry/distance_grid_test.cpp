@@ -65,6 +65,46 @@ std::vector<Vec3> scattered(const TriangleMesh& mesh, int count) {
   return points;
 }
 
+TEST_F(SphereGrid, RemembersWhatAnotherKnew) {
+  const std::vector<Vec3> points = scattered(body.body(), 2000);
+  for (const Vec3& p : points) grid.at(p);
+  const KnownDistances known = grid.known();
+  EXPECT_GT(grid.computed(), 1000U);
+  DistanceGrid again{body};
+  ASSERT_TRUE(again.remember(known));
+  for (const Vec3& p : points) {
+    const auto before = grid.at(p);
+    const auto after = again.at(p);
+    ASSERT_EQ(after.distance, before.distance);
+    ASSERT_EQ(after.gradient, before.gradient);
+  }
+  EXPECT_EQ(again.computed(), 0U);
+  // What was not asked for is computed still.
+  for (const Vec3& p : scattered(body.body(), 4000))
+    ASSERT_EQ(again.at(p).distance, grid.at(p).distance);
+  EXPECT_GT(again.computed(), 0U);
+}
+
+TEST_F(SphereGrid, TakesNothingFromAnotherSurfacesGrid) {
+  grid.at({radius, 0, 0});
+  KnownDistances known = grid.known();
+  DistanceGridOptions options;
+  options.cell = 0.004;
+  EXPECT_FALSE(DistanceGrid(body, options).remember(known));
+  options = {};
+  options.band = 0.02;
+  EXPECT_FALSE(DistanceGrid(body, options).remember(known));
+  EXPECT_FALSE(DistanceGrid(BodyDistance(test::sphere(2 * radius, 6))).remember(known));
+  for (const int number : {-1, 1 << 30}) {
+    known.levels[1].push_back({number, {}});
+    DistanceGrid fresh{body};
+    EXPECT_FALSE(fresh.remember(known));
+    fresh.at({radius, 0, 0});
+    EXPECT_GT(fresh.computed(), 0U);
+    known.levels[1].pop_back();
+  }
+}
+
 TEST_F(SphereGrid, HasTheSameBitsForAnyThreadsAndOrderOfAsking) {
   const std::vector<Vec3> points = scattered(body.body(), 3000);
   const DistanceGrid backward(body);
