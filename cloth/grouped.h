@@ -1,6 +1,7 @@
 // Items by what they belong to: the triangles at each vertex, the contacts at each node.
 #pragma once
 
+#include <cstddef>
 #include <numeric>
 #include <span>
 #include <vector>

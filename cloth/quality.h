@@ -10,8 +10,8 @@ struct Quality {
   const char* name;
   double residual;  ///< DressOptions::stop_median and stop_wide; a tenth of stop_rms
   /// Millimetres, root of the mean square: how far nodes are from where the same run ends when it
-  /// is brought to rest. The largest of the garments below [measured by bench_work_precision; at
-  /// 25 mm by the test of the presets].
+  /// is brought to rest. The largest of the garments below [measured by bench_work_precision, and
+  /// at 25 mm by the test of the presets too].
   double distance_rms_mm;
 };
 

@@ -50,15 +50,14 @@ double SurfaceNodes::at_least(double distance, double cell, double band) {
 
 std::size_t SurfaceNodes::Level::place(const Index& node) const {
   // By small cubes, so that neighbours share pages and cache lines.
-  constexpr int side = cube_side;
   std::size_t cube = 0;
   std::size_t inside = 0;
   for (int axis = 2; axis >= 0; --axis) {
     const int from_first = node[axis] - first[axis];
-    cube = cube * (size[axis] / side) + from_first / side;
-    inside = inside * side + from_first % side;
+    cube = cube * (size[axis] / cube_side) + from_first / cube_side;
+    inside = inside * cube_side + from_first % cube_side;
   }
-  return cube * side * side * side + inside;
+  return cube * cube_nodes + inside;
 }
 
 std::size_t SurfaceNodes::Level::cubes() const {

@@ -160,6 +160,7 @@ Done Outfit::dress_layer(const OutfitLayer& layer, PanelMesh garment) {
   const auto start = Clock::now();
   Done done;
   done.scene = scene_of(layer);
+  const std::size_t known_before = subject_->grid().computed();
   // What is judged needs to know where the panels stood as much as what is dressed.
   garment.placed = position_panels(garment, *done.scene.body, done.scene.skeleton).placed;
   for (const DoubtfulPanel& doubtful : doubtful_start(garment, done.scene)) {
@@ -176,7 +177,7 @@ Done Outfit::dress_layer(const OutfitLayer& layer, PanelMesh garment) {
         settings_.method.dress(garment, done.scene, [&](const DressFrame& frame) { watch(frame); });
     watch({garment, "dressed", material_points(garment, done.result), 1});
   }
-  done.distances = subject_->grid().computed();
+  done.distances = subject_->grid().computed() - known_before;
   say_positions(done.result.placement, common_);
   say_terms(done.result, common_);
   done.garment = std::move(garment);

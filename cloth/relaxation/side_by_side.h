@@ -7,7 +7,8 @@
 
 namespace toile {
 
-/// Vertices that one task handles: some 10 microseconds' work, ten times what starting it costs.
+/// Vertices that one task handles. With 512 a coarse mesh is a single task: a T-shirt at 10 mm takes
+/// 1.3 times as long on two cores; 32 to 256 are alike.
 inline constexpr std::size_t vertex_chunk = 128;
 
 inline std::size_t chunks_of(std::size_t items, std::size_t size) {

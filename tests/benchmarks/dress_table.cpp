@@ -176,18 +176,31 @@ void set_quality(Table& table, std::size_t row, const Json& report) {
   table.set(row, "verdict", report.at("verdict"));
 }
 
+/// Which of the runs took the median time.
+std::size_t median_of(const std::vector<Run>& runs) {
+  std::vector<std::size_t> order(runs.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return runs[a].seconds < runs[b].seconds; });
+  return order[(order.size() - 1) / 2];
+}
+
 /// The median with the body's distances kept by an earlier run of the same.
 void cached_column(Table& table, std::size_t row, const Case& at, const Settings& settings) {
   std::vector<std::string> arguments =
       dress_arguments(at, fs::path(at.mesh).replace_extension("cached.obj"), settings);
   arguments.push_back("--cache");
-  std::vector<double> seconds;
+  std::vector<Run> runs;
   for (int i = 0; i <= settings.runs; ++i) {
-    const Run done = run("dress", arguments, settings.limit);
-    if (i > 0) seconds.push_back(done.seconds);
+    runs.push_back(run("dress", arguments, settings.limit));
+    const Run& done = runs.back();
+    if (done.exit_code != 0 && done.exit_code != 3) {
+      table.set(row, "s with --cache", "failed: " + complaint(done));
+      return;
+    }
   }
-  std::nth_element(seconds.begin(), seconds.begin() + (seconds.size() - 1) / 2, seconds.end());
-  table.set(row, "s with --cache", fixed(seconds[(seconds.size() - 1) / 2], 2));
+  runs.erase(runs.begin());  // it had to compute them
+  table.set(row, "s with --cache", fixed(runs[median_of(runs)].seconds, 2));
 }
 
 /// Runs dress as often as asked; the run of median time stands for all.
@@ -203,11 +216,7 @@ void dress_row(Table& table, std::size_t row, Case& at, const Settings& settings
       return;
     }
   }
-  std::vector<std::size_t> order(runs.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return runs[a].seconds < runs[b].seconds; });
-  const std::size_t median = order[(order.size() - 1) / 2];
+  const std::size_t median = median_of(runs);
   const Json report =
       Json::parse(read_file(fs::path(at.mesh).replace_extension(std::to_string(median) + ".json")));
   at.seconds = runs[median].seconds;

@@ -80,8 +80,9 @@ TEST_F(SphereGrid, RemembersWhatAnotherKnew) {
   }
   EXPECT_EQ(again.computed(), 0U);
   // What was not asked for is computed still.
-  for (const Vec3& p : scattered(body.body(), 4000))
+  for (const Vec3& p : scattered(body.body(), 4000)) {
     ASSERT_EQ(again.at(p).distance, grid.at(p).distance);
+  }
   EXPECT_GT(again.computed(), 0U);
 }
 

@@ -249,52 +249,6 @@ TEST(Dress, ARealDress) {
 }
 
 // Places that the report names are compared with the strain that is measured on the written file.
-TEST(Dress, WhatIsKnownOfABodyIsKeptAndChangesNothing) {
-  const ScratchFolder folder;
-  const fs::path body = folder / "body.ply", garment = folder / "top.obj";
-  succeed("make-mannequin", {"-o", body, "-q"});
-  succeed("mesh-pattern", {fs::path(TOILE_SOURCE_DIR) / "samples" / "tube_top.json", "-o", garment,
-                           "--edge-length", "40mm", "-q"});
-  const auto dress = [&](const std::string& name, bool cache) {
-    std::vector<std::string> words = {"--body",
-                                      body,
-                                      garment,
-                                      "-o",
-                                      folder / (name + ".obj"),
-                                      "--report",
-                                      folder / (name + ".json"),
-                                      "-q",
-                                      "--quality",
-                                      "draft"};
-    if (cache) words.push_back("--cache");
-    const auto done = run("dress", words);
-    EXPECT_EQ(done.exit_code, 0) << done.err;
-    EXPECT_EQ(read_text(folder / (name + ".obj")), read_text(folder / "without.obj")) << name;
-    const Json report = Json::parse(read_text(folder / (name + ".json")));
-    return std::pair(report["body_distances_computed"].get<int>(), done.err);
-  };
-  const int all = dress("without", false).first;
-  EXPECT_FALSE(fs::exists(folder / "body.distances"));
-  EXPECT_EQ(dress("first", true).first, all);
-  EXPECT_TRUE(fs::exists(folder / "body.distances"));
-  EXPECT_EQ(dress("second", true).first, 0);
-  // Of another body, it is made anew.
-  succeed("make-mannequin", {"-o", folder / "other.ply", "--pose", "walking", "-q"});
-  fs::copy_file(body, folder / "kept.ply");
-  fs::copy_file(folder / "other.ply", body, fs::copy_options::overwrite_existing);
-  run("dress",
-      {"--body", body, garment, "-o", folder / "other.obj", "-q", "--cache", "--quality", "draft"});
-  fs::copy_file(folder / "kept.ply", body, fs::copy_options::overwrite_existing);
-  EXPECT_EQ(dress("after_another", true).first, all);
-  EXPECT_EQ(dress("again", true).first, 0);
-  // Where it can't be kept, the garment is dressed all the same.
-  fs::remove(folder / "body.distances");
-  fs::create_directory(folder / "body.distances");
-  const auto [computed, said] = dress("nowhere", true);
-  EXPECT_EQ(computed, all);
-  EXPECT_NE(said.find("are not kept"), std::string::npos) << said;
-}
-
 TEST(Dress, AStrainLimitIsKeptOrThePlacesAreNamedWhereItIsNot) {
   Chain chain;
   const fs::path raw = chain.folder / "raw.ply";
