@@ -12,7 +12,7 @@ namespace {
 
 /// Nodes along each axis that a block holds as the nearest of some point, and with the rim that
 /// the spline around them needs.
-constexpr int block_side = 4;
+constexpr int block_side = 2;
 constexpr int rimmed_side = block_side + 2;
 
 using Index = SurfaceNodes::Index;
@@ -83,14 +83,15 @@ void DistanceGrid::Table::add(const BodyDistance& surface, const DistanceGridOpt
 const DistanceGrid::Block* DistanceGrid::Table::compute(const Index& block) const {
   auto made = std::make_unique<Block>();
   float* value = made->values;
+  std::vector<BodyPoint> near(surfaces.size());  // neighbours have near ones nearest
   for (int k = 0; k < rimmed_side; ++k) {
     for (int j = 0; j < rimmed_side; ++j) {
       for (int i = 0; i < rimmed_side; ++i) {
         const Index node = {block_side * block[0] - 1 + i, block_side * block[1] - 1 + j,
                             block_side * block[2] - 1 + k};
-        *value = surfaces.front()->at(node);
+        *value = surfaces.front()->at(node, near.front());
         for (std::size_t s = 1; s < surfaces.size(); ++s) {
-          *value = std::min(*value, surfaces[s]->at(node));
+          *value = std::min(*value, surfaces[s]->at(node, near[s]));
         }
         ++value;
       }
@@ -128,8 +129,9 @@ bool DistanceGrid::remember(const KnownDistances& known) {
 }
 
 double DistanceGrid::at_least(double distance) const {
-  return distance <= options_.band ? distance
-                                   : SurfaceNodes::at_least(distance, options_.cell, options_.band);
+  return std::abs(distance) <= options_.band
+             ? distance
+             : SurfaceNodes::at_least(distance, options_.cell, options_.band);
 }
 
 DistanceGrid::Sample DistanceGrid::beyond(const Vec3& point) const {

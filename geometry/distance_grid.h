@@ -27,9 +27,9 @@ struct DistanceGridOptions {
 /// curves with radius R. Farther off, values are interpolated from a coarser grid and serve only
 /// to tell near from far and the way out of the body.
 ///
-/// Nothing is computed before it is asked for: the first lookup in a block of 4 cells along each
-/// axis fills it, near the skin in some 50 microseconds, elsewhere in a few; later ones cost about
-/// 20 ns. Lookups may run in several threads at once; what they say depends on the
+/// Nothing is computed before it is asked for: the first lookup in a block of 2 cells along each
+/// axis fills it, near the skin by a query of the tree for each node that no block around it has;
+/// later ones cost about 20 ns. Lookups may run in several threads at once; what they say depends on the
 /// surfaces only, not on the threads or on what was asked before.
 class DistanceGrid {
  public:

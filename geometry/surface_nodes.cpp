@@ -19,6 +19,9 @@ constexpr double far_cells = 4;
 /// and no point of a cell is farther from a corner than half its diagonal.
 double interpolation_error(double cell) { return 0.5 * std::sqrt(3.0) * cell; }
 
+/// How far the nodes are at most that a quadratic spline takes a value from.
+double spline_reach(double cell) { return 1.5 * std::sqrt(3.0) * cell; }
+
 int floor_by(int value, int divisor) {
   return value >= 0 ? value / divisor : -((divisor - 1 - value) / divisor);
 }
@@ -29,21 +32,22 @@ SurfaceNodes::SurfaceNodes(const BodyDistance& surface, const Vec3& origin, doub
                            double band)
     : surface_(surface), origin_(origin), band_(band) {
   const double middle = coarsening * cell;
-  const double coarse = coarsening * middle;
   levels_[0].cell = cell;
-  levels_[0].reach = band + interpolation_error(middle);
+  levels_[0].exact = band;
+  levels_[0].reach = band + spline_reach(cell);
   levels_[1].cell = middle;
-  levels_[1].reach = far_cells * middle + interpolation_error(coarse);
-  levels_[2].cell = coarse;
-  levels_[2].reach = std::numeric_limits<double>::infinity();
+  levels_[1].exact = levels_[1].reach = far_cells * middle;
+  levels_[2].cell = coarsening * middle;
+  levels_[2].exact = levels_[2].reach = std::numeric_limits<double>::infinity();
 }
 
 double SurfaceNodes::at_least(double distance, double cell, double band) {
   const double middle = coarsening * cell;
   const double once = distance - interpolation_error(middle);
+  if (distance < 0) return once - interpolation_error(coarsening * middle);
   // What was interpolated twice can be wrong by both errors, but has a part only in values whose
   // points are as far off, less a cell's diagonal and the reach of a spline.
-  const double far = far_cells * middle - std::sqrt(3.0) * (middle + 1.5 * cell);
+  const double far = far_cells * middle - std::sqrt(3.0) * middle - spline_reach(cell);
   if (once < far) return std::max(band, once);
   return std::max({band, far, once - interpolation_error(coarsening * middle)});
 }
@@ -110,6 +114,7 @@ void SurfaceNodes::cover(const Index& first, const Index& size) {
   for (Level& level : levels_) {
     Level covered;
     covered.cell = level.cell;
+    covered.exact = level.exact;
     covered.reach = level.reach;
     std::size_t count = 1;
     for (int axis = 0; axis < 3; ++axis) {
@@ -137,14 +142,14 @@ void SurfaceNodes::cover(const Index& first, const Index& size) {
   }
 }
 
-float SurfaceNodes::at(const Index& node) const { return at(0, node); }
+float SurfaceNodes::at(const Index& node, BodyPoint& near) const { return at(0, node, near); }
 
-float SurfaceNodes::at(std::size_t level, const Index& node) const {
+float SurfaceNodes::at(std::size_t level, const Index& node, BodyPoint& near) const {
   std::atomic<float>& known = levels_[level].values[levels_[level].place(node)];
   float value = known.load(std::memory_order_relaxed);
   if (value != 0) return value;
   // Two threads may compute the same, and find the same.
-  value = compute(level, node);
+  value = compute(level, node, near);
   if (value == 0) value = std::numeric_limits<float>::min();
   if (known.exchange(value, std::memory_order_relaxed) == 0) {
     computed_.fetch_add(1, std::memory_order_relaxed);
@@ -152,7 +157,7 @@ float SurfaceNodes::at(std::size_t level, const Index& node) const {
   return value;
 }
 
-float SurfaceNodes::compute(std::size_t level, const Index& node) const {
+float SurfaceNodes::compute(std::size_t level, const Index& node, BodyPoint& near) const {
   if (level + 1 < levels) {
     Index low;
     double along[3];
@@ -160,21 +165,36 @@ float SurfaceNodes::compute(std::size_t level, const Index& node) const {
       low[axis] = floor_by(node[axis], coarsening);
       along[axis] = static_cast<double>(node[axis] - coarsening * low[axis]) / coarsening;
     }
+    const double coarser = levels_[level + 1].cell;
     double value = 0;
+    double sure = 0;  // that the surface is off: it is no nearer to a corner than that one says
+    double side = 1;
     for (int corner = 0; corner < 8; ++corner) {
       double weight = 1;
+      double squared = 0;
       Index there;
       for (int axis = 0; axis < 3; ++axis) {
         const int up = corner >> axis & 1;
         there[axis] = low[axis] + up;
-        weight *= up != 0 ? along[axis] : 1 - along[axis];
+        const double beside = up != 0 ? 1 - along[axis] : along[axis];
+        weight *= 1 - beside;
+        squared += beside * beside;
       }
-      if (weight != 0) value += weight * at(level + 1, there);
+      if (weight == 0) continue;
+      const double distance = at(level + 1, there, near);
+      value += weight * distance;
+      const double by_corner =
+          std::min(std::abs(distance), levels_[level + 1].exact) - coarser * std::sqrt(squared);
+      if (by_corner <= sure) continue;
+      sure = by_corner;
+      side = std::copysign(1.0, distance);
     }
-    if (!(std::abs(value) < levels_[level].reach)) return static_cast<float>(value);
+    const Level& own = levels_[level];
+    if (sure >= own.exact && side * value >= own.reach) return static_cast<float>(value);
   }
   const Vec3 point = origin_ + levels_[level].cell * Vec3(node[0], node[1], node[2]);
-  return static_cast<float>(surface_.nearest(point).distance);
+  near = surface_.nearest(point, near);
+  return static_cast<float>(near.distance);
 }
 
 }  // namespace toile

@@ -30,7 +30,8 @@ class SurfaceNodes {
   void cover(const Index& first, const Index& size);
 
   /// A tree query the first time, near the surface. The node is among those that cover() named.
-  float at(const Index& node) const;
+  /// `near` is a point of the surface that may be near the node's, and becomes one that is.
+  float at(const Index& node, BodyPoint& near) const;
 
   /// What is known so far, and how many nodes of it were computed here. Not while others ask.
   KnownDistances known() const;
@@ -40,14 +41,15 @@ class SurfaceNodes {
   bool remember(const KnownDistances& known);
 
   /// What a point's true distance is at least where a spline through the nodes around it says
-  /// `distance`, which is more than `band`.
+  /// `distance`, which is more than `band`, or less than its negative.
   static double at_least(double distance, double cell, double band);
 
  private:
   /// A grid of one coarseness.
   struct Level {
     double cell;
-    double reach;  // nodes that are said to be nearer are computed from the surface
+    double exact;  // metres from the surface within which nodes are always computed from it
+    double reach;  // and so are those that are said to be nearer than this
     Index first = {0, 0, 0};
     Index size = {0, 0, 0};
     struct Free {
@@ -60,8 +62,8 @@ class SurfaceNodes {
   };
   static constexpr std::size_t levels = 3;
 
-  float at(std::size_t level, const Index& node) const;
-  float compute(std::size_t level, const Index& node) const;
+  float at(std::size_t level, const Index& node, BodyPoint& near) const;
+  float compute(std::size_t level, const Index& node, BodyPoint& near) const;
 
   BodyDistance surface_;
   Vec3 origin_;

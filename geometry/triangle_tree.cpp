@@ -151,7 +151,8 @@ struct TriangleTree::Nearest {
     const Vec3& c = mesh.points[corners[2]];
     const Vec3 weights = nearest_on_triangle(point, a, b, c);
     const double away = (weights[0] * a + weights[1] * b + weights[2] * c - point).squaredNorm();
-    if (away < squared) {
+    // Of several that are as near the first, whatever was looked at before.
+    if (away < squared || (away == squared && t < triangle)) {
       squared = away;
       limit = query.limit(std::sqrt(away));
       triangle = t;

@@ -16,8 +16,8 @@ class TriangleTree {
   /// The mesh has to outlive the tree, and has triangles, all of finite points.
   explicit TriangleTree(const TriangleMesh& mesh);
 
-  /// The triangle nearest to the point, one of them if there are several; `hint`, a triangle that
-  /// may be near, spares looking at what is farther. 0 for a point that is not finite.
+  /// The triangle nearest to the point, of several the first; `hint`, a triangle that may be near,
+  /// spares looking at what is farther, and changes no answer. 0 for a point that is not finite.
   int nearest(const Vec3& point, int hint = -1) const;
 
   /// Appends all triangles within `radius` of the point, and some more.
