@@ -23,6 +23,9 @@ class alignas(32) BodyContact {
   /// when it is due.
   double remaining(const Vec3& p) const { return reach_ - (p - looked_at_).norm(); }
 
+  /// Whether the body is near enough to push within what remains.
+  bool near() const { return near_; }
+
   /// Has the body looked at again before the next force; where the vertex sticks stays.
   void forget() { reach_ = -1; }
 

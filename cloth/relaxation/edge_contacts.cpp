@@ -22,6 +22,8 @@ EdgeContacts::EdgeContacts(const std::vector<Triangle>& triangles, const Vec4s& 
   contacts_.resize(edges_.size());
   for (const auto& [a, b] : edges_) friction_.push_back(0.5 * (friction[a] + friction[b]));
   forces_.assign(edges_.size(), Vec4{});
+  free_.assign(edges_.size(), Vec4{});
+  pushed_.assign(edges_.size(), 0);
   edges_of_ = Grouped<int>(x.size(), [&](const auto& add) {
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       for (const int v : edges_[e]) add(v, static_cast<int>(e));
@@ -31,6 +33,7 @@ EdgeContacts::EdgeContacts(const std::vector<Triangle>& triangles, const Vec4s& 
 
 void EdgeContacts::look_anew() {
   for (BodyContact& contact : contacts_) contact.forget();
+  free_.assign(edges_.size(), Vec4{});
 }
 
 std::vector<EdgeGrip> EdgeContacts::grips() const {
@@ -57,9 +60,16 @@ void EdgeContacts::add(const Scene& scene, const ForceOptions& options, const Ve
     for (std::size_t e = c * vertex_chunk; e < end; ++e) {
       const auto [a, b] = edges_[e];
       const Vec4 middle = 0.5 * (x[a] + x[b]);
+      pushed_[e] = 0;
+      const Vec4 away = middle - free_[e];
+      if (squared_length(away) < free_[e][3]) continue;
+      pushed_[e] = 1;
       const Vec3 p = as_vec3(middle);
       if (contacts_[e].remaining(p) <= 0) {
         contacts_[e].look(scene, p, options.body_offset, options.body_reach);
+        const double reach = contacts_[e].near() ? 0 : contacts_[e].remaining(p);
+        free_[e] = middle;
+        free_[e][3] = reach * reach;
       }
       Vec4 sum = {0, 0, 0, 0};
       double stiffness = 0;
@@ -72,7 +82,9 @@ void EdgeContacts::add(const Scene& scene, const ForceOptions& options, const Ve
   side_by_side(chunks_of(vertices, vertex_chunk), [&](std::size_t c) {
     const std::size_t end = std::min(vertices, (c + 1) * vertex_chunk);
     for (std::size_t v = c * vertex_chunk; v < end; ++v) {
-      for (const int e : edges_of_[v]) force[v] += forces_[e];
+      for (const int e : edges_of_[v]) {
+        if (pushed_[e] != 0) force[v] += forces_[e];
+      }
     }
   });
 }

@@ -41,6 +41,8 @@ class EdgeContacts {
   std::vector<BodyContact> contacts_;
   std::vector<double> friction_;  // Coulomb, per edge
   Vec4s forces_;                  // per edge, stiffness as the fourth
+  Vec4s free_;                    // per edge: nothing touches it within the root of the fourth
+  std::vector<char> pushed_;      // per edge: its force counts
   Grouped<int> edges_of_;         // per vertex
 };
 
