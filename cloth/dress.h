@@ -16,12 +16,12 @@
 namespace toile {
 
 struct DressOptions {
-  double stop_median = 0.01;  ///< residual of a garment at rest, in mean node weights
-  double stop_rms = 0.1;
+  double stop_median = 0.003;  ///< residual of a garment at rest, in mean node weights
+  double stop_rms = 0.03;
   /// And of whole patches of cloth, in their weights, 0: not asked for. Soft motions are slow to
-  /// come to rest: at 0.01 nodes are 0.3 to 0.9 mm (rms) from where they end, without 1 to 7 mm; at
+  /// come to rest: at 0.003 nodes are up to 0.6 mm (rms) from where they end, at 0.01 up to 3 mm; at
   /// 0.0007 99 % of a garment move less than 2 mm when let go for a second [measured].
-  double stop_wide = 0.01;
+  double stop_wide = 0.003;
   int max_iterations = 40000;  ///< of the last stage, on the garment's own mesh
   double release_seconds = 0;  ///< for which the dressed garment is let go, to see if it stays
 };
