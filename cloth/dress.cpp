@@ -100,6 +100,7 @@ class Dressing {
   void go_finer();
   Program compiled(Scene scene) const;
   RelaxOptions level_options() const;
+  double near_cloth() const;
   double end_of_stage(const RelaxOptions& options) const;
   double soft() const;
   bool clean() const;
@@ -340,9 +341,16 @@ RelaxOptions Dressing::level_options() const {
     options.body_offset = std::max(
         options.body_offset, clearing_offset(0, mesh().edge_length, fold_curve, most_fold_offset));
   }
-  // Coarser cloth moves farther between two searches, and has no more neighbours for it.
-  options.self_radius = 0.005 * (1 + 1.5 * level_);
+  options.self_radius = near_cloth();
   return options;
+}
+
+/// Metres within which cloth is looked for: coarser cloth moves farther between two searches, and
+/// has no more neighbours for it; fine cloth would have too many.
+double Dressing::near_cloth() const {
+  constexpr double most = 0.02;
+  const double room = 0.0015 + self_gap_of(scene_, mesh());  // before it touches
+  return std::min(most, std::max(room, 0.4 * mesh().edge_length));
 }
 
 const StageReport& Dressing::stage(const std::string& name, RelaxOptions options) {
