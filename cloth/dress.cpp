@@ -42,6 +42,9 @@ constexpr int stiffening_iterations = 1000;
 constexpr double settled_median = 0.05;
 constexpr double settled_rms = 0.5;
 
+/// How often a garment that does not stay when it is let go is brought to rest anew.
+constexpr int most_returns = 3;
+
 /// Metres, while seams close, where nothing has to come to rest.
 constexpr double coarse_body_reach = 2e-4;
 
@@ -95,6 +98,7 @@ class Dressing {
   void fall(bool bounded);
   void end_dressing();
   void come_to_rest(bool bounded);
+  void drape_to_rest(const RelaxOptions& options);
   void let_go(bool bounded);
   const StageReport& stage(const std::string& name, RelaxOptions options);
   void go_finer();
@@ -294,6 +298,10 @@ void Dressing::come_to_rest(bool bounded) {
     options.compression = 1;
     options.stiffening_iterations = 0;
   }
+  drape_to_rest(options);
+}
+
+void Dressing::drape_to_rest(const RelaxOptions& options) {
   const StageReport& last = stage("drape", options);
   result_.residual = last.residual;
   result_.converged = last.converged;
@@ -309,8 +317,21 @@ void Dressing::let_go(bool bounded) {
   options.yarns = &result_.grip.yarns;
   options.surface = surface_ ? &*surface_ : nullptr;
   options.seconds = options_.release_seconds;
-  std::vector<Vec3> nodes = result_.nodes;
-  result_.release = release(program_, options, nodes);
+  // What moves off had come to rest where cloth can fall either way, as a fold can on its edge: from
+  // where it has gone to meanwhile it comes to rest again.
+  for (int i = 0; i <= most_returns; ++i) {
+    std::vector<Vec3> nodes = result_.nodes;
+    result_.release = release(program_, options, nodes);
+    if (result_.release->stays() || !result_.converged || i == most_returns) return;
+    result_.nodes = std::move(nodes);
+    result_.grip = result_.release->grip;
+    RelaxOptions again = level_options();
+    again.body_offset = result_.body_offset;
+    again.bounded = bounded;
+    again.grip = &result_.grip;
+    ask_for_rest(options_, again);
+    drape_to_rest(again);
+  }
 }
 
 void Dressing::position() {

@@ -145,6 +145,7 @@ ReleaseReport Release::run() {
   std::vector<double> speeds;
   for (const Vec4& v : v_) speeds.push_back(std::sqrt(squared_length(v)));
   report.speed_p99 = at_share(std::move(speeds), 0.99);
+  report.grip = forces_.grip();
   report.searches = forces_.searches();
   report.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -37,6 +37,7 @@ struct ReleaseReport {
   double kinetic = 0;    ///< J, at the end
   /// Whether 99 % of the nodes stayed within 2 mm.
   bool stays() const { return all.p99 < 0.002; }
+  Grip grip;            ///< where friction holds it at the end
   double given_up = 0;  ///< J of potential energy: what became speed, and what damping took
 };
 
