@@ -177,24 +177,25 @@ template <typename Group>
   warp = columns_of(v[0], v[1], v[2], v[3]);
 }
 
-TOILE_CLONES
-void ElasticKernel::pull(std::size_t begin, std::size_t end, const StretchOptions& options,
-                         const Vec4s& positions) {
-  const Vec4* x = positions.data();
+/// Without limits it costs nothing that there could be some.
+template <bool limited>
+[[gnu::always_inline]] inline void ElasticKernel::pull_all(std::size_t begin, std::size_t end,
+                                                           const StretchOptions& options,
+                                                           const Vec4* x) {
   for (std::size_t g = begin; g < end; ++g) {
     const TriangleGroup& t = groups_[g];
     Columns weft;
     Columns warp;
     deform(t, x, weft, warp);
-    const HeldGroup* held = held_.empty() ? nullptr : &held_[g];
-    const bool stretch_held = held != nullptr && options.limit >= 0;
+    const HeldGroup* held = limited ? &held_[g] : nullptr;
+    const bool stretch_held = limited && options.limit >= 0;
     const Vec4 along_weft =
         tension(t.stretch_weft, dot(weft, weft), options, stretch_held ? &held->weft : nullptr);
     const Vec4 along_warp =
         tension(t.stretch_warp, dot(warp, warp), options, stretch_held ? &held->warp : nullptr);
     const Vec4 turned = dot(weft, warp);
     Vec4 sheared = t.shear * turned;
-    if (held != nullptr && options.shear_limit >= 0) {
+    if (limited && options.shear_limit >= 0) {
       sheared += holding(t.shear, turned - options.shear_limit, held->shear) -
                  holding(t.shear, -turned - options.shear_limit, -held->shear);
     }
@@ -206,6 +207,16 @@ void ElasticKernel::pull(std::size_t begin, std::size_t end, const StretchOption
         {-(along_warp * warp.x + sheared * weft.x), -(along_warp * warp.y + sheared * weft.y),
          -(along_warp * warp.z + sheared * weft.z)},
         &pulls_[2 * group * g + 1], 2);
+  }
+}
+
+TOILE_CLONES
+void ElasticKernel::pull(std::size_t begin, std::size_t end, const StretchOptions& options,
+                         const Vec4s& x) {
+  if (held_.empty()) {
+    pull_all<false>(begin, end, options, x.data());
+  } else {
+    pull_all<true>(begin, end, options, x.data());
   }
 }
 

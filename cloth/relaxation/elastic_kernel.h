@@ -79,6 +79,8 @@ class ElasticKernel {
     double warp;
   };
 
+  template <bool limited>
+  void pull_all(std::size_t begin, std::size_t end, const StretchOptions& options, const Vec4* x);
   void lay_out_triangles(const Program& program, const std::vector<Triangle>& triangles,
                          std::size_t vertices);
   void lay_out_limits(const Program& program);
