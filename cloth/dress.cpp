@@ -42,6 +42,10 @@ constexpr int stiffening_iterations = 1000;
 constexpr double settled_median = 0.05;
 constexpr double settled_rms = 0.5;
 
+/// Metres that cloth falls without friction, on average, from which on it falls anew with it: a soft
+/// waist slides off the hips that would hold it. Garments that stay fall 0.06 m at most [thirty].
+constexpr double slid_off = 0.1;
+
 /// How often a garment that does not stay when it is let go is brought to rest anew.
 constexpr int most_returns = 3;
 
@@ -91,6 +95,7 @@ class Dressing {
  private:
   void position();
   bool jammed() const;
+  double fallen() const;
   bool lost() const;
   DressResult give_up();
   bool wrap(double care);
@@ -118,6 +123,7 @@ class Dressing {
   std::optional<BodySurface> surface_;  // of the scene's skin, if it has one
   int level_ = 0;
   int attempt_ = 1;
+  bool holds_on_ = false;     // by friction, already while it falls
   double progress_ = 0;       // of the whole dressing, 0 to 1
   std::vector<Vec3> placed_;  // the mesh in hand, where its panels started
   Program program_;           // of it
@@ -157,8 +163,15 @@ DressResult Dressing::run() {
   program_ = compiled(scene_);
   // A mesh without coarser ones has to fall itself.
   const bool alone = level_ == 0;
+  const int coarsest = level_;
+  const std::vector<Vec3> sewn = result_.nodes;
   for (; level_ > 0 || alone; go_finer()) {
     if (!lost()) fall(is_clean);
+    if (level_ == coarsest && fallen() > slid_off) {
+      holds_on_ = true;
+      result_.nodes = sewn;
+      fall(is_clean);
+    }
     is_clean = is_clean || clean();
     if (alone) break;
   }
@@ -184,15 +197,20 @@ bool Dressing::jammed() const {
   return result_.stages.back().open > hardly_closed;
 }
 
-/// Whether the cloth has fallen off, to the feet or farther: it would go on sliding.
-bool Dressing::lost() const {
-  constexpr double far = 0.6;  // metres, on average; panels are lifted by a third of that at most
+/// Metres that the cloth has come down from where its panels were placed, on average.
+double Dressing::fallen() const {
   const auto middle = [](const std::vector<Vec3>& points) {
     const Vec3 sum = std::accumulate(points.begin(), points.end(), Vec3(Vec3::Zero()));
     return Vec3(sum / static_cast<double>(points.size()));
   };
-  const Vec3 fallen = middle(result_.nodes) - middle(result_.placement.placed);
-  return fallen.dot(scene_.gravity.normalized()) > far;
+  const Vec3 way = middle(result_.nodes) - middle(result_.placement.placed);
+  return way.dot(scene_.gravity.normalized());
+}
+
+/// Whether the cloth has fallen off, to the feet or farther: it would go on sliding.
+bool Dressing::lost() const {
+  constexpr double far = 0.6;  // metres; panels are lifted by a third of that at most
+  return fallen() > far;
 }
 
 /// The garment as far as it came, its seams open.
@@ -260,7 +278,7 @@ double Dressing::soft() const {
 void Dressing::fall(bool bounded) {
   RelaxOptions options = level_options();
   options.compression = soft();
-  options.friction = false;
+  options.friction = holds_on_;
   options.bounded = bounded;
   options.max_iterations = 2000;
   options.stop_median = settled_median;
@@ -409,7 +427,8 @@ const StageReport& Dressing::stage(const std::string& name, RelaxOptions options
 /// Progress at the end of a stage that begins now; roughly: each mesh costs some four times the
 /// coarser one, and coming to rest more than twice what comes before.
 double Dressing::end_of_stage(const RelaxOptions& options) const {
-  if (options.friction) return 1;
+  const bool is_last = options.compression == 1 || options.stiffening_iterations > 0;
+  if (is_last) return 1;
   const double end_of_level = 0.3 * std::pow(0.25, std::max(level_ - 1, 0));
   // Nobody knows how many times it will be sewn before it falls.
   return options.gravity > 0 ? end_of_level : 0.5 * (progress_ + end_of_level);

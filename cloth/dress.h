@@ -86,11 +86,11 @@ using FrameWatcher = std::function<void(const DressFrame&)>;
 
 /// Dresses the scene's body with the garment. On the coarsest of the garment's nested meshes the
 /// panels are placed and their seams closed, without gravity or friction (wrap), and settle as one
-/// cloth (sew); then it falls, without friction and giving way to compression, mesh by mesh, each
-/// finer one starting from the coarser one's rest; at last the finest comes to rest with the
-/// fabric's full stiffness and friction (drape). Attachments hold until then, since nothing but
-/// friction may hold the garment where they do; those that are for good go on. Throws Error when
-/// the scene has no body.
+/// cloth (sew); then it falls, giving way to compression, and without friction unless it slides off
+/// so, mesh by mesh, each finer one starting from the coarser one's rest; at last the finest comes
+/// to rest with the fabric's full stiffness and friction (drape). Attachments hold until then, since
+/// nothing but friction may hold the garment where they do; those that are for good go on. Throws
+/// Error when the scene has no body.
 DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptions& options,
                   const FrameWatcher& watcher = {});
 
