@@ -1,8 +1,10 @@
 // A garment of other fabrics than the default, from pattern to drape.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <iostream>
 
+#include "io/mesh_file.h"
 #include "tests/support/worn_sample.h"
 
 namespace toile::pipeline {
@@ -58,6 +60,27 @@ TEST_F(TshirtOf, FabricsThatDifferByAHundredTimes) {
   std::cout << "strain off the seams, rms: " << soft_strain << " of jersey, " << stiff_strain
             << " of poplin\n";
   EXPECT_GT(soft_strain, 2 * stiff_strain);
+}
+
+using Jersey = WornSample;
+
+/// Without friction a soft waist slides over the hips.
+TEST_F(Jersey, TrousersStayUp) {
+  make_body("12mm");
+  mesh(sample("trousers"), "25mm");
+  const auto waist = [&](const std::string& name, const std::vector<std::string>& options) {
+    EXPECT_EQ(dress(name, options).exit_code, 0);
+    double highest = 0;
+    for (const Vec3& p : read_mesh(folder / (name + ".obj")).points) {
+      highest = std::max(highest, p.y());
+    }
+    return highest;
+  };
+  const double poplin = waist("poplin", {"--quality", "draft"});
+  const double jersey = waist("jersey", {"--quality", "draft", "--fabric", "jersey"});
+  std::cout << "waist at " << poplin << " m, of jersey " << jersey << " m\n";
+  EXPECT_GT(jersey, poplin - 0.08);
+  for (const auto& wrap : report("jersey")["wraps"]) EXPECT_EQ(wrap["fraction"], 1);
 }
 
 }  // namespace
