@@ -65,6 +65,26 @@ TEST(TriangleTree, FindsWhatLookingAtEveryTriangleFinds) {
   }
 }
 
+// Else what a grid of distances holds would depend on the order in which it was filled.
+TEST(TriangleTree, AHintChangesNoAnswerThoughSeveralAreAsNear) {
+  TriangleMesh mesh = test::box({-1, -1, -1}, {1, 1, 1});
+  const int count = static_cast<int>(mesh.triangles.size());
+  const std::vector<Triangle> once = mesh.triangles;
+  mesh.triangles.insert(mesh.triangles.end(), once.rbegin(), once.rend());
+  const TriangleTree tree(mesh);
+  for (const Vec3& p : {Vec3(0, 0, 0), Vec3(2, 2, 2), Vec3(0, 3, 0), Vec3(0.2, -0.3, 5)}) {
+    double least = 1e9;
+    int first = 0;
+    for (int t = 0; t < 2 * count; ++t) {
+      if (distance(mesh, t, p) >= least) continue;
+      least = distance(mesh, t, p);
+      first = t;
+    }
+    EXPECT_EQ(tree.nearest(p), first) << p.transpose();
+    for (int hint = 0; hint < 2 * count; ++hint) EXPECT_EQ(tree.nearest(p, hint), first) << hint;
+  }
+}
+
 TEST(TriangleTree, FindsWhatMeetsABox) {
   const TriangleMesh mesh = test::sphere(0.1, 4);
   const TriangleTree tree(mesh);
