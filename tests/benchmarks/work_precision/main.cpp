@@ -130,7 +130,9 @@ Results Benchmark::run() {
   write();
   const Plan presets = {.paper = false, .all_knobs = false, .fast = settings_.fast};
   if (settings_.wants("presets")) {
-    for (const WornGarment& each : {tshirt, shirt}) garment(each, results_.presets_mm, presets);
+    for (const WornGarment& each : {tshirt, gathered_skirt, elastic_skirt, shirt}) {
+      garment(each, results_.presets_mm, presets);
+    }
     // The paper's method does not close the pencil dress's seams on coarser meshes.
     const bool whole = settings_.only.empty() && !settings_.fast;
     garment(pencil_dress, results_.presets_mm, whole ? Plan{.few_of_paper = true} : presets);

@@ -3,6 +3,7 @@
 #include <map>
 #include <sstream>
 
+#include "cloth/fabric.h"
 #include "cloth/springs/dress_springs.h"
 #include "io/mesh_file.h"
 #include "io/skeleton_file.h"
@@ -23,6 +24,9 @@ class Worn : public Case {
     scene_.subject = &wearer.subject.surface();
     scene_.skin = &wearer.subject.skin();
     scene_.skeleton = &wearer.skeleton;
+    for (const MeshedPanel& panel : garment_.panels) {
+      if (!panel.fabric.empty()) scene_.fabrics[panel.fabric] = find_fabric(panel.fabric);
+    }
     switch_term(term);
     garment_.placed = position_panels(garment_, *scene_.body, scene_.skeleton).placed;
     program_ = compile(garment_, scene_, garment_.placed);

@@ -27,6 +27,9 @@ struct WornGarment {
 };
 
 inline const WornGarment tshirt = {"sample T-shirt", "tshirt.json", "standing"};
+inline const WornGarment gathered_skirt = {"sample gathered skirt", "gathered_skirt.json",
+                                           "standing"};
+inline const WornGarment elastic_skirt = {"sample elastic skirt", "elastic_skirt.json", "standing"};
 inline const WornGarment shirt = {"GarmentCode shirt", "patterns/garmentcode/shirt_mean.json",
                                   "mean_all"};
 inline const WornGarment pencil_dress = {"GarmentCode pencil dress",
