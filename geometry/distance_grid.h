@@ -64,6 +64,10 @@ class DistanceGrid {
   /// interpolated and can be too large.
   double at_least(double distance) const;
 
+  /// 1/m: how much the gradient turns along a metre at most, within the band, where the nearest
+  /// point changes from one side to the other.
+  double most_bend() const { return 2 / options_.cell; }
+
  private:
   struct Block;
   struct Table;

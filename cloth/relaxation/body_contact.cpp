@@ -1,5 +1,7 @@
 #include "cloth/relaxation/body_contact.h"
 
+#include <algorithm>
+
 #include "geometry/distance_grid.h"
 
 namespace toile {
@@ -8,6 +10,9 @@ namespace {
 
 /// Metres off the surface from which the body is taken for a plane.
 constexpr double near_surface = 2e-4;
+/// As far from two surfaces, as between arm and chest, the distance has a ridge, rounded by the
+/// grid: it rises less steeply than this, and bends so much that no plane stands for it.
+constexpr double ridge_slope = 0.97;
 
 }  // namespace
 
@@ -23,14 +28,13 @@ void BodyContact::look(const Scene& scene, const Vec3& p, double offset, double 
     anchored_ = false;
     return;
   }
-  reach_ = plane_reach;
   const double length = sample.gradient.norm();
-  // In the middle of the body no way out is nearer.
-  near_ = length > 1e-6;
-  if (!near_) return;
-  const Vec3 normal = sample.gradient / length;
+  const Vec3 normal = length > 0 ? Vec3(sample.gradient / length) : Vec3::Zero();
+  slope_ = std::min(length, 1.0);
   normal_ = as_vec4(normal);
-  level_ = normal.dot(p) - away;
+  level_ = slope_ * normal.dot(p) - away;
+  reach_ = slope_ < ridge_slope ? 0 : plane_reach;
+  stiffness_ = push_stiffness * (slope_ * slope_ + scene.body->most_bend() * std::max(-away, 0.0));
 }
 
 }  // namespace toile

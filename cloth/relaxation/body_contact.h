@@ -16,7 +16,7 @@ namespace toile {
 class alignas(32) BodyContact {
  public:
   /// Takes the body's surface, `offset` metres out, near the vertex at `p`, for a plane along
-  /// `plane_reach` metres. The scene has a body.
+  /// `plane_reach` metres; for less where it bends away on both sides. The scene has a body.
   void look(const Scene& scene, const Vec3& p, double offset, double plane_reach);
 
   /// Metres that the vertex may still move before the body has to be looked at again; 0 and less
@@ -29,7 +29,7 @@ class alignas(32) BodyContact {
   /// Has the body looked at again before the next force; where the vertex sticks stays.
   void forget() { reach_ = -1; }
 
-  /// A bound of the stiffness that add() can add, N/m.
+  /// A bound of the stiffness that add() adds where the body stands as a plane, N/m.
   static constexpr double most_stiffness = 1200;
 
   /// Where friction holds the vertex; nothing: it does not.
@@ -43,18 +43,20 @@ class alignas(32) BodyContact {
   }
 
   /// Adds the force (N) on the vertex at `p`, and a bound of its stiffness (N/m): a push off the
-  /// body, and Coulomb's friction as a spring to the place where the vertex stuck, which slides
-  /// along when it pulls too hard. `friction` 0: none.
+  /// body, by what half the square of the depth falls along the way, and Coulomb's friction as a
+  /// spring to the place where the vertex stuck, which slides along when it pulls too hard.
+  /// `friction` 0: none.
   [[gnu::always_inline]] void add(const Vec4& p, double friction, Vec4& force, double& stiffness) {
     if (!near_) return;
     // Before it touches, too: a step that does not reckon with it would throw the vertex back off.
-    stiffness += push_stiffness;
-    const double depth = level_ - dot(normal_, p);
+    stiffness += stiffness_;
+    const double depth = level_ - slope_ * dot(normal_, p);
     if (depth <= 0) {
       anchored_ = false;
       return;
     }
-    force += push_stiffness * depth * normal_;
+    const double push = push_stiffness * slope_ * depth;
+    force += push * normal_;
     if (friction <= 0) return;
     if (!anchored_) {
       anchored_ = true;
@@ -62,7 +64,7 @@ class alignas(32) BodyContact {
     }
     const Vec4 away = p - anchor_;
     Vec4 slip = away - dot(normal_, away) * normal_;
-    const double most = friction * push_stiffness * depth / anchor_stiffness;
+    const double most = friction * push / anchor_stiffness;
     const double squared = squared_length(slip);
     if (squared > most * most) {
       slip *= most / std::sqrt(squared);
@@ -81,7 +83,9 @@ class alignas(32) BodyContact {
 
   Vec4 normal_ = {0, 0, 0, 0};  // of the plane that stands for the body
   Vec4 anchor_ = {0, 0, 0, 0};
-  double level_ = 0;  // of the plane along the normal
+  double slope_ = 1;      // of the distance along the normal: less where the body is on both sides
+  double level_ = 0;      // metres of depth at the origin
+  double stiffness_ = 0;  // N/m, a bound of the push's
   double reach_ = -1;
   Vec3 looked_at_ = Vec3::Zero();
   bool near_ = false;
