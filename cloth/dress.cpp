@@ -11,6 +11,7 @@
 
 #include "cloth/clear_start.h"
 #include "cloth/gathers.h"
+#include "cloth/let_go.h"
 #include "cloth/levels.h"
 #include "cloth/measures.h"
 #include "cloth/relaxation/body_bounds.h"
@@ -38,22 +39,21 @@ constexpr std::array<double, 3> soft_compression = {0.02, 0.05, 0.01};
 /// once, it would be thrown about.
 constexpr int stiffening_iterations = 1000;
 
-/// To the residual of cloth that may go on to the next mesh. The same whatever rest is asked for at the
-/// end: then a drape brought nearer to rest goes on from where the other one stopped, and is nearer
-/// to where both would end; with less, the finest mesh has no fewer iterations to do [measured].
+/// To the residual of cloth that may go on to the next mesh. The same whatever rest is asked for at
+/// the end: then a drape brought nearer to rest goes on from where the other one stopped, and is
+/// nearer to where both would end; with less, the finest mesh has no fewer iterations to do
+/// [measured].
 void settle(RelaxOptions& options) {
   options.stop_median = 0.05;
   options.stop_rms = 0.5;
   options.stop_wide = 0;
 }
 
-/// Metres that cloth falls without friction, on average, from which on it falls anew with it: a soft
-/// waist slides off the hips that would hold it. Of ten garments in three fabrics, those that stay
-/// fall 0.04 m at most, those that slide 0.1 and 0.2 m, and then 0.01 m [measured, 25 mm edges].
+/// Metres that cloth falls without friction, on average, from which on it falls anew with it: a
+/// soft waist slides off the hips that would hold it. Of ten garments in three fabrics, those that
+/// stay fall 0.04 m at most, those that slide 0.1 and 0.2 m, and then 0.01 m [measured, 25 mm
+/// edges].
 constexpr double slid_off = 0.06;
-
-/// How often a garment that does not stay when it is let go is brought to rest anew.
-constexpr int most_returns = 3;
 
 /// Metres, while seams close, where nothing has to come to rest.
 constexpr double coarse_body_reach = 2e-4;
@@ -111,7 +111,7 @@ class Dressing {
   void end_dressing();
   void come_to_rest(bool bounded);
   void drape_to_rest(const RelaxOptions& options);
-  void let_go(bool bounded);
+  void let_go_of(bool bounded);
   const StageReport& stage(const std::string& name, RelaxOptions options);
   void go_finer();
   Program compiled(Scene scene) const;
@@ -180,7 +180,7 @@ DressResult Dressing::run() {
   }
   const bool is_lost = lost();
   if (!is_lost) come_to_rest(is_clean);
-  if (!is_lost && options_.release_seconds > 0) let_go(is_clean);
+  if (!is_lost && options_.release_seconds > 0) let_go_of(is_clean);
   end_dressing();
   measure_lasting(mesh(), program_.attachments, point_positions(program_, result_.nodes, 0),
                   result_.attachments);
@@ -345,29 +345,23 @@ void Dressing::drape_to_rest(const RelaxOptions& options) {
   result_.converged = last.converged;
 }
 
-void Dressing::let_go(bool bounded) {
+void Dressing::let_go_of(bool bounded) {
   ReleaseOptions options;
   static_cast<ForceOptions&>(options) = level_options();
   options.body_offset = result_.body_offset;
   options.bounded = bounded;
   options.layer_contact = clear_of_layers();
-  options.grip = &result_.grip;
-  options.yarns = &result_.grip.yarns;
   options.surface = surface_ ? &*surface_ : nullptr;
   options.seconds = options_.release_seconds;
-  // What moves off had come to rest where cloth can fall either way, as a fold can on its edge: from
-  // where it has gone to meanwhile it comes to rest again.
-  for (int returns = 0;; ++returns) {
-    std::vector<Vec3> nodes = result_.nodes;
-    result_.release = release(program_, options, nodes);
-    const bool may_return = result_.converged && returns < most_returns;
-    if (result_.release->stays() || !may_return) return;
-    result_.nodes = std::move(nodes);
-    result_.grip = result_.release->grip;
+  RestingState state = {result_.nodes, result_.grip, result_.converged};
+  result_.release = let_go(program_, options, state, [&](RestingState& moved) {
+    result_.nodes = std::move(moved.nodes);
+    result_.grip = std::move(moved.grip);
     RelaxOptions again = rest_options(bounded);
     again.grip = &result_.grip;
     drape_to_rest(again);
-  }
+    moved = {result_.nodes, result_.grip, result_.converged};
+  });
 }
 
 void Dressing::position() {

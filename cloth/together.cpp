@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "cloth/let_go.h"
 #include "cloth/relaxation/body_bounds.h"
 #include "cloth/relaxation/pair_forces.h"
 #include "cloth/self_contact.h"
@@ -60,11 +61,11 @@ class Together {
   }
 
   TogetherResult run() {
-    std::vector<Vec3> x = start_;
-    relax_all(x);
-    for (std::size_t i = 0; i < garments_.size(); ++i) take_out(i, x);
-    measure_pressings(x);
-    if (options_.release_seconds > 0) let_go(x);
+    RestingState state = {std::move(start_), std::move(grip_)};
+    come_to_rest(state);
+    if (options_.release_seconds > 0) let_go_of(state);
+    for (std::size_t i = 0; i < garments_.size(); ++i) take_out(i, state);
+    measure_pressings(state.nodes);
     return std::move(result_);
   }
 
@@ -102,34 +103,36 @@ class Together {
     for (const WornGarment& worn : garments_) {
       options.body_offset = std::max(options.body_offset, worn.body_offset);
     }
-    options.grip = &grip_;
-    options.yarns = &grip_.yarns;
   }
 
-  void relax_all(std::vector<Vec3>& x) {
+  void come_to_rest(RestingState& state) {
     RelaxOptions options;
     set_forces(options);
+    options.grip = &state.grip;
+    options.yarns = &state.grip.yarns;
     ask_for_rest(options_, options);
     const std::string name = "together";
     int calls = 0;
     const auto watch = [&](const std::vector<Vec3>& nodes, double progress) {
       if (watcher_) watcher_({mesh_, name, point_positions(program_, nodes, 0), progress});
     };
-    watch(x, 0);
-    const RelaxReport report = relax(program_, options, x, [&](const RelaxProgress& at) {
+    watch(state.nodes, 0);
+    const RelaxReport report = relax(program_, options, state.nodes, [&](const RelaxProgress& at) {
       if (calls++ % 4 == 0) {
         watch(at.nodes, static_cast<double>(at.iteration) / options.max_iterations);
       }
     });
-    watch(x, 1);
-    grip_ = report.grip;
-    result_.stage = stage_of(name, program_.nodes, report);
+    watch(state.nodes, 1);
+    state.grip = report.grip;
+    state.at_rest = report.converged;
+    result_.stages.push_back(stage_of(name, program_.nodes, report));
   }
 
   /// One garment's part of the state.
-  void take_out(std::size_t garment, const std::vector<Vec3>& x) {
+  void take_out(std::size_t garment, const RestingState& state) {
     const WornGarment& worn = garments_[garment];
-    result_.nodes.emplace_back(x.begin() + first_[garment], x.begin() + first_[garment + 1]);
+    result_.nodes.emplace_back(state.nodes.begin() + first_[garment],
+                               state.nodes.begin() + first_[garment + 1]);
     std::vector<double> moved;
     for (std::size_t n = 0; n < worn.nodes.size(); ++n) {
       moved.push_back((result_.nodes.back()[n] - worn.nodes[n]).norm());
@@ -138,9 +141,10 @@ class Together {
     Scene scene = scene_;
     scene.fabric = worn.fabric;
     std::vector<Restraint> held;
-    if (!grip_.yarns.empty()) {
-      held.assign(grip_.yarns.begin() + first_triangle_[garment],
-                  grip_.yarns.begin() + first_triangle_[garment + 1]);
+    const std::vector<Restraint>& yarns = state.grip.yarns;
+    if (!yarns.empty()) {
+      held.assign(yarns.begin() + first_triangle_[garment],
+                  yarns.begin() + first_triangle_[garment + 1]);
     }
     const Program program = compile(*worn.garment, scene, worn.garment->placed);
     const std::vector<Vec3>& nodes = result_.nodes.back();
@@ -191,11 +195,12 @@ class Together {
     }
   }
 
-  void let_go(std::vector<Vec3> x) {
+  void let_go_of(RestingState& state) {
     ReleaseOptions options;
     set_forces(options);
     options.seconds = options_.release_seconds;
-    result_.release = release(program_, options, x);
+    result_.release =
+        let_go(program_, options, state, [&](RestingState& moved) { come_to_rest(moved); });
   }
 
   const std::vector<WornGarment>& garments_;

@@ -34,7 +34,8 @@ struct Pressing {
 };
 
 struct TogetherResult {
-  StageReport stage;                                ///< of the whole: its residual is all garments'
+  /// Of the whole, one for each time it was brought to rest; residuals are all garments'.
+  std::vector<StageReport> stages;
   std::vector<std::vector<Vec3>> nodes;             ///< metres, by garment
   std::vector<MovedFigures> moved;                  ///< by garment: from where it was dressed
   std::vector<std::vector<TightSeam>> tight_seams;  ///< by garment

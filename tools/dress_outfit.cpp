@@ -319,8 +319,8 @@ void Outfit::move_together() {
     result.nodes = together_->nodes[i];
     result.tight_seams = together_->tight_seams[i];
     if (settings_.strain_limit) result.tight_places = together_->tight_places[i];
-    result.converged = together_->stage.converged;
-    result.residual = together_->stage.residual;
+    result.converged = together_->stages.back().converged;
+    result.residual = together_->stages.back().residual;
     result.release = together_->release;
     const PanelMesh& garment = done_[i].garment;
     measure_lasting(garment, result.held, material_points(garment, result), result.attachments);
@@ -362,10 +362,9 @@ Json Outfit::report_of_layer(std::size_t layer) const {
 }
 
 Json Outfit::together_json() const {
-  const StageReport& stage = together_->stage;
-  Json json = {{"vertices", stage.vertices},   {"steps", stage.steps},
-               {"searches", stage.searches},   {"seconds", stage.seconds},
-               {"converged", stage.converged}, {"residual", residual_json(stage.residual)},
+  Json json = {{"stages", stages_json(together_->stages)},
+               {"converged", together_->stages.back().converged},
+               {"residual", residual_json(together_->stages.back().residual)},
                {"pressing", Json::array()}};
   for (const Pressing& pressing : together_->pressings) {
     json["pressing"].push_back({{"inner", settings_.layers[pressing.inner].name},

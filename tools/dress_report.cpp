@@ -105,6 +105,23 @@ nlohmann::ordered_json residual_json(const Residual& residual) {
           {"wide", residual.wide}};
 }
 
+nlohmann::ordered_json stages_json(const std::vector<StageReport>& stages) {
+  Json json = Json::array();
+  for (const StageReport& stage : stages) {
+    json.push_back({{"name", stage.name},
+                    {"attempt", stage.attempt},
+                    {"open", stage.open},
+                    {"vertices", stage.vertices},
+                    {"steps", stage.steps},
+                    {"searches", stage.searches},
+                    {"seconds", stage.seconds},
+                    {"simulated_seconds", stage.simulated},
+                    {"converged", stage.converged},
+                    {"residual", residual_json(stage.residual)}});
+  }
+  return json;
+}
+
 nlohmann::ordered_json moved_json(const MovedFigures& moved) {
   return {{"median", 1000 * moved.median}, {"p99", 1000 * moved.p99}, {"max", 1000 * moved.max}};
 }
@@ -153,18 +170,7 @@ nlohmann::ordered_json report_of(const PanelMesh& garment, const Scene& scene,
   }
   report["method"] = method;
   if (result.time_step > 0) report["time_step_s"] = result.time_step;
-  for (const StageReport& stage : result.stages) {
-    report["stages"].push_back({{"name", stage.name},
-                                {"attempt", stage.attempt},
-                                {"open", stage.open},
-                                {"vertices", stage.vertices},
-                                {"steps", stage.steps},
-                                {"searches", stage.searches},
-                                {"seconds", stage.seconds},
-                                {"simulated_seconds", stage.simulated},
-                                {"converged", stage.converged},
-                                {"residual", residual_json(stage.residual)}});
-  }
+  report["stages"] = stages_json(result.stages);
   report["seconds"] = seconds;
   report["converged"] = result.converged;
   report["residual"] = residual_json(result.residual);

@@ -24,6 +24,9 @@ nlohmann::ordered_json quality_json(const Quality& quality);
 nlohmann::ordered_json residual_json(const Residual& residual);
 nlohmann::ordered_json moved_json(const MovedFigures& moved);
 
+/// What each stage took, and where it came to.
+nlohmann::ordered_json stages_json(const std::vector<StageReport>& stages);
+
 /// What --certify-frames found: its entry in the report, and a line for the user or a warning.
 nlohmann::ordered_json certified_json(const Certificate& certificate);
 void say_certificate(const Certificate& certificate, const CommonSettings& common);
