@@ -205,14 +205,17 @@ void Relaxation::adjust_momentum(double power, bool closing) {
 }
 
 /// Whether the residual has not come nearer to what it has to be for long: a node or two are held
-/// against their bounds, and going on would not change that.
+/// against their bounds, and going on would not change that. Where a fold snaps over, it begins
+/// anew.
 bool Relaxation::stalls(const Residual& residual, int iteration) {
   constexpr double progress = 0.98;
+  constexpr double snapped = 10;
   if (options_.patience == 0) return false;
   double farthest =
       std::max(residual.median / options_.stop_median, residual.rms / options_.stop_rms);
   if (options_.stop_wide > 0) farthest = std::max(farthest, residual.wide / options_.stop_wide);
-  if (nearest_to_rest_ < 0 || farthest < progress * nearest_to_rest_) {
+  if (nearest_to_rest_ < 0 || farthest < progress * nearest_to_rest_ ||
+      farthest > snapped * nearest_to_rest_) {
     nearest_to_rest_ = farthest;
     nearest_at_ = iteration;
   }
