@@ -7,6 +7,8 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <tuple>
+#include <utility>
 
 #include "cloth/bones.h"
 #include "cloth/rolling.h"
@@ -22,6 +24,7 @@ constexpr double widest = 0.3;  // added to a radius
 constexpr double draw_step = 0.01;
 constexpr double draw_worth = 0.002;  // metres nearer to the arm that a step must bring
 constexpr double farthest_drawn = 0.20;
+constexpr double bend_worth = 0.02;  // metres less of a gap or a way along the bones
 constexpr double from_divide = 0.005;  // metres kept from the plane between the legs
 constexpr int halvings = 6;            // of a step, toward the nearest place that is clear
 
@@ -164,16 +167,15 @@ class Levels {
 /// The panel's axis laid along the bones: what is left open is the distance from them.
 class Stand {
  public:
-  /// `drawn_out`: metres farther along the bones.
-  Stand(const Piece& piece, double drawn_out) : piece_(piece) {
-    const double a = piece.arc(piece.low.y()) + drawn_out;
-    const double b = piece.arc(piece.high.y()) + drawn_out;
-    const auto [middle, direction] = piece.bones.average(std::min(a, b), std::max(a, b));
-    middle_ = middle;
+  /// `drawn_out`: metres farther along the bones. `bent`: a rolled panel follows their bends.
+  Stand(const Piece& piece, double drawn_out, bool bent = false)
+      : piece_(piece), drawn_out_(drawn_out), bent_(bent) {
     const double angle =
         degrees_around(piece.panel.placement, piece.panel.part) * std::numbers::pi / 180;
-    frame_ = part_frame(piece.sign() * direction) *
-             Eigen::AngleAxisd(angle, Vec3::UnitY()).toRotationMatrix();
+    turned_ = Eigen::AngleAxisd(angle, Vec3::UnitY()).toRotationMatrix();
+    const double a = piece.arc(piece.low.y()) + drawn_out;
+    const double b = piece.arc(piece.high.y()) + drawn_out;
+    std::tie(middle_, frame_) = along_bones(std::min(a, b), std::max(a, b));
     drawn_middle_ = 0.5 * (piece.low + piece.high);
     drawn_middle_.x() -= piece.panel.placement.shift;
     if (piece.panel.placement.around == 0) clear_divide();
@@ -181,9 +183,21 @@ class Stand {
 
   Vec3 at(const Vec2& point, double distance) const {
     const Vec2 drawn = point - drawn_middle_;
+    if (bent_) {
+      // Over two radii of the bones: the inner side of a bend stays in order up to 115 degrees.
+      const double s = piece_.arc(point.y()) + drawn_out_;
+      const auto [middle, frame] = along_bones(s - distance, s + distance);
+      return middle + frame * roll({drawn.x(), 0}, 0, distance);
+    }
     const Vec3 local = piece_.panel.placement.around > 0 ? roll(drawn, 0, distance)
                                                          : Vec3(drawn.x(), drawn.y(), distance);
     return middle_ + frame_ * local;
+  }
+
+  /// The middle of a stretch of the bones, and the panel's directions there.
+  std::pair<Vec3, Eigen::Matrix3d> along_bones(double low, double high) const {
+    const auto [middle, direction] = piece_.bones.average(low, high);
+    return {middle, part_frame(piece_.sign() * direction) * turned_};
   }
 
   /// Moves a flat panel of a leg sideways, to its side of the plane between the legs.
@@ -224,6 +238,9 @@ class Stand {
 
  private:
   const Piece& piece_;
+  double drawn_out_;
+  bool bent_;
+  Eigen::Matrix3d turned_;  // to the panel's side of its part
   Vec3 middle_;
   Eigen::Matrix3d frame_;
   Vec2 drawn_middle_;
@@ -259,7 +276,7 @@ double clear_distance(const Piece& piece, const DistanceGrid& body, double drawn
 
 PositionedPanel stand_flat(const Piece& piece, const DistanceGrid& body,
                            const std::vector<double>& drawn_out) {
-  PositionedPanel best{piece.panel.name, false, farthest, 0, 0, 0};
+  PositionedPanel best{piece.panel.name, false, false, farthest, 0, 0, 0};
   for (const double drawn : drawn_out) {
     const double distance = clear_distance(piece, body, drawn, best.distance);
     // A centimetre down the arm has to bring more than its slope does.
@@ -275,15 +292,15 @@ PositionedPanel stand_flat(const Piece& piece, const DistanceGrid& body,
 }
 
 PositionedPanel roll_around(const Piece& piece, const DistanceGrid& body,
-                            const std::vector<double>& drawn_out) {
+                            const std::vector<double>& drawn_out, bool bent) {
   const double around = piece.panel.placement.around;
   const double width = piece.high.x() - piece.low.x();
   const double tightest = rolling_radius(width, around, 0);
-  PositionedPanel best{piece.panel.name, true, tightest, 0, 0, piece.panel.points + 1};
+  PositionedPanel best{piece.panel.name, true, bent, tightest, 0, 0, piece.panel.points + 1};
   for (double radius = tightest; best.points_too_near > 0 && radius <= tightest + widest;
        radius += step) {
     for (const double drawn : drawn_out) {
-      const Stand stand(piece, drawn);
+      const Stand stand(piece, drawn, bent);
       const int count = stand.too_near(body, radius, best.points_too_near);
       if (count >= best.points_too_near) continue;
       best.distance = radius;
@@ -296,6 +313,18 @@ PositionedPanel roll_around(const Piece& piece, const DistanceGrid& body,
   }
   best.gap = seam_gap(width, around, best.distance);
   return best;
+}
+
+/// About a straight line, unless the bends of the part are in the way of that.
+PositionedPanel roll_around(const Piece& piece, const DistanceGrid& body,
+                            const std::vector<double>& drawn_out) {
+  const PositionedPanel straight = roll_around(piece, body, drawn_out, false);
+  const PositionedPanel bent = roll_around(piece, body, drawn_out, true);
+  if (bent.points_too_near != straight.points_too_near) {
+    return bent.points_too_near < straight.points_too_near ? bent : straight;
+  }
+  const double brings = straight.drawn_out + straight.gap - bent.drawn_out - bent.gap;
+  return brings > bend_worth ? bent : straight;
 }
 
 PositionedPanel position(const Piece& piece, const DistanceGrid& body, double least, double most) {
@@ -342,7 +371,7 @@ Positioning position_panels(const PanelMesh& garment, const DistanceGrid& body,
   for (const Piece& piece : levels.pieces) {
     const double drawn = may_be_drawn_out(piece) ? drawn_out.at(piece.panel.part) : 0;
     const PositionedPanel how = position(piece, body, drawn, drawn);
-    const Stand stand(piece, how.drawn_out);
+    const Stand stand(piece, how.drawn_out, how.bent);
     for (int i = 0; i < piece.panel.points; ++i) {
       result.placed[piece.panel.first_point + i] = stand.at(piece.points[i], how.distance);
     }

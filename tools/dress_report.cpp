@@ -153,7 +153,7 @@ nlohmann::ordered_json report_of(const PanelMesh& garment, const Scene& scene,
     report["scene"]["drawn_out_mm"][part] = 1000 * distance;
   }
   for (const PositionedPanel& panel : result.placement.positioned) {
-    Json json = {{"panel", panel.panel}, {"rolled", panel.rolled}};
+    Json json = {{"panel", panel.panel}, {"rolled", panel.rolled}, {"bent", panel.bent}};
     json[panel.rolled ? "radius_mm" : "distance_mm"] = 1000 * panel.distance;
     if (panel.rolled) {
       json["gap_mm"] = 1000 * panel.gap;
@@ -275,8 +275,8 @@ void say_positions(const Placement& placement, const CommonSettings& common) {
     std::ostringstream line;
     line << std::fixed << std::setprecision(1) << "panel " << panel.panel;
     if (panel.rolled) {
-      line << " is rolled, radius " << 100 * panel.distance << " cm, gap " << 100 * panel.gap
-           << " cm";
+      line << " is rolled" << (panel.bent ? " along the bend of its part" : "") << ", radius "
+           << 100 * panel.distance << " cm, gap " << 100 * panel.gap << " cm";
     } else {
       line << " stands " << 100 * panel.distance << " cm from the bones";
     }

@@ -209,6 +209,7 @@ TEST(Positioning, RolledPanelsStandAroundTheirBones) {
   const Positioning done = position_panels(sleeve, body, &skeleton);
   const PositionedPanel& how = done.panels.at(0);
   EXPECT_TRUE(how.rolled);
+  EXPECT_FALSE(how.bent);
   EXPECT_EQ(how.points_too_near, 0);
   EXPECT_NEAR(how.distance, 0.4 / (2 * test::pi), 1e-15);
   EXPECT_NEAR(how.gap, 0, 1e-15);
@@ -249,6 +250,43 @@ TEST(Positioning, RolledPanelsAreWidenedUntilTheLimbFits) {
   // Open in the middle of the back.
   EXPECT_LT(0.5 * (done.placed[0].z() + done.placed[60].z()), -0.1);
   EXPECT_NEAR(done.placed[0].x(), -done.placed[60].x(), 1e-12);
+}
+
+/// Straight, a long sleeve fits on the forearm alone, and would have to come past the elbow.
+TEST(Positioning, ASleeveFollowsABentArm) {
+  Skeleton skeleton = figure();
+  const Vec3 shoulder = skeleton.joint("left_shoulder");
+  const Vec3 elbow = skeleton.joint("left_elbow");
+  const Vec3 wrist = elbow + 0.3 * Vec3(0.5, 0, std::sqrt(0.75));
+  skeleton.joints["left_wrist"] = wrist;
+  const auto bone = [](const Vec3& from, const Vec3& to) {
+    constexpr double radius = 0.04;
+    TriangleMesh tube = test::closed_tube(radius, radius, (to - from).norm() + 2 * radius, 48);
+    const Vec3 along = (to - from).normalized();
+    for (Vec3& p : tube.points) {
+      p = from + (p.y() - radius) * along + p.x() * Vec3::UnitY().cross(along) -
+          p.z() * Vec3::UnitY();
+    }
+    return BodyDistance(tube);
+  };
+  const DistanceGrid body({bone(shoulder, elbow), bone(elbow, wrist)});
+  const PanelMesh sleeve = panel("left_arm", rolled_around(), 0.4, 0.5, 40, 20);
+  const Positioning done = position_panels(sleeve, body, &skeleton);
+  const PositionedPanel& how = done.panels.at(0);
+  EXPECT_TRUE(how.bent);
+  EXPECT_EQ(how.points_too_near, 0);
+  EXPECT_EQ(how.drawn_out, 0);
+  EXPECT_NEAR(how.distance, 0.4 / (2 * test::pi), 0.01);  // wider for the sharp elbow
+  const Bones bones(skeleton, "left_arm");
+  for (int row = 0; row <= 20; ++row) {
+    Vec3 middle = Vec3::Zero();
+    for (int i = 0; i < 40; ++i) {
+      const Vec3& p = done.placed[row * 41 + i];
+      EXPECT_GT(body.at(p).distance, rolled_offset - 1e-3);
+      middle += p / 40;
+    }
+    EXPECT_LT(bones.distance(middle), 0.03) << "row " << row;
+  }
 }
 
 TEST(Positioning, PanelsOfALegStayOnItsSide) {
