@@ -23,7 +23,7 @@ constexpr double around = 0.005;
 constexpr double safety = 1e-7;
 /// Metres that a triangle should keep from the facets, and the most that its corners are lifted.
 constexpr double clearance = 0.0002;
-constexpr double most_lift = 0.005;
+constexpr double most_lift = 0.015;
 /// Of a region's width, what may be left when it is time to look again, before a corner is stopped.
 constexpr double due_share = 0.3;
 /// Looks between two at the same triangle: what presses against the body would be due each time.
