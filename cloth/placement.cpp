@@ -71,8 +71,12 @@ Placement draw_out_and_lift(const PanelMesh& garment, const DistanceGrid& body,
                             const Skeleton* skeleton, double hang) {
   Placement placement;
   placement.placed = garment.placed;
+  bool hangs = false;
+  bool has_sleeves = false;
   if (skeleton != nullptr) {
+    hangs = hangs_from_shoulders(garment, garment.placed, *skeleton);
     const std::vector<std::string> parts = panel_parts(garment, *skeleton);
+    has_sleeves = std::ranges::any_of(parts, [](const auto& part) { return part.ends_with("_arm"); });
     std::vector<std::string> part_of_point;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       part_of_point.insert(part_of_point.end(), garment.panels[i].points, parts[i]);
@@ -102,25 +106,32 @@ Placement draw_out_and_lift(const PanelMesh& garment, const DistanceGrid& body,
     }
     return count;
   };
+  const auto points_inside = [&](double lift) {
+    int count = 0;
+    for (std::size_t p = 0; p < placement.placed.size(); ++p) {
+      count += body.at(placement.placed[p] + Vec3(0, lifted[p] * lift, 0)).distance < 0;
+    }
+    return count;
+  };
+  // What hangs from the shoulders has to come over them; a skirt must not come into the armpits.
+  const bool is_free = skeleton == nullptr || hangs || has_sleeves;
+  const int most_points = is_free ? static_cast<int>(placement.placed.size()) : points_inside(0);
   int fewest = inside(0);
   for (int step = 1; step <= lift_steps && fewest > 0; ++step) {
-    const int count = inside(step * lift_step);
-    if (count < fewest) {
-      fewest = count;
-      placement.lift = step * lift_step;
-    }
+    const double lift = step * lift_step;
+    const int count = inside(lift);
+    if (count >= fewest || points_inside(lift + margin) > most_points) continue;
+    fewest = count;
+    placement.lift = lift;
   }
   if (placement.lift > 0) placement.lift += margin;
   const bool has_tubes = std::find(lifted.begin(), lifted.end(), 0.0) != lifted.end();
-  if (skeleton != nullptr && !has_tubes &&
-      hangs_from_shoulders(garment, placement.placed, *skeleton)) {
-    placement.lift = std::max(placement.lift, hang);
-  }
+  if (hangs && !has_tubes) placement.lift = std::max(placement.lift, hang);
   placement.seams_inside = inside(placement.lift);
   for (std::size_t p = 0; p < placement.placed.size(); ++p) {
     placement.placed[p].y() += lifted[p] * placement.lift;
-    placement.points_inside += body.at(placement.placed[p]).distance < 0;
   }
+  placement.points_inside = points_inside(0);
   return placement;
 }
 

@@ -44,6 +44,18 @@ TEST(Placement, SeamsAreLiftedUntilTheyMeetOutsideTheBody) {
   EXPECT_EQ(still.placed, high.placed);
 }
 
+TEST(Placement, ASkirtIsNotLiftedIntoTheArms) {
+  const TriangleMesh torso = test::box({-0.15, 0, -0.1}, {0.15, 1, 0.1});
+  const TriangleMesh arms = test::together(test::box({-0.2, 1, 0.15}, {0.2, 1.1, 0.25}),
+                                           test::box({-0.2, 1, -0.25}, {0.2, 1.1, -0.15}));
+  const DistanceGrid body{BodyDistance(test::together(torso, arms))};
+  const Skeleton skeleton = figure();
+  const Placement placement = place_panels(sandwich(0.955), body, &skeleton);
+  EXPECT_EQ(placement.lift, 0);
+  EXPECT_EQ(placement.points_inside, 0);
+  EXPECT_EQ(placement.seams_inside, 9);
+}
+
 TEST(Placement, ASeamThatNoLiftClearsStays) {
   const DistanceGrid body{BodyDistance(test::box({-0.15, 0, -0.1}, {0.15, 1, 0.1}))};
   const Placement placement = place_panels(sandwich(0.5), body, nullptr);
