@@ -57,6 +57,7 @@ struct DressResult {
   std::vector<Triangle> triangles;                 ///< of nodes, in the garment's order
   Placement placement;
   double body_offset = 0;  ///< metres kept from the skin: the scene's, more for edges above 15 mm
+  Lifted lifted;           ///< nodes that keep more; by the relaxation only
   double time_step = 0;    ///< seconds; 0 for a method that has none
   Grip grip;               ///< where friction holds it at the end; by the relaxation only
   std::vector<StageReport> stages;

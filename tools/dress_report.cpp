@@ -14,6 +14,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Metres by which cloth is lifted off the body, from which on the user is told.
+constexpr double worth_saying = 0.002;
+
 /// Strain (99th percentile, off the seams) that no woven is worn at.
 constexpr double suspicious_strain = 0.1;
 
@@ -146,6 +149,10 @@ nlohmann::ordered_json report_of(const PanelMesh& garment, const Scene& scene,
   }
   report["scene"]["gravity_m_per_s2"] = {scene.gravity.x(), scene.gravity.y(), scene.gravity.z()};
   report["scene"]["body_offset_mm"] = 1000 * result.body_offset;
+  if (result.lifted.nodes > 0) {
+    report["scene"]["lifted"] = {{"nodes", result.lifted.nodes},
+                                 {"most_mm", 1000 * result.lifted.most}};
+  }
   report["scene"]["points_inside_at_start"] = result.placement.points_inside;
   report["scene"]["seam_pairs_inside_at_start"] = result.placement.seams_inside;
   report["scene"]["lift_mm"] = 1000 * result.placement.lift;
@@ -339,6 +346,13 @@ void say_result(const DressResult& result, const Judgement& judgement,
              std::to_string(judgement.layer_intersections) + " with layers below");
   common.say("strain off the seams: " + percent(figures.strain_off_seams.p99) +
              " (99th percentile); residual in node weights: " + residual.str());
+  if (result.lifted.most > worth_saying) {
+    std::ostringstream line;
+    line << std::setprecision(2) << "held up to " << 1000 * result.lifted.most
+         << " mm farther off the body at " << result.lifted.nodes
+         << " nodes, whose triangles span something sharp: a finer mesh comes nearer";
+    common.say(line.str());
+  }
   say_attachments(result.attachments, common);
   if (result.tight_places) say_tight_places(*result.tight_places, common);
   if (result.release) say_release(*result.release, common);

@@ -258,8 +258,8 @@ void ClothForces::set_guard(std::size_t v, const Vec3& p) {
   double reach = 1e3;
   if (program_.scene.body != nullptr) {
     if (contacts_[v].remaining(p) <= 0) {
-      const double lift = body_bounds_ ? body_bounds_->lift(static_cast<int>(v)) : 0;
-      contacts_[v].look(program_.scene, p, options_.body_offset + lift, options_.body_reach);
+      const double offset = options_.body_offset + lift(static_cast<int>(v));
+      contacts_[v].look(program_.scene, p, offset, options_.body_reach);
     }
     reach = contacts_[v].remaining(p);
   }

@@ -263,6 +263,11 @@ RelaxReport Relaxation::run(const RelaxWatcher& watcher) {
   report.open = forces_.open();
   report.searches = forces_.searches();
   report.grip = forces_.grip();
+  for (int n = 0; n < program_.nodes; ++n) {
+    const double lift = forces_.lift(n);
+    report.lifted.nodes += lift > 0;
+    report.lifted.most = std::max(report.lifted.most, lift);
+  }
   return report;
 }
 
