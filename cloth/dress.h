@@ -16,12 +16,12 @@
 namespace toile {
 
 struct DressOptions {
-  double stop_median = 0.003;  ///< residual of a garment at rest, in mean node weights
-  double stop_rms = 0.03;
+  double stop_median = 0.0015;  ///< residual of a garment at rest, in mean node weights
+  double stop_rms = 0.015;
   /// And of whole patches of cloth, in their weights, 0: not asked for. Soft motions are slow to
-  /// come to rest: at 0.003 nodes are up to 0.6 mm (rms) from where they end, at 0.01 up to 3 mm; at
-  /// 0.0007 99 % of a garment move less than 2 mm when let go for a second [measured].
-  double stop_wide = 0.003;
+  /// come to rest: at 0.0015 nodes are up to 0.3 mm (rms) from where they end, at 0.003 up to 0.6 mm;
+  /// at 0.0007 99 % of a garment move less than 2 mm when let go for a second [measured].
+  double stop_wide = 0.0015;
   int max_iterations = 40000;  ///< of the last stage, on the garment's own mesh
   double release_seconds = 0;  ///< for which the dressed garment is let go, to see if it stays
 };
