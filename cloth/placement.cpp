@@ -76,7 +76,8 @@ Placement draw_out_and_lift(const PanelMesh& garment, const DistanceGrid& body,
   if (skeleton != nullptr) {
     hangs = hangs_from_shoulders(garment, garment.placed, *skeleton);
     const std::vector<std::string> parts = panel_parts(garment, *skeleton);
-    has_sleeves = std::ranges::any_of(parts, [](const auto& part) { return part.ends_with("_arm"); });
+    has_sleeves =
+        std::ranges::any_of(parts, [](const auto& part) { return part.ends_with("_arm"); });
     std::vector<std::string> part_of_point;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       part_of_point.insert(part_of_point.end(), garment.panels[i].points, parts[i]);
@@ -114,13 +115,14 @@ Placement draw_out_and_lift(const PanelMesh& garment, const DistanceGrid& body,
     return count;
   };
   // What hangs from the shoulders has to come over them; a skirt must not come into the armpits.
-  const bool is_free = skeleton == nullptr || hangs || has_sleeves;
-  const int most_points = is_free ? static_cast<int>(placement.placed.size()) : points_inside(0);
+  const bool may_meet_arms = skeleton == nullptr || hangs || has_sleeves;
+  const int inside_unlifted = points_inside(0);
   int fewest = inside(0);
   for (int step = 1; step <= lift_steps && fewest > 0; ++step) {
     const double lift = step * lift_step;
     const int count = inside(lift);
-    if (count >= fewest || points_inside(lift + margin) > most_points) continue;
+    if (count >= fewest) continue;
+    if (!may_meet_arms && points_inside(lift + margin) > inside_unlifted) continue;
     fewest = count;
     placement.lift = lift;
   }

@@ -30,7 +30,8 @@ inline Vec4s as_vec4(const std::vector<Vec3>& points) {
 }
 
 // The same bits on every machine, whatever its instructions: no clone may fuse a product and a sum,
-// so files that use this are compiled with -ffp-contract=off.
+// so files that use this are compiled with -ffp-contract=off. TOILE_ONE_CLONE: for tools that don't
+// know the wide instructions, as valgrind.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(TOILE_ONE_CLONE)
 #define TOILE_CLONES __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
