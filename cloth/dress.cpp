@@ -427,7 +427,7 @@ const StageReport& Dressing::stage(const std::string& name, RelaxOptions options
   options.yarns = &result_.grip.yarns;
   const RelaxReport report = relax(program_, options, result_.nodes, watch);
   result_.grip = report.grip;
-  result_.lifted = report.lifted;
+  result_.lift = report.lift;
   progress_ = end;
   if (watcher_) {
     watcher_({mesh(), name, point_positions(program_, result_.nodes, report.open), progress_});

@@ -19,8 +19,8 @@ struct DressOptions {
   double stop_median = 0.0015;  ///< residual of a garment at rest, in mean node weights
   double stop_rms = 0.015;
   /// And of whole patches of cloth, in their weights, 0: not asked for. Soft motions are slow to
-  /// come to rest: at 0.0015 nodes are up to 0.3 mm (rms) from where they end, at 0.003 up to 0.6 mm;
-  /// at 0.0007 99 % of a garment move less than 2 mm when let go for a second [measured].
+  /// come to rest: at 0.0015 nodes are up to 0.3 mm (rms) from where they end, at 0.003 up to 0.6
+  /// mm; at 0.0007 99 % of a garment move less than 2 mm when let go for a second [measured].
   double stop_wide = 0.0015;
   int max_iterations = 40000;  ///< of the last stage, on the garment's own mesh
   double release_seconds = 0;  ///< for which the dressed garment is let go, to see if it stays
@@ -57,9 +57,10 @@ struct DressResult {
   std::vector<Triangle> triangles;                 ///< of nodes, in the garment's order
   Placement placement;
   double body_offset = 0;  ///< metres kept from the skin: the scene's, more for edges above 15 mm
-  Lifted lifted;           ///< nodes that keep more; by the relaxation only
-  double time_step = 0;    ///< seconds; 0 for a method that has none
-  Grip grip;               ///< where friction holds it at the end; by the relaxation only
+  std::vector<double>
+      lift;              ///< metres more, per node, over something sharp; by the relaxation only
+  double time_step = 0;  ///< seconds; 0 for a method that has none
+  Grip grip;             ///< where friction holds it at the end; by the relaxation only
   std::vector<StageReport> stages;
   DuringDressing during;
   Residual residual;
@@ -89,9 +90,9 @@ using FrameWatcher = std::function<void(const DressFrame&)>;
 /// panels are placed and their seams closed, without gravity or friction (wrap), and settle as one
 /// cloth (sew); then it falls, giving way to compression, and without friction unless it slides off
 /// so, mesh by mesh, each finer one starting from the coarser one's rest; at last the finest comes
-/// to rest with the fabric's full stiffness and friction (drape). Attachments hold until then, since
-/// nothing but friction may hold the garment where they do; those that are for good go on. Throws
-/// Error when the scene has no body.
+/// to rest with the fabric's full stiffness and friction (drape). Attachments hold until then,
+/// since nothing but friction may hold the garment where they do; those that are for good go on.
+/// Throws Error when the scene has no body.
 DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptions& options,
                   const FrameWatcher& watcher = {});
 

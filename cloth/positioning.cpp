@@ -24,7 +24,7 @@ constexpr double widest = 0.3;  // added to a radius
 constexpr double draw_step = 0.01;
 constexpr double draw_worth = 0.002;  // metres nearer to the arm that a step must bring
 constexpr double farthest_drawn = 0.20;
-constexpr double bend_worth = 0.02;  // metres less of a gap or a way along the bones
+constexpr double bend_worth = 0.02;    // metres less of a gap or a way along the bones
 constexpr double from_divide = 0.005;  // metres kept from the plane between the legs
 constexpr int halvings = 6;            // of a step, toward the nearest place that is clear
 

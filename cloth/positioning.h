@@ -46,11 +46,12 @@ Eigen::Matrix3d part_frame(const Vec3& up);
 /// mean orientation where they are several. A flat panel stands square to its side of the part, as
 /// near to the bones as keeps every point the offset from the skin, its right side out. A panel
 /// that goes around the part is rolled about that line (rolling.h), on the least radius on which it
-/// covers no more than its share and keeps the offset; what it then lacks is its gap. Where bends of
-/// the part, as an elbow's, are in the way of a straight line, it is rolled about the bones as they
-/// bend, if that spares 2 cm of gap and way along them. A sleeve that the pattern puts at no joint is drawn down its arm, by up to 20 cm, where that brings it nearer
-/// to the arm: the armpit is in its way. Panels of one arm are drawn out alike. If no radius within
-/// 30 cm keeps the offset, the one with fewest points too near is taken.
+/// covers no more than its share and keeps the offset; what it then lacks is its gap. Where bends
+/// of the part, as an elbow's, are in the way of a straight line, it is rolled about the bones as
+/// they bend, if that spares 2 cm of gap and way along them. A sleeve that the pattern puts at no
+/// joint is drawn down its arm, by up to 20 cm, where that brings it nearer to the arm: the armpit
+/// is in its way. Panels of one arm are drawn out alike. If no radius within 30 cm keeps the
+/// offset, the one with fewest points too near is taken.
 ///
 /// Panels of a leg stay on its side of the plane between both legs: rolled ones by their radius,
 /// flat ones by being moved sideways.

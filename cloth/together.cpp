@@ -125,6 +125,7 @@ class Together {
     watch(state.nodes, 1);
     state.grip = report.grip;
     state.at_rest = report.converged;
+    lift_ = report.lift;
     result_.stages.push_back(stage_of(name, program_.nodes, report));
   }
 
@@ -133,6 +134,7 @@ class Together {
     const WornGarment& worn = garments_[garment];
     result_.nodes.emplace_back(state.nodes.begin() + first_[garment],
                                state.nodes.begin() + first_[garment + 1]);
+    result_.lift.emplace_back(lift_.begin() + first_[garment], lift_.begin() + first_[garment + 1]);
     std::vector<double> moved;
     for (std::size_t n = 0; n < worn.nodes.size(); ++n) {
       moved.push_back((result_.nodes.back()[n] - worn.nodes[n]).norm());
@@ -214,6 +216,7 @@ class Together {
   std::vector<std::size_t> first_triangle_ = {0};  // likewise
   std::vector<Vec3> start_;
   Grip grip_;
+  std::vector<double> lift_;  // RelaxReport's, of the last rest
   TogetherResult result_;
 };
 

@@ -37,6 +37,7 @@ struct TogetherResult {
   /// Of the whole, one for each time it was brought to rest; residuals are all garments'.
   std::vector<StageReport> stages;
   std::vector<std::vector<Vec3>> nodes;             ///< metres, by garment
+  std::vector<std::vector<double>> lift;            ///< metres, by garment: RelaxReport's
   std::vector<MovedFigures> moved;                  ///< by garment: from where it was dressed
   std::vector<std::vector<TightSeam>> tight_seams;  ///< by garment
   std::vector<TightPlaces> tight_places;            ///< by garment

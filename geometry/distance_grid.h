@@ -29,8 +29,8 @@ struct DistanceGridOptions {
 ///
 /// Nothing is computed before it is asked for: the first lookup in a block of 2 cells along each
 /// axis fills it, near the skin by a query of the tree for each node that no block around it has;
-/// later ones cost about 20 ns. Lookups may run in several threads at once; what they say depends on
-/// the surfaces only, not on the threads or on what was asked before.
+/// later ones cost about 20 ns. Lookups may run in several threads at once; what they say depends
+/// on the surfaces only, not on the threads or on what was asked before.
 class DistanceGrid {
  public:
   explicit DistanceGrid(const BodyDistance& body, const DistanceGridOptions& options = {});

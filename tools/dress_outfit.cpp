@@ -317,6 +317,7 @@ void Outfit::move_together() {
   for (std::size_t i = 0; i < done_.size(); ++i) {
     DressResult& result = done_[i].result;
     result.nodes = together_->nodes[i];
+    result.lift = together_->lift[i];
     result.tight_seams = together_->tight_seams[i];
     if (settings_.strain_limit) result.tight_places = together_->tight_places[i];
     result.converged = together_->stages.back().converged;

@@ -1,5 +1,6 @@
 #include "tools/dress_report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <nlohmann/json.hpp>
@@ -16,6 +17,17 @@ using Json = nlohmann::ordered_json;
 
 /// Metres by which cloth is lifted off the body, from which on the user is told.
 constexpr double worth_saying = 0.002;
+
+struct Lifted {
+  std::ptrdiff_t nodes = 0;
+  double most = 0;  ///< metres
+};
+
+Lifted lifted_of(const std::vector<double>& lift) {
+  if (lift.empty()) return {};
+  return {std::ranges::count_if(lift, [](double metres) { return metres > 0; }),
+          std::ranges::max(lift)};
+}
 
 /// Strain (99th percentile, off the seams) that no woven is worn at.
 constexpr double suspicious_strain = 0.1;
@@ -149,9 +161,8 @@ nlohmann::ordered_json report_of(const PanelMesh& garment, const Scene& scene,
   }
   report["scene"]["gravity_m_per_s2"] = {scene.gravity.x(), scene.gravity.y(), scene.gravity.z()};
   report["scene"]["body_offset_mm"] = 1000 * result.body_offset;
-  if (result.lifted.nodes > 0) {
-    report["scene"]["lifted"] = {{"nodes", result.lifted.nodes},
-                                 {"most_mm", 1000 * result.lifted.most}};
+  if (const Lifted lifted = lifted_of(result.lift); lifted.nodes > 0) {
+    report["scene"]["lifted"] = {{"nodes", lifted.nodes}, {"most_mm", 1000 * lifted.most}};
   }
   report["scene"]["points_inside_at_start"] = result.placement.points_inside;
   report["scene"]["seam_pairs_inside_at_start"] = result.placement.seams_inside;
@@ -346,10 +357,10 @@ void say_result(const DressResult& result, const Judgement& judgement,
              std::to_string(judgement.layer_intersections) + " with layers below");
   common.say("strain off the seams: " + percent(figures.strain_off_seams.p99) +
              " (99th percentile); residual in node weights: " + residual.str());
-  if (result.lifted.most > worth_saying) {
+  if (const Lifted lifted = lifted_of(result.lift); lifted.most > worth_saying) {
     std::ostringstream line;
-    line << std::setprecision(2) << "held up to " << 1000 * result.lifted.most
-         << " mm farther off the body at " << result.lifted.nodes
+    line << std::setprecision(2) << "held up to " << 1000 * lifted.most
+         << " mm farther off the body at " << lifted.nodes
          << " nodes, whose triangles span something sharp: a finer mesh comes nearer";
     common.say(line.str());
   }

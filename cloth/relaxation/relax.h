@@ -40,13 +40,6 @@ struct RelaxOptions : ForceOptions {
   int patience = 0;          ///< iterations without coming nearer to rest that end a run; 0: never
 };
 
-/// Nodes that are held farther off the body than the others, because a triangle of theirs spans
-/// something sharp.
-struct Lifted {
-  int nodes = 0;
-  double most = 0;  ///< metres
-};
-
 struct RelaxReport {
   int iterations = 0;
   int searches = 0;  ///< for cloth near cloth
@@ -56,7 +49,9 @@ struct RelaxReport {
   double open = 0;  ///< of seams that were to close: what is left, 0 for closed
   Residual residual;
   Grip grip;  ///< where friction holds the garment at the end
-  Lifted lifted;
+  /// Metres, per node, that it is held off the body beyond the options' offset, because a triangle
+  /// of its own spans something sharp.
+  std::vector<double> lift;
 };
 
 /// Where a run stands, for those who watch it.

@@ -33,7 +33,8 @@ double rms_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
 }
 
 TEST_F(Quality, FinerPresetsLeaveLessAndEndNearerToRest) {
-  const std::map<std::string, double> left = {{"draft", 0.05}, {"standard", 0.0015}, {"fine", 0.0005}};
+  const std::map<std::string, double> left = {
+      {"draft", 0.05}, {"standard", 0.0015}, {"fine", 0.0005}};
   std::map<std::string, Json> reports;
   for (const auto& [quality, most] : left) {
     ASSERT_EQ(dress(quality, {"--quality", quality}).exit_code, 0) << quality;
