@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -29,6 +30,7 @@ struct Quantity {
   bool may_be_zero;
   double most;  ///< that anything worn has, and far more; in the key's unit
   double unit = 1;
+  double counts = std::numeric_limits<double>::infinity();  ///< at most
 };
 
 double number_of(const nlohmann::json& value, const std::string& key, const Quantity& quantity,
@@ -50,9 +52,9 @@ Fabric read_fabric(const std::string& text, const std::string& place) {
   const std::map<std::string, Quantity> quantities = {
       {"areal_density_kg_per_m2", {{&fabric.areal_density}, false, 100}},
       {"thickness_mm", {{&fabric.thickness}, false, 30, 1e-3}},
-      {"stretch_warp_N_per_m", {{&fabric.stretch_warp}, false, 1e9}},
-      {"stretch_weft_N_per_m", {{&fabric.stretch_weft}, false, 1e9}},
-      {"shear_N_per_m", {{&fabric.shear}, true, 1e9}},
+      {"stretch_warp_N_per_m", {{&fabric.stretch_warp}, false, 1e9, 1, stiffest}},
+      {"stretch_weft_N_per_m", {{&fabric.stretch_weft}, false, 1e9, 1, stiffest}},
+      {"shear_N_per_m", {{&fabric.shear}, true, 1e9, 1, stiffest}},
       {"bending_N_m", {{&fabric.bending_warp, &fabric.bending_weft}, true, 10}},
       {"bending_warp_N_m", {{&fabric.bending_warp}, true, 10}},
       {"bending_weft_N_m", {{&fabric.bending_weft}, true, 10}},
@@ -80,7 +82,10 @@ Fabric read_fabric(const std::string& text, const std::string& place) {
       } else if (const auto found = quantities.find(key); found != quantities.end()) {
         const Quantity& quantity = found->second;
         const double number = number_of(value, key, quantity, place);
-        for (double* of : quantity.values) *of = quantity.unit * number;
+        for (double* of : quantity.values) *of = std::min(quantity.unit * number, quantity.counts);
+        if (number > quantity.counts) {
+          fabric.stiffness_given = std::max(fabric.stiffness_given, number);
+        }
       } else {
         throw Error(place, std::string("'") + valid_utf8(key) + "' is no quantity of a fabric",
                     "see the README for the keys");

@@ -167,6 +167,10 @@ Done Outfit::dress_layer(const OutfitLayer& layer, PanelMesh garment) {
     done.warnings.push_back(doubt_text(doubtful));
     CommonSettings::warn(done.warnings.back());
   }
+  for (const std::string& line : softened_fabrics(garment, done.scene)) {
+    done.warnings.push_back(line);
+    CommonSettings::warn(line);
+  }
   if (settings_.certify_frames) done.certificate.emplace(subject_->body(), done.scene.layers);
   {
     std::optional<fs::path> frames = settings_.frames;

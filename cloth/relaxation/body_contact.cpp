@@ -16,15 +16,16 @@ constexpr double ridge_slope = 0.97;
 
 }  // namespace
 
-void BodyContact::look(const Scene& scene, const Vec3& p, double offset, double plane_reach) {
+void BodyContact::look(const Scene& scene, const Vec3& p, double offset, double plane_reach,
+                       double step_down) {
   const DistanceGrid::Sample sample = scene.body->at(p);
   const double away = sample.distance - offset;
   looked_at_ = p;
-  near_ = away < near_surface;
+  const double near = std::max(near_surface, step_down);
+  near_ = away < near;
   if (!near_) {
     // On the far side of the middle between here and there, the plane is asked for again.
-    reach_ =
-        std::max(scene.body->at_least(sample.distance) - offset - 0.5 * near_surface, plane_reach);
+    reach_ = std::max(scene.body->at_least(sample.distance) - offset - 0.5 * near, plane_reach);
     anchored_ = false;
     return;
   }

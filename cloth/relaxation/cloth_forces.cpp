@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "cloth/body_pull.h"
+#include "cloth/relaxation/directed_stiffness.h"
 #include "cloth/relaxation/share_within.h"
 #include "cloth/relaxation/side_by_side.h"
 
@@ -13,6 +14,11 @@ namespace toile {
 
 namespace {
 
+/// Weights of a node that may pull at it where it comes down on the body, and metres that it comes
+/// down by in a step at most: soft cloth (1 N/m) is thrown back and comes down again for ever,
+/// unless it reckons with the body a step before.
+constexpr double weights_coming_down = 8;
+constexpr double most_coming_down = 0.004;
 /// Active pairs that one task handles.
 constexpr std::size_t pair_chunk = 128;
 
@@ -99,11 +105,12 @@ void ClothForces::use_skin(bool points) {
   if (options_.bounded && options_.surface != nullptr && !points) {
     body_bounds_ = std::make_unique<BodyBounds>(*options_.surface, triangles, count);
   }
+  step_down_ = of_vertices(steps_down());
   edge_contacts_.reset();
   if (program_.scene.body != nullptr && options_.surface != nullptr) {
     const double shortest = std::sqrt(8 * body_curve * most_sagitta * options_.body_offset);
-    edge_contacts_ = std::make_unique<EdgeContacts>(triangles, positions(), shortest,
-                                                    of_vertices(program_.friction_skin));
+    edge_contacts_ = std::make_unique<EdgeContacts>(
+        triangles, positions(), shortest, of_vertices(program_.friction_skin), step_down_);
   }
   contacts_.assign(count, {});
   guards_.assign(count, Vec4{});
@@ -130,6 +137,20 @@ void ClothForces::use_skin(bool points) {
     proximity_->add_layer(layers().triangles, static_cast<int>(layers().points.size()),
                           program_.scene.layer_gap);
   }
+}
+
+/// Metres that each node may come down onto the body in a step.
+std::vector<double> ClothForces::steps_down() const {
+  std::vector<double> steps;
+  for (int n = 0; n < program_.nodes; ++n) {
+    const double weight = program_.mass[n] * program_.scene.gravity.norm();
+    const double bend = program_.bend.empty() ? 0 : program_.bend_diagonal[n];
+    const double stiffness = undirected_share * program_.stretch_diagonal[n] + bend;
+    steps.push_back(stiffness * most_coming_down > weights_coming_down * weight
+                        ? weights_coming_down * weight / stiffness
+                        : most_coming_down);
+  }
+  return steps;
 }
 
 std::vector<double> ClothForces::of_vertices(const std::vector<double>& of_nodes) const {
@@ -259,7 +280,7 @@ void ClothForces::set_guard(std::size_t v, const Vec3& p) {
   if (program_.scene.body != nullptr) {
     if (contacts_[v].remaining(p) <= 0) {
       const double offset = options_.body_offset + lift(static_cast<int>(v));
-      contacts_[v].look(program_.scene, p, offset, options_.body_reach);
+      contacts_[v].look(program_.scene, p, offset, options_.body_reach, step_down_[v]);
     }
     reach = contacts_[v].remaining(p);
   }

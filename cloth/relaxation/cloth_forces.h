@@ -85,6 +85,7 @@ class ClothForces {
   void look_after_body_bounds();
   void place_points();
   void find_pull();
+  std::vector<double> steps_down() const;
   std::vector<double> of_vertices(const std::vector<double>& of_nodes) const;
   std::vector<Vec3> all_positions() const;
   std::size_t vertices() const { return kernel_->vertices(); }
@@ -114,6 +115,7 @@ class ClothForces {
   Vec4s points_;                       // as nodes_, of the material points, while seams stand open
   Grouped<int> vertices_of_;           // per node: its material points, while seams stand open
   std::vector<BodyContact> contacts_;  // per vertex
+  std::vector<double> step_down_;      // metres, per vertex, onto the body
   /// Per vertex: where it was last looked after, and the square of how far it may go from there
   /// before it has to be looked after again.
   Vec4s guards_;

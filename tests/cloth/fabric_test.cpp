@@ -50,6 +50,18 @@ TEST_F(FabricFile, OneKeyMayStandForBoth) {
   EXPECT_EQ(fabric.bending_weft, 2e-5);
 }
 
+TEST_F(FabricFile, WhatIsTooStiffToComeToRestIsCutAndSaysSo) {
+  pipeline::write_text(file, R"({"stretch_warp_N_per_m": 1e7, "stretch_weft_N_per_m": 1e5,
+                                 "shear_N_per_m": 2e6})");
+  const Fabric fabric = find_fabric(file.string());
+  EXPECT_EQ(fabric.stretch_warp, 1e5);
+  EXPECT_EQ(fabric.stretch_weft, 1e5);
+  EXPECT_EQ(fabric.shear, 1e5);
+  EXPECT_EQ(fabric.stiffness_given, 1e7);
+  pipeline::write_text(file, R"({"stretch_warp_N_per_m": 1e5})");
+  EXPECT_EQ(find_fabric(file.string()).stiffness_given, 0);
+}
+
 TEST_F(FabricFile, WhatIsMissingStaysAsTheDesignSays) {
   pipeline::write_text(file, R"({"friction": 0.1})");
   for (const Fabric& fabric : {find_fabric(file.string()), find_fabric("default")}) {

@@ -72,8 +72,8 @@ TEST(BodyBounds, WhatMeetsTheBodyCanComeOut) {
   EXPECT_LT(x[0].y(), 1e-4);  // the box's top is flat: a plane just above it
 }
 
-/// What is wholly inside meets no facet, and has to come out as well; what lies a hair above may not
-/// go in. Near the skin, where planes are looked for, and deep.
+/// What is wholly inside meets no facet, and has to come out as well; what lies a hair above may
+/// not go in. Near the skin, where planes are looked for, and deep.
 TEST(BodyBounds, WhatIsInsideCanComeOut) {
   const test::SolidBody body{test::box({-0.2, -0.2, -0.2}, {0.2, 0, 0.2})};
   const std::vector<Triangle> triangles = {{0, 1, 2}};

@@ -30,20 +30,20 @@ TEST(EdgeContacts, HoldOnFromRunToRun) {
     contacts.add(scene, ForceOptions{}, at(way), force);
     return force[0][0] + force[1][0] + force[2][0];
   };
-  EdgeContacts contacts(triangles, at(0), 0.025, {0.4, 0.4, 0.4});
+  EdgeContacts contacts(triangles, at(0), 0.025, {0.4, 0.4, 0.4}, {0, 0, 0});
   EXPECT_NEAR(pull(contacts, 0), 0, 1e-9);
   const double held = pull(contacts, 1e-5);
   EXPECT_NEAR(held, -200 * 1e-5, 1e-5);
   const std::vector<EdgeGrip> grips = contacts.grips();
   ASSERT_EQ(grips.size(), 1U);
   EXPECT_EQ(grips[0].edge, (std::array<int, 2>{0, 1}));
-  EdgeContacts next(triangles, at(1e-5), 0.025, {0.4, 0.4, 0.4});
+  EdgeContacts next(triangles, at(1e-5), 0.025, {0.4, 0.4, 0.4}, {0, 0, 0});
   next.hold(grips);
   EXPECT_NEAR(pull(next, 1e-5), held, 1e-12);
 }
 
-/// Heavy sheets of 5 cm edges at rest on a slope: of the 49 places that hold each, 33 are middles of
-/// edges.
+/// Heavy sheets of 5 cm edges at rest on a slope: of the 49 places that hold each, 33 are middles
+/// of edges.
 class CoarseOnASlope : public testing::Test {
  protected:
   CoarseOnASlope() {
