@@ -1,5 +1,5 @@
-// Moves whole patches of a nested mesh by the forces on them: what is soft and wide comes to rest
-// with the coarse meshes' iterations, not the fine one's.
+// Moves whole patches of the cloth by the forces on them: what is soft and wide comes to rest with
+// the coarse meshes' iterations, not the fine one's.
 #pragma once
 
 #include <array>
@@ -9,19 +9,23 @@
 #include "cloth/program.h"
 #include "cloth/relaxation/directed_stiffness.h"
 #include "cloth/relaxation/vec4.h"
+#include "cloth/relaxation/wide_patches.h"
 
 namespace toile {
 
-/// Additive multilevel preconditioner [Bramble, Pasciak & Xu 1990]: on each coarser level of the
-/// program's nested mesh, the forces on a patch over a bound of its stiffness; patches are the hat
-/// functions of the coarse nodes. A patch's bound is its middle node's, for the stiffness of a
-/// membrane does not depend on the size of its triangles, and that of bending grows with finer
-/// ones; what touches adds up.
+/// Additive multilevel preconditioner [Bramble, Pasciak & Xu 1990]: on each coarser level, the
+/// forces on a patch over a bound of its stiffness. Patches are the hat functions of the coarse
+/// nodes of the program's nested mesh, and beyond the coarsest of them two levels of wide patches,
+/// where there are enough nodes for them; without a nested mesh, or unless `wide`, none. A patch's
+/// bound is its middle node's, for the stiffness of a membrane does not depend on the size of its
+/// triangles, and that of bending grows with finer ones; what touches adds up.
 class CoarseMotion {
  public:
-  explicit CoarseMotion(const Program& program);
+  CoarseMotion(const Program& program, bool wide);
 
   int levels() const { return static_cast<int>(levels_.size()); }
+  /// Those of the nested mesh; the others are wide.
+  int nested_levels() const { return nested_; }
 
   /// The cloth's stiffness at each of the program's nodes: from now on a patch has the mean of its
   /// nodes', instead of the same in all directions.
@@ -37,8 +41,8 @@ class CoarseMotion {
     const auto& [a, b] = level.parents[n];
     return 0.5 * (level.way[a] + level.way[b]);
   }
-  /// Of the coarsest patches by what compute() was given, m/s²; 0 without levels. Forces that
-  /// neighbours have on each other cancel: what is left sets cloth in motion as a whole.
+  /// Of the nested mesh's coarsest patches by what compute() was given, m/s²; 0 without. Forces
+  /// that neighbours have on each other cancel: what is left sets cloth in motion as a whole.
   double rms_acceleration() const;
 
  private:
@@ -48,6 +52,7 @@ class CoarseMotion {
   };
   struct Level {
     std::vector<std::array<int, 2>> parents;  // per finer node; the same twice: it is one of these
+    Grouped<PatchShare> patches;              // per finer node, of a wide level; it has no parents
     Grouped<Share> shares;                    // per node, of finer ones
     std::vector<double> stretch;              // N/m, per node, in all directions
     std::vector<Stiffness> directed;          // per node
@@ -56,8 +61,13 @@ class CoarseMotion {
     Vec4s force;
     Vec4s way;
   };
+  std::vector<Triangle> add_nested_levels(const Program& program);
+  void add_wide_level(const WidePatches& wide);
+  void add_level(Level level);
+  static Vec4 way_at(const Level& level, std::size_t finer);
   void restrict_forces(const Level& level, const Vec4s& finer, Vec4s& force) const;
 
+  int nested_ = 0;
   double in_all_directions_ = 1;  // share of the levels' stretch
   std::vector<Level> levels_;     // the finer first
 };
