@@ -56,11 +56,10 @@ struct DressResult {
   std::vector<Vec3> nodes;                         ///< metres; sewn points share one
   std::vector<Triangle> triangles;                 ///< of nodes, in the garment's order
   Placement placement;
-  double body_offset = 0;  ///< metres kept from the skin: the scene's, more for edges above 15 mm
-  std::vector<double>
-      lift;              ///< metres more, per node, over something sharp; by the relaxation only
-  double time_step = 0;  ///< seconds; 0 for a method that has none
-  Grip grip;             ///< where friction holds it at the end; by the relaxation only
+  double body_offset = 0;    ///< metres kept from the skin: the scene's, more for edges above 15 mm
+  std::vector<double> lift;  ///< RelaxReport's; empty by the paper's method
+  double time_step = 0;      ///< seconds; 0 for a method that has none
+  Grip grip;                 ///< where friction holds it at the end; by the relaxation only
   std::vector<StageReport> stages;
   DuringDressing during;
   Residual residual;

@@ -8,8 +8,7 @@
 namespace toile {
 
 /// N/m of stretch and shear that count at most. What is stiffer moves too little in a step to come
-/// to rest in any time, and makes no difference that could be seen: a hand's pull of 300 N/m
-/// stretches this by 0.3 %, and a garment's weight by a tenth of that.
+/// to rest in any time, for little: a hand's pull of 300 N/m stretches this by 0.3 %.
 inline constexpr double stiffest = 1e5;
 
 /// The defaults are those of the design: a light woven, not measured. Stretch and shear are moduli

@@ -128,8 +128,7 @@ void add_method_options(po::options_description& options) {
       "relaxation: hold the angle between warp and weft to this many degrees off the right one")(
       "quality", po::value<string>(),
       "draft (a residual of 0.05), standard (0.0015; the default) or fine (0.0005); for the "
-      "paper's "
-      "method, standard is 0.05")(
+      "paper's method, standard is 0.05")(
       "residual", po::value<double>(),
       "instead: at rest when half of the nodes have less force left than this share of a node's "
       "weight, their rms is below ten times it and, by the relaxation, whole patches of cloth have "

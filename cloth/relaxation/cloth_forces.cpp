@@ -19,6 +19,7 @@ namespace {
 /// unless it reckons with the body a step before.
 constexpr double weights_coming_down = 8;
 constexpr double most_coming_down = 0.004;
+
 /// Active pairs that one task handles.
 constexpr std::size_t pair_chunk = 128;
 
@@ -146,9 +147,8 @@ std::vector<double> ClothForces::steps_down() const {
     const double weight = program_.mass[n] * program_.scene.gravity.norm();
     const double bend = program_.bend.empty() ? 0 : program_.bend_diagonal[n];
     const double stiffness = undirected_share * program_.stretch_diagonal[n] + bend;
-    steps.push_back(stiffness * most_coming_down > weights_coming_down * weight
-                        ? weights_coming_down * weight / stiffness
-                        : most_coming_down);
+    steps.push_back(
+        std::min(most_coming_down, weights_coming_down * weight / std::max(stiffness, 1e-12)));
   }
   return steps;
 }

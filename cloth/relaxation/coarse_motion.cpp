@@ -159,13 +159,10 @@ double CoarseMotion::rms_acceleration() const {
 
 /// The way of a level's patches at a finer node.
 Vec4 CoarseMotion::way_at(const Level& level, std::size_t finer) {
-  if (!level.patches.empty()) {
-    Vec4 way = {0, 0, 0, 0};
-    for (const auto& [patch, weight] : level.patches[finer]) way += weight * level.way[patch];
-    return way;
-  }
-  const auto& [a, b] = level.parents[finer];
-  return 0.5 * (level.way[a] + level.way[b]);
+  if (level.patches.empty()) return between_parents(level, finer);
+  Vec4 way = {0, 0, 0, 0};
+  for (const auto& [patch, weight] : level.patches[finer]) way += weight * level.way[patch];
+  return way;
 }
 
 void CoarseMotion::compute(const Vec4s& forces, double bending) {

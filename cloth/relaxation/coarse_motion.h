@@ -37,9 +37,7 @@ class CoarseMotion {
   /// What compute() found for a node, metres.
   [[gnu::always_inline]] Vec4 of_node(std::size_t n) const {
     if (levels_.empty()) return Vec4{};
-    const Level& level = levels_.front();
-    const auto& [a, b] = level.parents[n];
-    return 0.5 * (level.way[a] + level.way[b]);
+    return between_parents(levels_.front(), n);
   }
   /// Of the nested mesh's coarsest patches by what compute() was given, m/s²; 0 without. Forces
   /// that neighbours have on each other cancel: what is left sets cloth in motion as a whole.
@@ -61,6 +59,10 @@ class CoarseMotion {
     Vec4s force;
     Vec4s way;
   };
+  [[gnu::always_inline]] static Vec4 between_parents(const Level& level, std::size_t finer) {
+    const auto& [a, b] = level.parents[finer];
+    return 0.5 * (level.way[a] + level.way[b]);
+  }
   std::vector<Triangle> add_nested_levels(const Program& program);
   void add_wide_level(const WidePatches& wide);
   void add_level(Level level);

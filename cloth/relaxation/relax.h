@@ -14,8 +14,8 @@ struct Residual {
   double median = 0;
   double rms = 0;
   double max = 0;
-  /// Rms over the patches of the coarsest level, in their weights: what would set the cloth in
-  /// motion as a whole. 0 without levels.
+  /// Rms over the patches of the nested mesh's coarsest level, in their weights: what would set the
+  /// cloth in motion as a whole. 0 without levels.
   double wide = 0;
 };
 
