@@ -36,9 +36,8 @@ TEST(CoarseMotion, MovesPatchesByTheForcesOnThem) {
   PanelMesh garment = test::flat_panel(subdivided(subdivided(test::grid(0.4, 0.4, 4, 4))));
   garment.subdivisions = 2;
   const Program program = compile(garment, {}, garment.placed);
-  CoarseMotion motion(program, true);
-  EXPECT_EQ(motion.nested_levels(), 2);
-  EXPECT_EQ(motion.levels(), 4);
+  CoarseMotion motion(program, false);
+  EXPECT_EQ(motion.levels(), 2);
   Vec4s forces;
   for (const double mass : program.mass) forces.push_back(Vec4{0, -9.81 * mass, 0, 0});
   motion.compute(forces, 1);
@@ -50,30 +49,52 @@ TEST(CoarseMotion, MovesPatchesByTheForcesOnThem) {
   forces[inner[1]] = Vec4{0, 0, -1, 0};
   motion.compute(forces, 1);
   EXPECT_LT(motion.rms_acceleration(), 0.51 / program.mass[inner[0]] / 16);
-  // A force on a node moves those halfway to the other patches' middles about half as far, and
-  // what is far away hardly.
+  // A force on a node moves the other patches' nodes linearly: those halfway, half as far.
+  forces.assign(program.nodes, Vec4{});
   const int centre = 2 * 5 + 2;  // of the coarsest mesh, whose points come first
-  const auto ways = [&](int pushed) {
-    forces.assign(program.nodes, Vec4{});
+  forces[centre] = Vec4{0, 0, 1, 0};
+  motion.compute(forces, 1);
+  EXPECT_GT(motion.of_node(centre)[2], 0);
+  EXPECT_EQ(motion.of_node(0)[2], 0);
+  for (const Vec2& p : {Vec2(0.15, 0.2), Vec2(0.2, 0.15)}) {
+    for (int n = 0; n < program.nodes; ++n) {
+      if ((garment.flat[n] - p).norm() > 1e-9) continue;
+      // Half of the coarsest patch's, none of the middle level's own.
+      EXPECT_GT(motion.of_node(n)[2], 0.2 * motion.of_node(centre)[2]);
+      EXPECT_LT(motion.of_node(n)[2], 0.5 * motion.of_node(centre)[2]);
+    }
+  }
+}
+
+TEST(CoarseMotion, MovesWiderPatchesThanTheNestedMeshHas) {
+  PanelMesh garment = test::flat_panel(subdivided(subdivided(test::grid(0.4, 0.4, 4, 4))));
+  garment.subdivisions = 2;
+  const Program program = compile(garment, {}, garment.placed);
+  CoarseMotion wide(program, true);
+  CoarseMotion nested(program, false);
+  EXPECT_EQ(wide.nested_levels(), 2);
+  EXPECT_EQ(wide.levels(), 4);
+  const auto ways = [&](CoarseMotion& motion, int pushed) {
+    Vec4s forces(program.nodes, Vec4{});
     forces[pushed] = Vec4{0, 0, 1, 0};
     motion.compute(forces, 1);
     std::vector<double> each;
     for (int n = 0; n < program.nodes; ++n) each.push_back(motion.of_node(n)[2]);
     return each;
   };
-  const std::vector<double> of_centre = ways(centre);
+  const int centre = 2 * 5 + 2;  // of the coarsest mesh, whose points come first
+  const std::vector<double> of_centre = ways(wide, centre);
+  const std::vector<double> nested_of_centre = ways(nested, centre);
+  // The corner is beyond the nested patches around the middle.
+  EXPECT_EQ(nested_of_centre[0], 0);
   EXPECT_GT(of_centre[0], 0);
-  EXPECT_LT(of_centre[0], 0.4 * of_centre[centre]);
-  for (const Vec2& p : {Vec2(0.15, 0.2), Vec2(0.2, 0.15)}) {
-    for (int n = 0; n < program.nodes; ++n) {
-      if ((garment.flat[n] - p).norm() > 1e-9) continue;
-      EXPECT_GT(of_centre[n], 0.2 * of_centre[centre]);
-      EXPECT_LT(of_centre[n], 0.6 * of_centre[centre]);
-    }
+  for (int n = 0; n < program.nodes; ++n) {
+    EXPECT_GE(of_centre[n], nested_of_centre[n]);
+    EXPECT_LE(of_centre[n], of_centre[centre]);
   }
   // What spreads the forces over the patches spreads the patches' ways over the nodes.
   for (const int other : {0, 7, program.nodes / 2, program.nodes - 1}) {
-    EXPECT_NEAR(ways(other)[centre], of_centre[other], 1e-12 * of_centre[centre]);
+    EXPECT_NEAR(ways(wide, other)[centre], of_centre[other], 1e-12 * of_centre[centre]);
   }
 }
 
