@@ -128,19 +128,20 @@ BodyBounds::Region BodyBounds::region_of(const Triangle& corners, const Vec4s& x
     region.level = highest + safety;
     region.slack = slack;
   }
-  if (region.normal != Vec3::Zero()) {
-    region.lift = std::max(clearance - region.slack, 0.0);
-    return region;
-  }
+  if (region.normal != Vec3::Zero() && region.slack >= clearance) return region;
   double nearest = around;
   for (const int f : near) {
     const Triangle& facet = body.triangles[f];
     nearest = std::min(nearest, distance_of(p, {body.points[facet[0]], body.points[facet[1]],
                                                 body.points[facet[2]]}));
   }
+  region.lift = std::max(clearance - nearest, 0.0);
+  if (region.normal != Vec3::Zero() && nearest < clearance) return region;
+  // In a hollow of the body, as an armpit, what is well clear of its facets may find no plane above
+  // them all, or only one that it would be stopped at.
+  region.normal = Vec3::Zero();
   region.meets = nearest == 0;
   region.reach = std::max(nearest - safety, 0.0);
-  region.lift = std::max(clearance - nearest, 0.0);
   return region;
 }
 

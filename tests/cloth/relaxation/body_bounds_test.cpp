@@ -90,6 +90,28 @@ TEST(BodyBounds, WhatIsInsideCanComeOut) {
   }
 }
 
+/// Beside a step that it is a hair higher than, but 4 mm away from: no plane at the step's height
+/// stops it, and nothing lifts it.
+TEST(BodyBounds, WhatIsClearBesideAStepIsNotHeldAtItsHeight) {
+  const test::SolidBody body{test::together(test::box({-0.2, -0.2, -0.2}, {0.2, 0, 0.2}),
+                                            test::box({0.024, 0.00005, -0.2}, {0.2, 0.0099, 0.2}))};
+  const std::vector<Triangle> triangles = {{0, 1, 2}};
+  const std::vector<Vec3> x = {{0, 0.01, 0}, {0.02, 0.01, 0}, {0, 0.01, 0.02}};
+  BodyBounds bounds(body.surface, triangles, 3);
+  for (int i = 0; i < 40; ++i) {
+    bounds.look(as_vec4(x));
+    for (int v = 0; v < 3; ++v) {
+      // What is stopped is due to be looked after anew.
+      EXPECT_EQ(bounds.share(v, x[v], x[v] - Vec3(0, 0.003, 0)), 1);
+      EXPECT_LT(bounds.share(v, x[v], x[v] + Vec3(0.02, -0.009, 0)), 0.5);
+    }
+  }
+  for (int v = 0; v < 3; ++v) {
+    EXPECT_GT(bounds.free(v, x[v]), 0.003);
+    EXPECT_EQ(bounds.lift(v), 0);
+  }
+}
+
 /// A sheet falls on a spike that is finer than its mesh: it hangs on it, with no facet through it
 /// at any time.
 TEST(BodyBounds, ASheetHangsOnASpike) {
