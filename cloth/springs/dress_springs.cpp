@@ -33,8 +33,10 @@ constexpr double tightening = 0.1;
 /// delta is as strong as a hand.
 constexpr double tightest_wrap = 0.01;
 constexpr double tightest = 1e-4;
-/// Seconds without a merge at the full force before what is open counts as not sewable.
+/// Seconds at the full force in which no pair merges, nor the widest gap comes down to this share
+/// of itself, before what is open counts as not sewable.
 constexpr double patience = 0.3;
+constexpr double nearer = 0.98;
 /// Factor on the bending stiffness while seams close: smooth panels don't fold through their seams.
 constexpr double sewing_stiffness = 10;
 /// Seconds that folds get to come out of each other once the seams are closed.
@@ -133,13 +135,18 @@ bool SpringDressing::sew() {
   const double loosest = unit_time_;
   forces.sewing.unit_time = loosest;
   int open = motion_.open_pairs();
-  double last_merge = 0;
+  double gap = motion_.open_gap(1);
+  double came_nearer = 0;
   stage("sew", options_.longest_sew, forces, [&](SpringStage& now, double time) {
     now.sewing.unit_time = std::max(tightest, loosest * std::exp2(-time / tightening));
     const bool at_full_force = now.sewing.unit_time == tightest;
-    if (motion_.open_pairs() < open || !at_full_force) last_merge = time;
+    const double gap_now = motion_.open_gap(1);
+    if (motion_.open_pairs() < open || gap_now < nearer * gap || !at_full_force) {
+      came_nearer = time;
+      gap = gap_now;
+    }
     open = motion_.open_pairs();
-    return open == 0 || time - last_merge > patience;
+    return open == 0 || time - came_nearer > patience;
   });
   if (open > 0) {
     result_.stages.back().converged = false;

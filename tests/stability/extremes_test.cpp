@@ -43,11 +43,9 @@ class Extremes : public HardCase {
 };
 
 TEST_F(Extremes, MassesTenThousandTimesApart) {
-  const Ending ending =
-      wear("masses 10,000 : 1", "relaxation", {{"areal_density_kg_per_m2", 10}},
-           {{"areal_density_kg_per_m2", 0.001}}, {"sewn", "unconverged", "unsewable"},
-           "**fails**: nothing holds the seams apart but the pull on the heavier panel");
-  EXPECT_NE(ending.exit_code, 1);
+  const Ending ending = wear("masses 10,000 : 1", "relaxation", {{"areal_density_kg_per_m2", 10}},
+                             {{"areal_density_kg_per_m2", 0.001}}, {"sewn"});
+  EXPECT_EQ(ending.exit_code, 0);
 }
 
 // Beyond 1e5 N/m it counts as that, and is said to.
@@ -131,13 +129,11 @@ TEST_F(LongExtremes, StiffnessesAMillionTimesApart) {
 }
 
 // The step follows the lightest node: some 300,000 steps, and the hand's pull hardly moves the
-// heaviest.
+// heaviest, so for long no two points merge, though all come nearer.
 TEST_F(LongExtremes, MassesTenThousandTimesApartByThePapersMethod) {
-  const Ending ending =
-      wear("masses 10,000 : 1", "paper", {{"areal_density_kg_per_m2", 10}},
-           {{"areal_density_kg_per_m2", 0.001}}, {"sewn", "unconverged", "unsewable"},
-           "**fails**: it can be sewn", 600);
-  EXPECT_NE(ending.exit_code, 1);
+  const Ending ending = wear("masses 10,000 : 1", "paper", {{"areal_density_kg_per_m2", 10}},
+                             {{"areal_density_kg_per_m2", 0.001}}, {"sewn"}, "", 600);
+  EXPECT_EQ(ending.exit_code, 0);
 }
 
 TEST_F(LongExtremes, NearlyInextensibleByThePapersMethod) {
