@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <iostream>
 #include <numbers>
 #include <numeric>
@@ -11,6 +12,7 @@
 #include "tests/cloth/panels.h"
 #include "tests/pattern/samples.h"
 #include "tests/support/shapes.h"
+#include "tests/support/solid_body.h"
 
 namespace toile {
 namespace {
@@ -209,6 +211,46 @@ TEST_F(TwoTubes, WhatStandsOnASaddleFallsWhenLetGo) {
   EXPECT_TRUE(fallen.stages.back().converged);
   EXPECT_LT(highest(fallen.nodes[0]), 0.5 * length);
   EXPECT_LT(highest(fallen.nodes[1]), 0.002 + height + 1e-3);
+}
+
+/// A sheet over a spike that is finer than its mesh, which its triangles would let through, is held
+/// off it, and one on the floor is not: each garment knows its own.
+TEST(Together, EachGarmentHasItsOwnLift) {
+  const test::SolidBody body{test::together(test::box({-0.2, -0.05, -0.2}, {0.6, 0, 0.2}),
+                                            test::spike(0, 0, 0.005, 0.06))};
+  const auto sheet = [](double x, double y) {
+    PanelMesh garment;
+    test::add_panel(garment, "sheet", test::grid(0.2, 0.2, 8, 8), [=](const Vec2& p) {
+      return Vec3(x + p.x() - 0.1 + 0.003, y, p.y() - 0.1 + 0.002);
+    });
+    return garment;
+  };
+  const std::vector<PanelMesh> garments = {sheet(0.4, 0.004), sheet(0, 0.062)};
+  Scene scene;
+  scene.body = &body.distance;
+  scene.skin = &body.surface.exact;
+  std::vector<WornGarment> worn(2);
+  for (std::size_t i = 0; i < worn.size(); ++i) {
+    worn[i].garment = &garments[i];
+    worn[i].nodes = compile(garments[i], scene, garments[i].placed).start;
+    worn[i].body_offset = 0.002;
+  }
+  DressOptions options;
+  options.max_iterations = 1500;
+  const TogetherResult result = move_together(worn, scene, options);
+  ASSERT_EQ(result.lift.size(), 2u);
+  const auto lifted = [&](std::size_t i) {
+    EXPECT_EQ(result.lift[i].size(), worn[i].nodes.size());
+    return std::count_if(result.lift[i].begin(), result.lift[i].end(),
+                         [](double metres) { return metres > 0; });
+  };
+  EXPECT_EQ(lifted(0), 0);
+  EXPECT_GT(lifted(1), 0);
+  for (std::size_t n = 0; n < result.lift[1].size(); ++n) {
+    if (result.lift[1][n] > 0) {
+      EXPECT_LT(std::hypot(result.nodes[1][n].x(), result.nodes[1][n].z()), 0.08);
+    }
+  }
 }
 
 }  // namespace
