@@ -16,9 +16,9 @@ struct Quality {
 
 /// Of the relaxation. Expected, not bounded: loose cloth can be farther from its rest.
 inline constexpr std::array<Quality, 3> qualities = {{
-    {"draft", 0.05, 6.06},
-    {"standard", 0.0015, 0.23},
-    {"fine", 0.0005, 0.10},
+    {"draft", 0.05, 4.96},
+    {"standard", 0.0015, 0.17},
+    {"fine", 0.0005, 0.04},
 }};
 inline constexpr const Quality& standard_quality = qualities[1];
 inline constexpr const char* measured_on =
