@@ -21,9 +21,10 @@ struct BodySurface {
 
 /// For each triangle of the cloth a region that its corners must not leave: about where they were
 /// when it was last looked after, and, near the body, on the outer side of a plane that has all
-/// facets around behind it; where no such plane is found, closer than the nearest facet. A triangle
-/// with its corners in its region meets no facet, so a cloth that keeps to its bounds never comes
-/// to intersect the body. The region is convex: it holds a straight way if it holds its ends.
+/// facets around behind it; where no such plane leaves it room, closer than the nearest facet. A
+/// triangle with its corners in its region meets no facet, so a cloth that keeps to its bounds
+/// never comes to intersect the body. The region is convex: it holds a straight way if it holds its
+/// ends.
 ///
 /// What meets the body already, or is inside, is not bound, for it has to come out; from when it is
 /// clear, it is.

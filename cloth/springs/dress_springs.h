@@ -26,10 +26,10 @@ struct SpringDressOptions {
 ///   the nearer it is, and the points of each seam to each other, all seams in step, until 95 % of
 ///   the pairs are within 2 cm. The attraction grows from nothing as the seams close: panels that
 ///   come near the body before their shoulders have met slide down on it and catch.
-/// - *sew*: the same, the sewing force growing until all pairs are merged, or until, at the greatest
-///   force, none has been for 0.3 s and they come no nearer: then the seams that are open are not
-///   sewable, and the garment is not draped. Until the sewn cloth is found free of intersections, neighbours in the mesh
-///   may pass each other; from then on nothing may.
+/// - *sew*: the same, the sewing force growing until all pairs are merged, or until none has been
+///   for 0.3 s at the greatest force and they come no nearer: then the seams that are open are not
+///   sewable, and the garment is not draped. Until the sewn cloth is found free of intersections,
+///   neighbours in the mesh may pass each other; from then on nothing may.
 /// - *drape*: gravity, at first without friction, as a tailor lets a garment fall into place;
 ///   then with it, until the residual is below `stop_*`.
 ///
