@@ -104,8 +104,15 @@ Interval meant_stretch(const PanelMesh& garment, const DressedGarment& dressed,
   const double armpit = skeleton.joint("chest").y();
   if (torso) {
     const double from = bones.foot(skeleton.joint("chest"));
-    // What starts below the armpits hangs from where it is placed: a skirt has no shoulders.
-    if (-top < from) return {-top - 0.75 * length, -top - 0.25 * length};
+    // What starts below the armpits hangs from where its top came to lie: a skirt has no shoulders,
+    // and may slide until the body is wide enough to hold it.
+    if (-top < from) {
+      double lies = 0;
+      for (const int n : sources) lies += bones.foot(dressed.points[n]) / sources.size();
+      const bool worn = lies > 0 && lies < bones.along.back();
+      if (!worn) lies = -top;
+      return {lies - 0.75 * length, lies - 0.25 * length};
+    }
     const double reach = length - (skeleton.joint("neck").y() - armpit);
     return {from - 0.7 * reach, from - 0.1 * reach};
   }

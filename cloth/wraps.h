@@ -26,11 +26,12 @@ struct WrapFigure {
 /// Measures every part that panels belong to, over the stretch of bone that they are meant to
 /// cover. How far a garment reaches is its length on the flat panels, not where the pattern placed
 /// them: on the torso the shortest way from its top to its hem, hung from the base of the neck and
-/// counted from the armpits down, or from its top when it is placed below the armpits, as a skirt
-/// is; on an arm or leg the shortest way from the seams to the torso to the cuff, counted from
-/// armpit or crotch. Of that the torso's stretch is from 10 to 70 %, a limb's and a skirt's from 25
-/// to 75 %: the rest is what ease, a hem that swings and folds take up. Linear in the triangles
-/// times 32 stations.
+/// counted from the armpits down, or, of what is placed below the armpits, as a skirt is, from
+/// where its top came to lie on the torso, and from where it was placed if it slid off that; on an
+/// arm or leg the shortest way from the seams to the torso to the cuff, counted from armpit or
+/// crotch. Of that the torso's stretch is from 10 to 70 %, a limb's and a skirt's from 25 to 75 %:
+/// the rest is what ease, a hem that swings and folds take up. Linear in the triangles times 32
+/// stations.
 std::vector<WrapFigure> measure_wraps(const PanelMesh& garment, const DressedGarment& dressed,
                                       const Skeleton& skeleton);
 

@@ -51,6 +51,25 @@ TEST(Wraps, ATubeBelowTheArmpitsHangsFromWhereItIsPlaced) {
   EXPECT_NEAR(wraps[0].to, 0.3 - 0.25 * 0.6, 0.005);
 }
 
+TEST(Wraps, ATubeBelowTheArmpitsMaySlide) {
+  PanelMesh garment = tube();
+  garment.placed = moved(garment.placed, {0, -0.3, 0});
+  const auto slid = [&](double way) {
+    const auto points = moved(garment.placed, {0, way, 0});
+    return measure_wraps(garment, test::as_dressed(garment, points), figure()).at(0);
+  };
+  for (const double way : {-0.25, -0.1, 0.2}) {
+    EXPECT_NEAR(slid(way).fraction, 1, 1e-3);
+    EXPECT_NEAR(slid(way).from, 0.3 + way - 0.75 * 0.6, 0.012);
+    EXPECT_NEAR(slid(way).to, 0.3 + way - 0.25 * 0.6, 0.012);
+  }
+  // Its top down at the thighs, or over the head: what it should cover is where it was placed.
+  for (const double way : {-0.5, 0.5}) {
+    EXPECT_LT(slid(way).fraction, 0.4);
+    EXPECT_NEAR(slid(way).from, 0.3 - 0.75 * 0.6, 0.005);
+  }
+}
+
 TEST(Wraps, HalfATube) {
   PanelMesh garment;
   add_half(garment, "front", -pi / 2);
