@@ -19,7 +19,7 @@ constexpr double most_across = 0.5;
 constexpr double much_shorter = 0.65;
 constexpr double worth = 0.15;
 /// Two panels are each other's mirror images when their middles and their sizes are, to this share
-/// of a size: where they are sewn together says nothing of sides.
+/// of a size: that they are sewn together says nothing of sides, as they can only change places.
 constexpr double image_share = 0.15;
 /// Of facing_out(): below, a panel is inside out.
 constexpr double surely_inward = -0.5;
@@ -48,8 +48,11 @@ class Sides {
   std::vector<int> misplaced() {
     std::vector<int> found;
     for (const Group& group : groups()) {
-      if (!belongs_across(group)) continue;
+      const Reaches reach = reaches(group);
+      const bool swapped = reach.to_images.is_much_shorter_there();
+      if (!swapped && !belongs_across(reach.to_others)) continue;
       found.insert(found.end(), group.panels.begin(), group.panels.end());
+      if (swapped) continue;  // its images, too, are found where both stand
       // What is sewn to it is judged by where it should be.
       for (const int p : group.panels) mirror(p);
     }
@@ -102,29 +105,55 @@ class Sides {
     return by_first;
   }
 
-  bool belongs_across(const Group& group) const {
+  /// What a group's seams to other panels reach over, in metres, and would from the other side.
+  struct Reach {
+    int pairs = 0;
+    int across = 0;  ///< the body's middle
+    double here = 0;
+    double there = 0;
+
+    bool is_much_shorter_there() const {
+      return there < much_shorter * here && there < here - worth * pairs;
+    }
+  };
+  struct Reaches {
+    Reach to_images;  ///< of its own panels, if these move across as well
+    Reach to_others;
+  };
+
+  Reaches reaches(const Group& group) const {
     std::vector<char> mine(garment_.panels.size(), 0);
     for (const int p : group.panels) mine[p] = 1;
-    int pairs = 0;
-    int across = 0;
-    double length = 0;
-    double mirrored = 0;
+    Reaches reaches;
     for (const MeshedSeam& seam : garment_.seams) {
-      const int a = panel_of_[seam.a.front()];
-      const int b = panel_of_[seam.b.front()];
-      const bool from_a = mine[a] != 0;
-      if (from_a == (mine[b] != 0) || are_images(a, b)) continue;
+      int panel = panel_of_[seam.a.front()];
+      int other = panel_of_[seam.b.front()];
+      if (mine[panel] == mine[other]) continue;
+      const bool from_a = mine[panel] != 0;
+      if (!from_a) std::swap(panel, other);
+      const bool images = are_images(panel, other);
+      Reach& reach = images ? reaches.to_images : reaches.to_others;
       for (std::size_t i = 0; i < seam.a.size(); ++i) {
-        const Vec3& here = at_[from_a ? seam.a[i] : seam.b[i]];
-        const Vec3& there = at_[from_a ? seam.b[i] : seam.a[i]];
-        ++pairs;
-        across += (here.x() > 0) != (there.x() > 0);
-        length += (there - here).norm();
-        mirrored += (there - Vec3(-here.x(), here.y(), here.z())).norm();
+        const Vec3& p = at_[from_a ? seam.a[i] : seam.b[i]];
+        const Vec3& q = at_[from_a ? seam.b[i] : seam.a[i]];
+        ++reach.pairs;
+        reach.across += (p.x() > 0) != (q.x() > 0);
+        reach.here += (q - p).norm();
+        reach.there += images ? (carried_across(q, other) - carried_across(p, panel)).norm()
+                              : (q - Vec3(-p.x(), p.y(), p.z())).norm();
       }
     }
-    return across > most_across * pairs && mirrored < much_shorter * length &&
-           mirrored < length - worth * pairs;
+    return reaches;
+  }
+
+  static bool belongs_across(const Reach& reach) {
+    return reach.across > most_across * reach.pairs && reach.is_much_shorter_there();
+  }
+
+  /// A panel's point when the panel is moved across the middle, not turned: of legs that change
+  /// places the outer edges become the inner ones.
+  Vec3 carried_across(const Vec3& p, int panel) const {
+    return {p.x() - 2 * boxes_[panel].center().x(), p.y(), p.z()};
   }
 
   void mirror(int panel) {

@@ -184,6 +184,19 @@ TEST(DoubtfulStart, ASleeveRolledAroundTheWrongArmIsNamed) {
   EXPECT_EQ(doubts(file).other_side, Names({"left_sleeve"}));
 }
 
+TEST(DoubtfulStart, LegsInEachOthersPlaceAreNamed) {
+  Json file = sample("trousers");
+  Json& panels = file["pattern"]["panels"];
+  for (const std::string half : {"_front", "_back"}) {
+    for (const auto& [side, way] : {std::pair("left", -35.0), std::pair("right", 35.0)}) {
+      Json& x = panels[side + half]["translation"][0];
+      x = x.get<double>() + way;
+    }
+  }
+  EXPECT_EQ(doubts(file).other_side,
+            Names({"left_back", "left_front", "right_back", "right_front"}));
+}
+
 TEST(DoubtfulStart, ASinglePanelBehindTheBodyThatFacesItIsInsideOut) {
   const auto sheet = [](double z, double turned) {
     Json file = Json::parse(R"({"pattern": {"panels": {"sheet": {
