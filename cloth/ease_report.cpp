@@ -95,14 +95,16 @@ PageTable panel_table(const EaseReport& report) {
 PageTable girth_table(const EaseReport& report) {
   PageTable table;
   table.caption = "Girth ease around the torso, cm";
-  table.columns = {"level", "height", "body", "garment", "ease"};
+  table.columns = {"level", "height", "body", "garment", "ease", "as cut", "ease as cut"};
   for (const GirthEase& girth : report.girths) {
-    table.rows.push_back(
-        {girth.level, cm(girth.height), cm(girth.body), cm(girth.garment), cm(girth.ease)});
+    table.rows.push_back({girth.level, cm(girth.height), cm(girth.body), cm(girth.garment),
+                          cm(girth.ease), cm(girth.unstretched),
+                          cm(girth.unstretched - girth.body)});
   }
   table.remark =
       "Horizontal sections. The body is measured as a tape does, across hollows; the garment along "
-      "the cloth with its folds. Heights are above the floor.";
+      "the cloth with its folds, and as cut: the same line of cloth on the flat panels, before it "
+      "was stretched. Heights are above the floor.";
   return table;
 }
 
@@ -150,6 +152,8 @@ std::string ease_json(const EaseReport& report) {
       row["body_cm"] = rounded(100 * girth.body);
       row["garment_cm"] = rounded(100 * girth.garment);
       row["ease_cm"] = rounded(100 * girth.ease);
+      row["unstretched_cm"] = rounded(100 * girth.unstretched);
+      row["unstretched_ease_cm"] = rounded(100 * (girth.unstretched - girth.body));
       json["girths"].push_back(std::move(row));
     }
   }
@@ -230,7 +234,9 @@ std::vector<std::string> ease_summary(const EaseReport& report) {
   for (const GirthEase& girth : report.girths) {
     if (girth.level.empty()) continue;
     lines.push_back(girth.level + " girth ease " + cm(girth.ease) + " cm (garment " +
-                    cm(girth.garment) + ", body " + cm(girth.body) + ")");
+                    cm(girth.garment) + ", body " + cm(girth.body) + "), " +
+                    cm(girth.unstretched - girth.body) + " cm as cut (" + cm(girth.unstretched) +
+                    ")");
   }
   return lines;
 }

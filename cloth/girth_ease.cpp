@@ -34,6 +34,28 @@ std::optional<Section> torso_section(const TriangleMesh& body, double height) {
   return std::move(sections.front());
 }
 
+/// The length on the flat panels of the line in which the plane at a height cuts the triangles.
+double flat_length(const DressedGarment& garment, const std::vector<int>& triangles,
+                   double height) {
+  double length = 0;
+  for (const int t : triangles) {
+    const Triangle& nodes = garment.triangles[static_cast<std::size_t>(t)];
+    const Triangle& points = garment.flat_triangles[static_cast<std::size_t>(t)];
+    Vec2 ends[2] = {Vec2::Zero(), Vec2::Zero()};
+    int found = 0;
+    for (int i = 0; i < 3 && found < 2; ++i) {
+      const int j = (i + 1) % 3;
+      const double from = garment.points[nodes[i]].y() - height;
+      const double to = garment.points[nodes[j]].y() - height;
+      if ((from >= 0) == (to >= 0)) continue;
+      const double along = from / (from - to);
+      ends[found++] = (1 - along) * garment.flat[points[i]] + along * garment.flat[points[j]];
+    }
+    length += (ends[1] - ends[0]).norm();
+  }
+  return length;
+}
+
 }  // namespace
 
 std::vector<TorsoLevel> torso_levels(const TriangleMesh& body, const Skeleton& skeleton) {
@@ -97,8 +119,9 @@ std::vector<GirthEase> measure_girth_ease(const DressedGarment& garment, const T
       }
     }
     if (around == nullptr) continue;
-    result.push_back(
-        {level.name, level.height, torso->girth, around->length, around->length - torso->girth});
+    result.push_back({level.name, level.height, torso->girth, around->length,
+                      around->length - torso->girth,
+                      flat_length(garment, around->triangles, level.height)});
   }
   return result;
 }

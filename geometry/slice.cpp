@@ -14,14 +14,16 @@ namespace {
 using Edge = std::pair<int, int>;
 
 struct Cut {
+  int triangle;
   Edge enter;  // the half-edge on which the triangle's border comes down through the plane
   Edge leave;  // the one on which it goes up; the next triangle enters there
 };
 
 std::vector<Cut> cut_triangles(const TriangleMesh& mesh, const std::vector<double>& height) {
   std::vector<Cut> cuts;
-  for (const Triangle& triangle : mesh.triangles) {
-    Cut cut{};
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Triangle& triangle = mesh.triangles[t];
+    Cut cut{static_cast<int>(t), {}, {}};
     int crossings = 0;
     for (int side = 0; side < 3; ++side) {
       const int from = triangle[side];
@@ -160,6 +162,7 @@ std::vector<Section> slice(const TriangleMesh& mesh, const Vec3& origin, const V
     for (; at >= 0 && !used[at]; at = next[at]) {
       used[at] = 1;
       add(point_on(cuts[at].enter));
+      section.triangles.push_back(cuts[at].triangle);
       last = at;
     }
     section.closed = at == start;

@@ -13,11 +13,12 @@ struct Section {
   /// Where the surface is outward-oriented they run counter-clockwise around the material, seen
   /// against the plane's normal, so a cavity runs clockwise.
   std::vector<Vec3> points;
-  bool closed = false;  ///< always true for a closed mesh
-  double length = 0;    ///< along the cut, metres
-  double girth = 0;     ///< around its convex hull, metres: what a tape measure reads
-  double area = 0;      ///< enclosed, m^2; negative for a cavity, 0 for an open polyline
-  Vec3 centroid;        ///< of the enclosed area; of the line, where it encloses nothing
+  std::vector<int> triangles;  ///< of the mesh, in the order in which the cut runs through them
+  bool closed = false;         ///< always true for a closed mesh
+  double length = 0;           ///< along the cut, metres
+  double girth = 0;            ///< around its convex hull, metres: what a tape measure reads
+  double area = 0;             ///< enclosed, m^2; negative for a cavity, 0 for an open polyline
+  Vec3 centroid;               ///< of the enclosed area; of the line, where it encloses nothing
 };
 
 /// The sections of `mesh` with the plane through `origin` square to `normal` (of any length but

@@ -22,6 +22,20 @@ TEST(Slice, BoxGivesItsRectangle) {
   EXPECT_LT((sections[0].centroid - Vec3(0, 1.25, 0)).norm(), 1e-12);
 }
 
+TEST(Slice, SaysWhichTrianglesAreCutInOrder) {
+  const TriangleMesh mesh = box({-1, 0, -2}, {1, 3, 2});
+  const Section section = slice(mesh, {0, 1.25, 0}, {0, 1, 0}).front();
+  ASSERT_EQ(section.triangles.size(), 8U);  // two on each of the four sides
+  ASSERT_EQ(section.points.size(), 8U);
+  for (std::size_t i = 0; i < 8; ++i) {
+    const auto& [a, b, c] = mesh.triangles[static_cast<std::size_t>(section.triangles[i])];
+    const Vec3 normal = (mesh.points[b] - mesh.points[a]).cross(mesh.points[c] - mesh.points[a]);
+    for (const Vec3& end : {section.points[i], section.points[(i + 1) % 8]}) {
+      EXPECT_NEAR(normal.dot(end - mesh.points[a]), 0, 1e-12);
+    }
+  }
+}
+
 TEST(Slice, PlaneThroughVerticesStillGivesOneClosedLoop) {
   // The octahedron's equator lies in the plane, split edges and all.
   const auto sections = slice(sphere(0.5, 5), {0, 0, 0}, {0, 1, 0});
