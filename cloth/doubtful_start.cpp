@@ -219,7 +219,8 @@ std::string doubt_text(const DoubtfulPanel& doubtful) {
   }
   return panel +
          "starts inside out, its right side to the body: turn it around (by 180 degrees in its "
-         "rotation), or check the stitches' 'reversed'";
+         "rotation), move it to the body's other side (the sign of its translation's z), or check "
+         "the stitches' 'reversed'";
 }
 
 }  // namespace toile

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
 
 #include "geometry/error.h"
+#include "io/json_value.h"
 #include "io/output_file.h"
 #include "io/text.h"
 
@@ -33,16 +35,19 @@ struct Quantity {
   double counts = std::numeric_limits<double>::infinity();  ///< at most
 };
 
-double number_of(const nlohmann::json& value, const std::string& key, const Quantity& quantity,
+double number_of(const JsonValue& value, const std::string& key, const Quantity& quantity,
                  const std::string& place) {
-  const double number = value.get<double>();
-  if (!std::isfinite(number) || number < 0 || (number == 0 && !quantity.may_be_zero)) {
-    throw Error(place, "'" + key + "' is " + value.dump(),
-                "give a positive number in the unit of the key");
+  const double number = value.number();
+  const auto said = [&] {
+    std::ostringstream text;
+    text << "'" << key << "' is " << number;
+    return text.str();
+  };
+  if (number < 0 || (number == 0 && !quantity.may_be_zero)) {
+    throw Error(place, said(), "give a positive number in the unit of the key");
   }
   if (number > quantity.most) {
-    throw Error(place, "'" + key + "' is " + value.dump() + ", more than any fabric has",
-                "give it in the unit of the key");
+    throw Error(place, said() + ", more than any fabric has", "give it in the unit of the key");
   }
   return number;
 }
@@ -62,37 +67,36 @@ Fabric read_fabric(const std::string& text, const std::string& place) {
       {"friction_skin", {{&fabric.friction_skin}, true, 100}},
       {"friction_cloth", {{&fabric.friction_cloth}, true, 100}},
       {"damping_s", {{&fabric.damping}, true, 1}}};
-  try {
-    // Sorted by key: what says "both" is read before what says one of them.
-    const auto json = nlohmann::json::parse(text);
-    if (!json.is_object()) throw Error(place, "is no JSON object", "see the README");
-    for (const auto& [key, value] : json.items()) {
-      if (key == "name") {
-        fabric.name = value.get<std::string>();
-      } else if (key == "source") {
-        fabric.source = value.get<std::string>();
-      } else if (key == "estimated") {
-        for (const auto& of : value.get<std::vector<std::string>>()) {
-          if (quantities.count(of) == 0) {
-            throw Error(place,
-                        std::string("'estimated' names '") + valid_utf8(of) + "', no quantity",
-                        "name keys of the file");
-          }
-        }
-      } else if (const auto found = quantities.find(key); found != quantities.end()) {
-        const Quantity& quantity = found->second;
-        const double number = number_of(value, key, quantity, place);
-        for (double* of : quantity.values) *of = std::min(quantity.unit * number, quantity.counts);
-        if (number > quantity.counts) {
-          fabric.stiffness_given = std::max(fabric.stiffness_given, number);
-        }
-      } else {
-        throw Error(place, std::string("'") + valid_utf8(key) + "' is no quantity of a fabric",
-                    "see the README for the keys");
+  const JsonDocument document(text, place);
+  const JsonValue root = document.root();
+  if (!root.is_object()) throw Error(place, "is no JSON object", "see the README");
+  // Sorted: what says "both" is read before what says one of them.
+  std::vector<std::string> keys = root.keys();
+  std::ranges::sort(keys);
+  for (const std::string& key : keys) {
+    const std::string where = place + ": '" + valid_utf8(key) + "'";
+    const std::optional<JsonValue> found = root.find(key);
+    if (!found) throw Error(where, "is null", "leave the key out");
+    const JsonValue value = found->called(where);
+    const auto quantity = quantities.find(key);
+    if (key == "name") {
+      fabric.name = value.text();
+    } else if (key == "source") {
+      fabric.source = value.text();
+    } else if (key == "estimated") {
+      for (std::size_t i = 0; i < value.size(); ++i) {
+        const std::string of = value.item(i).text();
+        if (quantities.count(of) != 0) continue;
+        throw Error(where, "names '" + valid_utf8(of) + "', no quantity", "name keys of the file");
       }
+    } else if (quantity != quantities.end()) {
+      const Quantity& sets = quantity->second;
+      const double number = number_of(value, key, sets, place);
+      for (double* of : sets.values) *of = std::min(sets.unit * number, sets.counts);
+      if (number > sets.counts) fabric.stiffness_given = std::max(fabric.stiffness_given, number);
+    } else {
+      throw Error(where, "is no quantity of a fabric", "see the README for the keys");
     }
-  } catch (const nlohmann::json::exception& wrong) {
-    throw Error(place, wrong.what(), "mend the JSON");
   }
   return fabric;
 }

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <boost/algorithm/string/predicate.hpp>
 #include <system_error>
 
 #include "geometry/error.h"
@@ -45,6 +46,12 @@ void write_file(const fs::path& path, std::string_view content) {
 }
 
 void check_writable(const fs::path& path) { const OutputFile probe(path); }
+
+void check_extension(const fs::path& path, const std::string& extension) {
+  if (boost::algorithm::iequals(path.extension().string(), extension)) return;
+  throw Error(path.string(), "is not named " + extension + ", which is what would be written",
+              "name it " + fs::path(path.filename()).replace_extension(extension).string());
+}
 
 std::string read_file(const fs::path& path) {
   std::error_code failed;

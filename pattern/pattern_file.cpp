@@ -392,6 +392,11 @@ std::string edge_name(const Pattern& pattern, const EdgeRef& ref) {
 
 Pattern parse_pattern(const std::string& text, const std::string& name,
                       std::vector<Remark>& remarks) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  if (first != std::string::npos && text[first] != '{' && text[first] != '[') {
+    throw Error(name, "is no pattern that can be read",
+                "give GarmentCode JSON; SVG, DXF and others are not read");
+  }
   const JsonDocument document(text, name);
   return Reader(name, remarks).read(document.root());
 }

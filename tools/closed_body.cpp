@@ -18,8 +18,8 @@ constexpr double least_height = 0.1;
 constexpr double most_height = 3;
 /// Metres from the origin.
 constexpr double most_away = 10;
-/// Metres that a joint may lie outside of the body's box.
-constexpr double most_beside = 0.1;
+/// Metres that a joint may lie outside of the body: the head's is its top.
+constexpr double most_beside = 0.015;
 
 Eigen::AlignedBox3d bounds_of(const TriangleMesh& body) {
   Eigen::AlignedBox3d box;
@@ -71,12 +71,14 @@ TriangleMesh read_closed_body(const std::filesystem::path& path) {
   return body;
 }
 
-Skeleton read_skeleton_of(const TriangleMesh& body, const std::filesystem::path& path) {
+Skeleton read_skeleton_of(const BodyDistance& body, const std::filesystem::path& path) {
   Skeleton skeleton = read_skeleton(path);
-  const Eigen::AlignedBox3d bounds = bounds_of(body);
   for (const auto& [name, point] : skeleton.joints) {
-    if (bounds.exteriorDistance(point) < most_beside) continue;
-    throw Error(path.string(), "joint '" + name + "' lies far outside of the body",
+    const double outside = body.nearest(point).distance;
+    if (outside < most_beside) continue;
+    throw Error(path.string(),
+                "joint '" + name + "' lies " + std::to_string(std::lround(100 * outside)) +
+                    " cm outside of the body",
                 "they are another body's joints: write this one's with clean-body");
   }
   return skeleton;

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "geometry/body/skeleton.h"
+#include "geometry/body_distance.h"
 #include "geometry/types.h"
 
 namespace toile {
@@ -13,7 +14,7 @@ namespace toile {
 /// in metres and within 10 m of the origin.
 TriangleMesh read_closed_body(const std::filesystem::path& path);
 
-/// Reads a body's joints. Throws Error when one is not where the body is: they are another's.
-Skeleton read_skeleton_of(const TriangleMesh& body, const std::filesystem::path& path);
+/// Reads a body's joints. Throws Error when one is not in the body: they are another's.
+Skeleton read_skeleton_of(const BodyDistance& body, const std::filesystem::path& path);
 
 }  // namespace toile

@@ -7,6 +7,7 @@
 
 #include "cloth/springs/dress_springs.h"
 #include "geometry/error.h"
+#include "io/text.h"
 #include "tools/program.h"
 
 namespace toile {
@@ -172,7 +173,8 @@ std::optional<double> read_strain_limit(const po::variables_map& given) {
   if (given.count("strain-limit") == 0) return std::nullopt;
   const double limit = given["strain-limit"].as<double>();
   if (!(limit >= 0 && limit < 1)) {
-    throw Error("--strain-limit", "is not a fraction", "0.01 holds warp and weft to 1 %");
+    throw Error("--strain-limit", "a strain of " + fixed_number(limit, 3) + " is not from 0 to 1",
+                "0.01 holds warp and weft to 1 %");
   }
   return limit;
 }

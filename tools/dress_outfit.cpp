@@ -110,20 +110,23 @@ void Outfit::read() {
       CommonSettings::warn("attachments are left out: --method paper does not know them");
     }
   }
+  for (std::size_t i = 0; i < garments_.size(); ++i) {
+    for (std::size_t other = 0; other < garments_.size(); ++other) panels_over(i, other);
+  }
   fabrics_ = panel_fabrics(garments_, settings_.fabrics);
   const TriangleMesh body = read_closed_body(settings_.body);
-  if (fs::exists(settings_.skeleton) || settings_.needs_skeleton) {
-    skeleton_ = read_skeleton_of(body, settings_.skeleton);
-  } else {
-    CommonSettings::warn(
-        settings_.skeleton.string() +
-        " is missing: what the garment wraps is not measured; clean-body makes it");
-  }
   read_seconds_ = seconds_since(start_);
   const auto grid_start = Clock::now();
   if (settings_.cache) known_ = read_known_distances(*settings_.cache, body).value_or(known_);
   subject_.emplace(body, known_);
   grid_seconds_ = seconds_since(grid_start);
+  if (fs::exists(settings_.skeleton) || settings_.needs_skeleton) {
+    skeleton_ = read_skeleton_of(subject_->skin(), settings_.skeleton);
+  } else {
+    CommonSettings::warn(
+        settings_.skeleton.string() +
+        " is missing: what the garment wraps is not measured; clean-body makes it");
+  }
 }
 
 /// Of the body alone, so before a layer lies on it. What is hardly more than was known is not

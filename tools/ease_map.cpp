@@ -7,6 +7,7 @@
 #include "io/mesh_file.h"
 #include "io/output_file.h"
 #include "io/skeleton_file.h"
+#include "io/text.h"
 #include "pattern/garment_file.h"
 #include "tools/closed_body.h"
 #include "tools/program.h"
@@ -26,15 +27,15 @@ struct Settings {
 };
 
 /// Girths at the levels that the body's joints tell; none, with a note, where there are no joints.
-std::vector<GirthEase> girths_of(const EaseReport& report, const Settings& settings,
-                                 const CommonSettings& common) {
+std::vector<GirthEase> girths_of(const EaseReport& report, const BodyDistance& skin,
+                                 const Settings& settings, const CommonSettings& common) {
   const fs::path path = settings.skeleton.value_or(skeleton_path(settings.body));
   if (!settings.skeleton && !fs::exists(path)) {
     common.say("no girth ease: there are no joints in " + path.string() +
                "; clean-body writes them beside the body");
     return {};
   }
-  const Skeleton skeleton = read_skeleton_of(report.body, path);
+  const Skeleton skeleton = read_skeleton_of(skin, path);
   for (const char* joint : {"pelvis", "waist", "chest"}) {
     if (skeleton.joints.count(joint) == 0) {
       throw Error(path.string(), std::string("has no joint '") + joint + "'",
@@ -56,20 +57,33 @@ void warn_if_implausible(const EaseReport& report) {
   }
 }
 
-int work(const Settings& settings, const CommonSettings& common) {
-  if (settings.ply && settings.ply->extension() != ".ply") {
-    throw Error(settings.ply->string(), "only PLY files hold colours", "name it .ply");
+/// What is cut smaller than the body goes around it by being stretched.
+void warn_if_too_small(const std::vector<GirthEase>& girths) {
+  constexpr double flesh = 0.01;  // metres that it gives way by
+  for (const GirthEase& girth : girths) {
+    const double missing = girth.body - girth.unstretched;
+    if (girth.level.empty() || missing < flesh) continue;
+    CommonSettings::warn("at the " + girth.level + " the garment is cut " +
+                         fixed_number(100 * missing, 1) +
+                         " cm smaller than the body, and stretched by that");
   }
+}
+
+int work(const Settings& settings, const CommonSettings& common) {
+  if (settings.ply) check_extension(*settings.ply, ".ply");  // only PLY files hold colours
+  if (settings.png) check_extension(*settings.png, ".png");
   EaseReport report;
   report.garment = read_dressed(settings.garment);
   report.body = read_closed_body(settings.body);
   report.options = settings.ease;
   report.garment_name = settings.garment.filename().string();
   report.body_name = settings.body.filename().string();
-  report.map = measure_ease(report.garment, BodyDistance(report.body), settings.ease);
-  report.girths = girths_of(report, settings, common);
+  const BodyDistance skin(report.body);
+  report.map = measure_ease(report.garment, skin, settings.ease);
+  report.girths = girths_of(report, skin, settings, common);
   report.top = settings.top.value_or(suggested_top(report.map));
   warn_if_implausible(report);
+  warn_if_too_small(report.girths);
   if (!common.quiet) {
     for (const std::string& line : ease_summary(report)) common.say(line);
   }
@@ -117,6 +131,7 @@ int main(int argc, char** argv) {
       "top", po::value<std::string>(),
       "gap at the end of the colour scale; to compare garments (default: to suit this one)");
   program.positional.add("garment", 1);
+  program.output_extension = ".html";
   program.work = [](const po::variables_map& given, const CommonSettings& common) {
     Settings settings;
     settings.garment = given["garment"].as<std::string>();

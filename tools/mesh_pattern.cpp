@@ -146,10 +146,6 @@ Json report_of(const Settings& settings, const PanelMesh& garment,
 
 int work(const Settings& settings, const CommonSettings& common) {
   const auto start = std::chrono::steady_clock::now();
-  if (common.output.extension() != ".obj") {
-    throw Error("-o " + common.output.string(), "is not named .obj",
-                "name it garment.obj, say; garment.json is written beside it");
-  }
   // garment.json goes beside garment.obj: it must not take the pattern's own place.
   const std::filesystem::path json =
       std::filesystem::path(common.output).replace_extension(".json");
@@ -197,6 +193,7 @@ int main(int argc, char** argv) {
       "flat", po::bool_switch(), "lay the panels out flat instead of placing them")(
       "pattern", po::value<std::string>()->required(), "the pattern (also without --pattern)");
   program.positional.add("pattern", 1);
+  program.output_extension = ".obj";  // garment.json is written beside it
   program.work = [](const po::variables_map& given, const CommonSettings& common) {
     Settings settings;
     settings.pattern = given["pattern"].as<std::string>();

@@ -58,6 +58,15 @@ int usage_error(const CommandLineProgram& program, const std::string& problem) {
   return exit_usage;
 }
 
+/// What the command line lacks, by the name that it would be given by.
+std::string missing(const CommandLineProgram& program, const po::required_option& wrong) {
+  std::string name = wrong.get_option_name();
+  name.erase(0, name.find_first_not_of('-'));
+  const bool is_argument =
+      program.positional.max_total_count() > 0 && program.positional.name_for_position(0) == name;
+  return (is_argument ? "the " : "--") + name + " is missing";
+}
+
 /// A positive number with one of the units.
 double parse_quantity(const std::string& text, const std::map<std::string, double>& units,
                       const std::string& option, const std::string& what,
@@ -109,6 +118,12 @@ int run_program(int argc, char** argv, CommandLineProgram& program) {
     settings.threads = given["threads"].as<int>();
     settings.quiet = given["quiet"].as<bool>();
     if (settings.threads < 0) return usage_error(program, "--threads is negative");
+  } catch (const po::required_option& wrong) {
+    return usage_error(program, missing(program, wrong));
+  } catch (const po::too_many_positional_options_error&) {
+    return usage_error(program, program.positional.max_total_count() == 0
+                                    ? "takes no arguments but options"
+                                    : "takes one " + program.positional.name_for_position(0));
   } catch (const po::error& wrong) {
     return usage_error(program, wrong.what());
   }
@@ -119,6 +134,9 @@ int run_program(int argc, char** argv, CommandLineProgram& program) {
                   static_cast<std::size_t>(settings.threads));
   }
   try {
+    if (!program.output_extension.empty()) {
+      check_extension(settings.output, program.output_extension);
+    }
     refuse_overwriting(given, settings);
     check_writable(settings.output);
     if (settings.report) check_writable(*settings.report);
@@ -132,8 +150,8 @@ int run_program(int argc, char** argv, CommandLineProgram& program) {
 }
 
 double parse_length(const std::string& text, const std::string& option) {
-  static const std::map<std::string, double> metres = {{"m", 1.0},    {"dm", 0.1},    {"cm", 0.01},
-                                                       {"mm", 0.001}, {"in", 0.0254}, {"", 1.0}};
+  static const std::map<std::string, double> metres = {
+      {"m", 1.0}, {"dm", 0.1}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}};
   return parse_quantity(text, metres, option, "a length", "m, dm, cm, mm or in, such as 10mm");
 }
 

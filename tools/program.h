@@ -40,6 +40,8 @@ struct CommandLineProgram {
   boost::program_options::positional_options_description positional;
   /// Options that hang on one another, where there are such: throws program_options::error.
   std::function<void(const boost::program_options::variables_map&)> check;
+  /// What -o has to end in, ".obj" say; empty: the program looks at it itself.
+  std::string output_extension;
   std::function<int(const boost::program_options::variables_map&, const CommonSettings&)> work;
 };
 
@@ -47,8 +49,9 @@ struct CommandLineProgram {
 /// work, turns exceptions into one message and the exit code that belongs to it. -o is required.
 int run_program(int argc, char** argv, CommandLineProgram& program);
 
-/// A length with its unit ("10mm", "1.5cm", "0.01m"; a bare number is metres), in metres.
-/// Throws Error, naming `option`, when it is not a positive length.
+/// A length with its unit ("10mm", "1.5cm", "0.01m"), in metres. Throws Error, naming `option`,
+/// when it is not a positive length, or a bare number: whoever writes 25 means millimetres or
+/// inches.
 double parse_length(const std::string& text, const std::string& option);
 
 /// The same of a time ("1s", "500ms"; a bare number is seconds), in seconds.

@@ -111,6 +111,14 @@ TEST_F(FabricFile, WhatIsNoFabricIsRefused) {
   }
 }
 
+TEST_F(FabricFile, TheMessageSaysWhere) {
+  EXPECT_HOLDS(error("{\"stretch_warp_N_per_m\": \"big\"}"),
+               "fabric.json: 'stretch_warp_N_per_m': is not a number");
+  EXPECT_HOLDS(error("{\"friction\": 0.4,\n}"), "fabric.json:2:1: is not JSON here");
+  EXPECT_HOLDS(error("{\"estimated\": [3]}"), "'estimated'[0]: is not text");
+  EXPECT_HOLDS(error("{\"friction\": null}"), "'friction': is null");
+}
+
 TEST_F(FabricFile, WhatNoFabricHasIsAMistakenUnit) {
   EXPECT_HOLDS(error("{\"thickness_mm\": 300}"), "'thickness_mm' is 300, more than any fabric has");
   EXPECT_HOLDS(error("{\"areal_density_kg_per_m2\": 150}"), "'areal_density_kg_per_m2' is 150");

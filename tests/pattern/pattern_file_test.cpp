@@ -134,6 +134,9 @@ TEST(PatternFile, ReportsWhatItDoesNotRead) {
 TEST(PatternFile, SaysWhereJsonBreaks) {
   EXPECT_HOLDS(parse_error("{\n\"pattern\": {,\n}"), "test.json:2:13: is not JSON here");
   EXPECT_HOLDS(parse_error(""), "test.json:1:1: is not JSON");
+  for (const char* other : {"<?xml version=\"1.0\"?>\n<svg/>", "  0\nSECTION\n", "PK\x03\x04"}) {
+    EXPECT_HOLDS(parse_error(other), "test.json: is no pattern that can be read");
+  }
   EXPECT_HOLDS(parse_error("[1, 2]"), "has no 'pattern'");
   EXPECT_HOLDS(parse_error("{\"pattern\": 3}"), "pattern: is not an object");
 }

@@ -407,10 +407,14 @@ TEST_F(DressInput, SettingsThatMakeNoSense) {
 TEST_F(DressInput, OutputsThatCannotBeWritten) {
   dressed = folder / "missing" / "dressed.obj";
   expect_refused(dress(), "missing");
+  dressed = folder / "dressed.ply";
+  expect_refused(dress(), "name it dressed.obj");
 }
 
 TEST_F(DressInput, WrongUsage) {
-  EXPECT_EQ(run("dress", {obj, "-o", dressed}).exit_code, 2);
+  const auto bodiless = run("dress", {obj, "-o", dressed});
+  EXPECT_EQ(bodiless.exit_code, 2);
+  EXPECT_NE(bodiless.err.find("dress: --body is missing\n"), std::string::npos) << bodiless.err;
   EXPECT_EQ(run("dress", {"--body", body, "-o", dressed}).exit_code, 2);
   EXPECT_EQ(run("dress", {"--body", body, obj}).exit_code, 2);
   EXPECT_EQ(dress({"--no-such-option"}).exit_code, 2);

@@ -87,6 +87,40 @@ TEST_F(EaseMap, MeasuresGirthsWhereThereAreJoints) {
   }
 }
 
+TEST_F(EaseMap, WhatIsCutTooSmallIsWarnedOf) {
+  Skeleton skeleton;
+  skeleton.joints = {{"pelvis", {0, 0.85, 0}}, {"waist", {0, 1.05, 0}}, {"chest", {0, 1.25, 0}}};
+  write_skeleton(scratch / "body.json", skeleton);
+  // Around the body's 94.2 cm the cloth was cut to 90.
+  DressedGarment tight = test::cloth_tube(0.16, 0.16, 0.8, 1.3, 90, 10);
+  write_dressed(dressed, tight);
+  const auto done = ease_map({"-q", "--json", scratch / "e.json"});
+  EXPECT_EQ(done.exit_code, 0);
+  const nlohmann::json girths = nlohmann::json::parse(read_text(scratch / "e.json"))["girths"];
+  bool named = false;
+  for (const auto& girth : girths) {
+    EXPECT_NEAR(girth["unstretched_cm"].get<double>(), 90, 0.01);
+    EXPECT_NEAR(girth["unstretched_ease_cm"].get<double>(), -4.2, 0.15);
+    EXPECT_GT(girth["ease_cm"].get<double>(), 5);
+    named = named || girth.contains("level");
+  }
+  ASSERT_TRUE(named);
+  EXPECT_NE(done.err.find(" cm smaller than the body, and stretched by that"), std::string::npos)
+      << done.err;
+}
+
+TEST_F(EaseMap, AnotherBodysJointsAreRefused) {
+  Skeleton skeleton;
+  skeleton.joints = {{"pelvis", {0, 0.85, 0}}, {"waist", {0, 1.05, 0}}, {"chest", {0.2, 1.25, 0}}};
+  write_skeleton(scratch / "body.json", skeleton);
+  const auto done = ease_map({});
+  EXPECT_EQ(done.exit_code, 1);
+  // The body is a tube of 15 cm radius.
+  EXPECT_NE(done.err.find("joint 'chest' lies 5 cm outside of the body"), std::string::npos)
+      << done.err;
+  EXPECT_FALSE(fs::exists(html));
+}
+
 TEST_F(EaseMap, SameBytesForAnyNumberOfThreads) {
   ASSERT_EQ(ease_map({"--threads", "1"}).exit_code, 0);
   const std::string one = read_text(html);
@@ -124,6 +158,9 @@ TEST_F(EaseMap, BadInputIsOneMessage) {
 TEST_F(EaseMap, BadOptions) {
   EXPECT_EQ(ease_map({"--top", "-5mm"}).exit_code, 1);
   EXPECT_EQ(ease_map({"--contact", "thin"}).exit_code, 1);
+  EXPECT_EQ(ease_map({"--contact", "3"}).exit_code, 1);
+  EXPECT_EQ(ease_map({"--png", scratch / "e.jpg"}).exit_code, 1);
+  EXPECT_EQ(run("ease-map", {"--body", body, dressed, "-o", scratch / "e.csv"}).exit_code, 1);
   EXPECT_EQ(ease_map({"--ply", scratch / "e.obj"}).exit_code, 1);
   EXPECT_EQ(ease_map({"--skeleton", scratch / "missing.json"}).exit_code, 1);
   EXPECT_EQ(run("ease-map", {dressed, "-o", html}).exit_code, 2);
@@ -148,6 +185,10 @@ TEST_F(EaseMap, RenderDrawsTheSameFiles) {
   EXPECT_EQ(read_text(png).substr(1, 3), "PNG");
   EXPECT_EQ(run("render", {dressed, "-o", png, "--views", "below"}).exit_code, 1);
   EXPECT_EQ(run("render", {"-o", png}).exit_code, 1);
+  const auto jpeg = run("render", {dressed, "-o", scratch / "p.jpg"});
+  EXPECT_EQ(jpeg.exit_code, 1);
+  EXPECT_NE(jpeg.err.find("p.jpg: is not named .png"), std::string::npos) << jpeg.err;
+  EXPECT_FALSE(fs::exists(scratch / "p.jpg"));
 }
 
 }  // namespace

@@ -91,9 +91,17 @@ TEST(MeshPattern, BadInputEndsWithOneMessageAndNoFile) {
   EXPECT_EQ(run("mesh-pattern", {"no/such.json", "-o", (folder / "g.obj").string()}).exit_code, 1);
   EXPECT_EQ(mesh(folder, samples::bag, {"--edge-length", "-3mm"}).exit_code, 1);
   EXPECT_EQ(mesh(folder, samples::bag, {"--edge-length", "1um"}).exit_code, 1);
+  const auto bare = mesh(folder, samples::bag, {"--edge-length", "25"});
+  EXPECT_EQ(bare.exit_code, 1);
+  EXPECT_HOLDS(bare.err, "--edge-length: '25' is not a length; give a positive number with m, dm");
   EXPECT_EQ(mesh(folder, samples::bag, {"--subdivisions", "4"}).exit_code, 1);
   EXPECT_EQ(mesh(folder, samples::bag, {"--nonsense"}).exit_code, 2);
-  EXPECT_EQ(run("mesh-pattern", {"-o", (folder / "g.obj").string()}).exit_code, 2);
+  const auto none = run("mesh-pattern", {"-o", (folder / "g.obj").string()});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_HOLDS(none.err, "mesh-pattern: the pattern is missing\nusage: ");
+  const auto two = run("mesh-pattern", {"a.json", "b.json", "-o", (folder / "g.obj").string()});
+  EXPECT_EQ(two.exit_code, 2);
+  EXPECT_HOLDS(two.err, "mesh-pattern: takes one pattern\nusage: ");
 }
 
 TEST(MeshPattern, ThePatternIsNeverOverwritten) {

@@ -220,6 +220,13 @@ TEST_F(OutfitInput, ASceneNamesBodyAndGarments) {
   expect_refused(bare, "body", 2);
 }
 
+TEST_F(OutfitInput, APanelOverAnotherThatIsNotThereIsSaidBeforeAnythingIsDressed) {
+  write_text(scene, R"({"body": "body.ply", "layering": "coupled", "layers": [
+      {"name": "first", "garment": "tube.obj", "panels_over": {"second": ["lapel"]}},
+      {"name": "second", "garment": "tube.obj"}]})");
+  expect_refused(dress(), "no panel is called 'lapel'");
+}
+
 TEST_F(OutfitInput, NoInputIsOverwritten) {
   fs::rename(folder / "tube.obj", folder / "out-first.obj");
   fs::rename(folder / "tube.json", folder / "out-first.json");
@@ -267,7 +274,7 @@ TEST_F(OutfitInput, NothingIsDressedOverALayerThatFailed) {
   tight.seams = {test::seam("left", side_of(0, true), side_of(1, false)),
                  test::seam("right", side_of(0, false), side_of(1, true))};
   write_garment(folder / "tight.obj", tight);
-  write_text(scene, R"({"body": "body.ply", "layers": [
+  write_text(scene, R"({"body": "body.ply", "layering": "coupled", "layers": [
       {"name": "tight", "garment": "tight.obj"}, {"name": "coat", "garment": "tube.obj"}]})");
   const pipeline::Run done = dress();
   EXPECT_EQ(done.exit_code, 3) << done.err;
