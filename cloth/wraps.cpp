@@ -62,10 +62,25 @@ std::vector<double> flat_distances(const PanelMesh& garment, const DressedGarmen
   return distance;
 }
 
-/// The stretch of bone that the part's panels are meant to cover.
-Interval meant_stretch(const PanelMesh& garment, const DressedGarment& dressed,
-                       const std::vector<std::string>& parts, const std::string& part,
-                       const Bones& bones, const Skeleton& skeleton) {
+/// The stretch of bone that a part's panels are meant to cover.
+struct Meant {
+  Interval stretch;
+  double slid = 0;  ///< how far down along the bones they hang from where they were placed
+};
+
+/// Of what hangs from where its top is, a skirt, and reaches so far on the flat: where it slid to
+/// counts as long as that is on the torso, and no farther than half its length. What slid farther
+/// does not cover what it should.
+Meant hung(double placed, double lies, double length, double neck) {
+  const double slid = placed - lies;
+  const bool worn = lies > 0 && lies < neck && std::abs(slid) < 0.5 * length;
+  const double top = worn ? lies : placed;
+  return {{top - 0.75 * length, top - 0.25 * length}, slid};
+}
+
+Meant meant_stretch(const PanelMesh& garment, const DressedGarment& dressed,
+                    const std::vector<std::string>& parts, const std::string& part,
+                    const Bones& bones, const Skeleton& skeleton) {
   const bool torso = part == "torso";
   std::vector<char> counts;
   for (const std::string& p : parts) counts.push_back(p == part);
@@ -104,23 +119,24 @@ Interval meant_stretch(const PanelMesh& garment, const DressedGarment& dressed,
   const double armpit = skeleton.joint("chest").y();
   if (torso) {
     const double from = bones.foot(skeleton.joint("chest"));
-    // What starts below the armpits hangs from where its top came to lie: a skirt has no shoulders,
-    // and may slide until the body is wide enough to hold it.
+    // What starts below the armpits has no shoulders to hang from.
     if (-top < from) {
+      double placed = 0;
       double lies = 0;
-      for (const int n : sources) lies += bones.foot(dressed.points[n]) / sources.size();
-      const bool worn = lies > 0 && lies < bones.along.back();
-      if (!worn) lies = -top;
-      return {lies - 0.75 * length, lies - 0.25 * length};
+      for (const int n : sources) {
+        placed -= placed_along[n] / sources.size();
+        lies += bones.foot(dressed.points[n]) / sources.size();
+      }
+      return hung(placed, lies, length, bones.along.back());
     }
     const double reach = length - (skeleton.joint("neck").y() - armpit);
-    return {from - 0.7 * reach, from - 0.1 * reach};
+    return {{from - 0.7 * reach, from - 0.1 * reach}};
   }
   const bool arm = part.ends_with("arm");
   Vec3 fork = bones.joints.front();
   fork.y() = arm ? armpit : skeleton.joint("pelvis").y();
   const double from = bones.foot(fork);
-  return {from + 0.25 * length, from + 0.75 * length};
+  return {{from + 0.25 * length, from + 0.75 * length}};
 }
 
 /// Share of directions around the station whose ray meets one of the triangles.
@@ -203,10 +219,12 @@ std::vector<WrapFigure> measure_wraps(const PanelMesh& garment, const DressedGar
     }
     const Bones bones(skeleton, part);
     if (bones.joints.empty()) continue;
-    const Interval stretch = meant_stretch(garment, dressed, parts, part, bones, skeleton);
+    const Meant meant = meant_stretch(garment, dressed, parts, part, bones, skeleton);
+    const Interval& stretch = meant.stretch;
     // Panels that are joined to no torso, or end where they begin: nothing says what they cover.
     if (!(stretch.low < stretch.high) || !std::isfinite(stretch.high - stretch.low)) continue;
-    WrapFigure figure{part, stretch.low, stretch.high, 0};
+    WrapFigure figure{part, stretch.low, stretch.high};
+    figure.slid = meant.slid;
     for (int i = 0; i < stations; ++i) {
       const double s = stretch.low + (i + 0.5) / stations * (stretch.high - stretch.low);
       const auto [station, axis] = bones.at(s);

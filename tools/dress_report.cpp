@@ -31,6 +31,8 @@ Lifted lifted_of(const std::vector<double>& lift) {
 
 /// Strain (99th percentile, off the seams) that no woven is worn at.
 constexpr double suspicious_strain = 0.1;
+/// Metres from which on a garment is said to have slid.
+constexpr double far_to_slide = 0.05;
 
 Json strain_json(const StrainFigures& strain) {
   return {{"max", strain.max}, {"p99", strain.p99}, {"rms", strain.rms}};
@@ -221,6 +223,7 @@ nlohmann::ordered_json report_of(const PanelMesh& garment, const Scene& scene,
   for (const WrapFigure& wrap : judgement.wraps) {
     report["wraps"].push_back({{"part", wrap.part},
                                {"fraction", wrap.fraction},
+                               {"slid_cm", 100 * wrap.slid},
                                {"from_m", wrap.from},
                                {"to_m", wrap.to},
                                {"tube", wrap.tube}});
@@ -369,6 +372,11 @@ void say_result(const DressResult& result, const Judgement& judgement,
   if (result.release) say_release(*result.release, common);
   for (const WrapFigure& wrap : judgement.wraps) {
     common.say("wraps " + wrap.part + ": " + percent(wrap.fraction));
+    if (std::abs(wrap.slid) < far_to_slide) continue;
+    std::ostringstream line;
+    line << "the garment " << (wrap.slid > 0 ? "slid down " : "rode up ") << wrap.part << " by "
+         << std::setprecision(2) << 100 * std::abs(wrap.slid) << " cm from where it was placed";
+    CommonSettings::warn(line.str());
   }
   if (result.placement.points_inside > 0) {
     CommonSettings::warn(

@@ -58,8 +58,9 @@ TEST(Wraps, ATubeBelowTheArmpitsMaySlide) {
     const auto points = moved(garment.placed, {0, way, 0});
     return measure_wraps(garment, test::as_dressed(garment, points), figure()).at(0);
   };
-  for (const double way : {-0.25, -0.1, 0.2}) {
+  for (const double way : {-0.25, -0.1, 0.0, 0.2}) {
     EXPECT_NEAR(slid(way).fraction, 1, 1e-3);
+    EXPECT_NEAR(slid(way).slid, -way, 1e-9);
     EXPECT_NEAR(slid(way).from, 0.3 + way - 0.75 * 0.6, 0.012);
     EXPECT_NEAR(slid(way).to, 0.3 + way - 0.25 * 0.6, 0.012);
   }
@@ -68,6 +69,20 @@ TEST(Wraps, ATubeBelowTheArmpitsMaySlide) {
     EXPECT_LT(slid(way).fraction, 0.4);
     EXPECT_NEAR(slid(way).from, 0.3 - 0.75 * 0.6, 0.005);
   }
+}
+
+TEST(Wraps, ATopThatSlidByMoreThanHalfItsLengthIsWhereItShouldNotBe) {
+  PanelMesh garment = tube();
+  // 15 cm, from 1.0 to 1.15 m.
+  for (Vec2& p : garment.flat) p.y() *= 0.25;
+  for (Vec3& p : garment.placed) p.y() = 1.0 + 0.25 * (p.y() - 0.8);
+  const auto slid = [&](double way) {
+    const auto points = moved(garment.placed, {0, -way, 0});
+    return measure_wraps(garment, test::as_dressed(garment, points), figure()).at(0);
+  };
+  EXPECT_NEAR(slid(0.05).fraction, 1, 1e-3);
+  EXPECT_LT(slid(0.1).fraction, 0.3);
+  EXPECT_NEAR(slid(0.1).slid, 0.1, 1e-9);
 }
 
 TEST(Wraps, HalfATube) {
