@@ -44,15 +44,25 @@ class Sides {
     }
   }
 
+  /// Panels that stand where their mirror images belong, in the garment's order; from here on they
+  /// count as exchanged.
+  std::vector<int> exchange_swapped() {
+    std::vector<int> found;
+    for (const Group& group : groups()) {
+      if (!reaches(group).to_images.is_much_shorter_there()) continue;
+      found.insert(found.end(), group.panels.begin(), group.panels.end());
+    }
+    for (const int p : found) carry_across(p);
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
   /// Panels that belong on the other side, in the garment's order.
   std::vector<int> misplaced() {
     std::vector<int> found;
     for (const Group& group : groups()) {
-      const Reaches reach = reaches(group);
-      const bool swapped = reach.to_images.is_much_shorter_there();
-      if (!swapped && !belongs_across(reach.to_others)) continue;
+      if (!belongs_across(reaches(group).to_others)) continue;
       found.insert(found.end(), group.panels.begin(), group.panels.end());
-      if (swapped) continue;  // its images, too, are found where both stand
       // What is sewn to it is judged by where it should be.
       for (const int p : group.panels) mirror(p);
     }
@@ -156,6 +166,15 @@ class Sides {
     return {p.x() - 2 * boxes_[panel].center().x(), p.y(), p.z()};
   }
 
+  void carry_across(int panel) {
+    const MeshedPanel& moved = garment_.panels[panel];
+    for (int p = moved.first_point; p < moved.first_point + moved.points; ++p) {
+      at_[p] = carried_across(at_[p], panel);
+    }
+    boxes_[panel] = box_of(moved);
+    side_[panel] = side_of(boxes_[panel]);
+  }
+
   void mirror(int panel) {
     const MeshedPanel& moved = garment_.panels[panel];
     for (int p = moved.first_point; p < moved.first_point + moved.points; ++p) {
@@ -199,7 +218,11 @@ std::vector<DoubtfulPanel> doubtful_start(const PanelMesh& garment, const Scene&
   using Doubt = DoubtfulPanel::Doubt;
   std::vector<DoubtfulPanel> doubtful;
   const double middle = scene.skeleton != nullptr ? scene.skeleton->joint("pelvis").x() : 0;
-  for (const int p : Sides(garment, middle).misplaced()) {
+  Sides sides(garment, middle);
+  for (const int p : sides.exchange_swapped()) {
+    doubtful.push_back({garment.panels[p].name, Doubt::swapped});
+  }
+  for (const int p : sides.misplaced()) {
     doubtful.push_back({garment.panels[p].name, Doubt::other_side});
   }
   if (scene.skin == nullptr) return doubtful;
@@ -216,6 +239,10 @@ std::string doubt_text(const DoubtfulPanel& doubtful) {
     return panel +
            "stands on the other side of the body from what it is sewn to: move it across (the sign "
            "of its translation's x, or the part of its 'placement'), or sew it to the other side";
+  }
+  if (doubtful.doubt == DoubtfulPanel::Doubt::swapped) {
+    return panel +
+           "stands where its mirror image, which it is sewn to, belongs: let the two change places";
   }
   return panel +
          "starts inside out, its right side to the body: turn it around (by 180 degrees in its "

@@ -57,6 +57,7 @@ PanelMesh placed(const Json& file, const Stage& stage) {
 }
 
 struct Found {
+  Names swapped;
   Names other_side;
   Names inside_out;
 };
@@ -65,14 +66,18 @@ Found doubts(const Json& file, const Stage& stage = mannequin()) {
   Found found;
   for (const DoubtfulPanel& doubtful : doubtful_start(placed(file, stage), stage.scene)) {
     EXPECT_NE(doubt_text(doubtful).find("panel '" + doubtful.panel + "' "), std::string::npos);
-    (doubtful.doubt == DoubtfulPanel::Doubt::other_side ? found.other_side : found.inside_out)
-        .push_back(doubtful.panel);
+    using Doubt = DoubtfulPanel::Doubt;
+    Names& names = doubtful.doubt == Doubt::swapped      ? found.swapped
+                   : doubtful.doubt == Doubt::other_side ? found.other_side
+                                                         : found.inside_out;
+    names.push_back(doubtful.panel);
   }
   return found;
 }
 
 void expect_none(const Json& file, const Stage& stage, const std::string& name) {
   const Found found = doubts(file, stage);
+  EXPECT_EQ(found.swapped, Names()) << name;
   EXPECT_EQ(found.other_side, Names()) << name;
   EXPECT_EQ(found.inside_out, Names()) << name;
   // With room to spare.
@@ -193,8 +198,27 @@ TEST(DoubtfulStart, LegsInEachOthersPlaceAreNamed) {
       x = x.get<double>() + way;
     }
   }
-  EXPECT_EQ(doubts(file).other_side,
-            Names({"left_back", "left_front", "right_back", "right_front"}));
+  const Names legs = {"left_back", "left_front", "right_back", "right_front"};
+  const Found found = doubts(file);
+  EXPECT_EQ(found.swapped, legs);
+  EXPECT_EQ(found.other_side, Names());
+  EXPECT_EQ(found.inside_out, Names());
+
+  // Half waistbands that stand as they should are not blamed for the legs.
+  for (const auto& [side, left, edge] : {std::tuple("left", 1, 7), {"right", -10, 5}}) {
+    const std::string name = side + std::string("_band");
+    Json band = {{"vertices", {{0, 0}, {9, 0}, {9, 3}, {0, 3}}},
+                 {"edges", Json::array()},
+                 {"translation", {left, 104, 20}},
+                 {"rotation", {0, 0, 0}}};
+    for (int i = 0; i < 4; ++i) band["edges"].push_back({{"endpoints", {i, (i + 1) % 4}}});
+    panels[name] = band;
+    file["pattern"]["stitches"].push_back(
+        Json::array({{{"panel", name}, {"edge", 0}},
+                     {{"panel", side + std::string("_front")}, {"edge", edge}}}));
+  }
+  EXPECT_EQ(doubts(file).swapped, legs);
+  EXPECT_EQ(doubts(file).other_side, Names());
 }
 
 TEST(DoubtfulStart, ASinglePanelBehindTheBodyThatFacesItIsInsideOut) {
