@@ -98,8 +98,7 @@ PageTable girth_table(const EaseReport& report) {
   table.columns = {"level", "height", "body", "garment", "ease", "as cut", "ease as cut"};
   for (const GirthEase& girth : report.girths) {
     table.rows.push_back({girth.level, cm(girth.height), cm(girth.body), cm(girth.garment),
-                          cm(girth.ease), cm(girth.unstretched),
-                          cm(girth.unstretched - girth.body)});
+                          cm(girth.ease), cm(girth.as_cut), cm(girth.as_cut - girth.body)});
   }
   table.remark =
       "Horizontal sections. The body is measured as a tape does, across hollows; the garment along "
@@ -152,8 +151,8 @@ std::string ease_json(const EaseReport& report) {
       row["body_cm"] = rounded(100 * girth.body);
       row["garment_cm"] = rounded(100 * girth.garment);
       row["ease_cm"] = rounded(100 * girth.ease);
-      row["unstretched_cm"] = rounded(100 * girth.unstretched);
-      row["unstretched_ease_cm"] = rounded(100 * (girth.unstretched - girth.body));
+      row["as_cut_cm"] = rounded(100 * girth.as_cut);
+      row["as_cut_ease_cm"] = rounded(100 * (girth.as_cut - girth.body));
       json["girths"].push_back(std::move(row));
     }
   }
@@ -235,8 +234,7 @@ std::vector<std::string> ease_summary(const EaseReport& report) {
     if (girth.level.empty()) continue;
     lines.push_back(girth.level + " girth ease " + cm(girth.ease) + " cm (garment " +
                     cm(girth.garment) + ", body " + cm(girth.body) + "), " +
-                    cm(girth.unstretched - girth.body) + " cm as cut (" + cm(girth.unstretched) +
-                    ")");
+                    cm(girth.as_cut - girth.body) + " cm as cut (" + cm(girth.as_cut) + ")");
   }
   return lines;
 }

@@ -47,10 +47,13 @@ void write_file(const fs::path& path, std::string_view content) {
 
 void check_writable(const fs::path& path) { const OutputFile probe(path); }
 
-void check_extension(const fs::path& path, const std::string& extension) {
-  if (boost::algorithm::iequals(path.extension().string(), extension)) return;
-  throw Error(path.string(), "is not named " + extension + ", which is what would be written",
-              "name it " + fs::path(path.filename()).replace_extension(extension).string());
+void check_extension(const fs::path& path, const std::vector<std::string>& extensions) {
+  for (const std::string& extension : extensions) {
+    if (boost::algorithm::iequals(path.extension().string(), extension)) return;
+  }
+  const std::string& usual = extensions.front();
+  throw Error(path.string(), "is not named " + usual + ", which is what would be written",
+              "name it " + fs::path(path.filename()).replace_extension(usual).string());
 }
 
 std::string read_file(const fs::path& path) {

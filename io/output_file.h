@@ -5,6 +5,7 @@
 #include <fstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace toile {
 
@@ -33,9 +34,9 @@ void write_file(const std::filesystem::path& path, std::string_view content);
 /// Throws Error unless a file can be written there: to find out before a long computation.
 void check_writable(const std::filesystem::path& path);
 
-/// Throws Error unless the path ends in `extension`, ".obj" say, in small or capital letters: a
-/// file should be what its name says.
-void check_extension(const std::filesystem::path& path, const std::string& extension);
+/// Throws Error unless the path ends in one of the extensions, ".obj" say, in small or capital
+/// letters: a file should be what its name says.
+void check_extension(const std::filesystem::path& path, const std::vector<std::string>& extensions);
 
 /// The whole file. Throws Error when it is missing, a folder, or can't be read.
 std::string read_file(const std::filesystem::path& path);

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <vector>
 
+#include "geometry/body/clean.h"
 #include "geometry/closed_surface.h"
 #include "geometry/error.h"
 #include "io/mesh_file.h"
 #include "io/skeleton_file.h"
+#include "io/text.h"
 
 namespace toile {
 
@@ -18,9 +20,6 @@ constexpr double least_height = 0.1;
 constexpr double most_height = 3;
 /// Metres from the origin.
 constexpr double most_away = 10;
-/// Metres that a joint may lie outside of the body: the head's is its top.
-constexpr double most_beside = 0.015;
-
 Eigen::AlignedBox3d bounds_of(const TriangleMesh& body) {
   Eigen::AlignedBox3d box;
   for (const Vec3& p : body.points) box.extend(p);
@@ -73,12 +72,12 @@ TriangleMesh read_closed_body(const std::filesystem::path& path) {
 
 Skeleton read_skeleton_of(const BodyDistance& body, const std::filesystem::path& path) {
   Skeleton skeleton = read_skeleton(path);
-  for (const auto& [name, point] : skeleton.joints) {
-    const double outside = body.nearest(point).distance;
-    if (outside < most_beside) continue;
+  if (const auto outside = joint_outside(skeleton, body)) {
+    constexpr double far = 10;
     throw Error(path.string(),
-                "joint '" + name + "' lies " + std::to_string(std::lround(100 * outside)) +
-                    " cm outside of the body",
+                "joint '" + outside->name + "' lies " +
+                    (outside->by < far ? fixed_number(100 * outside->by, 1) + " cm" : "far") +
+                    " outside of the body",
                 "they are another body's joints: write this one's with clean-body");
   }
   return skeleton;

@@ -166,7 +166,7 @@ int main(int argc, char** argv) {
   toile::add_fabric_option(program.options);
   toile::add_method_options(program.options);
   program.positional.add("garment", 1);
-  program.output_extension = ".obj";
+  program.output_extensions = {".obj"};
   program.check = toile::check_usage;
   program.work = toile::work;
   return toile::run_program(argc, argv, program);

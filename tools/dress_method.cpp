@@ -173,7 +173,8 @@ std::optional<double> read_strain_limit(const po::variables_map& given) {
   if (given.count("strain-limit") == 0) return std::nullopt;
   const double limit = given["strain-limit"].as<double>();
   if (!(limit >= 0 && limit < 1)) {
-    throw Error("--strain-limit", "a strain of " + fixed_number(limit, 3) + " is not from 0 to 1",
+    throw Error("--strain-limit",
+                "a strain of " + fixed_number(limit, 3) + " is not at least 0 and below 1",
                 "0.01 holds warp and weft to 1 %");
   }
   return limit;

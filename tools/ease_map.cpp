@@ -61,7 +61,7 @@ void warn_if_implausible(const EaseReport& report) {
 void warn_if_too_small(const std::vector<GirthEase>& girths) {
   constexpr double flesh = 0.01;  // metres that it gives way by
   for (const GirthEase& girth : girths) {
-    const double missing = girth.body - girth.unstretched;
+    const double missing = girth.body - girth.as_cut;
     if (girth.level.empty() || missing < flesh) continue;
     CommonSettings::warn("at the " + girth.level + " the garment is cut " +
                          fixed_number(100 * missing, 1) +
@@ -70,8 +70,8 @@ void warn_if_too_small(const std::vector<GirthEase>& girths) {
 }
 
 int work(const Settings& settings, const CommonSettings& common) {
-  if (settings.ply) check_extension(*settings.ply, ".ply");  // only PLY files hold colours
-  if (settings.png) check_extension(*settings.png, ".png");
+  if (settings.ply) check_extension(*settings.ply, {".ply"});  // only PLY files hold colours
+  if (settings.png) check_extension(*settings.png, {".png"});
   EaseReport report;
   report.garment = read_dressed(settings.garment);
   report.body = read_closed_body(settings.body);
@@ -131,7 +131,7 @@ int main(int argc, char** argv) {
       "top", po::value<std::string>(),
       "gap at the end of the colour scale; to compare garments (default: to suit this one)");
   program.positional.add("garment", 1);
-  program.output_extension = ".html";
+  program.output_extensions = {".html", ".htm"};
   program.work = [](const po::variables_map& given, const CommonSettings& common) {
     Settings settings;
     settings.garment = given["garment"].as<std::string>();

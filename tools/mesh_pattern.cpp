@@ -193,7 +193,7 @@ int main(int argc, char** argv) {
       "flat", po::bool_switch(), "lay the panels out flat instead of placing them")(
       "pattern", po::value<std::string>()->required(), "the pattern (also without --pattern)");
   program.positional.add("pattern", 1);
-  program.output_extension = ".obj";  // garment.json is written beside it
+  program.output_extensions = {".obj"};  // garment.json is written beside it
   program.work = [](const po::variables_map& given, const CommonSettings& common) {
     Settings settings;
     settings.pattern = given["pattern"].as<std::string>();

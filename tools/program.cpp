@@ -134,8 +134,8 @@ int run_program(int argc, char** argv, CommandLineProgram& program) {
                   static_cast<std::size_t>(settings.threads));
   }
   try {
-    if (!program.output_extension.empty()) {
-      check_extension(settings.output, program.output_extension);
+    if (!program.output_extensions.empty()) {
+      check_extension(settings.output, program.output_extensions);
     }
     refuse_overwriting(given, settings);
     check_writable(settings.output);

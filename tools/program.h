@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace toile {
 
@@ -40,8 +41,8 @@ struct CommandLineProgram {
   boost::program_options::positional_options_description positional;
   /// Options that hang on one another, where there are such: throws program_options::error.
   std::function<void(const boost::program_options::variables_map&)> check;
-  /// What -o has to end in, ".obj" say; empty: the program looks at it itself.
-  std::string output_extension;
+  /// What -o has to end in, ".obj" say; none: the program looks at it itself.
+  std::vector<std::string> output_extensions;
   std::function<int(const boost::program_options::variables_map&, const CommonSettings&)> work;
 };
 

@@ -121,7 +121,7 @@ int main(int argc, char** argv) {
       "whole", po::bool_switch(), "show the whole body, not only where the garment is")(
       "title", po::value<std::string>()->default_value(""), "text above the views");
   program.positional.add("garment", -1);
-  program.output_extension = ".png";
+  program.output_extensions = {".png"};
   program.work = [](const po::variables_map& given, const CommonSettings& common) {
     Settings settings;
     settings.body = given["body"].as<std::string>();

@@ -158,19 +158,13 @@ Vec3 bring_near(Standing& body) {
 
 /// What is wrong with joints given for a body of that unit; empty: nothing.
 std::string refusal(const Skeleton& skeleton, const TriangleMesh& mesh, double unit) {
-  const BodyDistance body(mesh);
-  // The head's joint lies on the crown, and repair moves the skin a little.
-  const double tolerance = 0.015 / unit;
   for (const Segment& segment : body_segments()) {
     for (const std::string& name : {segment.from, segment.to}) {
-      const auto joint = skeleton.joints.find(name);
-      if (joint == skeleton.joints.end()) return "there is no '" + name + "' among them";
-      if (!(body.nearest(joint->second / unit).distance < tolerance)) {
-        return "'" + name + "' lies outside the body";
-      }
+      if (!skeleton.joints.contains(name)) return "there is no '" + name + "' among them";
     }
   }
-  return "";
+  const auto outside = joint_outside(skeleton, BodyDistance(mesh), unit);
+  return outside ? "'" + outside->name + "' lies outside the body" : "";
 }
 
 /// The body as the given joints have it, if they are its own.
@@ -201,6 +195,19 @@ std::optional<Standing> as_given(const TriangleMesh& mesh, const CleanOptions& o
 }
 
 }  // namespace
+
+std::optional<JointOutside> joint_outside(const Skeleton& skeleton, const BodyDistance& body,
+                                          double unit) {
+  for (const Segment& segment : body_segments()) {
+    for (const std::string& name : {segment.from, segment.to}) {
+      const auto joint = skeleton.joints.find(name);
+      if (joint == skeleton.joints.end()) continue;
+      const double by = unit * body.nearest(joint->second / unit).distance;
+      if (!(by < joint_tolerance)) return JointOutside{name, by};
+    }
+  }
+  return std::nullopt;
+}
 
 CleanBody clean_body(const PolygonSoup& soup, const std::string& name,
                      const CleanOptions& options) {

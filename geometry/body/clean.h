@@ -5,6 +5,7 @@
 #include <string>
 
 #include "geometry/body/skeleton.h"
+#include "geometry/body_distance.h"
 #include "geometry/repair.h"
 
 namespace toile {
@@ -53,5 +54,18 @@ struct CleanBody {
 /// body without a skeleton is no error.
 CleanBody clean_body(const PolygonSoup& soup, const std::string& name,
                      const CleanOptions& options = {});
+
+/// The first of the bones' joints that lies outside of the body by more than `joint_tolerance`:
+/// then they are another body's. Joints that are missing, or end no bone, are passed over. `body`
+/// is in units of `unit` metres.
+struct JointOutside {
+  std::string name;
+  double by = 0;  ///< metres
+};
+std::optional<JointOutside> joint_outside(const Skeleton& skeleton, const BodyDistance& body,
+                                          double unit = 1);
+
+/// Metres: the head's joint lies on the crown, and repair moves the skin a little.
+inline constexpr double joint_tolerance = 0.015;
 
 }  // namespace toile

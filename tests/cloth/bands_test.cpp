@@ -136,8 +136,8 @@ class ElasticTube : public testing::Test {
     band_ = measure_bands(garment_, point_positions(program_, x_, 0)).at(0);
   }
 
-  /// N: with which cloth and elastic press on the cylinder, in all. Where the cloth presses on itself
-  /// adds up to nothing.
+  /// N: with which cloth and elastic press on the cylinder, in all. Where the cloth presses on
+  /// itself adds up to nothing.
   double pressing() const {
     Vec4s force(program_.nodes, Vec4{});
     const Vec4s x = as_vec4(x_);

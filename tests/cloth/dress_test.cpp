@@ -67,9 +67,10 @@ TEST(Dress, LeavesASaddleThatReleaseFinds) {
   for (Vec3& p : garment.placed) p.z() = off * std::pow(p.y() / length, 2);
   std::vector<int> clamped = {0, 1, 2, 3, 4, 5};
   for (const int point : clamped) {
-    garment.attachments.push_back({"point " + std::to_string(point),
-                                   {point},
-                                   {AttachedTo::point, "", 0, garment.placed[point], true, 1000, 8}});
+    garment.attachments.push_back(
+        {"point " + std::to_string(point),
+         {point},
+         {AttachedTo::point, "", 0, garment.placed[point], true, 1000, 8}});
   }
   const test::SolidBody far(test::box({2, 2, 2}, {3, 3, 3}));
   Scene scene;

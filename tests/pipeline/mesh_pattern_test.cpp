@@ -113,9 +113,12 @@ TEST(MeshPattern, ThePatternIsNeverOverwritten) {
   EXPECT_EQ(beside.exit_code, 1);
   EXPECT_HOLDS(beside.err, "bag.json, the pattern; name the garment otherwise");
   EXPECT_EQ(folder.names(), std::vector<std::string>{"bag.json"});
-  const auto failed =
-      run("mesh-pattern", {(folder / "bag.json").string(), "-o", (folder / "bag.json").string()});
-  EXPECT_EQ(failed.exit_code, 1);
+  write_text(folder / "bag.obj", samples::bag);
+  const auto itself =
+      run("mesh-pattern", {(folder / "bag.obj").string(), "-o", (folder / "bag.obj").string()});
+  EXPECT_EQ(itself.exit_code, 1);
+  EXPECT_HOLDS(itself.err, "would be overwritten");
+  EXPECT_EQ(read_text(folder / "bag.obj"), samples::bag);
   EXPECT_EQ(read_text(folder / "bag.json"), samples::bag);
 }
 
