@@ -18,6 +18,7 @@ constexpr int stations = 32;
 constexpr int directions = 360;
 /// Metres: nodes no farther than this from a part's first or last one count as its top or hem.
 constexpr double end_depth = 0.02;
+constexpr double hand = 0.1;  ///< metres, its breadth
 
 struct Interval {
   double low;
@@ -69,11 +70,11 @@ struct Meant {
 };
 
 /// Of what hangs from where its top is, a skirt, and reaches so far on the flat: where it slid to
-/// counts as long as that is on the torso, and no farther than half its length. What slid farther
-/// does not cover what it should.
+/// counts as long as that is on the torso, and no farther than half its length or a hand's breadth.
+/// What slid farther does not cover what it should.
 Meant hung(double placed, double lies, double length, double neck) {
   const double slid = placed - lies;
-  const bool worn = lies > 0 && lies < neck && std::abs(slid) < 0.5 * length;
+  const bool worn = lies > 0 && lies < neck && std::abs(slid) < std::max(0.5 * length, hand);
   const double top = worn ? lies : placed;
   return {{top - 0.75 * length, top - 0.25 * length}, slid};
 }

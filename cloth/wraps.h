@@ -29,10 +29,10 @@ struct WrapFigure {
 /// them: on the torso the shortest way from its top to its hem, hung from the base of the neck and
 /// counted from the armpits down, or, of what is placed below the armpits, as a skirt is, from
 /// where its top came to lie, or from where it was placed if it slid by more than half its length
-/// or off the torso; on an arm or leg the shortest way from the seams to the torso to the cuff,
-/// counted from armpit or crotch. Of that the torso's stretch is from 10 to 70 %, a limb's and a
-/// skirt's from 25 to 75 %: the rest is what ease, a hem that swings and folds take up. Linear in
-/// the triangles times 32 stations.
+/// and 10 cm, or off the torso; on an arm or leg the shortest way from the seams to the torso to
+/// the cuff, counted from armpit or crotch. Of that the torso's stretch is from 10 to 70 %, a
+/// limb's and a skirt's from 25 to 75 %: the rest is what ease, a hem that swings and folds take
+/// up. Linear in the triangles times 32 stations.
 std::vector<WrapFigure> measure_wraps(const PanelMesh& garment, const DressedGarment& dressed,
                                       const Skeleton& skeleton);
 
