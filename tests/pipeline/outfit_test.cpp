@@ -274,7 +274,7 @@ TEST_F(OutfitInput, NothingIsDressedOverALayerThatFailed) {
   tight.seams = {test::seam("left", side_of(0, true), side_of(1, false)),
                  test::seam("right", side_of(0, false), side_of(1, true))};
   write_garment(folder / "tight.obj", tight);
-  write_text(scene, R"({"body": "body.ply", "layering": "coupled", "layers": [
+  write_text(scene, R"({"body": "body.ply", "layers": [
       {"name": "tight", "garment": "tight.obj"}, {"name": "coat", "garment": "tube.obj"}]})");
   const pipeline::Run done = dress();
   EXPECT_EQ(done.exit_code, 3) << done.err;
