@@ -392,7 +392,7 @@ std::string edge_name(const Pattern& pattern, const EdgeRef& ref) {
 
 Pattern parse_pattern(const std::string& text, const std::string& name,
                       std::vector<Remark>& remarks) {
-  // What begins as XML, a zip archive or a DXF file (with a group code) does.
+  // So begin XML, a zip archive and, with a group code, DXF.
   const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   if (first != std::string::npos &&
       std::string_view("<P0123456789").find(text[first]) != std::string_view::npos) {

@@ -55,17 +55,19 @@ struct CleanBody {
 CleanBody clean_body(const PolygonSoup& soup, const std::string& name,
                      const CleanOptions& options = {});
 
-/// The first of the bones' joints that lies outside of the body by more than `joint_tolerance`:
-/// then they are another body's. Joints that are missing, or end no bone, are passed over. `body`
-/// is in units of `unit` metres.
+/// Metres that a joint may lie outside of the body: the head's lies on the crown, and repair moves
+/// the skin a little.
+inline constexpr double joint_tolerance = 0.015;
+
 struct JointOutside {
   std::string name;
   double by = 0;  ///< metres
 };
+
+/// The first of the bones' joints that lies outside of the body by more than `joint_tolerance`:
+/// then they are another body's. Joints that are missing, or end no bone, are passed over. `body`
+/// is in units of `unit` metres.
 std::optional<JointOutside> joint_outside(const Skeleton& skeleton, const BodyDistance& body,
                                           double unit = 1);
-
-/// Metres: the head's joint lies on the crown, and repair moves the skin a little.
-inline constexpr double joint_tolerance = 0.015;
 
 }  // namespace toile
