@@ -1,6 +1,7 @@
 #include "cloth/self_contact.h"
 
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_invoke.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -28,7 +29,7 @@ constexpr double push_stiffness = 200;
 /// Metres; below it, forces grow no more.
 constexpr double least_distance = 1e-9;
 /// Vertices or edges that one task looks up; fixed, so that results don't depend on the threads.
-constexpr std::size_t chunk = 512;
+constexpr std::size_t chunk = 128;
 
 SphereGrid::Sphere sphere_around(const std::array<int, 2>& edge, const std::vector<Vec3>& x) {
   const Vec3 centre = 0.5 * (x[edge[0]] + x[edge[1]]);
@@ -66,6 +67,21 @@ void search_in_chunks(std::size_t items, Finds& all, const Search& search) {
     for (std::size_t item = c * chunk; item < end; ++item) search(item, found[c]);
   });
   for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
+}
+
+/// Whether boxes tell already that the two sides of a pair are `reach` apart or more.
+bool boxes_apart(const ContactPair& pair, const std::vector<Vec3>& x, double reach) {
+  const auto& [a, b, c, d] = pair.vertices;
+  const Vec3 first_low = pair.edges ? x[a].cwiseMin(x[b]) : x[a];
+  const Vec3 first_high = pair.edges ? x[a].cwiseMax(x[b]) : x[a];
+  Vec3 second_low = x[c].cwiseMin(x[d]);
+  Vec3 second_high = x[c].cwiseMax(x[d]);
+  if (!pair.edges) {
+    second_low = second_low.cwiseMin(x[b]);
+    second_high = second_high.cwiseMax(x[b]);
+  }
+  return ((first_low - second_high).array() >= reach).any() ||
+         ((second_low - first_high).array() >= reach).any();
 }
 
 template <std::size_t N>
@@ -178,9 +194,9 @@ double ProximitySearch::gap_to_keep(const Found& found, double gap) const {
 
 ProximitySearch::Finds ProximitySearch::near_pairs(const std::vector<Vec3>& x, double radius,
                                                    const std::vector<char>& wanted) const {
-  Finds all;
   const bool only_some = !wanted.empty();
   const auto consider = [&](const ContactPair& pair, Finds& found) {
+    if (boxes_apart(pair, x, radius)) return;
     const double distance = nearest_points(pair, x).apart.norm();
     if (distance < radius) found.push_back({pair, distance});
   };
@@ -202,47 +218,58 @@ ProximitySearch::Finds ProximitySearch::near_pairs(const std::vector<Vec3>& x, d
     consider({{a[0], a[1], b[0], b[1]}, true, 0}, found);
   };
 
-  std::vector<SphereGrid::Sphere> triangles;
-  triangles.reserve(triangles_.size());
-  for (const Triangle& t : triangles_) triangles.push_back(sphere_around(t, x));
-  {
-    const SphereGrid grid(triangles, radius);
-    search_in_chunks(x.size(), all, [&](std::size_t v, Finds& found) {
+  const auto spheres_around = [&](const auto& shapes) {
+    std::vector<SphereGrid::Sphere> spheres;
+    spheres.reserve(shapes.size());
+    for (const auto& shape : shapes) spheres.push_back(sphere_around(shape, x));
+    return spheres;
+  };
+  Finds of_vertices;
+  const auto search_by_vertices = [&] {
+    const SphereGrid grid(spheres_around(triangles_), radius);
+    search_in_chunks(x.size(), of_vertices, [&](std::size_t v, Finds& found) {
       if (only_some && wanted[v] == 0) return;
       grid.near(x[v], 0, [&](int t) { point_and_triangle(static_cast<int>(v), t, found); });
     });
-  }
-  if (only_some) {
+  };
+  Finds of_triangles;
+  const auto search_by_triangles = [&] {
+    if (!only_some) return;
     std::vector<SphereGrid::Sphere> points;
     points.reserve(x.size());
     for (const Vec3& p : x) points.push_back({p, 0});
     const SphereGrid grid(points, radius);
-    search_in_chunks(triangles_.size(), all, [&](std::size_t t, Finds& found) {
+    search_in_chunks(triangles_.size(), of_triangles, [&](std::size_t t, Finds& found) {
       if (!any_of(wanted, triangles_[t])) return;
-      grid.near(triangles[t].centre, triangles[t].radius, [&](int v) {
+      const SphereGrid::Sphere around = sphere_around(triangles_[t], x);
+      grid.near(around.centre, around.radius, [&](int v) {
         if (wanted[v] == 0) point_and_triangle(v, static_cast<int>(t), found);
       });
     });
-  }
-
-  std::vector<SphereGrid::Sphere> edges;
-  edges.reserve(edges_.size());
-  for (const auto& edge : edges_) edges.push_back(sphere_around(edge, x));
-  const SphereGrid grid(edges, radius);
-  if (!only_some) {
-    search_in_chunks(grid.parts(), all, [&](std::size_t part, Finds& found) {
-      grid.pairs(part, [&](int e, int f) { two_edges(e, f, found); });
+  };
+  Finds of_edges;
+  const auto search_by_edges = [&] {
+    const std::vector<SphereGrid::Sphere> edges = spheres_around(edges_);
+    const SphereGrid grid(edges, radius);
+    if (!only_some) {
+      search_in_chunks(grid.parts(), of_edges, [&](std::size_t part, Finds& found) {
+        grid.pairs(part, [&](int e, int f) { two_edges(e, f, found); });
+      });
+      return;
+    }
+    search_in_chunks(edges_.size(), of_edges, [&](std::size_t i, Finds& found) {
+      const int e = static_cast<int>(i);
+      if (!any_of(wanted, edges_[e])) return;
+      grid.near(edges[e].centre, edges[e].radius, [&](int f) {
+        if (f == e || (f < e && any_of(wanted, edges_[f]))) return;
+        two_edges(std::min(e, f), std::max(e, f), found);
+      });
     });
-    return all;
-  }
-  search_in_chunks(edges_.size(), all, [&](std::size_t i, Finds& found) {
-    const int e = static_cast<int>(i);
-    if (!any_of(wanted, edges_[e])) return;
-    grid.near(edges[e].centre, edges[e].radius, [&](int f) {
-      if (f == e || (f < e && any_of(wanted, edges_[f]))) return;
-      two_edges(std::min(e, f), std::max(e, f), found);
-    });
-  });
+  };
+  tbb::parallel_invoke(search_by_vertices, search_by_triangles, search_by_edges);
+  Finds all = std::move(of_vertices);
+  all.insert(all.end(), of_triangles.begin(), of_triangles.end());
+  all.insert(all.end(), of_edges.begin(), of_edges.end());
   return all;
 }
 

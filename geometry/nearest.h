@@ -1,6 +1,7 @@
 // Nearest points of the simple figures: a triangle, two segments.
 #pragma once
 
+#include <algorithm>
 #include <utility>
 
 #include "geometry/types.h"
@@ -9,11 +10,68 @@ namespace toile {
 
 /// Barycentric weights of the point of triangle abc nearest to p [Ericson 2005, Real-Time Collision
 /// Detection, 5.1.5]. Weights that are exactly 0 tell that it lies on an edge or a corner.
-Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
+inline Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a;
+  const Vec3 ac = c - a;
+  const Vec3 ap = p - a;
+  const double d1 = ab.dot(ap);
+  const double d2 = ac.dot(ap);
+  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
+  const Vec3 bp = p - b;
+  const double d3 = ab.dot(bp);
+  const double d4 = ac.dot(bp);
+  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) {
+    const double v = d1 / (d1 - d3);
+    return {1 - v, v, 0};
+  }
+  const Vec3 cp = p - c;
+  const double d5 = ab.dot(cp);
+  const double d6 = ac.dot(cp);
+  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) {
+    const double w = d2 / (d2 - d6);
+    return {1 - w, 0, w};
+  }
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
+    const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+    return {0, 1 - w, w};
+  }
+  const double sum = va + vb + vc;
+  return {va / sum, vb / sum, vc / sum};
+}
 
 /// Parameters (s, t) in [0, 1] of the points a + s(b-a) and c + t(d-c) nearest to each other
 /// [Ericson 2005, 5.1.9]. Of parallel segments, one of the nearest pairs.
-std::pair<double, double> nearest_on_segments(const Vec3& a, const Vec3& b, const Vec3& c,
-                                              const Vec3& d);
+inline std::pair<double, double> nearest_on_segments(const Vec3& a, const Vec3& b, const Vec3& c,
+                                                     const Vec3& d) {
+  const Vec3 u = b - a;
+  const Vec3 v = d - c;
+  const Vec3 r = a - c;
+  const double uu = u.squaredNorm();
+  const double vv = v.squaredNorm();
+  const double uv = u.dot(v);
+  const double ur = u.dot(r);
+  const double vr = v.dot(r);
+  if (uu == 0 && vv == 0) return {0, 0};
+  if (uu == 0) return {0, std::clamp(vr / vv, 0.0, 1.0)};
+  if (vv == 0) return {std::clamp(-ur / uu, 0.0, 1.0), 0};
+  const double denominator = uu * vv - uv * uv;
+  // Nearly parallel: any s does, and 0 is as good as another.
+  double s =
+      denominator > 1e-12 * uu * vv ? std::clamp((uv * vr - ur * vv) / denominator, 0.0, 1.0) : 0.0;
+  double t = (uv * s + vr) / vv;
+  if (t < 0) {
+    t = 0;
+    s = std::clamp(-ur / uu, 0.0, 1.0);
+  } else if (t > 1) {
+    t = 1;
+    s = std::clamp((uv - ur) / uu, 0.0, 1.0);
+  }
+  return {s, t};
+}
 
 }  // namespace toile

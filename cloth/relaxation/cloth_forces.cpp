@@ -20,8 +20,8 @@ namespace {
 constexpr double weights_coming_down = 8;
 constexpr double most_coming_down = 0.004;
 
-/// Active pairs that one task handles.
-constexpr std::size_t pair_chunk = 128;
+/// Active pairs that one task handles, of which each costs as much as several triangles.
+constexpr std::size_t pair_chunk = 16;
 
 /// Forces between two looks at the pull to the body, which is wide and smooth.
 constexpr int pull_interval = 16;
@@ -165,9 +165,11 @@ void ClothForces::place_points() {
     points_.resize(program_.node_of_point.size());
     points_.insert(points_.end(), nodes_.begin() + program_.nodes, nodes_.end());
   }
-  for (std::size_t p = 0; p < program_.node_of_point.size(); ++p) {
-    points_[p] = nodes_[program_.node_of_point[p]] + open_ * as_vec4(program_.offsets[p]);
-  }
+  in_chunks(program_.node_of_point.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      points_[p] = nodes_[program_.node_of_point[p]] + open_ * as_vec4(program_.offsets[p]);
+    }
+  });
 }
 
 void ClothForces::close_seams(double wanted) {
@@ -256,9 +258,8 @@ void ClothForces::activate_pairs() {
 }
 
 void ClothForces::set_guards() {
-  side_by_side(chunks_of(vertices(), vertex_chunk), [&](std::size_t c) {
-    const std::size_t end = std::min(vertices(), (c + 1) * vertex_chunk);
-    for (std::size_t v = c * vertex_chunk; v < end; ++v) set_guard(v, as_vec3(positions()[v]));
+  in_chunks(vertices(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) set_guard(v, as_vec3(positions()[v]));
   });
 }
 
@@ -302,9 +303,8 @@ void ClothForces::set_guard(std::size_t v, const Vec3& p) {
 
 void ClothForces::find_pull() {
   pull_.resize(vertices());
-  side_by_side(chunks_of(program_.nodes, vertex_chunk), [&](std::size_t c) {
-    const std::size_t end = std::min<std::size_t>(program_.nodes, (c + 1) * vertex_chunk);
-    for (std::size_t n = c * vertex_chunk; n < end; ++n) {
+  in_chunks(program_.nodes, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
       const double weight = program_.mass[n] / static_cast<double>(vertices_of_[n].size()) *
                             program_.scene.gravity.norm() * options_.pull;
       for (const int v : vertices_of_[n]) {
@@ -319,28 +319,36 @@ void ClothForces::compute(double bending) {
   const bool pulls_to_body = options_.pull > 0 && program_.scene.body != nullptr;
   if (pulls_to_body && computed_++ % pull_interval == 0) find_pull();
   const Vec4s& p = positions();
-  const std::size_t pulls = chunks_of(kernel_->groups(), vertex_chunk);
-  const std::size_t pushes = chunks_of(pairs_.active(), pair_chunk);
-  side_by_side(pulls + pushes, [&](std::size_t c) {
-    if (c < pulls) {
-      kernel_->pull(c * vertex_chunk, std::min(kernel_->groups(), (c + 1) * vertex_chunk), stretch_,
-                    p);
-    } else {
-      const std::size_t begin = (c - pulls) * pair_chunk;
-      pairs_.push(begin, std::min(pairs_.active(), begin + pair_chunk), options_.bounded,
-                  options_.early_contact, p);
-    }
+  const std::size_t edges = edge_contacts_ ? edge_contacts_->edges() : 0;
+  // Each task has its share of all three, so that tasks are alike.
+  const std::size_t tasks =
+      std::max({chunks_of(kernel_->groups(), vertex_chunk), chunks_of(pairs_.active(), pair_chunk),
+                chunks_of(edges, vertex_chunk)});
+  side_by_side(tasks, [&](std::size_t task) {
+    const auto share = [&](std::size_t items, const auto& work) {
+      work(items * task / tasks, items * (task + 1) / tasks);
+    };
+    share(kernel_->groups(),
+          [&](std::size_t begin, std::size_t end) { kernel_->pull(begin, end, stretch_, p); });
+    share(pairs_.active(), [&](std::size_t begin, std::size_t end) {
+      pairs_.push(begin, end, options_.bounded, options_.early_contact, p);
+    });
+    share(edges, [&](std::size_t begin, std::size_t end) {
+      edge_contacts_->push(begin, end, program_.scene, options_, p);
+    });
   });
-  side_by_side(chunks_of(vertices(), vertex_chunk), [&](std::size_t c) {
-    // A seam bends as one cloth only when it is sewn.
-    const std::size_t end = std::min(vertices(), (c + 1) * vertex_chunk);
-    kernel_->gather(c * vertex_chunk, end, bending_, 1 - open_, p, vertex_force_);
-    if (!bands_->empty()) bands_->add(c * vertex_chunk, end, p, vertex_force_);
-    if (!attachments_->empty()) attachments_->add(c * vertex_chunk, end, p, vertex_force_);
-  });
-  if (edge_contacts_ && !edge_contacts_->empty()) {
-    edge_contacts_->add(program_.scene, options_, p, vertex_force_);
-  }
+  // Points of a node may be anywhere among the others.
+  if (!by_points_) return;
+  in_chunks(vertices(), [&](std::size_t begin, std::size_t end) { add_up(begin, end); });
+}
+
+void ClothForces::add_up(std::size_t begin, std::size_t end) {
+  const Vec4s& p = positions();
+  // A seam bends as one cloth only when it is sewn.
+  kernel_->gather(begin, end, bending_, 1 - open_, p, vertex_force_);
+  if (!bands_->empty()) bands_->add(begin, end, p, vertex_force_);
+  if (!attachments_->empty()) attachments_->add(begin, end, p, vertex_force_);
+  if (edge_contacts_ && !edge_contacts_->empty()) edge_contacts_->add(begin, end, vertex_force_);
 }
 
 /// Where a node comes to on its way to `wanted` without any of its vertices leaving its bound.

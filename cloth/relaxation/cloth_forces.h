@@ -22,8 +22,9 @@
 namespace toile {
 
 /// Nodes stand where move() brought them. A step of all of them: search_when_due(), compute(), then
-/// for each node at(), and move(). at() and move() of different nodes may run side by side; then
-/// moved(). The options and the program stay where they are as long as this lives.
+/// gather() of disjoint ranges, for each of their nodes at(), and, after all of that, move() for
+/// each node. These may run side by side; then moved(). The options and the program stay where they
+/// are as long as this lives.
 class ClothForces {
  public:
   /// `x`: one a node, metres. With `open_seams`, seams stand as they were placed, until
@@ -63,7 +64,11 @@ class ClothForces {
 
   /// Between cloth and cloth, and within the cloth. `bending` multiplies its bending stiffness.
   void compute(double bending);
-  /// What compute() found, with weight, body and friction: the force (N) and a bound of its
+  /// Adds up what compute() found for nodes `begin` to `end`.
+  void gather(std::size_t begin, std::size_t end) {
+    if (!by_points_) add_up(begin, end);
+  }
+  /// What gather() found, with weight, body and friction: the force (N) and a bound of its
   /// stiffness (N/m). Once for each compute(), for friction slides along.
   [[gnu::always_inline]] void at(std::size_t n, Vec4& force, double& stiffness);
 
@@ -85,6 +90,7 @@ class ClothForces {
   void look_after_body_bounds();
   void place_points();
   void find_pull();
+  void add_up(std::size_t begin, std::size_t end);
   std::vector<double> steps_down() const;
   std::vector<double> of_vertices(const std::vector<double>& of_nodes) const;
   std::vector<Vec3> all_positions() const;

@@ -113,9 +113,8 @@ void CoarseMotion::add_level(Level level) {
 }
 
 void CoarseMotion::restrict_forces(const Level& level, const Vec4s& finer, Vec4s& force) const {
-  side_by_side(chunks_of(force.size(), vertex_chunk), [&](std::size_t c) {
-    const std::size_t end = std::min(force.size(), (c + 1) * vertex_chunk);
-    for (std::size_t n = c * vertex_chunk; n < end; ++n) {
+  in_chunks(force.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
       Vec4 sum = {0, 0, 0, 0};
       for (const auto& [node, weight] : level.shares[n]) sum += weight * finer[node];
       force[n] = sum;
@@ -127,9 +126,8 @@ void CoarseMotion::take_directions(const std::vector<Stiffness>& of_nodes) {
   in_all_directions_ = undirected_share_of_patches;
   const std::vector<Stiffness>* finer = &of_nodes;
   for (Level& level : levels_) {
-    side_by_side(chunks_of(level.directed.size(), vertex_chunk), [&](std::size_t c) {
-      const std::size_t end = std::min(level.directed.size(), (c + 1) * vertex_chunk);
-      for (std::size_t n = c * vertex_chunk; n < end; ++n) {
+    in_chunks(level.directed.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) {
         Stiffness sum{};
         double weight = 0;
         for (const Share& share : level.shares[n]) {
@@ -173,9 +171,8 @@ void CoarseMotion::compute(const Vec4s& forces, double bending) {
   }
   for (std::size_t l = levels_.size(); l-- > 0;) {
     Level& level = levels_[l];
-    side_by_side(chunks_of(level.way.size(), vertex_chunk), [&](std::size_t c) {
-      const std::size_t end = std::min(level.way.size(), (c + 1) * vertex_chunk);
-      for (std::size_t n = c * vertex_chunk; n < end; ++n) {
+    in_chunks(level.way.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) {
         const double stiffness =
             in_all_directions_ * level.stretch[n] + bending * level.bend[n] + level.force[n][3];
         Vec4 way = way_of(level.directed[n], stiffness, level.force[n]);

@@ -96,9 +96,8 @@ double DirectedStiffness::update(std::size_t begin, std::size_t end, const Vec4s
 }
 
 double DirectedStiffness::update(const Vec4s& x) {
-  side_by_side(partial_.size(), [&](std::size_t c) {
-    const std::size_t end = std::min(of_nodes_.size(), (c + 1) * vertex_chunk);
-    partial_[c] = update(c * vertex_chunk, end, x);
+  in_chunks(of_nodes_.size(), [&](std::size_t begin, std::size_t end) {
+    partial_[begin / vertex_chunk] = update(begin, end, x);
   });
   const double sum = std::accumulate(partial_.begin(), partial_.end(), 0.0);
   const double mean = sum / std::max<double>(1, static_cast<double>(of_nodes_.size()));

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "cloth/relaxation/side_by_side.h"
-
 namespace toile {
 
 EdgeContacts::EdgeContacts(const std::vector<Triangle>& triangles, const Vec4s& x, double shortest,
@@ -55,40 +53,36 @@ void EdgeContacts::hold(const std::vector<EdgeGrip>& grips) {
   }
 }
 
-void EdgeContacts::add(const Scene& scene, const ForceOptions& options, const Vec4s& x,
-                       Vec4s& force) {
-  side_by_side(chunks_of(edges_.size(), vertex_chunk), [&](std::size_t c) {
-    const std::size_t end = std::min(edges_.size(), (c + 1) * vertex_chunk);
-    for (std::size_t e = c * vertex_chunk; e < end; ++e) {
-      const auto [a, b] = edges_[e];
-      const Vec4 middle = 0.5 * (x[a] + x[b]);
-      pushed_[e] = 0;
-      const Vec4 away = middle - free_[e];
-      if (squared_length(away) < free_[e][3]) continue;
-      pushed_[e] = 1;
-      const Vec3 p = as_vec3(middle);
-      if (contacts_[e].remaining(p) <= 0) {
-        contacts_[e].look(scene, p, options.body_offset, options.body_reach, step_down_[e]);
-        const double reach = contacts_[e].near() ? 0 : contacts_[e].remaining(p);
-        free_[e] = middle;
-        free_[e][3] = reach * reach;
-      }
-      Vec4 sum = {0, 0, 0, 0};
-      double stiffness = 0;
-      contacts_[e].add(middle, options.friction ? friction_[e] : 0, sum, stiffness);
-      forces_[e] = 0.5 * sum;
-      forces_[e][3] = 0.5 * stiffness;
+void EdgeContacts::push(std::size_t begin, std::size_t end, const Scene& scene,
+                        const ForceOptions& options, const Vec4s& x) {
+  for (std::size_t e = begin; e < end; ++e) {
+    const auto [a, b] = edges_[e];
+    const Vec4 middle = 0.5 * (x[a] + x[b]);
+    pushed_[e] = 0;
+    const Vec4 away = middle - free_[e];
+    if (squared_length(away) < free_[e][3]) continue;
+    pushed_[e] = 1;
+    const Vec3 p = as_vec3(middle);
+    if (contacts_[e].remaining(p) <= 0) {
+      contacts_[e].look(scene, p, options.body_offset, options.body_reach, step_down_[e]);
+      const double reach = contacts_[e].near() ? 0 : contacts_[e].remaining(p);
+      free_[e] = middle;
+      free_[e][3] = reach * reach;
     }
-  });
-  const std::size_t vertices = edges_of_.size();
-  side_by_side(chunks_of(vertices, vertex_chunk), [&](std::size_t c) {
-    const std::size_t end = std::min(vertices, (c + 1) * vertex_chunk);
-    for (std::size_t v = c * vertex_chunk; v < end; ++v) {
-      for (const int e : edges_of_[v]) {
-        if (pushed_[e] != 0) force[v] += forces_[e];
-      }
+    Vec4 sum = {0, 0, 0, 0};
+    double stiffness = 0;
+    contacts_[e].add(middle, options.friction ? friction_[e] : 0, sum, stiffness);
+    forces_[e] = 0.5 * sum;
+    forces_[e][3] = 0.5 * stiffness;
+  }
+}
+
+void EdgeContacts::add(std::size_t begin, std::size_t end, Vec4s& force) const {
+  for (std::size_t v = begin; v < end; ++v) {
+    for (const int e : edges_of_[v]) {
+      if (pushed_[e] != 0) force[v] += forces_[e];
     }
-  });
+  }
 }
 
 }  // namespace toile

@@ -34,9 +34,14 @@ class EdgeContacts {
   /// Lets friction hold them there, instead of where they come to touch the body.
   void hold(const std::vector<EdgeGrip>& grips);
 
-  /// Adds the forces (N) to those of the vertices, and a bound of their stiffness (N/m) as the
-  /// fourth of them. The scene has a body.
-  void add(const Scene& scene, const ForceOptions& options, const Vec4s& x, Vec4s& force);
+  std::size_t edges() const { return edges_.size(); }
+  /// First pass, of edges `begin` to `end`: what the body does to their middles, with vertices at
+  /// `x`. The scene has a body.
+  void push(std::size_t begin, std::size_t end, const Scene& scene, const ForceOptions& options,
+            const Vec4s& x);
+  /// Second pass, of vertices `begin` to `end`: adds the forces (N) to theirs, and a bound of their
+  /// stiffness (N/m) as the fourth of them.
+  void add(std::size_t begin, std::size_t end, Vec4s& force) const;
 
  private:
   std::vector<std::array<int, 2>> edges_;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloth/relaxation/side_by_side.h"
+
 namespace toile {
 
 namespace {
@@ -40,14 +42,16 @@ EdgeShare share_of(const Vec3& a, const Vec3& b) {
 }  // namespace
 
 void PairForces::activate(const std::vector<Vec3>& x) {
-  active_.clear();
-  for (const ContactPair& pair : pairs_) {
-    const auto& v = pair.vertices;
-    const double reach = pair.gap + margin;
-    if (nearest_points(pair.edges, {x[v[0]], x[v[1]], x[v[2]], x[v[3]]}).apart.squaredNorm() <
-        reach * reach) {
-      active_.push_back(pair);
+  near_.resize(pairs_.size());
+  in_chunks(pairs_.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const double reach = pairs_[i].gap + margin;
+      near_[i] = nearest_points(pairs_[i], x).apart.squaredNorm() < reach * reach;
     }
+  });
+  active_.clear();
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    if (near_[i] != 0) active_.push_back(pairs_[i]);
   }
   friction_.activate(active_);
   slots_of_.clear();

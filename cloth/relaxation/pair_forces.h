@@ -61,6 +61,7 @@ class PairForces {
 
  private:
   std::vector<ContactPair> pairs_;
+  std::vector<char> near_;  // per pair: is active
   std::vector<ContactPair> active_;
   PairFriction friction_;  // of the active pairs
   Vec4s slots_;            // force, and the stiffness as the fourth; four an active pair

@@ -113,6 +113,7 @@ class Relaxation {
 
 TOILE_CLONES
 void Relaxation::find_forces(std::size_t begin, std::size_t end) {
+  forces_.gather(begin, end);
   for (std::size_t n = begin; n < end; ++n) {
     Vec4 force;
     double stiffness;
@@ -136,10 +137,7 @@ void Relaxation::find_directions() {
 /// Of all nodes, and of the patches of the coarser levels.
 void Relaxation::find_forces() {
   find_directions();
-  side_by_side(partial_.size(), [&](std::size_t c) {
-    const std::size_t end = std::min<std::size_t>(program_.nodes, (c + 1) * vertex_chunk);
-    find_forces(c * vertex_chunk, end);
-  });
+  in_chunks(program_.nodes, [&](std::size_t begin, std::size_t end) { find_forces(begin, end); });
   coarse_.compute(node_force_, bending_);
 }
 
@@ -170,9 +168,8 @@ double Relaxation::step_nodes(std::size_t begin, std::size_t end) {
 double Relaxation::step() {
   momentum_ = std::min(options_.momentum, momentum_age_ / (momentum_age_ + 3.0));
   find_forces();
-  side_by_side(partial_.size(), [&](std::size_t c) {
-    const std::size_t end = std::min<std::size_t>(program_.nodes, (c + 1) * vertex_chunk);
-    partial_[c] = step_nodes(c * vertex_chunk, end);
+  in_chunks(program_.nodes, [&](std::size_t begin, std::size_t end) {
+    partial_[begin / vertex_chunk] = step_nodes(begin, end);
   });
   forces_.moved();
   return std::accumulate(partial_.begin(), partial_.end(), 0.0);

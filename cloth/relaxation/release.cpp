@@ -118,9 +118,8 @@ ReleaseReport Release::run() {
   for (int i = 1; i <= report.steps; ++i) {
     forces_.search_when_due(1, search_interval);
     forces_.compute(options_.bending);
-    side_by_side(chunks_of(x_.size(), vertex_chunk), [&](std::size_t c) {
-      step_nodes(c * vertex_chunk, std::min(x_.size(), (c + 1) * vertex_chunk));
-    });
+    in_chunks(x_.size(), [&](std::size_t begin, std::size_t end) { forces_.gather(begin, end); });
+    in_chunks(x_.size(), [&](std::size_t begin, std::size_t end) { step_nodes(begin, end); });
     if (i % watch != 0 && i != report.steps) continue;
     for (std::size_t n = 0; n < x_.size(); ++n) {
       report.moved[n] = std::max(report.moved[n], std::sqrt(squared_length(x_[n] - from[n])));

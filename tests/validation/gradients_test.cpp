@@ -79,6 +79,7 @@ Places forces(const Program& program, const ForceOptions& options, const Places&
   ClothForces all(program, options, x, false);
   all.search_when_due(0, 0);
   all.compute(1);
+  all.gather(0, x.size());
   Places forces(x.size());
   if (bounds != nullptr) bounds->resize(x.size());
   for (std::size_t n = 0; n < x.size(); ++n) {

@@ -27,7 +27,8 @@ TEST(EdgeContacts, HoldOnFromRunToRun) {
   const auto pull = [&](EdgeContacts& contacts, double way) {
     Vec4s force(3, Vec4{});
     contacts.look_anew();
-    contacts.add(scene, ForceOptions{}, at(way), force);
+    contacts.push(0, contacts.edges(), scene, ForceOptions{}, at(way));
+    contacts.add(0, force.size(), force);
     return force[0][0] + force[1][0] + force[2][0];
   };
   EdgeContacts contacts(triangles, at(0), 0.025, {0.4, 0.4, 0.4}, {0, 0, 0});
