@@ -177,5 +177,19 @@ TEST(Wraps, PanelsBelongToWhatTheyArePlacedAt) {
       (std::vector<std::string>{"torso", "left_arm", "right_arm", "left_leg", "torso", "head"}));
 }
 
+TEST(Wraps, HalfAFrontIsTheTorsosThoughAnArmHangsBehindIt) {
+  Skeleton skeleton = figure();
+  skeleton.joints["left_elbow"] = {0.2, 1.0, 0.1};
+  skeleton.joints["left_wrist"] = {0.2, 0.8, 0.2};
+  PanelMesh garment;
+  const auto add = [&](const std::string& name, double inner_edge) {
+    test::add_panel(garment, name, test::grid(0.28, 0.4, 4, 4),
+                    [&](const Vec2& p) { return Vec3(inner_edge + p.x(), 0.95 + p.y(), 0.25); });
+  };
+  add("front", 0);
+  add("sleeve", 0.08);
+  EXPECT_EQ(panel_parts(garment, skeleton), (std::vector<std::string>{"torso", "left_arm"}));
+}
+
 }  // namespace
 }  // namespace toile
