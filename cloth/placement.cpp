@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cloth/sewing_ways.h"
 #include "cloth/wraps.h"
 
 namespace toile {
@@ -10,8 +11,6 @@ namespace {
 
 constexpr double lift_step = 0.01;  // metres
 constexpr int lift_steps = 20;
-/// Metres that a meeting place has to keep from the skin, so that the seam finds its way out.
-constexpr double clearance = 0.01;
 /// Metres added to the least lift: room for the cloth to come down onto the shoulders.
 constexpr double margin = 0.03;
 
@@ -94,19 +93,7 @@ Placement draw_out_and_lift(const PanelMesh& garment, const DistanceGrid& body,
     }
   }
   const std::vector<double> lifted = lifted_points(garment);
-  const auto inside = [&](double lift) {
-    int count = 0;
-    for (const MeshedSeam& seam : garment.seams) {
-      for (std::size_t i = 0; i < seam.a.size(); ++i) {
-        const int a = seam.a[i];
-        const int b = seam.b[i];
-        const Vec3 middle = 0.5 * (placement.placed[a] + placement.placed[b]);
-        const double up = 0.5 * (lifted[a] + lifted[b]) * lift;
-        count += body.at(middle + Vec3(0, up, 0)).distance < clearance;
-      }
-    }
-    return count;
-  };
+  SewingWays ways(garment, placement.placed, lifted, body, skeleton);
   const auto points_inside = [&](double lift) {
     int count = 0;
     for (std::size_t p = 0; p < placement.placed.size(); ++p) {
@@ -117,10 +104,10 @@ Placement draw_out_and_lift(const PanelMesh& garment, const DistanceGrid& body,
   // What hangs from the shoulders has to come over them; a skirt must not come into the armpits.
   const bool may_meet_arms = skeleton == nullptr || hangs || has_sleeves;
   const int inside_unlifted = points_inside(0);
-  int fewest = inside(0);
-  for (int step = 1; step <= lift_steps && fewest > 0; ++step) {
+  int fewest = ways.barred(0);
+  for (int step = 1; step <= lift_steps && fewest > ways.at_arms(); ++step) {
     const double lift = step * lift_step;
-    const int count = inside(lift);
+    const int count = ways.barred(lift);
     if (count >= fewest) continue;
     if (!may_meet_arms && points_inside(lift + margin) > inside_unlifted) continue;
     fewest = count;
@@ -129,7 +116,7 @@ Placement draw_out_and_lift(const PanelMesh& garment, const DistanceGrid& body,
   if (placement.lift > 0) placement.lift += margin;
   const bool has_tubes = std::find(lifted.begin(), lifted.end(), 0.0) != lifted.end();
   if (hangs && !has_tubes) placement.lift = std::max(placement.lift, hang);
-  placement.seams_inside = inside(placement.lift);
+  placement.seams_inside = ways.meeting_inside(placement.lift);
   for (std::size_t p = 0; p < placement.placed.size(); ++p) {
     placement.placed[p].y() += lifted[p] * placement.lift;
   }

@@ -28,11 +28,11 @@ struct Placement {
 /// Then draws the panels of arms and legs out along their bones until none of their seam points has
 /// to pass its partner on the torso, behind which it would be caught; `skeleton` null: stays. Then
 /// lifts all panels together, but for those rolled around a limb, until the points that are to be
-/// sewn meet outside the body: a shoulder seam drawn below the body's shoulder would be pulled
-/// through it. Takes the lowest lift, up to 20 cm, for which the fewest pairs meet inside. A
-/// garment with seams above the chest hangs from the shoulders: `hang` metres at least, unless it
-/// has tubes around limbs, which hold it where it is; one without seams there or sleeves is lifted
-/// only to where no more of its points are inside the body.
+/// sewn come to each other outside the body: a shoulder seam drawn below the body's shoulder would
+/// be pulled through it. Takes the lowest lift, up to 20 cm, for which the body bars the fewest
+/// pairs (sewing_ways.h). A garment with seams above the chest hangs from the shoulders: `hang`
+/// metres at least, unless it has tubes around limbs, which hold it where it is; one without seams
+/// there or sleeves is lifted only to where no more of its points are inside the body.
 Placement place_panels(const PanelMesh& garment, const DistanceGrid& body, const Skeleton* skeleton,
                        double hang = 0);
 

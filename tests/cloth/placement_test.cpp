@@ -44,6 +44,38 @@ TEST(Placement, SeamsAreLiftedUntilTheyMeetOutsideTheBody) {
   EXPECT_EQ(still.placed, high.placed);
 }
 
+TEST(Placement, SeamsAreLiftedUntilNeitherSideHasToComeThroughTheBody) {
+  // They meet before the body, but the back has to come through it: up to its top at 1 m, which is
+  // 4.5 cm above the seam.
+  const DistanceGrid body{BodyDistance(test::box({-0.15, 0, -0.16}, {0.15, 1, -0.04}))};
+  const Placement lifted = place_panels(sandwich(0.955), body, nullptr);
+  EXPECT_NEAR(lifted.lift, 0.05 + 0.03, 1e-12);
+}
+
+TEST(Placement, SleevesAreNotLiftedOffTheirArms) {
+  const TriangleMesh torso = test::box({-0.1, 0, -0.1}, {0.1, 1.5, 0.1});
+  const DistanceGrid body{
+      BodyDistance(test::together(torso, test::box({0.15, 1.26, -0.04}, {0.7, 1.34, 0.04})))};
+  const Skeleton skeleton = figure();
+  const auto placed_at = [&](double bottom, const Skeleton* known) {
+    PanelMesh garment;
+    for (const double z : {0.1, -0.1}) {
+      test::add_panel(garment, z > 0 ? "front" : "back", test::grid(0.2, 0.2, 8, 8),
+                      [&](const Vec2& p) { return Vec3(0.3 + p.x(), bottom + p.y(), z); })
+          .part = "left_arm";
+    }
+    std::vector<int> lower;
+    for (int i = 0; i <= 8; ++i) lower.push_back(i);
+    std::vector<int> behind = lower;
+    for (int& p : behind) p += 81;
+    garment.seams = {test::seam("under the arm", lower, behind)};
+    return place_panels(garment, body, known).lift;
+  };
+  // The seam below the arm would have to come through it, and could be lifted above it.
+  EXPECT_EQ(placed_at(1.275, &skeleton), 0);
+  EXPECT_NEAR(placed_at(1.275, nullptr), 0.08 + 0.03, 1e-12);
+}
+
 TEST(Placement, ASkirtIsNotLiftedIntoTheArms) {
   const TriangleMesh torso = test::box({-0.15, 0, -0.1}, {0.15, 1, 0.1});
   const TriangleMesh arms = test::together(test::box({-0.2, 1, 0.15}, {0.2, 1.1, 0.25}),
