@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cloth/sewing_ways.h"
+#include "cloth/turned_sleeves.h"
 #include "cloth/wraps.h"
 
 namespace toile {
@@ -28,8 +29,9 @@ constexpr Limb limb_directions[] = {{"left_arm", "left_shoulder", "left_wrist"},
 constexpr double limb_gap = 0.01;
 
 /// How far the panels of a limb have to be drawn out along `direction`.
-double draw_out(const PanelMesh& garment, const std::vector<std::string>& part_of_point,
-                const std::string& part, const Vec3& direction) {
+double draw_out(const PanelMesh& garment, const std::vector<Vec3>& placed,
+                const std::vector<std::string>& part_of_point, const std::string& part,
+                const Vec3& direction) {
   double farthest = 0;
   for (const MeshedSeam& seam : garment.seams) {
     for (std::size_t i = 0; i < seam.a.size(); ++i) {
@@ -37,7 +39,7 @@ double draw_out(const PanelMesh& garment, const std::vector<std::string>& part_o
       int torso = seam.b[i];
       if (part_of_point[limb] != part) std::swap(limb, torso);
       if (part_of_point[limb] != part || part_of_point[torso] != "torso") continue;
-      const double behind = (garment.placed[torso] - garment.placed[limb]).dot(direction);
+      const double behind = (placed[torso] - placed[limb]).dot(direction);
       farthest = std::max(farthest, behind + limb_gap);
     }
   }
@@ -81,10 +83,12 @@ Placement draw_out_and_lift(const PanelMesh& garment, const DistanceGrid& body,
     for (std::size_t i = 0; i < parts.size(); ++i) {
       part_of_point.insert(part_of_point.end(), garment.panels[i].points, parts[i]);
     }
+    placement.turned = turn_sleeves(garment, part_of_point, *skeleton, placement.placed);
     for (const Limb& limb : limb_directions) {
       if (std::find(parts.begin(), parts.end(), limb.part) == parts.end()) continue;
       const Vec3 direction = (skeleton->joint(limb.to) - skeleton->joint(limb.from)).normalized();
-      const double distance = draw_out(garment, part_of_point, limb.part, direction);
+      const double distance =
+          draw_out(garment, placement.placed, part_of_point, limb.part, direction);
       if (distance <= 0) continue;
       placement.drawn_out[limb.part] = distance;
       for (std::size_t p = 0; p < placement.placed.size(); ++p) {

@@ -169,6 +169,9 @@ nlohmann::ordered_json report_of(const PanelMesh& garment, const Scene& scene,
   report["scene"]["points_inside_at_start"] = result.placement.points_inside;
   report["scene"]["seam_pairs_inside_at_start"] = result.placement.seams_inside;
   report["scene"]["lift_mm"] = 1000 * result.placement.lift;
+  for (const auto& [part, angle] : result.placement.turned) {
+    report["scene"]["turned_degrees"][part] = angle * 180 / std::numbers::pi;
+  }
   for (const auto& [part, distance] : result.placement.drawn_out) {
     report["scene"]["drawn_out_mm"][part] = 1000 * distance;
   }
@@ -302,6 +305,11 @@ void say_positions(const Placement& placement, const CommonSettings& common) {
       line << " stands " << 100 * panel.distance << " cm from the bones";
     }
     common.say(line.str());
+  }
+  for (const auto& [part, angle] : placement.turned) {
+    common.say("the sleeve of " + part + " was turned by " +
+               std::to_string(std::lround(angle * 180 / std::numbers::pi)) +
+               " degrees, to run down the arm");
   }
   for (const auto& [panel, distance] : placement.moved_clear) {
     std::ostringstream line;
