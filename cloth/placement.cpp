@@ -39,8 +39,11 @@ double draw_out(const PanelMesh& garment, const std::vector<Vec3>& placed,
       int torso = seam.b[i];
       if (part_of_point[limb] != part) std::swap(limb, torso);
       if (part_of_point[limb] != part || part_of_point[torso] != "torso") continue;
-      const double behind = (placed[torso] - placed[limb]).dot(direction);
-      farthest = std::max(farthest, behind + limb_gap);
+      Vec3 apart = placed[torso] - placed[limb];
+      // A sleeve's back may be sewn to the front: that this stands farther before it says nothing
+      // of how far down an arm that reaches forward it has to start.
+      apart.z() = 0;
+      farthest = std::max(farthest, apart.dot(direction) + limb_gap);
     }
   }
   return farthest;

@@ -125,5 +125,26 @@ TEST(Placement, SleevesAreDrawnOutPastTheirArmholes) {
   }
 }
 
+TEST(Placement, HowFarBehindItsArmholeASleeveStandsDrawsItOutNoFarther) {
+  const DistanceGrid body{BodyDistance(test::box({-0.1, 0, -0.1}, {0.1, 1.5, 0.1}))};
+  Skeleton forward = figure();
+  forward.joints["left_elbow"] = {0.35, 1.3, 0.2};
+  forward.joints["left_wrist"] = {0.55, 1.3, 0.4};
+  const auto drawn_out = [&](double z) {
+    PanelMesh garment;
+    test::add_panel(garment, "front", test::grid(0.4, 0.2, 8, 4), [](const Vec2& p) {
+      return Vec3(p.x() - 0.2, 1.3 + p.y(), 0.15);
+    }).part = "torso";
+    test::add_panel(garment, "sleeve", test::grid(0.4, 0.2, 8, 4), [&](const Vec2& p) {
+      return Vec3(p.x() + 0.17, 1.3 + p.y(), z);
+    }).part = "left_arm";
+    garment.seams = {test::seam("armhole", test::side(garment.panels[1], 8, 4, false),
+                                test::side(garment.panels[0], 8, 4, true))};
+    return place_panels(garment, body, &forward).drawn_out.at("left_arm");
+  };
+  EXPECT_NEAR(drawn_out(-0.15), drawn_out(0.15), 1e-12);
+  EXPECT_LT(drawn_out(-0.15), 0.04);
+}
+
 }  // namespace
 }  // namespace toile
