@@ -28,10 +28,13 @@ constexpr Limb limb_directions[] = {{"left_arm", "left_shoulder", "left_wrist"},
 /// Metres between a limb's seam points and their partners on the torso, along the limb.
 constexpr double limb_gap = 0.01;
 
-/// How far the panels of a limb have to be drawn out along `direction`.
+/// How far the panels of a limb have to be drawn out along `direction`. Upright panels stand at
+/// depths that say nothing of that: a sleeve's back may be sewn to the front, and then would be
+/// drawn far down an arm that reaches forward. A slanting one passes the torso's at an angle: there
+/// depths count, and the room they bring is needed [measured].
 double draw_out(const PanelMesh& garment, const std::vector<Vec3>& placed,
                 const std::vector<std::string>& part_of_point, const std::string& part,
-                const Vec3& direction) {
+                const Vec3& direction, bool slanting) {
   double farthest = 0;
   for (const MeshedSeam& seam : garment.seams) {
     for (std::size_t i = 0; i < seam.a.size(); ++i) {
@@ -40,9 +43,7 @@ double draw_out(const PanelMesh& garment, const std::vector<Vec3>& placed,
       if (part_of_point[limb] != part) std::swap(limb, torso);
       if (part_of_point[limb] != part || part_of_point[torso] != "torso") continue;
       Vec3 apart = placed[torso] - placed[limb];
-      // A sleeve's back may be sewn to the front: that this stands farther before it says nothing
-      // of how far down an arm that reaches forward it has to start.
-      apart.z() = 0;
+      if (!slanting) apart.z() = 0;
       farthest = std::max(farthest, apart.dot(direction) + limb_gap);
     }
   }
@@ -90,8 +91,8 @@ Placement draw_out_and_lift(const PanelMesh& garment, const DistanceGrid& body,
     for (const Limb& limb : limb_directions) {
       if (std::find(parts.begin(), parts.end(), limb.part) == parts.end()) continue;
       const Vec3 direction = (skeleton->joint(limb.to) - skeleton->joint(limb.from)).normalized();
-      const double distance =
-          draw_out(garment, placement.placed, part_of_point, limb.part, direction);
+      const double distance = draw_out(garment, placement.placed, part_of_point, limb.part,
+                                       direction, placement.turned.contains(limb.part));
       if (distance <= 0) continue;
       placement.drawn_out[limb.part] = distance;
       for (std::size_t p = 0; p < placement.placed.size(); ++p) {

@@ -79,7 +79,7 @@ TEST(TurnedSleeves, FrontAndBackTurnEachAtItsOwnDepth) {
 }
 
 TEST(TurnedSleeves, ASleeveThatRoughlyFollowsItsArmStays) {
-  const PanelMesh garment = shirt(0.2);
+  const PanelMesh garment = shirt(0.15);
   std::vector<Vec3> placed = garment.placed;
   EXPECT_TRUE(turn_sleeves(garment, parts(), figure(), placed).empty());
   EXPECT_EQ(placed, garment.placed);
