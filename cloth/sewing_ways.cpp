@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "cloth/relaxation/side_by_side.h"
+
 namespace toile {
 
 namespace {
@@ -29,8 +31,11 @@ SewingWays::SewingWays(const PanelMesh& garment, const std::vector<Vec3>& placed
 }
 
 int SewingWays::barred(double lift) {
-  return static_cast<int>(
-      std::count_if(ways_.begin(), ways_.end(), [&](Way& way) { return is_barred(way, lift); }));
+  std::vector<char> are_barred(ways_.size());
+  in_chunks(ways_.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) are_barred[i] = is_barred(ways_[i], lift);
+  });
+  return static_cast<int>(std::count(are_barred.begin(), are_barred.end(), 1));
 }
 
 int SewingWays::at_arms() const {
@@ -66,13 +71,16 @@ bool SewingWays::is_barred(Way& way, double lift) const {
   look(0.5 * (from + to), meeting_clearance);
   const double length = (to - from).norm();
   for (double done = 0; done < length && !way.at_arm;) {
-    const double distance = look(from + done / length * (to - from), 0);
-    done += std::max(body_.at_least(distance), least_step);
+    const Vec3 p = from + done / length * (to - from);
+    done += least_step;
+    // What is barred already is asked for arms only.
+    if (barred && !in_arm(p)) continue;
+    done += std::max(body_.at_least(look(p, 0)) - least_step, 0.0);
   }
   return barred;
 }
 
-/// Of a point in the body.
+/// Of a point, if it is in the body.
 bool SewingWays::in_arm(const Vec3& p) const {
   return std::any_of(arms_.begin(), arms_.end(), [&](const Bones& arm) {
     return arm.foot(p) > armpit && arm.distance(p) < torso_->distance(p);
