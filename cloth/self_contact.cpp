@@ -58,15 +58,26 @@ std::vector<std::array<int, 2>> edges_of(const std::vector<Triangle>& triangles)
   return edges;
 }
 
+template <typename Shape>
+std::vector<SphereGrid::Sphere> spheres_around(const std::vector<Shape>& shapes,
+                                               const std::vector<Vec3>& x) {
+  std::vector<SphereGrid::Sphere> spheres;
+  spheres.reserve(shapes.size());
+  for (const Shape& shape : shapes) spheres.push_back(sphere_around(shape, x));
+  return spheres;
+}
+
 /// Runs `search(item, found)` for every item, in chunks side by side, and joins what they found.
 template <typename Finds, typename Search>
-void search_in_chunks(std::size_t items, Finds& all, const Search& search) {
+Finds search_in_chunks(std::size_t items, const Search& search) {
   std::vector<Finds> found((items + chunk - 1) / chunk);
   tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t c) {
     const std::size_t end = std::min((c + 1) * chunk, items);
     for (std::size_t item = c * chunk; item < end; ++item) search(item, found[c]);
   });
+  Finds all;
   for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
+  return all;
 }
 
 /// Whether boxes tell already that the two sides of a pair are `reach` apart or more.
@@ -192,83 +203,82 @@ double ProximitySearch::gap_to_keep(const Found& found, double gap) const {
   return found.distance < 3 * kept ? kept : -1;
 }
 
-ProximitySearch::Finds ProximitySearch::near_pairs(const std::vector<Vec3>& x, double radius,
-                                                   const std::vector<char>& wanted) const {
-  const bool only_some = !wanted.empty();
-  const auto consider = [&](const ContactPair& pair, Finds& found) {
-    if (boxes_apart(pair, x, radius)) return;
-    const double distance = nearest_points(pair, x).apart.norm();
-    if (distance < radius) found.push_back({pair, distance});
-  };
-  const auto point_and_triangle = [&](int v, int t, Finds& found) {
-    if (of_layer(v) && t >= moving_triangles_) return;
-    const Triangle& c = triangles_[t];
-    if (same_node(c[0], v) || same_node(c[1], v) || same_node(c[2], v)) return;
-    consider({{v, c[0], c[1], c[2]}, false, 0}, found);
-  };
-  const auto two_edges = [&](int e, int f, Finds& found) {
-    // A layer's edges come after the surface's own.
-    if (e >= moving_edges_) return;
-    const auto& a = edges_[e];
-    const auto& b = edges_[f];
-    if (same_node(a[0], b[0]) || same_node(a[0], b[1]) || same_node(a[1], b[0]) ||
-        same_node(a[1], b[1])) {
-      return;
-    }
-    consider({{a[0], a[1], b[0], b[1]}, true, 0}, found);
-  };
+void ProximitySearch::consider(const ContactPair& pair, const Near& near, Finds& found) const {
+  if (boxes_apart(pair, near.x, near.radius)) return;
+  const double distance = nearest_points(pair, near.x).apart.norm();
+  if (distance < near.radius) found.push_back({pair, distance});
+}
 
-  const auto spheres_around = [&](const auto& shapes) {
-    std::vector<SphereGrid::Sphere> spheres;
-    spheres.reserve(shapes.size());
-    for (const auto& shape : shapes) spheres.push_back(sphere_around(shape, x));
-    return spheres;
-  };
-  Finds of_vertices;
-  const auto search_by_vertices = [&] {
-    const SphereGrid grid(spheres_around(triangles_), radius);
-    search_in_chunks(x.size(), of_vertices, [&](std::size_t v, Finds& found) {
-      if (only_some && wanted[v] == 0) return;
-      grid.near(x[v], 0, [&](int t) { point_and_triangle(static_cast<int>(v), t, found); });
+void ProximitySearch::point_and_triangle(int v, int t, const Near& near, Finds& found) const {
+  if (of_layer(v) && t >= moving_triangles_) return;
+  const Triangle& c = triangles_[t];
+  if (same_node(c[0], v) || same_node(c[1], v) || same_node(c[2], v)) return;
+  consider({{v, c[0], c[1], c[2]}, false, 0}, near, found);
+}
+
+void ProximitySearch::two_edges(int e, int f, const Near& near, Finds& found) const {
+  // A layer's edges come after the surface's own.
+  if (e >= moving_edges_) return;
+  const auto& a = edges_[e];
+  const auto& b = edges_[f];
+  if (same_node(a[0], b[0]) || same_node(a[0], b[1]) || same_node(a[1], b[0]) ||
+      same_node(a[1], b[1])) {
+    return;
+  }
+  consider({{a[0], a[1], b[0], b[1]}, true, 0}, near, found);
+}
+
+ProximitySearch::Finds ProximitySearch::triangles_near_vertices(const Near& near) const {
+  const SphereGrid grid(spheres_around(triangles_, near.x), near.radius);
+  return search_in_chunks<Finds>(near.x.size(), [&](std::size_t v, Finds& found) {
+    if (!near.wants(v)) return;
+    grid.near(near.x[v], 0,
+              [&](int t) { point_and_triangle(static_cast<int>(v), t, near, found); });
+  });
+}
+
+ProximitySearch::Finds ProximitySearch::others_near_wanted_triangles(const Near& near) const {
+  std::vector<SphereGrid::Sphere> points;
+  points.reserve(near.x.size());
+  for (const Vec3& p : near.x) points.push_back({p, 0});
+  const SphereGrid grid(points, near.radius);
+  return search_in_chunks<Finds>(triangles_.size(), [&](std::size_t t, Finds& found) {
+    if (!any_of(near.wanted, triangles_[t])) return;
+    const SphereGrid::Sphere around = sphere_around(triangles_[t], near.x);
+    grid.near(around.centre, around.radius, [&](int v) {
+      if (!near.wants(v)) point_and_triangle(v, static_cast<int>(t), near, found);
     });
-  };
-  Finds of_triangles;
-  const auto search_by_triangles = [&] {
-    if (!only_some) return;
-    std::vector<SphereGrid::Sphere> points;
-    points.reserve(x.size());
-    for (const Vec3& p : x) points.push_back({p, 0});
-    const SphereGrid grid(points, radius);
-    search_in_chunks(triangles_.size(), of_triangles, [&](std::size_t t, Finds& found) {
-      if (!any_of(wanted, triangles_[t])) return;
-      const SphereGrid::Sphere around = sphere_around(triangles_[t], x);
-      grid.near(around.centre, around.radius, [&](int v) {
-        if (wanted[v] == 0) point_and_triangle(v, static_cast<int>(t), found);
-      });
+  });
+}
+
+ProximitySearch::Finds ProximitySearch::edges_near_edges(const Near& near) const {
+  const std::vector<SphereGrid::Sphere> edges = spheres_around(edges_, near.x);
+  const SphereGrid grid(edges, near.radius);
+  if (near.wanted.empty()) {
+    return search_in_chunks<Finds>(grid.parts(), [&](std::size_t part, Finds& found) {
+      grid.pairs(part, [&](int e, int f) { two_edges(e, f, near, found); });
     });
-  };
+  }
+  return search_in_chunks<Finds>(edges_.size(), [&](std::size_t i, Finds& found) {
+    const int e = static_cast<int>(i);
+    if (!any_of(near.wanted, edges_[e])) return;
+    grid.near(edges[e].centre, edges[e].radius, [&](int f) {
+      if (f == e || (f < e && any_of(near.wanted, edges_[f]))) return;
+      two_edges(std::min(e, f), std::max(e, f), near, found);
+    });
+  });
+}
+
+ProximitySearch::Finds ProximitySearch::near_pairs(const Near& near) const {
+  Finds all;
+  Finds of_others;
   Finds of_edges;
-  const auto search_by_edges = [&] {
-    const std::vector<SphereGrid::Sphere> edges = spheres_around(edges_);
-    const SphereGrid grid(edges, radius);
-    if (!only_some) {
-      search_in_chunks(grid.parts(), of_edges, [&](std::size_t part, Finds& found) {
-        grid.pairs(part, [&](int e, int f) { two_edges(e, f, found); });
-      });
-      return;
-    }
-    search_in_chunks(edges_.size(), of_edges, [&](std::size_t i, Finds& found) {
-      const int e = static_cast<int>(i);
-      if (!any_of(wanted, edges_[e])) return;
-      grid.near(edges[e].centre, edges[e].radius, [&](int f) {
-        if (f == e || (f < e && any_of(wanted, edges_[f]))) return;
-        two_edges(std::min(e, f), std::max(e, f), found);
-      });
-    });
-  };
-  tbb::parallel_invoke(search_by_vertices, search_by_triangles, search_by_edges);
-  Finds all = std::move(of_vertices);
-  all.insert(all.end(), of_triangles.begin(), of_triangles.end());
+  tbb::parallel_invoke([&] { all = triangles_near_vertices(near); },
+                       [&] {
+                         if (!near.wanted.empty()) of_others = others_near_wanted_triangles(near);
+                       },
+                       [&] { of_edges = edges_near_edges(near); });
+  all.insert(all.end(), of_others.begin(), of_others.end());
   all.insert(all.end(), of_edges.begin(), of_edges.end());
   return all;
 }
@@ -278,7 +288,7 @@ void ProximitySearch::find(const std::vector<Vec3>& x, double radius, double gap
                            bool skip_neighbours) const {
   pairs.clear();
   bound.assign(x.size(), bound_share * radius);
-  for (Found& found : near_pairs(x, radius, {})) {
+  for (Found& found : near_pairs({x, radius, {}})) {
     if (skip_neighbours && !of_layer(found.pair) && neighbours(found.pair)) continue;
     for (const int v : found.pair.vertices) {
       bound[v] = std::min(bound[v], bound_share * found.distance);
@@ -310,7 +320,7 @@ void ProximitySearch::update(const std::vector<Vec3>& x, double radius, double g
   }
   // One that keeps its bound may still go as far as its whole width from where it is now.
   const double seen = bound_share * (2 + used_share) * 1.02 * radius;
-  for (Found& found : near_pairs(x, seen, moved)) {
+  for (Found& found : near_pairs({x, seen, moved})) {
     if (skip_neighbours && !of_layer(found.pair) && neighbours(found.pair)) continue;
     const double most = bound_share * found.distance;
     for (const int v : found.pair.vertices) {

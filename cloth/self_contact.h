@@ -80,9 +80,21 @@ class ProximitySearch {
   };
   using Finds = std::vector<Found>;
 
-  /// All pairs nearer than `radius` of which some vertex is `wanted`; none given: all.
-  Finds near_pairs(const std::vector<Vec3>& x, double radius,
-                   const std::vector<char>& wanted) const;
+  /// What is asked for: pairs nearer than `radius` of which some vertex is `wanted`; none given:
+  /// all.
+  struct Near {
+    const std::vector<Vec3>& x;
+    double radius;
+    const std::vector<char>& wanted;
+    bool wants(std::size_t v) const { return wanted.empty() || wanted[v] != 0; }
+  };
+  void consider(const ContactPair& pair, const Near& near, Finds& found) const;
+  void point_and_triangle(int v, int t, const Near& near, Finds& found) const;
+  void two_edges(int e, int f, const Near& near, Finds& found) const;
+  Finds triangles_near_vertices(const Near& near) const;
+  Finds others_near_wanted_triangles(const Near& near) const;
+  Finds edges_near_edges(const Near& near) const;
+  Finds near_pairs(const Near& near) const;
   /// What a pair keeps, metres; negative: it needs no force before the next search.
   double gap_to_keep(const Found& found, double gap) const;
   bool of_layer(int vertex) const { return vertex >= moving_vertices_; }
