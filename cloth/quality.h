@@ -16,7 +16,7 @@ struct Quality {
 
 /// Of the relaxation. Expected, not bounded: loose cloth can be farther from its rest.
 inline constexpr std::array<Quality, 3> qualities = {{
-    {"draft", 0.05, 4.96},
+    {"draft", 0.05, 4.05},
     {"standard", 0.0015, 0.17},
     {"fine", 0.0005, 0.04},
 }};
