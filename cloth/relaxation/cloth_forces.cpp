@@ -333,6 +333,7 @@ void ClothForces::compute(double bending) {
     share(pairs_.active(), [&](std::size_t begin, std::size_t end) {
       pairs_.push(begin, end, options_.bounded, options_.early_contact, p);
     });
+    if (edges == 0) return;
     share(edges, [&](std::size_t begin, std::size_t end) {
       edge_contacts_->push(begin, end, program_.scene, options_, p);
     });
