@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "geometry/surface_nodes.h"
+#include "geometry/distance_levels.h"
 
 namespace toile {
 

@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "geometry/body_distance.h"
-#include "geometry/known_distances.h"
+#include "geometry/distance_cache.h"
+#include "geometry/surface_distance.h"
 #include "geometry/types.h"
 
 namespace toile {

@@ -23,9 +23,9 @@
 #include <tuple>
 #include <vector>
 
-#include "geometry/body_distance.h"
 #include "geometry/error.h"
 #include "geometry/intersections.h"
+#include "geometry/surface_distance.h"
 
 namespace toile {
 

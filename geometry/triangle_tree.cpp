@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/nearest.h"
+#include "geometry/closest_points.h"
 
 namespace toile {
 

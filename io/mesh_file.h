@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/types.h"
-#include "io/colour.h"
+#include "io/view/colour.h"
 
 namespace toile {
 

@@ -10,8 +10,8 @@
 #include "geometry/mesh_polygon.h"
 #include "geometry/outline.h"
 #include "geometry/triangulate.h"
-#include "pattern/doubled.h"
-#include "pattern/orient.h"
+#include "pattern/doubled_triangles.h"
+#include "pattern/seam_orientation.h"
 
 namespace toile {
 

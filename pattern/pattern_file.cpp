@@ -13,7 +13,7 @@
 #include "pattern/attachment_json.h"
 #include "pattern/json_words.h"
 #include "pattern/placement_json.h"
-#include "pattern/schematic.h"
+#include "pattern/schematic_figure.h"
 
 namespace toile {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "geometry/body/skeleton.h"
-#include "geometry/body_distance.h"
+#include "geometry/surface_distance.h"
 #include "geometry/types.h"
 
 namespace toile {

@@ -3,7 +3,7 @@
 #include <boost/program_options.hpp>
 #include <sstream>
 
-#include "cloth/scene_file.h"
+#include "cloth/scene/scene_file.h"
 #include "geometry/error.h"
 #include "io/output_file.h"
 #include "io/skeleton_file.h"

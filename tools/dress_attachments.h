@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "cloth/attachments.h"
+#include "cloth/model/attachments.h"
 #include "tools/program.h"
 
 namespace toile {

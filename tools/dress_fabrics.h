@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "cloth/fabric.h"
-#include "cloth/scene.h"
+#include "cloth/scene/fabric.h"
+#include "cloth/scene/scene.h"
 #include "pattern/panel_mesh.h"
 
 namespace toile {

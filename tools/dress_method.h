@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "cloth/quality.h"
-#include "cloth/together.h"
+#include "cloth/dressing/coupled_layers.h"
+#include "cloth/dressing/quality.h"
 
 namespace toile {
 

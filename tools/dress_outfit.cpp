@@ -8,13 +8,13 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "cloth/doubtful_start.h"
-#include "cloth/judge.h"
-#include "cloth/subject.h"
-#include "cloth/turn_out.h"
+#include "cloth/dressing/panels_over.h"
+#include "cloth/judge/verdict.h"
+#include "cloth/scene/collider.h"
+#include "cloth/start/placement_warnings.h"
 #include "geometry/body/skeleton.h"
 #include "geometry/error.h"
-#include "io/known_distances_file.h"
+#include "io/distance_cache_file.h"
 #include "io/output_file.h"
 #include "io/skeleton_file.h"
 #include "pattern/garment_file.h"

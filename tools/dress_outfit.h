@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cloth/scene.h"
+#include "cloth/scene/scene.h"
 #include "tools/dress_fabrics.h"
 #include "tools/dress_method.h"
 #include "tools/program.h"

@@ -4,10 +4,10 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "cloth/certify.h"
-#include "cloth/dress.h"
-#include "cloth/judge.h"
-#include "cloth/quality.h"
+#include "cloth/dressing/dress.h"
+#include "cloth/dressing/quality.h"
+#include "cloth/judge/certify.h"
+#include "cloth/judge/verdict.h"
 #include "tools/program.h"
 
 namespace toile {

@@ -5,8 +5,8 @@
 #include <memory>
 #include <optional>
 
-#include "cloth/certify.h"
-#include "cloth/dress.h"
+#include "cloth/dressing/dress.h"
+#include "cloth/judge/certify.h"
 
 namespace toile {
 

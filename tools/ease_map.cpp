@@ -2,7 +2,7 @@
 #include <cmath>
 #include <optional>
 
-#include "cloth/ease_report.h"
+#include "cloth/ease/ease_report.h"
 #include "geometry/error.h"
 #include "io/mesh_file.h"
 #include "io/output_file.h"

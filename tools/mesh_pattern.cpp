@@ -8,7 +8,7 @@
 #include "geometry/error.h"
 #include "geometry/triangulate.h"
 #include "io/output_file.h"
-#include "pattern/check.h"
+#include "pattern/check_pattern.h"
 #include "pattern/garment_file.h"
 #include "pattern/mesh_panels.h"
 #include "pattern/pattern_file.h"

@@ -7,7 +7,7 @@
 #include "io/mesh_file.h"
 #include "io/obj.h"
 #include "io/output_file.h"
-#include "io/picture.h"
+#include "io/view/picture.h"
 #include "tools/program.h"
 
 namespace {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "cloth/program.h"
-#include "cloth/relaxation/vec4.h"
+#include "cloth/model/garment_model.h"
+#include "geometry/vec4.h"
 
 namespace toile {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "cloth/body_pull.h"
-#include "cloth/relaxation/directed_stiffness.h"
-#include "cloth/relaxation/share_within.h"
-#include "cloth/relaxation/side_by_side.h"
+#include "cloth/contact/body_attraction.h"
+#include "cloth/contact/clip_to_ball.h"
+#include "cloth/relaxation/block_stiffness.h"
+#include "geometry/parallel.h"
 
 namespace toile {
 

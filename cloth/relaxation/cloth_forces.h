@@ -6,18 +6,18 @@
 #include <memory>
 #include <vector>
 
-#include "cloth/grouped.h"
-#include "cloth/program.h"
+#include "cloth/contact/body_bounds.h"
+#include "cloth/contact/body_contact.h"
+#include "cloth/contact/pair_forces.h"
+#include "cloth/contact/proximity.h"
+#include "cloth/model/garment_model.h"
 #include "cloth/relaxation/attachment_forces.h"
-#include "cloth/relaxation/band_forces.h"
-#include "cloth/relaxation/body_bounds.h"
-#include "cloth/relaxation/body_contact.h"
 #include "cloth/relaxation/edge_contacts.h"
+#include "cloth/relaxation/elastic_forces.h"
 #include "cloth/relaxation/elastic_kernel.h"
 #include "cloth/relaxation/force_options.h"
-#include "cloth/relaxation/pair_forces.h"
-#include "cloth/relaxation/vec4.h"
-#include "cloth/self_contact.h"
+#include "geometry/adjacency.h"
+#include "geometry/vec4.h"
 
 namespace toile {
 

@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <vector>
 
-#include "cloth/grouped.h"
-#include "cloth/relaxation/body_contact.h"
+#include "cloth/contact/body_contact.h"
 #include "cloth/relaxation/force_options.h"
-#include "cloth/relaxation/vec4.h"
-#include "cloth/scene.h"
+#include "cloth/scene/scene.h"
+#include "geometry/adjacency.h"
+#include "geometry/vec4.h"
 
 namespace toile {
 

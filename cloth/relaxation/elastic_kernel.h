@@ -4,11 +4,11 @@
 #include <cstddef>
 #include <vector>
 
-#include "cloth/bend_rows.h"
-#include "cloth/grouped.h"
-#include "cloth/program.h"
-#include "cloth/relaxation/vec4.h"
-#include "cloth/stretch.h"
+#include "cloth/model/bending_matrix.h"
+#include "cloth/model/garment_model.h"
+#include "cloth/model/stretch.h"
+#include "geometry/adjacency.h"
+#include "geometry/vec4.h"
 
 namespace toile {
 

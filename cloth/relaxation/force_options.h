@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "cloth/relaxation/grips.h"
-#include "cloth/stretch.h"
+#include "cloth/contact/friction_state.h"
+#include "cloth/model/stretch.h"
 #include "geometry/types.h"
 
 namespace toile {
@@ -58,8 +58,8 @@ struct ForceOptions {
   /// the other's, within the bounds. To be used from a state that does not meet them.
   bool layer_contact = false;
   /// Metres along which the body passes for a plane: curved with a radius of 2 cm, it leaves one by
-  /// 6e-9 m, a force of 6e-6 N on a vertex that touches it. More is faster where nothing has to come
-  /// to rest.
+  /// 6e-9 m, a force of 6e-6 N on a vertex that touches it. More is faster where nothing has to
+  /// come to rest.
   double body_reach = 1.5e-5;
   double body_offset = 0.002;  ///< metres; larger on coarse meshes, whose faces cut corners
   double self_radius = 0.005;  ///< metres within which cloth is looked for

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "cloth/relaxation/block_stiffness.h"
 #include "cloth/relaxation/cloth_forces.h"
-#include "cloth/relaxation/coarse_motion.h"
-#include "cloth/relaxation/directed_stiffness.h"
-#include "cloth/relaxation/side_by_side.h"
+#include "cloth/relaxation/multilevel_preconditioner.h"
 #include "geometry/error.h"
+#include "geometry/parallel.h"
 
 namespace toile {
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "cloth/program.h"
+#include "cloth/model/garment_model.h"
 #include "cloth/relaxation/force_options.h"
 
 namespace toile {

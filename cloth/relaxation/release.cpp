@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "cloth/relaxation/cloth_forces.h"
-#include "cloth/relaxation/side_by_side.h"
 #include "geometry/error.h"
+#include "geometry/parallel.h"
 
 namespace toile {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "cloth/program.h"
+#include "cloth/model/garment_model.h"
 #include "cloth/relaxation/force_options.h"
 
 namespace toile {

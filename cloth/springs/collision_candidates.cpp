@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "geometry/nearest.h"
+#include "geometry/closest_points.h"
 
 namespace toile {
 

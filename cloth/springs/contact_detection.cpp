@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "cloth/springs/incident_rays.h"
-#include "geometry/nearest.h"
+#include "geometry/closest_points.h"
 
 namespace toile {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "geometry/nearest.h"
+#include "geometry/closest_points.h"
 
 namespace toile {
 

@@ -4,8 +4,8 @@
 #include <chrono>
 #include <cmath>
 
-#include "cloth/clear_start.h"
-#include "cloth/measures.h"
+#include "cloth/judge/measures.h"
+#include "cloth/start/clear_start.h"
 #include "geometry/error.h"
 #include "geometry/intersections.h"
 

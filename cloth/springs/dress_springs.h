@@ -1,7 +1,7 @@
 // The paper's dressing: position, wrap, sew, drape, on masses and springs.
 #pragma once
 
-#include "cloth/dress.h"
+#include "cloth/dressing/dress.h"
 #include "cloth/springs/spring_motion.h"
 
 namespace toile {

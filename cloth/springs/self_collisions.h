@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "cloth/program.h"
-#include "cloth/self_contact.h"
+#include "cloth/contact/proximity.h"
+#include "cloth/model/garment_model.h"
 #include "geometry/types.h"
 
 namespace toile {

@@ -6,8 +6,8 @@
 #include <sstream>
 #include <string>
 
-#include "cloth/body_pull.h"
-#include "cloth/measures.h"
+#include "cloth/contact/body_attraction.h"
+#include "cloth/judge/measures.h"
 #include "cloth/springs/chunks.h"
 #include "geometry/error.h"
 

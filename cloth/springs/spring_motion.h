@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "cloth/program.h"
+#include "cloth/model/garment_model.h"
 #include "cloth/springs/self_collisions.h"
 #include "cloth/springs/sewing_force.h"
 #include "cloth/springs/spring_forces.h"

@@ -5,7 +5,7 @@
 #include <map>
 #include <numeric>
 
-#include "cloth/gathers.h"
+#include "cloth/model/gathers.h"
 
 namespace toile {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "cloth/program.h"
+#include "cloth/model/garment_model.h"
 #include "cloth/springs/spring.h"
 #include "geometry/types.h"
 #include "pattern/panel_mesh.h"

@@ -6,8 +6,8 @@
 #include <limits>
 #include <map>
 
+#include "geometry/closest_points.h"
 #include "geometry/error.h"
-#include "geometry/nearest.h"
 
 namespace toile {
 

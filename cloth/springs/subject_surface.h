@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/body_distance.h"
+#include "geometry/surface_distance.h"
 #include "geometry/types.h"
 
 namespace toile {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "geometry/body/find_skeleton.h"
-#include "geometry/body_distance.h"
 #include "geometry/error.h"
+#include "geometry/surface_distance.h"
 
 namespace toile {
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "geometry/body/skeleton.h"
-#include "geometry/body_distance.h"
 #include "geometry/repair.h"
+#include "geometry/surface_distance.h"
 
 namespace toile {
 

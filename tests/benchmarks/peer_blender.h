@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "cloth/judge.h"
+#include "cloth/judge/verdict.h"
 #include "io/mesh_file.h"
 #include "io/obj.h"
 #include "pattern/garment_file.h"

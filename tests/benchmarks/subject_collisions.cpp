@@ -12,9 +12,9 @@
 #include <iostream>
 #include <numbers>
 
-#include "geometry/body/mannequin.h"
-#include "geometry/body_distance.h"
+#include "geometry/body/mannequin/mannequin.h"
 #include "geometry/intersections.h"
+#include "geometry/surface_distance.h"
 #include "io/mesh_file.h"
 
 namespace {

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <random>
 
-#include "cloth/plate_bending.h"
-#include "cloth/program.h"
+#include "cloth/model/garment_model.h"
+#include "cloth/model/plate_bending.h"
 #include "tests/cloth/bend_energy.h"
 #include "tests/cloth/panels.h"
 

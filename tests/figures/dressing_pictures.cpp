@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "cloth/bones.h"
+#include "geometry/body/bones.h"
 
 namespace toile::figures {
 namespace {

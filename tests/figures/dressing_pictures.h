@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/picture.h"
+#include "io/view/picture.h"
 #include "tests/figures/paper_dressing.h"
 
 namespace toile::figures {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "io/output_file.h"
-#include "io/picture.h"
+#include "io/view/picture.h"
 #include "tests/figures/hanging_cloth.h"
 #include "tests/figures/sheet.h"
 

@@ -9,8 +9,8 @@
 #include <map>
 #include <set>
 
-#include "cloth/measures.h"
-#include "pattern/check.h"
+#include "cloth/judge/measures.h"
+#include "pattern/check_pattern.h"
 #include "pattern/garment_file.h"
 #include "pattern/mesh_panels.h"
 #include "pattern/pattern_file.h"

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "cloth/judge.h"
+#include "cloth/judge/verdict.h"
+#include "cloth/scene/collider.h"
 #include "cloth/springs/dress_springs.h"
-#include "cloth/subject.h"
-#include "geometry/body/mannequin.h"
+#include "geometry/body/mannequin/mannequin.h"
 #include "pattern/panel_mesh.h"
 
 namespace toile::figures {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/body_distance.h"
 #include "geometry/closed_surface.h"
+#include "geometry/surface_distance.h"
 #include "tests/support/shapes.h"
 
 namespace toile {

@@ -6,7 +6,7 @@
 #include <iostream>
 #include <random>
 
-#include "geometry/nearest.h"
+#include "geometry/closest_points.h"
 #include "tests/support/shapes.h"
 
 namespace toile {

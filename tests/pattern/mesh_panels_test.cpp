@@ -10,9 +10,9 @@
 
 #include "geometry/outline.h"
 #include "geometry/triangulate.h"
-#include "pattern/doubled.h"
+#include "pattern/doubled_triangles.h"
 #include "pattern/nesting.h"
-#include "pattern/orient.h"
+#include "pattern/seam_orientation.h"
 #include "tests/pattern/samples.h"
 #include "tests/pattern/sewn.h"
 

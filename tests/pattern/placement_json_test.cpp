@@ -5,7 +5,7 @@
 #include <Eigen/LU>
 #include <nlohmann/json.hpp>
 
-#include "pattern/orient.h"
+#include "pattern/seam_orientation.h"
 #include "tests/pattern/samples.h"
 
 namespace toile {

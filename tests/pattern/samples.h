@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "geometry/error.h"
-#include "pattern/check.h"
+#include "pattern/check_pattern.h"
 #include "pattern/mesh_panels.h"
 #include "pattern/pattern_file.h"
 

@@ -8,9 +8,9 @@
 #include <set>
 #include <utility>
 
-#include "geometry/body/mannequin.h"
-#include "geometry/body_distance.h"
+#include "geometry/body/mannequin/mannequin.h"
 #include "geometry/slice.h"
+#include "geometry/surface_distance.h"
 #include "pattern/pattern_file.h"
 
 namespace toile {

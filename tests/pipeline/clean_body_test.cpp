@@ -4,8 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "geometry/body_distance.h"
 #include "geometry/intersections.h"
+#include "geometry/surface_distance.h"
 #include "io/mesh_file.h"
 #include "io/skeleton_file.h"
 #include "tests/support/run_program.h"

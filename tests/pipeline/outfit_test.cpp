@@ -4,8 +4,8 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "geometry/body_distance.h"
 #include "geometry/intersections.h"
+#include "geometry/surface_distance.h"
 #include "io/mesh_file.h"
 #include "pattern/garment_file.h"
 #include "tests/cloth/panels.h"

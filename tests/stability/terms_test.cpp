@@ -2,7 +2,7 @@
 #include <map>
 #include <set>
 
-#include "cloth/program.h"
+#include "cloth/model/garment_model.h"
 #include "cloth/relaxation/relax.h"
 #include "geometry/distance_grid.h"
 #include "geometry/repair.h"

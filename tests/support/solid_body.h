@@ -3,9 +3,9 @@
 
 #include <utility>
 
-#include "cloth/relaxation/body_bounds.h"
-#include "geometry/body_distance.h"
+#include "cloth/contact/body_bounds.h"
 #include "geometry/distance_grid.h"
+#include "geometry/surface_distance.h"
 
 namespace toile::test {
 

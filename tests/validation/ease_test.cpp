@@ -1,9 +1,9 @@
 // Gaps and girths of bodies and garments of known shape [reference case 15].
-#include "cloth/ease.h"
+#include "cloth/ease/ease.h"
 
 #include <gtest/gtest.h>
 
-#include "cloth/girth_ease.h"
+#include "cloth/ease/girth_ease.h"
 #include "geometry/body/skeleton.h"
 #include "tests/support/tubes.h"
 #include "tests/validation/reference_table.h"

@@ -6,11 +6,11 @@
 #include <numbers>
 #include <random>
 
-#include "cloth/bands.h"
+#include "cloth/model/elastics.h"
+#include "cloth/model/stretch.h"
 #include "cloth/relaxation/cloth_forces.h"
 #include "cloth/springs/spring_forces.h"
 #include "cloth/springs/spring_sheet.h"
-#include "cloth/stretch.h"
 #include "geometry/distance_grid.h"
 #include "tests/cloth/bend_energy.h"
 #include "tests/cloth/panels.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cloth/program.h"
+#include "cloth/model/garment_model.h"
 #include "geometry/mesh_polygon.h"
 #include "pattern/panel_mesh.h"
 

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "cloth/model/stretch.h"
 #include "cloth/relaxation/relax.h"
-#include "cloth/stretch.h"
 #include "geometry/distance_grid.h"
 #include "tests/cloth/panels.h"
 #include "tests/support/tubes.h"

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "cloth/program.h"
+#include "cloth/model/garment_model.h"
 #include "cloth/relaxation/relax.h"
-#include "geometry/body_distance.h"
+#include "geometry/surface_distance.h"
 #include "pattern/panel_mesh.h"
 
 namespace toile::precision {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "cloth/quality.h"
+#include "cloth/dressing/quality.h"
 #include "io/text.h"
 
 namespace toile::precision {

@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <numeric>
 
-#include "cloth/ease.h"
-#include "cloth/measures.h"
+#include "cloth/ease/ease.h"
+#include "cloth/judge/measures.h"
 #include "pattern/garment_file.h"
 
 namespace toile::precision {

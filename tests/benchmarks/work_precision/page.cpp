@@ -8,7 +8,7 @@
 #include <set>
 #include <thread>
 
-#include "cloth/quality.h"
+#include "cloth/dressing/quality.h"
 #include "tests/benchmarks/work_precision/findings.h"
 #include "tests/support/html.h"
 
@@ -262,7 +262,7 @@ std::string expectations(const Results& results) {
       if (preset.row->value == quality.name) largest = std::max(largest, preset.row->error.rms);
     }
     text += std::string(quality.name) + ": " + mm(largest) + " mm measured, " +
-            fixed_number(quality.distance_rms_mm, 2) + " mm in cloth/quality.h\n";
+            fixed_number(quality.distance_rms_mm, 2) + " mm in cloth/dressing/quality.h\n";
   }
   return text;
 }

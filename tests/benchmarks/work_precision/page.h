@@ -17,7 +17,7 @@ struct Results {
 
 /// The presets of `dress --quality` against each other, as Markdown.
 std::string presets_table(const Results& results);
-/// What cloth/quality.h says of each preset beside what was measured.
+/// What cloth/dressing/quality.h says of each preset beside what was measured.
 std::string expectations(const Results& results);
 /// Error against processor time, log-log, of the garments: SVG.
 std::string headline_plot(const Results& results);

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cloth/quality.h"
+#include "cloth/dressing/quality.h"
 #include "io/text.h"
 #include "tests/benchmarks/work_precision/findings.h"
 

@@ -2,7 +2,7 @@
 
 #include <iostream>
 
-#include "cloth/quality.h"
+#include "cloth/dressing/quality.h"
 
 namespace toile::precision {
 

@@ -1,7 +1,7 @@
 #include <array>
 #include <iostream>
 
-#include "cloth/quality.h"
+#include "cloth/dressing/quality.h"
 #include "geometry/intersections.h"
 #include "tests/benchmarks/work_precision/study.h"
 

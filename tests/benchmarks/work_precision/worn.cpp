@@ -3,7 +3,7 @@
 #include <map>
 #include <sstream>
 
-#include "cloth/fabric.h"
+#include "cloth/scene/fabric.h"
 #include "cloth/springs/dress_springs.h"
 #include "io/mesh_file.h"
 #include "io/skeleton_file.h"

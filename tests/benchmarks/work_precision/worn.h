@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "cloth/subject.h"
+#include "cloth/scene/collider.h"
 #include "geometry/body/skeleton.h"
 #include "tests/benchmarks/prepare.h"
 #include "tests/benchmarks/work_precision/case.h"

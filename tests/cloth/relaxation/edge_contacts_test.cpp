@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "cloth/dressing/coupled_layers.h"
 #include "cloth/relaxation/relax.h"
-#include "cloth/together.h"
 #include "geometry/distance_grid.h"
 #include "tests/cloth/panels.h"
 #include "tests/support/shapes.h"

@@ -6,8 +6,8 @@
 #include <iostream>
 #include <numeric>
 
+#include "geometry/closest_points.h"
 #include "geometry/intersections.h"
-#include "geometry/nearest.h"
 #include "tests/cloth/panels.h"
 
 namespace toile {

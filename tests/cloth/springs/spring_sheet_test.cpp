@@ -87,7 +87,8 @@ TEST(SpringSheet, BendsLikeTheFabricAtOneCurvature) {
     for (const Vec3& p : garment.placed) {
       x.emplace_back(radius * std::sin(p.x() / radius), p.y(), radius * std::cos(p.x() / radius));
     }
-    return spring_energy(sheet.bending(), x) / (0.5 * fabric.bending_weft / (radius * radius) * 0.01);
+    return spring_energy(sheet.bending(), x) /
+           (0.5 * fabric.bending_weft / (radius * radius) * 0.01);
   };
   const double matched = share(SpringSheet::matched_radius);
   std::cout << "bending energy over the fabric's: " << matched << " at R, "

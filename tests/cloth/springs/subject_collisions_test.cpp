@@ -9,9 +9,9 @@
 #include <numbers>
 #include <random>
 
-#include "geometry/body_distance.h"
 #include "geometry/error.h"
 #include "geometry/intersections.h"
+#include "geometry/surface_distance.h"
 #include "tests/cloth/springs/collision_scene.h"
 #include "tests/support/shapes.h"
 

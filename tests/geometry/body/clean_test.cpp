@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "geometry/body/mannequin.h"
+#include "geometry/body/mannequin/mannequin.h"
 #include "geometry/error.h"
 #include "tests/support/shapes.h"
 

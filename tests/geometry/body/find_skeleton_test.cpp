@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "geometry/body/mannequin.h"
+#include "geometry/body/mannequin/mannequin.h"
 #include "geometry/error.h"
 #include "tests/support/shapes.h"
 

@@ -1,0 +1,22 @@
+#include "cloth/contact/body_attraction.h"
+
+#include <algorithm>
+
+#include "geometry/distance_grid.h"
+
+namespace toile {
+
+namespace {
+
+/// Metres from the skin at which the pull reaches its full strength.
+constexpr double full_pull = 0.05;
+
+}  // namespace
+
+Vec3 pull_to_body(const Scene& scene, const Vec3& p, double weight) {
+  const DistanceGrid::Sample sample = scene.body->at(p);
+  const double strength = std::clamp(sample.distance / full_pull, 0.0, 1.0);
+  return -strength * weight * sample.gradient;
+}
+
+}  // namespace toile

@@ -1,0 +1,230 @@
+#include "cloth/contact/body_bounds.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <map>
+
+#include "cloth/contact/clip_to_ball.h"
+#include "geometry/closest_points.h"
+#include "geometry/parallel.h"
+#include "geometry/triangle_tree.h"
+
+namespace toile {
+
+namespace {
+
+/// Metres around a triangle within which facets are looked for. More lets it slide farther, but
+/// fewer planes have all of the facets behind them.
+constexpr double around = 0.005;
+/// Metres that are kept from a facet at least, far above what rounding can do.
+constexpr double safety = 1e-7;
+/// Metres that a triangle should keep from the facets, and the most that its corners are lifted.
+constexpr double clearance = 0.0002;
+constexpr double most_lift = 0.015;
+/// Of a region's width, what may be left when it is time to look again, before a corner is stopped.
+constexpr double due_share = 0.3;
+/// Looks between two at the same triangle: what presses against the body would be due each time.
+constexpr int look_interval = 4;
+/// Triangles that one task looks after.
+constexpr std::size_t chunk = 64;
+
+/// Whether the segment ab passes through the triangle, touching included as far as rounding lets.
+bool pierces(const Vec3& a, const Vec3& b, const std::array<Vec3, 3>& t) {
+  const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
+  const double from = normal.dot(a - t[0]);
+  const double to = normal.dot(b - t[0]);
+  if (from * to > 0) return false;
+  int positive = 0;
+  int negative = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double side = (b - a).dot((t[i] - a).cross(t[(i + 1) % 3] - a));
+    positive += side >= 0;
+    negative += side <= 0;
+  }
+  return positive == 3 || negative == 3;
+}
+
+/// Distance of two triangles, 0 when they meet.
+double distance_of(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t) {
+  double squared = std::numeric_limits<double>::max();
+  for (int i = 0; i < 3; ++i) {
+    if (pierces(s[i], s[(i + 1) % 3], t) || pierces(t[i], t[(i + 1) % 3], s)) return 0;
+    const Vec3 on_t = nearest_on_triangle(s[i], t[0], t[1], t[2]);
+    squared =
+        std::min(squared, (s[i] - on_t[0] * t[0] - on_t[1] * t[1] - on_t[2] * t[2]).squaredNorm());
+    const Vec3 on_s = nearest_on_triangle(t[i], s[0], s[1], s[2]);
+    squared =
+        std::min(squared, (t[i] - on_s[0] * s[0] - on_s[1] * s[1] - on_s[2] * s[2]).squaredNorm());
+    for (int j = 0; j < 3; ++j) {
+      const Vec3& a = s[i];
+      const Vec3& b = s[(i + 1) % 3];
+      const Vec3& c = t[j];
+      const Vec3& d = t[(j + 1) % 3];
+      const auto [u, v] = nearest_on_segments(a, b, c, d);
+      squared = std::min(squared, (a + u * (b - a) - c - v * (d - c)).squaredNorm());
+    }
+  }
+  return std::sqrt(squared);
+}
+
+}  // namespace
+
+BodyBounds::BodyBounds(const BodySurface& surface, const std::vector<Triangle>& triangles,
+                       std::size_t vertices)
+    : surface_(surface),
+      triangles_(triangles),
+      corners_(corners_by_vertex(triangles, vertices)),
+      regions_(triangles.size()),
+      due_(triangles.size(), 1),
+      next_look_(triangles.size(), 0),
+      lift_(vertices, 0) {}
+
+BodyBounds::Region BodyBounds::region_of(const Triangle& corners, const Vec4s& x, int near_facet,
+                                         std::vector<int>& near) const {
+  Region region;
+  region.at = {as_vec3(x[corners[0]]), as_vec3(x[corners[1]]), as_vec3(x[corners[2]])};
+  const auto& p = region.at;
+  const Vec3 centre = (p[0] + p[1] + p[2]) / 3;
+  const double radius =
+      std::sqrt(std::max({(p[0] - centre).squaredNorm(), (p[1] - centre).squaredNorm(),
+                          (p[2] - centre).squaredNorm()}));
+  BodyPoint hint;
+  hint.triangle = near_facet;
+  const BodyPoint nearest_point = surface_.exact.nearest(centre, hint);
+  region.facet = nearest_point.triangle;
+  region.meets = nearest_point.distance < 0;
+  if (region.meets) return region;
+  const double clear = nearest_point.distance - radius;
+  if (clear > around) {
+    region.reach = clear - safety;
+    return region;
+  }
+  region.reach = around;
+  near.clear();
+  const Vec3 margin = Vec3::Constant(around);
+  surface_.exact.tree().meeting(p[0].cwiseMin(p[1]).cwiseMin(p[2]) - margin,
+                                p[0].cwiseMax(p[1]).cwiseMax(p[2]) + margin, near);
+  if (near.empty()) return region;
+
+  const TriangleMesh& body = surface_.exact.body();
+  // A plane with all facets behind it: square to the way out, or along the triangle itself.
+  const Vec3 own = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
+  const Vec3 out = surface_.smooth.at(centre).gradient.normalized();
+  for (const Vec3& normal : {out, own, Vec3(-own)}) {
+    double highest = -std::numeric_limits<double>::max();
+    for (const int f : near) {
+      for (const int v : body.triangles[f]) {
+        highest = std::max(highest, normal.dot(body.points[v]));
+      }
+    }
+    const double lowest = std::min({normal.dot(p[0]), normal.dot(p[1]), normal.dot(p[2])});
+    // Half: a corner that was stopped at its level stays there, and may slide along.
+    const double slack = lowest - highest - 0.5 * safety;
+    if (slack <= 0 || (region.normal != Vec3::Zero() && slack <= region.slack)) continue;
+    region.normal = normal;
+    region.level = highest + safety;
+    region.slack = slack;
+  }
+  if (region.normal != Vec3::Zero() && region.slack >= clearance) return region;
+  double nearest = around;
+  for (const int f : near) {
+    const Triangle& facet = body.triangles[f];
+    nearest = std::min(nearest, distance_of(p, {body.points[facet[0]], body.points[facet[1]],
+                                                body.points[facet[2]]}));
+  }
+  region.lift = std::max(clearance - nearest, 0.0);
+  if (region.normal != Vec3::Zero() && nearest < clearance) return region;
+  // In a hollow of the body, as an armpit, what is well clear of its facets may find no plane above
+  // them all, or only one that it would be stopped at.
+  region.normal = Vec3::Zero();
+  region.meets = nearest == 0;
+  region.reach = std::max(nearest - safety, 0.0);
+  return region;
+}
+
+const std::vector<int>& BodyBounds::look(const Vec4s& x) {
+  looked_.clear();
+  std::vector<int> due;
+  ++looks_;
+  any_due_ = false;
+  const auto next_due = [&](std::size_t from) {
+    const void* at = std::memchr(due_.data() + from, 1, due_.size() - from);
+    return at == nullptr ? due_.size()
+                         : static_cast<std::size_t>(static_cast<const char*>(at) - due_.data());
+  };
+  for (std::size_t t = next_due(0); t < due_.size(); t = next_due(t + 1)) {
+    if (looks_ < next_look_[t]) {
+      any_due_ = true;
+      continue;
+    }
+    due_[t] = 0;
+    next_look_[t] = looks_ + look_interval;
+    due.push_back(static_cast<int>(t));
+  }
+  side_by_side(chunks_of(due.size(), chunk), [&](std::size_t c) {
+    std::vector<int> near;
+    const std::size_t end = std::min(due.size(), (c + 1) * chunk);
+    for (std::size_t i = c * chunk; i < end; ++i) {
+      regions_[due[i]] = region_of(triangles_[due[i]], x, regions_[due[i]].facet, near);
+    }
+  });
+  std::map<int, double> lifted;
+  for (const int t : due) {
+    for (const int v : triangles_[t]) {
+      if (regions_[t].lift > 0) lifted[v] = std::max(lifted[v], regions_[t].lift);
+    }
+    looked_.insert(looked_.end(), triangles_[t].begin(), triangles_[t].end());
+  }
+  for (const auto& [v, more] : lifted) lift_[v] = std::min(lift_[v] + more, most_lift);
+  std::sort(looked_.begin(), looked_.end());
+  looked_.erase(std::unique(looked_.begin(), looked_.end()), looked_.end());
+  return looked_;
+}
+
+void BodyBounds::make_due(int triangle) {
+  std::atomic_ref(due_[triangle]).store(1, std::memory_order_relaxed);
+  any_due_.store(true, std::memory_order_relaxed);
+}
+
+double BodyBounds::free(int vertex, const Vec3& p) const {
+  double least = std::numeric_limits<double>::max();
+  for (const auto& [t, corner] : corners_[vertex]) {
+    const Region& region = regions_[t];
+    if (region.meets) continue;
+    least = std::min(least, region.reach - (p - region.at[corner]).norm());
+    if (region.normal != Vec3::Zero()) least = std::min(least, region.normal.dot(p) - region.level);
+  }
+  return std::max(least, 0.0);
+}
+
+double BodyBounds::share(int vertex, const Vec3& p, const Vec3& wanted) {
+  double share = 1;
+  const Vec3 way = wanted - p;
+  for (const auto& [t, corner] : corners_[vertex]) {
+    const Region& region = regions_[t];
+    if (region.meets) continue;
+    const Vec3 away = p - region.at[corner];
+    if ((away + way).norm() > (1 - due_share) * region.reach) make_due(t);
+    share = std::min(share, share_within(away, way, region.reach));
+    if (region.normal == Vec3::Zero()) continue;
+    const double from = region.normal.dot(p) - region.level;
+    const double to = region.normal.dot(wanted) - region.level;
+    if (to < due_share * region.slack) make_due(t);
+    if (to >= 0 || to >= from) continue;
+    // A little less, for the quotient may round to the outside.
+    constexpr double inside = 1 - 1e-9;
+    share = std::min(share, std::clamp(from / (from - to) * inside, 0.0, 1.0));
+  }
+  return share;
+}
+
+void BodyBounds::look_at_meeting() {
+  for (std::size_t t = 0; t < regions_.size(); ++t) {
+    if (regions_[t].meets) make_due(static_cast<int>(t));
+  }
+}
+
+}  // namespace toile

@@ -1,0 +1,41 @@
+#include "cloth/contact/body_contact.h"
+
+#include <algorithm>
+
+#include "geometry/distance_grid.h"
+
+namespace toile {
+
+namespace {
+
+/// Metres off the surface from which the body is taken for a plane.
+constexpr double near_surface = 2e-4;
+/// As far from two surfaces, as between arm and chest, the distance has a ridge, rounded by the
+/// grid: it rises less steeply than this, and bends so much that no plane stands for it.
+constexpr double ridge_slope = 0.97;
+
+}  // namespace
+
+void BodyContact::look(const Scene& scene, const Vec3& p, double offset, double plane_reach,
+                       double step_down) {
+  const DistanceGrid::Sample sample = scene.body->at(p);
+  const double away = sample.distance - offset;
+  looked_at_ = p;
+  const double near = std::max(near_surface, step_down);
+  near_ = away < near;
+  if (!near_) {
+    // On the far side of the middle between here and there, the plane is asked for again.
+    reach_ = std::max(scene.body->at_least(sample.distance) - offset - 0.5 * near, plane_reach);
+    anchored_ = false;
+    return;
+  }
+  const double length = sample.gradient.norm();
+  const Vec3 normal = length > 0 ? Vec3(sample.gradient / length) : Vec3::Zero();
+  slope_ = std::min(length, 1.0);
+  normal_ = as_vec4(normal);
+  level_ = slope_ * normal.dot(p) - away;
+  reach_ = slope_ < ridge_slope ? 0 : plane_reach;
+  stiffness_ = push_stiffness * (slope_ * slope_ + scene.body->most_bend() * std::max(-away, 0.0));
+}
+
+}  // namespace toile

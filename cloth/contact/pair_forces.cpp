@@ -1,0 +1,105 @@
+#include "cloth/contact/pair_forces.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/parallel.h"
+
+namespace toile {
+
+namespace {
+
+/// Square of the sine below which edges count as nearly parallel: at 27 degrees. Less makes the
+/// push change too fast with the angle, and needs shorter steps.
+constexpr double nearly_parallel = 0.2;
+
+/// How much of their push two edges get, by their angle, and its slope along each edge's vector.
+struct EdgeShare {
+  double share = 1;
+  Vec3 first = Vec3::Zero();
+  Vec3 second = Vec3::Zero();
+  double curvature = 0;  // 1/m², a bound
+};
+
+EdgeShare share_of(const Vec3& a, const Vec3& b) {
+  const double aa = a.squaredNorm();
+  const double bb = b.squaredNorm();
+  const double ab = a.dot(b);
+  EdgeShare result;
+  if (aa == 0 || bb == 0) return result;
+  const double squared_sine = a.cross(b).squaredNorm() / (aa * bb);
+  if (squared_sine >= nearly_parallel) return result;
+  const double c = squared_sine / nearly_parallel;
+  result.share = (2 - c) * c;
+  const double slope = 2 * (1 - c) / nearly_parallel * 2 * ab / (aa * bb);
+  result.first = slope * (ab / aa * a - b);
+  result.second = slope * (ab / bb * b - a);
+  result.curvature = 12 / (nearly_parallel * std::min(aa, bb));
+  return result;
+}
+
+}  // namespace
+
+void PairForces::activate(const std::vector<Vec3>& x) {
+  near_.resize(pairs_.size());
+  in_chunks(pairs_.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const double reach = pairs_[i].gap + margin;
+      near_[i] = nearest_points(pairs_[i], x).apart.squaredNorm() < reach * reach;
+    }
+  });
+  active_.clear();
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    if (near_[i] != 0) active_.push_back(pairs_[i]);
+  }
+  friction_.activate(active_);
+  slots_of_.clear();
+  if (active_.empty()) return;
+  slots_.assign(4 * active_.size(), Vec4{});
+  slots_of_.assign(x.size(), [&](const auto& add) {
+    for (std::size_t i = 0; i < active_.size(); ++i) {
+      for (int j = 0; j < 4; ++j) add(active_[i].vertices[j], static_cast<int>(4 * i + j));
+    }
+  });
+}
+
+PairPush push_of(const ContactPair& pair, const std::array<Vec3, 4>& at, bool barrier,
+                 double early) {
+  const NearestPoints nearest = nearest_points(pair.edges, at);
+  const double distance = nearest.apart.norm();
+  const ContactPush push = contact_push(distance, pair.gap, barrier, early);
+  PairPush result;
+  result.nearest = nearest;
+  const EdgeShare edges =
+      pair.edges && push.stiffness > 0 ? share_of(at[1] - at[0], at[3] - at[2]) : EdgeShare{};
+  result.force = edges.share * push.force;
+  const Vec3 along = distance > 0 ? Vec3(result.force / distance * nearest.apart) : Vec3::Zero();
+  // Edges give way by turning parallel as well.
+  const Vec3 first = push.energy * edges.first;
+  const Vec3 second = push.energy * edges.second;
+  const std::array<Vec3, 4> turn = {first, -first, second, -second};
+  for (int j = 0; j < 4; ++j) {
+    result.on[j] = nearest.weights[j] * along + turn[j];
+    result.stiffness[j] = 2 * edges.share * push.stiffness * std::abs(nearest.weights[j]) +
+                          push.energy * edges.curvature;
+  }
+  return result;
+}
+
+void PairForces::push(std::size_t begin, std::size_t end, bool barrier, double early,
+                      const Vec4s& x) {
+  for (std::size_t i = begin; i < end; ++i) {
+    const auto& v = active_[i].vertices;
+    const PairPush push = push_of(
+        active_[i], {as_vec3(x[v[0]]), as_vec3(x[v[1]]), as_vec3(x[v[2]]), as_vec3(x[v[3]])},
+        barrier, early);
+    for (int j = 0; j < 4; ++j) {
+      slots_[4 * i + j] = as_vec4(push.on[j]);
+      slots_[4 * i + j][3] = push.stiffness[j];
+    }
+    if (!friction_.empty()) friction_.rub(i, push.nearest, push.force, x, &slots_[4 * i]);
+  }
+}
+
+}  // namespace toile

@@ -1,0 +1,56 @@
+// Garments that are worn one over another, moved as one: what lies over a garment presses on it.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "cloth/dressing/dress.h"
+
+namespace toile {
+
+/// A garment that is dressed, one of several.
+struct WornGarment {
+  const PanelMesh* garment = nullptr;
+  Fabric fabric;                         ///< of the panels that name none
+  std::vector<Vec3> nodes;               ///< metres, where it was dressed
+  Grip grip;                             ///< where friction holds it
+  double body_offset = 0;                ///< metres kept from the skin
+  std::vector<AttachedPoint> held = {};  ///< what holds it for good
+};
+
+/// Panels, seams and points of all garments in one mesh, in their order, garment by garment; seams
+/// join what they joined, so garments share no node. Without attachments, whose places only the
+/// dressing knows. Panels that name no fabric get the name
+/// `garment_fabric(i)` of garment i. The mesh is nested as deep as the least of them.
+PanelMesh join_garments(const std::vector<WornGarment>& garments);
+std::string garment_fabric(std::size_t garment);
+
+/// How two garments press on each other, by their indices, the one that was dressed first first.
+struct Pressing {
+  int inner = 0;
+  int outer = 0;
+  double force = 0;  ///< N, sum of the pushes between them
+  double area = 0;   ///< m² of the inner one's nodes that touch, to a twentieth of the gap
+};
+
+struct TogetherResult {
+  /// Of the whole, one for each time it was brought to rest; residuals are all garments'.
+  std::vector<StageReport> stages;
+  std::vector<std::vector<Vec3>> nodes;             ///< metres, by garment
+  std::vector<std::vector<double>> lift;            ///< metres, by garment: RelaxReport's
+  std::vector<MovedFigures> moved;                  ///< by garment: from where it was dressed
+  std::vector<std::vector<TightSeam>> tight_seams;  ///< by garment
+  std::vector<TightPlaces> tight_places;            ///< by garment
+  std::vector<Pressing> pressings;                  ///< of garments that touch, sorted
+  std::optional<ReleaseReport> release;             ///< of the whole, if it was asked for
+};
+
+/// Relaxes garments, each as it was dressed over the ones before, on the scene's body until the
+/// whole is at rest: every garment moves, and those that touch push each other. The scene's body
+/// has to be bare, and nothing may meet: moves are bounded, so that nothing comes to, nor the cloth
+/// and the scene's skin, where it has one. A frame's mesh is join_garments().
+/// Throws Error for garments that intersect each other or themselves.
+TogetherResult move_together(const std::vector<WornGarment>& garments, const Scene& scene,
+                             const DressOptions& options, const FrameWatcher& watcher = {});
+
+}  // namespace toile

@@ -1,0 +1,28 @@
+#include "cloth/dressing/stability_test.h"
+
+#include <utility>
+
+namespace toile {
+
+namespace {
+
+/// How often what does not stay is brought to rest anew.
+constexpr int most_returns = 3;
+
+}  // namespace
+
+ReleaseReport let_go(const Program& program, ReleaseOptions options, RestingState& state,
+                     const std::function<void(RestingState&)>& come_to_rest) {
+  options.grip = &state.grip;
+  options.yarns = &state.grip.yarns;
+  for (int returns = 0;; ++returns) {
+    std::vector<Vec3> nodes = state.nodes;
+    ReleaseReport report = release(program, options, nodes);
+    if (report.stays() || !state.at_rest || returns == most_returns) return report;
+    state.nodes = std::move(nodes);
+    state.grip = report.grip;
+    come_to_rest(state);
+  }
+}
+
+}  // namespace toile

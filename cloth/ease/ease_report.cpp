@@ -1,0 +1,242 @@
+#include "cloth/ease/ease_report.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "geometry/decimate.h"
+#include "io/text.h"
+#include "io/view/picture.h"
+#include "io/view/viewer_page.h"
+
+namespace toile {
+
+namespace {
+
+constexpr const char* definition =
+    "distance from a point of the garment to the nearest point of the body's surface, negative "
+    "inside the body";
+
+/// Enough to look smooth; a body's 50 thousand would be two thirds of the page.
+constexpr int page_body_triangles = 16000;
+
+std::string mm(double metres) { return fixed_number(1000 * metres, 1); }
+std::string cm(double metres) { return fixed_number(100 * metres, 1); }
+std::string percent(double share) { return fixed_number(100 * share, 1); }
+
+ColourRamp ramp_mm(const EaseReport& report) { return magnitude_ramp(0, 1000 * report.top); }
+
+std::vector<double> gaps_mm(const EaseReport& report) {
+  std::vector<double> gaps;
+  for (const double gap : report.map.node_gaps) gaps.push_back(1000 * gap);
+  return gaps;
+}
+
+/// The fewest digits that read back to the same bits.
+void append_number(std::string& text, double value) {
+  std::array<char, 40> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  text.append(buffer.data(), end.ptr);
+}
+
+std::string csv_cell(const std::string& text) {
+  const std::string valid = valid_utf8(text);
+  if (valid.find_first_of(",\"") == std::string::npos) return valid;
+  std::string quoted = "\"";
+  for (const char c : valid) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + '"';
+}
+
+/// To four decimals: a tenth of a micrometre in mm is finer than anything measured here.
+double rounded(double value) { return std::round(value * 1e4) / 1e4; }
+
+nlohmann::ordered_json statistics_json(const EaseStatistics& statistics) {
+  const auto in_mm = [](double metres) { return rounded(1000 * metres); };
+  return {{"points", statistics.points},
+          {"area_cm2", rounded(1e4 * statistics.area)},
+          {"mean_mm", in_mm(statistics.mean)},
+          {"std_mm", in_mm(statistics.deviation)},
+          {"min_mm", in_mm(statistics.min)},
+          {"p5_mm", in_mm(statistics.p5)},
+          {"p50_mm", in_mm(statistics.p50)},
+          {"p95_mm", in_mm(statistics.p95)},
+          {"max_mm", in_mm(statistics.max)},
+          {"contact_percent", rounded(100 * statistics.contact)},
+          {"inside_percent", rounded(100 * statistics.inside)}};
+}
+
+std::vector<std::string> statistics_row(const std::string& name, const EaseStatistics& s) {
+  return {name,      mm(s.mean), mm(s.p50),         mm(s.p5) + " \xE2\x80\x93 " + mm(s.p95),
+          mm(s.min), mm(s.max),  percent(s.contact)};
+}
+
+PageTable panel_table(const EaseReport& report) {
+  PageTable table;
+  table.caption = "Gap by panel, mm";
+  table.columns = {"panel", "mean", "median", "5 \xE2\x80\x93 95 %", "min", "max", "contact, %"};
+  for (std::size_t i = 0; i < report.map.panels.size(); ++i) {
+    if (report.map.panels[i].points == 0) continue;
+    table.rows.push_back(statistics_row(report.garment.panels[i], report.map.panels[i]));
+    table.regions.push_back(static_cast<int>(i));
+  }
+  table.rows.push_back(statistics_row("whole garment", report.map.garment));
+  table.regions.push_back(-1);
+  table.remark = "Weighted by area. Contact is the share of the area with a gap below " +
+                 mm(report.options.contact) +
+                 " mm. Point at a row to see its panel alone; click to keep it.";
+  return table;
+}
+
+PageTable girth_table(const EaseReport& report) {
+  PageTable table;
+  table.caption = "Girth ease around the torso, cm";
+  table.columns = {"level", "height", "body", "garment", "ease", "as cut", "ease as cut"};
+  for (const GirthEase& girth : report.girths) {
+    table.rows.push_back({girth.level, cm(girth.height), cm(girth.body), cm(girth.garment),
+                          cm(girth.ease), cm(girth.as_cut), cm(girth.as_cut - girth.body)});
+  }
+  table.remark =
+      "Horizontal sections. The body is measured as a tape does, across hollows; the garment along "
+      "the cloth with its folds, and as cut: the same line of cloth on the flat panels, before it "
+      "was stretched. Heights are above the floor.";
+  return table;
+}
+
+}  // namespace
+
+double suggested_top(const EaseMap& map) { return round_up(std::max(0.010, map.garment.p95)); }
+
+std::string ease_csv(const EaseReport& report) {
+  std::vector<std::string> names;
+  for (const std::string& panel : report.garment.panels) names.push_back(csv_cell(panel));
+  std::string text = "panel,u_m,v_m,x_m,y_m,z_m,gap_mm\n";
+  for (const PointGap& point : report.map.points) {
+    const Vec2& flat = report.garment.flat[static_cast<std::size_t>(point.flat)];
+    const Vec3& place = report.garment.points[static_cast<std::size_t>(point.node)];
+    text += names[static_cast<std::size_t>(point.panel)];
+    for (const double value : {flat.x(), flat.y(), place.x(), place.y(), place.z()}) {
+      text += ',';
+      append_number(text, value);
+    }
+    text += ',' + fixed_number(1000 * point.gap, 4) + '\n';
+  }
+  return text;
+}
+
+std::string ease_json(const EaseReport& report) {
+  nlohmann::ordered_json json;
+  json["garment"] = valid_utf8(report.garment_name);
+  json["body"] = valid_utf8(report.body_name);
+  json["gap"] = definition;
+  json["contact_below_mm"] = 1000 * report.options.contact;
+  json["total"] = statistics_json(report.map.garment);
+  json["panels"] = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < report.map.panels.size(); ++i) {
+    if (report.map.panels[i].points == 0) continue;
+    nlohmann::ordered_json panel = {{"name", valid_utf8(report.garment.panels[i])}};
+    panel.update(statistics_json(report.map.panels[i]));
+    json["panels"].push_back(std::move(panel));
+  }
+  if (!report.girths.empty()) {
+    json["girths"] = nlohmann::ordered_json::array();
+    for (const GirthEase& girth : report.girths) {
+      nlohmann::ordered_json row;
+      if (!girth.level.empty()) row["level"] = girth.level;
+      row["height_cm"] = rounded(100 * girth.height);
+      row["body_cm"] = rounded(100 * girth.body);
+      row["garment_cm"] = rounded(100 * girth.garment);
+      row["ease_cm"] = rounded(100 * girth.ease);
+      row["as_cut_cm"] = rounded(100 * girth.as_cut);
+      row["as_cut_ease_cm"] = rounded(100 * (girth.as_cut - girth.body));
+      json["girths"].push_back(std::move(row));
+    }
+  }
+  return json.dump(2) + '\n';
+}
+
+std::string ease_page(const EaseReport& report, const std::string& picture) {
+  ViewerPage page;
+  page.title = "Ease map: " + report.garment_name + " on " + report.body_name;
+  page.paragraphs = {
+      "The gap is the distance from a point of the garment to the nearest point of the body's "
+      "surface. It is negative inside the body.",
+      "Drag to turn, scroll to zoom, drag with the right button to move. Point at the garment to "
+      "read its gap. Left and right are the wearer's."};
+  page.surface = {report.garment.points, report.garment.triangles};
+  page.values = gaps_mm(report);
+  page.regions = report.garment.panels;
+  page.region_of_triangle = report.garment.panel_of_triangle;
+  page.quantity = "Gap";
+  page.unit = "mm";
+  page.ramp = ramp_mm(report);
+  page.below = "inside";
+  // Only looked at there: a light body keeps the page small and quick to turn.
+  page.setting = decimate(report.body, page_body_triangles);
+  page.setting_name = "body";
+  page.tables.push_back(panel_table(report));
+  if (!report.girths.empty()) page.tables.push_back(girth_table(report));
+  page.still_png = picture;
+  return viewer_page(page);
+}
+
+std::vector<std::string> ease_pictures(const EaseReport& report, const std::vector<int>& widths) {
+  PictureMesh cloth;
+  cloth.mesh = {report.garment.points, report.garment.triangles};
+  cloth.values = gaps_mm(report);
+  cloth.ramp = ramp_mm(report);
+  cloth.regions = report.garment.panel_of_triangle;
+  cloth.shows_through = 0.03;
+  PictureMesh body;
+  body.mesh = report.body;
+  body.colour = {0.74, 0.72, 0.71};
+  body.framed = false;
+  body.inside_shown = false;
+  Picture picture;
+  picture.title = "Ease map: " + report.garment_name + " on " + report.body_name;
+  picture.bar = ColourBar{"gap, mm", cloth.ramp, "inside"};
+  std::vector<PictureMesh> meshes;
+  meshes.push_back(std::move(cloth));
+  meshes.push_back(std::move(body));
+  const RayScene scene(std::move(meshes));
+  std::vector<std::string> pictures;
+  for (const int width : widths) {
+    picture.view_width = width;
+    pictures.push_back(picture_png(scene, picture));
+  }
+  return pictures;
+}
+
+std::vector<Colour> ease_colours(const EaseReport& report) {
+  const ColourRamp ramp = ramp_mm(report);
+  std::vector<Colour> colours;
+  for (const double gap : gaps_mm(report)) colours.push_back(ramp.at(gap));
+  return colours;
+}
+
+std::vector<std::string> ease_summary(const EaseReport& report) {
+  std::vector<std::string> lines;
+  const auto line = [&](const std::string& name, const EaseStatistics& s) {
+    lines.push_back(name + ": gap mean " + mm(s.mean) + " mm, median " + mm(s.p50) + " mm, from " +
+                    mm(s.min) + " to " + mm(s.max) + " mm; contact " + percent(s.contact) + " %");
+  };
+  for (std::size_t i = 0; i < report.map.panels.size(); ++i) {
+    if (report.map.panels[i].points > 0) {
+      line(valid_utf8(report.garment.panels[i]), report.map.panels[i]);
+    }
+  }
+  line("whole garment", report.map.garment);
+  for (const GirthEase& girth : report.girths) {
+    if (girth.level.empty()) continue;
+    lines.push_back(girth.level + " girth ease " + cm(girth.ease) + " cm (garment " +
+                    cm(girth.garment) + ", body " + cm(girth.body) + "), " +
+                    cm(girth.as_cut - girth.body) + " cm as cut (" + cm(girth.as_cut) + ")");
+  }
+  return lines;
+}
+
+}  // namespace toile

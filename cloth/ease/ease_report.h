@@ -1,0 +1,48 @@
+// The ease map as files: a page, tables, statistics, a coloured mesh, a picture.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cloth/ease/ease.h"
+#include "cloth/ease/girth_ease.h"
+#include "io/view/colour.h"
+
+namespace toile {
+
+/// All that the files say.
+struct EaseReport {
+  DressedGarment garment;
+  TriangleMesh body;
+  EaseMap map;
+  EaseOptions options;
+  std::vector<GirthEase> girths;  ///< empty: not measured
+  std::string garment_name;       ///< shown in titles
+  std::string body_name;
+  double top = 0;  ///< gap that gets the ramp's last colour, metres, positive
+};
+
+/// A round gap that most of the cloth is below: a scale's end that suits the garment.
+double suggested_top(const EaseMap& map);
+
+/// One row a point of the garment, in the order of EaseMap::points, under the header
+/// panel,u_m,v_m,x_m,y_m,z_m,gap_mm. Quoted as RFC 4180 says.
+std::string ease_csv(const EaseReport& report);
+
+/// Statistics of the garment and of each panel that has points, and girths, as JSON.
+std::string ease_json(const EaseReport& report);
+
+/// A page to turn the garment in; see io/viewer_page.h. `picture` is what a browser without WebGL
+/// shows instead.
+std::string ease_page(const EaseReport& report, const std::string& picture);
+
+/// Front and back with the colour bar, PNG, in each of the widths (of a view, in pixels).
+std::vector<std::string> ease_pictures(const EaseReport& report, const std::vector<int>& widths);
+
+/// The colour of each node.
+std::vector<Colour> ease_colours(const EaseReport& report);
+
+/// A few lines for the terminal.
+std::vector<std::string> ease_summary(const EaseReport& report);
+
+}  // namespace toile

@@ -1,0 +1,242 @@
+#include "cloth/judge/measures.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <span>
+
+#include "cloth/judge/yarn_strain.h"
+#include "cloth/model/gathers.h"
+#include "geometry/error.h"
+#include "geometry/half_edges.h"
+
+namespace toile {
+
+namespace {
+
+using Edge = std::pair<int, int>;
+
+/// How many triangles each edge has, of the triangles [first, last) of `points` points.
+std::vector<std::pair<Edge, int>> edge_uses(const std::vector<Triangle>& triangles, int first,
+                                            int last, std::size_t points) {
+  const std::span<const Triangle> some(triangles.data() + first,
+                                       static_cast<std::size_t>(last - first));
+  std::vector<std::pair<Edge, int>> uses;
+  uses.reserve(2 * some.size());
+  for (const HalfEdge& side : half_edges(some, points)) {
+    const Edge edge(side.low, side.high);
+    if (uses.empty() || uses.back().first != edge) uses.push_back({edge, 0});
+    ++uses.back().second;
+  }
+  return uses;
+}
+
+std::vector<Vec3> in_space(const std::vector<Vec2>& flat) {
+  std::vector<Vec3> points;
+  points.reserve(flat.size());
+  for (const Vec2& p : flat) points.emplace_back(p.x(), p.y(), 0);
+  return points;
+}
+
+double area(const std::vector<Vec3>& p, const Triangle& t) {
+  return 0.5 * (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).norm();
+}
+
+double perimeter(const std::vector<Vec3>& p, const Triangle& t) {
+  return (p[t[1]] - p[t[0]]).norm() + (p[t[2]] - p[t[1]]).norm() + (p[t[0]] - p[t[2]]).norm();
+}
+
+template <typename Measure>
+std::vector<double> sum_triangles(const PanelMesh& garment, const std::vector<Vec3>& points,
+                                  const Measure& measure) {
+  std::vector<double> sums;
+  for (const MeshedPanel& panel : garment.panels) {
+    double sum = 0;
+    for (int t = panel.first_triangle; t < panel.first_triangle + panel.triangles; ++t) {
+      sum += measure(points, garment.triangles[t]);
+    }
+    sums.push_back(sum);
+  }
+  return sums;
+}
+
+StrainFigures figures_of(std::vector<double>& strains) {
+  StrainFigures figures;
+  if (strains.empty()) return figures;
+  std::sort(strains.begin(), strains.end());
+  figures.max = strains.back();
+  figures.p99 = strains[static_cast<std::size_t>(0.99 * static_cast<double>(strains.size() - 1))];
+  double sum = 0;
+  for (const double s : strains) sum += s * s;
+  figures.rms = std::sqrt(sum / static_cast<double>(strains.size()));
+  return figures;
+}
+
+SeamFigures measure_seams(const PanelMesh& pattern, const std::vector<Vec3>& points) {
+  SeamFigures figures;
+  for (const MeshedSeam& seam : pattern.seams) {
+    double gap = 0;
+    for (std::size_t i = 0; i < seam.a.size(); ++i) {
+      gap = std::max(gap, (points[seam.a[i]] - points[seam.b[i]]).norm());
+    }
+    figures.max_gap_mm = std::max(figures.max_gap_mm, 1000 * gap);
+    if (gap <= sewn_gap) {
+      ++figures.sewn;
+    } else {
+      ++figures.open;
+      figures.open_seams.push_back({seam.name, 100 * gap});
+    }
+  }
+  return figures;
+}
+
+void measure_yarns(const PanelMesh& pattern, const std::vector<Vec3>& points,
+                   GarmentFigures& figures) {
+  const std::vector<char> gathered = on_gathers(pattern);
+  const std::vector<YarnStrain> yarns = yarn_strains(pattern, points);
+  std::vector<double> longer;
+  std::vector<double> shear;
+  for (std::size_t t = 0; t < yarns.size(); ++t) {
+    if (gathered[t]) continue;
+    longer.push_back(std::max(yarns[t].largest(), 0.0));
+    shear.push_back(std::abs(yarns[t].shear));
+  }
+  figures.warp_weft_strain = figures_of(longer);
+  figures.shear = figures_of(shear);
+}
+
+/// Places of the material points in the dressed garment.
+std::vector<Vec3> dressed_points(const PanelMesh& pattern, const DressedGarment& dressed) {
+  if (dressed.flat_triangles != pattern.triangles) {
+    throw Error("dressed garment", "has other faces than its pattern",
+                "dress the garment of the same name again");
+  }
+  std::vector<Vec3> points(pattern.flat.size(), Vec3::Zero());
+  for (std::size_t t = 0; t < pattern.triangles.size(); ++t) {
+    for (int i = 0; i < 3; ++i) {
+      points[pattern.triangles[t][i]] = dressed.points[dressed.triangles[t][i]];
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+std::vector<double> panel_areas(const PanelMesh& garment, const std::vector<Vec3>& points) {
+  return sum_triangles(garment, points, area);
+}
+
+std::vector<double> panel_areas(const PanelMesh& garment) {
+  return panel_areas(garment, in_space(garment.flat));
+}
+
+std::vector<double> triangle_perimeters(const PanelMesh& garment, const std::vector<Vec3>& points) {
+  return sum_triangles(garment, points, perimeter);
+}
+
+std::vector<double> triangle_perimeters(const PanelMesh& garment) {
+  return triangle_perimeters(garment, in_space(garment.flat));
+}
+
+Outlines panel_outlines(const PanelMesh& garment) {
+  Outlines outlines;
+  for (const MeshedPanel& panel : garment.panels) {
+    outlines.emplace_back();
+    for (const auto& [edge, uses] :
+         edge_uses(garment.triangles, panel.first_triangle, panel.first_triangle + panel.triangles,
+                   garment.flat.size())) {
+      if (uses == 1) outlines.back().push_back({edge.first, edge.second});
+    }
+  }
+  return outlines;
+}
+
+std::vector<double> panel_perimeters(const Outlines& outlines, const std::vector<Vec3>& points) {
+  std::vector<double> lengths;
+  for (const auto& outline : outlines) {
+    double length = 0;
+    for (const auto& [a, b] : outline) length += (points[a] - points[b]).norm();
+    lengths.push_back(length);
+  }
+  return lengths;
+}
+
+std::vector<double> panel_perimeters(const PanelMesh& garment) {
+  return panel_perimeters(panel_outlines(garment), in_space(garment.flat));
+}
+
+double largest_change_percent(const std::vector<double>& rest, const std::vector<double>& now) {
+  double largest = 0;
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    largest = std::max(largest, 100 * std::abs(now[i] / rest[i] - 1));
+  }
+  return largest;
+}
+
+GarmentFigures measure_garment(const PanelMesh& pattern, const DressedGarment& dressed) {
+  const std::vector<Vec3> points = dressed_points(pattern, dressed);
+  const std::vector<Vec3> flat = in_space(pattern.flat);
+  std::vector<char> on_seam(points.size(), 0);
+  for (const MeshedSeam& seam : pattern.seams) {
+    for (const int p : seam.a) on_seam[p] = 1;
+    for (const int p : seam.b) on_seam[p] = 1;
+  }
+  std::vector<char> gathered(points.size(), 0);
+  for (const GatheredEdges& edges : {gathered_edges(pattern), elastic_edges(pattern)}) {
+    for (const auto& [edge, share] : edges) gathered[edge.first] = gathered[edge.second] = 1;
+  }
+  std::vector<double> strains;
+  std::vector<double> off_seams;
+  for (const auto& [edge, uses] : edge_uses(
+           pattern.triangles, 0, static_cast<int>(pattern.triangles.size()), pattern.flat.size())) {
+    const double rest = (flat[edge.first] - flat[edge.second]).norm();
+    const double longer = (points[edge.first] - points[edge.second]).norm() / rest - 1;
+    strains.push_back(std::abs(longer));
+    if (on_seam[edge.first] && on_seam[edge.second]) continue;
+    const bool folds = gathered[edge.first] || gathered[edge.second];
+    off_seams.push_back(folds ? std::max(longer, 0.0) : std::abs(longer));
+  }
+  GarmentFigures figures;
+  figures.strain = figures_of(strains);
+  figures.strain_off_seams = figures_of(off_seams);
+  measure_yarns(pattern, points, figures);
+  const std::vector<double> rest_areas = panel_areas(pattern);
+  const std::vector<double> areas = panel_areas(pattern, points);
+  figures.area_max_panel_percent = largest_change_percent(rest_areas, areas);
+  figures.area_total_percent =
+      100 * (std::accumulate(areas.begin(), areas.end(), 0.0) /
+                 std::accumulate(rest_areas.begin(), rest_areas.end(), 0.0) -
+             1);
+  figures.perimeter_max_panel_percent = largest_change_percent(
+      panel_perimeters(pattern), panel_perimeters(panel_outlines(pattern), points));
+  figures.triangle_perimeter_max_panel_percent =
+      largest_change_percent(triangle_perimeters(pattern), triangle_perimeters(pattern, points));
+  figures.seams = measure_seams(pattern, points);
+  figures.bands = measure_bands(pattern, points);
+  figures.borders = border_loops(dressed.triangles, dressed.points.size());
+  return figures;
+}
+
+int border_loops(const std::vector<Triangle>& triangles, std::size_t points) {
+  std::vector<int> parent(points);
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](int p) {
+    while (parent[p] != p) p = parent[p] = parent[parent[p]];
+    return p;
+  };
+  std::vector<char> on_border(points, 0);
+  for (const auto& [edge, uses] :
+       edge_uses(triangles, 0, static_cast<int>(triangles.size()), points)) {
+    if (uses != 1) continue;
+    on_border[edge.first] = on_border[edge.second] = 1;
+    parent[root(edge.first)] = root(edge.second);
+  }
+  int loops = 0;
+  for (std::size_t p = 0; p < points; ++p) {
+    loops += on_border[p] && root(static_cast<int>(p)) == static_cast<int>(p);
+  }
+  return loops;
+}
+
+}  // namespace toile

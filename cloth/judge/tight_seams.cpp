@@ -1,0 +1,193 @@
+#include "cloth/judge/tight_seams.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "cloth/judge/flat_line.h"
+
+namespace toile {
+
+namespace {
+
+constexpr double hand = 0.1;  // metres, its breadth
+constexpr int most_lines = 24;
+
+class Tightness {
+ public:
+  Tightness(const PanelMesh& garment, const Program& program, const std::vector<Vec3>& nodes,
+            const std::vector<Restraint>& held)
+      : garment_(garment), program_(program), nodes_(nodes), held_(held) {
+    options_.limit = program.scene.strain_limit.value_or(-1);
+    options_.shear_limit = program.scene.shear_limit.value_or(-1);
+    std::vector<char> on_seam(garment.flat.size(), 0);
+    for (const MeshedSeam& seam : garment.seams) {
+      for (const int p : seam.a) on_seam[p] = 1;
+      for (const int p : seam.b) on_seam[p] = 1;
+    }
+    for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
+      for (int i = 0; i < 3; ++i) {
+        const Triangle& corners = garment.triangles[t];
+        const int a = corners[(i + 1) % 3];
+        const int b = corners[(i + 2) % 3];
+        if (on_seam[a] && on_seam[b]) beside_[std::minmax(a, b)] = {static_cast<int>(t), i};
+      }
+    }
+  }
+
+  std::vector<TightSeam> run() const {
+    std::vector<TightSeam> tight;
+    for (const MeshedSeam& seam : garment_.seams) {
+      TightSeam found;
+      found.name = seam.name;
+      if (!exceeds_the_hand(seam, found.tension)) continue;
+      const int edges = static_cast<int>(seam.a.size()) - 1;
+      const int stride = (edges + most_lines - 1) / most_lines;
+      for (int i = 0; i < edges; i += stride) {
+        const double missing = 0.5 * (missing_beside(seam.a[i], seam.a[i + 1]) +
+                                      missing_beside(seam.b[i], seam.b[i + 1]));
+        found.missing_cm = std::max(found.missing_cm, 100 * missing);
+      }
+      if (found.missing_cm > 100 * worn_tight) tight.push_back(found);
+    }
+    return tight;
+  }
+
+ private:
+  /// A triangle, and its corner that is opposite to an edge on a seam.
+  struct Beside {
+    int triangle;
+    int corner;
+  };
+
+  const Beside* beside(int a, int b) const {
+    const auto found = beside_.find(std::minmax(a, b));
+    return found == beside_.end() ? nullptr : &found->second;
+  }
+
+  /// N/m with which the cloth on one side pulls across the edge; negative: it pushes.
+  double tension_beside(int a, int b) const {
+    const Beside* at = beside(a, b);
+    if (at == nullptr) return 0;
+    const Triangle& corners = program_.node_triangles[at->triangle];
+    const auto forces = stretch_forces(program_.stretch[at->triangle], options_, nodes_[corners[0]],
+                                       nodes_[corners[1]], nodes_[corners[2]],
+                                       held_.empty() ? Restraint{} : held_[at->triangle]);
+    const Vec3& p = nodes_[corners[(at->corner + 1) % 3]];
+    const Vec3& q = nodes_[corners[(at->corner + 2) % 3]];
+    const Vec3 along = (q - p).normalized();
+    Vec3 out = p - nodes_[corners[at->corner]];
+    out = (out - along.dot(out) * along).normalized();
+    // The opposite corner bears half of what goes through the edge.
+    return 2 * forces[at->corner].dot(out) / (garment_.flat[a] - garment_.flat[b]).norm();
+  }
+
+  /// N/m that the cloth beside the edge is borne with at most.
+  double bearable_beside(int a, int b) const {
+    const Beside* at = beside(a, b);
+    if (at == nullptr) return hand_pull;
+    const StretchTriangle& s = program_.stretch[at->triangle];
+    const Vec2 edge = garment_.flat[b] - garment_.flat[a];
+    return std::min(hand_pull, most_worn * stiffness_along(s, at->triangle, {edge.y(), -edge.x()}));
+  }
+
+  /// Whether some hand's breadth of the seam pulls harder than it may; `largest` becomes its N/m.
+  bool exceeds_the_hand(const MeshedSeam& seam, double& largest) const {
+    std::vector<double> length = {0};
+    std::vector<double> pull = {0};      // N, from the seam's start
+    std::vector<double> bearable = {0};  // N, likewise
+    for (std::size_t i = 0; i + 1 < seam.a.size(); ++i) {
+      const double edge = 0.5 * ((garment_.flat[seam.a[i]] - garment_.flat[seam.a[i + 1]]).norm() +
+                                 (garment_.flat[seam.b[i]] - garment_.flat[seam.b[i + 1]]).norm());
+      const double tension = 0.5 * (tension_beside(seam.a[i], seam.a[i + 1]) +
+                                    tension_beside(seam.b[i], seam.b[i + 1]));
+      length.push_back(length.back() + edge);
+      pull.push_back(pull.back() + tension * edge);
+      bearable.push_back(bearable.back() + 0.5 * edge *
+                                               (bearable_beside(seam.a[i], seam.a[i + 1]) +
+                                                bearable_beside(seam.b[i], seam.b[i + 1])));
+    }
+    bool exceeds = false;
+    largest = 0;
+    std::size_t end = 0;
+    for (std::size_t from = 0; from + 1 < length.size(); ++from) {
+      while (end + 1 < length.size() && length[end] - length[from] < hand) ++end;
+      const double span = length[end] - length[from];
+      if (from > 0 && span < hand) break;
+      if (span <= 0) continue;
+      largest = std::max(largest, (pull[end] - pull[from]) / span);
+      exceeds = exceeds || pull[end] - pull[from] > bearable[end] - bearable[from];
+    }
+    return exceeds;
+  }
+
+  /// Metres by which the panel is stretched along the line from the middle of the edge square to
+  /// it.
+  double missing_beside(int a, int b) const {
+    const Beside* at = beside(a, b);
+    if (at == nullptr) return 0;
+    const auto& flat = garment_.flat;
+    const Vec2 from = 0.5 * (flat[a] + flat[b]);
+    Vec2 way(flat[a].y() - flat[b].y(), flat[b].x() - flat[a].x());
+    way.normalize();
+    if (way.dot(flat[garment_.triangles[at->triangle][at->corner]] - from) < 0) way = -way;
+    const auto panel =
+        std::find_if(garment_.panels.begin(), garment_.panels.end(), [&](const MeshedPanel& p) {
+          return at->triangle >= p.first_triangle && at->triangle < p.first_triangle + p.triangles;
+        });
+    double missing = 0;
+    for (int t = panel->first_triangle; t < panel->first_triangle + panel->triangles; ++t) {
+      const double length = length_within(flat_corners(garment_, t), from, way);
+      if (length > 0) missing += length * strain_along(t, way);
+    }
+    return missing;
+  }
+
+  /// Strain of a triangle along a flat direction; 0 where it is slack.
+  double strain_along(int t, const Vec2& way) const {
+    const StretchTriangle& s = program_.stretch[t];
+    Vec3 now = Vec3::Zero();
+    double weft = 0;
+    double warp = 0;
+    for (int i = 0; i < 3; ++i) {
+      const double along = garment_.flat[garment_.triangles[t][i]].dot(way);
+      weft += s.weft[i] * along;
+      warp += s.warp[i] * along;
+    }
+    for (int i = 0; i < 3; ++i) {
+      now += (weft * s.weft[i] + warp * s.warp[i]) * nodes_[program_.node_triangles[t][i]];
+    }
+    return std::max(0.0, now.norm() / std::hypot(weft, warp) - 1);
+  }
+
+  /// N/m per strain along a flat direction, which is mixed from warp and weft.
+  double stiffness_along(const StretchTriangle& s, int t, const Vec2& way) const {
+    double weft = 0;
+    double warp = 0;
+    for (int i = 0; i < 3; ++i) {
+      const double along = garment_.flat[garment_.triangles[t][i]].dot(way);
+      weft += s.weft[i] * along;
+      warp += s.warp[i] * along;
+    }
+    return (weft * weft * s.weft_stiffness + warp * warp * s.warp_stiffness) /
+           ((weft * weft + warp * warp) * s.area);
+  }
+
+  const PanelMesh& garment_;
+  const Program& program_;
+  const std::vector<Vec3>& nodes_;
+  const std::vector<Restraint>& held_;
+  StretchOptions options_;
+  std::map<std::pair<int, int>, Beside> beside_;
+};
+
+}  // namespace
+
+std::vector<TightSeam> tight_seams(const PanelMesh& garment, const Program& program,
+                                   const std::vector<Vec3>& nodes,
+                                   const std::vector<Restraint>& held) {
+  return Tightness(garment, program, nodes, held).run();
+}
+
+}  // namespace toile

@@ -1,0 +1,42 @@
+#include "cloth/judge/verdict.h"
+
+#include "geometry/intersections.h"
+
+namespace toile {
+
+Judgement judge(const PanelMesh& pattern, const DressedGarment& dressed, const TriangleMesh& body,
+                const Skeleton* skeleton, bool converged, const TriangleMesh* layers,
+                const std::vector<TightSeam>& tight) {
+  Judgement judgement;
+  judgement.garment = measure_garment(pattern, dressed);
+  if (skeleton != nullptr) judgement.wraps = measure_wraps(pattern, dressed, *skeleton);
+  const TriangleMesh cloth{dressed.points, dressed.triangles};
+  judgement.body_intersections = static_cast<int>(intersections(cloth, body).size());
+  judgement.self_intersections = static_cast<int>(self_intersections(cloth).size());
+  if (layers != nullptr) {
+    judgement.layer_intersections = static_cast<int>(intersections(cloth, *layers).size());
+  }
+  const int all_intersections =
+      judgement.body_intersections + judgement.self_intersections + judgement.layer_intersections;
+  judgement.unsewable_seams = judgement.garment.seams.open_seams;
+  for (const TightSeam& seam : tight) {
+    judgement.unsewable_seams.push_back({seam.name, seam.missing_cm});
+  }
+  for (const WrapFigure& wrap : judgement.wraps) {
+    if (wrap.tube && wrap.fraction < around_share) judgement.unwrapped.push_back(wrap.part);
+  }
+  if (!judgement.unsewable_seams.empty()) {
+    judgement.verdict = "unsewable";
+  } else if (all_intersections > 0) {
+    judgement.verdict = "intersecting";
+  } else if (!judgement.unwrapped.empty()) {
+    judgement.verdict = "unwrapped";
+  } else if (!converged) {
+    judgement.verdict = "unconverged";
+  } else {
+    judgement.verdict = "sewn";
+  }
+  return judgement;
+}
+
+}  // namespace toile

@@ -1,0 +1,247 @@
+#include "cloth/judge/wraps.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <queue>
+
+#include "cloth/judge/measures.h"
+#include "geometry/body/bones.h"
+
+namespace toile {
+
+namespace {
+
+constexpr int stations = 32;
+constexpr int directions = 360;
+/// Metres: nodes no farther than this from a part's first or last one count as its top or hem.
+constexpr double end_depth = 0.02;
+constexpr double hand = 0.1;  ///< metres, its breadth
+/// Metres from the body's middle: no sleeve begins nearer, not even one cut up to the neck.
+constexpr double innermost_sleeve = 0.03;
+
+struct Interval {
+  double low;
+  double high;
+};
+
+/// Shortest ways on the flat panels of one part, over sewn seams, from `sources` to every node.
+std::vector<double> flat_distances(const PanelMesh& garment, const DressedGarment& dressed,
+                                   const std::vector<char>& panel_counts,
+                                   const std::vector<int>& sources) {
+  std::vector<std::vector<std::pair<int, double>>> ways(dressed.points.size());
+  for (std::size_t p = 0; p < garment.panels.size(); ++p) {
+    if (!panel_counts[p]) continue;
+    const MeshedPanel& panel = garment.panels[p];
+    for (int t = panel.first_triangle; t < panel.first_triangle + panel.triangles; ++t) {
+      for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3;
+        const double length =
+            (garment.flat[garment.triangles[t][i]] - garment.flat[garment.triangles[t][j]]).norm();
+        ways[dressed.triangles[t][i]].emplace_back(dressed.triangles[t][j], length);
+        ways[dressed.triangles[t][j]].emplace_back(dressed.triangles[t][i], length);
+      }
+    }
+  }
+  std::vector<double> distance(dressed.points.size(), std::numeric_limits<double>::infinity());
+  using Reached = std::pair<double, int>;
+  std::priority_queue<Reached, std::vector<Reached>, std::greater<>> next;
+  for (const int source : sources) {
+    distance[source] = 0;
+    next.emplace(0, source);
+  }
+  while (!next.empty()) {
+    const auto [so_far, node] = next.top();
+    next.pop();
+    if (so_far > distance[node]) continue;
+    for (const auto& [to, length] : ways[node]) {
+      if (so_far + length >= distance[to]) continue;
+      distance[to] = so_far + length;
+      next.emplace(distance[to], to);
+    }
+  }
+  return distance;
+}
+
+/// The stretch of bone that a part's panels are meant to cover.
+struct Meant {
+  Interval stretch;
+  double slid = 0;  ///< how far down along the bones they hang from where they were placed
+};
+
+/// Of what hangs from where its top is, a skirt, and reaches so far on the flat: where it slid to
+/// counts as long as that is on the torso, and no farther than half its length or a hand's breadth.
+/// What slid farther does not cover what it should.
+Meant hung(double placed, double lies, double length, double neck) {
+  const double slid = placed - lies;
+  const bool worn = lies > 0 && lies < neck && std::abs(slid) < std::max(0.5 * length, hand);
+  const double top = worn ? lies : placed;
+  return {{top - 0.75 * length, top - 0.25 * length}, slid};
+}
+
+Meant meant_stretch(const PanelMesh& garment, const DressedGarment& dressed,
+                    const std::vector<std::string>& parts, const std::string& part,
+                    const Bones& bones, const Skeleton& skeleton) {
+  const bool torso = part == "torso";
+  std::vector<char> counts;
+  for (const std::string& p : parts) counts.push_back(p == part);
+  std::vector<char> here(dressed.points.size(), 0);
+  std::vector<char> elsewhere(dressed.points.size(), 0);
+  std::vector<double> placed_along(dressed.points.size(), 0);
+  for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
+    const bool counted = counts[dressed.panel_of_triangle[t]] != 0;
+    for (int i = 0; i < 3; ++i) {
+      const int node = dressed.triangles[t][i];
+      (counted ? here : elsewhere)[node] = 1;
+      // The torso's bones run up, a limb's run out: its hem is low on the one, far on the other.
+      if (counted) {
+        const double along = bones.foot(garment.placed[garment.triangles[t][i]]);
+        placed_along[node] = torso ? -along : along;
+      }
+    }
+  }
+  double top = std::numeric_limits<double>::max();
+  double hem = std::numeric_limits<double>::lowest();
+  for (std::size_t n = 0; n < here.size(); ++n) {
+    if (!here[n]) continue;
+    top = std::min(top, placed_along[n]);
+    hem = std::max(hem, placed_along[n]);
+  }
+  std::vector<int> sources;
+  for (std::size_t n = 0; n < here.size(); ++n) {
+    const bool source = torso ? placed_along[n] < top + end_depth : elsewhere[n] != 0;
+    if (here[n] && source) sources.push_back(static_cast<int>(n));
+  }
+  const std::vector<double> distances = flat_distances(garment, dressed, counts, sources);
+  double length = std::numeric_limits<double>::infinity();
+  for (std::size_t n = 0; n < here.size(); ++n) {
+    if (here[n] && placed_along[n] > hem - end_depth) length = std::min(length, distances[n]);
+  }
+  const double armpit = skeleton.joint("chest").y();
+  if (torso) {
+    const double from = bones.foot(skeleton.joint("chest"));
+    // What starts below the armpits has no shoulders to hang from.
+    if (-top < from) {
+      double placed = 0;
+      double lies = 0;
+      for (const int n : sources) {
+        placed -= placed_along[n] / sources.size();
+        lies += bones.foot(dressed.points[n]) / sources.size();
+      }
+      return hung(placed, lies, length, bones.along.back());
+    }
+    const double reach = length - (skeleton.joint("neck").y() - armpit);
+    return {{from - 0.7 * reach, from - 0.1 * reach}};
+  }
+  const bool arm = part.ends_with("arm");
+  Vec3 fork = bones.joints.front();
+  fork.y() = arm ? armpit : skeleton.joint("pelvis").y();
+  const double from = bones.foot(fork);
+  return {{from + 0.25 * length, from + 0.75 * length}};
+}
+
+/// Share of directions around the station whose ray meets one of the triangles.
+double share_met(const Vec3& station, const Vec3& axis, const std::vector<Vec3>& points,
+                 const std::vector<Triangle>& triangles) {
+  const Vec3 u = axis.unitOrthogonal();
+  const Vec3 v = axis.cross(u);
+  std::array<bool, directions> met{};
+  for (const Triangle& t : triangles) {
+    double height[3];
+    for (int i = 0; i < 3; ++i) height[i] = axis.dot(points[t[i]] - station);
+    Vec2 crossing[2];
+    int crossings = 0;
+    for (int i = 0; i < 3 && crossings < 2; ++i) {
+      const int j = (i + 1) % 3;
+      if ((height[i] < 0) == (height[j] < 0)) continue;
+      const double w = height[i] / (height[i] - height[j]);
+      const Vec3 p = (1 - w) * points[t[i]] + w * points[t[j]] - station;
+      crossing[crossings++] = {p.dot(u), p.dot(v)};
+    }
+    if (crossings < 2) continue;
+    constexpr double unit = directions / (2 * std::numbers::pi);
+    const double from = unit * std::atan2(crossing[0].y(), crossing[0].x());
+    double turn = unit * std::atan2(crossing[1].y(), crossing[1].x()) - from;
+    if (turn > directions / 2.0) turn -= directions;
+    if (turn < -directions / 2.0) turn += directions;
+    const double low = std::min(from, from + turn);
+    for (int d = static_cast<int>(std::ceil(low)); d <= low + std::abs(turn); ++d) {
+      met[(d + 2 * directions) % directions] = true;
+    }
+  }
+  return static_cast<double>(std::count(met.begin(), met.end(), true)) / directions;
+}
+
+}  // namespace
+
+std::vector<std::string> panel_parts(const PanelMesh& garment, const Skeleton& skeleton) {
+  std::vector<std::string> parts;
+  for (const MeshedPanel& panel : garment.panels) {
+    if (!panel.part.empty()) {
+      parts.push_back(panel.part);
+      continue;
+    }
+    Vec3 middle = Vec3::Zero();
+    double left = 0;
+    double right = 0;
+    double innermost = std::numeric_limits<double>::max();
+    for (int p = panel.first_point; p < panel.first_point + panel.points; ++p) {
+      middle += garment.placed[p];
+      left = std::max(left, garment.placed[p].x());
+      right = std::max(right, -garment.placed[p].x());
+      innermost = std::min(innermost, std::abs(garment.placed[p].x()));
+    }
+    middle /= panel.points;
+    const bool both_sides = std::min(left, right) > 0.15 * (left + right);
+    std::string nearest = "torso";
+    double distance = Bones(skeleton, nearest).distance(middle);
+    for (const char* part : {"left_arm", "right_arm", "left_leg", "right_leg"}) {
+      if (both_sides) break;
+      // Before an arm that hangs down or swings, half a front is nearer to that than to the spine.
+      if (innermost < innermost_sleeve && std::string_view(part).ends_with("_arm")) continue;
+      const Bones bones(skeleton, part);
+      if (bones.joints.empty() || bones.distance(middle) >= distance) continue;
+      nearest = part;
+      distance = bones.distance(middle);
+    }
+    parts.push_back(nearest);
+  }
+  return parts;
+}
+
+std::vector<WrapFigure> measure_wraps(const PanelMesh& garment, const DressedGarment& dressed,
+                                      const Skeleton& skeleton) {
+  const std::vector<std::string> parts = panel_parts(garment, skeleton);
+  std::vector<WrapFigure> figures;
+  for (const std::string_view name : body_parts) {
+    const std::string part(name);
+    if (std::find(parts.begin(), parts.end(), part) == parts.end()) continue;
+    std::vector<Triangle> triangles;
+    for (std::size_t p = 0; p < garment.panels.size(); ++p) {
+      if (parts[p] != part) continue;
+      const auto first = dressed.triangles.begin() + garment.panels[p].first_triangle;
+      triangles.insert(triangles.end(), first, first + garment.panels[p].triangles);
+    }
+    const Bones bones(skeleton, part);
+    if (bones.joints.empty()) continue;
+    const Meant meant = meant_stretch(garment, dressed, parts, part, bones, skeleton);
+    const Interval& stretch = meant.stretch;
+    // Panels that are joined to no torso, or end where they begin: nothing says what they cover.
+    if (!(stretch.low < stretch.high) || !std::isfinite(stretch.high - stretch.low)) continue;
+    WrapFigure figure{part, stretch.low, stretch.high};
+    figure.slid = meant.slid;
+    for (int i = 0; i < stations; ++i) {
+      const double s = stretch.low + (i + 0.5) / stations * (stretch.high - stretch.low);
+      const auto [station, axis] = bones.at(s);
+      figure.fraction += share_met(station, axis, dressed.points, triangles) / stations;
+    }
+    // A sheet has one border, whatever its shape.
+    figure.tube = border_loops(triangles, dressed.points.size()) > 1;
+    figures.push_back(figure);
+  }
+  return figures;
+}
+
+}  // namespace toile

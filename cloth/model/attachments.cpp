@@ -1,0 +1,183 @@
+#include "cloth/model/attachments.h"
+
+#include <algorithm>
+
+#include "cloth/ease/girth_ease.h"
+#include "geometry/body/bones.h"
+#include "geometry/body/skeleton.h"
+#include "geometry/distance_grid.h"
+#include "geometry/error.h"
+#include "geometry/surface_distance.h"
+
+namespace toile {
+
+namespace {
+
+/// The share of an attachment that each of its points takes: of the edge's length, what is nearest
+/// to it.
+std::vector<double> shares_along(const PanelMesh& garment, const std::vector<int>& points) {
+  if (points.size() == 1) return {1};
+  std::vector<double> shares(points.size(), 0);
+  double whole = 0;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const double length = (garment.flat[points[i]] - garment.flat[points[i + 1]]).norm();
+    shares[i] += length / 2;
+    shares[i + 1] += length / 2;
+    whole += length;
+  }
+  for (double& share : shares) share /= whole;
+  return shares;
+}
+
+/// A height of the body: a point of the plane, and what the plane is square to.
+struct Level {
+  Vec3 point;
+  Vec3 axis;
+};
+
+class Anchors {
+ public:
+  Anchors(const PanelMesh& garment, const Scene& scene)
+      : scene_(scene), offset_(body_offset_of(scene, garment)) {}
+
+  Level level(const MeshedAttachment& attached) {
+    const std::string& landmark = attached.how.landmark;
+    if (scene_.skeleton == nullptr) {
+      throw refused(attached, "there is no skeleton",
+                    "let clean-body write it beside the body, or name it with --skeleton");
+    }
+    for (const char* side : {"left_", "right_"}) {
+      if (landmark.starts_with(side)) return limb_level(attached, side);
+    }
+    const Vec3 up = Vec3::UnitY();
+    if (landmark == "bust" || landmark == "hip") {
+      return {(girth_height(attached) + attached.how.above) * up, up};
+    }
+    return {scene_.skeleton->joint(landmark) + attached.how.above * up, up};
+  }
+
+  Vec3 place(const MeshedAttachment& attached, const Vec3& placed) const {
+    Vec3 anchor = attached.how.to == AttachedTo::point ? attached.how.point : placed;
+    if (attached.how.to == AttachedTo::skin) {
+      if (scene_.skin == nullptr) throw refused(attached, "there is no body", "give one to dress");
+      anchor = scene_.skin->nearest(placed).point;
+    }
+    return scene_.body == nullptr ? anchor : off_the_body(anchor);
+  }
+
+ private:
+  static Error refused(const MeshedAttachment& attached, const std::string& why,
+                       const std::string& remedy) {
+    return {"attachment '" + attached.name + "'",
+            "is held at '" + attached.how.landmark + "', but " + why, remedy};
+  }
+
+  Level limb_level(const MeshedAttachment& attached, const std::string& side) const {
+    const std::string& joint = attached.how.landmark;
+    const bool of_arm =
+        joint.ends_with("shoulder") || joint.ends_with("elbow") || joint.ends_with("wrist");
+    const Bones bones(*scene_.skeleton, side + (of_arm ? "arm" : "leg"));
+    if (bones.joints.empty()) {
+      throw refused(attached, "the skeleton lacks that limb", "let clean-body write the skeleton");
+    }
+    // Bones of a limb run away from the body, and a level is above where it is nearer to it.
+    const double along = bones.foot(scene_.skeleton->joint(joint)) - attached.how.above;
+    const auto [point, direction] = bones.at(along);
+    return {point, direction};
+  }
+
+  double girth_height(const MeshedAttachment& attached) {
+    if (scene_.skin == nullptr) throw refused(attached, "there is no body", "give one to dress");
+    if (girths_.empty()) girths_ = torso_levels(scene_.skin->body(), *scene_.skeleton);
+    for (const TorsoLevel& level : girths_) {
+      if (level.name == attached.how.landmark) return level.height;
+    }
+    throw refused(attached, "the body shows none", "name a joint, with 'above'");
+  }
+
+  /// The distance is smooth, not exact, so one step out does not do.
+  Vec3 off_the_body(Vec3 anchor) const {
+    constexpr int steps = 5;
+    for (int i = 0; i < steps; ++i) {
+      const DistanceGrid::Sample at = scene_.body->at(anchor);
+      if (at.distance >= offset_) break;
+      anchor += (offset_ - at.distance) * at.gradient;
+    }
+    return anchor;
+  }
+
+  const Scene& scene_;
+  double offset_;                   // metres that the cloth keeps from the skin
+  std::vector<TorsoLevel> girths_;  // once one was asked for
+};
+
+std::string target_of(const Attachment& how) {
+  switch (how.to) {
+    case AttachedTo::level:
+      return how.landmark;
+    case AttachedTo::place:
+      return "place";
+    case AttachedTo::skin:
+      return "skin";
+    case AttachedTo::point:
+      return "point";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::vector<AttachedPoint> attached_points(const PanelMesh& garment, const Scene& scene,
+                                           const std::vector<Vec3>& placed) {
+  std::vector<AttachedPoint> all;
+  if (garment.attachments.empty()) return all;
+  Anchors anchors(garment, scene);
+  for (std::size_t a = 0; a < garment.attachments.size(); ++a) {
+    const MeshedAttachment& attached = garment.attachments[a];
+    const Attachment& how = attached.how;
+    Level level{Vec3::Zero(), Vec3::Zero()};
+    if (how.to == AttachedTo::level) level = anchors.level(attached);
+    const std::vector<double> shares = shares_along(garment, attached.points);
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+      const int point = attached.points[i];
+      all.push_back(
+          {point, static_cast<int>(a),
+           how.to == AttachedTo::level ? level.point : anchors.place(attached, placed[point]),
+           level.axis, shares[i] * how.stiffness, shares[i] * how.most, how.always});
+    }
+  }
+  return all;
+}
+
+std::vector<AttachedPoint> lasting(std::vector<AttachedPoint> attached) {
+  std::erase_if(attached, [](const AttachedPoint& held) { return !held.always; });
+  return attached;
+}
+
+std::vector<AttachmentFigures> measure_attachments(const PanelMesh& garment,
+                                                   const std::vector<AttachedPoint>& attached,
+                                                   const std::vector<Vec3>& points) {
+  std::vector<AttachmentFigures> all;
+  for (const MeshedAttachment& each : garment.attachments) {
+    all.push_back({each.name, target_of(each.how), each.how.always});
+  }
+  for (const AttachedPoint& held : attached) {
+    AttachmentFigures& figures = all[held.attachment];
+    const double off = way_to_anchor(held, points[held.point]).norm();
+    const auto count = static_cast<double>(garment.attachments[held.attachment].points.size());
+    figures.off_mean += off / count;
+    figures.off_max = std::max(figures.off_max, off);
+    figures.pull += attachment_pull(held, points[held.point]);
+  }
+  return all;
+}
+
+void measure_lasting(const PanelMesh& garment, const std::vector<AttachedPoint>& attached,
+                     const std::vector<Vec3>& points, std::vector<AttachmentFigures>& figures) {
+  const std::vector<AttachmentFigures> now = measure_attachments(garment, attached, points);
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (now[i].always) figures[i] = now[i];
+  }
+}
+
+}  // namespace toile

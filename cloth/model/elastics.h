@@ -1,0 +1,53 @@
+// Elastics along edges: bands that draw the cloth up.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "cloth/scene/scene.h"
+#include "pattern/panel_mesh.h"
+
+namespace toile {
+
+/// A piece of elastic along a mesh edge. It pulls when it is longer than at rest, and never pushes;
+/// the cloth on it lies in folds until it is pulled out to its own length, and takes part from
+/// there on:
+/// E = ½ rest stiffness max(0, length/rest - 1)² + ½ flat cloth max(0, length/flat - 1)².
+struct BandSegment {
+  std::array<int, 2> points;  ///< material points
+  double rest;                ///< metres
+  double flat;                ///< metres, of the edge in the pattern
+  double stiffness;           ///< N
+  double cloth;               ///< N, of the rows of triangles on it
+};
+
+/// Tension of a segment, N: the derivative of its energy.
+inline double band_tension(const BandSegment& s, double length) {
+  return s.stiffness * std::max(length / s.rest - 1, 0.0) +
+         s.cloth * std::max(length / s.flat - 1, 0.0);
+}
+
+/// A bound of the stiffness that a segment adds to each of its points, N/m.
+inline double stiffness_bound(const BandSegment& s) {
+  return 2 * (s.stiffness / s.rest + s.cloth / s.flat);
+}
+
+/// All segments, in the order of the garment's elastics. Cost is linear in the triangles, nothing
+/// without elastics.
+std::vector<BandSegment> band_segments(const PanelMesh& garment, const Scene& scene,
+                                       const std::vector<int>& node_of_point);
+
+/// An elastic as it is worn.
+struct BandFigures {
+  std::string name;
+  double flat = 0;     ///< metres, of the edge in the pattern
+  double rest = 0;     ///< metres, of the elastic
+  double now = 0;      ///< metres
+  double tension = 0;  ///< N, of the elastic: the mean along it
+};
+
+/// One for each of the garment's elastics, with its material points at `points`.
+std::vector<BandFigures> measure_bands(const PanelMesh& garment, const std::vector<Vec3>& points);
+
+}  // namespace toile

@@ -1,0 +1,98 @@
+#include "cloth/relaxation/aggregates.h"
+
+#include <algorithm>
+
+namespace toile {
+
+namespace {
+
+using Shares = std::vector<PatchShare>;
+
+void sort_out(Neighbours& neighbours) {
+  for (std::vector<int>& of : neighbours) {
+    std::sort(of.begin(), of.end());
+    of.erase(std::unique(of.begin(), of.end()), of.end());
+  }
+}
+
+void add(Shares& shares, int patch, double weight) {
+  const auto known = std::find_if(shares.begin(), shares.end(),
+                                  [&](const PatchShare& share) { return share.patch == patch; });
+  if (known == shares.end()) {
+    shares.push_back({patch, weight});
+  } else {
+    known->weight += weight;
+  }
+}
+
+/// Half its own, half the mean of its neighbours'.
+std::vector<Shares> smoothed(const std::vector<Shares>& shares, const Neighbours& vertices) {
+  std::vector<Shares> smooth(shares.size());
+  for (std::size_t v = 0; v < shares.size(); ++v) {
+    const double own = vertices[v].empty() ? 1 : 0.5;
+    for (const auto& [patch, weight] : shares[v]) add(smooth[v], patch, own * weight);
+    for (const int other : vertices[v]) {
+      for (const auto& [patch, weight] : shares[other]) {
+        add(smooth[v], patch, 0.5 * weight / static_cast<double>(vertices[v].size()));
+      }
+    }
+  }
+  return smooth;
+}
+
+}  // namespace
+
+Neighbours neighbours_of(const std::vector<Triangle>& triangles, std::size_t vertices) {
+  Neighbours neighbours(vertices);
+  for (const Triangle& t : triangles) {
+    for (int i = 0; i < 3; ++i) {
+      neighbours[t[i]].push_back(t[(i + 1) % 3]);
+      neighbours[t[i]].push_back(t[(i + 2) % 3]);
+    }
+  }
+  sort_out(neighbours);
+  return neighbours;
+}
+
+WidePatches wide_patches(const Neighbours& vertices) {
+  WidePatches wide;
+  std::vector<int> patch_around(vertices.size(), -1);
+  std::vector<char> taken(vertices.size(), 0);
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    if (taken[v] != 0) continue;
+    patch_around[v] = static_cast<int>(wide.middles.size());
+    wide.middles.push_back(static_cast<int>(v));
+    for (const int other : vertices[v]) taken[other] = 1;
+  }
+  std::vector<Shares> shares(vertices.size());
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    if (patch_around[v] >= 0) {
+      shares[v] = {{patch_around[v], 1}};
+      continue;
+    }
+    for (const int other : vertices[v]) {
+      if (patch_around[other] >= 0) shares[v].push_back({patch_around[other], 1});
+    }
+    for (PatchShare& share : shares[v]) share.weight /= static_cast<double>(shares[v].size());
+  }
+  wide.neighbours.resize(wide.middles.size());
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    for (const int other : vertices[v]) {
+      for (const PatchShare& here : shares[v]) {
+        for (const PatchShare& there : shares[other]) {
+          if (here.patch != there.patch) wide.neighbours[here.patch].push_back(there.patch);
+        }
+      }
+    }
+  }
+  sort_out(wide.neighbours);
+  const std::vector<Shares> smooth = smoothed(shares, vertices);
+  wide.of_vertices.assign(vertices.size(), [&](const auto& list) {
+    for (std::size_t v = 0; v < smooth.size(); ++v) {
+      for (const PatchShare& share : smooth[v]) list(v, share);
+    }
+  });
+  return wide;
+}
+
+}  // namespace toile

@@ -1,0 +1,27 @@
+// Pulls of elastics on the vertices along them.
+#pragma once
+
+#include "cloth/model/garment_model.h"
+#include "geometry/adjacency.h"
+#include "geometry/vec4.h"
+
+namespace toile {
+
+/// Vertices are the program's nodes, or its material points while seams stand open.
+class BandForces {
+ public:
+  BandForces(const Program& program, bool of_points);
+
+  bool empty() const { return segments_.empty(); }
+  /// Adds to the forces (N) on vertices `begin` to `end`, with all vertices at `x`.
+  void add(std::size_t begin, std::size_t end, const Vec4s& x, Vec4s& force) const;
+
+ private:
+  struct Entry {
+    int other;
+    BandSegment segment;
+  };
+  Grouped<Entry> segments_;  // per vertex; empty: no elastics
+};
+
+}  // namespace toile

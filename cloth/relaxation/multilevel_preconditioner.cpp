@@ -1,0 +1,186 @@
+#include "cloth/relaxation/multilevel_preconditioner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "geometry/parallel.h"
+
+namespace toile {
+
+namespace {
+
+/// Levels of wide patches: with none, ten garments take 1.55 times the iterations at 15 mm and 1.4
+/// times at 10 mm; with one and with three, 1.06 and 1.1 to 1.2 times.
+constexpr int most_wide_levels = 2;
+/// Patches that a wide level is worth having for.
+constexpr std::size_t least_wide_patches = 4;
+
+}  // namespace
+
+CoarseMotion::CoarseMotion(const Program& program, bool wide) {
+  const std::vector<Triangle> coarsest = add_nested_levels(program);
+  if (levels_.empty()) return;
+  nested_ = levels();
+  if (!wide) return;
+  Neighbours joined = neighbours_of(coarsest, levels_.back().mass.size());
+  for (int i = 0; i < most_wide_levels; ++i) {
+    WidePatches patches = wide_patches(joined);
+    if (patches.middles.size() < least_wide_patches) break;
+    add_wide_level(patches);
+    joined = std::move(patches.neighbours);
+  }
+}
+
+/// Returns the triangles of the coarsest.
+std::vector<Triangle> CoarseMotion::add_nested_levels(const Program& program) {
+  std::vector<Triangle> triangles = program.node_triangles;
+  std::vector<int> own(program.nodes);  // the program's node of each node of the level
+  std::iota(own.begin(), own.end(), 0);
+  for (int depth = 0; depth < program.subdivisions; ++depth) {
+    const std::size_t count = own.size();
+    // Child i of a triangle holds its corner i; child 3 the middles of its sides.
+    std::vector<int> index(count, -1);
+    for (std::size_t t = 0; t < triangles.size(); t += 4) {
+      for (int i = 0; i < 3; ++i) index[triangles[t + i][i]] = 0;
+    }
+    Level level;
+    std::vector<int> coarse_own;
+    for (std::size_t n = 0; n < count; ++n) {
+      if (index[n] < 0) continue;
+      index[n] = static_cast<int>(coarse_own.size());
+      coarse_own.push_back(own[n]);
+    }
+    level.parents.assign(count, {-1, -1});
+    std::vector<Triangle> coarse(triangles.size() / 4);
+    for (std::size_t t = 0; t < coarse.size(); ++t) {
+      for (int i = 0; i < 3; ++i) coarse[t][i] = index[triangles[4 * t + i][i]];
+      for (int i = 0; i < 3; ++i) {
+        level.parents[triangles[4 * t + i][i]] = {coarse[t][i], coarse[t][i]};
+        auto& middle = level.parents[triangles[4 * t + 3][i]];
+        if (middle[0] < 0) middle = {coarse[t][i], coarse[t][(i + 1) % 3]};
+      }
+    }
+    level.shares = Grouped<Share>(coarse_own.size(), [&](const auto& add) {
+      for (std::size_t n = 0; n < count; ++n) {
+        const auto& [a, b] = level.parents[n];
+        add(a, {static_cast<int>(n), a == b ? 1.0 : 0.5});
+        if (a != b) add(b, {static_cast<int>(n), 0.5});
+      }
+    });
+    for (const int n : coarse_own) {
+      level.stretch.push_back(program.stretch_diagonal[n]);
+      level.bend.push_back(program.bend.empty() ? 0 : program.bend_diagonal[n]);
+    }
+    const std::vector<double>& finer = levels_.empty() ? program.mass : levels_.back().mass;
+    level.mass.assign(coarse_own.size(), 0);
+    for (std::size_t n = 0; n < coarse_own.size(); ++n) {
+      for (const auto& [node, weight] : level.shares[n]) level.mass[n] += weight * finer[node];
+    }
+    add_level(std::move(level));
+    triangles = std::move(coarse);
+    own = std::move(coarse_own);
+  }
+  return triangles;
+}
+
+void CoarseMotion::add_wide_level(const WidePatches& wide) {
+  const Level& finer = levels_.back();
+  Level level;
+  level.patches = wide.of_vertices;
+  level.shares.assign(wide.middles.size(), [&](const auto& add) {
+    for (std::size_t n = 0; n < wide.of_vertices.size(); ++n) {
+      for (const auto& [patch, weight] : wide.of_vertices[n]) {
+        add(patch, {static_cast<int>(n), weight});
+      }
+    }
+  });
+  for (std::size_t p = 0; p < wide.middles.size(); ++p) {
+    level.stretch.push_back(finer.stretch[wide.middles[p]]);
+    level.bend.push_back(finer.bend[wide.middles[p]]);
+    level.mass.push_back(0);
+    for (const auto& [node, weight] : level.shares[p]) level.mass[p] += weight * finer.mass[node];
+  }
+  add_level(std::move(level));
+}
+
+void CoarseMotion::add_level(Level level) {
+  const std::size_t patches = level.mass.size();
+  level.directed.assign(patches, Stiffness{});
+  level.force.assign(patches, Vec4{});
+  level.way.assign(patches, Vec4{});
+  levels_.push_back(std::move(level));
+}
+
+void CoarseMotion::restrict_forces(const Level& level, const Vec4s& finer, Vec4s& force) const {
+  in_chunks(force.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      Vec4 sum = {0, 0, 0, 0};
+      for (const auto& [node, weight] : level.shares[n]) sum += weight * finer[node];
+      force[n] = sum;
+    }
+  });
+}
+
+void CoarseMotion::take_directions(const std::vector<Stiffness>& of_nodes) {
+  in_all_directions_ = undirected_share_of_patches;
+  const std::vector<Stiffness>* finer = &of_nodes;
+  for (Level& level : levels_) {
+    in_chunks(level.directed.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) {
+        Stiffness sum{};
+        double weight = 0;
+        for (const Share& share : level.shares[n]) {
+          weight += share.weight;
+          for (std::size_t k = 0; k < sum.size(); ++k) {
+            sum[k] += share.weight * (*finer)[share.node][k];
+          }
+        }
+        for (double& k : sum) k /= weight;
+        level.directed[n] = sum;
+      }
+    });
+    finer = &level.directed;
+  }
+}
+
+double CoarseMotion::rms_acceleration() const {
+  if (nested_ == 0 || levels_[nested_ - 1].mass.empty()) return 0;
+  const Level& level = levels_[nested_ - 1];
+  double sum = 0;
+  for (std::size_t n = 0; n < level.mass.size(); ++n) {
+    const Vec4 force = {level.force[n][0], level.force[n][1], level.force[n][2], 0};
+    if (level.mass[n] > 0) sum += squared_length(force) / (level.mass[n] * level.mass[n]);
+  }
+  return std::sqrt(sum / static_cast<double>(level.mass.size()));
+}
+
+/// The way of a level's patches at a finer node.
+Vec4 CoarseMotion::way_at(const Level& level, std::size_t finer) {
+  if (level.patches.empty()) return between_parents(level, finer);
+  Vec4 way = {0, 0, 0, 0};
+  for (const auto& [patch, weight] : level.patches[finer]) way += weight * level.way[patch];
+  return way;
+}
+
+void CoarseMotion::compute(const Vec4s& forces, double bending) {
+  const Vec4s* finer = &forces;
+  for (Level& level : levels_) {
+    restrict_forces(level, *finer, level.force);
+    finer = &level.force;
+  }
+  for (std::size_t l = levels_.size(); l-- > 0;) {
+    Level& level = levels_[l];
+    in_chunks(level.way.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) {
+        const double stiffness =
+            in_all_directions_ * level.stretch[n] + bending * level.bend[n] + level.force[n][3];
+        Vec4 way = way_of(level.directed[n], stiffness, level.force[n]);
+        if (l + 1 < levels_.size()) way += way_at(levels_[l + 1], n);
+        level.way[n] = way;
+      }
+    });
+  }
+}
+
+}  // namespace toile

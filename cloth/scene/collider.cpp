@@ -1,0 +1,40 @@
+#include "cloth/scene/collider.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace toile {
+
+namespace {
+
+void append(TriangleMesh& mesh, const TriangleMesh& more) {
+  const int offset = static_cast<int>(mesh.points.size());
+  mesh.points.insert(mesh.points.end(), more.points.begin(), more.points.end());
+  for (const Triangle& t : more.triangles) {
+    mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+  }
+}
+
+}  // namespace
+
+Subject::Subject(const TriangleMesh& body, const KnownDistances& known)
+    : surfaces_{BodyDistance(body)}, surface_(body), grid_(surfaces_.front()) {
+  if (!known.empty()) grid_.remember(known);
+}
+
+void Subject::add_layer(const TriangleMesh& garment) {
+  surfaces_.emplace_back(garment);
+  append(surface_, garment);
+  append(cloth_, garment);
+  grid_.add(surfaces_.back());
+}
+
+double Subject::distance(const Vec3& point) const {
+  double least = std::numeric_limits<double>::max();
+  for (const BodyDistance& surface : surfaces_) {
+    least = std::min(least, surface.nearest(point).distance);
+  }
+  return least;
+}
+
+}  // namespace toile

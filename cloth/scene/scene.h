@@ -1,0 +1,63 @@
+// What is to be simulated, apart from the garment: the body, the fabric, the forces.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "cloth/scene/fabric.h"
+#include "geometry/types.h"
+
+namespace toile {
+
+class BodyDistance;
+class DistanceGrid;
+struct MeshedPanel;
+struct PanelMesh;
+struct Skeleton;
+
+struct Scene {
+  Fabric fabric;                          ///< of the panels that name none
+  std::map<std::string, Fabric> fabrics;  ///< of the others, by the names that they give
+  Vec3 gravity{0, -9.81, 0};              ///< m/s²
+  /// Distance to the subject: the body and the layers that it wears. None: nothing to touch.
+  const DistanceGrid* body = nullptr;
+  const TriangleMesh* subject = nullptr;  ///< the same surface as triangles, facets outward
+  const TriangleMesh* layers = nullptr;   ///< the layers of it alone; none: the body is bare
+  const BodyDistance* skin = nullptr;     ///< exactly, of the bare body; none: nothing bounds
+  const Skeleton* skeleton = nullptr;     ///< of the body; none: panels start as the pattern says
+  double body_offset = 0.002;             ///< metres at least kept between skin and cloth's middle
+  bool self_contact = true;
+  double self_gap = 0.002;  ///< metres at least kept between the middles of cloth and cloth
+  /// Metres at least kept between this garment and the layers below. The distance grid, which is
+  /// smooth, keeps `body_offset`; this is exact, and holds where their folds are sharp.
+  double layer_gap = 0.001;
+  /// Most that warp and weft lengthen, a fraction, where anything gives way for that: they are held
+  /// by up to `most_restraint`. Compression has no limit: cloth buckles.
+  std::optional<double> strain_limit;
+  std::optional<double> shear_limit;  ///< likewise, sine of the angle that the yarns turn by
+};
+
+/// Throws Error, naming `place`, for a gravity that is no number, or too weak or strong to be
+/// meant.
+void check_gravity(const Vec3& gravity, const std::string& place);
+
+/// How much stiffer the cloth is beyond its limits, besides what holds it there. Higher finds that
+/// sooner, and converges slower.
+inline constexpr double strain_limit_stiffening = 1;
+/// N/m that holds a yarn to its limit at most: what a hand closes a seam with. A garment that takes
+/// more is too tight there.
+inline constexpr double most_restraint = 300;
+
+/// The fabric of a panel. Throws Error when the scene has none of that name.
+const Fabric& fabric_of(const Scene& scene, const MeshedPanel& panel);
+
+/// Metres from the skin to the middle of the cloth: half the thickest fabric of the garment and
+/// 1 mm of air, but no less than the scene's.
+double body_offset_of(const Scene& scene, const PanelMesh& garment);
+
+/// Metres between the middles of two layers of cloth: the thickest fabric's thickness, but no less
+/// than the scene's.
+double self_gap_of(const Scene& scene, const PanelMesh& garment);
+
+}  // namespace toile

@@ -1,0 +1,146 @@
+#include "cloth/start/draw_and_lift.h"
+
+#include <algorithm>
+
+#include "cloth/judge/wraps.h"
+#include "cloth/start/align_sleeves.h"
+#include "cloth/start/seam_paths.h"
+
+namespace toile {
+
+namespace {
+
+constexpr double lift_step = 0.01;  // metres
+constexpr int lift_steps = 20;
+/// Metres added to the least lift: room for the cloth to come down onto the shoulders.
+constexpr double margin = 0.03;
+
+struct Limb {
+  const char* part;
+  const char* from;
+  const char* to;
+};
+constexpr Limb limb_directions[] = {{"left_arm", "left_shoulder", "left_wrist"},
+                                    {"right_arm", "right_shoulder", "right_wrist"},
+                                    {"left_leg", "left_hip", "left_ankle"},
+                                    {"right_leg", "right_hip", "right_ankle"}};
+
+/// Metres between a limb's seam points and their partners on the torso, along the limb.
+constexpr double limb_gap = 0.01;
+
+/// How far the panels of a limb have to be drawn out along `direction`. Upright panels stand at
+/// depths that say nothing of that: a sleeve's back may be sewn to the front, and then would be
+/// drawn far down an arm that reaches forward. A slanting one passes the torso's at an angle: there
+/// depths count, and the room they bring is needed [measured].
+double draw_out(const PanelMesh& garment, const std::vector<Vec3>& placed,
+                const std::vector<std::string>& part_of_point, const std::string& part,
+                const Vec3& direction, bool slanting) {
+  double farthest = 0;
+  for (const MeshedSeam& seam : garment.seams) {
+    for (std::size_t i = 0; i < seam.a.size(); ++i) {
+      int limb = seam.a[i];
+      int torso = seam.b[i];
+      if (part_of_point[limb] != part) std::swap(limb, torso);
+      if (part_of_point[limb] != part || part_of_point[torso] != "torso") continue;
+      Vec3 apart = placed[torso] - placed[limb];
+      if (!slanting) apart.z() = 0;
+      farthest = std::max(farthest, apart.dot(direction) + limb_gap);
+    }
+  }
+  return farthest;
+}
+
+/// Per material point, 1 if it is lifted with the garment and 0 if not: a tube around a limb has to
+/// stay there.
+std::vector<double> lifted_points(const PanelMesh& garment) {
+  std::vector<double> lifted;
+  for (const MeshedPanel& panel : garment.panels) {
+    const bool limb = panel.part.ends_with("_arm") || panel.part.ends_with("_leg");
+    lifted.insert(lifted.end(), panel.points, limb && panel.placement.around > 0 ? 0.0 : 1.0);
+  }
+  return lifted;
+}
+
+bool hangs_from_shoulders(const PanelMesh& garment, const std::vector<Vec3>& placed,
+                          const Skeleton& skeleton) {
+  constexpr double above = 0.05;  // metres
+  const double height = skeleton.joint("chest").y() + above;
+  return std::any_of(garment.seams.begin(), garment.seams.end(), [&](const MeshedSeam& seam) {
+    return placed[seam.a.front()].y() > height && placed[seam.b.front()].y() > height;
+  });
+}
+
+}  // namespace
+
+Placement draw_out_and_lift(const PanelMesh& garment, const DistanceGrid& body,
+                            const Skeleton* skeleton, double hang) {
+  Placement placement;
+  placement.placed = garment.placed;
+  bool hangs = false;
+  bool has_sleeves = false;
+  if (skeleton != nullptr) {
+    hangs = hangs_from_shoulders(garment, garment.placed, *skeleton);
+    const std::vector<std::string> parts = panel_parts(garment, *skeleton);
+    has_sleeves =
+        std::ranges::any_of(parts, [](const auto& part) { return part.ends_with("_arm"); });
+    std::vector<std::string> part_of_point;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      part_of_point.insert(part_of_point.end(), garment.panels[i].points, parts[i]);
+    }
+    placement.turned = turn_sleeves(garment, part_of_point, *skeleton, placement.placed);
+    for (const Limb& limb : limb_directions) {
+      if (std::find(parts.begin(), parts.end(), limb.part) == parts.end()) continue;
+      const Vec3 direction = (skeleton->joint(limb.to) - skeleton->joint(limb.from)).normalized();
+      const double distance = draw_out(garment, placement.placed, part_of_point, limb.part,
+                                       direction, placement.turned.contains(limb.part));
+      if (distance <= 0) continue;
+      placement.drawn_out[limb.part] = distance;
+      for (std::size_t p = 0; p < placement.placed.size(); ++p) {
+        if (part_of_point[p] == limb.part) placement.placed[p] += distance * direction;
+      }
+    }
+  }
+  const std::vector<double> lifted = lifted_points(garment);
+  SewingWays ways(garment, placement.placed, lifted, body, skeleton);
+  const auto points_inside = [&](double lift) {
+    int count = 0;
+    for (std::size_t p = 0; p < placement.placed.size(); ++p) {
+      count += body.at(placement.placed[p] + Vec3(0, lifted[p] * lift, 0)).distance < 0;
+    }
+    return count;
+  };
+  // What hangs from the shoulders has to come over them; a skirt must not come into the armpits.
+  const bool may_meet_arms = skeleton == nullptr || hangs || has_sleeves;
+  const int inside_unlifted = points_inside(0);
+  int fewest = ways.barred(0);
+  for (int step = 1; step <= lift_steps && fewest > ways.at_arms(); ++step) {
+    const double lift = step * lift_step;
+    const int count = ways.barred(lift);
+    if (count >= fewest) continue;
+    if (!may_meet_arms && points_inside(lift + margin) > inside_unlifted) continue;
+    fewest = count;
+    placement.lift = lift;
+  }
+  if (placement.lift > 0) placement.lift += margin;
+  const bool has_tubes = std::find(lifted.begin(), lifted.end(), 0.0) != lifted.end();
+  if (hangs && !has_tubes) placement.lift = std::max(placement.lift, hang);
+  placement.seams_inside = ways.meeting_inside(placement.lift);
+  for (std::size_t p = 0; p < placement.placed.size(); ++p) {
+    placement.placed[p].y() += lifted[p] * placement.lift;
+  }
+  placement.points_inside = points_inside(0);
+  return placement;
+}
+
+Placement place_panels(const PanelMesh& garment, const DistanceGrid& body, const Skeleton* skeleton,
+                       double hang) {
+  if (!asks_for_skeleton(garment)) return draw_out_and_lift(garment, body, skeleton, hang);
+  Positioning positioning = position_panels(garment, body, skeleton);
+  PanelMesh positioned = garment;
+  positioned.placed = std::move(positioning.placed);
+  Placement placement = draw_out_and_lift(positioned, body, skeleton, hang);
+  placement.positioned = std::move(positioning.panels);
+  return placement;
+}
+
+}  // namespace toile

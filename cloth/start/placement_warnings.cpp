@@ -1,0 +1,253 @@
+#include "cloth/start/placement_warnings.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "geometry/body/skeleton.h"
+#include "geometry/disjoint_sets.h"
+#include "geometry/surface_distance.h"
+
+namespace toile {
+
+namespace {
+
+/// Half widths of a panel that its middle has to be off the body's: else it stands on both sides.
+constexpr double on_one_side = 0.5;
+/// Share of a group's seams that have to reach across the middle.
+constexpr double most_across = 0.5;
+/// What standing mirrored has to make of the seams' lengths, and bring at least, metres.
+constexpr double much_shorter = 0.65;
+constexpr double worth = 0.15;
+/// Two panels are each other's mirror images when their middles and their sizes are, to this share
+/// of a size: that they are sewn together says nothing of sides, as they can only change places.
+constexpr double image_share = 0.15;
+/// Of facing_out(): below, a panel is inside out.
+constexpr double surely_inward = -0.5;
+/// Triangles of a panel that are looked at.
+constexpr int looked_at = 50;
+
+/// Panels on one side of the body that are sewn together.
+struct Group {
+  std::vector<int> panels;
+  double area = 0;
+};
+
+class Sides {
+ public:
+  Sides(const PanelMesh& garment, double middle)
+      : garment_(garment), at_(garment.placed), side_(garment.panels.size(), 0) {
+    for (Vec3& p : at_) p.x() -= middle;
+    for (std::size_t p = 0; p < garment.panels.size(); ++p) {
+      panel_of_.insert(panel_of_.end(), garment.panels[p].points, static_cast<int>(p));
+      boxes_.push_back(box_of(garment.panels[p]));
+      side_[p] = side_of(boxes_.back());
+    }
+  }
+
+  /// Panels that stand where their mirror images belong, in the garment's order; from here on they
+  /// count as exchanged.
+  std::vector<int> exchange_swapped() {
+    std::vector<int> found;
+    for (const Group& group : groups()) {
+      if (!reaches(group).to_images.is_much_shorter_there()) continue;
+      found.insert(found.end(), group.panels.begin(), group.panels.end());
+    }
+    for (const int p : found) carry_across(p);
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+  /// Panels that belong on the other side, in the garment's order.
+  std::vector<int> misplaced() {
+    std::vector<int> found;
+    for (const Group& group : groups()) {
+      if (!belongs_across(reaches(group).to_others)) continue;
+      found.insert(found.end(), group.panels.begin(), group.panels.end());
+      // What is sewn to it is judged by where it should be.
+      for (const int p : group.panels) mirror(p);
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+ private:
+  Eigen::AlignedBox3d box_of(const MeshedPanel& panel) const {
+    Eigen::AlignedBox3d box;
+    for (int p = panel.first_point; p < panel.first_point + panel.points; ++p) box.extend(at_[p]);
+    return box;
+  }
+
+  /// 1: left of the middle, -1: right, 0: on both sides.
+  static int side_of(const Eigen::AlignedBox3d& box) {
+    const double off = box.center().x() / (0.5 * box.sizes().x());
+    return off > on_one_side ? 1 : off < -on_one_side ? -1 : 0;
+  }
+
+  bool are_images(int a, int b) const {
+    Vec3 mirrored = boxes_[a].center();
+    mirrored.x() = -mirrored.x();
+    const double most = image_share * boxes_[b].diagonal().norm();
+    return (mirrored - boxes_[b].center()).norm() < most &&
+           (boxes_[a].sizes() - boxes_[b].sizes()).norm() < most;
+  }
+
+  /// The smallest first.
+  std::vector<Group> groups() const {
+    DisjointSets sets(garment_.panels.size());
+    for (const MeshedSeam& seam : garment_.seams) {
+      const int a = panel_of_[seam.a.front()];
+      const int b = panel_of_[seam.b.front()];
+      if (side_[a] != 0 && side_[a] == side_[b]) sets.join(a, b);
+    }
+    std::vector<Group> by_first(garment_.panels.size());
+    for (std::size_t p = 0; p < garment_.panels.size(); ++p) {
+      if (side_[p] == 0) continue;
+      Group& group = by_first[sets.of(static_cast<int>(p))];
+      group.panels.push_back(static_cast<int>(p));
+      const MeshedPanel& panel = garment_.panels[p];
+      for (int t = panel.first_triangle; t < panel.first_triangle + panel.triangles; ++t) {
+        const auto& [a, b, c] = garment_.triangles[t];
+        group.area += (at_[b] - at_[a]).cross(at_[c] - at_[a]).norm();
+      }
+    }
+    std::erase_if(by_first, [](const Group& group) { return group.panels.empty(); });
+    std::ranges::stable_sort(by_first, {}, &Group::area);
+    return by_first;
+  }
+
+  /// What a group's seams to other panels reach over, in metres, and would from the other side.
+  struct Reach {
+    int pairs = 0;
+    int across = 0;  ///< the body's middle
+    double here = 0;
+    double there = 0;
+
+    bool is_much_shorter_there() const {
+      return there < much_shorter * here && there < here - worth * pairs;
+    }
+  };
+  struct Reaches {
+    Reach to_images;  ///< of its own panels, if these move across as well
+    Reach to_others;
+  };
+
+  Reaches reaches(const Group& group) const {
+    std::vector<char> mine(garment_.panels.size(), 0);
+    for (const int p : group.panels) mine[p] = 1;
+    Reaches reaches;
+    for (const MeshedSeam& seam : garment_.seams) {
+      int panel = panel_of_[seam.a.front()];
+      int other = panel_of_[seam.b.front()];
+      if (mine[panel] == mine[other]) continue;
+      const bool from_a = mine[panel] != 0;
+      if (!from_a) std::swap(panel, other);
+      const bool images = are_images(panel, other);
+      Reach& reach = images ? reaches.to_images : reaches.to_others;
+      for (std::size_t i = 0; i < seam.a.size(); ++i) {
+        const Vec3& p = at_[from_a ? seam.a[i] : seam.b[i]];
+        const Vec3& q = at_[from_a ? seam.b[i] : seam.a[i]];
+        ++reach.pairs;
+        reach.across += (p.x() > 0) != (q.x() > 0);
+        reach.here += (q - p).norm();
+        reach.there += images ? (carried_across(q, other) - carried_across(p, panel)).norm()
+                              : (q - Vec3(-p.x(), p.y(), p.z())).norm();
+      }
+    }
+    return reaches;
+  }
+
+  static bool belongs_across(const Reach& reach) {
+    return reach.across > most_across * reach.pairs && reach.is_much_shorter_there();
+  }
+
+  /// A panel's point when the panel is moved across the middle, not turned: of legs that change
+  /// places the outer edges become the inner ones.
+  Vec3 carried_across(const Vec3& p, int panel) const {
+    return {p.x() - 2 * boxes_[panel].center().x(), p.y(), p.z()};
+  }
+
+  void carry_across(int panel) {
+    const MeshedPanel& moved = garment_.panels[panel];
+    for (int p = moved.first_point; p < moved.first_point + moved.points; ++p) {
+      at_[p] = carried_across(at_[p], panel);
+    }
+    boxes_[panel] = box_of(moved);
+    side_[panel] = side_of(boxes_[panel]);
+  }
+
+  void mirror(int panel) {
+    const MeshedPanel& moved = garment_.panels[panel];
+    for (int p = moved.first_point; p < moved.first_point + moved.points; ++p) {
+      at_[p].x() = -at_[p].x();
+    }
+    boxes_[panel] = box_of(moved);
+  }
+
+  const PanelMesh& garment_;
+  std::vector<Vec3> at_;       // x from the body's middle
+  std::vector<int> panel_of_;  // each point's
+  std::vector<Eigen::AlignedBox3d> boxes_;
+  std::vector<int> side_;
+};
+
+}  // namespace
+
+std::vector<double> facing_out(const PanelMesh& garment, const BodyDistance& skin) {
+  std::vector<double> facing;
+  for (const MeshedPanel& panel : garment.panels) {
+    const int stride = std::max(1, panel.triangles / looked_at);
+    double sum = 0;
+    double areas = 0;
+    for (int t = panel.first_triangle; t < panel.first_triangle + panel.triangles; t += stride) {
+      const auto& [a, b, c] = garment.triangles[t];
+      const Vec3& p = garment.placed[a];
+      const Vec3 area = (garment.placed[b] - p).cross(garment.placed[c] - p);
+      const Vec3 middle = (p + garment.placed[b] + garment.placed[c]) / 3;
+      const BodyPoint nearest = skin.nearest(middle);
+      const Vec3 out =
+          nearest.distance < 0 ? Vec3(nearest.point - middle) : Vec3(middle - nearest.point);
+      if (out.norm() > 0) sum += area.dot(out.normalized());
+      areas += area.norm();
+    }
+    facing.push_back(areas > 0 ? sum / areas : 0);
+  }
+  return facing;
+}
+
+std::vector<DoubtfulPanel> doubtful_start(const PanelMesh& garment, const Scene& scene) {
+  using Doubt = DoubtfulPanel::Doubt;
+  std::vector<DoubtfulPanel> doubtful;
+  const double middle = scene.skeleton != nullptr ? scene.skeleton->joint("pelvis").x() : 0;
+  Sides sides(garment, middle);
+  for (const int p : sides.exchange_swapped()) {
+    doubtful.push_back({garment.panels[p].name, Doubt::swapped});
+  }
+  for (const int p : sides.misplaced()) {
+    doubtful.push_back({garment.panels[p].name, Doubt::other_side});
+  }
+  if (scene.skin == nullptr) return doubtful;
+  const std::vector<double> facing = facing_out(garment, *scene.skin);
+  for (std::size_t p = 0; p < facing.size(); ++p) {
+    if (facing[p] < surely_inward) doubtful.push_back({garment.panels[p].name, Doubt::inside_out});
+  }
+  return doubtful;
+}
+
+std::string doubt_text(const DoubtfulPanel& doubtful) {
+  const std::string panel = "panel '" + doubtful.panel + "' ";
+  if (doubtful.doubt == DoubtfulPanel::Doubt::other_side) {
+    return panel +
+           "stands on the other side of the body from what it is sewn to: move it across (the sign "
+           "of its translation's x, or the part of its 'placement'), or sew it to the other side";
+  }
+  if (doubtful.doubt == DoubtfulPanel::Doubt::swapped) {
+    return panel +
+           "stands where its mirror image, which it is sewn to, belongs: let the two change places";
+  }
+  return panel +
+         "starts inside out, its right side to the body: turn it around (by 180 degrees in its "
+         "rotation), move it to the body's other side (the sign of its translation's z), or check "
+         "the stitches' 'reversed'";
+}
+
+}  // namespace toile

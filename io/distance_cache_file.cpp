@@ -1,0 +1,107 @@
+#include "io/distance_cache_file.h"
+
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include "geometry/error.h"
+#include "io/output_file.h"
+
+namespace toile {
+
+namespace {
+
+using Checksum = std::uint64_t;
+using Count = std::uint64_t;
+
+/// Changes with the meaning of what follows it.
+constexpr char magic[] = "toile body distances 1\n";
+/// Reads as another number on a machine of the other byte order, to which the file is of no use.
+constexpr std::uint32_t byte_order = 0x01020304;
+
+/// The library's: a file that another one wrote is of no use, and no harm.
+Checksum checksum(const void* bytes, std::size_t count) {
+  return std::hash<std::string_view>{}({static_cast<const char*>(bytes), count});
+}
+
+template <class T>
+void append(std::string& bytes, const T* items, std::size_t count) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  bytes.append(reinterpret_cast<const char*>(items), count * sizeof(T));
+}
+
+std::string head_of(const TriangleMesh& body) {
+  std::string head = magic;
+  append(head, &byte_order, 1);
+  const Checksum of_body[] = {
+      checksum(body.points.data(), body.points.size() * sizeof(body.points[0])),
+      checksum(body.triangles.data(), body.triangles.size() * sizeof(body.triangles[0]))};
+  append(head, of_body, 2);
+  return head;
+}
+
+/// Takes from the front of `bytes`; false when they are too few.
+template <class T>
+bool take(std::string_view& bytes, T* items, std::size_t count) {
+  if (bytes.size() / sizeof(T) < count) return false;
+  if (count > 0) std::memcpy(items, bytes.data(), count * sizeof(T));
+  bytes.remove_prefix(count * sizeof(T));
+  return true;
+}
+
+}  // namespace
+
+void write_known_distances(const std::filesystem::path& path, const TriangleMesh& body,
+                           const KnownDistances& known) {
+  std::string bytes = head_of(body);
+  append(bytes, &known.cell, 1);
+  append(bytes, &known.band, 1);
+  append(bytes, known.first.data(), known.first.size());
+  append(bytes, known.size.data(), known.size.size());
+  for (const auto& cubes : known.levels) {
+    const Count count = cubes.size();
+    append(bytes, &count, 1);
+    append(bytes, cubes.data(), cubes.size());
+  }
+  const Checksum of_all = checksum(bytes.data(), bytes.size());
+  append(bytes, &of_all, 1);
+  write_file(path, bytes);
+}
+
+std::optional<KnownDistances> read_known_distances(const std::filesystem::path& path,
+                                                   const TriangleMesh& body) {
+  std::string content;
+  try {
+    content = read_file(path);
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+  std::string_view bytes = content;
+  const std::string head = head_of(body);
+  Checksum of_all = 0;
+  if (!bytes.starts_with(head) || bytes.size() < head.size() + sizeof of_all) return std::nullopt;
+  std::memcpy(&of_all, bytes.data() + bytes.size() - sizeof of_all, sizeof of_all);
+  bytes.remove_suffix(sizeof of_all);
+  if (of_all != checksum(bytes.data(), bytes.size())) return std::nullopt;
+  bytes.remove_prefix(head.size());
+  KnownDistances known;
+  if (!take(bytes, &known.cell, 1) || !take(bytes, &known.band, 1) ||
+      !take(bytes, known.first.data(), known.first.size()) ||
+      !take(bytes, known.size.data(), known.size.size())) {
+    return std::nullopt;
+  }
+  for (auto& cubes : known.levels) {
+    Count count = 0;
+    if (!take(bytes, &count, 1) || count > bytes.size() / sizeof(KnownDistances::Cube)) {
+      return std::nullopt;
+    }
+    cubes.resize(count);
+    if (!take(bytes, cubes.data(), count)) return std::nullopt;
+  }
+  return known;
+}
+
+}  // namespace toile

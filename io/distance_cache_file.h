@@ -1,0 +1,23 @@
+// What is known of a body's distances, kept from one run to the next.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "geometry/distance_cache.h"
+#include "geometry/types.h"
+
+namespace toile {
+
+/// Writes what is known of the distances of `body`, whole or not at all. Throws Error when the file
+/// can't be written.
+void write_known_distances(const std::filesystem::path& path, const TriangleMesh& body,
+                           const KnownDistances& known);
+
+/// What write_known_distances wrote for the same body on a machine of this kind; nothing when there
+/// is no such file, when it is damaged or of another body. Only what is in it is checked, not
+/// whether its distances are right.
+std::optional<KnownDistances> read_known_distances(const std::filesystem::path& path,
+                                                   const TriangleMesh& body);
+
+}  // namespace toile

@@ -1,0 +1,218 @@
+#include "pattern/check_pattern.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+#include <map>
+#include <numbers>
+#include <numeric>
+
+#include "geometry/error.h"
+#include "geometry/outline.h"
+#include "pattern/seam_orientation.h"
+
+namespace toile {
+
+namespace {
+
+std::string centimetres(double length) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.2f cm", length * 100);
+  return text;
+}
+
+void check_outline(const Pattern& pattern, int index) {
+  const PatternPanel& panel = pattern.panels[static_cast<std::size_t>(index)];
+  const auto place = [&](int edge) {
+    return pattern.source + ": " + edge_name(pattern, {index, edge});
+  };
+  for (std::size_t e = 0; e < panel.edges.size(); ++e) {
+    const EdgeCurve& curve = panel.edges[e].curve;
+    if ((curve.end() - curve.start()).norm() < shortest_edge || curve.length() < shortest_edge) {
+      throw Error(place(static_cast<int>(e)), "has zero length",
+                  "remove it or move one of its vertices");
+    }
+  }
+  std::vector<Vec2> points;
+  std::vector<int> edge_of_segment;
+  for (const OutlineStep& step : panel.outline) {
+    const EdgeCurve& curve = panel.edges[static_cast<std::size_t>(step.edge)].curve;
+    const int segments =
+        curve.straight() ? 1 : 16 + static_cast<int>(32 * curve.turning() / std::numbers::pi);
+    std::vector<Vec2> sample = curve.sample(segments);
+    if (!step.forward) std::reverse(sample.begin(), sample.end());
+    points.insert(points.end(), sample.begin(), sample.end() - 1);
+    edge_of_segment.insert(edge_of_segment.end(), static_cast<std::size_t>(segments), step.edge);
+  }
+  if (const auto crossing = first_crossing(points)) {
+    const int first = edge_of_segment[static_cast<std::size_t>((*crossing)[0])];
+    const int second = edge_of_segment[static_cast<std::size_t>((*crossing)[1])];
+    throw Error(
+        place(first),
+        first == second ? "crosses itself" : "crosses or touches edge " + std::to_string(second),
+        "an outline must not meet itself; correct the vertices or the curvature");
+  }
+}
+
+double length_of(const Pattern& pattern, const EdgeRef& ref) {
+  return pattern.panels[static_cast<std::size_t>(ref.panel)]
+      .edges[static_cast<std::size_t>(ref.edge)]
+      .curve.length();
+}
+
+std::string times(double ratio) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f : 1", ratio);
+  return text;
+}
+
+/// The sewn corner at each end of every stitch, by number: stitches that share one meet there.
+std::vector<std::array<int, 2>> ends_of(const Pattern& pattern) {
+  std::vector<Remark> said_elsewhere;
+  const Orientation orientation = orient(pattern, said_elsewhere);
+  // Corner k of a panel is where step k of its outline begins.
+  std::vector<int> first;
+  int corners = 0;
+  for (const PatternPanel& panel : pattern.panels) {
+    first.push_back(corners);
+    corners += static_cast<int>(panel.outline.size());
+  }
+  std::vector<int> parent(static_cast<std::size_t>(corners));
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](int c) {
+    while (parent[static_cast<std::size_t>(c)] != c) c = parent[static_cast<std::size_t>(c)];
+    return c;
+  };
+  const auto edge_ends = [&](const EdgeRef& ref) {
+    const auto& outline = pattern.panels[static_cast<std::size_t>(ref.panel)].outline;
+    const auto step = std::find_if(outline.begin(), outline.end(),
+                                   [&](const OutlineStep& s) { return s.edge == ref.edge; });
+    const int at = static_cast<int>(step - outline.begin());
+    const int base = first[static_cast<std::size_t>(ref.panel)];
+    std::array<int, 2> ends = {base + at, base + (at + 1) % static_cast<int>(outline.size())};
+    if (!step->forward) std::swap(ends[0], ends[1]);
+    return ends;
+  };
+  std::vector<std::array<int, 2>> ends;
+  for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
+    const std::array<int, 2> a = edge_ends(pattern.stitches[s].a);
+    std::array<int, 2> b = edge_ends(pattern.stitches[s].b);
+    if (orientation.reversed[s]) std::swap(b[0], b[1]);
+    for (std::size_t k = 0; k < 2; ++k) parent[static_cast<std::size_t>(root(a[k]))] = root(b[k]);
+    ends.push_back(a);
+  }
+  for (auto& [from, to] : ends) {
+    from = root(from);
+    to = root(to);
+  }
+  return ends;
+}
+
+/// "panel 'a', edge 1 and 'b', edges 4, 5".
+std::string edges_named(const Pattern& pattern, const std::vector<EdgeRef>& refs) {
+  std::string text;
+  for (std::size_t i = 0; i < refs.size(); ++i) {
+    const bool same = i > 0 && refs[i].panel == refs[i - 1].panel;
+    const bool more = i + 1 < refs.size() && refs[i + 1].panel == refs[i].panel;
+    if (!same) {
+      text += i == 0 ? "panel '" : " and '";
+      text += pattern.panels[static_cast<std::size_t>(refs[i].panel)].name;
+      text += more ? "', edges " : "', edge ";
+    } else {
+      text += ", ";
+    }
+    text += std::to_string(refs[i].edge);
+  }
+  return text;
+}
+
+/// Seams with sides of different length that nobody declared: one remark for each line of them.
+void remark_on_lengths(const Pattern& pattern, std::vector<Remark>& remarks) {
+  const auto ratio_of = [&](const Stitch& stitch) {
+    const double a = length_of(pattern, stitch.a);
+    const double b = length_of(pattern, stitch.b);
+    return std::max(a, b) / std::min(a, b);
+  };
+  const auto ends = ends_of(pattern);
+  for (const bool warning : {false, true}) {
+    std::vector<std::size_t> unequal;
+    for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
+      const double ratio = ratio_of(pattern.stitches[s]);
+      if (pattern.stitches[s].gathered || ratio <= 1 + seam_note_ratio) continue;
+      if (warning == (ratio > 1 + seam_warning_ratio)) unequal.push_back(s);
+    }
+    while (!unequal.empty()) {
+      std::vector<std::size_t> line = {unequal.front()};
+      unequal.erase(unequal.begin());
+      for (std::size_t i = 0; i < line.size(); ++i) {
+        const auto meets = [&](std::size_t s) {
+          return std::any_of(ends[s].begin(), ends[s].end(), [&](int end) {
+            return end == ends[line[i]][0] || end == ends[line[i]][1];
+          });
+        };
+        std::copy_if(unequal.begin(), unequal.end(), std::back_inserter(line), meets);
+        unequal.erase(std::remove_if(unequal.begin(), unequal.end(), meets), unequal.end());
+      }
+      std::sort(line.begin(), line.end());
+      std::vector<EdgeRef> longer;
+      std::vector<EdgeRef> shorter;
+      for (const std::size_t s : line) {
+        longer.push_back(pattern.stitches[s].a);
+        shorter.push_back(pattern.stitches[s].b);
+        if (length_of(pattern, longer.back()) < length_of(pattern, shorter.back())) {
+          std::swap(longer.back(), shorter.back());
+        }
+      }
+      double lengths[2] = {0, 0};
+      for (const EdgeRef& ref : longer) lengths[0] += length_of(pattern, ref);
+      for (const EdgeRef& ref : shorter) lengths[1] += length_of(pattern, ref);
+      remarks.push_back(
+          {warning, pattern.source + ": " + edges_named(pattern, longer) + " (" +
+                        centimetres(lengths[0]) + ") " + (line.size() > 1 ? "are" : "is") +
+                        " sewn to " + edges_named(pattern, shorter) + " (" +
+                        centimetres(lengths[1]) + "), " + times(lengths[0] / lengths[1]) +
+                        (warning ? "; right only if the longer side is gathered: say so by "
+                                   "\"gather\": true in the stitch"
+                                 : "; the longer side is eased in")});
+    }
+  }
+  for (const Stitch& stitch : pattern.stitches) {
+    const double ratio = ratio_of(stitch);
+    if (!stitch.gathered || stitch.fullness == 0 ||
+        std::abs(ratio / stitch.fullness - 1) <= fullness_tolerance) {
+      continue;
+    }
+    remarks.push_back({true, pattern.source + ": " + edge_name(pattern, stitch.a) + " (" +
+                                 centimetres(length_of(pattern, stitch.a)) + ") and " +
+                                 edge_name(pattern, stitch.b) + " (" +
+                                 centimetres(length_of(pattern, stitch.b)) + ") are drawn " +
+                                 times(ratio) + ", but declared gathered " +
+                                 times(stitch.fullness)});
+  }
+}
+
+}  // namespace
+
+void check_pattern(const Pattern& pattern, std::vector<Remark>& remarks) {
+  for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+    check_outline(pattern, static_cast<int>(p));
+  }
+  std::map<std::array<int, 2>, std::size_t> stitch_of;
+  for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
+    const Stitch& stitch = pattern.stitches[s];
+    const std::string number = "stitch " + std::to_string(s);
+    for (const EdgeRef& ref : {stitch.a, stitch.b}) {
+      const auto [found, added] = stitch_of.try_emplace({ref.panel, ref.edge}, s);
+      if (added) continue;
+      throw Error(pattern.source + ": " + edge_name(pattern, ref),
+                  found->second == s ? number + " sews it to itself"
+                                     : "is in stitches " + std::to_string(found->second) + " and " +
+                                           std::to_string(s),
+                  "an edge is sewn once; split it where another seam begins");
+    }
+  }
+  remark_on_lengths(pattern, remarks);
+}
+
+}  // namespace toile

@@ -1,0 +1,144 @@
+#include "pattern/seam_orientation.h"
+
+#include <cmath>
+
+#include "geometry/outline.h"
+
+namespace toile {
+
+namespace {
+
+/// End distances that differ by less than this share do not tell how a seam runs.
+constexpr double alike = 0.01;
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// What matters of a panel here.
+struct Face {
+  double area = 0;              ///< as drawn, positive counter-clockwise
+  Vec3 centre = Vec3::Zero();   ///< of its outline, placed
+  Vec3 normal = Vec3::UnitZ();  ///< of the drawing's front, placed
+  std::vector<bool> forward;    ///< per edge: the outline's walk runs along it
+};
+
+Face face_of(const PatternPanel& panel) {
+  Face face;
+  face.forward.resize(panel.edges.size());
+  std::vector<Vec2> outline;
+  for (const OutlineStep& step : panel.outline) {
+    const EdgeCurve& curve = panel.edges[at(step.edge)].curve;
+    face.forward[at(step.edge)] = step.forward;
+    constexpr int segments = 8;
+    for (int i = 0; i < segments; ++i) {
+      const double fraction = static_cast<double>(i) / segments;
+      outline.push_back(curve.at(step.forward ? fraction : 1 - fraction));
+      face.centre += panel.place(outline.back());
+    }
+  }
+  face.centre /= static_cast<double>(outline.size());
+  face.area = signed_area(outline);
+  face.normal = panel.rotation.col(2);
+  return face;
+}
+
+bool runs_reversed(const Pattern& pattern, const Stitch& stitch) {
+  if (stitch.direction != StitchDirection::by_position) {
+    return stitch.direction == StitchDirection::end_to_start;
+  }
+  const PatternPanel& a = pattern.panels[at(stitch.a.panel)];
+  const PatternPanel& b = pattern.panels[at(stitch.b.panel)];
+  const EdgeCurve& edge_a = a.edges[at(stitch.a.edge)].curve;
+  const EdgeCurve& edge_b = b.edges[at(stitch.b.edge)].curve;
+  const Vec3 a_start = a.place(edge_a.start());
+  const Vec3 a_end = a.place(edge_a.end());
+  const Vec3 b_start = b.place(edge_b.start());
+  const Vec3 b_end = b.place(edge_b.end());
+  const double same = (a_start - b_start).norm() + (a_end - b_end).norm();
+  const double opposite = (a_start - b_end).norm() + (a_end - b_start).norm();
+  return opposite <= same + alike * (same + opposite);
+}
+
+}  // namespace
+
+Orientation orient(const Pattern& pattern, std::vector<Remark>& remarks) {
+  Orientation result;
+  std::vector<Face> faces;
+  for (const PatternPanel& panel : pattern.panels) faces.push_back(face_of(panel));
+  for (const Stitch& stitch : pattern.stitches) {
+    result.reversed.push_back(runs_reversed(pattern, stitch));
+  }
+
+  // A seam joins right to right when its edges run against each other around their panels, both
+  // seen from the right side: so each seam says whether its panels show the same face.
+  struct Link {
+    int panel = 0;
+    bool same = false;
+    std::size_t stitch = 0;
+  };
+  std::vector<std::vector<Link>> links(pattern.panels.size());
+  for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
+    const Stitch& stitch = pattern.stitches[s];
+    const auto counter_clockwise = [&](const EdgeRef& ref) {
+      const Face& face = faces[at(ref.panel)];
+      return face.forward[at(ref.edge)] == (face.area > 0);
+    };
+    const bool along = counter_clockwise(stitch.a) == counter_clockwise(stitch.b);
+    const bool same = along == result.reversed[s];
+    links[at(stitch.a.panel)].push_back({stitch.b.panel, same, s});
+    links[at(stitch.b.panel)].push_back({stitch.a.panel, same, s});
+  }
+
+  result.mirrored.assign(pattern.panels.size(), false);
+  std::vector<bool> seen(pattern.panels.size(), false);
+  for (std::size_t first = 0; first < pattern.panels.size(); ++first) {
+    if (seen[first]) continue;
+    std::vector<int> group = {static_cast<int>(first)};
+    seen[first] = true;
+    bool twisted = false;
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      for (const Link& link : links[at(group[i])]) {
+        const bool mirrored = result.mirrored[at(group[i])] == link.same;
+        if (!seen[at(link.panel)]) {
+          seen[at(link.panel)] = true;
+          result.mirrored[at(link.panel)] = mirrored;
+          group.push_back(link.panel);
+        } else if (result.mirrored[at(link.panel)] != mirrored && !twisted) {
+          twisted = true;
+          const Stitch& stitch = pattern.stitches[link.stitch];
+          remarks.push_back({true, pattern.source + ": " + edge_name(pattern, stitch.a) + " and " +
+                                       edge_name(pattern, stitch.b) +
+                                       " join a right side to a wrong side; state the stitch's "
+                                       "'reversed', or check where the panels are placed"});
+        }
+      }
+    }
+    double outward = 0;
+    double drawn = 0;
+    double scale = 0;
+    Vec3 centre = Vec3::Zero();
+    double area = 0;
+    for (const int p : group) {
+      centre += std::abs(faces[at(p)].area) * faces[at(p)].centre;
+      area += std::abs(faces[at(p)].area);
+    }
+    centre /= area;
+    for (const int p : group) {
+      const Face& face = faces[at(p)];
+      const double sign = result.mirrored[at(p)] ? -1 : 1;
+      outward += sign * std::abs(face.area) * face.normal.dot(face.centre - centre);
+      scale += std::abs(face.area) * (face.centre - centre).norm();
+      drawn += sign * face.area;
+    }
+    const bool flip = std::abs(outward) > 0.05 * scale ? outward < 0 : drawn < 0;
+    for (const int p : group) {
+      if (twisted) {
+        result.mirrored[at(p)] = faces[at(p)].area < 0;
+      } else if (flip) {
+        result.mirrored[at(p)] = !result.mirrored[at(p)];
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace toile

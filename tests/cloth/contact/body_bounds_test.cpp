@@ -1,0 +1,152 @@
+#include "cloth/contact/body_bounds.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "cloth/relaxation/relax.h"
+#include "geometry/intersections.h"
+#include "tests/cloth/panels.h"
+#include "tests/support/shapes.h"
+#include "tests/support/solid_body.h"
+
+namespace toile {
+
+namespace {
+
+/// A body with a spike: a box with a needle of a pyramid on it, 1 cm wide and 6 cm high.
+TriangleMesh spiked_box() {
+  return test::together(test::box({-0.2, -0.05, -0.2}, {0.2, 0, 0.2}),
+                        test::spike(0, 0, 0.005, 0.06));
+}
+
+}  // namespace
+
+/// Corners thrown about as far as the bounds let them, and anew from there: never through a facet.
+TEST(BodyBounds, NothingThatKeepsToThemMeetsTheBody) {
+  const test::SolidBody body{spiked_box()};
+  PanelMesh garment;
+  test::add_panel(garment, "sheet", test::grid(0.2, 0.2, 10, 10), [](const Vec2& p) {
+    return Vec3(p.x() - 0.1 + 0.003, 0.065, p.y() - 0.1 + 0.002);
+  });
+  std::vector<Vec3> x = garment.placed;
+  BodyBounds bounds(body.surface, garment.triangles, x.size());
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> any(-1, 1);
+  int stopped = 0;
+  for (int round = 0; round < 200; ++round) {
+    bounds.look(as_vec4(x));
+    for (std::size_t v = 0; v < x.size(); ++v) {
+      // Down, at 3 cm a round, and about.
+      const Vec3 wanted = x[v] + Vec3(0.01 * any(random), -0.03, 0.01 * any(random));
+      const double free = bounds.free(static_cast<int>(v), x[v]);
+      const double share = bounds.share(static_cast<int>(v), x[v], wanted);
+      EXPECT_GE(share * (wanted - x[v]).norm(),
+                std::min(free, (wanted - x[v]).norm()) * 0.99 - 1e-12);
+      stopped += share < 1;
+      x[v] += share * (wanted - x[v]);
+    }
+    ASSERT_TRUE(intersections({x, garment.triangles}, body.mesh).empty()) << round;
+  }
+  EXPECT_GT(stopped, 1000);
+}
+
+/// What is through the body already is let go of, and held once it is out.
+TEST(BodyBounds, WhatMeetsTheBodyCanComeOut) {
+  const test::SolidBody body{test::box({-0.2, -0.05, -0.2}, {0.2, 0, 0.2})};
+  const std::vector<Triangle> triangles = {{0, 1, 2}};
+  std::vector<Vec3> x = {{0, -0.01, 0}, {0.02, 0.01, 0}, {0, 0.01, 0.02}};
+  BodyBounds bounds(body.surface, triangles, 3);
+  bounds.look(as_vec4(x));
+  EXPECT_GT(bounds.free(0, x[0]), 1);
+  EXPECT_EQ(bounds.share(0, x[0], {0, 0.01, 0}), 1);
+  x[0] = {0, 0.01, 0};
+  bounds.look_at_meeting();
+  for (int i = 0; i < 4; ++i) bounds.look(as_vec4(x));  // each triangle only now and then
+  EXPECT_LT(bounds.free(0, x[0]), 0.01);
+  for (int i = 0; i < 80; ++i) {
+    x[0] += bounds.share(0, x[0], {0, -0.01, 0}) * (Vec3(0, -0.01, 0) - x[0]);
+    bounds.look(as_vec4(x));
+  }
+  EXPECT_GT(x[0].y(), 0);
+  EXPECT_LT(x[0].y(), 1e-4);  // the box's top is flat: a plane just above it
+}
+
+/// What is wholly inside meets no facet, and has to come out as well; what lies a hair above may
+/// not go in. Near the skin, where planes are looked for, and deep.
+TEST(BodyBounds, WhatIsInsideCanComeOut) {
+  const test::SolidBody body{test::box({-0.2, -0.2, -0.2}, {0.2, 0, 0.2})};
+  const std::vector<Triangle> triangles = {{0, 1, 2}};
+  for (const double depth : {0.00005, 0.0002, 0.001, 0.004, 0.03, 0.1}) {
+    for (const double side : {-1, 1}) {
+      const double y = side * depth;
+      std::vector<Vec3> x = {{0, y, 0}, {0.02, y, 0}, {0, y, 0.02}};
+      BodyBounds bounds(body.surface, triangles, 3);
+      bounds.look(as_vec4(x));
+      const Vec3 through(0, -2 * y, 0);
+      const double share = bounds.share(0, x[0], x[0] + through);
+      EXPECT_EQ(share, side < 0 ? 1 : std::min(share, 0.5)) << y;
+    }
+  }
+}
+
+/// Beside a step that it is a hair higher than, but 4 mm away from: no plane at the step's height
+/// stops it, and nothing lifts it.
+TEST(BodyBounds, WhatIsClearBesideAStepIsNotHeldAtItsHeight) {
+  const test::SolidBody body{test::together(test::box({-0.2, -0.2, -0.2}, {0.2, 0, 0.2}),
+                                            test::box({0.024, 0.00005, -0.2}, {0.2, 0.0099, 0.2}))};
+  const std::vector<Triangle> triangles = {{0, 1, 2}};
+  const std::vector<Vec3> x = {{0, 0.01, 0}, {0.02, 0.01, 0}, {0, 0.01, 0.02}};
+  BodyBounds bounds(body.surface, triangles, 3);
+  for (int i = 0; i < 40; ++i) {
+    bounds.look(as_vec4(x));
+    for (int v = 0; v < 3; ++v) {
+      // What is stopped is due to be looked after anew.
+      EXPECT_EQ(bounds.share(v, x[v], x[v] - Vec3(0, 0.003, 0)), 1);
+      EXPECT_LT(bounds.share(v, x[v], x[v] + Vec3(0.02, -0.009, 0)), 0.5);
+    }
+  }
+  for (int v = 0; v < 3; ++v) {
+    EXPECT_GT(bounds.free(v, x[v]), 0.003);
+    EXPECT_EQ(bounds.lift(v), 0);
+  }
+}
+
+/// A sheet falls on a spike that is finer than its mesh: it hangs on it, with no facet through it
+/// at any time.
+TEST(BodyBounds, ASheetHangsOnASpike) {
+  const test::SolidBody body{spiked_box()};
+  PanelMesh garment;
+  test::add_panel(garment, "sheet", test::grid(0.3, 0.3, 12, 12), [](const Vec2& p) {
+    return Vec3(p.x() - 0.15 + 0.003, 0.08, p.y() - 0.15 + 0.002);
+  });
+  Scene scene;
+  scene.body = &body.distance;
+  const Program program = compile(garment, scene, garment.placed);
+  RelaxOptions options;
+  options.bounded = true;
+  options.surface = &body.surface;
+  options.max_iterations = 3000;
+  std::vector<Vec3> x = program.start;
+  int unclean = 0;
+  relax(program, options, x, [&](const RelaxProgress& at) {
+    unclean += !intersections({at.nodes, program.node_triangles}, body.mesh).empty();
+  });
+  EXPECT_EQ(unclean, 0);
+  double lowest = 1;
+  double highest = -1;
+  for (const Vec3& p : x) {
+    lowest = std::min(lowest, p.y());
+    highest = std::max(highest, p.y());
+  }
+  EXPECT_GT(highest, 0.06);
+  EXPECT_LT(lowest, 0.02);
+  // Without the bounds the spike goes through: that is what they are for.
+  options.surface = nullptr;
+  std::vector<Vec3> free = program.start;
+  relax(program, options, free);
+  std::cout << "without bounds, facets through the sheet: "
+            << intersections({free, program.node_triangles}, body.mesh).size() << "\n";
+}
+
+}  // namespace toile

@@ -1,0 +1,68 @@
+#include "cloth/contact/body_contact.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include "geometry/distance_grid.h"
+#include "tests/support/shapes.h"
+
+namespace toile {
+namespace {
+
+constexpr double offset = 0.006;
+
+/// Two walls that stand nearer to each other than twice the offset, as an arm and a chest.
+class Crevice : public testing::Test {
+ protected:
+  static constexpr double half_width = 0.004;
+
+  Crevice() { scene.body = &grid; }
+
+  /// The push on a vertex that stands at `x` across the crevice; and the stiffness it reckons with.
+  struct Push {
+    double force;
+    double stiffness;
+  };
+  Push push_at(double x) const {
+    const Vec3 p(x, 0.003, 0.001);
+    BodyContact contact;
+    contact.look(scene, p, offset, 2e-4, 0);
+    Vec4 force = {0, 0, 0, 0};
+    Push push = {};
+    contact.add(as_vec4(p), 0, force, push.stiffness);
+    push.force = force[0];
+    return push;
+  }
+
+  const DistanceGrid grid{
+      BodyDistance(test::together(test::box({-0.1, -0.1, -0.1}, {-half_width, 0.1, 0.1}),
+                                  test::box({half_width, -0.1, -0.1}, {0.1, 0.1, 0.1})))};
+  Scene scene;
+};
+
+/// Else a vertex in the middle is thrown from one side to the other for ever.
+TEST_F(Crevice, TheFartherFromItsMiddleTheHarderItPushesBack) {
+  constexpr double step = 2e-5;
+  double largest_jump = 0;
+  double stiffest = 0;
+  Push before = push_at(-0.003);
+  const double at_wall = before.force;
+  EXPECT_GT(at_wall, 0);
+  for (double x = -0.003 + step; x < 0.003; x += step) {
+    const Push here = push_at(x);
+    const double slope = (before.force - here.force) / step;
+    stiffest = std::max(stiffest, slope / here.stiffness);
+    largest_jump = std::max(largest_jump, before.force - here.force);
+    before = here;
+  }
+  std::cout << "largest jump " << largest_jump << " N of " << at_wall << ", stiffness " << stiffest
+            << " of the bound\n";
+  EXPECT_LT(largest_jump, 0.05 * at_wall);
+  EXPECT_LT(stiffest, 1.05);
+  EXPECT_GT(stiffest, 0.3) << "the bound says nothing";
+}
+
+}  // namespace
+}  // namespace toile

@@ -1,0 +1,243 @@
+#include "cloth/contact/pair_friction.h"
+
+#include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
+
+#include <iostream>
+#include <numbers>
+
+#include "cloth/relaxation/relax.h"
+#include "cloth/relaxation/release.h"
+#include "geometry/distance_grid.h"
+#include "tests/cloth/panels.h"
+#include "tests/support/tubes.h"
+
+namespace toile {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+/// A patch of cloth on a motionless layer of cloth, both sloping; reference case 06, incline.
+class ClothOnCloth : public testing::Test {
+ protected:
+  static constexpr double gap = 0.001;
+
+  ClothOnCloth() {
+    const PlanarMesh flat = test::grid(0.41, 0.2, 29, 14);
+    for (const Vec2& p : flat.points) layer.points.emplace_back(p.x() - 0.2, 0, 0.1 - p.y());
+    layer.triangles = flat.triangles;
+    test::add_panel(patch, "patch", test::grid(0.1, 0.1, 9, 9),
+                    [](const Vec2& p) { return Vec3(p.x() - 0.153, 0.99 * gap, 0.0513 - p.y()); });
+    scene.layers = &layer;
+    scene.layer_gap = gap;
+  }
+
+  /// Metres that the patch goes down the slope in `seconds`, having rested there first.
+  double way(double slope, double mu, double seconds, bool hand_over = true) {
+    scene.fabric.friction_cloth = mu;
+    scene.gravity = 9.81 * Vec3(std::sin(slope), -std::cos(slope), 0);
+    const Program program = compile(patch, scene, patch.placed);
+    std::vector<Vec3> x = program.start;
+    RelaxOptions rest;
+    rest.bounded = rest.layer_contact = true;
+    rest.max_iterations = 1500;
+    rest.stop_median = rest.stop_rms = 1e-4;
+    const RelaxReport rested = relax(program, rest, x);
+    grips = rested.grip.cloth.size();
+    ReleaseOptions options;
+    options.layer_contact = true;
+    options.bounded = hand_over;  // what slides is stopped by its bounds now and then
+    options.seconds = seconds;
+    options.damping = 0;
+    if (hand_over) options.grip = &rested.grip;
+    Vec3 middle = Vec3::Zero();
+    for (const Vec3& p : x) middle -= p / static_cast<double>(x.size());
+    report = release(program, options, x);
+    for (const Vec3& p : x) middle += p / static_cast<double>(x.size());
+    return middle.x();
+  }
+
+  TriangleMesh layer;
+  PanelMesh patch;
+  Scene scene;
+  std::size_t grips = 0;
+  ReleaseReport report;
+};
+
+TEST_F(ClothOnCloth, SticksBelowTheFrictionAngle) {
+  for (const double slope : {5.0, 10.0, 15.0, 16.0}) {  // of 16.7
+    const double crept = way(slope * degree, 0.3, 0.5);
+    std::cout << slope << " degrees: crept " << 1000 * crept << " mm, at most "
+              << 1000 * report.all.max << ", " << grips << " grips\n";
+    EXPECT_GT(grips, 100U);
+    EXPECT_LT(std::abs(crept), 1e-5) << slope;
+    EXPECT_LT(report.all.max, 1e-4) << slope;
+  }
+}
+
+TEST_F(ClothOnCloth, SlidesBeyondItAsCoulombSays) {
+  for (const double slope : {18.0, 20.0, 25.0, 30.0}) {
+    const double slid = way(slope * degree, 0.3, 0.2, false);
+    const double wanted =
+        0.5 * 9.81 * (std::sin(slope * degree) - 0.3 * std::cos(slope * degree)) * 0.04;
+    std::cout << slope << " degrees: slid " << 1000 * slid << " of " << 1000 * wanted
+              << " mm, off by " << 100 * (slid / wanted - 1) << " %\n";
+    EXPECT_NEAR(slid / wanted, 1, 0.05) << slope;
+  }
+}
+
+TEST_F(ClothOnCloth, TheSameBitsForAnyNumberOfThreads) {
+  const auto run = [&](int threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    way(18 * degree, 0.3, 0.02);
+    return report.moved;
+  };
+  EXPECT_TRUE(run(1) == run(2));
+  EXPECT_GT(grips, 128U);  // several chunks
+}
+
+/// Two tubes of cloth around an upright cylinder, one over the other. The outer one is strained so
+/// that its hoop tension is `share` of what friction on the inner one needs to carry its weight,
+/// T = W/(2 pi mu); the skin is rougher, and holds the inner one.
+class TubeOnTube : public testing::Test {
+ protected:
+  static constexpr double radius = 0.1, mu = 0.3, row = 0.0125;
+  static constexpr int columns = 48;
+
+  void add_tube(const std::string& name, double flat_girth, double out, double bottom, int rows) {
+    const auto place = [&](const Vec2& p) {
+      const double angle = 2 * std::numbers::pi * p.x() / flat_girth;
+      return Vec3(out * std::sin(angle), bottom + p.y(), out * std::cos(angle));
+    };
+    const MeshedPanel& panel =
+        test::add_panel(tubes, name, test::grid(flat_girth, rows * row, columns, rows), place);
+    tubes.seams.push_back(test::seam(name, test::side(panel, columns, rows, false),
+                                     test::side(panel, columns, rows, true)));
+  }
+
+  /// Metres that the outer one goes down in `seconds`, and the inner one.
+  std::pair<double, double> sink(double share, double seconds) {
+    static const DistanceGrid body{BodyDistance(test::closed_tube(radius, radius, 1, 400))};
+    Scene scene;
+    scene.body = &body;
+    Fabric& fabric = scene.fabric;
+    // Heavy: release() makes nodes heavier that are too light for the contact's stiffness.
+    fabric.areal_density = 0.6;
+    fabric.stretch_warp = fabric.stretch_weft = 200;
+    fabric.shear = 80;
+    fabric.friction_skin = 1;
+    fabric.friction_cloth = mu;
+    // Where the grid, which is smooth, has its 2 mm; and where the middles of the edges have
+    // theirs.
+    const double skin = radius + 0.004 - body.at({0, 0.7, radius + 0.002}).distance;
+    const double out = skin + scene.self_gap / std::cos(std::numbers::pi / columns);
+    const double side = 2 * columns * std::sin(std::numbers::pi / columns);
+    const double load =
+        share * fabric.areal_density * 9.81 * side * out / (2 * std::numbers::pi * mu);
+    tubes = {};
+    add_tube("inner", side * skin / 1.01, skin, 0.66, 8);
+    add_tube("outer", side * out / (1 + load / fabric.stretch_weft), out, 0.70, 4);
+    const Program program = compile(tubes, scene, tubes.placed);
+    std::vector<Vec3> x = program.start;
+    RelaxOptions rest;
+    rest.bounded = true;
+    rest.gravity = 0;
+    rest.max_iterations = 4000;
+    rest.stop_median = rest.stop_rms = 1e-4;
+    relax(program, rest, x);
+    RelaxReport rested;
+    if (share > 1) {
+      rest.gravity = 1;
+      rested = relax(program, rest, x);
+      EXPECT_TRUE(rested.converged);
+    }
+    ReleaseOptions options;
+    options.bounded = share > 1;  // what slides is stopped by its bounds now and then
+    options.seconds = seconds;
+    options.damping = share > 1 ? 1 : 0;
+    if (share > 1) options.grip = &rested.grip;
+    const std::vector<Vec3> from = x;
+    report = release(program, options, x);
+    std::array<double, 2> sunk{};
+    for (int panel = 0; panel < 2; ++panel) {
+      const MeshedPanel& tube = tubes.panels[panel];
+      for (int p = tube.first_point; p < tube.first_point + tube.points; ++p) {
+        const int n = program.node_of_point[p];
+        sunk[panel] += (from[n].y() - x[n].y()) / tube.points;
+      }
+    }
+    return {sunk[1], sunk[0]};
+  }
+
+  PanelMesh tubes;
+  ReleaseReport report;
+};
+
+TEST_F(TubeOnTube, HoldsItsWeightByHoopTension) {
+  for (const double share : {1.1, 1.5}) {
+    const auto [outer, inner] = sink(share, 1);
+    std::cout << "tension " << share << " of what is needed: outer crept " << 1000 * outer
+              << " mm in 1 s, inner " << 1000 * inner << ", at most " << 1000 * report.all.max
+              << "; " << report.steps << " steps\n";
+    EXPECT_LT(std::abs(outer), 1e-5);
+    EXPECT_LT(report.all.max, 5e-5);  // 0.5 mm in 10 s
+  }
+}
+
+TEST_F(TubeOnTube, SlidesWhereTheTensionIsTooLittle) {
+  constexpr double seconds = 0.1;
+  for (const double share : {0.95, 0.9}) {
+    const auto [outer, inner] = sink(share, seconds);
+    const double friction = 1 - outer / (0.5 * 9.81 * seconds * seconds);
+    std::cout << "tension " << share << " of what is needed: slid " << 1000 * outer
+              << " mm, so friction carries " << friction << " of its weight; inner " << 1000 * inner
+              << " mm\n";
+    EXPECT_NEAR(friction / share, 1, 0.03);
+    EXPECT_LT(std::abs(inner), 1e-4);
+  }
+}
+
+/// A pair of edges of two fabrics that press on each other, one dragged over the other.
+TEST(PairFriction, IsTheSmootherSidesAndLetsGo) {
+  const ContactPair pair = {{0, 1, 2, 3}, true, 0.002};
+  PairFriction friction;
+  friction.set_coefficients({0.2, 0.4, 0.5, 0.5});
+  friction.activate({pair});
+  constexpr double push = 0.01, most = 0.3 * push;
+  const auto drag = [&](double way, double pushed) {
+    const std::vector<Vec3> at = {
+        {-0.01 + way, 0.001, 0}, {0.01 + way, 0.001, 0}, {0, 0, -0.01}, {0, 0, 0.01}};
+    Vec4s on(4, Vec4{});
+    friction.rub(0, nearest_points(pair, at), pushed, as_vec4(at), on.data());
+    EXPECT_NEAR(on[0][0] + on[1][0], -(on[2][0] + on[3][0]), 1e-15);
+    return on[0][0] + on[1][0];
+  };
+  EXPECT_EQ(drag(0, push), 0);
+  EXPECT_NEAR(drag(1e-5, push), -50 * 1e-5, 1e-12);
+  EXPECT_NEAR(drag(0.001, push), -most, 1e-12);
+  // Back by half of what it is pulled along by.
+  EXPECT_NEAR(drag(0.001 - 0.5 * most / 50, push), -0.5 * most, 1e-12);
+
+  // It is the same pair after another look, and in another run; anew when it has let go.
+  friction.activate({{{4, 5, 6, 7}, true, 0.002}, pair});
+  ASSERT_EQ(friction.grips().size(), 1U);
+  PairFriction next;
+  next.set_coefficients({0.2, 0.4, 0.5, 0.5});
+  next.hold(friction.grips());
+  friction = next;
+  friction.activate({pair});
+  EXPECT_NEAR(drag(0.001, push), -most, 1e-12);
+  EXPECT_EQ(drag(0.001, 0), 0);
+  EXPECT_TRUE(friction.grips().empty());
+  EXPECT_EQ(drag(0.001, push), 0);
+}
+
+TEST(PairFriction, CostsNothingWithoutCoefficients) {
+  PairFriction friction;
+  friction.set_coefficients({0, 0, 0, 0});
+  friction.activate({{{0, 1, 2, 3}, true, 0.002}});
+  EXPECT_TRUE(friction.empty());
+}
+
+}  // namespace
+}  // namespace toile

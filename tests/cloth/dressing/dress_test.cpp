@@ -1,0 +1,99 @@
+#include "cloth/dressing/dress.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "geometry/distance_grid.h"
+#include "tests/cloth/panels.h"
+#include "tests/pattern/samples.h"
+#include "tests/support/shapes.h"
+#include "tests/support/solid_body.h"
+
+namespace toile {
+namespace {
+
+/// Two squares of 20 cm that are sewn along one side, above a box.
+PanelMesh two_squares() {
+  const std::string square = "[0,0],[20,0],[20,20],[0,20]";
+  std::vector<Remark> remarks;
+  const Pattern pattern = samples::parse(
+      samples::file(samples::polygon("left", square) + "," + samples::polygon("right", square),
+                    R"([{"panel": "left", "edge": 1}, {"panel": "right", "edge": 3}])"));
+  check_pattern(pattern, remarks);
+  PanelMesh mesh = mesh_panels(pattern, {.edge_length = 0.01}, remarks);
+  for (const MeshedPanel& panel : mesh.panels) {
+    const double shift = panel.name == "left" ? -0.205 : 0.005;
+    for (int p = panel.first_point; p < panel.first_point + panel.points; ++p) {
+      mesh.placed[p] = Vec3(mesh.flat[p].x() + shift, 0.01, 0.1 - mesh.flat[p].y());
+    }
+  }
+  return mesh;
+}
+
+TEST(Dress, ProgressGoesFromNothingToAllAndNeverBack) {
+  const PanelMesh garment = two_squares();
+  ASSERT_GT(garment.subdivisions, 0);
+  const DistanceGrid body{BodyDistance(test::box({-0.3, -0.1, -0.2}, {0.3, 0, 0.2}))};
+  Scene scene;
+  scene.body = &body;
+  std::set<std::string> stages;
+  std::set<const PanelMesh*> meshes;
+  std::vector<double> progress;
+  DressOptions options;
+  options.max_iterations = 400;
+  const DressResult result = dress(garment, scene, options, [&](const DressFrame& frame) {
+    stages.insert(frame.stage);
+    meshes.insert(&frame.mesh);
+    progress.push_back(frame.progress);
+  });
+  EXPECT_EQ(stages, (std::set<std::string>{"position", "wrap", "sew", "drape"}));
+  EXPECT_GT(meshes.size(), 1U);
+  EXPECT_EQ(progress.front(), 0);
+  EXPECT_EQ(progress.back(), 1);
+  EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
+  // Not all of it at once.
+  for (std::size_t i = 1; i < progress.size(); ++i) {
+    EXPECT_LT(progress[i] - progress[i - 1], 0.5) << i;
+  }
+}
+
+/// A strip of 10 cm held upright by its lower end is more than twice as long as it can stand
+/// [Greenhill 1881: (7.84 B / w)^(1/3), 3.8 cm], but nothing tells it which way to fall.
+TEST(Dress, LeavesASaddleThatReleaseFinds) {
+  constexpr double length = 0.1, off = 1e-6;
+  PanelMesh garment = test::flat_panel(test::grid(0.02, length, 2, 10));
+  for (Vec3& p : garment.placed) p.z() = off * std::pow(p.y() / length, 2);
+  std::vector<int> clamped = {0, 1, 2, 3, 4, 5};
+  for (const int point : clamped) {
+    garment.attachments.push_back(
+        {"point " + std::to_string(point),
+         {point},
+         {AttachedTo::point, "", 0, garment.placed[point], true, 1000, 8}});
+  }
+  const test::SolidBody far(test::box({2, 2, 2}, {3, 3, 3}));
+  Scene scene;
+  scene.body = &far.distance;
+  scene.self_contact = false;
+  const auto highest = [](const DressResult& result) {
+    double most = -1;
+    for (const Vec3& p : result.nodes) most = std::max(most, p.y());
+    return most;
+  };
+  DressOptions options;
+  const DressResult standing = dress(garment, scene, options);
+  EXPECT_TRUE(standing.converged);
+  EXPECT_GT(highest(standing), 0.9 * length);
+
+  options.release_seconds = 2;
+  const DressResult fallen = dress(garment, scene, options);
+  EXPECT_TRUE(fallen.converged);
+  ASSERT_TRUE(fallen.release);
+  EXPECT_TRUE(fallen.release->stays());
+  EXPECT_LT(highest(fallen), 0.5 * length);
+  EXPECT_GT(fallen.stages.size(), standing.stages.size());
+}
+
+}  // namespace
+}  // namespace toile

@@ -1,0 +1,160 @@
+#include "cloth/judge/tight_regions.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+#include <numbers>
+
+#include "cloth/relaxation/relax.h"
+#include "geometry/distance_grid.h"
+#include "tests/cloth/panels.h"
+#include "tests/support/tubes.h"
+
+namespace toile {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double limit = 0.01;
+
+Scene limited() {
+  Scene scene;
+  scene.strain_limit = limit;
+  return scene;
+}
+
+/// 20 x 10 cm in squares of 1 cm, of which each point has moved by `stretch(p)` metres along y.
+/// Only the yarns along y are held: those across lie askew where that differs from column to
+/// column.
+class Sheet : public testing::Test {
+ protected:
+  template <typename Stretch>
+  TightPlaces places(const Stretch& stretch, double restraint = most_restraint) {
+    garment = test::flat_panel(test::grid(0.2, 0.1, 20, 10));
+    garment.panels[0].grain = grain;
+    for (Vec3& p : garment.placed) p.y() += stretch(p);
+    const Program program = compile(garment, limited(), garment.placed);
+    const Restraint along_y = grain == 0 ? Restraint{0, restraint, 0} : Restraint{restraint, 0, 0};
+    const std::vector<Restraint> held(garment.triangles.size(), along_y);
+    return tight_places(garment, program, program.start, held);
+  }
+
+  PanelMesh garment;
+  double grain = 0;
+};
+
+/// 5 % longer from y = 2 to 6 cm, where x is from 4 to 8 cm or above 14 cm.
+double two_patches(const Vec3& p) {
+  const bool tight = (p.x() > 0.039 && p.x() < 0.081) || p.x() > 0.139;
+  return tight ? 0.05 * (std::clamp(p.y(), 0.02, 0.06) - 0.02) : 0;
+}
+
+TEST_F(Sheet, NamesWhereHowLargeAndHowMuchIsMissing) {
+  const TightPlaces found = places(two_patches);
+  ASSERT_EQ(found.places.size(), 2U);
+  EXPECT_EQ(found.specks, 0);
+  double area = 0;
+  for (const TightPlace& place : found.places) {
+    EXPECT_EQ(place.panel, "panel");
+    EXPECT_TRUE(place.along_warp);
+    EXPECT_NEAR(place.largest, 0.05, 1e-9);
+    EXPECT_NEAR(place.mean, 0.05, 1e-9);
+    EXPECT_NEAR(place.missing, 0.04 * (0.05 - limit), 1e-9);
+    // Worn, its middle has come up by half of what it is longer.
+    EXPECT_NEAR(place.flat.y(), 0.04, 1e-3);
+    EXPECT_NEAR(place.height, 0.041, 1e-3);
+    area += place.area;
+  }
+  // Each of 5 and 7 columns of points strains the triangles on its sides; the last one has one
+  // side.
+  EXPECT_NEAR(area, 0.04 * (0.05 + 0.065), 1e-9);
+  const double left = std::min(found.places[0].flat.x(), found.places[1].flat.x());
+  const double right = std::max(found.places[0].flat.x(), found.places[1].flat.x());
+  EXPECT_NEAR(left, 0.06, 1e-9);
+  EXPECT_NEAR(right, (6 * 0.165 + 0.5 * (0.2 - 0.01 / 3)) / 6.5, 1e-9);
+}
+
+TEST_F(Sheet, WarpAndWeftAreThePanelsOwn) {
+  grain = pi / 2;  // the warp lies along x
+  for (const TightPlace& place : places(two_patches).places) EXPECT_FALSE(place.along_warp);
+  EXPECT_EQ(places(two_patches).places.size(), 2U);
+}
+
+TEST_F(Sheet, TheMostStrainedIsFirst) {
+  const TightPlaces found =
+      places([](const Vec3& p) { return two_patches(p) * (p.x() > 0.1 ? 1.6 : 1); });
+  ASSERT_EQ(found.places.size(), 2U);
+  EXPECT_NEAR(found.places[0].largest, 0.08, 1e-9);
+  EXPECT_GT(found.places[0].flat.x(), 0.1);
+  EXPECT_NEAR(found.places[1].largest, 0.05, 1e-9);
+}
+
+TEST_F(Sheet, WhatIsNotHeldToTheUtmostIsNotTightButUnfinished) {
+  EXPECT_TRUE(places(two_patches, 0.99 * most_restraint).places.empty());
+}
+
+TEST_F(Sheet, TenPercentOfTheLimitAreWithinIt) {
+  EXPECT_TRUE(places([](const Vec3& p) { return 0.0109 * p.y(); }).places.empty());
+  EXPECT_EQ(places([](const Vec3& p) { return 0.0111 * p.y(); }).places.size(), 1U);
+}
+
+TEST_F(Sheet, SpecksAreOnlyCounted) {
+  // Two of the corners, of which each strains one triangle of half a square centimetre.
+  const auto prick = [](const Vec3& p) {
+    return p.y() < 1e-3 && (p.x() < 1e-3 || p.x() > 0.199) ? -0.0005 : 0;
+  };
+  const TightPlaces found = places(prick);
+  EXPECT_TRUE(found.places.empty());
+  EXPECT_EQ(found.specks, 2);
+}
+
+/// One panel of stiff cloth, sewn to a tube around a cylinder, held to 1 % of strain.
+TightPlaces drawn_over(double too_small) {
+  constexpr double radius = 0.15, offset = 0.002;
+  constexpr int columns = 108, rows = 8;
+  static const DistanceGrid body{BodyDistance(test::closed_tube(radius, radius, 0.5, 600))};
+  const double girth = 2 * pi * (radius + offset) / (1 + too_small);
+  PanelMesh garment;
+  test::add_panel(garment, "tube", test::grid(girth, 0.08, columns, rows), [&](const Vec2& p) {
+    const double angle = 2 * pi * p.x() / girth;
+    const double r = radius + 0.004;
+    return Vec3(r * std::sin(angle), 0.2 + p.y(), r * std::cos(angle));
+  });
+  garment.seams = {test::seam("", test::side(garment.panels[0], columns, rows, false),
+                              test::side(garment.panels[0], columns, rows, true))};
+  Scene scene = limited();
+  scene.body = &body;
+  scene.self_contact = false;
+  scene.fabric.stretch_warp = scene.fabric.stretch_weft = 5000;
+  const Program program = compile(garment, scene, garment.placed);
+  RelaxOptions options;
+  options.gravity = 0;
+  options.friction = false;
+  options.max_iterations = 8000;
+  options.stop_median = options.stop_rms = 0.02;
+  std::vector<Vec3> x = program.start;
+  const RelaxReport report = relax(program, options, x);
+  const TightPlaces found = tight_places(garment, program, x, report.grip.yarns);
+  for (const TightPlace& place : found.places) {
+    std::cout << 100 * too_small << " % too small: " << 100 * place.mean << " % on average, "
+              << 100 * place.largest << " % at most, " << 1e4 * place.area << " cm2, "
+              << 100 * place.missing << " of " << 100 * girth << " cm missing\n";
+    EXPECT_FALSE(place.along_warp);
+    EXPECT_NEAR(place.area, girth * 0.08, 0.02 * girth * 0.08);
+    EXPECT_NEAR(place.missing / girth, too_small - limit, 0.1 * (too_small - limit));
+    EXPECT_NEAR(place.height, 0.24, 0.005);
+    EXPECT_NEAR(place.flat.x(), girth / 2, 0.001);
+  }
+  EXPECT_EQ(found.specks, 0);
+  return found;
+}
+
+TEST(TightTube, LacksItsGirthButForTheLimit) { EXPECT_EQ(drawn_over(0.05).places.size(), 1U); }
+
+TEST(TightTube, HasNoneWhereItFits) {
+  EXPECT_TRUE(drawn_over(0.008).places.empty());
+  EXPECT_TRUE(drawn_over(-0.05).places.empty());
+}
+
+}  // namespace
+}  // namespace toile

@@ -1,0 +1,195 @@
+#include "cloth/judge/wraps.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/cloth/figure.h"
+
+namespace toile {
+namespace {
+
+using test::add_half;
+using test::figure;
+using test::tube;
+using test::tube_columns;
+using test::tube_radius;
+
+constexpr double pi = std::numbers::pi;
+
+std::vector<Vec3> moved(std::vector<Vec3> points, const Vec3& way) {
+  for (Vec3& p : points) p += way;
+  return points;
+}
+
+double torso(const PanelMesh& garment, const std::vector<Vec3>& points) {
+  const auto wraps = measure_wraps(garment, test::as_dressed(garment, points), figure());
+  EXPECT_EQ(wraps.size(), 1U);
+  EXPECT_EQ(wraps[0].part, "torso");
+  return wraps[0].fraction;
+}
+
+TEST(Wraps, ATubeAroundTheBones) {
+  const PanelMesh garment = tube();
+  const auto wraps = measure_wraps(garment, test::as_dressed(garment, garment.placed), figure());
+  ASSERT_EQ(wraps.size(), 1U);
+  EXPECT_NEAR(wraps[0].fraction, 1, 1e-3);
+  // 60 cm hung from the neck reach 40 cm below the armpits, which are 40 cm up the bones.
+  EXPECT_NEAR(wraps[0].from, 0.4 - 0.7 * 0.4, 0.005);
+  EXPECT_NEAR(wraps[0].to, 0.4 - 0.1 * 0.4, 0.005);
+}
+
+TEST(Wraps, ATubeBelowTheArmpitsHangsFromWhereItIsPlaced) {
+  PanelMesh garment = tube();
+  garment.placed = moved(garment.placed, {0, -0.3, 0});
+  const auto wraps = measure_wraps(garment, test::as_dressed(garment, garment.placed), figure());
+  ASSERT_EQ(wraps.size(), 1U);
+  EXPECT_NEAR(wraps[0].fraction, 1, 1e-3);
+  // 60 cm from 30 cm up the bones, where the tube's top is.
+  EXPECT_NEAR(wraps[0].from, 0.3 - 0.75 * 0.6, 0.005);
+  EXPECT_NEAR(wraps[0].to, 0.3 - 0.25 * 0.6, 0.005);
+}
+
+TEST(Wraps, ATubeBelowTheArmpitsMaySlide) {
+  PanelMesh garment = tube();
+  garment.placed = moved(garment.placed, {0, -0.3, 0});
+  const auto slid = [&](double way) {
+    const auto points = moved(garment.placed, {0, way, 0});
+    return measure_wraps(garment, test::as_dressed(garment, points), figure()).at(0);
+  };
+  for (const double way : {-0.25, -0.1, 0.0, 0.2}) {
+    EXPECT_NEAR(slid(way).fraction, 1, 1e-3);
+    EXPECT_NEAR(slid(way).slid, -way, 1e-9);
+    EXPECT_NEAR(slid(way).from, 0.3 + way - 0.75 * 0.6, 0.012);
+    EXPECT_NEAR(slid(way).to, 0.3 + way - 0.25 * 0.6, 0.012);
+  }
+  // Its top down at the thighs, or over the head: what it should cover is where it was placed.
+  for (const double way : {-0.5, 0.5}) {
+    EXPECT_LT(slid(way).fraction, 0.4);
+    EXPECT_NEAR(slid(way).from, 0.3 - 0.75 * 0.6, 0.005);
+  }
+}
+
+TEST(Wraps, AShortTopThatSlidFarIsWhereItShouldNotBe) {
+  PanelMesh garment = tube();
+  // 15 cm, from 1.0 to 1.15 m.
+  for (Vec2& p : garment.flat) p.y() *= 0.25;
+  for (Vec3& p : garment.placed) p.y() = 1.0 + 0.25 * (p.y() - 0.8);
+  const auto slid = [&](double way) {
+    const auto points = moved(garment.placed, {0, -way, 0});
+    return measure_wraps(garment, test::as_dressed(garment, points), figure()).at(0);
+  };
+  EXPECT_NEAR(slid(0.09).fraction, 1, 1e-3);
+  EXPECT_LT(slid(0.11).fraction, 0.2);
+  EXPECT_NEAR(slid(0.11).slid, 0.11, 1e-9);
+}
+
+TEST(Wraps, HalfATube) {
+  PanelMesh garment;
+  add_half(garment, "front", -pi / 2);
+  EXPECT_NEAR(torso(garment, garment.placed), 0.5, 0.01);
+}
+
+TEST(Wraps, ATubeThatSlippedOff) {
+  const PanelMesh garment = tube();
+  // Beside the body, above it, and rolled up to the middle of what it should cover.
+  EXPECT_LT(torso(garment, moved(garment.placed, {0.5, 0, 0})), 0.2);
+  EXPECT_EQ(torso(garment, moved(garment.placed, {0, 0.5, 0})), 0);
+  const double middle = 0.8 + 0.4 - 0.4 * 0.4;
+  EXPECT_NEAR(torso(garment, moved(garment.placed, {0, middle - 0.8, 0})), 0.5, 0.04);
+}
+
+TEST(Wraps, ATubeWithASlit) {
+  // The front, spread around nine tenths of the way.
+  PanelMesh garment;
+  add_half(garment, "front", -pi / 2);
+  std::vector<Vec3> points = garment.placed;
+  for (Vec3& p : points) {
+    const double angle = 1.8 * std::atan2(p.x(), p.z());
+    p.x() = tube_radius * std::sin(angle);
+    p.z() = tube_radius * std::cos(angle);
+  }
+  EXPECT_NEAR(torso(garment, points), 0.9, 0.01);
+}
+
+/// Adds a tube around the left arm, drafted from x = 0.2 to 0.6.
+void add_sleeve(PanelMesh& garment) {
+  MeshedPanel& panel =
+      test::add_panel(garment, "sleeve", test::grid(0.4, 2 * pi * 0.08, 20, 20), [](const Vec2& p) {
+        const double angle = p.y() / 0.08;
+        return Vec3(0.2 + p.x(), 1.3 + 0.08 * std::cos(angle), 0.08 * std::sin(angle));
+      });
+  panel.part = "left_arm";
+  std::vector<int> low, high;
+  for (int i = 0; i <= 20; ++i) {
+    low.push_back(panel.first_point + i);
+    high.push_back(panel.first_point + 20 * 21 + i);
+  }
+  garment.seams.push_back(test::seam("underarm", low, high));
+  // Caught to the front in one point, as every sleeve is sewn to a bodice.
+  garment.seams.push_back(
+      test::seam("armhole", {garment.panels[0].first_point + tube_columns}, {panel.first_point}));
+}
+
+TEST(Wraps, ASleeveIsMeasuredAroundItsArm) {
+  PanelMesh garment = tube();
+  add_sleeve(garment);
+  const MeshedPanel sleeve = garment.panels.back();
+  const auto share_at = [&](const Vec3& way) {
+    std::vector<Vec3> points = garment.placed;
+    for (int p = sleeve.first_point; p < sleeve.first_point + sleeve.points; ++p) points[p] += way;
+    const auto wraps = measure_wraps(garment, test::as_dressed(garment, points), figure());
+    EXPECT_EQ(wraps.size(), 2U);
+    EXPECT_NEAR(wraps[0].fraction, 1, 1e-3);
+    EXPECT_EQ(wraps[1].part, "left_arm");
+    // 40 cm, from the armpit on, at the shoulder's x.
+    EXPECT_NEAR(wraps[1].from, 0.1, 0.005);
+    EXPECT_NEAR(wraps[1].to, 0.3, 0.005);
+    return wraps[1].fraction;
+  };
+  EXPECT_NEAR(share_at({0, 0, 0}), 1, 1e-3);
+  // Slipped along the arm by 20 cm it covers the last quarter; off the arm, nothing. The point
+  // that is caught to the front stays, and draws two narrow triangles after it.
+  const double slipped = share_at({0.2, 0, 0});
+  EXPECT_GT(slipped, 0.24);
+  EXPECT_LT(slipped, 0.40);
+  EXPECT_LT(share_at({0, -0.5, 0}), 0.15);
+  EXPECT_LT(share_at({0.6, 0, 0}), 0.02);
+}
+
+TEST(Wraps, PanelsBelongToWhatTheyArePlacedAt) {
+  PanelMesh garment;
+  const auto add = [&](const std::string& name, const Vec3& middle, double width) {
+    test::add_panel(garment, name, test::grid(width, 0.2, 4, 4), [&](const Vec2& p) {
+      return Vec3(middle + Vec3(p.x() - width / 2, p.y() - 0.1, 0));
+    });
+  };
+  add("front", {0, 1.1, 0.2}, 0.4);
+  add("left sleeve", {0.45, 1.3, 0.1}, 0.3);
+  add("right sleeve", {-0.45, 1.3, -0.1}, 0.3);
+  add("left trouser", {0.12, 0.4, 0.1}, 0.2);
+  add("skirt", {0, 0.4, 0.2}, 0.5);
+  add("told", {0, 1.1, 0.2}, 0.4);
+  garment.panels.back().part = "head";
+  EXPECT_EQ(
+      panel_parts(garment, figure()),
+      (std::vector<std::string>{"torso", "left_arm", "right_arm", "left_leg", "torso", "head"}));
+}
+
+TEST(Wraps, HalfAFrontIsTheTorsosThoughAnArmHangsBehindIt) {
+  Skeleton skeleton = figure();
+  skeleton.joints["left_elbow"] = {0.2, 1.0, 0.1};
+  skeleton.joints["left_wrist"] = {0.2, 0.8, 0.2};
+  PanelMesh garment;
+  const auto add = [&](const std::string& name, double inner_edge) {
+    test::add_panel(garment, name, test::grid(0.28, 0.4, 4, 4),
+                    [&](const Vec2& p) { return Vec3(inner_edge + p.x(), 0.95 + p.y(), 0.25); });
+  };
+  add("front", 0);
+  add("sleeve", 0.08);
+  EXPECT_EQ(panel_parts(garment, skeleton), (std::vector<std::string>{"torso", "left_arm"}));
+}
+
+}  // namespace
+}  // namespace toile

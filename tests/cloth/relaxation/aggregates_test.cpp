@@ -1,0 +1,54 @@
+#include "cloth/relaxation/aggregates.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/cloth/panels.h"
+
+namespace toile {
+namespace {
+
+TEST(WidePatches, CoverASheetAndAreAFewEdgesAcross) {
+  const PlanarMesh sheet = test::grid(1, 1, 20, 20);
+  const WidePatches wide = wide_patches(neighbours_of(sheet.triangles, sheet.points.size()));
+  EXPECT_GT(wide.middles.size(), sheet.points.size() / 7);
+  EXPECT_LT(wide.middles.size(), sheet.points.size() / 3);
+  ASSERT_EQ(wide.of_vertices.size(), sheet.points.size());
+  const double edge = std::sqrt(2) / 20;  // the longest
+  for (std::size_t v = 0; v < sheet.points.size(); ++v) {
+    double sum = 0;
+    for (const auto& [patch, weight] : wide.of_vertices[v]) {
+      EXPECT_GT(weight, 0);
+      EXPECT_LT((sheet.points[wide.middles[patch]] - sheet.points[v]).norm(), 2.001 * edge);
+      sum += weight;
+    }
+    EXPECT_NEAR(sum, 1, 1e-12);
+  }
+}
+
+TEST(WidePatches, OfWidePatchesAreWiderStill) {
+  const PlanarMesh sheet = test::grid(1, 1, 20, 20);
+  const WidePatches wide = wide_patches(neighbours_of(sheet.triangles, sheet.points.size()));
+  const WidePatches wider = wide_patches(wide.neighbours);
+  EXPECT_LT(3 * wider.middles.size(), wide.middles.size());
+  for (std::size_t p = 0; p < wide.neighbours.size(); ++p) {
+    EXPECT_FALSE(wide.neighbours[p].empty());
+    for (const int other : wide.neighbours[p]) {
+      const std::vector<int>& back = wide.neighbours[other];
+      EXPECT_TRUE(std::binary_search(back.begin(), back.end(), static_cast<int>(p)));
+    }
+  }
+}
+
+TEST(WidePatches, AVertexByItselfIsAPatch) {
+  const WidePatches wide = wide_patches(neighbours_of({{0, 1, 2}}, 4));
+  ASSERT_EQ(wide.middles.size(), 2U);
+  ASSERT_EQ(wide.of_vertices[3].size(), 1U);
+  EXPECT_EQ(wide.of_vertices[3][0].patch, 1);
+  EXPECT_EQ(wide.of_vertices[3][0].weight, 1);
+}
+
+}  // namespace
+}  // namespace toile

@@ -1,0 +1,122 @@
+#include "cloth/relaxation/block_stiffness.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "cloth/model/stretch.h"
+#include "tests/cloth/panels.h"
+
+namespace toile {
+namespace {
+
+Eigen::Matrix3d matrix(const Stiffness& s) {
+  return Eigen::Matrix3d{{s[0], s[1], s[2]}, {s[1], s[3], s[4]}, {s[2], s[4], s[5]}};
+}
+
+/// A sheet whose yarns are nowhere the same nor along the axes.
+struct Sheet {
+  explicit Sheet(double stretch_stiffness = 2000, double shear_stiffness = 200) {
+    Scene scene;
+    scene.fabric.stretch_warp = stretch_stiffness;
+    scene.fabric.stretch_weft = std::min(stretch_stiffness, scene.fabric.stretch_weft);
+    scene.fabric.shear = shear_stiffness;
+    PanelMesh garment = test::flat_panel(test::grid(0.08, 0.06, 4, 3));
+    garment.panels[0].grain = 0.4;
+    program = compile(garment, scene, garment.placed);
+    directed = std::make_unique<DirectedStiffness>(program);
+  }
+
+  Eigen::VectorXd forces(const std::vector<Vec3>& x) const {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(3 * program.nodes);
+    for (std::size_t t = 0; t < program.stretch.size(); ++t) {
+      const auto& [a, b, c] = program.node_triangles[t];
+      const auto on = stretch_forces(program.stretch[t], {}, x[a], x[b], x[c]);
+      sum.segment<3>(3 * a) += on[0];
+      sum.segment<3>(3 * b) += on[1];
+      sum.segment<3>(3 * c) += on[2];
+    }
+    return sum;
+  }
+
+  /// Minus the slope of the forces.
+  Eigen::MatrixXd hessian(std::vector<Vec3> x) const {
+    constexpr double h = 1e-6;
+    Eigen::MatrixXd result(3 * program.nodes, 3 * program.nodes);
+    for (int i = 0; i < result.cols(); ++i) {
+      double& place = x[i / 3][i % 3];
+      const double was = place;
+      place = was + h;
+      const Eigen::VectorXd above = forces(x);
+      place = was - h;
+      result.col(i) = (forces(x) - above) / (2 * h);
+      place = was;
+    }
+    return 0.5 * (result + result.transpose());
+  }
+
+  Program program;
+  std::unique_ptr<DirectedStiffness> directed;
+};
+
+// The step over it is then as long as the forces allow, and no longer, whichever way cloth lies.
+TEST(DirectedStiffness, BoundsTheStiffnessOfClothThatIsBentPulledAndSheared) {
+  struct Case {
+    double stretch_stiffness, shear_stiffness, pulled, along, sheared;
+  };
+  for (const auto& [stretch_stiffness, shear_stiffness, pulled, along, sheared] :
+       {Case{2000, 200, 1, 1, 0.1}, Case{2000, 200, 1.1, 1, 0.1}, Case{0.01, 3000, 1, 3, -2}}) {
+    Sheet sheet(stretch_stiffness, shear_stiffness);
+    std::vector<Vec3> x = sheet.program.start;
+    for (Vec3& p : x) {
+      p = pulled *
+          Vec3(along * (p.x() + sheared * p.y()), p.y(), 0.01 * std::sin(60 * p.x()) + 0.2 * p.y());
+    }
+    sheet.directed->update(as_vec4(x));
+    Eigen::MatrixXd bound = Eigen::MatrixXd::Zero(3 * sheet.program.nodes, 3 * sheet.program.nodes);
+    for (int n = 0; n < sheet.program.nodes; ++n) {
+      bound.block<3, 3>(3 * n, 3 * n) = matrix(sheet.directed->of_nodes()[n]);
+    }
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> shares(sheet.hessian(x), bound,
+                                                                           Eigen::EigenvaluesOnly);
+    EXPECT_LE(shares.eigenvalues().maxCoeff(), 1 + 1e-6) << pulled << ' ' << sheared;
+    EXPECT_GT(shares.eigenvalues().maxCoeff(), 0.5) << pulled << ' ' << sheared;
+  }
+}
+
+TEST(DirectedStiffness, IsOnlyTheTensionSquareToAFlatSheet) {
+  Sheet sheet;
+  std::vector<Vec3> x = sheet.program.start;
+  sheet.directed->update(as_vec4(x));
+  for (int n = 0; n < sheet.program.nodes; ++n) {
+    const Eigen::Matrix3d at = matrix(sheet.directed->of_nodes()[n]);
+    EXPECT_NEAR(at(2, 2), 0, 1e-9);
+    // In the plane nothing is let off.
+    const double in_plane = at(0, 0) + at(1, 1);
+    EXPECT_GT(in_plane, sheet.program.stretch_diagonal[n]);
+  }
+  for (Vec3& p : x) p *= 1.02;
+  sheet.directed->update(as_vec4(x));
+  for (int n = 0; n < sheet.program.nodes; ++n) {
+    const double across = matrix(sheet.directed->of_nodes()[n])(2, 2);
+    EXPECT_GT(across, 0.005 * sheet.program.stretch_diagonal[n]);
+    EXPECT_LT(across, 0.02 * sheet.program.stretch_diagonal[n]);
+  }
+}
+
+TEST(DirectedStiffness, TakesAForceWhereTheStiffnessLetsIt) {
+  Stiffness s = {5, 1, -0.5, 4, 0.3, 6};
+  const Vec3 force(0.3, -0.2, 0.7);
+  const Vec3 way = as_vec3(way_of(s, 2, as_vec4(force)));
+  const Eigen::Matrix3d held = matrix(s) + 2 * Eigen::Matrix3d::Identity();
+  EXPECT_LT((held * way - force).norm(), 1e-15);
+  // What nothing holds has nothing to be moved by.
+  EXPECT_EQ(as_vec3(way_of({}, 0, as_vec4(force))), Vec3::Zero());
+}
+
+}  // namespace
+}  // namespace toile

@@ -1,0 +1,70 @@
+#include "io/view/colour.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace toile {
+namespace {
+
+double luminance(const Colour& c) {
+  return 0.2126 * to_light(c.red) + 0.7152 * to_light(c.green) + 0.0722 * to_light(c.blue);
+}
+
+TEST(Colour, OklchOfKnownColours) {
+  // White, and sRGB red, whose OKLCh coordinates are published with the space.
+  const Colour white = oklch(1, 0, 0);
+  EXPECT_NEAR(white.red, 1, 1e-3);
+  EXPECT_NEAR(white.green, 1, 1e-3);
+  EXPECT_NEAR(white.blue, 1, 1e-3);
+  const Colour red = oklch(0.62796, 0.25768, 29.234);
+  EXPECT_NEAR(red.red, 1, 2e-3);
+  EXPECT_NEAR(red.green, 0, 2e-2);
+  EXPECT_NEAR(red.blue, 0, 2e-2);
+}
+
+TEST(Colour, LightRoundTrip) {
+  for (double v = 0; v <= 1; v += 0.01) EXPECT_NEAR(from_light(to_light(v)), v, 1e-5);
+}
+
+TEST(Colour, MagnitudeRampDarkensSteadily) {
+  const ColourRamp ramp = magnitude_ramp(0, 10);
+  for (double v = 0; v < 10; v += 0.25) {
+    EXPECT_GT(luminance(ramp.at(v)), luminance(ramp.at(v + 0.25)) + 1e-3) << v;
+  }
+}
+
+TEST(Colour, BelowTheRampIsFarFromAllOfIt) {
+  const ColourRamp ramp = magnitude_ramp(0, 10);
+  const Colour below = ramp.at(-0.001);
+  EXPECT_EQ(below.red, ramp.below.red);
+  for (double v = 0; v <= 10; v += 0.25) {
+    const Colour c = ramp.at(v);
+    EXPECT_GT(std::hypot(c.red - below.red, c.green - below.green, c.blue - below.blue), 0.4) << v;
+  }
+}
+
+TEST(Colour, RampEnds) {
+  const ColourRamp ramp{2, 4, {{0, 0, 0}, {1, 1, 1}}, {1, 0, 0}};
+  EXPECT_EQ(ramp.at(2).green, 0);
+  EXPECT_NEAR(ramp.at(3).green, 0.5, 1e-12);
+  EXPECT_EQ(ramp.at(4).green, 1);
+  EXPECT_EQ(ramp.at(1e9).green, 1);
+  EXPECT_EQ(ramp.at(NAN).green, 0);
+}
+
+TEST(Colour, RoundTicks) {
+  EXPECT_EQ(round_ticks(0, 60, 7), (std::vector<double>{0, 10, 20, 30, 40, 50, 60}));
+  EXPECT_EQ(round_ticks(0, 40, 7), (std::vector<double>{0, 5, 10, 15, 20, 25, 30, 35, 40}));
+  EXPECT_EQ(round_ticks(-5, 5, 3), (std::vector<double>{-5, 0, 5}));
+}
+
+TEST(Colour, RoundUp) {
+  EXPECT_DOUBLE_EQ(round_up(37), 40);
+  EXPECT_DOUBLE_EQ(round_up(40), 40);
+  EXPECT_DOUBLE_EQ(round_up(0.011), 0.015);
+  EXPECT_DOUBLE_EQ(round_up(81), 100);
+}
+
+}  // namespace
+}  // namespace toile
