@@ -7,6 +7,7 @@
 #include "cloth/contact/pair_forces.h"
 #include "cloth/contact/proximity.h"
 #include "cloth/dressing/stability_test.h"
+#include "cloth/model/compile.h"
 #include "geometry/error.h"
 #include "geometry/intersections.h"
 

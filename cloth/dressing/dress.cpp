@@ -12,6 +12,7 @@
 #include "cloth/contact/body_bounds.h"
 #include "cloth/dressing/stability_test.h"
 #include "cloth/judge/measures.h"
+#include "cloth/model/compile.h"
 #include "cloth/model/gathers.h"
 #include "cloth/model/nested_meshes.h"
 #include "cloth/start/clear_start.h"
@@ -505,6 +506,17 @@ DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptio
                   const FrameWatcher& watcher) {
   if (scene.body == nullptr) throw Error("scene", "has no body", "give one to dress");
   return Dressing(garment, scene, options, watcher).run();
+}
+
+std::vector<Vec3> material_points(const PanelMesh& garment, const DressResult& result) {
+  std::vector<Vec3> points = result.placement.placed;
+  points.resize(garment.flat.size(), Vec3::Zero());
+  for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
+    for (int i = 0; i < 3; ++i) {
+      points[garment.triangles[t][i]] = result.nodes[result.triangles[t][i]];
+    }
+  }
+  return points;
 }
 
 }  // namespace toile

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cloth/judge/frame.h"
 #include "cloth/judge/tight_regions.h"
 #include "cloth/judge/tight_seams.h"
 #include "cloth/model/garment_model.h"
@@ -74,17 +75,6 @@ struct DressResult {
   std::optional<ReleaseReport> release;
 };
 
-/// A state on the way: places of the material points of `mesh`, which may be coarser than the
-/// garment. Called where the panels are placed, every 200 steps and at the end of each stage.
-struct DressFrame {
-  const PanelMesh& mesh;
-  const std::string& stage;
-  const std::vector<Vec3>& points;
-  double progress;     ///< of the whole dressing, 0 to 1, roughly
-  double seconds = 0;  ///< of the cloth's own time so far; 0 for a method that has none
-};
-using FrameWatcher = std::function<void(const DressFrame&)>;
-
 /// Dresses the scene's body with the garment. On the coarsest of the garment's nested meshes the
 /// panels are placed and their seams closed, without gravity or friction (wrap), and settle as one
 /// cloth (sew); then it falls, giving way to compression, and without friction unless it slides off
@@ -94,5 +84,8 @@ using FrameWatcher = std::function<void(const DressFrame&)>;
 /// Throws Error when the scene has no body.
 DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptions& options,
                   const FrameWatcher& watcher = {});
+
+/// The material points of a garment that is dressed, to check it as the last state.
+std::vector<Vec3> material_points(const PanelMesh& garment, const DressResult& result);
 
 }  // namespace toile

@@ -27,13 +27,6 @@ bool goes_around(const Section& section, const Vec3& centre) {
   return inside;
 }
 
-/// The section of the torso: between crotch and armpits the largest one is.
-std::optional<Section> torso_section(const TriangleMesh& body, double height) {
-  std::vector<Section> sections = slice(body, {0, height, 0}, Vec3::UnitY());
-  if (sections.empty() || !sections.front().closed) return std::nullopt;
-  return std::move(sections.front());
-}
-
 /// The length on the flat panels of the line in which the plane at a height cuts the triangles.
 double flat_length(const DressedGarment& garment, const std::vector<int>& triangles,
                    double height) {
@@ -57,44 +50,6 @@ double flat_length(const DressedGarment& garment, const std::vector<int>& triang
 }
 
 }  // namespace
-
-std::vector<TorsoLevel> torso_levels(const TriangleMesh& body, const Skeleton& skeleton) {
-  const double crotch = skeleton.joint("pelvis").y();
-  const double middle = skeleton.joint("waist").y();
-  const double armpit = skeleton.joint("chest").y();
-  constexpr double fine = 0.005;
-  double backmost = std::numeric_limits<double>::infinity();
-  double foremost = -std::numeric_limits<double>::infinity();
-  std::optional<double> bust, waist, hip;
-  for (double y = crotch + fine; y < armpit; y += fine) {
-    const std::optional<Section> section = torso_section(body, y);
-    if (!section) continue;
-    for (const Vec3& point : section->points) {
-      if (y < middle && point.z() < backmost) {
-        backmost = point.z();
-        hip = y;
-      }
-      // The belly may stand out more than the bust: look in the upper two thirds only.
-      if (y > middle + (armpit - middle) / 3 && point.z() > foremost) {
-        foremost = point.z();
-        bust = y;
-      }
-    }
-  }
-  if (!bust || !hip) return {};
-  double least = std::numeric_limits<double>::infinity();
-  for (double y = *hip + fine; y < *bust; y += fine) {
-    const std::optional<Section> section = torso_section(body, y);
-    if (section && section->girth < least) {
-      least = section->girth;
-      waist = y;
-    }
-  }
-  std::vector<TorsoLevel> levels = {{"bust", *bust}};
-  if (waist) levels.push_back({"waist", *waist});
-  levels.push_back({"hip", *hip});
-  return levels;
-}
 
 std::vector<GirthEase> measure_girth_ease(const DressedGarment& garment, const TriangleMesh& body,
                                           const Skeleton& skeleton, double step) {

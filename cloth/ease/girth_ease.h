@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/body/skeleton.h"
+#include "geometry/body/landmarks.h"
 #include "pattern/panel_mesh.h"
 
 namespace toile {
@@ -18,15 +18,6 @@ struct GirthEase {
   double ease = 0;     ///< garment - body
   double as_cut = 0;   ///< the same line of cloth on the flat panels: what was cut
 };
-
-/// A level of the torso that its shape tells: "bust", "waist" or "hip".
-struct TorsoLevel {
-  std::string name;
-  double height = 0;  ///< above the floor, metres
-};
-
-/// Bust, waist and hip of ISO 8559-1, as far as they can be told: see measure_girth_ease().
-std::vector<TorsoLevel> torso_levels(const TriangleMesh& body, const Skeleton& skeleton);
 
 /// Girth ease on horizontal planes through the torso, from the top down: at the bust, waist and hip
 /// of ISO 8559-1 and every `step` between crotch and armpits. Levels at which the garment does not

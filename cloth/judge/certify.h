@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cloth/dressing/dress.h"
+#include "cloth/judge/frame.h"
 #include "geometry/surface_distance.h"
 #include "geometry/types.h"
 
@@ -49,8 +49,5 @@ class Certificate {
   BodyDistance distance_;
   std::vector<FrameFigures> frames_;
 };
-
-/// The material points of a garment that is dressed, to check it as the last state.
-std::vector<Vec3> material_points(const PanelMesh& garment, const DressResult& result);
 
 }  // namespace toile

@@ -5,7 +5,6 @@
 
 #include "cloth/judge/flat_line.h"
 #include "cloth/judge/yarn_strain.h"
-#include "cloth/relaxation/relax.h"
 
 namespace toile {
 

@@ -9,11 +9,6 @@
 
 namespace toile {
 
-/// The body part that each panel belongs to: what the pattern says, else the part whose bones lie
-/// nearest to the middle of the panel as placed. A panel in front of both legs belongs to the
-/// torso, which a skirt hangs from; one that reaches the body's middle is no sleeve.
-std::vector<std::string> panel_parts(const PanelMesh& garment, const Skeleton& skeleton);
-
 /// Of the directions square to a part's bones, the share that meets the panels of that part.
 struct WrapFigure {
   std::string part;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "cloth/ease/girth_ease.h"
 #include "geometry/body/bones.h"
+#include "geometry/body/landmarks.h"
 #include "geometry/body/skeleton.h"
 #include "geometry/distance_grid.h"
 #include "geometry/error.h"

@@ -78,10 +78,9 @@ struct Program {
   double self_gap = 0;     ///< metres kept between the middles of cloth and cloth
 };
 
-/// Welds the seams' points to nodes, and lays out the terms that the scene asks for. Nodes start
-/// in the middle of the places their points have in `placed`.
-/// Throws Error when a triangle would lose its area by being sewn to itself.
-Program compile(const PanelMesh& garment, const Scene& scene, const std::vector<Vec3>& placed);
+/// Place of every material point while seams are `open`.
+std::vector<Vec3> point_positions(const Program& program, const std::vector<Vec3>& nodes,
+                                  double open);
 
 /// What was compiled, by term, with counts; a term that the scene does not use counts 0.
 std::vector<std::pair<std::string, int>> term_counts(const Program& program);

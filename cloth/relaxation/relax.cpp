@@ -276,16 +276,6 @@ RelaxReport Relaxation::run(const RelaxWatcher& watcher) {
 
 }  // namespace
 
-std::vector<Vec3> point_positions(const Program& program, const std::vector<Vec3>& nodes,
-                                  double open) {
-  std::vector<Vec3> points(program.node_of_point.size());
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    points[p] = nodes[program.node_of_point[p]];
-    if (!program.offsets.empty()) points[p] += open * program.offsets[p];
-  }
-  return points;
-}
-
 RelaxReport relax(const Program& program, const RelaxOptions& options, std::vector<Vec3>& x,
                   const RelaxWatcher& watcher) {
   Relaxation relaxation(program, options, x);

@@ -62,10 +62,6 @@ struct RelaxProgress {
 };
 using RelaxWatcher = std::function<void(const RelaxProgress&)>;
 
-/// Place of every material point while seams are `open`.
-std::vector<Vec3> point_positions(const Program& program, const std::vector<Vec3>& nodes,
-                                  double open);
-
 /// Moves the nodes `x` (one a node, metres) toward rest: each is stepped by its force over a bound
 /// of its stiffness, with Nesterov's momentum, cut when it runs uphill [after O'Donoghue & Candes
 /// 2015]; patches of the coarser levels likewise (CoarseMotion). The watcher is called every 50

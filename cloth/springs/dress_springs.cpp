@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cloth/judge/measures.h"
+#include "cloth/model/compile.h"
 #include "cloth/start/clear_start.h"
 #include "geometry/error.h"
 #include "geometry/intersections.h"

@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
-#include "cloth/judge/wraps.h"
 #include "cloth/start/clear_of_layers.h"
+#include "cloth/start/panel_parts.h"
 #include "geometry/body/bones.h"
 #include "geometry/disjoint_sets.h"
 #include "geometry/error.h"

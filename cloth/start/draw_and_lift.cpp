@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "cloth/judge/wraps.h"
 #include "cloth/start/align_sleeves.h"
+#include "cloth/start/panel_parts.h"
 #include "cloth/start/seam_paths.h"
 
 namespace toile {

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <random>
 
-#include "cloth/model/garment_model.h"
+#include "cloth/model/compile.h"
 #include "cloth/model/plate_bending.h"
 #include "tests/cloth/bend_energy.h"
 #include "tests/cloth/panels.h"

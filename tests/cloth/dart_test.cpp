@@ -5,6 +5,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "cloth/model/compile.h"
 #include "cloth/relaxation/relax.h"
 #include "tests/pattern/samples.h"
 #include "tests/pattern/sewn.h"

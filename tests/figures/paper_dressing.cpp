@@ -76,16 +76,6 @@ class Follower {
   std::vector<double> perimeters_;
 };
 
-std::vector<Vec3> material_points(const PanelMesh& garment, const DressResult& result) {
-  std::vector<Vec3> points(garment.flat.size(), Vec3::Zero());
-  for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      points[garment.triangles[t][k]] = result.nodes[result.triangles[t][k]];
-    }
-  }
-  return points;
-}
-
 std::string nearest_joint(const Skeleton& skeleton, const Vec3& point) {
   std::string name;
   double least = std::numeric_limits<double>::max();

@@ -1,6 +1,7 @@
 // Cases 4 and 5: sharp, thin and narrow bodies, cloth that is thrown, pinched, stacked and folded.
 #include <numeric>
 
+#include "cloth/model/compile.h"
 #include "cloth/relaxation/relax.h"
 #include "cloth/relaxation/release.h"
 #include "cloth/springs/spring_motion.h"

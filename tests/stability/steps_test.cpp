@@ -1,6 +1,7 @@
 // Case 1: steps a hundred times too long and too short, and a million of them at rest.
 #include <numeric>
 
+#include "cloth/model/compile.h"
 #include "cloth/relaxation/relax.h"
 #include "cloth/relaxation/release.h"
 #include "cloth/springs/spring_motion.h"

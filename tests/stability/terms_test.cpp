@@ -2,7 +2,7 @@
 #include <map>
 #include <set>
 
-#include "cloth/model/garment_model.h"
+#include "cloth/model/compile.h"
 #include "cloth/relaxation/relax.h"
 #include "geometry/distance_grid.h"
 #include "geometry/repair.h"

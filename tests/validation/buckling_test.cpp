@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cloth/model/compile.h"
 #include "cloth/relaxation/relax.h"
 #include "tests/cloth/panels.h"
 #include "tests/validation/reference_table.h"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cloth/model/compile.h"
 #include "tests/cloth/panels.h"
 #include "tests/validation/reference_table.h"
 #include "tests/validation/report.h"

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <random>
 
+#include "cloth/model/compile.h"
 #include "cloth/relaxation/relax.h"
 #include "geometry/triangulate.h"
 #include "tests/cloth/panels.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cloth/model/compile.h"
 #include "cloth/relaxation/relax.h"
 #include "cloth/relaxation/release.h"
 #include "geometry/distance_grid.h"

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include "cloth/model/compile.h"
 #include "cloth/model/elastics.h"
 #include "cloth/model/stretch.h"
 #include "cloth/relaxation/cloth_forces.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cloth/model/compile.h"
 #include "cloth/relaxation/release.h"
 #include "tests/cloth/panels.h"
 #include "tests/support/spring_motion.h"

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "cloth/model/compile.h"
 #include "cloth/model/stretch.h"
 #include "cloth/relaxation/relax.h"
 #include "geometry/distance_grid.h"

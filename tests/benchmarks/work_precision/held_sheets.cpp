@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 
+#include "cloth/model/compile.h"
 #include "cloth/springs/strain_control.h"
 #include "tests/cloth/panels.h"
 #include "tests/support/held_nodes.h"

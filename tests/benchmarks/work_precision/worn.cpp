@@ -3,6 +3,7 @@
 #include <map>
 #include <sstream>
 
+#include "cloth/model/compile.h"
 #include "cloth/scene/fabric.h"
 #include "cloth/springs/dress_springs.h"
 #include "io/mesh_file.h"

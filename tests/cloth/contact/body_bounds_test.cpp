@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "cloth/model/compile.h"
 #include "cloth/relaxation/relax.h"
 #include "geometry/intersections.h"
 #include "tests/cloth/panels.h"

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <numbers>
 
+#include "cloth/model/compile.h"
 #include "cloth/relaxation/relax.h"
 #include "cloth/relaxation/release.h"
 #include "geometry/distance_grid.h"

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "cloth/model/compile.h"
 #include "geometry/distance_grid.h"
 #include "geometry/intersections.h"
 #include "tests/cloth/panels.h"

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <numbers>
 
+#include "cloth/model/compile.h"
 #include "cloth/relaxation/relax.h"
 #include "geometry/distance_grid.h"
 #include "tests/cloth/panels.h"

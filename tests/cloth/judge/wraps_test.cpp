@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cloth/start/panel_parts.h"
 #include "tests/cloth/figure.h"
 
 namespace toile {

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <random>
 
+#include "cloth/model/compile.h"
 #include "cloth/model/nested_meshes.h"
 #include "cloth/relaxation/attachment_forces.h"
 #include "cloth/relaxation/relax.h"

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <random>
 
+#include "cloth/model/compile.h"
 #include "tests/cloth/bend_energy.h"
 #include "tests/cloth/panels.h"
 

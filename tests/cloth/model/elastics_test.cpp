@@ -5,6 +5,7 @@
 #include <numbers>
 #include <random>
 
+#include "cloth/model/compile.h"
 #include "cloth/model/gathers.h"
 #include "cloth/relaxation/elastic_forces.h"
 #include "cloth/relaxation/elastic_kernel.h"

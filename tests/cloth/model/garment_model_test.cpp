@@ -1,10 +1,9 @@
-#include "cloth/model/garment_model.h"
-
 #include <gtest/gtest.h>
 
 #include <map>
 #include <numeric>
 
+#include "cloth/model/compile.h"
 #include "cloth/model/gathers.h"
 #include "tests/cloth/bend_energy.h"
 #include "tests/cloth/panels.h"

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "cloth/judge/measures.h"
-#include "cloth/model/garment_model.h"
+#include "cloth/model/compile.h"
 #include "geometry/intersections.h"
 #include "pattern/nesting.h"
 #include "tests/cloth/panels.h"

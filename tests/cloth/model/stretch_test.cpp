@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include "cloth/model/compile.h"
 #include "tests/cloth/panels.h"
 
 namespace toile {

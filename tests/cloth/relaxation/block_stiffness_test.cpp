@@ -8,6 +8,7 @@
 #include <cmath>
 #include <memory>
 
+#include "cloth/model/compile.h"
 #include "cloth/model/stretch.h"
 #include "tests/cloth/panels.h"
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "cloth/dressing/coupled_layers.h"
+#include "cloth/model/compile.h"
 #include "cloth/relaxation/relax.h"
 #include "geometry/distance_grid.h"
 #include "tests/cloth/panels.h"

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 
+#include "cloth/model/compile.h"
 #include "geometry/distance_grid.h"
 #include "geometry/intersections.h"
 #include "tests/cloth/panels.h"

@@ -5,6 +5,7 @@
 
 #include <numbers>
 
+#include "cloth/model/compile.h"
 #include "cloth/relaxation/relax.h"
 #include "geometry/distance_grid.h"
 #include "tests/cloth/panels.h"

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <numeric>
 
+#include "cloth/model/compile.h"
 #include "geometry/closest_points.h"
 #include "geometry/intersections.h"
 #include "tests/cloth/panels.h"

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <numeric>
 
+#include "cloth/model/compile.h"
 #include "cloth/springs/spring_forces.h"
 #include "tests/cloth/panels.h"
 

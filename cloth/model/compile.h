@@ -1,0 +1,17 @@
+// Compiles a scene against a garment: welds its seams and lays out the terms.
+#pragma once
+
+#include <vector>
+
+#include "cloth/model/garment_model.h"
+#include "cloth/scene/scene.h"
+#include "pattern/panel_mesh.h"
+
+namespace toile {
+
+/// Welds the seams' points to nodes, and lays out the terms that the scene asks for. Nodes start
+/// in the middle of the places their points have in `placed`.
+/// Throws Error when a triangle would lose its area by being sewn to itself.
+Program compile(const PanelMesh& garment, const Scene& scene, const std::vector<Vec3>& placed);
+
+}  // namespace toile
