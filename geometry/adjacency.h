@@ -12,12 +12,12 @@ namespace toile {
 
 /// One list per group, one after the other in memory.
 template <typename Item>
-class Grouped {
+class Adjacency {
  public:
   /// No groups.
-  Grouped() = default;
+  Adjacency() = default;
   template <typename List>
-  Grouped(std::size_t groups, const List& list) {
+  Adjacency(std::size_t groups, const List& list) {
     assign(groups, list);
   }
 
@@ -53,8 +53,8 @@ struct TriangleCorner {
 };
 
 /// Per vertex, in the order of the triangles.
-inline Grouped<TriangleCorner> corners_by_vertex(const std::vector<Triangle>& triangles,
-                                                 std::size_t vertices) {
+inline Adjacency<TriangleCorner> corners_by_vertex(const std::vector<Triangle>& triangles,
+                                                   std::size_t vertices) {
   return {vertices, [&](const auto& add) {
             for (std::size_t t = 0; t < triangles.size(); ++t) {
               for (int c = 0; c < 3; ++c) add(triangles[t][c], {static_cast<int>(t), c});

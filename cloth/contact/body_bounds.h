@@ -73,7 +73,7 @@ class BodyBounds {
 
   const BodySurface& surface_;
   const std::vector<Triangle>& triangles_;
-  Grouped<TriangleCorner> corners_;  // per vertex
+  Adjacency<TriangleCorner> corners_;  // per vertex
   std::vector<Region> regions_;
   std::vector<char> due_;       // per triangle
   std::vector<int> next_look_;  // per triangle, the first that may be again

@@ -63,9 +63,9 @@ class PairForces {
   std::vector<ContactPair> pairs_;
   std::vector<char> near_;  // per pair: is active
   std::vector<ContactPair> active_;
-  PairFriction friction_;  // of the active pairs
-  Vec4s slots_;            // force, and the stiffness as the fourth; four an active pair
-  Grouped<int> slots_of_;  // per vertex; empty: none is active
+  PairFriction friction_;    // of the active pairs
+  Vec4s slots_;              // force, and the stiffness as the fourth; four an active pair
+  Adjacency<int> slots_of_;  // per vertex; empty: none is active
 };
 
 }  // namespace toile

@@ -173,7 +173,7 @@ class HingeLayout {
 
 /// Entries of the same place are added up in their order, so bits don't depend on the sorting.
 BendRows rows_of(const std::vector<Link>& links, std::size_t vertices) {
-  const Grouped<Link> links_of(vertices, [&](const auto& add) {
+  const Adjacency<Link> links_of(vertices, [&](const auto& add) {
     for (const Link& link : links) add(link.from, link);
   });
   std::vector<Link> sorted;

@@ -23,9 +23,9 @@ Neighbours neighbours_of(const std::vector<Triangle>& triangles, std::size_t ver
 /// vertices of which no two are neighbours, the others shared out among those next to them, and
 /// that smoothed once [after Vaněk, Mandel & Brezina 1996, smoothed aggregation].
 struct WidePatches {
-  std::vector<int> middles;         ///< per patch, the vertex that it is around
-  Grouped<PatchShare> of_vertices;  ///< per vertex
-  Neighbours neighbours;            ///< per patch
+  std::vector<int> middles;           ///< per patch, the vertex that it is around
+  Adjacency<PatchShare> of_vertices;  ///< per vertex
+  Neighbours neighbours;              ///< per patch
 };
 
 /// Linear in the joints. Each vertex belongs to one patch or more.

@@ -61,8 +61,8 @@ class DirectedStiffness {
   double update(std::size_t begin, std::size_t end, const Vec4s& x);
 
   const Program& program_;
-  Grouped<TriangleCorner> corners_;  // per node
-  std::vector<double> elastic_;      // N/m, per node; empty: no elastics
+  Adjacency<TriangleCorner> corners_;  // per node
+  std::vector<double> elastic_;        // N/m, per node; empty: no elastics
   std::vector<Stiffness> of_nodes_;
   std::vector<double> partial_;
   bool known_ = false;

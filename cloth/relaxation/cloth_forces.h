@@ -119,7 +119,7 @@ class ClothForces {
   double open_ = 0;
   double bending_ = 1;
   Vec4s points_;                       // as nodes_, of the material points, while seams stand open
-  Grouped<int> vertices_of_;           // per node: its material points, while seams stand open
+  Adjacency<int> vertices_of_;         // per node: its material points, while seams stand open
   std::vector<BodyContact> contacts_;  // per vertex
   std::vector<double> step_down_;      // metres, per vertex, onto the body
   /// Per vertex: where it was last looked after, and the square of how far it may go from there

@@ -24,7 +24,7 @@ EdgeContacts::EdgeContacts(const std::vector<Triangle>& triangles, const Vec4s& 
   forces_.assign(edges_.size(), Vec4{});
   free_.assign(edges_.size(), Vec4{});
   pushed_.assign(edges_.size(), 0);
-  edges_of_ = Grouped<int>(x.size(), [&](const auto& add) {
+  edges_of_ = Adjacency<int>(x.size(), [&](const auto& add) {
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       for (const int v : edges_[e]) add(v, static_cast<int>(e));
     }

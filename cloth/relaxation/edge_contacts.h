@@ -51,7 +51,7 @@ class EdgeContacts {
   Vec4s forces_;                   // per edge, stiffness as the fourth
   Vec4s free_;                     // per edge: nothing touches it within the root of the fourth
   std::vector<char> pushed_;       // per edge: its force counts
-  Grouped<int> edges_of_;          // per vertex
+  Adjacency<int> edges_of_;        // per vertex
 };
 
 }  // namespace toile

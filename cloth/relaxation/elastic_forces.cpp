@@ -8,7 +8,7 @@ BandForces::BandForces(const Program& program, bool of_points) {
   if (program.bands.empty()) return;
   const auto vertex = [&](int point) { return of_points ? point : program.node_of_point[point]; };
   const std::size_t vertices = of_points ? program.node_of_point.size() : program.nodes;
-  segments_ = Grouped<Entry>(vertices, [&](const auto& add) {
+  segments_ = Adjacency<Entry>(vertices, [&](const auto& add) {
     for (const BandSegment& segment : program.bands) {
       const int a = vertex(segment.points[0]);
       const int b = vertex(segment.points[1]);

@@ -21,7 +21,7 @@ class BandForces {
     int other;
     BandSegment segment;
   };
-  Grouped<Entry> segments_;  // per vertex; empty: no elastics
+  Adjacency<Entry> segments_;  // per vertex; empty: no elastics
 };
 
 }  // namespace toile

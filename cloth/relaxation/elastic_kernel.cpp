@@ -150,7 +150,7 @@ void ElasticKernel::lay_out_triangles(const Program& program,
     g.stretch_warp[i] = s.warp_stiffness;
     g.shear[i] = s.shear_stiffness;
   }
-  pulls_on_ = Grouped<PullEntry>(vertices, [&](const auto& add) {
+  pulls_on_ = Adjacency<PullEntry>(vertices, [&](const auto& add) {
     for (std::size_t t = 0; t < triangles.size(); ++t) {
       const StretchTriangle& s = program.stretch[t];
       const double weft[3] = {-(s.weft[1] + s.weft[2]), s.weft[1], s.weft[2]};

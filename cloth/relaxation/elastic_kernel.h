@@ -88,8 +88,8 @@ class ElasticKernel {
   std::vector<TriangleGroup> groups_;
   std::vector<HeldGroup> held_;  // empty: no limits
   std::size_t triangles_ = 0;
-  Vec4s pulls_;                  // per triangle: by weft, by warp
-  Grouped<PullEntry> pulls_on_;  // per vertex
+  Vec4s pulls_;                    // per triangle: by weft, by warp
+  Adjacency<PullEntry> pulls_on_;  // per vertex
   BendMatrix bend_;
 };
 

@@ -61,7 +61,7 @@ std::vector<Triangle> CoarseMotion::add_nested_levels(const Program& program) {
         if (middle[0] < 0) middle = {coarse[t][i], coarse[t][(i + 1) % 3]};
       }
     }
-    level.shares = Grouped<Share>(coarse_own.size(), [&](const auto& add) {
+    level.shares = Adjacency<Share>(coarse_own.size(), [&](const auto& add) {
       for (std::size_t n = 0; n < count; ++n) {
         const auto& [a, b] = level.parents[n];
         add(a, {static_cast<int>(n), a == b ? 1.0 : 0.5});

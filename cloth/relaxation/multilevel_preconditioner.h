@@ -50,8 +50,8 @@ class CoarseMotion {
   };
   struct Level {
     std::vector<std::array<int, 2>> parents;  // per finer node; the same twice: it is one of these
-    Grouped<PatchShare> patches;              // per finer node, of a wide level; it has no parents
-    Grouped<Share> shares;                    // per node, of finer ones
+    Adjacency<PatchShare> patches;            // per finer node, of a wide level; it has no parents
+    Adjacency<Share> shares;                  // per node, of finer ones
     std::vector<double> stretch;              // N/m, per node, in all directions
     std::vector<Stiffness> directed;          // per node
     std::vector<double> bend;
