@@ -19,7 +19,7 @@ inline std::size_t chunks_of(std::size_t items, std::size_t size) {
 
 /// Runs `work` for each of `tasks`, side by side where that pays.
 template <typename Work>
-void side_by_side(std::size_t tasks, const Work& work) {
+void parallel_for(std::size_t tasks, const Work& work) {
   if (tasks < 2) {
     for (std::size_t t = 0; t < tasks; ++t) work(t);
     return;
@@ -29,8 +29,8 @@ void side_by_side(std::size_t tasks, const Work& work) {
 
 /// Runs `work(begin, end)` for ranges of as many vertices, which make up all of `items`.
 template <typename Work>
-void in_chunks(std::size_t items, const Work& work) {
-  side_by_side(chunks_of(items, vertex_chunk), [&](std::size_t c) {
+void parallel_for_chunks(std::size_t items, const Work& work) {
+  parallel_for(chunks_of(items, vertex_chunk), [&](std::size_t c) {
     work(c * vertex_chunk, std::min(items, (c + 1) * vertex_chunk));
   });
 }

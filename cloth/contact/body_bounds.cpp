@@ -164,7 +164,7 @@ const std::vector<int>& BodyBounds::look(const Vec4s& x) {
     next_look_[t] = looks_ + look_interval;
     due.push_back(static_cast<int>(t));
   }
-  side_by_side(chunks_of(due.size(), chunk), [&](std::size_t c) {
+  parallel_for(chunks_of(due.size(), chunk), [&](std::size_t c) {
     std::vector<int> near;
     const std::size_t end = std::min(due.size(), (c + 1) * chunk);
     for (std::size_t i = c * chunk; i < end; ++i) {

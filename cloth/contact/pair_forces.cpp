@@ -43,7 +43,7 @@ EdgeShare share_of(const Vec3& a, const Vec3& b) {
 
 void PairForces::activate(const std::vector<Vec3>& x) {
   near_.resize(pairs_.size());
-  in_chunks(pairs_.size(), [&](std::size_t begin, std::size_t end) {
+  parallel_for_chunks(pairs_.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const double reach = pairs_[i].gap + margin;
       near_[i] = nearest_points(pairs_[i], x).apart.squaredNorm() < reach * reach;

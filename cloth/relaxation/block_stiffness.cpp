@@ -96,7 +96,7 @@ double DirectedStiffness::update(std::size_t begin, std::size_t end, const Vec4s
 }
 
 double DirectedStiffness::update(const Vec4s& x) {
-  in_chunks(of_nodes_.size(), [&](std::size_t begin, std::size_t end) {
+  parallel_for_chunks(of_nodes_.size(), [&](std::size_t begin, std::size_t end) {
     partial_[begin / vertex_chunk] = update(begin, end, x);
   });
   const double sum = std::accumulate(partial_.begin(), partial_.end(), 0.0);

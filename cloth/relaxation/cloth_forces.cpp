@@ -165,7 +165,7 @@ void ClothForces::place_points() {
     points_.resize(program_.node_of_point.size());
     points_.insert(points_.end(), nodes_.begin() + program_.nodes, nodes_.end());
   }
-  in_chunks(program_.node_of_point.size(), [&](std::size_t begin, std::size_t end) {
+  parallel_for_chunks(program_.node_of_point.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
       points_[p] = nodes_[program_.node_of_point[p]] + open_ * as_vec4(program_.offsets[p]);
     }
@@ -201,7 +201,7 @@ bool ClothForces::hold_to_limits() {
   if (!has_limits()) return true;
   const std::size_t tasks = chunks_of(kernel_->groups(), vertex_chunk);
   std::vector<ElasticKernel::Held> counts(tasks);
-  side_by_side(tasks, [&](std::size_t c) {
+  parallel_for(tasks, [&](std::size_t c) {
     counts[c] = kernel_->hold(c * vertex_chunk, std::min(kernel_->groups(), (c + 1) * vertex_chunk),
                               stretch_, positions());
   });
@@ -258,7 +258,7 @@ void ClothForces::activate_pairs() {
 }
 
 void ClothForces::set_guards() {
-  in_chunks(vertices(), [&](std::size_t begin, std::size_t end) {
+  parallel_for_chunks(vertices(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) set_guard(v, as_vec3(positions()[v]));
   });
 }
@@ -303,7 +303,7 @@ void ClothForces::set_guard(std::size_t v, const Vec3& p) {
 
 void ClothForces::find_pull() {
   pull_.resize(vertices());
-  in_chunks(program_.nodes, [&](std::size_t begin, std::size_t end) {
+  parallel_for_chunks(program_.nodes, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       const double weight = program_.mass[n] / static_cast<double>(vertices_of_[n].size()) *
                             program_.scene.gravity.norm() * options_.pull;
@@ -324,7 +324,7 @@ void ClothForces::compute(double bending) {
   const std::size_t tasks =
       std::max({chunks_of(kernel_->groups(), vertex_chunk), chunks_of(pairs_.active(), pair_chunk),
                 chunks_of(edges, vertex_chunk)});
-  side_by_side(tasks, [&](std::size_t task) {
+  parallel_for(tasks, [&](std::size_t task) {
     const auto share = [&](std::size_t items, const auto& work) {
       work(items * task / tasks, items * (task + 1) / tasks);
     };
@@ -340,7 +340,7 @@ void ClothForces::compute(double bending) {
   });
   // Points of a node may be anywhere among the others.
   if (!by_points_) return;
-  in_chunks(vertices(), [&](std::size_t begin, std::size_t end) { add_up(begin, end); });
+  parallel_for_chunks(vertices(), [&](std::size_t begin, std::size_t end) { add_up(begin, end); });
 }
 
 void ClothForces::add_up(std::size_t begin, std::size_t end) {

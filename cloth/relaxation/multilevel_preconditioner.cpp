@@ -113,7 +113,7 @@ void CoarseMotion::add_level(Level level) {
 }
 
 void CoarseMotion::restrict_forces(const Level& level, const Vec4s& finer, Vec4s& force) const {
-  in_chunks(force.size(), [&](std::size_t begin, std::size_t end) {
+  parallel_for_chunks(force.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       Vec4 sum = {0, 0, 0, 0};
       for (const auto& [node, weight] : level.shares[n]) sum += weight * finer[node];
@@ -126,7 +126,7 @@ void CoarseMotion::take_directions(const std::vector<Stiffness>& of_nodes) {
   in_all_directions_ = undirected_share_of_patches;
   const std::vector<Stiffness>* finer = &of_nodes;
   for (Level& level : levels_) {
-    in_chunks(level.directed.size(), [&](std::size_t begin, std::size_t end) {
+    parallel_for_chunks(level.directed.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n) {
         Stiffness sum{};
         double weight = 0;
@@ -171,7 +171,7 @@ void CoarseMotion::compute(const Vec4s& forces, double bending) {
   }
   for (std::size_t l = levels_.size(); l-- > 0;) {
     Level& level = levels_[l];
-    in_chunks(level.way.size(), [&](std::size_t begin, std::size_t end) {
+    parallel_for_chunks(level.way.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n) {
         const double stiffness =
             in_all_directions_ * level.stretch[n] + bending * level.bend[n] + level.force[n][3];

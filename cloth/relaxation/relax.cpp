@@ -137,7 +137,8 @@ void Relaxation::find_directions() {
 /// Of all nodes, and of the patches of the coarser levels.
 void Relaxation::find_forces() {
   find_directions();
-  in_chunks(program_.nodes, [&](std::size_t begin, std::size_t end) { find_forces(begin, end); });
+  parallel_for_chunks(program_.nodes,
+                      [&](std::size_t begin, std::size_t end) { find_forces(begin, end); });
   coarse_.compute(node_force_, bending_);
 }
 
@@ -168,7 +169,7 @@ double Relaxation::step_nodes(std::size_t begin, std::size_t end) {
 double Relaxation::step() {
   momentum_ = std::min(options_.momentum, momentum_age_ / (momentum_age_ + 3.0));
   find_forces();
-  in_chunks(program_.nodes, [&](std::size_t begin, std::size_t end) {
+  parallel_for_chunks(program_.nodes, [&](std::size_t begin, std::size_t end) {
     partial_[begin / vertex_chunk] = step_nodes(begin, end);
   });
   forces_.moved();

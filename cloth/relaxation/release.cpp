@@ -118,8 +118,10 @@ ReleaseReport Release::run() {
   for (int i = 1; i <= report.steps; ++i) {
     forces_.search_when_due(1, search_interval);
     forces_.compute(options_.bending);
-    in_chunks(x_.size(), [&](std::size_t begin, std::size_t end) { forces_.gather(begin, end); });
-    in_chunks(x_.size(), [&](std::size_t begin, std::size_t end) { step_nodes(begin, end); });
+    parallel_for_chunks(x_.size(),
+                        [&](std::size_t begin, std::size_t end) { forces_.gather(begin, end); });
+    parallel_for_chunks(x_.size(),
+                        [&](std::size_t begin, std::size_t end) { step_nodes(begin, end); });
     if (i % watch != 0 && i != report.steps) continue;
     for (std::size_t n = 0; n < x_.size(); ++n) {
       report.moved[n] = std::max(report.moved[n], std::sqrt(squared_length(x_[n] - from[n])));

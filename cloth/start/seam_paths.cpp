@@ -32,7 +32,7 @@ SewingWays::SewingWays(const PanelMesh& garment, const std::vector<Vec3>& placed
 
 int SewingWays::barred(double lift) {
   std::vector<char> are_barred(ways_.size());
-  in_chunks(ways_.size(), [&](std::size_t begin, std::size_t end) {
+  parallel_for_chunks(ways_.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) are_barred[i] = is_barred(ways_[i], lift);
   });
   return static_cast<int>(std::count(are_barred.begin(), are_barred.end(), 1));
