@@ -208,7 +208,7 @@ double BodyBounds::share(int vertex, const Vec3& p, const Vec3& wanted) {
     if (region.meets) continue;
     const Vec3 away = p - region.at[corner];
     if ((away + way).norm() > (1 - due_share) * region.reach) make_due(t);
-    share = std::min(share, share_within(away, way, region.reach));
+    share = std::min(share, clip_to_ball(away, way, region.reach));
     if (region.normal == Vec3::Zero()) continue;
     const double from = region.normal.dot(p) - region.level;
     const double to = region.normal.dot(wanted) - region.level;

@@ -10,7 +10,7 @@ namespace toile {
 
 /// Largest share in [0, 1] of `way` that keeps away + share·way within `radius` (metres); `away` is
 /// within it, up to rounding.
-inline double share_within(const Vec3& away, const Vec3& way, double radius) {
+inline double clip_to_ball(const Vec3& away, const Vec3& way, double radius) {
   const double a = way.squaredNorm();
   if (a == 0 || (away + way).norm() <= radius) return 1;
   const double b = away.dot(way);

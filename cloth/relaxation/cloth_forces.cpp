@@ -179,7 +179,7 @@ void ClothForces::close_seams(double wanted) {
     for (std::size_t p = 0; p < program_.offsets.size(); ++p) {
       const Vec3 away = as_vec3(points_[p]) - searched_at_[p];
       const Vec3 way = (wanted - open_) * program_.offsets[p];
-      const double share = share_within(away, way, bound_[p]);
+      const double share = clip_to_ball(away, way, bound_[p]);
       if (share < 1) search_due_ = true;
       open = std::max(open, open_ + share * (wanted - open_));
     }
@@ -363,7 +363,7 @@ Vec3 ClothForces::within_bounds(std::size_t node, const Vec3& wanted) const {
   const Vec3 way = wanted - from;
   double share = 1;
   for (const int v : vertices_of_[node]) {
-    share = std::min(share, share_within(as_vec3(points_[v]) - searched_at_[v], way, bound_[v]));
+    share = std::min(share, clip_to_ball(as_vec3(points_[v]) - searched_at_[v], way, bound_[v]));
   }
   return share < 1 ? Vec3(from + share * way) : wanted;
 }
