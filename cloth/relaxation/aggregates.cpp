@@ -6,7 +6,7 @@ namespace toile {
 
 namespace {
 
-using Shares = std::vector<PatchShare>;
+using Shares = std::vector<AggregateShare>;
 
 void sort_out(Neighbours& neighbours) {
   for (std::vector<int>& of : neighbours) {
@@ -16,8 +16,9 @@ void sort_out(Neighbours& neighbours) {
 }
 
 void add(Shares& shares, int patch, double weight) {
-  const auto known = std::find_if(shares.begin(), shares.end(),
-                                  [&](const PatchShare& share) { return share.patch == patch; });
+  const auto known = std::find_if(shares.begin(), shares.end(), [&](const AggregateShare& share) {
+    return share.patch == patch;
+  });
   if (known == shares.end()) {
     shares.push_back({patch, weight});
   } else {
@@ -54,8 +55,8 @@ Neighbours neighbours_of(const std::vector<Triangle>& triangles, std::size_t ver
   return neighbours;
 }
 
-WidePatches wide_patches(const Neighbours& vertices) {
-  WidePatches wide;
+Aggregates aggregate(const Neighbours& vertices) {
+  Aggregates wide;
   std::vector<int> patch_around(vertices.size(), -1);
   std::vector<char> taken(vertices.size(), 0);
   for (std::size_t v = 0; v < vertices.size(); ++v) {
@@ -73,13 +74,13 @@ WidePatches wide_patches(const Neighbours& vertices) {
     for (const int other : vertices[v]) {
       if (patch_around[other] >= 0) shares[v].push_back({patch_around[other], 1});
     }
-    for (PatchShare& share : shares[v]) share.weight /= static_cast<double>(shares[v].size());
+    for (AggregateShare& share : shares[v]) share.weight /= static_cast<double>(shares[v].size());
   }
   wide.neighbours.resize(wide.middles.size());
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     for (const int other : vertices[v]) {
-      for (const PatchShare& here : shares[v]) {
-        for (const PatchShare& there : shares[other]) {
+      for (const AggregateShare& here : shares[v]) {
+        for (const AggregateShare& there : shares[other]) {
           if (here.patch != there.patch) wide.neighbours[here.patch].push_back(there.patch);
         }
       }
@@ -89,7 +90,7 @@ WidePatches wide_patches(const Neighbours& vertices) {
   const std::vector<Shares> smooth = smoothed(shares, vertices);
   wide.of_vertices.assign(vertices.size(), [&](const auto& list) {
     for (std::size_t v = 0; v < smooth.size(); ++v) {
-      for (const PatchShare& share : smooth[v]) list(v, share);
+      for (const AggregateShare& share : smooth[v]) list(v, share);
     }
   });
   return wide;

@@ -10,7 +10,7 @@
 namespace toile {
 
 /// Of a vertex to a patch, of those it belongs to: in all 1.
-struct PatchShare {
+struct AggregateShare {
   int patch;
   double weight;
 };
@@ -22,13 +22,13 @@ Neighbours neighbours_of(const std::vector<Triangle>& triangles, std::size_t ver
 /// Overlapping patches about three edges across, some four times as few as vertices: around
 /// vertices of which no two are neighbours, the others shared out among those next to them, and
 /// that smoothed once [after Vaněk, Mandel & Brezina 1996, smoothed aggregation].
-struct WidePatches {
-  std::vector<int> middles;           ///< per patch, the vertex that it is around
-  Adjacency<PatchShare> of_vertices;  ///< per vertex
-  Neighbours neighbours;              ///< per patch
+struct Aggregates {
+  std::vector<int> middles;               ///< per patch, the vertex that it is around
+  Adjacency<AggregateShare> of_vertices;  ///< per vertex
+  Neighbours neighbours;                  ///< per patch
 };
 
 /// Linear in the joints. Each vertex belongs to one patch or more.
-WidePatches wide_patches(const Neighbours& vertices);
+Aggregates aggregate(const Neighbours& vertices);
 
 }  // namespace toile

@@ -12,9 +12,9 @@ namespace {
 
 /// Levels of wide patches: with none, ten garments take 1.55 times the iterations at 15 mm and 1.4
 /// times at 10 mm; with one and with three, 1.06 and 1.1 to 1.2 times.
-constexpr int most_wide_levels = 2;
+constexpr int max_aggregate_levels = 2;
 /// Patches that a wide level is worth having for.
-constexpr std::size_t least_wide_patches = 4;
+constexpr std::size_t min_aggregates = 4;
 
 }  // namespace
 
@@ -24,10 +24,10 @@ CoarseMotion::CoarseMotion(const Program& program, bool wide) {
   nested_ = levels();
   if (!wide) return;
   Neighbours joined = neighbours_of(coarsest, levels_.back().mass.size());
-  for (int i = 0; i < most_wide_levels; ++i) {
-    WidePatches patches = wide_patches(joined);
-    if (patches.middles.size() < least_wide_patches) break;
-    add_wide_level(patches);
+  for (int i = 0; i < max_aggregate_levels; ++i) {
+    Aggregates patches = aggregate(joined);
+    if (patches.middles.size() < min_aggregates) break;
+    add_aggregate_level(patches);
     joined = std::move(patches.neighbours);
   }
 }
@@ -84,7 +84,7 @@ std::vector<Triangle> CoarseMotion::add_nested_levels(const Program& program) {
   return triangles;
 }
 
-void CoarseMotion::add_wide_level(const WidePatches& wide) {
+void CoarseMotion::add_aggregate_level(const Aggregates& wide) {
   const Level& finer = levels_.back();
   Level level;
   level.patches = wide.of_vertices;

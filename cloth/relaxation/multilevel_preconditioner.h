@@ -50,7 +50,7 @@ class CoarseMotion {
   };
   struct Level {
     std::vector<std::array<int, 2>> parents;  // per finer node; the same twice: it is one of these
-    Adjacency<PatchShare> patches;            // per finer node, of a wide level; it has no parents
+    Adjacency<AggregateShare> patches;        // per finer node, of a wide level; it has no parents
     Adjacency<Share> shares;                  // per node, of finer ones
     std::vector<double> stretch;              // N/m, per node, in all directions
     std::vector<Stiffness> directed;          // per node
@@ -64,7 +64,7 @@ class CoarseMotion {
     return 0.5 * (level.way[a] + level.way[b]);
   }
   std::vector<Triangle> add_nested_levels(const Program& program);
-  void add_wide_level(const WidePatches& wide);
+  void add_aggregate_level(const Aggregates& wide);
   void add_level(Level level);
   static Vec4 way_at(const Level& level, std::size_t finer);
   void restrict_forces(const Level& level, const Vec4s& finer, Vec4s& force) const;

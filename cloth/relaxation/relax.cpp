@@ -25,7 +25,7 @@ constexpr double step_factor = 1.3;
 constexpr double level_share = 0.5;
 /// And each level of wide patches: with 0.25 and 0.5 ten garments take 1.1 and 1.2 times the
 /// iterations, with 0 about the same.
-constexpr double wide_level_share = 0.1;
+constexpr double aggregate_level_share = 0.1;
 /// How many times the inverse of a force's stiffness a step may be with momentum. Of a stiffness λ,
 /// steps of s and momentum β change what is off by x'' = (1 - sλ)((1 + β) x' - β x), which stays
 /// bounded for sλ < (2 + 2β) / (1 + 2β): 4/3 with β near 1.
@@ -63,7 +63,7 @@ class Relaxation {
         directed_(program),
         step_factor_(step_factor /
                      (1 + level_share * coarse_.nested_levels() +
-                      wide_level_share * (coarse_.levels() - coarse_.nested_levels()))),
+                      aggregate_level_share * (coarse_.levels() - coarse_.nested_levels()))),
         touch_factor_(std::max(1.0, step_factor_ * (1 + coarse_.levels()) / most_step)),
         node_force_(program.nodes, Vec4{}),
         x_(as_vec4(x)),

@@ -10,9 +10,9 @@
 namespace toile {
 namespace {
 
-TEST(WidePatches, CoverASheetAndAreAFewEdgesAcross) {
+TEST(Aggregates, CoverASheetAndAreAFewEdgesAcross) {
   const PlanarMesh sheet = test::grid(1, 1, 20, 20);
-  const WidePatches wide = wide_patches(neighbours_of(sheet.triangles, sheet.points.size()));
+  const Aggregates wide = aggregate(neighbours_of(sheet.triangles, sheet.points.size()));
   EXPECT_GT(wide.middles.size(), sheet.points.size() / 7);
   EXPECT_LT(wide.middles.size(), sheet.points.size() / 3);
   ASSERT_EQ(wide.of_vertices.size(), sheet.points.size());
@@ -28,10 +28,10 @@ TEST(WidePatches, CoverASheetAndAreAFewEdgesAcross) {
   }
 }
 
-TEST(WidePatches, OfWidePatchesAreWiderStill) {
+TEST(Aggregates, OfWidePatchesAreWiderStill) {
   const PlanarMesh sheet = test::grid(1, 1, 20, 20);
-  const WidePatches wide = wide_patches(neighbours_of(sheet.triangles, sheet.points.size()));
-  const WidePatches wider = wide_patches(wide.neighbours);
+  const Aggregates wide = aggregate(neighbours_of(sheet.triangles, sheet.points.size()));
+  const Aggregates wider = aggregate(wide.neighbours);
   EXPECT_LT(3 * wider.middles.size(), wide.middles.size());
   for (std::size_t p = 0; p < wide.neighbours.size(); ++p) {
     EXPECT_FALSE(wide.neighbours[p].empty());
@@ -42,8 +42,8 @@ TEST(WidePatches, OfWidePatchesAreWiderStill) {
   }
 }
 
-TEST(WidePatches, AVertexByItselfIsAPatch) {
-  const WidePatches wide = wide_patches(neighbours_of({{0, 1, 2}}, 4));
+TEST(Aggregates, AVertexByItselfIsAPatch) {
+  const Aggregates wide = aggregate(neighbours_of({{0, 1, 2}}, 4));
   ASSERT_EQ(wide.middles.size(), 2U);
   ASSERT_EQ(wide.of_vertices[3].size(), 1U);
   EXPECT_EQ(wide.of_vertices[3][0].patch, 1);
