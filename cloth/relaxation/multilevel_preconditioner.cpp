@@ -18,7 +18,7 @@ constexpr std::size_t min_aggregates = 4;
 
 }  // namespace
 
-CoarseMotion::CoarseMotion(const Program& program, bool wide) {
+MultilevelPreconditioner::MultilevelPreconditioner(const Program& program, bool wide) {
   const std::vector<Triangle> coarsest = add_nested_levels(program);
   if (levels_.empty()) return;
   nested_ = levels();
@@ -33,7 +33,7 @@ CoarseMotion::CoarseMotion(const Program& program, bool wide) {
 }
 
 /// Returns the triangles of the coarsest.
-std::vector<Triangle> CoarseMotion::add_nested_levels(const Program& program) {
+std::vector<Triangle> MultilevelPreconditioner::add_nested_levels(const Program& program) {
   std::vector<Triangle> triangles = program.node_triangles;
   std::vector<int> own(program.nodes);  // the program's node of each node of the level
   std::iota(own.begin(), own.end(), 0);
@@ -84,7 +84,7 @@ std::vector<Triangle> CoarseMotion::add_nested_levels(const Program& program) {
   return triangles;
 }
 
-void CoarseMotion::add_aggregate_level(const Aggregates& wide) {
+void MultilevelPreconditioner::add_aggregate_level(const Aggregates& wide) {
   const Level& finer = levels_.back();
   Level level;
   level.patches = wide.of_vertices;
@@ -104,7 +104,7 @@ void CoarseMotion::add_aggregate_level(const Aggregates& wide) {
   add_level(std::move(level));
 }
 
-void CoarseMotion::add_level(Level level) {
+void MultilevelPreconditioner::add_level(Level level) {
   const std::size_t patches = level.mass.size();
   level.directed.assign(patches, Stiffness{});
   level.force.assign(patches, Vec4{});
@@ -112,7 +112,8 @@ void CoarseMotion::add_level(Level level) {
   levels_.push_back(std::move(level));
 }
 
-void CoarseMotion::restrict_forces(const Level& level, const Vec4s& finer, Vec4s& force) const {
+void MultilevelPreconditioner::restrict_forces(const Level& level, const Vec4s& finer,
+                                               Vec4s& force) const {
   parallel_for_chunks(force.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       Vec4 sum = {0, 0, 0, 0};
@@ -122,7 +123,7 @@ void CoarseMotion::restrict_forces(const Level& level, const Vec4s& finer, Vec4s
   });
 }
 
-void CoarseMotion::take_directions(const std::vector<Stiffness>& of_nodes) {
+void MultilevelPreconditioner::take_directions(const std::vector<Stiffness>& of_nodes) {
   in_all_directions_ = undirected_share_of_patches;
   const std::vector<Stiffness>* finer = &of_nodes;
   for (Level& level : levels_) {
@@ -144,7 +145,7 @@ void CoarseMotion::take_directions(const std::vector<Stiffness>& of_nodes) {
   }
 }
 
-double CoarseMotion::rms_acceleration() const {
+double MultilevelPreconditioner::rms_acceleration() const {
   if (nested_ == 0 || levels_[nested_ - 1].mass.empty()) return 0;
   const Level& level = levels_[nested_ - 1];
   double sum = 0;
@@ -156,14 +157,14 @@ double CoarseMotion::rms_acceleration() const {
 }
 
 /// The way of a level's patches at a finer node.
-Vec4 CoarseMotion::way_at(const Level& level, std::size_t finer) {
+Vec4 MultilevelPreconditioner::way_at(const Level& level, std::size_t finer) {
   if (level.patches.empty()) return between_parents(level, finer);
   Vec4 way = {0, 0, 0, 0};
   for (const auto& [patch, weight] : level.patches[finer]) way += weight * level.way[patch];
   return way;
 }
 
-void CoarseMotion::compute(const Vec4s& forces, double bending) {
+void MultilevelPreconditioner::compute(const Vec4s& forces, double bending) {
   const Vec4s* finer = &forces;
   for (Level& level : levels_) {
     restrict_forces(level, *finer, level.force);

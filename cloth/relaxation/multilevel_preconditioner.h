@@ -19,9 +19,9 @@ namespace toile {
 /// where there are enough nodes for them; without a nested mesh, or unless `wide`, none. A patch's
 /// bound is its middle node's, for the stiffness of a membrane does not depend on the size of its
 /// triangles, and that of bending grows with finer ones; what touches adds up.
-class CoarseMotion {
+class MultilevelPreconditioner {
  public:
-  CoarseMotion(const Program& program, bool wide);
+  MultilevelPreconditioner(const Program& program, bool wide);
 
   int levels() const { return static_cast<int>(levels_.size()); }
   /// Those of the nested mesh; the others are wide.

@@ -94,7 +94,7 @@ class Relaxation {
   const Program& program_;
   const RelaxOptions& options_;
   ClothForces forces_;  // its nodes are the state: the iterate with momentum
-  CoarseMotion coarse_;
+  MultilevelPreconditioner coarse_;
   DirectedStiffness directed_;
   int directed_interval_ = least_directed_interval;
   int until_directed_ = 0;

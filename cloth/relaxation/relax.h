@@ -64,10 +64,10 @@ using RelaxWatcher = std::function<void(const RelaxProgress&)>;
 
 /// Moves the nodes `x` (one a node, metres) toward rest: each is stepped by its force over a bound
 /// of its stiffness, with Nesterov's momentum, cut when it runs uphill [after O'Donoghue & Candes
-/// 2015]; patches of the coarser levels likewise (CoarseMotion). The watcher is called every 50
-/// iterations. Cost per iteration is linear in the triangles; the number of iterations grows with
-/// the square root of the stiffness ratios, so about with the number of nodes across. Same bits for
-/// any number of threads.
+/// 2015]; patches of the coarser levels likewise (MultilevelPreconditioner). The watcher is called
+/// every 50 iterations. Cost per iteration is linear in the triangles; the number of iterations
+/// grows with the square root of the stiffness ratios, so about with the number of nodes across.
+/// Same bits for any number of threads.
 RelaxReport relax(const Program& program, const RelaxOptions& options, std::vector<Vec3>& x,
                   const RelaxWatcher& watcher = {});
 

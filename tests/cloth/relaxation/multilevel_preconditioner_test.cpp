@@ -33,11 +33,11 @@ PlanarMesh subdivided(PlanarMesh mesh) {
   return mesh;
 }
 
-TEST(CoarseMotion, MovesPatchesByTheForcesOnThem) {
+TEST(MultilevelPreconditioner, MovesPatchesByTheForcesOnThem) {
   PanelMesh garment = test::flat_panel(subdivided(subdivided(test::grid(0.4, 0.4, 4, 4))));
   garment.subdivisions = 2;
   const Program program = compile(garment, {}, garment.placed);
-  CoarseMotion motion(program, false);
+  MultilevelPreconditioner motion(program, false);
   EXPECT_EQ(motion.levels(), 2);
   Vec4s forces;
   for (const double mass : program.mass) forces.push_back(Vec4{0, -9.81 * mass, 0, 0});
@@ -67,15 +67,15 @@ TEST(CoarseMotion, MovesPatchesByTheForcesOnThem) {
   }
 }
 
-TEST(CoarseMotion, MovesWiderPatchesThanTheNestedMeshHas) {
+TEST(MultilevelPreconditioner, MovesWiderPatchesThanTheNestedMeshHas) {
   PanelMesh garment = test::flat_panel(subdivided(subdivided(test::grid(0.4, 0.4, 4, 4))));
   garment.subdivisions = 2;
   const Program program = compile(garment, {}, garment.placed);
-  CoarseMotion wide(program, true);
-  CoarseMotion nested(program, false);
+  MultilevelPreconditioner wide(program, true);
+  MultilevelPreconditioner nested(program, false);
   EXPECT_EQ(wide.nested_levels(), 2);
   EXPECT_EQ(wide.levels(), 4);
-  const auto ways = [&](CoarseMotion& motion, int pushed) {
+  const auto ways = [&](MultilevelPreconditioner& motion, int pushed) {
     Vec4s forces(program.nodes, Vec4{});
     forces[pushed] = Vec4{0, 0, 1, 0};
     motion.compute(forces, 1);
@@ -100,7 +100,7 @@ TEST(CoarseMotion, MovesWiderPatchesThanTheNestedMeshHas) {
 }
 
 /// A strip over a bar along x, whose ends start swung out by some degrees.
-TEST(CoarseMotion, BringsWideMotionsToRestInFewerIterations) {
+TEST(MultilevelPreconditioner, BringsWideMotionsToRestInFewerIterations) {
   const double radius = 0.03, length = 0.64, out = radius + 0.002;
   TriangleMesh bar = test::closed_tube(radius, radius, 0.3, 100);
   for (Vec3& p : bar.points) p = Vec3(p.y() - 0.15, -p.x(), p.z());
@@ -144,7 +144,7 @@ TEST(CoarseMotion, BringsWideMotionsToRestInFewerIterations) {
 
 /// Where all of a sheet touches, each level would take the whole stiffness of the touch for its own
 /// step, and the steps add up.
-TEST(CoarseMotion, SoftClothComesToRestOnWhatItTouches) {
+TEST(MultilevelPreconditioner, SoftClothComesToRestOnWhatItTouches) {
   const DistanceGrid body{BodyDistance(test::box({-0.3, -0.1, -0.3}, {0.3, 0, 0.3}))};
   PanelMesh garment;
   test::add_panel(garment, "sheet", subdivided(subdivided(test::grid(0.2, 0.2, 4, 4))),
