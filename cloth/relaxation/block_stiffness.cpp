@@ -12,7 +12,8 @@ namespace toile {
 namespace {
 
 /// Adds `stiffness` along a yarn of the length and direction of `yarn`, `across` square to it.
-void add_yarn(Stiffness& sum, double stiffness, double across, const Vec4& yarn, double squared) {
+void add_yarn(StiffnessBlock& sum, double stiffness, double across, const Vec4& yarn,
+              double squared) {
   const double scale = (stiffness - across) / squared;
   const Vec4 x = scale * yarn[0] * yarn;
   const Vec4 y = scale * yarn[1] * yarn;
@@ -25,7 +26,7 @@ void add_yarn(Stiffness& sum, double stiffness, double across, const Vec4& yarn,
 }
 
 /// A bound of what one has beyond the other along any direction.
-double excess(const Stiffness& a, const Stiffness& b) {
+double excess(const StiffnessBlock& a, const StiffnessBlock& b) {
   constexpr std::array<double, 6> times = {1, 2, 2, 1, 2, 1};
   double sum = 0;
   for (std::size_t k = 0; k < times.size(); ++k) sum += times[k] * (a[k] - b[k]) * (a[k] - b[k]);
@@ -38,7 +39,7 @@ double sum_of(const std::array<double, 3>& weights) {
 
 }  // namespace
 
-DirectedStiffness::DirectedStiffness(const Program& program) : program_(program) {
+BlockStiffness::BlockStiffness(const Program& program) : program_(program) {
   corners_ = corners_by_vertex(program.node_triangles, program.nodes);
   if (!program.bands.empty()) elastic_.assign(program.nodes, 0);
   for (const BandSegment& band : program.bands) {
@@ -48,8 +49,8 @@ DirectedStiffness::DirectedStiffness(const Program& program) : program_(program)
   partial_.resize(chunks_of(of_nodes_.size(), vertex_chunk));
 }
 
-Stiffness DirectedStiffness::at(std::size_t node, const Vec4s& x) const {
-  Stiffness sum{};
+StiffnessBlock BlockStiffness::at(std::size_t node, const Vec4s& x) const {
+  StiffnessBlock sum{};
   for (const auto& [t, c] : corners_[node]) {
     const StretchTriangle& s = program_.stretch[t];
     const Triangle& nodes = program_.node_triangles[t];
@@ -84,10 +85,10 @@ Stiffness DirectedStiffness::at(std::size_t node, const Vec4s& x) const {
   return sum;
 }
 
-double DirectedStiffness::update(std::size_t begin, std::size_t end, const Vec4s& x) {
+double BlockStiffness::update(std::size_t begin, std::size_t end, const Vec4s& x) {
   double sum = 0;
   for (std::size_t n = begin; n < end; ++n) {
-    const Stiffness now = at(n, x);
+    const StiffnessBlock now = at(n, x);
     const double bound = program_.stretch_diagonal[n];
     if (bound > 0) sum += excess(now, of_nodes_[n]) / bound;
     of_nodes_[n] = now;
@@ -95,7 +96,7 @@ double DirectedStiffness::update(std::size_t begin, std::size_t end, const Vec4s
   return sum;
 }
 
-double DirectedStiffness::update(const Vec4s& x) {
+double BlockStiffness::update(const Vec4s& x) {
   parallel_for_chunks(of_nodes_.size(), [&](std::size_t begin, std::size_t end) {
     partial_[begin / vertex_chunk] = update(begin, end, x);
   });

@@ -11,10 +11,10 @@
 namespace toile {
 
 /// xx, xy, xz, yy, yz, zz of a symmetric matrix, N/m.
-using Stiffness = std::array<double, 6>;
+using StiffnessBlock = std::array<double, 6>;
 
 /// Where (stiffness + more I) takes what `force` pulls at; nowhere, if nothing holds it.
-[[gnu::always_inline]] inline Vec4 way_of(const Stiffness& stiffness, double more,
+[[gnu::always_inline]] inline Vec4 way_of(const StiffnessBlock& stiffness, double more,
                                           const Vec4& force) {
   const double xx = stiffness[0] + more;
   const double yy = stiffness[3] + more;
@@ -32,19 +32,19 @@ using Stiffness = std::array<double, 6>;
   return way / determinant;
 }
 
-/// Share of the undirected bound that those who step by a directed one add to it, for cloth turns
+/// Share of the undirected bound that those who step by a blocks one add to it, for cloth turns
 /// while they step, and a patch is not flat. Ten garments at 15 mm come to rest in as many
 /// iterations, within 4 %, with 0.05 as with 0.1; at 10 mm a pencil dress never does with 0.03, nor
 /// with 0.1 for patches.
-inline constexpr double undirected_share = 0.1;
-inline constexpr double undirected_share_of_patches = 0.25;
+inline constexpr double isotropic_share = 0.1;
+inline constexpr double isotropic_share_of_aggregates = 0.25;
 
 /// A bound of the stiffness of stretch, shear and elastics at each node, as a matrix: along a yarn
 /// its row sum, across it what its tension adds. So a step square to the cloth may be many times
 /// as long as one along it.
-class DirectedStiffness {
+class BlockStiffness {
  public:
-  explicit DirectedStiffness(const Program& program);
+  explicit BlockStiffness(const Program& program);
 
   /// Of the program's nodes, at `x`. Returns how far it was from what it is, as the mean over the
   /// nodes of the largest difference along any direction, in undirected bounds: the sine of the
@@ -53,17 +53,17 @@ class DirectedStiffness {
   double update(const Vec4s& x);
   /// Whether there was an update(): before, of_nodes() are zero.
   bool known() const { return known_; }
-  const std::vector<Stiffness>& of_nodes() const { return of_nodes_; }
+  const std::vector<StiffnessBlock>& of_nodes() const { return of_nodes_; }
 
  private:
-  Stiffness at(std::size_t node, const Vec4s& x) const;
+  StiffnessBlock at(std::size_t node, const Vec4s& x) const;
   /// update() of nodes `begin` to `end`; the sum over them.
   double update(std::size_t begin, std::size_t end, const Vec4s& x);
 
   const Program& program_;
   Adjacency<TriangleCorner> corners_;  // per node
   std::vector<double> elastic_;        // N/m, per node; empty: no elastics
-  std::vector<Stiffness> of_nodes_;
+  std::vector<StiffnessBlock> of_nodes_;
   std::vector<double> partial_;
   bool known_ = false;
 };

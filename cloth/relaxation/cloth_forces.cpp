@@ -146,7 +146,7 @@ std::vector<double> ClothForces::steps_down() const {
   for (int n = 0; n < program_.nodes; ++n) {
     const double weight = program_.mass[n] * program_.scene.gravity.norm();
     const double bend = program_.bend.empty() ? 0 : program_.bend_diagonal[n];
-    const double stiffness = undirected_share * program_.stretch_diagonal[n] + bend;
+    const double stiffness = isotropic_share * program_.stretch_diagonal[n] + bend;
     steps.push_back(
         std::min(most_coming_down, weights_coming_down * weight / std::max(stiffness, 1e-12)));
   }

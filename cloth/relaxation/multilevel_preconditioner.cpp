@@ -106,7 +106,7 @@ void MultilevelPreconditioner::add_aggregate_level(const Aggregates& wide) {
 
 void MultilevelPreconditioner::add_level(Level level) {
   const std::size_t patches = level.mass.size();
-  level.directed.assign(patches, Stiffness{});
+  level.blocks.assign(patches, StiffnessBlock{});
   level.force.assign(patches, Vec4{});
   level.way.assign(patches, Vec4{});
   levels_.push_back(std::move(level));
@@ -123,13 +123,13 @@ void MultilevelPreconditioner::restrict_forces(const Level& level, const Vec4s& 
   });
 }
 
-void MultilevelPreconditioner::take_directions(const std::vector<Stiffness>& of_nodes) {
-  in_all_directions_ = undirected_share_of_patches;
-  const std::vector<Stiffness>* finer = &of_nodes;
+void MultilevelPreconditioner::set_blocks(const std::vector<StiffnessBlock>& of_nodes) {
+  isotropic_share_ = isotropic_share_of_aggregates;
+  const std::vector<StiffnessBlock>* finer = &of_nodes;
   for (Level& level : levels_) {
-    parallel_for_chunks(level.directed.size(), [&](std::size_t begin, std::size_t end) {
+    parallel_for_chunks(level.blocks.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n) {
-        Stiffness sum{};
+        StiffnessBlock sum{};
         double weight = 0;
         for (const Share& share : level.shares[n]) {
           weight += share.weight;
@@ -138,10 +138,10 @@ void MultilevelPreconditioner::take_directions(const std::vector<Stiffness>& of_
           }
         }
         for (double& k : sum) k /= weight;
-        level.directed[n] = sum;
+        level.blocks[n] = sum;
       }
     });
-    finer = &level.directed;
+    finer = &level.blocks;
   }
 }
 
@@ -175,8 +175,8 @@ void MultilevelPreconditioner::compute(const Vec4s& forces, double bending) {
     parallel_for_chunks(level.way.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n) {
         const double stiffness =
-            in_all_directions_ * level.stretch[n] + bending * level.bend[n] + level.force[n][3];
-        Vec4 way = way_of(level.directed[n], stiffness, level.force[n]);
+            isotropic_share_ * level.stretch[n] + bending * level.bend[n] + level.force[n][3];
+        Vec4 way = way_of(level.blocks[n], stiffness, level.force[n]);
         if (l + 1 < levels_.size()) way += way_at(levels_[l + 1], n);
         level.way[n] = way;
       }

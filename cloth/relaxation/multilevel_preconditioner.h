@@ -29,7 +29,7 @@ class MultilevelPreconditioner {
 
   /// The cloth's stiffness at each of the program's nodes: from now on a patch has the mean of its
   /// nodes', instead of the same in all directions.
-  void take_directions(const std::vector<Stiffness>& of_nodes);
+  void set_blocks(const std::vector<StiffnessBlock>& of_nodes);
 
   /// Ways of the coarse nodes, by the forces (N) on all nodes, with the stiffness (N/m) of what
   /// they touch as the fourth. `bending` multiplies the bending stiffness.
@@ -53,7 +53,7 @@ class MultilevelPreconditioner {
     Adjacency<AggregateShare> patches;        // per finer node, of a wide level; it has no parents
     Adjacency<Share> shares;                  // per node, of finer ones
     std::vector<double> stretch;              // N/m, per node, in all directions
-    std::vector<Stiffness> directed;          // per node
+    std::vector<StiffnessBlock> blocks;       // per node
     std::vector<double> bend;
     std::vector<double> mass;  // kg
     Vec4s force;
@@ -70,8 +70,8 @@ class MultilevelPreconditioner {
   void restrict_forces(const Level& level, const Vec4s& finer, Vec4s& force) const;
 
   int nested_ = 0;
-  double in_all_directions_ = 1;  // share of the levels' stretch
-  std::vector<Level> levels_;     // the finer first
+  double isotropic_share_ = 1;  // share of the levels' stretch
+  std::vector<Level> levels_;   // the finer first
 };
 
 }  // namespace toile

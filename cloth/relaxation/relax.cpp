@@ -34,8 +34,8 @@ constexpr double most_step = 4.0 / 3;
 /// meanwhile, as a sine: what turns faster is looked at more often. Garments turn by 0.001 to 0.01;
 /// a tube 5 % too small, drawn over an ellipse, never finds out of its tangle with 25 iterations
 /// alone. Twice as often brings none to rest sooner, half as often needs 1.15 times the iterations.
-constexpr int least_directed_interval = 4;
-constexpr int most_directed_interval = 25;
+constexpr int min_block_interval = 4;
+constexpr int max_block_interval = 25;
 constexpr double most_turn = 0.02;
 /// Of the age of its momentum, what a run keeps that goes uphill: what trembles somewhere must not
 /// stop what is slow elsewhere. With three quarters, ten garments on five meshes take 1.1 times the
@@ -60,7 +60,7 @@ class Relaxation {
         forces_(program, options, x, options.closing_iterations > 0 && !program.offsets.empty()),
         // A dart that closes in wide patches turns its tip in.
         coarse_(program, options.closing_iterations == 0),
-        directed_(program),
+        blocks_(program),
         step_factor_(step_factor /
                      (1 + level_share * coarse_.nested_levels() +
                       aggregate_level_share * (coarse_.levels() - coarse_.nested_levels()))),
@@ -77,7 +77,7 @@ class Relaxation {
   double step();
   void find_forces();
   void find_forces(std::size_t begin, std::size_t end);
-  void find_directions();
+  void update_blocks();
   double bend_stiffness(std::size_t n) const {
     return program_.bend.empty() ? 0 : bending_ * program_.bend_diagonal[n];
   }
@@ -95,9 +95,9 @@ class Relaxation {
   const RelaxOptions& options_;
   ClothForces forces_;  // its nodes are the state: the iterate with momentum
   MultilevelPreconditioner coarse_;
-  DirectedStiffness directed_;
-  int directed_interval_ = least_directed_interval;
-  int until_directed_ = 0;
+  BlockStiffness blocks_;
+  int block_interval_ = min_block_interval;
+  int until_blocks_ = 0;
   double step_factor_;
   /// What touches holds its nodes alike on all levels, whose steps add up.
   double touch_factor_;
@@ -125,18 +125,18 @@ void Relaxation::find_forces(std::size_t begin, std::size_t end) {
 
 /// While seams stand open, the panels are far from their places and turn fast: their stiffness is
 /// taken for the same in all directions.
-void Relaxation::find_directions() {
-  if (forces_.seams_stand_open() || --until_directed_ > 0) return;
-  const double turn = std::max(directed_.update(forces_.nodes()), 1e-9);
-  directed_interval_ = static_cast<int>(std::clamp<double>(
-      directed_interval_ * most_turn / turn, least_directed_interval, most_directed_interval));
-  until_directed_ = directed_interval_;
-  coarse_.take_directions(directed_.of_nodes());
+void Relaxation::update_blocks() {
+  if (forces_.seams_stand_open() || --until_blocks_ > 0) return;
+  const double turn = std::max(blocks_.update(forces_.nodes()), 1e-9);
+  block_interval_ = static_cast<int>(std::clamp<double>(block_interval_ * most_turn / turn,
+                                                        min_block_interval, max_block_interval));
+  until_blocks_ = block_interval_;
+  coarse_.set_blocks(blocks_.of_nodes());
 }
 
 /// Of all nodes, and of the patches of the coarser levels.
 void Relaxation::find_forces() {
-  find_directions();
+  update_blocks();
   parallel_for_chunks(program_.nodes,
                       [&](std::size_t begin, std::size_t end) { find_forces(begin, end); });
   coarse_.compute(node_force_, bending_);
@@ -145,14 +145,14 @@ void Relaxation::find_forces() {
 TOILE_CLONES
 double Relaxation::step_nodes(std::size_t begin, std::size_t end) {
   const double most_squared = options_.max_move * options_.max_move;
-  const double in_all_directions = directed_.known() ? undirected_share : 1;
+  const double isotropic = blocks_.known() ? isotropic_share : 1;
   double power = 0;
   for (std::size_t n = begin; n < end; ++n) {
     Vec4 force = node_force_[n];
     const double stiffness = force[3] + bend_stiffness(n) + forces_.stiffening(n) +
-                             in_all_directions * program_.stretch_diagonal[n];
+                             isotropic * program_.stretch_diagonal[n];
     force[3] = 0;
-    Vec4 way = step_factor_ * way_of(directed_.of_nodes()[n], stiffness, force);
+    Vec4 way = step_factor_ * way_of(blocks_.of_nodes()[n], stiffness, force);
     way += step_factor_ * coarse_.of_node(n);
     const double squared = squared_length(way);
     if (squared > most_squared) way *= options_.max_move / std::sqrt(squared);

@@ -33,15 +33,15 @@ double volume(const TriangleMesh& mesh) {
 
 /// V - E + F, once every edge is known to have two triangles that run it in opposite directions.
 int euler(const TriangleMesh& mesh) {
-  std::map<std::array<int, 2>, int> directed;
+  std::map<std::array<int, 2>, int> blocks;
   for (const Triangle& t : mesh.triangles) {
-    for (int i = 0; i < 3; ++i) ++directed[{t[i], t[(i + 1) % 3]}];
+    for (int i = 0; i < 3; ++i) ++blocks[{t[i], t[(i + 1) % 3]}];
   }
-  for (const auto& [edge, count] : directed) {
+  for (const auto& [edge, count] : blocks) {
     EXPECT_EQ(count, 1);
-    EXPECT_TRUE(directed.contains({edge[1], edge[0]}));
+    EXPECT_TRUE(blocks.contains({edge[1], edge[0]}));
   }
-  return static_cast<int>(mesh.points.size()) - static_cast<int>(directed.size() / 2) +
+  return static_cast<int>(mesh.points.size()) - static_cast<int>(blocks.size() / 2) +
          static_cast<int>(mesh.triangles.size());
 }
 

@@ -15,7 +15,7 @@
 namespace toile {
 namespace {
 
-Eigen::Matrix3d matrix(const Stiffness& s) {
+Eigen::Matrix3d matrix(const StiffnessBlock& s) {
   return Eigen::Matrix3d{{s[0], s[1], s[2]}, {s[1], s[3], s[4]}, {s[2], s[4], s[5]}};
 }
 
@@ -29,7 +29,7 @@ struct Sheet {
     PanelMesh garment = test::flat_panel(test::grid(0.08, 0.06, 4, 3));
     garment.panels[0].grain = 0.4;
     program = compile(garment, scene, garment.placed);
-    directed = std::make_unique<DirectedStiffness>(program);
+    blocks = std::make_unique<BlockStiffness>(program);
   }
 
   Eigen::VectorXd forces(const std::vector<Vec3>& x) const {
@@ -61,11 +61,11 @@ struct Sheet {
   }
 
   Program program;
-  std::unique_ptr<DirectedStiffness> directed;
+  std::unique_ptr<BlockStiffness> blocks;
 };
 
 // The step over it is then as long as the forces allow, and no longer, whichever way cloth lies.
-TEST(DirectedStiffness, BoundsTheStiffnessOfClothThatIsBentPulledAndSheared) {
+TEST(BlockStiffness, BoundsTheStiffnessOfClothThatIsBentPulledAndSheared) {
   struct Case {
     double stretch_stiffness, shear_stiffness, pulled, along, sheared;
   };
@@ -77,10 +77,10 @@ TEST(DirectedStiffness, BoundsTheStiffnessOfClothThatIsBentPulledAndSheared) {
       p = pulled *
           Vec3(along * (p.x() + sheared * p.y()), p.y(), 0.01 * std::sin(60 * p.x()) + 0.2 * p.y());
     }
-    sheet.directed->update(as_vec4(x));
+    sheet.blocks->update(as_vec4(x));
     Eigen::MatrixXd bound = Eigen::MatrixXd::Zero(3 * sheet.program.nodes, 3 * sheet.program.nodes);
     for (int n = 0; n < sheet.program.nodes; ++n) {
-      bound.block<3, 3>(3 * n, 3 * n) = matrix(sheet.directed->of_nodes()[n]);
+      bound.block<3, 3>(3 * n, 3 * n) = matrix(sheet.blocks->of_nodes()[n]);
     }
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> shares(sheet.hessian(x), bound,
                                                                            Eigen::EigenvaluesOnly);
@@ -89,28 +89,28 @@ TEST(DirectedStiffness, BoundsTheStiffnessOfClothThatIsBentPulledAndSheared) {
   }
 }
 
-TEST(DirectedStiffness, IsOnlyTheTensionSquareToAFlatSheet) {
+TEST(BlockStiffness, IsOnlyTheTensionSquareToAFlatSheet) {
   Sheet sheet;
   std::vector<Vec3> x = sheet.program.start;
-  sheet.directed->update(as_vec4(x));
+  sheet.blocks->update(as_vec4(x));
   for (int n = 0; n < sheet.program.nodes; ++n) {
-    const Eigen::Matrix3d at = matrix(sheet.directed->of_nodes()[n]);
+    const Eigen::Matrix3d at = matrix(sheet.blocks->of_nodes()[n]);
     EXPECT_NEAR(at(2, 2), 0, 1e-9);
     // In the plane nothing is let off.
     const double in_plane = at(0, 0) + at(1, 1);
     EXPECT_GT(in_plane, sheet.program.stretch_diagonal[n]);
   }
   for (Vec3& p : x) p *= 1.02;
-  sheet.directed->update(as_vec4(x));
+  sheet.blocks->update(as_vec4(x));
   for (int n = 0; n < sheet.program.nodes; ++n) {
-    const double across = matrix(sheet.directed->of_nodes()[n])(2, 2);
+    const double across = matrix(sheet.blocks->of_nodes()[n])(2, 2);
     EXPECT_GT(across, 0.005 * sheet.program.stretch_diagonal[n]);
     EXPECT_LT(across, 0.02 * sheet.program.stretch_diagonal[n]);
   }
 }
 
-TEST(DirectedStiffness, TakesAForceWhereTheStiffnessLetsIt) {
-  Stiffness s = {5, 1, -0.5, 4, 0.3, 6};
+TEST(BlockStiffness, TakesAForceWhereTheStiffnessLetsIt) {
+  StiffnessBlock s = {5, 1, -0.5, 4, 0.3, 6};
   const Vec3 force(0.3, -0.2, 0.7);
   const Vec3 way = as_vec3(way_of(s, 2, as_vec4(force)));
   const Eigen::Matrix3d held = matrix(s) + 2 * Eigen::Matrix3d::Identity();

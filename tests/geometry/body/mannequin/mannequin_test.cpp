@@ -90,23 +90,23 @@ TEST(Mannequin, HasLimbsThatSectionsTellApart) {
 
 TEST(Mannequin, IsOneClosedManifoldWithoutHandles) {
   const TriangleMesh& surface = mannequin().surface;
-  std::map<std::array<int, 2>, int> directed;
+  std::map<std::array<int, 2>, int> blocks;
   std::set<int> used;
   double volume = 0;
   for (const Triangle& t : surface.triangles) {
     for (int i = 0; i < 3; ++i) {
-      ++directed[{t[i], t[(i + 1) % 3]}];
+      ++blocks[{t[i], t[(i + 1) % 3]}];
       used.insert(t[i]);
     }
     volume += surface.points[t[0]].dot(surface.points[t[1]].cross(surface.points[t[2]])) / 6;
   }
-  for (const auto& [edge, count] : directed) {
+  for (const auto& [edge, count] : blocks) {
     ASSERT_EQ(count, 1);
-    ASSERT_EQ(directed.count({edge[1], edge[0]}), 1u);
+    ASSERT_EQ(blocks.count({edge[1], edge[0]}), 1u);
   }
   EXPECT_EQ(used.size(), surface.points.size());
   const auto vertices = static_cast<long>(used.size());
-  const auto edges = static_cast<long>(directed.size() / 2);
+  const auto edges = static_cast<long>(blocks.size() / 2);
   const auto faces = static_cast<long>(surface.triangles.size());
   EXPECT_EQ(vertices - edges + faces, 2) << "one sphere";
   // Outward, and about as much water as a woman of 1.70 m displaces.
