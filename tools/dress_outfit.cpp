@@ -253,7 +253,7 @@ bool Outfit::turn_panels_out(std::size_t over) {
     above.add_layer(done_[over].cloth);
     const std::vector<char> moved = turn_out(done.garment, panels, below.grid(), above.grid(),
                                              done.result.triangles, done.result.nodes);
-    done.result.grip.let_go(moved);
+    done.result.warm_start.let_go(moved);
     const Subject others = subject_of(over + 1, nothing, i);
     write_and_judge(i, &others.cloth());
     const std::string& verdict = done.judgement.verdict;
@@ -308,7 +308,7 @@ void Outfit::move_together() {
   scene.layers = nullptr;
   std::vector<WornGarment> worn;
   for (const Done& done : done_) {
-    worn.push_back({&done.garment, done.scene.fabric, done.result.nodes, done.result.grip,
+    worn.push_back({&done.garment, done.scene.fabric, done.result.nodes, done.result.warm_start,
                     done.result.body_offset, done.result.held});
   }
   if (settings_.certify_frames) together_certificate_.emplace(bare.body(), nullptr);

@@ -8,13 +8,13 @@
 namespace toile {
 
 /// The middle of an edge that sticks to the body.
-struct EdgeGrip {
+struct EdgeAnchor {
   std::array<int, 2> edge;  ///< its vertices, the lower first
   Vec3 anchor;              ///< metres, where it sticks
 };
 
 /// Two points of a pair, one of either side, that try to stay side by side.
-struct PairGrip {
+struct PairAnchor {
   std::array<int, 4> vertices;    ///< as a ContactPair's
   bool edges;                     ///< likewise
   std::array<double, 4> weights;  ///< of the points: one less the other, as NearestPoints'

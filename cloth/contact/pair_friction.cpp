@@ -18,10 +18,10 @@ auto key(const Pair& pair) {
 }
 
 /// The one of `sorted` with the same vertices; none: null.
-const PairGrip* grip_of(const ContactPair& pair, const std::vector<PairGrip>& sorted) {
+const PairAnchor* grip_of(const ContactPair& pair, const std::vector<PairAnchor>& sorted) {
   const auto found =
       std::lower_bound(sorted.begin(), sorted.end(), pair,
-                       [](const PairGrip& a, const ContactPair& b) { return key(a) < key(b); });
+                       [](const PairAnchor& a, const ContactPair& b) { return key(a) < key(b); });
   return found != sorted.end() && key(*found) == key(pair) ? &*found : nullptr;
 }
 
@@ -47,18 +47,18 @@ double PairFriction::coefficient(const ContactPair& pair) const {
   return std::min(mean(0, second), mean(second, 4));
 }
 
-std::vector<PairGrip> PairFriction::grips() const {
-  std::vector<PairGrip> grips;
+std::vector<PairAnchor> PairFriction::anchors() const {
+  std::vector<PairAnchor> anchors;
   for (const Rub& rub : rubs_) {
-    if (rub.holds) grips.push_back(rub.grip);
+    if (rub.holds) anchors.push_back(rub.warm_start);
   }
-  std::sort(grips.begin(), grips.end(),
-            [](const PairGrip& a, const PairGrip& b) { return key(a) < key(b); });
-  return grips;
+  std::sort(anchors.begin(), anchors.end(),
+            [](const PairAnchor& a, const PairAnchor& b) { return key(a) < key(b); });
+  return anchors;
 }
 
 void PairFriction::activate(const std::vector<ContactPair>& pairs) {
-  const std::vector<PairGrip> held = carried_.empty() ? grips() : std::move(carried_);
+  const std::vector<PairAnchor> held = carried_.empty() ? anchors() : std::move(carried_);
   carried_.clear();
   rubs_.clear();
   if (coefficients_.empty()) return;
@@ -66,10 +66,10 @@ void PairFriction::activate(const std::vector<ContactPair>& pairs) {
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     Rub& rub = rubs_[i];
     rub.friction = coefficient(pairs[i]);
-    rub.grip = {pairs[i].vertices, pairs[i].edges, {}, Vec3::Zero()};
-    const PairGrip* grip = grip_of(pairs[i], held);
-    rub.holds = grip != nullptr;
-    if (rub.holds) rub.grip = *grip;
+    rub.warm_start = {pairs[i].vertices, pairs[i].edges, {}, Vec3::Zero()};
+    const PairAnchor* warm_start = grip_of(pairs[i], held);
+    rub.holds = warm_start != nullptr;
+    if (rub.holds) rub.warm_start = *warm_start;
   }
 }
 
@@ -81,26 +81,26 @@ void PairFriction::rub(std::size_t i, const NearestPoints& nearest, double push,
     rub.holds = false;
     return;
   }
-  PairGrip& grip = rub.grip;
+  PairAnchor& warm_start = rub.warm_start;
   if (!rub.holds) {
     rub.holds = true;
-    grip.weights = nearest.weights;
-    grip.anchor = Vec3::Zero();
+    warm_start.weights = nearest.weights;
+    warm_start.anchor = Vec3::Zero();
   }
-  Vec3 slip = -grip.anchor;
-  for (int j = 0; j < 4; ++j) slip += grip.weights[j] * as_vec3(x[grip.vertices[j]]);
+  Vec3 slip = -warm_start.anchor;
+  for (int j = 0; j < 4; ++j) slip += warm_start.weights[j] * as_vec3(x[warm_start.vertices[j]]);
   const Vec3 normal = nearest.apart / distance;
   slip -= normal.dot(slip) * normal;
   const double most = rub.friction * push / rub_stiffness;
   const double squared = slip.squaredNorm();
   if (squared > most * most) {
     slip *= most / std::sqrt(squared);
-    grip.weights = nearest.weights;
-    grip.anchor = -slip;
+    warm_start.weights = nearest.weights;
+    warm_start.anchor = -slip;
   }
   for (int j = 0; j < 4; ++j) {
-    Vec4 force = as_vec4(-rub_stiffness * grip.weights[j] * slip);
-    force[3] = 2 * rub_stiffness * std::abs(grip.weights[j]);
+    Vec4 force = as_vec4(-rub_stiffness * warm_start.weights[j] * slip);
+    force[3] = 2 * rub_stiffness * std::abs(warm_start.weights[j]);
     on_vertices[j] += force;
   }
 }

@@ -20,9 +20,9 @@ class PairFriction {
   /// layers, is as rough as what rubs on it. Empty: there is no friction, and it costs nothing.
   void set_coefficients(std::vector<double> coefficients);
   /// Lets the next activate() hold pairs so, instead of where they come to press.
-  void hold(std::vector<PairGrip> grips) { carried_ = std::move(grips); }
+  void hold(std::vector<PairAnchor> anchors) { carried_ = std::move(anchors); }
   /// What friction holds, sorted by the vertices.
-  std::vector<PairGrip> grips() const;
+  std::vector<PairAnchor> anchors() const;
 
   /// The pairs to come in rub(), by their index. Those that it holds it goes on holding.
   void activate(const std::vector<ContactPair>& pairs);
@@ -37,13 +37,13 @@ class PairFriction {
   struct Rub {
     double friction = 0;  // Coulomb
     bool holds = false;
-    PairGrip grip;
+    PairAnchor warm_start;
   };
   double coefficient(const ContactPair& pair) const;
 
   std::vector<double> coefficients_;
   std::vector<Rub> rubs_;
-  std::vector<PairGrip> carried_;
+  std::vector<PairAnchor> carried_;
 };
 
 }  // namespace toile

@@ -42,12 +42,14 @@ class Together {
     for (const WornGarment& worn : garments) {
       first_.push_back(static_cast<int>(start_.size()));
       start_.insert(start_.end(), worn.nodes.begin(), worn.nodes.end());
-      grip_.skin.insert(grip_.skin.end(), worn.grip.skin.begin(), worn.grip.skin.end());
-      grip_.skin.resize(start_.size());
+      warm_start_.skin.insert(warm_start_.skin.end(), worn.warm_start.skin.begin(),
+                              worn.warm_start.skin.end());
+      warm_start_.skin.resize(start_.size());
       take_over(worn);
-      grip_.yarns.insert(grip_.yarns.end(), worn.grip.yarns.begin(), worn.grip.yarns.end());
+      warm_start_.yarns.insert(warm_start_.yarns.end(), worn.warm_start.yarns.begin(),
+                               worn.warm_start.yarns.end());
       first_triangle_.push_back(first_triangle_.back() + worn.garment->triangles.size());
-      grip_.yarns.resize(first_triangle_.back());
+      warm_start_.yarns.resize(first_triangle_.back());
     }
     first_.push_back(static_cast<int>(start_.size()));
     if (scene_.skin != nullptr) surface_.emplace(BodySurface{*scene_.skin, *scene_.body});
@@ -62,7 +64,7 @@ class Together {
   }
 
   TogetherResult run() {
-    RestingState state = {std::move(start_), std::move(grip_)};
+    RestingState state = {std::move(start_), std::move(warm_start_)};
     come_to_rest(state);
     if (options_.release_seconds > 0) let_go_of(state);
     for (std::size_t i = 0; i < garments_.size(); ++i) take_out(i, state);
@@ -87,14 +89,15 @@ class Together {
   /// now.
   void take_over(const WornGarment& worn) {
     const int nodes = static_cast<int>(worn.nodes.size());
-    for (EdgeGrip grip : worn.grip.edges) {
-      for (int& v : grip.edge) v += first_.back();
-      grip_.edges.push_back(grip);
+    for (EdgeAnchor warm_start : worn.warm_start.edges) {
+      for (int& v : warm_start.edge) v += first_.back();
+      warm_start_.edges.push_back(warm_start);
     }
-    for (PairGrip grip : worn.grip.cloth) {
-      if (*std::max_element(grip.vertices.begin(), grip.vertices.end()) >= nodes) continue;
-      for (int& v : grip.vertices) v += first_.back();
-      grip_.cloth.push_back(grip);
+    for (PairAnchor warm_start : worn.warm_start.cloth) {
+      if (*std::max_element(warm_start.vertices.begin(), warm_start.vertices.end()) >= nodes)
+        continue;
+      for (int& v : warm_start.vertices) v += first_.back();
+      warm_start_.cloth.push_back(warm_start);
     }
   }
 
@@ -109,8 +112,8 @@ class Together {
   void come_to_rest(RestingState& state) {
     RelaxOptions options;
     set_forces(options);
-    options.grip = &state.grip;
-    options.yarns = &state.grip.yarns;
+    options.warm_start = &state.warm_start;
+    options.yarns = &state.warm_start.yarns;
     ask_for_rest(options_, options);
     const std::string name = "together";
     int calls = 0;
@@ -124,7 +127,7 @@ class Together {
       }
     });
     watch(state.nodes, 1);
-    state.grip = report.grip;
+    state.warm_start = report.warm_start;
     state.at_rest = report.converged;
     lift_ = report.lift;
     result_.stages.push_back(stage_of(name, program_.nodes, report));
@@ -144,7 +147,7 @@ class Together {
     Scene scene = scene_;
     scene.fabric = worn.fabric;
     std::vector<Restraint> held;
-    const std::vector<Restraint>& yarns = state.grip.yarns;
+    const std::vector<Restraint>& yarns = state.warm_start.yarns;
     if (!yarns.empty()) {
       held.assign(yarns.begin() + first_triangle_[garment],
                   yarns.begin() + first_triangle_[garment + 1]);
@@ -216,7 +219,7 @@ class Together {
   std::vector<int> first_;                         // node of each garment, and the number of nodes
   std::vector<std::size_t> first_triangle_ = {0};  // likewise
   std::vector<Vec3> start_;
-  Grip grip_;
+  WarmStart warm_start_;
   std::vector<double> lift_;  // RelaxReport's, of the last rest
   TogetherResult result_;
 };

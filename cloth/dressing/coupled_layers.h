@@ -13,7 +13,7 @@ struct WornGarment {
   const PanelMesh* garment = nullptr;
   Fabric fabric;                         ///< of the panels that name none
   std::vector<Vec3> nodes;               ///< metres, where it was dressed
-  Grip grip;                             ///< where friction holds it
+  WarmStart warm_start;                  ///< where friction holds it
   double body_offset = 0;                ///< metres kept from the skin
   std::vector<AttachedPoint> held = {};  ///< what holds it for good
 };

@@ -188,9 +188,9 @@ DressResult Dressing::run() {
   result_.held = program_.attachments;
   result_.terms = term_counts(program_);
   result_.triangles = program_.node_triangles;
-  result_.tight_seams = tight_seams(mesh(), program_, result_.nodes, result_.grip.yarns);
+  result_.tight_seams = tight_seams(mesh(), program_, result_.nodes, result_.warm_start.yarns);
   if (scene_.strain_limit) {
-    result_.tight_places = tight_places(mesh(), program_, result_.nodes, result_.grip.yarns);
+    result_.tight_places = tight_places(mesh(), program_, result_.nodes, result_.warm_start.yarns);
   }
   return std::move(result_);
 }
@@ -284,12 +284,12 @@ void Dressing::fall_as_sewn(bool bounded) {
   const std::vector<Vec3> sewn = result_.nodes;
   fall(bounded);
   if (fallen(sewn) <= slid_off) return;
-  auto slid = std::pair(std::exchange(result_.nodes, sewn), result_.grip);
+  auto slid = std::pair(std::exchange(result_.nodes, sewn), result_.warm_start);
   holds_on_ = true;
   fall(bounded);
   if (fallen(sewn) <= slid_off) return;
   holds_on_ = false;
-  std::tie(result_.nodes, result_.grip) = std::move(slid);
+  std::tie(result_.nodes, result_.warm_start) = std::move(slid);
 }
 
 void Dressing::fall(bool bounded) {
@@ -333,7 +333,7 @@ void Dressing::come_to_rest(bool bounded) {
     settle(settling);
     stage("drape", settling);
     end_dressing();
-    options.grip = &result_.grip;
+    options.warm_start = &result_.warm_start;
     options.compression = 1;
     options.stiffening_iterations = 0;
   }
@@ -354,14 +354,14 @@ void Dressing::let_go_of(bool bounded) {
   options.layer_contact = clear_of_layers();
   options.surface = surface_ ? &*surface_ : nullptr;
   options.seconds = options_.release_seconds;
-  RestingState state = {result_.nodes, result_.grip, result_.converged};
+  RestingState state = {result_.nodes, result_.warm_start, result_.converged};
   result_.release = let_go(program_, options, state, [&](RestingState& moved) {
     result_.nodes = std::move(moved.nodes);
-    result_.grip = std::move(moved.grip);
+    result_.warm_start = std::move(moved.warm_start);
     RelaxOptions again = rest_options(bounded);
-    again.grip = &result_.grip;
+    again.warm_start = &result_.warm_start;
     drape_to_rest(again);
-    moved = {result_.nodes, result_.grip, result_.converged};
+    moved = {result_.nodes, result_.warm_start, result_.converged};
   });
 }
 
@@ -425,9 +425,9 @@ const StageReport& Dressing::stage(const std::string& name, RelaxOptions options
     progress_ = begin + (end - begin) * at.iteration / options.max_iterations;
     if (watcher_ && calls++ % 4 == 0) watcher_({mesh(), name, points, progress_});
   };
-  options.yarns = &result_.grip.yarns;
+  options.yarns = &result_.warm_start.yarns;
   const RelaxReport report = relax(program_, options, result_.nodes, watch);
-  result_.grip = report.grip;
+  result_.warm_start = report.warm_start;
   result_.lift = report.lift;
   progress_ = end;
   if (watcher_) {
@@ -458,8 +458,8 @@ void Dressing::go_finer() {
                                    program.node_of_point, program.nodes);
   program_ = std::move(program);
   std::vector<Restraint> finer;
-  for (const Restraint& held : result_.grip.yarns) finer.insert(finer.end(), 4, held);
-  result_.grip.yarns = std::move(finer);
+  for (const Restraint& held : result_.warm_start.yarns) finer.insert(finer.end(), 4, held);
+  result_.warm_start.yarns = std::move(finer);
 }
 
 bool Dressing::clean() const {

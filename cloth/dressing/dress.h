@@ -60,7 +60,7 @@ struct DressResult {
   double body_offset = 0;    ///< metres kept from the skin: the scene's, more for edges above 15 mm
   std::vector<double> lift;  ///< RelaxReport's; empty by the paper's method
   double time_step = 0;      ///< seconds; 0 for a method that has none
-  Grip grip;                 ///< where friction holds it at the end; by the relaxation only
+  WarmStart warm_start;      ///< where friction holds it at the end; by the relaxation only
   std::vector<StageReport> stages;
   DuringDressing during;
   Residual residual;

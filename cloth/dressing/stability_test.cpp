@@ -13,14 +13,14 @@ constexpr int most_returns = 3;
 
 ReleaseReport let_go(const Program& program, ReleaseOptions options, RestingState& state,
                      const std::function<void(RestingState&)>& come_to_rest) {
-  options.grip = &state.grip;
-  options.yarns = &state.grip.yarns;
+  options.warm_start = &state.warm_start;
+  options.yarns = &state.warm_start.yarns;
   for (int returns = 0;; ++returns) {
     std::vector<Vec3> nodes = state.nodes;
     ReleaseReport report = release(program, options, nodes);
     if (report.stays() || !state.at_rest || returns == most_returns) return report;
     state.nodes = std::move(nodes);
-    state.grip = report.grip;
+    state.warm_start = report.warm_start;
     come_to_rest(state);
   }
 }

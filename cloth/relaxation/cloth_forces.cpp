@@ -50,24 +50,24 @@ ClothForces::ClothForces(const Program& program, const ForceOptions& options,
     if (options.yarns != nullptr) kernel_->begin_holding(*options.yarns);
     hold_to_limits();
   }
-  if (options.grip == nullptr || open_seams) return;
-  pairs_.friction().hold(options.grip->cloth);
-  if (edge_contacts_) edge_contacts_->hold(options.grip->edges);
-  const auto& skin = options.grip->skin;
+  if (options.warm_start == nullptr || open_seams) return;
+  pairs_.friction().hold(options.warm_start->cloth);
+  if (edge_contacts_) edge_contacts_->hold(options.warm_start->edges);
+  const auto& skin = options.warm_start->skin;
   for (std::size_t n = 0; n < std::min(skin.size(), contacts_.size()); ++n) {
     if (skin[n]) contacts_[n].hold_at(*skin[n]);
   }
 }
 
-Grip ClothForces::grip() const {
-  Grip grip;
-  if (has_limits()) grip.yarns = kernel_->restraints();
-  if (by_points_) return grip;
-  if (edge_contacts_) grip.edges = edge_contacts_->grips();
-  grip.cloth = pairs_.friction().grips();
-  grip.skin.reserve(contacts_.size());
-  for (const BodyContact& contact : contacts_) grip.skin.push_back(contact.anchor());
-  return grip;
+WarmStart ClothForces::warm_start() const {
+  WarmStart warm_start;
+  if (has_limits()) warm_start.yarns = kernel_->restraints();
+  if (by_points_) return warm_start;
+  if (edge_contacts_) warm_start.edges = edge_contacts_->anchors();
+  warm_start.cloth = pairs_.friction().anchors();
+  warm_start.skin.reserve(contacts_.size());
+  for (const BodyContact& contact : contacts_) warm_start.skin.push_back(contact.anchor());
+  return warm_start;
 }
 
 std::vector<Vec3> ClothForces::state() const {

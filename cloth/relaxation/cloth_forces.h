@@ -35,7 +35,7 @@ class ClothForces {
   const Vec4& node(std::size_t n) const { return nodes_[n]; }
   const Vec4s& nodes() const { return nodes_; }  ///< and then what does not move
   std::vector<Vec3> state() const;
-  Grip grip() const;
+  WarmStart warm_start() const;
   double open() const { return open_; }  ///< 1: seams as placed, 0: closed
   bool seams_stand_open() const { return by_points_; }
   /// Closes them until `open` is left, or as far as bounds allow; at 0 they are sewn for good.

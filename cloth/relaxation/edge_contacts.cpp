@@ -36,20 +36,20 @@ void EdgeContacts::look_anew() {
   free_.assign(edges_.size(), Vec4{});
 }
 
-std::vector<EdgeGrip> EdgeContacts::grips() const {
-  std::vector<EdgeGrip> grips;
+std::vector<EdgeAnchor> EdgeContacts::anchors() const {
+  std::vector<EdgeAnchor> anchors;
   for (std::size_t e = 0; e < edges_.size(); ++e) {
     const auto anchor = contacts_[e].anchor();
-    if (anchor) grips.push_back({edges_[e], *anchor});
+    if (anchor) anchors.push_back({edges_[e], *anchor});
   }
-  return grips;
+  return anchors;
 }
 
-void EdgeContacts::hold(const std::vector<EdgeGrip>& grips) {
-  for (const EdgeGrip& grip : grips) {
-    const auto found = std::lower_bound(edges_.begin(), edges_.end(), grip.edge);
-    if (found == edges_.end() || *found != grip.edge) continue;
-    contacts_[found - edges_.begin()].hold_at(grip.anchor);
+void EdgeContacts::hold(const std::vector<EdgeAnchor>& anchors) {
+  for (const EdgeAnchor& warm_start : anchors) {
+    const auto found = std::lower_bound(edges_.begin(), edges_.end(), warm_start.edge);
+    if (found == edges_.end() || *found != warm_start.edge) continue;
+    contacts_[found - edges_.begin()].hold_at(warm_start.anchor);
   }
 }
 

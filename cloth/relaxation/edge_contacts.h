@@ -30,9 +30,9 @@ class EdgeContacts {
   void look_anew();
 
   /// Where friction holds the middles, sorted by their edges.
-  std::vector<EdgeGrip> grips() const;
+  std::vector<EdgeAnchor> anchors() const;
   /// Lets friction hold them there, instead of where they come to touch the body.
-  void hold(const std::vector<EdgeGrip>& grips);
+  void hold(const std::vector<EdgeAnchor>& anchors);
 
   std::size_t edges() const { return edges_.size(); }
   /// First pass, of edges `begin` to `end`: what the body does to their middles, with vertices at

@@ -15,10 +15,10 @@ struct BodySurface;
 
 /// Where friction holds a garment, and what holds its yarns to their limits: what one run hands to
 /// the next, so that the force is not lost.
-struct Grip {
+struct WarmStart {
   std::vector<std::optional<Vec3>> skin;  ///< per node; nothing: it does not
-  std::vector<EdgeGrip> edges;            ///< of nodes, sorted: their middles on the skin
-  std::vector<PairGrip> cloth;            ///< where it rubs on cloth, of nodes and then of layers
+  std::vector<EdgeAnchor> edges;          ///< of nodes, sorted: their middles on the skin
+  std::vector<PairAnchor> cloth;          ///< where it rubs on cloth, of nodes and then of layers
   std::vector<Restraint> yarns;           ///< per triangle; empty: no limits
 
   /// Friction lets go of the nodes for which `moved` is not 0.
@@ -31,8 +31,9 @@ struct Grip {
         return static_cast<std::size_t>(v) < moved.size() && moved[v] != 0;
       });
     };
-    std::erase_if(edges, [&](const EdgeGrip& grip) { return any_moved(grip.edge); });
-    std::erase_if(cloth, [&](const PairGrip& grip) { return any_moved(grip.vertices); });
+    std::erase_if(edges, [&](const EdgeAnchor& warm_start) { return any_moved(warm_start.edge); });
+    std::erase_if(cloth,
+                  [&](const PairAnchor& warm_start) { return any_moved(warm_start.vertices); });
   }
 };
 
@@ -71,7 +72,7 @@ struct ForceOptions {
   double search_share = 1;
   /// Of a run that ended where this one begins, seams closed. None: friction holds what
   /// touches where it comes to touch.
-  const Grip* grip = nullptr;
+  const WarmStart* warm_start = nullptr;
   /// Begins with these restraints, likewise. None: they are found from nothing.
   const std::vector<Restraint>* yarns = nullptr;
 };

@@ -270,7 +270,7 @@ RelaxReport Relaxation::run(const RelaxWatcher& watcher) {
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   report.open = forces_.open();
   report.searches = forces_.searches();
-  report.grip = forces_.grip();
+  report.warm_start = forces_.warm_start();
   for (int n = 0; n < program_.nodes; ++n) report.lift.push_back(forces_.lift(n));
   return report;
 }

@@ -48,7 +48,7 @@ struct RelaxReport {
   bool converged = false;
   double open = 0;  ///< of seams that were to close: what is left, 0 for closed
   Residual residual;
-  Grip grip;  ///< where friction holds the garment at the end
+  WarmStart warm_start;  ///< where friction holds the garment at the end
   /// Metres, per node, that it is held off the body beyond the options' offset, because a triangle
   /// of its own spans something sharp.
   std::vector<double> lift;

@@ -135,10 +135,10 @@ ReleaseReport Release::run() {
   }
   report.given_up += report.kinetic;
   report.all = moved_figures(report.moved);
-  if (options_.grip != nullptr) {
+  if (options_.warm_start != nullptr) {
     std::vector<double> held;
-    for (std::size_t n = 0; n < options_.grip->skin.size(); ++n) {
-      if (options_.grip->skin[n]) held.push_back(report.moved[n]);
+    for (std::size_t n = 0; n < options_.warm_start->skin.size(); ++n) {
+      if (options_.warm_start->skin[n]) held.push_back(report.moved[n]);
     }
     report.held = static_cast<int>(held.size());
     report.of_held = moved_figures(held);
@@ -146,7 +146,7 @@ ReleaseReport Release::run() {
   std::vector<double> speeds;
   for (const Vec4& v : v_) speeds.push_back(std::sqrt(squared_length(v)));
   report.speed_p99 = at_share(std::move(speeds), 0.99);
-  report.grip = forces_.grip();
+  report.warm_start = forces_.warm_start();
   report.searches = forces_.searches();
   report.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -55,7 +55,7 @@ class Handkerchief : public testing::Test {
     const std::vector<Vec3> rest = relaxed(options);
     ReleaseOptions released;
     static_cast<ForceOptions&>(released) = options;
-    released.grip = &last.grip;
+    released.warm_start = &last.warm_start;
     std::vector<Vec3> x = rest;
     // The longest step that is stable is not longer for a longer run.
     released.seconds = 0.01;

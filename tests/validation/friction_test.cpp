@@ -49,7 +49,7 @@ class Incline : public testing::Test {
     ReleaseOptions options;
     options.seconds = seconds;
     options.damping = 0;
-    options.grip = &rested.grip;
+    options.warm_start = &rested.warm_start;
     const std::vector<Vec3> from = x;
     last_ = release(program, options, x);
     return mean_way(from, x).x();

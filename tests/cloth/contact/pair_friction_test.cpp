@@ -44,13 +44,13 @@ class ClothOnCloth : public testing::Test {
     rest.max_iterations = 1500;
     rest.stop_median = rest.stop_rms = 1e-4;
     const RelaxReport rested = relax(program, rest, x);
-    grips = rested.grip.cloth.size();
+    anchors = rested.warm_start.cloth.size();
     ReleaseOptions options;
     options.layer_contact = true;
     options.bounded = hand_over;  // what slides is stopped by its bounds now and then
     options.seconds = seconds;
     options.damping = 0;
-    if (hand_over) options.grip = &rested.grip;
+    if (hand_over) options.warm_start = &rested.warm_start;
     Vec3 middle = Vec3::Zero();
     for (const Vec3& p : x) middle -= p / static_cast<double>(x.size());
     report = release(program, options, x);
@@ -61,7 +61,7 @@ class ClothOnCloth : public testing::Test {
   TriangleMesh layer;
   PanelMesh patch;
   Scene scene;
-  std::size_t grips = 0;
+  std::size_t anchors = 0;
   ReleaseReport report;
 };
 
@@ -69,8 +69,8 @@ TEST_F(ClothOnCloth, SticksBelowTheFrictionAngle) {
   for (const double slope : {5.0, 10.0, 15.0, 16.0}) {  // of 16.7
     const double crept = way(slope * degree, 0.3, 0.5);
     std::cout << slope << " degrees: crept " << 1000 * crept << " mm, at most "
-              << 1000 * report.all.max << ", " << grips << " grips\n";
-    EXPECT_GT(grips, 100U);
+              << 1000 * report.all.max << ", " << anchors << " anchors\n";
+    EXPECT_GT(anchors, 100U);
     EXPECT_LT(std::abs(crept), 1e-5) << slope;
     EXPECT_LT(report.all.max, 1e-4) << slope;
   }
@@ -94,7 +94,7 @@ TEST_F(ClothOnCloth, TheSameBitsForAnyNumberOfThreads) {
     return report.moved;
   };
   EXPECT_TRUE(run(1) == run(2));
-  EXPECT_GT(grips, 128U);  // several chunks
+  EXPECT_GT(anchors, 128U);  // several chunks
 }
 
 /// Two tubes of cloth around an upright cylinder, one over the other. The outer one is strained so
@@ -156,7 +156,7 @@ class TubeOnTube : public testing::Test {
     options.bounded = share > 1;  // what slides is stopped by its bounds now and then
     options.seconds = seconds;
     options.damping = share > 1 ? 1 : 0;
-    if (share > 1) options.grip = &rested.grip;
+    if (share > 1) options.warm_start = &rested.warm_start;
     const std::vector<Vec3> from = x;
     report = release(program, options, x);
     std::array<double, 2> sunk{};
@@ -221,15 +221,15 @@ TEST(PairFriction, IsTheSmootherSidesAndLetsGo) {
 
   // It is the same pair after another look, and in another run; anew when it has let go.
   friction.activate({{{4, 5, 6, 7}, true, 0.002}, pair});
-  ASSERT_EQ(friction.grips().size(), 1U);
+  ASSERT_EQ(friction.anchors().size(), 1U);
   PairFriction next;
   next.set_coefficients({0.2, 0.4, 0.5, 0.5});
-  next.hold(friction.grips());
+  next.hold(friction.anchors());
   friction = next;
   friction.activate({pair});
   EXPECT_NEAR(drag(0.001, push), -most, 1e-12);
   EXPECT_EQ(drag(0.001, 0), 0);
-  EXPECT_TRUE(friction.grips().empty());
+  EXPECT_TRUE(friction.anchors().empty());
   EXPECT_EQ(drag(0.001, push), 0);
 }
 

@@ -135,7 +135,7 @@ TightPlaces drawn_over(double too_small) {
   options.stop_median = options.stop_rms = 0.02;
   std::vector<Vec3> x = program.start;
   const RelaxReport report = relax(program, options, x);
-  const TightPlaces found = tight_places(garment, program, x, report.grip.yarns);
+  const TightPlaces found = tight_places(garment, program, x, report.warm_start.yarns);
   for (const TightPlace& place : found.places) {
     std::cout << 100 * too_small << " % too small: " << 100 * place.mean << " % on average, "
               << 100 * place.largest << " % at most, " << 1e4 * place.area << " cm2, "

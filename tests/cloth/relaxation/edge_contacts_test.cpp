@@ -36,11 +36,11 @@ TEST(EdgeContacts, HoldOnFromRunToRun) {
   EXPECT_NEAR(pull(contacts, 0), 0, 1e-9);
   const double held = pull(contacts, 1e-5);
   EXPECT_NEAR(held, -200 * 1e-5, 1e-5);
-  const std::vector<EdgeGrip> grips = contacts.grips();
-  ASSERT_EQ(grips.size(), 1U);
-  EXPECT_EQ(grips[0].edge, (std::array<int, 2>{0, 1}));
+  const std::vector<EdgeAnchor> anchors = contacts.anchors();
+  ASSERT_EQ(anchors.size(), 1U);
+  EXPECT_EQ(anchors[0].edge, (std::array<int, 2>{0, 1}));
   EdgeContacts next(triangles, at(1e-5), 0.025, {0.4, 0.4, 0.4}, {0, 0, 0});
-  next.hold(grips);
+  next.hold(anchors);
   EXPECT_NEAR(pull(next, 1e-5), held, 1e-12);
 }
 
@@ -71,8 +71,8 @@ class CoarseOnASlope : public testing::Test {
     WornGarment worn{&garment, scene.fabric, program.start, {}, options.body_offset};
     const RelaxReport report = relax(program, options, worn.nodes);
     EXPECT_TRUE(report.converged);
-    EXPECT_EQ(report.grip.edges.size(), 33U);
-    worn.grip = report.grip;
+    EXPECT_EQ(report.warm_start.edges.size(), 33U);
+    worn.warm_start = report.warm_start;
     return worn;
   }
 
@@ -84,7 +84,7 @@ class CoarseOnASlope : public testing::Test {
 TEST_F(CoarseOnASlope, IsAtRestInTheNextRun) {
   const PanelMesh garment = sheet(-0.1);
   WornGarment rested = worn(garment);
-  options.grip = &rested.grip;
+  options.warm_start = &rested.warm_start;
   options.max_iterations = 1;
   std::vector<Vec3> x = rested.nodes;
   const RelaxReport again = relax(compile(garment, scene, garment.placed), options, x);

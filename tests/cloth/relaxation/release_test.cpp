@@ -120,7 +120,7 @@ class Band : public testing::Test {
     ReleaseOptions options;
     options.seconds = seconds;
     options.damping = share > 1 ? 1 : 0;
-    if (share > 1) options.grip = &rested.grip;
+    if (share > 1) options.warm_start = &rested.warm_start;
     const std::vector<Vec3> from = x;
     last_ = release(program, options, x);
     return -mean_way(from, x).y();
