@@ -46,10 +46,11 @@ class Together {
                               worn.warm_start.skin.end());
       warm_start_.skin.resize(start_.size());
       take_over(worn);
-      warm_start_.yarns.insert(warm_start_.yarns.end(), worn.warm_start.yarns.begin(),
-                               worn.warm_start.yarns.end());
+      warm_start_.multipliers.insert(warm_start_.multipliers.end(),
+                                     worn.warm_start.multipliers.begin(),
+                                     worn.warm_start.multipliers.end());
       first_triangle_.push_back(first_triangle_.back() + worn.garment->triangles.size());
-      warm_start_.yarns.resize(first_triangle_.back());
+      warm_start_.multipliers.resize(first_triangle_.back());
     }
     first_.push_back(static_cast<int>(start_.size()));
     if (scene_.skin != nullptr) surface_.emplace(BodySurface{*scene_.skin, *scene_.body});
@@ -113,7 +114,7 @@ class Together {
     RelaxOptions options;
     set_forces(options);
     options.warm_start = &state.warm_start;
-    options.yarns = &state.warm_start.yarns;
+    options.multipliers = &state.warm_start.multipliers;
     ask_for_rest(options_, options);
     const std::string name = "together";
     int calls = 0;
@@ -146,8 +147,8 @@ class Together {
     result_.moved.push_back(moved_figures(moved));
     Scene scene = scene_;
     scene.fabric = worn.fabric;
-    std::vector<Restraint> held;
-    const std::vector<Restraint>& yarns = state.warm_start.yarns;
+    std::vector<LimitMultiplier> held;
+    const std::vector<LimitMultiplier>& yarns = state.warm_start.multipliers;
     if (!yarns.empty()) {
       held.assign(yarns.begin() + first_triangle_[garment],
                   yarns.begin() + first_triangle_[garment + 1]);

@@ -188,9 +188,11 @@ DressResult Dressing::run() {
   result_.held = program_.attachments;
   result_.terms = term_counts(program_);
   result_.triangles = program_.node_triangles;
-  result_.tight_seams = tight_seams(mesh(), program_, result_.nodes, result_.warm_start.yarns);
+  result_.tight_seams =
+      tight_seams(mesh(), program_, result_.nodes, result_.warm_start.multipliers);
   if (scene_.strain_limit) {
-    result_.tight_places = tight_places(mesh(), program_, result_.nodes, result_.warm_start.yarns);
+    result_.tight_places =
+        tight_places(mesh(), program_, result_.nodes, result_.warm_start.multipliers);
   }
   return std::move(result_);
 }
@@ -425,7 +427,7 @@ const StageReport& Dressing::stage(const std::string& name, RelaxOptions options
     progress_ = begin + (end - begin) * at.iteration / options.max_iterations;
     if (watcher_ && calls++ % 4 == 0) watcher_({mesh(), name, points, progress_});
   };
-  options.yarns = &result_.warm_start.yarns;
+  options.multipliers = &result_.warm_start.multipliers;
   const RelaxReport report = relax(program_, options, result_.nodes, watch);
   result_.warm_start = report.warm_start;
   result_.lift = report.lift;
@@ -457,9 +459,10 @@ void Dressing::go_finer() {
   result_.nodes = refine_positions(coarse, program_.node_of_point, result_.nodes, fine,
                                    program.node_of_point, program.nodes);
   program_ = std::move(program);
-  std::vector<Restraint> finer;
-  for (const Restraint& held : result_.warm_start.yarns) finer.insert(finer.end(), 4, held);
-  result_.warm_start.yarns = std::move(finer);
+  std::vector<LimitMultiplier> finer;
+  for (const LimitMultiplier& held : result_.warm_start.multipliers)
+    finer.insert(finer.end(), 4, held);
+  result_.warm_start.multipliers = std::move(finer);
 }
 
 bool Dressing::clean() const {

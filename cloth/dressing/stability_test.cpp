@@ -14,7 +14,7 @@ constexpr int most_returns = 3;
 ReleaseReport let_go(const Program& program, ReleaseOptions options, RestingState& state,
                      const std::function<void(RestingState&)>& come_to_rest) {
   options.warm_start = &state.warm_start;
-  options.yarns = &state.warm_start.yarns;
+  options.multipliers = &state.warm_start.multipliers;
   for (int returns = 0;; ++returns) {
     std::vector<Vec3> nodes = state.nodes;
     ReleaseReport report = release(program, options, nodes);

@@ -16,7 +16,7 @@ constexpr int lines = 24;       // through a place
 class Places {
  public:
   Places(const PanelMesh& garment, const Program& program, const std::vector<Vec3>& nodes,
-         const std::vector<Restraint>& held)
+         const std::vector<LimitMultiplier>& held)
       : garment_(garment),
         program_(program),
         held_(held),
@@ -57,7 +57,7 @@ class Places {
   bool is_tight(int t, bool along_warp) const {
     const double restraint = along_warp ? held_[t].warp : held_[t].weft;
     return strain(t, along_warp) > limit_is_kept * limit_ &&
-           restraint > (1 - 1e-9) * most_restraint;
+           restraint > (1 - 1e-9) * max_limit_multiplier;
   }
 
   /// Tight triangles of a panel, those that touch together.
@@ -136,7 +136,7 @@ class Places {
 
   const PanelMesh& garment_;
   const Program& program_;
-  const std::vector<Restraint>& held_;
+  const std::vector<LimitMultiplier>& held_;
   double limit_;
   std::vector<Vec3> points_;
   std::vector<YarnStrain> strains_;
@@ -146,7 +146,7 @@ class Places {
 }  // namespace
 
 TightPlaces tight_places(const PanelMesh& garment, const Program& program,
-                         const std::vector<Vec3>& nodes, const std::vector<Restraint>& held) {
+                         const std::vector<Vec3>& nodes, const std::vector<LimitMultiplier>& held) {
   if (!program.scene.strain_limit || held.empty()) return {};
   return Places(garment, program, nodes, held).run();
 }

@@ -36,6 +36,6 @@ struct TightPlaces {
 /// only has not come to rest. `nodes` are the program's. Empty without a limit or what holds to it.
 /// Linear in the triangles, but for those of a place: 24 lines are laid through each.
 TightPlaces tight_places(const PanelMesh& garment, const Program& program,
-                         const std::vector<Vec3>& nodes, const std::vector<Restraint>& held);
+                         const std::vector<Vec3>& nodes, const std::vector<LimitMultiplier>& held);
 
 }  // namespace toile

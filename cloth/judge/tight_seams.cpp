@@ -17,7 +17,7 @@ constexpr int most_lines = 24;
 class Tightness {
  public:
   Tightness(const PanelMesh& garment, const Program& program, const std::vector<Vec3>& nodes,
-            const std::vector<Restraint>& held)
+            const std::vector<LimitMultiplier>& held)
       : garment_(garment), program_(program), nodes_(nodes), held_(held) {
     options_.limit = program.scene.strain_limit.value_or(-1);
     options_.shear_limit = program.scene.shear_limit.value_or(-1);
@@ -73,7 +73,7 @@ class Tightness {
     const Triangle& corners = program_.node_triangles[at->triangle];
     const auto forces = stretch_forces(program_.stretch[at->triangle], options_, nodes_[corners[0]],
                                        nodes_[corners[1]], nodes_[corners[2]],
-                                       held_.empty() ? Restraint{} : held_[at->triangle]);
+                                       held_.empty() ? LimitMultiplier{} : held_[at->triangle]);
     const Vec3& p = nodes_[corners[(at->corner + 1) % 3]];
     const Vec3& q = nodes_[corners[(at->corner + 2) % 3]];
     const Vec3 along = (q - p).normalized();
@@ -177,7 +177,7 @@ class Tightness {
   const PanelMesh& garment_;
   const Program& program_;
   const std::vector<Vec3>& nodes_;
-  const std::vector<Restraint>& held_;
+  const std::vector<LimitMultiplier>& held_;
   StretchOptions options_;
   std::map<std::pair<int, int>, Beside> beside_;
 };
@@ -186,7 +186,7 @@ class Tightness {
 
 std::vector<TightSeam> tight_seams(const PanelMesh& garment, const Program& program,
                                    const std::vector<Vec3>& nodes,
-                                   const std::vector<Restraint>& held) {
+                                   const std::vector<LimitMultiplier>& held) {
   return Tightness(garment, program, nodes, held).run();
 }
 

@@ -32,6 +32,6 @@ struct TightSeam {
 /// the seams; in the triangles too for those that are tight.
 std::vector<TightSeam> tight_seams(const PanelMesh& garment, const Program& program,
                                    const std::vector<Vec3>& nodes,
-                                   const std::vector<Restraint>& held = {});
+                                   const std::vector<LimitMultiplier>& held = {});
 
 }  // namespace toile

@@ -15,7 +15,7 @@ struct StretchOptions {
 };
 
 /// What holds a triangle to its limits, besides its own stress, N/m: a Lagrange multiplier.
-struct Restraint {
+struct LimitMultiplier {
   double weft = 0;   ///< never negative
   double warp = 0;   ///< never negative
   double shear = 0;  ///< of the sign of w_u·w_v
@@ -28,7 +28,7 @@ struct Restraint {
 /// Wright 2006, 17.4].
 inline std::array<Vec3, 3> stretch_forces(const StretchTriangle& s, const StretchOptions& options,
                                           const Vec3& a, const Vec3& b, const Vec3& c,
-                                          const Restraint& held = {}) {
+                                          const LimitMultiplier& held = {}) {
   const Vec3 wu = s.weft[0] * a + s.weft[1] * b + s.weft[2] * c;
   const Vec3 wv = s.warp[0] * a + s.warp[1] * b + s.warp[2] * c;
   const auto over = [](double stiffness, double by, double restraint) {

@@ -47,8 +47,8 @@ ClothForces::ClothForces(const Program& program, const ForceOptions& options,
   }
   use_skin(open_seams);
   if (has_limits()) {
-    if (options.yarns != nullptr) kernel_->begin_holding(*options.yarns);
-    hold_to_limits();
+    if (options.multipliers != nullptr) kernel_->start_multipliers(*options.multipliers);
+    update_multipliers();
   }
   if (options.warm_start == nullptr || open_seams) return;
   pairs_.friction().hold(options.warm_start->cloth);
@@ -61,7 +61,7 @@ ClothForces::ClothForces(const Program& program, const ForceOptions& options,
 
 WarmStart ClothForces::warm_start() const {
   WarmStart warm_start;
-  if (has_limits()) warm_start.yarns = kernel_->restraints();
+  if (has_limits()) warm_start.multipliers = kernel_->multipliers();
   if (by_points_) return warm_start;
   if (edge_contacts_) warm_start.edges = edge_contacts_->anchors();
   warm_start.cloth = pairs_.friction().anchors();
@@ -86,12 +86,12 @@ std::vector<Vec3> ClothForces::all_positions() const {
 void ClothForces::use_skin(bool points) {
   by_points_ = points;
   // Triangles are the same, of nodes as of points.
-  const std::vector<Restraint> yarns =
-      kernel_ && has_limits() ? kernel_->restraints() : std::vector<Restraint>{};
+  const std::vector<LimitMultiplier> yarns =
+      kernel_ && has_limits() ? kernel_->multipliers() : std::vector<LimitMultiplier>{};
   kernel_ = std::make_unique<ElasticKernel>(program_, points);
   bands_ = std::make_unique<BandForces>(program_, points);
   attachments_ = std::make_unique<AttachmentForces>(program_, points);
-  kernel_->begin_holding(yarns);
+  kernel_->start_multipliers(yarns);
   const std::size_t count = kernel_->vertices();
   vertex_force_.assign(count, Vec4{});
   vertices_of_.assign(program_.nodes, [&](const auto& add) {
@@ -197,7 +197,7 @@ void ClothForces::close_seams(double wanted) {
   }
 }
 
-bool ClothForces::hold_to_limits() {
+bool ClothForces::update_multipliers() {
   if (!has_limits()) return true;
   const std::size_t tasks = chunks_of(kernel_->groups(), vertex_chunk);
   std::vector<ElasticKernel::Held> counts(tasks);

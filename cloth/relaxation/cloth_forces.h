@@ -49,7 +49,7 @@ class ClothForces {
   void resist_compression(double share) { stretch_.compression = share; }
   /// Tightens and loosens what holds the yarns to the scene's limits, now and then. Returns whether
   /// they are within them, but for those that are held as much as they can be.
-  bool hold_to_limits();
+  bool update_multipliers();
   /// Metres that node n is held off the body beyond the options' offset.
   double lift(int n) const { return body_bounds_ ? body_bounds_->lift(n) : 0; }
   bool has_limits() const { return stretch_.limit >= 0 || stretch_.shear_limit >= 0; }

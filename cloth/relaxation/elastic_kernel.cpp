@@ -93,7 +93,7 @@ void ElasticKernel::lay_out_limits(const Program& program) {
     const StretchTriangle& s = program.stretch[t];
     HeldGroup& held = held_[t / group];
     held.area[t % group] = s.area;
-    held.most[t % group] = s.held ? s.area * most_restraint : 0;
+    held.most[t % group] = s.held ? s.area * max_limit_multiplier : 0;
     for (int c = 0; c < 3; ++c) {
       held.sum_weft[t % group] += std::abs(s.weft[c]);
       held.sum_warp[t % group] += std::abs(s.warp[c]);
@@ -101,7 +101,7 @@ void ElasticKernel::lay_out_limits(const Program& program) {
   }
 }
 
-void ElasticKernel::begin_holding(const std::vector<Restraint>& yarns) {
+void ElasticKernel::start_multipliers(const std::vector<LimitMultiplier>& yarns) {
   for (std::size_t t = 0; t < std::min(yarns.size(), triangles_); ++t) {
     HeldGroup& held = held_[t / group];
     const std::size_t i = t % group;
@@ -114,8 +114,8 @@ void ElasticKernel::begin_holding(const std::vector<Restraint>& yarns) {
   }
 }
 
-std::vector<Restraint> ElasticKernel::restraints() const {
-  std::vector<Restraint> yarns(triangles_);
+std::vector<LimitMultiplier> ElasticKernel::multipliers() const {
+  std::vector<LimitMultiplier> yarns(triangles_);
   for (std::size_t t = 0; t < triangles_; ++t) {
     const HeldGroup& held = held_[t / group];
     const std::size_t i = t % group;

@@ -38,8 +38,8 @@ class ElasticKernel {
               const Vec4s& x, Vec4s& force) const;
 
   /// What holds the yarns to the limits of `options`, per triangle: to begin with, and now.
-  void begin_holding(const std::vector<Restraint>& yarns);
-  std::vector<Restraint> restraints() const;
+  void start_multipliers(const std::vector<LimitMultiplier>& yarns);
+  std::vector<LimitMultiplier> multipliers() const;
   /// Lets go where yarns of groups `begin` to `end` are within their limits at `x` and holds them
   /// harder where they are not, so that repeated they come to be. Returns how many were beyond by
   /// more than `limit_tolerance`, but are held as much as they can be, and how many others.

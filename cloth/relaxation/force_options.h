@@ -19,7 +19,7 @@ struct WarmStart {
   std::vector<std::optional<Vec3>> skin;  ///< per node; nothing: it does not
   std::vector<EdgeAnchor> edges;          ///< of nodes, sorted: their middles on the skin
   std::vector<PairAnchor> cloth;          ///< where it rubs on cloth, of nodes and then of layers
-  std::vector<Restraint> yarns;           ///< per triangle; empty: no limits
+  std::vector<LimitMultiplier> multipliers;  ///< per triangle; empty: no limits
 
   /// Friction lets go of the nodes for which `moved` is not 0.
   void let_go(const std::vector<char>& moved) {
@@ -73,8 +73,8 @@ struct ForceOptions {
   /// Of a run that ended where this one begins, seams closed. None: friction holds what
   /// touches where it comes to touch.
   const WarmStart* warm_start = nullptr;
-  /// Begins with these restraints, likewise. None: they are found from nothing.
-  const std::vector<Restraint>* yarns = nullptr;
+  /// Begins with these multipliers, likewise. None: they are found from nothing.
+  const std::vector<LimitMultiplier>* multipliers = nullptr;
 };
 
 }  // namespace toile

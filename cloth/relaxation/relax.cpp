@@ -256,7 +256,7 @@ RelaxReport Relaxation::run(const RelaxWatcher& watcher) {
     if ((i + 1) % watch_interval != 0 && i + 1 != options_.max_iterations) continue;
     if (watcher) watcher({i + 1, forces_.open(), state()});
     if (closing) continue;
-    const bool within_limits = waited >= most_waits || forces_.hold_to_limits();
+    const bool within_limits = waited >= most_waits || forces_.update_multipliers();
     const Residual left = last_residual();
     if (left.median < options_.stop_median) ++waited;
     if (i < options_.stiffening_iterations) continue;

@@ -33,7 +33,7 @@ struct Scene {
   /// smooth, keeps `body_offset`; this is exact, and holds where their folds are sharp.
   double layer_gap = 0.001;
   /// Most that warp and weft lengthen, a fraction, where anything gives way for that: they are held
-  /// by up to `most_restraint`. Compression has no limit: cloth buckles.
+  /// by up to `max_limit_multiplier`. Compression has no limit: cloth buckles.
   std::optional<double> strain_limit;
   std::optional<double> shear_limit;  ///< likewise, sine of the angle that the yarns turn by
 };
@@ -47,7 +47,7 @@ void check_gravity(const Vec3& gravity, const std::string& place);
 inline constexpr double strain_limit_stiffening = 1;
 /// N/m that holds a yarn to its limit at most: what a hand closes a seam with. A garment that takes
 /// more is too tight there.
-inline constexpr double most_restraint = 300;
+inline constexpr double max_limit_multiplier = 300;
 
 /// The fabric of a panel. Throws Error when the scene has none of that name.
 const Fabric& fabric_of(const Scene& scene, const MeshedPanel& panel);

@@ -30,13 +30,14 @@ Scene limited() {
 class Sheet : public testing::Test {
  protected:
   template <typename Stretch>
-  TightPlaces places(const Stretch& stretch, double restraint = most_restraint) {
+  TightPlaces places(const Stretch& stretch, double restraint = max_limit_multiplier) {
     garment = test::flat_panel(test::grid(0.2, 0.1, 20, 10));
     garment.panels[0].grain = grain;
     for (Vec3& p : garment.placed) p.y() += stretch(p);
     const Program program = compile(garment, limited(), garment.placed);
-    const Restraint along_y = grain == 0 ? Restraint{0, restraint, 0} : Restraint{restraint, 0, 0};
-    const std::vector<Restraint> held(garment.triangles.size(), along_y);
+    const LimitMultiplier along_y =
+        grain == 0 ? LimitMultiplier{0, restraint, 0} : LimitMultiplier{restraint, 0, 0};
+    const std::vector<LimitMultiplier> held(garment.triangles.size(), along_y);
     return tight_places(garment, program, program.start, held);
   }
 
@@ -91,7 +92,7 @@ TEST_F(Sheet, TheMostStrainedIsFirst) {
 }
 
 TEST_F(Sheet, WhatIsNotHeldToTheUtmostIsNotTightButUnfinished) {
-  EXPECT_TRUE(places(two_patches, 0.99 * most_restraint).places.empty());
+  EXPECT_TRUE(places(two_patches, 0.99 * max_limit_multiplier).places.empty());
 }
 
 TEST_F(Sheet, TenPercentOfTheLimitAreWithinIt) {
@@ -135,7 +136,7 @@ TightPlaces drawn_over(double too_small) {
   options.stop_median = options.stop_rms = 0.02;
   std::vector<Vec3> x = program.start;
   const RelaxReport report = relax(program, options, x);
-  const TightPlaces found = tight_places(garment, program, x, report.warm_start.yarns);
+  const TightPlaces found = tight_places(garment, program, x, report.warm_start.multipliers);
   for (const TightPlace& place : found.places) {
     std::cout << 100 * too_small << " % too small: " << 100 * place.mean << " % on average, "
               << 100 * place.largest << " % at most, " << 1e4 * place.area << " cm2, "

@@ -17,7 +17,7 @@ using FlatCorners = std::array<Vec2, 3>;
 
 /// The energy from the deformation gradient: an own way to the same quantity, compression included.
 double energy(const FlatCorners& flat, double grain, const Fabric& fabric,
-              const StretchOptions& options, const Corners& x, const Restraint& held = {}) {
+              const StretchOptions& options, const Corners& x, const LimitMultiplier& held = {}) {
   Eigen::Matrix2d rest;
   rest << flat[1] - flat[0], flat[2] - flat[0];
   Eigen::Matrix<double, 3, 2> now;
@@ -102,7 +102,7 @@ TEST_F(Stretch, ForcesAreMinusTheGradientOfTheEnergy) {
     if (trial % 3 == 1) options.limit = 0.01;
     if (trial % 2 == 1) options.compression = 0.05;
     if (trial % 5 == 1) options.shear_limit = 0.05;
-    Restraint held;
+    LimitMultiplier held;
     if (trial % 4 == 1) {
       held = {100 * std::abs(unit(random)), 100 * std::abs(unit(random)), 20 * unit(random)};
     }
