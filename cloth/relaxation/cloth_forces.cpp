@@ -114,14 +114,14 @@ void ClothForces::use_skin(bool points) {
         triangles, positions(), shortest, of_vertices(program_.friction_skin), step_down_);
   }
   contacts_.assign(count, {});
-  guards_.assign(count, Vec4{});
+  safe_balls_.assign(count, Vec4{});
   pull_.clear();
   computed_ = 0;
   pairs_.clear();
   bound_.clear();
   search_due_ = true;
   if (!self_contact()) {
-    set_guards();
+    set_safe_balls();
     return;
   }
   if (options_.friction) {
@@ -192,8 +192,8 @@ void ClothForces::close_seams(double wanted) {
   open_ = open;
   place_points();
   for (std::size_t p = 0; p < vertices(); ++p) {
-    const Vec4 moved = points_[p] - guards_[p];
-    if (squared_length(moved) > guards_[p][3]) set_guard(p, as_vec3(points_[p]));
+    const Vec4 moved = points_[p] - safe_balls_[p];
+    if (squared_length(moved) > safe_balls_[p][3]) set_safe_ball(p, as_vec3(points_[p]));
   }
 }
 
@@ -214,7 +214,7 @@ bool ClothForces::update_multipliers() {
 }
 
 void ClothForces::search_when_due(int interval, int most_interval) {
-  look_after_body_bounds();
+  update_body_bounds();
   if (!self_contact()) return;
   // Unbounded, a node may leave the searched neighbourhood: look again now and then.
   if (!options_.bounded && since_search_ >= most_interval) search_due_ = true;
@@ -231,7 +231,7 @@ void ClothForces::look_anew() {
   for (BodyContact& contact : contacts_) contact.forget();
   if (edge_contacts_) edge_contacts_->look_anew();
   if (self_contact()) activate_pairs();
-  set_guards();
+  set_safe_balls();
 }
 
 void ClothForces::search() {
@@ -254,29 +254,29 @@ void ClothForces::activate_pairs() {
   activated_at_ = all_positions();
   pairs_.activate(activated_at_);
   activation_due_ = false;
-  set_guards();
+  set_safe_balls();
 }
 
-void ClothForces::set_guards() {
+void ClothForces::set_safe_balls() {
   parallel_for_chunks(vertices(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) set_guard(v, as_vec3(positions()[v]));
+    for (std::size_t v = begin; v < end; ++v) set_safe_ball(v, as_vec3(positions()[v]));
   });
 }
 
-void ClothForces::look_after_body_bounds() {
+void ClothForces::update_body_bounds() {
   if (!body_bounds_) return;
   constexpr int meeting_interval = 32;
   if (++looks_ % meeting_interval == 0) body_bounds_->look_at_meeting();
   if (!body_bounds_->due()) return;
   for (const int v : body_bounds_->look(positions())) {
     if (body_bounds_->lift(v) > 0) contacts_[v].forget();
-    set_guard(v, as_vec3(nodes_[v]));
+    set_safe_ball(v, as_vec3(nodes_[v]));
   }
 }
 
 /// How far a vertex that stands at `p` may go until it has to be looked after again: because the
 /// body is near, its bound used up, or a pair may begin to push.
-void ClothForces::set_guard(std::size_t v, const Vec3& p) {
+void ClothForces::set_safe_ball(std::size_t v, const Vec3& p) {
   double reach = 1e3;
   if (program_.scene.body != nullptr) {
     if (contacts_[v].remaining(p) <= 0) {
@@ -297,8 +297,8 @@ void ClothForces::set_guard(std::size_t v, const Vec3& p) {
     if (left <= 0) activation_due_ = true;
     reach = std::min(reach, std::max(left, 0.0));
   }
-  guards_[v] = as_vec4(p);
-  guards_[v][3] = reach * reach;
+  safe_balls_[v] = as_vec4(p);
+  safe_balls_[v][3] = reach * reach;
 }
 
 void ClothForces::find_pull() {
@@ -369,7 +369,7 @@ Vec3 ClothForces::within_bounds(std::size_t node, const Vec3& wanted) const {
 }
 
 /// A node that leaves the guard of one of its vertices: stopped at its bounds, looked after anew.
-bool ClothForces::leave_guard(std::size_t node, const Vec4& wanted) {
+bool ClothForces::leave_safe_ball(std::size_t node, const Vec4& wanted) {
   Vec3 next = as_vec3(wanted);
   bool allowed = true;
   if (bounded()) {
@@ -388,11 +388,11 @@ bool ClothForces::leave_guard(std::size_t node, const Vec4& wanted) {
   }
   nodes_[node] = as_vec4(next);
   if (!by_points_) {
-    set_guard(node, next);
+    set_safe_ball(node, next);
     return allowed;
   }
   for (const int v : vertices_of_[node]) {
-    set_guard(v, next + open_ * program_.offsets[v]);
+    set_safe_ball(v, next + open_ * program_.offsets[v]);
   }
   return allowed;
 }

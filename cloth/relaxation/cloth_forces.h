@@ -83,11 +83,11 @@ class ClothForces {
   bool bounded() const { return options_.bounded && !bound_.empty(); }
   void search();
   void activate_pairs();
-  bool leave_guard(std::size_t node, const Vec4& wanted);
+  bool leave_safe_ball(std::size_t node, const Vec4& wanted);
   Vec3 within_bounds(std::size_t node, const Vec3& wanted) const;
-  void set_guard(std::size_t vertex, const Vec3& p);
-  void set_guards();
-  void look_after_body_bounds();
+  void set_safe_ball(std::size_t vertex, const Vec3& p);
+  void set_safe_balls();
+  void update_body_bounds();
   void place_points();
   void find_pull();
   void add_up(std::size_t begin, std::size_t end);
@@ -124,7 +124,7 @@ class ClothForces {
   std::vector<double> step_down_;      // metres, per vertex, onto the body
   /// Per vertex: where it was last looked after, and the square of how far it may go from there
   /// before it has to be looked after again.
-  Vec4s guards_;
+  Vec4s safe_balls_;
 
   std::unique_ptr<EdgeContacts> edge_contacts_;
   std::unique_ptr<BodyBounds> body_bounds_;
@@ -159,8 +159,8 @@ inline void ClothForces::at(std::size_t n, Vec4& force, double& stiffness) {
 
 inline bool ClothForces::move(std::size_t n, const Vec4& wanted) {
   for (const int v : vertices_of_[n]) {
-    const Vec4 moved = positions()[v] + (wanted - nodes_[n]) - guards_[v];
-    if (squared_length(moved) > guards_[v][3]) return leave_guard(n, wanted);
+    const Vec4 moved = positions()[v] + (wanted - nodes_[n]) - safe_balls_[v];
+    if (squared_length(moved) > safe_balls_[v][3]) return leave_safe_ball(n, wanted);
   }
   nodes_[n] = wanted;
   return true;
