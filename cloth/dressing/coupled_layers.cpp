@@ -207,7 +207,7 @@ class Together {
     set_forces(options);
     options.seconds = options_.release_seconds;
     result_.release =
-        let_go(program_, options, state, [&](RestingState& moved) { come_to_rest(moved); });
+        test_stability(program_, options, state, [&](RestingState& moved) { come_to_rest(moved); });
   }
 
   const std::vector<WornGarment>& garments_;

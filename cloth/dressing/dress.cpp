@@ -357,7 +357,7 @@ void Dressing::let_go_of(bool bounded) {
   options.surface = surface_ ? &*surface_ : nullptr;
   options.seconds = options_.release_seconds;
   RestingState state = {result_.nodes, result_.warm_start, result_.converged};
-  result_.release = let_go(program_, options, state, [&](RestingState& moved) {
+  result_.release = test_stability(program_, options, state, [&](RestingState& moved) {
     result_.nodes = std::move(moved.nodes);
     result_.warm_start = std::move(moved.warm_start);
     RelaxOptions again = rest_options(bounded);

@@ -11,8 +11,8 @@ constexpr int most_returns = 3;
 
 }  // namespace
 
-ReleaseReport let_go(const Program& program, ReleaseOptions options, RestingState& state,
-                     const std::function<void(RestingState&)>& come_to_rest) {
+ReleaseReport test_stability(const Program& program, ReleaseOptions options, RestingState& state,
+                             const std::function<void(RestingState&)>& come_to_rest) {
   options.warm_start = &state.warm_start;
   options.multipliers = &state.warm_start.multipliers;
   for (int returns = 0;; ++returns) {
