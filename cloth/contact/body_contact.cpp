@@ -16,16 +16,17 @@ constexpr double ridge_slope = 0.97;
 
 }  // namespace
 
-void BodyContact::look(const Scene& scene, const Vec3& p, double offset, double plane_reach,
-                       double step_down) {
+void BodyContact::look(const Scene& scene, const Vec3& p, double offset,
+                       double linearization_radius, double approach_bound) {
   const DistanceGrid::Sample sample = scene.body->at(p);
   const double away = sample.distance - offset;
   looked_at_ = p;
-  const double near = std::max(near_surface, step_down);
+  const double near = std::max(near_surface, approach_bound);
   near_ = away < near;
   if (!near_) {
     // On the far side of the middle between here and there, the plane is asked for again.
-    reach_ = std::max(scene.body->at_least(sample.distance) - offset - 0.5 * near, plane_reach);
+    reach_ =
+        std::max(scene.body->at_least(sample.distance) - offset - 0.5 * near, linearization_radius);
     anchored_ = false;
     return;
   }
@@ -34,7 +35,7 @@ void BodyContact::look(const Scene& scene, const Vec3& p, double offset, double 
   slope_ = std::min(length, 1.0);
   normal_ = as_vec4(normal);
   level_ = slope_ * normal.dot(p) - away;
-  reach_ = slope_ < ridge_slope ? 0 : plane_reach;
+  reach_ = slope_ < ridge_slope ? 0 : linearization_radius;
   stiffness_ = push_stiffness * (slope_ * slope_ + scene.body->most_bend() * std::max(-away, 0.0));
 }
 

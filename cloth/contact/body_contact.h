@@ -16,10 +16,11 @@ namespace toile {
 class alignas(32) BodyContact {
  public:
   /// Takes the body's surface, `offset` metres out, near the vertex at `p`, for a plane along
-  /// `plane_reach` metres; for less where it bends away on both sides. The vertex, which may
-  /// come down by `step_down` metres in a step, counts as held by the body from so far off. The
-  /// scene has a body.
-  void look(const Scene& scene, const Vec3& p, double offset, double plane_reach, double step_down);
+  /// `linearization_radius` metres; for less where it bends away on both sides. The vertex, which
+  /// may come down by `approach_bound` metres in a step, counts as held by the body from so far
+  /// off. The scene has a body.
+  void look(const Scene& scene, const Vec3& p, double offset, double linearization_radius,
+            double approach_bound);
 
   /// Metres that the vertex may still move before the body has to be looked at again; 0 and less
   /// when it is due.

@@ -57,7 +57,7 @@ void settle(RelaxOptions& options) {
 constexpr double slid_off = 0.06;
 
 /// Metres, while seams close, where nothing has to come to rest.
-constexpr double coarse_body_reach = 2e-4;
+constexpr double closing_linearization_radius = 2e-4;
 
 /// N/m, while seams close: softer cloth would be drawn into strings by them, and tangle.
 constexpr double sewing_stretch = 1000;
@@ -241,7 +241,7 @@ bool Dressing::wrap(double care) {
   options.compression = soft_compression.back();
   options.gravity = 0;
   options.pull = sewing_pull;
-  options.body_reach = coarse_body_reach;
+  options.linearization_radius = closing_linearization_radius;
   options.friction = false;
   options.bounded = true;
   options.momentum = 0.99;
@@ -259,7 +259,7 @@ bool Dressing::sew(double care) {
   options.bending_from = options.bending_to = sewing_stiffness * care;
   options.gravity = 0;
   options.pull = sewing_pull;
-  options.body_reach = coarse_body_reach;
+  options.linearization_radius = closing_linearization_radius;
   options.friction = false;
   // Stiff seams open small folds that have gone through themselves.
   bool is_clean = clean();

@@ -106,12 +106,12 @@ void ClothForces::use_skin(bool points) {
   if (options_.bounded && options_.surface != nullptr && !points) {
     body_bounds_ = std::make_unique<BodyBounds>(*options_.surface, triangles, count);
   }
-  step_down_ = of_vertices(steps_down());
+  approach_bound_ = of_vertices(approach_bounds());
   edge_contacts_.reset();
   if (program_.scene.body != nullptr && options_.surface != nullptr) {
     const double shortest = std::sqrt(8 * body_curve * most_sagitta * options_.body_offset);
     edge_contacts_ = std::make_unique<EdgeContacts>(
-        triangles, positions(), shortest, of_vertices(program_.friction_skin), step_down_);
+        triangles, positions(), shortest, of_vertices(program_.friction_skin), approach_bound_);
   }
   contacts_.assign(count, {});
   safe_balls_.assign(count, Vec4{});
@@ -141,7 +141,7 @@ void ClothForces::use_skin(bool points) {
 }
 
 /// Metres that each node may come down onto the body in a step.
-std::vector<double> ClothForces::steps_down() const {
+std::vector<double> ClothForces::approach_bounds() const {
   std::vector<double> steps;
   for (int n = 0; n < program_.nodes; ++n) {
     const double weight = program_.mass[n] * program_.scene.gravity.norm();
@@ -281,7 +281,8 @@ void ClothForces::set_safe_ball(std::size_t v, const Vec3& p) {
   if (program_.scene.body != nullptr) {
     if (contacts_[v].remaining(p) <= 0) {
       const double offset = options_.body_offset + lift(static_cast<int>(v));
-      contacts_[v].look(program_.scene, p, offset, options_.body_reach, step_down_[v]);
+      contacts_[v].look(program_.scene, p, offset, options_.linearization_radius,
+                        approach_bound_[v]);
     }
     reach = contacts_[v].remaining(p);
   }
@@ -331,7 +332,7 @@ void ClothForces::compute(double bending) {
     share(kernel_->groups(),
           [&](std::size_t begin, std::size_t end) { kernel_->pull(begin, end, stretch_, p); });
     share(pairs_.active(), [&](std::size_t begin, std::size_t end) {
-      pairs_.push(begin, end, options_.bounded, options_.early_contact, p);
+      pairs_.push(begin, end, options_.bounded, options_.activation_distance, p);
     });
     if (edges == 0) return;
     share(edges, [&](std::size_t begin, std::size_t end) {

@@ -91,7 +91,7 @@ class ClothForces {
   void place_points();
   void find_pull();
   void add_up(std::size_t begin, std::size_t end);
-  std::vector<double> steps_down() const;
+  std::vector<double> approach_bounds() const;
   std::vector<double> of_vertices(const std::vector<double>& of_nodes) const;
   std::vector<Vec3> all_positions() const;
   std::size_t vertices() const { return kernel_->vertices(); }
@@ -118,10 +118,10 @@ class ClothForces {
   bool by_points_ = false;
   double open_ = 0;
   double bending_ = 1;
-  Vec4s points_;                       // as nodes_, of the material points, while seams stand open
-  Adjacency<int> vertices_of_;         // per node: its material points, while seams stand open
-  std::vector<BodyContact> contacts_;  // per vertex
-  std::vector<double> step_down_;      // metres, per vertex, onto the body
+  Vec4s points_;                        // as nodes_, of the material points, while seams stand open
+  Adjacency<int> vertices_of_;          // per node: its material points, while seams stand open
+  std::vector<BodyContact> contacts_;   // per vertex
+  std::vector<double> approach_bound_;  // metres, per vertex, onto the body
   /// Per vertex: where it was last looked after, and the square of how far it may go from there
   /// before it has to be looked after again.
   Vec4s safe_balls_;

@@ -6,7 +6,7 @@ namespace toile {
 
 EdgeContacts::EdgeContacts(const std::vector<Triangle>& triangles, const Vec4s& x, double shortest,
                            const std::vector<double>& friction,
-                           const std::vector<double>& step_down) {
+                           const std::vector<double>& approach_bound) {
   for (const Triangle& t : triangles) {
     for (int i = 0; i < 3; ++i) {
       const int a = std::min(t[i], t[(i + 1) % 3]);
@@ -20,7 +20,8 @@ EdgeContacts::EdgeContacts(const std::vector<Triangle>& triangles, const Vec4s& 
   if (edges_.empty()) return;
   contacts_.resize(edges_.size());
   for (const auto& [a, b] : edges_) friction_.push_back(0.5 * (friction[a] + friction[b]));
-  for (const auto& [a, b] : edges_) step_down_.push_back(std::max(step_down[a], step_down[b]));
+  for (const auto& [a, b] : edges_)
+    approach_bound_.push_back(std::max(approach_bound[a], approach_bound[b]));
   forces_.assign(edges_.size(), Vec4{});
   free_.assign(edges_.size(), Vec4{});
   pushed_.assign(edges_.size(), 0);
@@ -64,7 +65,8 @@ void EdgeContacts::push(std::size_t begin, std::size_t end, const Scene& scene,
     pushed_[e] = 1;
     const Vec3 p = as_vec3(middle);
     if (contacts_[e].remaining(p) <= 0) {
-      contacts_[e].look(scene, p, options.body_offset, options.body_reach, step_down_[e]);
+      contacts_[e].look(scene, p, options.body_offset, options.linearization_radius,
+                        approach_bound_[e]);
       const double reach = contacts_[e].near() ? 0 : contacts_[e].remaining(p);
       free_[e] = middle;
       free_[e][3] = reach * reach;

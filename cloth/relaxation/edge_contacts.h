@@ -19,10 +19,10 @@ class EdgeContacts {
  public:
   /// Takes the edges of the triangles that are longer than `shortest` metres, with vertices at `x`.
   /// `friction` is that of each vertex, on the body; an edge has the mean of its ends';
-  /// `step_down` the metres it may come down onto the body in a step; an edge, the more of its
+  /// `approach_bound` the metres it may come down onto the body in a step; an edge, the more of its
   /// ends'.
   EdgeContacts(const std::vector<Triangle>& triangles, const Vec4s& x, double shortest,
-               const std::vector<double>& friction, const std::vector<double>& step_down);
+               const std::vector<double>& friction, const std::vector<double>& approach_bound);
 
   bool empty() const { return contacts_.empty(); }
 
@@ -46,12 +46,12 @@ class EdgeContacts {
  private:
   std::vector<std::array<int, 2>> edges_;
   std::vector<BodyContact> contacts_;
-  std::vector<double> friction_;   // Coulomb, per edge
-  std::vector<double> step_down_;  // metres, per edge
-  Vec4s forces_;                   // per edge, stiffness as the fourth
-  Vec4s free_;                     // per edge: nothing touches it within the root of the fourth
-  std::vector<char> pushed_;       // per edge: its force counts
-  Adjacency<int> edges_of_;        // per vertex
+  std::vector<double> friction_;        // Coulomb, per edge
+  std::vector<double> approach_bound_;  // metres, per edge
+  Vec4s forces_;                        // per edge, stiffness as the fourth
+  Vec4s free_;                // per edge: nothing touches it within the root of the fourth
+  std::vector<char> pushed_;  // per edge: its force counts
+  Adjacency<int> edges_of_;   // per vertex
 };
 
 }  // namespace toile

@@ -61,12 +61,12 @@ struct ForceOptions {
   /// Metres along which the body passes for a plane: curved with a radius of 2 cm, it leaves one by
   /// 6e-9 m, a force of 6e-6 N on a vertex that touches it. More is faster where nothing has to
   /// come to rest.
-  double body_reach = 1.5e-5;
+  double linearization_radius = 1.5e-5;
   double body_offset = 0.002;  ///< metres; larger on coarse meshes, whose faces cut corners
   double self_radius = 0.005;  ///< metres within which cloth is looked for
   /// Metres before cloth touches cloth at which the step reckons with the stiffness of the touch: a
   /// longer step would be thrown back, for ever. release() takes 0.
-  double early_contact = 1e-4;
+  double activation_distance = 1e-4;
   /// Share of its bound beyond which a node has near cloth looked for anew. 1: when it is stopped;
   /// with less, what moves freely never is, for more searches.
   double search_share = 1;

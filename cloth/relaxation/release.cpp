@@ -25,7 +25,7 @@ constexpr int search_interval = 50;
 /// Who flies is not to be stopped by a bound that is old, nor made heavier by what it may touch.
 ReleaseOptions in_time(ReleaseOptions options) {
   options.search_share = 0.5;
-  options.early_contact = 0;
+  options.activation_distance = 0;
   return options;
 }
 
