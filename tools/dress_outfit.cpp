@@ -251,8 +251,8 @@ bool Outfit::turn_panels_out(std::size_t over) {
     const Subject below = subject_of(i, nothing, nothing);
     Subject above = subject_of(i, nothing, nothing);
     above.add_layer(done_[over].cloth);
-    const std::vector<char> moved = turn_out(done.garment, panels, below.grid(), above.grid(),
-                                             done.result.triangles, done.result.nodes);
+    const std::vector<char> moved = flip_over(done.garment, panels, below.grid(), above.grid(),
+                                              done.result.triangles, done.result.nodes);
     done.result.warm_start.let_go(moved);
     const Subject others = subject_of(over + 1, nothing, i);
     write_and_judge(i, &others.cloth());

@@ -185,7 +185,7 @@ nlohmann::ordered_json report_of(const PanelMesh& garment, const Scene& scene,
     }
     report["scene"]["positioned"].push_back(json);
   }
-  for (const auto& [panel, distance] : result.placement.stepped_out) {
+  for (const auto& [panel, distance] : result.placement.moved_off_layers) {
     report["scene"]["stepped_out_mm"][panel] = 1000 * distance;
   }
   for (const auto& [panel, distance] : result.placement.moved_clear) {

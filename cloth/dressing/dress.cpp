@@ -15,7 +15,7 @@
 #include "cloth/model/compile.h"
 #include "cloth/model/gathers.h"
 #include "cloth/model/nested_meshes.h"
-#include "cloth/start/clear_start.h"
+#include "cloth/start/resolve_intersections.h"
 #include "geometry/distance_grid.h"
 #include "geometry/error.h"
 #include "geometry/intersections.h"

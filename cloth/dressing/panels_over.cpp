@@ -63,9 +63,9 @@ void leave_out(const PanelMesh& garment, const std::vector<int>& panels,
   std::erase_if(triangles, [&](const Triangle&) { return is_left_out[t++] != 0; });
 }
 
-std::vector<char> turn_out(const PanelMesh& garment, const std::vector<int>& panels,
-                           const DistanceGrid& below, const DistanceGrid& above,
-                           const std::vector<Triangle>& triangles, std::vector<Vec3>& nodes) {
+std::vector<char> flip_over(const PanelMesh& garment, const std::vector<int>& panels,
+                            const DistanceGrid& below, const DistanceGrid& above,
+                            const std::vector<Triangle>& triangles, std::vector<Vec3>& nodes) {
   std::vector<char> of_panels(nodes.size(), 0);
   for (const int panel : panels) {
     const MeshedPanel& meshed = garment.panels[panel];

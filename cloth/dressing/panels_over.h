@@ -24,8 +24,8 @@ void leave_out(const PanelMesh& garment, const std::vector<int>& panels,
 /// in these panels still does. Nodes where the other garment is not stay; those of a seam to a
 /// panel that is not turned out move too, so that seam has to be clear of the other garment.
 /// `nodes` and `triangles` are the dressed garment's, in its order. Returns which nodes moved.
-std::vector<char> turn_out(const PanelMesh& garment, const std::vector<int>& panels,
-                           const DistanceGrid& below, const DistanceGrid& above,
-                           const std::vector<Triangle>& triangles, std::vector<Vec3>& nodes);
+std::vector<char> flip_over(const PanelMesh& garment, const std::vector<int>& panels,
+                            const DistanceGrid& below, const DistanceGrid& above,
+                            const std::vector<Triangle>& triangles, std::vector<Vec3>& nodes);
 
 }  // namespace toile

@@ -6,7 +6,7 @@
 
 #include "cloth/judge/measures.h"
 #include "cloth/model/compile.h"
-#include "cloth/start/clear_start.h"
+#include "cloth/start/resolve_intersections.h"
 #include "geometry/error.h"
 #include "geometry/intersections.h"
 

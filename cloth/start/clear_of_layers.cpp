@@ -29,7 +29,7 @@ Vec3 facing(const PanelMesh& garment, const MeshedPanel& panel, const std::vecto
 
 }  // namespace
 
-void step_out(const PanelMesh& garment, const DistanceGrid& subject, Placement& placement) {
+void clear_of_layers(const PanelMesh& garment, const DistanceGrid& subject, Placement& placement) {
   for (const MeshedPanel& panel : garment.panels) {
     const Vec3 way = facing(garment, panel, placement.placed);
     if (way == Vec3::Zero()) continue;
@@ -49,7 +49,7 @@ void step_out(const PanelMesh& garment, const DistanceGrid& subject, Placement& 
       best = steps;
     }
     if (best == 0) continue;
-    placement.stepped_out[panel.name] = best * step;
+    placement.moved_off_layers[panel.name] = best * step;
     for (int p = panel.first_point; p < panel.first_point + panel.points; ++p) {
       placement.placed[p] += best * step * way;
     }

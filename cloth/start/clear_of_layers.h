@@ -12,6 +12,6 @@ namespace toile {
 /// is, else to where the fewest are. A rolled panel, which faces no way, stays. A pattern places
 /// its panels around the body; under a further layer the body is wider than it knew.
 /// Notes the moves in `placement` and counts its points_inside anew.
-void step_out(const PanelMesh& garment, const DistanceGrid& subject, Placement& placement);
+void clear_of_layers(const PanelMesh& garment, const DistanceGrid& subject, Placement& placement);
 
 }  // namespace toile

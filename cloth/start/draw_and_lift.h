@@ -14,15 +14,15 @@ namespace toile {
 
 /// Where the panels start, and how they were moved from where the pattern puts them.
 struct Placement {
-  std::vector<Vec3> placed;                   ///< per material point, metres
-  std::vector<PositionedPanel> positioned;    ///< panels that the skeleton positioned
-  double lift = 0;                            ///< metres, of all panels together
-  std::map<std::string, double> turned;       ///< radians, per arm whose sleeve was turned to it
-  std::map<std::string, double> drawn_out;    ///< metres along the limb, per part that was
-  std::map<std::string, double> stepped_out;  ///< metres, per panel that was in a layer's way
-  std::map<std::string, double> moved_clear;  ///< metres, per panel that intersected something
-  int points_inside = 0;                      ///< material points that are still inside the body
-  int seams_inside = 0;  ///< pairs of sewn points that would meet inside the body
+  std::vector<Vec3> placed;                 ///< per material point, metres
+  std::vector<PositionedPanel> positioned;  ///< panels that the skeleton positioned
+  double lift = 0;                          ///< metres, of all panels together
+  std::map<std::string, double> turned;     ///< radians, per arm whose sleeve was turned to it
+  std::map<std::string, double> drawn_out;  ///< metres along the limb, per part that was
+  std::map<std::string, double> moved_off_layers;  ///< metres, per panel that was in a layer's way
+  std::map<std::string, double> moved_clear;       ///< metres, per panel that intersected something
+  int points_inside = 0;  ///< material points that are still inside the body
+  int seams_inside = 0;   ///< pairs of sewn points that would meet inside the body
 };
 
 /// Positions the panels that ask for it by the skeleton (positioning.h, whose Errors it throws).

@@ -61,7 +61,7 @@ TEST(TurnOut, WhatLayBelowLiesOver) {
   above.add_layer(outer);
   std::vector<Vec3> nodes = tail.dressed.points;
   const std::vector<char> moved =
-      turn_out(tail.garment, {0, 1}, below.grid(), above.grid(), triangles, nodes);
+      flip_over(tail.garment, {0, 1}, below.grid(), above.grid(), triangles, nodes);
   EXPECT_TRUE(intersections({nodes, triangles}, outer).empty());
   EXPECT_TRUE(intersections({nodes, triangles}, body).empty());
   EXPECT_TRUE(self_intersections({nodes, triangles}).empty());
@@ -94,7 +94,7 @@ TEST(TurnOut, OnlyThePanelsNamed) {
   EXPECT_EQ(panels_named(tail.garment, {"tail_*"}), (std::vector<int>{0, 1}));
   EXPECT_HOLDS(samples::error_of([&] { panels_named(tail.garment, {"collar"}); }), "collar");
   std::vector<Vec3> nodes = tail.dressed.points;
-  turn_out(tail.garment, {0}, below.grid(), above.grid(), tail.dressed.triangles, nodes);
+  flip_over(tail.garment, {0}, below.grid(), above.grid(), tail.dressed.triangles, nodes);
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     const bool is_front = tail.dressed.points[n].z() > -1e-9;
     EXPECT_EQ(radius_of(nodes[n]) > 0.106, is_front) << n;

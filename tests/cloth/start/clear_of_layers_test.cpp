@@ -29,10 +29,10 @@ TEST(StepOut, PanelsStepBackUntilTheyAreClear) {
   Placement placement;
   placement.placed = garment.placed;
   placement.points_inside = 77;
-  step_out(garment, subject, placement);
+  clear_of_layers(garment, subject, placement);
   // 35 mm deep, and 10 mm clear.
-  EXPECT_EQ(placement.stepped_out.size(), 1U);
-  EXPECT_NEAR(placement.stepped_out.at("front"), 0.05, 1e-12);
+  EXPECT_EQ(placement.moved_off_layers.size(), 1U);
+  EXPECT_NEAR(placement.moved_off_layers.at("front"), 0.05, 1e-12);
   EXPECT_EQ(placement.points_inside, 0);
   for (std::size_t p = 0; p < garment.placed.size(); ++p) {
     const double out = garment.placed[p].z() > 0 ? 0.05 : 0;
@@ -54,8 +54,8 @@ TEST(StepOut, WhatNoStepClearsAndWhatIsRolledStays) {
   });
   Placement placement;
   placement.placed = garment.placed;
-  step_out(garment, subject, placement);
-  EXPECT_EQ(placement.stepped_out.count("rolled"), 0U);
+  clear_of_layers(garment, subject, placement);
+  EXPECT_EQ(placement.moved_off_layers.count("rolled"), 0U);
   EXPECT_EQ(placement.points_inside > 0, true);
   const MeshedPanel& rolled = garment.panels[1];
   for (int p = rolled.first_point; p < rolled.first_point + rolled.points; ++p) {

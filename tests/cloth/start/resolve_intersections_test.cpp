@@ -1,4 +1,4 @@
-#include "cloth/start/clear_start.h"
+#include "cloth/start/resolve_intersections.h"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ Placement cleared(const PanelMesh& garment, const Skeleton* skeleton = nullptr) 
   Placement placement;
   placement.placed = garment.placed;
   placement.points_inside = 77;
-  clear_start(garment, block(), distance(), skeleton, placement);
+  resolve_intersections(garment, block(), distance(), skeleton, placement);
   return placement;
 }
 
@@ -153,7 +153,7 @@ TEST(ClearStart, WhatFindsNoPlaceIsNamed) {
   Placement placement;
   placement.placed = garment.placed;
   const std::string message =
-      samples::error_of([&] { clear_start(garment, tower, grid, nullptr, placement); });
+      samples::error_of([&] { resolve_intersections(garment, tower, grid, nullptr, placement); });
   EXPECT_HOLDS(message, "'shelf'");
   EXPECT_HOLDS(message, "find no place");
   EXPECT_EQ(message.find("good"), std::string::npos) << message;

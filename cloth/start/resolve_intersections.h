@@ -20,12 +20,13 @@ namespace toile {
 /// that meet only where they are sewn together. Exact where anything is near; `subject` is the
 /// surface that `distance` tells the distance to. Notes the moves in `placement` and counts its
 /// points_inside anew. Throws Error, naming the panels, when one finds no place.
-void clear_start(const PanelMesh& garment, const TriangleMesh& subject,
-                 const DistanceGrid& distance, const Skeleton* skeleton, Placement& placement);
+void resolve_intersections(const PanelMesh& garment, const TriangleMesh& subject,
+                           const DistanceGrid& distance, const Skeleton* skeleton,
+                           Placement& placement);
 
-/// Where the garment starts in the scene: place_panels(), step_out() where there are layers, and
-/// clear_start(). What had to be moved is drawn out and lifted anew from where it came to stand.
-/// The scene has a body; without `subject` nothing is made clear.
+/// Where the garment starts in the scene: place_panels(), clear_of_layers() where there are layers,
+/// and resolve_intersections(). What had to be moved is drawn out and lifted anew from where it
+/// came to stand. The scene has a body; without `subject` nothing is made clear.
 Placement start_of(const PanelMesh& garment, const Scene& scene, double hang = 0);
 
 /// Pairs of panels, by index and the lower first, that intersect as placed; sorted. Points that

@@ -1,4 +1,4 @@
-#include "cloth/start/clear_start.h"
+#include "cloth/start/resolve_intersections.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -254,8 +254,9 @@ std::vector<std::pair<int, int>> crossing_panels(const PanelMesh& garment,
   return {pairs.begin(), pairs.end()};
 }
 
-void clear_start(const PanelMesh& garment, const TriangleMesh& subject,
-                 const DistanceGrid& distance, const Skeleton* skeleton, Placement& placement) {
+void resolve_intersections(const PanelMesh& garment, const TriangleMesh& subject,
+                           const DistanceGrid& distance, const Skeleton* skeleton,
+                           Placement& placement) {
   Clearing clearing(garment, subject, distance, skeleton, placement);
   if (clearing.is_due()) clearing.run();
 }
@@ -264,9 +265,9 @@ Placement start_of(const PanelMesh& garment, const Scene& scene, double hang) {
   const DistanceGrid& body = *scene.body;
   Placement placement = place_panels(garment, body, scene.skeleton, hang);
   const auto make_clear = [&] {
-    if (scene.layers != nullptr) step_out(garment, body, placement);
+    if (scene.layers != nullptr) clear_of_layers(garment, body, placement);
     if (scene.subject == nullptr) return;
-    clear_start(garment, *scene.subject, body, scene.skeleton, placement);
+    resolve_intersections(garment, *scene.subject, body, scene.skeleton, placement);
   };
   const std::vector<Vec3> before = placement.placed;
   make_clear();
@@ -278,7 +279,7 @@ Placement start_of(const PanelMesh& garment, const Scene& scene, double hang) {
   }
   Placement again = draw_out_and_lift(moved, body, scene.skeleton, hang);
   again.positioned = placement.positioned;
-  again.stepped_out = placement.stepped_out;
+  again.moved_off_layers = placement.moved_off_layers;
   again.moved_clear = placement.moved_clear;
   placement = std::move(again);
   make_clear();
