@@ -101,7 +101,7 @@ Placement draw_out_and_lift(const PanelMesh& garment, const DistanceGrid& body,
     }
   }
   const std::vector<double> lifted = lifted_points(garment);
-  SewingWays ways(garment, placement.placed, lifted, body, skeleton);
+  SeamPaths ways(garment, placement.placed, lifted, body, skeleton);
   const auto points_inside = [&](double lift) {
     int count = 0;
     for (std::size_t p = 0; p < placement.placed.size(); ++p) {
@@ -112,10 +112,10 @@ Placement draw_out_and_lift(const PanelMesh& garment, const DistanceGrid& body,
   // What hangs from the shoulders has to come over them; a skirt must not come into the armpits.
   const bool may_meet_arms = skeleton == nullptr || hangs || has_sleeves;
   const int inside_unlifted = points_inside(0);
-  int fewest = ways.barred(0);
+  int fewest = ways.obstructed(0);
   for (int step = 1; step <= lift_steps && fewest > ways.at_arms(); ++step) {
     const double lift = step * lift_step;
-    const int count = ways.barred(lift);
+    const int count = ways.obstructed(lift);
     if (count >= fewest) continue;
     if (!may_meet_arms && points_inside(lift + margin) > inside_unlifted) continue;
     fewest = count;

@@ -15,20 +15,20 @@ namespace toile {
 inline constexpr double meeting_clearance = 0.01;
 
 /// The straight ways between the points of each seam's two sides, as the panels are lifted.
-class SewingWays {
+class SeamPaths {
  public:
   /// `lifted`: per material point, the share of a lift that it takes part in. `skeleton` null: no
   /// arm is known.
-  SewingWays(const PanelMesh& garment, const std::vector<Vec3>& placed,
-             const std::vector<double>& lifted, const DistanceGrid& body, const Skeleton* skeleton);
+  SeamPaths(const PanelMesh& garment, const std::vector<Vec3>& placed,
+            const std::vector<double>& lifted, const DistanceGrid& body, const Skeleton* skeleton);
 
   /// Pairs whose way leads through the body, or that would meet too near to it: it is not enough
   /// that a seam meets before a narrow shoulder, when its other side has to come through that. A
   /// pair that an arm was ever in the way of counts from there on: lifted past the arm, it would
   /// close above, with the arm outside of its sleeve. So ask for rising lifts, in metres.
-  int barred(double lift);
+  int obstructed(double lift);
 
-  /// Those of them that are barred at every higher lift too.
+  /// Those of them that are obstructed at every higher lift too.
   int at_arms() const;
 
   /// Pairs that would meet inside the body or too near to it.
@@ -42,7 +42,7 @@ class SewingWays {
   };
 
   Vec3 lifted_point(int point, double lift) const;
-  bool is_barred(Way& way, double lift) const;
+  bool is_obstructed(Way& way, double lift) const;
   bool in_arm(const Vec3& p) const;
 
   const std::vector<Vec3>& placed_;
