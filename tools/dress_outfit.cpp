@@ -166,8 +166,8 @@ Done Outfit::dress_layer(const OutfitLayer& layer, PanelMesh garment) {
   const std::size_t known_before = subject_->grid().computed();
   // What is judged needs to know where the panels stood as much as what is dressed.
   garment.placed = position_panels(garment, *done.scene.body, done.scene.skeleton).placed;
-  for (const DoubtfulPanel& doubtful : doubtful_start(garment, done.scene)) {
-    done.warnings.push_back(doubt_text(doubtful));
+  for (const PlacementWarning& warning : placement_warnings(garment, done.scene)) {
+    done.warnings.push_back(text_of(warning));
     CommonSettings::warn(done.warnings.back());
   }
   for (const std::string& line : softened_fabrics(garment, done.scene)) {

@@ -214,33 +214,33 @@ std::vector<double> facing_out(const PanelMesh& garment, const BodyDistance& ski
   return facing;
 }
 
-std::vector<DoubtfulPanel> doubtful_start(const PanelMesh& garment, const Scene& scene) {
-  using Doubt = DoubtfulPanel::Doubt;
-  std::vector<DoubtfulPanel> doubtful;
+std::vector<PlacementWarning> placement_warnings(const PanelMesh& garment, const Scene& scene) {
+  using Kind = PlacementWarning::Kind;
+  std::vector<PlacementWarning> warning;
   const double middle = scene.skeleton != nullptr ? scene.skeleton->joint("pelvis").x() : 0;
   Sides sides(garment, middle);
   for (const int p : sides.exchange_swapped()) {
-    doubtful.push_back({garment.panels[p].name, Doubt::swapped});
+    warning.push_back({garment.panels[p].name, Kind::swapped});
   }
   for (const int p : sides.misplaced()) {
-    doubtful.push_back({garment.panels[p].name, Doubt::other_side});
+    warning.push_back({garment.panels[p].name, Kind::other_side});
   }
-  if (scene.skin == nullptr) return doubtful;
+  if (scene.skin == nullptr) return warning;
   const std::vector<double> facing = facing_out(garment, *scene.skin);
   for (std::size_t p = 0; p < facing.size(); ++p) {
-    if (facing[p] < surely_inward) doubtful.push_back({garment.panels[p].name, Doubt::inside_out});
+    if (facing[p] < surely_inward) warning.push_back({garment.panels[p].name, Kind::inside_out});
   }
-  return doubtful;
+  return warning;
 }
 
-std::string doubt_text(const DoubtfulPanel& doubtful) {
-  const std::string panel = "panel '" + doubtful.panel + "' ";
-  if (doubtful.doubt == DoubtfulPanel::Doubt::other_side) {
+std::string text_of(const PlacementWarning& warning) {
+  const std::string panel = "panel '" + warning.panel + "' ";
+  if (warning.kind == PlacementWarning::Kind::other_side) {
     return panel +
            "stands on the other side of the body from what it is sewn to: move it across (the sign "
            "of its translation's x, or the part of its 'placement'), or sew it to the other side";
   }
-  if (doubtful.doubt == DoubtfulPanel::Doubt::swapped) {
+  if (warning.kind == PlacementWarning::Kind::swapped) {
     return panel +
            "stands where its mirror image, which it is sewn to, belongs: let the two change places";
   }

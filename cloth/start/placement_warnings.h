@@ -10,14 +10,14 @@
 namespace toile {
 
 /// A panel that its pattern seems to place wrongly.
-struct DoubtfulPanel {
-  enum class Doubt {
+struct PlacementWarning {
+  enum class Kind {
     swapped,     ///< with its mirror image
     other_side,  ///< of the body from what it is sewn to
     inside_out,  ///< its right side toward the body
   };
   std::string panel;
-  Doubt doubt;
+  Kind kind;
 };
 
 /// Looks at the panels where `garment.placed` says; names play no part. On the other side stand
@@ -30,13 +30,13 @@ struct DoubtfulPanel {
 /// squarely. In the garment's order, swapped ones first, then other sides. The scene's `skin`, if
 /// any, tells what is inside out; `skeleton`, if any, where the middle is (x = 0). Cost is some 50
 /// queries of the skin a panel.
-std::vector<DoubtfulPanel> doubtful_start(const PanelMesh& garment, const Scene& scene);
+std::vector<PlacementWarning> placement_warnings(const PanelMesh& garment, const Scene& scene);
 
 /// Of each panel, how its right side faces away from the skin: the mean cosine over its area, 1
 /// when all of it does.
 std::vector<double> facing_out(const PanelMesh& garment, const BodyDistance& skin);
 
-/// What is doubtful and what to do, in a line.
-std::string doubt_text(const DoubtfulPanel& doubtful);
+/// What is warning and what to do, in a line.
+std::string text_of(const PlacementWarning& warning);
 
 }  // namespace toile

@@ -64,13 +64,13 @@ struct Found {
 
 Found doubts(const Json& file, const Stage& stage = mannequin()) {
   Found found;
-  for (const DoubtfulPanel& doubtful : doubtful_start(placed(file, stage), stage.scene)) {
-    EXPECT_NE(doubt_text(doubtful).find("panel '" + doubtful.panel + "' "), std::string::npos);
-    using Doubt = DoubtfulPanel::Doubt;
-    Names& names = doubtful.doubt == Doubt::swapped      ? found.swapped
-                   : doubtful.doubt == Doubt::other_side ? found.other_side
-                                                         : found.inside_out;
-    names.push_back(doubtful.panel);
+  for (const PlacementWarning& warning : placement_warnings(placed(file, stage), stage.scene)) {
+    EXPECT_NE(text_of(warning).find("panel '" + warning.panel + "' "), std::string::npos);
+    using Kind = PlacementWarning::Kind;
+    Names& names = warning.kind == Kind::swapped      ? found.swapped
+                   : warning.kind == Kind::other_side ? found.other_side
+                                                      : found.inside_out;
+    names.push_back(warning.panel);
   }
   return found;
 }
