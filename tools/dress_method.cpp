@@ -231,7 +231,7 @@ DressMethod read_method(const po::variables_map& given, bool together) {
           },
           [options](const std::vector<WornGarment>& garments, const Scene& scene,
                     const FrameWatcher& watcher) {
-            return move_together(garments, scene, options, watcher);
+            return relax_coupled(garments, scene, options, watcher);
           }};
 }
 

@@ -17,8 +17,8 @@ struct DressMethod {
   std::optional<Quality> quality;
   std::function<DressResult(const PanelMesh&, const Scene&, const FrameWatcher&)> dress;
   /// Empty: garments stay where this method dressed them.
-  std::function<TogetherResult(const std::vector<WornGarment>&, const Scene&, const FrameWatcher&)>
-      move_together;
+  std::function<CoupledResult(const std::vector<WornGarment>&, const Scene&, const FrameWatcher&)>
+      relax_coupled;
 };
 
 /// Adds --method, --strain-limit, --shear-limit, --residual and what belongs to one method only.

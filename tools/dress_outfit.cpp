@@ -75,9 +75,9 @@ class Outfit {
   Subject subject_of(std::size_t layers, std::size_t under, std::size_t without) const;
   bool turn_panels_out(std::size_t over);
   bool dress_one_by_one();
-  void move_together();
+  void relax_coupled();
   Json report_of_layer(std::size_t layer) const;
-  Json together_json() const;
+  Json coupled_json() const;
   /// Of a scene: each layer's entry, and what became of the whole.
   Json whole_report() const;
   std::string verdict() const;  // the first of a layer that is not "sewn"
@@ -93,8 +93,8 @@ class Outfit {
   double read_seconds_ = 0;
   double grid_seconds_ = 0;
   std::vector<Done> done_;
-  std::optional<TogetherResult> together_;
-  std::optional<Certificate> together_certificate_;
+  std::optional<CoupledResult> coupled_;
+  std::optional<Certificate> coupled_certificate_;
 };
 
 void Outfit::read() {
@@ -298,7 +298,7 @@ bool Outfit::dress_one_by_one() {
   return true;
 }
 
-void Outfit::move_together() {
+void Outfit::relax_coupled() {
   common_.say("together:");
   const Subject bare(subject_->body(), known_);
   Scene scene = scene_of(settings_.layers.front());
@@ -311,25 +311,25 @@ void Outfit::move_together() {
     worn.push_back({&done.garment, done.scene.fabric, done.result.nodes, done.result.warm_start,
                     done.result.body_offset, done.result.held});
   }
-  if (settings_.certify_frames) together_certificate_.emplace(bare.body(), nullptr);
+  if (settings_.certify_frames) coupled_certificate_.emplace(bare.body(), nullptr);
   {
     std::optional<fs::path> frames = settings_.frames;
     if (frames) *frames /= "together";
     DressWatch watch(frames, !common_.quiet && isatty(STDERR_FILENO) != 0,
-                     together_certificate_ ? &*together_certificate_ : nullptr);
-    together_ =
-        settings_.method.move_together(worn, scene, [&](const DressFrame& frame) { watch(frame); });
+                     coupled_certificate_ ? &*coupled_certificate_ : nullptr);
+    coupled_ =
+        settings_.method.relax_coupled(worn, scene, [&](const DressFrame& frame) { watch(frame); });
   }
-  if (together_certificate_) say_certificate(*together_certificate_, common_);
+  if (coupled_certificate_) say_certificate(*coupled_certificate_, common_);
   for (std::size_t i = 0; i < done_.size(); ++i) {
     DressResult& result = done_[i].result;
-    result.nodes = together_->nodes[i];
-    result.lift = together_->lift[i];
-    result.tight_seams = together_->tight_seams[i];
-    if (settings_.strain_limit) result.tight_places = together_->tight_places[i];
-    result.converged = together_->stages.back().converged;
-    result.residual = together_->stages.back().residual;
-    result.release = together_->release;
+    result.nodes = coupled_->nodes[i];
+    result.lift = coupled_->lift[i];
+    result.tight_seams = coupled_->tight_seams[i];
+    if (settings_.strain_limit) result.tight_places = coupled_->tight_places[i];
+    result.converged = coupled_->stages.back().converged;
+    result.residual = coupled_->stages.back().residual;
+    result.release = coupled_->release;
     const PanelMesh& garment = done_[i].garment;
     measure_lasting(garment, result.held, material_points(garment, result), result.attachments);
   }
@@ -343,7 +343,7 @@ void Outfit::move_together() {
     common_.say("layer " + settings_.layers[i].name + ", moved together:");
     say_result(done_[i].result, done_[i].judgement, common_);
   }
-  for (const Pressing& pressing : together_->pressings) {
+  for (const LayerContact& pressing : coupled_->contacts) {
     std::ostringstream line;
     line << std::fixed << std::setprecision(1) << settings_.layers[pressing.outer].name
          << " presses on " << settings_.layers[pressing.inner].name << " with " << pressing.force
@@ -361,7 +361,7 @@ Json Outfit::report_of_layer(std::size_t layer) const {
   report["body_distances_computed"] = done.distances;
   if (settings_.method.quality) report.update(quality_json(*settings_.method.quality));
   if (done.certificate) report["certified"] = certified_json(*done.certificate);
-  if (together_) report["moved_together_mm"] = moved_json(together_->moved[layer]);
+  if (coupled_) report["moved_together_mm"] = moved_json(coupled_->moved[layer]);
   if (!settings_.scene) return report;
   Json named = {{"name", settings_.layers[layer].name},
                 {"dressed", settings_.layers[layer].output.string()}};
@@ -369,19 +369,19 @@ Json Outfit::report_of_layer(std::size_t layer) const {
   return named;
 }
 
-Json Outfit::together_json() const {
-  Json json = {{"stages", stages_json(together_->stages)},
-               {"converged", together_->stages.back().converged},
-               {"residual", residual_json(together_->stages.back().residual)},
+Json Outfit::coupled_json() const {
+  Json json = {{"stages", stages_json(coupled_->stages)},
+               {"converged", coupled_->stages.back().converged},
+               {"residual", residual_json(coupled_->stages.back().residual)},
                {"pressing", Json::array()}};
-  for (const Pressing& pressing : together_->pressings) {
+  for (const LayerContact& pressing : coupled_->contacts) {
     json["pressing"].push_back({{"inner", settings_.layers[pressing.inner].name},
                                 {"outer", settings_.layers[pressing.outer].name},
                                 {"force_N", pressing.force},
                                 {"area_m2", pressing.area},
                                 {"mean_Pa", pressing.force / pressing.area}});
   }
-  if (together_certificate_) json["certified"] = certified_json(*together_certificate_);
+  if (coupled_certificate_) json["certified"] = certified_json(*coupled_certificate_);
   return json;
 }
 
@@ -403,7 +403,7 @@ Json Outfit::whole_report() const {
   for (std::size_t i = done_.size(); i < settings_.layers.size(); ++i) {
     report["not_dressed"].push_back(settings_.layers[i].name);
   }
-  if (together_) report["together"] = together_json();
+  if (coupled_) report["together"] = coupled_json();
   report["seconds"] = seconds_since(start_);
   report["verdict"] = verdict();
   return report;
@@ -412,7 +412,7 @@ Json Outfit::whole_report() const {
 int Outfit::run() {
   read();
   const bool all_dressed = dress_one_by_one();
-  if (settings_.coupled && all_dressed && done_.size() > 1) move_together();
+  if (settings_.coupled && all_dressed && done_.size() > 1) relax_coupled();
   if (common_.report) {
     const Json report = settings_.scene ? whole_report() : report_of_layer(0);
     write_file(*common_.report, report.dump(2) + "\n");

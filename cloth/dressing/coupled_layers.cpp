@@ -28,10 +28,10 @@ Scene with_fabrics(Scene scene, const std::vector<WornGarment>& garments) {
 /// the cloth is curved under their triangles.
 constexpr double touching = 1.05;
 
-class Together {
+class CoupledRelaxation {
  public:
-  Together(const std::vector<WornGarment>& garments, const Scene& scene,
-           const DressOptions& options, const FrameWatcher& watcher)
+  CoupledRelaxation(const std::vector<WornGarment>& garments, const Scene& scene,
+                    const DressOptions& options, const FrameWatcher& watcher)
       : garments_(garments),
         scene_(with_fabrics(scene, garments)),
         options_(options),
@@ -64,7 +64,7 @@ class Together {
     }
   }
 
-  TogetherResult run() {
+  CoupledResult run() {
     RestingState state = {std::move(start_), std::move(warm_start_)};
     come_to_rest(state);
     if (options_.release_seconds > 0) let_go_of(state);
@@ -172,7 +172,7 @@ class Together {
     std::vector<double> bound;
     search.find(x, touching * program_.self_gap, program_.self_gap, pairs, bound, false);
     const std::size_t count = garments_.size();
-    std::vector<Pressing> table(count * count);
+    std::vector<LayerContact> table(count * count);
     std::vector<std::vector<char>> touched(count * count);
     for (const ContactPair& pair : pairs) {
       const int a = garment_of(pair.vertices[0]);
@@ -198,7 +198,7 @@ class Together {
       if (table[at].force <= 0) continue;
       table[at].inner = static_cast<int>(at / count);
       table[at].outer = static_cast<int>(at % count);
-      result_.pressings.push_back(table[at]);
+      result_.contacts.push_back(table[at]);
     }
   }
 
@@ -222,7 +222,7 @@ class Together {
   std::vector<Vec3> start_;
   WarmStart warm_start_;
   std::vector<double> lift_;  // RelaxReport's, of the last rest
-  TogetherResult result_;
+  CoupledResult result_;
 };
 
 }  // namespace
@@ -261,9 +261,9 @@ PanelMesh join_garments(const std::vector<WornGarment>& garments) {
   return all;
 }
 
-TogetherResult move_together(const std::vector<WornGarment>& garments, const Scene& scene,
-                             const DressOptions& options, const FrameWatcher& watcher) {
-  return Together(garments, scene, options, watcher).run();
+CoupledResult relax_coupled(const std::vector<WornGarment>& garments, const Scene& scene,
+                            const DressOptions& options, const FrameWatcher& watcher) {
+  return CoupledRelaxation(garments, scene, options, watcher).run();
 }
 
 }  // namespace toile

@@ -26,14 +26,14 @@ PanelMesh join_garments(const std::vector<WornGarment>& garments);
 std::string garment_fabric(std::size_t garment);
 
 /// How two garments press on each other, by their indices, the one that was dressed first first.
-struct Pressing {
+struct LayerContact {
   int inner = 0;
   int outer = 0;
   double force = 0;  ///< N, sum of the pushes between them
   double area = 0;   ///< m² of the inner one's nodes that touch, to a twentieth of the gap
 };
 
-struct TogetherResult {
+struct CoupledResult {
   /// Of the whole, one for each time it was brought to rest; residuals are all garments'.
   std::vector<StageReport> stages;
   std::vector<std::vector<Vec3>> nodes;             ///< metres, by garment
@@ -41,7 +41,7 @@ struct TogetherResult {
   std::vector<MovedFigures> moved;                  ///< by garment: from where it was dressed
   std::vector<std::vector<TightSeam>> tight_seams;  ///< by garment
   std::vector<TightPlaces> tight_places;            ///< by garment
-  std::vector<Pressing> pressings;                  ///< of garments that touch, sorted
+  std::vector<LayerContact> contacts;               ///< of garments that touch, sorted
   std::optional<ReleaseReport> release;             ///< of the whole, if it was asked for
 };
 
@@ -50,7 +50,7 @@ struct TogetherResult {
 /// has to be bare, and nothing may meet: moves are bounded, so that nothing comes to, nor the cloth
 /// and the scene's skin, where it has one. A frame's mesh is join_garments().
 /// Throws Error for garments that intersect each other or themselves.
-TogetherResult move_together(const std::vector<WornGarment>& garments, const Scene& scene,
-                             const DressOptions& options, const FrameWatcher& watcher = {});
+CoupledResult relax_coupled(const std::vector<WornGarment>& garments, const Scene& scene,
+                            const DressOptions& options, const FrameWatcher& watcher = {});
 
 }  // namespace toile

@@ -346,7 +346,7 @@ TEST(Bounds, NothingThatIsApartComesToIntersect) {
       if (!self_intersections({surface.x, surface.triangles}).empty()) continue;
       ++tried;
       const ProximitySearch search = surface.search();
-      // Each state is searched, moved to the end of its bounds, and judged. Pressing layers
+      // Each state is searched, moved to the end of its bounds, and judged. LayerContact layers
       // together, every move may take nine tenths of what is left between them.
       for (int step = 0; step < 8; ++step) {
         search.find(surface.x, 0.005, 0.002, pairs, bound, false);

@@ -80,7 +80,7 @@ TEST_F(TwoTubes, TheOuterOneCompressesTheInnerOne) {
   const PanelMesh outer = tube(outer_girth, radius + 0.0025, outer_columns, outer_rows);
   const std::vector<WornGarment> worn = {wear(inner, inner_stiffness),
                                          wear(outer, outer_stiffness)};
-  const TogetherResult result = move_together(worn, scene, options);
+  const CoupledResult result = relax_coupled(worn, scene, options);
   EXPECT_TRUE(result.stages.back().converged);
   ASSERT_EQ(result.nodes.size(), 2U);
   EXPECT_TRUE(intersections({result.nodes[0], compile(inner, scene, inner.placed).node_triangles},
@@ -114,8 +114,8 @@ TEST_F(TwoTubes, TheOuterOneCompressesTheInnerOne) {
   EXPECT_NEAR(result.moved[0].median, way, 0.05 * way);
 
   // Over an angle of 1 the outer one presses with its tension.
-  ASSERT_EQ(result.pressings.size(), 1U);
-  const Pressing& pressing = result.pressings[0];
+  ASSERT_EQ(result.contacts.size(), 1U);
+  const LayerContact& pressing = result.contacts[0];
   EXPECT_EQ(pressing.inner, 0);
   EXPECT_EQ(pressing.outer, 1);
   const double force = 2 * pi * height * (outer_stiffness * outer_strain + bent);
@@ -131,9 +131,9 @@ TEST_F(TwoTubes, TheOuterOneCompressesTheInnerOne) {
 TEST_F(TwoTubes, TubesThatDoNotTouchStay) {
   const PanelMesh inner = tube(2 * pi * 0.08, 0.08, 48, 4);
   const PanelMesh outer = tube(2 * pi * 0.1, 0.1, 48, 4);
-  const TogetherResult result =
-      move_together({wear(inner, 1000), wear(outer, 1000)}, scene, options);
-  EXPECT_TRUE(result.pressings.empty());
+  const CoupledResult result =
+      relax_coupled({wear(inner, 1000), wear(outer, 1000)}, scene, options);
+  EXPECT_TRUE(result.contacts.empty());
   for (const MovedFigures& moved : result.moved) EXPECT_LT(moved.max, 1e-3);
 }
 
@@ -142,7 +142,7 @@ TEST_F(TwoTubes, GarmentsThatIntersectAreRefused) {
   PanelMesh other = one;
   for (Vec3& p : other.placed) p.x() += 0.01;
   const std::vector<WornGarment> worn = {wear(one, 1000), wear(other, 1000)};
-  EXPECT_HOLDS(samples::error_of([&] { move_together(worn, scene, options); }), "intersect");
+  EXPECT_HOLDS(samples::error_of([&] { relax_coupled(worn, scene, options); }), "intersect");
 }
 
 TEST_F(TwoTubes, GarmentsKeepTheirFabrics) {
@@ -162,7 +162,7 @@ TEST_F(TwoTubes, GarmentsKeepTheirFabrics) {
   ASSERT_EQ(all.elastics.size(), 1U);
   EXPECT_EQ(all.elastics[0].points[0], static_cast<int>(one.flat.size()) + 3);
   scene.fabrics.clear();
-  EXPECT_HOLDS(samples::error_of([&] { move_together(worn, scene, options); }), "heavy");
+  EXPECT_HOLDS(samples::error_of([&] { relax_coupled(worn, scene, options); }), "heavy");
 }
 
 TEST_F(TwoTubes, WhatIsAttachedForGoodStaysSo) {
@@ -177,7 +177,7 @@ TEST_F(TwoTubes, WhatIsAttachedForGoodStaysSo) {
     worn[1].held.push_back({point, 0, outer.placed[point] + Vec3(0, 0.02, 0), Vec3::UnitY(), 5,
                             1.5 * weight / columns, true});
   }
-  const TogetherResult result = move_together(worn, scene, options);
+  const CoupledResult result = relax_coupled(worn, scene, options);
   double low = 1e9;
   for (const Vec3& p : result.nodes[1]) low = std::min(low, p.y());
   EXPECT_NEAR(low, 0.022 - weight / columns / 5, 0.002);
@@ -203,10 +203,10 @@ TEST_F(TwoTubes, WhatStandsOnASaddleFallsWhenLetGo) {
     return most;
   };
   options.stop_median = options.stop_rms = 0.01;
-  EXPECT_GT(highest(move_together(worn, scene, options).nodes[0]), 0.9 * length);
+  EXPECT_GT(highest(relax_coupled(worn, scene, options).nodes[0]), 0.9 * length);
 
   options.release_seconds = 2;
-  const TogetherResult fallen = move_together(worn, scene, options);
+  const CoupledResult fallen = relax_coupled(worn, scene, options);
   ASSERT_TRUE(fallen.release);
   EXPECT_TRUE(fallen.release->stays());
   EXPECT_TRUE(fallen.stages.back().converged);
@@ -216,7 +216,7 @@ TEST_F(TwoTubes, WhatStandsOnASaddleFallsWhenLetGo) {
 
 /// A sheet over a spike that is finer than its mesh, which its triangles would let through, is held
 /// off it, and one on the floor is not: each garment knows its own.
-TEST(Together, EachGarmentHasItsOwnLift) {
+TEST(CoupledRelaxation, EachGarmentHasItsOwnLift) {
   const test::SolidBody body{test::together(test::box({-0.2, -0.05, -0.2}, {0.6, 0, 0.2}),
                                             test::spike(0, 0, 0.005, 0.06))};
   const auto sheet = [](double x, double y) {
@@ -238,7 +238,7 @@ TEST(Together, EachGarmentHasItsOwnLift) {
   }
   DressOptions options;
   options.max_iterations = 1500;
-  const TogetherResult result = move_together(worn, scene, options);
+  const CoupledResult result = relax_coupled(worn, scene, options);
   ASSERT_EQ(result.lift.size(), 2u);
   const auto lifted = [&](std::size_t i) {
     EXPECT_EQ(result.lift[i].size(), worn[i].nodes.size());

@@ -96,8 +96,8 @@ TEST_F(CoarseOnASlope, IsAtRestWithOthers) {
   const std::array<PanelMesh, 2> garments = {sheet(-0.25), sheet(0.05)};
   DressOptions together;
   together.stop_median = together.stop_rms = 1e-4;
-  const TogetherResult result =
-      move_together({worn(garments[0]), worn(garments[1])}, scene, together);
+  const CoupledResult result =
+      relax_coupled({worn(garments[0]), worn(garments[1])}, scene, together);
   for (const MovedFigures& moved : result.moved) {
     std::cout << "moved by " << 1e6 * moved.max << " micrometres\n";
     EXPECT_LT(moved.max, 1e-7);
