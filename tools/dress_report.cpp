@@ -214,12 +214,12 @@ nlohmann::ordered_json report_of(const PanelMesh& garment, const Scene& scene,
   report["seams"] = {{"sewn", figures.seams.sewn},
                      {"open", figures.seams.open},
                      {"max_gap_mm", figures.seams.max_gap_mm}};
-  for (const BandFigures& band : figures.bands) {
-    report["elastics"].push_back({{"name", band.name},
-                                  {"flat_cm", 100 * band.flat},
-                                  {"rest_cm", 100 * band.rest},
-                                  {"worn_cm", 100 * band.now},
-                                  {"tension_N", band.tension}});
+  for (const ElasticFigures& segment : figures.elastics) {
+    report["elastics"].push_back({{"name", segment.name},
+                                  {"flat_cm", 100 * segment.flat},
+                                  {"rest_cm", 100 * segment.rest},
+                                  {"worn_cm", 100 * segment.now},
+                                  {"tension_N", segment.tension}});
   }
   if (!result.attachments.empty()) report["attachments"] = attachments_json(result.attachments);
   report["wraps"] = Json::array();

@@ -213,7 +213,7 @@ GarmentFigures measure_garment(const PanelMesh& pattern, const DressedGarment& d
   figures.triangle_perimeter_max_panel_percent =
       largest_change_percent(triangle_perimeters(pattern), triangle_perimeters(pattern, points));
   figures.seams = measure_seams(pattern, points);
-  figures.bands = measure_bands(pattern, points);
+  figures.elastics = measure_elastics(pattern, points);
   figures.borders = border_loops(dressed.triangles, dressed.points.size());
   return figures;
 }

@@ -66,8 +66,8 @@ struct GarmentFigures {
   double perimeter_max_panel_percent = 0;
   double triangle_perimeter_max_panel_percent = 0;
   SeamFigures seams;
-  std::vector<BandFigures> bands;  ///< elastics
-  int borders = 0;                 ///< open border loops
+  std::vector<ElasticFigures> elastics;  ///< elastics
+  int borders = 0;                       ///< open border loops
 };
 
 /// Measures a dressed garment against its pattern. Throws Error when the two have different faces.

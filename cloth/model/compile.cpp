@@ -64,7 +64,7 @@ class Compiler {
   Program run(const std::vector<Vec3>& placed) {
     place(placed);
     lay_out_stretch();
-    lay_out_bands();
+    lay_out_elastics();
     program_.attachments = attached_points(garment_, program_.scene, placed);
     program_.self_gap = self_gap_of(program_.scene, garment_);
     if (bends()) lay_out_bending(garment_, program_);
@@ -190,11 +190,11 @@ class Compiler {
     return flat;
   }
 
-  void lay_out_bands() {
-    program_.bands = band_segments(garment_, program_.scene, program_.node_of_point);
-    for (const BandSegment& band : program_.bands) {
-      for (const int p : band.points) {
-        program_.stretch_diagonal[program_.node_of_point[p]] += stiffness_bound(band);
+  void lay_out_elastics() {
+    program_.elastics = elastic_segments(garment_, program_.scene, program_.node_of_point);
+    for (const ElasticSegment& segment : program_.elastics) {
+      for (const int p : segment.points) {
+        program_.stretch_diagonal[program_.node_of_point[p]] += stiffness_bound(segment);
       }
     }
   }

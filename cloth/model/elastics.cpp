@@ -7,9 +7,9 @@
 
 namespace toile {
 
-std::vector<BandSegment> band_segments(const PanelMesh& garment, const Scene& scene,
-                                       const std::vector<int>& node_of_point) {
-  std::vector<BandSegment> segments;
+std::vector<ElasticSegment> elastic_segments(const PanelMesh& garment, const Scene& scene,
+                                             const std::vector<int>& node_of_point) {
+  std::vector<ElasticSegment> segments;
   if (garment.elastics.empty()) return segments;
   std::map<std::pair<int, int>, std::size_t> at;  // by nodes
   const auto nodes_of = [&](int a, int b) -> std::pair<int, int> {
@@ -43,22 +43,23 @@ std::vector<BandSegment> band_segments(const PanelMesh& garment, const Scene& sc
   return segments;
 }
 
-std::vector<BandFigures> measure_bands(const PanelMesh& garment, const std::vector<Vec3>& points) {
-  std::vector<BandFigures> figures;
+std::vector<ElasticFigures> measure_elastics(const PanelMesh& garment,
+                                             const std::vector<Vec3>& points) {
+  std::vector<ElasticFigures> figures;
   for (const MeshedElastic& elastic : garment.elastics) {
-    BandFigures& band = figures.emplace_back();
-    band.name = elastic.name;
+    ElasticFigures& segment = figures.emplace_back();
+    segment.name = elastic.name;
     for (std::size_t i = 0; i + 1 < elastic.points.size(); ++i) {
       const int a = elastic.points[i];
       const int b = elastic.points[i + 1];
       const double flat = (garment.flat[a] - garment.flat[b]).norm();
       const double now = (points[a] - points[b]).norm();
-      band.flat += flat;
-      band.now += now;
-      band.tension += flat * elastic.stiffness * std::max(now / (elastic.ratio * flat) - 1, 0.0);
+      segment.flat += flat;
+      segment.now += now;
+      segment.tension += flat * elastic.stiffness * std::max(now / (elastic.ratio * flat) - 1, 0.0);
     }
-    band.rest = elastic.ratio * band.flat;
-    band.tension /= band.flat;
+    segment.rest = elastic.ratio * segment.flat;
+    segment.tension /= segment.flat;
   }
   return figures;
 }

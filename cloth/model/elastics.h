@@ -1,4 +1,4 @@
-// Elastics along edges: bands that draw the cloth up.
+// Elastics along edges: elastics that draw the cloth up.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace toile {
 /// the cloth on it lies in folds until it is pulled out to its own length, and takes part from
 /// there on:
 /// E = ½ rest stiffness max(0, length/rest - 1)² + ½ flat cloth max(0, length/flat - 1)².
-struct BandSegment {
+struct ElasticSegment {
   std::array<int, 2> points;  ///< material points
   double rest;                ///< metres
   double flat;                ///< metres, of the edge in the pattern
@@ -23,23 +23,23 @@ struct BandSegment {
 };
 
 /// Tension of a segment, N: the derivative of its energy.
-inline double band_tension(const BandSegment& s, double length) {
+inline double elastic_tension(const ElasticSegment& s, double length) {
   return s.stiffness * std::max(length / s.rest - 1, 0.0) +
          s.cloth * std::max(length / s.flat - 1, 0.0);
 }
 
 /// A bound of the stiffness that a segment adds to each of its points, N/m.
-inline double stiffness_bound(const BandSegment& s) {
+inline double stiffness_bound(const ElasticSegment& s) {
   return 2 * (s.stiffness / s.rest + s.cloth / s.flat);
 }
 
 /// All segments, in the order of the garment's elastics. Cost is linear in the triangles, nothing
 /// without elastics.
-std::vector<BandSegment> band_segments(const PanelMesh& garment, const Scene& scene,
-                                       const std::vector<int>& node_of_point);
+std::vector<ElasticSegment> elastic_segments(const PanelMesh& garment, const Scene& scene,
+                                             const std::vector<int>& node_of_point);
 
 /// An elastic as it is worn.
-struct BandFigures {
+struct ElasticFigures {
   std::string name;
   double flat = 0;     ///< metres, of the edge in the pattern
   double rest = 0;     ///< metres, of the elastic
@@ -48,6 +48,7 @@ struct BandFigures {
 };
 
 /// One for each of the garment's elastics, with its material points at `points`.
-std::vector<BandFigures> measure_bands(const PanelMesh& garment, const std::vector<Vec3>& points);
+std::vector<ElasticFigures> measure_elastics(const PanelMesh& garment,
+                                             const std::vector<Vec3>& points);
 
 }  // namespace toile

@@ -29,7 +29,7 @@ std::vector<std::pair<std::string, int>> term_counts(const Program& program) {
                                        [](const StretchTriangle& s) { return s.held; }));
   return {{"stretch", triangles},
           {"bend", count(program.bend.size())},
-          {"elastic", count(program.bands.size())},
+          {"elastic", count(program.elastics.size())},
           {"attachment", count(program.attachments.size())},
           {"seam", program.offsets.empty() ? 0 : sewn},
           {"body_contact", scene.body != nullptr ? program.nodes : 0},

@@ -62,7 +62,7 @@ struct Program {
   std::vector<StretchTriangle> stretch;      ///< one per triangle
   std::vector<BendHinge> bend;               ///< empty: fabric without bending stiffness
   std::vector<BendTriangle> bend_triangles;  ///< those with stiffness and hinges
-  std::vector<BandSegment> bands;            ///< elastics; empty: the garment has none
+  std::vector<ElasticSegment> elastics;      ///< elastics; empty: the garment has none
   std::vector<AttachedPoint> attachments;    ///< what is held; empty: nothing is
   std::vector<double> mass;                  ///< kg, per node
   std::vector<double>

@@ -41,9 +41,10 @@ double sum_of(const std::array<double, 3>& weights) {
 
 BlockStiffness::BlockStiffness(const Program& program) : program_(program) {
   corners_ = corners_by_vertex(program.node_triangles, program.nodes);
-  if (!program.bands.empty()) elastic_.assign(program.nodes, 0);
-  for (const BandSegment& band : program.bands) {
-    for (const int p : band.points) elastic_[program.node_of_point[p]] += stiffness_bound(band);
+  if (!program.elastics.empty()) elastic_.assign(program.nodes, 0);
+  for (const ElasticSegment& segment : program.elastics) {
+    for (const int p : segment.points)
+      elastic_[program.node_of_point[p]] += stiffness_bound(segment);
   }
   of_nodes_.resize(program.nodes);
   partial_.resize(chunks_of(of_nodes_.size(), vertex_chunk));

@@ -89,7 +89,7 @@ void ClothForces::use_skin(bool points) {
   const std::vector<LimitMultiplier> yarns =
       kernel_ && has_limits() ? kernel_->multipliers() : std::vector<LimitMultiplier>{};
   kernel_ = std::make_unique<ElasticKernel>(program_, points);
-  bands_ = std::make_unique<BandForces>(program_, points);
+  elastics_ = std::make_unique<ElasticForces>(program_, points);
   attachments_ = std::make_unique<AttachmentForces>(program_, points);
   kernel_->start_multipliers(yarns);
   const std::size_t count = kernel_->vertices();
@@ -348,7 +348,7 @@ void ClothForces::add_up(std::size_t begin, std::size_t end) {
   const Vec4s& p = positions();
   // A seam bends as one cloth only when it is sewn.
   kernel_->gather(begin, end, bending_, 1 - open_, p, vertex_force_);
-  if (!bands_->empty()) bands_->add(begin, end, p, vertex_force_);
+  if (!elastics_->empty()) elastics_->add(begin, end, p, vertex_force_);
   if (!attachments_->empty()) attachments_->add(begin, end, p, vertex_force_);
   if (edge_contacts_ && !edge_contacts_->empty()) edge_contacts_->add(begin, end, vertex_force_);
 }

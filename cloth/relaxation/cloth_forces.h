@@ -108,7 +108,7 @@ class ClothForces {
   const Vec4 gravity_;
   Vec4s nodes_;  // then the layers' points
   std::unique_ptr<ElasticKernel> kernel_;
-  std::unique_ptr<BandForces> bands_;
+  std::unique_ptr<ElasticForces> elastics_;
   std::unique_ptr<AttachmentForces> attachments_;
   Vec4s vertex_force_;
   Vec4s pull_;  // N, per vertex, to the body; empty: none

@@ -4,12 +4,12 @@
 
 namespace toile {
 
-BandForces::BandForces(const Program& program, bool of_points) {
-  if (program.bands.empty()) return;
+ElasticForces::ElasticForces(const Program& program, bool of_points) {
+  if (program.elastics.empty()) return;
   const auto vertex = [&](int point) { return of_points ? point : program.node_of_point[point]; };
   const std::size_t vertices = of_points ? program.node_of_point.size() : program.nodes;
   segments_ = Adjacency<Entry>(vertices, [&](const auto& add) {
-    for (const BandSegment& segment : program.bands) {
+    for (const ElasticSegment& segment : program.elastics) {
       const int a = vertex(segment.points[0]);
       const int b = vertex(segment.points[1]);
       add(a, {b, segment});
@@ -18,12 +18,12 @@ BandForces::BandForces(const Program& program, bool of_points) {
   });
 }
 
-void BandForces::add(std::size_t begin, std::size_t end, const Vec4s& x, Vec4s& force) const {
+void ElasticForces::add(std::size_t begin, std::size_t end, const Vec4s& x, Vec4s& force) const {
   for (std::size_t v = begin; v < end; ++v) {
     for (const auto& [other, segment] : segments_[v]) {
       const Vec4 way = x[other] - x[v];
       const double length = std::sqrt(squared_length(way));
-      if (length > 0) force[v] += band_tension(segment, length) / length * way;
+      if (length > 0) force[v] += elastic_tension(segment, length) / length * way;
     }
   }
 }

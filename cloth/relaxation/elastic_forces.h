@@ -8,9 +8,9 @@
 namespace toile {
 
 /// Vertices are the program's nodes, or its material points while seams stand open.
-class BandForces {
+class ElasticForces {
  public:
-  BandForces(const Program& program, bool of_points);
+  ElasticForces(const Program& program, bool of_points);
 
   bool empty() const { return segments_.empty(); }
   /// Adds to the forces (N) on vertices `begin` to `end`, with all vertices at `x`.
@@ -19,7 +19,7 @@ class BandForces {
  private:
   struct Entry {
     int other;
-    BandSegment segment;
+    ElasticSegment segment;
   };
   Adjacency<Entry> segments_;  // per vertex; empty: no elastics
 };

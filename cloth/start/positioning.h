@@ -28,7 +28,7 @@ struct Positioning {
 };
 
 /// Least distance from the skin where the pattern does not state it, metres. Kept as the grid tells
-/// distances: exactly within its band, to a centimetre or so beyond.
+/// distances: exactly within its segment, to a centimetre or so beyond.
 inline constexpr double flat_offset = 0.04;
 inline constexpr double rolled_offset = 0.005;
 

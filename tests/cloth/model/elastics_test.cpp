@@ -32,8 +32,8 @@ TEST(Bands, PullAsTheGradientOfTheirEnergy) {
   PanelMesh garment = test::flat_panel(test::grid(0.05, 0.02, columns, 2));
   garment.elastics = {{"panel.2", row_of(columns, 2), 0.6, 15}};
   const Program program = compile(garment, {}, garment.placed);
-  ASSERT_EQ(program.bands.size(), 5u);
-  for (const BandSegment& s : program.bands) {
+  ASSERT_EQ(program.elastics.size(), 5u);
+  for (const ElasticSegment& s : program.elastics) {
     EXPECT_NEAR(s.flat, 0.01, 1e-15);
     EXPECT_NEAR(s.rest, 0.006, 1e-15);
     // The row of triangles on it is 1 cm deep.
@@ -41,7 +41,7 @@ TEST(Bands, PullAsTheGradientOfTheirEnergy) {
   }
   const auto energy = [&](const Vec4s& x) {
     double sum = 0;
-    for (const BandSegment& s : program.bands) {
+    for (const ElasticSegment& s : program.elastics) {
       const double length = std::sqrt(squared_length(x[s.points[0]] - x[s.points[1]]));
       const double elastic = std::max(length / s.rest - 1, 0.0);
       const double cloth = std::max(length / s.flat - 1, 0.0);
@@ -51,18 +51,18 @@ TEST(Bands, PullAsTheGradientOfTheirEnergy) {
   };
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(-1, 1);
-  const BandForces bands(program, false);
+  const ElasticForces elastics(program, false);
   int slack = 0, stretched = 0, beyond = 0;
   for (int trial = 0; trial < 30; ++trial) {
     std::vector<Vec3> places = garment.placed;
     for (Vec3& p : places) p += 0.004 * Vec3(unit(random), unit(random), unit(random));
     const Vec4s x = as_vec4(places);
-    for (const BandSegment& s : program.bands) {
+    for (const ElasticSegment& s : program.elastics) {
       const double length = (places[s.points[0]] - places[s.points[1]]).norm();
       ++(length < s.rest ? slack : length < s.flat ? stretched : beyond);
     }
     Vec4s force(x.size(), Vec4{});
-    bands.add(0, x.size(), x, force);
+    elastics.add(0, x.size(), x, force);
     const std::vector<Vec3> slope = test::slope(energy, x, 1e-8);
     for (std::size_t v = 0; v < x.size(); ++v) {
       ASSERT_LT((as_vec3(force[v]) + slope[v]).cwiseAbs().maxCoeff(), 1e-5) << v;
@@ -76,8 +76,8 @@ TEST(Bands, PullAsTheGradientOfTheirEnergy) {
 TEST(Bands, WithoutElasticsThereIsNoTerm) {
   const PanelMesh garment = test::flat_panel(test::grid(0.05, 0.02, 5, 2));
   const Program program = compile(garment, {}, garment.placed);
-  EXPECT_TRUE(program.bands.empty());
-  EXPECT_TRUE(BandForces(program, false).empty());
+  EXPECT_TRUE(program.elastics.empty());
+  EXPECT_TRUE(ElasticForces(program, false).empty());
 }
 
 TEST(Bands, ClothAlongThemIsFreeOnBothSidesOfASeam) {
@@ -101,7 +101,7 @@ TEST(Bands, ClothAlongThemIsFreeOnBothSidesOfASeam) {
   }
   // A row on either side, less the two triangles that only touch its ends.
   EXPECT_EQ(free, 2 * 2 * columns - 2);
-  EXPECT_NEAR(program.bands[0].cloth, 2 * 1000 * 0.01, 1e-9);
+  EXPECT_NEAR(program.elastics[0].cloth, 2 * 1000 * 0.01, 1e-9);
 }
 
 /// A tube of cloth of `girth` around a cylinder, drawn up at its upper edge by an elastic.
@@ -134,7 +134,7 @@ class ElasticTube : public testing::Test {
     options.stop_median = options.stop_rms = 0.02;
     x_ = program_.start;
     relax(program_, options, x_);
-    band_ = measure_bands(garment_, point_positions(program_, x_, 0)).at(0);
+    band_ = measure_elastics(garment_, point_positions(program_, x_, 0)).at(0);
   }
 
   /// N: with which cloth and elastic press on the cylinder, in all. Where the cloth presses on
@@ -145,7 +145,7 @@ class ElasticTube : public testing::Test {
     ElasticKernel cloth(program_, false);
     cloth.pull(0, cloth.groups(), {}, x);
     cloth.gather(0, force.size(), 1, 1, x, force);
-    BandForces(program_, false).add(0, force.size(), x, force);
+    ElasticForces(program_, false).add(0, force.size(), x, force);
     double inward = 0;
     for (int n = 0; n < program_.nodes; ++n) {
       const Vec3 out = Vec3(x_[n].x(), 0, x_[n].z()).normalized();
@@ -157,7 +157,7 @@ class ElasticTube : public testing::Test {
   PanelMesh garment_;
   Program program_;
   std::vector<Vec3> x_;
-  BandFigures band_;
+  ElasticFigures band_;
 };
 
 TEST_F(ElasticTube, HoldsTheCylinderByItsTension) {
@@ -202,7 +202,7 @@ TEST_F(ElasticTube, PulledOutToItsFlatLengthTheClothTakesPart) {
   EXPECT_NEAR(band_.now / band_.flat - 1, 0.05, 0.006);
   EXPECT_NEAR(band_.tension, stiffness * (1.05 / 0.8 - 1), 0.15);
   // All of the cloth presses as if there were no elastic, and the elastic besides; its row of
-  // triangles is free along it, and the band stands for it.
+  // triangles is free along it, and the segment stands for it.
   const double cloth = 2 * pi * 0.05 * 1000 * 0.08;
   EXPECT_NEAR(pressing(), cloth + 2 * pi * band_.tension, 0.05 * cloth);
 }

@@ -75,8 +75,8 @@ TEST(Release, RingsAndLosesEnergyAsTheStepSays) {
   }
 }
 
-/// A band of 5 cm around an upright cylinder, strained so that its hoop tension is `share` of what
-/// friction needs to carry it: T = W/(2π mu).
+/// A segment of 5 cm around an upright cylinder, strained so that its hoop tension is `share` of
+/// what friction needs to carry it: T = W/(2π mu).
 class Band : public testing::Test {
  protected:
   static constexpr double radius = 0.1, height = 0.05, mu = 0.4;
@@ -98,10 +98,11 @@ class Band : public testing::Test {
     const double load = share * scene.fabric.areal_density * 9.81 / (2 * pi * mu);
     const double girth = polygon / (1 + load * polygon / scene.fabric.stretch_weft);
     PanelMesh garment;
-    test::add_panel(garment, "band", test::grid(girth, height, columns, rows), [&](const Vec2& p) {
-      const double angle = 2 * pi * p.x() / girth;
-      return Vec3(out * std::sin(angle), 0.7 + p.y(), out * std::cos(angle));
-    });
+    test::add_panel(garment, "segment", test::grid(girth, height, columns, rows),
+                    [&](const Vec2& p) {
+                      const double angle = 2 * pi * p.x() / girth;
+                      return Vec3(out * std::sin(angle), 0.7 + p.y(), out * std::cos(angle));
+                    });
     garment.seams = {test::seam("", test::side(garment.panels[0], columns, rows, false),
                                 test::side(garment.panels[0], columns, rows, true))};
     const Program program = compile(garment, scene, garment.placed);

@@ -207,12 +207,12 @@ TEST(DoubtfulStart, LegsInEachOthersPlaceAreNamed) {
   // Half waistbands that stand as they should are not blamed for the legs.
   for (const auto& [side, left, edge] : {std::tuple("left", 1, 7), {"right", -10, 5}}) {
     const std::string name = side + std::string("_band");
-    Json band = {{"vertices", {{0, 0}, {9, 0}, {9, 3}, {0, 3}}},
-                 {"edges", Json::array()},
-                 {"translation", {left, 104, 20}},
-                 {"rotation", {0, 0, 0}}};
-    for (int i = 0; i < 4; ++i) band["edges"].push_back({{"endpoints", {i, (i + 1) % 4}}});
-    panels[name] = band;
+    Json segment = {{"vertices", {{0, 0}, {9, 0}, {9, 3}, {0, 3}}},
+                    {"edges", Json::array()},
+                    {"translation", {left, 104, 20}},
+                    {"rotation", {0, 0, 0}}};
+    for (int i = 0; i < 4; ++i) segment["edges"].push_back({{"endpoints", {i, (i + 1) % 4}}});
+    panels[name] = segment;
     file["pattern"]["stitches"].push_back(
         Json::array({{{"panel", name}, {"edge", 0}},
                      {{"panel", side + std::string("_front")}, {"edge", edge}}}));
