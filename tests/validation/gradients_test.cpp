@@ -104,7 +104,7 @@ double energy(const Program& program, const Places& x) {
   Places points(program.node_of_point.size());
   for (std::size_t p = 0; p < points.size(); ++p) points[p] = at(static_cast<int>(p));
   sum += test::bend_energy(program, points);
-  for (const BandSegment& s : program.bands) {
+  for (const ElasticSegment& s : program.elastics) {
     const double length = (at(s.points[0]) - at(s.points[1])).norm();
     sum += 0.5 * s.rest * s.stiffness * std::pow(std::max(length / s.rest - 1, 0.0), 2) +
            0.5 * s.flat * s.cloth * std::pow(std::max(length / s.flat - 1, 0.0), 2);
@@ -160,7 +160,7 @@ double asymmetry(const Eigen::MatrixXd& matrix) {
 TEST_F(Sewn, ElasticForcesAreMinusTheGradientOfTheEnergy) {
   add_elastic();
   const Program program = compile(garment, scene, garment.placed);
-  ASSERT_FALSE(program.bands.empty());
+  ASSERT_FALSE(program.elastics.empty());
   ASSERT_TRUE(std::any_of(program.bend.begin(), program.bend.end(),
                           [](const BendHinge& hinge) { return hinge.across_seam; }));
   double worst = 0;
