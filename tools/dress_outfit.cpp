@@ -326,7 +326,7 @@ void Outfit::relax_coupled() {
     result.nodes = coupled_->nodes[i];
     result.lift = coupled_->lift[i];
     result.tight_seams = coupled_->tight_seams[i];
-    if (settings_.strain_limit) result.tight_places = coupled_->tight_places[i];
+    if (settings_.strain_limit) result.tight_regions = coupled_->tight_regions[i];
     result.converged = coupled_->stages.back().converged;
     result.residual = coupled_->stages.back().residual;
     result.release = coupled_->release;

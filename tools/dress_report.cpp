@@ -53,9 +53,9 @@ Json release_json(const ReleaseReport& release) {
           {"wall_seconds", release.wall_seconds}};
 }
 
-Json tight_places_json(const TightPlaces& tight) {
+Json tight_regions_json(const TightRegions& tight) {
   Json all = Json::array();
-  for (const TightPlace& place : tight.places) {
+  for (const TightRegion& place : tight.places) {
     all.push_back({{"panel", place.panel},
                    {"flat_cm", {100 * place.flat.x(), 100 * place.flat.y()}},
                    {"height_cm", 100 * place.height},
@@ -77,9 +77,9 @@ std::string percent(double fraction) {
 }
 
 /// Names the most strained place of those that can't be held to the strain limit.
-void say_tight_places(const TightPlaces& tight, const CommonSettings& common) {
+void say_tight_places(const TightRegions& tight, const CommonSettings& common) {
   if (tight.places.empty()) return;
-  const TightPlace& most = tight.places.front();
+  const TightRegion& most = tight.places.front();
   std::ostringstream line;
   line << std::fixed << std::setprecision(1) << "beyond the strain limit: panel " << most.panel
        << ", " << 100 * most.height << " cm above the ground, " << 1e4 * most.area
@@ -244,9 +244,9 @@ nlohmann::ordered_json report_of(const PanelMesh& garment, const Scene& scene,
     report["tight_seams"].push_back(
         {{"name", seam.name}, {"tension_N_per_m", seam.tension}, {"missing_cm", seam.missing_cm}});
   }
-  if (result.tight_places) {
-    report["tight_places"] = tight_places_json(*result.tight_places);
-    report["tight_specks"] = result.tight_places->specks;
+  if (result.tight_regions) {
+    report["tight_regions"] = tight_regions_json(*result.tight_regions);
+    report["tight_specks"] = result.tight_regions->specks;
   }
   for (const std::string& part : judgement.unwrapped) report["unwrapped"].push_back(part);
   return report;
@@ -376,7 +376,7 @@ void say_result(const DressResult& result, const Judgement& judgement,
     common.say(line.str());
   }
   say_attachments(result.attachments, common);
-  if (result.tight_places) say_tight_places(*result.tight_places, common);
+  if (result.tight_regions) say_tight_places(*result.tight_regions, common);
   if (result.release) say_release(*result.release, common);
   for (const WrapFigure& wrap : judgement.wraps) {
     common.say("wraps " + wrap.part + ": " + percent(wrap.fraction));

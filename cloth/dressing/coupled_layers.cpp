@@ -156,7 +156,7 @@ class CoupledRelaxation {
     const Program program = compile(*worn.garment, scene, worn.garment->placed);
     const std::vector<Vec3>& nodes = result_.nodes.back();
     result_.tight_seams.push_back(tight_seams(*worn.garment, program, nodes, held));
-    result_.tight_places.push_back(tight_places(*worn.garment, program, nodes, held));
+    result_.tight_regions.push_back(tight_regions(*worn.garment, program, nodes, held));
   }
 
   int garment_of(int node) const {

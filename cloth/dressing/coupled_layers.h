@@ -40,7 +40,7 @@ struct CoupledResult {
   std::vector<std::vector<double>> lift;            ///< metres, by garment: RelaxReport's
   std::vector<MovedFigures> moved;                  ///< by garment: from where it was dressed
   std::vector<std::vector<TightSeam>> tight_seams;  ///< by garment
-  std::vector<TightPlaces> tight_places;            ///< by garment
+  std::vector<TightRegions> tight_regions;          ///< by garment
   std::vector<LayerContact> contacts;               ///< of garments that touch, sorted
   std::optional<ReleaseReport> release;             ///< of the whole, if it was asked for
 };

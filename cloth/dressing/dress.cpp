@@ -191,8 +191,8 @@ DressResult Dressing::run() {
   result_.tight_seams =
       tight_seams(mesh(), program_, result_.nodes, result_.warm_start.multipliers);
   if (scene_.strain_limit) {
-    result_.tight_places =
-        tight_places(mesh(), program_, result_.nodes, result_.warm_start.multipliers);
+    result_.tight_regions =
+        tight_regions(mesh(), program_, result_.nodes, result_.warm_start.multipliers);
   }
   return std::move(result_);
 }

@@ -70,7 +70,7 @@ struct DressResult {
   std::vector<AttachedPoint> held;     ///< what holds the garment for good
   std::vector<TightSeam> tight_seams;  ///< by the relaxation, which closes them at any tension
   /// Nothing: not looked for, without a strain limit or by another method than the relaxation.
-  std::optional<TightPlaces> tight_places;
+  std::optional<TightRegions> tight_regions;
   /// What a copy of the garment did when it was let go; nothing: it was not. `nodes` is before.
   std::optional<ReleaseReport> release;
 };

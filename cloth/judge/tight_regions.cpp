@@ -29,12 +29,12 @@ class Places {
     }
   }
 
-  TightPlaces run() const {
-    TightPlaces found;
+  TightRegions run() const {
+    TightRegions found;
     for (const bool along_warp : {false, true}) {
       for (const MeshedPanel& panel : garment_.panels) {
         for (const std::vector<int>& piece : pieces(panel, along_warp)) {
-          TightPlace place = measure(panel, along_warp, piece);
+          TightRegion place = measure(panel, along_warp, piece);
           if (place.area < speck) {
             ++found.specks;
           } else {
@@ -82,9 +82,9 @@ class Places {
     return all;
   }
 
-  TightPlace measure(const MeshedPanel& panel, bool along_warp,
-                     const std::vector<int>& piece) const {
-    TightPlace place;
+  TightRegion measure(const MeshedPanel& panel, bool along_warp,
+                      const std::vector<int>& piece) const {
+    TightRegion place;
     place.panel = panel.name;
     place.along_warp = along_warp;
     place.flat = Vec2::Zero();
@@ -145,8 +145,9 @@ class Places {
 
 }  // namespace
 
-TightPlaces tight_places(const PanelMesh& garment, const Program& program,
-                         const std::vector<Vec3>& nodes, const std::vector<LimitMultiplier>& held) {
+TightRegions tight_regions(const PanelMesh& garment, const Program& program,
+                           const std::vector<Vec3>& nodes,
+                           const std::vector<LimitMultiplier>& held) {
   if (!program.scene.strain_limit || held.empty()) return {};
   return Places(garment, program, nodes, held).run();
 }

@@ -14,7 +14,7 @@ namespace toile {
 inline constexpr double limit_is_kept = 1.1;
 
 /// A connected piece of a panel that is strained beyond the limit along one of its yarns.
-struct TightPlace {
+struct TightRegion {
   std::string panel;
   bool along_warp = false;  ///< or else weft
   Vec2 flat;                ///< metres, its centre in the flat panel
@@ -25,9 +25,9 @@ struct TightPlace {
   double missing = 0;       ///< metres along the yarns: strain beyond the limit, where that is most
 };
 
-struct TightPlaces {
-  std::vector<TightPlace> places;  ///< the most strained first
-  int specks = 0;                  ///< others, of less than 1 cm²
+struct TightRegions {
+  std::vector<TightRegion> places;  ///< the most strained first
+  int specks = 0;                   ///< others, of less than 1 cm²
 };
 
 /// The places of a garment whose warp or weft stays beyond the scene's strain limit by more than
@@ -35,7 +35,8 @@ struct TightPlaces {
 /// share a corner belong together. Gathered seams, which are not held, are left out; so is what
 /// only has not come to rest. `nodes` are the program's. Empty without a limit or what holds to it.
 /// Linear in the triangles, but for those of a place: 24 lines are laid through each.
-TightPlaces tight_places(const PanelMesh& garment, const Program& program,
-                         const std::vector<Vec3>& nodes, const std::vector<LimitMultiplier>& held);
+TightRegions tight_regions(const PanelMesh& garment, const Program& program,
+                           const std::vector<Vec3>& nodes,
+                           const std::vector<LimitMultiplier>& held);
 
 }  // namespace toile

@@ -255,11 +255,11 @@ TEST(Dress, AStrainLimitIsKeptOrThePlacesAreNamedWhereItIsNot) {
   succeed("make-mannequin", {"-o", raw, "-q"});
   chain.prepare(raw, sample("tshirt"), "25mm");
   chain.dress(chain.dressed, {"-q"});
-  EXPECT_FALSE(chain.report.contains("tight_places"));
+  EXPECT_FALSE(chain.report.contains("tight_regions"));
   chain.dress(chain.dressed, {"-q", "--strain-limit", "0.01"});
   std::cout << "T-shirt: " << chain.report["warp_weft_strain"] << "\n";
   EXPECT_LE(chain.number("/warp_weft_strain/max"), 0.011);
-  EXPECT_EQ(chain.report["tight_places"], Json::array());
+  EXPECT_EQ(chain.report["tight_regions"], Json::array());
   EXPECT_EQ(chain.number("/tight_specks"), 0);
 
   chain.prepare(raw, sample("fitted_tshirt"), "25mm");
@@ -269,10 +269,10 @@ TEST(Dress, AStrainLimitIsKeptOrThePlacesAreNamedWhereItIsNot) {
   EXPECT_EQ(done.exit_code, 0) << done.err;
   chain.report = Json::parse(read_text(chain.dressed.string() + ".json"));
   EXPECT_EQ(chain.report["verdict"], "sewn");
-  ASSERT_FALSE(chain.report["tight_places"].empty());
+  ASSERT_FALSE(chain.report["tight_regions"].empty());
   double before = 100 * chain.number("/warp_weft_strain/max");
-  EXPECT_NEAR(chain.number("/tight_places/0/largest_percent"), before, 1e-6);
-  for (const Json& place : chain.report["tight_places"]) {
+  EXPECT_NEAR(chain.number("/tight_regions/0/largest_percent"), before, 1e-6);
+  for (const Json& place : chain.report["tight_regions"]) {
     std::cout << "fitted T-shirt: " << place << "\n";
     const double largest = place["largest_percent"];
     EXPECT_LE(largest, before + 1e-6);
@@ -281,7 +281,7 @@ TEST(Dress, AStrainLimitIsKeptOrThePlacesAreNamedWhereItIsNot) {
     EXPECT_GT(place["missing_cm"], 0);
     before = largest;
   }
-  const std::string panel = chain.report["tight_places"][0]["panel"];
+  const std::string panel = chain.report["tight_regions"][0]["panel"];
   EXPECT_NE(done.err.find("beyond the strain limit: panel " + panel), std::string::npos)
       << done.err;
 }

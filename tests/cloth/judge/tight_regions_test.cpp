@@ -30,7 +30,7 @@ Scene limited() {
 class Sheet : public testing::Test {
  protected:
   template <typename Stretch>
-  TightPlaces places(const Stretch& stretch, double restraint = max_limit_multiplier) {
+  TightRegions places(const Stretch& stretch, double restraint = max_limit_multiplier) {
     garment = test::flat_panel(test::grid(0.2, 0.1, 20, 10));
     garment.panels[0].grain = grain;
     for (Vec3& p : garment.placed) p.y() += stretch(p);
@@ -38,7 +38,7 @@ class Sheet : public testing::Test {
     const LimitMultiplier along_y =
         grain == 0 ? LimitMultiplier{0, restraint, 0} : LimitMultiplier{restraint, 0, 0};
     const std::vector<LimitMultiplier> held(garment.triangles.size(), along_y);
-    return tight_places(garment, program, program.start, held);
+    return tight_regions(garment, program, program.start, held);
   }
 
   PanelMesh garment;
@@ -52,11 +52,11 @@ double two_patches(const Vec3& p) {
 }
 
 TEST_F(Sheet, NamesWhereHowLargeAndHowMuchIsMissing) {
-  const TightPlaces found = places(two_patches);
+  const TightRegions found = places(two_patches);
   ASSERT_EQ(found.places.size(), 2U);
   EXPECT_EQ(found.specks, 0);
   double area = 0;
-  for (const TightPlace& place : found.places) {
+  for (const TightRegion& place : found.places) {
     EXPECT_EQ(place.panel, "panel");
     EXPECT_TRUE(place.along_warp);
     EXPECT_NEAR(place.largest, 0.05, 1e-9);
@@ -78,12 +78,12 @@ TEST_F(Sheet, NamesWhereHowLargeAndHowMuchIsMissing) {
 
 TEST_F(Sheet, WarpAndWeftAreThePanelsOwn) {
   grain = pi / 2;  // the warp lies along x
-  for (const TightPlace& place : places(two_patches).places) EXPECT_FALSE(place.along_warp);
+  for (const TightRegion& place : places(two_patches).places) EXPECT_FALSE(place.along_warp);
   EXPECT_EQ(places(two_patches).places.size(), 2U);
 }
 
 TEST_F(Sheet, TheMostStrainedIsFirst) {
-  const TightPlaces found =
+  const TightRegions found =
       places([](const Vec3& p) { return two_patches(p) * (p.x() > 0.1 ? 1.6 : 1); });
   ASSERT_EQ(found.places.size(), 2U);
   EXPECT_NEAR(found.places[0].largest, 0.08, 1e-9);
@@ -105,13 +105,13 @@ TEST_F(Sheet, SpecksAreOnlyCounted) {
   const auto prick = [](const Vec3& p) {
     return p.y() < 1e-3 && (p.x() < 1e-3 || p.x() > 0.199) ? -0.0005 : 0;
   };
-  const TightPlaces found = places(prick);
+  const TightRegions found = places(prick);
   EXPECT_TRUE(found.places.empty());
   EXPECT_EQ(found.specks, 2);
 }
 
 /// One panel of stiff cloth, sewn to a tube around a cylinder, held to 1 % of strain.
-TightPlaces drawn_over(double too_small) {
+TightRegions drawn_over(double too_small) {
   constexpr double radius = 0.15, offset = 0.002;
   constexpr int columns = 108, rows = 8;
   static const DistanceGrid body{BodyDistance(test::closed_tube(radius, radius, 0.5, 600))};
@@ -136,8 +136,8 @@ TightPlaces drawn_over(double too_small) {
   options.stop_median = options.stop_rms = 0.02;
   std::vector<Vec3> x = program.start;
   const RelaxReport report = relax(program, options, x);
-  const TightPlaces found = tight_places(garment, program, x, report.warm_start.multipliers);
-  for (const TightPlace& place : found.places) {
+  const TightRegions found = tight_regions(garment, program, x, report.warm_start.multipliers);
+  for (const TightRegion& place : found.places) {
     std::cout << 100 * too_small << " % too small: " << 100 * place.mean << " % on average, "
               << 100 * place.largest << " % at most, " << 1e4 * place.area << " cm2, "
               << 100 * place.missing << " of " << 100 * girth << " cm missing\n";
