@@ -72,7 +72,7 @@ class Outfit {
   /// Which panels of a layer lie over another one, by their indices.
   std::vector<int> panels_over(std::size_t layer, std::size_t other) const;
   bool is_below_panels(std::size_t layer) const;
-  Subject subject_of(std::size_t layers, std::size_t under, std::size_t without) const;
+  Collider collider_of(std::size_t layers, std::size_t under, std::size_t without) const;
   bool turn_panels_out(std::size_t over);
   bool dress_one_by_one();
   void relax_coupled();
@@ -88,7 +88,7 @@ class Outfit {
   std::vector<PanelMesh> garments_;        // one a layer: all are read before the first is dressed
   std::map<std::string, Fabric> fabrics_;  // by the names that panels give
   KnownDistances known_;                   // of the body, from earlier runs
-  std::optional<Subject> subject_;
+  std::optional<Collider> collider_;
   std::optional<Skeleton> skeleton_;
   double read_seconds_ = 0;
   double grid_seconds_ = 0;
@@ -118,10 +118,10 @@ void Outfit::read() {
   read_seconds_ = seconds_since(start_);
   const auto grid_start = Clock::now();
   if (settings_.cache) known_ = read_known_distances(*settings_.cache, body).value_or(known_);
-  subject_.emplace(body, known_);
+  collider_.emplace(body, known_);
   grid_seconds_ = seconds_since(grid_start);
   if (fs::exists(settings_.skeleton) || settings_.needs_skeleton) {
-    skeleton_ = read_skeleton_of(subject_->skin(), settings_.skeleton);
+    skeleton_ = read_skeleton_of(collider_->skin(), settings_.skeleton);
   } else {
     CommonSettings::warn(
         settings_.skeleton.string() +
@@ -136,7 +136,7 @@ void Outfit::keep_distances() {
   if (!settings_.cache || done_.front().distances < worth_writing) return;
   const auto start = Clock::now();
   try {
-    write_known_distances(*settings_.cache, subject_->body(), subject_->grid().known());
+    write_known_distances(*settings_.cache, collider_->body(), collider_->grid().known());
   } catch (const Error& error) {
     CommonSettings::warn(std::string("the body's distances are not kept: ") + error.what());
   }
@@ -148,10 +148,10 @@ Scene Outfit::scene_of(const OutfitLayer& layer) const {
   Scene scene;
   scene.fabric = layer.fabric;
   scene.fabrics = fabrics_;
-  scene.body = &subject_->grid();
-  scene.subject = &subject_->surface();
-  scene.skin = &subject_->skin();
-  scene.layers = subject_->cloth().triangles.empty() ? nullptr : &subject_->cloth();
+  scene.body = &collider_->grid();
+  scene.collider = &collider_->surface();
+  scene.skin = &collider_->skin();
+  scene.layers = collider_->cloth().triangles.empty() ? nullptr : &collider_->cloth();
   scene.skeleton = skeleton_ ? &*skeleton_ : nullptr;
   scene.gravity = settings_.gravity;
   scene.strain_limit = settings_.strain_limit;
@@ -163,7 +163,7 @@ Done Outfit::dress_layer(const OutfitLayer& layer, PanelMesh garment) {
   const auto start = Clock::now();
   Done done;
   done.scene = scene_of(layer);
-  const std::size_t known_before = subject_->grid().computed();
+  const std::size_t known_before = collider_->grid().computed();
   // What is judged needs to know where the panels stood as much as what is dressed.
   garment.placed = position_panels(garment, *done.scene.body, done.scene.skeleton).placed;
   for (const PlacementWarning& warning : placement_warnings(garment, done.scene)) {
@@ -174,7 +174,7 @@ Done Outfit::dress_layer(const OutfitLayer& layer, PanelMesh garment) {
     done.warnings.push_back(line);
     CommonSettings::warn(line);
   }
-  if (settings_.certify_frames) done.certificate.emplace(subject_->body(), done.scene.layers);
+  if (settings_.certify_frames) done.certificate.emplace(collider_->body(), done.scene.layers);
   {
     std::optional<fs::path> frames = settings_.frames;
     if (frames && settings_.scene) *frames /= layer.name;
@@ -184,7 +184,7 @@ Done Outfit::dress_layer(const OutfitLayer& layer, PanelMesh garment) {
         settings_.method.dress(garment, done.scene, [&](const DressFrame& frame) { watch(frame); });
     watch({garment, "dressed", material_points(garment, done.result), 1});
   }
-  done.distances = subject_->grid().computed() - known_before;
+  done.distances = collider_->grid().computed() - known_before;
   say_positions(done.result.placement, common_);
   say_terms(done.result, common_);
   done.garment = std::move(garment);
@@ -204,7 +204,7 @@ void Outfit::write_and_judge(std::size_t layer, const TriangleMesh* others) {
   // Judged as anybody will read it, not as it is in memory.
   const DressedGarment written = read_dressed(output);
   const bool rests = result.converged && (!result.release || result.release->stays());
-  done.judgement = judge(done.garment, written, subject_->body(), done.scene.skeleton, rests,
+  done.judgement = judge(done.garment, written, collider_->body(), done.scene.skeleton, rests,
                          others, result.tight_seams);
   done.cloth = {written.points, written.triangles};
   const double seconds = seconds_since(start);
@@ -227,17 +227,17 @@ bool Outfit::is_below_panels(std::size_t layer) const {
 }
 
 /// The body and the first `layers`, but for what lies over the layer `under`, and all of `without`.
-Subject Outfit::subject_of(std::size_t layers, std::size_t under, std::size_t without) const {
-  Subject subject(subject_->body(), known_);
+Collider Outfit::collider_of(std::size_t layers, std::size_t under, std::size_t without) const {
+  Collider collider(collider_->body(), known_);
   for (std::size_t i = 0; i < layers; ++i) {
     if (i == without) continue;
     TriangleMesh cloth = done_[i].cloth;
     if (under < settings_.layers.size()) {
       leave_out(garments_[i], panels_over(i, under), cloth.triangles);
     }
-    if (!cloth.triangles.empty()) subject.add_layer(cloth);
+    if (!cloth.triangles.empty()) collider.add_layer(cloth);
   }
-  return subject;
+  return collider;
 }
 
 /// Turns out the panels that lie over the layer that was dressed last; whether nothing meets then.
@@ -248,13 +248,13 @@ bool Outfit::turn_panels_out(std::size_t over) {
     if (panels.empty()) continue;
     Done& done = done_[i];
     // What the layer lay on, and the same with the other one on it.
-    const Subject below = subject_of(i, nothing, nothing);
-    Subject above = subject_of(i, nothing, nothing);
+    const Collider below = collider_of(i, nothing, nothing);
+    Collider above = collider_of(i, nothing, nothing);
     above.add_layer(done_[over].cloth);
     const std::vector<char> moved = flip_over(done.garment, panels, below.grid(), above.grid(),
                                               done.result.triangles, done.result.nodes);
     done.result.warm_start.let_go(moved);
-    const Subject others = subject_of(over + 1, nothing, i);
+    const Collider others = collider_of(over + 1, nothing, i);
     write_and_judge(i, &others.cloth());
     const std::string& verdict = done.judgement.verdict;
     if (verdict == "sewn" || verdict == "unconverged") continue;
@@ -271,7 +271,7 @@ bool Outfit::dress_one_by_one() {
   for (std::size_t i = 0; i < garments_.size(); ++i) {
     const OutfitLayer& layer = settings_.layers[i];
     if (settings_.scene) common_.say("layer " + layer.name + ":");
-    if (is_below_panels(i)) subject_ = subject_of(i, i, settings_.layers.size());
+    if (is_below_panels(i)) collider_ = collider_of(i, i, settings_.layers.size());
     done_.push_back(dress_layer(layer, garments_[i]));
     if (i == 0) keep_distances();
     Done& done = done_.back();
@@ -283,7 +283,7 @@ bool Outfit::dress_one_by_one() {
     const bool is_surface = verdict == "sewn" || verdict == "unconverged";
     if (is_surface && is_below_panels(i)) {
       if (!turn_panels_out(i)) return false;
-      subject_ = subject_of(i, settings_.layers.size(), settings_.layers.size());
+      collider_ = collider_of(i, settings_.layers.size(), settings_.layers.size());
     }
     if (i + 1 == garments_.size()) return is_surface;
     if (!is_surface) {
@@ -292,7 +292,7 @@ bool Outfit::dress_one_by_one() {
       return false;
     }
     const auto grid_start = Clock::now();
-    subject_->add_layer(done.cloth);
+    collider_->add_layer(done.cloth);
     grid_seconds_ = seconds_since(grid_start);
   }
   return true;
@@ -300,10 +300,10 @@ bool Outfit::dress_one_by_one() {
 
 void Outfit::relax_coupled() {
   common_.say("together:");
-  const Subject bare(subject_->body(), known_);
+  const Collider bare(collider_->body(), known_);
   Scene scene = scene_of(settings_.layers.front());
   scene.body = &bare.grid();
-  scene.subject = &bare.surface();
+  scene.collider = &bare.surface();
   scene.skin = &bare.skin();
   scene.layers = nullptr;
   std::vector<WornGarment> worn;

@@ -17,19 +17,19 @@ void append(TriangleMesh& mesh, const TriangleMesh& more) {
 
 }  // namespace
 
-Subject::Subject(const TriangleMesh& body, const KnownDistances& known)
+Collider::Collider(const TriangleMesh& body, const KnownDistances& known)
     : surfaces_{BodyDistance(body)}, surface_(body), grid_(surfaces_.front()) {
   if (!known.empty()) grid_.remember(known);
 }
 
-void Subject::add_layer(const TriangleMesh& garment) {
+void Collider::add_layer(const TriangleMesh& garment) {
   surfaces_.emplace_back(garment);
   append(surface_, garment);
   append(cloth_, garment);
   grid_.add(surfaces_.back());
 }
 
-double Subject::distance(const Vec3& point) const {
+double Collider::distance(const Vec3& point) const {
   double least = std::numeric_limits<double>::max();
   for (const BodyDistance& surface : surfaces_) {
     least = std::min(least, surface.nearest(point).distance);

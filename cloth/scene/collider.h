@@ -9,14 +9,14 @@
 
 namespace toile {
 
-/// The motionless subject surface [Zhong & Xu 2009, "Collision Detection and Response"]: the body
+/// The motionless collider surface [Zhong & Xu 2009, "Collision Detection and Response"]: the body
 /// is the first layer, each garment that was dressed is a further one for the next. What is between
 /// a layer and the skin, and what a freely hanging layer encloses, counts as inside.
-class Subject {
+class Collider {
  public:
   /// The body alone: closed, outward-oriented, metres. Throws Error when it has no triangles.
   /// `known`, of an earlier one of the same body, spares computing it again.
-  explicit Subject(const TriangleMesh& body, const KnownDistances& known = {});
+  explicit Collider(const TriangleMesh& body, const KnownDistances& known = {});
 
   /// A dressed garment becomes part of the surface; its triangles face away from the body. The
   /// references that the others return stay valid, and speak of the new surface.

@@ -20,13 +20,13 @@ struct Scene {
   Fabric fabric;                          ///< of the panels that name none
   std::map<std::string, Fabric> fabrics;  ///< of the others, by the names that they give
   Vec3 gravity{0, -9.81, 0};              ///< m/s²
-  /// Distance to the subject: the body and the layers that it wears. None: nothing to touch.
+  /// Distance to the collider: the body and the layers that it wears. None: nothing to touch.
   const DistanceGrid* body = nullptr;
-  const TriangleMesh* subject = nullptr;  ///< the same surface as triangles, facets outward
-  const TriangleMesh* layers = nullptr;   ///< the layers of it alone; none: the body is bare
-  const BodyDistance* skin = nullptr;     ///< exactly, of the bare body; none: nothing bounds
-  const Skeleton* skeleton = nullptr;     ///< of the body; none: panels start as the pattern says
-  double body_offset = 0.002;             ///< metres at least kept between skin and cloth's middle
+  const TriangleMesh* collider = nullptr;  ///< the same surface as triangles, facets outward
+  const TriangleMesh* layers = nullptr;    ///< the layers of it alone; none: the body is bare
+  const BodyDistance* skin = nullptr;      ///< exactly, of the bare body; none: nothing bounds
+  const Skeleton* skeleton = nullptr;      ///< of the body; none: panels start as the pattern says
+  double body_offset = 0.002;              ///< metres at least kept between skin and cloth's middle
   bool self_contact = true;
   double self_gap = 0.002;  ///< metres at least kept between the middles of cloth and cloth
   /// Metres at least kept between this garment and the layers below. The distance grid, which is

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double step = 0.01;  // metres
 constexpr int most_steps = 40;
-/// Metres from the subject that a point starts at least.
+/// Metres from the collider that a point starts at least.
 constexpr double clearance = 0.01;
 /// A panel faces some way when its areas, added as vectors, keep this share of their sum.
 constexpr double flat_share = 0.5;
@@ -29,14 +29,14 @@ Vec3 facing(const PanelMesh& garment, const MeshedPanel& panel, const std::vecto
 
 }  // namespace
 
-void clear_of_layers(const PanelMesh& garment, const DistanceGrid& subject, Placement& placement) {
+void clear_of_layers(const PanelMesh& garment, const DistanceGrid& collider, Placement& placement) {
   for (const MeshedPanel& panel : garment.panels) {
     const Vec3 way = facing(garment, panel, placement.placed);
     if (way == Vec3::Zero()) continue;
     const auto too_close = [&](int steps) {
       int count = 0;
       for (int p = panel.first_point; p < panel.first_point + panel.points; ++p) {
-        count += subject.at(placement.placed[p] + steps * step * way).distance < clearance;
+        count += collider.at(placement.placed[p] + steps * step * way).distance < clearance;
       }
       return count;
     };
@@ -55,7 +55,7 @@ void clear_of_layers(const PanelMesh& garment, const DistanceGrid& subject, Plac
     }
   }
   placement.points_inside = 0;
-  for (const Vec3& p : placement.placed) placement.points_inside += subject.at(p).distance < 0;
+  for (const Vec3& p : placement.placed) placement.points_inside += collider.at(p).distance < 0;
 }
 
 }  // namespace toile

@@ -45,15 +45,15 @@ struct Unit {
   std::vector<int> panels;
   std::vector<int> points;
   std::vector<Triangle> triangles;
-  double distance = 0;  ///< metres, of its points from the subject, on average
+  double distance = 0;  ///< metres, of its points from the collider, on average
 };
 
 class Clearing {
  public:
-  Clearing(const PanelMesh& garment, const TriangleMesh& subject, const DistanceGrid& distance,
+  Clearing(const PanelMesh& garment, const TriangleMesh& collider, const DistanceGrid& distance,
            const Skeleton* skeleton, Placement& placement)
       : garment_(garment),
-        subject_(subject),
+        collider_(collider),
         distance_(distance),
         skeleton_(skeleton),
         placement_(placement) {}
@@ -79,7 +79,7 @@ class Clearing {
     }
   }
 
-  /// Whether any panel meets the subject or another one.
+  /// Whether any panel meets the collider or another one.
   bool is_due() const {
     return meets_subject(garment_.triangles, placement_.placed) ||
            !crossing_panels(garment_, placement_.placed).empty();
@@ -88,7 +88,7 @@ class Clearing {
  private:
   const std::string& name(int p) const { return garment_.panels[p].name; }
 
-  /// The nearest to the subject first.
+  /// The nearest to the collider first.
   void find_units() {
     std::vector<int> panel_of;
     for (std::size_t p = 0; p < garment_.panels.size(); ++p) {
@@ -167,7 +167,7 @@ class Clearing {
     return points;
   }
 
-  /// Whether any of the triangles meets the subject or is inside of it.
+  /// Whether any of the triangles meets the collider or is inside of it.
   bool meets_subject(const std::vector<Triangle>& triangles,
                      const std::vector<Vec3>& points) const {
     TriangleMesh near{points, {}};
@@ -183,7 +183,7 @@ class Clearing {
       }
       if (least < longest) near.triangles.push_back(corners);
     }
-    return !near.triangles.empty() && !intersections(near, subject_).empty();
+    return !near.triangles.empty() && !intersections(near, collider_).empty();
   }
 
   bool is_clear(const Unit& unit, const std::vector<char>& settled,
@@ -221,7 +221,7 @@ class Clearing {
   }
 
   const PanelMesh& garment_;
-  const TriangleMesh& subject_;
+  const TriangleMesh& collider_;
   const DistanceGrid& distance_;
   const Skeleton* skeleton_;
   Placement& placement_;
@@ -254,10 +254,10 @@ std::vector<std::pair<int, int>> crossing_panels(const PanelMesh& garment,
   return {pairs.begin(), pairs.end()};
 }
 
-void resolve_intersections(const PanelMesh& garment, const TriangleMesh& subject,
+void resolve_intersections(const PanelMesh& garment, const TriangleMesh& collider,
                            const DistanceGrid& distance, const Skeleton* skeleton,
                            Placement& placement) {
-  Clearing clearing(garment, subject, distance, skeleton, placement);
+  Clearing clearing(garment, collider, distance, skeleton, placement);
   if (clearing.is_due()) clearing.run();
 }
 
@@ -266,8 +266,8 @@ Placement start_of(const PanelMesh& garment, const Scene& scene, double hang) {
   Placement placement = place_panels(garment, body, scene.skeleton, hang);
   const auto make_clear = [&] {
     if (scene.layers != nullptr) clear_of_layers(garment, body, placement);
-    if (scene.subject == nullptr) return;
-    resolve_intersections(garment, *scene.subject, body, scene.skeleton, placement);
+    if (scene.collider == nullptr) return;
+    resolve_intersections(garment, *scene.collider, body, scene.skeleton, placement);
   };
   const std::vector<Vec3> before = placement.placed;
   make_clear();

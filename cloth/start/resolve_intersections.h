@@ -11,22 +11,22 @@
 
 namespace toile {
 
-/// Moves panels that intersect each other or the subject, or are inside of it, apart: one after
-/// another, the nearest to the subject first, each is moved on until it is clear of the subject and
-/// of those before it, a centimetre at a time and up to 70 cm; a flat one along its normal, away
-/// from the subject; one that bends around its body part, away from the bones, by 15 cm at most.
-/// Panels that stand joined along a seam, and nowhere through each other, move as one. Panels that
-/// stand clear stay where they are, as long as none that is moved comes to stand there; so do those
-/// that meet only where they are sewn together. Exact where anything is near; `subject` is the
-/// surface that `distance` tells the distance to. Notes the moves in `placement` and counts its
+/// Moves panels that intersect each other or the collider, or are inside of it, apart: one after
+/// another, the nearest to the collider first, each is moved on until it is clear of the collider
+/// and of those before it, a centimetre at a time and up to 70 cm; a flat one along its normal,
+/// away from the collider; one that bends around its body part, away from the bones, by 15 cm at
+/// most. Panels that stand joined along a seam, and nowhere through each other, move as one. Panels
+/// that stand clear stay where they are, as long as none that is moved comes to stand there; so do
+/// those that meet only where they are sewn together. Exact where anything is near; `collider` is
+/// the surface that `distance` tells the distance to. Notes the moves in `placement` and counts its
 /// points_inside anew. Throws Error, naming the panels, when one finds no place.
-void resolve_intersections(const PanelMesh& garment, const TriangleMesh& subject,
+void resolve_intersections(const PanelMesh& garment, const TriangleMesh& collider,
                            const DistanceGrid& distance, const Skeleton* skeleton,
                            Placement& placement);
 
 /// Where the garment starts in the scene: place_panels(), clear_of_layers() where there are layers,
 /// and resolve_intersections(). What had to be moved is drawn out and lifted anew from where it
-/// came to stand. The scene has a body; without `subject` nothing is made clear.
+/// came to stand. The scene has a body; without `collider` nothing is made clear.
 Placement start_of(const PanelMesh& garment, const Scene& scene, double hang = 0);
 
 /// Pairs of panels, by index and the lower first, that intersect as placed; sorted. Points that

@@ -24,13 +24,13 @@ using Json = nlohmann::json;
 
 constexpr const char* none = "–";
 
-struct Subject {
+struct Collider {
   std::string name;
   std::string pattern;  ///< of the samples, or of the real data
   std::string body;     ///< standing, walking or mean_all
 };
 
-const std::vector<Subject> subjects = {
+const std::vector<Collider> subjects = {
     {"tshirt", "tshirt.json", "standing"},
     {"walking_dress", "walking_dress.json", "walking"},
     {"trousers", "trousers.json", "standing"},
@@ -272,19 +272,19 @@ std::string load() {
 std::vector<Case> mesh_all(const Settings& settings, const fs::path& folder) {
   Bodies bodies(folder);
   std::vector<Case> cases;
-  for (const Subject& subject : subjects) {
+  for (const Collider& collider : subjects) {
     const auto& wanted = settings.garments;
-    if (std::find(wanted.begin(), wanted.end(), subject.name) == wanted.end()) continue;
-    const auto pattern = pattern_for(subject.body, subject.pattern);
-    const auto body = pattern ? bodies.get(subject.body) : std::nullopt;
+    if (std::find(wanted.begin(), wanted.end(), collider.name) == wanted.end()) continue;
+    const auto pattern = pattern_for(collider.body, collider.pattern);
+    const auto body = pattern ? bodies.get(collider.body) : std::nullopt;
     if (!body) {
-      std::cerr << subject.name
+      std::cerr << collider.name
                 << " is left out: its data is not in ../shared/data or TOILE_DATA\n";
       continue;
     }
     for (const double edge : settings.edges_mm) {
-      const std::string name = subject.name + "-" + std::to_string(cases.size());
-      Case at{subject.name, edge, folder / (name + ".obj"), *body};
+      const std::string name = collider.name + "-" + std::to_string(cases.size());
+      Case at{collider.name, edge, folder / (name + ".obj"), *body};
       std::ostringstream length;
       length << edge << "mm";
       run_or_throw("mesh-pattern", {pattern->string(), "-o", at.mesh.string(), "--edge-length",
@@ -331,7 +331,7 @@ std::string measure(const Settings& settings, const fs::path& csv) {
 int measured(int argc, char** argv) {
   namespace po = boost::program_options;
   Settings settings;
-  for (const Subject& subject : subjects) settings.garments.push_back(subject.name);
+  for (const Collider& collider : subjects) settings.garments.push_back(collider.name);
   settings.edges_mm = {25, 10};
   settings.threads = static_cast<int>(std::thread::hardware_concurrency());
   fs::path csv;
@@ -355,7 +355,7 @@ int measured(int argc, char** argv) {
   }
   for (const std::string& name : settings.garments) {
     if (std::none_of(subjects.begin(), subjects.end(),
-                     [&](const Subject& subject) { return subject.name == name; })) {
+                     [&](const Collider& collider) { return collider.name == name; })) {
       throw po::error("no garment is called " + name);
     }
   }

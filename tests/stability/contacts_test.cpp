@@ -26,7 +26,7 @@ class Contacts : public testing::Test {
  protected:
   explicit Contacts(const TriangleMesh& mesh = spikes_and_knives()) : body(mesh) {
     scene.body = &body.distance;
-    scene.subject = &body.mesh;
+    scene.collider = &body.mesh;
     force.surface = &body.surface;
     force.bounded = true;
   }

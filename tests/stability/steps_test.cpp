@@ -22,7 +22,7 @@ class Handkerchief : public testing::Test {
     add_panel(garment, "handkerchief", grid(0.2, 0.2, 10, 10),
               [](const Vec2& p) { return Vec3(p.x() - 0.1, 0.105, 0.1 - p.y()); });
     scene.body = &ball.distance;
-    scene.subject = &ball.mesh;
+    scene.collider = &ball.mesh;
     options.surface = &ball.surface;
     options.bounded = true;
     options.max_iterations = 40000;

@@ -55,15 +55,15 @@ std::string within_html(const Results& results) {
   std::vector<std::string> columns = {"scene", "method"};
   for (const double distance : asked_distances) columns.push_back(mm(distance, 1) + " mm");
   Lines lines;
-  for (const Subject& subject : subjects(results.rows)) {
-    if (rows_of(results.rows, subject, "paper").empty()) continue;
+  for (const Collider& collider : subjects(results.rows)) {
+    if (rows_of(results.rows, collider, "paper").empty()) continue;
     for (const char* method : {"relaxation", "paper"}) {
       const char* other = method == std::string("paper") ? "relaxation" : "paper";
-      std::vector<Cell> line = {{subject.scene + ", " + number(subject.edge_mm, 3) + " mm", ""},
+      std::vector<Cell> line = {{collider.scene + ", " + number(collider.edge_mm, 3) + " mm", ""},
                                 {method, ""}};
       for (const double distance : asked_distances) {
-        const auto mine = seconds_within(results.rows, subject, method, distance);
-        const auto others = seconds_within(results.rows, subject, other, distance);
+        const auto mine = seconds_within(results.rows, collider, method, distance);
+        const auto others = seconds_within(results.rows, collider, other, distance);
         const bool loses = others && (!mine || *mine > *others);
         line.push_back({mine ? seconds(*mine) : "never", loses ? "bad" : mine ? "good" : ""});
       }
@@ -87,19 +87,19 @@ struct Quantity {
   std::function<double(const Row&)> of;
 };
 
-Json curves_of(const Results& results, const Subject& subject, const Quantity& quantity) {
+Json curves_of(const Results& results, const Collider& collider, const Quantity& quantity) {
   constexpr std::array shapes = {"circle", "triangle", "rect", "crossRot", "rectRot"};
   Json curves = Json::array();
   for (const std::string method : {"relaxation", "paper"}) {
     std::vector<std::string> knobs;
-    for (const Row* row : rows_of(results.rows, subject, method)) {
+    for (const Row* row : rows_of(results.rows, collider, method)) {
       if (std::find(knobs.begin(), knobs.end(), row->knob) == knobs.end()) {
         knobs.push_back(row->knob);
       }
     }
     for (std::size_t k = 0; k < knobs.size(); ++k) {
       Json points = Json::array();
-      for (const Row* row : rows_of(results.rows, subject, method)) {
+      for (const Row* row : rows_of(results.rows, collider, method)) {
         const double y = quantity.of(*row);
         // No logarithm of nothing.
         if (row->knob != knobs[k] || !(y > 0)) continue;
@@ -123,9 +123,9 @@ std::string charts_html(const Results& results, Json& charts) {
       {"strain p99, error in points", [](const Row& row) { return 1e2 * row.error.strain_p99; }},
       {"ease, mean error in mm", [](const Row& row) { return 1e3 * row.error.ease.value_or(0); }}};
   std::string html = "<h2>Error against time</h2>\n";
-  for (const Subject& subject : subjects(results.rows)) {
-    const auto rows = rows_of(results.rows, subject, "");
-    html += "<h3>" + html_escaped(subject.scene) + ", edges of " + number(subject.edge_mm, 3) +
+  for (const Collider& collider : subjects(results.rows)) {
+    const auto rows = rows_of(results.rows, collider, "");
+    html += "<h3>" + html_escaped(collider.scene) + ", edges of " + number(collider.edge_mm, 3) +
             " mm, " + std::to_string(rows.front()->nodes) + " nodes</h3>\n<div class=\"charts\">";
     for (const Quantity& quantity : quantities) {
       if (std::all_of(rows.begin(), rows.end(),
@@ -134,9 +134,9 @@ std::string charts_html(const Results& results, Json& charts) {
       }
       html += "<div class=\"chart\"><canvas data-chart=\"" + std::to_string(charts.size()) +
               "\"></canvas></div>";
-      charts.push_back({{"title", subject.scene},
+      charts.push_back({{"title", collider.scene},
                         {"y", quantity.name},
-                        {"curves", curves_of(results, subject, quantity)}});
+                        {"curves", curves_of(results, collider, quantity)}});
     }
     html += "</div>\n";
   }

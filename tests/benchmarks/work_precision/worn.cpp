@@ -21,9 +21,9 @@ class Worn : public Case {
   Worn(const std::string& scene, double edge_mm, PanelMesh garment, const Wearer& wearer,
        Switched term)
       : Case(scene, edge_mm), garment_(std::move(garment)), wearer_(wearer) {
-    scene_.body = &wearer.subject.grid();
-    scene_.subject = &wearer.subject.surface();
-    scene_.skin = &wearer.subject.skin();
+    scene_.body = &wearer.collider.grid();
+    scene_.collider = &wearer.collider.surface();
+    scene_.skin = &wearer.collider.skin();
     scene_.skeleton = &wearer.skeleton;
     for (const MeshedPanel& panel : garment_.panels) {
       if (!panel.fabric.empty()) scene_.fabrics[panel.fabric] = find_fabric(panel.fabric);
@@ -35,7 +35,7 @@ class Worn : public Case {
 
   const PanelMesh& garment() const override { return garment_; }
   const Program& program() const override { return program_; }
-  const BodyDistance* body() const override { return &wearer_.subject.skin(); }
+  const BodyDistance* body() const override { return &wearer_.collider.skin(); }
   double springs_at_rest() const override { return 0.005; }
   Outcome run(Method method, const Setting& setting) const override {
     Outcome done;
@@ -104,7 +104,7 @@ class Worn : public Case {
 }  // namespace
 
 Wearer::Wearer(const fs::path& body)
-    : subject(fan_triangles(read_mesh(body))), skeleton(read_skeleton(skeleton_path(body))) {}
+    : collider(fan_triangles(read_mesh(body))), skeleton(read_skeleton(skeleton_path(body))) {}
 
 struct Wardrobe::Shelf {
   pipeline::ScratchFolder folder;

@@ -15,7 +15,7 @@ namespace toile::precision {
 /// A body that is worn by, as the programs have cleaned it.
 struct Wearer {
   explicit Wearer(const std::filesystem::path& body);
-  Subject subject;
+  Collider collider;
   Skeleton skeleton;
 };
 

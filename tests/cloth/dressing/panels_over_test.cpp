@@ -56,8 +56,8 @@ TEST(TurnOut, WhatLayBelowLiesOver) {
   const auto& triangles = tail.dressed.triangles;
   EXPECT_GT(intersections({tail.dressed.points, triangles}, outer).size(), 100U);
 
-  const Subject below(body);
-  Subject above(body);
+  const Collider below(body);
+  Collider above(body);
   above.add_layer(outer);
   std::vector<Vec3> nodes = tail.dressed.points;
   const std::vector<char> moved =
@@ -87,8 +87,8 @@ TEST(TurnOut, OnlyThePanelsNamed) {
   const Tail tail = tube(0.1, 0.4, 0.104, 120, 30, "tail");
   const TriangleMesh body = test::closed_tube(body_radius, body_radius, 0.5, 200);
   const DressedGarment segment = test::cloth_tube(0.106, 0.106, 0.05, 0.45, 150, 20);
-  const Subject below(body);
-  Subject above(body);
+  const Collider below(body);
+  Collider above(body);
   above.add_layer({segment.points, segment.triangles});
   EXPECT_EQ(panels_named(tail.garment, {"tail_f*"}), std::vector<int>{0});
   EXPECT_EQ(panels_named(tail.garment, {"tail_*"}), (std::vector<int>{0, 1}));

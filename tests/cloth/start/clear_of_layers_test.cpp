@@ -24,12 +24,12 @@ PanelMesh sandwich(double front, double back) {
 }
 
 TEST(StepOut, PanelsStepBackUntilTheyAreClear) {
-  const DistanceGrid subject{block()};
+  const DistanceGrid collider{block()};
   const PanelMesh garment = sandwich(0.065, -0.3);
   Placement placement;
   placement.placed = garment.placed;
   placement.points_inside = 77;
-  clear_of_layers(garment, subject, placement);
+  clear_of_layers(garment, collider, placement);
   // 35 mm deep, and 10 mm clear.
   EXPECT_EQ(placement.moved_off_layers.size(), 1U);
   EXPECT_NEAR(placement.moved_off_layers.at("front"), 0.05, 1e-12);
@@ -41,7 +41,7 @@ TEST(StepOut, PanelsStepBackUntilTheyAreClear) {
 }
 
 TEST(StepOut, WhatNoStepClearsAndWhatIsRolledStays) {
-  const DistanceGrid subject{block()};
+  const DistanceGrid collider{block()};
   // Faces into the block, whose far side is beyond the longest step.
   PanelMesh garment;
   test::add_panel(garment, "inward", test::grid(0.05, 0.05, 4, 4),
@@ -54,7 +54,7 @@ TEST(StepOut, WhatNoStepClearsAndWhatIsRolledStays) {
   });
   Placement placement;
   placement.placed = garment.placed;
-  clear_of_layers(garment, subject, placement);
+  clear_of_layers(garment, collider, placement);
   EXPECT_EQ(placement.moved_off_layers.count("rolled"), 0U);
   EXPECT_EQ(placement.points_inside > 0, true);
   const MeshedPanel& rolled = garment.panels[1];
