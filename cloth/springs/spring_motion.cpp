@@ -52,8 +52,8 @@ SpringMotion::SpringMotion(const PanelMesh& garment, const Program& program,
       if (a != b) open_.push_back({a, b, (placed[a] - placed[b]).norm()});
     }
   }
-  if (program.scene.subject != nullptr) {
-    subject_.emplace(*program.scene.subject, sheet_.triangles());
+  if (program.scene.collider != nullptr) {
+    subject_.emplace(*program.scene.collider, sheet_.triangles());
   }
   if (program.scene.self_contact) {
     self_.emplace(program, program.self_gap);

@@ -26,7 +26,7 @@ Trial wrap(const PanelMesh& garment, const Wearer& wearer, const SpringOptions& 
   constexpr double lost = 0.1;  // strain: what is stable has less than half of it
   Scene scene;
   scene.body = &wearer.subject.grid();
-  scene.subject = &wearer.subject.surface();
+  scene.collider = &wearer.subject.surface();
   scene.skeleton = &wearer.mannequin.skeleton;
   SpringDressOptions options;
   options.motion = motion;

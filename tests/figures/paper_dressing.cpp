@@ -177,7 +177,7 @@ PaperDressing dress_by_paper(const std::string& name, const PanelMesh& garment,
   Scene scene;
   scene.fabric = fabric;
   scene.body = &wearer.subject.grid();
-  scene.subject = &wearer.subject.surface();
+  scene.collider = &wearer.subject.surface();
   const TriangleMesh& layers = wearer.subject.cloth();
   scene.layers = layers.triangles.empty() ? nullptr : &layers;
   scene.skeleton = &skeleton;

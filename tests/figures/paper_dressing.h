@@ -18,7 +18,7 @@ struct Wearer {
   explicit Wearer(const Pose& pose);
 
   Mannequin mannequin;
-  Subject subject;
+  Collider subject;
 };
 
 /// A pattern of samples/, meshed with such edges (metres). Throws Error as read_pattern().
