@@ -6,9 +6,9 @@
 
 namespace toile {
 
-/// What SurfaceNodes knows, by cubes of nodes of its levels. Of use to a grid of the same surface,
-/// cell, band and extent only.
-struct KnownDistances {
+/// What DistanceLevels knows, by cubes of nodes of its levels. Of use to a grid of the same
+/// surface, cell, band and extent only.
+struct DistanceCache {
   struct Cube {
     int number;
     std::array<float, 64> values;  ///< metres; 0: not known

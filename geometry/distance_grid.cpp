@@ -15,7 +15,7 @@ namespace {
 constexpr int block_side = 2;
 constexpr int rimmed_side = block_side + 2;
 
-using Index = SurfaceNodes::Index;
+using Index = DistanceLevels::Index;
 
 using Four = Eigen::Array4d;
 
@@ -30,7 +30,7 @@ struct DistanceGrid::Block {
 struct DistanceGrid::Table {
   Vec3 origin;  // of the nodes
   double cell;
-  std::vector<std::unique_ptr<SurfaceNodes>> surfaces;
+  std::vector<std::unique_ptr<DistanceLevels>> surfaces;
   Index first = {0, 0, 0};  // block; it begins at node block_side * first
   Index size = {0, 0, 0};   // blocks along each axis
   std::unique_ptr<std::atomic<const Block*>[]> blocks;
@@ -41,11 +41,11 @@ struct DistanceGrid::Table {
     for (int i = 0; i < size[0] * size[1] * size[2]; ++i) delete blocks[i].load();
     blocks.reset();
   }
-  void add(const BodyDistance& surface, const DistanceGridOptions& options);
+  void add(const SurfaceDistance& surface, const DistanceGridOptions& options);
   const Block* compute(const Index& block) const;
 };
 
-void DistanceGrid::Table::add(const BodyDistance& surface, const DistanceGridOptions& options) {
+void DistanceGrid::Table::add(const SurfaceDistance& surface, const DistanceGridOptions& options) {
   Vec3 low = surface.body().points.front();
   Vec3 high = low;
   for (const Vec3& p : surface.body().points) {
@@ -70,7 +70,7 @@ void DistanceGrid::Table::add(const BodyDistance& surface, const DistanceGridOpt
   size = new_size;
   blocks.reset(
       new std::atomic<const Block*>[static_cast<std::size_t>(size[0]) * size[1] * size[2]] {});
-  surfaces.push_back(std::make_unique<SurfaceNodes>(surface, origin, cell, options.band));
+  surfaces.push_back(std::make_unique<DistanceLevels>(surface, origin, cell, options.band));
   Index first_node;
   Index nodes;
   for (int axis = 0; axis < 3; ++axis) {
@@ -83,7 +83,7 @@ void DistanceGrid::Table::add(const BodyDistance& surface, const DistanceGridOpt
 const DistanceGrid::Block* DistanceGrid::Table::compute(const Index& block) const {
   auto made = std::make_unique<Block>();
   float* value = made->values;
-  std::vector<BodyPoint> near(surfaces.size());  // neighbours have near ones nearest
+  std::vector<SurfacePoint> near(surfaces.size());  // neighbours have near ones nearest
   for (int k = 0; k < rimmed_side; ++k) {
     for (int j = 0; j < rimmed_side; ++j) {
       for (int i = 0; i < rimmed_side; ++i) {
@@ -100,21 +100,21 @@ const DistanceGrid::Block* DistanceGrid::Table::compute(const Index& block) cons
   return made.release();
 }
 
-DistanceGrid::DistanceGrid(const BodyDistance& body, const DistanceGridOptions& options)
+DistanceGrid::DistanceGrid(const SurfaceDistance& body, const DistanceGridOptions& options)
     : DistanceGrid(std::vector{body}, options) {}
 
-DistanceGrid::DistanceGrid(const std::vector<BodyDistance>& surfaces,
+DistanceGrid::DistanceGrid(const std::vector<SurfaceDistance>& surfaces,
                            const DistanceGridOptions& options)
     : options_(options), table_(std::make_unique<Table>()) {
   table_->cell = options.cell;
-  for (const BodyDistance& surface : surfaces) add(surface);
+  for (const SurfaceDistance& surface : surfaces) add(surface);
 }
 
 DistanceGrid::~DistanceGrid() = default;
 DistanceGrid::DistanceGrid(DistanceGrid&&) noexcept = default;
 DistanceGrid& DistanceGrid::operator=(DistanceGrid&&) noexcept = default;
 
-void DistanceGrid::add(const BodyDistance& surface) {
+void DistanceGrid::add(const SurfaceDistance& surface) {
   table_->add(surface, options_);
   const Index& first = table_->first;
   origin_ = table_->origin + block_side * options_.cell * Vec3(first[0], first[1], first[2]);
@@ -122,16 +122,16 @@ void DistanceGrid::add(const BodyDistance& surface) {
   blocks_ = table_->size;
 }
 
-KnownDistances DistanceGrid::known() const { return table_->surfaces.front()->known(); }
+DistanceCache DistanceGrid::known() const { return table_->surfaces.front()->known(); }
 std::size_t DistanceGrid::computed() const { return table_->surfaces.front()->computed(); }
-bool DistanceGrid::remember(const KnownDistances& known) {
+bool DistanceGrid::remember(const DistanceCache& known) {
   return table_->surfaces.front()->remember(known);
 }
 
-double DistanceGrid::at_least(double distance) const {
+double DistanceGrid::lower_bound(double distance) const {
   return std::abs(distance) <= options_.band
              ? distance
-             : SurfaceNodes::at_least(distance, options_.cell, options_.band);
+             : DistanceLevels::lower_bound(distance, options_.cell, options_.band);
 }
 
 DistanceGrid::Sample DistanceGrid::beyond(const Vec3& point) const {

@@ -33,24 +33,24 @@ struct DistanceGridOptions {
 /// on the surfaces only, not on the threads or on what was asked before.
 class DistanceGrid {
  public:
-  explicit DistanceGrid(const BodyDistance& body, const DistanceGridOptions& options = {});
+  explicit DistanceGrid(const SurfaceDistance& body, const DistanceGridOptions& options = {});
   /// Of one surface or more, the body first.
-  explicit DistanceGrid(const std::vector<BodyDistance>& surfaces,
+  explicit DistanceGrid(const std::vector<SurfaceDistance>& surfaces,
                         const DistanceGridOptions& options = {});
   ~DistanceGrid();
   DistanceGrid(DistanceGrid&&) noexcept;
   DistanceGrid& operator=(DistanceGrid&&) noexcept;
 
   /// One surface more. What is known of the others is kept. Not while lookups run.
-  void add(const BodyDistance& surface);
+  void add(const SurfaceDistance& surface);
 
   /// What is known of the first surface, for a grid of the same surface alone and of the same
   /// options; and how many nodes of it were computed here. Not while lookups run.
-  KnownDistances known() const;
+  DistanceCache known() const;
   std::size_t computed() const;
   /// Takes what such a grid knew: lookups say the same, sooner. False, and nothing is taken, when
   /// it was another one's. To be called before the first lookup.
-  bool remember(const KnownDistances& known);
+  bool remember(const DistanceCache& known);
 
   struct Sample {
     double distance;  ///< metres, negative inside
@@ -62,11 +62,11 @@ class DistanceGrid {
 
   /// What the true distance is at least, where at() said `distance`: beyond the band values are
   /// interpolated and can be too large.
-  double at_least(double distance) const;
+  double lower_bound(double distance) const;
 
   /// 1/m: how much the gradient turns along a metre at most, within the band, where the nearest
   /// point changes from one side to the other.
-  double most_bend() const { return 2 / options_.cell; }
+  double gradient_bound() const { return 2 / options_.cell; }
 
  private:
   struct Block;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int coarsening = 4;
 constexpr int cube_side = 4;
-constexpr std::size_t cube_nodes = std::tuple_size_v<decltype(KnownDistances::Cube::values)>;
+constexpr std::size_t cube_nodes = std::tuple_size_v<decltype(DistanceCache::Cube::values)>;
 static_assert(cube_nodes == cube_side * cube_side * cube_side);
 /// Distance from the surface, in cells of the middle grid, from which on that is interpolated too.
 constexpr double far_cells = 4;
@@ -28,8 +28,8 @@ int floor_by(int value, int divisor) {
 
 }  // namespace
 
-SurfaceNodes::SurfaceNodes(const BodyDistance& surface, const Vec3& origin, double cell,
-                           double band)
+DistanceLevels::DistanceLevels(const SurfaceDistance& surface, const Vec3& origin, double cell,
+                               double band)
     : surface_(surface), origin_(origin), band_(band) {
   const double middle = coarsening * cell;
   levels_[0].cell = cell;
@@ -41,7 +41,7 @@ SurfaceNodes::SurfaceNodes(const BodyDistance& surface, const Vec3& origin, doub
   levels_[2].exact = levels_[2].reach = std::numeric_limits<double>::infinity();
 }
 
-double SurfaceNodes::at_least(double distance, double cell, double band) {
+double DistanceLevels::lower_bound(double distance, double cell, double band) {
   const double middle = coarsening * cell;
   const double once = distance - interpolation_error(middle);
   if (distance < 0) return once - interpolation_error(coarsening * middle);
@@ -52,7 +52,7 @@ double SurfaceNodes::at_least(double distance, double cell, double band) {
   return std::max({band, far, once - interpolation_error(coarsening * middle)});
 }
 
-std::size_t SurfaceNodes::Level::place(const Index& node) const {
+std::size_t DistanceLevels::Level::place(const Index& node) const {
   // By small cubes, so that neighbours share pages and cache lines.
   std::size_t cube = 0;
   std::size_t inside = 0;
@@ -64,15 +64,15 @@ std::size_t SurfaceNodes::Level::place(const Index& node) const {
   return cube * cube_nodes + inside;
 }
 
-std::size_t SurfaceNodes::Level::cubes() const {
+std::size_t DistanceLevels::Level::cubes() const {
   return static_cast<std::size_t>(size[0]) * size[1] * size[2] / cube_nodes;
 }
 
-KnownDistances SurfaceNodes::known() const {
-  KnownDistances known{levels_[0].cell, band_, levels_[0].first, levels_[0].size, {}};
+DistanceCache DistanceLevels::known() const {
+  DistanceCache known{levels_[0].cell, band_, levels_[0].first, levels_[0].size, {}};
   for (std::size_t l = 0; l < levels; ++l) {
     for (std::size_t c = 0; c < levels_[l].cubes(); ++c) {
-      KnownDistances::Cube cube{static_cast<int>(c), {}};
+      DistanceCache::Cube cube{static_cast<int>(c), {}};
       bool any = false;
       for (std::size_t i = 0; i < cube_nodes; ++i) {
         cube.values[i] = levels_[l].values[c * cube_nodes + i].load(std::memory_order_relaxed);
@@ -84,20 +84,20 @@ KnownDistances SurfaceNodes::known() const {
   return known;
 }
 
-bool SurfaceNodes::remember(const KnownDistances& known) {
+bool DistanceLevels::remember(const DistanceCache& known) {
   if (known.cell != levels_[0].cell || known.band != band_ || known.first != levels_[0].first ||
       known.size != levels_[0].size) {
     return false;
   }
   for (std::size_t l = 0; l < levels; ++l) {
-    for (const KnownDistances::Cube& cube : known.levels[l]) {
+    for (const DistanceCache::Cube& cube : known.levels[l]) {
       if (cube.number < 0 || static_cast<std::size_t>(cube.number) >= levels_[l].cubes()) {
         return false;
       }
     }
   }
   for (std::size_t l = 0; l < levels; ++l) {
-    for (const KnownDistances::Cube& cube : known.levels[l]) {
+    for (const DistanceCache::Cube& cube : known.levels[l]) {
       std::atomic<float>* const values = &levels_[l].values[cube.number * cube_nodes];
       for (std::size_t i = 0; i < cube_nodes; ++i) {
         if (cube.values[i] != 0) values[i].store(cube.values[i], std::memory_order_relaxed);
@@ -107,7 +107,7 @@ bool SurfaceNodes::remember(const KnownDistances& known) {
   return true;
 }
 
-void SurfaceNodes::cover(const Index& first, const Index& size) {
+void DistanceLevels::cover(const Index& first, const Index& size) {
   Index low = first;
   Index high;
   for (int axis = 0; axis < 3; ++axis) high[axis] = first[axis] + size[axis];
@@ -142,9 +142,9 @@ void SurfaceNodes::cover(const Index& first, const Index& size) {
   }
 }
 
-float SurfaceNodes::at(const Index& node, BodyPoint& near) const { return at(0, node, near); }
+float DistanceLevels::at(const Index& node, SurfacePoint& near) const { return at(0, node, near); }
 
-float SurfaceNodes::at(std::size_t level, const Index& node, BodyPoint& near) const {
+float DistanceLevels::at(std::size_t level, const Index& node, SurfacePoint& near) const {
   std::atomic<float>& known = levels_[level].values[levels_[level].place(node)];
   float value = known.load(std::memory_order_relaxed);
   if (value != 0) return value;
@@ -157,7 +157,7 @@ float SurfaceNodes::at(std::size_t level, const Index& node, BodyPoint& near) co
   return value;
 }
 
-float SurfaceNodes::compute(std::size_t level, const Index& node, BodyPoint& near) const {
+float DistanceLevels::compute(std::size_t level, const Index& node, SurfacePoint& near) const {
   if (level + 1 < levels) {
     Index low;
     double along[3];

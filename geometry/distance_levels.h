@@ -18,12 +18,12 @@ namespace toile {
 /// and those, where they are far, from one four times as coarse again.
 /// A node is computed on first use; its value depends on surface, grid and node only. Memory is
 /// used where nodes are asked for. Several threads may ask at once.
-class SurfaceNodes {
+class DistanceLevels {
  public:
   using Index = std::array<int, 3>;
 
   /// Nodes less than `band` metres from the surface are exact.
-  SurfaceNodes(const BodyDistance& surface, const Vec3& origin, double cell, double band);
+  DistanceLevels(const SurfaceDistance& surface, const Vec3& origin, double cell, double band);
 
   /// Makes room for the nodes from `first` on, `size` along each axis, among which are all those of
   /// before; what was computed stays. Not while others ask.
@@ -31,18 +31,18 @@ class SurfaceNodes {
 
   /// A tree query the first time, near the surface. The node is among those that cover() named.
   /// `near` is a point of the surface that may be near the node's, and becomes one that is.
-  float at(const Index& node, BodyPoint& near) const;
+  float at(const Index& node, SurfacePoint& near) const;
 
   /// What is known so far, and how many nodes of it were computed here. Not while others ask.
-  KnownDistances known() const;
+  DistanceCache known() const;
   std::size_t computed() const { return computed_.load(); }
   /// Takes what another one knew of the same surface. False, and nothing is taken, when its grid
   /// was another or its numbers are none of cubes. Not while others ask.
-  bool remember(const KnownDistances& known);
+  bool remember(const DistanceCache& known);
 
   /// What a point's true distance is at least where a spline through the nodes around it says
   /// `distance`, which is more than `band`, or less than its negative.
-  static double at_least(double distance, double cell, double band);
+  static double lower_bound(double distance, double cell, double band);
 
  private:
   /// A grid of one coarseness.
@@ -62,10 +62,10 @@ class SurfaceNodes {
   };
   static constexpr std::size_t levels = 3;
 
-  float at(std::size_t level, const Index& node, BodyPoint& near) const;
-  float compute(std::size_t level, const Index& node, BodyPoint& near) const;
+  float at(std::size_t level, const Index& node, SurfacePoint& near) const;
+  float compute(std::size_t level, const Index& node, SurfacePoint& near) const;
 
-  BodyDistance surface_;
+  SurfaceDistance surface_;
   Vec3 origin_;
   double band_;
   mutable std::atomic<std::size_t> computed_ = 0;

@@ -311,7 +311,7 @@ void fill_holes(Mesh& mesh, RepairReport& report, bool orientable, const RepairO
 }
 
 double farthest_from(const TriangleMesh& of, const TriangleMesh& surface) {
-  const BodyDistance distance(surface);
+  const SurfaceDistance distance(surface);
   double farthest = 0;
   for (const Vec3& point : of.points) {
     farthest = std::max(farthest, (point - distance.nearest(point).point).norm());

@@ -34,13 +34,13 @@ double beside_border(const Vec3& away, const Vec3& normal) {
   const double behind = -away.dot(normal);
   if (behind <= 0) return distance;
   const double beyond = std::sqrt(std::max(0.0, distance * distance - behind * behind));
-  const double zero = std::min(behind, BodyDistance::border_bevel);
+  const double zero = std::min(behind, SurfaceDistance::border_bevel);
   return distance * (beyond - zero) / (beyond + zero);
 }
 
 }  // namespace
 
-struct BodyDistance::Tree {
+struct SurfaceDistance::Tree {
   explicit Tree(const TriangleMesh& mesh) : body(mesh), tree(body) { compute_normals(); }
 
   const TriangleMesh body;
@@ -58,10 +58,10 @@ struct BodyDistance::Tree {
   };
   void compute_normals();
   Feature feature_at(int triangle, const Vec3& weights) const;
-  BodyPoint describe(const Vec3& query, int triangle) const;
+  SurfacePoint describe(const Vec3& query, int triangle) const;
 };
 
-void BodyDistance::Tree::compute_normals() {
+void SurfaceDistance::Tree::compute_normals() {
   const std::size_t count = body.triangles.size();
   face_normals.resize(count);
   edge_normals.resize(count);
@@ -100,8 +100,8 @@ void BodyDistance::Tree::compute_normals() {
   }
 }
 
-BodyDistance::Tree::Feature BodyDistance::Tree::feature_at(int triangle,
-                                                           const Vec3& weights) const {
+SurfaceDistance::Tree::Feature SurfaceDistance::Tree::feature_at(int triangle,
+                                                                 const Vec3& weights) const {
   for (int i = 0; i < 3; ++i) {
     const int corner = body.triangles[triangle][i];
     if (weights[i] == 1) return {vertex_normals[corner], vertex_is_border[corner] != 0};
@@ -112,13 +112,13 @@ BodyDistance::Tree::Feature BodyDistance::Tree::feature_at(int triangle,
   return {face_normals[triangle], false};
 }
 
-BodyPoint BodyDistance::Tree::describe(const Vec3& query, int triangle) const {
+SurfacePoint SurfaceDistance::Tree::describe(const Vec3& query, int triangle) const {
   const Triangle& corners = body.triangles[triangle];
   const Vec3& a = body.points[corners[0]];
   const Vec3& b = body.points[corners[1]];
   const Vec3& c = body.points[corners[2]];
   const Vec3 weights = nearest_on_triangle(query, a, b, c);
-  BodyPoint found;
+  SurfacePoint found;
   found.point = weights[0] * a + weights[1] * b + weights[2] * c;
   const Feature feature = feature_at(triangle, weights);
   found.normal = feature.normal;
@@ -129,13 +129,13 @@ BodyPoint BodyDistance::Tree::describe(const Vec3& query, int triangle) const {
   return found;
 }
 
-BodyDistance::BodyDistance(const TriangleMesh& body) {
+SurfaceDistance::SurfaceDistance(const TriangleMesh& body) {
   if (body.triangles.empty()) throw Error("body", "has no triangles", "give a body mesh");
   tree_ = std::make_shared<const Tree>(body);
 }
 
-void BodyDistance::triangles_in_box(const Vec3& low, const Vec3& high,
-                                    std::vector<int>& found) const {
+void SurfaceDistance::triangles_in_box(const Vec3& low, const Vec3& high,
+                                       std::vector<int>& found) const {
   const CGAL::Bbox_3 box(low.x(), low.y(), low.z(), high.x(), high.y(), high.z());
   const std::size_t before = found.size();
   tree_->tree.meeting(low, high, found);
@@ -150,14 +150,14 @@ void BodyDistance::triangles_in_box(const Vec3& low, const Vec3& high,
       found.end());
 }
 
-const TriangleMesh& BodyDistance::body() const { return tree_->body; }
-const TriangleTree& BodyDistance::tree() const { return tree_->tree; }
+const TriangleMesh& SurfaceDistance::body() const { return tree_->body; }
+const TriangleTree& SurfaceDistance::tree() const { return tree_->tree; }
 
-BodyPoint BodyDistance::nearest(const Vec3& query) const {
+SurfacePoint SurfaceDistance::nearest(const Vec3& query) const {
   return tree_->describe(query, tree_->tree.nearest(query));
 }
 
-BodyPoint BodyDistance::nearest(const Vec3& query, const BodyPoint& hint) const {
+SurfacePoint SurfaceDistance::nearest(const Vec3& query, const SurfacePoint& hint) const {
   return tree_->describe(query, tree_->tree.nearest(query, hint.triangle));
 }
 

@@ -10,7 +10,7 @@ namespace toile {
 class TriangleTree;
 
 /// The nearest point of the surface to a query point.
-struct BodyPoint {
+struct SurfacePoint {
   double distance = 0;  ///< metres; negative inside the body, or behind a sheet
   Vec3 point;           ///< on the surface
   Vec3 normal;          ///< outward, of unit length; of the nearest face, edge or vertex
@@ -28,16 +28,16 @@ struct BodyPoint {
 /// there, the value rises from -r behind the border through zero at `border_bevel` (or at 45
 /// degrees, where that is nearer) beyond it toward r, with r the distance; its size is at most r.
 /// Where the nearest point itself jumps, as between two sleeves, the sign can still jump.
-class BodyDistance {
+class SurfaceDistance {
  public:
   static constexpr double border_bevel = 0.005;  ///< metres
 
   /// Keeps a copy of the surface. Throws Error when it has no triangles.
-  explicit BodyDistance(const TriangleMesh& body);
+  explicit SurfaceDistance(const TriangleMesh& body);
 
-  BodyPoint nearest(const Vec3& query) const;
+  SurfacePoint nearest(const Vec3& query) const;
   /// As nearest(), starting from an answer known to be near: faster, the same distance.
-  BodyPoint nearest(const Vec3& query, const BodyPoint& hint) const;
+  SurfacePoint nearest(const Vec3& query, const SurfacePoint& hint) const;
 
   /// Appends the triangles that meet the box from `low` to `high`, in an order that depends only
   /// on the body and the box.

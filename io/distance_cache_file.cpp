@@ -54,8 +54,8 @@ bool take(std::string_view& bytes, T* items, std::size_t count) {
 
 }  // namespace
 
-void write_known_distances(const std::filesystem::path& path, const TriangleMesh& body,
-                           const KnownDistances& known) {
+void write_distance_cache(const std::filesystem::path& path, const TriangleMesh& body,
+                          const DistanceCache& known) {
   std::string bytes = head_of(body);
   append(bytes, &known.cell, 1);
   append(bytes, &known.band, 1);
@@ -71,8 +71,8 @@ void write_known_distances(const std::filesystem::path& path, const TriangleMesh
   write_file(path, bytes);
 }
 
-std::optional<KnownDistances> read_known_distances(const std::filesystem::path& path,
-                                                   const TriangleMesh& body) {
+std::optional<DistanceCache> read_distance_cache(const std::filesystem::path& path,
+                                                 const TriangleMesh& body) {
   std::string content;
   try {
     content = read_file(path);
@@ -87,7 +87,7 @@ std::optional<KnownDistances> read_known_distances(const std::filesystem::path& 
   bytes.remove_suffix(sizeof of_all);
   if (of_all != checksum(bytes.data(), bytes.size())) return std::nullopt;
   bytes.remove_prefix(head.size());
-  KnownDistances known;
+  DistanceCache known;
   if (!take(bytes, &known.cell, 1) || !take(bytes, &known.band, 1) ||
       !take(bytes, known.first.data(), known.first.size()) ||
       !take(bytes, known.size.data(), known.size.size())) {
@@ -95,7 +95,7 @@ std::optional<KnownDistances> read_known_distances(const std::filesystem::path& 
   }
   for (auto& cubes : known.levels) {
     Count count = 0;
-    if (!take(bytes, &count, 1) || count > bytes.size() / sizeof(KnownDistances::Cube)) {
+    if (!take(bytes, &count, 1) || count > bytes.size() / sizeof(DistanceCache::Cube)) {
       return std::nullopt;
     }
     cubes.resize(count);

@@ -11,13 +11,13 @@ namespace toile {
 
 /// Writes what is known of the distances of `body`, whole or not at all. Throws Error when the file
 /// can't be written.
-void write_known_distances(const std::filesystem::path& path, const TriangleMesh& body,
-                           const KnownDistances& known);
+void write_distance_cache(const std::filesystem::path& path, const TriangleMesh& body,
+                          const DistanceCache& known);
 
-/// What write_known_distances wrote for the same body on a machine of this kind; nothing when there
+/// What write_distance_cache wrote for the same body on a machine of this kind; nothing when there
 /// is no such file, when it is damaged or of another body. Only what is in it is checked, not
 /// whether its distances are right.
-std::optional<KnownDistances> read_known_distances(const std::filesystem::path& path,
-                                                   const TriangleMesh& body);
+std::optional<DistanceCache> read_distance_cache(const std::filesystem::path& path,
+                                                 const TriangleMesh& body);
 
 }  // namespace toile

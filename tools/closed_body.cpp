@@ -70,7 +70,7 @@ TriangleMesh read_closed_body(const std::filesystem::path& path) {
   return body;
 }
 
-Skeleton read_skeleton_of(const BodyDistance& body, const std::filesystem::path& path) {
+Skeleton read_skeleton_of(const SurfaceDistance& body, const std::filesystem::path& path) {
   Skeleton skeleton = read_skeleton(path);
   if (const auto outside = joint_outside(skeleton, body)) {
     constexpr double far = 10;

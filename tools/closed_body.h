@@ -15,6 +15,6 @@ namespace toile {
 TriangleMesh read_closed_body(const std::filesystem::path& path);
 
 /// Reads a body's joints. Throws Error when one is not in the body: they are another's.
-Skeleton read_skeleton_of(const BodyDistance& body, const std::filesystem::path& path);
+Skeleton read_skeleton_of(const SurfaceDistance& body, const std::filesystem::path& path);
 
 }  // namespace toile

@@ -87,7 +87,7 @@ class Outfit {
   const Clock::time_point start_ = Clock::now();
   std::vector<PanelMesh> garments_;        // one a layer: all are read before the first is dressed
   std::map<std::string, Fabric> fabrics_;  // by the names that panels give
-  KnownDistances known_;                   // of the body, from earlier runs
+  DistanceCache known_;                    // of the body, from earlier runs
   std::optional<Collider> collider_;
   std::optional<Skeleton> skeleton_;
   double read_seconds_ = 0;
@@ -117,7 +117,7 @@ void Outfit::read() {
   const TriangleMesh body = read_closed_body(settings_.body);
   read_seconds_ = seconds_since(start_);
   const auto grid_start = Clock::now();
-  if (settings_.cache) known_ = read_known_distances(*settings_.cache, body).value_or(known_);
+  if (settings_.cache) known_ = read_distance_cache(*settings_.cache, body).value_or(known_);
   collider_.emplace(body, known_);
   grid_seconds_ = seconds_since(grid_start);
   if (fs::exists(settings_.skeleton) || settings_.needs_skeleton) {
@@ -136,7 +136,7 @@ void Outfit::keep_distances() {
   if (!settings_.cache || done_.front().distances < worth_writing) return;
   const auto start = Clock::now();
   try {
-    write_known_distances(*settings_.cache, collider_->body(), collider_->grid().known());
+    write_distance_cache(*settings_.cache, collider_->body(), collider_->grid().known());
   } catch (const Error& error) {
     CommonSettings::warn(std::string("the body's distances are not kept: ") + error.what());
   }

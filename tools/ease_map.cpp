@@ -27,7 +27,7 @@ struct Settings {
 };
 
 /// Girths at the levels that the body's joints tell; none, with a note, where there are no joints.
-std::vector<GirthEase> girths_of(const EaseReport& report, const BodyDistance& skin,
+std::vector<GirthEase> girths_of(const EaseReport& report, const SurfaceDistance& skin,
                                  const Settings& settings, const CommonSettings& common) {
   const fs::path path = settings.skeleton.value_or(skeleton_path(settings.body));
   if (!settings.skeleton && !fs::exists(path)) {
@@ -78,7 +78,7 @@ int work(const Settings& settings, const CommonSettings& common) {
   report.options = settings.ease;
   report.garment_name = settings.garment.filename().string();
   report.body_name = settings.body.filename().string();
-  const BodyDistance skin(report.body);
+  const SurfaceDistance skin(report.body);
   report.map = measure_ease(report.garment, skin, settings.ease);
   report.girths = girths_of(report, skin, settings, common);
   report.top = settings.top.value_or(suggested_top(report.map));

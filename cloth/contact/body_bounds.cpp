@@ -91,9 +91,9 @@ BodyBounds::Region BodyBounds::region_of(const Triangle& corners, const Vec4s& x
   const double radius =
       std::sqrt(std::max({(p[0] - centre).squaredNorm(), (p[1] - centre).squaredNorm(),
                           (p[2] - centre).squaredNorm()}));
-  BodyPoint hint;
+  SurfacePoint hint;
   hint.triangle = near_facet;
-  const BodyPoint nearest_point = surface_.exact.nearest(centre, hint);
+  const SurfacePoint nearest_point = surface_.exact.nearest(centre, hint);
   region.facet = nearest_point.triangle;
   region.meets = nearest_point.distance < 0;
   if (region.meets) return region;

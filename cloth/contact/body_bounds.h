@@ -15,7 +15,7 @@ namespace toile {
 
 /// The body as what cloth must not meet, and a smooth distance that tells the way out.
 struct BodySurface {
-  const BodyDistance& exact;
+  const SurfaceDistance& exact;
   const DistanceGrid& smooth;
 };
 

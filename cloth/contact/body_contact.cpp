@@ -25,8 +25,8 @@ void BodyContact::look(const Scene& scene, const Vec3& p, double offset,
   near_ = away < near;
   if (!near_) {
     // On the far side of the middle between here and there, the plane is asked for again.
-    reach_ =
-        std::max(scene.body->at_least(sample.distance) - offset - 0.5 * near, linearization_radius);
+    reach_ = std::max(scene.body->lower_bound(sample.distance) - offset - 0.5 * near,
+                      linearization_radius);
     anchored_ = false;
     return;
   }
@@ -36,7 +36,8 @@ void BodyContact::look(const Scene& scene, const Vec3& p, double offset,
   normal_ = as_vec4(normal);
   level_ = slope_ * normal.dot(p) - away;
   reach_ = slope_ < ridge_slope ? 0 : linearization_radius;
-  stiffness_ = push_stiffness * (slope_ * slope_ + scene.body->most_bend() * std::max(-away, 0.0));
+  stiffness_ =
+      push_stiffness * (slope_ * slope_ + scene.body->gradient_bound() * std::max(-away, 0.0));
 }
 
 }  // namespace toile

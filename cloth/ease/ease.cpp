@@ -82,7 +82,7 @@ struct Corner {
 
 }  // namespace
 
-EaseMap measure_ease(const DressedGarment& garment, const BodyDistance& body,
+EaseMap measure_ease(const DressedGarment& garment, const SurfaceDistance& body,
                      const EaseOptions& options) {
   EaseMap map;
   map.node_gaps.resize(garment.points.size());

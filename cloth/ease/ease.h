@@ -53,7 +53,7 @@ struct EaseMap {
 
 /// `body` has to be closed for the sign to mean anything (closed_surface_defect says). One query of
 /// the body a node, run in parallel; the result does not depend on the number of threads.
-EaseMap measure_ease(const DressedGarment& garment, const BodyDistance& body,
+EaseMap measure_ease(const DressedGarment& garment, const SurfaceDistance& body,
                      const EaseOptions& options = {});
 
 }  // namespace toile

@@ -46,7 +46,7 @@ class Certificate {
  private:
   const TriangleMesh& body_;
   const TriangleMesh* layers_;
-  BodyDistance distance_;
+  SurfaceDistance distance_;
   std::vector<FrameFigures> frames_;
 };
 

@@ -17,8 +17,8 @@ void append(TriangleMesh& mesh, const TriangleMesh& more) {
 
 }  // namespace
 
-Collider::Collider(const TriangleMesh& body, const KnownDistances& known)
-    : surfaces_{BodyDistance(body)}, surface_(body), grid_(surfaces_.front()) {
+Collider::Collider(const TriangleMesh& body, const DistanceCache& known)
+    : surfaces_{SurfaceDistance(body)}, surface_(body), grid_(surfaces_.front()) {
   if (!known.empty()) grid_.remember(known);
 }
 
@@ -31,7 +31,7 @@ void Collider::add_layer(const TriangleMesh& garment) {
 
 double Collider::distance(const Vec3& point) const {
   double least = std::numeric_limits<double>::max();
-  for (const BodyDistance& surface : surfaces_) {
+  for (const SurfaceDistance& surface : surfaces_) {
     least = std::min(least, surface.nearest(point).distance);
   }
   return least;

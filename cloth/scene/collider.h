@@ -16,14 +16,14 @@ class Collider {
  public:
   /// The body alone: closed, outward-oriented, metres. Throws Error when it has no triangles.
   /// `known`, of an earlier one of the same body, spares computing it again.
-  explicit Collider(const TriangleMesh& body, const KnownDistances& known = {});
+  explicit Collider(const TriangleMesh& body, const DistanceCache& known = {});
 
   /// A dressed garment becomes part of the surface; its triangles face away from the body. The
   /// references that the others return stay valid, and speak of the new surface.
   void add_layer(const TriangleMesh& garment);
 
   const TriangleMesh& body() const { return skin().body(); }
-  const BodyDistance& skin() const { return surfaces_.front(); }
+  const SurfaceDistance& skin() const { return surfaces_.front(); }
   /// Body and layers as one mesh, facets outward: the body's first, then layer by layer.
   const TriangleMesh& surface() const { return surface_; }
   /// The layers alone, as one mesh; without triangles when there are none.
@@ -34,7 +34,7 @@ class Collider {
   double distance(const Vec3& point) const;
 
  private:
-  std::deque<BodyDistance> surfaces_;  // which stay where they are
+  std::deque<SurfaceDistance> surfaces_;  // which stay where they are
   TriangleMesh surface_;
   TriangleMesh cloth_;
   DistanceGrid grid_;

@@ -10,7 +10,7 @@
 
 namespace toile {
 
-class BodyDistance;
+class SurfaceDistance;
 class DistanceGrid;
 struct MeshedPanel;
 struct PanelMesh;
@@ -24,7 +24,7 @@ struct Scene {
   const DistanceGrid* body = nullptr;
   const TriangleMesh* collider = nullptr;  ///< the same surface as triangles, facets outward
   const TriangleMesh* layers = nullptr;    ///< the layers of it alone; none: the body is bare
-  const BodyDistance* skin = nullptr;      ///< exactly, of the bare body; none: nothing bounds
+  const SurfaceDistance* skin = nullptr;   ///< exactly, of the bare body; none: nothing bounds
   const Skeleton* skeleton = nullptr;      ///< of the body; none: panels start as the pattern says
   double body_offset = 0.002;              ///< metres at least kept between skin and cloth's middle
   bool self_contact = true;

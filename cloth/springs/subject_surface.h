@@ -80,7 +80,7 @@ class SubjectSurface {
   SubjectNearest at_vertex(const Vec3& p, int vertex) const;
 
   TriangleMesh mesh_;
-  BodyDistance distance_;
+  SurfaceDistance distance_;
   std::vector<Vec3> facet_normals_;
   std::vector<SubjectEdge> edges_;
   std::vector<std::array<int, 3>> facet_edges_;

@@ -192,7 +192,7 @@ class Sides {
 
 }  // namespace
 
-std::vector<double> facing_out(const PanelMesh& garment, const BodyDistance& skin) {
+std::vector<double> facing_out(const PanelMesh& garment, const SurfaceDistance& skin) {
   std::vector<double> facing;
   for (const MeshedPanel& panel : garment.panels) {
     const int stride = std::max(1, panel.triangles / looked_at);
@@ -203,7 +203,7 @@ std::vector<double> facing_out(const PanelMesh& garment, const BodyDistance& ski
       const Vec3& p = garment.placed[a];
       const Vec3 area = (garment.placed[b] - p).cross(garment.placed[c] - p);
       const Vec3 middle = (p + garment.placed[b] + garment.placed[c]) / 3;
-      const BodyPoint nearest = skin.nearest(middle);
+      const SurfacePoint nearest = skin.nearest(middle);
       const Vec3 out =
           nearest.distance < 0 ? Vec3(nearest.point - middle) : Vec3(middle - nearest.point);
       if (out.norm() > 0) sum += area.dot(out.normalized());

@@ -34,7 +34,7 @@ std::vector<PlacementWarning> placement_warnings(const PanelMesh& garment, const
 
 /// Of each panel, how its right side faces away from the skin: the mean cosine over its area, 1
 /// when all of it does.
-std::vector<double> facing_out(const PanelMesh& garment, const BodyDistance& skin);
+std::vector<double> facing_out(const PanelMesh& garment, const SurfaceDistance& skin);
 
 /// What is warning and what to do, in a line.
 std::string text_of(const PlacementWarning& warning);

@@ -178,7 +178,7 @@ class Clearing {
         const Vec3& p = points[corners[i]];
         const double at = distance_.at(p).distance;
         if (at < surely_inside) return true;
-        least = std::min(least, distance_.at_least(at));
+        least = std::min(least, distance_.lower_bound(at));
         longest = std::max(longest, (p - points[corners[(i + 1) % 3]]).norm());
       }
       if (least < longest) near.triangles.push_back(corners);

@@ -75,7 +75,7 @@ bool SeamPaths::is_obstructed(Way& way, double lift) const {
     done += least_step;
     // What is obstructed already is asked for arms only.
     if (obstructed && !in_arm(p)) continue;
-    done += std::max(body_.at_least(look(p, 0)) - least_step, 0.0);
+    done += std::max(body_.lower_bound(look(p, 0)) - least_step, 0.0);
   }
   return obstructed;
 }

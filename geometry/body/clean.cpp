@@ -163,7 +163,7 @@ std::string refusal(const Skeleton& skeleton, const TriangleMesh& mesh, double u
       if (!skeleton.joints.contains(name)) return "there is no '" + name + "' among them";
     }
   }
-  const auto outside = joint_outside(skeleton, BodyDistance(mesh), unit);
+  const auto outside = joint_outside(skeleton, SurfaceDistance(mesh), unit);
   return outside ? "'" + outside->name + "' lies outside the body" : "";
 }
 
@@ -196,7 +196,7 @@ std::optional<Standing> as_given(const TriangleMesh& mesh, const CleanOptions& o
 
 }  // namespace
 
-std::optional<JointOutside> joint_outside(const Skeleton& skeleton, const BodyDistance& body,
+std::optional<JointOutside> joint_outside(const Skeleton& skeleton, const SurfaceDistance& body,
                                           double unit) {
   for (const Segment& segment : body_segments()) {
     for (const std::string& name : {segment.from, segment.to}) {

@@ -67,7 +67,7 @@ struct JointOutside {
 /// The first of the bones' joints that lies outside of the body by more than `joint_tolerance`:
 /// then they are another body's. Joints that are missing, or end no bone, are passed over. `body`
 /// is in units of `unit` metres.
-std::optional<JointOutside> joint_outside(const Skeleton& skeleton, const BodyDistance& body,
+std::optional<JointOutside> joint_outside(const Skeleton& skeleton, const SurfaceDistance& body,
                                           double unit = 1);
 
 }  // namespace toile

@@ -24,7 +24,7 @@ using namespace toile;
 constexpr double pi = std::numbers::pi;
 
 /// `around` x `rows` cells, `off` metres outside the torso, from below the arms to the hips.
-TriangleMesh tube(const BodyDistance& body, int around, int rows, double off) {
+TriangleMesh tube(const SurfaceDistance& body, int around, int rows, double off) {
   TriangleMesh mesh;
   for (int r = 0; r <= rows; ++r) {
     const double y = 0.85 + 0.4 * r / rows;
@@ -51,7 +51,7 @@ TriangleMesh tube(const BodyDistance& body, int around, int rows, double off) {
   return mesh;
 }
 
-void run(const char* name, const TriangleMesh& subject, const BodyDistance& body,
+void run(const char* name, const TriangleMesh& subject, const SurfaceDistance& body,
          const TriangleMesh& cloth, double friction, double press, const Vec3& slide) {
   constexpr double dt = 1e-4;
   std::vector<Vec3> x = cloth.points;
@@ -97,7 +97,7 @@ int main(int argc, char** argv) {
   const TriangleMesh mesh = argc > 1 ? fan_triangles(read_mesh(argv[1])) : make_mannequin().surface;
   const std::size_t threads = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 2;
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-  const BodyDistance body(mesh);
+  const SurfaceDistance body(mesh);
   const TriangleMesh cloth = tube(body, 100, 80, 0.0025);
   std::cout << mesh.triangles.size() << " facets, " << cloth.points.size() << " nodes, "
             << cloth.triangles.size() << " triangles, " << threads << " threads, dt 1e-4 s\n";

@@ -28,7 +28,7 @@ const DistanceGrid& bar(double radius) {
   static const DistanceGrid grid = [&] {
     TriangleMesh mesh = test::closed_tube(radius, radius, 0.2, 100);
     for (Vec3& p : mesh.points) p = Vec3(p.y() - 0.09, -p.x(), p.z());
-    return DistanceGrid{BodyDistance(mesh)};
+    return DistanceGrid{SurfaceDistance(mesh)};
   }();
   return grid;
 }

@@ -65,7 +65,7 @@ void ease(const PaperDressing& dress, const Wearer& wearer, Sheet& sheet) {
   report.body = wearer.mannequin.surface;
   report.garment_name = "bodice of the dress of ten panels";
   report.body_name = "mannequin";
-  report.map = measure_ease(report.garment, BodyDistance(report.body));
+  report.map = measure_ease(report.garment, SurfaceDistance(report.body));
   report.girths = measure_girth_ease(report.garment, report.body, wearer.mannequin.skeleton);
   report.top = suggested_top(report.map);
   const std::vector<std::string> pictures = ease_pictures(report, {420, 800});

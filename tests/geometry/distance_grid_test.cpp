@@ -17,7 +17,7 @@ constexpr double radius = 0.1;
 
 class SphereGrid : public testing::Test {
  protected:
-  BodyDistance body{test::sphere(radius, 6)};
+  SurfaceDistance body{test::sphere(radius, 6)};
   DistanceGrid grid{body};
 };
 
@@ -68,7 +68,7 @@ std::vector<Vec3> scattered(const TriangleMesh& mesh, int count) {
 TEST_F(SphereGrid, RemembersWhatAnotherKnew) {
   const std::vector<Vec3> points = scattered(body.body(), 2000);
   for (const Vec3& p : points) grid.at(p);
-  const KnownDistances known = grid.known();
+  const DistanceCache known = grid.known();
   EXPECT_GT(grid.computed(), 1000U);
   DistanceGrid again{body};
   ASSERT_TRUE(again.remember(known));
@@ -88,14 +88,14 @@ TEST_F(SphereGrid, RemembersWhatAnotherKnew) {
 
 TEST_F(SphereGrid, TakesNothingFromAnotherSurfacesGrid) {
   grid.at({radius, 0, 0});
-  KnownDistances known = grid.known();
+  DistanceCache known = grid.known();
   DistanceGridOptions options;
   options.cell = 0.004;
   EXPECT_FALSE(DistanceGrid(body, options).remember(known));
   options = {};
   options.band = 0.02;
   EXPECT_FALSE(DistanceGrid(body, options).remember(known));
-  EXPECT_FALSE(DistanceGrid(BodyDistance(test::sphere(2 * radius, 6))).remember(known));
+  EXPECT_FALSE(DistanceGrid(SurfaceDistance(test::sphere(2 * radius, 6))).remember(known));
   for (const int number : {-1, 1 << 30}) {
     known.levels[1].push_back({number, {}});
     DistanceGrid fresh{body};
@@ -135,7 +135,7 @@ TEST_F(SphereGrid, NeverSaysMoreThanAtLeastAllows) {
     const double exact = body.nearest(p).distance;
     // The smoothing of the spline aside; deep inside nobody asks for clearance.
     if (exact > -0.02) {
-      EXPECT_LT(grid.at_least(said), exact + 1e-4);
+      EXPECT_LT(grid.lower_bound(said), exact + 1e-4);
     }
     if (std::abs(exact) > 0.002) {
       EXPECT_EQ(said < 0, exact < 0);
@@ -149,7 +149,7 @@ TEST_F(SphereGrid, NeverSaysMoreThanAtLeastAllows) {
 TEST(DistanceGrid, IsExactOnEveryFeatureAtItsNodes) {
   // A box's edges and corners, concave ones too: the spline through exact values at the nodes is
   // what the grid says.
-  const BodyDistance body(test::box({-0.04, 0, -0.03}, {0.05, 0.3, 0.04}));
+  const SurfaceDistance body(test::box({-0.04, 0, -0.03}, {0.05, 0.3, 0.04}));
   const DistanceGridOptions options;
   const DistanceGrid grid(body, options);
   const Vec3 origin = Vec3(-0.04, 0, -0.03) - Vec3::Constant(options.padding + options.cell);
@@ -189,8 +189,8 @@ class WornSheet : public testing::Test {
     return grid->at({r * std::sin(angle), y, r * std::cos(angle)}).distance;
   }
 
-  BodyDistance body{test::closed_tube(0.06, 0.06, 0.3, 160)};
-  std::optional<BodyDistance> sheet;
+  SurfaceDistance body{test::closed_tube(0.06, 0.06, 0.3, 160)};
+  std::optional<SurfaceDistance> sheet;
   std::optional<DistanceGrid> grid;
 };
 

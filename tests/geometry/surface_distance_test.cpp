@@ -9,18 +9,18 @@
 namespace toile {
 namespace {
 
-TEST(BodyDistance, IsExactBesideFacesEdgesAndCornersOfACube) {
-  const BodyDistance body(test::cube());
+TEST(SurfaceDistance, IsExactBesideFacesEdgesAndCornersOfACube) {
+  const SurfaceDistance body(test::cube());
   EXPECT_NEAR(body.nearest({0.5, 0.5, 1.25}).distance, 0.25, 1e-15);
   EXPECT_NEAR(body.nearest({0.5, 1.3, 1.4}).distance, 0.5, 1e-15);
   EXPECT_NEAR(body.nearest({2, 2, 2}).distance, std::sqrt(3.0), 1e-15);
   EXPECT_NEAR(body.nearest({0.5, 0.5, 0.9}).distance, -0.1, 1e-15);
-  const BodyPoint at_corner = body.nearest({2, 2, 2});
+  const SurfacePoint at_corner = body.nearest({2, 2, 2});
   EXPECT_NEAR((at_corner.point - Vec3(1, 1, 1)).norm(), 0, 1e-15);
   EXPECT_GT(at_corner.normal.dot(Vec3(1, 1, 1).normalized()), 0.999);
 }
 
-TEST(BodyDistance, KeepsItsSignWhereTheNearestFaceLooksAway) {
+TEST(SurfaceDistance, KeepsItsSignWhereTheNearestFaceLooksAway) {
   // Just off a sharp edge the nearest face's own plane can have the point on its other side; only
   // the averaged normal of the edge tells inside from outside.
   TriangleMesh wedge;
@@ -28,16 +28,16 @@ TEST(BodyDistance, KeepsItsSignWhereTheNearestFaceLooksAway) {
                   {-1, -0.05, 0}, {-1, 0.05, 1}, {-1, -0.05, 1}};
   wedge.triangles = {{0, 2, 1}, {1, 2, 4}, {0, 1, 3}, {1, 5, 3},
                      {0, 3, 2}, {1, 4, 5}, {2, 3, 4}, {3, 5, 4}};
-  const BodyDistance body(wedge);
+  const SurfaceDistance body(wedge);
   for (const double y : {-0.02, 0.0, 0.02}) {
     EXPECT_GT(body.nearest({0.001, y, 0.5}).distance, 0) << "outside, at y = " << y;
   }
   EXPECT_LT(body.nearest({-0.5, 0, 0.5}).distance, 0);
 }
 
-TEST(BodyDistance, GivesTheSameDistanceFromAnyHint) {
-  const BodyDistance body(test::sphere(0.3, 4));
-  const BodyPoint far = body.nearest({-1, 0.2, 0.1});
+TEST(SurfaceDistance, GivesTheSameDistanceFromAnyHint) {
+  const SurfaceDistance body(test::sphere(0.3, 4));
+  const SurfacePoint far = body.nearest({-1, 0.2, 0.1});
   for (int i = 0; i < 50; ++i) {
     const Vec3 query(0.01 * i, 0.3 - 0.007 * i, 0.1);
     EXPECT_DOUBLE_EQ(body.nearest(query).distance, body.nearest(query, far).distance);
@@ -50,8 +50,8 @@ TriangleMesh sheet() {
   return {cloth.points, cloth.triangles};
 }
 
-TEST(BodyDistance, ASheetHasAnOuterSideAndAnInnerOne) {
-  const BodyDistance cloth(sheet());
+TEST(SurfaceDistance, ASheetHasAnOuterSideAndAnInnerOne) {
+  const SurfaceDistance cloth(sheet());
   double largest = 0;
   for (int i = 0; i < 400; ++i) {
     const double angle = 0.7 * i;
@@ -64,8 +64,8 @@ TEST(BodyDistance, ASheetHasAnOuterSideAndAnInnerOne) {
   EXPECT_LT(largest, 2e-5);
 }
 
-TEST(BodyDistance, BeyondItsBorderASheetIsToKeepAwayFrom) {
-  const BodyDistance cloth(sheet());
+TEST(SurfaceDistance, BeyondItsBorderASheetIsToKeepAwayFrom) {
+  const SurfaceDistance cloth(sheet());
   const auto at = [&](double radius, double y) { return cloth.nearest({0, y, radius}).distance; };
   for (const double below : {0.001, 0.01, 0.1}) {
     EXPECT_NEAR(at(0.15, 0.5 - below), below, 1e-9) << "in line with the sheet";
@@ -80,8 +80,8 @@ TEST(BodyDistance, BeyondItsBorderASheetIsToKeepAwayFrom) {
   EXPECT_GT(at(0.10, 0.45), 0.03);
 }
 
-TEST(BodyDistance, ASheetsSignDoesNotJumpAroundItsBorder) {
-  const BodyDistance cloth(sheet());
+TEST(SurfaceDistance, ASheetsSignDoesNotJumpAroundItsBorder) {
+  const SurfaceDistance cloth(sheet());
   for (const double r : {0.002, 0.01, 0.04}) {
     // Around the hem from before the sheet to behind it, in steps of 0.36 degrees.
     double last = r, largest = 0;
@@ -97,13 +97,13 @@ TEST(BodyDistance, ASheetsSignDoesNotJumpAroundItsBorder) {
                    std::to_string(1000 * largest));
     // From r to -r through zero within 5 mm beyond the border: steps of at most 2 r/5 mm times
     // the way there, 0.0063 r.
-    EXPECT_LT(largest, 0.02 * r * (1 + 2 * r / BodyDistance::border_bevel));
+    EXPECT_LT(largest, 0.02 * r * (1 + 2 * r / SurfaceDistance::border_bevel));
     EXPECT_NEAR(last, -r, 1e-4);
   }
 }
 
-TEST(BodyDistance, RefusesABodyWithoutTriangles) {
-  EXPECT_THROW(BodyDistance(TriangleMesh{}), Error);
+TEST(SurfaceDistance, RefusesABodyWithoutTriangles) {
+  EXPECT_THROW(SurfaceDistance(TriangleMesh{}), Error);
 }
 
 }  // namespace

@@ -21,22 +21,22 @@ class KnownDistancesFile : public testing::Test {
     known.size = {12, 16, 20};
     for (int l = 0; l < 3; ++l) {
       for (int c = 0; c < 2 + l; ++c) {
-        KnownDistances::Cube cube{5 * c + l, {}};
+        DistanceCache::Cube cube{5 * c + l, {}};
         for (int i = 0; i < 64; ++i) cube.values[i] = 0.1F * static_cast<float>(i - l) / 3;
         known.levels[l].push_back(cube);
       }
     }
-    write_known_distances(path, body, known);
+    write_distance_cache(path, body, known);
   }
 
   const pipeline::ScratchFolder folder;
   const std::filesystem::path path = folder / "body.distances";
   const TriangleMesh body = test::sphere(0.1, 2);
-  KnownDistances known;
+  DistanceCache known;
 };
 
 TEST_F(KnownDistancesFile, ReadsBackWhatWasWritten) {
-  const auto read = read_known_distances(path, body);
+  const auto read = read_distance_cache(path, body);
   ASSERT_TRUE(read.has_value());
   EXPECT_EQ(read->cell, known.cell);
   EXPECT_EQ(read->band, known.band);
@@ -54,31 +54,31 @@ TEST_F(KnownDistancesFile, ReadsBackWhatWasWritten) {
 TEST_F(KnownDistancesFile, IsOfThisBodyOnly) {
   TriangleMesh moved = body;
   moved.points.back().x() += 1e-15;
-  EXPECT_FALSE(read_known_distances(path, moved).has_value());
+  EXPECT_FALSE(read_distance_cache(path, moved).has_value());
   TriangleMesh turned = body;
   std::rotate(turned.triangles[0].begin(), turned.triangles[0].begin() + 1,
               turned.triangles[0].end());
-  EXPECT_FALSE(read_known_distances(path, turned).has_value());
+  EXPECT_FALSE(read_distance_cache(path, turned).has_value());
 }
 
 TEST_F(KnownDistancesFile, SaysNothingWhenDamaged) {
   const std::string whole = read_file(path);
-  EXPECT_FALSE(read_known_distances(folder / "none", body).has_value());
+  EXPECT_FALSE(read_distance_cache(folder / "none", body).has_value());
   for (std::size_t kept = 0; kept < whole.size(); kept += 7) {
     write_file(path, whole.substr(0, kept));
-    ASSERT_FALSE(read_known_distances(path, body).has_value()) << kept;
+    ASSERT_FALSE(read_distance_cache(path, body).has_value()) << kept;
   }
   std::mt19937 random(3);
   for (int i = 0; i < 2000; ++i) {
     std::string damaged = whole;
     damaged[random() % damaged.size()] ^= static_cast<char>(1U << random() % 8);
     write_file(path, damaged);
-    ASSERT_FALSE(read_known_distances(path, body).has_value());
+    ASSERT_FALSE(read_distance_cache(path, body).has_value());
   }
   write_file(path, whole + "more");
-  EXPECT_FALSE(read_known_distances(path, body).has_value());
+  EXPECT_FALSE(read_distance_cache(path, body).has_value());
   write_file(path, whole);
-  EXPECT_TRUE(read_known_distances(path, body).has_value());
+  EXPECT_TRUE(read_distance_cache(path, body).has_value());
 }
 
 }  // namespace

@@ -153,7 +153,7 @@ TEST(TshirtSample, ShoulderSlopesLikeTheBodyOrLess) {
 }
 
 TEST(TshirtSample, StartsClearOfTheBody) {
-  const BodyDistance body(mannequin().surface);
+  const SurfaceDistance body(mannequin().surface);
   for (const PatternPanel& panel : tshirt().pattern.panels) {
     double nearest = 1;
     for (const PatternEdge& edge : panel.edges) {
@@ -168,7 +168,7 @@ TEST(TshirtSample, StartsClearOfTheBody) {
 // Pulled straight together, the sides of a shoulder seam meet above the shoulder, and those of a
 // side seam below the arm.
 TEST(TshirtSample, TorsoSeamsMeetOutsideTheBody) {
-  const BodyDistance body(mannequin().surface);
+  const SurfaceDistance body(mannequin().surface);
   for (const char* name : {"left shoulder", "right shoulder", "left side", "right side"}) {
     const Stitch& stitch = seam(name);
     const PatternPanel& a = tshirt().pattern.panels[stitch.a.panel];

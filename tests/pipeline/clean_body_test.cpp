@@ -56,10 +56,10 @@ TEST(CleanBodyProgram, MeanAllIsCleanAndHardlyMoved) {
   // Nothing a garment could feel: below 2 mm from either surface to the other.
   const TriangleMesh before = triangles(data);
   double moved = 0;
-  const BodyDistance to_body(body);
+  const SurfaceDistance to_body(body);
   for (const Vec3& p : before.points)
     moved = std::max(moved, std::abs(to_body.nearest(p).distance));
-  const BodyDistance to_before(before);
+  const SurfaceDistance to_before(before);
   for (const Vec3& p : body.points)
     moved = std::max(moved, std::abs(to_before.nearest(p).distance));
   EXPECT_LT(moved, 0.002);

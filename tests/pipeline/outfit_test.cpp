@@ -85,7 +85,7 @@ TEST(Outfit, AShirtOverAShirt) {
   const TriangleMesh inner = mesh_of(folder / "worn-tee.obj");
   const TriangleMesh outer = mesh_of(folder / "worn-coat.obj");
   EXPECT_TRUE(intersections(inner, outer).empty());
-  const BodyDistance to_inner(inner);
+  const SurfaceDistance to_inner(inner);
   double least_outer = 1;
   int near = 0;
   for (const Vec3& p : outer.points) {

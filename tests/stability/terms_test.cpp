@@ -51,7 +51,7 @@ TEST_P(SampleTerms, AreThoseOfTheGarment) {
     if (!panel.fabric.empty()) scene.fabrics[panel.fabric] = {};
   }
   // For what is attached at a level of the body.
-  const BodyDistance skin(fan_triangles(read_mesh(mannequin())));
+  const SurfaceDistance skin(fan_triangles(read_mesh(mannequin())));
   const Skeleton skeleton = read_skeleton(skeleton_path(mannequin()));
   scene.skin = &skin;
   scene.skeleton = &skeleton;
@@ -95,7 +95,7 @@ TEST_P(SampleTerms, AreThoseOfTheGarment) {
 
   // And what a scene adds or takes is added and taken, and nothing else.
   const TriangleMesh ball = sphere(0.1, 3);
-  const DistanceGrid body{BodyDistance(ball)};
+  const DistanceGrid body{SurfaceDistance(ball)};
   Scene full = scene;
   full.body = &body;
   full.layers = &ball;
@@ -169,7 +169,7 @@ class SwitchedOff : public testing::Test {
   }
 
   const TriangleMesh ball = sphere(0.05, 4);
-  const DistanceGrid distance{BodyDistance(ball)};
+  const DistanceGrid distance{SurfaceDistance(ball)};
   PanelMesh garment;
   Scene scene;
 };

@@ -15,7 +15,7 @@ struct SolidBody {
   SolidBody(const SolidBody&) = delete;
 
   const TriangleMesh mesh;  ///< closed, facets outward
-  const BodyDistance exact{mesh};
+  const SurfaceDistance exact{mesh};
   const DistanceGrid distance{exact};
   const BodySurface surface{exact, distance};
 };

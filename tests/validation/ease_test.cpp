@@ -16,7 +16,7 @@ constexpr double gap_bound = 0.05;   // mm
 constexpr double girth_bound = 0.1;  // mm
 
 /// Largest error of the gaps, mm.
-double gap_error(const DressedGarment& garment, const BodyDistance& body, double gap) {
+double gap_error(const DressedGarment& garment, const SurfaceDistance& body, double gap) {
   double worst = 0;
   for (const double measured : measure_ease(garment, body).node_gaps) {
     worst = std::max(worst, 1000 * std::abs(measured - gap));
@@ -41,7 +41,7 @@ TEST(EaseMapOf, CoaxialCylindersAndSpheres) {
   const test::ReferenceTable table("case15_coaxial.csv");
   for (const double radius : {0.05, 0.15}) {
     const TriangleMesh body = test::closed_tube(radius, radius, 1.6, 800);
-    const BodyDistance cylinder(body), ball(test::sphere(radius, 6));
+    const SurfaceDistance cylinder(body), ball(test::sphere(radius, 6));
     double of_cylinder = 0, of_ball = 0, of_girth = 0;
     for (std::size_t row = 0; row < table.rows(); ++row) {
       if (table.at(row, "body_radius_m") != radius) continue;
@@ -68,7 +68,7 @@ TEST(EaseMapOf, AnEllipseAndItsOffset) {
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double a = table.at(row, "a_m"), b = table.at(row, "b_m"), d = table.at(row, "offset_m");
     const TriangleMesh mesh = test::closed_tube(a, b, 1.6, 1200);
-    const BodyDistance body(mesh);
+    const SurfaceDistance body(mesh);
     DressedGarment garment = test::cloth_tube(a, b, 0.2, 0.8, 1200, 6);
     for (Vec3& p : garment.points) {
       p += d * Vec3(p.x() / (a * a), 0, p.z() / (b * b)).normalized();

@@ -31,7 +31,7 @@ Vec3 mean_way(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
 class Incline : public testing::Test {
  protected:
   double way(double slope, double mu, double seconds) {
-    static const DistanceGrid body{BodyDistance(test::box({-0.4, -0.1, -0.2}, {0.9, 0, 0.2}))};
+    static const DistanceGrid body{SurfaceDistance(test::box({-0.4, -0.1, -0.2}, {0.9, 0, 0.2}))};
     PanelMesh garment;
     test::add_panel(garment, "sheet", test::grid(0.2, 0.2, 8, 8),
                     [&](const Vec2& p) { return Vec3(p.x() - 0.3, 0.002, 0.1 - p.y()); });
@@ -98,7 +98,7 @@ class Capstan : public testing::Test {
     static const DistanceGrid bar = [] {
       TriangleMesh mesh = test::closed_tube(radius, radius, 0.1, 400);
       for (Vec3& p : mesh.points) p = Vec3(p.y() - 0.04, -p.x(), p.z());
-      return DistanceGrid{BodyDistance(mesh)};
+      return DistanceGrid{SurfaceDistance(mesh)};
     }();
     const double r = radius + offset;
     const int around = static_cast<int>(std::lround(pi * r / edge));

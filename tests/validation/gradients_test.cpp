@@ -220,10 +220,10 @@ struct Pressed {
 };
 
 TEST(ContactForces, TheBodysPushIsAGradient) {
-  const DistanceGrid plane{BodyDistance(test::box({-0.1, -0.1, -0.1}, {0.1, 0, 0.1}))};
+  const DistanceGrid plane{SurfaceDistance(test::box({-0.1, -0.1, -0.1}, {0.1, 0, 0.1}))};
   TriangleMesh tube = test::closed_tube(0.05, 0.05, 0.2, 200);
   for (Vec3& p : tube.points) p = Vec3(p.y() - 0.1, -p.x(), p.z());
-  const DistanceGrid round{BodyDistance(tube)};
+  const DistanceGrid round{SurfaceDistance(tube)};
   ForceOptions options;
   options.friction = false;
   test::expect_near({"the body's push: asymmetry of its stiffness", "relaxation", "plane", ""},

@@ -32,7 +32,7 @@ class Tube : public testing::Test {
       const Vec3 normal(p.x() / (a * a), 0, p.z() / (b * b));
       if (normal.norm() > 0) p -= offset * normal.normalized();
     }
-    const DistanceGrid body(BodyDistance(mesh), {.cell = cell});
+    const DistanceGrid body(SurfaceDistance(mesh), {.cell = cell});
     garment = {};
     girth = rest_girth;
     sides = columns;

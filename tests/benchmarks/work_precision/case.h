@@ -50,7 +50,7 @@ class Case {
   /// Compiled: who shares a node.
   virtual const Program& program() const = 0;
   /// None: nothing to measure ease against.
-  virtual const BodyDistance* body() const { return nullptr; }
+  virtual const SurfaceDistance* body() const { return nullptr; }
   /// Residual of a reference of the paper's method: what it comes to in reasonable time.
   virtual double springs_at_rest() const = 0;
   virtual Outcome run(Method method, const Setting& setting) const = 0;

@@ -35,7 +35,7 @@ class Worn : public Case {
 
   const PanelMesh& garment() const override { return garment_; }
   const Program& program() const override { return program_; }
-  const BodyDistance* body() const override { return &wearer_.collider.skin(); }
+  const SurfaceDistance* body() const override { return &wearer_.collider.skin(); }
   double springs_at_rest() const override { return 0.005; }
   Outcome run(Method method, const Setting& setting) const override {
     Outcome done;

@@ -37,8 +37,8 @@ class Crevice : public testing::Test {
   }
 
   const DistanceGrid grid{
-      BodyDistance(test::together(test::box({-0.1, -0.1, -0.1}, {-half_width, 0.1, 0.1}),
-                                  test::box({half_width, -0.1, -0.1}, {0.1, 0.1, 0.1})))};
+      SurfaceDistance(test::together(test::box({-0.1, -0.1, -0.1}, {-half_width, 0.1, 0.1}),
+                                     test::box({half_width, -0.1, -0.1}, {0.1, 0.1, 0.1})))};
   Scene scene;
 };
 

@@ -118,7 +118,7 @@ class TubeOnTube : public testing::Test {
 
   /// Metres that the outer one goes down in `seconds`, and the inner one.
   std::pair<double, double> sink(double share, double seconds) {
-    static const DistanceGrid body{BodyDistance(test::closed_tube(radius, radius, 1, 400))};
+    static const DistanceGrid body{SurfaceDistance(test::closed_tube(radius, radius, 1, 400))};
     Scene scene;
     scene.body = &body;
     Fabric& fabric = scene.fabric;

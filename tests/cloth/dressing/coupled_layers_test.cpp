@@ -64,7 +64,7 @@ class TwoTubes : public testing::Test {
     return worn;
   }
 
-  const DistanceGrid floor{BodyDistance(test::box({-0.3, -0.1, -0.3}, {0.3, 0, 0.3}))};
+  const DistanceGrid floor{SurfaceDistance(test::box({-0.3, -0.1, -0.3}, {0.3, 0, 0.3}))};
   Scene scene;
   DressOptions options;
 };

@@ -35,7 +35,7 @@ PanelMesh two_squares() {
 TEST(Dress, ProgressGoesFromNothingToAllAndNeverBack) {
   const PanelMesh garment = two_squares();
   ASSERT_GT(garment.subdivisions, 0);
-  const DistanceGrid body{BodyDistance(test::box({-0.3, -0.1, -0.2}, {0.3, 0, 0.2}))};
+  const DistanceGrid body{SurfaceDistance(test::box({-0.3, -0.1, -0.2}, {0.3, 0, 0.2}))};
   Scene scene;
   scene.body = &body;
   std::set<std::string> stages;

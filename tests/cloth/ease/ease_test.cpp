@@ -16,14 +16,14 @@ constexpr double micrometre = 1e-6;
 TEST(Ease, FacetsOfABodyAreMeasuredAsTheyAre) {
   // Over the middle of a side the gap is larger by R (1 - cos(pi / n)) (references, case 15).
   const double bias = 0.15 * (1 - std::cos(std::numbers::pi / 24));
-  const BodyDistance body(test::closed_tube(0.15, 0.15, 1.0, 24));
+  const SurfaceDistance body(test::closed_tube(0.15, 0.15, 1.0, 24));
   const EaseMap map = measure_ease(test::cloth_tube(0.16, 0.16, 0.4, 0.6, 240, 4), body);
   EXPECT_NEAR(map.garment.min, 0.010, micrometre);
   EXPECT_NEAR(map.garment.max, 0.010 + bias, micrometre);
 }
 
 TEST(Ease, InsideIsNegative) {
-  const BodyDistance body(test::sphere(0.1, 6));
+  const SurfaceDistance body(test::sphere(0.1, 6));
   const EaseMap map = measure_ease(test::sphere_garment(0.09, 4), body);
   EXPECT_NEAR(map.garment.mean, -0.010, 50 * micrometre);
   EXPECT_DOUBLE_EQ(map.garment.inside, 1);
@@ -32,7 +32,7 @@ TEST(Ease, InsideIsNegative) {
 
 TEST(Ease, PanelsHaveTheirOwnStatistics) {
   // Moved forward by 4 mm, the front stands off by 14 mm and the back by 6 mm at the most.
-  const BodyDistance body(test::closed_tube(0.15, 0.15, 1.0, 600));
+  const SurfaceDistance body(test::closed_tube(0.15, 0.15, 1.0, 600));
   DressedGarment garment = test::cloth_tube(0.16, 0.16, 0.3, 0.7, 240, 10);
   for (Vec3& point : garment.points) point.z() += 0.004;
   garment.panels.push_back("unused");
@@ -53,7 +53,7 @@ TEST(Ease, PanelsHaveTheirOwnStatistics) {
 TEST(Ease, PercentilesWeighByArea) {
   // A funnel: radius 0.15 + t gap and rows crowded where it is narrow. Its area grows almost evenly
   // with height, so the gap's median is near its value at half height, wherever the points are.
-  const BodyDistance body(test::closed_tube(0.15, 0.15, 1.0, 600));
+  const SurfaceDistance body(test::closed_tube(0.15, 0.15, 1.0, 600));
   DressedGarment garment = test::cloth_tube(1, 1, 0, 1, 60, 100);
   for (Vec3& point : garment.points) {
     const double t = point.y() * point.y() * point.y();
@@ -69,7 +69,7 @@ TEST(Ease, PercentilesWeighByArea) {
 }
 
 TEST(Ease, PointsAreOrderedByPanelAndFlatPoint) {
-  const BodyDistance body(test::closed_tube(0.15, 0.15, 1.0, 60));
+  const SurfaceDistance body(test::closed_tube(0.15, 0.15, 1.0, 60));
   const DressedGarment garment = test::cloth_tube(0.16, 0.16, 0.3, 0.7, 20, 3);
   const EaseMap map = measure_ease(garment, body);
   ASSERT_EQ(map.points.size(), garment.flat.size());
@@ -81,7 +81,7 @@ TEST(Ease, PointsAreOrderedByPanelAndFlatPoint) {
 }
 
 TEST(Ease, SameBitsForAnyNumberOfThreads) {
-  const BodyDistance body(test::closed_tube(0.15, 0.12, 1.0, 100));
+  const SurfaceDistance body(test::closed_tube(0.15, 0.12, 1.0, 100));
   const DressedGarment garment = test::cloth_tube(0.16, 0.16, 0.3, 0.7, 60, 10);
   const EaseMap all = measure_ease(garment, body);
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);

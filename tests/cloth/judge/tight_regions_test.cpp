@@ -114,7 +114,7 @@ TEST_F(Sheet, SpecksAreOnlyCounted) {
 TightRegions drawn_over(double too_small) {
   constexpr double radius = 0.15, offset = 0.002;
   constexpr int columns = 108, rows = 8;
-  static const DistanceGrid body{BodyDistance(test::closed_tube(radius, radius, 0.5, 600))};
+  static const DistanceGrid body{SurfaceDistance(test::closed_tube(radius, radius, 0.5, 600))};
   const double girth = 2 * pi * (radius + offset) / (1 + too_small);
   PanelMesh garment;
   test::add_panel(garment, "tube", test::grid(girth, 0.08, columns, rows), [&](const Vec2& p) {

@@ -141,7 +141,7 @@ TEST(Attachments, LevelsAreThoseOfTheBody) {
 
 TEST(Attachments, PlacesAreWhereTheClothMayBe) {
   const double radius = 0.1, offset = 0.002;
-  const BodyDistance skin(test::closed_tube(radius, radius, 0.5, 400));
+  const SurfaceDistance skin(test::closed_tube(radius, radius, 0.5, 400));
   const DistanceGrid body(skin);
   Scene scene;
   scene.body = &body;
@@ -177,7 +177,7 @@ TEST(Attachments, SayWhatTheSceneLacks) {
   Skeleton skeleton = test::figure();
   scene.skeleton = &skeleton;
   EXPECT_HOLDS(error(to_level("bust")), "'bust', but there is no body");
-  const BodyDistance ball(test::sphere(0.1, 2));
+  const SurfaceDistance ball(test::sphere(0.1, 2));
   scene.skin = &ball;
   EXPECT_HOLDS(error(to_level("bust")), "'bust', but the body shows none");
   std::erase_if(skeleton.segments, [](const Segment& s) { return s.part == "left_arm"; });

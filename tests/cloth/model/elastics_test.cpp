@@ -112,7 +112,7 @@ class ElasticTube : public testing::Test {
   static constexpr int columns = 96, rows = 12;
 
   void wear(double girth, double ratio) {
-    static const DistanceGrid body{BodyDistance(test::closed_tube(radius, radius, 0.5, 400))};
+    static const DistanceGrid body{SurfaceDistance(test::closed_tube(radius, radius, 0.5, 400))};
     garment_ = {};
     const double start = std::max(girth / (2 * pi), radius + 0.004);
     test::add_panel(garment_, "tube", test::grid(girth, 0.08, columns, rows), [&](const Vec2& p) {

@@ -16,7 +16,7 @@ namespace {
 /// What holds a coarse mesh by the middles of its edges goes on to hold it in the next run: else it
 /// sags until they have taken hold anew.
 TEST(EdgeContacts, HoldOnFromRunToRun) {
-  const DistanceGrid body{BodyDistance(test::box({-0.2, -0.1, -0.2}, {0.2, 0, 0.2}))};
+  const DistanceGrid body{SurfaceDistance(test::box({-0.2, -0.1, -0.2}, {0.2, 0, 0.2}))};
   Scene scene;
   scene.body = &body;
   const std::vector<Triangle> triangles = {{0, 1, 2}};

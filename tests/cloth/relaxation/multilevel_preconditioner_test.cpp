@@ -104,7 +104,7 @@ TEST(MultilevelPreconditioner, BringsWideMotionsToRestInFewerIterations) {
   const double radius = 0.03, length = 0.64, out = radius + 0.002;
   TriangleMesh bar = test::closed_tube(radius, radius, 0.3, 100);
   for (Vec3& p : bar.points) p = Vec3(p.y() - 0.15, -p.x(), p.z());
-  const DistanceGrid body{BodyDistance(bar)};
+  const DistanceGrid body{SurfaceDistance(bar)};
   PanelMesh garment;
   test::add_panel(garment, "strip", subdivided(subdivided(test::grid(0.16, length, 4, 16))),
                   [&](const Vec2& p) {
@@ -145,7 +145,7 @@ TEST(MultilevelPreconditioner, BringsWideMotionsToRestInFewerIterations) {
 /// Where all of a sheet touches, each level would take the whole stiffness of the touch for its own
 /// step, and the steps add up.
 TEST(MultilevelPreconditioner, SoftClothComesToRestOnWhatItTouches) {
-  const DistanceGrid body{BodyDistance(test::box({-0.3, -0.1, -0.3}, {0.3, 0, 0.3}))};
+  const DistanceGrid body{SurfaceDistance(test::box({-0.3, -0.1, -0.3}, {0.3, 0, 0.3}))};
   PanelMesh garment;
   test::add_panel(garment, "sheet", subdivided(subdivided(test::grid(0.2, 0.2, 4, 4))),
                   [](const Vec2& p) { return Vec3(p.x() - 0.1, 0.0025, 0.1 - p.y()); });

@@ -24,7 +24,7 @@ constexpr double degree = pi / 180;
 /// A sheet of 20 x 20 cm on a big flat box, gravity leaning by `slope`: the way it went.
 Vec3 slide(double slope, double height, RelaxReport& report, std::vector<Vec3>& x,
            bool friction = true, int iterations = 6000) {
-  static const DistanceGrid body{BodyDistance(test::box({-0.4, -0.1, -0.2}, {0.4, 0, 0.2}))};
+  static const DistanceGrid body{SurfaceDistance(test::box({-0.4, -0.1, -0.2}, {0.4, 0, 0.2}))};
   PanelMesh garment;
   test::add_panel(garment, "sheet", test::grid(0.2, 0.2, 20, 20),
                   [&](const Vec2& p) { return Vec3(p.x() - 0.1, height, 0.1 - p.y()); });
@@ -177,7 +177,7 @@ RelaxOptions sewing() {
 }
 
 TEST(Relax, SeamsCloseAroundABody) {
-  const DistanceGrid body{BodyDistance(test::closed_tube(0.1, 0.1, 0.5, 200))};
+  const DistanceGrid body{SurfaceDistance(test::closed_tube(0.1, 0.1, 0.5, 200))};
   const int columns = 24, rows = 10;
   const PanelMesh garment = around_cylinder(0.36, columns, rows);  // 9 cm of ease
   Scene scene;
@@ -234,7 +234,7 @@ TEST(Relax, AnOpenSeamIsWhereItWasPlaced) {
 }
 
 TEST(Relax, TheSameBitsForAnyNumberOfThreads) {
-  const DistanceGrid body{BodyDistance(test::closed_tube(0.1, 0.1, 0.5, 100))};
+  const DistanceGrid body{SurfaceDistance(test::closed_tube(0.1, 0.1, 0.5, 100))};
   const PanelMesh garment = around_cylinder(0.36, 48, 24);
   Scene scene;
   scene.body = &body;

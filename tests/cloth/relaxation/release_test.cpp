@@ -84,7 +84,7 @@ class Band : public testing::Test {
 
   /// Metres that it goes down in `seconds`.
   double sink(double share, double seconds) {
-    static const DistanceGrid body{BodyDistance(test::closed_tube(radius, radius, 1, 400))};
+    static const DistanceGrid body{SurfaceDistance(test::closed_tube(radius, radius, 1, 400))};
     // Where the grid, which is smooth, has its 2 mm.
     const double out = radius + 0.004 - body.at({0, 0.7, radius + 0.002}).distance;
     Scene scene;
@@ -152,7 +152,7 @@ TEST_F(Band, SlidesWhereTheTensionIsTooLittle) {
 }
 
 TEST(Release, TheSameBitsForAnyNumberOfThreads) {
-  const DistanceGrid body{BodyDistance(test::closed_tube(0.03, 0.03, 0.5, 100))};
+  const DistanceGrid body{SurfaceDistance(test::closed_tube(0.03, 0.03, 0.5, 100))};
   const PanelMesh garment = [] {
     PanelMesh sheet;
     test::add_panel(sheet, "sheet", test::grid(0.5, 0.5, 50, 50),

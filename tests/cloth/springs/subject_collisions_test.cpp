@@ -311,7 +311,7 @@ TEST(SubjectCollisions, ASlidingSheetKeepsTheGapAndGainsNoEnergy) {
     }
     return sum / static_cast<double>(cloth.x.size());
   };
-  const BodyDistance distance(ball);
+  const SurfaceDistance distance(ball);
   double before = energy();
   double gained = 0;
   double least = 1;

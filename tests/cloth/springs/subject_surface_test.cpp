@@ -52,7 +52,7 @@ TEST(SubjectSurface, NearestOfAllFacetsIsTheBodysSignedDistance) {
   const TriangleMesh ball = test::sphere(0.1, 2);
   const TriangleMesh mesh = test::together(ball, test::box({0.2, 0, 0}, {0.3, 0.01, 0.2}));
   const SubjectSurface surface(mesh);
-  const BodyDistance body(mesh);
+  const SurfaceDistance body(mesh);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> some(-0.3, 0.3);
   double error = 0;
@@ -64,7 +64,7 @@ TEST(SubjectSurface, NearestOfAllFacetsIsTheBodysSignedDistance) {
       const SubjectNearest found = surface.nearest(p, t);
       if (!nearest || std::abs(found.distance) < std::abs(nearest->distance)) nearest = found;
     }
-    const BodyPoint expected = body.nearest(p);
+    const SurfacePoint expected = body.nearest(p);
     error = std::max(error, std::abs(nearest->distance - expected.distance));
     EXPECT_TRUE(nearest->local);
     // The point lies `distance` along the direction from the surface, on either side.

@@ -8,8 +8,8 @@
 namespace toile {
 namespace {
 
-const BodyDistance& block() {
-  static const BodyDistance body(test::box({-0.15, 0, -0.1}, {0.15, 1, 0.1}));
+const SurfaceDistance& block() {
+  static const SurfaceDistance body(test::box({-0.15, 0, -0.1}, {0.15, 1, 0.1}));
   return body;
 }
 

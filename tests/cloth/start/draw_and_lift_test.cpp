@@ -27,7 +27,7 @@ PanelMesh sandwich(double top) {
 }
 
 TEST(Placement, SeamsAreLiftedUntilTheyMeetOutsideTheBody) {
-  const DistanceGrid body{BodyDistance(test::box({-0.15, 0, -0.1}, {0.15, 1, 0.1}))};
+  const DistanceGrid body{SurfaceDistance(test::box({-0.15, 0, -0.1}, {0.15, 1, 0.1}))};
   // Half-way between the panels the seam is 5 cm deep: 6 clear it by the 1 cm it has to have, and
   // the cloth gets 3 more to come down.
   const PanelMesh low = sandwich(0.955);
@@ -47,7 +47,7 @@ TEST(Placement, SeamsAreLiftedUntilTheyMeetOutsideTheBody) {
 TEST(Placement, SeamsAreLiftedUntilNeitherSideHasToComeThroughTheBody) {
   // They meet before the body, but the back has to come through it: up to its top at 1 m, which is
   // 4.5 cm above the seam.
-  const DistanceGrid body{BodyDistance(test::box({-0.15, 0, -0.16}, {0.15, 1, -0.04}))};
+  const DistanceGrid body{SurfaceDistance(test::box({-0.15, 0, -0.16}, {0.15, 1, -0.04}))};
   const Placement lifted = place_panels(sandwich(0.955), body, nullptr);
   EXPECT_NEAR(lifted.lift, 0.05 + 0.03, 1e-12);
 }
@@ -55,7 +55,7 @@ TEST(Placement, SeamsAreLiftedUntilNeitherSideHasToComeThroughTheBody) {
 TEST(Placement, SleevesAreNotLiftedOffTheirArms) {
   const TriangleMesh torso = test::box({-0.1, 0, -0.1}, {0.1, 1.5, 0.1});
   const DistanceGrid body{
-      BodyDistance(test::together(torso, test::box({0.15, 1.26, -0.04}, {0.7, 1.34, 0.04})))};
+      SurfaceDistance(test::together(torso, test::box({0.15, 1.26, -0.04}, {0.7, 1.34, 0.04})))};
   const Skeleton skeleton = figure();
   const auto placed_at = [&](double bottom, const Skeleton* known) {
     PanelMesh garment;
@@ -80,7 +80,7 @@ TEST(Placement, ASkirtIsNotLiftedIntoTheArms) {
   const TriangleMesh torso = test::box({-0.15, 0, -0.1}, {0.15, 1, 0.1});
   const TriangleMesh arms = test::together(test::box({-0.2, 1, 0.15}, {0.2, 1.1, 0.25}),
                                            test::box({-0.2, 1, -0.25}, {0.2, 1.1, -0.15}));
-  const DistanceGrid body{BodyDistance(test::together(torso, arms))};
+  const DistanceGrid body{SurfaceDistance(test::together(torso, arms))};
   const Skeleton skeleton = figure();
   const Placement placement = place_panels(sandwich(0.955), body, &skeleton);
   EXPECT_EQ(placement.lift, 0);
@@ -89,14 +89,14 @@ TEST(Placement, ASkirtIsNotLiftedIntoTheArms) {
 }
 
 TEST(Placement, ASeamThatNoLiftClearsStays) {
-  const DistanceGrid body{BodyDistance(test::box({-0.15, 0, -0.1}, {0.15, 1, 0.1}))};
+  const DistanceGrid body{SurfaceDistance(test::box({-0.15, 0, -0.1}, {0.15, 1, 0.1}))};
   const Placement placement = place_panels(sandwich(0.5), body, nullptr);
   EXPECT_EQ(placement.lift, 0);
   EXPECT_EQ(placement.seams_inside, 9);
 }
 
 TEST(Placement, PointsInsideTheBodyAreCounted) {
-  const DistanceGrid body{BodyDistance(test::box({-0.15, 0, -0.1}, {0.15, 1, 0.1}))};
+  const DistanceGrid body{SurfaceDistance(test::box({-0.15, 0, -0.1}, {0.15, 1, 0.1}))};
   PanelMesh garment = sandwich(1.06);
   for (int p = 0; p < 13 * 9; ++p) garment.placed[p].z() = 0;
   // Rows at 0.76 to 1.06 in steps of 25 mm: ten lie below the top.
@@ -104,7 +104,7 @@ TEST(Placement, PointsInsideTheBodyAreCounted) {
 }
 
 TEST(Placement, SleevesAreDrawnOutPastTheirArmholes) {
-  const DistanceGrid body{BodyDistance(test::box({-0.1, 0, -0.1}, {0.1, 1.5, 0.1}))};
+  const DistanceGrid body{SurfaceDistance(test::box({-0.1, 0, -0.1}, {0.1, 1.5, 0.1}))};
   const Skeleton skeleton = figure();
   PanelMesh garment;
   test::add_panel(garment, "front", test::grid(0.4, 0.2, 8, 4), [](const Vec2& p) {
@@ -126,7 +126,7 @@ TEST(Placement, SleevesAreDrawnOutPastTheirArmholes) {
 }
 
 TEST(Placement, HowFarBehindItsArmholeASleeveStandsDrawsItOutNoFarther) {
-  const DistanceGrid body{BodyDistance(test::box({-0.1, 0, -0.1}, {0.1, 1.5, 0.1}))};
+  const DistanceGrid body{SurfaceDistance(test::box({-0.1, 0, -0.1}, {0.1, 1.5, 0.1}))};
   Skeleton forward = figure();
   forward.joints["left_elbow"] = {0.35, 1.3, 0.2};
   forward.joints["left_wrist"] = {0.55, 1.3, 0.4};

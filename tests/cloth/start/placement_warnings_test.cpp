@@ -31,7 +31,7 @@ struct Stage {
   explicit Stage(const Mannequin& mannequin) : Stage(mannequin.surface, mannequin.skeleton) {}
   Stage(const Stage&) = delete;
 
-  BodyDistance skin;
+  SurfaceDistance skin;
   DistanceGrid grid;
   Skeleton skeleton;
   Scene scene;

@@ -29,7 +29,8 @@ PanelMesh panel(const std::string& part, const PanelPlacement& placement, double
 
 /// A small body far below everything: nothing is in the way.
 const DistanceGrid& far_body() {
-  static const DistanceGrid body{BodyDistance(test::box({-0.02, -9, -0.02}, {0.02, -8.9, 0.02}))};
+  static const DistanceGrid body{
+      SurfaceDistance(test::box({-0.02, -9, -0.02}, {0.02, -8.9, 0.02}))};
   return body;
 }
 
@@ -178,7 +179,7 @@ TEST(Positioning, SeveralBonesGiveTheirMeanOrientation) {
 
 TEST(Positioning, FlatPanelsClearTheBodyByTheOffset) {
   const Skeleton skeleton = figure();
-  const BodyDistance exact(test::box({-0.15, 0.7, -0.1}, {0.15, 1.5, 0.12}));
+  const SurfaceDistance exact(test::box({-0.15, 0.7, -0.1}, {0.15, 1.5, 0.12}));
   const DistanceGrid body{exact};
   for (const double offset : {0.005, 0.04}) {
     for (const auto& [side, skin] :
@@ -205,7 +206,7 @@ TEST(Positioning, RolledPanelsStandAroundTheirBones) {
   TriangleMesh arm = test::closed_tube(0.04, 0.04, 0.7, 48);
   for (Vec3& p : arm.points) p = Vec3(p.y(), 1.3 + p.x(), p.z());
   for (Triangle& t : arm.triangles) std::swap(t[1], t[2]);
-  const DistanceGrid body{BodyDistance(arm)};
+  const DistanceGrid body{SurfaceDistance(arm)};
   const Positioning done = position_panels(sleeve, body, &skeleton);
   const PositionedPanel& how = done.panels.at(0);
   EXPECT_TRUE(how.rolled);
@@ -231,7 +232,7 @@ TEST(Positioning, RolledPanelsStandAroundTheirBones) {
 
 TEST(Positioning, RolledPanelsAreWidenedUntilTheLimbFits) {
   const Skeleton skeleton = figure();
-  const BodyDistance exact(test::closed_tube(0.16, 0.12, 1.5, 96));
+  const SurfaceDistance exact(test::closed_tube(0.16, 0.12, 1.5, 96));
   const DistanceGrid body{exact};
   // 90 cm around: 14.3 cm radius, less than the half axis of 16 cm.
   PanelPlacement placement = rolled_around();
@@ -267,7 +268,7 @@ TEST(Positioning, ASleeveFollowsABentArm) {
       p = from + (p.y() - radius) * along + p.x() * Vec3::UnitY().cross(along) -
           p.z() * Vec3::UnitY();
     }
-    return BodyDistance(tube);
+    return SurfaceDistance(tube);
   };
   const DistanceGrid body({bone(shoulder, elbow), bone(elbow, wrist)});
   const PanelMesh sleeve = panel("left_arm", rolled_around(), 0.4, 0.5, 40, 20);

@@ -15,7 +15,7 @@ const TriangleMesh& block() {
   return body;
 }
 const DistanceGrid& distance() {
-  static const DistanceGrid grid{BodyDistance(block())};
+  static const DistanceGrid grid{SurfaceDistance(block())};
   return grid;
 }
 
@@ -149,7 +149,7 @@ TEST(ClearStart, WhatFindsNoPlaceIsNamed) {
   test::add_panel(garment, "shelf", test::grid(0.5, 0.5, 10, 10),
                   [](const Vec2& p) { return Vec3(p.x() - 0.25, 0.05, 0.25 - p.y()); });
   const TriangleMesh tower = test::box({-0.15, -2, -0.1}, {0.15, 3, 0.1});
-  const DistanceGrid grid{BodyDistance(tower)};
+  const DistanceGrid grid{SurfaceDistance(tower)};
   Placement placement;
   placement.placed = garment.placed;
   const std::string message =

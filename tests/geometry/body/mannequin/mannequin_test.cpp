@@ -119,7 +119,7 @@ TEST(Mannequin, DoesNotIntersectItself) {
 }
 
 TEST(Mannequin, IsSymmetric) {
-  const BodyDistance body(mannequin().surface);
+  const SurfaceDistance body(mannequin().surface);
   double worst = 0;
   for (const Vec3& p : mannequin().surface.points) {
     worst = std::max(worst, std::abs(body.nearest(Vec3(-p.x(), p.y(), p.z())).distance));

@@ -157,7 +157,7 @@ TEST(PosedMannequin, LegsAreApartBelowTheUpperThigh) {
 }
 
 TEST(PosedMannequin, TheOtherLegForwardIsTheMirrorImage) {
-  const BodyDistance body(walking_on().surface);
+  const SurfaceDistance body(walking_on().surface);
   double worst = 0;
   for (const Vec3& p : walking().surface.points) {
     worst = std::max(worst, std::abs(body.nearest(Vec3(-p.x(), p.y(), p.z())).distance));
@@ -187,7 +187,7 @@ TEST(PosedMannequin, StandingIsTheShapeItIsMadeFrom) {
 }
 
 TEST(PosedMannequin, ItsJointsAreInsideAndFoundAgain) {
-  const BodyDistance body(walking().surface);
+  const SurfaceDistance body(walking().surface);
   const Skeleton found = find_skeleton(walking().surface, "walking");
   for (const auto& [name, joint] : walking().skeleton.joints) {
     // The crown and the crotch are on the skin.
