@@ -37,7 +37,7 @@ class CoupledRelaxation {
         options_(options),
         watcher_(watcher),
         mesh_(join_garments(garments)),
-        program_(compile(mesh_, scene_, mesh_.placed)) {
+        model_(compile(mesh_, scene_, mesh_.placed)) {
     hold_for_good();
     for (const WornGarment& worn : garments) {
       first_.push_back(static_cast<int>(start_.size()));
@@ -54,11 +54,11 @@ class CoupledRelaxation {
     }
     first_.push_back(static_cast<int>(start_.size()));
     if (scene_.skin != nullptr) surface_.emplace(BodySurface{*scene_.skin, *scene_.body});
-    if (first_.back() != program_.nodes) {
+    if (first_.back() != model_.nodes) {
       throw Error("garments", "have other nodes than their meshes", "dress them anew");
     }
     // A mesh without nested ones has no coarser state that could be clean.
-    if (!self_intersections({start_, program_.node_triangles}).empty()) {
+    if (!self_intersections({start_, model_.node_triangles}).empty()) {
       throw Error("garments", "intersect each other, and can't be moved together",
                   "dress each clear of the others first");
     }
@@ -80,7 +80,7 @@ class CoupledRelaxation {
     for (const WornGarment& worn : garments_) {
       for (AttachedPoint held : worn.held) {
         held.point += first_point;
-        program_.attachments.push_back(held);
+        model_.attachments.push_back(held);
       }
       first_point += static_cast<int>(worn.garment->flat.size());
     }
@@ -119,10 +119,10 @@ class CoupledRelaxation {
     const std::string name = "together";
     int calls = 0;
     const auto watch = [&](const std::vector<Vec3>& nodes, double progress) {
-      if (watcher_) watcher_({mesh_, name, point_positions(program_, nodes, 0), progress});
+      if (watcher_) watcher_({mesh_, name, point_positions(model_, nodes, 0), progress});
     };
     watch(state.nodes, 0);
-    const RelaxReport report = relax(program_, options, state.nodes, [&](const RelaxProgress& at) {
+    const RelaxReport report = relax(model_, options, state.nodes, [&](const RelaxProgress& at) {
       if (calls++ % 4 == 0) {
         watch(at.nodes, static_cast<double>(at.iteration) / options.max_iterations);
       }
@@ -131,7 +131,7 @@ class CoupledRelaxation {
     state.warm_start = report.warm_start;
     state.at_rest = report.converged;
     lift_ = report.lift;
-    result_.stages.push_back(stage_of(name, program_.nodes, report));
+    result_.stages.push_back(stage_of(name, model_.nodes, report));
   }
 
   /// One garment's part of the state.
@@ -153,10 +153,10 @@ class CoupledRelaxation {
       held.assign(yarns.begin() + first_triangle_[garment],
                   yarns.begin() + first_triangle_[garment + 1]);
     }
-    const Program program = compile(*worn.garment, scene, worn.garment->placed);
+    const GarmentModel model = compile(*worn.garment, scene, worn.garment->placed);
     const std::vector<Vec3>& nodes = result_.nodes.back();
-    result_.tight_seams.push_back(tight_seams(*worn.garment, program, nodes, held));
-    result_.tight_regions.push_back(tight_regions(*worn.garment, program, nodes, held));
+    result_.tight_seams.push_back(tight_seams(*worn.garment, model, nodes, held));
+    result_.tight_regions.push_back(tight_regions(*worn.garment, model, nodes, held));
   }
 
   int garment_of(int node) const {
@@ -167,10 +167,10 @@ class CoupledRelaxation {
   void measure_pressings(const std::vector<Vec3>& x) {
     std::vector<int> nodes(x.size());
     std::iota(nodes.begin(), nodes.end(), 0);
-    const ProximitySearch search(program_.node_triangles, nodes, program_.shortest_edge);
+    const ProximitySearch search(model_.node_triangles, nodes, model_.shortest_edge);
     std::vector<ContactPair> pairs;
     std::vector<double> bound;
-    search.find(x, touching * program_.self_gap, program_.self_gap, pairs, bound, false);
+    search.find(x, touching * model_.self_gap, model_.self_gap, pairs, bound, false);
     const std::size_t count = garments_.size();
     std::vector<LayerContact> table(count * count);
     std::vector<std::vector<char>> touched(count * count);
@@ -185,11 +185,11 @@ class CoupledRelaxation {
       touched[at].resize(x.size());
       for (const int v : pair.vertices) touched[at][v] |= garment_of(v) == inner;
     }
-    for (std::size_t t = 0; t < program_.stretch.size(); ++t) {
-      for (const int node : program_.node_triangles[t]) {
+    for (std::size_t t = 0; t < model_.stretch.size(); ++t) {
+      for (const int node : model_.node_triangles[t]) {
         for (std::size_t at = 0; at < table.size(); ++at) {
           if (!touched[at].empty() && touched[at][node]) {
-            table[at].area += program_.stretch[t].area / 3;
+            table[at].area += model_.stretch[t].area / 3;
           }
         }
       }
@@ -207,7 +207,7 @@ class CoupledRelaxation {
     set_forces(options);
     options.seconds = options_.release_seconds;
     result_.release =
-        test_stability(program_, options, state, [&](RestingState& moved) { come_to_rest(moved); });
+        test_stability(model_, options, state, [&](RestingState& moved) { come_to_rest(moved); });
   }
 
   const std::vector<WornGarment>& garments_;
@@ -215,7 +215,7 @@ class CoupledRelaxation {
   const DressOptions& options_;
   const FrameWatcher& watcher_;
   const PanelMesh mesh_;
-  Program program_;
+  GarmentModel model_;
   std::optional<BodySurface> surface_;             // of the scene's skin, if it has one
   std::vector<int> first_;                         // node of each garment, and the number of nodes
   std::vector<std::size_t> first_triangle_ = {0};  // likewise

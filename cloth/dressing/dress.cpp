@@ -81,9 +81,9 @@ Scene for_sewing(Scene scene) {
 /// Lets gathered rows give way along their seams too. Drawn up while a seam stands open, they turn
 /// the whole garment about the body by up to a right angle, for that brings them nearer; but the
 /// seam is to close the way it was placed, so its sides would then pass through the cloth.
-void slacken_gathers(const PanelMesh& garment, Program& program) {
+void slacken_gathers(const PanelMesh& garment, GarmentModel& model) {
   for (const auto& [triangle, along] : gathered_rows(garment, gathered_edges(garment))) {
-    program.stretch[triangle].weft_stiffness *= gathered_stiffness;
+    model.stretch[triangle].weft_stiffness *= gathered_stiffness;
   }
 }
 
@@ -115,7 +115,7 @@ class Dressing {
   void let_go_of(bool bounded);
   const StageReport& stage(const std::string& name, RelaxOptions options);
   void go_finer();
-  Program compiled(Scene scene) const;
+  GarmentModel compiled(Scene scene) const;
   RelaxOptions level_options() const;
   RelaxOptions rest_options(bool bounded) const;
   double near_cloth() const;
@@ -135,7 +135,7 @@ class Dressing {
   bool holds_on_ = false;     // by friction, already while it falls
   double progress_ = 0;       // of the whole dressing, 0 to 1
   std::vector<Vec3> placed_;  // the mesh in hand, where its panels started
-  Program program_;           // of it
+  GarmentModel model_;        // of it
   DressResult result_;
 };
 
@@ -163,13 +163,13 @@ DressResult Dressing::run() {
   bool is_clean = !has_seams && clean();
   for (int attempt = 0; has_seams && attempt < most_attempts && !is_clean; ++attempt) {
     // A tangle is not undone but avoided: the panels start again, stiffer and slower.
-    result_.nodes = program_.start;
+    result_.nodes = model_.start;
     result_.during = {};
     attempt_ = attempt + 1;
     is_clean = wrap(std::pow(2.0, attempt)) && sew(std::pow(2.0, attempt));
     if (jammed()) return give_up();
   }
-  program_ = compiled(scene_);
+  model_ = compiled(scene_);
   // On the coarsest mesh, though it be the only one.
   fall_as_sewn(is_clean);
   is_clean = is_clean || clean();
@@ -183,16 +183,15 @@ DressResult Dressing::run() {
   if (!is_lost) come_to_rest(is_clean);
   if (!is_lost && options_.release_seconds > 0) let_go_of(is_clean);
   end_dressing();
-  measure_lasting(mesh(), program_.attachments, point_positions(program_, result_.nodes, 0),
+  measure_lasting(mesh(), model_.attachments, point_positions(model_, result_.nodes, 0),
                   result_.attachments);
-  result_.held = program_.attachments;
-  result_.terms = term_counts(program_);
-  result_.triangles = program_.node_triangles;
-  result_.tight_seams =
-      tight_seams(mesh(), program_, result_.nodes, result_.warm_start.multipliers);
+  result_.held = model_.attachments;
+  result_.terms = term_counts(model_);
+  result_.triangles = model_.node_triangles;
+  result_.tight_seams = tight_seams(mesh(), model_, result_.nodes, result_.warm_start.multipliers);
   if (scene_.strain_limit) {
     result_.tight_regions =
-        tight_regions(mesh(), program_, result_.nodes, result_.warm_start.multipliers);
+        tight_regions(mesh(), model_, result_.nodes, result_.warm_start.multipliers);
   }
   return std::move(result_);
 }
@@ -221,10 +220,10 @@ bool Dressing::lost() const {
 
 /// The garment as far as it came, its seams open.
 DressResult Dressing::give_up() {
-  std::vector<Vec3> points = point_positions(program_, result_.nodes, result_.stages.back().open);
-  result_.attachments = measure_attachments(mesh(), program_.attachments, points);
+  std::vector<Vec3> points = point_positions(model_, result_.nodes, result_.stages.back().open);
+  result_.attachments = measure_attachments(mesh(), model_.attachments, points);
   for (; level_ > 0; --level_) points = refine_points(mesh(), points, meshes_[level_ - 1]);
-  result_.terms = term_counts(program_);
+  result_.terms = term_counts(model_);
   result_.residual = result_.stages.back().residual;
   result_.nodes = std::move(points);
   result_.triangles = mesh().triangles;
@@ -245,10 +244,10 @@ bool Dressing::wrap(double care) {
   options.friction = false;
   options.bounded = true;
   options.momentum = 0.99;
-  const std::vector<StretchTriangle> drawn_up = program_.stretch;
-  slacken_gathers(mesh(), program_);
+  const std::vector<StretchTriangle> drawn_up = model_.stretch;
+  slacken_gathers(mesh(), model_);
   const bool closed = stage("wrap", options).converged;
-  program_.stretch = drawn_up;
+  model_.stretch = drawn_up;
   return closed;
 }
 
@@ -306,10 +305,10 @@ void Dressing::fall(bool bounded) {
 
 /// From here on friction holds what attachments held on the way.
 void Dressing::end_dressing() {
-  if (program_.attachments.empty() || !result_.attachments.empty()) return;
-  result_.attachments = measure_attachments(mesh(), program_.attachments,
-                                            point_positions(program_, result_.nodes, 0));
-  program_.attachments = lasting(std::move(program_.attachments));
+  if (model_.attachments.empty() || !result_.attachments.empty()) return;
+  result_.attachments =
+      measure_attachments(mesh(), model_.attachments, point_positions(model_, result_.nodes, 0));
+  model_.attachments = lasting(std::move(model_.attachments));
 }
 
 /// Of the garment's own mesh.
@@ -326,9 +325,9 @@ void Dressing::come_to_rest(bool bounded) {
   options.compression = soft();
   options.stiffening_iterations = stiffening_iterations;
   // What is far too small is held off the body by its own tension, and never at rest.
-  const bool hopeless = !tight_seams(mesh(), program_, result_.nodes).empty();
+  const bool hopeless = !tight_seams(mesh(), model_, result_.nodes).empty();
   if (hopeless) options.max_iterations = std::min(stiffening_iterations, options.max_iterations);
-  if (lasting(program_.attachments).size() < program_.attachments.size()) {
+  if (lasting(model_.attachments).size() < model_.attachments.size()) {
     // What is let go before friction holds it would slide off meanwhile.
     RelaxOptions settling = options;
     settling.max_iterations = std::min(2 * stiffening_iterations, options.max_iterations);
@@ -357,7 +356,7 @@ void Dressing::let_go_of(bool bounded) {
   options.surface = surface_ ? &*surface_ : nullptr;
   options.seconds = options_.release_seconds;
   RestingState state = {result_.nodes, result_.warm_start, result_.converged};
-  result_.release = test_stability(program_, options, state, [&](RestingState& moved) {
+  result_.release = test_stability(model_, options, state, [&](RestingState& moved) {
     result_.nodes = std::move(moved.nodes);
     result_.warm_start = std::move(moved.warm_start);
     RelaxOptions again = rest_options(bounded);
@@ -371,11 +370,11 @@ void Dressing::position() {
   const auto start = std::chrono::steady_clock::now();
   result_.placement = start_of(mesh(), scene_);
   placed_ = result_.placement.placed;
-  program_ = compiled(for_sewing(scene_));
-  result_.nodes = program_.start;
+  model_ = compiled(for_sewing(scene_));
+  result_.nodes = model_.start;
   StageReport report;
   report.name = "position";
-  report.vertices = program_.nodes;
+  report.vertices = model_.nodes;
   report.converged = result_.placement.points_inside == 0;
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   result_.stages.push_back(report);
@@ -383,7 +382,7 @@ void Dressing::position() {
 }
 
 /// The mesh in hand, which keeps as far from the skin as it does on its level.
-Program Dressing::compiled(Scene scene) const {
+GarmentModel Dressing::compiled(Scene scene) const {
   scene.body_offset = level_options().body_offset;
   return compile(mesh(), scene, placed_);
 }
@@ -419,7 +418,7 @@ const StageReport& Dressing::stage(const std::string& name, RelaxOptions options
   const double end = end_of_stage(options);
   int calls = 0;
   const auto watch = [&](const RelaxProgress& at) {
-    const std::vector<Vec3> points = point_positions(program_, at.nodes, at.open);
+    const std::vector<Vec3> points = point_positions(model_, at.nodes, at.open);
     const double area = largest_change_percent(areas, panel_areas(mesh(), points));
     const double perimeter = largest_change_percent(perimeters, panel_perimeters(outlines, points));
     result_.during.area_percent = std::max(result_.during.area_percent, area);
@@ -428,14 +427,14 @@ const StageReport& Dressing::stage(const std::string& name, RelaxOptions options
     if (watcher_ && calls++ % 4 == 0) watcher_({mesh(), name, points, progress_});
   };
   options.multipliers = &result_.warm_start.multipliers;
-  const RelaxReport report = relax(program_, options, result_.nodes, watch);
+  const RelaxReport report = relax(model_, options, result_.nodes, watch);
   result_.warm_start = report.warm_start;
   result_.lift = report.lift;
   progress_ = end;
   if (watcher_) {
-    watcher_({mesh(), name, point_positions(program_, result_.nodes, report.open), progress_});
+    watcher_({mesh(), name, point_positions(model_, result_.nodes, report.open), progress_});
   }
-  result_.stages.push_back(stage_of(name, program_.nodes, report));
+  result_.stages.push_back(stage_of(name, model_.nodes, report));
   result_.stages.back().attempt = attempt_;
   return result_.stages.back();
 }
@@ -455,10 +454,10 @@ void Dressing::go_finer() {
   const PanelMesh& fine = meshes_[level_ - 1];
   placed_ = refine_placed(coarse, placed_, fine);
   --level_;
-  Program program = compiled(scene_);
-  result_.nodes = refine_positions(coarse, program_.node_of_point, result_.nodes, fine,
-                                   program.node_of_point, program.nodes);
-  program_ = std::move(program);
+  GarmentModel model = compiled(scene_);
+  result_.nodes = refine_positions(coarse, model_.node_of_point, result_.nodes, fine,
+                                   model.node_of_point, model.nodes);
+  model_ = std::move(model);
   std::vector<LimitMultiplier> finer;
   for (const LimitMultiplier& held : result_.warm_start.multipliers)
     finer.insert(finer.end(), 4, held);
@@ -466,7 +465,7 @@ void Dressing::go_finer() {
 }
 
 bool Dressing::clean() const {
-  return self_intersections({result_.nodes, program_.node_triangles}).empty();
+  return self_intersections({result_.nodes, model_.node_triangles}).empty();
 }
 
 /// Whether the cloth is outside of all layers below and meets none of them, so that it can be kept
@@ -477,7 +476,7 @@ bool Dressing::clear_of_layers() const {
   for (const Vec3& p : result_.nodes) {
     if (scene_.body->at(p).distance < surely_inside) return false;
   }
-  return intersections({result_.nodes, program_.node_triangles}, *scene_.layers).empty();
+  return intersections({result_.nodes, model_.node_triangles}, *scene_.layers).empty();
 }
 
 }  // namespace

@@ -11,13 +11,13 @@ constexpr int most_returns = 3;
 
 }  // namespace
 
-ReleaseReport test_stability(const Program& program, ReleaseOptions options, RestingState& state,
+ReleaseReport test_stability(const GarmentModel& model, ReleaseOptions options, RestingState& state,
                              const std::function<void(RestingState&)>& come_to_rest) {
   options.warm_start = &state.warm_start;
   options.multipliers = &state.warm_start.multipliers;
   for (int returns = 0;; ++returns) {
     std::vector<Vec3> nodes = state.nodes;
-    ReleaseReport report = release(program, options, nodes);
+    ReleaseReport report = release(model, options, nodes);
     if (report.stays() || !state.at_rest || returns == most_returns) return report;
     state.nodes = std::move(nodes);
     state.warm_start = report.warm_start;

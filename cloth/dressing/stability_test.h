@@ -20,7 +20,7 @@ struct RestingState {
 /// moves off had come to rest where cloth can fall either way, as a fold can on its edge: as long
 /// as it was at rest it is taken to where it has gone to, three times at most, and `come_to_rest`
 /// brings it to rest from there. Returns the last release.
-ReleaseReport test_stability(const Program& program, ReleaseOptions options, RestingState& state,
+ReleaseReport test_stability(const GarmentModel& model, ReleaseOptions options, RestingState& state,
                              const std::function<void(RestingState&)>& come_to_rest);
 
 }  // namespace toile

@@ -15,13 +15,13 @@ constexpr int lines = 24;       // through a place
 
 class Places {
  public:
-  Places(const PanelMesh& garment, const Program& program, const std::vector<Vec3>& nodes,
+  Places(const PanelMesh& garment, const GarmentModel& model, const std::vector<Vec3>& nodes,
          const std::vector<LimitMultiplier>& held)
       : garment_(garment),
-        program_(program),
+        model_(model),
         held_(held),
-        limit_(*program.scene.strain_limit),
-        points_(point_positions(program, nodes, 0)),
+        limit_(*model.scene.strain_limit),
+        points_(point_positions(model, nodes, 0)),
         strains_(yarn_strains(garment, points_)) {
     around_.resize(garment.flat.size());
     for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
@@ -89,7 +89,7 @@ class Places {
     place.along_warp = along_warp;
     place.flat = Vec2::Zero();
     for (const int t : piece) {
-      const double area = program_.stretch[t].area;
+      const double area = model_.stretch[t].area;
       place.area += area;
       place.mean += area * strain(t, along_warp);
       place.largest = std::max(place.largest, strain(t, along_warp));
@@ -135,7 +135,7 @@ class Places {
   }
 
   const PanelMesh& garment_;
-  const Program& program_;
+  const GarmentModel& model_;
   const std::vector<LimitMultiplier>& held_;
   double limit_;
   std::vector<Vec3> points_;
@@ -145,11 +145,11 @@ class Places {
 
 }  // namespace
 
-TightRegions tight_regions(const PanelMesh& garment, const Program& program,
+TightRegions tight_regions(const PanelMesh& garment, const GarmentModel& model,
                            const std::vector<Vec3>& nodes,
                            const std::vector<LimitMultiplier>& held) {
-  if (!program.scene.strain_limit || held.empty()) return {};
-  return Places(garment, program, nodes, held).run();
+  if (!model.scene.strain_limit || held.empty()) return {};
+  return Places(garment, model, nodes, held).run();
 }
 
 }  // namespace toile

@@ -33,9 +33,9 @@ struct TightRegions {
 /// The places of a garment whose warp or weft stays beyond the scene's strain limit by more than
 /// `limit_is_kept` though `held`, what holds each triangle to it, is at its most. Triangles that
 /// share a corner belong together. Gathered seams, which are not held, are left out; so is what
-/// only has not come to rest. `nodes` are the program's. Empty without a limit or what holds to it.
+/// only has not come to rest. `nodes` are the model's. Empty without a limit or what holds to it.
 /// Linear in the triangles, but for those of a place: 24 lines are laid through each.
-TightRegions tight_regions(const PanelMesh& garment, const Program& program,
+TightRegions tight_regions(const PanelMesh& garment, const GarmentModel& model,
                            const std::vector<Vec3>& nodes,
                            const std::vector<LimitMultiplier>& held);
 

@@ -16,11 +16,11 @@ constexpr int most_lines = 24;
 
 class Tightness {
  public:
-  Tightness(const PanelMesh& garment, const Program& program, const std::vector<Vec3>& nodes,
+  Tightness(const PanelMesh& garment, const GarmentModel& model, const std::vector<Vec3>& nodes,
             const std::vector<LimitMultiplier>& held)
-      : garment_(garment), program_(program), nodes_(nodes), held_(held) {
-    options_.limit = program.scene.strain_limit.value_or(-1);
-    options_.shear_limit = program.scene.shear_limit.value_or(-1);
+      : garment_(garment), model_(model), nodes_(nodes), held_(held) {
+    options_.limit = model.scene.strain_limit.value_or(-1);
+    options_.shear_limit = model.scene.shear_limit.value_or(-1);
     std::vector<char> on_seam(garment.flat.size(), 0);
     for (const MeshedSeam& seam : garment.seams) {
       for (const int p : seam.a) on_seam[p] = 1;
@@ -70,8 +70,8 @@ class Tightness {
   double tension_beside(int a, int b) const {
     const Beside* at = beside(a, b);
     if (at == nullptr) return 0;
-    const Triangle& corners = program_.node_triangles[at->triangle];
-    const auto forces = stretch_forces(program_.stretch[at->triangle], options_, nodes_[corners[0]],
+    const Triangle& corners = model_.node_triangles[at->triangle];
+    const auto forces = stretch_forces(model_.stretch[at->triangle], options_, nodes_[corners[0]],
                                        nodes_[corners[1]], nodes_[corners[2]],
                                        held_.empty() ? LimitMultiplier{} : held_[at->triangle]);
     const Vec3& p = nodes_[corners[(at->corner + 1) % 3]];
@@ -87,7 +87,7 @@ class Tightness {
   double bearable_beside(int a, int b) const {
     const Beside* at = beside(a, b);
     if (at == nullptr) return hand_pull;
-    const StretchTriangle& s = program_.stretch[at->triangle];
+    const StretchTriangle& s = model_.stretch[at->triangle];
     const Vec2 edge = garment_.flat[b] - garment_.flat[a];
     return std::min(hand_pull, most_worn * stiffness_along(s, at->triangle, {edge.y(), -edge.x()}));
   }
@@ -146,7 +146,7 @@ class Tightness {
 
   /// Strain of a triangle along a flat direction; 0 where it is slack.
   double strain_along(int t, const Vec2& way) const {
-    const StretchTriangle& s = program_.stretch[t];
+    const StretchTriangle& s = model_.stretch[t];
     Vec3 now = Vec3::Zero();
     double weft = 0;
     double warp = 0;
@@ -156,7 +156,7 @@ class Tightness {
       warp += s.warp[i] * along;
     }
     for (int i = 0; i < 3; ++i) {
-      now += (weft * s.weft[i] + warp * s.warp[i]) * nodes_[program_.node_triangles[t][i]];
+      now += (weft * s.weft[i] + warp * s.warp[i]) * nodes_[model_.node_triangles[t][i]];
     }
     return std::max(0.0, now.norm() / std::hypot(weft, warp) - 1);
   }
@@ -175,7 +175,7 @@ class Tightness {
   }
 
   const PanelMesh& garment_;
-  const Program& program_;
+  const GarmentModel& model_;
   const std::vector<Vec3>& nodes_;
   const std::vector<LimitMultiplier>& held_;
   StretchOptions options_;
@@ -184,10 +184,10 @@ class Tightness {
 
 }  // namespace
 
-std::vector<TightSeam> tight_seams(const PanelMesh& garment, const Program& program,
+std::vector<TightSeam> tight_seams(const PanelMesh& garment, const GarmentModel& model,
                                    const std::vector<Vec3>& nodes,
                                    const std::vector<LimitMultiplier>& held) {
-  return Tightness(garment, program, nodes, held).run();
+  return Tightness(garment, model, nodes, held).run();
 }
 
 }  // namespace toile

@@ -28,9 +28,9 @@ struct TightSeam {
 /// and more than `worn_tight` is missing. Missing is what the cloth is stretched by along the line
 /// square to the seam through the panels on both sides; half of a panel's counts for the seam at
 /// its other end, so that all seams around a tube together lack what the tube lacks. `nodes` are
-/// the program's, `held` what holds each triangle to the scene's limits (empty: nothing). Linear in
+/// the model's, `held` what holds each triangle to the scene's limits (empty: nothing). Linear in
 /// the seams; in the triangles too for those that are tight.
-std::vector<TightSeam> tight_seams(const PanelMesh& garment, const Program& program,
+std::vector<TightSeam> tight_seams(const PanelMesh& garment, const GarmentModel& model,
                                    const std::vector<Vec3>& nodes,
                                    const std::vector<LimitMultiplier>& held = {});
 

@@ -36,17 +36,17 @@ struct Link {
 
 class HingeLayout {
  public:
-  HingeLayout(const PanelMesh& garment, Program& program)
+  HingeLayout(const PanelMesh& garment, GarmentModel& model)
       : garment_(garment),
-        program_(program),
-        hinges_(program.triangles.size(), {-1, -1, -1}),
-        jumps_(program.triangles.size(), {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}) {}
+        model_(model),
+        hinges_(model.triangles.size(), {-1, -1, -1}),
+        jumps_(model.triangles.size(), {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}) {}
 
   void run() {
     lay_out_hinges();
     for (const MeshedPanel& panel : garment_.panels) stiffen(panel);
-    for (std::size_t h = 0; h < program_.bend.size(); ++h) {
-      program_.bend[h].stiffness *= length_[h] * length_[h] / area_[h];
+    for (std::size_t h = 0; h < model_.bend.size(); ++h) {
+      model_.bend[h].stiffness *= length_[h] * length_[h] / area_[h];
     }
     bound();
   }
@@ -55,10 +55,10 @@ class HingeLayout {
   /// Sides by their node edge: also finds the hinge across a sewn seam.
   void lay_out_hinges() {
     std::map<std::pair<int, int>, std::vector<Side>> sides;
-    for (std::size_t t = 0; t < program_.node_triangles.size(); ++t) {
+    for (std::size_t t = 0; t < model_.node_triangles.size(); ++t) {
       for (int i = 0; i < 3; ++i) {
-        const int a = program_.node_triangles[t][(i + 1) % 3];
-        const int b = program_.node_triangles[t][(i + 2) % 3];
+        const int a = model_.node_triangles[t][(i + 1) % 3];
+        const int b = model_.node_triangles[t][(i + 2) % 3];
         sides[std::minmax(a, b)].push_back({static_cast<int>(t), i});
       }
     }
@@ -69,12 +69,12 @@ class HingeLayout {
   }
 
   Reach reach(const Side& side, int from_node) const {
-    const Triangle& points = program_.triangles[side.triangle];
+    const Triangle& points = model_.triangles[side.triangle];
     Reach reach;
     reach.a = points[(side.corner + 1) % 3];
     reach.b = points[(side.corner + 2) % 3];
     reach.c = points[side.corner];
-    if (program_.node_of_point[reach.a] != from_node) std::swap(reach.a, reach.b);
+    if (model_.node_of_point[reach.a] != from_node) std::swap(reach.a, reach.b);
     const Vec2 edge = garment_.flat[reach.b] - garment_.flat[reach.a];
     const Vec2 to = garment_.flat[reach.c] - garment_.flat[reach.a];
     reach.length = edge.norm();
@@ -84,7 +84,7 @@ class HingeLayout {
   }
 
   void add_hinge(const Side& one, const Side& other) {
-    const int from = program_.node_triangles[one.triangle][(one.corner + 1) % 3];
+    const int from = model_.node_triangles[one.triangle][(one.corner + 1) % 3];
     const Reach here = reach(one, from);
     const Reach there = reach(other, from);
     BendHinge hinge;
@@ -97,8 +97,8 @@ class HingeLayout {
     }
     hinge.across_seam = here.a != there.a || here.b != there.b;
     hinges_[one.triangle][one.corner] = hinges_[other.triangle][other.corner] =
-        static_cast<int>(program_.bend.size());
-    program_.bend.push_back(hinge);
+        static_cast<int>(model_.bend.size());
+    model_.bend.push_back(hinge);
     length_.push_back(0.5 * (here.length + there.length));
     area_.push_back(0);
     for (const auto& [side, across] : {std::pair(one, other), {other, one}}) {
@@ -108,11 +108,11 @@ class HingeLayout {
 
   /// In the flat panel of the side; the other is drawn up to its length.
   void feel(const Side& side, const Side& across) {
-    const Triangle& points = program_.triangles[side.triangle];
+    const Triangle& points = model_.triangles[side.triangle];
     const int a = points[(side.corner + 1) % 3];
     const int b = points[(side.corner + 2) % 3];
     const auto& flat = garment_.flat;
-    const Reach other = reach(across, program_.node_of_point[a]);
+    const Reach other = reach(across, model_.node_of_point[a]);
     const Vec2 away((flat[b] - flat[a]).norm() / other.length * other.corner.x(), other.corner.y());
     jumps_[side.triangle][side.corner] = jump_by_curvature(
         flat[a], flat[b], flat[points[side.corner]], away, panel_of(side.triangle).grain);
@@ -125,23 +125,23 @@ class HingeLayout {
   }
 
   void stiffen(const MeshedPanel& panel) {
-    const Fabric& fabric = fabric_of(program_.scene, panel);
+    const Fabric& fabric = fabric_of(model_.scene, panel);
     for (int t = panel.first_triangle; t < panel.first_triangle + panel.triangles; ++t) {
       BendTriangle triangle;
       triangle.hinges = hinges_[t];
       std::array<bool, 3> there;
       for (int i = 0; i < 3; ++i) there[i] = hinges_[t][i] >= 0;
-      const auto corner = [&](int i) { return garment_.flat[program_.triangles[t][i % 3]]; };
+      const auto corner = [&](int i) { return garment_.flat[model_.triangles[t][i % 3]]; };
       const Vec2 first = corner(1) - corner(0);
       const Vec2 second = corner(2) - corner(0);
       const double area = 0.5 * (first.x() * second.y() - first.y() * second.x());
       triangle.stiffness = plate_stiffness(fabric, area, jumps_[t], there);
-      if (triangle.stiffness.trace() > 0) program_.bend_triangles.push_back(triangle);
+      if (triangle.stiffness.trace() > 0) model_.bend_triangles.push_back(triangle);
       for (int i = 0; i < 3; ++i) {
         if (!there[i]) continue;
         const Vec2 edge = corner(i + 2) - corner(i + 1);
         const double across = std::atan2(edge.x(), -edge.y()) - panel.grain;
-        program_.bend[hinges_[t][i]].stiffness += 0.5 * bending_along(fabric, across);
+        model_.bend[hinges_[t][i]].stiffness += 0.5 * bending_along(fabric, across);
         area_[hinges_[t][i]] += area;
       }
     }
@@ -149,8 +149,8 @@ class HingeLayout {
 
   /// Rows of open seams count as much as they may, and don't make up for others.
   void bound() {
-    program_.bend_diagonal.assign(program_.nodes, 0);
-    const BendMatrix matrix = bend_matrix(program_, program_.node_of_point, program_.nodes, true);
+    model_.bend_diagonal.assign(model_.nodes, 0);
+    const BendMatrix matrix = bend_matrix(model_, model_.node_of_point, model_.nodes, true);
     for (const BendRows* rows : {&matrix.inside, &matrix.seams}) {
       for (int n = 0; n + 1 < static_cast<int>(rows->first.size()); ++n) {
         double diagonal = 0, others = 0;
@@ -158,13 +158,13 @@ class HingeLayout {
           diagonal += rows->stiffness[i];
           others += std::abs(rows->stiffness[i]);
         }
-        program_.bend_diagonal[n] += std::abs(diagonal) + others;
+        model_.bend_diagonal[n] += std::abs(diagonal) + others;
       }
     }
   }
 
   const PanelMesh& garment_;
-  Program& program_;
+  GarmentModel& model_;
   std::vector<std::array<int, 3>> hinges_;  // opposite to each corner; -1: none
   std::vector<std::array<Vec3, 3>> jumps_;  // of the same, by curvature
   std::vector<double> length_;              // of each hinge's edge, the mean of both sides'
@@ -199,10 +199,10 @@ BendRows rows_of(const std::vector<Link>& links, std::size_t vertices) {
 /// The jumps across a triangle's edges, by the vertices that they are of.
 class Jumps {
  public:
-  Jumps(const Program& program, const BendTriangle& triangle, const std::vector<int>& vertex) {
+  Jumps(const GarmentModel& model, const BendTriangle& triangle, const std::vector<int>& vertex) {
     for (int i = 0; i < 3; ++i) {
       if (triangle.hinges[i] < 0) continue;
-      const BendHinge& hinge = program.bend[triangle.hinges[i]];
+      const BendHinge& hinge = model.bend[triangle.hinges[i]];
       for (int k = 0; k < 4; ++k) weights_(i, column(vertex[hinge.points[k]])) += hinge.weights[k];
     }
   }
@@ -233,19 +233,19 @@ class Jumps {
 
 }  // namespace
 
-void lay_out_bending(const PanelMesh& garment, Program& program) {
-  HingeLayout(garment, program).run();
+void lay_out_bending(const PanelMesh& garment, GarmentModel& model) {
+  HingeLayout(garment, model).run();
 }
 
-BendMatrix bend_matrix(const Program& program, const std::vector<int>& vertex, std::size_t vertices,
-                       bool seams_apart) {
+BendMatrix bend_matrix(const GarmentModel& model, const std::vector<int>& vertex,
+                       std::size_t vertices, bool seams_apart) {
   std::vector<Link> inside;
   std::vector<Link> seams;
-  for (const BendTriangle& triangle : program.bend_triangles) {
-    const Jumps jumps(program, triangle, vertex);
+  for (const BendTriangle& triangle : model.bend_triangles) {
+    const Jumps jumps(model, triangle, vertex);
     Eigen::Matrix3d of_seams = Eigen::Matrix3d::Zero();
     for (int i = 0; i < 3 && seams_apart; ++i) {
-      if (triangle.hinges[i] < 0 || !program.bend[triangle.hinges[i]].across_seam) continue;
+      if (triangle.hinges[i] < 0 || !model.bend[triangle.hinges[i]].across_seam) continue;
       of_seams.row(i) = triangle.stiffness.row(i);
       of_seams.col(i) = triangle.stiffness.col(i);
     }

@@ -9,9 +9,9 @@
 
 namespace toile {
 
-/// Fills the program's hinges, bend triangles and bend diagonal; the rest of it but the elastics
+/// Fills the model's hinges, bend triangles and bend diagonal; the rest of it but the elastics
 /// has to be there. Linear in the triangles but for sorting.
-void lay_out_bending(const PanelMesh& garment, Program& program);
+void lay_out_bending(const PanelMesh& garment, GarmentModel& model);
 
 /// Off-diagonal entries of a stiffness matrix, by rows in order; those of a row add up to minus its
 /// diagonal, for the force on a sheet that is only moved is none.
@@ -30,7 +30,7 @@ struct BendMatrix {
 
 /// `vertex`: of each material point, from 0 to below `vertices`. Unless `seams_apart`, all rows are
 /// in `inside`.
-BendMatrix bend_matrix(const Program& program, const std::vector<int>& vertex, std::size_t vertices,
-                       bool seams_apart);
+BendMatrix bend_matrix(const GarmentModel& model, const std::vector<int>& vertex,
+                       std::size_t vertices, bool seams_apart);
 
 }  // namespace toile

@@ -55,63 +55,63 @@ class Compiler {
     for (const auto& [edge, share] : free) gathered_.erase(edge);
     free.insert(gathered_.begin(), gathered_.end());
     rows_ = gathered_rows(garment, free);
-    program_.scene = scene;
-    program_.triangles = garment.triangles;
-    program_.subdivisions = garment.subdivisions;
-    program_.node_of_point = weld(garment, program_.nodes);
+    model_.scene = scene;
+    model_.triangles = garment.triangles;
+    model_.subdivisions = garment.subdivisions;
+    model_.node_of_point = weld(garment, model_.nodes);
   }
 
-  Program run(const std::vector<Vec3>& placed) {
+  GarmentModel run(const std::vector<Vec3>& placed) {
     place(placed);
     lay_out_stretch();
     lay_out_elastics();
-    program_.attachments = attached_points(garment_, program_.scene, placed);
-    program_.self_gap = self_gap_of(program_.scene, garment_);
-    if (bends()) lay_out_bending(garment_, program_);
-    return std::move(program_);
+    model_.attachments = attached_points(garment_, model_.scene, placed);
+    model_.self_gap = self_gap_of(model_.scene, garment_);
+    if (bends()) lay_out_bending(garment_, model_);
+    return std::move(model_);
   }
 
  private:
   void place(const std::vector<Vec3>& placed) {
-    program_.start.assign(program_.nodes, Vec3::Zero());
-    std::vector<int> copies(program_.nodes, 0);
+    model_.start.assign(model_.nodes, Vec3::Zero());
+    std::vector<int> copies(model_.nodes, 0);
     for (std::size_t p = 0; p < placed.size(); ++p) {
-      program_.start[program_.node_of_point[p]] += placed[p];
-      ++copies[program_.node_of_point[p]];
+      model_.start[model_.node_of_point[p]] += placed[p];
+      ++copies[model_.node_of_point[p]];
     }
-    for (int n = 0; n < program_.nodes; ++n) program_.start[n] /= copies[n];
+    for (int n = 0; n < model_.nodes; ++n) model_.start[n] /= copies[n];
     if (garment_.seams.empty()) return;
-    program_.offsets.resize(placed.size());
+    model_.offsets.resize(placed.size());
     for (std::size_t p = 0; p < placed.size(); ++p) {
-      program_.offsets[p] = placed[p] - program_.start[program_.node_of_point[p]];
+      model_.offsets[p] = placed[p] - model_.start[model_.node_of_point[p]];
     }
   }
 
   bool bends() const {
     return std::any_of(garment_.panels.begin(), garment_.panels.end(), [&](const auto& panel) {
-      const Fabric& fabric = fabric_of(program_.scene, panel);
+      const Fabric& fabric = fabric_of(model_.scene, panel);
       return fabric.bending_warp > 0 || fabric.bending_weft > 0;
     });
   }
 
   void lay_out_stretch() {
-    program_.friction_skin.assign(program_.nodes, 0);
-    program_.friction_cloth.assign(program_.nodes, 0);
-    program_.mass.assign(program_.nodes, 0);
-    program_.stretch_diagonal.assign(program_.nodes, 0);
-    program_.shortest_edge.assign(program_.nodes, 1e9);
+    model_.friction_skin.assign(model_.nodes, 0);
+    model_.friction_cloth.assign(model_.nodes, 0);
+    model_.mass.assign(model_.nodes, 0);
+    model_.stretch_diagonal.assign(model_.nodes, 0);
+    model_.shortest_edge.assign(model_.nodes, 1e9);
     for (const MeshedPanel& panel : garment_.panels) {
-      const Fabric& fabric = fabric_of(program_.scene, panel);
+      const Fabric& fabric = fabric_of(model_.scene, panel);
       for (int t = panel.first_triangle; t < panel.first_triangle + panel.triangles; ++t) {
         const Triangle& points = garment_.triangles[t];
         Triangle nodes;
-        for (int i = 0; i < 3; ++i) nodes[i] = program_.node_of_point[points[i]];
+        for (int i = 0; i < 3; ++i) nodes[i] = model_.node_of_point[points[i]];
         if (nodes[0] == nodes[1] || nodes[1] == nodes[2] || nodes[2] == nodes[0]) {
           throw Error("panel '" + panel.name + "'",
                       "is so narrow between two seams that a triangle is sewn to itself",
                       "mesh the pattern with a shorter --edge-length");
         }
-        program_.node_triangles.push_back(nodes);
+        model_.node_triangles.push_back(nodes);
         const std::array<Vec2, 3> flat = {garment_.flat[points[0]], garment_.flat[points[1]],
                                           garment_.flat[points[2]]};
         const StretchTriangle s = stretch(t, flat, panel, fabric);
@@ -120,12 +120,12 @@ class Compiler {
           throw Error("panel '" + panel.name + "'", "has a triangle without area",
                       "mesh the pattern again");
         }
-        program_.stretch.push_back(s);
+        model_.stretch.push_back(s);
         for (int i = 0; i < 3; ++i) {
           const double mass = area * fabric.areal_density / 3;
-          program_.mass[nodes[i]] += mass;
-          program_.friction_skin[nodes[i]] += mass * fabric.friction_skin;
-          program_.friction_cloth[nodes[i]] += mass * fabric.friction_cloth;
+          model_.mass[nodes[i]] += mass;
+          model_.friction_skin[nodes[i]] += mass * fabric.friction_skin;
+          model_.friction_cloth[nodes[i]] += mass * fabric.friction_cloth;
           double row = 0;
           for (int j = 0; j < 3; ++j) {
             const double uu = std::abs(s.weft[i] * s.weft[j]);
@@ -135,21 +135,21 @@ class Compiler {
             row += s.weft_stiffness * uu + s.warp_stiffness * vv +
                    s.shear_stiffness * (0.5 * (uu + vv) + uv);
           }
-          program_.stretch_diagonal[nodes[i]] += row;
+          model_.stretch_diagonal[nodes[i]] += row;
           const double edge =
               std::min((flat[i] - flat[(i + 1) % 3]).norm(), (flat[i] - flat[(i + 2) % 3]).norm());
-          program_.shortest_edge[nodes[i]] = std::min(program_.shortest_edge[nodes[i]], edge);
+          model_.shortest_edge[nodes[i]] = std::min(model_.shortest_edge[nodes[i]], edge);
         }
       }
     }
-    for (int n = 0; n < program_.nodes; ++n) {
-      if (!(program_.mass[n] > 0)) continue;
-      program_.friction_skin[n] /= program_.mass[n];
-      program_.friction_cloth[n] /= program_.mass[n];
+    for (int n = 0; n < model_.nodes; ++n) {
+      if (!(model_.mass[n] > 0)) continue;
+      model_.friction_skin[n] /= model_.mass[n];
+      model_.friction_cloth[n] /= model_.mass[n];
     }
-    const double total = std::accumulate(program_.mass.begin(), program_.mass.end(), 0.0);
-    program_.mean_weight =
-        total * std::max(program_.scene.gravity.norm(), 1e-9) / std::max(program_.nodes, 1);
+    const double total = std::accumulate(model_.mass.begin(), model_.mass.end(), 0.0);
+    model_.mean_weight =
+        total * std::max(model_.scene.gravity.norm(), 1e-9) / std::max(model_.nodes, 1);
   }
 
   /// In a gathered row, weft and warp stand for the directions along the seam and across it.
@@ -191,10 +191,10 @@ class Compiler {
   }
 
   void lay_out_elastics() {
-    program_.elastics = elastic_segments(garment_, program_.scene, program_.node_of_point);
-    for (const ElasticSegment& segment : program_.elastics) {
+    model_.elastics = elastic_segments(garment_, model_.scene, model_.node_of_point);
+    for (const ElasticSegment& segment : model_.elastics) {
       for (const int p : segment.points) {
-        program_.stretch_diagonal[program_.node_of_point[p]] += stiffness_bound(segment);
+        model_.stretch_diagonal[model_.node_of_point[p]] += stiffness_bound(segment);
       }
     }
   }
@@ -202,12 +202,13 @@ class Compiler {
   const PanelMesh& garment_;
   GatheredEdges gathered_;
   std::map<int, Vec2> rows_;  // along gathered edges and elastics
-  Program program_;
+  GarmentModel model_;
 };
 
 }  // namespace
 
-Program compile(const PanelMesh& garment, const Scene& scene, const std::vector<Vec3>& placed) {
+GarmentModel compile(const PanelMesh& garment, const Scene& scene,
+                     const std::vector<Vec3>& placed) {
   return Compiler(garment, scene).run(placed);
 }
 

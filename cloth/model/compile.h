@@ -12,6 +12,6 @@ namespace toile {
 /// Welds the seams' points to nodes, and lays out the terms that the scene asks for. Nodes start
 /// in the middle of the places their points have in `placed`.
 /// Throws Error when a triangle would lose its area by being sewn to itself.
-Program compile(const PanelMesh& garment, const Scene& scene, const std::vector<Vec3>& placed);
+GarmentModel compile(const PanelMesh& garment, const Scene& scene, const std::vector<Vec3>& placed);
 
 }  // namespace toile

@@ -52,7 +52,7 @@ struct BendTriangle {
 /// A *material point* has a place in a flat panel; sewn points share a *node*, which moves. While
 /// a seam closes, its points still stand apart: point p is at x[node_of_point[p]] +
 /// open·offset[p], with `open` going from 1 to 0.
-struct Program {
+struct GarmentModel {
   int nodes = 0;
   int subdivisions = 0;  ///< of the nested mesh, as PanelMesh says
   std::vector<int> node_of_point;
@@ -79,10 +79,10 @@ struct Program {
 };
 
 /// Place of every material point while seams are `open`.
-std::vector<Vec3> point_positions(const Program& program, const std::vector<Vec3>& nodes,
+std::vector<Vec3> point_positions(const GarmentModel& model, const std::vector<Vec3>& nodes,
                                   double open);
 
 /// What was compiled, by term, with counts; a term that the scene does not use counts 0.
-std::vector<std::pair<std::string, int>> term_counts(const Program& program);
+std::vector<std::pair<std::string, int>> term_counts(const GarmentModel& model);
 
 }  // namespace toile

@@ -4,9 +4,9 @@
 
 namespace toile {
 
-AttachmentForces::AttachmentForces(const Program& program, bool of_points) {
-  for (const AttachedPoint& held : program.attachments) {
-    const int vertex = of_points ? held.point : program.node_of_point[held.point];
+AttachmentForces::AttachmentForces(const GarmentModel& model, bool of_points) {
+  for (const AttachedPoint& held : model.attachments) {
+    const int vertex = of_points ? held.point : model.node_of_point[held.point];
     entries_.push_back({static_cast<std::size_t>(vertex), held});
   }
   std::ranges::stable_sort(entries_, {}, &Entry::vertex);

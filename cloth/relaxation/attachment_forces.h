@@ -8,10 +8,10 @@
 
 namespace toile {
 
-/// Vertices are the program's nodes, or its material points while seams stand open.
+/// Vertices are the model's nodes, or its material points while seams stand open.
 class AttachmentForces {
  public:
-  AttachmentForces(const Program& program, bool of_points);
+  AttachmentForces(const GarmentModel& model, bool of_points);
 
   bool empty() const { return entries_.empty(); }
   /// Adds to the forces (N) on vertices `begin` to `end`, with all vertices at `x`, and to the

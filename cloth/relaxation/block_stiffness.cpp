@@ -39,22 +39,21 @@ double sum_of(const std::array<double, 3>& weights) {
 
 }  // namespace
 
-BlockStiffness::BlockStiffness(const Program& program) : program_(program) {
-  corners_ = corners_by_vertex(program.node_triangles, program.nodes);
-  if (!program.elastics.empty()) elastic_.assign(program.nodes, 0);
-  for (const ElasticSegment& segment : program.elastics) {
-    for (const int p : segment.points)
-      elastic_[program.node_of_point[p]] += stiffness_bound(segment);
+BlockStiffness::BlockStiffness(const GarmentModel& model) : model_(model) {
+  corners_ = corners_by_vertex(model.node_triangles, model.nodes);
+  if (!model.elastics.empty()) elastic_.assign(model.nodes, 0);
+  for (const ElasticSegment& segment : model.elastics) {
+    for (const int p : segment.points) elastic_[model.node_of_point[p]] += stiffness_bound(segment);
   }
-  of_nodes_.resize(program.nodes);
+  of_nodes_.resize(model.nodes);
   partial_.resize(chunks_of(of_nodes_.size(), vertex_chunk));
 }
 
 StiffnessBlock BlockStiffness::at(std::size_t node, const Vec4s& x) const {
   StiffnessBlock sum{};
   for (const auto& [t, c] : corners_[node]) {
-    const StretchTriangle& s = program_.stretch[t];
-    const Triangle& nodes = program_.node_triangles[t];
+    const StretchTriangle& s = model_.stretch[t];
+    const Triangle& nodes = model_.node_triangles[t];
     const Vec4& a = x[nodes[0]];
     const Vec4& b = x[nodes[1]];
     const Vec4& d = x[nodes[2]];
@@ -90,7 +89,7 @@ double BlockStiffness::update(std::size_t begin, std::size_t end, const Vec4s& x
   double sum = 0;
   for (std::size_t n = begin; n < end; ++n) {
     const StiffnessBlock now = at(n, x);
-    const double bound = program_.stretch_diagonal[n];
+    const double bound = model_.stretch_diagonal[n];
     if (bound > 0) sum += excess(now, of_nodes_[n]) / bound;
     of_nodes_[n] = now;
   }

@@ -44,9 +44,9 @@ inline constexpr double isotropic_share_of_aggregates = 0.25;
 /// as long as one along it.
 class BlockStiffness {
  public:
-  explicit BlockStiffness(const Program& program);
+  explicit BlockStiffness(const GarmentModel& model);
 
-  /// Of the program's nodes, at `x`. Returns how far it was from what it is, as the mean over the
+  /// Of the model's nodes, at `x`. Returns how far it was from what it is, as the mean over the
   /// nodes of the largest difference along any direction, in undirected bounds: the sine of the
   /// angle by which yarns turned; 1 the first time. Linear in the triangles; same bits for any
   /// number of threads.
@@ -60,7 +60,7 @@ class BlockStiffness {
   /// update() of nodes `begin` to `end`; the sum over them.
   double update(std::size_t begin, std::size_t end, const Vec4s& x);
 
-  const Program& program_;
+  const GarmentModel& model_;
   Adjacency<TriangleCorner> corners_;  // per node
   std::vector<double> elastic_;        // N/m, per node; empty: no elastics
   std::vector<StiffnessBlock> of_nodes_;

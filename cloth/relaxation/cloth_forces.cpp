@@ -33,13 +33,13 @@ constexpr double most_sagitta = 0.7;
 
 }  // namespace
 
-ClothForces::ClothForces(const Program& program, const ForceOptions& options,
+ClothForces::ClothForces(const GarmentModel& model, const ForceOptions& options,
                          const std::vector<Vec3>& x, bool open_seams)
-    : program_(program),
+    : model_(model),
       options_(options),
-      stretch_{program.scene.strain_limit.value_or(-1), options.compression,
-               program.scene.shear_limit.value_or(-1)},
-      gravity_(options.gravity * as_vec4(program.scene.gravity)),
+      stretch_{model.scene.strain_limit.value_or(-1), options.compression,
+               model.scene.shear_limit.value_or(-1)},
+      gravity_(options.gravity * as_vec4(model.scene.gravity)),
       nodes_(as_vec4(x)),
       open_(open_seams ? 1 : 0) {
   if (layer_contact()) {
@@ -71,7 +71,7 @@ WarmStart ClothForces::warm_start() const {
 }
 
 std::vector<Vec3> ClothForces::state() const {
-  std::vector<Vec3> state(program_.nodes);
+  std::vector<Vec3> state(model_.nodes);
   for (std::size_t n = 0; n < state.size(); ++n) state[n] = as_vec3(nodes_[n]);
   return state;
 }
@@ -88,30 +88,30 @@ void ClothForces::use_skin(bool points) {
   // Triangles are the same, of nodes as of points.
   const std::vector<LimitMultiplier> yarns =
       kernel_ && has_limits() ? kernel_->multipliers() : std::vector<LimitMultiplier>{};
-  kernel_ = std::make_unique<ElasticKernel>(program_, points);
-  elastics_ = std::make_unique<ElasticForces>(program_, points);
-  attachments_ = std::make_unique<AttachmentForces>(program_, points);
+  kernel_ = std::make_unique<ElasticKernel>(model_, points);
+  elastics_ = std::make_unique<ElasticForces>(model_, points);
+  attachments_ = std::make_unique<AttachmentForces>(model_, points);
   kernel_->start_multipliers(yarns);
   const std::size_t count = kernel_->vertices();
   vertex_force_.assign(count, Vec4{});
-  vertices_of_.assign(program_.nodes, [&](const auto& add) {
+  vertices_of_.assign(model_.nodes, [&](const auto& add) {
     for (std::size_t v = 0; v < count; ++v) {
-      add(points ? program_.node_of_point[v] : v, static_cast<int>(v));
+      add(points ? model_.node_of_point[v] : v, static_cast<int>(v));
     }
   });
   points_.clear();
   if (points) place_points();
-  const std::vector<Triangle>& triangles = points ? program_.triangles : program_.node_triangles;
+  const std::vector<Triangle>& triangles = points ? model_.triangles : model_.node_triangles;
   body_bounds_.reset();
   if (options_.bounded && options_.surface != nullptr && !points) {
     body_bounds_ = std::make_unique<BodyBounds>(*options_.surface, triangles, count);
   }
   approach_bound_ = of_vertices(approach_bounds());
   edge_contacts_.reset();
-  if (program_.scene.body != nullptr && options_.surface != nullptr) {
+  if (model_.scene.body != nullptr && options_.surface != nullptr) {
     const double shortest = std::sqrt(8 * body_curve * most_sagitta * options_.body_offset);
     edge_contacts_ = std::make_unique<EdgeContacts>(
-        triangles, positions(), shortest, of_vertices(program_.friction_skin), approach_bound_);
+        triangles, positions(), shortest, of_vertices(model_.friction_skin), approach_bound_);
   }
   contacts_.assign(count, {});
   safe_balls_.assign(count, Vec4{});
@@ -125,28 +125,28 @@ void ClothForces::use_skin(bool points) {
     return;
   }
   if (options_.friction) {
-    pairs_.friction().set_coefficients(of_vertices(program_.friction_cloth));
+    pairs_.friction().set_coefficients(of_vertices(model_.friction_cloth));
   }
-  std::vector<int> node = program_.node_of_point;
+  std::vector<int> node = model_.node_of_point;
   if (!points) {
     node.resize(count);
     std::iota(node.begin(), node.end(), 0);
   }
   proximity_ =
-      std::make_unique<ProximitySearch>(triangles, node, of_vertices(program_.shortest_edge));
+      std::make_unique<ProximitySearch>(triangles, node, of_vertices(model_.shortest_edge));
   if (layer_contact()) {
     proximity_->add_layer(layers().triangles, static_cast<int>(layers().points.size()),
-                          program_.scene.layer_gap);
+                          model_.scene.layer_gap);
   }
 }
 
 /// Metres that each node may come down onto the body in a step.
 std::vector<double> ClothForces::approach_bounds() const {
   std::vector<double> steps;
-  for (int n = 0; n < program_.nodes; ++n) {
-    const double weight = program_.mass[n] * program_.scene.gravity.norm();
-    const double bend = program_.bend.empty() ? 0 : program_.bend_diagonal[n];
-    const double stiffness = isotropic_share * program_.stretch_diagonal[n] + bend;
+  for (int n = 0; n < model_.nodes; ++n) {
+    const double weight = model_.mass[n] * model_.scene.gravity.norm();
+    const double bend = model_.bend.empty() ? 0 : model_.bend_diagonal[n];
+    const double stiffness = isotropic_share * model_.stretch_diagonal[n] + bend;
     steps.push_back(
         std::min(most_coming_down, weights_coming_down * weight / std::max(stiffness, 1e-12)));
   }
@@ -156,18 +156,18 @@ std::vector<double> ClothForces::approach_bounds() const {
 std::vector<double> ClothForces::of_vertices(const std::vector<double>& of_nodes) const {
   if (!by_points_) return of_nodes;
   std::vector<double> values;
-  for (const int node : program_.node_of_point) values.push_back(of_nodes[node]);
+  for (const int node : model_.node_of_point) values.push_back(of_nodes[node]);
   return values;
 }
 
 void ClothForces::place_points() {
   if (points_.empty()) {
-    points_.resize(program_.node_of_point.size());
-    points_.insert(points_.end(), nodes_.begin() + program_.nodes, nodes_.end());
+    points_.resize(model_.node_of_point.size());
+    points_.insert(points_.end(), nodes_.begin() + model_.nodes, nodes_.end());
   }
-  parallel_for_chunks(program_.node_of_point.size(), [&](std::size_t begin, std::size_t end) {
+  parallel_for_chunks(model_.node_of_point.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
-      points_[p] = nodes_[program_.node_of_point[p]] + open_ * as_vec4(program_.offsets[p]);
+      points_[p] = nodes_[model_.node_of_point[p]] + open_ * as_vec4(model_.offsets[p]);
     }
   });
 }
@@ -176,9 +176,9 @@ void ClothForces::close_seams(double wanted) {
   double open = wanted;
   if (bounded()) {
     // The closing moves points too: no farther than their bounds allow.
-    for (std::size_t p = 0; p < program_.offsets.size(); ++p) {
+    for (std::size_t p = 0; p < model_.offsets.size(); ++p) {
       const Vec3 away = as_vec3(points_[p]) - searched_at_[p];
-      const Vec3 way = (wanted - open_) * program_.offsets[p];
+      const Vec3 way = (wanted - open_) * model_.offsets[p];
       const double share = clip_to_ball(away, way, bound_[p]);
       if (share < 1) search_due_ = true;
       open = std::max(open, open_ + share * (wanted - open_));
@@ -205,7 +205,7 @@ bool ClothForces::update_multipliers() {
     counts[c] = kernel_->hold(c * vertex_chunk, std::min(kernel_->groups(), (c + 1) * vertex_chunk),
                               stretch_, positions());
   });
-  stiffening_.assign(program_.nodes, 0);
+  stiffening_.assign(model_.nodes, 0);
   for (std::size_t n = 0; n < stiffening_.size(); ++n) {
     for (const int v : vertices_of_[n]) stiffening_[n] += kernel_->stiffening(v);
   }
@@ -236,7 +236,7 @@ void ClothForces::look_anew() {
 
 void ClothForces::search() {
   const std::vector<Vec3> p = all_positions();
-  const double gap = program_.self_gap;
+  const double gap = model_.self_gap;
   // Bounds that nobody keeps say nothing of where things are.
   if (bounded()) {
     proximity_->update(p, options_.self_radius, gap, pairs_.pairs(), bound_, searched_at_,
@@ -278,11 +278,10 @@ void ClothForces::update_body_bounds() {
 /// body is near, its bound used up, or a pair may begin to push.
 void ClothForces::set_safe_ball(std::size_t v, const Vec3& p) {
   double reach = 1e3;
-  if (program_.scene.body != nullptr) {
+  if (model_.scene.body != nullptr) {
     if (contacts_[v].remaining(p) <= 0) {
       const double offset = options_.body_offset + lift(static_cast<int>(v));
-      contacts_[v].look(program_.scene, p, offset, options_.linearization_radius,
-                        approach_bound_[v]);
+      contacts_[v].look(model_.scene, p, offset, options_.linearization_radius, approach_bound_[v]);
     }
     reach = contacts_[v].remaining(p);
   }
@@ -304,12 +303,12 @@ void ClothForces::set_safe_ball(std::size_t v, const Vec3& p) {
 
 void ClothForces::find_pull() {
   pull_.resize(vertices());
-  parallel_for_chunks(program_.nodes, [&](std::size_t begin, std::size_t end) {
+  parallel_for_chunks(model_.nodes, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
-      const double weight = program_.mass[n] / static_cast<double>(vertices_of_[n].size()) *
-                            program_.scene.gravity.norm() * options_.pull;
+      const double weight = model_.mass[n] / static_cast<double>(vertices_of_[n].size()) *
+                            model_.scene.gravity.norm() * options_.pull;
       for (const int v : vertices_of_[n]) {
-        pull_[v] = as_vec4(pull_to_body(program_.scene, as_vec3(positions()[v]), weight));
+        pull_[v] = as_vec4(pull_to_body(model_.scene, as_vec3(positions()[v]), weight));
       }
     }
   });
@@ -317,7 +316,7 @@ void ClothForces::find_pull() {
 
 void ClothForces::compute(double bending) {
   bending_ = bending;
-  const bool pulls_to_body = options_.pull > 0 && program_.scene.body != nullptr;
+  const bool pulls_to_body = options_.pull > 0 && model_.scene.body != nullptr;
   if (pulls_to_body && computed_++ % pull_interval == 0) find_pull();
   const Vec4s& p = positions();
   const std::size_t edges = edge_contacts_ ? edge_contacts_->edges() : 0;
@@ -336,7 +335,7 @@ void ClothForces::compute(double bending) {
     });
     if (edges == 0) return;
     share(edges, [&](std::size_t begin, std::size_t end) {
-      edge_contacts_->push(begin, end, program_.scene, options_, p);
+      edge_contacts_->push(begin, end, model_.scene, options_, p);
     });
   });
   // Points of a node may be anywhere among the others.
@@ -393,7 +392,7 @@ bool ClothForces::leave_safe_ball(std::size_t node, const Vec4& wanted) {
     return allowed;
   }
   for (const int v : vertices_of_[node]) {
-    set_safe_ball(v, next + open_ * program_.offsets[v]);
+    set_safe_ball(v, next + open_ * model_.offsets[v]);
   }
   return allowed;
 }

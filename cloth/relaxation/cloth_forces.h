@@ -23,13 +23,13 @@ namespace toile {
 
 /// Nodes stand where move() brought them. A step of all of them: search_when_due(), compute(), then
 /// gather() of disjoint ranges, for each of their nodes at(), and, after all of that, move() for
-/// each node. These may run side by side; then moved(). The options and the program stay where they
+/// each node. These may run side by side; then moved(). The options and the model stay where they
 /// are as long as this lives.
 class ClothForces {
  public:
   /// `x`: one a node, metres. With `open_seams`, seams stand as they were placed, until
   /// close_seams(); vertices, which touch things, are material points until then, else nodes.
-  ClothForces(const Program& program, const ForceOptions& options, const std::vector<Vec3>& x,
+  ClothForces(const GarmentModel& model, const ForceOptions& options, const std::vector<Vec3>& x,
               bool open_seams);
 
   const Vec4& node(std::size_t n) const { return nodes_[n]; }
@@ -55,7 +55,7 @@ class ClothForces {
   bool has_limits() const { return stretch_.limit >= 0 || stretch_.shear_limit >= 0; }
   /// A bound of the cloth's own stiffness in its plane at node n, N/m; and what of it limits add.
   double stretch_stiffness(std::size_t n) const {
-    return program_.stretch_diagonal[n] + stiffening(n);
+    return model_.stretch_diagonal[n] + stiffening(n);
   }
   double stiffening(std::size_t n) const { return stiffening_.empty() ? 0 : stiffening_[n]; }
 
@@ -96,13 +96,13 @@ class ClothForces {
   std::vector<Vec3> all_positions() const;
   std::size_t vertices() const { return kernel_->vertices(); }
   const Vec4s& positions() const { return by_points_ ? points_ : nodes_; }
-  bool self_contact() const { return program_.scene.self_contact; }
+  bool self_contact() const { return model_.scene.self_contact; }
   bool layer_contact() const {
-    return self_contact() && options_.layer_contact && program_.scene.layers != nullptr;
+    return self_contact() && options_.layer_contact && model_.scene.layers != nullptr;
   }
-  const TriangleMesh& layers() const { return *program_.scene.layers; }
+  const TriangleMesh& layers() const { return *model_.scene.layers; }
 
-  const Program& program_;
+  const GarmentModel& model_;
   const ForceOptions& options_;
   StretchOptions stretch_;
   const Vec4 gravity_;
@@ -141,11 +141,11 @@ class ClothForces {
 };
 
 inline void ClothForces::at(std::size_t n, Vec4& force, double& stiffness) {
-  const bool has_body = program_.scene.body != nullptr;
-  force = program_.mass[n] * gravity_;
+  const bool has_body = model_.scene.body != nullptr;
+  force = model_.mass[n] * gravity_;
   stiffness = stretch_stiffness(n);
-  if (!program_.bend.empty()) stiffness += bending_ * program_.bend_diagonal[n];
-  const double friction = options_.friction ? program_.friction_skin[n] : 0;
+  if (!model_.bend.empty()) stiffness += bending_ * model_.bend_diagonal[n];
+  const double friction = options_.friction ? model_.friction_skin[n] : 0;
   for (const int v : vertices_of_[n]) {
     const Vec4& p = positions()[v];
     stiffness += vertex_force_[v][3];

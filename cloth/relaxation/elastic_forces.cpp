@@ -4,12 +4,12 @@
 
 namespace toile {
 
-ElasticForces::ElasticForces(const Program& program, bool of_points) {
-  if (program.elastics.empty()) return;
-  const auto vertex = [&](int point) { return of_points ? point : program.node_of_point[point]; };
-  const std::size_t vertices = of_points ? program.node_of_point.size() : program.nodes;
+ElasticForces::ElasticForces(const GarmentModel& model, bool of_points) {
+  if (model.elastics.empty()) return;
+  const auto vertex = [&](int point) { return of_points ? point : model.node_of_point[point]; };
+  const std::size_t vertices = of_points ? model.node_of_point.size() : model.nodes;
   segments_ = Adjacency<Entry>(vertices, [&](const auto& add) {
-    for (const ElasticSegment& segment : program.elastics) {
+    for (const ElasticSegment& segment : model.elastics) {
       const int a = vertex(segment.points[0]);
       const int b = vertex(segment.points[1]);
       add(a, {b, segment});

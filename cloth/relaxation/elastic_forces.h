@@ -7,10 +7,10 @@
 
 namespace toile {
 
-/// Vertices are the program's nodes, or its material points while seams stand open.
+/// Vertices are the model's nodes, or its material points while seams stand open.
 class ElasticForces {
  public:
-  ElasticForces(const Program& program, bool of_points);
+  ElasticForces(const GarmentModel& model, bool of_points);
 
   bool empty() const { return segments_.empty(); }
   /// Adds to the forces (N) on vertices `begin` to `end`, with all vertices at `x`.

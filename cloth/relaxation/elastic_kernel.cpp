@@ -75,22 +75,22 @@ constexpr double least_squared = 1e-18;
 
 }  // namespace
 
-ElasticKernel::ElasticKernel(const Program& program, bool of_points) {
-  const std::size_t vertices = of_points ? program.node_of_point.size() : program.nodes;
-  lay_out_triangles(program, of_points ? program.triangles : program.node_triangles, vertices);
-  if (!program.bend.empty()) {
+ElasticKernel::ElasticKernel(const GarmentModel& model, bool of_points) {
+  const std::size_t vertices = of_points ? model.node_of_point.size() : model.nodes;
+  lay_out_triangles(model, of_points ? model.triangles : model.node_triangles, vertices);
+  if (!model.bend.empty()) {
     std::vector<int> points(vertices);
     std::iota(points.begin(), points.end(), 0);
-    bend_ = bend_matrix(program, of_points ? points : program.node_of_point, vertices, of_points);
+    bend_ = bend_matrix(model, of_points ? points : model.node_of_point, vertices, of_points);
   }
-  if (program.scene.strain_limit || program.scene.shear_limit) lay_out_limits(program);
+  if (model.scene.strain_limit || model.scene.shear_limit) lay_out_limits(model);
 }
 
-void ElasticKernel::lay_out_limits(const Program& program) {
+void ElasticKernel::lay_out_limits(const GarmentModel& model) {
   held_.assign(groups_.size(), HeldGroup{});
-  triangles_ = program.stretch.size();
+  triangles_ = model.stretch.size();
   for (std::size_t t = 0; t < triangles_; ++t) {
-    const StretchTriangle& s = program.stretch[t];
+    const StretchTriangle& s = model.stretch[t];
     HeldGroup& held = held_[t / group];
     held.area[t % group] = s.area;
     held.most[t % group] = s.held ? s.area * max_limit_multiplier : 0;
@@ -125,7 +125,7 @@ std::vector<LimitMultiplier> ElasticKernel::multipliers() const {
   return yarns;
 }
 
-void ElasticKernel::lay_out_triangles(const Program& program,
+void ElasticKernel::lay_out_triangles(const GarmentModel& model,
                                       const std::vector<Triangle>& triangles,
                                       std::size_t vertices) {
   groups_.resize((triangles.size() + group - 1) / group);
@@ -140,7 +140,7 @@ void ElasticKernel::lay_out_triangles(const Program& program,
       g.stretch_weft[i] = g.stretch_warp[i] = g.shear[i] = 0;
       continue;
     }
-    const StretchTriangle& s = program.stretch[t];
+    const StretchTriangle& s = model.stretch[t];
     for (int c = 0; c < 3; ++c) g.corners[c][i] = triangles[t][c];
     for (int c = 0; c < 2; ++c) {
       g.weft[c][i] = s.weft[c + 1];
@@ -152,7 +152,7 @@ void ElasticKernel::lay_out_triangles(const Program& program,
   }
   pulls_on_ = Adjacency<PullEntry>(vertices, [&](const auto& add) {
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-      const StretchTriangle& s = program.stretch[t];
+      const StretchTriangle& s = model.stretch[t];
       const double weft[3] = {-(s.weft[1] + s.weft[2]), s.weft[1], s.weft[2]};
       const double warp[3] = {-(s.warp[1] + s.warp[2]), s.warp[1], s.warp[2]};
       for (int c = 0; c < 3; ++c) add(triangles[t][c], {static_cast<int>(t), weft[c], warp[c]});

@@ -15,16 +15,16 @@ namespace toile {
 /// Share of a limit by which it is missed at most.
 inline constexpr double limit_tolerance = 0.08;
 
-/// Vertices are the program's nodes, or its material points while seams stand open. Forces take two
+/// Vertices are the model's nodes, or its material points while seams stand open. Forces take two
 /// passes over disjoint ranges that may run side by side: first all of pull(), then all of
 /// gather(); a vertex sums what its triangles left in a fixed order, so that bits don't depend on
-/// the threads. The same model as stretch_forces() and the program's bend triangles, element for
+/// the threads. The same model as stretch_forces() and the model's bend triangles, element for
 /// element.
 class ElasticKernel {
  public:
   static constexpr std::size_t group = 4;  ///< triangles that are pulled together
 
-  ElasticKernel(const Program& program, bool of_points);
+  ElasticKernel(const GarmentModel& model, bool of_points);
 
   std::size_t vertices() const { return pulls_on_.size(); }
   std::size_t groups() const { return groups_.size(); }
@@ -81,9 +81,9 @@ class ElasticKernel {
 
   template <bool limited>
   void pull_all(std::size_t begin, std::size_t end, const StretchOptions& options, const Vec4* x);
-  void lay_out_triangles(const Program& program, const std::vector<Triangle>& triangles,
+  void lay_out_triangles(const GarmentModel& model, const std::vector<Triangle>& triangles,
                          std::size_t vertices);
-  void lay_out_limits(const Program& program);
+  void lay_out_limits(const GarmentModel& model);
 
   std::vector<TriangleGroup> groups_;
   std::vector<HeldGroup> held_;  // empty: no limits

@@ -18,8 +18,8 @@ constexpr std::size_t min_aggregates = 4;
 
 }  // namespace
 
-MultilevelPreconditioner::MultilevelPreconditioner(const Program& program, bool wide) {
-  const std::vector<Triangle> coarsest = add_nested_levels(program);
+MultilevelPreconditioner::MultilevelPreconditioner(const GarmentModel& model, bool wide) {
+  const std::vector<Triangle> coarsest = add_nested_levels(model);
   if (levels_.empty()) return;
   nested_ = levels();
   if (!wide) return;
@@ -33,11 +33,11 @@ MultilevelPreconditioner::MultilevelPreconditioner(const Program& program, bool 
 }
 
 /// Returns the triangles of the coarsest.
-std::vector<Triangle> MultilevelPreconditioner::add_nested_levels(const Program& program) {
-  std::vector<Triangle> triangles = program.node_triangles;
-  std::vector<int> own(program.nodes);  // the program's node of each node of the level
+std::vector<Triangle> MultilevelPreconditioner::add_nested_levels(const GarmentModel& model) {
+  std::vector<Triangle> triangles = model.node_triangles;
+  std::vector<int> own(model.nodes);  // the model's node of each node of the level
   std::iota(own.begin(), own.end(), 0);
-  for (int depth = 0; depth < program.subdivisions; ++depth) {
+  for (int depth = 0; depth < model.subdivisions; ++depth) {
     const std::size_t count = own.size();
     // Child i of a triangle holds its corner i; child 3 the middles of its sides.
     std::vector<int> index(count, -1);
@@ -69,10 +69,10 @@ std::vector<Triangle> MultilevelPreconditioner::add_nested_levels(const Program&
       }
     });
     for (const int n : coarse_own) {
-      level.stretch.push_back(program.stretch_diagonal[n]);
-      level.bend.push_back(program.bend.empty() ? 0 : program.bend_diagonal[n]);
+      level.stretch.push_back(model.stretch_diagonal[n]);
+      level.bend.push_back(model.bend.empty() ? 0 : model.bend_diagonal[n]);
     }
-    const std::vector<double>& finer = levels_.empty() ? program.mass : levels_.back().mass;
+    const std::vector<double>& finer = levels_.empty() ? model.mass : levels_.back().mass;
     level.mass.assign(coarse_own.size(), 0);
     for (std::size_t n = 0; n < coarse_own.size(); ++n) {
       for (const auto& [node, weight] : level.shares[n]) level.mass[n] += weight * finer[node];

@@ -15,19 +15,19 @@ namespace toile {
 
 /// Additive multilevel preconditioner [Bramble, Pasciak & Xu 1990]: on each coarser level, the
 /// forces on a patch over a bound of its stiffness. Patches are the hat functions of the coarse
-/// nodes of the program's nested mesh, and beyond the coarsest of them two levels of wide patches,
+/// nodes of the model's nested mesh, and beyond the coarsest of them two levels of wide patches,
 /// where there are enough nodes for them; without a nested mesh, or unless `wide`, none. A patch's
 /// bound is its middle node's, for the stiffness of a membrane does not depend on the size of its
 /// triangles, and that of bending grows with finer ones; what touches adds up.
 class MultilevelPreconditioner {
  public:
-  MultilevelPreconditioner(const Program& program, bool wide);
+  MultilevelPreconditioner(const GarmentModel& model, bool wide);
 
   int levels() const { return static_cast<int>(levels_.size()); }
   /// Those of the nested mesh; the others are wide.
   int nested_levels() const { return nested_; }
 
-  /// The cloth's stiffness at each of the program's nodes: from now on a patch has the mean of its
+  /// The cloth's stiffness at each of the model's nodes: from now on a patch has the mean of its
   /// nodes', instead of the same in all directions.
   void set_blocks(const std::vector<StiffnessBlock>& of_nodes);
 
@@ -63,7 +63,7 @@ class MultilevelPreconditioner {
     const auto& [a, b] = level.parents[finer];
     return 0.5 * (level.way[a] + level.way[b]);
   }
-  std::vector<Triangle> add_nested_levels(const Program& program);
+  std::vector<Triangle> add_nested_levels(const GarmentModel& model);
   void add_aggregate_level(const Aggregates& wide);
   void add_level(Level level);
   static Vec4 way_at(const Level& level, std::size_t finer);

@@ -54,20 +54,20 @@ double smoothstep(double t) { return t * t * (3 - 2 * t); }
 
 class Relaxation {
  public:
-  Relaxation(const Program& program, const RelaxOptions& options, const std::vector<Vec3>& x)
-      : program_(program),
+  Relaxation(const GarmentModel& model, const RelaxOptions& options, const std::vector<Vec3>& x)
+      : model_(model),
         options_(options),
-        forces_(program, options, x, options.closing_iterations > 0 && !program.offsets.empty()),
+        forces_(model, options, x, options.closing_iterations > 0 && !model.offsets.empty()),
         // A dart that closes in wide patches turns its tip in.
-        coarse_(program, options.closing_iterations == 0),
-        blocks_(program),
+        coarse_(model, options.closing_iterations == 0),
+        blocks_(model),
         step_factor_(step_factor /
                      (1 + level_share * coarse_.nested_levels() +
                       aggregate_level_share * (coarse_.levels() - coarse_.nested_levels()))),
         touch_factor_(std::max(1.0, step_factor_ * (1 + coarse_.levels()) / most_step)),
-        node_force_(program.nodes, Vec4{}),
+        node_force_(model.nodes, Vec4{}),
         x_(as_vec4(x)),
-        partial_(chunks_of(program.nodes, vertex_chunk)) {}
+        partial_(chunks_of(model.nodes, vertex_chunk)) {}
 
   RelaxReport run(const RelaxWatcher& watcher);
   std::vector<Vec3> state() const { return forces_.state(); }
@@ -79,7 +79,7 @@ class Relaxation {
   void find_forces(std::size_t begin, std::size_t end);
   void update_blocks();
   double bend_stiffness(std::size_t n) const {
-    return program_.bend.empty() ? 0 : bending_ * program_.bend_diagonal[n];
+    return model_.bend.empty() ? 0 : bending_ * model_.bend_diagonal[n];
   }
   double step_nodes(std::size_t begin, std::size_t end);
   Residual measure_residual();
@@ -91,7 +91,7 @@ class Relaxation {
            (options_.stop_wide == 0 || residual.wide < options_.stop_wide);
   }
 
-  const Program& program_;
+  const GarmentModel& model_;
   const RelaxOptions& options_;
   ClothForces forces_;  // its nodes are the state: the iterate with momentum
   MultilevelPreconditioner coarse_;
@@ -137,7 +137,7 @@ void Relaxation::update_blocks() {
 /// Of all nodes, and of the patches of the coarser levels.
 void Relaxation::find_forces() {
   update_blocks();
-  parallel_for_chunks(program_.nodes,
+  parallel_for_chunks(model_.nodes,
                       [&](std::size_t begin, std::size_t end) { find_forces(begin, end); });
   coarse_.compute(node_force_, bending_);
 }
@@ -150,7 +150,7 @@ double Relaxation::step_nodes(std::size_t begin, std::size_t end) {
   for (std::size_t n = begin; n < end; ++n) {
     Vec4 force = node_force_[n];
     const double stiffness = force[3] + bend_stiffness(n) + forces_.stiffening(n) +
-                             isotropic * program_.stretch_diagonal[n];
+                             isotropic * model_.stretch_diagonal[n];
     force[3] = 0;
     Vec4 way = step_factor_ * way_of(blocks_.of_nodes()[n], stiffness, force);
     way += step_factor_ * coarse_.of_node(n);
@@ -169,7 +169,7 @@ double Relaxation::step_nodes(std::size_t begin, std::size_t end) {
 double Relaxation::step() {
   momentum_ = std::min(options_.momentum, momentum_age_ / (momentum_age_ + 3.0));
   find_forces();
-  parallel_for_chunks(program_.nodes, [&](std::size_t begin, std::size_t end) {
+  parallel_for_chunks(model_.nodes, [&](std::size_t begin, std::size_t end) {
     partial_[begin / vertex_chunk] = step_nodes(begin, end);
   });
   forces_.moved();
@@ -187,10 +187,10 @@ Residual Relaxation::measure_residual() {
 /// Of the state that the last step found.
 Residual Relaxation::last_residual() const {
   Residual r;
-  std::vector<double> norms(program_.nodes);
+  std::vector<double> norms(model_.nodes);
   double sum = 0;
   for (std::size_t n = 0; n < norms.size(); ++n) {
-    norms[n] = std::sqrt(squared_length(node_force_[n])) / program_.mean_weight;
+    norms[n] = std::sqrt(squared_length(node_force_[n])) / model_.mean_weight;
     sum += norms[n] * norms[n];
   }
   r.rms = std::sqrt(sum / static_cast<double>(norms.size()));
@@ -198,7 +198,7 @@ Residual Relaxation::last_residual() const {
     throw Error("garment", "its forces grew beyond all numbers",
                 "check the fabric's stiffness and the panels for degenerate triangles");
   }
-  r.wide = coarse_.rms_acceleration() / std::max(program_.scene.gravity.norm(), 1e-9);
+  r.wide = coarse_.rms_acceleration() / std::max(model_.scene.gravity.norm(), 1e-9);
   r.max = *std::max_element(norms.begin(), norms.end());
   std::nth_element(norms.begin(), norms.begin() + norms.size() / 2, norms.end());
   r.median = norms[norms.size() / 2];
@@ -271,15 +271,15 @@ RelaxReport Relaxation::run(const RelaxWatcher& watcher) {
   report.open = forces_.open();
   report.searches = forces_.searches();
   report.warm_start = forces_.warm_start();
-  for (int n = 0; n < program_.nodes; ++n) report.lift.push_back(forces_.lift(n));
+  for (int n = 0; n < model_.nodes; ++n) report.lift.push_back(forces_.lift(n));
   return report;
 }
 
 }  // namespace
 
-RelaxReport relax(const Program& program, const RelaxOptions& options, std::vector<Vec3>& x,
+RelaxReport relax(const GarmentModel& model, const RelaxOptions& options, std::vector<Vec3>& x,
                   const RelaxWatcher& watcher) {
-  Relaxation relaxation(program, options, x);
+  Relaxation relaxation(model, options, x);
   const RelaxReport report = relaxation.run(watcher);
   x = relaxation.state();
   return report;

@@ -68,7 +68,7 @@ using RelaxWatcher = std::function<void(const RelaxProgress&)>;
 /// every 50 iterations. Cost per iteration is linear in the triangles; the number of iterations
 /// grows with the square root of the stiffness ratios, so about with the number of nodes across.
 /// Same bits for any number of threads.
-RelaxReport relax(const Program& program, const RelaxOptions& options, std::vector<Vec3>& x,
+RelaxReport relax(const GarmentModel& model, const RelaxOptions& options, std::vector<Vec3>& x,
                   const RelaxWatcher& watcher = {});
 
 }  // namespace toile

@@ -31,7 +31,7 @@ ReleaseOptions in_time(ReleaseOptions options) {
 
 class Release {
  public:
-  Release(const Program& program, const ReleaseOptions& options, const std::vector<Vec3>& x);
+  Release(const GarmentModel& model, const ReleaseOptions& options, const std::vector<Vec3>& x);
   ReleaseReport run();
   /// Where forces were taken: there the bounds hold.
   std::vector<Vec3> state() const { return forces_.state(); }
@@ -40,7 +40,7 @@ class Release {
   void step_nodes(std::size_t begin, std::size_t end);
   double kinetic() const;
 
-  const Program& program_;
+  const GarmentModel& model_;
   const ReleaseOptions options_;
   ClothForces forces_;  // its nodes are where forces are taken
   Vec4s x_;
@@ -49,19 +49,20 @@ class Release {
   double most_inverse_ = 0;  // 1/s²: the most that stiffness over mass may be
 };
 
-Release::Release(const Program& program, const ReleaseOptions& options, const std::vector<Vec3>& x)
-    : program_(program),
+Release::Release(const GarmentModel& model, const ReleaseOptions& options,
+                 const std::vector<Vec3>& x)
+    : model_(model),
       options_(in_time(options)),
-      forces_(program, options_, x, false),
+      forces_(model, options_, x, false),
       x_(as_vec4(x)),
-      v_(program.nodes, Vec4{}) {
+      v_(model.nodes, Vec4{}) {
   double most = 0;
-  for (int n = 0; n < program.nodes; ++n) {
-    if (!(program.mass[n] > 0)) continue;
+  for (int n = 0; n < model.nodes; ++n) {
+    if (!(model.mass[n] > 0)) continue;
     double stiffness = forces_.stretch_stiffness(n);
-    if (!program.bend.empty()) stiffness += options.bending * program.bend_diagonal[n];
-    if (program.scene.body != nullptr) stiffness += BodyContact::most_stiffness;
-    most = std::max(most, stiffness / program.mass[n]);
+    if (!model.bend.empty()) stiffness += options.bending * model.bend_diagonal[n];
+    if (model.scene.body != nullptr) stiffness += BodyContact::most_stiffness;
+    most = std::max(most, stiffness / model.mass[n]);
   }
   // Stable as long as (step·frequency)² (1 + 2 ahead) < 4.
   const double limit = 4 * safe_share * safe_share / (1 + 2 * ahead);
@@ -77,7 +78,7 @@ void Release::step_nodes(std::size_t begin, std::size_t end) {
     Vec4 force;
     double stiffness;
     forces_.at(n, force, stiffness);
-    const double mass = std::max(program_.mass[n], stiffness / most_inverse_);
+    const double mass = std::max(model_.mass[n], stiffness / most_inverse_);
     if (!(mass > 0)) continue;
     v_[n] = kept * (v_[n] + step_ / mass * force);
     const Vec4 before = forces_.node(n);
@@ -93,7 +94,7 @@ void Release::step_nodes(std::size_t begin, std::size_t end) {
 double Release::kinetic() const {
   double sum = 0;
   for (std::size_t n = 0; n < v_.size(); ++n) {
-    sum += 0.5 * program_.mass[n] * squared_length(v_[n]);
+    sum += 0.5 * model_.mass[n] * squared_length(v_[n]);
   }
   return sum;
 }
@@ -159,8 +160,9 @@ MovedFigures moved_figures(const std::vector<double>& moved) {
   return {at_share(moved, 0.5), at_share(moved, 0.99), at_share(moved, 1)};
 }
 
-ReleaseReport release(const Program& program, const ReleaseOptions& options, std::vector<Vec3>& x) {
-  Release released(program, options, x);
+ReleaseReport release(const GarmentModel& model, const ReleaseOptions& options,
+                      std::vector<Vec3>& x) {
+  Release released(model, options, x);
   const ReleaseReport report = released.run();
   x = released.state();
   return report;

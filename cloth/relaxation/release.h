@@ -48,6 +48,7 @@ struct ReleaseReport {
 /// is given more mass for as long. Cost per step is linear in the triangles; steps per second grow
 /// with the resolution. Same bits for any number of threads.
 /// Throws Error when it flies apart.
-ReleaseReport release(const Program& program, const ReleaseOptions& options, std::vector<Vec3>& x);
+ReleaseReport release(const GarmentModel& model, const ReleaseOptions& options,
+                      std::vector<Vec3>& x);
 
 }  // namespace toile

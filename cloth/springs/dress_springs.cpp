@@ -67,7 +67,7 @@ class SpringDressing {
   const SpringDressOptions& options_;
   const FrameWatcher& watcher_;
   const Placement placement_;
-  const Program program_;
+  const GarmentModel model_;
   DressResult result_;
   SpringMotion motion_;
   std::vector<Vec3> looked_x_;
@@ -87,8 +87,8 @@ SpringDressing::SpringDressing(const PanelMesh& garment, const Scene& scene,
       options_(options),
       watcher_(watcher),
       placement_(start_of(garment, scene, hang)),
-      program_(compile(garment, scene, placement_.placed)),
-      motion_(garment, program_, options.motion, placement_.placed),
+      model_(compile(garment, scene, placement_.placed)),
+      motion_(garment, model_, options.motion, placement_.placed),
       rest_areas_(panel_areas(garment)),
       outlines_(panel_outlines(garment)),
       rest_perimeters_(panel_perimeters(garment)) {
@@ -225,7 +225,7 @@ Residual SpringDressing::residual() {
     const double mass = motion_.sheet().mass()[n];
     if (mass <= 0) continue;
     const Vec3 gained = v[n] - looked_v_[n] + options_.motion.drag * (x[n] - looked_x_[n]);
-    left.push_back(mass * gained.norm() / span / program_.mean_weight);
+    left.push_back(mass * gained.norm() / span / model_.mean_weight);
     squares += left.back() * left.back();
   }
   looked_x_ = x;
@@ -256,7 +256,7 @@ void SpringDressing::finish() {
     for (int& corner : t) corner = index[corner];
   }
   const auto count = [](auto n) { return static_cast<int>(n); };
-  const Scene& scene = program_.scene;
+  const Scene& scene = model_.scene;
   result_.terms = {
       {"edge_springs", count(sheet.edges().size())},
       {"softened_edges", sheet.softened()},

@@ -15,16 +15,16 @@ constexpr int sweeps = 2;
 /// Least steps between two searches; what has used up its bound waits.
 constexpr int search_interval = 10;
 
-std::vector<double> shortest_edges(const Program& program) {
+std::vector<double> shortest_edges(const GarmentModel& model) {
   std::vector<double> shortest;
-  for (const int node : program.node_of_point) shortest.push_back(program.shortest_edge[node]);
+  for (const int node : model.node_of_point) shortest.push_back(model.shortest_edge[node]);
   return shortest;
 }
 
 }  // namespace
 
-SelfCollisions::SelfCollisions(const Program& program, double gap)
-    : proximity_(program.triangles, program.node_of_point, shortest_edges(program)),
+SelfCollisions::SelfCollisions(const GarmentModel& model, double gap)
+    : proximity_(model.triangles, model.node_of_point, shortest_edges(model)),
       gap_(gap),
       radius_(gap + reach) {}
 

@@ -11,10 +11,10 @@ namespace toile {
 
 /// Keeps the cloth's points and edges `gap` metres from its other triangles and edges by impulses
 /// on their velocities [Bridson et al. 2002], and bounds every move so that what is apart stays
-/// apart, whatever the velocities. `program` has to outlive it.
+/// apart, whatever the velocities. `model` has to outlive it.
 class SelfCollisions {
  public:
-  SelfCollisions(const Program& program, double gap);
+  SelfCollisions(const GarmentModel& model, double gap);
 
   /// While seams close, neighbours across a seam have to come past each other: they are left out,
   /// of the bounds too. So it begins.

@@ -36,11 +36,11 @@ std::string shown(double value) {
 
 }  // namespace
 
-SpringMotion::SpringMotion(const PanelMesh& garment, const Program& program,
+SpringMotion::SpringMotion(const PanelMesh& garment, const GarmentModel& model,
                            const SpringOptions& options, const std::vector<Vec3>& placed)
-    : program_(program),
+    : model_(model),
       options_(options),
-      sheet_(garment, program),
+      sheet_(garment, model),
       strain_options_(options.strain),
       x_(placed),
       v_(placed.size(), Vec3::Zero()),
@@ -52,11 +52,11 @@ SpringMotion::SpringMotion(const PanelMesh& garment, const Program& program,
       if (a != b) open_.push_back({a, b, (placed[a] - placed[b]).norm()});
     }
   }
-  if (program.scene.collider != nullptr) {
-    subject_.emplace(*program.scene.collider, sheet_.triangles());
+  if (model.scene.collider != nullptr) {
+    subject_.emplace(*model.scene.collider, sheet_.triangles());
   }
-  if (program.scene.self_contact) {
-    self_.emplace(program, program.self_gap);
+  if (model.scene.self_contact) {
+    self_.emplace(model, model.self_gap);
   }
   reconnect();
   choose_time_step();
@@ -129,7 +129,7 @@ void SpringMotion::step(const SpringStage& stage) {
   }
   if (self_) self_->respond(x_, node_, inverse_mass, time_step_, v_);
   if (subject_) {
-    const double friction = stage.friction ? program_.scene.fabric.friction_skin : 0;
+    const double friction = stage.friction ? model_.scene.fabric.friction_skin : 0;
     subject_->respond(x_, inverse_mass, time_step_,
                       {.tolerance = options_.tolerance,
                        .restitution = options_.restitution,
@@ -151,7 +151,7 @@ void SpringMotion::step(const SpringStage& stage) {
 void SpringMotion::accelerate(const SpringStage& stage) {
   std::fill(force_.begin(), force_.end(), Vec3::Zero());
   springs_->add(x_, v_, force_);
-  const Scene& scene = program_.scene;
+  const Scene& scene = model_.scene;
   const double dt = time_step_;
   const double g = scene.gravity.norm();
   in_spring_chunks(sheet_.points(), [&](int, int first, int last) {

@@ -54,10 +54,10 @@ struct SpringCounts {
 /// threads.
 class SpringMotion {
  public:
-  /// `program`: `garment` compiled for a scene that has a subject; starts with the material points
+  /// `model`: `garment` compiled for a scene that has a subject; starts with the material points
   /// at `placed`. All have to outlive this. Throws Error for a time step beyond twice
   /// stable_step().
-  SpringMotion(const PanelMesh& garment, const Program& program, const SpringOptions& options,
+  SpringMotion(const PanelMesh& garment, const GarmentModel& model, const SpringOptions& options,
                const std::vector<Vec3>& placed);
 
   void step(const SpringStage& stage);
@@ -89,7 +89,7 @@ class SpringMotion {
   void sew(const SpringStage& stage, double within);
   void merge_closed_pairs();
 
-  const Program& program_;
+  const GarmentModel& model_;
   const SpringOptions& options_;
   SpringSheet sheet_;
   StrainControlOptions strain_options_;

@@ -34,8 +34,8 @@ double area_of(const PanelMesh& garment, int t) {
 
 }  // namespace
 
-SpringSheet::SpringSheet(const PanelMesh& garment, const Program& program)
-    : garment_(garment), program_(program), parent_(garment.flat.size()) {
+SpringSheet::SpringSheet(const PanelMesh& garment, const GarmentModel& model)
+    : garment_(garment), model_(model), parent_(garment.flat.size()) {
   std::iota(parent_.begin(), parent_.end(), 0);
   lay_out_edges();
   soften_small_elements();
@@ -76,7 +76,7 @@ void SpringSheet::lay_out_edges() {
   const GatheredEdges gathered = gathered_edges(garment_);
   point_mass_.assign(garment_.flat.size(), 0);
   for (const MeshedPanel& panel : garment_.panels) {
-    const Fabric& fabric = fabric_of(program_.scene, panel);
+    const Fabric& fabric = fabric_of(model_.scene, panel);
     std::map<Edge, double> area_at;
     for (int t = panel.first_triangle; t < panel.first_triangle + panel.triangles; ++t) {
       const double area = area_of(garment_, t);
@@ -100,25 +100,25 @@ void SpringSheet::lay_out_edges() {
 }
 
 void SpringSheet::lay_out_bends() {
-  if (program_.bend.empty()) return;
+  if (model_.bend.empty()) return;
   std::map<Edge, double> stiffness;
-  for (const BendHinge& hinge : program_.bend) {
+  for (const BendHinge& hinge : model_.bend) {
     const Edge edge =
-        edge_of(program_.node_of_point[hinge.points[0]], program_.node_of_point[hinge.points[1]]);
+        edge_of(model_.node_of_point[hinge.points[0]], model_.node_of_point[hinge.points[1]]);
     stiffness[edge] = hinge.stiffness;
   }
   std::vector<double> damping_of(garment_.triangles.size());
   for (const MeshedPanel& panel : garment_.panels) {
     std::fill_n(damping_of.begin() + panel.first_triangle, panel.triangles,
-                fabric_of(program_.scene, panel).damping);
+                fabric_of(model_.scene, panel).damping);
   }
   struct Side {
     int triangle;
     int corner;  // opposite to the edge
   };
   std::map<Edge, std::vector<Side>> sides;
-  for (std::size_t t = 0; t < program_.node_triangles.size(); ++t) {
-    const Triangle& nodes = program_.node_triangles[t];
+  for (std::size_t t = 0; t < model_.node_triangles.size(); ++t) {
+    const Triangle& nodes = model_.node_triangles[t];
     for (int i = 0; i < 3; ++i) {
       sides[edge_of(nodes[(i + 1) % 3], nodes[(i + 2) % 3])].push_back({static_cast<int>(t), i});
     }
@@ -135,7 +135,7 @@ void SpringSheet::lay_out_bends() {
       const int corner = faces[side].corner;
       int a = points[(corner + 1) % 3];
       int b = points[(corner + 2) % 3];
-      if (program_.node_of_point[a] != edge.first) std::swap(a, b);
+      if (model_.node_of_point[a] != edge.first) std::swap(a, b);
       hinge[2 * side] = a;
       hinge[2 * side + 1] = b;
       corners[side] = points[corner];

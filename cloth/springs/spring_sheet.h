@@ -29,8 +29,8 @@ class SpringSheet {
   /// Metres; the radius of a fold in a garment.
   static constexpr double matched_radius = 0.05;
 
-  /// `program`: the garment as compiled, which says what is to be sewn. Both have to outlive this.
-  SpringSheet(const PanelMesh& garment, const Program& program);
+  /// `model`: the garment as compiled, which says what is to be sewn. Both have to outlive this.
+  SpringSheet(const PanelMesh& garment, const GarmentModel& model);
 
   /// Factor on the bending springs from the next refresh() on, as far as the step bears it.
   void stiffen_bending(double factor) { bending_factor_ = factor; }
@@ -64,7 +64,7 @@ class SpringSheet {
   int root(int point) const;
 
   const PanelMesh& garment_;
-  const Program& program_;
+  const GarmentModel& model_;
   std::vector<double> point_mass_;
   std::vector<Spring> point_edges_;  // between material points
   std::vector<Bend> point_bends_;

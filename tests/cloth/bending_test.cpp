@@ -1,4 +1,4 @@
-// What bends in a program against the bending energy of a plate.
+// What bends in a model against the bending energy of a plate.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -22,7 +22,7 @@ double rolled(const PlanarMesh& mesh, double radius, double angle, const Fabric&
   garment.panels[0].grain = grain;
   Scene scene;
   scene.fabric = fabric;
-  const Program program = compile(garment, scene, garment.placed);
+  const GarmentModel model = compile(garment, scene, garment.placed);
   const Eigen::Rotation2Dd turn(-angle);
   std::vector<Vec3> points;
   double area = 0;
@@ -31,9 +31,9 @@ double rolled(const PlanarMesh& mesh, double radius, double angle, const Fabric&
     const double around = q.x() / radius;
     points.emplace_back(radius * std::sin(around), q.y(), radius * std::cos(around));
   }
-  for (const StretchTriangle& s : program.stretch) area += s.area;
-  return test::bend_energy(program, points) /
-         (0.5 * program.scene.fabric.bending_weft * area / (radius * radius));
+  for (const StretchTriangle& s : model.stretch) area += s.area;
+  return test::bend_energy(model, points) /
+         (0.5 * model.scene.fabric.bending_weft * area / (radius * radius));
 }
 
 /// Squares of 40 cm: one cut regularly, one as mesh_polygon does.

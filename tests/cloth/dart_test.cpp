@@ -52,29 +52,29 @@ TEST(Dart, OfADiscMakesACone) {
     int tips = 0;
     for (std::size_t i = 0; i < dart.a.size(); ++i) tips += dart.a[i] == dart.b[i];
     EXPECT_EQ(tips, 1);
-    const Program program = compile(mesh, {}, mesh.placed);
+    const GarmentModel model = compile(mesh, {}, mesh.placed);
     int across = 0;
-    for (const BendHinge& hinge : program.bend) across += hinge.across_seam;
+    for (const BendHinge& hinge : model.bend) across += hinge.across_seam;
     EXPECT_EQ(across, static_cast<int>(dart.a.size()) - 1);
-    std::vector<Vec3> x = program.start;
+    std::vector<Vec3> x = model.start;
     RelaxOptions options;
     options.gravity = 0;
     options.friction = false;
     options.bounded = true;
     options.closing_iterations = 1000;
     options.max_iterations = 4000;
-    EXPECT_EQ(relax(program, options, x).open, 0);
+    EXPECT_EQ(relax(model, options, x).open, 0);
     options.closing_iterations = 0;
     options.max_iterations = 12000;
     options.stop_median = options.stop_rms = 1e-3;
-    relax(program, options, x);
+    relax(model, options, x);
     // The plane through the rim, its middle, and the angle there between slope and axis.
     Vec3 middle = Vec3::Zero();
     std::vector<Vec3> rim;
     Vec3 tip = Vec3::Zero();
     for (std::size_t p = 0; p < mesh.flat.size(); ++p) {
-      if (mesh.flat[p].norm() > 0.1499) rim.push_back(x[program.node_of_point[p]]);
-      if (mesh.flat[p].norm() < 1e-9) tip = x[program.node_of_point[p]];
+      if (mesh.flat[p].norm() > 0.1499) rim.push_back(x[model.node_of_point[p]]);
+      if (mesh.flat[p].norm() < 1e-9) tip = x[model.node_of_point[p]];
     }
     for (const Vec3& p : rim) middle += p / static_cast<double>(rim.size());
     const Vec3 axis = (middle - tip).normalized();

@@ -55,14 +55,14 @@ double measured(const Fabric& fabric, double grain) {
   scene.self_contact = false;
   const double wanted = modulus(fabric, grain + pi / 2);
   scene.gravity *= 0.005 * wanted / (fabric.areal_density * 9.81 * length / 2);
-  const Program program = compile(garment, scene, garment.placed);
-  std::vector<Vec3> x = program.start;
+  const GarmentModel model = compile(garment, scene, garment.placed);
+  std::vector<Vec3> x = model.start;
   RelaxOptions options;
   options.max_iterations = 30000;
   // On the bar, very soft cloth may stick and slip without an end; it is the hanging that counts.
   options.stop_median = 1e-3;
   options.stop_rms = 10;
-  EXPECT_TRUE(relax(program, options, x).converged) << fabric.name;
+  EXPECT_TRUE(relax(model, options, x).converged) << fabric.name;
   // By least squares over the middle of the hanging part, along the middle of the strip.
   double load_strain = 0, strain_strain = 0;
   for (int row = 8; row < rows / 2 - 12; ++row) {

@@ -56,14 +56,14 @@ class Contacts : public testing::Test {
   }
 
   RelaxReport relaxed(const PanelMesh& garment, std::vector<Vec3>& x, int most = 4000) {
-    program = compile(garment, scene, garment.placed);
+    model = compile(garment, scene, garment.placed);
     RelaxOptions options;
     static_cast<ForceOptions&>(options) = force;
     options.max_iterations = most;
     options.stop_median = 0.01;
     options.stop_rms = 0.1;
-    x = program.start;
-    return relax(program, options, x);
+    x = model.start;
+    return relax(model, options, x);
   }
 
   static std::string figures(const RelaxReport& report) {
@@ -74,7 +74,7 @@ class Contacts : public testing::Test {
   const SolidBody body;
   Scene scene;
   ForceOptions force;
-  Program program;
+  GarmentModel model;
 };
 
 /// Metres that the thrown cloth falls, under so much gravity as gives it its speed.
@@ -87,18 +87,18 @@ TEST_F(Contacts, ThrownAtSpikesAndKnives) {
     PanelMesh garment;
     add_sheet(garment, 0.12, 12, {0, way + 0.04, 0});
     scene.gravity = Vec3(0, -9.81 * throwing(speed), 0);
-    program = compile(garment, scene, garment.placed);
+    model = compile(garment, scene, garment.placed);
     ReleaseOptions options;
     static_cast<ForceOptions&>(options) = force;
     options.damping = 0;
     options.seconds = 2 * way / speed;
-    std::vector<Vec3> x = program.start;
-    const double arriving = release(program, options, x).speed_p99;
+    std::vector<Vec3> x = model.start;
+    const double arriving = release(model, options, x).speed_p99;
     EXPECT_NEAR(arriving, speed, 0.06 * speed);
     options.seconds = landing(speed);
-    x = program.start;
-    release(program, options, x);
-    const std::string clear = expect_clear(x, program.node_triangles);
+    x = model.start;
+    release(model, options, x);
+    const std::string clear = expect_clear(x, model.node_triangles);
     double lowest = 1;
     for (const Vec3& p : x) lowest = std::min(lowest, p.y());
     EXPECT_GT(lowest, 0) << "above the plate";
@@ -113,9 +113,9 @@ TEST_F(Contacts, ThrownAtSpikesAndKnivesByThePapersMethod) {
   scene.gravity *= throwing(50);
   // What bounds cloth against cloth slows what flies.
   scene.self_contact = false;
-  program = compile(garment, scene, garment.placed);
+  model = compile(garment, scene, garment.placed);
   const SpringOptions options;
-  SpringMotion motion(garment, program, options, garment.placed);
+  SpringMotion motion(garment, model, options, garment.placed);
   SpringStage stage;
   stage.gravity = 1;
   stage.friction = true;
@@ -146,10 +146,10 @@ TEST_F(Contacts, LaidOverSpikesAndKnives) {
   const RelaxReport report = relaxed(garment, x);
   const auto lifted = std::ranges::count_if(report.lift, [](double lift) { return lift > 0; });
   EXPECT_GT(lifted, 0);
-  EXPECT_LT(lifted, program.nodes / 2);
+  EXPECT_LT(lifted, model.nodes / 2);
   state("4 laid over a spike and a knife of 1 mm, edges of 15 mm", "relaxation",
         report.converged ? "at rest" : "not at rest",
-        expect_clear(x, program.node_triangles) + ", " + figures(report));
+        expect_clear(x, model.node_triangles) + ", " + figures(report));
 }
 
 class ThinPlate : public Contacts {
@@ -162,7 +162,7 @@ TEST_F(ThinPlate, HoldsASheet) {
   add_sheet(garment, 0.2, 16, {0.002, 0.006, 0.003});
   std::vector<Vec3> x;
   const RelaxReport report = relaxed(garment, x, 8000);
-  const std::string clear = expect_clear(x, program.node_triangles);
+  const std::string clear = expect_clear(x, model.node_triangles);
   EXPECT_GT(x[x.size() / 2].y(), 0.0005) << "on the plate";
   state("4 plate 1 mm thick", "relaxation", report.converged ? "at rest" : "not at rest",
         clear + ", " + figures(report));
@@ -182,7 +182,7 @@ TEST_F(Pinched, BetweenTwoBlocks) {
             [](const Vec2& p) { return Vec3(p.x() - 0.05, p.y() - 0.05, 0); });
   std::vector<Vec3> x;
   const RelaxReport report = relaxed(garment, x);
-  const std::string clear = expect_clear(x, program.node_triangles);
+  const std::string clear = expect_clear(x, model.node_triangles);
   state("4 pinched between blocks 3 mm apart", "relaxation",
         report.converged ? "at rest" : "not at rest", clear + ", " + figures(report));
 }
@@ -200,7 +200,7 @@ class Plate : public Contacts {
     scene.gravity *= 10;
     std::vector<Vec3> x;
     const RelaxReport report = relaxed(garment, x, 3000);
-    const std::string clear = expect_clear(x, program.node_triangles);
+    const std::string clear = expect_clear(x, model.node_triangles);
     const std::size_t each = x.size() / static_cast<std::size_t>(layers);
     double least = 1;
     for (std::size_t n = each; n < x.size(); ++n) {
@@ -229,7 +229,7 @@ TEST_F(Plate, FoldedInExactContact) {
   std::vector<Vec3> x;
   const RelaxReport report = relaxed(garment, x);
   expect_finite(x);
-  const TriangleMesh cloth{x, program.node_triangles};
+  const TriangleMesh cloth{x, model.node_triangles};
   EXPECT_EQ(intersections(cloth, body.mesh).size(), 0U);
   const std::size_t left = self_intersections(cloth).size();
   state("5 folded, in exact contact with itself", "relaxation",
@@ -245,7 +245,7 @@ TEST_F(Plate, ASheetEdgeOn) {
             [](const Vec2& p) { return Vec3(p.x() - 0.05, p.y() + 0.003, 0); });
   std::vector<Vec3> x;
   const RelaxReport report = relaxed(garment, x, 8000);
-  const std::string clear = expect_clear(x, program.node_triangles);
+  const std::string clear = expect_clear(x, model.node_triangles);
   double top = 0;
   for (const Vec3& p : x) top = std::max(top, p.y());
   state("5 sheet edge-on", "relaxation", report.converged ? "at rest" : "not at rest",

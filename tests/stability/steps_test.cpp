@@ -28,12 +28,12 @@ class Handkerchief : public testing::Test {
     options.max_iterations = 40000;
     options.stop_median = 1e-5;
     options.stop_rms = 1e-4;
-    program = compile(garment, scene, garment.placed);
+    model = compile(garment, scene, garment.placed);
   }
 
   std::vector<Vec3> relaxed(const RelaxOptions& by) {
-    std::vector<Vec3> x = program.start;
-    last = relax(program, by, x);
+    std::vector<Vec3> x = model.start;
+    last = relax(model, by, x);
     return x;
   }
 
@@ -59,10 +59,10 @@ class Handkerchief : public testing::Test {
     std::vector<Vec3> x = rest;
     // The longest step that is stable is not longer for a longer run.
     released.seconds = 0.01;
-    const double step = release(program, released, x).time_step;
+    const double step = release(model, released, x).time_step;
     released.seconds = 1.01 * steps * step;
     x = rest;
-    const ReleaseReport report = release(program, released, x);
+    const ReleaseReport report = release(model, released, x);
     EXPECT_GE(report.steps, steps);
     EXPECT_LT(report.all.max, 5e-4);
     EXPECT_LT(report.kinetic, 1e-9);
@@ -74,7 +74,7 @@ class Handkerchief : public testing::Test {
   /// Settles by the paper's springs, then looks at as many steps in five parts.
   void rest_by_springs(int steps) {
     SpringOptions springs;
-    SpringMotion motion(garment, program, springs, garment.placed);
+    SpringMotion motion(garment, model, springs, garment.placed);
     const SpringStage drape = falling();
     const int settling = static_cast<int>(3 / motion.time_step());
     for (int i = 0; i < settling; ++i) motion.step(drape);
@@ -100,7 +100,7 @@ class Handkerchief : public testing::Test {
   const SolidBody ball{sphere(0.1, 4)};
   PanelMesh garment;
   Scene scene;
-  Program program;
+  GarmentModel model;
   RelaxOptions options;
   RelaxReport last;
 };
@@ -129,9 +129,9 @@ TEST_F(Handkerchief, RelaxesWhateverItsLongestMove) {
 
 TEST_F(Handkerchief, FallsTheSameByStepsAHundredTimesShorter) {
   SpringOptions springs;
-  SpringMotion usual(garment, program, springs, garment.placed);
+  SpringMotion usual(garment, model, springs, garment.placed);
   springs.time_step = usual.time_step() / 100;
-  SpringMotion shorter(garment, program, springs, garment.placed);
+  SpringMotion shorter(garment, model, springs, garment.placed);
   const SpringStage drape = falling();
   const int steps = static_cast<int>(0.05 / usual.time_step());
   for (int i = 0; i < steps; ++i) usual.step(drape);
@@ -147,10 +147,10 @@ TEST_F(Handkerchief, FallsTheSameByStepsAHundredTimesShorter) {
 
 TEST_F(Handkerchief, StepsAHundredTimesLongerAreRefused) {
   SpringOptions springs;
-  const double usual = SpringMotion(garment, program, springs, garment.placed).time_step();
+  const double usual = SpringMotion(garment, model, springs, garment.placed).time_step();
   springs.time_step = 100 * usual;
   try {
-    const SpringMotion motion(garment, program, springs, garment.placed);
+    const SpringMotion motion(garment, model, springs, garment.placed);
     FAIL() << "a step of " << motion.time_step() << " s";
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("too long"), std::string::npos) << error.what();

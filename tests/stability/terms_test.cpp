@@ -18,8 +18,8 @@ namespace {
 
 using Terms = std::map<std::string, int>;
 
-Terms terms_of(const Program& program) {
-  const auto counts = term_counts(program);
+Terms terms_of(const GarmentModel& model) {
+  const auto counts = term_counts(model);
   return {counts.begin(), counts.end()};
 }
 
@@ -55,7 +55,7 @@ TEST_P(SampleTerms, AreThoseOfTheGarment) {
   const Skeleton skeleton = read_skeleton(skeleton_path(mannequin()));
   scene.skin = &skin;
   scene.skeleton = &skeleton;
-  const Program bare = compile(garment, scene, garment.placed);
+  const GarmentModel bare = compile(garment, scene, garment.placed);
   const std::vector<int> node = joined(garment);
   std::map<int, int> copies;
   for (const int n : node) ++copies[n];
@@ -144,13 +144,13 @@ class SwitchedOff : public testing::Test {
   }
 
   std::vector<Vec3> rest(const PanelMesh& of, const Scene& by, bool friction = true) const {
-    const Program program = compile(of, by, of.placed);
+    const GarmentModel model = compile(of, by, of.placed);
     RelaxOptions options;
     options.max_iterations = 3000;
     options.friction = friction;
-    std::vector<Vec3> x = program.start;
-    relax(program, options, x);
-    return point_positions(program, x, 0);
+    std::vector<Vec3> x = model.start;
+    relax(model, options, x);
+    return point_positions(model, x, 0);
   }
 
   double changed(const Scene& other) const { return changed(garment, other); }

@@ -13,12 +13,12 @@ namespace toile::test {
 inline constexpr double held_stiffness = 1e30;
 
 /// Holds the nodes that start at a place which is `held`, and takes their weight. Returns how many.
-inline int hold_nodes(Program& program, const std::function<bool(const Vec3&)>& held) {
+inline int hold_nodes(GarmentModel& model, const std::function<bool(const Vec3&)>& held) {
   int count = 0;
-  for (int n = 0; n < program.nodes; ++n) {
-    if (!held(program.start[n])) continue;
-    program.stretch_diagonal[n] = held_stiffness;
-    program.mass[n] = 0;
+  for (int n = 0; n < model.nodes; ++n) {
+    if (!held(model.start[n])) continue;
+    model.stretch_diagonal[n] = held_stiffness;
+    model.mass[n] = 0;
     ++count;
   }
   return count;
@@ -26,11 +26,11 @@ inline int hold_nodes(Program& program, const std::function<bool(const Vec3&)>& 
 
 /// The sheet by the paper's masses and springs; what is held has no mass.
 struct HeldSprings {
-  HeldSprings(const SpringSheet& sheet, const Program& program)
+  HeldSprings(const SpringSheet& sheet, const GarmentModel& model)
       : springs(sheet.edges()), mass(sheet.mass()) {
     springs.insert(springs.end(), sheet.bending().begin(), sheet.bending().end());
-    for (int n = 0; n < program.nodes; ++n) {
-      if (program.stretch_diagonal[n] == held_stiffness) mass[n] = 0;
+    for (int n = 0; n < model.nodes; ++n) {
+      if (model.stretch_diagonal[n] == held_stiffness) mass[n] = 0;
     }
   }
 

@@ -31,15 +31,15 @@ double lean(double gamma, test::Cut cut) {
   scene.fabric.bending_warp = scene.fabric.bending_weft = 0.2 * 9.81 * std::pow(length, 3) / gamma;
   scene.fabric.stretch_warp = scene.fabric.stretch_weft = 2000;
   scene.fabric.shear = 1000;
-  Program program = compile(garment, scene, garment.placed);
-  test::hold(program, [](const Vec3& p) { return p.x() == 0; });
+  GarmentModel model = compile(garment, scene, garment.placed);
+  test::hold(model, [](const Vec3& p) { return p.x() == 0; });
   // Near the threshold nothing comes to rest in any time: where it is by then counts.
   RelaxOptions options;
   options.max_iterations = 60000;
   options.stop_median = 1e-5;
   options.stop_rms = std::numeric_limits<double>::infinity();
-  std::vector<Vec3> x = program.start;
-  relax(program, options, x);
+  std::vector<Vec3> x = model.start;
+  relax(model, options, x);
   double most = 0;
   for (const Vec3& p : x) most = std::max(most, std::abs(p.z()) / length);
   return most;

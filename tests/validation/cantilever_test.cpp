@@ -47,7 +47,7 @@ struct Cantilever {
   }
 
   /// Held at the line that both halves are bent over.
-  Program program(const PanelMesh& garment) const {
+  GarmentModel model(const PanelMesh& garment) const {
     Scene scene;
     scene.self_contact = false;
     scene.fabric.areal_density = areal_density;
@@ -56,13 +56,14 @@ struct Cantilever {
     // Strained by 2e-4 at most.
     scene.fabric.stretch_warp = scene.fabric.stretch_weft = 1000;
     scene.fabric.shear = 500;
-    Program program = compile(garment, scene, garment.placed);
-    test::hold(program, [](const Vec3& p) { return std::abs(p.x()) < 1e-9; });
-    return program;
+    GarmentModel model = compile(garment, scene, garment.placed);
+    test::hold(model, [](const Vec3& p) { return std::abs(p.x()) < 1e-9; });
+    return model;
   }
 
   /// Means of both tips; the angle is that of the last triangles.
-  Bent measure(const PanelMesh& garment, const Program& program, const std::vector<Vec3>& x) const {
+  Bent measure(const PanelMesh& garment, const GarmentModel& model,
+               const std::vector<Vec3>& x) const {
     double drop = 0, reach = 0, slope_drop = 0, slope_reach = 0;
     int tips = 0;
     const auto is_tip = [&](int p) { return std::abs(garment.flat[p].x()) > length * (1 - 1e-9); };
@@ -72,10 +73,10 @@ struct Cantilever {
       drop -= x[p].y();
       reach += std::abs(x[p].x());
     }
-    for (std::size_t t = 0; t < program.triangles.size(); ++t) {
-      const Triangle& corners = program.triangles[t];
+    for (std::size_t t = 0; t < model.triangles.size(); ++t) {
+      const Triangle& corners = model.triangles[t];
       if (std::none_of(corners.begin(), corners.end(), is_tip)) continue;
-      const StretchTriangle& s = program.stretch[t];
+      const StretchTriangle& s = model.stretch[t];
       Vec3 along = Vec3::Zero();
       for (int i = 0; i < 3; ++i) along += s.weft[i] * x[corners[i]];
       const double side = garment.flat[corners[0]].x() > 0 ? 1 : -1;
@@ -109,8 +110,8 @@ void bend(double gamma, int elements, bool bounded) {
   for (const test::Cut cut : test::all_cuts) {
     const Cantilever scene{gamma, elements, cut};
     const PanelMesh garment = scene.garment();
-    const Program program = scene.program(garment);
-    const Bent bent = scene.measure(garment, program, test::relaxed(program, 1e-4));
+    const GarmentModel model = scene.model(garment);
+    const Bent bent = scene.measure(garment, model, test::relaxed(model, 1e-4));
     const double ratio = table.find("Gamma", gamma, "H_over_W");
     const double angle = table.find("Gamma", gamma, "tip_angle_deg");
     const std::string elastica = "elastica, weight group " + test::number(gamma) + ": ";
@@ -161,13 +162,13 @@ TEST(LongCantilever, OfSprings) {
     for (const test::Cut cut : test::all_cuts) {
       const Cantilever scene{gamma, 16, cut};
       const PanelMesh garment = scene.garment();
-      const Program program = scene.program(garment);
-      const std::vector<Vec3> x = test::sprung(garment, program, {.seconds = 6, .speed = 1e-5});
+      const GarmentModel model = scene.model(garment);
+      const std::vector<Vec3> x = test::sprung(garment, model, {.seconds = 6, .speed = 1e-5});
       const std::string elastica = "elastica, weight group " + test::number(gamma) + ": ";
       const std::string at = test::name_of(cut) + ", 16 elements";
       state_bent({elastica + "drop over reach", "springs", at},
                  {elastica + "tip angle", "springs", at, "degrees"},
-                 scene.measure(garment, program, x), table.find("Gamma", gamma, "H_over_W"),
+                 scene.measure(garment, model, x), table.find("Gamma", gamma, "H_over_W"),
                  table.find("Gamma", gamma, "tip_angle_deg"));
     }
   }

@@ -49,7 +49,7 @@ class DrapeTester {
   }
 
   /// The sheet, flat but for a ripple of a millimetre and a half that differs by `start`.
-  Program program(const Fabric& fabric, int start) {
+  GarmentModel model(const Fabric& fabric, int start) {
     std::mt19937 random(static_cast<unsigned>(start));
     std::uniform_real_distribution<double> unit(-1, 1);
     std::array<Vec2, 8> waves;
@@ -67,15 +67,15 @@ class DrapeTester {
     });
     Scene scene;
     scene.fabric = fabric;
-    Program program = compile(garment_, scene, garment_.placed);
+    GarmentModel model = compile(garment_, scene, garment_.placed);
     const double held = disc + 0.6 * spacing_;
-    for (int n = 0; n < program.nodes; ++n) {
+    for (int n = 0; n < model.nodes; ++n) {
       const double r = garment_.flat[n].norm();
       if (r > held || r < disc - 0.6 * spacing_) continue;
-      program.stretch_diagonal[n] = 1e30;
+      model.stretch_diagonal[n] = 1e30;
     }
-    test::hold(program, [&](const Vec3& p) { return std::hypot(p.x(), p.z()) < held; });
-    return program;
+    test::hold(model, [&](const Vec3& p) { return std::hypot(p.x(), p.z()) < held; });
+    return model;
   }
 
   double drape_coefficient(const std::vector<Vec3>& x) const {
@@ -149,15 +149,15 @@ struct Draped {
 };
 
 Draped drape(DrapeTester& tester, const Fabric& fabric, int start, double compression = 1) {
-  const Program program = tester.program(fabric, start);
+  const GarmentModel model = tester.model(fabric, start);
   RelaxOptions options;
   options.max_iterations = 60000;
   options.stop_median = 1e-3;  // the coefficient differs by 0.002 at most from that at 1e-4
   options.stop_rms = std::numeric_limits<double>::infinity();  // holds what is held
   options.bounded = true;
   options.compression = compression;
-  Draped draped{program.start};
-  draped.at_rest = relax(program, options, draped.x).converged;
+  Draped draped{model.start};
+  draped.at_rest = relax(model, options, draped.x).converged;
   draped.coefficient = 100 * tester.drape_coefficient(draped.x);
   draped.folds = tester.folds(draped.x);
   return draped;
@@ -199,13 +199,13 @@ TEST(Drape, TheTesterReadsShadowsOfKnownShape) {
   // What the tables say of shadows with lobes, and of a flat sheet: 1.
   DrapeTester tester(5);
   const test::ReferenceTable table("case09_drape_coefficient.csv");
-  const Program program = tester.program({}, 1);
+  const GarmentModel model = tester.model({}, 1);
   double worst = 0;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double mean = table.at(row, "mean_radius_m");
     if (mean <= disc) continue;
     std::vector<Vec3> x;
-    for (Vec3 p : program.start) {
+    for (Vec3 p : model.start) {
       const double r = std::hypot(p.x(), p.z());
       const double edge = mean + table.at(row, "amplitude_m") *
                                      std::cos(table.at(row, "lobes") * std::atan2(p.z(), p.x()));
@@ -264,9 +264,9 @@ TEST(Drape, AStiffSheetSagsAsAPlate) {
     DrapeTester tester(rings);
     Fabric stiff;
     stiff.bending_warp = stiff.bending_weft = 0.01;
-    Program program = tester.program(stiff, 1);
-    for (Vec3& p : program.start) p.y() = 0;
-    const std::vector<Vec3> x = test::relaxed(program, 1e-4);
+    GarmentModel model = tester.model(stiff, 1);
+    for (Vec3& p : model.start) p.y() = 0;
+    const std::vector<Vec3> x = test::relaxed(model, 1e-4);
     double sag = 0;
     for (std::size_t n = 0; n < tester.rim(); ++n) sag -= x[n].y() / tester.rim();
     const double wanted = reference * stiff.areal_density * 9.81 / stiff.bending_weft;

@@ -40,18 +40,18 @@ class Incline : public testing::Test {
     scene.self_contact = false;
     scene.fabric.friction_skin = mu;
     scene.gravity = 9.81 * Vec3(std::sin(slope), -std::cos(slope), 0);
-    const Program program = compile(garment, scene, garment.placed);
-    std::vector<Vec3> x = program.start;
+    const GarmentModel model = compile(garment, scene, garment.placed);
+    std::vector<Vec3> x = model.start;
     RelaxOptions rest;
     rest.max_iterations = 2000;
     rest.stop_median = rest.stop_rms = 1e-4;
-    const RelaxReport rested = relax(program, rest, x);
+    const RelaxReport rested = relax(model, rest, x);
     ReleaseOptions options;
     options.seconds = seconds;
     options.damping = 0;
     options.warm_start = &rested.warm_start;
     const std::vector<Vec3> from = x;
-    last_ = release(program, options, x);
+    last_ = release(model, options, x);
     return mean_way(from, x).x();
   }
   ReleaseReport last_;
@@ -120,24 +120,24 @@ class Capstan : public testing::Test {
     scene.fabric.shear = 100;
     scene.fabric.bending_warp = scene.fabric.bending_weft = 0;
     scene.fabric.areal_density = 1e-6;
-    Program program = compile(garment, scene, garment.placed);
+    GarmentModel model = compile(garment, scene, garment.placed);
     double weight = 0;
-    for (int n = 0; n < program.nodes; ++n) {
+    for (int n = 0; n < model.nodes; ++n) {
       const double y = garment.flat[n].y();
       const bool slack = y<1e-9, tight = y> rows * step - 1e-9;
       if (!slack && !tight) continue;
       const double x = garment.flat[n].x();
       const double share = x < 1e-9 || x > columns * edge - 1e-9 ? 0.5 : 1;
-      program.mass[n] = share * edge * load * (tight ? ratio : 1) / 9.81;
-      weight += program.mass[n] * 9.81;
+      model.mass[n] = share * edge * load * (tight ? ratio : 1) / 9.81;
+      weight += model.mass[n] * 9.81;
     }
-    program.mean_weight = weight / program.nodes;
-    std::vector<Vec3> x = program.start;
+    model.mean_weight = weight / model.nodes;
+    std::vector<Vec3> x = model.start;
     RelaxOptions options;
     options.max_iterations = 20000;
     options.stop_median = options.stop_rms = 1e-4;
-    converged_ = relax(program, options, x).converged;
-    return program.start.back().y() - x.back().y();
+    converged_ = relax(model, options, x).converged;
+    return model.start.back().y() - x.back().y();
   }
   bool converged_ = false;
 };

@@ -62,8 +62,8 @@ class Sewn : public testing::Test {
     ASSERT_GT(garment.elastics[0].points.size(), 3u);
   }
 
-  Places crumpled(const Program& program, double by) {
-    Places x = program.start;
+  Places crumpled(const GarmentModel& model, double by) {
+    Places x = model.start;
     for (Vec3& p : x) p += by * Vec3(unit(random), unit(random), unit(random));
     return x;
   }
@@ -75,9 +75,9 @@ class Sewn : public testing::Test {
 };
 
 /// What the relaxation and the release move by: one a node, N.
-Places forces(const Program& program, const ForceOptions& options, const Places& x,
+Places forces(const GarmentModel& model, const ForceOptions& options, const Places& x,
               std::vector<double>* bounds = nullptr) {
-  ClothForces all(program, options, x, false);
+  ClothForces all(model, options, x, false);
   all.search_when_due(0, 0);
   all.compute(1);
   all.gather(0, x.size());
@@ -94,23 +94,23 @@ Places forces(const Program& program, const ForceOptions& options, const Places&
 }
 
 /// Of stretch, shear, bending, elastics and weight, J.
-double energy(const Program& program, const Places& x) {
-  const auto at = [&](int point) { return x[program.node_of_point[point]]; };
+double energy(const GarmentModel& model, const Places& x) {
+  const auto at = [&](int point) { return x[model.node_of_point[point]]; };
   double sum = 0;
-  for (std::size_t t = 0; t < program.stretch.size(); ++t) {
-    const Triangle& c = program.triangles[t];
-    sum += stretch_energy(program.stretch[t], -1, at(c[0]), at(c[1]), at(c[2]));
+  for (std::size_t t = 0; t < model.stretch.size(); ++t) {
+    const Triangle& c = model.triangles[t];
+    sum += stretch_energy(model.stretch[t], -1, at(c[0]), at(c[1]), at(c[2]));
   }
-  Places points(program.node_of_point.size());
+  Places points(model.node_of_point.size());
   for (std::size_t p = 0; p < points.size(); ++p) points[p] = at(static_cast<int>(p));
-  sum += test::bend_energy(program, points);
-  for (const ElasticSegment& s : program.elastics) {
+  sum += test::bend_energy(model, points);
+  for (const ElasticSegment& s : model.elastics) {
     const double length = (at(s.points[0]) - at(s.points[1])).norm();
     sum += 0.5 * s.rest * s.stiffness * std::pow(std::max(length / s.rest - 1, 0.0), 2) +
            0.5 * s.flat * s.cloth * std::pow(std::max(length / s.flat - 1, 0.0), 2);
   }
   for (std::size_t n = 0; n < x.size(); ++n) {
-    sum -= program.mass[n] * program.scene.gravity.dot(x[n]);
+    sum -= model.mass[n] * model.scene.gravity.dot(x[n]);
   }
   return sum;
 }
@@ -133,7 +133,7 @@ double gradient_error(const Energy& energy, const Places& force, const Places& x
 }
 
 /// Derivatives of the forces, minus: the stiffness, by central differences.
-Eigen::MatrixXd stiffness_of(const Program& program, const ForceOptions& options, Places x,
+Eigen::MatrixXd stiffness_of(const GarmentModel& model, const ForceOptions& options, Places x,
                              double h) {
   const Eigen::Index size = 3 * static_cast<Eigen::Index>(x.size());
   Eigen::MatrixXd matrix(size, size);
@@ -141,9 +141,9 @@ Eigen::MatrixXd stiffness_of(const Program& program, const ForceOptions& options
     double& moved = x[column / 3][column % 3];
     const double place = moved;
     moved = place + h;
-    const Places above = forces(program, options, x);
+    const Places above = forces(model, options, x);
     moved = place - h;
-    const Places below = forces(program, options, x);
+    const Places below = forces(model, options, x);
     moved = place;
     for (Eigen::Index row = 0; row < size; ++row) {
       matrix(row, column) = (below[row / 3][row % 3] - above[row / 3][row % 3]) / (2 * h);
@@ -159,15 +159,15 @@ double asymmetry(const Eigen::MatrixXd& matrix) {
 
 TEST_F(Sewn, ElasticForcesAreMinusTheGradientOfTheEnergy) {
   add_elastic();
-  const Program program = compile(garment, scene, garment.placed);
-  ASSERT_FALSE(program.elastics.empty());
-  ASSERT_TRUE(std::any_of(program.bend.begin(), program.bend.end(),
+  const GarmentModel model = compile(garment, scene, garment.placed);
+  ASSERT_FALSE(model.elastics.empty());
+  ASSERT_TRUE(std::any_of(model.bend.begin(), model.bend.end(),
                           [](const BendHinge& hinge) { return hinge.across_seam; }));
   double worst = 0;
   for (int trial = 0; trial < 5; ++trial) {
-    const Places x = crumpled(program, 0.004);
-    worst = std::max(worst, gradient_error([&](const Places& at) { return energy(program, at); },
-                                           forces(program, {}, x), x, 1e-7));
+    const Places x = crumpled(model, 0.004);
+    worst = std::max(worst, gradient_error([&](const Places& at) { return energy(model, at); },
+                                           forces(model, {}, x), x, 1e-7));
   }
   test::expect_near({"forces are the energy's gradient: stretch, shear, bending, elastic, weight",
                      "relaxation", "two sewn panels, crumpled", "of the largest force"},
@@ -175,8 +175,8 @@ TEST_F(Sewn, ElasticForcesAreMinusTheGradientOfTheEnergy) {
 }
 
 TEST_F(Sewn, ClothOfSpringsPullsByTheGradientOfItsEnergy) {
-  const Program program = compile(garment, scene, garment.placed);
-  SpringSheet sheet(garment, program);
+  const GarmentModel model = compile(garment, scene, garment.placed);
+  SpringSheet sheet(garment, model);
   for (const MeshedSeam& seam : garment.seams) {
     for (std::size_t i = 0; i < seam.a.size(); ++i) sheet.merge(seam.a[i], seam.b[i]);
   }
@@ -206,14 +206,14 @@ struct Pressed {
     scene.self_contact = false;
   }
   double asymmetry_of(const ForceOptions& options) const {
-    const Program program = compile(garment, scene, garment.placed);
-    Program rigid = program;  // what touches alone
+    const GarmentModel model = compile(garment, scene, garment.placed);
+    GarmentModel rigid = model;  // what touches alone
     for (StretchTriangle& s : rigid.stretch) {
       s.weft_stiffness = s.warp_stiffness = s.shear_stiffness = 0;
     }
     rigid.bend.clear();
-    EXPECT_GT(largest(forces(rigid, options, program.start)), 10 * program.mean_weight);
-    return asymmetry(stiffness_of(rigid, options, program.start, 1e-7));
+    EXPECT_GT(largest(forces(rigid, options, model.start)), 10 * model.mean_weight);
+    return asymmetry(stiffness_of(rigid, options, model.start, 1e-7));
   }
   PanelMesh garment;
   Scene scene;
@@ -242,8 +242,8 @@ TEST(ContactForces, ThePushOfClothOnClothIsAGradient) {
     const Vec2 q = Eigen::Rotation2Dd(0.3) * p;
     return Vec3(q.x() + 0.004, 0.0006 + 0.02 * p.x(), -q.y() - 0.001);
   });
-  const Program program = compile(garment, {}, garment.placed);
-  Program rigid = program;
+  const GarmentModel model = compile(garment, {}, garment.placed);
+  GarmentModel rigid = model;
   for (StretchTriangle& s : rigid.stretch) {
     s.weft_stiffness = s.warp_stiffness = s.shear_stiffness = 0;
   }
@@ -251,21 +251,21 @@ TEST(ContactForces, ThePushOfClothOnClothIsAGradient) {
   for (const bool barrier : {false, true}) {
     ForceOptions options;
     options.bounded = barrier;
-    ASSERT_GT(largest(forces(rigid, options, program.start)), 10 * program.mean_weight);
+    ASSERT_GT(largest(forces(rigid, options, model.start)), 10 * model.mean_weight);
     test::expect_near({"the push of cloth on cloth: asymmetry of its stiffness", "relaxation",
                        barrier ? "two sheets, barrier" : "two sheets", ""},
-                      asymmetry(stiffness_of(rigid, options, program.start, 1e-8)), 0, 1e-4);
+                      asymmetry(stiffness_of(rigid, options, model.start, 1e-8)), 0, 1e-4);
   }
 }
 
 TEST_F(Sewn, NoStiffnessIsBeyondItsBound) {
   // Of the stiffness over its bounds, the largest eigenvalue: beyond 2 a step would go too far.
-  const Program program = compile(garment, scene, garment.placed);
+  const GarmentModel model = compile(garment, scene, garment.placed);
   for (const double by : {0.0, 0.0005}) {
-    const Places x = crumpled(program, by);
+    const Places x = crumpled(model, by);
     std::vector<double> bounds;
-    forces(program, {}, x, &bounds);
-    Eigen::MatrixXd matrix = stiffness_of(program, {}, x, 1e-8);
+    forces(model, {}, x, &bounds);
+    Eigen::MatrixXd matrix = stiffness_of(model, {}, x, 1e-8);
     for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
       for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
         matrix(i, j) /= std::sqrt(bounds[i / 3] * bounds[j / 3]);
@@ -283,20 +283,20 @@ TEST_F(Sewn, NoStiffnessIsBeyondItsBound) {
 
 TEST_F(Sewn, MovedAndTurnedAsOneItFeelsTheSame) {
   scene.gravity.setZero();
-  const Program program = compile(garment, scene, garment.placed);
+  const GarmentModel model = compile(garment, scene, garment.placed);
   double of_energy = 0, of_forces = 0;
   for (int trial = 0; trial < 20; ++trial) {
-    const Places x = crumpled(program, 0.003);
+    const Places x = crumpled(model, 0.003);
     const Eigen::Quaterniond turn =
         Eigen::Quaterniond(unit(random), unit(random), unit(random), unit(random)).normalized();
     const Vec3 away(unit(random), unit(random), unit(random));
     Places moved = x;
     for (Vec3& p : moved) p = turn * p + away;
-    const Places before = forces(program, {}, x);
-    Places after = forces(program, {}, moved);
+    const Places before = forces(model, {}, x);
+    Places after = forces(model, {}, moved);
     for (std::size_t n = 0; n < x.size(); ++n) after[n] -= turn * before[n];
     of_forces = std::max(of_forces, largest(after) / largest(before));
-    of_energy = std::max(of_energy, std::abs(energy(program, moved) / energy(program, x) - 1));
+    of_energy = std::max(of_energy, std::abs(energy(model, moved) / energy(model, x) - 1));
   }
   test::expect_near(
       {"rigid motion changes the energy by", "relaxation", "two sewn panels, crumpled", "of it"},
@@ -308,21 +308,21 @@ TEST_F(Sewn, MovedAndTurnedAsOneItFeelsTheSame) {
 
 TEST_F(Sewn, AtRestItIsFreeOfForces) {
   scene.gravity.setZero();
-  const Program program = compile(garment, scene, garment.placed);
+  const GarmentModel model = compile(garment, scene, garment.placed);
   // Against the force of one strained by a thousandth.
-  Places strained = program.start;
+  Places strained = model.start;
   for (Vec3& p : strained) p *= 1.001;
-  const double scale = largest(forces(program, {}, strained));
-  Places turned = program.start;
+  const double scale = largest(forces(model, {}, strained));
+  Places turned = model.start;
   const Eigen::AngleAxisd turn(1.1, Vec3(1, 2, 3).normalized());
   for (Vec3& p : turned) p = turn * p + Vec3(0.3, -2, 1);
-  for (const Places& x : {program.start, turned}) {
+  for (const Places& x : {model.start, turned}) {
     test::expect_near(
         {"force on flat cloth", "relaxation",
          x == turned ? "two sewn panels, turned" : "two sewn panels", "of that at 0.1 % strain"},
-        largest(forces(program, {}, x)) / scale, 0, 1e-9);
+        largest(forces(model, {}, x)) / scale, 0, 1e-9);
   }
-  const SpringSheet sheet(garment, program);
+  const SpringSheet sheet(garment, model);
   std::vector<Spring> springs = sheet.edges();
   springs.insert(springs.end(), sheet.bending().begin(), sheet.bending().end());
   Places x = garment.placed;

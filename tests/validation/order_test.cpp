@@ -37,14 +37,14 @@ TEST(Order, OfTheReleaseInItsStep) {
     scene.fabric.stretch_warp = scene.fabric.stretch_weft = stiffness;
     scene.fabric.shear = 0.2 * stiffness;
     scene.fabric.bending_warp = scene.fabric.bending_weft = 0;
-    const Program program = compile(garment, scene, garment.placed);
+    const GarmentModel model = compile(garment, scene, garment.placed);
     ReleaseOptions options;
     options.seconds = 0.2;
     options.damping = 0;
-    std::vector<Vec3> x = program.start;
-    const ReleaseReport report = release(program, options, x);
+    std::vector<Vec3> x = model.start;
+    const ReleaseReport report = release(model, options, x);
     double fallen = 0;
-    for (std::size_t n = 0; n < x.size(); ++n) fallen += program.start[n].y() - x[n].y();
+    for (std::size_t n = 0; n < x.size(); ++n) fallen += model.start[n].y() - x[n].y();
     errors.push_back(std::abs(fallen / x.size() - 0.5 * 9.81 * 0.04));
     steps.push_back(report.time_step);
   }
@@ -86,11 +86,10 @@ double sag_of(int columns, bool of_springs) {
   scene.fabric.stretch_warp = scene.fabric.stretch_weft = 2000;
   scene.fabric.shear = 600;
   scene.fabric.bending_warp = scene.fabric.bending_weft = 0;
-  Program program = compile(garment, scene, garment.placed);
-  test::hold(program, [&](const Vec3& p) { return p.x() == 0 || p.x() == span; });
-  const std::vector<Vec3> x = of_springs
-                                  ? test::sprung(garment, program, {.seconds = 8, .drag = 12})
-                                  : test::relaxed(program, 1e-8);
+  GarmentModel model = compile(garment, scene, garment.placed);
+  test::hold(model, [&](const Vec3& p) { return p.x() == 0 || p.x() == span; });
+  const std::vector<Vec3> x = of_springs ? test::sprung(garment, model, {.seconds = 8, .drag = 12})
+                                         : test::relaxed(model, 1e-8);
   double lowest = 0;
   for (const Vec3& p : x) lowest = std::min(lowest, p.y());
   return -lowest;

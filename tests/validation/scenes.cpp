@@ -81,28 +81,28 @@ PlanarMesh mirrored(const PlanarMesh& right) {
   return mesh;
 }
 
-void hold(Program& program, const std::function<bool(const Vec3&)>& held) {
-  const int count = hold_nodes(program, held);
+void hold(GarmentModel& model, const std::function<bool(const Vec3&)>& held) {
+  const int count = hold_nodes(model, held);
   ASSERT_GT(count, 0) << "nothing is held";
-  ASSERT_LT(count, program.nodes / 2) << "the residual's median would be of what is held";
+  ASSERT_LT(count, model.nodes / 2) << "the residual's median would be of what is held";
 }
 
-std::vector<Vec3> relaxed(const Program& program, double residual, int max_iterations) {
+std::vector<Vec3> relaxed(const GarmentModel& model, double residual, int max_iterations) {
   RelaxOptions options;
   options.max_iterations = max_iterations;
   options.stop_median = residual;
   options.stop_rms = std::numeric_limits<double>::infinity();  // holds what is held
-  std::vector<Vec3> x = program.start;
-  const RelaxReport report = relax(program, options, x);
+  std::vector<Vec3> x = model.start;
+  const RelaxReport report = relax(model, options, x);
   EXPECT_TRUE(report.converged) << "median residual " << report.residual.median << " after "
                                 << report.iterations << " iterations";
   return x;
 }
 
-std::vector<Vec3> sprung(const PanelMesh& garment, const Program& program,
+std::vector<Vec3> sprung(const PanelMesh& garment, const GarmentModel& model,
                          const SpringRestOptions& options) {
-  const auto [springs, mass] = HeldSprings(SpringSheet(garment, program), program);
-  SpringMotion motion(springs, program.start, mass, options.drag, program.scene.gravity);
+  const auto [springs, mass] = HeldSprings(SpringSheet(garment, model), model);
+  SpringMotion motion(springs, model.start, mass, options.drag, model.scene.gravity);
   const double dt = 0.9 * stable_step(springs, motion.inverse_mass, options.drag);
   double time = 0;
   for (int n = 0; time < options.seconds; ++n, time += dt) {

@@ -27,11 +27,11 @@ PlanarMesh mirrored(const PlanarMesh& right);
 
 /// Keeps nodes where they start: no force moves what is stiff beyond all others, and weighs
 /// nothing.
-void hold(Program& program, const std::function<bool(const Vec3&)>& held);
+void hold(GarmentModel& model, const std::function<bool(const Vec3&)>& held);
 
 /// Rests by relax() until the median force on the nodes is below `residual` weights of a node.
 /// Fails the test when it does not come to that.
-std::vector<Vec3> relaxed(const Program& program, double residual = 1e-6,
+std::vector<Vec3> relaxed(const GarmentModel& model, double residual = 1e-6,
                           int max_iterations = 400000);
 
 struct SpringRestOptions {
@@ -41,7 +41,7 @@ struct SpringRestOptions {
 };
 
 /// Rests by the springs of the paper's method, stepped explicitly, the held nodes held.
-std::vector<Vec3> sprung(const PanelMesh& garment, const Program& program,
+std::vector<Vec3> sprung(const PanelMesh& garment, const GarmentModel& model,
                          const SpringRestOptions& options = {});
 
 }  // namespace toile::test

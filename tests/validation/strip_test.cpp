@@ -37,8 +37,8 @@ class Hanging : public testing::Test {
                     [](const Vec2& p) { return Vec3(p.x(), p.y() - 1, 0); });
     Scene scene = scene_of(stretch);
     scene.strain_limit = limit;
-    program = compile(garment, scene, garment.placed);
-    test::hold(program, [](const Vec3& p) { return p.y() == 0; });
+    model = compile(garment, scene, garment.placed);
+    test::hold(model, [](const Vec3& p) { return p.y() == 0; });
   }
 
   /// How far points at `s` from the top came down, mean over the width.
@@ -47,7 +47,7 @@ class Hanging : public testing::Test {
     int count = 0;
     for (std::size_t p = 0; p < x.size(); ++p) {
       if (std::abs(garment.flat[p].y() - (1 - s)) > 1e-9) continue;
-      sum += program.start[p].y() - x[p].y();
+      sum += model.start[p].y() - x[p].y();
       ++count;
     }
     return sum / count;
@@ -67,7 +67,7 @@ class Hanging : public testing::Test {
   }
 
   PanelMesh garment;
-  Program program;
+  GarmentModel model;
   const test::ReferenceTable table{"case03_hanging_strip.csv"};
   const test::ReferenceTable totals{"case03_totals.csv"};
 };
@@ -75,7 +75,7 @@ class Hanging : public testing::Test {
 TEST_F(Hanging, StretchesWithTheWeightBelow) {
   for (const double stretch : {65.4, 500.0, 2000.0}) {
     hang(stretch, 40);
-    const std::vector<Vec3> x = test::relaxed(program);
+    const std::vector<Vec3> x = test::relaxed(model);
     const std::string strip = "strip of " + test::number(stretch) + " N/m hung up: ";
     test::expect_relative({strip + "elongation", "relaxation", "40 rows", "mm"}, 1000 * sunk(x, 1),
                           1000 * totals.find("Y_N_m", stretch, "total_u_linear_m"), 0.005);
@@ -86,7 +86,7 @@ TEST_F(Hanging, StretchesWithTheWeightBelow) {
 
 TEST_F(Hanging, IsHeldToItsLimit) {
   hang(65.4, 40, 0.01);
-  const std::vector<Vec3> x = test::relaxed(program);
+  const std::vector<Vec3> x = test::relaxed(model);
   const std::string strip = "strip of 65.4 N/m hung up, limited to 1 %: ";
   test::expect_relative({strip + "elongation", "relaxation", "40 rows", "mm"}, 1000 * sunk(x, 1),
                         1000 * totals.find("Y_N_m", 65.4, "total_u_limited_1pct_m"), 0.005);
@@ -104,7 +104,7 @@ TEST_F(Hanging, IsHeldToItsLimit) {
 TEST_F(Hanging, ClothOfSpringsStretchesLikewise) {
   for (const double stretch : {65.4, 500.0}) {
     hang(stretch, 40);
-    const std::vector<Vec3> x = test::sprung(garment, program);
+    const std::vector<Vec3> x = test::sprung(garment, model);
     const double whole = totals.find("Y_N_m", stretch, "total_u_linear_m");
     const std::string strip = "strip of " + test::number(stretch) + " N/m hung up: ";
     test::Figure figure{strip + "elongation", "springs", "40 rows", "mm"};
@@ -140,8 +140,8 @@ class Catenary : public testing::Test {
       const double s = p.x() / length;
       return Vec3(span * s, rise * s - 2 * peak * std::min(s, 1 - s), -p.y());
     });
-    program = compile(garment, scene_of(table.at(row, "EA_N") / width), garment.placed);
-    test::hold(program, [&](const Vec3& p) { return p.x() == 0 || p.x() == span; });
+    model = compile(garment, scene_of(table.at(row, "EA_N") / width), garment.placed);
+    test::hold(model, [&](const Vec3& p) { return p.x() == 0 || p.x() == span; });
   }
 
   /// Largest distance of points from their places on the catenary, over the span.
@@ -164,7 +164,7 @@ class Catenary : public testing::Test {
   }
 
   PanelMesh garment;
-  Program program;
+  GarmentModel model;
   double span = 0;
 };
 
@@ -173,7 +173,7 @@ TEST_F(Catenary, ShapeOfAStripBetweenTwoEnds) {
        {"elastic_Y2000_equal", "elastic_Y200_equal", "elastic_Y200_unequal", "elastic_Y20_taut"}) {
     hang(set, 80);
     test::expect_near({"catenary " + set + ": shape, of the span", "relaxation", "80 columns", "%"},
-                      100 * shape_error(test::relaxed(program), set), 0, 0.2);
+                      100 * shape_error(test::relaxed(model), set), 0, 0.2);
   }
 }
 
@@ -181,8 +181,7 @@ TEST_F(Catenary, ShapeOfAStripOfSprings) {
   for (const std::string set : {"elastic_Y200_equal", "elastic_Y200_unequal"}) {
     hang(set, 40);
     test::expect_near({"catenary " + set + ": shape, of the span", "springs", "40 columns", "%"},
-                      100 * shape_error(test::sprung(garment, program, {.seconds = 6}), set), 0,
-                      0.2);
+                      100 * shape_error(test::sprung(garment, model, {.seconds = 6}), set), 0, 0.2);
   }
 }
 

@@ -48,7 +48,7 @@ class Tube : public testing::Test {
     scene.body_offset = offset;
     scene.self_contact = false;
     scene.fabric = fabric;
-    program = compile(garment, scene, garment.placed);
+    model = compile(garment, scene, garment.placed);
     // The residual is counted in weights, so there is gravity; it does not act.
     RelaxOptions options;
     options.gravity = 0;
@@ -56,19 +56,19 @@ class Tube : public testing::Test {
     options.body_offset = offset;
     options.max_iterations = 40000;
     options.stop_median = options.stop_rms = 1e-3;
-    x = program.start;
-    EXPECT_TRUE(relax(program, options, x).converged);
+    x = model.start;
+    EXPECT_TRUE(relax(model, options, x).converged);
     push = std::vector<Vec3>(x.size(), Vec3::Zero());
-    for (std::size_t t = 0; t < program.stretch.size(); ++t) {
-      const Triangle& n = program.node_triangles[t];
-      const auto pull = stretch_forces(program.stretch[t], {}, x[n[0]], x[n[1]], x[n[2]]);
+    for (std::size_t t = 0; t < model.stretch.size(); ++t) {
+      const Triangle& n = model.node_triangles[t];
+      const auto pull = stretch_forces(model.stretch[t], {}, x[n[0]], x[n[1]], x[n[2]]);
       for (int i = 0; i < 3; ++i) push[n[i]] -= pull[i];
     }
   }
 
   Vec3 at(int column, int row) const { return x[node(column, row)]; }
   int node(int column, int row) const {
-    return program.node_of_point[row * (sides + 1) + column % sides];
+    return model.node_of_point[row * (sides + 1) + column % sides];
   }
   double strain(int row) const {
     double length = 0;
@@ -85,7 +85,7 @@ class Tube : public testing::Test {
   }
 
   PanelMesh garment;
-  Program program;
+  GarmentModel model;
   std::vector<Vec3> x;
   std::vector<Vec3> push;  // N, of the body on each node: the cloth's pull, turned around
   double girth = 0;

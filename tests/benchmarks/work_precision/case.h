@@ -48,7 +48,7 @@ class Case {
   double edge_mm() const { return edge_mm_; }
   virtual const PanelMesh& garment() const = 0;
   /// Compiled: who shares a node.
-  virtual const Program& program() const = 0;
+  virtual const GarmentModel& model() const = 0;
   /// None: nothing to measure ease against.
   virtual const SurfaceDistance* body() const { return nullptr; }
   /// Residual of a reference of the paper's method: what it comes to in reasonable time.

@@ -27,12 +27,12 @@ class HeldSheet : public Case {
     Scene at;
     at.fabric = fabric;
     at.self_contact = false;
-    program_ = compile(garment_, at, garment_.placed);
-    test::hold_nodes(program_, held);
+    model_ = compile(garment_, at, garment_.placed);
+    test::hold_nodes(model_, held);
   }
 
   const PanelMesh& garment() const override { return garment_; }
-  const Program& program() const override { return program_; }
+  const GarmentModel& model() const override { return model_; }
   double springs_at_rest() const override { return 1e-4; }
   Outcome run(Method method, const Setting& setting) const override {
     return method == Method::relaxation ? relaxed(setting) : sprung(setting);
@@ -43,7 +43,7 @@ class HeldSheet : public Case {
   Outcome sprung(const Setting& setting) const;
 
   PanelMesh garment_;
-  Program program_;
+  GarmentModel model_;
 };
 
 Outcome HeldSheet::relaxed(const Setting& setting) const {
@@ -52,9 +52,9 @@ Outcome HeldSheet::relaxed(const Setting& setting) const {
   options.stop_median = setting.residual;
   options.stop_rms = std::numeric_limits<double>::infinity();  // holds what is held
   Outcome done;
-  done.points = program_.start;
+  done.points = model_.start;
   const Stopwatch watch;
-  const RelaxReport report = relax(program_, options, done.points);
+  const RelaxReport report = relax(model_, options, done.points);
   watch.stop(done);
   done.residual = report.residual;
   done.residual.rms = 0;
@@ -93,10 +93,10 @@ StrainControlOptions limit_of(const Setting& setting) {
 Outcome HeldSheet::sprung(const Setting& setting) const {
   Outcome done;
   const Stopwatch watch;
-  const SpringSheet sheet(garment_, program_);
-  const auto [springs, mass] = test::HeldSprings(sheet, program_);
-  test::SpringMotion motion(springs, program_.start, mass, drag, program_.scene.gravity);
-  StrainControl control(sheet.edges(), program_.nodes);
+  const SpringSheet sheet(garment_, model_);
+  const auto [springs, mass] = test::HeldSprings(sheet, model_);
+  test::SpringMotion motion(springs, model_.start, mass, drag, model_.scene.gravity);
+  StrainControl control(sheet.edges(), model_.nodes);
   const StrainControlOptions limit = limit_of(setting);
   const double dt = setting.step_share * stable_step(springs, motion.inverse_mass, drag);
   const int steps_a_look = std::max(1, static_cast<int>(std::lround(look_interval / dt)));
@@ -109,7 +109,7 @@ Outcome HeldSheet::sprung(const Setting& setting) const {
     }
     done.iterations += steps_a_look;
     done.simulated += steps_a_look * dt;
-    done.residual = left_of(motion, looked_x, looked_v, steps_a_look * dt, program_.mean_weight);
+    done.residual = left_of(motion, looked_x, looked_v, steps_a_look * dt, model_.mean_weight);
     // Let go at rest, it is balanced by nothing but its own slowness.
     constexpr double least = 0.1;
     done.converged = done.simulated > least && done.residual.median < setting.residual;

@@ -12,13 +12,13 @@
 namespace toile::precision {
 
 Drape measure(const Case& scene, const Outcome& outcome) {
-  const Program& program = scene.program();
+  const GarmentModel& model = scene.model();
   Drape drape;
-  drape.nodes.resize(program.nodes);
+  drape.nodes.resize(model.nodes);
   for (std::size_t p = 0; p < outcome.points.size(); ++p) {
-    drape.nodes[program.node_of_point[p]] = outcome.points[p];
+    drape.nodes[model.node_of_point[p]] = outcome.points[p];
   }
-  const DressedGarment dressed = as_dressed(scene.garment(), drape.nodes, program.node_triangles);
+  const DressedGarment dressed = as_dressed(scene.garment(), drape.nodes, model.node_triangles);
   drape.strain_p99 = measure_garment(scene.garment(), dressed).strain_off_seams.p99;
   drape.lowest = drape.nodes.front().y();
   for (const Vec3& p : drape.nodes) drape.lowest = std::min(drape.lowest, p.y());

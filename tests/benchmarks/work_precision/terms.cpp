@@ -42,7 +42,7 @@ std::vector<TermRow> study_terms(Wardrobe& wardrobe, const WornGarment& garment,
     const Drape drape = measure(*scene, row.outcome);
     if (rows.empty()) with_all = drape;
     row.error = error_of(drape, with_all);
-    const TriangleMesh cloth = {drape.nodes, scene->program().node_triangles};
+    const TriangleMesh cloth = {drape.nodes, scene->model().node_triangles};
     row.self_intersections = self_intersections(cloth).size();
     row.body_intersections = intersections(cloth, scene->body()->body()).size();
     rows.push_back(std::move(row));

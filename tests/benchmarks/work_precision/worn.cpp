@@ -30,11 +30,11 @@ class Worn : public Case {
     }
     switch_term(term);
     garment_.placed = position_panels(garment_, *scene_.body, scene_.skeleton).placed;
-    program_ = compile(garment_, scene_, garment_.placed);
+    model_ = compile(garment_, scene_, garment_.placed);
   }
 
   const PanelMesh& garment() const override { return garment_; }
-  const Program& program() const override { return program_; }
+  const GarmentModel& model() const override { return model_; }
   const SurfaceDistance* body() const override { return &wearer_.collider.skin(); }
   double springs_at_rest() const override { return 0.005; }
   Outcome run(Method method, const Setting& setting) const override {
@@ -98,7 +98,7 @@ class Worn : public Case {
   PanelMesh garment_;
   const Wearer& wearer_;
   Scene scene_;
-  Program program_;
+  GarmentModel model_;
 };
 
 }  // namespace

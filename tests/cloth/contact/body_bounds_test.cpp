@@ -123,15 +123,15 @@ TEST(BodyBounds, ASheetHangsOnASpike) {
   });
   Scene scene;
   scene.body = &body.distance;
-  const Program program = compile(garment, scene, garment.placed);
+  const GarmentModel model = compile(garment, scene, garment.placed);
   RelaxOptions options;
   options.bounded = true;
   options.surface = &body.surface;
   options.max_iterations = 3000;
-  std::vector<Vec3> x = program.start;
+  std::vector<Vec3> x = model.start;
   int unclean = 0;
-  relax(program, options, x, [&](const RelaxProgress& at) {
-    unclean += !intersections({at.nodes, program.node_triangles}, body.mesh).empty();
+  relax(model, options, x, [&](const RelaxProgress& at) {
+    unclean += !intersections({at.nodes, model.node_triangles}, body.mesh).empty();
   });
   EXPECT_EQ(unclean, 0);
   double lowest = 1;
@@ -144,10 +144,10 @@ TEST(BodyBounds, ASheetHangsOnASpike) {
   EXPECT_LT(lowest, 0.02);
   // Without the bounds the spike goes through: that is what they are for.
   options.surface = nullptr;
-  std::vector<Vec3> free = program.start;
-  relax(program, options, free);
+  std::vector<Vec3> free = model.start;
+  relax(model, options, free);
   std::cout << "without bounds, facets through the sheet: "
-            << intersections({free, program.node_triangles}, body.mesh).size() << "\n";
+            << intersections({free, model.node_triangles}, body.mesh).size() << "\n";
 }
 
 }  // namespace toile

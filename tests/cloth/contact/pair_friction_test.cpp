@@ -37,13 +37,13 @@ class ClothOnCloth : public testing::Test {
   double way(double slope, double mu, double seconds, bool hand_over = true) {
     scene.fabric.friction_cloth = mu;
     scene.gravity = 9.81 * Vec3(std::sin(slope), -std::cos(slope), 0);
-    const Program program = compile(patch, scene, patch.placed);
-    std::vector<Vec3> x = program.start;
+    const GarmentModel model = compile(patch, scene, patch.placed);
+    std::vector<Vec3> x = model.start;
     RelaxOptions rest;
     rest.bounded = rest.layer_contact = true;
     rest.max_iterations = 1500;
     rest.stop_median = rest.stop_rms = 1e-4;
-    const RelaxReport rested = relax(program, rest, x);
+    const RelaxReport rested = relax(model, rest, x);
     anchors = rested.warm_start.cloth.size();
     ReleaseOptions options;
     options.layer_contact = true;
@@ -53,7 +53,7 @@ class ClothOnCloth : public testing::Test {
     if (hand_over) options.warm_start = &rested.warm_start;
     Vec3 middle = Vec3::Zero();
     for (const Vec3& p : x) middle -= p / static_cast<double>(x.size());
-    report = release(program, options, x);
+    report = release(model, options, x);
     for (const Vec3& p : x) middle += p / static_cast<double>(x.size());
     return middle.x();
   }
@@ -138,18 +138,18 @@ class TubeOnTube : public testing::Test {
     tubes = {};
     add_tube("inner", side * skin / 1.01, skin, 0.66, 8);
     add_tube("outer", side * out / (1 + load / fabric.stretch_weft), out, 0.70, 4);
-    const Program program = compile(tubes, scene, tubes.placed);
-    std::vector<Vec3> x = program.start;
+    const GarmentModel model = compile(tubes, scene, tubes.placed);
+    std::vector<Vec3> x = model.start;
     RelaxOptions rest;
     rest.bounded = true;
     rest.gravity = 0;
     rest.max_iterations = 4000;
     rest.stop_median = rest.stop_rms = 1e-4;
-    relax(program, rest, x);
+    relax(model, rest, x);
     RelaxReport rested;
     if (share > 1) {
       rest.gravity = 1;
-      rested = relax(program, rest, x);
+      rested = relax(model, rest, x);
       EXPECT_TRUE(rested.converged);
     }
     ReleaseOptions options;
@@ -158,12 +158,12 @@ class TubeOnTube : public testing::Test {
     options.damping = share > 1 ? 1 : 0;
     if (share > 1) options.warm_start = &rested.warm_start;
     const std::vector<Vec3> from = x;
-    report = release(program, options, x);
+    report = release(model, options, x);
     std::array<double, 2> sunk{};
     for (int panel = 0; panel < 2; ++panel) {
       const MeshedPanel& tube = tubes.panels[panel];
       for (int p = tube.first_point; p < tube.first_point + tube.points; ++p) {
-        const int n = program.node_of_point[p];
+        const int n = model.node_of_point[p];
         sunk[panel] += (from[n].y() - x[n].y()) / tube.points;
       }
     }

@@ -34,11 +34,11 @@ class Sheet : public testing::Test {
     garment = test::flat_panel(test::grid(0.2, 0.1, 20, 10));
     garment.panels[0].grain = grain;
     for (Vec3& p : garment.placed) p.y() += stretch(p);
-    const Program program = compile(garment, limited(), garment.placed);
+    const GarmentModel model = compile(garment, limited(), garment.placed);
     const LimitMultiplier along_y =
         grain == 0 ? LimitMultiplier{0, restraint, 0} : LimitMultiplier{restraint, 0, 0};
     const std::vector<LimitMultiplier> held(garment.triangles.size(), along_y);
-    return tight_regions(garment, program, program.start, held);
+    return tight_regions(garment, model, model.start, held);
   }
 
   PanelMesh garment;
@@ -128,15 +128,15 @@ TightRegions drawn_over(double too_small) {
   scene.body = &body;
   scene.self_contact = false;
   scene.fabric.stretch_warp = scene.fabric.stretch_weft = 5000;
-  const Program program = compile(garment, scene, garment.placed);
+  const GarmentModel model = compile(garment, scene, garment.placed);
   RelaxOptions options;
   options.gravity = 0;
   options.friction = false;
   options.max_iterations = 8000;
   options.stop_median = options.stop_rms = 0.02;
-  std::vector<Vec3> x = program.start;
-  const RelaxReport report = relax(program, options, x);
-  const TightRegions found = tight_regions(garment, program, x, report.warm_start.multipliers);
+  std::vector<Vec3> x = model.start;
+  const RelaxReport report = relax(model, options, x);
+  const TightRegions found = tight_regions(garment, model, x, report.warm_start.multipliers);
   for (const TightRegion& place : found.places) {
     std::cout << 100 * too_small << " % too small: " << 100 * place.mean << " % on average, "
               << 100 * place.largest << " % at most, " << 1e4 * place.area << " cm2, "

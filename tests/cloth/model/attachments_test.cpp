@@ -44,11 +44,11 @@ TEST(Attachments, PullAsTheGradientOfTheirEnergy) {
   PanelMesh garment = sheet();
   garment.attachments = {{"panel.2", top(), to_level("left_wrist")},
                          {"panel.v0", {0}, to_point({0.001, 0.002, 0})}};
-  const Program program = compile(garment, scene, garment.placed);
-  ASSERT_EQ(program.attachments.size(), top().size() + 1);
+  const GarmentModel model = compile(garment, scene, garment.placed);
+  ASSERT_EQ(model.attachments.size(), top().size() + 1);
   const auto energy = [&](const Vec4s& x) {
     double sum = 0;
-    for (const AttachedPoint& held : program.attachments) {
+    for (const AttachedPoint& held : model.attachments) {
       Vec3 way = as_vec3(x[held.point]) - held.anchor;
       if (!held.axis.isZero()) way = way.dot(held.axis) * held.axis;
       const double off = way.norm();
@@ -59,7 +59,7 @@ TEST(Attachments, PullAsTheGradientOfTheirEnergy) {
   };
   std::mt19937 random(5);
   std::uniform_real_distribution<double> unit(-1, 1);
-  const AttachmentForces forces(program, false);
+  const AttachmentForces forces(model, false);
   int elastic = 0, at_most = 0;
   for (int trial = 0; trial < 40; ++trial) {
     std::vector<Vec3> places = garment.placed;
@@ -69,7 +69,7 @@ TEST(Attachments, PullAsTheGradientOfTheirEnergy) {
     }
     places[0] = 0.006 * Vec3(unit(random), unit(random), unit(random));
     const Vec4s x = as_vec4(places);
-    for (const AttachedPoint& held : program.attachments) {
+    for (const AttachedPoint& held : model.attachments) {
       const double pull = attachment_pull(held, places[held.point]).norm();
       EXPECT_LE(pull, held.most * (1 + 1e-12));
       ++(pull < held.most * (1 - 1e-9) ? elastic : at_most);
@@ -199,14 +199,14 @@ TEST(Attachments, CarryTheWeightOfASheetThatHangsFromThem) {
   garment.attachments[1].how.point = right;
   Scene scene;
   scene.self_contact = false;
-  const Program program = compile(garment, scene, garment.placed);
+  const GarmentModel model = compile(garment, scene, garment.placed);
   RelaxOptions options;
   options.max_iterations = 20000;
   options.stop_median = options.stop_rms = 0.001;
-  std::vector<Vec3> x = program.start;
-  EXPECT_TRUE(relax(program, options, x).converged);
+  std::vector<Vec3> x = model.start;
+  EXPECT_TRUE(relax(model, options, x).converged);
   const auto figures =
-      measure_attachments(garment, program.attachments, point_positions(program, x, 0));
+      measure_attachments(garment, model.attachments, point_positions(model, x, 0));
   const double weight = width * height * scene.fabric.areal_density * 9.81;
   const Vec3 sum = figures[0].pull + figures[1].pull;
   std::cout << "pulls " << figures[0].pull.transpose() << " and " << figures[1].pull.transpose()
@@ -230,12 +230,12 @@ TEST(Attachments, GiveWayToMoreThanTheyHold) {
     garment.attachments = {{"panel.2", top(), how}};
     Scene scene;
     scene.self_contact = false;
-    const Program program = compile(garment, scene, garment.placed);
+    const GarmentModel model = compile(garment, scene, garment.placed);
     RelaxOptions options;
     options.max_iterations = 2000;
-    std::vector<Vec3> x = program.start;
-    relax(program, options, x);
-    const auto figures = measure_attachments(garment, program.attachments, x);
+    std::vector<Vec3> x = model.start;
+    relax(model, options, x);
+    const auto figures = measure_attachments(garment, model.attachments, x);
     if (share < 1) {
       EXPECT_GT(figures[0].off_mean, 0.01);
       EXPECT_NEAR(figures[0].pull.y() / weight, share, 1e-6);
@@ -264,9 +264,9 @@ TEST(Attachments, ThoseThatLastAreToldFromTheOthers) {
 
 TEST(Attachments, WithoutThemThereIsNoTerm) {
   const PanelMesh garment = sheet();
-  const Program program = compile(garment, {}, garment.placed);
-  EXPECT_TRUE(program.attachments.empty());
-  EXPECT_TRUE(AttachmentForces(program, true).empty());
+  const GarmentModel model = compile(garment, {}, garment.placed);
+  EXPECT_TRUE(model.attachments.empty());
+  EXPECT_TRUE(AttachmentForces(model, true).empty());
 }
 
 }  // namespace

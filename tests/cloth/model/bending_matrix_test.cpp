@@ -1,4 +1,4 @@
-// The rows that the solver bends by, against the energy that the program's header states.
+// The rows that the solver bends by, against the energy that the model's header states.
 #include "cloth/model/bending_matrix.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ class BendRowsOf : public testing::Test {
     garment.seams = {test::seam("middle", left, right)};
     scene.fabric.bending_warp = 4e-5;
     scene.fabrics["lining"].bending_weft = 2e-6;
-    program = compile(garment, scene, garment.placed);
+    model = compile(garment, scene, garment.placed);
     points.resize(garment.flat.size());
     std::iota(points.begin(), points.end(), 0);
   }
@@ -50,7 +50,7 @@ class BendRowsOf : public testing::Test {
 
   /// The whole matrix, with `share` of what bends across seams.
   Eigen::MatrixXd matrix(const std::vector<int>& vertex, int vertices, double share) const {
-    const BendMatrix rows = bend_matrix(program, vertex, vertices, true);
+    const BendMatrix rows = bend_matrix(model, vertex, vertices, true);
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(vertices, vertices);
     for (const auto& [part, scale] : {std::pair(&rows.inside, 1.0), {&rows.seams, share}}) {
       for (int v = 0; v < vertices; ++v) {
@@ -65,7 +65,7 @@ class BendRowsOf : public testing::Test {
 
   PanelMesh garment;
   Scene scene;
-  Program program;
+  GarmentModel model;
   std::vector<int> points;
 };
 
@@ -77,7 +77,7 @@ TEST_F(BendRowsOf, SewnPanelsHaveTheirEnergy) {
   for (Vec3& p : x) p = Vec3(unit(random), unit(random), unit(random));
   const Eigen::Map<const Eigen::Matrix<double, 3, Eigen::Dynamic>> places(x[0].data(), 3, count);
   const double by_rows = 0.5 * (places * matrix(points, count, 1) * places.transpose()).trace();
-  EXPECT_NEAR(by_rows, test::bend_energy(program, x), 1e-12 * by_rows);
+  EXPECT_NEAR(by_rows, test::bend_energy(model, x), 1e-12 * by_rows);
 }
 
 TEST_F(BendRowsOf, AnOpenSeamIsNotFelt) {
@@ -94,12 +94,12 @@ TEST_F(BendRowsOf, AreSemidefiniteAndBoundedHoweverFarSeamsAreClosed) {
     EXPECT_LT((matrix - matrix.transpose()).norm(), 1e-12 * matrix.norm());
     return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues();
   };
-  const Eigen::Map<const Eigen::VectorXd> bound(program.bend_diagonal.data(), program.nodes);
+  const Eigen::Map<const Eigen::VectorXd> bound(model.bend_diagonal.data(), model.nodes);
   const Eigen::VectorXd scale = bound.cwiseSqrt().cwiseInverse();
   for (const double share : {0.0, 0.3, 1.0}) {
     const auto of_points = values_of(matrix(points, static_cast<int>(points.size()), share));
     EXPECT_GT(of_points.minCoeff(), -1e-12 * of_points.maxCoeff()) << share;
-    const Eigen::MatrixXd of_nodes = matrix(program.node_of_point, program.nodes, share);
+    const Eigen::MatrixXd of_nodes = matrix(model.node_of_point, model.nodes, share);
     const auto scaled = values_of(scale.asDiagonal() * of_nodes * scale.asDiagonal());
     EXPECT_GT(scaled.minCoeff(), -1e-12) << share;
     EXPECT_LE(scaled.maxCoeff(), 1 + 1e-12) << share;

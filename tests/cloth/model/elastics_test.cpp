@@ -31,9 +31,9 @@ TEST(Bands, PullAsTheGradientOfTheirEnergy) {
   constexpr int columns = 5;
   PanelMesh garment = test::flat_panel(test::grid(0.05, 0.02, columns, 2));
   garment.elastics = {{"panel.2", row_of(columns, 2), 0.6, 15}};
-  const Program program = compile(garment, {}, garment.placed);
-  ASSERT_EQ(program.elastics.size(), 5u);
-  for (const ElasticSegment& s : program.elastics) {
+  const GarmentModel model = compile(garment, {}, garment.placed);
+  ASSERT_EQ(model.elastics.size(), 5u);
+  for (const ElasticSegment& s : model.elastics) {
     EXPECT_NEAR(s.flat, 0.01, 1e-15);
     EXPECT_NEAR(s.rest, 0.006, 1e-15);
     // The row of triangles on it is 1 cm deep.
@@ -41,7 +41,7 @@ TEST(Bands, PullAsTheGradientOfTheirEnergy) {
   }
   const auto energy = [&](const Vec4s& x) {
     double sum = 0;
-    for (const ElasticSegment& s : program.elastics) {
+    for (const ElasticSegment& s : model.elastics) {
       const double length = std::sqrt(squared_length(x[s.points[0]] - x[s.points[1]]));
       const double elastic = std::max(length / s.rest - 1, 0.0);
       const double cloth = std::max(length / s.flat - 1, 0.0);
@@ -51,13 +51,13 @@ TEST(Bands, PullAsTheGradientOfTheirEnergy) {
   };
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(-1, 1);
-  const ElasticForces elastics(program, false);
+  const ElasticForces elastics(model, false);
   int slack = 0, stretched = 0, beyond = 0;
   for (int trial = 0; trial < 30; ++trial) {
     std::vector<Vec3> places = garment.placed;
     for (Vec3& p : places) p += 0.004 * Vec3(unit(random), unit(random), unit(random));
     const Vec4s x = as_vec4(places);
-    for (const ElasticSegment& s : program.elastics) {
+    for (const ElasticSegment& s : model.elastics) {
       const double length = (places[s.points[0]] - places[s.points[1]]).norm();
       ++(length < s.rest ? slack : length < s.flat ? stretched : beyond);
     }
@@ -75,9 +75,9 @@ TEST(Bands, PullAsTheGradientOfTheirEnergy) {
 
 TEST(Bands, WithoutElasticsThereIsNoTerm) {
   const PanelMesh garment = test::flat_panel(test::grid(0.05, 0.02, 5, 2));
-  const Program program = compile(garment, {}, garment.placed);
-  EXPECT_TRUE(program.elastics.empty());
-  EXPECT_TRUE(ElasticForces(program, false).empty());
+  const GarmentModel model = compile(garment, {}, garment.placed);
+  EXPECT_TRUE(model.elastics.empty());
+  EXPECT_TRUE(ElasticForces(model, false).empty());
 }
 
 TEST(Bands, ClothAlongThemIsFreeOnBothSidesOfASeam) {
@@ -93,15 +93,15 @@ TEST(Bands, ClothAlongThemIsFreeOnBothSidesOfASeam) {
   garment.seams = {test::seam("waist", top, bottom)};
   garment.elastics = {{"panel.2", top, 0.5, 20}};
   EXPECT_EQ(elastic_edges(garment).size(), 2u * columns);
-  const Program program = compile(garment, {}, garment.placed);
+  const GarmentModel model = compile(garment, {}, garment.placed);
   int free = 0;
-  for (const StretchTriangle& s : program.stretch) {
+  for (const StretchTriangle& s : model.stretch) {
     free += s.weft_stiffness < 0.5 * 1000 * s.area;
     EXPECT_NEAR(s.warp_stiffness, 1000 * s.area, 1e-12);
   }
   // A row on either side, less the two triangles that only touch its ends.
   EXPECT_EQ(free, 2 * 2 * columns - 2);
-  EXPECT_NEAR(program.elastics[0].cloth, 2 * 1000 * 0.01, 1e-9);
+  EXPECT_NEAR(model.elastics[0].cloth, 2 * 1000 * 0.01, 1e-9);
 }
 
 /// A tube of cloth of `girth` around a cylinder, drawn up at its upper edge by an elastic.
@@ -126,28 +126,28 @@ class ElasticTube : public testing::Test {
     garment_.elastics = {{"tube.2", row_of(columns, rows), ratio, stiffness}};
     Scene scene;
     scene.body = &body;
-    program_ = compile(garment_, scene, garment_.placed);
+    model_ = compile(garment_, scene, garment_.placed);
     RelaxOptions options;
     options.gravity = 0;
     options.friction = false;
     options.max_iterations = 8000;
     options.stop_median = options.stop_rms = 0.02;
-    x_ = program_.start;
-    relax(program_, options, x_);
-    band_ = measure_elastics(garment_, point_positions(program_, x_, 0)).at(0);
+    x_ = model_.start;
+    relax(model_, options, x_);
+    band_ = measure_elastics(garment_, point_positions(model_, x_, 0)).at(0);
   }
 
   /// N: with which cloth and elastic press on the cylinder, in all. Where the cloth presses on
   /// itself adds up to nothing.
   double pressing() const {
-    Vec4s force(program_.nodes, Vec4{});
+    Vec4s force(model_.nodes, Vec4{});
     const Vec4s x = as_vec4(x_);
-    ElasticKernel cloth(program_, false);
+    ElasticKernel cloth(model_, false);
     cloth.pull(0, cloth.groups(), {}, x);
     cloth.gather(0, force.size(), 1, 1, x, force);
-    ElasticForces(program_, false).add(0, force.size(), x, force);
+    ElasticForces(model_, false).add(0, force.size(), x, force);
     double inward = 0;
-    for (int n = 0; n < program_.nodes; ++n) {
+    for (int n = 0; n < model_.nodes; ++n) {
       const Vec3 out = Vec3(x_[n].x(), 0, x_[n].z()).normalized();
       inward -= out.dot(as_vec3(force[n]));
     }
@@ -155,7 +155,7 @@ class ElasticTube : public testing::Test {
   }
 
   PanelMesh garment_;
-  Program program_;
+  GarmentModel model_;
   std::vector<Vec3> x_;
   ElasticFigures band_;
 };
@@ -177,7 +177,7 @@ TEST_F(ElasticTube, HoldsTheCylinderByItsTension) {
   // What the cloth in its folds takes off the tension is less than 0.15 N.
   EXPECT_NEAR(pressing(), 2 * pi * band_.tension, 2 * pi * 0.15);
   // Drawn up, the cloth is not crushed: 4 cm below, its own girth is there.
-  const std::vector<Vec3> points = point_positions(program_, x_, 0);
+  const std::vector<Vec3> points = point_positions(model_, x_, 0);
   double girth_now = 0;
   for (int i = 0; i < columns; ++i) {
     const int a = (rows - 6) * (columns + 1) + i;

@@ -12,8 +12,8 @@
 namespace toile {
 namespace {
 
-std::map<std::string, int> terms(const Program& program) {
-  const auto counts = term_counts(program);
+std::map<std::string, int> terms(const GarmentModel& model) {
+  const auto counts = term_counts(model);
   return {counts.begin(), counts.end()};
 }
 
@@ -33,16 +33,16 @@ PanelMesh sewn_pair(int columns = 5) {
   return garment;
 }
 
-TEST(Program, TheWholeClothIsWeighed) {
+TEST(GarmentModel, TheWholeClothIsWeighed) {
   const PanelMesh garment = sewn_pair();
   Scene scene;
   scene.fabric.areal_density = 0.3;
-  const Program program = compile(garment, scene, garment.placed);
-  EXPECT_NEAR(total(program.mass), 0.3 * 0.02, 1e-15);
-  EXPECT_NEAR(program.mean_weight, 0.3 * 0.02 * 9.81 / program.nodes, 1e-12);
+  const GarmentModel model = compile(garment, scene, garment.placed);
+  EXPECT_NEAR(total(model.mass), 0.3 * 0.02, 1e-15);
+  EXPECT_NEAR(model.mean_weight, 0.3 * 0.02 * 9.81 / model.nodes, 1e-12);
 }
 
-TEST(Program, EachPanelHasItsOwnFabric) {
+TEST(GarmentModel, EachPanelHasItsOwnFabric) {
   PanelMesh garment = sewn_pair();
   garment.panels[1].fabric = "lining";
   garment.panels[1].grain = 0.5;
@@ -57,26 +57,26 @@ TEST(Program, EachPanelHasItsOwnFabric) {
   lining.friction_skin = 0.2;
   lining.friction_cloth = 0.1;
   lining.bending_warp = lining.bending_weft = 1e-6;
-  const Program program = compile(garment, scene, garment.placed);
-  EXPECT_NEAR(total(program.mass), (0.3 + 0.1) * 0.01, 1e-15);
+  const GarmentModel model = compile(garment, scene, garment.placed);
+  EXPECT_NEAR(total(model.mass), (0.3 + 0.1) * 0.01, 1e-15);
   const int half = garment.panels[1].first_triangle;
   for (int t = 0; t < 2 * half; ++t) {
     const Fabric& fabric = t < half ? scene.fabric : lining;
-    const StretchTriangle& s = program.stretch[t];
+    const StretchTriangle& s = model.stretch[t];
     EXPECT_NEAR(s.warp_stiffness, fabric.stretch_warp * s.area, 1e-12);
     EXPECT_NEAR(s.weft_stiffness, fabric.stretch_weft * s.area, 1e-12);
     EXPECT_NEAR(s.shear_stiffness, fabric.shear * s.area, 1e-12);
   }
   const auto node = [&](int panel, int point) {
-    return program.node_of_point[garment.panels[panel].first_point + point];
+    return model.node_of_point[garment.panels[panel].first_point + point];
   };
-  EXPECT_NEAR(program.friction_skin[node(0, 0)], 0.6, 1e-12);
-  EXPECT_NEAR(program.friction_skin[node(1, 5)], 0.2, 1e-12);
-  EXPECT_NEAR(program.friction_cloth[node(1, 5)], 0.1, 1e-12);
+  EXPECT_NEAR(model.friction_skin[node(0, 0)], 0.6, 1e-12);
+  EXPECT_NEAR(model.friction_skin[node(1, 5)], 0.2, 1e-12);
+  EXPECT_NEAR(model.friction_cloth[node(1, 5)], 0.1, 1e-12);
   // In the middle of the seam, three triangles of either panel: by mass.
-  EXPECT_NEAR(program.friction_skin[node(0, 17)], (0.3 * 0.6 + 0.1 * 0.2) / 0.4, 1e-12);
+  EXPECT_NEAR(model.friction_skin[node(0, 17)], (0.3 * 0.6 + 0.1 * 0.2) / 0.4, 1e-12);
   double across = 0;
-  for (const BendHinge& hinge : program.bend) {
+  for (const BendHinge& hinge : model.bend) {
     if (!hinge.across_seam) continue;
     // Two right-angled halves of squares of 2 cm, each panel's rigidity from its side.
     EXPECT_NEAR(hinge.stiffness, 0.5 * (1e-5 + 1e-6), 1e-15);
@@ -87,7 +87,7 @@ TEST(Program, EachPanelHasItsOwnFabric) {
   EXPECT_HOLDS(samples::error_of([&] { compile(garment, scene, garment.placed); }), "'lining'");
 }
 
-TEST(Program, ThickClothKeepsFartherOff) {
+TEST(GarmentModel, ThickClothKeepsFartherOff) {
   PanelMesh garment = sewn_pair();
   Scene scene;
   EXPECT_EQ(self_gap_of(scene, garment), 0.002);
@@ -100,29 +100,29 @@ TEST(Program, ThickClothKeepsFartherOff) {
   EXPECT_EQ(compile(garment, scene, garment.placed).self_gap, 0.004);
 }
 
-TEST(Program, SewnPointsAreOneNode) {
+TEST(GarmentModel, SewnPointsAreOneNode) {
   const PanelMesh garment = sewn_pair();
-  const Program program = compile(garment, {}, garment.placed);
-  EXPECT_EQ(program.nodes, 2 * 36 - 6);
+  const GarmentModel model = compile(garment, {}, garment.placed);
+  EXPECT_EQ(model.nodes, 2 * 36 - 6);
   const MeshedSeam& seam = garment.seams[0];
   for (std::size_t i = 0; i < seam.a.size(); ++i) {
-    const int node = program.node_of_point[seam.a[i]];
-    EXPECT_EQ(node, program.node_of_point[seam.b[i]]);
-    EXPECT_LT((program.start[node] - Vec3(0.105, 0.02 * static_cast<double>(i), 0)).norm(), 1e-15);
+    const int node = model.node_of_point[seam.a[i]];
+    EXPECT_EQ(node, model.node_of_point[seam.b[i]]);
+    EXPECT_LT((model.start[node] - Vec3(0.105, 0.02 * static_cast<double>(i), 0)).norm(), 1e-15);
   }
   // The panels stand where they were placed as long as the seam is fully open.
   for (std::size_t p = 0; p < garment.placed.size(); ++p) {
-    const Vec3 at = program.start[program.node_of_point[p]] + program.offsets[p];
+    const Vec3 at = model.start[model.node_of_point[p]] + model.offsets[p];
     EXPECT_LT((at - garment.placed[p]).norm(), 1e-15);
   }
   // Each node but those of the seam belongs to one point.
-  std::vector<int> points(program.nodes, 0);
-  for (const int node : program.node_of_point) ++points.at(node);
+  std::vector<int> points(model.nodes, 0);
+  for (const int node : model.node_of_point) ++points.at(node);
   EXPECT_EQ(std::count(points.begin(), points.end(), 1), 60);
   EXPECT_EQ(std::count(points.begin(), points.end(), 2), 6);
 }
 
-TEST(Program, ThreePanelsMeetInOnePoint) {
+TEST(GarmentModel, ThreePanelsMeetInOnePoint) {
   PanelMesh garment;
   for (int i = 0; i < 3; ++i) {
     test::add_panel(garment, "panel", test::grid(0.1, 0.1, 4, 4),
@@ -132,52 +132,52 @@ TEST(Program, ThreePanelsMeetInOnePoint) {
   // Sewn in a chain, in the order that has to join two groups of which neither knows the other.
   garment.seams = {test::seam("", right_of(1), right_of(2)),
                    test::seam("", right_of(2), right_of(0))};
-  const Program program = compile(garment, {}, garment.placed);
-  EXPECT_EQ(program.nodes, 75 - 10);
+  const GarmentModel model = compile(garment, {}, garment.placed);
+  EXPECT_EQ(model.nodes, 75 - 10);
   for (int row = 0; row < 5; ++row) {
-    const int node = program.node_of_point[right_of(0)[row]];
-    EXPECT_EQ(program.node_of_point[right_of(1)[row]], node);
-    EXPECT_EQ(program.node_of_point[right_of(2)[row]], node);
-    EXPECT_NEAR(program.start[node].z(), 0.1, 1e-15);
+    const int node = model.node_of_point[right_of(0)[row]];
+    EXPECT_EQ(model.node_of_point[right_of(1)[row]], node);
+    EXPECT_EQ(model.node_of_point[right_of(2)[row]], node);
+    EXPECT_NEAR(model.start[node].z(), 0.1, 1e-15);
   }
-  EXPECT_EQ(terms(program)["seam"], 5);
+  EXPECT_EQ(terms(model)["seam"], 5);
   // Along the seam of three there is no hinge.
-  for (const BendHinge& hinge : program.bend) EXPECT_FALSE(hinge.across_seam);
+  for (const BendHinge& hinge : model.bend) EXPECT_FALSE(hinge.across_seam);
 }
 
-TEST(Program, ADartsTipStaysOnePoint) {
+TEST(GarmentModel, ADartsTipStaysOnePoint) {
   PanelMesh garment = test::flat_panel(test::grid(0.1, 0.1, 4, 4));
   // From the top inward, over a slit of points that only have to be different: tip is point 12.
   garment.seams = {test::seam("dart", {12, 16, 20}, {12, 18, 24})};
-  const Program program = compile(garment, {}, garment.placed);
-  EXPECT_EQ(program.nodes, 23);
-  EXPECT_EQ(program.offsets[12], Vec3::Zero());
-  EXPECT_EQ(terms(program)["seam"], 2);
+  const GarmentModel model = compile(garment, {}, garment.placed);
+  EXPECT_EQ(model.nodes, 23);
+  EXPECT_EQ(model.offsets[12], Vec3::Zero());
+  EXPECT_EQ(terms(model)["seam"], 2);
 }
 
-TEST(Program, WhatTheSceneDoesNotUseIsEmpty) {
+TEST(GarmentModel, WhatTheSceneDoesNotUseIsEmpty) {
   const PanelMesh garment = test::flat_panel(test::grid(0.1, 0.1, 5, 5));
   Scene scene;
   scene.fabric.bending_warp = scene.fabric.bending_weft = 0;
   scene.self_contact = false;
-  const Program program = compile(garment, scene, garment.placed);
-  EXPECT_TRUE(program.bend.empty());
-  EXPECT_TRUE(program.offsets.empty());
-  EXPECT_EQ(terms(program), (std::map<std::string, int>{{"stretch", 50},
-                                                        {"bend", 0},
-                                                        {"elastic", 0},
-                                                        {"attachment", 0},
-                                                        {"seam", 0},
-                                                        {"body_contact", 0},
-                                                        {"friction", 0},
-                                                        {"self_contact", 0},
-                                                        {"cloth_friction", 0},
-                                                        {"layer_contact", 0},
-                                                        {"strain_limit", 0},
-                                                        {"shear_limit", 0}}));
+  const GarmentModel model = compile(garment, scene, garment.placed);
+  EXPECT_TRUE(model.bend.empty());
+  EXPECT_TRUE(model.offsets.empty());
+  EXPECT_EQ(terms(model), (std::map<std::string, int>{{"stretch", 50},
+                                                      {"bend", 0},
+                                                      {"elastic", 0},
+                                                      {"attachment", 0},
+                                                      {"seam", 0},
+                                                      {"body_contact", 0},
+                                                      {"friction", 0},
+                                                      {"self_contact", 0},
+                                                      {"cloth_friction", 0},
+                                                      {"layer_contact", 0},
+                                                      {"strain_limit", 0},
+                                                      {"shear_limit", 0}}));
 }
 
-TEST(Program, WhatTheSceneUsesIsCounted) {
+TEST(GarmentModel, WhatTheSceneUsesIsCounted) {
   const PanelMesh garment = sewn_pair();
   Scene scene;
   scene.strain_limit = 0.01;
@@ -191,14 +191,14 @@ TEST(Program, WhatTheSceneUsesIsCounted) {
   EXPECT_EQ(counts["bend"], 2 * 65 + 5);
 }
 
-TEST(Program, WhatLiesFlatHasNoCurvature) {
+TEST(GarmentModel, WhatLiesFlatHasNoCurvature) {
   // Sewn side to side, the two squares lie flat as one: the hinges across the seam too.
   const PanelMesh garment = sewn_pair();
-  const Program program = compile(garment, {}, garment.placed);
+  const GarmentModel model = compile(garment, {}, garment.placed);
   std::vector<Vec3> together = garment.placed;
   for (int p = 36; p < 72; ++p) together[p].x() -= 0.01;
   int across = 0;
-  for (const BendHinge& hinge : program.bend) {
+  for (const BendHinge& hinge : model.bend) {
     across += hinge.across_seam;
     Vec3 sum = Vec3::Zero();
     for (int i = 0; i < 4; ++i) sum += hinge.weights[i] * together[hinge.points[i]];
@@ -210,16 +210,16 @@ TEST(Program, WhatLiesFlatHasNoCurvature) {
   for (Vec3& p : folded) {
     if (p.x() > 0.1) p = Vec3(0.1, p.y(), p.x() - 0.1);
   }
-  for (const BendHinge& hinge : program.bend) {
+  for (const BendHinge& hinge : model.bend) {
     Vec3 sum = Vec3::Zero();
     for (int i = 0; i < 4; ++i) sum += hinge.weights[i] * folded[hinge.points[i]];
     // By a right angle, each side's slope is along its own panel.
     EXPECT_NEAR(sum.norm(), hinge.across_seam ? std::sqrt(2.0) : 0, 1e-13);
   }
-  EXPECT_GT(test::bend_energy(program, folded), 0);
+  EXPECT_GT(test::bend_energy(model, folded), 0);
 }
 
-TEST(Program, AGatheredSeamTakesTheShorterSidesLength) {
+TEST(GarmentModel, AGatheredSeamTakesTheShorterSidesLength) {
   // The same number of points on 13 and on 10 cm: the wide panel's triangles on the seam are at
   // rest when their sides on it are as long as the narrow one's.
   PanelMesh garment;
@@ -229,11 +229,11 @@ TEST(Program, AGatheredSeamTakesTheShorterSidesLength) {
                   [](const Vec2& p) { return Vec3(p.x() + 0.2, p.y(), 0); });
   garment.seams = {test::seam("waist", test::side(garment.panels[0], 5, 10, true),
                               test::side(garment.panels[1], 5, 10, false))};
-  const Program program = compile(garment, {}, garment.placed);
+  const GarmentModel model = compile(garment, {}, garment.placed);
   const auto length = [&](int t, const std::array<double, 3> StretchTriangle::*direction) {
     Vec3 sum = Vec3::Zero();
     for (int i = 0; i < 3; ++i) {
-      sum += (program.stretch[t].*direction)[i] * garment.placed[garment.triangles[t][i]];
+      sum += (model.stretch[t].*direction)[i] * garment.placed[garment.triangles[t][i]];
     }
     return sum.norm();
   };
@@ -245,7 +245,7 @@ TEST(Program, AGatheredSeamTakesTheShorterSidesLength) {
       on_seam += std::count(garment.seams[0].a.begin(), garment.seams[0].a.end(), p);
     }
     const bool wide = t < 100 && on_seam == 2;
-    const StretchTriangle& s = program.stretch[t];
+    const StretchTriangle& s = model.stretch[t];
     const double area = t < 100 ? 0.00013 : 0.0001;
     const bool gives = s.shear_stiffness < 0.5 * area * 200;
     drawn += wide;
@@ -262,10 +262,10 @@ TEST(Program, AGatheredSeamTakesTheShorterSidesLength) {
   // Those with a corner on it too, apart from those that only touch its end.
   EXPECT_EQ(row, 19);
   // What gathering does to the rest shape it does not do to the cloth's weight.
-  EXPECT_NEAR(total(program.mass), 0.15 * (0.013 + 0.010), 1e-15);
+  EXPECT_NEAR(total(model.mass), 0.15 * (0.013 + 0.010), 1e-15);
 }
 
-TEST(Program, SidesOfNearlyOneLengthAreNotGathered) {
+TEST(GarmentModel, SidesOfNearlyOneLengthAreNotGathered) {
   PanelMesh garment;
   for (const double height : {0.101, 0.100}) {
     test::add_panel(garment, "panel", test::grid(0.1, height, 5, 5),
@@ -273,13 +273,13 @@ TEST(Program, SidesOfNearlyOneLengthAreNotGathered) {
   }
   garment.seams = {test::seam("", test::side(garment.panels[0], 5, 5, true),
                               test::side(garment.panels[1], 5, 5, false))};
-  const Program program = compile(garment, {}, garment.placed);
+  const GarmentModel model = compile(garment, {}, garment.placed);
   double area = 0;
-  for (const StretchTriangle& s : program.stretch) area += s.area;
+  for (const StretchTriangle& s : model.stretch) area += s.area;
   EXPECT_NEAR(area, 0.0201, 1e-15);
 }
 
-TEST(Program, ATriangleSewnToItselfIsRefused) {
+TEST(GarmentModel, ATriangleSewnToItselfIsRefused) {
   PanelMesh garment = test::flat_panel(test::grid(0.01, 0.1, 1, 5));
   garment.panels[0].name = "cuff";
   garment.seams = {test::seam("", test::side(garment.panels[0], 1, 5, false),
@@ -289,15 +289,15 @@ TEST(Program, ATriangleSewnToItselfIsRefused) {
   EXPECT_HOLDS(message, "--edge-length");
 }
 
-TEST(Program, ATriangleWithoutAreaIsRefused) {
+TEST(GarmentModel, ATriangleWithoutAreaIsRefused) {
   PanelMesh garment = test::flat_panel({{{0, 0}, {0.1, 0}, {0.2, 0}}, {{0, 1, 2}}});
   EXPECT_HOLDS(samples::error_of([&] { compile(garment, {}, garment.placed); }), "'panel'");
 }
 
-TEST(Program, RunsTheSameTwice) {
+TEST(GarmentModel, RunsTheSameTwice) {
   const PanelMesh garment = sewn_pair();
-  const Program one = compile(garment, {}, garment.placed);
-  const Program two = compile(garment, {}, garment.placed);
+  const GarmentModel one = compile(garment, {}, garment.placed);
+  const GarmentModel two = compile(garment, {}, garment.placed);
   ASSERT_EQ(one.bend.size(), two.bend.size());
   for (std::size_t h = 0; h < one.bend.size(); ++h) {
     EXPECT_EQ(one.bend[h].points, two.bend[h].points);

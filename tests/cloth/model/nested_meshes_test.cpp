@@ -94,8 +94,8 @@ TEST(Levels, SeamSidesKeepEqualNumbersOfPoints) {
 TEST(Levels, RefiningKeepsTheSurface) {
   const PanelMesh fine = bag(1);
   const PanelMesh coarse = coarsen(fine);
-  const Program coarse_program = compile(coarse, {}, coarse.placed);
-  const Program fine_program = compile(fine, {}, fine.placed);
+  const GarmentModel coarse_program = compile(coarse, {}, coarse.placed);
+  const GarmentModel fine_program = compile(fine, {}, fine.placed);
   // A crumpled bag.
   std::mt19937 random(5);
   std::uniform_real_distribution<double> unit(-1, 1);

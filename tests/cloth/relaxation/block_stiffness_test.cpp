@@ -28,15 +28,15 @@ struct Sheet {
     scene.fabric.shear = shear_stiffness;
     PanelMesh garment = test::flat_panel(test::grid(0.08, 0.06, 4, 3));
     garment.panels[0].grain = 0.4;
-    program = compile(garment, scene, garment.placed);
-    blocks = std::make_unique<BlockStiffness>(program);
+    model = compile(garment, scene, garment.placed);
+    blocks = std::make_unique<BlockStiffness>(model);
   }
 
   Eigen::VectorXd forces(const std::vector<Vec3>& x) const {
-    Eigen::VectorXd sum = Eigen::VectorXd::Zero(3 * program.nodes);
-    for (std::size_t t = 0; t < program.stretch.size(); ++t) {
-      const auto& [a, b, c] = program.node_triangles[t];
-      const auto on = stretch_forces(program.stretch[t], {}, x[a], x[b], x[c]);
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(3 * model.nodes);
+    for (std::size_t t = 0; t < model.stretch.size(); ++t) {
+      const auto& [a, b, c] = model.node_triangles[t];
+      const auto on = stretch_forces(model.stretch[t], {}, x[a], x[b], x[c]);
       sum.segment<3>(3 * a) += on[0];
       sum.segment<3>(3 * b) += on[1];
       sum.segment<3>(3 * c) += on[2];
@@ -47,7 +47,7 @@ struct Sheet {
   /// Minus the slope of the forces.
   Eigen::MatrixXd hessian(std::vector<Vec3> x) const {
     constexpr double h = 1e-6;
-    Eigen::MatrixXd result(3 * program.nodes, 3 * program.nodes);
+    Eigen::MatrixXd result(3 * model.nodes, 3 * model.nodes);
     for (int i = 0; i < result.cols(); ++i) {
       double& place = x[i / 3][i % 3];
       const double was = place;
@@ -60,7 +60,7 @@ struct Sheet {
     return 0.5 * (result + result.transpose());
   }
 
-  Program program;
+  GarmentModel model;
   std::unique_ptr<BlockStiffness> blocks;
 };
 
@@ -72,14 +72,14 @@ TEST(BlockStiffness, BoundsTheStiffnessOfClothThatIsBentPulledAndSheared) {
   for (const auto& [stretch_stiffness, shear_stiffness, pulled, along, sheared] :
        {Case{2000, 200, 1, 1, 0.1}, Case{2000, 200, 1.1, 1, 0.1}, Case{0.01, 3000, 1, 3, -2}}) {
     Sheet sheet(stretch_stiffness, shear_stiffness);
-    std::vector<Vec3> x = sheet.program.start;
+    std::vector<Vec3> x = sheet.model.start;
     for (Vec3& p : x) {
       p = pulled *
           Vec3(along * (p.x() + sheared * p.y()), p.y(), 0.01 * std::sin(60 * p.x()) + 0.2 * p.y());
     }
     sheet.blocks->update(as_vec4(x));
-    Eigen::MatrixXd bound = Eigen::MatrixXd::Zero(3 * sheet.program.nodes, 3 * sheet.program.nodes);
-    for (int n = 0; n < sheet.program.nodes; ++n) {
+    Eigen::MatrixXd bound = Eigen::MatrixXd::Zero(3 * sheet.model.nodes, 3 * sheet.model.nodes);
+    for (int n = 0; n < sheet.model.nodes; ++n) {
       bound.block<3, 3>(3 * n, 3 * n) = matrix(sheet.blocks->of_nodes()[n]);
     }
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> shares(sheet.hessian(x), bound,
@@ -91,21 +91,21 @@ TEST(BlockStiffness, BoundsTheStiffnessOfClothThatIsBentPulledAndSheared) {
 
 TEST(BlockStiffness, IsOnlyTheTensionSquareToAFlatSheet) {
   Sheet sheet;
-  std::vector<Vec3> x = sheet.program.start;
+  std::vector<Vec3> x = sheet.model.start;
   sheet.blocks->update(as_vec4(x));
-  for (int n = 0; n < sheet.program.nodes; ++n) {
+  for (int n = 0; n < sheet.model.nodes; ++n) {
     const Eigen::Matrix3d at = matrix(sheet.blocks->of_nodes()[n]);
     EXPECT_NEAR(at(2, 2), 0, 1e-9);
     // In the plane nothing is let off.
     const double in_plane = at(0, 0) + at(1, 1);
-    EXPECT_GT(in_plane, sheet.program.stretch_diagonal[n]);
+    EXPECT_GT(in_plane, sheet.model.stretch_diagonal[n]);
   }
   for (Vec3& p : x) p *= 1.02;
   sheet.blocks->update(as_vec4(x));
-  for (int n = 0; n < sheet.program.nodes; ++n) {
+  for (int n = 0; n < sheet.model.nodes; ++n) {
     const double across = matrix(sheet.blocks->of_nodes()[n])(2, 2);
-    EXPECT_GT(across, 0.005 * sheet.program.stretch_diagonal[n]);
-    EXPECT_LT(across, 0.02 * sheet.program.stretch_diagonal[n]);
+    EXPECT_GT(across, 0.005 * sheet.model.stretch_diagonal[n]);
+    EXPECT_LT(across, 0.02 * sheet.model.stretch_diagonal[n]);
   }
 }
 

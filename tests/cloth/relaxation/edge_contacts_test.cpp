@@ -67,9 +67,9 @@ class CoarseOnASlope : public testing::Test {
   }
 
   WornGarment worn(const PanelMesh& garment) {
-    const Program program = compile(garment, scene, garment.placed);
-    WornGarment worn{&garment, scene.fabric, program.start, {}, options.body_offset};
-    const RelaxReport report = relax(program, options, worn.nodes);
+    const GarmentModel model = compile(garment, scene, garment.placed);
+    WornGarment worn{&garment, scene.fabric, model.start, {}, options.body_offset};
+    const RelaxReport report = relax(model, options, worn.nodes);
     EXPECT_TRUE(report.converged);
     EXPECT_EQ(report.warm_start.edges.size(), 33U);
     worn.warm_start = report.warm_start;

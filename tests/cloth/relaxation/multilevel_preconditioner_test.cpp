@@ -36,29 +36,29 @@ PlanarMesh subdivided(PlanarMesh mesh) {
 TEST(MultilevelPreconditioner, MovesPatchesByTheForcesOnThem) {
   PanelMesh garment = test::flat_panel(subdivided(subdivided(test::grid(0.4, 0.4, 4, 4))));
   garment.subdivisions = 2;
-  const Program program = compile(garment, {}, garment.placed);
-  MultilevelPreconditioner motion(program, false);
+  const GarmentModel model = compile(garment, {}, garment.placed);
+  MultilevelPreconditioner motion(model, false);
   EXPECT_EQ(motion.levels(), 2);
   Vec4s forces;
-  for (const double mass : program.mass) forces.push_back(Vec4{0, -9.81 * mass, 0, 0});
+  for (const double mass : model.mass) forces.push_back(Vec4{0, -9.81 * mass, 0, 0});
   motion.compute(forces, 1);
   EXPECT_NEAR(motion.rms_acceleration(), 9.81, 1e-9);
   // Two nodes of one patch that push each other apart don't move it: here a child's two corners.
-  forces.assign(program.nodes, Vec4{});
-  const Triangle inner = program.node_triangles[3];
+  forces.assign(model.nodes, Vec4{});
+  const Triangle inner = model.node_triangles[3];
   forces[inner[0]] = Vec4{0, 0, 1, 0};
   forces[inner[1]] = Vec4{0, 0, -1, 0};
   motion.compute(forces, 1);
-  EXPECT_LT(motion.rms_acceleration(), 0.51 / program.mass[inner[0]] / 16);
+  EXPECT_LT(motion.rms_acceleration(), 0.51 / model.mass[inner[0]] / 16);
   // A force on a node moves the other patches' nodes linearly: those halfway, half as far.
-  forces.assign(program.nodes, Vec4{});
+  forces.assign(model.nodes, Vec4{});
   const int centre = 2 * 5 + 2;  // of the coarsest mesh, whose points come first
   forces[centre] = Vec4{0, 0, 1, 0};
   motion.compute(forces, 1);
   EXPECT_GT(motion.of_node(centre)[2], 0);
   EXPECT_EQ(motion.of_node(0)[2], 0);
   for (const Vec2& p : {Vec2(0.15, 0.2), Vec2(0.2, 0.15)}) {
-    for (int n = 0; n < program.nodes; ++n) {
+    for (int n = 0; n < model.nodes; ++n) {
       if ((garment.flat[n] - p).norm() > 1e-9) continue;
       // Half of the coarsest patch's, none of the middle level's own.
       EXPECT_GT(motion.of_node(n)[2], 0.2 * motion.of_node(centre)[2]);
@@ -70,17 +70,17 @@ TEST(MultilevelPreconditioner, MovesPatchesByTheForcesOnThem) {
 TEST(MultilevelPreconditioner, MovesWiderPatchesThanTheNestedMeshHas) {
   PanelMesh garment = test::flat_panel(subdivided(subdivided(test::grid(0.4, 0.4, 4, 4))));
   garment.subdivisions = 2;
-  const Program program = compile(garment, {}, garment.placed);
-  MultilevelPreconditioner wide(program, true);
-  MultilevelPreconditioner nested(program, false);
+  const GarmentModel model = compile(garment, {}, garment.placed);
+  MultilevelPreconditioner wide(model, true);
+  MultilevelPreconditioner nested(model, false);
   EXPECT_EQ(wide.nested_levels(), 2);
   EXPECT_EQ(wide.levels(), 4);
   const auto ways = [&](MultilevelPreconditioner& motion, int pushed) {
-    Vec4s forces(program.nodes, Vec4{});
+    Vec4s forces(model.nodes, Vec4{});
     forces[pushed] = Vec4{0, 0, 1, 0};
     motion.compute(forces, 1);
     std::vector<double> each;
-    for (int n = 0; n < program.nodes; ++n) each.push_back(motion.of_node(n)[2]);
+    for (int n = 0; n < model.nodes; ++n) each.push_back(motion.of_node(n)[2]);
     return each;
   };
   const int centre = 2 * 5 + 2;  // of the coarsest mesh, whose points come first
@@ -89,12 +89,12 @@ TEST(MultilevelPreconditioner, MovesWiderPatchesThanTheNestedMeshHas) {
   // The corner is beyond the nested patches around the middle.
   EXPECT_EQ(nested_of_centre[0], 0);
   EXPECT_GT(of_centre[0], 0);
-  for (int n = 0; n < program.nodes; ++n) {
+  for (int n = 0; n < model.nodes; ++n) {
     EXPECT_GE(of_centre[n], nested_of_centre[n]);
     EXPECT_LE(of_centre[n], of_centre[centre]);
   }
   // What spreads the forces over the patches spreads the patches' ways over the nodes.
-  for (const int other : {0, 7, program.nodes / 2, program.nodes - 1}) {
+  for (const int other : {0, 7, model.nodes / 2, model.nodes - 1}) {
     EXPECT_NEAR(ways(wide, other)[centre], of_centre[other], 1e-12 * of_centre[centre]);
   }
 }
@@ -125,9 +125,9 @@ TEST(MultilevelPreconditioner, BringsWideMotionsToRestInFewerIterations) {
   int iterations[2];
   for (const int subdivisions : {0, 2}) {
     garment.subdivisions = subdivisions;
-    const Program program = compile(garment, scene, garment.placed);
-    std::vector<Vec3> x = program.start;
-    const RelaxReport report = relax(program, options, x);
+    const GarmentModel model = compile(garment, scene, garment.placed);
+    std::vector<Vec3> x = model.start;
+    const RelaxReport report = relax(model, options, x);
     EXPECT_TRUE(report.converged);
     std::cout << subdivisions << " coarser levels: " << report.iterations << " iterations\n";
     rests[subdivisions / 2] = x;
@@ -153,12 +153,12 @@ TEST(MultilevelPreconditioner, SoftClothComesToRestOnWhatItTouches) {
   Scene scene;
   scene.body = &body;
   scene.fabric = find_fabric("jersey");
-  const Program program = compile(garment, scene, garment.placed);
-  std::vector<Vec3> x = program.start;
+  const GarmentModel model = compile(garment, scene, garment.placed);
+  std::vector<Vec3> x = model.start;
   RelaxOptions options;
   options.max_iterations = 4000;
   options.stop_median = options.stop_rms = 1e-3;
-  const RelaxReport report = relax(program, options, x);
+  const RelaxReport report = relax(model, options, x);
   std::cout << report.iterations << " iterations, residual " << report.residual.rms << "\n";
   EXPECT_TRUE(report.converged);
 }

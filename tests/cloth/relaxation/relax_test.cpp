@@ -32,16 +32,16 @@ Vec3 slide(double slope, double height, RelaxReport& report, std::vector<Vec3>& 
   scene.body = &body;
   scene.fabric.friction_skin = 0.4;
   scene.gravity = 9.81 * Vec3(std::sin(slope), -std::cos(slope), 0);
-  const Program program = compile(garment, scene, garment.placed);
-  x = program.start;
+  const GarmentModel model = compile(garment, scene, garment.placed);
+  x = model.start;
   RelaxOptions options;
   options.friction = friction;
   options.max_iterations = iterations;
   options.stop_median = 0.001;
   options.stop_rms = 0.01;
-  report = relax(program, options, x);
+  report = relax(model, options, x);
   Vec3 way = Vec3::Zero();
-  for (std::size_t n = 0; n < x.size(); ++n) way += (x[n] - program.start[n]) / x.size();
+  for (std::size_t n = 0; n < x.size(); ++n) way += (x[n] - model.start[n]) / x.size();
   return way;
 }
 
@@ -55,14 +55,14 @@ std::vector<Vec3> fall_on_a_ridge(bool layer_contact, TriangleMesh& cloth, Trian
   ridge.triangles = {{0, 2, 1}, {1, 2, 3}, {0, 1, 4}, {1, 5, 4}};
   Scene scene;
   scene.layers = &ridge;
-  const Program program = compile(garment, scene, garment.placed);
-  std::vector<Vec3> x = program.start;
+  const GarmentModel model = compile(garment, scene, garment.placed);
+  std::vector<Vec3> x = model.start;
   RelaxOptions options;
   options.bounded = true;
   options.layer_contact = layer_contact;
   options.max_iterations = 3000;
-  relax(program, options, x);
-  cloth = {x, program.node_triangles};
+  relax(model, options, x);
+  cloth = {x, model.node_triangles};
   return x;
 }
 
@@ -119,9 +119,9 @@ TEST(Relax, ABandAsSoftAsAWebComesToRestAroundABody) {
   });
   garment.seams = {test::seam("", test::side(garment.panels[0], 20, 2, false),
                               test::side(garment.panels[0], 20, 2, true))};
-  const Program program = compile(garment, scene, garment.placed);
-  std::vector<Vec3> x = program.start;
-  const RelaxReport report = relax(program, options, x);
+  const GarmentModel model = compile(garment, scene, garment.placed);
+  std::vector<Vec3> x = model.start;
+  const RelaxReport report = relax(model, options, x);
   EXPECT_TRUE(report.converged) << report.residual.median << ", " << report.residual.rms;
   EXPECT_LT(report.iterations, 1000);
 }
@@ -182,30 +182,30 @@ TEST(Relax, SeamsCloseAroundABody) {
   const PanelMesh garment = around_cylinder(0.36, columns, rows);  // 9 cm of ease
   Scene scene;
   scene.body = &body;
-  const Program program = compile(garment, scene, garment.placed);
-  std::vector<Vec3> x = program.start;
+  const GarmentModel model = compile(garment, scene, garment.placed);
+  std::vector<Vec3> x = model.start;
   double last_open = 1;
   int calls = 0;
-  const RelaxReport report = relax(program, sewing(), x, [&](const RelaxProgress& at) {
+  const RelaxReport report = relax(model, sewing(), x, [&](const RelaxProgress& at) {
     EXPECT_LE(at.open, last_open);
     last_open = at.open;
     ++calls;
     // No state on the way goes through itself.
     if (calls % 8 == 0) {
-      const auto points = point_positions(program, at.nodes, at.open);
-      EXPECT_TRUE(self_intersections({points, program.triangles}).empty()) << at.iteration;
+      const auto points = point_positions(model, at.nodes, at.open);
+      EXPECT_TRUE(self_intersections({points, model.triangles}).empty()) << at.iteration;
     }
   });
   EXPECT_GE(calls, 40);
   EXPECT_TRUE(report.converged);
   EXPECT_EQ(report.open, 0);
-  const std::vector<Vec3> points = point_positions(program, x, 0);
+  const std::vector<Vec3> points = point_positions(model, x, 0);
   for (const MeshedSeam& seam : garment.seams) {
     for (std::size_t i = 0; i < seam.a.size(); ++i) {
       EXPECT_EQ(points[seam.a[i]], points[seam.b[i]]);
     }
   }
-  EXPECT_TRUE(self_intersections({x, program.node_triangles}).empty());
+  EXPECT_TRUE(self_intersections({x, model.node_triangles}).empty());
   for (const Vec3& p : x) EXPECT_GT(std::hypot(p.x(), p.z()), 0.1);
   // Each row of points goes once around the body.
   for (int row = 0; row <= rows; ++row) {
@@ -223,9 +223,9 @@ TEST(Relax, SeamsCloseAroundABody) {
 
 TEST(Relax, AnOpenSeamIsWhereItWasPlaced) {
   const PanelMesh garment = around_cylinder(0.36, 8, 4);
-  const Program program = compile(garment, {}, garment.placed);
-  const std::vector<Vec3> open = point_positions(program, program.start, 1);
-  const std::vector<Vec3> half = point_positions(program, program.start, 0.5);
+  const GarmentModel model = compile(garment, {}, garment.placed);
+  const std::vector<Vec3> open = point_positions(model, model.start, 1);
+  const std::vector<Vec3> half = point_positions(model, model.start, 0.5);
   for (std::size_t p = 0; p < open.size(); ++p) {
     EXPECT_LT((open[p] - garment.placed[p]).norm(), 1e-15);
   }
@@ -238,8 +238,8 @@ TEST(Relax, TheSameBitsForAnyNumberOfThreads) {
   const PanelMesh garment = around_cylinder(0.36, 48, 24);
   Scene scene;
   scene.body = &body;
-  const Program program = compile(garment, scene, garment.placed);
-  ASSERT_GT(program.nodes, 2048);  // several chunks
+  const GarmentModel model = compile(garment, scene, garment.placed);
+  ASSERT_GT(model.nodes, 2048);  // several chunks
   RelaxOptions closing = sewing();
   closing.closing_iterations = 150;
   closing.max_iterations = 400;
@@ -247,30 +247,30 @@ TEST(Relax, TheSameBitsForAnyNumberOfThreads) {
   falling.max_iterations = 200;
   const auto run = [&](int threads) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    std::vector<Vec3> x = program.start;
-    relax(program, closing, x);
-    relax(program, falling, x);
+    std::vector<Vec3> x = model.start;
+    relax(model, closing, x);
+    relax(model, falling, x);
     return x;
   };
   const std::vector<Vec3> one = run(1);
   const std::vector<Vec3> two = run(2);
   EXPECT_TRUE(one == two);
   EXPECT_TRUE(one == run(2));
-  EXPECT_FALSE(one == program.start);
+  EXPECT_FALSE(one == model.start);
 }
 
 TEST(Relax, AtRestItStaysAtRest) {
   // A flat sheet without weight feels nothing.
   const PanelMesh garment = test::flat_panel(test::grid(0.1, 0.1, 10, 10));
-  const Program program = compile(garment, {}, garment.placed);
-  std::vector<Vec3> x = program.start;
+  const GarmentModel model = compile(garment, {}, garment.placed);
+  std::vector<Vec3> x = model.start;
   RelaxOptions options;
   options.gravity = 0;
   options.max_iterations = 100;
   options.stop_median = options.stop_rms = 1e-6;
-  const RelaxReport report = relax(program, options, x);
+  const RelaxReport report = relax(model, options, x);
   EXPECT_TRUE(report.converged);
-  for (std::size_t n = 0; n < x.size(); ++n) EXPECT_LT((x[n] - program.start[n]).norm(), 1e-12);
+  for (std::size_t n = 0; n < x.size(); ++n) EXPECT_LT((x[n] - model.start[n]).norm(), 1e-12);
 }
 
 /// A sheet that stands upright on the floor is all but at rest until it falls over; that it takes
@@ -284,13 +284,13 @@ TEST(Relax, WhatFallsOutOfABalanceIsNotGivenUp) {
   scene.body = &floor.distance;
   scene.fabric.bending_warp = scene.fabric.bending_weft = 1e-3;
   scene.fabric.friction_skin = 0;
-  const Program program = compile(garment, scene, garment.placed);
-  std::vector<Vec3> x = program.start;
+  const GarmentModel model = compile(garment, scene, garment.placed);
+  std::vector<Vec3> x = model.start;
   RelaxOptions options;
   options.max_iterations = 40000;
   options.stop_median = options.stop_rms = 1e-6;
   options.patience = 1500;
-  const RelaxReport report = relax(program, options, x);
+  const RelaxReport report = relax(model, options, x);
   EXPECT_TRUE(report.converged);
   for (const Vec3& p : x) ASSERT_NEAR(p.y(), 0.002, 2e-5);
 }
@@ -298,12 +298,12 @@ TEST(Relax, WhatFallsOutOfABalanceIsNotGivenUp) {
 TEST(Relax, TheCountIsNoConvergence) {
   // In free fall there is no rest.
   const PanelMesh garment = test::flat_panel(test::grid(0.1, 0.1, 10, 10));
-  const Program program = compile(garment, {}, garment.placed);
-  std::vector<Vec3> x = program.start;
+  const GarmentModel model = compile(garment, {}, garment.placed);
+  std::vector<Vec3> x = model.start;
   RelaxOptions options;
   options.max_iterations = 120;
   options.stop_median = options.stop_rms = 0.5;
-  const RelaxReport report = relax(program, options, x);
+  const RelaxReport report = relax(model, options, x);
   EXPECT_FALSE(report.converged);
   EXPECT_EQ(report.iterations, 120);
   // Inner nodes weigh more than the mean, for those on the border carry less cloth.

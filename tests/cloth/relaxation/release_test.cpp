@@ -24,20 +24,20 @@ Vec3 mean_way(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
 
 TEST(Release, AFreeSheetFallsAsDampingLetsIt) {
   const PanelMesh garment = test::flat_panel(test::grid(0.1, 0.1, 5, 5));
-  const Program program = compile(garment, {}, garment.placed);
+  const GarmentModel model = compile(garment, {}, garment.placed);
   for (const double damping : {0.0, 1.0}) {
     ReleaseOptions options;
     options.seconds = 0.3;
     options.damping = damping;
-    std::vector<Vec3> x = program.start;
-    const ReleaseReport report = release(program, options, x);
+    std::vector<Vec3> x = model.start;
+    const ReleaseReport report = release(model, options, x);
     const double t = options.seconds;
     const double fallen = damping > 0
                               ? 9.81 / damping * (t - (1 - std::exp(-damping * t)) / damping)
                               : 0.5 * 9.81 * t * t;
     const double speed = damping > 0 ? 9.81 / damping * (1 - std::exp(-damping * t)) : 9.81 * t;
     // The symplectic step is half a step ahead.
-    EXPECT_NEAR(-mean_way(program.start, x).y(), fallen, 9.81 * t * report.time_step);
+    EXPECT_NEAR(-mean_way(model.start, x).y(), fallen, 9.81 * t * report.time_step);
     EXPECT_NEAR(report.speed_p99, speed, 9.81 * report.time_step);
     EXPECT_NEAR(report.all.median, fallen, 9.81 * t * report.time_step);
     const double kinetic = 0.5 * 0.15 * 0.01 * speed * speed;
@@ -52,12 +52,12 @@ TEST(Release, RingsAndLosesEnergyAsTheStepSays) {
   // A flat sheet, stretched a little in its middle and let go, rings at the speed of sound in it.
   const double length = 0.2, width = 0.02, amplitude = 1e-4;
   const PanelMesh garment = test::flat_panel(test::grid(length, width, 40, 4));
-  const Program program = compile(garment, {}, garment.placed);
-  const Fabric& fabric = program.scene.fabric;
+  const GarmentModel model = compile(garment, {}, garment.placed);
+  const Fabric& fabric = model.scene.fabric;
   ReleaseOptions options;
   options.gravity = 0;
   options.damping = 0;
-  std::vector<Vec3> stretched = program.start;
+  std::vector<Vec3> stretched = model.start;
   for (Vec3& p : stretched) p.x() += amplitude * std::sin(pi * (p.x() / length - 0.5));
   // A wave takes half a period along it; halfway, all is speed.
   const double half = length / std::sqrt(fabric.stretch_weft / fabric.areal_density);
@@ -65,7 +65,7 @@ TEST(Release, RingsAndLosesEnergyAsTheStepSays) {
   for (const int halves : {0, 1, 20}) {
     options.seconds = (halves + 0.5) * half;
     std::vector<Vec3> x = stretched;
-    const ReleaseReport report = release(program, options, x);
+    const ReleaseReport report = release(model, options, x);
     // Forces are taken a tenth of a step ahead.
     const double rate = 0.1 * report.time_step * std::pow(pi / half, 2);
     const double left = energy * std::exp(-rate * options.seconds);
@@ -105,17 +105,17 @@ class Band : public testing::Test {
                     });
     garment.seams = {test::seam("", test::side(garment.panels[0], columns, rows, false),
                                 test::side(garment.panels[0], columns, rows, true))};
-    const Program program = compile(garment, scene, garment.placed);
-    std::vector<Vec3> x = program.start;
+    const GarmentModel model = compile(garment, scene, garment.placed);
+    std::vector<Vec3> x = model.start;
     RelaxOptions rest;
     rest.gravity = 0;
     rest.max_iterations = 4000;
     rest.stop_median = rest.stop_rms = 1e-4;
-    relax(program, rest, x);
+    relax(model, rest, x);
     rest.gravity = 1;
     RelaxReport rested;
     if (share > 1) {
-      rested = relax(program, rest, x);
+      rested = relax(model, rest, x);
       EXPECT_TRUE(rested.converged);
     }
     ReleaseOptions options;
@@ -123,7 +123,7 @@ class Band : public testing::Test {
     options.damping = share > 1 ? 1 : 0;
     if (share > 1) options.warm_start = &rested.warm_start;
     const std::vector<Vec3> from = x;
-    last_ = release(program, options, x);
+    last_ = release(model, options, x);
     return -mean_way(from, x).y();
   }
   ReleaseReport last_;
@@ -161,20 +161,20 @@ TEST(Release, TheSameBitsForAnyNumberOfThreads) {
   }();
   Scene scene;
   scene.body = &body;
-  const Program program = compile(garment, scene, garment.placed);
-  ASSERT_GT(program.nodes, 2048);  // several chunks
+  const GarmentModel model = compile(garment, scene, garment.placed);
+  ASSERT_GT(model.nodes, 2048);  // several chunks
   ReleaseOptions options;
   options.seconds = 0.02;
   options.bounded = true;
   const auto run = [&](int threads) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    std::vector<Vec3> x = program.start;
-    release(program, options, x);
+    std::vector<Vec3> x = model.start;
+    release(model, options, x);
     return x;
   };
   const std::vector<Vec3> one = run(1);
   EXPECT_TRUE(one == run(2));
-  EXPECT_FALSE(one == program.start);
+  EXPECT_FALSE(one == model.start);
 }
 
 }  // namespace

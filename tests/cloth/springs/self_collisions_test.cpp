@@ -17,7 +17,7 @@ namespace {
 /// Two squares of 10 cm, one 8 mm above the other and turned against its mesh, moving together.
 struct Sheets {
   PanelMesh garment;
-  Program program;
+  GarmentModel model;
   std::vector<Vec3> x;
   std::vector<Vec3> v;
   std::vector<int> node;
@@ -29,12 +29,12 @@ struct Sheets {
     test::add_panel(garment, "above", square, [](const Vec2& p) {
       return Vec3(0.013 + 0.9 * p.x() - 0.3 * p.y(), 0.008, -0.9 * p.y() - 0.3 * p.x());
     });
-    program = compile(garment, Scene{}, garment.placed);
+    model = compile(garment, Scene{}, garment.placed);
     x = garment.placed;
     node.resize(x.size());
     std::iota(node.begin(), node.end(), 0);
     for (std::size_t p = 0; p < x.size(); ++p) {
-      inverse_mass.push_back(1 / program.mass[p]);
+      inverse_mass.push_back(1 / model.mass[p]);
       v.push_back(Vec3(0, p < x.size() / 2 ? speed / 2 : -speed / 2, 0));
     }
   }
@@ -59,7 +59,7 @@ struct Sheets {
   }
 
   void run(double seconds, double dt) {
-    SelfCollisions collisions(program, 0.002);
+    SelfCollisions collisions(model, 0.002);
     collisions.leave_out_neighbours(false);
     for (double t = 0; t < seconds; t += dt) {
       collisions.respond(x, node, inverse_mass, dt, v);

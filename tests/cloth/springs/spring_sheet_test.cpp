@@ -14,7 +14,7 @@
 namespace toile {
 namespace {
 
-Program compiled(const PanelMesh& garment, const Fabric& fabric) {
+GarmentModel compiled(const PanelMesh& garment, const Fabric& fabric) {
   Scene scene;
   scene.fabric = fabric;
   return compile(garment, scene, garment.placed);
@@ -43,8 +43,8 @@ PanelMesh two_squares() {
 
 TEST(SpringSheet, WeighsWhatTheClothWeighs) {
   const PanelMesh garment = two_squares();
-  const Program program = compiled(garment, {});
-  SpringSheet sheet(garment, program);
+  const GarmentModel model = compiled(garment, {});
+  SpringSheet sheet(garment, model);
   EXPECT_NEAR(total(sheet.mass()), 2 * 0.01 * 0.15, 1e-12);
 }
 
@@ -53,8 +53,8 @@ TEST(SpringSheet, WeighsWhatTheClothWeighs) {
 TEST(SpringSheet, StretchedAlongTheGrainItHasTheFabricsEnergy) {
   const PanelMesh garment = test::flat_panel(test::grid(0.1, 0.1, 20, 20));
   Fabric fabric;
-  const Program program = compiled(garment, fabric);
-  const SpringSheet sheet(garment, program);
+  const GarmentModel model = compiled(garment, fabric);
+  const SpringSheet sheet(garment, model);
   std::vector<Vec3> x = garment.placed;
   for (Vec3& p : x) p.y() *= 1.001;
   const double energy = spring_energy(sheet.edges(), x);
@@ -67,8 +67,8 @@ TEST(SpringSheet, StretchedAlongTheGrainItHasTheFabricsEnergy) {
 
 TEST(SpringSheet, IsForceFreeAtRestAndUnderRigidMotion) {
   const PanelMesh garment = test::flat_panel(test::grid(0.1, 0.1, 10, 10));
-  const Program program = compiled(garment, {});
-  const SpringSheet sheet(garment, program);
+  const GarmentModel model = compiled(garment, {});
+  const SpringSheet sheet(garment, model);
   Eigen::Matrix3d turn(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()));
   std::vector<Vec3> x;
   for (const Vec3& p : garment.placed) x.push_back(turn * p + Vec3(4, 5, 6));
@@ -81,8 +81,8 @@ TEST(SpringSheet, IsForceFreeAtRestAndUnderRigidMotion) {
 TEST(SpringSheet, BendsLikeTheFabricAtOneCurvature) {
   const PanelMesh garment = test::flat_panel(test::grid(0.1, 0.1, 16, 16));
   Fabric fabric;
-  const Program program = compiled(garment, fabric);
-  const SpringSheet sheet(garment, program);
+  const GarmentModel model = compiled(garment, fabric);
+  const SpringSheet sheet(garment, model);
   const auto share = [&](double radius) {
     std::vector<Vec3> x;
     for (const Vec3& p : garment.placed) {
@@ -102,8 +102,8 @@ TEST(SpringSheet, BendsLikeTheFabricAtOneCurvature) {
 
 TEST(SpringSheet, MergingJoinsMassesAndSprings) {
   const PanelMesh garment = two_squares();
-  const Program program = compiled(garment, {});
-  SpringSheet sheet(garment, program);
+  const GarmentModel model = compiled(garment, {});
+  SpringSheet sheet(garment, model);
   const std::size_t edges = sheet.edges().size();
   const std::size_t bends = sheet.bending().size();
   const double before = total(sheet.mass());
@@ -131,8 +131,8 @@ TEST(SpringSheet, AGatheredSideTakesItsPartnersLength) {
   PanelMesh garment = two_squares();
   // The right panel's pattern is a fifth taller.
   for (std::size_t p = 121; p < garment.flat.size(); ++p) garment.flat[p].y() *= 1.2;
-  const Program program = compiled(garment, {});
-  const SpringSheet sheet(garment, program);
+  const GarmentModel model = compiled(garment, {});
+  const SpringSheet sheet(garment, model);
   const MeshedSeam& seam = garment.seams[0];
   int found = 0;
   for (const Spring& spring : sheet.edges()) {
