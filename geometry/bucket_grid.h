@@ -16,8 +16,8 @@ class BucketGrid {
   /// Covers the box from `low` to `high` with cells of about `cell`, larger where that would be
   /// more than some millions. Points outside belong to the nearest cell.
   BucketGrid(const Vec2& low, const Vec2& high, double cell) : low_(low), cell_(cell) {
-    constexpr double most_cells = 2000;  // along each axis
-    cell_ = std::max(cell_, (high - low).maxCoeff() / most_cells);
+    constexpr double max_cells = 2000;  // along each axis
+    cell_ = std::max(cell_, (high - low).maxCoeff() / max_cells);
     columns_ = static_cast<int>((high.x() - low.x()) / cell_) + 1;
     rows_ = static_cast<int>((high.y() - low.y()) / cell_) + 1;
     cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));

@@ -15,7 +15,7 @@ namespace {
 constexpr std::array<std::string_view, 4> place_words = {"", "place", "skin", ""};
 constexpr std::array<std::string_view, 2> while_words = {"dressing", "always"};
 constexpr std::array<std::string_view, 7> known_keys = {
-    "edge", "vertex", "to", "above", "while", "stiffness_N_per_m", "most_N"};
+    "edge", "vertex", "to", "above", "while", "stiffness_N_per_m", "max_N"};
 
 /// Metres: nothing is held farther off.
 constexpr double farthest = 10;
@@ -115,7 +115,7 @@ Attachment read_attachment(const JsonValue& entry, double unit) {
   if (const auto stiffness = entry.find("stiffness_N_per_m")) {
     attachment.stiffness = positive(*stiffness, stiffest, "5000 gives way by 0.2 mm for 1 N");
   }
-  if (const auto most = entry.find("most_N")) {
+  if (const auto most = entry.find("max_N")) {
     attachment.most = positive(*most, strongest, "a garment weighs 1 to 20 N");
   }
   return attachment;
@@ -133,7 +133,7 @@ nlohmann::ordered_json attachment_json(const Attachment& attachment) {
   if (attachment.above != 0) json["above"] = attachment.above;
   json["while"] = while_words[attachment.always ? 1 : 0];
   json["stiffness_N_per_m"] = attachment.stiffness;
-  json["most_N"] = attachment.most;
+  json["max_N"] = attachment.most;
   return json;
 }
 

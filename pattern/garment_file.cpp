@@ -197,7 +197,7 @@ void check_overlaps(const PanelMesh& garment, const std::string& name) {
 
 /// A panel may be placed bent, or a little out of shape, but not crushed: nothing could unfold it.
 void check_placed(const PanelMesh& garment, const std::string& name) {
-  constexpr double least_share = 0.01;
+  constexpr double min_share = 0.01;
   for (const MeshedPanel& panel : garment.panels) {
     double flat = 0;
     double placed = 0;
@@ -209,7 +209,7 @@ void check_placed(const PanelMesh& garment, const std::string& name) {
       flat += u.x() * v.y() - u.y() * v.x();
       placed += along.cross(garment.placed[at(c)] - garment.placed[at(a)]).norm();
     }
-    if (placed > least_share * flat) continue;
+    if (placed > min_share * flat) continue;
     fail(name, "panel '" + panel.name + "' is placed with less than a hundredth of its area");
   }
 }

@@ -22,10 +22,10 @@ constexpr double step_tolerance = 0.15;
 /// A curve should turn no further than this within one step of the coarsest level (radians), as
 /// far as that can be had with at most this many times the steps that its length asks for.
 constexpr double turn_per_step = 35 * std::numbers::pi / 180;
-constexpr int most_refined = 3;
+constexpr int max_refined = 3;
 /// Triangles sharper than this are needles, and no ground to simulate on.
 constexpr double needle = 3 * std::numbers::pi / 180;
-constexpr double most_triangles = 2e6;
+constexpr double max_triangles = 2e6;
 /// Points on finer levels stay at the middles of edges unless an angle falls below this.
 constexpr double acceptable = 25 * std::numbers::pi / 180;
 
@@ -66,7 +66,7 @@ Steps steps_along(const Pattern& pattern, double edge_length) {
   const auto wanted = [&](const EdgeCurve& curve) {
     const int by_length =
         std::max(1, static_cast<int>(std::ceil(curve.length() / edge_length - step_tolerance)));
-    const int most = std::max(most_refined * by_length, 12);
+    const int most = std::max(max_refined * by_length, 12);
     int count = by_length;
     while (count < most && sharpest_turn(curve, count) > turn_per_step) {
       count = std::min(most, count + 1 + count / 8);
@@ -233,7 +233,7 @@ void check_size(const Pattern& pattern, double edge_length) {
     triangles += std::abs(signed_area(points)) / (std::sqrt(3.0) / 4 * edge_length * edge_length) +
                  length / edge_length;
   }
-  if (triangles <= most_triangles) return;
+  if (triangles <= max_triangles) return;
   throw Error(pattern.source,
               triangles < 1e12
                   ? "would need about " + std::to_string(static_cast<int>(triangles / 1e6)) +
@@ -369,7 +369,7 @@ PanelMesh mesh_panels(const Pattern& pattern, const MeshSettings& settings,
           : std::max(
                 0, static_cast<int>(std::lround(std::log2(coarsest_edge / settings.edge_length))));
   std::optional<Unmeshable> failure;
-  for (int subdivisions = std::min(wanted, most_subdivisions); subdivisions >= 0; --subdivisions) {
+  for (int subdivisions = std::min(wanted, max_subdivisions); subdivisions >= 0; --subdivisions) {
     try {
       PanelMesh garment = mesh_garment(pattern, orientation, settings.edge_length, subdivisions);
       if (failure) {

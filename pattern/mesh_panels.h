@@ -11,12 +11,12 @@ namespace toile {
 
 struct MeshSettings {
   double edge_length = 0.01;  ///< wanted length of triangle edges, metres
-  /// Levels of the nested triangulation, 0 to most_subdivisions; negative: as many as keep the
+  /// Levels of the nested triangulation, 0 to max_subdivisions; negative: as many as keep the
   /// coarsest edges at about coarsest_edge.
   int subdivisions = -1;
 };
 
-inline constexpr int most_subdivisions = 3;
+inline constexpr int max_subdivisions = 3;
 inline constexpr double coarsest_edge = 0.04;  ///< metres
 
 /// Meshes every panel of a checked pattern. Each outline edge is cut into equal steps of its

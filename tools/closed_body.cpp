@@ -16,10 +16,10 @@ namespace toile {
 namespace {
 
 /// Metres; from a child's torso to a giant.
-constexpr double least_height = 0.1;
-constexpr double most_height = 3;
+constexpr double min_height = 0.1;
+constexpr double max_height = 3;
 /// Metres from the origin.
-constexpr double most_away = 10;
+constexpr double max_away = 10;
 Eigen::AlignedBox3d bounds_of(const TriangleMesh& body) {
   Eigen::AlignedBox3d box;
   for (const Vec3& p : body.points) box.extend(p);
@@ -56,12 +56,12 @@ TriangleMesh read_closed_body(const std::filesystem::path& path) {
   remove_loose_points(body);
   const Eigen::AlignedBox3d bounds = bounds_of(body);
   const double height = bounds.sizes().y();
-  if (!(height > least_height && height < most_height)) {
+  if (!(height > min_height && height < max_height)) {
     throw Error(path.string(), "the body is " + std::to_string(height) + " m tall",
                 "let clean-body bring it to metres, with --unit if need be");
   }
   const double away = bounds.exteriorDistance(Vec3(0, 0, 0));
-  if (!(away < most_away)) {
+  if (!(away < max_away)) {
     throw Error(path.string(),
                 "the body stands " + std::to_string(std::lround(away)) +
                     " m from the origin, which garments are placed around",

@@ -43,7 +43,7 @@ void say_attachments(const std::vector<AttachmentFigures>& attachments,
     std::ostringstream warning;
     warning << std::fixed << std::setprecision(1) << "attachment " << figures.name << " stands "
             << 100 * figures.off_mean << " cm off its " << figures.to
-            << ": the cloth does not reach, or needs more than its 'most_N'";
+            << ": the cloth does not reach, or needs more than its 'max_N'";
     CommonSettings::warn(warning.str());
   }
 }

@@ -164,7 +164,7 @@ nlohmann::ordered_json report_of(const PanelMesh& garment, const Scene& scene,
   report["scene"]["gravity_m_per_s2"] = {scene.gravity.x(), scene.gravity.y(), scene.gravity.z()};
   report["scene"]["body_offset_mm"] = 1000 * result.body_offset;
   if (const Lifted lifted = lifted_of(result.lift); lifted.nodes > 0) {
-    report["scene"]["lifted"] = {{"nodes", lifted.nodes}, {"most_mm", 1000 * lifted.most}};
+    report["scene"]["lifted"] = {{"nodes", lifted.nodes}, {"max_mm", 1000 * lifted.most}};
   }
   report["scene"]["points_inside_at_start"] = result.placement.points_inside;
   report["scene"]["seam_pairs_inside_at_start"] = result.placement.seams_inside;

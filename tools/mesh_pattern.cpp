@@ -200,8 +200,8 @@ int main(int argc, char** argv) {
     settings.mesh.edge_length =
         parse_length(given["edge-length"].as<std::string>(), "--edge-length");
     settings.mesh.subdivisions = given["subdivisions"].as<int>();
-    if (settings.mesh.subdivisions > most_subdivisions) {
-      throw Error("--subdivisions", "is more than " + std::to_string(most_subdivisions),
+    if (settings.mesh.subdivisions > max_subdivisions) {
+      throw Error("--subdivisions", "is more than " + std::to_string(max_subdivisions),
                   "use 0 to 3, or -1");
     }
     settings.flat = given["flat"].as<bool>();

@@ -23,7 +23,7 @@ constexpr double around = 0.005;
 constexpr double safety = 1e-7;
 /// Metres that a triangle should keep from the facets, and the most that its corners are lifted.
 constexpr double clearance = 0.0002;
-constexpr double most_lift = 0.015;
+constexpr double max_lift = 0.015;
 /// Of a region's width, what may be left when it is time to look again, before a corner is stopped.
 constexpr double due_share = 0.3;
 /// Looks between two at the same triangle: what presses against the body would be due each time.
@@ -178,7 +178,7 @@ const std::vector<int>& BodyBounds::look(const Vec4s& x) {
     }
     looked_.insert(looked_.end(), triangles_[t].begin(), triangles_[t].end());
   }
-  for (const auto& [v, more] : lifted) lift_[v] = std::min(lift_[v] + more, most_lift);
+  for (const auto& [v, more] : lifted) lift_[v] = std::min(lift_[v] + more, max_lift);
   std::sort(looked_.begin(), looked_.end());
   looked_.erase(std::unique(looked_.begin(), looked_.end()), looked_.end());
   return looked_;

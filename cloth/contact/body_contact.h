@@ -33,7 +33,7 @@ class alignas(32) BodyContact {
   void forget() { reach_ = -1; }
 
   /// A bound of the stiffness that add() adds where the body stands as a plane, N/m.
-  static constexpr double most_stiffness = 1200;
+  static constexpr double max_stiffness = 1200;
 
   /// Where friction holds the vertex; nothing: it does not.
   std::optional<Vec3> anchor() const {
@@ -82,7 +82,7 @@ class alignas(32) BodyContact {
   static constexpr double push_stiffness = 1000;
   /// N/m, of the spring that holds a sticking vertex to its anchor on the skin.
   static constexpr double anchor_stiffness = 200;
-  static_assert(push_stiffness + anchor_stiffness <= most_stiffness);
+  static_assert(push_stiffness + anchor_stiffness <= max_stiffness);
 
   Vec4 normal_ = {0, 0, 0, 0};  // of the plane that stands for the body
   Vec4 anchor_ = {0, 0, 0, 0};

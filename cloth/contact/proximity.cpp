@@ -21,13 +21,13 @@ constexpr double bound_share = 0.45;
 /// Share of its bound that a vertex has used up when an update looks at it anew.
 constexpr double used_share = 0.4;
 /// Where more vertices than this have, all are looked at.
-constexpr double most_updated = 0.25;
+constexpr double max_updated = 0.25;
 /// Share of the shortest edge at rest that neighbours in the mesh may come near each other.
 constexpr double neighbour_share = 0.25;
 /// N/m, per pair.
 constexpr double push_stiffness = 200;
 /// Metres; below it, forces grow no more.
-constexpr double least_distance = 1e-9;
+constexpr double min_distance = 1e-9;
 /// Vertices or edges that one task looks up; fixed, so that results don't depend on the threads.
 constexpr std::size_t chunk = 128;
 
@@ -129,7 +129,7 @@ ContactPush contact_push(double distance, double gap, bool barrier, double early
     const double depth = gap - distance;
     return {push_stiffness * depth, push_stiffness, 0.5 * push_stiffness * depth * depth};
   }
-  const double d = std::max(distance, least_distance);
+  const double d = std::max(distance, min_distance);
   const double scale = push_stiffness * half * half;
   return {scale / d, scale / (d * d), scale * (0.5 + std::log(half / d))};
 }
@@ -307,7 +307,7 @@ void ProximitySearch::update(const std::vector<Vec3>& x, double radius, double g
     moved[v] = (x[v] - at[v]).norm() >= used_share * bound[v];
     count += moved[v];
   }
-  if (count > most_updated * moving_vertices_) {
+  if (count > max_updated * moving_vertices_) {
     find(x, radius, gap, pairs, bound, skip_neighbours);
     at = x;
     return;

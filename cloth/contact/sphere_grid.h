@@ -33,19 +33,19 @@ class SphereGrid {
     }
     if (spheres.empty()) low_ = high = Vec3::Zero();
     constexpr double much_larger = 1.5;
-    most_radius_ = much_larger * sum / std::max<std::size_t>(spheres.size(), 1);
-    cell_ = std::max(0.5 * (2 * most_radius_ + reach), 1e-6);
+    max_radius_ = much_larger * sum / std::max<std::size_t>(spheres.size(), 1);
+    cell_ = std::max(0.5 * (2 * max_radius_ + reach), 1e-6);
     // Empty cells cost too: small spheres far apart get large ones.
-    constexpr double most_cells_a_sphere = 8;
-    const double most_cells = most_cells_a_sphere * static_cast<double>(spheres.size()) + 1;
-    while (((high - low_) / cell_ + Vec3::Ones()).prod() > most_cells) cell_ *= 1.2;
+    constexpr double max_cells_a_sphere = 8;
+    const double max_cells = max_cells_a_sphere * static_cast<double>(spheres.size()) + 1;
+    while (((high - low_) / cell_ + Vec3::Ones()).prod() > max_cells) cell_ *= 1.2;
     for (int axis = 0; axis < 3; ++axis) {
       size_[axis] = static_cast<int>((high[axis] - low_[axis]) / cell_) + 1;
     }
     first_.assign(static_cast<std::size_t>(size_[0]) * size_[1] * size_[2] + 1, 0);
     std::vector<std::size_t> cell_of(spheres.size());
     for (std::size_t i = 0; i < spheres.size(); ++i) {
-      if (spheres[i].radius > most_radius_) {
+      if (spheres[i].radius > max_radius_) {
         continue;
       }
       const Vec3& c = spheres[i].centre;
@@ -56,11 +56,11 @@ class SphereGrid {
     items_.resize(first_.back());
     std::vector<int> next(first_.begin(), first_.end() - 1);
     for (std::size_t i = 0; i < spheres.size(); ++i) {
-      if (spheres[i].radius > most_radius_) continue;
+      if (spheres[i].radius > max_radius_) continue;
       items_[next[cell_of[i]]++] = {spheres[i].centre, spheres[i].radius, static_cast<int>(i)};
     }
     for (std::size_t i = 0; i < spheres.size(); ++i) {
-      if (spheres[i].radius <= most_radius_) continue;
+      if (spheres[i].radius <= max_radius_) continue;
       items_.push_back({spheres[i].centre, spheres[i].radius, static_cast<int>(i)});
     }
   }
@@ -103,7 +103,7 @@ class SphereGrid {
     };
     // A large sphere can be near anything.
     const std::size_t filed = static_cast<std::size_t>(first_.back());
-    const double around = radius + most_radius_ + reach_;
+    const double around = radius + max_radius_ + reach_;
     const Vec3 from = centre - Vec3::Constant(around);
     const Vec3 to = centre + Vec3::Constant(around);
     const int x0 = column(from, 0);
@@ -126,7 +126,7 @@ class SphereGrid {
   }
 
   double reach_;
-  double most_radius_;
+  double max_radius_;
   double cell_;
   Vec3 low_;
   int size_[3];

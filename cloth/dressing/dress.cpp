@@ -25,7 +25,7 @@ namespace toile {
 namespace {
 
 /// How often the panels are placed and sewn anew, each time twice as carefully.
-constexpr int most_attempts = 3;
+constexpr int max_attempts = 3;
 /// Factor on the bending stiffness while seams close; 30 lets folds go through their own seam.
 constexpr double sewing_stiffness = 300;
 /// Pull toward the skin while seams close, in weights of the cloth; 0 leaves one ridge down the
@@ -142,9 +142,9 @@ class Dressing {
 /// Metres: the tightest curves of a body, and of the folds of cloth.
 constexpr double body_curve = 0.03;
 constexpr double fold_curve = 0.01;
-constexpr double most_body_offset = 0.006;  ///< metres; beyond, the drape would be another one
+constexpr double max_body_offset = 0.006;  ///< metres; beyond, the drape would be another one
 /// Metres, while the cloth finds its place over another; it comes to rest nearer.
-constexpr double most_fold_offset = 0.015;
+constexpr double max_fold_offset = 0.015;
 
 /// Metres that the nodes of a mesh of such edges keep from a surface: no less than asked for, and
 /// so much that its faces clear curves of that radius, whose sagitta they cut off; at most `most`.
@@ -156,12 +156,12 @@ double clearing_offset(double asked, double edge_length, double tightest_curve, 
 
 DressResult Dressing::run() {
   result_.body_offset = clearing_offset(body_offset_of(scene_, meshes_.front()),
-                                        meshes_.front().edge_length, body_curve, most_body_offset);
+                                        meshes_.front().edge_length, body_curve, max_body_offset);
   level_ = static_cast<int>(meshes_.size()) - 1;
   position();
   const bool has_seams = !meshes_.front().seams.empty();
   bool is_clean = !has_seams && clean();
-  for (int attempt = 0; has_seams && attempt < most_attempts && !is_clean; ++attempt) {
+  for (int attempt = 0; has_seams && attempt < max_attempts && !is_clean; ++attempt) {
     // A tangle is not undone but avoided: the panels start again, stiffer and slower.
     result_.nodes = model_.start;
     result_.during = {};
@@ -392,7 +392,7 @@ RelaxOptions Dressing::level_options() const {
   options.body_offset = result_.body_offset * (1 + 0.5 * level_);
   if (scene_.layers != nullptr) {
     options.body_offset = std::max(
-        options.body_offset, clearing_offset(0, mesh().edge_length, fold_curve, most_fold_offset));
+        options.body_offset, clearing_offset(0, mesh().edge_length, fold_curve, max_fold_offset));
   }
   options.self_radius = near_cloth();
   return options;

@@ -12,8 +12,8 @@ namespace toile {
 namespace {
 
 constexpr double exact_to = 1e-5;  // metres
-constexpr int most_steps = 30;
-constexpr double most_way = 0.05;  // metres; two layers are never so thick
+constexpr int max_steps = 30;
+constexpr double max_way = 0.05;  // metres; two layers are never so thick
 
 Vec3 turned_out(const DistanceGrid& below, const DistanceGrid& above, const Vec3& p) {
   const DistanceGrid::Sample at = below.at(p);
@@ -21,10 +21,10 @@ Vec3 turned_out(const DistanceGrid& below, const DistanceGrid& above, const Vec3
   if (length < 1e-6) return p;
   const Vec3 out = at.gradient / length;
   double way = 0;
-  for (int i = 0; i < most_steps; ++i) {
+  for (int i = 0; i < max_steps; ++i) {
     const double missing = at.distance - above.at(p + way * out).distance;
     if (std::abs(missing) < exact_to) break;
-    way = std::min(std::max(way + missing, 0.0), most_way);
+    way = std::min(std::max(way + missing, 0.0), max_way);
   }
   return p + way * out;
 }

@@ -7,7 +7,7 @@ namespace toile {
 namespace {
 
 /// How often what does not stay is brought to rest anew.
-constexpr int most_returns = 3;
+constexpr int max_returns = 3;
 
 }  // namespace
 
@@ -18,7 +18,7 @@ ReleaseReport test_stability(const GarmentModel& model, ReleaseOptions options, 
   for (int returns = 0;; ++returns) {
     std::vector<Vec3> nodes = state.nodes;
     ReleaseReport report = release(model, options, nodes);
-    if (report.stays() || !state.at_rest || returns == most_returns) return report;
+    if (report.stays() || !state.at_rest || returns == max_returns) return report;
     state.nodes = std::move(nodes);
     state.warm_start = report.warm_start;
     come_to_rest(state);

@@ -12,7 +12,7 @@ namespace toile {
 namespace {
 
 constexpr double hand = 0.1;  // metres, its breadth
-constexpr int most_lines = 24;
+constexpr int max_lines = 24;
 
 class Tightness {
  public:
@@ -43,7 +43,7 @@ class Tightness {
       found.name = seam.name;
       if (!exceeds_the_hand(seam, found.tension)) continue;
       const int edges = static_cast<int>(seam.a.size()) - 1;
-      const int stride = (edges + most_lines - 1) / most_lines;
+      const int stride = (edges + max_lines - 1) / max_lines;
       for (int i = 0; i < edges; i += stride) {
         const double missing = 0.5 * (missing_beside(seam.a[i], seam.a[i + 1]) +
                                       missing_beside(seam.b[i], seam.b[i + 1]));
@@ -89,7 +89,7 @@ class Tightness {
     if (at == nullptr) return hand_pull;
     const StretchTriangle& s = model_.stretch[at->triangle];
     const Vec2 edge = garment_.flat[b] - garment_.flat[a];
-    return std::min(hand_pull, most_worn * stiffness_along(s, at->triangle, {edge.y(), -edge.x()}));
+    return std::min(hand_pull, max_worn * stiffness_along(s, at->triangle, {edge.y(), -edge.x()}));
   }
 
   /// Whether some hand's breadth of the seam pulls harder than it may; `largest` becomes its N/m.

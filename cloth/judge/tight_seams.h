@@ -15,7 +15,7 @@ inline constexpr double hand_pull = 300;
 inline constexpr double worn_tight = 0.01;
 
 /// Strain that no seam is sewn to be worn at, however soft the fabric.
-inline constexpr double most_worn = 0.25;
+inline constexpr double max_worn = 0.25;
 
 struct TightSeam {
   std::string name;
@@ -24,7 +24,7 @@ struct TightSeam {
 };
 
 /// The seams of a garment at rest that a hand could not have closed: the tension across them
-/// exceeds `hand_pull`, or what strains the cloth by `most_worn`, over 10 cm or all of the seam,
+/// exceeds `hand_pull`, or what strains the cloth by `max_worn`, over 10 cm or all of the seam,
 /// and more than `worn_tight` is missing. Missing is what the cloth is stretched by along the line
 /// square to the seam through the panels on both sides; half of a panel's counts for the seam at
 /// its other end, so that all seams around a tube together lack what the tube lacks. `nodes` are

@@ -54,7 +54,7 @@ Eigen::Matrix3d plate_stiffness(const Fabric& fabric, double area, const std::ar
       Eigen::SelfAdjointEigenSolver<Matrix>(rows * rows.transpose(), Eigen::EigenvaluesOnly)
           .eigenvalues()
           .minCoeff();
-  matrix.diagonal() *= 1 + std::max(0.0, least_distinct - distinct);
+  matrix.diagonal() *= 1 + std::max(0.0, min_distinct - distinct);
   const Matrix inverse = matrix.inverse();
   for (int i = 0; i < count; ++i) {
     for (int j = 0; j < count; ++j) {

@@ -24,13 +24,13 @@ Vec3 jump_by_curvature(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& 
 /// How bad three edges may be at telling curvatures apart: least eigenvalue of the Gram matrix of
 /// their jumps, each scaled to length 1. They can't at all where the triangle's corners and the
 /// three across its edges are on one conic. Meshes' usual triangles have 0.1 and more.
-inline constexpr double least_distinct = 0.02;
+inline constexpr double min_distinct = 0.02;
 
 /// N·m: K of the energy ½ Jᵀ K J of a triangle of `area` (m²) whose slope jumps by J across its
 /// edges: that of a plate of the fabric with the curvature that the jumps tell of, in the twist
 /// √(warp·weft); if edges are missing (`there`: which aren't), with the least energy of all
 /// curvatures with the jumps of the others. Rows and columns of missing edges are 0; symmetric,
-/// positive semidefinite. Jumps that tell too little (`least_distinct`) count as less stiff. One
+/// positive semidefinite. Jumps that tell too little (`min_distinct`) count as less stiff. One
 /// rigidity counts as no less than 1e-4 of the other.
 Eigen::Matrix3d plate_stiffness(const Fabric& fabric, double area, const std::array<Vec3, 3>& jumps,
                                 const std::array<bool, 3>& there);

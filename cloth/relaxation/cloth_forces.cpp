@@ -18,7 +18,7 @@ namespace {
 /// down by in a step at most: soft cloth (1 N/m) is thrown back and comes down again for ever,
 /// unless it reckons with the body a step before.
 constexpr double weights_coming_down = 8;
-constexpr double most_coming_down = 0.004;
+constexpr double max_coming_down = 0.004;
 
 /// Active pairs that one task handles, of which each costs as much as several triangles.
 constexpr std::size_t pair_chunk = 16;
@@ -29,7 +29,7 @@ constexpr int pull_interval = 16;
 constexpr double body_curve = 0.02;
 /// Share of the offset from the body that the sagitta of an edge over such a curve may use up
 /// before its middle has to touch the body too.
-constexpr double most_sagitta = 0.7;
+constexpr double max_sagitta = 0.7;
 
 }  // namespace
 
@@ -109,7 +109,7 @@ void ClothForces::use_skin(bool points) {
   approach_bound_ = of_vertices(approach_bounds());
   edge_contacts_.reset();
   if (model_.scene.body != nullptr && options_.surface != nullptr) {
-    const double shortest = std::sqrt(8 * body_curve * most_sagitta * options_.body_offset);
+    const double shortest = std::sqrt(8 * body_curve * max_sagitta * options_.body_offset);
     edge_contacts_ = std::make_unique<EdgeContacts>(
         triangles, positions(), shortest, of_vertices(model_.friction_skin), approach_bound_);
   }
@@ -148,7 +148,7 @@ std::vector<double> ClothForces::approach_bounds() const {
     const double bend = model_.bend.empty() ? 0 : model_.bend_diagonal[n];
     const double stiffness = isotropic_share * model_.stretch_diagonal[n] + bend;
     steps.push_back(
-        std::min(most_coming_down, weights_coming_down * weight / std::max(stiffness, 1e-12)));
+        std::min(max_coming_down, weights_coming_down * weight / std::max(stiffness, 1e-12)));
   }
   return steps;
 }
@@ -213,11 +213,11 @@ bool ClothForces::update_multipliers() {
                      [](const ElasticKernel::Held& held) { return held.beyond == 0; });
 }
 
-void ClothForces::search_when_due(int interval, int most_interval) {
+void ClothForces::search_when_due(int interval, int max_interval) {
   update_body_bounds();
   if (!self_contact()) return;
   // Unbounded, a node may leave the searched neighbourhood: look again now and then.
-  if (!options_.bounded && since_search_ >= most_interval) search_due_ = true;
+  if (!options_.bounded && since_search_ >= max_interval) search_due_ = true;
   if (search_due_ && (since_search_ >= interval || bound_.empty())) {
     search();
     ++searches_;

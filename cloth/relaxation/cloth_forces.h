@@ -42,8 +42,8 @@ class ClothForces {
   void close_seams(double open);
 
   /// Looks for near cloth when nodes have used up their bounds; `interval` compute()s apart at
-  /// least, and, unbounded, `most_interval` at most.
-  void search_when_due(int interval, int most_interval);
+  /// least, and, unbounded, `max_interval` at most.
+  void search_when_due(int interval, int max_interval);
   int searches() const { return searches_; }
   /// Share of the stiffness that resists compression from now on.
   void resist_compression(double share) { stretch_.compression = share; }

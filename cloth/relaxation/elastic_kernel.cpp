@@ -60,17 +60,17 @@ constexpr double near_limit = 0.5;
 }
 
 // A direction crushed to nothing has no direction to push along.
-constexpr double least_squared = 1e-18;
+constexpr double min_squared = 1e-18;
 
 /// Stress over stretched length, N·m/... of four triangles along one yarn.
 [[gnu::always_inline]] inline Vec4 tension(const Vec4& stiffness, const Vec4& squared,
                                            const StretchOptions& options, const Vec4* restraint) {
-  const Vec4 length = square_root(squared > least_squared ? squared : Vec4{1, 1, 1, 1});
+  const Vec4 length = square_root(squared > min_squared ? squared : Vec4{1, 1, 1, 1});
   const Vec4 strain = length - 1.0;
   Vec4 stress = stiffness * (strain > 0.0 ? strain : options.compression * strain);
   if (restraint != nullptr) stress += holding(stiffness, strain - options.limit, *restraint);
   const Vec4 result = stress / length;
-  return squared > least_squared ? result : Vec4{0, 0, 0, 0};
+  return squared > min_squared ? result : Vec4{0, 0, 0, 0};
 }
 
 }  // namespace

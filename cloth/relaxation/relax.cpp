@@ -17,7 +17,7 @@ namespace {
 
 /// Steps are this much longer than the bound on the stiffness allows, for the bound is pessimistic:
 /// 1 needs twice the iterations. With 1.5, ten garments on five meshes take 0.93 times as many, but
-/// a sheet without coarser meshes flies apart (most_step), and jersey trembles on fine ones.
+/// a sheet without coarser meshes flies apart (max_step), and jersey trembles on fine ones.
 constexpr double step_factor = 1.3;
 /// What each coarser level adds to the bound: 1 would always be safe; at 0.2, garments of the
 /// default fabric come to rest, but those of jersey and denim go on trembling; those of jersey on
@@ -29,25 +29,25 @@ constexpr double aggregate_level_share = 0.1;
 /// How many times the inverse of a force's stiffness a step may be with momentum. Of a stiffness λ,
 /// steps of s and momentum β change what is off by x'' = (1 - sλ)((1 + β) x' - β x), which stays
 /// bounded for sλ < (2 + 2β) / (1 + 2β): 4/3 with β near 1.
-constexpr double most_step = 4.0 / 3;
+constexpr double max_step = 4.0 / 3;
 /// Iterations that the directions of the stiffness are kept, and how far the yarns may turn
 /// meanwhile, as a sine: what turns faster is looked at more often. Garments turn by 0.001 to 0.01;
 /// a tube 5 % too small, drawn over an ellipse, never finds out of its tangle with 25 iterations
 /// alone. Twice as often brings none to rest sooner, half as often needs 1.15 times the iterations.
 constexpr int min_block_interval = 4;
 constexpr int max_block_interval = 25;
-constexpr double most_turn = 0.02;
+constexpr double max_turn = 0.02;
 /// Of the age of its momentum, what a run keeps that goes uphill: what trembles somewhere must not
 /// stop what is slow elsewhere. With three quarters, ten garments on five meshes take 1.1 times the
 /// iterations; with an age for each node, 2 to 5 times. What is younger than the least is left
 /// alone.
 constexpr double kept_age = 0.9;
-constexpr int least_age = 50;
+constexpr int min_age = 50;
 /// Iterations between two measurements of the residual, and calls of the watcher.
 constexpr int watch_interval = 50;
 /// How often a garment that is at rest but for a few nodes is held harder, where it is beyond its
 /// limits: what can't be held would never come to rest.
-constexpr int most_waits = 30;
+constexpr int max_waits = 30;
 /// Least iterations between two searches for near cloth; a node that has used up its bound waits.
 constexpr int search_interval = 8;
 double smoothstep(double t) { return t * t * (3 - 2 * t); }
@@ -64,7 +64,7 @@ class Relaxation {
         step_factor_(step_factor /
                      (1 + level_share * coarse_.nested_levels() +
                       aggregate_level_share * (coarse_.levels() - coarse_.nested_levels()))),
-        touch_factor_(std::max(1.0, step_factor_ * (1 + coarse_.levels()) / most_step)),
+        touch_factor_(std::max(1.0, step_factor_ * (1 + coarse_.levels()) / max_step)),
         node_force_(model.nodes, Vec4{}),
         x_(as_vec4(x)),
         partial_(chunks_of(model.nodes, vertex_chunk)) {}
@@ -128,7 +128,7 @@ void Relaxation::find_forces(std::size_t begin, std::size_t end) {
 void Relaxation::update_blocks() {
   if (forces_.seams_stand_open() || --until_blocks_ > 0) return;
   const double turn = std::max(blocks_.update(forces_.nodes()), 1e-9);
-  block_interval_ = static_cast<int>(std::clamp<double>(block_interval_ * most_turn / turn,
+  block_interval_ = static_cast<int>(std::clamp<double>(block_interval_ * max_turn / turn,
                                                         min_block_interval, max_block_interval));
   until_blocks_ = block_interval_;
   coarse_.set_blocks(blocks_.of_nodes());
@@ -144,7 +144,7 @@ void Relaxation::find_forces() {
 
 TOILE_CLONES
 double Relaxation::step_nodes(std::size_t begin, std::size_t end) {
-  const double most_squared = options_.max_move * options_.max_move;
+  const double max_squared = options_.max_move * options_.max_move;
   const double isotropic = blocks_.known() ? isotropic_share : 1;
   double power = 0;
   for (std::size_t n = begin; n < end; ++n) {
@@ -155,12 +155,12 @@ double Relaxation::step_nodes(std::size_t begin, std::size_t end) {
     Vec4 way = step_factor_ * way_of(blocks_.of_nodes()[n], stiffness, force);
     way += step_factor_ * coarse_.of_node(n);
     const double squared = squared_length(way);
-    if (squared > most_squared) way *= options_.max_move / std::sqrt(squared);
+    if (squared > max_squared) way *= options_.max_move / std::sqrt(squared);
     const Vec4 next = forces_.node(n) + way;
     Vec4 glide = next - x_[n];
     power += dot(force, glide);
     const double speed = squared_length(glide);
-    if (speed > most_squared) glide *= options_.max_move / std::sqrt(speed);
+    if (speed > max_squared) glide *= options_.max_move / std::sqrt(speed);
     x_[n] = forces_.move(n, next + momentum_ * glide) ? next : forces_.node(n);
   }
   return power;
@@ -207,7 +207,7 @@ Residual Relaxation::last_residual() const {
 
 /// Less of it when the forces are against the last step, all nodes together.
 void Relaxation::adjust_momentum(double power, bool closing) {
-  const bool uphill = power < 0 && !closing && momentum_age_ >= least_age;
+  const bool uphill = power < 0 && !closing && momentum_age_ >= min_age;
   momentum_age_ = uphill ? static_cast<int>(kept_age * momentum_age_) : momentum_age_ + 1;
 }
 
@@ -256,7 +256,7 @@ RelaxReport Relaxation::run(const RelaxWatcher& watcher) {
     if ((i + 1) % watch_interval != 0 && i + 1 != options_.max_iterations) continue;
     if (watcher) watcher({i + 1, forces_.open(), state()});
     if (closing) continue;
-    const bool within_limits = waited >= most_waits || forces_.update_multipliers();
+    const bool within_limits = waited >= max_waits || forces_.update_multipliers();
     const Residual left = last_residual();
     if (left.median < options_.stop_median) ++waited;
     if (i < options_.stiffening_iterations) continue;

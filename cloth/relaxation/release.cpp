@@ -46,7 +46,7 @@ class Release {
   Vec4s x_;
   Vec4s v_;
   double step_ = 0;
-  double most_inverse_ = 0;  // 1/s²: the most that stiffness over mass may be
+  double max_inverse_ = 0;  // 1/s²: the most that stiffness over mass may be
 };
 
 Release::Release(const GarmentModel& model, const ReleaseOptions& options,
@@ -61,14 +61,14 @@ Release::Release(const GarmentModel& model, const ReleaseOptions& options,
     if (!(model.mass[n] > 0)) continue;
     double stiffness = forces_.stretch_stiffness(n);
     if (!model.bend.empty()) stiffness += options.bending * model.bend_diagonal[n];
-    if (model.scene.body != nullptr) stiffness += BodyContact::most_stiffness;
+    if (model.scene.body != nullptr) stiffness += BodyContact::max_stiffness;
     most = std::max(most, stiffness / model.mass[n]);
   }
   // Stable as long as (step·frequency)² (1 + 2 ahead) < 4.
   const double limit = 4 * safe_share * safe_share / (1 + 2 * ahead);
   const double stable = most > 0 ? std::sqrt(limit / most) : options.seconds;
   step_ = options.seconds / std::ceil(options.seconds / stable);
-  most_inverse_ = limit / (step_ * step_);
+  max_inverse_ = limit / (step_ * step_);
 }
 
 TOILE_CLONES
@@ -78,7 +78,7 @@ void Release::step_nodes(std::size_t begin, std::size_t end) {
     Vec4 force;
     double stiffness;
     forces_.at(n, force, stiffness);
-    const double mass = std::max(model_.mass[n], stiffness / most_inverse_);
+    const double mass = std::max(model_.mass[n], stiffness / max_inverse_);
     if (!(mass > 0)) continue;
     v_[n] = kept * (v_[n] + step_ / mass * force);
     const Vec4 before = forces_.node(n);

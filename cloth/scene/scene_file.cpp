@@ -18,8 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t longest_name = 64;  // bytes
-constexpr std::size_t most_layers = 100;
-constexpr std::size_t most_panels = 1000;
+constexpr std::size_t max_layers = 100;
+constexpr std::size_t max_panels = 1000;
 
 void refuse_unknown_keys(const JsonValue& value, const std::vector<std::string>& known) {
   for (const std::string& key : value.keys()) {
@@ -80,7 +80,7 @@ SceneLayer layer_of(const JsonValue& value, const fs::path& folder) {
   if (const auto over = value.find("panels_over")) {
     for (const std::string& other : over->keys()) {
       const JsonValue panels = over->get(other);
-      const std::size_t count = panels.size(1, most_panels);
+      const std::size_t count = panels.size(1, max_panels);
       for (std::size_t i = 0; i < count; ++i) {
         layer.panels_over[other].push_back(panels.item(i).text());
       }
@@ -132,7 +132,7 @@ SceneFile read_scene(const fs::path& path) {
     }
   }
   const JsonValue layers = root.get("layers");
-  const std::size_t count = layers.size(1, most_layers);
+  const std::size_t count = layers.size(1, max_layers);
   std::set<std::string> names;
   for (std::size_t i = 0; i < count; ++i) {
     const JsonValue item = layers.item(i);

@@ -42,7 +42,7 @@ Vec3 at(const std::array<Vec3, 3>& corners, const Vec3& w) {
 
 }  // namespace
 
-double least_speed(const CollisionStep& step, double distance, double gap) {
+double min_speed(const CollisionStep& step, double distance, double gap) {
   if (distance > gap) return (gap - distance) / step.dt;
   return std::min((gap - distance) / (let_out_steps * step.dt), step.options.let_out_speed);
 }
@@ -99,7 +99,7 @@ NodeContacts node_contacts(const CollisionStep& step, int t, int corner, const N
           if (const auto ray = particle_ray(x, before, step.subject.point(c[0]),
                                             step.subject.point(c[1]), step.subject.point(c[2]));
               ray && *ray <= within) {
-            hits[hit_count++] = {facet, least_speed(step, std::max(height, tolerance), tolerance)};
+            hits[hit_count++] = {facet, min_speed(step, std::max(height, tolerance), tolerance)};
           }
         }
       }
@@ -118,16 +118,16 @@ NodeContacts node_contacts(const CollisionStep& step, int t, int corner, const N
   const SubjectNearest& first = closest->nearest;
   if (first.distance < 0) {
     if (first.distance >= -step.behind_depth) {
-      add(first.direction, least_speed(step, first.distance, tolerance));
+      add(first.direction, min_speed(step, first.distance, tolerance));
     }
     return all;
   }
   clear = std::min(clear, first.distance);
-  if (first.distance <= reach) add(first.direction, least_speed(step, first.distance, tolerance));
+  if (first.distance <= reach) add(first.direction, min_speed(step, first.distance, tolerance));
   for (std::size_t i = 0; i < count; ++i) {
     const SubjectNearest& other = found[i].nearest;
     if ((other.point - first.point).squaredNorm() < same_point * same_point) continue;
-    add(other.direction, least_speed(step, other.distance, tolerance));
+    add(other.direction, min_speed(step, other.distance, tolerance));
   }
   for (std::size_t i = 0; i < hit_count; ++i) {
     const bool known = closest->facet == hits[i].first ||
@@ -196,7 +196,7 @@ void edge_contact(const CollisionStep& step, int t, int side, const SubjectEdge&
       height = -distance;
     }
   }
-  const double least = least_speed(step, height, gap);
+  const double least = min_speed(step, height, gap);
   contact.least = least;
   if (contact.approach(v) <= slack) return;
 
@@ -265,7 +265,7 @@ void vertex_contact(const CollisionStep& step, int t, int vertex, const std::vec
     if (!pierced) return;
     height = -distance;
   }
-  const double least = least_speed(step, height, gap);
+  const double least = min_speed(step, height, gap);
   contact.least = least;
   if (contact.approach(v) <= slack || inverse_mass_at(contact.weights, contact.inverse_mass) <= 0) {
     return;

@@ -23,7 +23,7 @@ struct CollisionStep {
 
 /// m/s along the normal that a point has to have which is `distance` metres from the surface: it
 /// may come down to the gap (metres) within the step, and is let out when it is nearer.
-double least_speed(const CollisionStep& step, double distance, double gap);
+double min_speed(const CollisionStep& step, double distance, double gap);
 
 /// The contacts of one node: at most the four nearest.
 struct NodeContacts {

@@ -58,9 +58,9 @@ void SelfCollisions::respond(const std::vector<Vec3>& x, const std::vector<int>&
         mobility += nearest.weights[i] * nearest.weights[i] * inverse_mass[n];
       }
       const double room = distance - pair.gap;
-      const double least_speed = room > 0 ? -room / dt : -room / let_out_time;
-      if (speed >= least_speed || mobility <= 0) continue;
-      const double impulse = (least_speed - speed) / mobility;
+      const double min_speed = room > 0 ? -room / dt : -room / let_out_time;
+      if (speed >= min_speed || mobility <= 0) continue;
+      const double impulse = (min_speed - speed) / mobility;
       for (int i = 0; i < 4; ++i) {
         const int n = node[pair.vertices[i]];
         v[n] += nearest.weights[i] * inverse_mass[n] * impulse * normal;

@@ -26,7 +26,7 @@ constexpr int easing_interval = 100;
 constexpr int sewing_sweeps = 4;
 /// The bound on the stable step is a safe one, and the strain control tames a little more. Beyond,
 /// the cloth is thrown about, and each step finds ever more collisions.
-constexpr double most_step_share = 2.001;
+constexpr double max_step_share = 2.001;
 
 std::string shown(double value) {
   std::ostringstream text;
@@ -93,7 +93,7 @@ std::vector<Spring> SpringMotion::all_springs() const {
 void SpringMotion::choose_time_step() {
   const double stable = stable_step(all_springs(), sheet_.inverse_mass(), options_.drag);
   time_step_ = options_.time_step > 0 ? options_.time_step : options_.step_share * stable;
-  if (time_step_ <= most_step_share * stable) return;
+  if (time_step_ <= max_step_share * stable) return;
   throw Error("time step",
               "of " + shown(1e6 * time_step_) + " µs is too long: this cloth moves stably up to " +
                   shown(1e6 * stable) + " µs",

@@ -47,7 +47,7 @@ SpringSheet::SpringSheet(const PanelMesh& garment, const GarmentModel& model)
 /// is lighter for its stiffness than most gives way more than the fabric would; the strain control
 /// holds it all the same.
 void SpringSheet::soften_small_elements() {
-  constexpr double most_over_median = 2.5;
+  constexpr double max_over_median = 2.5;
   std::vector<double> stiffness(point_mass_.size(), 0);
   for (const Spring& spring : point_edges_) {
     stiffness[spring.a] += spring.stiffness;
@@ -60,7 +60,7 @@ void SpringSheet::soften_small_elements() {
   if (rates.empty()) return;
   std::nth_element(rates.begin(), rates.begin() + rates.size() / 2, rates.end());
   rate_ = rates[rates.size() / 2];
-  const double most = most_over_median * rate_;
+  const double most = max_over_median * rate_;
   for (Spring& spring : point_edges_) {
     double share = 1;
     for (const int end : {spring.a, spring.b}) {

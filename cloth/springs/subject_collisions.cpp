@@ -16,8 +16,8 @@ constexpr double behind_depth = 0.005;
 constexpr int chunk = 256;
 /// Steps that the lists of candidates shall last, and what that may cost in length, metres.
 constexpr double list_steps = 60;
-constexpr double least_margin = 0.0015;
-constexpr double most_margin = 0.01;
+constexpr double min_margin = 0.0015;
+constexpr double max_margin = 0.01;
 /// Of the fastest approach, what may be left of any.
 constexpr double rest_share = 0.005;
 constexpr double rest_speed = 1e-7;  // m/s
@@ -93,7 +93,7 @@ void SubjectCollisions::Response::nodes_first(const CollisionStep& step, std::ve
       pair_reach_[t] = step.options.edge_tolerance + passed;
       const NearTriangle& near =
           candidates_.refreshed(t, step.x, reach_[t], pair_reach_[t],
-                                std::clamp(list_steps * passed, least_margin, most_margin));
+                                std::clamp(list_steps * passed, min_margin, max_margin));
       clear_[t] = pair_reach_[t];
       moved_[t] = near.moved(own.nodes, step.x);
       for (int i = 0; i < 3; ++i) {
@@ -164,7 +164,7 @@ void SubjectCollisions::Response::guard(const CollisionStep& step, std::vector<V
     const double most = 0.9 * clear_[t] / step.dt;
     if (speed <= most * most) continue;
     const double reach = 2 * std::sqrt(speed) * step.dt;
-    candidates_.refreshed(t, step.x, reach, reach, least_margin);
+    candidates_.refreshed(t, step.x, reach, reach, min_margin);
     long_steps.push_back(t);
   }
   if (!long_steps.empty()) keep_from_crossing(step, long_steps, candidates_, v);

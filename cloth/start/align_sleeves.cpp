@@ -15,7 +15,7 @@ namespace {
 
 /// Radians: T-shirts and a shirt are off arms like those that they were laid out for by 3 to 9
 /// degrees, off arms that hang lower, swing or reach by 12 to 52 [measured].
-constexpr double least_turn = 11 * std::numbers::pi / 180;
+constexpr double min_turn = 11 * std::numbers::pi / 180;
 /// Cosine between a seam and the arm, from which on it runs along the sleeve, not around it.
 constexpr double along_sleeve = 0.5;
 
@@ -95,7 +95,7 @@ std::map<std::string, double> turn_sleeves(const PanelMesh& garment,
     if (run.isZero() || !armhole) continue;
     const auto turn = Eigen::Quaterniond::FromTwoVectors(run, arm.average(0, run.norm()).second);
     const double angle = turn.angularDistance(Eigen::Quaterniond::Identity());
-    if (angle < least_turn) continue;
+    if (angle < min_turn) continue;
     sleeve.turn(turn.toRotationMatrix(), *armhole, placed);
     turned[part] = angle;
   }

@@ -7,7 +7,7 @@ namespace toile {
 namespace {
 
 constexpr double step = 0.01;  // metres
-constexpr int most_steps = 40;
+constexpr int max_steps = 40;
 /// Metres from the collider that a point starts at least.
 constexpr double clearance = 0.01;
 /// A panel faces some way when its areas, added as vectors, keep this share of their sum.
@@ -42,7 +42,7 @@ void clear_of_layers(const PanelMesh& garment, const DistanceGrid& collider, Pla
     };
     int fewest = too_close(0);
     int best = 0;
-    for (int steps = 1; steps <= most_steps && fewest > 0; ++steps) {
+    for (int steps = 1; steps <= max_steps && fewest > 0; ++steps) {
       const int count = too_close(steps);
       if (count >= fewest) continue;
       fewest = count;

@@ -14,7 +14,7 @@ namespace {
 /// Half widths of a panel that its middle has to be off the body's: else it stands on both sides.
 constexpr double on_one_side = 0.5;
 /// Share of a group's seams that have to reach across the middle.
-constexpr double most_across = 0.5;
+constexpr double max_across = 0.5;
 /// What standing mirrored has to make of the seams' lengths, and bring at least, metres.
 constexpr double much_shorter = 0.65;
 constexpr double worth = 0.15;
@@ -157,7 +157,7 @@ class Sides {
   }
 
   static bool belongs_across(const Reach& reach) {
-    return reach.across > most_across * reach.pairs && reach.is_much_shorter_there();
+    return reach.across > max_across * reach.pairs && reach.is_much_shorter_there();
   }
 
   /// A panel's point when the panel is moved across the middle, not turned: of legs that change

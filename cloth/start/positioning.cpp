@@ -228,7 +228,7 @@ class Stand {
   }
 
   /// The least distance that is clear between one that is not and one that is.
-  double least_clear(const DistanceGrid& body, double near, double far) const {
+  double min_clear(const DistanceGrid& body, double near, double far) const {
     for (int i = 0; i < halvings; ++i) {
       const double between = 0.5 * (near + far);
       (clear(body, between) ? far : near) = between;
@@ -271,7 +271,7 @@ double clear_distance(const Piece& piece, const DistanceGrid& body, double drawn
     distance += step;
     if (distance >= farther) return farther;
   }
-  return distance > first ? stand.least_clear(body, distance - step, distance) : first;
+  return distance > first ? stand.min_clear(body, distance - step, distance) : first;
 }
 
 PositionedPanel stand_flat(const Piece& piece, const DistanceGrid& body,
@@ -307,7 +307,7 @@ PositionedPanel roll_around(const Piece& piece, const DistanceGrid& body,
       best.drawn_out = drawn;
       best.points_too_near = count;
       if (count > 0) continue;
-      if (radius > tightest) best.distance = stand.least_clear(body, radius - step, radius);
+      if (radius > tightest) best.distance = stand.min_clear(body, radius - step, radius);
       break;
     }
   }

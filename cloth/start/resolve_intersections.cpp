@@ -18,11 +18,11 @@ namespace toile {
 namespace {
 
 constexpr double step = 0.01;  // metres
-constexpr int most_steps = 70;
+constexpr int max_steps = 70;
 constexpr double reach = 0.1;  // metres over which it is judged which way leads out
 /// Metres: the distance grid rounds off corners, but not by that much.
 constexpr double surely_inside = -0.002;
-constexpr int most_widening = 15;  // steps
+constexpr int max_widening = 15;  // steps
 /// Metres: where a pattern places two sides in one place, only rounding lies between them.
 constexpr double rounding = 1e-9;
 /// Panels face one way when their areas, added as vectors, keep this share of their sum: that of a
@@ -202,7 +202,7 @@ class Clearing {
     if (is_clear(unit, settled, placement_.placed)) return true;
     bool flat = true;
     const std::vector<Vec3> out = ways(unit, flat);
-    const int most = flat ? most_steps : most_widening;
+    const int most = flat ? max_steps : max_widening;
     for (int steps = 1; steps <= most; ++steps) {
       std::vector<Vec3> points = moved(unit, out, steps);
       if (!is_clear(unit, settled, points)) continue;

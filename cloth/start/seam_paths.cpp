@@ -9,7 +9,7 @@ namespace toile {
 namespace {
 
 /// Metres between two looks along a way; what it grazes for less than that does not bar it.
-constexpr double least_step = 0.02;
+constexpr double min_step = 0.02;
 /// Metres down the arm from the joint of the shoulder, over which seams have to come.
 constexpr double armpit = 0.1;
 
@@ -72,10 +72,10 @@ bool SeamPaths::is_obstructed(Way& way, double lift) const {
   const double length = (to - from).norm();
   for (double done = 0; done < length && !way.at_arm;) {
     const Vec3 p = from + done / length * (to - from);
-    done += least_step;
+    done += min_step;
     // What is obstructed already is asked for arms only.
     if (obstructed && !in_arm(p)) continue;
-    done += std::max(body_.lower_bound(look(p, 0)) - least_step, 0.0);
+    done += std::max(body_.lower_bound(look(p, 0)) - min_step, 0.0);
   }
   return obstructed;
 }

@@ -26,13 +26,13 @@ bool contains(const Section& section, const Vec3& point, const Vec3& normal) {
 }
 
 std::optional<Section> section_at(const std::vector<Section>& sections, const Vec3& point,
-                                  const Vec3& normal, double least_area, double reach) {
+                                  const Vec3& normal, double min_area, double reach) {
   const Section* nearest = nullptr;
   double distance = reach;
   // Sections come by area, the largest first: the last that contains the point is the smallest.
   const Section* around = nullptr;
   for (const Section& section : sections) {
-    if (!section.closed || section.area < least_area) continue;
+    if (!section.closed || section.area < min_area) continue;
     if (contains(section, point, normal)) around = &section;
     const double to = (section.centroid - point).norm();
     if (to <= distance) {
@@ -51,7 +51,7 @@ std::vector<Station> walk_limb(const TriangleMesh& mesh, const Vec3& start, cons
   Vec3 at = start;
   Vec3 onward = direction.normalized();
   for (double way = 0; way <= options.length; way += options.step) {
-    auto found = section_at(slice(mesh, at, onward), at, onward, options.least_area, options.reach);
+    auto found = section_at(slice(mesh, at, onward), at, onward, options.min_area, options.reach);
     if (!found) break;
     double along = 0;
     if (!stations.empty()) {
@@ -79,7 +79,7 @@ std::vector<Station> walk_level(const TriangleMesh& mesh, const Vec3& start, dou
   Vec3 at = start;
   for (int i = 0; i * options.step <= std::min(way, options.length); ++i) {
     at.y() = start.y() + sign * i * options.step;
-    auto found = section_at(slice(mesh, at, Vec3::UnitY()), at, Vec3::UnitY(), options.least_area,
+    auto found = section_at(slice(mesh, at, Vec3::UnitY()), at, Vec3::UnitY(), options.min_area,
                             options.reach);
     if (!found) break;
     at = found->centroid;

@@ -18,16 +18,16 @@ struct Station {
 /// Whether the point lies within a closed section of a plane of that normal.
 bool contains(const Section& section, const Vec3& point, const Vec3& normal);
 
-/// Of `sections` with at least `least_area`, the smallest that contains `point`; if none does, the
+/// Of `sections` with at least `min_area`, the smallest that contains `point`; if none does, the
 /// one whose centroid is nearest to it, at most `reach` away. None: nothing.
 std::optional<Section> section_at(const std::vector<Section>& sections, const Vec3& point,
-                                  const Vec3& normal, double least_area, double reach);
+                                  const Vec3& normal, double min_area, double reach);
 
 struct WalkOptions {
-  double step = 0;        ///< between sections, metres
-  double least_area = 0;  ///< m^2; ends where the section is smaller
-  double reach = 0;       ///< the next centroid is at most so far from where it is expected
-  double length = 0;      ///< ends after this way
+  double step = 0;      ///< between sections, metres
+  double min_area = 0;  ///< m^2; ends where the section is smaller
+  double reach = 0;     ///< the next centroid is at most so far from where it is expected
+  double length = 0;    ///< ends after this way
 };
 
 /// Walks along a limb from its section at `start` (inside the limb), each next plane square to the

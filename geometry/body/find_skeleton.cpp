@@ -40,7 +40,7 @@ double reach_to(const Section& section, int side) {
   return side > 0 ? reach.high : -reach.low;
 }
 
-const Station& least_girth(const std::vector<Station>& stations, double low, double high) {
+const Station& min_girth(const std::vector<Station>& stations, double low, double high) {
   const Station* least = nullptr;
   for (const Station& station : stations) {
     if (station.along < low || station.along > high) continue;
@@ -54,7 +54,7 @@ class Finder {
   Finder(const TriangleMesh& body, const std::string& name) : body_(body), name_(name) {
     for (const Vec3& point : body.points) height_ = std::max(height_, point.y());
     walk_.step = height_ / 200;
-    walk_.least_area = 3.5e-4 * height_ * height_;  // 10 cm^2 at 1.70 m: a finger is less
+    walk_.min_area = 3.5e-4 * height_ * height_;  // 10 cm^2 at 1.70 m: a finger is less
     walk_.reach = 0.05 * height_;
     walk_.length = height_;
   }
@@ -83,13 +83,13 @@ class Finder {
   std::vector<Section> level(double y) const {
     std::vector<Section> sections = slice(body_, Vec3(0, y, 0), Vec3::UnitY());
     std::erase_if(sections,
-                  [this](const Section& s) { return !s.closed || s.area < walk_.least_area; });
+                  [this](const Section& s) { return !s.closed || s.area < walk_.min_area; });
     return sections;
   }
 
   /// The section at height y that holds the whole trunk around `middle`, if there is one.
   std::optional<Section> trunk_section(double y, const Vec3& middle) const {
-    return section_at(level(y), Vec3(middle.x(), y, middle.z()), Vec3::UnitY(), walk_.least_area,
+    return section_at(level(y), Vec3(middle.x(), y, middle.z()), Vec3::UnitY(), walk_.min_area,
                       walk_.reach);
   }
 
@@ -132,11 +132,11 @@ class Finder {
                       up[leg].begin() + static_cast<std::ptrdiff_t>(first));
       const Vec3 thigh = point_along(leg_line, crotch_ - 0.02 * height_);
       joint(side, "hip") = Vec3(thigh.x(), crotch_ + 0.04 * height_, pelvis->centroid.z());
-      const double thin = least_girth(leg_line, 0.5 * crotch_, 0.7 * crotch_).along;
+      const double thin = min_girth(leg_line, 0.5 * crotch_, 0.7 * crotch_).along;
       joint(side, "knee") = point_along(
           leg_line, std::clamp(knee_share * crotch_, thin - 0.04 * height_, thin + 0.04 * height_));
       // The least girth lies above the ankle bones.
-      const double above_ankle = least_girth(leg_line, 0.03 * height_, 0.14 * height_).along;
+      const double above_ankle = min_girth(leg_line, 0.03 * height_, 0.14 * height_).along;
       joint(side, "ankle") = point_along(leg_line, std::max(0.65 * above_ankle, 0.03 * height_));
     }
   }
@@ -149,7 +149,7 @@ class Finder {
     const double armpit = std::min(armpits_[0].y(), armpits_[1].y());
     const double span = armpit - crotch_;
     skeleton_.joints["waist"] =
-        least_girth(trunk_, crotch_ + 0.3 * span, crotch_ + 0.85 * span).section.centroid;
+        min_girth(trunk_, crotch_ + 0.3 * span, crotch_ + 0.85 * span).section.centroid;
     const Vec3 chest = point_along(trunk_, armpit - walk_.step);
     skeleton_.joints["chest"] = Vec3(chest.x(), (armpits_[0].y() + armpits_[1].y()) / 2, chest.z());
   }
@@ -196,7 +196,7 @@ class Finder {
 
   void find_neck() {
     const double shoulders = std::max(armpits_[0].y(), armpits_[1].y());
-    const Station& thin = least_girth(trunk_, std::max(shoulders, 0.75 * height_), 0.93 * height_);
+    const Station& thin = min_girth(trunk_, std::max(shoulders, 0.75 * height_), 0.93 * height_);
     double head_girth = 0;
     for (const Station& station : trunk_) {
       if (station.along > thin.along) head_girth = std::max(head_girth, station.section.girth);
@@ -228,7 +228,7 @@ class Finder {
     const Vec3 across = (Vec3::UnitY() - outward.y() * outward).normalized();
     // Into the arm's middle, and on until the section is the arm's alone.
     WalkOptions options = walk_;
-    options.least_area = walk_.least_area / 2;
+    options.min_area = walk_.min_area / 2;
     std::vector<Station> arm;
     for (double on = 0.01; on < 0.08 && arm.empty(); on += 0.01) {
       arm = walk_limb(body_, armpit + height_ * (0.035 * across + on * outward), outward, options);
@@ -259,7 +259,7 @@ class Finder {
     const double whole = back + arm.back().along;
     const double low = 0.62 * whole - back;
     const double high = 0.88 * whole - back;
-    const Station& thin = least_girth(arm, low, high);
+    const Station& thin = min_girth(arm, low, high);
     double hand = 0;
     for (const Station& station : arm) {
       if (station.along > thin.along) hand = std::max(hand, station.section.girth);

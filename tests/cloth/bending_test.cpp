@@ -132,7 +132,7 @@ TEST(Bend, ATriangleHasThePlatesEnergyAtEveryCurvature) {
       for (int i = 0; i < 3; ++i) rows.row(i) = jumps[i].normalized();
       const double distinct =
           Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(rows * rows.transpose()).eigenvalues()[0];
-      if (distinct < least_distinct) continue;
+      if (distinct < min_distinct) continue;
       EXPECT_NEAR(jump.dot(stiffness * jump), energy, 1e-9 * energy);
     }
     EXPECT_EQ(missing.row(1), Vec3::Zero().transpose());
@@ -153,7 +153,7 @@ TEST(Bend, EdgesThatDoNotTellCurvaturesApartAreBounded) {
       plate_stiffness(fabric, 1e-4, {across, twisted, across + twisted}, {true, true, true});
   // On its own the first has 1e-4 m² · 1e-5 N·m / (1 cm)².
   EXPECT_TRUE(stiffness.allFinite());
-  EXPECT_LE(stiffness.norm(), 1e-5 * 2 / least_distinct);
+  EXPECT_LE(stiffness.norm(), 1e-5 * 2 / min_distinct);
   EXPECT_EQ(plate_stiffness(fabric, 1e-4, {across, twisted, across}, {false, false, false}).norm(),
             0);
 }

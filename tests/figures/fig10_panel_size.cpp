@@ -13,7 +13,7 @@ constexpr double paper_area = 1.44;       // percent
 constexpr double paper_perimeter = 0.87;  // percent
 
 /// The panel whose area changes most on the way.
-std::size_t most_changed_panel(const PaperDressing& dressing) {
+std::size_t max_changed_panel(const PaperDressing& dressing) {
   std::size_t panel = 0;
   double most = 0;
   for (const DressingMoment& m : dressing.moments) {
@@ -106,7 +106,7 @@ void write(const SheetSettings& settings) {
   const Wearer wearer(standing_pose());
   const std::vector<Way> ways = dress_all_ways(settings, wearer);
   const PanelMesh& garment = ways.front().dressing.garment;
-  const std::size_t panel = most_changed_panel(ways.back().dressing);
+  const std::size_t panel = max_changed_panel(ways.back().dressing);
   sheet.say(
       "The T-shirt on the standing mannequin. Perimeter is that of all the triangles in the "
       "panel. The woven is the default fabric; the soft one has springs a fiftieth as "
@@ -133,8 +133,8 @@ void write(const SheetSettings& settings) {
       rows[p].push_back(number(most(way.dressing, &DressingMoment::area, p), 2));
       rows[p].push_back(number(most(way.dressing, &DressingMoment::perimeter, p), 2));
     }
-    const double area = way.dressing.most_area();
-    const double perimeter = way.dressing.most_perimeter();
+    const double area = way.dressing.max_area();
+    const double perimeter = way.dressing.max_perimeter();
     if (way.held) {
       sheet.compare("largest change of a panel's area while dressing: " + way.name,
                     number(paper_area, 2) + " %", number(area, 2) + " %", area <= paper_area);

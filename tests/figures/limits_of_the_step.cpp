@@ -14,8 +14,8 @@ struct BlewUp {};
 
 struct Trial {
   bool blew_up = false;
-  double most_strain = 0;  ///< of any edge at any look
-  double time_step = 0;    ///< seconds
+  double max_strain = 0;  ///< of any edge at any look
+  double time_step = 0;   ///< seconds
   long steps = 0;
   double seconds_per_step = 0;
 };
@@ -42,7 +42,7 @@ Trial wrap(const PanelMesh& garment, const Wearer& wearer, const SpringOptions& 
                                            (garment.flat[a] - garment.flat[b]).norm() -
                                        1);
         if (!(strain < lost)) throw BlewUp();
-        trial.most_strain = std::max(trial.most_strain, strain);
+        trial.max_strain = std::max(trial.max_strain, strain);
       }
     }
   };
@@ -93,7 +93,7 @@ void by_step(const SheetSettings& settings, const Wearer& wearer, Sheet& sheet) 
       motion.time_step = share * stable;
       motion.strain_scheme = scheme;
       const Trial trial = wrap(garment, wearer, motion, simulated);
-      row.push_back(trial.blew_up ? "lost" : number(100 * trial.most_strain, 2));
+      row.push_back(trial.blew_up ? "lost" : number(100 * trial.max_strain, 2));
       if (scheme == StrainScheme::none && !trial.blew_up)
         last_stable = std::max(last_stable, share);
     }

@@ -152,11 +152,11 @@ std::vector<Cell> cost_row(const Json& row) {
 
 /// Where the strain control does not hold its limit.
 std::vector<std::vector<Cell>> strained_rows(const Json& row) {
-  constexpr std::size_t most_places = 6;
+  constexpr std::size_t max_places = 6;
   std::vector<std::vector<Cell>> rows;
   if (row["strain_control"] == "none") return rows;
   for (const Json& place : row["strained_places"]) {
-    if (rows.size() == most_places) break;
+    if (rows.size() == max_places) break;
     rows.push_back({{row["name"], ""},
                     {place["panel"], ""},
                     {place["joint"], ""},

@@ -97,8 +97,8 @@ void say(const PaperDressing& d) {
             << g.seams.open << ", intersections " << d.judgement.body_intersections << " body "
             << d.judgement.self_intersections << " self " << d.judgement.layer_intersections
             << " layers; strain off the seams max " << 100 * g.strain_off_seams.max << " % p99 "
-            << 100 * g.strain_off_seams.p99 << " %; on the way area " << d.most_area()
-            << " %, perimeter " << d.most_perimeter() << " %; residual median "
+            << 100 * g.strain_off_seams.p99 << " %; on the way area " << d.max_area()
+            << " %, perimeter " << d.max_perimeter() << " %; residual median "
             << d.result.residual.median << " rms " << d.result.residual.rms << "; wraps";
   for (const WrapFigure& wrap : d.judgement.wraps) {
     std::cerr << ' ' << wrap.part << ' ' << wrap.fraction;
@@ -145,13 +145,13 @@ double PaperDressing::seconds_per_step() const {
   return steps() > 0 ? sum / static_cast<double>(steps()) : 0;
 }
 
-double PaperDressing::most_area() const {
+double PaperDressing::max_area() const {
   double most = 0;
   for (const DressingMoment& m : moments) most = std::max(most, m.largest_area());
   return most;
 }
 
-double PaperDressing::most_perimeter() const {
+double PaperDressing::max_perimeter() const {
   double most = 0;
   for (const DressingMoment& m : moments) most = std::max(most, m.largest_perimeter());
   return most;

@@ -66,8 +66,8 @@ struct PaperDressing {
   /// Seconds of the computer per step; 0 without steps.
   double seconds_per_step() const;
   /// Largest over the way, percent.
-  double most_area() const;
-  double most_perimeter() const;
+  double max_area() const;
+  double max_perimeter() const;
 };
 
 /// As the figures dress: strain is controlled by three passes a step while wrapping and sewing, and

@@ -45,8 +45,8 @@ TEST(PaperDressing, TheSmallBandIsUnsewableAndTheLargerOneSews) {
   EXPECT_EQ(large.judgement.self_intersections, 0);
   ASSERT_EQ(large.judgement.wraps.size(), 1U);
   EXPECT_GT(large.judgement.wraps[0].fraction, 0.95);
-  EXPECT_LT(large.most_area(), 1.44);
-  EXPECT_LT(large.most_perimeter(), 0.87);
+  EXPECT_LT(large.max_area(), 1.44);
+  EXPECT_LT(large.max_perimeter(), 0.87);
 }
 
 }  // namespace

@@ -77,8 +77,8 @@ Json garment_row(const PaperDressing& d, const std::string& wanted) {
                                       {"longer", place.longer},
                                       {"height_m", place.at.y()}});
   }
-  row["area_percent"] = {{"during", d.most_area()}, {"end", g.area_max_panel_percent}};
-  row["perimeter_percent"] = {{"during", d.most_perimeter()},
+  row["area_percent"] = {{"during", d.max_area()}, {"end", g.area_max_panel_percent}};
+  row["perimeter_percent"] = {{"during", d.max_perimeter()},
                               {"end", g.triangle_perimeter_max_panel_percent}};
   row["residual"] = {{"median", d.result.residual.median}, {"rms", d.result.residual.rms}};
   row["verdict"] = judged.verdict;

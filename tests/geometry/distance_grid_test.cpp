@@ -244,7 +244,7 @@ TEST_F(WornSheet, TheHemIsASmallStep) {
     least = std::min(least, here);
     last = here;
   }
-  RecordProperty("least_mm", std::to_string(1000 * least));
+  RecordProperty("min_mm", std::to_string(1000 * least));
   EXPECT_GT(least, 0.0017);
   EXPECT_NEAR(last, 0.004, 8e-5);
   EXPECT_LT(largest_jump, 1e-4) << "as far as the point moved";

@@ -27,7 +27,7 @@ std::string refusal(const std::string& entries) {
 TEST(AttachmentJson, ReadsEveryKeyInThePatternsUnit) {
   const PatternPanel panel = read(R"(
       {"edge": 2, "to": "bust", "above": -3, "while": "always", "stiffness_N_per_m": 700,
-       "most_N": 12.5},
+       "max_N": 12.5},
       {"vertex": 0, "to": "place"}, {"vertex": 3, "to": "skin"}, {"edge": 1, "to": [1, 150, -20]},
       {"edge": 0, "to": "left_wrist"})");
   using Share = PanelAttachment::Share;
@@ -82,7 +82,7 @@ TEST(AttachmentJson, RefusesWhatMakesNoSense) {
   EXPECT_HOLDS(refusal(R"({"edge": 2, "to": "waist", "whlie": "always"})"),
                "has an unknown key 'whlie'; use edge, vertex, to");
   EXPECT_HOLDS(refusal(R"({"edge": 2, "to": "waist", "stiffness_N_per_m": 0})"), "above 0");
-  EXPECT_HOLDS(refusal(R"({"edge": 2, "to": "waist", "most_N": -1})"), "above 0");
+  EXPECT_HOLDS(refusal(R"({"edge": 2, "to": "waist", "max_N": -1})"), "above 0");
 }
 
 }  // namespace

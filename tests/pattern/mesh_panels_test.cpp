@@ -127,7 +127,7 @@ void expect_sound(const Pattern& pattern, const PanelMesh& garment, double small
 
 TEST(MeshPanels, ABagIsSoundAtEveryNumberOfSubdivisions) {
   const Pattern pattern = samples::parse(samples::bag);
-  for (int subdivisions = 0; subdivisions <= most_subdivisions; ++subdivisions) {
+  for (int subdivisions = 0; subdivisions <= max_subdivisions; ++subdivisions) {
     SCOPED_TRACE(subdivisions);
     const PanelMesh garment = mesh(pattern, {0.01, subdivisions});
     EXPECT_EQ(garment.subdivisions, subdivisions);

@@ -55,7 +55,7 @@ const Stitch& seam(const std::string& name) {
 }
 
 /// The part's panels together, measured across the drawing between the heights `low` and `high`.
-double least_width(const std::string& part, double low, double high) {
+double min_width(const std::string& part, double low, double high) {
   double sum = 0;
   for (const PatternPanel& panel : tshirt().pattern.panels) {
     if (panel.part != part) continue;
@@ -118,10 +118,10 @@ TEST(TshirtSample, LeftAndRightAreMirrorImages) {
 }
 
 TEST(TshirtSample, HasEaseAtBustHipAndNeck) {
-  const double bust = least_width("torso", 0.30, 0.41) - body_girth("bust");
+  const double bust = min_width("torso", 0.30, 0.41) - body_girth("bust");
   EXPECT_GT(bust, 0.08);
   EXPECT_LT(bust, 0.13);
-  EXPECT_GT(least_width("torso", 0.005, 0.05) - body_girth("hip"), 0.04);
+  EXPECT_GT(min_width("torso", 0.005, 0.05) - body_girth("hip"), 0.04);
   const double neck = open_edges_above(0.5) - body_girth("neck");
   EXPECT_GT(neck, 0.05);
   EXPECT_LT(neck, 0.16);

@@ -128,7 +128,7 @@ TEST_F(Attached, ThePapersMethodSaysThatItDoesNotKnowThem) {
 TEST_F(Attached, WhatDoesNotReachIsSaid) {
   Json pattern = tube_top();
   pattern["pattern"]["panels"]["top_back"]["attach"][0]["above"] = 30;
-  pattern["pattern"]["panels"]["top_back"]["attach"][0]["most_N"] = 1;
+  pattern["pattern"]["panels"]["top_back"]["attach"][0]["max_N"] = 1;
   write(pattern);
   wear();
   EXPECT_NE(said_.find("attachment top_back.2 stands "), std::string::npos) << said_;

@@ -86,15 +86,15 @@ TEST(Outfit, AShirtOverAShirt) {
   const TriangleMesh outer = mesh_of(folder / "worn-coat.obj");
   EXPECT_TRUE(intersections(inner, outer).empty());
   const SurfaceDistance to_inner(inner);
-  double least_outer = 1;
+  double min_outer = 1;
   int near = 0;
   for (const Vec3& p : outer.points) {
-    least_outer = std::min(least_outer, to_inner.nearest(p).distance);
+    min_outer = std::min(min_outer, to_inner.nearest(p).distance);
     near += to_inner.nearest(p).distance < 0.006;
   }
-  RecordProperty("outer_to_inner_least_mm", std::to_string(1000 * least_outer));
+  RecordProperty("outer_to_inner_least_mm", std::to_string(1000 * min_outer));
   RecordProperty("outer_points_that_touch", near);
-  EXPECT_GT(least_outer, 0);
+  EXPECT_GT(min_outer, 0);
   EXPECT_GT(near, 100) << "the layers touch, so the test can fail";
 
   // The same, moving together in the end: the outer shirt weighs on the inner one, which gives way.

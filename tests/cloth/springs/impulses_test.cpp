@@ -251,7 +251,7 @@ TEST(Impulses, SharesFollowTheMasses) {
 
 TEST(Impulses, EdgesStopAtOnceAndThePrintedSharesLeaveHalfOrMore) {
   double worst = 0;
-  double least_left = 1;
+  double min_left = 1;
   for (const EdgeRow& row : edge_rows) {
     const std::array<double, 2> weights = {1 - row.w1, row.w1};
     const auto shares = motionless_shares(weights, {1, 1});
@@ -265,12 +265,12 @@ TEST(Impulses, EdgesStopAtOnceAndThePrintedSharesLeaveHalfOrMore) {
     EXPECT_NEAR(1 - change, row.printed_residual, digits);
     EXPECT_NEAR(1 - 2 * change, row.twice_printed_residual, digits);
     EXPECT_EQ(passes_to_one_percent(1 - change), row.passes);
-    least_left = std::min(least_left, 1 - change);
+    min_left = std::min(min_left, 1 - change);
   }
   EXPECT_LT(worst, digits);
-  EXPECT_NEAR(least_left, 0.5, digits);
+  EXPECT_NEAR(min_left, 0.5, digits);
   std::cout << "largest residual of the motionless share: " << worst
-            << "; the printed shares leave at least " << least_left << '\n';
+            << "; the printed shares leave at least " << min_left << '\n';
 }
 
 TEST(Impulses, HeldNodesTakeNothing) {
