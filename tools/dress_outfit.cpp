@@ -67,6 +67,10 @@ class Outfit {
   void read();
   void keep_distances();
   Scene scene_of(const OutfitLayer& layer) const;
+  /// The layers that are dressed; null: none.
+  const TriangleMesh* layers_below() const {
+    return collider_->cloth().triangles.empty() ? nullptr : &collider_->cloth();
+  }
   Done dress_layer(const OutfitLayer& layer, PanelMesh garment);
   void write_and_judge(std::size_t layer, const TriangleMesh* others);
   /// Which panels of a layer lie over another one, by their indices.
@@ -148,10 +152,7 @@ Scene Outfit::scene_of(const OutfitLayer& layer) const {
   Scene scene;
   scene.fabric = layer.fabric;
   scene.fabrics = fabrics_;
-  scene.body = &collider_->grid();
-  scene.collider = &collider_->surface();
-  scene.skin = &collider_->skin();
-  scene.layers = collider_->cloth().triangles.empty() ? nullptr : &collider_->cloth();
+  scene.collider = &*collider_;
   scene.skeleton = skeleton_ ? &*skeleton_ : nullptr;
   scene.gravity = settings_.gravity;
   scene.strain_limit = settings_.strain_limit;
@@ -165,7 +166,7 @@ Done Outfit::dress_layer(const OutfitLayer& layer, PanelMesh garment) {
   done.scene = scene_of(layer);
   const std::size_t known_before = collider_->grid().computed();
   // What is judged needs to know where the panels stood as much as what is dressed.
-  garment.placed = position_panels(garment, *done.scene.body, done.scene.skeleton).placed;
+  garment.placed = position_panels(garment, collider_->grid(), done.scene.skeleton).placed;
   for (const PlacementWarning& warning : placement_warnings(garment, done.scene)) {
     done.warnings.push_back(text_of(warning));
     CommonSettings::warn(done.warnings.back());
@@ -174,7 +175,7 @@ Done Outfit::dress_layer(const OutfitLayer& layer, PanelMesh garment) {
     done.warnings.push_back(line);
     CommonSettings::warn(line);
   }
-  if (settings_.certify_frames) done.certificate.emplace(collider_->body(), done.scene.layers);
+  if (settings_.certify_frames) done.certificate.emplace(collider_->body(), layers_below());
   {
     std::optional<fs::path> frames = settings_.frames;
     if (frames && settings_.scene) *frames /= layer.name;
@@ -275,7 +276,7 @@ bool Outfit::dress_one_by_one() {
     done_.push_back(dress_layer(layer, garments_[i]));
     if (i == 0) keep_distances();
     Done& done = done_.back();
-    write_and_judge(i, done.scene.layers);
+    write_and_judge(i, layers_below());
     if (done.certificate) say_certificate(*done.certificate, common_);
     say_result(done.result, done.judgement, common_);
     // What is not at rest is a surface still; what is open or meets something is none.
@@ -302,10 +303,7 @@ void Outfit::relax_coupled() {
   common_.say("together:");
   const Collider bare(collider_->body(), known_);
   Scene scene = scene_of(settings_.layers.front());
-  scene.body = &bare.grid();
-  scene.collider = &bare.surface();
-  scene.skin = &bare.skin();
-  scene.layers = nullptr;
+  scene.collider = &bare;
   std::vector<WornGarment> worn;
   for (const Done& done : done_) {
     worn.push_back({&done.garment, done.scene.fabric, done.result.nodes, done.result.warm_start,

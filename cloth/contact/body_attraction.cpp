@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geometry/distance_grid.h"
+#include "cloth/scene/collider.h"
 
 namespace toile {
 
@@ -14,7 +14,7 @@ constexpr double full_pull = 0.05;
 }  // namespace
 
 Vec3 pull_to_body(const Scene& scene, const Vec3& p, double weight) {
-  const DistanceGrid::Sample sample = scene.body->at(p);
+  const DistanceGrid::Sample sample = scene.collider->grid().at(p);
   const double strength = std::clamp(sample.distance / full_pull, 0.0, 1.0);
   return -strength * weight * sample.gradient;
 }

@@ -72,9 +72,9 @@ double distance_of(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t) {
 
 }  // namespace
 
-BodyBounds::BodyBounds(const BodySurface& surface, const std::vector<Triangle>& triangles,
+BodyBounds::BodyBounds(const Collider& collider, const std::vector<Triangle>& triangles,
                        std::size_t vertices)
-    : surface_(surface),
+    : collider_(collider),
       triangles_(triangles),
       corners_(corners_by_vertex(triangles, vertices)),
       regions_(triangles.size()),
@@ -93,7 +93,7 @@ BodyBounds::Region BodyBounds::region_of(const Triangle& corners, const Vec4s& x
                           (p[2] - centre).squaredNorm()}));
   SurfacePoint hint;
   hint.triangle = near_facet;
-  const SurfacePoint nearest_point = surface_.exact.nearest(centre, hint);
+  const SurfacePoint nearest_point = collider_.skin().nearest(centre, hint);
   region.facet = nearest_point.triangle;
   region.meets = nearest_point.distance < 0;
   if (region.meets) return region;
@@ -105,14 +105,14 @@ BodyBounds::Region BodyBounds::region_of(const Triangle& corners, const Vec4s& x
   region.reach = around;
   near.clear();
   const Vec3 margin = Vec3::Constant(around);
-  surface_.exact.tree().meeting(p[0].cwiseMin(p[1]).cwiseMin(p[2]) - margin,
-                                p[0].cwiseMax(p[1]).cwiseMax(p[2]) + margin, near);
+  collider_.skin().tree().meeting(p[0].cwiseMin(p[1]).cwiseMin(p[2]) - margin,
+                                  p[0].cwiseMax(p[1]).cwiseMax(p[2]) + margin, near);
   if (near.empty()) return region;
 
-  const TriangleMesh& body = surface_.exact.body();
+  const TriangleMesh& body = collider_.body();
   // A plane with all facets behind it: square to the way out, or along the triangle itself.
   const Vec3 own = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
-  const Vec3 out = surface_.smooth.at(centre).gradient.normalized();
+  const Vec3 out = collider_.grid().at(centre).gradient.normalized();
   for (const Vec3& normal : {out, own, Vec3(-own)}) {
     double highest = -std::numeric_limits<double>::max();
     for (const int f : near) {

@@ -5,19 +5,12 @@
 #include <atomic>
 #include <vector>
 
+#include "cloth/scene/collider.h"
 #include "geometry/adjacency.h"
-#include "geometry/distance_grid.h"
-#include "geometry/surface_distance.h"
 #include "geometry/types.h"
 #include "geometry/vec4.h"
 
 namespace toile {
-
-/// The body as what cloth must not meet, and a smooth distance that tells the way out.
-struct BodySurface {
-  const SurfaceDistance& exact;
-  const DistanceGrid& smooth;
-};
 
 /// For each triangle of the cloth a region that its corners must not leave: about where they were
 /// when it was last looked after, and, near the body, on the outer side of a plane that has all
@@ -30,8 +23,9 @@ struct BodySurface {
 /// clear, it is.
 class BodyBounds {
  public:
-  /// Vertices are numbered from 0 to `vertices`-1. The surface has to outlive the bounds.
-  BodyBounds(const BodySurface& surface, const std::vector<Triangle>& triangles,
+  /// Vertices are numbered from 0 to `vertices`-1. The collider has to outlive the bounds; its skin
+  /// bounds, its grid tells the way out.
+  BodyBounds(const Collider& collider, const std::vector<Triangle>& triangles,
              std::size_t vertices);
 
   /// Looks after the triangles that are due, at first all, and each only now and then; `x` per
@@ -71,7 +65,7 @@ class BodyBounds {
                    std::vector<int>& near) const;
   void make_due(int triangle);
 
-  const BodySurface& surface_;
+  const Collider& collider_;
   const std::vector<Triangle>& triangles_;
   Adjacency<TriangleCorner> corners_;  // per vertex
   std::vector<Region> regions_;

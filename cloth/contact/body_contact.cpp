@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geometry/distance_grid.h"
+#include "cloth/scene/collider.h"
 
 namespace toile {
 
@@ -18,14 +18,14 @@ constexpr double ridge_slope = 0.97;
 
 void BodyContact::look(const Scene& scene, const Vec3& p, double offset,
                        double linearization_radius, double approach_bound) {
-  const DistanceGrid::Sample sample = scene.body->at(p);
+  const DistanceGrid::Sample sample = scene.collider->grid().at(p);
   const double away = sample.distance - offset;
   looked_at_ = p;
   const double near = std::max(near_surface, approach_bound);
   near_ = away < near;
   if (!near_) {
     // On the far side of the middle between here and there, the plane is asked for again.
-    reach_ = std::max(scene.body->lower_bound(sample.distance) - offset - 0.5 * near,
+    reach_ = std::max(scene.collider->grid().lower_bound(sample.distance) - offset - 0.5 * near,
                       linearization_radius);
     anchored_ = false;
     return;
@@ -36,8 +36,8 @@ void BodyContact::look(const Scene& scene, const Vec3& p, double offset,
   normal_ = as_vec4(normal);
   level_ = slope_ * normal.dot(p) - away;
   reach_ = slope_ < ridge_slope ? 0 : linearization_radius;
-  stiffness_ =
-      push_stiffness * (slope_ * slope_ + scene.body->gradient_bound() * std::max(-away, 0.0));
+  stiffness_ = push_stiffness *
+               (slope_ * slope_ + scene.collider->grid().gradient_bound() * std::max(-away, 0.0));
 }
 
 }  // namespace toile

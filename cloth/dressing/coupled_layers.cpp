@@ -20,7 +20,6 @@ Scene with_fabrics(Scene scene, const std::vector<WornGarment>& garments) {
   for (std::size_t i = 0; i < garments.size(); ++i) {
     scene.fabrics[garment_fabric(i)] = garments[i].fabric;
   }
-  scene.layers = nullptr;
   return scene;
 }
 
@@ -53,7 +52,6 @@ class CoupledRelaxation {
       warm_start_.multipliers.resize(first_triangle_.back());
     }
     first_.push_back(static_cast<int>(start_.size()));
-    if (scene_.skin != nullptr) surface_.emplace(BodySurface{*scene_.skin, *scene_.body});
     if (first_.back() != model_.nodes) {
       throw Error("garments", "have other nodes than their meshes", "dress them anew");
     }
@@ -104,7 +102,6 @@ class CoupledRelaxation {
 
   void set_forces(ForceOptions& options) const {
     options.bounded = true;
-    options.surface = surface_ ? &*surface_ : nullptr;
     for (const WornGarment& worn : garments_) {
       options.body_offset = std::max(options.body_offset, worn.body_offset);
     }
@@ -216,7 +213,6 @@ class CoupledRelaxation {
   const FrameWatcher& watcher_;
   const PanelMesh mesh_;
   GarmentModel model_;
-  std::optional<BodySurface> surface_;             // of the scene's skin, if it has one
   std::vector<int> first_;                         // node of each garment, and the number of nodes
   std::vector<std::size_t> first_triangle_ = {0};  // likewise
   std::vector<Vec3> start_;

@@ -15,8 +15,8 @@
 #include "cloth/model/compile.h"
 #include "cloth/model/gathers.h"
 #include "cloth/model/nested_meshes.h"
+#include "cloth/scene/collider.h"
 #include "cloth/start/resolve_intersections.h"
-#include "geometry/distance_grid.h"
 #include "geometry/error.h"
 #include "geometry/intersections.h"
 
@@ -92,7 +92,6 @@ class Dressing {
   Dressing(const PanelMesh& garment, const Scene& scene, const DressOptions& options,
            const FrameWatcher& watcher)
       : scene_(scene), options_(options), watcher_(watcher) {
-    if (scene.skin != nullptr) surface_.emplace(BodySurface{*scene.skin, *scene.body});
     meshes_.push_back(garment);
     while (meshes_.back().subdivisions > 0) meshes_.push_back(coarsen(meshes_.back()));
   }
@@ -128,8 +127,7 @@ class Dressing {
   Scene scene_;
   const DressOptions& options_;
   const FrameWatcher& watcher_;
-  std::vector<PanelMesh> meshes_;       // finest first
-  std::optional<BodySurface> surface_;  // of the scene's skin, if it has one
+  std::vector<PanelMesh> meshes_;  // finest first
   int level_ = 0;
   int attempt_ = 1;
   bool holds_on_ = false;     // by friction, already while it falls
@@ -353,7 +351,6 @@ void Dressing::let_go_of(bool bounded) {
   options.body_offset = result_.body_offset;
   options.bounded = bounded;
   options.layer_contact = clear_of_layers();
-  options.surface = surface_ ? &*surface_ : nullptr;
   options.seconds = options_.release_seconds;
   RestingState state = {result_.nodes, result_.warm_start, result_.converged};
   result_.release = test_stability(model_, options, state, [&](RestingState& moved) {
@@ -390,7 +387,7 @@ GarmentModel Dressing::compiled(Scene scene) const {
 RelaxOptions Dressing::level_options() const {
   RelaxOptions options;
   options.body_offset = result_.body_offset * (1 + 0.5 * level_);
-  if (scene_.layers != nullptr) {
+  if (has_layers(scene_)) {
     options.body_offset = std::max(
         options.body_offset, clearing_offset(0, mesh().edge_length, fold_curve, max_fold_offset));
   }
@@ -413,7 +410,6 @@ const StageReport& Dressing::stage(const std::string& name, RelaxOptions options
   const std::vector<double> areas = panel_areas(mesh());
   const Outlines outlines = panel_outlines(mesh());
   const std::vector<double> perimeters = panel_perimeters(mesh());
-  options.surface = surface_ ? &*surface_ : nullptr;
   const double begin = progress_;
   const double end = end_of_stage(options);
   int calls = 0;
@@ -472,11 +468,11 @@ bool Dressing::clean() const {
 /// so. (What is a little inside by the smoothed distance may be outside by the exact one.)
 bool Dressing::clear_of_layers() const {
   constexpr double surely_inside = -0.005;
-  if (scene_.layers == nullptr) return false;
+  if (!has_layers(scene_)) return false;
   for (const Vec3& p : result_.nodes) {
-    if (scene_.body->at(p).distance < surely_inside) return false;
+    if (scene_.collider->grid().at(p).distance < surely_inside) return false;
   }
-  return intersections({result_.nodes, model_.node_triangles}, *scene_.layers).empty();
+  return intersections({result_.nodes, model_.node_triangles}, scene_.collider->cloth()).empty();
 }
 
 }  // namespace
@@ -506,7 +502,7 @@ void ask_for_rest(const DressOptions& wanted, RelaxOptions& options) {
 
 DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptions& options,
                   const FrameWatcher& watcher) {
-  if (scene.body == nullptr) throw Error("scene", "has no body", "give one to dress");
+  if (scene.collider == nullptr) throw Error("scene", "has no body", "give one to dress");
   return Dressing(garment, scene, options, watcher).run();
 }
 

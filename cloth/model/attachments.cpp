@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cloth/scene/collider.h"
 #include "geometry/body/bones.h"
 #include "geometry/body/landmarks.h"
 #include "geometry/body/skeleton.h"
@@ -59,10 +60,11 @@ class Anchors {
   Vec3 place(const MeshedAttachment& attached, const Vec3& placed) const {
     Vec3 anchor = attached.how.to == AttachedTo::point ? attached.how.point : placed;
     if (attached.how.to == AttachedTo::skin) {
-      if (scene_.skin == nullptr) throw refused(attached, "there is no body", "give one to dress");
-      anchor = scene_.skin->nearest(placed).point;
+      if (scene_.collider == nullptr)
+        throw refused(attached, "there is no body", "give one to dress");
+      anchor = scene_.collider->skin().nearest(placed).point;
     }
-    return scene_.body == nullptr ? anchor : off_the_body(anchor);
+    return touches_body(scene_) ? off_the_body(anchor) : anchor;
   }
 
  private:
@@ -87,8 +89,9 @@ class Anchors {
   }
 
   double girth_height(const MeshedAttachment& attached) {
-    if (scene_.skin == nullptr) throw refused(attached, "there is no body", "give one to dress");
-    if (girths_.empty()) girths_ = torso_levels(scene_.skin->body(), *scene_.skeleton);
+    if (scene_.collider == nullptr)
+      throw refused(attached, "there is no body", "give one to dress");
+    if (girths_.empty()) girths_ = torso_levels(scene_.collider->body(), *scene_.skeleton);
     for (const TorsoLevel& level : girths_) {
       if (level.name == attached.how.landmark) return level.height;
     }
@@ -99,7 +102,7 @@ class Anchors {
   Vec3 off_the_body(Vec3 anchor) const {
     constexpr int steps = 5;
     for (int i = 0; i < steps; ++i) {
-      const DistanceGrid::Sample at = scene_.body->at(anchor);
+      const DistanceGrid::Sample at = scene_.collider->grid().at(anchor);
       if (at.distance >= offset_) break;
       anchor += (offset_ - at.distance) * at.gradient;
     }

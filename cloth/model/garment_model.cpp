@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "cloth/scene/collider.h"
+
 namespace toile {
 
 std::vector<Vec3> point_positions(const GarmentModel& model, const std::vector<Vec3>& nodes,
@@ -27,18 +29,19 @@ std::vector<std::pair<std::string, int>> term_counts(const GarmentModel& model) 
   };
   const int held = count(std::count_if(model.stretch.begin(), model.stretch.end(),
                                        [](const StretchTriangle& s) { return s.held; }));
-  return {{"stretch", triangles},
-          {"bend", count(model.bend.size())},
-          {"elastic", count(model.elastics.size())},
-          {"attachment", count(model.attachments.size())},
-          {"seam", model.offsets.empty() ? 0 : sewn},
-          {"body_contact", scene.body != nullptr ? model.nodes : 0},
-          {"friction", scene.body != nullptr ? rough(model.friction_skin) : 0},
-          {"self_contact", scene.self_contact ? triangles : 0},
-          {"cloth_friction", scene.self_contact ? rough(model.friction_cloth) : 0},
-          {"layer_contact", scene.layers != nullptr ? count(scene.layers->triangles.size()) : 0},
-          {"strain_limit", scene.strain_limit ? held : 0},
-          {"shear_limit", scene.shear_limit ? held : 0}};
+  return {
+      {"stretch", triangles},
+      {"bend", count(model.bend.size())},
+      {"elastic", count(model.elastics.size())},
+      {"attachment", count(model.attachments.size())},
+      {"seam", model.offsets.empty() ? 0 : sewn},
+      {"body_contact", touches_body(scene) ? model.nodes : 0},
+      {"friction", touches_body(scene) ? rough(model.friction_skin) : 0},
+      {"self_contact", scene.self_contact ? triangles : 0},
+      {"cloth_friction", scene.self_contact ? rough(model.friction_cloth) : 0},
+      {"layer_contact", has_layers(scene) ? count(scene.collider->cloth().triangles.size()) : 0},
+      {"strain_limit", scene.strain_limit ? held : 0},
+      {"shear_limit", scene.shear_limit ? held : 0}};
 }
 
 }  // namespace toile

@@ -103,12 +103,12 @@ void ClothForces::use_skin(bool points) {
   if (points) place_points();
   const std::vector<Triangle>& triangles = points ? model_.triangles : model_.node_triangles;
   body_bounds_.reset();
-  if (options_.bounded && options_.surface != nullptr && !points) {
-    body_bounds_ = std::make_unique<BodyBounds>(*options_.surface, triangles, count);
+  if (options_.bounded && exact_body() && !points) {
+    body_bounds_ = std::make_unique<BodyBounds>(*model_.scene.collider, triangles, count);
   }
   approach_bound_ = of_vertices(approach_bounds());
   edge_contacts_.reset();
-  if (model_.scene.body != nullptr && options_.surface != nullptr) {
+  if (exact_body()) {
     const double shortest = std::sqrt(8 * body_curve * max_sagitta * options_.body_offset);
     edge_contacts_ = std::make_unique<EdgeContacts>(
         triangles, positions(), shortest, of_vertices(model_.friction_skin), approach_bound_);
@@ -278,7 +278,7 @@ void ClothForces::update_body_bounds() {
 /// body is near, its bound used up, or a pair may begin to push.
 void ClothForces::set_safe_ball(std::size_t v, const Vec3& p) {
   double reach = 1e3;
-  if (model_.scene.body != nullptr) {
+  if (touches_body(model_.scene)) {
     if (contacts_[v].remaining(p) <= 0) {
       const double offset = options_.body_offset + lift(static_cast<int>(v));
       contacts_[v].look(model_.scene, p, offset, options_.linearization_radius, approach_bound_[v]);
@@ -316,7 +316,7 @@ void ClothForces::find_pull() {
 
 void ClothForces::compute(double bending) {
   bending_ = bending;
-  const bool pulls_to_body = options_.pull > 0 && model_.scene.body != nullptr;
+  const bool pulls_to_body = options_.pull > 0 && touches_body(model_.scene);
   if (pulls_to_body && computed_++ % pull_interval == 0) find_pull();
   const Vec4s& p = positions();
   const std::size_t edges = edge_contacts_ ? edge_contacts_->edges() : 0;

@@ -97,10 +97,13 @@ class ClothForces {
   std::size_t vertices() const { return kernel_->vertices(); }
   const Vec4s& positions() const { return by_points_ ? points_ : nodes_; }
   bool self_contact() const { return model_.scene.self_contact; }
-  bool layer_contact() const {
-    return self_contact() && options_.layer_contact && model_.scene.layers != nullptr;
+  bool exact_body() const {
+    return touches_body(model_.scene) && model_.scene.body_contact == BodyContactTerm::faces;
   }
-  const TriangleMesh& layers() const { return *model_.scene.layers; }
+  bool layer_contact() const {
+    return self_contact() && options_.layer_contact && has_layers(model_.scene);
+  }
+  const TriangleMesh& layers() const { return model_.scene.collider->cloth(); }
 
   const GarmentModel& model_;
   const ForceOptions& options_;
@@ -141,7 +144,7 @@ class ClothForces {
 };
 
 inline void ClothForces::at(std::size_t n, Vec4& force, double& stiffness) {
-  const bool has_body = model_.scene.body != nullptr;
+  const bool has_body = touches_body(model_.scene);
   force = model_.mass[n] * gravity_;
   stiffness = stretch_stiffness(n);
   if (!model_.bend.empty()) stiffness += bending_ * model_.bend_diagonal[n];

@@ -11,8 +11,6 @@
 
 namespace toile {
 
-struct BodySurface;
-
 /// Where friction holds a garment, and what holds its yarns to their limits: what one run hands to
 /// the next, so that the force is not lost.
 struct WarmStart {
@@ -50,11 +48,9 @@ struct ForceOptions {
   bool friction = true;  ///< off, a garment can find its way down
   /// Keeps every node within its bound of the last search, so that what is apart stays apart.
   /// To be used from a state without intersections; a tangle would be locked in.
+  /// With BodyContactTerm::faces and seams closed, no triangle that is clear of the body comes to
+  /// meet it; what meets it can come out.
   bool bounded = false;
-  /// The body as what cloth must not meet. Long edges touch it in their middles too; and with
-  /// `bounded`, once seams are closed, no triangle that is clear of it comes to meet it, while what
-  /// meets it can come out. None: the body pushes at nodes, and bounds nothing.
-  const BodySurface* surface = nullptr;
   /// Keeps the cloth apart from the scene's layers too, each vertex, edge and face of either from
   /// the other's, within the bounds. To be used from a state that does not meet them.
   bool layer_contact = false;

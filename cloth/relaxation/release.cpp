@@ -61,7 +61,7 @@ Release::Release(const GarmentModel& model, const ReleaseOptions& options,
     if (!(model.mass[n] > 0)) continue;
     double stiffness = forces_.stretch_stiffness(n);
     if (!model.bend.empty()) stiffness += options.bending * model.bend_diagonal[n];
-    if (model.scene.body != nullptr) stiffness += BodyContact::max_stiffness;
+    if (touches_body(model.scene)) stiffness += BodyContact::max_stiffness;
     most = std::max(most, stiffness / model.mass[n]);
   }
   // Stable as long as (step·frequency)² (1 + 2 ahead) < 4.

@@ -17,8 +17,9 @@ void append(TriangleMesh& mesh, const TriangleMesh& more) {
 
 }  // namespace
 
-Collider::Collider(const TriangleMesh& body, const DistanceCache& known)
-    : surfaces_{SurfaceDistance(body)}, surface_(body), grid_(surfaces_.front()) {
+Collider::Collider(const TriangleMesh& body, const DistanceCache& known,
+                   const DistanceGridOptions& options)
+    : surfaces_{SurfaceDistance(body)}, surface_(body), grid_(surfaces_.front(), options) {
   if (!known.empty()) grid_.remember(known);
 }
 

@@ -16,7 +16,8 @@ class Collider {
  public:
   /// The body alone: closed, outward-oriented, metres. Throws Error when it has no triangles.
   /// `known`, of an earlier one of the same body, spares computing it again.
-  explicit Collider(const TriangleMesh& body, const DistanceCache& known = {});
+  explicit Collider(const TriangleMesh& body, const DistanceCache& known = {},
+                    const DistanceGridOptions& options = {});
 
   /// A dressed garment becomes part of the surface; its triangles face away from the body. The
   /// references that the others return stay valid, and speak of the new surface.

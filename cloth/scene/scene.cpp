@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cloth/scene/collider.h"
 #include "geometry/error.h"
 #include "pattern/panel_mesh.h"
 
@@ -18,6 +19,14 @@ double thickest(const Scene& scene, const PanelMesh& garment) {
 }
 
 }  // namespace
+
+bool touches_body(const Scene& scene) {
+  return scene.collider != nullptr && scene.body_contact != BodyContactTerm::none;
+}
+
+bool has_layers(const Scene& scene) {
+  return scene.collider != nullptr && !scene.collider->cloth().triangles.empty();
+}
 
 const Fabric& fabric_of(const Scene& scene, const MeshedPanel& panel) {
   if (panel.fabric.empty()) return scene.fabric;

@@ -10,23 +10,26 @@
 
 namespace toile {
 
-class SurfaceDistance;
-class DistanceGrid;
+class Collider;
 struct MeshedPanel;
 struct PanelMesh;
 struct Skeleton;
+
+/// What of the cloth the body keeps off.
+enum class BodyContactTerm {
+  none,   ///< nothing: the body is there for landmarks and attachments only
+  nodes,  ///< nodes, by the smooth distance to body and layers
+  faces,  ///< nodes likewise; edges and faces exactly, by the body's facets
+};
 
 struct Scene {
   Fabric fabric;                          ///< of the panels that name none
   std::map<std::string, Fabric> fabrics;  ///< of the others, by the names that they give
   Vec3 gravity{0, -9.81, 0};              ///< m/s²
-  /// Distance to the collider: the body and the layers that it wears. None: nothing to touch.
-  const DistanceGrid* body = nullptr;
-  const TriangleMesh* collider = nullptr;  ///< the same surface as triangles, facets outward
-  const TriangleMesh* layers = nullptr;    ///< the layers of it alone; none: the body is bare
-  const SurfaceDistance* skin = nullptr;   ///< exactly, of the bare body; none: nothing bounds
-  const Skeleton* skeleton = nullptr;      ///< of the body; none: panels start as the pattern says
-  double body_offset = 0.002;              ///< metres at least kept between skin and cloth's middle
+  const Collider* collider = nullptr;     ///< the body and the layers that it wears; none: no body
+  const Skeleton* skeleton = nullptr;     ///< of the body; none: panels start as the pattern says
+  BodyContactTerm body_contact = BodyContactTerm::faces;
+  double body_offset = 0.002;  ///< metres at least kept between skin and cloth's middle
   bool self_contact = true;
   double self_gap = 0.002;  ///< metres at least kept between the middles of cloth and cloth
   /// Metres at least kept between this garment and the layers below. The distance grid, which is
@@ -37,6 +40,11 @@ struct Scene {
   std::optional<double> strain_limit;
   std::optional<double> shear_limit;  ///< likewise, sine of the angle that the yarns turn by
 };
+
+/// Whether the scene has a body that pushes at the cloth.
+bool touches_body(const Scene& scene);
+/// Whether the body wears layers that the garment is dressed over.
+bool has_layers(const Scene& scene);
 
 /// Throws Error, naming `place`, for a gravity that is no number, or too weak or strong to be
 /// meant.

@@ -6,6 +6,7 @@
 
 #include "cloth/judge/measures.h"
 #include "cloth/model/compile.h"
+#include "cloth/scene/collider.h"
 #include "cloth/start/resolve_intersections.h"
 #include "geometry/error.h"
 #include "geometry/intersections.h"
@@ -262,7 +263,8 @@ void SpringDressing::finish() {
       {"softened_edges", sheet.softened()},
       {"bending_springs", count(sheet.bending().size())},
       {"seam", count(motion_.counts().merged + motion_.open_pairs())},
-      {"subject_facets", scene.collider != nullptr ? count(scene.collider->triangles.size()) : 0},
+      {"subject_facets",
+       scene.collider != nullptr ? count(scene.collider->surface().triangles.size()) : 0},
       {"self_contact", scene.self_contact ? count(sheet.triangles().size()) : 0},
       {"strain_limit",
        options_.motion.strain_scheme != StrainScheme::none ? count(sheet.edges().size()) : 0}};
@@ -272,7 +274,7 @@ void SpringDressing::finish() {
 
 DressResult dress_springs(const PanelMesh& garment, const Scene& scene,
                           const SpringDressOptions& options, const FrameWatcher& watcher) {
-  if (scene.body == nullptr || scene.collider == nullptr) {
+  if (scene.collider == nullptr) {
     throw Error("scene", "has no body", "give one to dress");
   }
   return SpringDressing(garment, scene, options, watcher).run();

@@ -8,6 +8,7 @@
 
 #include "cloth/contact/body_attraction.h"
 #include "cloth/judge/measures.h"
+#include "cloth/scene/collider.h"
 #include "cloth/springs/chunks.h"
 #include "geometry/error.h"
 
@@ -52,8 +53,8 @@ SpringMotion::SpringMotion(const PanelMesh& garment, const GarmentModel& model,
       if (a != b) open_.push_back({a, b, (placed[a] - placed[b]).norm()});
     }
   }
-  if (model.scene.collider != nullptr) {
-    subject_.emplace(*model.scene.collider, sheet_.triangles());
+  if (touches_body(model.scene)) {
+    subject_.emplace(model.scene.collider->surface(), sheet_.triangles());
   }
   if (model.scene.self_contact) {
     self_.emplace(model, model.self_gap);

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "cloth/scene/collider.h"
 #include "geometry/body/skeleton.h"
 #include "geometry/disjoint_sets.h"
 #include "geometry/surface_distance.h"
@@ -225,8 +226,8 @@ std::vector<PlacementWarning> placement_warnings(const PanelMesh& garment, const
   for (const int p : sides.misplaced()) {
     warning.push_back({garment.panels[p].name, Kind::other_side});
   }
-  if (scene.skin == nullptr) return warning;
-  const std::vector<double> facing = facing_out(garment, *scene.skin);
+  if (scene.collider == nullptr) return warning;
+  const std::vector<double> facing = facing_out(garment, scene.collider->skin());
   for (std::size_t p = 0; p < facing.size(); ++p) {
     if (facing[p] < surely_inward) warning.push_back({garment.panels[p].name, Kind::inside_out});
   }

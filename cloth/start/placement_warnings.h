@@ -9,6 +9,8 @@
 
 namespace toile {
 
+class SurfaceDistance;
+
 /// A panel that its pattern seems to place wrongly.
 struct PlacementWarning {
   enum class Kind {

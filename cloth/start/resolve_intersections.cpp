@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "cloth/scene/collider.h"
 #include "cloth/start/clear_of_layers.h"
 #include "cloth/start/panel_parts.h"
 #include "geometry/body/bones.h"
@@ -262,12 +263,11 @@ void resolve_intersections(const PanelMesh& garment, const TriangleMesh& collide
 }
 
 Placement start_of(const PanelMesh& garment, const Scene& scene, double hang) {
-  const DistanceGrid& body = *scene.body;
+  const DistanceGrid& body = scene.collider->grid();
   Placement placement = place_panels(garment, body, scene.skeleton, hang);
   const auto make_clear = [&] {
-    if (scene.layers != nullptr) clear_of_layers(garment, body, placement);
-    if (scene.collider == nullptr) return;
-    resolve_intersections(garment, *scene.collider, body, scene.skeleton, placement);
+    if (has_layers(scene)) clear_of_layers(garment, body, placement);
+    resolve_intersections(garment, scene.collider->surface(), body, scene.skeleton, placement);
   };
   const std::vector<Vec3> before = placement.placed;
   make_clear();

@@ -25,8 +25,7 @@ Trial wrap(const PanelMesh& garment, const Wearer& wearer, const SpringOptions& 
            double simulated) {
   constexpr double lost = 0.1;  // strain: what is stable has less than half of it
   Scene scene;
-  scene.body = &wearer.subject.grid();
-  scene.collider = &wearer.subject.surface();
+  scene.collider = &wearer.subject;
   scene.skeleton = &wearer.mannequin.skeleton;
   SpringDressOptions options;
   options.motion = motion;

@@ -176,20 +176,18 @@ PaperDressing dress_by_paper(const std::string& name, const PanelMesh& garment,
   done.options = options;
   Scene scene;
   scene.fabric = fabric;
-  scene.body = &wearer.subject.grid();
-  scene.collider = &wearer.subject.surface();
+  scene.collider = &wearer.subject;
   const TriangleMesh& layers = wearer.subject.cloth();
-  scene.layers = layers.triangles.empty() ? nullptr : &layers;
   scene.skeleton = &skeleton;
   // What is judged needs to know where the panels stood.
-  done.garment.placed = position_panels(garment, *scene.body, &skeleton).placed;
+  done.garment.placed = position_panels(garment, wearer.subject.grid(), &skeleton).placed;
 
   Follower follower(garment);
   done.result =
       dress_springs(garment, scene, options, [&](const DressFrame& frame) { follower(frame); });
   done.dressed = as_dressed(done.garment, done.result.nodes, done.result.triangles);
   done.judgement = judge(done.garment, done.dressed, wearer.subject.body(), &skeleton,
-                         done.result.converged, scene.layers);
+                         done.result.converged, layers.triangles.empty() ? nullptr : &layers);
   const std::vector<Vec3> last = material_points(garment, done.result);
   follower.add(done.result.stages.back().name, done.simulated(), last);
   done.states.push_back({"position", done.result.placement.placed});

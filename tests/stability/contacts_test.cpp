@@ -4,13 +4,13 @@
 #include "cloth/model/compile.h"
 #include "cloth/relaxation/relax.h"
 #include "cloth/relaxation/release.h"
+#include "cloth/scene/collider.h"
 #include "cloth/springs/spring_motion.h"
 #include "geometry/distance_grid.h"
 #include "geometry/intersections.h"
 #include "tests/cloth/panels.h"
 #include "tests/stability/hard_case.h"
 #include "tests/support/shapes.h"
-#include "tests/support/solid_body.h"
 
 namespace toile::test {
 namespace {
@@ -25,9 +25,7 @@ TriangleMesh spikes_and_knives() {
 class Contacts : public testing::Test {
  protected:
   explicit Contacts(const TriangleMesh& mesh = spikes_and_knives()) : body(mesh) {
-    scene.body = &body.distance;
-    scene.collider = &body.mesh;
-    force.surface = &body.surface;
+    scene.collider = &body;
     force.bounded = true;
   }
 
@@ -47,7 +45,7 @@ class Contacts : public testing::Test {
   std::string expect_clear(const std::vector<Vec3>& x, const std::vector<Triangle>& triangles) {
     expect_finite(x);
     const TriangleMesh cloth{x, triangles};
-    const std::size_t with_body = intersections(cloth, body.mesh).size();
+    const std::size_t with_body = intersections(cloth, body.body()).size();
     const std::size_t with_itself = self_intersections(cloth).size();
     EXPECT_EQ(with_body, 0U);
     EXPECT_EQ(with_itself, 0U);
@@ -71,7 +69,7 @@ class Contacts : public testing::Test {
            " after " + std::to_string(report.iterations) + " iterations";
   }
 
-  const SolidBody body;
+  const Collider body;
   Scene scene;
   ForceOptions force;
   GarmentModel model;
@@ -127,7 +125,7 @@ TEST_F(Contacts, ThrownAtSpikesAndKnivesByThePapersMethod) {
   EXPECT_GT(fastest, 40);
   expect_finite(motion.points());
   const TriangleMesh cloth{motion.points(), garment.triangles};
-  const std::size_t with_body = intersections(cloth, body.mesh).size();
+  const std::size_t with_body = intersections(cloth, body.body()).size();
   // Its collisions are found at the ends of steps; what is cut is counted, none may be through.
   double lowest = 1;
   for (const Vec3& p : motion.points()) lowest = std::min(lowest, p.y());
@@ -230,7 +228,7 @@ TEST_F(Plate, FoldedInExactContact) {
   const RelaxReport report = relaxed(garment, x);
   expect_finite(x);
   const TriangleMesh cloth{x, model.node_triangles};
-  EXPECT_EQ(intersections(cloth, body.mesh).size(), 0U);
+  EXPECT_EQ(intersections(cloth, body.body()).size(), 0U);
   const std::size_t left = self_intersections(cloth).size();
   state("5 folded, in exact contact with itself", "relaxation",
         left == 0 ? "comes apart" : "stays in contact",

@@ -4,13 +4,13 @@
 #include "cloth/model/compile.h"
 #include "cloth/relaxation/relax.h"
 #include "cloth/relaxation/release.h"
+#include "cloth/scene/collider.h"
 #include "cloth/springs/spring_motion.h"
 #include "geometry/distance_grid.h"
 #include "geometry/error.h"
 #include "tests/cloth/panels.h"
 #include "tests/stability/hard_case.h"
 #include "tests/support/shapes.h"
-#include "tests/support/solid_body.h"
 
 namespace toile::test {
 namespace {
@@ -21,9 +21,7 @@ class Handkerchief : public testing::Test {
   Handkerchief() {
     add_panel(garment, "handkerchief", grid(0.2, 0.2, 10, 10),
               [](const Vec2& p) { return Vec3(p.x() - 0.1, 0.105, 0.1 - p.y()); });
-    scene.body = &ball.distance;
-    scene.collider = &ball.mesh;
-    options.surface = &ball.surface;
+    scene.collider = &ball;
     options.bounded = true;
     options.max_iterations = 40000;
     options.stop_median = 1e-5;
@@ -97,7 +95,7 @@ class Handkerchief : public testing::Test {
               " mm/s first, " + number(1000 * fastest) + " last");
   }
 
-  const SolidBody ball{sphere(0.1, 4)};
+  const Collider ball{sphere(0.1, 4)};
   PanelMesh garment;
   Scene scene;
   GarmentModel model;

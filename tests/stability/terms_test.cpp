@@ -4,6 +4,7 @@
 
 #include "cloth/model/compile.h"
 #include "cloth/relaxation/relax.h"
+#include "cloth/scene/collider.h"
 #include "geometry/distance_grid.h"
 #include "geometry/repair.h"
 #include "io/mesh_file.h"
@@ -51,9 +52,11 @@ TEST_P(SampleTerms, AreThoseOfTheGarment) {
     if (!panel.fabric.empty()) scene.fabrics[panel.fabric] = {};
   }
   // For what is attached at a level of the body.
-  const SurfaceDistance skin(fan_triangles(read_mesh(mannequin())));
+  const TriangleMesh skin = fan_triangles(read_mesh(mannequin()));
   const Skeleton skeleton = read_skeleton(skeleton_path(mannequin()));
-  scene.skin = &skin;
+  const Collider wearer(skin);
+  scene.collider = &wearer;
+  scene.body_contact = BodyContactTerm::none;
   scene.skeleton = &skeleton;
   const GarmentModel bare = compile(garment, scene, garment.placed);
   const std::vector<int> node = joined(garment);
@@ -95,10 +98,11 @@ TEST_P(SampleTerms, AreThoseOfTheGarment) {
 
   // And what a scene adds or takes is added and taken, and nothing else.
   const TriangleMesh ball = sphere(0.1, 3);
-  const DistanceGrid body{SurfaceDistance(ball)};
+  Collider body{ball};
+  body.add_layer(ball);
   Scene full = scene;
-  full.body = &body;
-  full.layers = &ball;
+  full.collider = &body;
+  full.body_contact = BodyContactTerm::nodes;
   full.strain_limit = 0.01;
   full.shear_limit = 0.1;
   Terms with = terms_of(compile(garment, full, garment.placed));
@@ -137,7 +141,8 @@ class SwitchedOff : public testing::Test {
     }
     garment.seams = {seam("middle", side(garment.panels[0], 10, 20, true),
                           side(garment.panels[1], 10, 20, false))};
-    scene.body = &distance;
+    scene.collider = &distance;
+    scene.body_contact = BodyContactTerm::nodes;
     scene.strain_limit = 0.001;
     scene.fabric.stretch_warp = scene.fabric.stretch_weft = 50;
     scene.fabric.shear = 10;
@@ -169,7 +174,7 @@ class SwitchedOff : public testing::Test {
   }
 
   const TriangleMesh ball = sphere(0.05, 4);
-  const DistanceGrid distance{SurfaceDistance(ball)};
+  const Collider distance{ball};
   PanelMesh garment;
   Scene scene;
 };
@@ -197,7 +202,7 @@ TEST_F(SwitchedOff, SelfContact) {
 
 TEST_F(SwitchedOff, BodyContact) {
   Scene other = scene;
-  other.body = nullptr;
+  other.body_contact = BodyContactTerm::none;
   expect_changed("body contact", changed(other));
 }
 

@@ -7,6 +7,7 @@
 #include "cloth/model/compile.h"
 #include "cloth/relaxation/relax.h"
 #include "cloth/relaxation/release.h"
+#include "cloth/scene/collider.h"
 #include "geometry/distance_grid.h"
 #include "tests/cloth/panels.h"
 #include "tests/support/shapes.h"
@@ -31,12 +32,13 @@ Vec3 mean_way(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
 class Incline : public testing::Test {
  protected:
   double way(double slope, double mu, double seconds) {
-    static const DistanceGrid body{SurfaceDistance(test::box({-0.4, -0.1, -0.2}, {0.9, 0, 0.2}))};
+    static const Collider body{test::box({-0.4, -0.1, -0.2}, {0.9, 0, 0.2})};
     PanelMesh garment;
     test::add_panel(garment, "sheet", test::grid(0.2, 0.2, 8, 8),
                     [&](const Vec2& p) { return Vec3(p.x() - 0.3, 0.002, 0.1 - p.y()); });
     Scene scene;
-    scene.body = &body;
+    scene.collider = &body;
+    scene.body_contact = BodyContactTerm::nodes;
     scene.self_contact = false;
     scene.fabric.friction_skin = mu;
     scene.gravity = 9.81 * Vec3(std::sin(slope), -std::cos(slope), 0);
@@ -95,10 +97,10 @@ class Capstan : public testing::Test {
 
   /// How far the strip has run, metres, when its ends pull as 1 to `ratio`.
   double run(double mu, double ratio) {
-    static const DistanceGrid bar = [] {
+    static const Collider bar = [] {
       TriangleMesh mesh = test::closed_tube(radius, radius, 0.1, 400);
       for (Vec3& p : mesh.points) p = Vec3(p.y() - 0.04, -p.x(), p.z());
-      return DistanceGrid{SurfaceDistance(mesh)};
+      return Collider{mesh};
     }();
     const double r = radius + offset;
     const int around = static_cast<int>(std::lround(pi * r / edge));
@@ -113,7 +115,8 @@ class Capstan : public testing::Test {
                                   r * std::sin(arc / r));
                     });
     Scene scene;
-    scene.body = &bar;
+    scene.collider = &bar;
+    scene.body_contact = BodyContactTerm::nodes;
     scene.self_contact = false;
     scene.fabric.friction_skin = mu;
     scene.fabric.stretch_warp = scene.fabric.stretch_weft = 500;

@@ -10,6 +10,7 @@
 #include "cloth/model/elastics.h"
 #include "cloth/model/stretch.h"
 #include "cloth/relaxation/cloth_forces.h"
+#include "cloth/scene/collider.h"
 #include "cloth/springs/spring_forces.h"
 #include "cloth/springs/spring_sheet.h"
 #include "geometry/distance_grid.h"
@@ -196,13 +197,14 @@ TEST_F(Sewn, ClothOfSpringsPullsByTheGradientOfItsEnergy) {
 
 /// A small sheet that lies `depth` deep in what the body keeps clear, uneven.
 struct Pressed {
-  explicit Pressed(const DistanceGrid& body, double height) {
+  explicit Pressed(const Collider& body, double height) {
     test::add_panel(
         garment, "sheet", test::cut_rectangle(0.03, 0.03, 0.01, test::Cut::unstructured),
         [&](const Vec2& p) {
           return Vec3(p.x() - 0.015, height + 0.01 * p.x() * (1 - 20 * p.y()), p.y() - 0.015);
         });
-    scene.body = &body;
+    scene.collider = &body;
+    scene.body_contact = BodyContactTerm::nodes;
     scene.self_contact = false;
   }
   double asymmetry_of(const ForceOptions& options) const {
@@ -220,10 +222,10 @@ struct Pressed {
 };
 
 TEST(ContactForces, TheBodysPushIsAGradient) {
-  const DistanceGrid plane{SurfaceDistance(test::box({-0.1, -0.1, -0.1}, {0.1, 0, 0.1}))};
+  const Collider plane{test::box({-0.1, -0.1, -0.1}, {0.1, 0, 0.1})};
   TriangleMesh tube = test::closed_tube(0.05, 0.05, 0.2, 200);
   for (Vec3& p : tube.points) p = Vec3(p.y() - 0.1, -p.x(), p.z());
-  const DistanceGrid round{SurfaceDistance(tube)};
+  const Collider round{tube};
   ForceOptions options;
   options.friction = false;
   test::expect_near({"the body's push: asymmetry of its stiffness", "relaxation", "plane", ""},

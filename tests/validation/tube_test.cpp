@@ -8,6 +8,7 @@
 #include "cloth/model/compile.h"
 #include "cloth/model/stretch.h"
 #include "cloth/relaxation/relax.h"
+#include "cloth/scene/collider.h"
 #include "geometry/distance_grid.h"
 #include "tests/cloth/panels.h"
 #include "tests/support/tubes.h"
@@ -32,7 +33,7 @@ class Tube : public testing::Test {
       const Vec3 normal(p.x() / (a * a), 0, p.z() / (b * b));
       if (normal.norm() > 0) p -= offset * normal.normalized();
     }
-    const DistanceGrid body(SurfaceDistance(mesh), {.cell = cell});
+    const Collider body(mesh, {}, {.cell = cell});
     garment = {};
     girth = rest_girth;
     sides = columns;
@@ -44,7 +45,8 @@ class Tube : public testing::Test {
     garment.seams = {test::seam("", test::side(garment.panels[0], columns, rows, false),
                                 test::side(garment.panels[0], columns, rows, true))};
     Scene scene;
-    scene.body = &body;
+    scene.collider = &body;
+    scene.body_contact = BodyContactTerm::nodes;
     scene.body_offset = offset;
     scene.self_contact = false;
     scene.fabric = fabric;

@@ -21,15 +21,13 @@ class Worn : public Case {
   Worn(const std::string& scene, double edge_mm, PanelMesh garment, const Wearer& wearer,
        Switched term)
       : Case(scene, edge_mm), garment_(std::move(garment)), wearer_(wearer) {
-    scene_.body = &wearer.collider.grid();
-    scene_.collider = &wearer.collider.surface();
-    scene_.skin = &wearer.collider.skin();
+    scene_.collider = &wearer.collider;
     scene_.skeleton = &wearer.skeleton;
     for (const MeshedPanel& panel : garment_.panels) {
       if (!panel.fabric.empty()) scene_.fabrics[panel.fabric] = find_fabric(panel.fabric);
     }
     switch_term(term);
-    garment_.placed = position_panels(garment_, *scene_.body, scene_.skeleton).placed;
+    garment_.placed = position_panels(garment_, wearer.collider.grid(), scene_.skeleton).placed;
     model_ = compile(garment_, scene_, garment_.placed);
   }
 
@@ -66,7 +64,7 @@ class Worn : public Case {
         scene_.self_contact = false;
         break;
       case Switched::edge_contact:
-        scene_.skin = nullptr;
+        scene_.body_contact = BodyContactTerm::nodes;
         break;
       case Switched::friction:
         scene_.fabric.friction_skin = scene_.fabric.friction_cloth = 0;

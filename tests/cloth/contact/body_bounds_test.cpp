@@ -6,10 +6,10 @@
 
 #include "cloth/model/compile.h"
 #include "cloth/relaxation/relax.h"
+#include "cloth/scene/collider.h"
 #include "geometry/intersections.h"
 #include "tests/cloth/panels.h"
 #include "tests/support/shapes.h"
-#include "tests/support/solid_body.h"
 
 namespace toile {
 
@@ -25,13 +25,13 @@ TriangleMesh spiked_box() {
 
 /// Corners thrown about as far as the bounds let them, and anew from there: never through a facet.
 TEST(BodyBounds, NothingThatKeepsToThemMeetsTheBody) {
-  const test::SolidBody body{spiked_box()};
+  const Collider body{spiked_box()};
   PanelMesh garment;
   test::add_panel(garment, "sheet", test::grid(0.2, 0.2, 10, 10), [](const Vec2& p) {
     return Vec3(p.x() - 0.1 + 0.003, 0.065, p.y() - 0.1 + 0.002);
   });
   std::vector<Vec3> x = garment.placed;
-  BodyBounds bounds(body.surface, garment.triangles, x.size());
+  BodyBounds bounds(body, garment.triangles, x.size());
   std::mt19937 random(7);
   std::uniform_real_distribution<double> any(-1, 1);
   int stopped = 0;
@@ -47,17 +47,17 @@ TEST(BodyBounds, NothingThatKeepsToThemMeetsTheBody) {
       stopped += share < 1;
       x[v] += share * (wanted - x[v]);
     }
-    ASSERT_TRUE(intersections({x, garment.triangles}, body.mesh).empty()) << round;
+    ASSERT_TRUE(intersections({x, garment.triangles}, body.body()).empty()) << round;
   }
   EXPECT_GT(stopped, 1000);
 }
 
 /// What is through the body already is let go of, and held once it is out.
 TEST(BodyBounds, WhatMeetsTheBodyCanComeOut) {
-  const test::SolidBody body{test::box({-0.2, -0.05, -0.2}, {0.2, 0, 0.2})};
+  const Collider body{test::box({-0.2, -0.05, -0.2}, {0.2, 0, 0.2})};
   const std::vector<Triangle> triangles = {{0, 1, 2}};
   std::vector<Vec3> x = {{0, -0.01, 0}, {0.02, 0.01, 0}, {0, 0.01, 0.02}};
-  BodyBounds bounds(body.surface, triangles, 3);
+  BodyBounds bounds(body, triangles, 3);
   bounds.look(as_vec4(x));
   EXPECT_GT(bounds.free(0, x[0]), 1);
   EXPECT_EQ(bounds.share(0, x[0], {0, 0.01, 0}), 1);
@@ -76,13 +76,13 @@ TEST(BodyBounds, WhatMeetsTheBodyCanComeOut) {
 /// What is wholly inside meets no facet, and has to come out as well; what lies a hair above may
 /// not go in. Near the skin, where planes are looked for, and deep.
 TEST(BodyBounds, WhatIsInsideCanComeOut) {
-  const test::SolidBody body{test::box({-0.2, -0.2, -0.2}, {0.2, 0, 0.2})};
+  const Collider body{test::box({-0.2, -0.2, -0.2}, {0.2, 0, 0.2})};
   const std::vector<Triangle> triangles = {{0, 1, 2}};
   for (const double depth : {0.00005, 0.0002, 0.001, 0.004, 0.03, 0.1}) {
     for (const double side : {-1, 1}) {
       const double y = side * depth;
       std::vector<Vec3> x = {{0, y, 0}, {0.02, y, 0}, {0, y, 0.02}};
-      BodyBounds bounds(body.surface, triangles, 3);
+      BodyBounds bounds(body, triangles, 3);
       bounds.look(as_vec4(x));
       const Vec3 through(0, -2 * y, 0);
       const double share = bounds.share(0, x[0], x[0] + through);
@@ -94,11 +94,11 @@ TEST(BodyBounds, WhatIsInsideCanComeOut) {
 /// Beside a step that it is a hair higher than, but 4 mm away from: no plane at the step's height
 /// stops it, and nothing lifts it.
 TEST(BodyBounds, WhatIsClearBesideAStepIsNotHeldAtItsHeight) {
-  const test::SolidBody body{test::together(test::box({-0.2, -0.2, -0.2}, {0.2, 0, 0.2}),
-                                            test::box({0.024, 0.00005, -0.2}, {0.2, 0.0099, 0.2}))};
+  const Collider body{test::together(test::box({-0.2, -0.2, -0.2}, {0.2, 0, 0.2}),
+                                     test::box({0.024, 0.00005, -0.2}, {0.2, 0.0099, 0.2}))};
   const std::vector<Triangle> triangles = {{0, 1, 2}};
   const std::vector<Vec3> x = {{0, 0.01, 0}, {0.02, 0.01, 0}, {0, 0.01, 0.02}};
-  BodyBounds bounds(body.surface, triangles, 3);
+  BodyBounds bounds(body, triangles, 3);
   for (int i = 0; i < 40; ++i) {
     bounds.look(as_vec4(x));
     for (int v = 0; v < 3; ++v) {
@@ -116,22 +116,21 @@ TEST(BodyBounds, WhatIsClearBesideAStepIsNotHeldAtItsHeight) {
 /// A sheet falls on a spike that is finer than its mesh: it hangs on it, with no facet through it
 /// at any time.
 TEST(BodyBounds, ASheetHangsOnASpike) {
-  const test::SolidBody body{spiked_box()};
+  const Collider body{spiked_box()};
   PanelMesh garment;
   test::add_panel(garment, "sheet", test::grid(0.3, 0.3, 12, 12), [](const Vec2& p) {
     return Vec3(p.x() - 0.15 + 0.003, 0.08, p.y() - 0.15 + 0.002);
   });
   Scene scene;
-  scene.body = &body.distance;
+  scene.collider = &body;
   const GarmentModel model = compile(garment, scene, garment.placed);
   RelaxOptions options;
   options.bounded = true;
-  options.surface = &body.surface;
   options.max_iterations = 3000;
   std::vector<Vec3> x = model.start;
   int unclean = 0;
   relax(model, options, x, [&](const RelaxProgress& at) {
-    unclean += !intersections({at.nodes, model.node_triangles}, body.mesh).empty();
+    unclean += !intersections({at.nodes, model.node_triangles}, body.body()).empty();
   });
   EXPECT_EQ(unclean, 0);
   double lowest = 1;
@@ -143,11 +142,12 @@ TEST(BodyBounds, ASheetHangsOnASpike) {
   EXPECT_GT(highest, 0.06);
   EXPECT_LT(lowest, 0.02);
   // Without the bounds the spike goes through: that is what they are for.
-  options.surface = nullptr;
+  scene.body_contact = BodyContactTerm::nodes;
+  const GarmentModel unbounded = compile(garment, scene, garment.placed);
   std::vector<Vec3> free = model.start;
-  relax(model, options, free);
+  relax(unbounded, options, free);
   std::cout << "without bounds, facets through the sheet: "
-            << intersections({free, model.node_triangles}, body.mesh).size() << "\n";
+            << intersections({free, model.node_triangles}, body.body()).size() << "\n";
 }
 
 }  // namespace toile

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iostream>
 
+#include "cloth/scene/collider.h"
 #include "geometry/distance_grid.h"
 #include "tests/support/shapes.h"
 
@@ -18,7 +19,7 @@ class Crevice : public testing::Test {
  protected:
   static constexpr double half_width = 0.004;
 
-  Crevice() { scene.body = &grid; }
+  Crevice() { scene.collider = &grid; }
 
   /// The push on a vertex that stands at `x` across the crevice; and the stiffness it reckons with.
   struct Push {
@@ -36,9 +37,8 @@ class Crevice : public testing::Test {
     return push;
   }
 
-  const DistanceGrid grid{
-      SurfaceDistance(test::together(test::box({-0.1, -0.1, -0.1}, {-half_width, 0.1, 0.1}),
-                                     test::box({half_width, -0.1, -0.1}, {0.1, 0.1, 0.1})))};
+  const Collider grid{test::together(test::box({-0.1, -0.1, -0.1}, {-half_width, 0.1, 0.1}),
+                                     test::box({half_width, -0.1, -0.1}, {0.1, 0.1, 0.1}))};
   Scene scene;
 };
 

@@ -5,10 +5,12 @@
 
 #include <iostream>
 #include <numbers>
+#include <optional>
 
 #include "cloth/model/compile.h"
 #include "cloth/relaxation/relax.h"
 #include "cloth/relaxation/release.h"
+#include "cloth/scene/collider.h"
 #include "geometry/distance_grid.h"
 #include "tests/cloth/panels.h"
 #include "tests/support/tubes.h"
@@ -29,7 +31,10 @@ class ClothOnCloth : public testing::Test {
     layer.triangles = flat.triangles;
     test::add_panel(patch, "patch", test::grid(0.1, 0.1, 9, 9),
                     [](const Vec2& p) { return Vec3(p.x() - 0.153, 0.99 * gap, 0.0513 - p.y()); });
-    scene.layers = &layer;
+    collider.emplace(test::box({5, 5, 5}, {6, 6, 6}));
+    collider->add_layer(layer);
+    scene.collider = &*collider;
+    scene.body_contact = BodyContactTerm::none;
     scene.layer_gap = gap;
   }
 
@@ -59,6 +64,7 @@ class ClothOnCloth : public testing::Test {
   }
 
   TriangleMesh layer;
+  std::optional<Collider> collider;
   PanelMesh patch;
   Scene scene;
   std::size_t anchors = 0;
@@ -118,9 +124,10 @@ class TubeOnTube : public testing::Test {
 
   /// Metres that the outer one goes down in `seconds`, and the inner one.
   std::pair<double, double> sink(double share, double seconds) {
-    static const DistanceGrid body{SurfaceDistance(test::closed_tube(radius, radius, 1, 400))};
+    static const Collider body{test::closed_tube(radius, radius, 1, 400)};
     Scene scene;
-    scene.body = &body;
+    scene.collider = &body;
+    scene.body_contact = BodyContactTerm::nodes;
     Fabric& fabric = scene.fabric;
     // Heavy: release() makes nodes heavier that are too light for the contact's stiffness.
     fabric.areal_density = 0.6;
@@ -130,7 +137,7 @@ class TubeOnTube : public testing::Test {
     fabric.friction_cloth = mu;
     // Where the grid, which is smooth, has its 2 mm; and where the middles of the edges have
     // theirs.
-    const double skin = radius + 0.004 - body.at({0, 0.7, radius + 0.002}).distance;
+    const double skin = radius + 0.004 - body.grid().at({0, 0.7, radius + 0.002}).distance;
     const double out = skin + scene.self_gap / std::cos(std::numbers::pi / columns);
     const double side = 2 * columns * std::sin(std::numbers::pi / columns);
     const double load =

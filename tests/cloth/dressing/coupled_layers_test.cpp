@@ -8,12 +8,12 @@
 #include <numeric>
 
 #include "cloth/model/compile.h"
+#include "cloth/scene/collider.h"
 #include "geometry/distance_grid.h"
 #include "geometry/intersections.h"
 #include "tests/cloth/panels.h"
 #include "tests/pattern/samples.h"
 #include "tests/support/shapes.h"
-#include "tests/support/solid_body.h"
 
 namespace toile {
 namespace {
@@ -46,7 +46,8 @@ double girth_of(const std::vector<Vec3>& nodes, int columns, int row) {
 class TwoTubes : public testing::Test {
  protected:
   TwoTubes() {
-    scene.body = &floor;
+    scene.collider = &floor;
+    scene.body_contact = BodyContactTerm::nodes;
     scene.fabric.friction_skin = 0;
     options.max_iterations = 5000;
     options.stop_median = options.stop_rms = 0.1;
@@ -64,7 +65,7 @@ class TwoTubes : public testing::Test {
     return worn;
   }
 
-  const DistanceGrid floor{SurfaceDistance(test::box({-0.3, -0.1, -0.3}, {0.3, 0, 0.3}))};
+  const Collider floor{test::box({-0.3, -0.1, -0.3}, {0.3, 0, 0.3})};
   Scene scene;
   DressOptions options;
 };
@@ -217,8 +218,8 @@ TEST_F(TwoTubes, WhatStandsOnASaddleFallsWhenLetGo) {
 /// A sheet over a spike that is finer than its mesh, which its triangles would let through, is held
 /// off it, and one on the floor is not: each garment knows its own.
 TEST(CoupledRelaxation, EachGarmentHasItsOwnLift) {
-  const test::SolidBody body{test::together(test::box({-0.2, -0.05, -0.2}, {0.6, 0, 0.2}),
-                                            test::spike(0, 0, 0.005, 0.06))};
+  const Collider body{test::together(test::box({-0.2, -0.05, -0.2}, {0.6, 0, 0.2}),
+                                     test::spike(0, 0, 0.005, 0.06))};
   const auto sheet = [](double x, double y) {
     PanelMesh garment;
     test::add_panel(garment, "sheet", test::grid(0.2, 0.2, 8, 8), [=](const Vec2& p) {
@@ -228,8 +229,7 @@ TEST(CoupledRelaxation, EachGarmentHasItsOwnLift) {
   };
   const std::vector<PanelMesh> garments = {sheet(0.4, 0.004), sheet(0, 0.062)};
   Scene scene;
-  scene.body = &body.distance;
-  scene.skin = &body.surface.exact;
+  scene.collider = &body;
   std::vector<WornGarment> worn(2);
   for (std::size_t i = 0; i < worn.size(); ++i) {
     worn[i].garment = &garments[i];

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <set>
 
+#include "cloth/scene/collider.h"
 #include "geometry/distance_grid.h"
 #include "tests/cloth/panels.h"
 #include "tests/pattern/samples.h"
 #include "tests/support/shapes.h"
-#include "tests/support/solid_body.h"
 
 namespace toile {
 namespace {
@@ -35,9 +35,10 @@ PanelMesh two_squares() {
 TEST(Dress, ProgressGoesFromNothingToAllAndNeverBack) {
   const PanelMesh garment = two_squares();
   ASSERT_GT(garment.subdivisions, 0);
-  const DistanceGrid body{SurfaceDistance(test::box({-0.3, -0.1, -0.2}, {0.3, 0, 0.2}))};
+  const Collider body{test::box({-0.3, -0.1, -0.2}, {0.3, 0, 0.2})};
   Scene scene;
-  scene.body = &body;
+  scene.collider = &body;
+  scene.body_contact = BodyContactTerm::nodes;
   std::set<std::string> stages;
   std::set<const PanelMesh*> meshes;
   std::vector<double> progress;
@@ -72,9 +73,10 @@ TEST(Dress, LeavesASaddleThatReleaseFinds) {
          {point},
          {AttachedTo::point, "", 0, garment.placed[point], true, 1000, 8}});
   }
-  const test::SolidBody far(test::box({2, 2, 2}, {3, 3, 3}));
+  const Collider far(test::box({2, 2, 2}, {3, 3, 3}));
   Scene scene;
-  scene.body = &far.distance;
+  scene.collider = &far;
+  scene.body_contact = BodyContactTerm::nodes;
   scene.self_contact = false;
   const auto highest = [](const DressResult& result) {
     double most = -1;

@@ -8,6 +8,7 @@
 
 #include "cloth/model/compile.h"
 #include "cloth/relaxation/relax.h"
+#include "cloth/scene/collider.h"
 #include "geometry/distance_grid.h"
 #include "tests/cloth/panels.h"
 #include "tests/support/tubes.h"
@@ -114,7 +115,7 @@ TEST_F(Sheet, SpecksAreOnlyCounted) {
 TightRegions drawn_over(double too_small) {
   constexpr double radius = 0.15, offset = 0.002;
   constexpr int columns = 108, rows = 8;
-  static const DistanceGrid body{SurfaceDistance(test::closed_tube(radius, radius, 0.5, 600))};
+  static const Collider body{test::closed_tube(radius, radius, 0.5, 600)};
   const double girth = 2 * pi * (radius + offset) / (1 + too_small);
   PanelMesh garment;
   test::add_panel(garment, "tube", test::grid(girth, 0.08, columns, rows), [&](const Vec2& p) {
@@ -125,7 +126,8 @@ TightRegions drawn_over(double too_small) {
   garment.seams = {test::seam("", test::side(garment.panels[0], columns, rows, false),
                               test::side(garment.panels[0], columns, rows, true))};
   Scene scene = limited();
-  scene.body = &body;
+  scene.collider = &body;
+  scene.body_contact = BodyContactTerm::nodes;
   scene.self_contact = false;
   scene.fabric.stretch_warp = scene.fabric.stretch_weft = 5000;
   const GarmentModel model = compile(garment, scene, garment.placed);

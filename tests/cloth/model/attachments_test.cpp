@@ -11,6 +11,7 @@
 #include "cloth/model/nested_meshes.h"
 #include "cloth/relaxation/attachment_forces.h"
 #include "cloth/relaxation/relax.h"
+#include "cloth/scene/collider.h"
 #include "geometry/distance_grid.h"
 #include "tests/cloth/figure.h"
 #include "tests/pattern/samples.h"
@@ -141,11 +142,9 @@ TEST(Attachments, LevelsAreThoseOfTheBody) {
 
 TEST(Attachments, PlacesAreWhereTheClothMayBe) {
   const double radius = 0.1, offset = 0.002;
-  const SurfaceDistance skin(test::closed_tube(radius, radius, 0.5, 400));
-  const DistanceGrid body(skin);
+  const Collider body(test::closed_tube(radius, radius, 0.5, 400));
   Scene scene;
-  scene.body = &body;
-  scene.skin = &skin;
+  scene.collider = &body;
   PanelMesh garment = sheet();
   const auto anchor_of = [&](const Attachment& how, const Vec3& placed) {
     garment.attachments = {{"panel.v0", {0}, how}};
@@ -177,8 +176,9 @@ TEST(Attachments, SayWhatTheSceneLacks) {
   Skeleton skeleton = test::figure();
   scene.skeleton = &skeleton;
   EXPECT_HOLDS(error(to_level("bust")), "'bust', but there is no body");
-  const SurfaceDistance ball(test::sphere(0.1, 2));
-  scene.skin = &ball;
+  const Collider ball(test::sphere(0.1, 2));
+  scene.collider = &ball;
+  scene.body_contact = BodyContactTerm::none;
   EXPECT_HOLDS(error(to_level("bust")), "'bust', but the body shows none");
   std::erase_if(skeleton.segments, [](const Segment& s) { return s.part == "left_arm"; });
   EXPECT_HOLDS(error(to_level("left_elbow")), "lacks that limb");

@@ -10,6 +10,7 @@
 #include "cloth/relaxation/elastic_forces.h"
 #include "cloth/relaxation/elastic_kernel.h"
 #include "cloth/relaxation/relax.h"
+#include "cloth/scene/collider.h"
 #include "geometry/distance_grid.h"
 #include "tests/cloth/panels.h"
 #include "tests/support/slope.h"
@@ -112,7 +113,7 @@ class ElasticTube : public testing::Test {
   static constexpr int columns = 96, rows = 12;
 
   void wear(double girth, double ratio) {
-    static const DistanceGrid body{SurfaceDistance(test::closed_tube(radius, radius, 0.5, 400))};
+    static const Collider body{test::closed_tube(radius, radius, 0.5, 400)};
     garment_ = {};
     const double start = std::max(girth / (2 * pi), radius + 0.004);
     test::add_panel(garment_, "tube", test::grid(girth, 0.08, columns, rows), [&](const Vec2& p) {
@@ -125,7 +126,8 @@ class ElasticTube : public testing::Test {
                                  test::side(garment_.panels[0], columns, rows, true))};
     garment_.elastics = {{"tube.2", row_of(columns, rows), ratio, stiffness}};
     Scene scene;
-    scene.body = &body;
+    scene.collider = &body;
+    scene.body_contact = BodyContactTerm::nodes;
     model_ = compile(garment_, scene, garment_.placed);
     RelaxOptions options;
     options.gravity = 0;

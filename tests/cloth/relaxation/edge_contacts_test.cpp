@@ -5,10 +5,10 @@
 #include "cloth/dressing/coupled_layers.h"
 #include "cloth/model/compile.h"
 #include "cloth/relaxation/relax.h"
+#include "cloth/scene/collider.h"
 #include "geometry/distance_grid.h"
 #include "tests/cloth/panels.h"
 #include "tests/support/shapes.h"
-#include "tests/support/solid_body.h"
 
 namespace toile {
 namespace {
@@ -16,9 +16,9 @@ namespace {
 /// What holds a coarse mesh by the middles of its edges goes on to hold it in the next run: else it
 /// sags until they have taken hold anew.
 TEST(EdgeContacts, HoldOnFromRunToRun) {
-  const DistanceGrid body{SurfaceDistance(test::box({-0.2, -0.1, -0.2}, {0.2, 0, 0.2}))};
+  const Collider body{test::box({-0.2, -0.1, -0.2}, {0.2, 0, 0.2})};
   Scene scene;
-  scene.body = &body;
+  scene.collider = &body;
   const std::vector<Triangle> triangles = {{0, 1, 2}};
   const auto at = [](double way) {
     const double height = 0.002 - 1e-5;
@@ -49,12 +49,10 @@ TEST(EdgeContacts, HoldOnFromRunToRun) {
 class CoarseOnASlope : public testing::Test {
  protected:
   CoarseOnASlope() {
-    scene.body = &body.distance;
-    scene.skin = &body.exact;
+    scene.collider = &body;
     scene.gravity = 9.81 * Vec3(std::sin(0.2), -std::cos(0.2), 0);
     scene.fabric.areal_density = 1;
     scene.fabric.friction_skin = 0.4;
-    options.surface = &body.surface;
     options.bounded = true;
     options.stop_median = options.stop_rms = 1e-4;
   }
@@ -76,7 +74,7 @@ class CoarseOnASlope : public testing::Test {
     return worn;
   }
 
-  const test::SolidBody body{test::box({-0.3, -0.1, -0.3}, {0.3, 0, 0.3})};
+  const Collider body{test::box({-0.3, -0.1, -0.3}, {0.3, 0, 0.3})};
   Scene scene;
   RelaxOptions options;
 };

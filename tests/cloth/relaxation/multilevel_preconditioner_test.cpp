@@ -7,6 +7,7 @@
 
 #include "cloth/model/compile.h"
 #include "cloth/relaxation/relax.h"
+#include "cloth/scene/collider.h"
 #include "geometry/distance_grid.h"
 #include "tests/cloth/panels.h"
 #include "tests/support/shapes.h"
@@ -104,7 +105,7 @@ TEST(MultilevelPreconditioner, BringsWideMotionsToRestInFewerIterations) {
   const double radius = 0.03, length = 0.64, out = radius + 0.002;
   TriangleMesh bar = test::closed_tube(radius, radius, 0.3, 100);
   for (Vec3& p : bar.points) p = Vec3(p.y() - 0.15, -p.x(), p.z());
-  const DistanceGrid body{SurfaceDistance(bar)};
+  const Collider body{bar};
   PanelMesh garment;
   test::add_panel(garment, "strip", subdivided(subdivided(test::grid(0.16, length, 4, 16))),
                   [&](const Vec2& p) {
@@ -116,7 +117,8 @@ TEST(MultilevelPreconditioner, BringsWideMotionsToRestInFewerIterations) {
                                 out * std::sin(arc / out) + (s > 0 ? 0.14 : -0.14) * hanging);
                   });
   Scene scene;
-  scene.body = &body;
+  scene.collider = &body;
+  scene.body_contact = BodyContactTerm::nodes;
   scene.self_contact = false;
   RelaxOptions options;
   options.max_iterations = 60000;
@@ -145,13 +147,14 @@ TEST(MultilevelPreconditioner, BringsWideMotionsToRestInFewerIterations) {
 /// Where all of a sheet touches, each level would take the whole stiffness of the touch for its own
 /// step, and the steps add up.
 TEST(MultilevelPreconditioner, SoftClothComesToRestOnWhatItTouches) {
-  const DistanceGrid body{SurfaceDistance(test::box({-0.3, -0.1, -0.3}, {0.3, 0, 0.3}))};
+  const Collider body{test::box({-0.3, -0.1, -0.3}, {0.3, 0, 0.3})};
   PanelMesh garment;
   test::add_panel(garment, "sheet", subdivided(subdivided(test::grid(0.2, 0.2, 4, 4))),
                   [](const Vec2& p) { return Vec3(p.x() - 0.1, 0.0025, 0.1 - p.y()); });
   garment.subdivisions = 2;
   Scene scene;
-  scene.body = &body;
+  scene.collider = &body;
+  scene.body_contact = BodyContactTerm::nodes;
   scene.fabric = find_fabric("jersey");
   const GarmentModel model = compile(garment, scene, garment.placed);
   std::vector<Vec3> x = model.start;

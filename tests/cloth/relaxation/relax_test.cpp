@@ -8,11 +8,11 @@
 #include <random>
 
 #include "cloth/model/compile.h"
+#include "cloth/scene/collider.h"
 #include "geometry/distance_grid.h"
 #include "geometry/intersections.h"
 #include "tests/cloth/panels.h"
 #include "tests/support/shapes.h"
-#include "tests/support/solid_body.h"
 #include "tests/support/tubes.h"
 
 namespace toile {
@@ -24,12 +24,13 @@ constexpr double degree = pi / 180;
 /// A sheet of 20 x 20 cm on a big flat box, gravity leaning by `slope`: the way it went.
 Vec3 slide(double slope, double height, RelaxReport& report, std::vector<Vec3>& x,
            bool friction = true, int iterations = 6000) {
-  static const DistanceGrid body{SurfaceDistance(test::box({-0.4, -0.1, -0.2}, {0.4, 0, 0.2}))};
+  static const Collider body{test::box({-0.4, -0.1, -0.2}, {0.4, 0, 0.2})};
   PanelMesh garment;
   test::add_panel(garment, "sheet", test::grid(0.2, 0.2, 20, 20),
                   [&](const Vec2& p) { return Vec3(p.x() - 0.1, height, 0.1 - p.y()); });
   Scene scene;
-  scene.body = &body;
+  scene.collider = &body;
+  scene.body_contact = BodyContactTerm::nodes;
   scene.fabric.friction_skin = 0.4;
   scene.gravity = 9.81 * Vec3(std::sin(slope), -std::cos(slope), 0);
   const GarmentModel model = compile(garment, scene, garment.placed);
@@ -54,7 +55,11 @@ std::vector<Vec3> fall_on_a_ridge(bool layer_contact, TriangleMesh& cloth, Trian
                   {0.3, -0.3, 0.1}, {-0.3, -0.3, -0.1}, {0.3, -0.3, -0.1}};
   ridge.triangles = {{0, 2, 1}, {1, 2, 3}, {0, 1, 4}, {1, 5, 4}};
   Scene scene;
-  scene.layers = &ridge;
+  // The ridge is asked for by its edges alone: no body pushes.
+  Collider collider(test::box({5, 5, 5}, {6, 6, 6}));
+  collider.add_layer(ridge);
+  scene.collider = &collider;
+  scene.body_contact = BodyContactTerm::none;
   const GarmentModel model = compile(garment, scene, garment.placed);
   std::vector<Vec3> x = model.start;
   RelaxOptions options;
@@ -102,14 +107,12 @@ TEST(Relax, AFallenSheetLiesFlatAtItsOffset) {
 /// Of a weight that moves its nodes by millimetres in a step: they must not be thrown back from the
 /// body and come down again for ever.
 TEST(Relax, ABandAsSoftAsAWebComesToRestAroundABody) {
-  const test::SolidBody body(test::closed_tube(0.1, 0.1, 0.4, 128));
+  const Collider body(test::closed_tube(0.1, 0.1, 0.4, 128));
   Scene scene;
-  scene.body = &body.distance;
-  scene.skin = &body.exact;
+  scene.collider = &body;
   scene.fabric.stretch_warp = scene.fabric.stretch_weft = 1;
   scene.fabric.shear = 0.2;
   RelaxOptions options;
-  options.surface = &body.surface;
   options.max_iterations = 20000;
   options.stop_median = options.stop_rms = 0.01;
   PanelMesh garment;
@@ -177,11 +180,12 @@ RelaxOptions sewing() {
 }
 
 TEST(Relax, SeamsCloseAroundABody) {
-  const DistanceGrid body{SurfaceDistance(test::closed_tube(0.1, 0.1, 0.5, 200))};
+  const Collider body{test::closed_tube(0.1, 0.1, 0.5, 200)};
   const int columns = 24, rows = 10;
   const PanelMesh garment = around_cylinder(0.36, columns, rows);  // 9 cm of ease
   Scene scene;
-  scene.body = &body;
+  scene.collider = &body;
+  scene.body_contact = BodyContactTerm::nodes;
   const GarmentModel model = compile(garment, scene, garment.placed);
   std::vector<Vec3> x = model.start;
   double last_open = 1;
@@ -234,10 +238,11 @@ TEST(Relax, AnOpenSeamIsWhereItWasPlaced) {
 }
 
 TEST(Relax, TheSameBitsForAnyNumberOfThreads) {
-  const DistanceGrid body{SurfaceDistance(test::closed_tube(0.1, 0.1, 0.5, 100))};
+  const Collider body{test::closed_tube(0.1, 0.1, 0.5, 100)};
   const PanelMesh garment = around_cylinder(0.36, 48, 24);
   Scene scene;
-  scene.body = &body;
+  scene.collider = &body;
+  scene.body_contact = BodyContactTerm::nodes;
   const GarmentModel model = compile(garment, scene, garment.placed);
   ASSERT_GT(model.nodes, 2048);  // several chunks
   RelaxOptions closing = sewing();
@@ -276,12 +281,13 @@ TEST(Relax, AtRestItStaysAtRest) {
 /// A sheet that stands upright on the floor is all but at rest until it falls over; that it takes
 /// longer then to come as near to rest again is no reason to give it up.
 TEST(Relax, WhatFallsOutOfABalanceIsNotGivenUp) {
-  const test::SolidBody floor(test::box({-0.3, -0.1, -0.3}, {0.3, 0, 0.3}));
+  const Collider floor(test::box({-0.3, -0.1, -0.3}, {0.3, 0, 0.3}));
   PanelMesh garment;
   test::add_panel(garment, "sheet", test::grid(0.1, 0.04, 10, 4),
                   [](const Vec2& p) { return Vec3(p.x() - 0.05, 0.002 + p.y(), 0.01 * p.y()); });
   Scene scene;
-  scene.body = &floor.distance;
+  scene.collider = &floor;
+  scene.body_contact = BodyContactTerm::nodes;
   scene.fabric.bending_warp = scene.fabric.bending_weft = 1e-3;
   scene.fabric.friction_skin = 0;
   const GarmentModel model = compile(garment, scene, garment.placed);

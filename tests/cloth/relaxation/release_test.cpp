@@ -7,6 +7,7 @@
 
 #include "cloth/model/compile.h"
 #include "cloth/relaxation/relax.h"
+#include "cloth/scene/collider.h"
 #include "geometry/distance_grid.h"
 #include "tests/cloth/panels.h"
 #include "tests/support/tubes.h"
@@ -84,11 +85,12 @@ class Band : public testing::Test {
 
   /// Metres that it goes down in `seconds`.
   double sink(double share, double seconds) {
-    static const DistanceGrid body{SurfaceDistance(test::closed_tube(radius, radius, 1, 400))};
+    static const Collider body{test::closed_tube(radius, radius, 1, 400)};
     // Where the grid, which is smooth, has its 2 mm.
-    const double out = radius + 0.004 - body.at({0, 0.7, radius + 0.002}).distance;
+    const double out = radius + 0.004 - body.grid().at({0, 0.7, radius + 0.002}).distance;
     Scene scene;
-    scene.body = &body;
+    scene.collider = &body;
+    scene.body_contact = BodyContactTerm::nodes;
     scene.self_contact = false;
     scene.fabric.stretch_warp = scene.fabric.stretch_weft = 50;
     scene.fabric.shear = 20;
@@ -152,7 +154,7 @@ TEST_F(Band, SlidesWhereTheTensionIsTooLittle) {
 }
 
 TEST(Release, TheSameBitsForAnyNumberOfThreads) {
-  const DistanceGrid body{SurfaceDistance(test::closed_tube(0.03, 0.03, 0.5, 100))};
+  const Collider body{test::closed_tube(0.03, 0.03, 0.5, 100)};
   const PanelMesh garment = [] {
     PanelMesh sheet;
     test::add_panel(sheet, "sheet", test::grid(0.5, 0.5, 50, 50),
@@ -160,7 +162,8 @@ TEST(Release, TheSameBitsForAnyNumberOfThreads) {
     return sheet;
   }();
   Scene scene;
-  scene.body = &body;
+  scene.collider = &body;
+  scene.body_contact = BodyContactTerm::nodes;
   const GarmentModel model = compile(garment, scene, garment.placed);
   ASSERT_GT(model.nodes, 2048);  // several chunks
   ReleaseOptions options;

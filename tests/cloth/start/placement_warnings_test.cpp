@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "cloth/scene/collider.h"
 #include "cloth/start/positioning.h"
 #include "geometry/body/mannequin/mannequin.h"
 #include "io/mesh_file.h"
@@ -23,16 +24,14 @@ using Names = std::vector<std::string>;
 /// A body to look at panels on.
 struct Stage {
   explicit Stage(const TriangleMesh& body, Skeleton bones = {})
-      : skin(body), grid(skin), skeleton(std::move(bones)) {
-    scene.skin = &skin;
-    scene.body = &grid;
+      : collider(body), skeleton(std::move(bones)) {
+    scene.collider = &collider;
     if (!skeleton.joints.empty()) scene.skeleton = &skeleton;
   }
   explicit Stage(const Mannequin& mannequin) : Stage(mannequin.surface, mannequin.skeleton) {}
   Stage(const Stage&) = delete;
 
-  SurfaceDistance skin;
-  DistanceGrid grid;
+  Collider collider;
   Skeleton skeleton;
   Scene scene;
 };
@@ -52,7 +51,7 @@ PanelMesh placed(const Json& file, const Stage& stage) {
   std::vector<Remark> remarks;
   PanelMesh garment =
       mesh_panels(parse_pattern(file.dump(), "pattern.json", remarks), {0.025}, remarks);
-  garment.placed = position_panels(garment, stage.grid, stage.scene.skeleton).placed;
+  garment.placed = position_panels(garment, stage.collider.grid(), stage.scene.skeleton).placed;
   return garment;
 }
 
@@ -82,7 +81,7 @@ void expect_none(const Json& file, const Stage& stage, const std::string& name) 
   EXPECT_EQ(found.inside_out, Names()) << name;
   // With room to spare.
   double least = 1;
-  for (const double facing : facing_out(placed(file, stage), stage.skin)) {
+  for (const double facing : facing_out(placed(file, stage), stage.collider.skin())) {
     least = std::min(least, facing);
   }
   std::cout << name << ": facing out by " << least << " at least\n";
