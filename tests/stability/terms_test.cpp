@@ -98,7 +98,7 @@ TEST_P(SampleTerms, AreThoseOfTheGarment) {
 
   // And what a scene adds or takes is added and taken, and nothing else.
   const TriangleMesh ball = sphere(0.1, 3);
-  Collider body{ball};
+  Collider body(skin);
   body.add_layer(ball);
   Scene full = scene;
   full.collider = &body;
