@@ -8,7 +8,7 @@
 #include "io/output_file.h"
 #include "io/pose_file.h"
 #include "io/skeleton_file.h"
-#include "tools/program.h"
+#include "tools/programs.h"
 
 namespace toile {
 namespace {
@@ -65,11 +65,9 @@ int work(const po::variables_map& given, const CommonSettings& common) {
 }
 
 }  // namespace
-}  // namespace toile
 
-int main(int argc, char** argv) {
-  namespace po = boost::program_options;
-  toile::CommandLineProgram program;
+CommandLineProgram make_mannequin_program() {
+  CommandLineProgram program;
   program.name = "make-mannequin";
   program.summary =
       "writes the sample body: a mannequin 1.70 m tall, bust 93.6, waist 70.7, hip 98 cm";
@@ -78,6 +76,8 @@ int main(int argc, char** argv) {
                                 "mean edge of the mesh, 4mm to 15mm")(
       "pose", po::value<std::string>()->default_value("standing"),
       "standing, walking, or a file that gives joints' angles");
-  program.work = toile::work;
-  return toile::run_program(argc, argv, program);
+  program.work = work;
+  return program;
 }
+
+}  // namespace toile

@@ -87,7 +87,7 @@ double parse_quantity(const std::string& text, const std::map<std::string, doubl
 
 }  // namespace
 
-int run_program(int argc, char** argv, CommandLineProgram& program) {
+int run_program(int argc, char** argv, const CommandLineProgram& program) {
   // A file that grows beyond the shell's limit is an error like a full disk, not a signal.
   std::signal(SIGXFSZ, SIG_IGN);
   po::options_description all;

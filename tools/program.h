@@ -48,7 +48,7 @@ struct CommandLineProgram {
 
 /// Parses the command line, answers --help and --version, limits the threads, runs the program's
 /// work, turns exceptions into one message and the exit code that belongs to it. -o is required.
-int run_program(int argc, char** argv, CommandLineProgram& program);
+int run_program(int argc, char** argv, const CommandLineProgram& program);
 
 /// A length with its unit ("10mm", "1.5cm", "0.01m"), in metres. Throws Error, naming `option`,
 /// when it is not a positive length, or a bare number: whoever writes 25 means millimetres or

@@ -8,12 +8,13 @@
 #include "io/obj.h"
 #include "io/output_file.h"
 #include "io/view/picture.h"
-#include "tools/program.h"
+#include "tools/programs.h"
+
+namespace toile {
 
 namespace {
 
 namespace po = boost::program_options;
-using namespace toile;
 
 struct Settings {
   std::string body;
@@ -104,7 +105,7 @@ int work(const Settings& settings, const CommonSettings& common) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+CommandLineProgram render_program() {
   CommandLineProgram program;
   program.name = "render";
   program.summary =
@@ -135,5 +136,7 @@ int main(int argc, char** argv) {
     }
     return work(settings, common);
   };
-  return run_program(argc, argv, program);
+  return program;
 }
+
+}  // namespace toile

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "cloth/ease/ease_report.h"
+#include "tools/ease_map/report.h"
 #include "io/output_file.h"
 #include "tests/figures/dressing_pictures.h"
 #include "tests/figures/sheet.h"

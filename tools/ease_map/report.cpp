@@ -1,4 +1,4 @@
-#include "cloth/ease/ease_report.h"
+#include "tools/ease_map/report.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "tools/dress_watch.h"
+#include "tools/dress/watch.h"
 
 #include <boost/timer/progress_display.hpp>
 #include <iomanip>

@@ -1,4 +1,4 @@
-#include "tools/dress_fabrics.h"
+#include "tools/dress/fabrics.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -7,8 +7,8 @@
 #include "geometry/error.h"
 #include "io/output_file.h"
 #include "io/skeleton_file.h"
-#include "tools/dress_outfit.h"
-#include "tools/program.h"
+#include "tools/dress/run.h"
+#include "tools/programs.h"
 
 namespace toile {
 
@@ -135,12 +135,10 @@ void check_usage(const po::variables_map& given) {
 
 }  // namespace
 
-}  // namespace toile
-
-int main(int argc, char** argv) {
+CommandLineProgram dress_program() {
   using boost::program_options::value;
   using std::string;
-  toile::CommandLineProgram program;
+  CommandLineProgram program;
   program.name = "dress";
   program.summary = "sews meshed garments around a body and lets them come to rest";
   program.usage =
@@ -163,11 +161,13 @@ int main(int argc, char** argv) {
       "cache",
       "keep the body's distances beside it, body.distances for body.ply: later garments on this "
       "body are dressed the same, sooner");
-  toile::add_fabric_option(program.options);
-  toile::add_method_options(program.options);
+  add_fabric_option(program.options);
+  add_method_options(program.options);
   program.positional.add("garment", 1);
   program.output_extensions = {".obj"};
-  program.check = toile::check_usage;
-  program.work = toile::work;
-  return toile::run_program(argc, argv, program);
+  program.check = check_usage;
+  program.work = work;
+  return program;
 }
+
+}  // namespace toile

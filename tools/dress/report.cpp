@@ -1,4 +1,4 @@
-#include "tools/dress_report.h"
+#include "tools/dress/report.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "tools/dress_attachments.h"
+#include "tools/dress/attachments.h"
 
 namespace toile {
 

@@ -1,4 +1,4 @@
-#include "tools/dress_outfit.h"
+#include "tools/dress/run.h"
 
 #include <unistd.h>
 
@@ -10,6 +10,7 @@
 
 #include "cloth/dressing/panels_over.h"
 #include "cloth/judge/verdict.h"
+#include "cloth/scene/closed_body.h"
 #include "cloth/scene/collider.h"
 #include "cloth/start/placement_warnings.h"
 #include "geometry/body/skeleton.h"
@@ -18,9 +19,8 @@
 #include "io/output_file.h"
 #include "io/skeleton_file.h"
 #include "pattern/garment_file.h"
-#include "tools/closed_body.h"
-#include "tools/dress_report.h"
-#include "tools/dress_watch.h"
+#include "tools/dress/report.h"
+#include "tools/dress/watch.h"
 
 namespace toile {
 

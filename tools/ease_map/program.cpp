@@ -2,21 +2,22 @@
 #include <cmath>
 #include <optional>
 
-#include "cloth/ease/ease_report.h"
+#include "cloth/scene/closed_body.h"
 #include "geometry/error.h"
 #include "io/mesh_file.h"
 #include "io/output_file.h"
 #include "io/skeleton_file.h"
 #include "io/text.h"
 #include "pattern/garment_file.h"
-#include "tools/closed_body.h"
-#include "tools/program.h"
+#include "tools/ease_map/report.h"
+#include "tools/programs.h"
+
+namespace toile {
 
 namespace {
 
 namespace fs = std::filesystem;
 namespace po = boost::program_options;
-using namespace toile;
 
 struct Settings {
   fs::path garment;
@@ -111,7 +112,7 @@ std::optional<fs::path> path_option(const po::variables_map& given, const std::s
 
 }  // namespace
 
-int main(int argc, char** argv) {
+CommandLineProgram ease_map_program() {
   CommandLineProgram program;
   program.name = "ease-map";
   program.summary = "measures and shows the gap between a dressed garment and the body";
@@ -146,5 +147,7 @@ int main(int argc, char** argv) {
       settings.top = parse_length(given["top"].as<std::string>(), "--top");
     return work(settings, common);
   };
-  return run_program(argc, argv, program);
+  return program;
 }
+
+}  // namespace toile

@@ -9,7 +9,7 @@
 #include "io/mesh_file.h"
 #include "io/output_file.h"
 #include "io/skeleton_file.h"
-#include "tools/program.h"
+#include "tools/programs.h"
 
 namespace toile {
 namespace {
@@ -181,14 +181,12 @@ int work(const po::variables_map& given, const CommonSettings& common) {
 }
 
 }  // namespace
-}  // namespace toile
 
-int main(int argc, char** argv) {
-  namespace po = boost::program_options;
+CommandLineProgram clean_body_program() {
   const auto check_unit = [](const std::string& unit) {
-    if (!toile::units.contains(unit)) throw po::error("--unit is one of m, dm, cm, mm, in");
+    if (!units.contains(unit)) throw po::error("--unit is one of m, dm, cm, mm, in");
   };
-  toile::CommandLineProgram program;
+  CommandLineProgram program;
   program.name = "clean-body";
   program.summary = "makes a mesh of a standing person a closed body in metres, with its skeleton";
   program.usage = "IN -o body.ply [--unit m|dm|cm|mm|in]";
@@ -197,6 +195,8 @@ int main(int argc, char** argv) {
       "unit", po::value<std::string>()->notifier(check_unit),
       "the unit of IN; told from the body's height when not given");
   program.positional.add("input", 1);
-  program.work = toile::work;
-  return toile::run_program(argc, argv, program);
+  program.work = work;
+  return program;
 }
+
+}  // namespace toile

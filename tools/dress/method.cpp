@@ -1,4 +1,4 @@
-#include "tools/dress_method.h"
+#include "tools/dress/method.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "cloth/scene/scene.h"
-#include "tools/dress_fabrics.h"
-#include "tools/dress_method.h"
+#include "tools/dress/fabrics.h"
+#include "tools/dress/method.h"
 #include "tools/program.h"
 
 namespace toile {

@@ -1,4 +1,4 @@
-#include "tools/dress_attachments.h"
+#include "tools/dress/attachments.h"
 
 #include <iomanip>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "tools/closed_body.h"
+#include "cloth/scene/closed_body.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

@@ -12,11 +12,13 @@
 #include "pattern/garment_file.h"
 #include "pattern/mesh_panels.h"
 #include "pattern/pattern_file.h"
-#include "tools/program.h"
+#include "tools/programs.h"
+
+namespace toile {
 
 namespace {
 
-using namespace toile;
+namespace po = boost::program_options;
 using Json = nlohmann::ordered_json;
 
 struct Settings {
@@ -180,8 +182,7 @@ int work(const Settings& settings, const CommonSettings& common) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  namespace po = boost::program_options;
+CommandLineProgram mesh_pattern_program() {
   CommandLineProgram program;
   program.name = "mesh-pattern";
   program.summary = "meshes the panels of a sewing pattern, seam sides point to point";
@@ -207,5 +208,7 @@ int main(int argc, char** argv) {
     settings.flat = given["flat"].as<bool>();
     return work(settings, common);
   };
-  return run_program(argc, argv, program);
+  return program;
 }
+
+}  // namespace toile

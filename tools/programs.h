@@ -1,0 +1,15 @@
+// The command-line programs, each as run_program() takes it.
+#pragma once
+
+#include "tools/program.h"
+
+namespace toile {
+
+CommandLineProgram clean_body_program();
+CommandLineProgram dress_program();
+CommandLineProgram ease_map_program();
+CommandLineProgram make_mannequin_program();
+CommandLineProgram mesh_pattern_program();
+CommandLineProgram render_program();
+
+}  // namespace toile
