@@ -193,7 +193,7 @@ float DistanceLevels::compute(std::size_t level, const Index& node, SurfacePoint
     if (sure >= own.exact && side * value >= own.reach) return static_cast<float>(value);
   }
   const Vec3 point = origin_ + levels_[level].cell * Vec3(node[0], node[1], node[2]);
-  near = surface_.nearest(point, near);
+  near = surface_.closest_point(point, near);
   return static_cast<float>(near.distance);
 }
 

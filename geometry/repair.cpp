@@ -314,7 +314,7 @@ double farthest_from(const TriangleMesh& of, const TriangleMesh& surface) {
   const SurfaceDistance distance(surface);
   double farthest = 0;
   for (const Vec3& point : of.points) {
-    farthest = std::max(farthest, (point - distance.nearest(point).point).norm());
+    farthest = std::max(farthest, (point - distance.closest_point(point).point).norm());
   }
   return farthest;
 }

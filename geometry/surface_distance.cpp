@@ -153,12 +153,12 @@ void SurfaceDistance::triangles_in_box(const Vec3& low, const Vec3& high,
 const TriangleMesh& SurfaceDistance::body() const { return tree_->body; }
 const TriangleTree& SurfaceDistance::tree() const { return tree_->tree; }
 
-SurfacePoint SurfaceDistance::nearest(const Vec3& query) const {
-  return tree_->describe(query, tree_->tree.nearest(query));
+SurfacePoint SurfaceDistance::closest_point(const Vec3& query) const {
+  return tree_->describe(query, tree_->tree.closest_triangle(query));
 }
 
-SurfacePoint SurfaceDistance::nearest(const Vec3& query, const SurfacePoint& hint) const {
-  return tree_->describe(query, tree_->tree.nearest(query, hint.triangle));
+SurfacePoint SurfaceDistance::closest_point(const Vec3& query, const SurfacePoint& hint) const {
+  return tree_->describe(query, tree_->tree.closest_triangle(query, hint.triangle));
 }
 
 }  // namespace toile

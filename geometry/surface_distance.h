@@ -35,9 +35,9 @@ class SurfaceDistance {
   /// Keeps a copy of the surface. Throws Error when it has no triangles.
   explicit SurfaceDistance(const TriangleMesh& body);
 
-  SurfacePoint nearest(const Vec3& query) const;
-  /// As nearest(), starting from an answer known to be near: faster, the same distance.
-  SurfacePoint nearest(const Vec3& query, const SurfacePoint& hint) const;
+  SurfacePoint closest_point(const Vec3& query) const;
+  /// As closest_point(), starting from an answer known to be near: faster, the same distance.
+  SurfacePoint closest_point(const Vec3& query, const SurfacePoint& hint) const;
 
   /// Appends the triangles that meet the box from `low` to `high`, in an order that depends only
   /// on the body and the box.

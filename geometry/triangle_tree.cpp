@@ -178,7 +178,7 @@ void TriangleTree::search(std::size_t level, std::size_t number, Nearest& neares
   }
 }
 
-int TriangleTree::nearest(const Vec3& point, int hint) const {
+int TriangleTree::closest_triangle(const Vec3& point, int hint) const {
   Nearest nearest{Query(point, largest_), point};
   if (hint >= 0) nearest.look_at(mesh_, hint);
   search(levels_.size() - 1, 0, nearest);

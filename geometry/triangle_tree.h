@@ -18,7 +18,7 @@ class TriangleTree {
 
   /// The triangle nearest to the point, of several the first; `hint`, a triangle that may be near,
   /// spares looking at what is farther, and changes no answer. 0 for a point that is not finite.
-  int nearest(const Vec3& point, int hint = -1) const;
+  int closest_triangle(const Vec3& point, int hint = -1) const;
 
   /// Appends all triangles within `radius` of the point, and some more.
   void within(const Vec3& point, double radius, std::vector<int>& found) const;

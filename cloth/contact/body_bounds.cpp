@@ -93,7 +93,7 @@ BodyBounds::Region BodyBounds::region_of(const Triangle& corners, const Vec4s& x
                           (p[2] - centre).squaredNorm()}));
   SurfacePoint hint;
   hint.triangle = near_facet;
-  const SurfacePoint nearest_point = collider_.skin().nearest(centre, hint);
+  const SurfacePoint nearest_point = collider_.skin().closest_point(centre, hint);
   region.facet = nearest_point.triangle;
   region.meets = nearest_point.distance < 0;
   if (region.meets) return region;

@@ -87,7 +87,7 @@ EaseMap measure_ease(const DressedGarment& garment, const SurfaceDistance& body,
   EaseMap map;
   map.node_gaps.resize(garment.points.size());
   tbb::parallel_for(std::size_t{0}, garment.points.size(), [&](std::size_t i) {
-    map.node_gaps[i] = body.nearest(garment.points[i]).distance;
+    map.node_gaps[i] = body.closest_point(garment.points[i]).distance;
   });
 
   std::vector<Corner> corners;

@@ -69,7 +69,7 @@ const FrameFigures& Certificate::check(const DressFrame& frame) {
   // What does not meet the surface is on one side of it: any point tells which.
   for (const int piece : all) {
     if (meeting.count(piece) != 0) continue;
-    figures.inside += distance_.nearest(frame.points[piece]).distance < 0;
+    figures.inside += distance_.closest_point(frame.points[piece]).distance < 0;
   }
   return figures;
 }

@@ -62,7 +62,7 @@ class Anchors {
     if (attached.how.to == AttachedTo::skin) {
       if (scene_.collider == nullptr)
         throw refused(attached, "there is no body", "give one to dress");
-      anchor = scene_.collider->skin().nearest(placed).point;
+      anchor = scene_.collider->skin().closest_point(placed).point;
     }
     return touches_body(scene_) ? off_the_body(anchor) : anchor;
   }

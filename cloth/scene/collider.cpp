@@ -33,7 +33,7 @@ void Collider::add_layer(const TriangleMesh& garment) {
 double Collider::distance(const Vec3& point) const {
   double least = std::numeric_limits<double>::max();
   for (const SurfaceDistance& surface : surfaces_) {
-    least = std::min(least, surface.nearest(point).distance);
+    least = std::min(least, surface.closest_point(point).distance);
   }
   return least;
 }

@@ -144,7 +144,7 @@ bool SubjectSurface::find_tip(int vertex) const {
 }
 
 double SubjectSurface::distance(const Vec3& p) const {
-  return std::abs(distance_.nearest(p).distance);
+  return std::abs(distance_.closest_point(p).distance);
 }
 
 void SubjectSurface::facets_in_box(const Vec3& low, const Vec3& high,

@@ -204,7 +204,7 @@ std::vector<double> facing_out(const PanelMesh& garment, const SurfaceDistance& 
       const Vec3& p = garment.placed[a];
       const Vec3 area = (garment.placed[b] - p).cross(garment.placed[c] - p);
       const Vec3 middle = (p + garment.placed[b] + garment.placed[c]) / 3;
-      const SurfacePoint nearest = skin.nearest(middle);
+      const SurfacePoint nearest = skin.closest_point(middle);
       const Vec3 out =
           nearest.distance < 0 ? Vec3(nearest.point - middle) : Vec3(middle - nearest.point);
       if (out.norm() > 0) sum += area.dot(out.normalized());

@@ -202,7 +202,7 @@ std::optional<JointOutside> joint_outside(const Skeleton& skeleton, const Surfac
     for (const std::string& name : {segment.from, segment.to}) {
       const auto joint = skeleton.joints.find(name);
       if (joint == skeleton.joints.end()) continue;
-      const double by = unit * body.nearest(joint->second / unit).distance;
+      const double by = unit * body.closest_point(joint->second / unit).distance;
       if (!(by < joint_tolerance)) return JointOutside{name, by};
     }
   }

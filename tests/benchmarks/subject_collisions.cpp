@@ -33,7 +33,7 @@ TriangleMesh tube(const SurfaceDistance& body, int around, int rows, double off)
       const Vec3 out(std::sin(angle), 0, std::cos(angle));
       Vec3 p = Vec3(0, y, 0.01);
       for (int k = 0; k < 200; ++k) {
-        const double lacking = off - body.nearest(p).distance;
+        const double lacking = off - body.closest_point(p).distance;
         if (lacking < 1e-9) break;
         p += lacking * out;
       }
@@ -61,7 +61,7 @@ void run(const char* name, const TriangleMesh& subject, const SurfaceDistance& b
   CollisionOptions options;
   options.friction = friction;
   std::vector<Vec3> inward;
-  for (const Vec3& p : x) inward.push_back(-body.nearest(p).normal);
+  for (const Vec3& p : x) inward.push_back(-body.closest_point(p).normal);
   double seconds = 0;
   double processor = 0;
   double first = 0;
@@ -83,7 +83,7 @@ void run(const char* name, const TriangleMesh& subject, const SurfaceDistance& b
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += dt * v[i];
   }
   double least = 1;
-  for (const Vec3& p : x) least = std::min(least, body.nearest(p).distance);
+  for (const Vec3& p : x) least = std::min(least, body.closest_point(p).distance);
   std::cout << name << ": " << 1000 * seconds / (steps - 1) << " ms a step, "
             << 1000 * processor / (steps - 1) << " of a processor (first " << 1000 * first
             << "), contacts " << counts.particle_facet << " particles, " << counts.vertex_triangle

@@ -17,7 +17,7 @@ TEST(Decimate, KeepsTheShapeAndTheTopology) {
   EXPECT_EQ(closed_surface_defect(light), "");
   // 2000 triangles of a sphere stand off it by some edge²/8R: 3 mm.
   const SurfaceDistance exact(fine);
-  for (const Vec3& p : light.points) EXPECT_LT(std::abs(exact.nearest(p).distance), 0.004);
+  for (const Vec3& p : light.points) EXPECT_LT(std::abs(exact.closest_point(p).distance), 0.004);
   EXPECT_EQ(static_cast<int>(light.points.size()) - static_cast<int>(light.triangles.size()) / 2, 2)
       << "Euler's number of a sphere";
 }

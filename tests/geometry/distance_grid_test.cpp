@@ -132,7 +132,7 @@ TEST_F(SphereGrid, NeverSaysMoreThanAtLeastAllows) {
   double largest = 0;
   for (const Vec3& p : scattered(body.body(), 3000)) {
     const double said = grid.at(p).distance;
-    const double exact = body.nearest(p).distance;
+    const double exact = body.closest_point(p).distance;
     // The smoothing of the spline aside; deep inside nobody asks for clearance.
     if (exact > -0.02) {
       EXPECT_LT(grid.lower_bound(said), exact + 1e-4);
@@ -167,7 +167,7 @@ TEST(DistanceGrid, IsExactOnEveryFeatureAtItsNodes) {
     }
     for (int n = 0; n < 27; ++n) {
       const Vec3 node = centre + Vec3(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
-      const double exact = body.nearest(origin + options.cell * node).distance;
+      const double exact = body.closest_point(origin + options.cell * node).distance;
       near = near && std::abs(exact) < options.band;
       spline += weights[0][n % 3] * weights[1][n / 3 % 3] * weights[2][n / 9] * exact;
     }

@@ -11,11 +11,11 @@ namespace {
 
 TEST(SurfaceDistance, IsExactBesideFacesEdgesAndCornersOfACube) {
   const SurfaceDistance body(test::cube());
-  EXPECT_NEAR(body.nearest({0.5, 0.5, 1.25}).distance, 0.25, 1e-15);
-  EXPECT_NEAR(body.nearest({0.5, 1.3, 1.4}).distance, 0.5, 1e-15);
-  EXPECT_NEAR(body.nearest({2, 2, 2}).distance, std::sqrt(3.0), 1e-15);
-  EXPECT_NEAR(body.nearest({0.5, 0.5, 0.9}).distance, -0.1, 1e-15);
-  const SurfacePoint at_corner = body.nearest({2, 2, 2});
+  EXPECT_NEAR(body.closest_point({0.5, 0.5, 1.25}).distance, 0.25, 1e-15);
+  EXPECT_NEAR(body.closest_point({0.5, 1.3, 1.4}).distance, 0.5, 1e-15);
+  EXPECT_NEAR(body.closest_point({2, 2, 2}).distance, std::sqrt(3.0), 1e-15);
+  EXPECT_NEAR(body.closest_point({0.5, 0.5, 0.9}).distance, -0.1, 1e-15);
+  const SurfacePoint at_corner = body.closest_point({2, 2, 2});
   EXPECT_NEAR((at_corner.point - Vec3(1, 1, 1)).norm(), 0, 1e-15);
   EXPECT_GT(at_corner.normal.dot(Vec3(1, 1, 1).normalized()), 0.999);
 }
@@ -30,17 +30,17 @@ TEST(SurfaceDistance, KeepsItsSignWhereTheNearestFaceLooksAway) {
                      {0, 3, 2}, {1, 4, 5}, {2, 3, 4}, {3, 5, 4}};
   const SurfaceDistance body(wedge);
   for (const double y : {-0.02, 0.0, 0.02}) {
-    EXPECT_GT(body.nearest({0.001, y, 0.5}).distance, 0) << "outside, at y = " << y;
+    EXPECT_GT(body.closest_point({0.001, y, 0.5}).distance, 0) << "outside, at y = " << y;
   }
-  EXPECT_LT(body.nearest({-0.5, 0, 0.5}).distance, 0);
+  EXPECT_LT(body.closest_point({-0.5, 0, 0.5}).distance, 0);
 }
 
 TEST(SurfaceDistance, GivesTheSameDistanceFromAnyHint) {
   const SurfaceDistance body(test::sphere(0.3, 4));
-  const SurfacePoint far = body.nearest({-1, 0.2, 0.1});
+  const SurfacePoint far = body.closest_point({-1, 0.2, 0.1});
   for (int i = 0; i < 50; ++i) {
     const Vec3 query(0.01 * i, 0.3 - 0.007 * i, 0.1);
-    EXPECT_DOUBLE_EQ(body.nearest(query).distance, body.nearest(query, far).distance);
+    EXPECT_DOUBLE_EQ(body.closest_point(query).distance, body.closest_point(query, far).distance);
   }
 }
 
@@ -57,7 +57,7 @@ TEST(SurfaceDistance, ASheetHasAnOuterSideAndAnInnerOne) {
     const double angle = 0.7 * i;
     const double off = -0.1 + 0.2 * i / 399;
     const Vec3 p((0.15 + off) * std::sin(angle), 0.62 + 0.0006 * i, (0.15 + off) * std::cos(angle));
-    largest = std::max(largest, std::abs(cloth.nearest(p).distance - off));
+    largest = std::max(largest, std::abs(cloth.closest_point(p).distance - off));
   }
   // The faces are chords: 0.15 m times (1 - cos 0.9 degrees) is 0.02 mm.
   RecordProperty("error_mm", std::to_string(1000 * largest));
@@ -66,7 +66,9 @@ TEST(SurfaceDistance, ASheetHasAnOuterSideAndAnInnerOne) {
 
 TEST(SurfaceDistance, BeyondItsBorderASheetIsToKeepAwayFrom) {
   const SurfaceDistance cloth(sheet());
-  const auto at = [&](double radius, double y) { return cloth.nearest({0, y, radius}).distance; };
+  const auto at = [&](double radius, double y) {
+    return cloth.closest_point({0, y, radius}).distance;
+  };
   for (const double below : {0.001, 0.01, 0.1}) {
     EXPECT_NEAR(at(0.15, 0.5 - below), below, 1e-9) << "in line with the sheet";
     EXPECT_NEAR(at(0.17, 0.5 - below), std::hypot(0.02, below), 1e-9) << "before it";
@@ -88,7 +90,7 @@ TEST(SurfaceDistance, ASheetsSignDoesNotJumpAroundItsBorder) {
     for (int i = 0; i <= 500; ++i) {
       const double angle = std::numbers::pi * i / 500;
       const Vec3 p(0, 0.5 - r * std::sin(angle), 0.15 + r * std::cos(angle));
-      const double distance = cloth.nearest(p).distance;
+      const double distance = cloth.closest_point(p).distance;
       EXPECT_LE(std::abs(distance), r + 1e-4);
       largest = std::max(largest, std::abs(distance - last));
       last = distance;

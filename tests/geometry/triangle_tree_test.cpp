@@ -50,8 +50,8 @@ TEST(TriangleTree, FindsWhatLookingAtEveryTriangleFinds) {
                        off * Vec3(unit(random), unit(random), unit(random));
         double least = 1e9;
         for (int t = 0; t < count; ++t) least = std::min(least, distance(mesh, t, p));
-        EXPECT_EQ(distance(mesh, tree.nearest(p), p), least);
-        EXPECT_EQ(distance(mesh, tree.nearest(p, i % count), p), least);
+        EXPECT_EQ(distance(mesh, tree.closest_triangle(p), p), least);
+        EXPECT_EQ(distance(mesh, tree.closest_triangle(p, i % count), p), least);
         found.clear();
         tree.within(p, 1.2 * least + 0.01, found);
         std::sort(found.begin(), found.end());
@@ -80,8 +80,9 @@ TEST(TriangleTree, AHintChangesNoAnswerThoughSeveralAreAsNear) {
       least = distance(mesh, t, p);
       first = t;
     }
-    EXPECT_EQ(tree.nearest(p), first) << p.transpose();
-    for (int hint = 0; hint < 2 * count; ++hint) EXPECT_EQ(tree.nearest(p, hint), first) << hint;
+    EXPECT_EQ(tree.closest_triangle(p), first) << p.transpose();
+    for (int hint = 0; hint < 2 * count; ++hint)
+      EXPECT_EQ(tree.closest_triangle(p, hint), first) << hint;
   }
 }
 
@@ -109,7 +110,7 @@ TEST(TriangleTree, AnswersWhateverItIsAsked) {
   const TriangleMesh mesh = test::sphere(0.1, 3);
   const TriangleTree tree(mesh);
   for (const double odd : {std::nan(""), HUGE_VAL, 1e30, -1e300}) {
-    const int found = tree.nearest({odd, 0, 0});
+    const int found = tree.closest_triangle({odd, 0, 0});
     EXPECT_GE(found, 0);
     EXPECT_LT(found, static_cast<int>(mesh.triangles.size()));
   }

@@ -158,7 +158,7 @@ TEST(TshirtSample, StartsClearOfTheBody) {
     double nearest = 1;
     for (const PatternEdge& edge : panel.edges) {
       for (const Vec2& point : edge.curve.sample(40)) {
-        nearest = std::min(nearest, body.nearest(panel.place(point)).distance);
+        nearest = std::min(nearest, body.closest_point(panel.place(point)).distance);
       }
     }
     EXPECT_GT(nearest, 0.005) << panel.name;
@@ -181,7 +181,7 @@ TEST(TshirtSample, TorsoSeamsMeetOutsideTheBody) {
     }
     for (std::size_t i = 0; i < side_a.size(); ++i) {
       const Vec3 meeting = (a.place(side_a[i]) + b.place(side_b[i])) / 2;
-      EXPECT_GT(body.nearest(meeting).distance, 0) << name << ", point " << i;
+      EXPECT_GT(body.closest_point(meeting).distance, 0) << name << ", point " << i;
     }
   }
 }

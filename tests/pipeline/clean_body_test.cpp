@@ -58,10 +58,10 @@ TEST(CleanBodyProgram, MeanAllIsCleanAndHardlyMoved) {
   double moved = 0;
   const SurfaceDistance to_body(body);
   for (const Vec3& p : before.points)
-    moved = std::max(moved, std::abs(to_body.nearest(p).distance));
+    moved = std::max(moved, std::abs(to_body.closest_point(p).distance));
   const SurfaceDistance to_before(before);
   for (const Vec3& p : body.points)
-    moved = std::max(moved, std::abs(to_before.nearest(p).distance));
+    moved = std::max(moved, std::abs(to_before.closest_point(p).distance));
   EXPECT_LT(moved, 0.002);
   EXPECT_NEAR(test::volume(body) / test::volume(before), 1, 1e-4);
 
@@ -78,8 +78,8 @@ TEST(CleanBodyProgram, MeanAllIsCleanAndHardlyMoved) {
     const Vec3 right = skeleton.joint("right_" + joint);
     EXPECT_GT(left.x(), 0.05) << joint;
     EXPECT_LT((left - Vec3(-right.x(), right.y(), right.z())).norm(), 0.015) << joint;
-    EXPECT_LT(to_body.nearest(left).distance, -0.015) << joint;
-    EXPECT_LT(to_body.nearest(right).distance, -0.015) << joint;
+    EXPECT_LT(to_body.closest_point(left).distance, -0.015) << joint;
+    EXPECT_LT(to_body.closest_point(right).distance, -0.015) << joint;
   }
   // arm_pose_angle of the body's own measures is 45.5 degrees below level.
   const Vec3 arm = skeleton.joint("left_elbow") - skeleton.joint("left_shoulder");

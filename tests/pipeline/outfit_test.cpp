@@ -89,8 +89,8 @@ TEST(Outfit, AShirtOverAShirt) {
   double min_outer = 1;
   int near = 0;
   for (const Vec3& p : outer.points) {
-    min_outer = std::min(min_outer, to_inner.nearest(p).distance);
-    near += to_inner.nearest(p).distance < 0.006;
+    min_outer = std::min(min_outer, to_inner.closest_point(p).distance);
+    near += to_inner.closest_point(p).distance < 0.006;
   }
   RecordProperty("outer_to_inner_least_mm", std::to_string(1000 * min_outer));
   RecordProperty("outer_points_that_touch", near);

@@ -321,7 +321,7 @@ TEST(SubjectCollisions, ASlidingSheetKeepsTheGapAndGainsNoEnergy) {
     gained = std::max(gained, now - before);
     before = now;
     if (i % 10 == 0) {
-      for (const Vec3& p : cloth.x) least = std::min(least, distance.nearest(p).distance);
+      for (const Vec3& p : cloth.x) least = std::min(least, distance.closest_point(p).distance);
     }
     if (i % 50 == 0) {
       ASSERT_TRUE(intersections(ball, {cloth.x, sheet.triangles}).empty());

@@ -64,7 +64,7 @@ TEST(SubjectSurface, NearestOfAllFacetsIsTheBodysSignedDistance) {
       const SubjectNearest found = surface.nearest(p, t);
       if (!nearest || std::abs(found.distance) < std::abs(nearest->distance)) nearest = found;
     }
-    const SurfacePoint expected = body.nearest(p);
+    const SurfacePoint expected = body.closest_point(p);
     error = std::max(error, std::abs(nearest->distance - expected.distance));
     EXPECT_TRUE(nearest->local);
     // The point lies `distance` along the direction from the surface, on either side.

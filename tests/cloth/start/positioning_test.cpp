@@ -189,7 +189,8 @@ TEST(Positioning, FlatPanelsClearTheBodyByTheOffset) {
       placement.offset = offset;
       const Positioning done = position_panels(panel("torso", placement), body, &skeleton);
       double nearest = 1;
-      for (const Vec3& p : done.placed) nearest = std::min(nearest, exact.nearest(p).distance);
+      for (const Vec3& p : done.placed)
+        nearest = std::min(nearest, exact.closest_point(p).distance);
       std::cout << "asked " << 1000 * offset << " mm, stands " << 1000 * nearest << " mm off\n";
       EXPECT_GT(nearest, offset - 1e-6);
       // Beyond its segment the grid interpolates.
@@ -244,7 +245,7 @@ TEST(Positioning, RolledPanelsAreWidenedUntilTheLimbFits) {
   EXPECT_NEAR(how.gap, 2 * test::pi * how.distance - 0.9, 1e-12);
   EXPECT_NEAR(how.distance, 0.164, 0.001);
   double nearest = 1;
-  for (const Vec3& p : done.placed) nearest = std::min(nearest, exact.nearest(p).distance);
+  for (const Vec3& p : done.placed) nearest = std::min(nearest, exact.closest_point(p).distance);
   std::cout << "radius " << how.distance << " m, gap " << how.gap << " m, " << 1000 * nearest
             << " mm off the skin\n";
   EXPECT_GT(nearest, 0.004 - 1e-4);

@@ -122,7 +122,7 @@ TEST(Mannequin, IsSymmetric) {
   const SurfaceDistance body(mannequin().surface);
   double worst = 0;
   for (const Vec3& p : mannequin().surface.points) {
-    worst = std::max(worst, std::abs(body.nearest(Vec3(-p.x(), p.y(), p.z())).distance));
+    worst = std::max(worst, std::abs(body.closest_point(Vec3(-p.x(), p.y(), p.z())).distance));
   }
   EXPECT_LT(worst, 0.001);
 }

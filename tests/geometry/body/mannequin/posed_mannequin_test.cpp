@@ -160,7 +160,7 @@ TEST(PosedMannequin, TheOtherLegForwardIsTheMirrorImage) {
   const SurfaceDistance body(walking_on().surface);
   double worst = 0;
   for (const Vec3& p : walking().surface.points) {
-    worst = std::max(worst, std::abs(body.nearest(Vec3(-p.x(), p.y(), p.z())).distance));
+    worst = std::max(worst, std::abs(body.closest_point(Vec3(-p.x(), p.y(), p.z())).distance));
   }
   std::cout << "mirror images differ by at most " << 1000 * worst << " mm\n";
   EXPECT_LT(worst, 0.001);
@@ -192,7 +192,7 @@ TEST(PosedMannequin, ItsJointsAreInsideAndFoundAgain) {
   for (const auto& [name, joint] : walking().skeleton.joints) {
     // The crown and the crotch are on the skin.
     const bool inner = name != "head" && name != "pelvis";
-    EXPECT_LT(body.nearest(joint).distance, inner ? -0.015 : 0.002) << name;
+    EXPECT_LT(body.closest_point(joint).distance, inner ? -0.015 : 0.002) << name;
     const double off = (found.joint(name) - joint).norm();
     std::cout << name << " found " << 1000 * off << " mm off\n";
     EXPECT_LT(off, 0.06) << name;
