@@ -10,7 +10,7 @@ namespace toile {
 
 /// Barycentric weights of the point of triangle abc nearest to p [Ericson 2005, Real-Time Collision
 /// Detection, 5.1.5]. Weights that are exactly 0 tell that it lies on an edge or a corner.
-inline Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+inline Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = b - a;
   const Vec3 ac = c - a;
   const Vec3 ap = p - a;
@@ -46,7 +46,7 @@ inline Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, con
 
 /// Parameters (s, t) in [0, 1] of the points a + s(b-a) and c + t(d-c) nearest to each other
 /// [Ericson 2005, 5.1.9]. Of parallel segments, one of the nearest pairs.
-inline std::pair<double, double> nearest_on_segments(const Vec3& a, const Vec3& b, const Vec3& c,
+inline std::pair<double, double> closest_on_segments(const Vec3& a, const Vec3& b, const Vec3& c,
                                                      const Vec3& d) {
   const Vec3 u = b - a;
   const Vec3 v = d - c;

@@ -117,7 +117,7 @@ SurfacePoint SurfaceDistance::Tree::describe(const Vec3& query, int triangle) co
   const Vec3& a = body.points[corners[0]];
   const Vec3& b = body.points[corners[1]];
   const Vec3& c = body.points[corners[2]];
-  const Vec3 weights = nearest_on_triangle(query, a, b, c);
+  const Vec3 weights = closest_on_triangle(query, a, b, c);
   SurfacePoint found;
   found.point = weights[0] * a + weights[1] * b + weights[2] * c;
   const Feature feature = feature_at(triangle, weights);

@@ -149,7 +149,7 @@ struct TriangleTree::Nearest {
     const Vec3& a = mesh.points[corners[0]];
     const Vec3& b = mesh.points[corners[1]];
     const Vec3& c = mesh.points[corners[2]];
-    const Vec3 weights = nearest_on_triangle(point, a, b, c);
+    const Vec3 weights = closest_on_triangle(point, a, b, c);
     const double away = (weights[0] * a + weights[1] * b + weights[2] * c - point).squaredNorm();
     // Of several that are as near the first, whatever was looked at before.
     if (away < squared || (away == squared && t < triangle)) {

@@ -52,10 +52,10 @@ double distance_of(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t) {
   double squared = std::numeric_limits<double>::max();
   for (int i = 0; i < 3; ++i) {
     if (pierces(s[i], s[(i + 1) % 3], t) || pierces(t[i], t[(i + 1) % 3], s)) return 0;
-    const Vec3 on_t = nearest_on_triangle(s[i], t[0], t[1], t[2]);
+    const Vec3 on_t = closest_on_triangle(s[i], t[0], t[1], t[2]);
     squared =
         std::min(squared, (s[i] - on_t[0] * t[0] - on_t[1] * t[1] - on_t[2] * t[2]).squaredNorm());
-    const Vec3 on_s = nearest_on_triangle(t[i], s[0], s[1], s[2]);
+    const Vec3 on_s = closest_on_triangle(t[i], s[0], s[1], s[2]);
     squared =
         std::min(squared, (t[i] - on_s[0] * s[0] - on_s[1] * s[1] - on_s[2] * s[2]).squaredNorm());
     for (int j = 0; j < 3; ++j) {
@@ -63,7 +63,7 @@ double distance_of(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t) {
       const Vec3& b = s[(i + 1) % 3];
       const Vec3& c = t[j];
       const Vec3& d = t[(j + 1) % 3];
-      const auto [u, v] = nearest_on_segments(a, b, c, d);
+      const auto [u, v] = closest_on_segments(a, b, c, d);
       squared = std::min(squared, (a + u * (b - a) - c - v * (d - c)).squaredNorm());
     }
   }

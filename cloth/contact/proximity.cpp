@@ -105,10 +105,10 @@ bool any_of(const std::vector<char>& wanted, const std::array<int, N>& corners) 
 NearestPoints nearest_points(bool edges, const std::array<Vec3, 4>& at) {
   NearestPoints nearest;
   if (edges) {
-    const auto [s, t] = nearest_on_segments(at[0], at[1], at[2], at[3]);
+    const auto [s, t] = closest_on_segments(at[0], at[1], at[2], at[3]);
     nearest.weights = {1 - s, s, t - 1, -t};
   } else {
-    const Vec3 w = nearest_on_triangle(at[0], at[1], at[2], at[3]);
+    const Vec3 w = closest_on_triangle(at[0], at[1], at[2], at[3]);
     nearest.weights = {1, -w[0], -w[1], -w[2]};
   }
   nearest.apart = nearest.weights[0] * at[0] + nearest.weights[1] * at[1] +

@@ -25,7 +25,7 @@ void keep_within(double reach, std::vector<Candidate>& list) {
 }
 
 double segment_distance(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const auto [s, t] = nearest_on_segments(a, b, c, d);
+  const auto [s, t] = closest_on_segments(a, b, c, d);
   return (a + s * (b - a) - c - t * (d - c)).norm();
 }
 
@@ -153,7 +153,7 @@ void CollisionCandidates::measure(NearTriangle& near) const {
   }
   for (Candidate& c : near.vertices) {
     const Vec3& vertex = subject_.point(c.subject);
-    const Vec3 w = nearest_on_triangle(vertex, at[0], at[1], at[2]);
+    const Vec3 w = closest_on_triangle(vertex, at[0], at[1], at[2]);
     c.distance = (w[0] * at[0] + w[1] * at[1] + w[2] * at[2] - vertex).norm();
   }
   near.behind = behind[0] || behind[1] || behind[2];

@@ -227,7 +227,7 @@ void vertex_contact(const CollisionStep& step, int t, int vertex, const std::vec
   const std::array<Vec3, 3> p = {step.x[own.nodes[0]], step.x[own.nodes[1]], step.x[own.nodes[2]]};
   const Vec3& q = step.subject.point(vertex);
   const Vec3& normal = step.subject.vertex_normal(vertex);
-  const Vec3 w = nearest_on_triangle(q, p[0], p[1], p[2]);
+  const Vec3 w = closest_on_triangle(q, p[0], p[1], p[2]);
   if (!w.allFinite()) return;  // a triangle without area: its edges are looked after
   const Vec3 nearest = at(p, w);
   const Vec3 away = nearest - q;

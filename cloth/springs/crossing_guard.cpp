@@ -79,14 +79,14 @@ void Guard::check(int t, const NearTriangle& near) {
     const Vec3& p2 = step_.x[ends[1]];
     const Vec3& q1 = subject.point(edge.a);
     const Vec3& q2 = subject.point(edge.b);
-    const auto [s, u] = nearest_on_segments(p1, p2, q1, q2);
+    const auto [s, u] = closest_on_segments(p1, p2, q1, q2);
     const Vec3 away = p1 + s * (p2 - p1) - q1 - u * (q2 - q1);
     if (edge.rim || away.dot(edge.normal) >= 0) pair(ends, away);
   }
   for (const Candidate& c : near.vertices) {
     if (c.distance - moved > reach) break;
     const Vec3& q = subject.point(c.subject);
-    const Vec3 w = nearest_on_triangle(q, step_.x[nodes[0]], step_.x[nodes[1]], step_.x[nodes[2]]);
+    const Vec3 w = closest_on_triangle(q, step_.x[nodes[0]], step_.x[nodes[1]], step_.x[nodes[2]]);
     if (!w.allFinite()) continue;
     const Vec3 away =
         w[0] * step_.x[nodes[0]] + w[1] * step_.x[nodes[1]] + w[2] * step_.x[nodes[2]] - q;

@@ -194,7 +194,7 @@ SubjectNearest SubjectSurface::at_vertex(const Vec3& p, int vertex) const {
 
 SubjectNearest SubjectSurface::nearest(const Vec3& p, int facet) const {
   const Triangle& t = mesh_.triangles[facet];
-  const Vec3 weights = nearest_on_triangle(p, point(t[0]), point(t[1]), point(t[2]));
+  const Vec3 weights = closest_on_triangle(p, point(t[0]), point(t[1]), point(t[2]));
   for (int i = 0; i < 3; ++i) {
     if (weights[i] == 1) return at_vertex(p, t[i]);
   }

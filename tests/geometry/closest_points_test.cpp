@@ -15,7 +15,7 @@ TEST(Nearest, BeatsEverySampleOfTheTriangle) {
   };
   for (int trial = 0; trial < 200; ++trial) {
     const Vec3 p = point(), a = point(), b = point(), c = point();
-    const Vec3 w = nearest_on_triangle(p, a, b, c);
+    const Vec3 w = closest_on_triangle(p, a, b, c);
     EXPECT_NEAR(w.sum(), 1, 1e-12);
     EXPECT_GE(w.minCoeff(), 0);
     const double best = (w[0] * a + w[1] * b + w[2] * c - p).norm();
@@ -38,7 +38,7 @@ TEST(Nearest, BeatsEverySampleOfTheSegments) {
     const Vec3 a = point(), b = point(), c = point();
     // Every fourth pair is parallel, where the general formula divides by zero.
     const Vec3 d = trial % 4 == 0 ? Vec3(c + 0.7 * (b - a)) : point();
-    const auto [s, t] = nearest_on_segments(a, b, c, d);
+    const auto [s, t] = closest_on_segments(a, b, c, d);
     const double best = (a + s * (b - a) - c - t * (d - c)).norm();
     for (int i = 0; i <= 20; ++i) {
       for (int j = 0; j <= 20; ++j) {

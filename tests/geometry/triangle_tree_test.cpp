@@ -30,7 +30,7 @@ TriangleMesh loose(int count, double scale, const Vec3& middle) {
 
 double distance(const TriangleMesh& mesh, int triangle, const Vec3& p) {
   const Triangle& t = mesh.triangles[triangle];
-  const Vec3 w = nearest_on_triangle(p, mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
+  const Vec3 w = closest_on_triangle(p, mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
   return (w[0] * mesh.points[t[0]] + w[1] * mesh.points[t[1]] + w[2] * mesh.points[t[2]] - p)
       .norm();
 }

@@ -51,7 +51,7 @@ struct Sheets {
     for (std::size_t p = x.size() / 2; p < x.size(); ++p) {
       for (int t = 0; t < garment.panels[0].triangles; ++t) {
         const auto& [a, b, c] = garment.triangles[t];
-        const Vec3 w = nearest_on_triangle(x[p], x[a], x[b], x[c]);
+        const Vec3 w = closest_on_triangle(x[p], x[a], x[b], x[c]);
         least = std::min(least, (w[0] * x[a] + w[1] * x[b] + w[2] * x[c] - x[p]).norm());
       }
     }
