@@ -46,9 +46,9 @@ struct DistanceGrid::Table {
 };
 
 void DistanceGrid::Table::add(const SurfaceDistance& surface, const DistanceGridOptions& options) {
-  Vec3 low = surface.body().points.front();
+  Vec3 low = surface.mesh().points.front();
   Vec3 high = low;
-  for (const Vec3& p : surface.body().points) {
+  for (const Vec3& p : surface.mesh().points) {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }

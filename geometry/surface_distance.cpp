@@ -41,9 +41,9 @@ double beside_border(const Vec3& away, const Vec3& normal) {
 }  // namespace
 
 struct SurfaceDistance::Tree {
-  explicit Tree(const TriangleMesh& mesh) : body(mesh), tree(body) { compute_normals(); }
+  explicit Tree(const TriangleMesh& surface) : mesh(surface), tree(mesh) { compute_normals(); }
 
-  const TriangleMesh body;
+  const TriangleMesh mesh;
   const TriangleTree tree;
   std::vector<Vec3> face_normals;
   std::vector<std::array<Vec3, 3>> edge_normals;  // of the edge opposite to corner i
@@ -62,28 +62,28 @@ struct SurfaceDistance::Tree {
 };
 
 void SurfaceDistance::Tree::compute_normals() {
-  const std::size_t count = body.triangles.size();
+  const std::size_t count = mesh.triangles.size();
   face_normals.resize(count);
   edge_normals.resize(count);
   edge_is_border.resize(count);
-  vertex_normals.assign(body.points.size(), Vec3::Zero());
-  vertex_is_border.assign(body.points.size(), 0);
+  vertex_normals.assign(mesh.points.size(), Vec3::Zero());
+  vertex_is_border.assign(mesh.points.size(), 0);
   std::vector<Vec3> angles(count);  // at the triangles' corners
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t t) {
-    const Triangle& corners = body.triangles[t];
-    const Vec3& a = body.points[corners[0]];
-    const Vec3& b = body.points[corners[1]];
-    const Vec3& c = body.points[corners[2]];
+    const Triangle& corners = mesh.triangles[t];
+    const Vec3& a = mesh.points[corners[0]];
+    const Vec3& b = mesh.points[corners[1]];
+    const Vec3& c = mesh.points[corners[2]];
     face_normals[t] = (b - a).cross(c - a).normalized();
     angles[t] = {corner_angle(a, b, c), corner_angle(b, c, a), corner_angle(c, a, b)};
   });
   for (std::size_t t = 0; t < count; ++t) {
     for (int i = 0; i < 3; ++i) {
-      vertex_normals[body.triangles[t][i]] += angles[t][i] * face_normals[t];
+      vertex_normals[mesh.triangles[t][i]] += angles[t][i] * face_normals[t];
     }
   }
   for (Vec3& normal : vertex_normals) normal.normalize();
-  const std::vector<HalfEdge> sides = half_edges(body.triangles, body.points.size());
+  const std::vector<HalfEdge> sides = half_edges(mesh.triangles, mesh.points.size());
   for (std::size_t i = 0; i < sides.size();) {
     std::size_t end = i;
     Vec3 normal = Vec3::Zero();
@@ -103,7 +103,7 @@ void SurfaceDistance::Tree::compute_normals() {
 SurfaceDistance::Tree::Feature SurfaceDistance::Tree::feature_at(int triangle,
                                                                  const Vec3& weights) const {
   for (int i = 0; i < 3; ++i) {
-    const int corner = body.triangles[triangle][i];
+    const int corner = mesh.triangles[triangle][i];
     if (weights[i] == 1) return {vertex_normals[corner], vertex_is_border[corner] != 0};
   }
   for (int i = 0; i < 3; ++i) {
@@ -113,10 +113,10 @@ SurfaceDistance::Tree::Feature SurfaceDistance::Tree::feature_at(int triangle,
 }
 
 SurfacePoint SurfaceDistance::Tree::describe(const Vec3& query, int triangle) const {
-  const Triangle& corners = body.triangles[triangle];
-  const Vec3& a = body.points[corners[0]];
-  const Vec3& b = body.points[corners[1]];
-  const Vec3& c = body.points[corners[2]];
+  const Triangle& corners = mesh.triangles[triangle];
+  const Vec3& a = mesh.points[corners[0]];
+  const Vec3& b = mesh.points[corners[1]];
+  const Vec3& c = mesh.points[corners[2]];
   const Vec3 weights = closest_on_triangle(query, a, b, c);
   SurfacePoint found;
   found.point = weights[0] * a + weights[1] * b + weights[2] * c;
@@ -129,9 +129,9 @@ SurfacePoint SurfaceDistance::Tree::describe(const Vec3& query, int triangle) co
   return found;
 }
 
-SurfaceDistance::SurfaceDistance(const TriangleMesh& body) {
-  if (body.triangles.empty()) throw Error("body", "has no triangles", "give a body mesh");
-  tree_ = std::make_shared<const Tree>(body);
+SurfaceDistance::SurfaceDistance(const TriangleMesh& mesh) {
+  if (mesh.triangles.empty()) throw Error("body", "has no triangles", "give a body mesh");
+  tree_ = std::make_shared<const Tree>(mesh);
 }
 
 void SurfaceDistance::triangles_in_box(const Vec3& low, const Vec3& high,
@@ -140,17 +140,17 @@ void SurfaceDistance::triangles_in_box(const Vec3& low, const Vec3& high,
   const std::size_t before = found.size();
   tree_->tree.meeting(low, high, found);
   const auto misses = [&](int triangle) {
-    const Triangle& corners = tree_->body.triangles[triangle];
-    return !CGAL::do_intersect(box, Kernel::Triangle_3(to_cgal(tree_->body.points[corners[0]]),
-                                                       to_cgal(tree_->body.points[corners[1]]),
-                                                       to_cgal(tree_->body.points[corners[2]])));
+    const Triangle& corners = tree_->mesh.triangles[triangle];
+    return !CGAL::do_intersect(box, Kernel::Triangle_3(to_cgal(tree_->mesh.points[corners[0]]),
+                                                       to_cgal(tree_->mesh.points[corners[1]]),
+                                                       to_cgal(tree_->mesh.points[corners[2]])));
   };
   found.erase(
       std::remove_if(found.begin() + static_cast<std::ptrdiff_t>(before), found.end(), misses),
       found.end());
 }
 
-const TriangleMesh& SurfaceDistance::body() const { return tree_->body; }
+const TriangleMesh& SurfaceDistance::mesh() const { return tree_->mesh; }
 const TriangleTree& SurfaceDistance::tree() const { return tree_->tree; }
 
 SurfacePoint SurfaceDistance::closest_point(const Vec3& query) const {

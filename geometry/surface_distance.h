@@ -33,7 +33,7 @@ class SurfaceDistance {
   static constexpr double border_bevel = 0.005;  ///< metres
 
   /// Keeps a copy of the surface. Throws Error when it has no triangles.
-  explicit SurfaceDistance(const TriangleMesh& body);
+  explicit SurfaceDistance(const TriangleMesh& mesh);
 
   SurfacePoint closest_point(const Vec3& query) const;
   /// As closest_point(), starting from an answer known to be near: faster, the same distance.
@@ -43,7 +43,7 @@ class SurfaceDistance {
   /// on the body and the box.
   void triangles_in_box(const Vec3& low, const Vec3& high, std::vector<int>& found) const;
 
-  const TriangleMesh& body() const;
+  const TriangleMesh& mesh() const;
   const TriangleTree& tree() const;  ///< of its triangles
 
  private:

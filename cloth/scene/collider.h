@@ -23,7 +23,7 @@ class Collider {
   /// references that the others return stay valid, and speak of the new surface.
   void add_layer(const TriangleMesh& garment);
 
-  const TriangleMesh& body() const { return skin().body(); }
+  const TriangleMesh& body() const { return skin().mesh(); }
   const SurfaceDistance& skin() const { return surfaces_.front(); }
   /// Body and layers as one mesh, facets outward: the body's first, then layer by layer.
   const TriangleMesh& surface() const { return surface_; }

@@ -66,7 +66,7 @@ std::vector<Vec3> scattered(const TriangleMesh& mesh, int count) {
 }
 
 TEST_F(SphereGrid, RemembersWhatAnotherKnew) {
-  const std::vector<Vec3> points = scattered(body.body(), 2000);
+  const std::vector<Vec3> points = scattered(body.mesh(), 2000);
   for (const Vec3& p : points) grid.at(p);
   const DistanceCache known = grid.known();
   EXPECT_GT(grid.computed(), 1000U);
@@ -80,7 +80,7 @@ TEST_F(SphereGrid, RemembersWhatAnotherKnew) {
   }
   EXPECT_EQ(again.computed(), 0U);
   // What was not asked for is computed still.
-  for (const Vec3& p : scattered(body.body(), 4000)) {
+  for (const Vec3& p : scattered(body.mesh(), 4000)) {
     ASSERT_EQ(again.at(p).distance, grid.at(p).distance);
   }
   EXPECT_GT(again.computed(), 0U);
@@ -107,7 +107,7 @@ TEST_F(SphereGrid, TakesNothingFromAnotherSurfacesGrid) {
 }
 
 TEST_F(SphereGrid, HasTheSameBitsForAnyThreadsAndOrderOfAsking) {
-  const std::vector<Vec3> points = scattered(body.body(), 3000);
+  const std::vector<Vec3> points = scattered(body.mesh(), 3000);
   const DistanceGrid backward(body);
   for (std::size_t i = points.size(); i-- > 0;) backward.at(points[i]);
   // Four threads that ask for the same blocks at once.
@@ -130,7 +130,7 @@ TEST_F(SphereGrid, HasTheSameBitsForAnyThreadsAndOrderOfAsking) {
 
 TEST_F(SphereGrid, NeverSaysMoreThanAtLeastAllows) {
   double largest = 0;
-  for (const Vec3& p : scattered(body.body(), 3000)) {
+  for (const Vec3& p : scattered(body.mesh(), 3000)) {
     const double said = grid.at(p).distance;
     const double exact = body.closest_point(p).distance;
     // The smoothing of the spline aside; deep inside nobody asks for clearance.
@@ -154,7 +154,7 @@ TEST(DistanceGrid, IsExactOnEveryFeatureAtItsNodes) {
   const DistanceGrid grid(body, options);
   const Vec3 origin = Vec3(-0.04, 0, -0.03) - Vec3::Constant(options.padding + options.cell);
   double largest = 0;
-  for (const Vec3& p : scattered(body.body(), 600)) {
+  for (const Vec3& p : scattered(body.mesh(), 600)) {
     double spline = 0;
     bool near = true;
     const Vec3 local = (p - origin) / options.cell;
@@ -221,8 +221,8 @@ TEST_F(WornSheet, AddedToAGridThatWasAskedItIsAsIfItHadBeenThereFirst) {
   // The sheet is wider than the grid of the body alone.
   for (const double off : {0.002, 0.1}) {
     wear(off);
-    std::vector<Vec3> points = scattered(body.body(), 1000);
-    const std::vector<Vec3> more = scattered(sheet->body(), 1000);
+    std::vector<Vec3> points = scattered(body.mesh(), 1000);
+    const std::vector<Vec3> more = scattered(sheet->mesh(), 1000);
     points.insert(points.end(), more.begin(), more.end());
     DistanceGrid grown(body);
     for (const Vec3& p : points) grown.at(p);

@@ -44,7 +44,7 @@ std::vector<TermRow> study_terms(Wardrobe& wardrobe, const WornGarment& garment,
     row.error = error_of(drape, with_all);
     const TriangleMesh cloth = {drape.nodes, scene->model().node_triangles};
     row.self_intersections = self_intersections(cloth).size();
-    row.body_intersections = intersections(cloth, scene->body()->body()).size();
+    row.body_intersections = intersections(cloth, scene->body()->mesh()).size();
     rows.push_back(std::move(row));
     rows.back().outcome.points.clear();
   }
