@@ -122,10 +122,12 @@ void DistanceGrid::add(const SurfaceDistance& surface) {
   blocks_ = table_->size;
 }
 
-DistanceCache DistanceGrid::known() const { return table_->surfaces.front()->known(); }
-std::size_t DistanceGrid::computed() const { return table_->surfaces.front()->computed(); }
-bool DistanceGrid::remember(const DistanceCache& known) {
-  return table_->surfaces.front()->remember(known);
+DistanceCache DistanceGrid::cache() const { return table_->surfaces.front()->cache(); }
+std::size_t DistanceGrid::computed_nodes() const {
+  return table_->surfaces.front()->computed_nodes();
+}
+bool DistanceGrid::restore(const DistanceCache& cache) {
+  return table_->surfaces.front()->restore(cache);
 }
 
 double DistanceGrid::lower_bound(double distance) const {

@@ -46,11 +46,11 @@ class DistanceGrid {
 
   /// What is known of the first surface, for a grid of the same surface alone and of the same
   /// options; and how many nodes of it were computed here. Not while lookups run.
-  DistanceCache known() const;
-  std::size_t computed() const;
+  DistanceCache cache() const;
+  std::size_t computed_nodes() const;
   /// Takes what such a grid knew: lookups say the same, sooner. False, and nothing is taken, when
   /// it was another one's. To be called before the first lookup.
-  bool remember(const DistanceCache& known);
+  bool restore(const DistanceCache& cache);
 
   struct Sample {
     double distance;  ///< metres, negative inside

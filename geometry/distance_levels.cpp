@@ -68,8 +68,8 @@ std::size_t DistanceLevels::Level::cubes() const {
   return static_cast<std::size_t>(size[0]) * size[1] * size[2] / cube_nodes;
 }
 
-DistanceCache DistanceLevels::known() const {
-  DistanceCache known{levels_[0].cell, band_, levels_[0].first, levels_[0].size, {}};
+DistanceCache DistanceLevels::cache() const {
+  DistanceCache cache{levels_[0].cell, band_, levels_[0].first, levels_[0].size, {}};
   for (std::size_t l = 0; l < levels; ++l) {
     for (std::size_t c = 0; c < levels_[l].cubes(); ++c) {
       DistanceCache::Cube cube{static_cast<int>(c), {}};
@@ -78,26 +78,26 @@ DistanceCache DistanceLevels::known() const {
         cube.values[i] = levels_[l].values[c * cube_nodes + i].load(std::memory_order_relaxed);
         any |= cube.values[i] != 0;
       }
-      if (any) known.levels[l].push_back(cube);
+      if (any) cache.levels[l].push_back(cube);
     }
   }
-  return known;
+  return cache;
 }
 
-bool DistanceLevels::remember(const DistanceCache& known) {
-  if (known.cell != levels_[0].cell || known.band != band_ || known.first != levels_[0].first ||
-      known.size != levels_[0].size) {
+bool DistanceLevels::restore(const DistanceCache& cache) {
+  if (cache.cell != levels_[0].cell || cache.band != band_ || cache.first != levels_[0].first ||
+      cache.size != levels_[0].size) {
     return false;
   }
   for (std::size_t l = 0; l < levels; ++l) {
-    for (const DistanceCache::Cube& cube : known.levels[l]) {
+    for (const DistanceCache::Cube& cube : cache.levels[l]) {
       if (cube.number < 0 || static_cast<std::size_t>(cube.number) >= levels_[l].cubes()) {
         return false;
       }
     }
   }
   for (std::size_t l = 0; l < levels; ++l) {
-    for (const DistanceCache::Cube& cube : known.levels[l]) {
+    for (const DistanceCache::Cube& cube : cache.levels[l]) {
       std::atomic<float>* const values = &levels_[l].values[cube.number * cube_nodes];
       for (std::size_t i = 0; i < cube_nodes; ++i) {
         if (cube.values[i] != 0) values[i].store(cube.values[i], std::memory_order_relaxed);
@@ -133,8 +133,8 @@ void DistanceLevels::cover(const Index& first, const Index& size) {
       for (int j = 0; j < level.size[1]; ++j) {
         for (int i = 0; i < level.size[0]; ++i) {
           const Index node = {level.first[0] + i, level.first[1] + j, level.first[2] + k};
-          const float known = level.values[level.place(node)];
-          if (known != 0) covered.values[covered.place(node)] = known;
+          const float cached = level.values[level.place(node)];
+          if (cached != 0) covered.values[covered.place(node)] = cached;
         }
       }
     }
@@ -145,13 +145,13 @@ void DistanceLevels::cover(const Index& first, const Index& size) {
 float DistanceLevels::at(const Index& node, SurfacePoint& near) const { return at(0, node, near); }
 
 float DistanceLevels::at(std::size_t level, const Index& node, SurfacePoint& near) const {
-  std::atomic<float>& known = levels_[level].values[levels_[level].place(node)];
-  float value = known.load(std::memory_order_relaxed);
+  std::atomic<float>& cached = levels_[level].values[levels_[level].place(node)];
+  float value = cached.load(std::memory_order_relaxed);
   if (value != 0) return value;
   // Two threads may compute the same, and find the same.
   value = compute(level, node, near);
   if (value == 0) value = std::numeric_limits<float>::min();
-  if (known.exchange(value, std::memory_order_relaxed) == 0) {
+  if (cached.exchange(value, std::memory_order_relaxed) == 0) {
     computed_.fetch_add(1, std::memory_order_relaxed);
   }
   return value;

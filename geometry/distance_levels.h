@@ -34,11 +34,11 @@ class DistanceLevels {
   float at(const Index& node, SurfacePoint& near) const;
 
   /// What is known so far, and how many nodes of it were computed here. Not while others ask.
-  DistanceCache known() const;
-  std::size_t computed() const { return computed_.load(); }
+  DistanceCache cache() const;
+  std::size_t computed_nodes() const { return computed_.load(); }
   /// Takes what another one knew of the same surface. False, and nothing is taken, when its grid
   /// was another or its numbers are none of cubes. Not while others ask.
-  bool remember(const DistanceCache& known);
+  bool restore(const DistanceCache& cache);
 
   /// What a point's true distance is at least where a spline through the nodes around it says
   /// `distance`, which is more than `band`, or less than its negative.

@@ -55,13 +55,13 @@ bool take(std::string_view& bytes, T* items, std::size_t count) {
 }  // namespace
 
 void write_distance_cache(const std::filesystem::path& path, const TriangleMesh& body,
-                          const DistanceCache& known) {
+                          const DistanceCache& cache) {
   std::string bytes = head_of(body);
-  append(bytes, &known.cell, 1);
-  append(bytes, &known.band, 1);
-  append(bytes, known.first.data(), known.first.size());
-  append(bytes, known.size.data(), known.size.size());
-  for (const auto& cubes : known.levels) {
+  append(bytes, &cache.cell, 1);
+  append(bytes, &cache.band, 1);
+  append(bytes, cache.first.data(), cache.first.size());
+  append(bytes, cache.size.data(), cache.size.size());
+  for (const auto& cubes : cache.levels) {
     const Count count = cubes.size();
     append(bytes, &count, 1);
     append(bytes, cubes.data(), cubes.size());
@@ -87,13 +87,13 @@ std::optional<DistanceCache> read_distance_cache(const std::filesystem::path& pa
   bytes.remove_suffix(sizeof of_all);
   if (of_all != checksum(bytes.data(), bytes.size())) return std::nullopt;
   bytes.remove_prefix(head.size());
-  DistanceCache known;
-  if (!take(bytes, &known.cell, 1) || !take(bytes, &known.band, 1) ||
-      !take(bytes, known.first.data(), known.first.size()) ||
-      !take(bytes, known.size.data(), known.size.size())) {
+  DistanceCache cache;
+  if (!take(bytes, &cache.cell, 1) || !take(bytes, &cache.band, 1) ||
+      !take(bytes, cache.first.data(), cache.first.size()) ||
+      !take(bytes, cache.size.data(), cache.size.size())) {
     return std::nullopt;
   }
-  for (auto& cubes : known.levels) {
+  for (auto& cubes : cache.levels) {
     Count count = 0;
     if (!take(bytes, &count, 1) || count > bytes.size() / sizeof(DistanceCache::Cube)) {
       return std::nullopt;
@@ -101,7 +101,7 @@ std::optional<DistanceCache> read_distance_cache(const std::filesystem::path& pa
     cubes.resize(count);
     if (!take(bytes, cubes.data(), count)) return std::nullopt;
   }
-  return known;
+  return cache;
 }
 
 }  // namespace toile

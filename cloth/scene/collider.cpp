@@ -20,7 +20,7 @@ void append(TriangleMesh& mesh, const TriangleMesh& more) {
 Collider::Collider(const TriangleMesh& body, const DistanceCache& known,
                    const DistanceGridOptions& options)
     : surfaces_{SurfaceDistance(body)}, surface_(body), grid_(surfaces_.front(), options) {
-  if (!known.empty()) grid_.remember(known);
+  if (!known.empty()) grid_.restore(known);
 }
 
 void Collider::add_layer(const TriangleMesh& garment) {

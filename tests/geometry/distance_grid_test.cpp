@@ -68,41 +68,41 @@ std::vector<Vec3> scattered(const TriangleMesh& mesh, int count) {
 TEST_F(SphereGrid, RemembersWhatAnotherKnew) {
   const std::vector<Vec3> points = scattered(body.mesh(), 2000);
   for (const Vec3& p : points) grid.at(p);
-  const DistanceCache known = grid.known();
-  EXPECT_GT(grid.computed(), 1000U);
+  const DistanceCache cache = grid.cache();
+  EXPECT_GT(grid.computed_nodes(), 1000U);
   DistanceGrid again{body};
-  ASSERT_TRUE(again.remember(known));
+  ASSERT_TRUE(again.restore(cache));
   for (const Vec3& p : points) {
     const auto before = grid.at(p);
     const auto after = again.at(p);
     ASSERT_EQ(after.distance, before.distance);
     ASSERT_EQ(after.gradient, before.gradient);
   }
-  EXPECT_EQ(again.computed(), 0U);
+  EXPECT_EQ(again.computed_nodes(), 0U);
   // What was not asked for is computed still.
   for (const Vec3& p : scattered(body.mesh(), 4000)) {
     ASSERT_EQ(again.at(p).distance, grid.at(p).distance);
   }
-  EXPECT_GT(again.computed(), 0U);
+  EXPECT_GT(again.computed_nodes(), 0U);
 }
 
 TEST_F(SphereGrid, TakesNothingFromAnotherSurfacesGrid) {
   grid.at({radius, 0, 0});
-  DistanceCache known = grid.known();
+  DistanceCache cache = grid.cache();
   DistanceGridOptions options;
   options.cell = 0.004;
-  EXPECT_FALSE(DistanceGrid(body, options).remember(known));
+  EXPECT_FALSE(DistanceGrid(body, options).restore(cache));
   options = {};
   options.band = 0.02;
-  EXPECT_FALSE(DistanceGrid(body, options).remember(known));
-  EXPECT_FALSE(DistanceGrid(SurfaceDistance(test::sphere(2 * radius, 6))).remember(known));
+  EXPECT_FALSE(DistanceGrid(body, options).restore(cache));
+  EXPECT_FALSE(DistanceGrid(SurfaceDistance(test::sphere(2 * radius, 6))).restore(cache));
   for (const int number : {-1, 1 << 30}) {
-    known.levels[1].push_back({number, {}});
+    cache.levels[1].push_back({number, {}});
     DistanceGrid fresh{body};
-    EXPECT_FALSE(fresh.remember(known));
+    EXPECT_FALSE(fresh.restore(cache));
     fresh.at({radius, 0, 0});
-    EXPECT_GT(fresh.computed(), 0U);
-    known.levels[1].pop_back();
+    EXPECT_GT(fresh.computed_nodes(), 0U);
+    cache.levels[1].pop_back();
   }
 }
 

@@ -15,38 +15,38 @@ namespace {
 class KnownDistancesFile : public testing::Test {
  protected:
   KnownDistancesFile() {
-    known.cell = 0.005;
-    known.band = 0.01;
-    known.first = {-1, 3, -5};
-    known.size = {12, 16, 20};
+    cache.cell = 0.005;
+    cache.band = 0.01;
+    cache.first = {-1, 3, -5};
+    cache.size = {12, 16, 20};
     for (int l = 0; l < 3; ++l) {
       for (int c = 0; c < 2 + l; ++c) {
         DistanceCache::Cube cube{5 * c + l, {}};
         for (int i = 0; i < 64; ++i) cube.values[i] = 0.1F * static_cast<float>(i - l) / 3;
-        known.levels[l].push_back(cube);
+        cache.levels[l].push_back(cube);
       }
     }
-    write_distance_cache(path, body, known);
+    write_distance_cache(path, body, cache);
   }
 
   const pipeline::ScratchFolder folder;
   const std::filesystem::path path = folder / "body.distances";
   const TriangleMesh body = test::sphere(0.1, 2);
-  DistanceCache known;
+  DistanceCache cache;
 };
 
 TEST_F(KnownDistancesFile, ReadsBackWhatWasWritten) {
   const auto read = read_distance_cache(path, body);
   ASSERT_TRUE(read.has_value());
-  EXPECT_EQ(read->cell, known.cell);
-  EXPECT_EQ(read->band, known.band);
-  EXPECT_EQ(read->first, known.first);
-  EXPECT_EQ(read->size, known.size);
+  EXPECT_EQ(read->cell, cache.cell);
+  EXPECT_EQ(read->band, cache.band);
+  EXPECT_EQ(read->first, cache.first);
+  EXPECT_EQ(read->size, cache.size);
   for (int l = 0; l < 3; ++l) {
-    ASSERT_EQ(read->levels[l].size(), known.levels[l].size());
-    for (std::size_t c = 0; c < known.levels[l].size(); ++c) {
-      EXPECT_EQ(read->levels[l][c].number, known.levels[l][c].number);
-      EXPECT_EQ(read->levels[l][c].values, known.levels[l][c].values);
+    ASSERT_EQ(read->levels[l].size(), cache.levels[l].size());
+    for (std::size_t c = 0; c < cache.levels[l].size(); ++c) {
+      EXPECT_EQ(read->levels[l][c].number, cache.levels[l][c].number);
+      EXPECT_EQ(read->levels[l][c].values, cache.levels[l][c].values);
     }
   }
 }

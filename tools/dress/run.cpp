@@ -140,7 +140,7 @@ void Outfit::keep_distances() {
   if (!settings_.cache || done_.front().distances < worth_writing) return;
   const auto start = Clock::now();
   try {
-    write_distance_cache(*settings_.cache, collider_->body(), collider_->grid().known());
+    write_distance_cache(*settings_.cache, collider_->body(), collider_->grid().cache());
   } catch (const Error& error) {
     CommonSettings::warn(std::string("the body's distances are not kept: ") + error.what());
   }
@@ -164,7 +164,7 @@ Done Outfit::dress_layer(const OutfitLayer& layer, PanelMesh garment) {
   const auto start = Clock::now();
   Done done;
   done.scene = scene_of(layer);
-  const std::size_t known_before = collider_->grid().computed();
+  const std::size_t known_before = collider_->grid().computed_nodes();
   // What is judged needs to know where the panels stood as much as what is dressed.
   garment.placed = position_panels(garment, collider_->grid(), done.scene.skeleton).placed;
   for (const PlacementWarning& warning : placement_warnings(garment, done.scene)) {
@@ -185,7 +185,7 @@ Done Outfit::dress_layer(const OutfitLayer& layer, PanelMesh garment) {
         settings_.method.dress(garment, done.scene, [&](const DressFrame& frame) { watch(frame); });
     watch({garment, "dressed", material_points(garment, done.result), 1});
   }
-  done.distances = collider_->grid().computed() - known_before;
+  done.distances = collider_->grid().computed_nodes() - known_before;
   say_positions(done.result.placement, common_);
   say_terms(done.result, common_);
   done.garment = std::move(garment);
