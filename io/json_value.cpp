@@ -52,15 +52,15 @@ JsonValue JsonValue::get(const std::string& key) const {
   return *value;
 }
 
-std::size_t JsonValue::size(std::size_t least, std::size_t most) const {
+std::size_t JsonValue::size(std::size_t min, std::size_t max) const {
   if (!is_array()) fail("is not a list");
   const std::size_t size = json_->size();
-  if (size >= least && size <= most) return size;
-  std::string wanted = std::to_string(least);
-  if (most == std::numeric_limits<std::size_t>::max()) {
+  if (size >= min && size <= max) return size;
+  std::string wanted = std::to_string(min);
+  if (max == std::numeric_limits<std::size_t>::max()) {
     wanted += " or more";
-  } else if (most != least) {
-    wanted += " to " + std::to_string(most);
+  } else if (max != min) {
+    wanted += " to " + std::to_string(max);
   }
   fail("has " + std::to_string(size) + " entries, not " + wanted);
 }

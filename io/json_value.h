@@ -32,9 +32,9 @@ class JsonValue {
   std::optional<JsonValue> find(const std::string& key) const;
   JsonValue get(const std::string& key) const;
 
-  /// Of a list of `least` to `most` entries: their number, and each one.
-  std::size_t size(std::size_t least = 0,
-                   std::size_t most = std::numeric_limits<std::size_t>::max()) const;
+  /// Of a list of `min` to `max` entries: their number, and each one.
+  std::size_t size(std::size_t min = 0,
+                   std::size_t max = std::numeric_limits<std::size_t>::max()) const;
   JsonValue item(std::size_t i) const;
 
   double number() const;                                         ///< finite

@@ -32,12 +32,12 @@ void check_pose(const Pose& pose, const std::string& name) {
     const SidePose& side = left ? pose.left : pose.right;
     for (const JointMotion& motion : joint_motions) {
       const double angle = side.*motion.angle;
-      if (angle >= motion.least && angle <= motion.most) continue;
+      if (angle >= motion.min && angle <= motion.max) continue;
       char problem[120];
       std::snprintf(problem, sizeof problem, "%.4g degrees of %s are beyond what the joint does",
                     angle, std::string(motion.motion).c_str());
       char remedy[80];
-      std::snprintf(remedy, sizeof remedy, "give %g to %g", motion.least, motion.most);
+      std::snprintf(remedy, sizeof remedy, "give %g to %g", motion.min, motion.max);
       throw Error(name + ": " + (left ? "left_" : "right_") + std::string(motion.joint), problem,
                   remedy);
     }

@@ -38,8 +38,8 @@ struct JointMotion {
   std::string_view joint;
   std::string_view motion;
   double SidePose::*angle;
-  double least;
-  double most;
+  double min;
+  double max;
 };
 
 inline constexpr std::array<JointMotion, 10> joint_motions = {{

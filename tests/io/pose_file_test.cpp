@@ -54,8 +54,8 @@ TEST_F(PoseFile, EveryMotionOfEveryJoint) {
   for (const JointMotion& motion : joint_motions) {
     const Pose pose =
         read(R"({"joints": {"right_)" + std::string(motion.joint) + R"(": {")" +
-             std::string(motion.motion) + "\": " + std::to_string(motion.most) + "}}}");
-    EXPECT_EQ(pose.right.*motion.angle, motion.most) << motion.joint << motion.motion;
+             std::string(motion.motion) + "\": " + std::to_string(motion.max) + "}}}");
+    EXPECT_EQ(pose.right.*motion.angle, motion.max) << motion.joint << motion.motion;
     EXPECT_EQ(pose.left, standing_pose().left);
   }
 }

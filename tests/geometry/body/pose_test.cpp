@@ -38,7 +38,7 @@ TEST(Pose, AStepSwingsArmsAgainstLegs) {
 TEST(Pose, AnglesBeyondAJointAreRefusedByName) {
   for (const JointMotion& motion : joint_motions) {
     for (const double wrong :
-         {motion.least - 1, motion.most + 1, std::numeric_limits<double>::quiet_NaN(),
+         {motion.min - 1, motion.max + 1, std::numeric_limits<double>::quiet_NaN(),
           std::numeric_limits<double>::infinity()}) {
       Pose pose;
       pose.right.*motion.angle = wrong;
