@@ -19,6 +19,15 @@ struct TriangleMesh {
   std::vector<Triangle> triangles;
 };
 
+/// Appends the points and triangles of `more` to `mesh`; O(size of `more`).
+inline void append(TriangleMesh& mesh, const TriangleMesh& more) {
+  const int first = static_cast<int>(mesh.points.size());
+  mesh.points.insert(mesh.points.end(), more.points.begin(), more.points.end());
+  for (const Triangle& t : more.triangles) {
+    mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+}
+
 /// What a mesh file holds before anything is known of it: polygons of any size, in any order, in
 /// the file's own unit. Every index is in [0, points.size()).
 struct PolygonSoup {

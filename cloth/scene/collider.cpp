@@ -5,18 +5,6 @@
 
 namespace toile {
 
-namespace {
-
-void append(TriangleMesh& mesh, const TriangleMesh& more) {
-  const int offset = static_cast<int>(mesh.points.size());
-  mesh.points.insert(mesh.points.end(), more.points.begin(), more.points.end());
-  for (const Triangle& t : more.triangles) {
-    mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
-  }
-}
-
-}  // namespace
-
 Collider::Collider(const TriangleMesh& body, const DistanceCache& known,
                    const DistanceGridOptions& options)
     : surfaces_{SurfaceDistance(body)}, surface_(body), grid_(surfaces_.front(), options) {

@@ -56,11 +56,7 @@ inline TriangleMesh box(const Vec3& low, const Vec3& high) {
 
 /// Both meshes in one, not joined.
 inline TriangleMesh together(TriangleMesh a, const TriangleMesh& b) {
-  const int offset = static_cast<int>(a.points.size());
-  a.points.insert(a.points.end(), b.points.begin(), b.points.end());
-  for (const Triangle& t : b.triangles) {
-    a.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
-  }
+  append(a, b);
   return a;
 }
 

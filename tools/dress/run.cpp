@@ -48,14 +48,6 @@ struct Done {
   TriangleMesh cloth;  ///< as written
 };
 
-void append(TriangleMesh& mesh, const DressResult& dressed) {
-  const int first = static_cast<int>(mesh.points.size());
-  mesh.points.insert(mesh.points.end(), dressed.nodes.begin(), dressed.nodes.end());
-  for (const Triangle& t : dressed.triangles) {
-    mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-  }
-}
-
 class Outfit {
  public:
   Outfit(const OutfitSettings& settings, const CommonSettings& common)
@@ -335,7 +327,7 @@ void Outfit::relax_coupled() {
     TriangleMesh others;
     for (std::size_t j = 0; j < done_.size(); ++j) {
       if (j == i) continue;
-      append(others, done_[j].result);
+      append(others, {done_[j].result.nodes, done_[j].result.triangles});
     }
     write_and_judge(i, &others);
     common_.say("layer " + settings_.layers[i].name + ", moved together:");
