@@ -18,11 +18,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 #include <tuple>
 #include <vector>
 
+#include "geometry/disjoint_sets.h"
 #include "geometry/error.h"
 #include "geometry/intersections.h"
 #include "geometry/surface_distance.h"
@@ -65,7 +65,9 @@ Soup checked_soup(const PolygonSoup& soup, const std::string& name) {
 }
 
 /// Whether the polygons can be turned so that neighbours agree. Only edges of exactly two polygons
-/// bind: a union-find over polygons that keeps each one's turn against its root.
+/// bind. Item p of the sets stands for polygon p as it is, item p + count for polygon p turned. An
+/// edge joins the items that agree with one another. A polygon joined to itself turned is a
+/// contradiction.
 bool is_orientable(const Polygons& polygons) {
   struct Use {
     std::size_t low, high, polygon;
@@ -83,35 +85,20 @@ bool is_orientable(const Polygons& polygons) {
   std::sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) {
     return std::tie(a.low, a.high, a.polygon) < std::tie(b.low, b.high, b.polygon);
   });
-  std::vector<std::size_t> parent(polygons.size());
-  std::vector<char> turned(polygons.size(), 0);
-  for (std::size_t i = 0; i < parent.size(); ++i) parent[i] = i;
-  const auto root = [&](std::size_t p) {
-    bool turn = false;
-    while (parent[p] != p) {
-      // Path halving: point at the grandparent, adding up the turns passed.
-      const std::size_t up = parent[p];
-      turned[p] = static_cast<char>(turned[p] ^ turned[up]);  // a root's turn is 0
-      parent[p] = parent[up];
-      turn ^= turned[p] != 0;
-      p = parent[p];
-    }
-    return std::pair(p, turn);
-  };
+  const int count = static_cast<int>(polygons.size());
+  DisjointSets agreeing(2 * polygons.size());
   for (std::size_t i = 0; i < uses.size();) {
     std::size_t end = i + 1;
     while (end < uses.size() && uses[end].low == uses[i].low && uses[end].high == uses[i].high) {
       ++end;
     }
     if (end - i == 2) {
-      const auto [a, turn_a] = root(uses[i].polygon);
-      const auto [b, turn_b] = root(uses[i + 1].polygon);
+      const int a = static_cast<int>(uses[i].polygon);
+      const int b = static_cast<int>(uses[i + 1].polygon);
       const bool must_turn = uses[i].forward == uses[i + 1].forward;
-      if (a == b && (turn_a != turn_b) != must_turn) return false;
-      if (a != b) {
-        parent[b] = a;
-        turned[b] = static_cast<char>((turn_a != turn_b) != must_turn);
-      }
+      agreeing.join(a, must_turn ? b + count : b);
+      agreeing.join(a + count, must_turn ? b : b + count);
+      if (agreeing.of(a) == agreeing.of(a + count)) return false;
     }
     i = end;
   }
@@ -136,12 +123,6 @@ CGAL::Bbox_3 hole_box(const Mesh& mesh, Halfedge border) {
 
 double diagonal(const CGAL::Bbox_3& box) {
   return std::hypot(box.x_span(), box.y_span(), box.z_span());
-}
-
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
 }
 
 TriangleMesh to_plain(const Mesh& mesh) {
@@ -288,9 +269,10 @@ void fill_holes(Mesh& mesh, RepairReport& report, bool orientable, const RepairO
     throw Error(name,
                 "the surface is open: " + std::to_string(too_large) +
                     (too_large == 1 ? " hole is" : " holes are") + " too large to be filled, " +
-                    (too_large == 1 ? "" : "the largest ") + number(largest) + " units across, " +
-                    number(100 * largest / size) + " % of the body's longest side (limit " +
-                    number(100 * options.largest_hole) + " %)",
+                    (too_large == 1 ? "" : "the largest ") + number_text(largest, 3) +
+                    " units across, " + number_text(100 * largest / size, 3) +
+                    " % of the body's longest side (limit " +
+                    number_text(100 * options.largest_hole, 3) + " %)",
                 "close the body in a mesh editor");
   }
   for (const Halfedge border : borders) {

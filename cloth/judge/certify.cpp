@@ -14,7 +14,7 @@ namespace {
 constexpr double rounding = 1e-9;
 
 /// The triangles, each corner by the name of its set.
-std::vector<Triangle> joined(std::vector<Triangle> triangles, const DisjointSets& sets) {
+std::vector<Triangle> joined(std::vector<Triangle> triangles, DisjointSets& sets) {
   for (Triangle& t : triangles) {
     for (int& corner : t) corner = sets.of(corner);
   }

@@ -2,8 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <utility>
 
 #include "geometry/body/find_skeleton.h"
@@ -23,18 +21,12 @@ Box bounds(const TriangleMesh& mesh) {
   return box;
 }
 
-std::string number(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", value);
-  return text.data();
-}
-
 double inferred_unit(double height, const std::string& name) {
   for (const double unit : {1.0, 0.1, 0.01, 0.001, 0.0254}) {
     if (height * unit >= 1.0 && height * unit <= 2.3) return unit;
   }
   throw Error(name,
-              "a body " + number(height) +
+              "a body " + number_text(height) +
                   " units tall is between 1.00 and 2.30 m in none of m, dm, cm, mm, in",
               "give --unit");
 }
@@ -224,7 +216,7 @@ CleanBody clean_body(const PolygonSoup& soup, const std::string& name,
       options.metres_per_unit ? *options.metres_per_unit : inferred_unit(units_tall, name);
   report.height = units_tall * report.metres_per_unit;
   if (!(report.height >= 0.1 && report.height <= 10)) {
-    throw Error(name, "the body would be " + number(report.height) + " m tall",
+    throw Error(name, "the body would be " + number_text(report.height) + " m tall",
                 "give the unit that the file is in with --unit");
   }
   report.lifted = standing.lifted * report.metres_per_unit;

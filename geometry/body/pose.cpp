@@ -1,6 +1,6 @@
 #include "geometry/body/pose.h"
 
-#include <cstdio>
+#include <string>
 
 #include "geometry/error.h"
 
@@ -33,13 +33,10 @@ void check_pose(const Pose& pose, const std::string& name) {
     for (const JointMotion& motion : joint_motions) {
       const double angle = side.*motion.angle;
       if (angle >= motion.min && angle <= motion.max) continue;
-      char problem[120];
-      std::snprintf(problem, sizeof problem, "%.4g degrees of %s are beyond what the joint does",
-                    angle, std::string(motion.motion).c_str());
-      char remedy[80];
-      std::snprintf(remedy, sizeof remedy, "give %g to %g", motion.min, motion.max);
-      throw Error(name + ": " + (left ? "left_" : "right_") + std::string(motion.joint), problem,
-                  remedy);
+      throw Error(name + ": " + (left ? "left_" : "right_") + std::string(motion.joint),
+                  number_text(angle) + " degrees of " + std::string(motion.motion) +
+                      " are beyond what the joint does",
+                  "give " + number_text(motion.min) + " to " + number_text(motion.max));
     }
   }
 }
