@@ -2,9 +2,10 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
+#include <optional>
 
 #include "geometry/error.h"
+#include "io/text.h"
 
 namespace toile {
 
@@ -45,20 +46,12 @@ std::string_view LineScanner::word() {
 double LineScanner::number(const std::string& what) {
   const std::string_view given = word();
   if (given.empty()) fail(what + " is missing", "");
-  std::string_view digits = given;
-  if (digits.front() == '+') digits.remove_prefix(1);
-  double value = 0;
-  const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  // Too small for a double is zero; too large is caught as infinite below.
-  if (read.ec == std::errc::result_out_of_range) {
-    value = std::strtod(std::string(digits).c_str(), nullptr);
-  } else if (read.ec != std::errc() || read.ptr != digits.data() + digits.size()) {
-    fail(what + " is " + shown(given) + ", which is not a number", "");
-  }
-  if (!std::isfinite(value)) {
+  const std::optional<double> value = parse_number(given);
+  if (!value) fail(what + " is " + shown(given) + ", which is not a number", "");
+  if (!std::isfinite(*value)) {
     fail(what + " is " + shown(given) + ", which is not a finite number", "export the body again");
   }
-  return value;
+  return *value;
 }
 
 long long LineScanner::integer(const std::string& what, long long low, long long high) {
@@ -85,11 +78,6 @@ std::string shown(std::string_view word) {
   std::string text = "'";
   for (const char c : word.substr(0, 40)) text += c >= ' ' && c < 127 ? c : '?';
   return text + (word.size() > 40 ? "...'" : "'");
-}
-
-void append_number(std::string& text, double value) {
-  char digits[32];
-  text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
 }
 
 }  // namespace toile

@@ -27,7 +27,6 @@ class LineScanner {
 
   /// Bytes before the next line.
   std::size_t offset() const { return at_; }
-  std::size_t bytes_left() const { return text_.size() - at_; }
   int line() const { return number_; }
 
   [[noreturn]] void fail(const std::string& problem, const std::string& remedy) const;
@@ -42,8 +41,5 @@ class LineScanner {
 
 /// A word as messages show it: cut at 40 characters, what can't be printed as '?'.
 std::string shown(std::string_view word);
-
-/// `value` in the fewest digits that read back to the same bits.
-void append_number(std::string& text, double value);
 
 }  // namespace toile

@@ -2,13 +2,15 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
+#include <optional>
 #include <string_view>
 #include <unordered_map>
 
 #include "geometry/error.h"
+#include "io/line_scanner.h"
 #include "io/output_file.h"
+#include "io/text.h"
 
 namespace toile {
 
@@ -30,13 +32,6 @@ std::string_view next_word(std::string_view& rest) {
   const std::string_view word = rest.substr(0, end);
   rest.remove_prefix(end);
   return word;
-}
-
-/// What a message shows of a word that may be long or binary.
-std::string shown(std::string_view word) {
-  std::string text;
-  for (const char c : word.substr(0, 40)) text += (c >= ' ' && c < 127) ? c : '?';
-  return "'" + text + (word.size() > 40 ? "...'" : "'");
 }
 
 class Parser {
@@ -92,19 +87,11 @@ class Parser {
   }
 
   double number(std::string_view word) const {
-    std::string_view digits = word;
-    if (!digits.empty() && digits.front() == '+') digits.remove_prefix(1);
-    double value = 0;
-    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (word.empty()) fail("a number is missing");
-    // Too small for a double is zero; too large is caught as infinite below.
-    if (read.ec == std::errc::result_out_of_range) {
-      value = std::strtod(std::string(digits).c_str(), nullptr);
-    } else if (read.ec != std::errc() || read.ptr != digits.data() + digits.size()) {
-      fail(shown(word) + " is not a number");
-    }
-    if (!std::isfinite(value)) fail(shown(word) + " is not a finite number");
-    return value;
+    const std::optional<double> value = parse_number(word);
+    if (!value) fail(shown(word) + " is not a number");
+    if (!std::isfinite(*value)) fail(shown(word) + " is not a finite number");
+    return *value;
   }
 
   /// An index as written (from 1, or negative from the last one so far) as one from 0.
@@ -225,14 +212,13 @@ class Parser {
   int statements_ = 0;
 };
 
-void append(std::string& text, double value) {
-  char digits[32];
-  const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
+void append_coordinate(std::string& text, double value) {
   text += ' ';
-  text.append(digits, end);
+  append_number(text, value);
 }
 
-void append(std::string& text, int value) { text += std::to_string(value + 1LL); }
+/// Appends an index as the file counts, from 1.
+void append_index(std::string& text, int index) { text += std::to_string(index + 1LL); }
 
 /// A name on one line, without what would read back as a comment or another name.
 std::string one_line(std::string_view name) {
@@ -258,12 +244,12 @@ void write_obj(const std::filesystem::path& path, const ObjData& data) {
   for (const std::string& comment : data.comments) text += "# " + one_line(comment) + "\n";
   for (const Vec3& point : data.points) {
     text += 'v';
-    for (int i = 0; i < 3; ++i) append(text, point[i]);
+    for (int i = 0; i < 3; ++i) append_coordinate(text, point[i]);
     text += '\n';
   }
   for (const Vec2& texture : data.texture) {
     text += "vt";
-    for (int i = 0; i < 2; ++i) append(text, texture[i]);
+    for (int i = 0; i < 2; ++i) append_coordinate(text, texture[i]);
     text += '\n';
   }
   int group = -1;
@@ -276,19 +262,19 @@ void write_obj(const std::filesystem::path& path, const ObjData& data) {
     text += 'f';
     for (const ObjCorner& corner : face.corners) {
       text += ' ';
-      append(text, corner.point);
+      append_index(text, corner.point);
       if (corner.texture >= 0) {
         text += '/';
-        append(text, corner.texture);
+        append_index(text, corner.texture);
       }
     }
     text += '\n';
   }
   for (const auto& [from, to] : data.lines) {
     text += "l ";
-    append(text, from);
+    append_index(text, from);
     text += ' ';
-    append(text, to);
+    append_index(text, to);
     text += '\n';
   }
   write_file(path, text);

@@ -4,6 +4,7 @@
 
 #include "io/line_scanner.h"
 #include "io/mesh_formats.h"
+#include "io/text.h"
 
 namespace toile {
 
@@ -20,9 +21,9 @@ PolygonSoup parse_off(std::string_view data, const std::string& name) {
   } else if (after.find("BINARY") != std::string_view::npos) {
     scanner.fail("binary OFF can't be read", "save it as text");
   }
-  constexpr long long most = std::numeric_limits<int>::max();
-  const long long points = scanner.integer("the number of points", 0, most);
-  const long long polygons = scanner.integer("the number of faces", 0, most);
+  constexpr long long max_count = std::numeric_limits<int>::max();
+  const long long points = scanner.integer("the number of points", 0, max_count);
+  const long long polygons = scanner.integer("the number of faces", 0, max_count);
 
   PolygonSoup soup;
   for (long long i = 0; i < points; ++i) {
@@ -32,7 +33,7 @@ PolygonSoup parse_off(std::string_view data, const std::string& name) {
   }
   for (long long i = 0; i < polygons; ++i) {
     scanner.need_line("face " + std::to_string(i + 1) + " of " + std::to_string(polygons), '#');
-    const long long corners = scanner.integer("the number of corners", 3, most);
+    const long long corners = scanner.integer("the number of corners", 3, max_count);
     std::vector<int>& polygon = soup.polygons.emplace_back();
     for (long long corner = 0; corner < corners; ++corner) {
       polygon.push_back(static_cast<int>(scanner.integer("a point's index", 0, points - 1)));

@@ -12,6 +12,7 @@
 #include "io/bytes.h"
 #include "io/line_scanner.h"
 #include "io/mesh_formats.h"
+#include "io/text.h"
 
 namespace toile {
 

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 
 namespace toile {
 
@@ -96,6 +97,23 @@ std::string base64(std::string_view bytes) {
     text += i + 2 < bytes.size() ? digits[three & 63U] : '=';
   }
   return text;
+}
+
+std::optional<double> parse_number(std::string_view word) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  double value = 0;
+  const auto read = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (read.ec == std::errc::result_out_of_range) {
+    return std::strtod(std::string(word).c_str(), nullptr);
+  }
+  if (read.ec != std::errc() || read.ptr != word.data() + word.size()) return std::nullopt;
+  return value;
+}
+
+void append_number(std::string& text, double value) {
+  std::array<char, 32> digits{};
+  text.append(digits.data(),
+              std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
 }
 
 std::string fixed_number(double value, int decimals) {

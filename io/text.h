@@ -1,6 +1,7 @@
 // Text that comes from users, made safe for what it goes into.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -15,6 +16,13 @@ std::string html_escaped(std::string_view text);
 
 /// Standard base64 with padding.
 std::string base64(std::string_view bytes);
+
+/// `word` as a number, a leading + allowed. Nothing when it is no number. A number that is too
+/// small for a double is 0, one that is too large is infinite.
+std::optional<double> parse_number(std::string_view word);
+
+/// Appends `value` in the fewest digits that read back to the same bits.
+void append_number(std::string& text, double value);
 
 /// A number with `decimals` places, the same in every locale. -0 becomes 0.
 std::string fixed_number(double value, int decimals);

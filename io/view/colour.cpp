@@ -85,6 +85,11 @@ std::vector<double> round_ticks(double low, double high, int wanted) {
   return ticks;
 }
 
+int tick_decimals(const std::vector<double>& ticks) {
+  if (ticks.size() < 2) return 1;
+  return std::clamp(-static_cast<int>(std::floor(std::log10(ticks[1] - ticks[0]) + 1e-9)), 0, 9);
+}
+
 double round_up(double value) {
   const double power = std::pow(10, std::floor(std::log10(value)));
   for (const double factor : {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0}) {

@@ -41,6 +41,9 @@ Colour quiet_colour(int index);
 /// them. `high` has to be more than `low`.
 std::vector<double> round_ticks(double low, double high, int wanted);
 
+/// Decimal places, 0 to 9, that show the step between `ticks`; 1 for fewer than two ticks.
+int tick_decimals(const std::vector<double>& ticks);
+
 /// The smallest of 1, 1.5, 2, 3, 4, 5, 6, 8, 10 times a power of ten that is not below `value`,
 /// which has to be positive.
 double round_up(double value);

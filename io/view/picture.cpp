@@ -151,12 +151,6 @@ class Canvas {
   std::unique_ptr<cairo_t, Release> context_;
 };
 
-/// Decimals that tell neighbouring ticks apart.
-int decimals_of(const std::vector<double>& ticks) {
-  if (ticks.size() < 2) return 1;
-  return std::clamp(-static_cast<int>(std::floor(std::log10(ticks[1] - ticks[0]) + 1e-9)), 0, 9);
-}
-
 double bar_width(Canvas& canvas, const ColourBar& bar, double size) {
   return std::max({6.5 * size, canvas.text_width(bar.title, size) + size,
                    canvas.text_width(bar.below, size) + 3 * size});
@@ -179,8 +173,8 @@ void draw_bar(Canvas& canvas, const ColourBar& bar, double left, double top, dou
     const double y =
         std::floor(top) + (bar.ramp.high - tick) / (bar.ramp.high - bar.ramp.low) * rows;
     canvas.rectangle(left + width, std::round(y) - 0.5, 0.4 * size, 1, ink);
-    canvas.text(left + width + 0.7 * size, y + 0.35 * size, fixed_number(tick, decimals_of(ticks)),
-                size, ink);
+    canvas.text(left + width + 0.7 * size, y + 0.35 * size,
+                fixed_number(tick, tick_decimals(ticks)), size, ink);
   }
   if (!bar.below.empty()) {
     const double y = std::floor(top) + rows + 0.8 * size;

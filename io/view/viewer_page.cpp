@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <string_view>
 
+#include "io/bytes.h"
 #include "io/text.h"
 
 // The files that the page is made of, put into the program as they are, so that it needs none of
@@ -51,18 +51,10 @@ json bytes_of(const Colour& colour) {
           std::lround(255 * colour.blue)};
 }
 
-/// Little-endian, as every browser's machine has it.
-template <typename Number>
-void append(std::string& bytes, Number number) {
-  char raw[sizeof(Number)];
-  std::memcpy(raw, &number, sizeof(Number));
-  bytes.append(raw, sizeof(Number));
-}
-
 std::string points_text(const std::vector<Vec3>& points) {
   std::string bytes;
   for (const Vec3& point : points) {
-    for (int k = 0; k < 3; ++k) append(bytes, static_cast<float>(point[k]));
+    for (int k = 0; k < 3; ++k) store(bytes, static_cast<float>(point[k]));
   }
   return base64(bytes);
 }
@@ -73,9 +65,9 @@ json mesh_data(const std::vector<Vec3>& points, const std::vector<Triangle>& tri
   for (const Triangle& triangle : triangles) {
     for (const int corner : triangle) {
       if (wide) {
-        append(bytes, static_cast<std::uint32_t>(corner));
+        store(bytes, static_cast<std::uint32_t>(corner));
       } else {
-        append(bytes, static_cast<std::uint16_t>(corner));
+        store(bytes, static_cast<std::uint16_t>(corner));
       }
     }
   }
@@ -101,7 +93,7 @@ std::string data_of(const ViewerPage& page) {
     first += counts[i];
   }
   std::string values;
-  for (const double value : page.values) append(values, static_cast<float>(value));
+  for (const double value : page.values) store(values, static_cast<float>(value));
 
   json data;
   data["surface"] = mesh_data(page.surface.points, sorted);
@@ -137,11 +129,7 @@ std::string bar_of(const ViewerPage& page) {
       "<div class=\"scale\"><div class=\"colours\" style=\"background: linear-gradient(to right, " +
       stops + ")\"></div><div class=\"ticks\">";
   const std::vector<double> ticks = round_ticks(page.ramp.low, page.ramp.high, 7);
-  int decimals = 1;
-  if (ticks.size() > 1) {
-    decimals =
-        std::clamp(-static_cast<int>(std::floor(std::log10(ticks[1] - ticks[0]) + 1e-9)), 0, 9);
-  }
+  const int decimals = tick_decimals(ticks);
   for (const double tick : ticks) {
     const double place = 100 * (tick - page.ramp.low) / (page.ramp.high - page.ramp.low);
     html += "<span style=\"left: " + fixed_number(place, 2) + "%\">" +

@@ -1,8 +1,6 @@
 #include "tools/ease_map/report.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -32,13 +30,6 @@ std::vector<double> gaps_mm(const EaseReport& report) {
   std::vector<double> gaps;
   for (const double gap : report.map.node_gaps) gaps.push_back(1000 * gap);
   return gaps;
-}
-
-/// The fewest digits that read back to the same bits.
-void append_number(std::string& text, double value) {
-  std::array<char, 40> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  text.append(buffer.data(), end.ptr);
 }
 
 std::string csv_cell(const std::string& text) {
