@@ -33,4 +33,18 @@ std::vector<HalfEdge> half_edges(std::span<const Triangle> triangles, std::size_
   return sides;
 }
 
+std::vector<std::array<int, 2>> unique_edges(std::span<const Triangle> triangles) {
+  std::vector<std::array<int, 2>> edges;
+  edges.reserve(3 * triangles.size());
+  for (const Triangle& t : triangles) {
+    for (int i = 0; i < 3; ++i) {
+      const auto [low, high] = std::minmax(t[i], t[(i + 1) % 3]);
+      edges.push_back({low, high});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
 }  // namespace toile

@@ -1,6 +1,7 @@
 // The sides of a mesh's triangles, those along one edge next to each other.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -22,5 +23,8 @@ struct HalfEdge {
 /// All sides of all triangles, by edge (low, high), then by triangle and corner. Every point index
 /// is in [0, points). Linear for meshes whose points have few triangles each.
 std::vector<HalfEdge> half_edges(std::span<const Triangle> triangles, std::size_t points);
+
+/// The edges of the triangles as {lower point, higher point}, each once, sorted. O(n log n).
+std::vector<std::array<int, 2>> unique_edges(std::span<const Triangle> triangles);
 
 }  // namespace toile

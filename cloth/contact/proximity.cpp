@@ -10,6 +10,7 @@
 
 #include "cloth/contact/sphere_grid.h"
 #include "geometry/closest_points.h"
+#include "geometry/half_edges.h"
 
 namespace toile {
 
@@ -42,20 +43,6 @@ SphereGrid::Sphere sphere_around(const Triangle& t, const std::vector<Vec3>& x) 
   return {centre,
           std::sqrt(std::max({(x[t[0]] - centre).squaredNorm(), (x[t[1]] - centre).squaredNorm(),
                               (x[t[2]] - centre).squaredNorm()}))};
-}
-
-std::vector<std::array<int, 2>> edges_of(const std::vector<Triangle>& triangles) {
-  std::vector<std::array<int, 2>> edges;
-  for (const Triangle& t : triangles) {
-    for (int i = 0; i < 3; ++i) {
-      const int a = t[i];
-      const int b = t[(i + 1) % 3];
-      edges.push_back({std::min(a, b), std::max(a, b)});
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return edges;
 }
 
 template <typename Shape>
@@ -138,7 +125,7 @@ ProximitySearch::ProximitySearch(const std::vector<Triangle>& triangles,
                                  const std::vector<int>& node,
                                  const std::vector<double>& shortest_edge)
     : triangles_(triangles),
-      edges_(edges_of(triangles)),
+      edges_(unique_edges(triangles)),
       moving_vertices_(static_cast<int>(node.size())),
       moving_triangles_(static_cast<int>(triangles.size())),
       moving_edges_(static_cast<int>(edges_.size())),
@@ -166,7 +153,7 @@ void ProximitySearch::add_layer(const std::vector<Triangle>& triangles, int vert
   for (const Triangle& t : triangles) {
     triangles_.push_back({t[0] + first, t[1] + first, t[2] + first});
   }
-  for (const auto& [a, b] : edges_of(triangles)) edges_.push_back({a + first, b + first});
+  for (const auto& [a, b] : unique_edges(triangles)) edges_.push_back({a + first, b + first});
   // Nodes of their own, that are nobody's neighbours.
   int node = static_cast<int>(ring_first_.size()) - 1;
   for (int v = 0; v < vertices; ++v) node_.push_back(node++);

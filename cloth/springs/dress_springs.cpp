@@ -10,6 +10,7 @@
 #include "cloth/start/resolve_intersections.h"
 #include "geometry/error.h"
 #include "geometry/intersections.h"
+#include "geometry/statistics.h"
 
 namespace toile {
 
@@ -221,21 +222,18 @@ Residual SpringDressing::residual() {
   const double dt = motion_.time_step();
   const double span = dt * std::max(1L, std::lround(look_interval / dt));
   std::vector<double> left;
-  double squares = 0;
   for (std::size_t n = 0; n < x.size(); ++n) {
     const double mass = motion_.sheet().mass()[n];
     if (mass <= 0) continue;
     const Vec3 gained = v[n] - looked_v_[n] + options_.motion.drag * (x[n] - looked_x_[n]);
     left.push_back(mass * gained.norm() / span / model_.mean_weight);
-    squares += left.back() * left.back();
   }
   looked_x_ = x;
   looked_v_ = v;
   Residual r;
-  r.rms = std::sqrt(squares / left.size());
+  r.rms = root_mean_square(left);
   r.max = *std::max_element(left.begin(), left.end());
-  std::nth_element(left.begin(), left.begin() + left.size() / 2, left.end());
-  r.median = left[left.size() / 2];
+  r.median = median(std::move(left));
   return r;
 }
 

@@ -11,6 +11,7 @@
 #include "cloth/scene/collider.h"
 #include "cloth/springs/chunks.h"
 #include "geometry/error.h"
+#include "geometry/statistics.h"
 
 namespace toile {
 
@@ -215,9 +216,7 @@ double SpringMotion::open_gap(double share) const {
   if (open_.empty()) return 0;
   std::vector<double> gaps;
   for (const auto& [a, b, first_gap] : open_) gaps.push_back((x_[a] - x_[b]).norm());
-  const auto at = gaps.begin() + static_cast<long>(share * (gaps.size() - 1));
-  std::nth_element(gaps.begin(), at, gaps.end());
-  return *at;
+  return percentile(std::move(gaps), share);
 }
 
 }  // namespace toile

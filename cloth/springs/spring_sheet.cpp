@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "cloth/model/gathers.h"
+#include "geometry/statistics.h"
 
 namespace toile {
 
@@ -58,8 +59,7 @@ void SpringSheet::soften_small_elements() {
     if (point_mass_[p] > 0) rates.push_back(stiffness[p] / point_mass_[p]);
   }
   if (rates.empty()) return;
-  std::nth_element(rates.begin(), rates.begin() + rates.size() / 2, rates.end());
-  rate_ = rates[rates.size() / 2];
+  rate_ = median(std::move(rates));
   const double most = max_over_median * rate_;
   for (Spring& spring : point_edges_) {
     double share = 1;

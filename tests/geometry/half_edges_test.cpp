@@ -38,5 +38,16 @@ TEST(HalfEdges, EverySideOnceByEdgeThenByTriangle) {
 
 TEST(HalfEdges, OfNothingThereAreNone) { EXPECT_TRUE(half_edges({}, 7).empty()); }
 
+TEST(HalfEdges, UniqueEdgesAreTheSidesWithoutRepeats) {
+  const TriangleMesh mesh = test::sphere(0.1, 2);
+  const std::vector<std::array<int, 2>> edges = unique_edges(mesh.triangles);
+  const std::vector<HalfEdge> sides = half_edges(mesh.triangles, mesh.points.size());
+  ASSERT_EQ(2 * edges.size(), sides.size());
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    EXPECT_EQ(edges[e][0], sides[2 * e].low);
+    EXPECT_EQ(edges[e][1], sides[2 * e].high);
+  }
+}
+
 }  // namespace
 }  // namespace toile

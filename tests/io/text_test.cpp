@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace toile {
 namespace {
 
@@ -38,6 +40,19 @@ TEST(Text, NumbersWithDecimals) {
   EXPECT_EQ(fixed_number(-0.04, 1), "0.0");
   EXPECT_EQ(fixed_number(-0.06, 1), "-0.1");
   EXPECT_EQ(fixed_number(3, 0), "3");
+}
+
+TEST(Text, NumbersReadBackToTheSameBits) {
+  for (const double value : {0.1, -1.0 / 3, 1e-300, 123456789.0, 5e-324}) {
+    std::string text;
+    append_number(text, value);
+    EXPECT_EQ(parse_number(text), value) << text;
+  }
+  EXPECT_EQ(parse_number("+2.5"), 2.5);
+  EXPECT_EQ(parse_number("1e-999"), 0.0);
+  EXPECT_EQ(parse_number("1e999"), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(parse_number(""), std::nullopt);
+  EXPECT_EQ(parse_number("1.5m"), std::nullopt);
 }
 
 }  // namespace
