@@ -4,25 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/outline.h"
+
 namespace toile {
 
 bool contains(const Section& section, const Vec3& point, const Vec3& normal) {
   if (!section.closed) return false;
   const Vec3 u = normal.unitOrthogonal();
   const Vec3 v = normal.normalized().cross(u);
-  const Vec2 p(u.dot(point), v.dot(point));
-  bool inside = false;
-  const auto& points = section.points;
-  Vec2 a(u.dot(points.back()), v.dot(points.back()));
-  for (const Vec3& corner : points) {
-    const Vec2 b(u.dot(corner), v.dot(corner));
-    if ((a.y() > p.y()) != (b.y() > p.y()) &&
-        p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
-      inside = !inside;
-    }
-    a = b;
-  }
-  return inside;
+  std::vector<Vec2> outline;
+  outline.reserve(section.points.size());
+  for (const Vec3& corner : section.points) outline.emplace_back(u.dot(corner), v.dot(corner));
+  return inside(outline, {u.dot(point), v.dot(point)});
 }
 
 std::optional<Section> section_at(const std::vector<Section>& sections, const Vec3& point,
