@@ -80,7 +80,7 @@ BodyBounds::BodyBounds(const Collider& collider, const std::vector<Triangle>& tr
       regions_(triangles.size()),
       due_(triangles.size(), 1),
       next_look_(triangles.size(), 0),
-      lift_(vertices, 0) {}
+      extra_offset_(vertices, 0) {}
 
 BodyBounds::Region BodyBounds::region_of(const Triangle& corners, const Vec4s& x, int near_facet,
                                          std::vector<int>& near) const {
@@ -135,7 +135,7 @@ BodyBounds::Region BodyBounds::region_of(const Triangle& corners, const Vec4s& x
     nearest = std::min(nearest, distance_of(p, {body.points[facet[0]], body.points[facet[1]],
                                                 body.points[facet[2]]}));
   }
-  region.lift = std::max(clearance - nearest, 0.0);
+  region.extra_offset = std::max(clearance - nearest, 0.0);
   if (region.normal != Vec3::Zero() && nearest < clearance) return region;
   // In a hollow of the body, as an armpit, what is well clear of its facets may find no plane above
   // them all, or only one that it would be stopped at.
@@ -174,11 +174,11 @@ const std::vector<int>& BodyBounds::look(const Vec4s& x) {
   std::map<int, double> lifted;
   for (const int t : due) {
     for (const int v : triangles_[t]) {
-      if (regions_[t].lift > 0) lifted[v] = std::max(lifted[v], regions_[t].lift);
+      if (regions_[t].extra_offset > 0) lifted[v] = std::max(lifted[v], regions_[t].extra_offset);
     }
     looked_.insert(looked_.end(), triangles_[t].begin(), triangles_[t].end());
   }
-  for (const auto& [v, more] : lifted) lift_[v] = std::min(lift_[v] + more, max_lift);
+  for (const auto& [v, more] : lifted) extra_offset_[v] = std::min(extra_offset_[v] + more, max_lift);
   std::sort(looked_.begin(), looked_.end());
   looked_.erase(std::unique(looked_.begin(), looked_.end()), looked_.end());
   return looked_;

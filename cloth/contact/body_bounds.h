@@ -47,7 +47,7 @@ class BodyBounds {
 
   /// Metres that a vertex has to keep from the body beyond the offset of all, because a triangle of
   /// its own spans something sharp there, as far as is known; it only grows.
-  double lift(int vertex) const { return lift_[vertex]; }
+  double extra_offset(int vertex) const { return extra_offset_[vertex]; }
 
  private:
   struct Region {
@@ -56,7 +56,7 @@ class BodyBounds {
     double slack = 0;            // metres above that level when looked after, of the lowest corner
     double reach = 0;            // metres from where the corner was
     std::array<Vec3, 3> at;      // the corners
-    double lift = 0;             // metres that the corners should come out
+    double extra_offset = 0;             // metres that the corners should come out
     int facet = 0;               // nearest to the middle
     bool meets = false;          // the body: no bounds
   };
@@ -73,7 +73,7 @@ class BodyBounds {
   std::vector<int> next_look_;  // per triangle, the first that may be again
   int looks_ = 0;
   std::atomic<bool> any_due_ = true;
-  std::vector<double> lift_;
+  std::vector<double> extra_offset_;
   std::vector<int> looked_;  // vertices of the last look
 };
 

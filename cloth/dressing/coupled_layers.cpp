@@ -7,6 +7,7 @@
 #include "cloth/contact/pair_forces.h"
 #include "cloth/contact/proximity.h"
 #include "cloth/dressing/stability_test.h"
+#include "cloth/dressing/stages.h"
 #include "cloth/model/compile.h"
 #include "geometry/error.h"
 #include "geometry/intersections.h"
@@ -39,6 +40,7 @@ class CoupledRelaxation {
         model_(compile(mesh_, scene_, mesh_.placed)) {
     hold_for_good();
     for (const WornGarment& worn : garments) {
+      model_.body_offset = std::max(model_.body_offset, worn.body_offset);
       first_.push_back(static_cast<int>(start_.size()));
       start_.insert(start_.end(), worn.nodes.begin(), worn.nodes.end());
       warm_start_.skin.insert(warm_start_.skin.end(), worn.warm_start.skin.begin(),
@@ -102,9 +104,6 @@ class CoupledRelaxation {
 
   void set_forces(ForceOptions& options) const {
     options.bounded = true;
-    for (const WornGarment& worn : garments_) {
-      options.body_offset = std::max(options.body_offset, worn.body_offset);
-    }
   }
 
   void come_to_rest(RestingState& state) {
@@ -127,7 +126,7 @@ class CoupledRelaxation {
     watch(state.nodes, 1);
     state.warm_start = report.warm_start;
     state.at_rest = report.converged;
-    lift_ = report.lift;
+    extra_offset_ = report.extra_offset;
     result_.stages.push_back(stage_of(name, model_.nodes, report));
   }
 
@@ -136,7 +135,7 @@ class CoupledRelaxation {
     const WornGarment& worn = garments_[garment];
     result_.nodes.emplace_back(state.nodes.begin() + first_[garment],
                                state.nodes.begin() + first_[garment + 1]);
-    result_.lift.emplace_back(lift_.begin() + first_[garment], lift_.begin() + first_[garment + 1]);
+    result_.extra_offset.emplace_back(extra_offset_.begin() + first_[garment], extra_offset_.begin() + first_[garment + 1]);
     std::vector<double> moved;
     for (std::size_t n = 0; n < worn.nodes.size(); ++n) {
       moved.push_back((result_.nodes.back()[n] - worn.nodes[n]).norm());
@@ -217,7 +216,7 @@ class CoupledRelaxation {
   std::vector<std::size_t> first_triangle_ = {0};  // likewise
   std::vector<Vec3> start_;
   WarmStart warm_start_;
-  std::vector<double> lift_;  // RelaxReport's, of the last rest
+  std::vector<double> extra_offset_;  // RelaxReport's, of the last rest
   CoupledResult result_;
 };
 

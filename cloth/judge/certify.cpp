@@ -33,7 +33,7 @@ Certificate::Certificate(const TriangleMesh& body, const TriangleMesh* layers)
 const FrameFigures& Certificate::check(const DressFrame& frame) {
   FrameFigures& figures = frames_.emplace_back();
   figures.stage = frame.stage;
-  figures.vertices = static_cast<int>(frame.points.size());
+  figures.points = static_cast<int>(frame.points.size());
   DisjointSets sewn(frame.points.size());
   DisjointSets to_be_sewn(frame.points.size());
   for (const MeshedSeam& seam : frame.mesh.seams) {

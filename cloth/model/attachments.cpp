@@ -38,8 +38,7 @@ struct Level {
 
 class Anchors {
  public:
-  Anchors(const PanelMesh& garment, const Scene& scene)
-      : scene_(scene), offset_(body_offset_of(scene, garment)) {}
+  Anchors(const Scene& scene, double body_offset) : scene_(scene), offset_(body_offset) {}
 
   Level level(const MeshedAttachment& attached) {
     const std::string& landmark = attached.how.landmark;
@@ -131,10 +130,10 @@ std::string target_of(const Attachment& how) {
 }  // namespace
 
 std::vector<AttachedPoint> attached_points(const PanelMesh& garment, const Scene& scene,
-                                           const std::vector<Vec3>& placed) {
+                                           const std::vector<Vec3>& placed, double body_offset) {
   std::vector<AttachedPoint> all;
   if (garment.attachments.empty()) return all;
-  Anchors anchors(garment, scene);
+  Anchors anchors(scene, body_offset);
   for (std::size_t a = 0; a < garment.attachments.size(); ++a) {
     const MeshedAttachment& attached = garment.attachments[a];
     const Attachment& how = attached.how;

@@ -39,11 +39,11 @@ inline Vec3 attachment_pull(const AttachedPoint& held, const Vec3& p) {
 
 /// All attached points, in the order of the garment's attachments, with panels placed at `placed`
 /// (metres, per material point). A level of torso or head is horizontal, one of a limb square to
-/// its bones. A place that is nearer to the scene's body than the cloth may come is moved out to
+/// its bones. A place that is nearer to the scene's body than `body_offset` metres is moved out to
 /// there. Throws Error, naming the attachment, when the scene lacks what it is held at. Cost is
 /// that of the points; 50 slices of the body where a girth is named.
 std::vector<AttachedPoint> attached_points(const PanelMesh& garment, const Scene& scene,
-                                           const std::vector<Vec3>& placed);
+                                           const std::vector<Vec3>& placed, double body_offset);
 
 /// Those that hold for good.
 std::vector<AttachedPoint> lasting(std::vector<AttachedPoint> attached);

@@ -49,13 +49,14 @@ StretchTriangle stretch_of(const std::array<Vec2, 3>& corners, double grain) {
 
 class Compiler {
  public:
-  Compiler(const PanelMesh& garment, const Scene& scene)
+  Compiler(const PanelMesh& garment, const Scene& scene, double body_offset)
       : garment_(garment), gathered_(gathered_edges(garment)) {
     GatheredEdges free = elastic_edges(garment);
     for (const auto& [edge, share] : free) gathered_.erase(edge);
     free.insert(gathered_.begin(), gathered_.end());
     rows_ = gathered_rows(garment, free);
     model_.scene = scene;
+    model_.body_offset = body_offset;
     model_.triangles = garment.triangles;
     model_.subdivisions = garment.subdivisions;
     model_.node_of_point = weld(garment, model_.nodes);
@@ -65,7 +66,7 @@ class Compiler {
     place(placed);
     lay_out_stretch();
     lay_out_elastics();
-    model_.attachments = attached_points(garment_, model_.scene, placed);
+    model_.attachments = attached_points(garment_, model_.scene, placed, model_.body_offset);
     model_.self_gap = self_gap_of(model_.scene, garment_);
     if (bends()) lay_out_bending(garment_, model_);
     return std::move(model_);
@@ -209,7 +210,12 @@ class Compiler {
 
 GarmentModel compile(const PanelMesh& garment, const Scene& scene,
                      const std::vector<Vec3>& placed) {
-  return Compiler(garment, scene).run(placed);
+  return compile(garment, scene, placed, body_offset_of(scene, garment));
+}
+
+GarmentModel compile(const PanelMesh& garment, const Scene& scene, const std::vector<Vec3>& placed,
+                     double body_offset) {
+  return Compiler(garment, scene, body_offset).run(placed);
 }
 
 }  // namespace toile

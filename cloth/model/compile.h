@@ -13,5 +13,8 @@ namespace toile {
 /// in the middle of the places their points have in `placed`.
 /// Throws Error when a triangle would lose its area by being sewn to itself.
 GarmentModel compile(const PanelMesh& garment, const Scene& scene, const std::vector<Vec3>& placed);
+/// The same with `body_offset` metres kept from the skin, instead of body_offset_of().
+GarmentModel compile(const PanelMesh& garment, const Scene& scene, const std::vector<Vec3>& placed,
+                     double body_offset);
 
 }  // namespace toile

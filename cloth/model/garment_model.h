@@ -75,6 +75,7 @@ struct GarmentModel {
   std::vector<Vec3> start;             ///< metres, per node
   Scene scene;
   double mean_weight = 0;  ///< N, of a node
+  double body_offset = 0.002;  ///< metres kept between the skin and the middle of the cloth
   double self_gap = 0;     ///< metres kept between the middles of cloth and cloth
 };
 

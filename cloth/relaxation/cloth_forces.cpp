@@ -109,7 +109,7 @@ void ClothForces::use_skin(bool points) {
   approach_bound_ = of_vertices(approach_bounds());
   edge_contacts_.reset();
   if (exact_body()) {
-    const double shortest = std::sqrt(8 * body_curve * max_sagitta * options_.body_offset);
+    const double shortest = std::sqrt(8 * body_curve * max_sagitta * model_.body_offset);
     edge_contacts_ = std::make_unique<EdgeContacts>(
         triangles, positions(), shortest, of_vertices(model_.friction_skin), approach_bound_);
   }
@@ -269,7 +269,7 @@ void ClothForces::update_body_bounds() {
   if (++looks_ % meeting_interval == 0) body_bounds_->look_at_meeting();
   if (!body_bounds_->due()) return;
   for (const int v : body_bounds_->look(positions())) {
-    if (body_bounds_->lift(v) > 0) contacts_[v].forget();
+    if (body_bounds_->extra_offset(v) > 0) contacts_[v].forget();
     set_safe_ball(v, as_vec3(nodes_[v]));
   }
 }
@@ -280,7 +280,7 @@ void ClothForces::set_safe_ball(std::size_t v, const Vec3& p) {
   double reach = 1e3;
   if (touches_body(model_.scene)) {
     if (contacts_[v].remaining(p) <= 0) {
-      const double offset = options_.body_offset + lift(static_cast<int>(v));
+      const double offset = model_.body_offset + extra_offset(static_cast<int>(v));
       contacts_[v].look(model_.scene, p, offset, options_.linearization_radius, approach_bound_[v]);
     }
     reach = contacts_[v].remaining(p);
@@ -335,7 +335,7 @@ void ClothForces::compute(double bending) {
     });
     if (edges == 0) return;
     share(edges, [&](std::size_t begin, std::size_t end) {
-      edge_contacts_->push(begin, end, model_.scene, options_, p);
+      edge_contacts_->push(begin, end, model_, options_, p);
     });
   });
   // Points of a node may be anywhere among the others.

@@ -51,7 +51,7 @@ class ClothForces {
   /// they are within them, but for those that are held as much as they can be.
   bool update_multipliers();
   /// Metres that node n is held off the body beyond the options' offset.
-  double lift(int n) const { return body_bounds_ ? body_bounds_->lift(n) : 0; }
+  double extra_offset(int n) const { return body_bounds_ ? body_bounds_->extra_offset(n) : 0; }
   bool has_limits() const { return stretch_.limit >= 0 || stretch_.shear_limit >= 0; }
   /// A bound of the cloth's own stiffness in its plane at node n, N/m; and what of it limits add.
   double stretch_stiffness(std::size_t n) const {

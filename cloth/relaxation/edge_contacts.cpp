@@ -54,7 +54,7 @@ void EdgeContacts::hold(const std::vector<EdgeAnchor>& anchors) {
   }
 }
 
-void EdgeContacts::push(std::size_t begin, std::size_t end, const Scene& scene,
+void EdgeContacts::push(std::size_t begin, std::size_t end, const GarmentModel& model,
                         const ForceOptions& options, const Vec4s& x) {
   for (std::size_t e = begin; e < end; ++e) {
     const auto [a, b] = edges_[e];
@@ -65,7 +65,7 @@ void EdgeContacts::push(std::size_t begin, std::size_t end, const Scene& scene,
     pushed_[e] = 1;
     const Vec3 p = as_vec3(middle);
     if (contacts_[e].remaining(p) <= 0) {
-      contacts_[e].look(scene, p, options.body_offset, options.linearization_radius,
+      contacts_[e].look(model.scene, p, model.body_offset, options.linearization_radius,
                         approach_bound_[e]);
       const double reach = contacts_[e].near() ? 0 : contacts_[e].remaining(p);
       free_[e] = middle;

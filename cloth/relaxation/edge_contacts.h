@@ -7,7 +7,7 @@
 
 #include "cloth/contact/body_contact.h"
 #include "cloth/relaxation/force_options.h"
-#include "cloth/scene/scene.h"
+#include "cloth/model/garment_model.h"
 #include "geometry/adjacency.h"
 #include "geometry/vec4.h"
 
@@ -36,8 +36,8 @@ class EdgeContacts {
 
   std::size_t edges() const { return edges_.size(); }
   /// First pass, of edges `begin` to `end`: what the body does to their middles, with vertices at
-  /// `x`. The scene has a body.
-  void push(std::size_t begin, std::size_t end, const Scene& scene, const ForceOptions& options,
+  /// `x`. The model's scene has a body.
+  void push(std::size_t begin, std::size_t end, const GarmentModel& model, const ForceOptions& options,
             const Vec4s& x);
   /// Second pass, of vertices `begin` to `end`: adds the forces (N) to theirs, and a bound of their
   /// stiffness (N/m) as the fourth of them.

@@ -58,7 +58,6 @@ struct ForceOptions {
   /// 6e-9 m, a force of 6e-6 N on a vertex that touches it. More is faster where nothing has to
   /// come to rest.
   double linearization_radius = 1.5e-5;
-  double body_offset = 0.002;  ///< metres; larger on coarse meshes, whose faces cut corners
   double self_radius = 0.005;  ///< metres within which cloth is looked for
   /// Metres before cloth touches cloth at which the step reckons with the stiffness of the touch: a
   /// longer step would be thrown back, for ever. release() takes 0.

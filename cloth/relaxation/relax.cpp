@@ -271,7 +271,7 @@ RelaxReport Relaxation::run(const RelaxWatcher& watcher) {
   report.open = forces_.open();
   report.searches = forces_.searches();
   report.warm_start = forces_.warm_start();
-  for (int n = 0; n < model_.nodes; ++n) report.lift.push_back(forces_.lift(n));
+  for (int n = 0; n < model_.nodes; ++n) report.extra_offset.push_back(forces_.extra_offset(n));
   return report;
 }
 

@@ -51,7 +51,7 @@ struct RelaxReport {
   WarmStart warm_start;  ///< where friction holds the garment at the end
   /// Metres, per node, that it is held off the body beyond the options' offset, because a triangle
   /// of its own spans something sharp.
-  std::vector<double> lift;
+  std::vector<double> extra_offset;
 };
 
 /// Where a run stands, for those who watch it.

@@ -7,7 +7,7 @@
 #include "cloth/judge/measures.h"
 #include "cloth/model/compile.h"
 #include "cloth/scene/collider.h"
-#include "cloth/start/resolve_intersections.h"
+#include "cloth/start/start.h"
 #include "geometry/error.h"
 #include "geometry/intersections.h"
 #include "geometry/statistics.h"
@@ -88,7 +88,7 @@ SpringDressing::SpringDressing(const PanelMesh& garment, const Scene& scene,
     : garment_(garment),
       options_(options),
       watcher_(watcher),
-      placement_(start_of(garment, scene, hang)),
+      placement_(find_start(garment, scene, hang)),
       model_(compile(garment, scene, placement_.placed)),
       motion_(garment, model_, options.motion, placement_.placed),
       rest_areas_(panel_areas(garment)),
@@ -98,7 +98,7 @@ SpringDressing::SpringDressing(const PanelMesh& garment, const Scene& scene,
   mean_edge_ /= std::max<std::size_t>(motion_.sheet().edges().size(), 1);
   StageReport report;
   report.name = "position";
-  report.vertices = motion_.sheet().points();
+  report.nodes = motion_.sheet().points();
   report.converged = placement_.points_inside == 0;
   result_.stages.push_back(report);
   looked_x_ = motion_.points();
@@ -198,7 +198,7 @@ StageReport& SpringDressing::stage(const std::string& name, double longest, Spri
     look(name, time / longest);
     report.converged = is_over(forces, time);
   }
-  report.vertices = motion_.sheet().points() - static_cast<int>(motion_.counts().merged);
+  report.nodes = motion_.sheet().points() - static_cast<int>(motion_.counts().merged);
   report.simulated = time;
   report.residual = result_.residual;
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -72,7 +72,7 @@ bool hangs_from_shoulders(const PanelMesh& garment, const std::vector<Vec3>& pla
 
 }  // namespace
 
-Placement draw_out_and_lift(const PanelMesh& garment, const DistanceGrid& body,
+Placement draw_and_lift(const PanelMesh& garment, const DistanceGrid& body,
                             const Skeleton* skeleton, double hang) {
   Placement placement;
   placement.placed = garment.placed;
@@ -129,17 +129,6 @@ Placement draw_out_and_lift(const PanelMesh& garment, const DistanceGrid& body,
     placement.placed[p].y() += lifted[p] * placement.lift;
   }
   placement.points_inside = points_inside(0);
-  return placement;
-}
-
-Placement place_panels(const PanelMesh& garment, const DistanceGrid& body, const Skeleton* skeleton,
-                       double hang) {
-  if (!asks_for_skeleton(garment)) return draw_out_and_lift(garment, body, skeleton, hang);
-  Positioning positioning = position_panels(garment, body, skeleton);
-  PanelMesh positioned = garment;
-  positioned.placed = std::move(positioning.placed);
-  Placement placement = draw_out_and_lift(positioned, body, skeleton, hang);
-  placement.positioned = std::move(positioning.panels);
   return placement;
 }
 

@@ -14,7 +14,9 @@ namespace toile {
 
 /// Where the panels start, and how they were moved from where the pattern puts them.
 struct Placement {
-  std::vector<Vec3> placed;                 ///< per material point, metres
+  std::vector<Vec3> placed;  ///< per material point, metres
+  /// Metres, per material point: where pattern and skeleton put them, before they were moved.
+  std::vector<Vec3> initial;
   std::vector<PositionedPanel> positioned;  ///< panels that the skeleton positioned
   double lift = 0;                          ///< metres, of all panels together
   std::map<std::string, double> turned;     ///< radians, per arm whose sleeve was turned to it
@@ -25,21 +27,25 @@ struct Placement {
   int seams_inside = 0;   ///< pairs of sewn points that would meet inside the body
 };
 
-/// Positions the panels that ask for it by the skeleton (positioning.h, whose Errors it throws).
-/// Turns sleeves to their arms (turned_sleeves.h). Then draws the panels of arms and legs out along
-/// their bones until none of their seam points has to pass its partner on the torso, behind which
-/// it would be caught; `skeleton` null: stays. Then lifts all panels together, but for those rolled
-/// around a limb, until the points that are to be sewn come to each other outside the body: a
-/// shoulder seam drawn below the body's shoulder would be pulled through it. Takes the lowest lift,
-/// up to 20 cm, for which the body bars the fewest pairs (sewing_ways.h). A garment with seams
-/// above the chest hangs from the shoulders: `hang` metres at least, unless it has tubes around
-/// limbs, which hold it where it is; one without seams there or sleeves is lifted only to where no
-/// more of its points are inside the body.
-Placement place_panels(const PanelMesh& garment, const DistanceGrid& body, const Skeleton* skeleton,
-                       double hang = 0);
-
-/// The same of panels that stand where `garment.placed` says, whoever positioned them.
-Placement draw_out_and_lift(const PanelMesh& garment, const DistanceGrid& body,
-                            const Skeleton* skeleton, double hang = 0);
+/// Draws out and lifts panels that stand where `garment.placed` says. Each point of a rolled limb
+/// panel stays level; the others are lifted together.
+///
+/// - Sleeves are turned to their arms (align_sleeves.h).
+/// - Panels of arms and legs are drawn out along their bones, until none of their seam points has
+/// to
+///   pass its partner on the torso, behind which it would be caught. `skeleton` null: they stay.
+/// - All panels but those rolled around a limb are lifted together, until the points that are to be
+///   sewn come to each other outside the body: a shoulder seam drawn below the body's shoulder
+///   would be pulled through it. Of the lifts up to 20 cm, the lowest wins for which the body
+///   obstructs the fewest pairs (seam_paths.h).
+/// - A garment with seams above the chest hangs from the shoulders: it is lifted by `hang` metres
+/// at
+///   least, unless it has tubes around limbs, which hold it where it is.
+/// - A garment without such seams or sleeves is lifted only as long as no more of its points are
+///   inside the body.
+///
+/// Linear in the points, times 20 lifts; the seam points cost some queries each.
+Placement draw_and_lift(const PanelMesh& garment, const DistanceGrid& body,
+                        const Skeleton* skeleton, double hang = 0);
 
 }  // namespace toile

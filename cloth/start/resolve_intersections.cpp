@@ -6,8 +6,6 @@
 #include <map>
 #include <set>
 
-#include "cloth/scene/collider.h"
-#include "cloth/start/clear_of_layers.h"
 #include "cloth/start/panel_parts.h"
 #include "geometry/body/bones.h"
 #include "geometry/disjoint_sets.h"
@@ -260,30 +258,6 @@ void resolve_intersections(const PanelMesh& garment, const TriangleMesh& collide
                            Placement& placement) {
   Clearing clearing(garment, collider, distance, skeleton, placement);
   if (clearing.is_due()) clearing.run();
-}
-
-Placement start_of(const PanelMesh& garment, const Scene& scene, double hang) {
-  const DistanceGrid& body = scene.collider->grid();
-  Placement placement = place_panels(garment, body, scene.skeleton, hang);
-  const auto make_clear = [&] {
-    if (has_layers(scene)) clear_of_layers(garment, body, placement);
-    resolve_intersections(garment, scene.collider->surface(), body, scene.skeleton, placement);
-  };
-  const std::vector<Vec3> before = placement.placed;
-  make_clear();
-  if (placement.moved_clear.empty()) return placement;
-  PanelMesh moved = garment;
-  moved.placed = position_panels(garment, body, scene.skeleton).placed;
-  for (std::size_t p = 0; p < before.size(); ++p) {
-    moved.placed[p] += placement.placed[p] - before[p];
-  }
-  Placement again = draw_out_and_lift(moved, body, scene.skeleton, hang);
-  again.positioned = placement.positioned;
-  again.moved_off_layers = placement.moved_off_layers;
-  again.moved_clear = placement.moved_clear;
-  placement = std::move(again);
-  make_clear();
-  return placement;
 }
 
 }  // namespace toile

@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "cloth/scene/scene.h"
 #include "cloth/start/draw_and_lift.h"
 #include "geometry/distance_grid.h"
 #include "geometry/types.h"
@@ -23,11 +22,6 @@ namespace toile {
 void resolve_intersections(const PanelMesh& garment, const TriangleMesh& collider,
                            const DistanceGrid& distance, const Skeleton* skeleton,
                            Placement& placement);
-
-/// Where the garment starts in the scene: place_panels(), clear_of_layers() where there are layers,
-/// and resolve_intersections(). What had to be moved is drawn out and lifted anew from where it
-/// came to stand. The scene has a body; without `collider` nothing is made clear.
-Placement start_of(const PanelMesh& garment, const Scene& scene, double hang = 0);
 
 /// Pairs of panels, by index and the lower first, that intersect as placed; sorted. Points that
 /// are sewn together and in one place count as one.

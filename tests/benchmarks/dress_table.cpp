@@ -122,8 +122,8 @@ std::vector<std::string> dress_arguments(const Case& at, const fs::path& output,
 /// Of the whole process's time; what no stage accounts for is "other".
 void set_shares(Table& table, std::size_t row, const Json& report, double seconds) {
   std::vector<std::pair<std::string, double>> shares = {
-      {"read", 0},         {"grid", 0},       {"position", 0}, {"wrap+sew", 0},
-      {"drape coarse", 0}, {"drape fine", 0}, {"judge", 0},    {"other", 0}};
+      {"read", 0},   {"grid", 0}, {"position", 0}, {"sew", 0},
+      {"settle", 0}, {"rest", 0}, {"judge", 0},    {"other", 0}};
   const auto share = [&](const std::string& name) -> double& {
     return std::find_if(shares.begin(), shares.end(),
                         [&](const auto& entry) { return entry.first == name; })
@@ -133,15 +133,16 @@ void set_shares(Table& table, std::size_t row, const Json& report, double second
   share("read") = others.value("read", 0.0);
   share("grid") = others.value("body_grid", 0.0);
   share("judge") = others.value("write_and_judge", 0.0);
-  const int nodes = report.at("garment").at("vertices");
   for (const Json& stage : report.at("stages")) {
     const std::string name = stage.at("name");
-    const bool fine = stage.at("vertices") == nodes;
-    const std::string column = name == "position"                ? name
-                               : name == "wrap" || name == "sew" ? "wrap+sew"
-                               : name == "drape" ? (fine ? "drape fine" : "drape coarse")
-                                                 : "other";
-    if (column != "other") share(column) += stage.at("seconds").get<double>();
+    // Of either method: the paper's wraps, sews and drapes on the garment's own mesh.
+    static const std::map<std::string, std::string> columns = {
+        {"position", "position"}, {"close_seams", "sew"}, {"untangle", "sew"},
+        {"wrap", "sew"},          {"sew", "sew"},         {"settle", "settle"},
+        {"drape", "rest"},        {"rest", "rest"},       {"release_attachments", "rest"}};
+    if (const auto column = columns.find(name); column != columns.end()) {
+      share(column->second) += stage.at("seconds").get<double>();
+    }
   }
   double sum = 0;
   for (const auto& [name, part] : shares) sum += part;

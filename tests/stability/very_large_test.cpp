@@ -20,7 +20,7 @@ TEST(LongVeryLarge, TwoHundredThousandNodes) {
           7200);
   ASSERT_TRUE(done.exit_code == 0 || done.exit_code == 3) << done.exit_code << done.err;
   const Json report = Json::parse(pipeline::read_text(folder / "report.json"));
-  const int nodes = report["stages"].back()["vertices"];
+  const int nodes = report["stages"].back()["nodes"];
   EXPECT_GT(nodes, 180000);
   EXPECT_EQ(report["intersections"]["body"], 0);
   EXPECT_EQ(report["intersections"]["self"], 0);

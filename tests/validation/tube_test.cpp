@@ -55,7 +55,6 @@ class Tube : public testing::Test {
     RelaxOptions options;
     options.gravity = 0;
     options.friction = false;
-    options.body_offset = offset;
     options.max_iterations = 40000;
     options.stop_median = options.stop_rms = 1e-3;
     x = model.start;

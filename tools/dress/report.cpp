@@ -15,18 +15,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Metres by which cloth is lifted off the body, from which on the user is told.
+/// Metres by which cloth is held farther off the body than the offset, from which on the user is told.
 constexpr double worth_saying = 0.002;
 
-struct Lifted {
+struct ExtraOffset {
   std::ptrdiff_t nodes = 0;
   double most = 0;  ///< metres
 };
 
-Lifted lifted_of(const std::vector<double>& lift) {
-  if (lift.empty()) return {};
-  return {std::ranges::count_if(lift, [](double metres) { return metres > 0; }),
-          std::ranges::max(lift)};
+ExtraOffset extra_offset_of(const std::vector<double>& extra) {
+  if (extra.empty()) return {};
+  return {std::ranges::count_if(extra, [](double metres) { return metres > 0; }),
+          std::ranges::max(extra)};
 }
 
 /// Strain (99th percentile, off the seams) that no woven is worn at.
@@ -128,7 +128,7 @@ nlohmann::ordered_json stages_json(const std::vector<StageReport>& stages) {
     json.push_back({{"name", stage.name},
                     {"attempt", stage.attempt},
                     {"open", stage.open},
-                    {"vertices", stage.vertices},
+                    {"nodes", stage.nodes},
                     {"steps", stage.steps},
                     {"searches", stage.searches},
                     {"seconds", stage.seconds},
@@ -163,8 +163,8 @@ nlohmann::ordered_json report_of(const PanelMesh& garment, const Scene& scene,
   }
   report["scene"]["gravity_m_per_s2"] = {scene.gravity.x(), scene.gravity.y(), scene.gravity.z()};
   report["scene"]["body_offset_mm"] = 1000 * result.body_offset;
-  if (const Lifted lifted = lifted_of(result.lift); lifted.nodes > 0) {
-    report["scene"]["lifted"] = {{"nodes", lifted.nodes}, {"max_mm", 1000 * lifted.most}};
+  if (const ExtraOffset extra = extra_offset_of(result.extra_offset); extra.nodes > 0) {
+    report["scene"]["extra_offset"] = {{"nodes", extra.nodes}, {"max_mm", 1000 * extra.most}};
   }
   report["scene"]["points_inside_at_start"] = result.placement.points_inside;
   report["scene"]["seam_pairs_inside_at_start"] = result.placement.seams_inside;
@@ -263,7 +263,7 @@ nlohmann::ordered_json certified_json(const Certificate& certificate) {
   for (const FrameFigures& frame : certificate.frames()) {
     json["frames"].push_back({{"frame", json["frames"].size()},
                               {"stage", frame.stage},
-                              {"vertices", frame.vertices},
+                              {"points", frame.points},
                               {"open_pairs", frame.open_pairs},
                               {"body", frame.body},
                               {"self", frame.self},
@@ -368,10 +368,10 @@ void say_result(const DressResult& result, const Judgement& judgement,
              std::to_string(judgement.layer_intersections) + " with layers below");
   common.say("strain off the seams: " + percent(figures.strain_off_seams.p99) +
              " (99th percentile); residual in node weights: " + residual.str());
-  if (const Lifted lifted = lifted_of(result.lift); lifted.most > worth_saying) {
+  if (const ExtraOffset extra = extra_offset_of(result.extra_offset); extra.most > worth_saying) {
     std::ostringstream line;
-    line << std::setprecision(2) << "held up to " << 1000 * lifted.most
-         << " mm farther off the body at " << lifted.nodes
+    line << std::setprecision(2) << "held up to " << 1000 * extra.most
+         << " mm farther off the body at " << extra.nodes
          << " nodes, whose triangles span something sharp: a finer mesh comes nearer";
     common.say(line.str());
   }

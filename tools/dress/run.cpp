@@ -314,7 +314,7 @@ void Outfit::relax_coupled() {
   for (std::size_t i = 0; i < done_.size(); ++i) {
     DressResult& result = done_[i].result;
     result.nodes = coupled_->nodes[i];
-    result.lift = coupled_->lift[i];
+    result.extra_offset = coupled_->extra_offset[i];
     result.tight_seams = coupled_->tight_seams[i];
     if (settings_.strain_limit) result.tight_regions = coupled_->tight_regions[i];
     result.converged = coupled_->stages.back().converged;

@@ -44,9 +44,9 @@ class Worn : public Case {
     done.residual = result.residual;
     done.converged = result.converged;
     const StageReport& last = result.stages.back();
-    done.sewn = last.name == "drape";
+    done.sewn = last.name == "rest" || last.name == "drape";
     for (const StageReport& stage : result.stages) {
-      if (stage.vertices == last.vertices) done.iterations += stage.steps;
+      if (stage.nodes == last.nodes) done.iterations += stage.steps;
       done.simulated += stage.simulated;
     }
     return done;

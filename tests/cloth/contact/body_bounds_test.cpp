@@ -109,7 +109,7 @@ TEST(BodyBounds, WhatIsClearBesideAStepIsNotHeldAtItsHeight) {
   }
   for (int v = 0; v < 3; ++v) {
     EXPECT_GT(bounds.free(v, x[v]), 0.003);
-    EXPECT_EQ(bounds.lift(v), 0);
+    EXPECT_EQ(bounds.extra_offset(v), 0);
   }
 }
 

@@ -239,16 +239,16 @@ TEST(CoupledRelaxation, EachGarmentHasItsOwnLift) {
   DressOptions options;
   options.max_iterations = 1500;
   const CoupledResult result = relax_coupled(worn, scene, options);
-  ASSERT_EQ(result.lift.size(), 2u);
+  ASSERT_EQ(result.extra_offset.size(), 2u);
   const auto lifted = [&](std::size_t i) {
-    EXPECT_EQ(result.lift[i].size(), worn[i].nodes.size());
-    return std::count_if(result.lift[i].begin(), result.lift[i].end(),
+    EXPECT_EQ(result.extra_offset[i].size(), worn[i].nodes.size());
+    return std::count_if(result.extra_offset[i].begin(), result.extra_offset[i].end(),
                          [](double metres) { return metres > 0; });
   };
   EXPECT_EQ(lifted(0), 0);
   EXPECT_GT(lifted(1), 0);
-  for (std::size_t n = 0; n < result.lift[1].size(); ++n) {
-    if (result.lift[1][n] > 0) {
+  for (std::size_t n = 0; n < result.extra_offset[1].size(); ++n) {
+    if (result.extra_offset[1][n] > 0) {
       EXPECT_LT(std::hypot(result.nodes[1][n].x(), result.nodes[1][n].z()), 0.08);
     }
   }

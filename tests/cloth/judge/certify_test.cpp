@@ -38,7 +38,7 @@ class Certified : public testing::Test {
 
   const PanelMesh garment = sheet();
   const TriangleMesh body = test::box({-0.5, 0, -0.1}, {0.5, 1, 0.1});
-  const std::string stage = "wrap";
+  const std::string stage = "close_seams";
   Certificate certificate{body, nullptr};
 };
 
@@ -46,8 +46,8 @@ TEST_F(Certified, WhatIsSewnOrMeetsAtASeamIsClean) {
   const FrameFigures& figures = check(garment.placed);
   EXPECT_TRUE(figures.clean());
   EXPECT_EQ(figures.open_pairs, 0);
-  EXPECT_EQ(figures.vertices, 50);
-  EXPECT_EQ(figures.stage, "wrap");
+  EXPECT_EQ(figures.points, 50);
+  EXPECT_EQ(figures.stage, "close_seams");
 }
 
 TEST_F(Certified, EachKindOfIntersectionIsToldFromTheOthers) {

@@ -94,7 +94,7 @@ TEST(Attachments, SpreadAlongTheirEdgeWhateverItsMesh) {
       {"0", 0, PanelAttachment::Share::whole, {AttachedTo::place, "", 0, {}, false, 900, 12}}};
   PanelMesh garment = mesh_panels(pattern, {0.01, 2}, remarks);
   for (;; garment = coarsen(garment)) {
-    const auto attached = attached_points(garment, {}, garment.placed);
+    const auto attached = attached_points(garment, {}, garment.placed, 0.002);
     const std::vector<int>& points = garment.attachments[0].points;
     ASSERT_EQ(attached.size(), points.size());
     double stiffness = 0, most = 0;
@@ -118,7 +118,7 @@ TEST(Attachments, LevelsAreThoseOfTheBody) {
   PanelMesh garment = sheet();
   const auto held_at = [&](const Attachment& how) {
     garment.attachments = {{"panel.v3", {3}, how}};
-    return attached_points(garment, scene, garment.placed).at(0);
+    return attached_points(garment, scene, garment.placed, 0.002).at(0);
   };
   // A place is off a level by this much along its axis.
   const auto off = [](const AttachedPoint& held, const Vec3& p) {
@@ -149,7 +149,7 @@ TEST(Attachments, PlacesAreWhereTheClothMayBe) {
   const auto anchor_of = [&](const Attachment& how, const Vec3& placed) {
     garment.attachments = {{"panel.v0", {0}, how}};
     garment.placed[0] = placed;
-    return attached_points(garment, scene, garment.placed).at(0).anchor;
+    return attached_points(garment, scene, garment.placed, 0.002).at(0).anchor;
   };
   Attachment how = to_point({0, 0.2, 0.08});
   EXPECT_LT((anchor_of(how, {9, 9, 9}) - Vec3(0, 0.2, radius + offset)).norm(), 2e-4);
@@ -250,7 +250,7 @@ TEST(Attachments, ThoseThatLastAreToldFromTheOthers) {
   PanelMesh garment = sheet();
   garment.attachments = {{"a", {0}, to_point({0, 0, 1})}, {"b", {1}, to_point({0, 0, 2})}};
   garment.attachments[0].how.always = false;
-  const auto all = attached_points(garment, {}, garment.placed);
+  const auto all = attached_points(garment, {}, garment.placed, 0.002);
   const auto left = lasting(all);
   ASSERT_EQ(left.size(), 1u);
   EXPECT_EQ(left[0].attachment, 1);

@@ -19,6 +19,8 @@ TEST(EdgeContacts, HoldOnFromRunToRun) {
   const Collider body{test::box({-0.2, -0.1, -0.2}, {0.2, 0, 0.2})};
   Scene scene;
   scene.collider = &body;
+  GarmentModel model;
+  model.scene = scene;
   const std::vector<Triangle> triangles = {{0, 1, 2}};
   const auto at = [](double way) {
     const double height = 0.002 - 1e-5;
@@ -28,7 +30,7 @@ TEST(EdgeContacts, HoldOnFromRunToRun) {
   const auto pull = [&](EdgeContacts& contacts, double way) {
     Vec4s force(3, Vec4{});
     contacts.look_anew();
-    contacts.push(0, contacts.edges(), scene, ForceOptions{}, at(way));
+    contacts.push(0, contacts.edges(), model, ForceOptions{}, at(way));
     contacts.add(0, force.size(), force);
     return force[0][0] + force[1][0] + force[2][0];
   };
@@ -66,7 +68,7 @@ class CoarseOnASlope : public testing::Test {
 
   WornGarment worn(const PanelMesh& garment) {
     const GarmentModel model = compile(garment, scene, garment.placed);
-    WornGarment worn{&garment, scene.fabric, model.start, {}, options.body_offset};
+    WornGarment worn{&garment, scene.fabric, model.start, {}, 0.002};
     const RelaxReport report = relax(model, options, worn.nodes);
     EXPECT_TRUE(report.converged);
     EXPECT_EQ(report.warm_start.edges.size(), 33U);

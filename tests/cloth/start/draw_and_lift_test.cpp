@@ -31,7 +31,7 @@ TEST(Placement, SeamsAreLiftedUntilTheyMeetOutsideTheBody) {
   // Half-way between the panels the seam is 5 cm deep: 6 clear it by the 1 cm it has to have, and
   // the cloth gets 3 more to come down.
   const PanelMesh low = sandwich(0.955);
-  const Placement lifted = place_panels(low, body, nullptr);
+  const Placement lifted = draw_and_lift(low, body, nullptr);
   EXPECT_NEAR(lifted.lift, 0.09, 1e-12);
   EXPECT_EQ(lifted.seams_inside, 0);
   EXPECT_EQ(lifted.points_inside, 0);
@@ -39,7 +39,7 @@ TEST(Placement, SeamsAreLiftedUntilTheyMeetOutsideTheBody) {
     EXPECT_LT((lifted.placed[p] - low.placed[p] - Vec3(0, lifted.lift, 0)).norm(), 1e-15);
   }
   const PanelMesh high = sandwich(1.05);
-  const Placement still = place_panels(high, body, nullptr);
+  const Placement still = draw_and_lift(high, body, nullptr);
   EXPECT_EQ(still.lift, 0);
   EXPECT_EQ(still.placed, high.placed);
 }
@@ -48,7 +48,7 @@ TEST(Placement, SeamsAreLiftedUntilNeitherSideHasToComeThroughTheBody) {
   // They meet before the body, but the back has to come through it: up to its top at 1 m, which is
   // 4.5 cm above the seam.
   const DistanceGrid body{SurfaceDistance(test::box({-0.15, 0, -0.16}, {0.15, 1, -0.04}))};
-  const Placement lifted = place_panels(sandwich(0.955), body, nullptr);
+  const Placement lifted = draw_and_lift(sandwich(0.955), body, nullptr);
   EXPECT_NEAR(lifted.lift, 0.05 + 0.03, 1e-12);
 }
 
@@ -69,7 +69,7 @@ TEST(Placement, SleevesAreNotLiftedOffTheirArms) {
     std::vector<int> behind = lower;
     for (int& p : behind) p += 81;
     garment.seams = {test::seam("under the arm", lower, behind)};
-    return place_panels(garment, body, known).lift;
+    return draw_and_lift(garment, body, known).lift;
   };
   // The seam below the arm would have to come through it, and could be lifted above it.
   EXPECT_EQ(placed_at(1.275, &skeleton), 0);
@@ -82,7 +82,7 @@ TEST(Placement, ASkirtIsNotLiftedIntoTheArms) {
                                            test::box({-0.2, 1, -0.25}, {0.2, 1.1, -0.15}));
   const DistanceGrid body{SurfaceDistance(test::together(torso, arms))};
   const Skeleton skeleton = figure();
-  const Placement placement = place_panels(sandwich(0.955), body, &skeleton);
+  const Placement placement = draw_and_lift(sandwich(0.955), body, &skeleton);
   EXPECT_EQ(placement.lift, 0);
   EXPECT_EQ(placement.points_inside, 0);
   EXPECT_EQ(placement.seams_inside, 9);
@@ -90,7 +90,7 @@ TEST(Placement, ASkirtIsNotLiftedIntoTheArms) {
 
 TEST(Placement, ASeamThatNoLiftClearsStays) {
   const DistanceGrid body{SurfaceDistance(test::box({-0.15, 0, -0.1}, {0.15, 1, 0.1}))};
-  const Placement placement = place_panels(sandwich(0.5), body, nullptr);
+  const Placement placement = draw_and_lift(sandwich(0.5), body, nullptr);
   EXPECT_EQ(placement.lift, 0);
   EXPECT_EQ(placement.seams_inside, 9);
 }
@@ -100,7 +100,7 @@ TEST(Placement, PointsInsideTheBodyAreCounted) {
   PanelMesh garment = sandwich(1.06);
   for (int p = 0; p < 13 * 9; ++p) garment.placed[p].z() = 0;
   // Rows at 0.76 to 1.06 in steps of 25 mm: ten lie below the top.
-  EXPECT_EQ(place_panels(garment, body, nullptr).points_inside, 9 * 10);
+  EXPECT_EQ(draw_and_lift(garment, body, nullptr).points_inside, 9 * 10);
 }
 
 TEST(Placement, SleevesAreDrawnOutPastTheirArmholes) {
@@ -116,7 +116,7 @@ TEST(Placement, SleevesAreDrawnOutPastTheirArmholes) {
   // The sleeve starts 3 cm nearer to the body than the armhole it is sewn to.
   garment.seams = {test::seam("armhole", test::side(garment.panels[1], 8, 4, false),
                               test::side(garment.panels[0], 8, 4, true))};
-  const Placement placement = place_panels(garment, body, &skeleton);
+  const Placement placement = draw_and_lift(garment, body, &skeleton);
   ASSERT_EQ(placement.drawn_out.size(), 1U);
   EXPECT_NEAR(placement.drawn_out.at("left_arm"), 0.03 + 0.01, 1e-12);
   for (int p = 0; p < 45; ++p) {
@@ -140,7 +140,7 @@ TEST(Placement, HowFarBehindItsArmholeASleeveStandsDrawsItOutNoFarther) {
     }).part = "left_arm";
     garment.seams = {test::seam("armhole", test::side(garment.panels[1], 8, 4, false),
                                 test::side(garment.panels[0], 8, 4, true))};
-    return place_panels(garment, body, &forward).drawn_out.at("left_arm");
+    return draw_and_lift(garment, body, &forward).drawn_out.at("left_arm");
   };
   EXPECT_NEAR(drawn_out(-0.15), drawn_out(0.15), 1e-12);
   EXPECT_LT(drawn_out(-0.15), 0.04);

@@ -1,0 +1,244 @@
+#include "cloth/dressing/stages.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "cloth/model/gathers.h"
+#include "cloth/start/start.h"
+
+namespace toile {
+
+namespace {
+
+/// Factor on the bending stiffness while seams close; 30 lets folds go through their own seam.
+constexpr double closing_stiffness = 300;
+/// Pull toward the skin while seams close, in weights of the cloth; 0 leaves one ridge down the
+/// middle of a wide front.
+constexpr double closing_pull = 2;
+/// Cap of the momentum while seams close.
+constexpr double closing_momentum = 0.99;
+/// Iterations in which seams close on a mesh of `closing_points` points, with a care of 1. A finer
+/// mesh, which has no coarser one, has farther to carry the pull of its seams.
+constexpr int closing_iterations = 3000;
+constexpr double closing_points = 700;
+/// Metres that the body passes for a plane while nothing has to come to rest.
+constexpr double closing_linearization_radius = 2e-4;
+
+/// N/m: cloth is at least so stiff while its seams close.
+constexpr double closing_stretch = 1000;
+constexpr double closing_shear = 200;
+
+/// Iterations of a run that lets folds out of their own seam, and how many such runs there are.
+constexpr int untangling_iterations = 300;
+constexpr int untangling_runs = 3;
+/// Iterations in which the bending stiffness comes down to the fabric's.
+constexpr int softening_iterations = 500;
+
+/// Share of the stiffness that resists compression while the cloth finds its folds, from the finest
+/// mesh to the coarsest. With all of it, cloth stands on creases that its mesh is too coarse to
+/// break, and is strained more at rest.
+constexpr std::array<double, 3> soft_compression = {0.02, 0.05, 0.01};
+/// Iterations at most on each mesh but the last.
+constexpr int settling_iterations = 2000;
+/// Iterations in which the finest mesh gets all of its stiffness, and is pushed back to its own
+/// offset: at once, it would be thrown about.
+constexpr int stiffening_iterations = 1000;
+/// Iterations without coming nearer to rest after which a run gives up.
+constexpr int patience = 8000;
+
+double compression_of(const Level& level) {
+  return soft_compression[std::min<std::size_t>(level.depth, soft_compression.size() - 1)];
+}
+
+/// The residual of cloth that may go on to the next mesh. It is the same whatever rest is asked for
+/// at the end. Then a drape brought nearer to rest goes on from where the other one stopped, and is
+/// nearer to where both would end; with less, the finest mesh has no fewer iterations to do
+/// [measured].
+void stop_when_settled(RelaxOptions& options) {
+  options.stop_median = 0.05;
+  options.stop_rms = 0.5;
+  options.stop_wide = 0;
+}
+
+RelaxOptions level_options(const Level& level) {
+  RelaxOptions options;
+  options.self_radius = search_radius(level);
+  return options;
+}
+
+/// Of stages that sew: the cloth is stiff, weightless, and drawn to the body.
+RelaxOptions sewing_options(const Level& level, double care) {
+  RelaxOptions options = level_options(level);
+  options.compression = soft_compression.back();
+  options.bending_from = options.bending_to = closing_stiffness * care;
+  options.gravity = 0;
+  options.pull = closing_pull;
+  options.linearization_radius = closing_linearization_radius;
+  options.friction = false;
+  return options;
+}
+
+RelaxOptions rest_options(const Level& level, bool bounded, const DressOptions& wanted) {
+  RelaxOptions options = level_options(level);
+  options.bounded = bounded;
+  ask_for_rest(wanted, options);
+  return options;
+}
+
+/// Progress of the whole dressing once a level has settled: each mesh costs some four times the
+/// coarser one, and rest more than twice what comes before.
+double progress_when_settled(const Level& level) {
+  return 0.3 * std::pow(0.25, std::max(level.depth - 1, 0));
+}
+
+/// Progress after one more run that sews: nobody knows how many there will be.
+double progress_when_sewn(const Level& level, const Journal& journal) {
+  return 0.5 * (journal.progress() + progress_when_settled(level));
+}
+
+/// The level's model, its gathered rows giving way along their seams too. Drawn up while a seam
+/// stands open, they turn the whole garment about the body by up to a right angle, for that brings
+/// them nearer. But the seam is to close the way it was placed, so its sides would then pass
+/// through the cloth.
+GarmentModel with_slack_gathers(const Level& level) {
+  GarmentModel model = level.model;
+  for (const auto& [triangle, along] : gathered_rows(*level.mesh, gathered_edges(*level.mesh))) {
+    model.stretch[triangle].weft_stiffness *= gathered_stiffness;
+  }
+  return model;
+}
+
+Staged run(const std::string& name, const Level& level, const GarmentModel& model, State state,
+           RelaxOptions options, double end, Journal& journal) {
+  // A seam that has to come past a layer would jam on it; the distance grid lets it through, and
+  // pushes it out on the right side.
+  options.layer_contact = options.closing_iterations == 0 && clear_of_layers(level, state);
+  options.multipliers = &state.warm_start.multipliers;
+  RelaxReport report = journal.run(name, *level.mesh, model, options, state.nodes, end);
+  state.warm_start = std::move(report.warm_start);
+  state.extra_offset = std::move(report.extra_offset);
+  return {std::move(state), journal.stages().back()};
+}
+
+}  // namespace
+
+Scene closing_scene(Scene scene) {
+  const auto stiffen = [](Fabric& fabric) {
+    fabric.stretch_warp = std::max(fabric.stretch_warp, closing_stretch);
+    fabric.stretch_weft = std::max(fabric.stretch_weft, closing_stretch);
+    fabric.shear = std::max(fabric.shear, closing_shear);
+  };
+  stiffen(scene.fabric);
+  for (auto& [name, fabric] : scene.fabrics) stiffen(fabric);
+  scene.strain_limit.reset();
+  scene.shear_limit.reset();
+  return scene;
+}
+
+Positioned position(const PanelMesh& mesh, int depth, const Scene& scene, double resting_offset,
+                    Journal& journal) {
+  const auto start = std::chrono::steady_clock::now();
+  Positioned positioned{find_start(mesh, scene), {}};
+  positioned.level = compiled_level(mesh, depth, closing_scene(scene), positioned.placement.placed,
+                                    resting_offset);
+  StageReport report;
+  report.name = "position";
+  report.nodes = positioned.level.model.nodes;
+  report.converged = positioned.placement.points_inside == 0;
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  journal.add(report, mesh, positioned.placement.placed);
+  return positioned;
+}
+
+Staged close_seams(const Level& level, State state, double care, Journal& journal) {
+  RelaxOptions options = sewing_options(level, care);
+  const double across =
+      std::max(1.0, std::sqrt(static_cast<double>(level.mesh->flat.size()) / closing_points));
+  options.closing_iterations = static_cast<int>(closing_iterations * across * care);
+  options.max_iterations = 2 * options.closing_iterations;
+  options.bounded = true;
+  options.momentum = closing_momentum;
+  return run("close_seams", level, with_slack_gathers(level), std::move(state), options,
+             progress_when_sewn(level, journal), journal);
+}
+
+Staged untangle(const Level& level, State state, double care, Journal& journal) {
+  RelaxOptions options = sewing_options(level, care);
+  options.max_iterations = untangling_iterations;
+  Staged staged{std::move(state), {}};
+  bool is_clear = clear_of_itself(level, staged.state);
+  for (int i = 0; i < untangling_runs && !is_clear; ++i) {
+    staged = run("untangle", level, level.model, std::move(staged.state), options,
+                 progress_when_sewn(level, journal), journal);
+    is_clear = clear_of_itself(level, staged.state);
+  }
+  staged.report.converged = false;
+  if (!is_clear) return staged;
+  options.max_iterations = softening_iterations;
+  options.bending_to = 1;
+  options.bounded = true;
+  staged = run("untangle", level, level.model, std::move(staged.state), options,
+               progress_when_sewn(level, journal), journal);
+  // What this stage is for is that state, not rest.
+  journal.mark_converged();
+  staged.report.converged = true;
+  return staged;
+}
+
+Staged settle(const Level& level, State state, bool bounded, bool friction, Journal& journal) {
+  RelaxOptions options = level_options(level);
+  options.compression = compression_of(level);
+  options.friction = friction;
+  options.bounded = bounded;
+  options.max_iterations = settling_iterations;
+  stop_when_settled(options);
+  return run("settle", level, level.model, std::move(state), options, progress_when_settled(level),
+             journal);
+}
+
+Staged release_attachments(const Level& level, State state, bool bounded, int max_iterations,
+                           Journal& journal) {
+  RelaxOptions options = level_options(level);
+  options.bounded = bounded;
+  options.compression = compression_of(level);
+  options.stiffening_iterations = stiffening_iterations;
+  options.max_iterations = std::min(2 * stiffening_iterations, max_iterations);
+  options.patience = patience;
+  stop_when_settled(options);
+  return run("release_attachments", level, level.model, std::move(state), options, 1, journal);
+}
+
+Staged rest(const Level& level, State state, bool bounded, bool stiffens,
+            const DressOptions& wanted, Journal& journal) {
+  RelaxOptions options = rest_options(level, bounded, wanted);
+  const WarmStart held = state.warm_start;
+  if (stiffens) {
+    options.compression = compression_of(level);
+    options.stiffening_iterations = stiffening_iterations;
+  } else {
+    options.warm_start = &held;
+  }
+  return run("rest", level, level.model, std::move(state), options, 1, journal);
+}
+
+int stiffening_limit() { return stiffening_iterations; }
+
+void ask_for_rest(const DressOptions& wanted, RelaxOptions& options) {
+  options.max_iterations = wanted.max_iterations;
+  options.stop_median = wanted.stop_median;
+  options.stop_rms = wanted.stop_rms;
+  options.stop_wide = wanted.stop_wide;
+  options.patience = patience;
+}
+
+double search_radius(const Level& level) {
+  constexpr double most = 0.02;
+  const double room = 0.0015 + self_gap_of(level.model.scene, *level.mesh);  // before it touches
+  return std::min(most, std::max(room, 0.4 * level.mesh->edge_length));
+}
+
+}  // namespace toile

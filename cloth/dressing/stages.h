@@ -1,0 +1,68 @@
+// The stages of a dressing, each a function from a state to the next.
+#pragma once
+
+#include "cloth/dressing/dress_options.h"
+#include "cloth/dressing/journal.h"
+#include "cloth/dressing/level.h"
+#include "cloth/start/draw_and_lift.h"
+
+namespace toile {
+
+/// A state, and how the stage that led to it ended; the journal has the same report.
+struct Staged {
+  State state;
+  StageReport report;
+};
+
+/// The scene in which seams close: no cloth softer than 1000 N/m (shear 200 N/m), for closing seams
+/// would draw it into strings; no strain limits, which are for the drape.
+Scene closing_scene(Scene scene);
+
+/// Panels that stand where they start, and the level on which their seams close.
+struct Positioned {
+  Placement placement;
+  Level level;  ///< compiled for closing_scene()
+};
+
+/// `position`: where the panels start, found once, on the coarsest mesh; finer ones follow it.
+Positioned position(const PanelMesh& mesh, int depth, const Scene& scene, double resting_offset,
+                    Journal& journal);
+
+/// `close_seams`: closes the seams of panels that start at `state`, without gravity or friction,
+/// drawn to the skin, bounded. `level` is that of position(). `care` multiplies the
+/// bending stiffness and the iterations, from 1 on. The report's `converged` says whether all seams
+/// closed, `open` what is left.
+Staged close_seams(const Level& level, State state, double care, Journal& journal);
+
+/// `untangle`: lets stiff seams open small folds that went through themselves, then softens them
+/// again. `care` as for close_seams(). The report's `converged` says whether the cloth is clear of
+/// itself.
+Staged untangle(const Level& level, State state, double care, Journal& journal);
+
+/// `settle`: lets the cloth fall until it may go on to the next mesh; it gives way to compression.
+/// `bounded`: the cloth is clear of itself, and stays so. Without `friction` it finds its way down.
+Staged settle(const Level& level, State state, bool bounded, bool friction, Journal& journal);
+
+/// `release_attachments`: brings the finest mesh to its full stiffness while attachments hold it,
+/// since what is released before friction holds it would slide off. `max_iterations` at most.
+Staged release_attachments(const Level& level, State state, bool bounded, int max_iterations,
+                           Journal& journal);
+
+/// `rest`: brings the finest mesh to the rest that the options ask for. `stiffens`: the cloth comes
+/// from settle(), and gets its full stiffness over the first iterations; else it goes on from its
+/// state's friction.
+Staged rest(const Level& level, State state, bool bounded, bool stiffens,
+            const DressOptions& options, Journal& journal);
+
+/// Iterations that release_attachments() or rest() spend at most on cloth that is too tight to come
+/// to rest.
+int stiffening_limit();
+
+/// Makes a run go on until the rest that is asked for, or until it comes no nearer to it.
+void ask_for_rest(const DressOptions& wanted, RelaxOptions& options);
+
+/// Metres within which a mesh looks for cloth. Coarser cloth moves farther between two searches,
+/// and has no more neighbours for it; fine cloth would have too many.
+double search_radius(const Level& level);
+
+}  // namespace toile
