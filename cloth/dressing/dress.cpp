@@ -123,8 +123,7 @@ ReleaseReport release_for_a_while(const Level& level, Staged& staged, bool bound
 DressResult given_up(const Sewn& sewn, const std::vector<PanelMesh>& meshes, DressResult result,
                      const Journal& journal) {
   std::vector<Vec3> points = points_of(sewn.level, sewn.state, sewn.open);
-  result.attachments =
-      measure_attachments(*sewn.level.mesh, sewn.level.model.attachments, points);
+  result.attachments = measure_attachments(*sewn.level.mesh, sewn.level.model.attachments, points);
   for (int depth = sewn.level.depth; depth > 0; --depth) {
     points = refine_points(meshes[depth], points, meshes[depth - 1]);
   }
@@ -152,6 +151,10 @@ DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptio
 
   Positioned positioned = position(meshes[coarsest], coarsest, scene, result.body_offset, journal);
   result.placement = std::move(positioned.placement);
+  for (int depth = coarsest; depth > 0; --depth) {
+    result.placement.initial =
+        refine_placed(meshes[depth], result.placement.initial, meshes[depth - 1]);
+  }
   const Sewn sewn = sew(std::move(positioned.level), journal);
   if (sewn.jammed) return given_up(sewn, meshes, std::move(result), journal);
 
@@ -160,9 +163,7 @@ DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptio
   bool friction = false;
   bool is_clear = sewn.is_clear;
   State state = first_settled(level, sewn.state, is_clear, friction, journal);
-  const auto is_lost = [&] {
-    return fallen(level, state, result.placement.placed) > fallen_off;
-  };
+  const auto is_lost = [&] { return fallen(level, state, result.placement.placed) > fallen_off; };
   is_clear = is_clear || clear_of_itself(level, state);
   while (level.depth > 0) {
     level = finer_level(level, meshes[level.depth - 1], scene, result.body_offset, state);
@@ -188,8 +189,7 @@ DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptio
   result.held = level.model.attachments;
   result.terms = term_counts(level.model);
   result.triangles = level.model.node_triangles;
-  result.tight_seams =
-      tight_seams(garment, level.model, state.nodes, state.warm_start.multipliers);
+  result.tight_seams = tight_seams(garment, level.model, state.nodes, state.warm_start.multipliers);
   if (scene.strain_limit) {
     result.tight_regions =
         tight_regions(garment, level.model, state.nodes, state.warm_start.multipliers);
