@@ -1,4 +1,4 @@
-// Items by what they belong to: the triangles at each vertex, the contacts at each node.
+// Adjacency lists (CSR): the triangles at each vertex, the contacts at each node.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace toile {
 
-/// One list per group, one after the other in memory.
+/// One list of items per group. The lists follow one another in memory.
 template <typename Item>
 class Adjacency {
  public:
@@ -21,8 +21,9 @@ class Adjacency {
     assign(groups, list);
   }
 
-  /// Makes `groups` groups, numbered from 0. `list(add)` calls add(group, item) for each item; it
-  /// is called twice, and has to list the same both times. In a group, items keep their order.
+  /// Makes `groups` groups, numbered from 0. `list(add)` calls add(group, item) for each item. It
+  /// is called twice and has to list the same items both times. Items keep their order in a group.
+  /// O(groups + items).
   template <typename List>
   void assign(std::size_t groups, const List& list) {
     first_.assign(groups + 1, 0);
@@ -37,22 +38,23 @@ class Adjacency {
   bool empty() const { return first_.empty(); }
   std::size_t size() const { return empty() ? 0 : first_.size() - 1; }
 
+  /// The items of a group in [0, size()).
   std::span<const Item> operator[](std::size_t group) const {
     return {items_.data() + first_[group], items_.data() + first_[group + 1]};
   }
 
  private:
-  std::vector<int> first_;  // per group, its first item; then where the last group ends
+  std::vector<int> first_;  // per group, the index of its first item; then the number of items
   std::vector<Item> items_;
 };
 
-/// Corner 0 to 2 of a triangle.
+/// One corner of one triangle.
 struct TriangleCorner {
-  int triangle;
-  int corner;
+  int triangle;  ///< index of the triangle
+  int corner;    ///< 0 to 2
 };
 
-/// Per vertex, in the order of the triangles.
+/// The corners at each vertex, in the order of the triangles. Vertices are in [0, `vertices`).
 inline Adjacency<TriangleCorner> corners_by_vertex(const std::vector<Triangle>& triangles,
                                                    std::size_t vertices) {
   return {vertices, [&](const auto& add) {

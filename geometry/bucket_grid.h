@@ -1,4 +1,4 @@
-// A uniform grid in the plane that finds what is near a point.
+// A uniform grid in the plane that finds the points and segments near a point.
 #pragma once
 
 #include <algorithm>
@@ -9,12 +9,14 @@
 
 namespace toile {
 
-/// Numbers filed under the square cells that their boxes meet. Adding costs the cells met; a visit
-/// costs the cells within reach and what they hold.
+/// Numbers of shapes, filed under the square cells that the shapes' boxes meet. Adding a shape
+/// costs the number of cells met. A visit costs the number of cells within reach and of their
+/// entries.
 class BucketGrid {
  public:
-  /// Covers the box from `low` to `high` with cells of about `cell`, larger where that would be
-  /// more than some millions. Points outside belong to the nearest cell.
+  /// Covers the box from `low` to `high` with cells `cell` metres wide. The cells are wider where
+  /// the box would have more than 2000 of them along an axis. Points outside the box belong to the
+  /// nearest cell.
   BucketGrid(const Vec2& low, const Vec2& high, double cell) : low_(low), cell_(cell) {
     constexpr double max_cells = 2000;  // along each axis
     cell_ = std::max(cell_, (high - low).maxCoeff() / max_cells);
@@ -23,14 +25,15 @@ class BucketGrid {
     cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
   }
 
+  /// Files `number` under the cells that the box of the segment from `from` to `to` meets.
   void add(const Vec2& from, const Vec2& to, int number) {
     each_cell(from.cwiseMin(to), from.cwiseMax(to),
               [&](std::size_t cell) { cells_[cell].push_back(number); });
   }
   void add(const Vec2& point, int number) { add(point, point, number); }
 
-  /// Calls `visit` with each number filed within `reach` of `point`, and some beyond; a number
-  /// that fills several cells comes several times.
+  /// Calls `visit` with each number whose box lies within `reach` metres of `point`, and with some
+  /// others. A number that fills several cells comes several times.
   template <class Visit>
   void near(const Vec2& point, double reach, const Visit& visit) const {
     const Vec2 margin(reach, reach);
@@ -56,8 +59,8 @@ class BucketGrid {
     }
   }
 
-  Vec2 low_;
-  double cell_;
+  Vec2 low_;     // metres
+  double cell_;  // metres
   int columns_ = 0;
   int rows_ = 0;
   std::vector<std::vector<int>> cells_;

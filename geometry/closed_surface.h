@@ -1,4 +1,4 @@
-// Whether a mesh bounds a solid, so that inside and outside have a meaning.
+// Whether a mesh bounds a solid, so that it has an inside and an outside.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace toile {
 
-/// What keeps `mesh` from being a closed, outward-oriented surface, as the end of a sentence ("has
-/// 12 border edges"); empty when nothing does. Looks at edges and at the enclosed volume only: a
-/// closed surface may still intersect itself. O(n log n).
+/// The defect that keeps `mesh` from being a closed, outward-oriented surface, as the end of a
+/// sentence ("has 12 border edges"). Empty for a sound mesh. The function checks edges and the
+/// enclosed volume only: a closed surface may still intersect itself. O(n log n).
 std::string closed_surface_defect(const TriangleMesh& mesh);
 
 }  // namespace toile

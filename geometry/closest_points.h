@@ -1,4 +1,4 @@
-// Nearest points of the simple figures: a triangle, two segments.
+// Closest points on a triangle and on two segments.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 
 namespace toile {
 
-/// Barycentric weights of the point of triangle abc nearest to p [Ericson 2005, Real-Time Collision
-/// Detection, 5.1.5]. Weights that are exactly 0 tell that it lies on an edge or a corner.
+/// Barycentric weights of the point of triangle abc closest to p [Ericson 2005, Real-Time Collision
+/// Detection, 5.1.5]. A point on an edge has one weight of exactly 0, one in a corner has two.
 inline Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = b - a;
   const Vec3 ac = c - a;
@@ -44,8 +44,8 @@ inline Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, con
   return {va / sum, vb / sum, vc / sum};
 }
 
-/// Parameters (s, t) in [0, 1] of the points a + s(b-a) and c + t(d-c) nearest to each other
-/// [Ericson 2005, 5.1.9]. Of parallel segments, one of the nearest pairs.
+/// Parameters (s, t) in [0, 1] of the points a + s(b-a) and c + t(d-c) closest to each other
+/// [Ericson 2005, 5.1.9]. Parallel segments have many closest pairs; it returns one of them.
 inline std::pair<double, double> closest_on_segments(const Vec3& a, const Vec3& b, const Vec3& c,
                                                      const Vec3& d) {
   const Vec3 u = b - a;
@@ -60,7 +60,7 @@ inline std::pair<double, double> closest_on_segments(const Vec3& a, const Vec3& 
   if (uu == 0) return {0, std::clamp(vr / vv, 0.0, 1.0)};
   if (vv == 0) return {std::clamp(-ur / uu, 0.0, 1.0), 0};
   const double denominator = uu * vv - uv * uv;
-  // Nearly parallel: any s does, and 0 is as good as another.
+  // For nearly parallel segments any s will do; it takes 0.
   double s =
       denominator > 1e-12 * uu * vv ? std::clamp((uv * vr - ur * vv) / denominator, 0.0, 1.0) : 0.0;
   double t = (uv * s + vr) / vv;

@@ -15,7 +15,7 @@ struct Traits : OpenMesh::DefaultTraits {
 };
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
 
-/// False when the triangles are no manifold, which half-edges can't hold.
+/// False when the triangles are no manifold: half-edges can't hold others.
 bool build(const TriangleMesh& triangles, Mesh& mesh) {
   for (const Vec3& p : triangles.points) mesh.add_vertex({p.x(), p.y(), p.z()});
   for (const Triangle& t : triangles.triangles) {

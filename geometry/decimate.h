@@ -1,13 +1,13 @@
-// A lighter mesh of the same shape, to be looked at.
+// A mesh of fewer triangles and the same shape, for display.
 #pragma once
 
 #include "geometry/types.h"
 
 namespace toile {
 
-/// Collapses edges, those first that change the shape least [Garland & Heckbert 1997], until
-/// `triangles` are left or none can go without changing the topology. A mesh that is small enough,
-/// or that has an edge of three triangles, is returned as it is. About O(n log n).
+/// Collapses edges until `triangles` triangles are left, or until a further collapse would change
+/// the topology. Edges that change the shape least go first [Garland & Heckbert 1997]. It returns a
+/// mesh unchanged that is small enough or has an edge of three triangles. About O(n log n).
 TriangleMesh decimate(const TriangleMesh& mesh, int triangles);
 
 }  // namespace toile

@@ -10,8 +10,7 @@ namespace toile {
 
 namespace {
 
-/// Nodes along each axis that a block holds as the nearest of some point, and with the rim that
-/// the spline around them needs.
+/// Nodes of a block along each axis, without and with the rim of one node that the spline needs.
 constexpr int block_side = 2;
 constexpr int rimmed_side = block_side + 2;
 
@@ -21,17 +20,17 @@ using Four = Eigen::Array4d;
 
 }  // namespace
 
-/// All nodes that a lookup needs, next to each other: along x first, then y, then z.
+/// The distances, metres, at all nodes that a lookup needs: along x first, then y, then z.
 struct DistanceGrid::Block {
-  float values[rimmed_side * rimmed_side * rimmed_side + 1];  // rows are read by fours
+  float values[rimmed_side * rimmed_side * rimmed_side + 1];  // one more: rows of 3 are read as 4
 };
 
-/// The blocks, and what they are filled from.
+/// The blocks, and the distances that fill them.
 struct DistanceGrid::Table {
-  Vec3 origin;  // of the nodes
+  Vec3 origin;  // metres: node 0
   double cell;
   std::vector<std::unique_ptr<DistanceLevels>> surfaces;
-  Index first = {0, 0, 0};  // block; it begins at node block_side * first
+  Index first = {0, 0, 0};  // first block; it begins at node block_side * first
   Index size = {0, 0, 0};   // blocks along each axis
   std::unique_ptr<std::atomic<const Block*>[]> blocks;
 
@@ -77,13 +76,14 @@ void DistanceGrid::Table::add(const SurfaceDistance& surface, const DistanceGrid
     first_node[axis] = block_side * first[axis] - 1;
     nodes[axis] = block_side * size[axis] + 2;
   }
-  for (const auto& known : surfaces) known->cover(first_node, nodes);
+  for (const auto& levels : surfaces) levels->cover(first_node, nodes);
 }
 
 const DistanceGrid::Block* DistanceGrid::Table::compute(const Index& block) const {
   auto made = std::make_unique<Block>();
   float* value = made->values;
-  std::vector<SurfacePoint> near(surfaces.size());  // neighbours have near ones nearest
+  std::vector<SurfacePoint> near(
+      surfaces.size());  // hints: neighbouring nodes have closest points near each other
   for (int k = 0; k < rimmed_side; ++k) {
     for (int j = 0; j < rimmed_side; ++j) {
       for (int i = 0; i < rimmed_side; ++i) {
@@ -144,7 +144,8 @@ DistanceGrid::Sample DistanceGrid::beyond(const Vec3& point) const {
   const Vec3 inside = point.cwiseMax(origin_).cwiseMin(high);
   const Sample there = at(inside);
   const Vec3 from_skin = point - inside + there.distance * there.gradient;
-  // The grid is convex and holds the body: no nearer than the two legs of a right angle tell.
+  // The grid's box is convex and holds the body. So the distance is at least the hypotenuse over
+  // the distance to the box and the distance from there to the body.
   return {std::hypot(there.distance, (point - inside).norm()), from_skin.normalized()};
 }
 
@@ -153,7 +154,7 @@ const DistanceGrid::Block* DistanceGrid::fill(int number) const {
   const Index block = {number % size[0] + table_->first[0],
                        number / size[0] % size[1] + table_->first[1],
                        number / size[0] / size[1] + table_->first[2]};
-  // Two threads may compute the same: the values are the same, the first to be done stays.
+  // Two threads may compute the same block. Their values are equal; the first one's block stays.
   std::unique_ptr<const Block> made(table_->compute(block));
   const Block* found = nullptr;
   if (table_->blocks[number].compare_exchange_strong(found, made.get(),
@@ -172,9 +173,9 @@ DistanceGrid::Sample DistanceGrid::at(const Vec3& point) const {
     const double local = (point[axis] - origin_[axis]) * nodes_a_metre_;
     if (!(local >= -0.5 && local < block_side * blocks_[axis] - 0.5)) return beyond(point);
     const int centre = static_cast<int>(local + 0.5);
-    const double t = local - centre;  // in [-0.5, 0.5]
+    const double t = local - centre;  // nodes, in [-0.5, 0.5]
     block[axis] = centre / block_side;
-    corner[axis] = centre % block_side;  // one lower, and the block begins one lower
+    corner[axis] = centre % block_side;  // the spline and the block both begin one node lower
     weight[axis][0] = 0.5 * (0.5 - t) * (0.5 - t);
     weight[axis][1] = 0.75 - t * t;
     weight[axis][2] = 0.5 * (0.5 + t) * (0.5 + t);
@@ -187,7 +188,7 @@ DistanceGrid::Sample DistanceGrid::at(const Vec3& point) const {
   if (found == nullptr) found = fill(number);
   const float* row =
       &found->values[(corner[2] * rimmed_side + corner[1]) * rimmed_side + corner[0]];
-  // Sums over y and z for three neighbours along x at a time, and a fourth that is not used.
+  // Sums over y and z for three neighbours along x at a time. The fourth lane is not used.
   Four value = Four::Zero();
   Four along_y = Four::Zero();
   Four along_z = Four::Zero();

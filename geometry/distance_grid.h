@@ -1,4 +1,4 @@
-// Distances to the body at a cell's cost instead of a tree's: a grid filled where it is asked.
+// Signed distances to the body from a grid, which costs less than a query of a tree.
 #pragma once
 
 #include <array>
@@ -13,59 +13,62 @@ namespace toile {
 
 struct DistanceGridOptions {
   double cell = 0.005;     ///< metres
-  double band = 0.010;     ///< metres to either side of the skin within which values are exact
+  double band = 0.010;     ///< metres from the skin within which values are exact
   double padding = 0.040;  ///< metres of grid around the body
 };
 
-/// Signed distance to the body, or to a body with sheets of cloth on it, and its gradient,
-/// everywhere. Of several surfaces it is the least of their distances: where any of them says
-/// inside, it is inside, so the room between skin and cloth and that below free hanging cloth
-/// belong to the subject, and what comes next is pushed out through the cloth.
-///  Near the skin (within `band`) the grid
-/// holds exact distances; a quadratic B-spline through them gives a gradient without jumps, which
-/// a solver needs to come to rest, at the price of a smoothing of about cell²/(8 R) where the body
-/// curves with radius R. Farther off, values are interpolated from a coarser grid and serve only
-/// to tell near from far and the way out of the body.
+/// Signed distance, and its gradient, to a body or to a body with sheets of cloth on it. It is
+/// defined everywhere. The distance to several surfaces is the least of their distances. A point
+/// inside any of them is inside: the room between skin and cloth and the room below free hanging
+/// cloth belong to the collider. The next layer is pushed out of them through the cloth.
 ///
-/// Nothing is computed before it is asked for: the first lookup in a block of 2 cells along each
-/// axis fills it, near the skin by a query of the tree for each node that no block around it has;
-/// later ones cost about 20 ns. Lookups may run in several threads at once; what they say depends
-/// on the surfaces only, not on the threads or on what was asked before.
+/// Within `band` of the skin the grid holds exact distances. A quadratic B-spline through them has
+/// a gradient without jumps, which a solver needs to come to rest. The spline smooths the distance
+/// by about cell²/(8 R) where the body curves with radius R. Farther off, values are interpolated
+/// from a coarser grid. They serve only to separate near from far and to point out of the body.
+///
+/// The first lookup in a block of 2 cells along each axis fills the block. Near the skin this
+/// takes a query of the tree for each node that no neighbouring block has. Later lookups cost about
+/// 20 ns. Lookups may run in several threads at once. Their results depend on the surfaces only,
+/// not on the threads or on earlier lookups.
 class DistanceGrid {
  public:
   explicit DistanceGrid(const SurfaceDistance& body, const DistanceGridOptions& options = {});
-  /// Of one surface or more, the body first.
+  /// For one surface or more, the body first.
   explicit DistanceGrid(const std::vector<SurfaceDistance>& surfaces,
                         const DistanceGridOptions& options = {});
   ~DistanceGrid();
   DistanceGrid(DistanceGrid&&) noexcept;
   DistanceGrid& operator=(DistanceGrid&&) noexcept;
 
-  /// One surface more. What is known of the others is kept. Not while lookups run.
+  /// Adds a surface and keeps the distances computed for the others. Lookups must not run
+  /// meanwhile.
   void add(const SurfaceDistance& surface);
 
-  /// What is known of the first surface, for a grid of the same surface alone and of the same
-  /// options; and how many nodes of it were computed here. Not while lookups run.
+  /// The distances computed so far for the first surface. They fit a grid of this surface alone
+  /// with the same options. Lookups must not run meanwhile.
   DistanceCache cache() const;
+  /// Number of the first surface's nodes that this grid computed, without restored ones.
   std::size_t computed_nodes() const;
-  /// Takes what such a grid knew: lookups say the same, sooner. False, and nothing is taken, when
-  /// it was another one's. To be called before the first lookup.
+  /// Takes the distances that such a grid computed: lookups return the same, sooner. It returns
+  /// false and takes nothing from the cache of a different grid. Call it before the first lookup.
   bool restore(const DistanceCache& cache);
 
   struct Sample {
     double distance;  ///< metres, negative inside
-    Vec3 gradient;    ///< of the distance: outward, about of unit length
+    Vec3 gradient;    ///< of the distance: outward, of about unit length
   };
 
-  /// Outside the grid, what its border says, continued: at least `padding` away.
+  /// The distance at a point, metres. Outside the grid it is continued from the grid's border, and
+  /// is at least `padding`.
   Sample at(const Vec3& point) const;
 
-  /// What the true distance is at least, where at() said `distance`: beyond the band values are
-  /// interpolated and can be too large.
+  /// Metres: a lower bound of the true distance where at() returned `distance`. Values beyond the
+  /// band are interpolated and can be too large.
   double lower_bound(double distance) const;
 
-  /// 1/m: how much the gradient turns along a metre at most, within the band, where the nearest
-  /// point changes from one side to the other.
+  /// 1/m: an upper bound of the gradient's change per metre within the band. It is reached where
+  /// the closest point jumps from one side to the other.
   double gradient_bound() const { return 2 / options_.cell; }
 
  private:
@@ -76,8 +79,8 @@ class DistanceGrid {
   Sample beyond(const Vec3& point) const;
 
   DistanceGridOptions options_;
-  Vec3 origin_;  // of the first block's first node
-  double nodes_a_metre_ = 0;
+  Vec3 origin_;                // metres: the first block's first node
+  double nodes_a_metre_ = 0;   // 1/m
   std::array<int, 3> blocks_;  // along each axis
   std::unique_ptr<Table> table_;
 };

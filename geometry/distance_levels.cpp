@@ -12,14 +12,14 @@ constexpr int coarsening = 4;
 constexpr int cube_side = 4;
 constexpr std::size_t cube_nodes = std::tuple_size_v<decltype(DistanceCache::Cube::values)>;
 static_assert(cube_nodes == cube_side * cube_side * cube_side);
-/// Distance from the surface, in cells of the middle grid, from which on that is interpolated too.
+/// Cells of the middle level: nodes of it that are farther off are interpolated, too.
 constexpr double far_cells = 4;
 
-/// What interpolation in a cell can be wrong by: a distance changes no faster than the point moves,
-/// and no point of a cell is farther from a corner than half its diagonal.
+/// Metres by which interpolation in a cell can be wrong. A distance changes no faster than its
+/// point moves. No point of a cell is farther from its nearest corner than half the diagonal.
 double interpolation_error(double cell) { return 0.5 * std::sqrt(3.0) * cell; }
 
-/// How far the nodes are at most that a quadratic spline takes a value from.
+/// Metres from a point to the farthest node that a quadratic spline there uses.
 double spline_reach(double cell) { return 1.5 * std::sqrt(3.0) * cell; }
 
 int floor_by(int value, int divisor) {
@@ -45,15 +45,15 @@ double DistanceLevels::lower_bound(double distance, double cell, double band) {
   const double middle = coarsening * cell;
   const double once = distance - interpolation_error(middle);
   if (distance < 0) return once - interpolation_error(coarsening * middle);
-  // What was interpolated twice can be wrong by both errors, but has a part only in values whose
-  // points are as far off, less a cell's diagonal and the reach of a spline.
+  // A value interpolated twice has both errors. It contributes only to points that are nearly as
+  // far off: less by a cell's diagonal and the spline's reach.
   const double far = far_cells * middle - std::sqrt(3.0) * middle - spline_reach(cell);
   if (once < far) return std::max(band, once);
   return std::max({band, far, once - interpolation_error(coarsening * middle)});
 }
 
 std::size_t DistanceLevels::Level::place(const Index& node) const {
-  // By small cubes, so that neighbours share pages and cache lines.
+  // Nodes are stored by small cubes, so that neighbours share pages and cache lines.
   std::size_t cube = 0;
   std::size_t inside = 0;
   for (int axis = 2; axis >= 0; --axis) {
@@ -121,11 +121,11 @@ void DistanceLevels::cover(const Index& first, const Index& size) {
       covered.first[axis] = low[axis];
       covered.size[axis] = coarsening * (floor_by(high[axis] - 1 - low[axis], coarsening) + 1);
       count *= static_cast<std::size_t>(covered.size[axis]);
-      // The coarser nodes around all of these.
+      // The next level's nodes around all of these.
       high[axis] = floor_by(low[axis] + covered.size[axis] - 1, coarsening) + 2;
       low[axis] = floor_by(low[axis], coarsening);
     }
-    // Pages that nobody writes to cost nothing, and hold zeros.
+    // calloc() gives zeros, and pages that nobody writes to take no memory.
     void* const memory = std::calloc(count, sizeof(std::atomic<float>));
     if (memory == nullptr) throw std::bad_alloc();
     covered.values.reset(static_cast<std::atomic<float>*>(memory));
@@ -148,7 +148,7 @@ float DistanceLevels::at(std::size_t level, const Index& node, SurfacePoint& nea
   std::atomic<float>& cached = levels_[level].values[levels_[level].place(node)];
   float value = cached.load(std::memory_order_relaxed);
   if (value != 0) return value;
-  // Two threads may compute the same, and find the same.
+  // Two threads may compute the same node. Their values are equal.
   value = compute(level, node, near);
   if (value == 0) value = std::numeric_limits<float>::min();
   if (cached.exchange(value, std::memory_order_relaxed) == 0) {
@@ -167,7 +167,7 @@ float DistanceLevels::compute(std::size_t level, const Index& node, SurfacePoint
     }
     const double coarser = levels_[level + 1].cell;
     double value = 0;
-    double sure = 0;  // that the surface is off: it is no nearer to a corner than that one says
+    double sure = 0;  // metres: the surface is at least this far off, by the corners' distances
     double side = 1;
     for (int corner = 0; corner < 8; ++corner) {
       double weight = 1;

@@ -1,4 +1,4 @@
-// The distances of one surface at the nodes of a regular grid, computed where they are asked for.
+// Signed distances to one surface at the nodes of three nested grids, computed on first use.
 #pragma once
 
 #include <array>
@@ -13,49 +13,53 @@
 
 namespace toile {
 
-/// Signed distances at the nodes origin + cell (i, j, k), i, j and k of any sign. Near the surface
-/// they are exact; farther off they are interpolated from the nodes of a grid four times as coarse,
-/// and those, where they are far, from one four times as coarse again.
-/// A node is computed on first use; its value depends on surface, grid and node only. Memory is
-/// used where nodes are asked for. Several threads may ask at once.
+/// Signed distances at the nodes origin + cell (i, j, k), with i, j and k of any sign. A level is a
+/// grid: level 0 is the finest, each next one is four times as coarse. Distances near the surface
+/// are exact. Distances farther off are interpolated from the next coarser level.
+///
+/// A node is computed on first use. Its value depends on surface, grid and node only. Only the
+/// pages of nodes in use take memory. Several threads may call at() at once.
 class DistanceLevels {
  public:
   using Index = std::array<int, 3>;
 
-  /// Nodes less than `band` metres from the surface are exact.
+  /// `cell` is in metres, of level 0. Nodes less than `band` metres from the surface are exact.
   DistanceLevels(const SurfaceDistance& surface, const Vec3& origin, double cell, double band);
 
-  /// Makes room for the nodes from `first` on, `size` along each axis, among which are all those of
-  /// before; what was computed stays. Not while others ask.
+  /// Makes room for the nodes from `first` on, `size` along each axis. They have to include all
+  /// nodes covered before. Computed distances stay. No other call may run meanwhile.
   void cover(const Index& first, const Index& size);
 
-  /// A tree query the first time, near the surface. The node is among those that cover() named.
-  /// `near` is a point of the surface that may be near the node's, and becomes one that is.
+  /// The distance at a node that cover() named, metres. The first call for a node near the surface
+  /// costs a query of the tree. `near` is a hint, a point of the surface. A query sets it to the
+  /// node's closest point.
   float at(const Index& node, SurfacePoint& near) const;
 
-  /// What is known so far, and how many nodes of it were computed here. Not while others ask.
+  /// The distances computed so far. No other call may run meanwhile.
   DistanceCache cache() const;
+  /// Number of nodes that this object computed, without restored ones.
   std::size_t computed_nodes() const { return computed_.load(); }
-  /// Takes what another one knew of the same surface. False, and nothing is taken, when its grid
-  /// was another or its numbers are none of cubes. Not while others ask.
+  /// Takes the distances that another object computed for the same surface. It returns false and
+  /// takes nothing when the cache's grid differs or a cube's number is out of range. No other call
+  /// may run meanwhile.
   bool restore(const DistanceCache& cache);
 
-  /// What a point's true distance is at least where a spline through the nodes around it says
-  /// `distance`, which is more than `band`, or less than its negative.
+  /// Metres: a lower bound of a point's true distance where a spline through the nodes around it
+  /// has the value `distance`. `distance` is above `band` or below -`band`.
   static double lower_bound(double distance, double cell, double band);
 
  private:
   /// A grid of one coarseness.
   struct Level {
-    double cell;
-    double exact;  // metres from the surface within which nodes are always computed from it
-    double reach;  // and so are those that are said to be nearer than this
+    double cell;   // metres
+    double exact;  // metres from the surface within which nodes are always computed exactly
+    double reach;  // metres: nodes interpolated to be nearer than this are computed exactly, too
     Index first = {0, 0, 0};
     Index size = {0, 0, 0};
     struct Free {
       void operator()(void* memory) const { std::free(memory); }
     };
-    std::unique_ptr<std::atomic<float>[], Free> values;  // 0: not known yet
+    std::unique_ptr<std::atomic<float>[], Free> values;  // metres; 0: not computed
 
     std::size_t place(const Index& node) const;
     std::size_t cubes() const;

@@ -6,7 +6,7 @@
 namespace toile {
 
 std::vector<HalfEdge> half_edges(std::span<const Triangle> triangles, std::size_t points) {
-  // Filed under the smaller end, then sorted among the few that share it.
+  // Files the sides under their smaller end, then sorts the few that share it.
   std::vector<std::size_t> first(points + 1, 0);
   const auto each = [&](const auto& visit) {
     for (std::size_t t = 0; t < triangles.size(); ++t) {

@@ -1,4 +1,4 @@
-// The sides of a mesh's triangles, those along one edge next to each other.
+// The edges of a mesh, and the sides of its triangles sorted by edge.
 #pragma once
 
 #include <array>
@@ -11,17 +11,17 @@ namespace toile {
 
 /// One side of one triangle.
 struct HalfEdge {
-  int low;       ///< its ends, the smaller point index
-  int high;      ///< and the larger
+  int low;       ///< the smaller point index of its two ends
+  int high;      ///< the larger point index
   int triangle;  ///< index of the triangle
-  int opposite;  ///< 0 to 2: the triangle's corner that is not on it
+  int opposite;  ///< 0 to 2: the triangle's corner off this side
   bool forward;  ///< the triangle runs from `low` to `high`
 
   bool same_edge(const HalfEdge& other) const { return low == other.low && high == other.high; }
 };
 
-/// All sides of all triangles, by edge (low, high), then by triangle and corner. Every point index
-/// is in [0, points). Linear for meshes whose points have few triangles each.
+/// All sides of all triangles, sorted by edge (low, high), then by triangle and corner. Every point
+/// index is in [0, points). O(n) for meshes whose points have few triangles each.
 std::vector<HalfEdge> half_edges(std::span<const Triangle> triangles, std::size_t points);
 
 /// The edges of the triangles as {lower point, higher point}, each once, sorted. O(n log n).

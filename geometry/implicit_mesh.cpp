@@ -13,6 +13,7 @@ namespace toile {
 namespace {
 
 using Quad = std::array<int, 4>;
+using Node = std::array<int, 3>;
 
 struct Grid {
   Vec3 origin;
@@ -20,16 +21,14 @@ struct Grid {
   std::array<int, 3> nodes{};
   std::vector<double> values;
 
-  std::size_t index(const std::array<int, 3>& node) const {
+  std::size_t index(const Node& node) const {
     return (static_cast<std::size_t>(node[2]) * nodes[1] + node[1]) * nodes[0] + node[0];
   }
-  bool inside(const std::array<int, 3>& node) const { return values[index(node)] < 0; }
-  Vec3 point(const std::array<int, 3>& node) const {
-    return origin + spacing * Vec3(node[0], node[1], node[2]);
-  }
-  /// Where the surface crosses the edge from `node` along `axis`.
-  Vec3 crossing(const std::array<int, 3>& node, int axis) const {
-    std::array<int, 3> next = node;
+  bool inside(const Node& node) const { return values[index(node)] < 0; }
+  Vec3 point(const Node& node) const { return origin + spacing * Vec3(node[0], node[1], node[2]); }
+  /// The point where the surface crosses the edge from `node` along `axis`.
+  Vec3 crossing(const Node& node, int axis) const {
+    Node next = node;
     ++next[axis];
     const double a = values[index(node)];
     const double b = values[index(next)];
@@ -40,7 +39,8 @@ struct Grid {
 Grid sample(const ImplicitFunction& shape, const ImplicitMeshOptions& options) {
   Grid grid;
   grid.spacing = options.spacing;
-  // Whole cells to both sides of the box's middle: a symmetric shape gets a symmetric mesh.
+  // The grid has whole cells to both sides of the box's middle, so that a symmetric shape gets a
+  // symmetric mesh.
   const Vec3 middle = (options.low + options.high) / 2;
   for (int i = 0; i < 3; ++i) {
     const double half = (options.high[i] - options.low[i]) / 2;
@@ -59,15 +59,13 @@ Grid sample(const ImplicitFunction& shape, const ImplicitMeshOptions& options) {
   return grid;
 }
 
-using Node = std::array<int, 3>;
-
 Node moved(Node node, int axis, int by) {
   node[axis] += by;
   return node;
 }
 
-/// A cell's twelve edges are numbered 4 axis + a + 2 b: a and b say on which side of the cell the
-/// edge lies along the next axis and the one after.
+/// The number of one of a cell's twelve edges: 4 axis + a + 2 b. `a` and `b` are 0 or 1, the side
+/// of the cell on which the edge lies along the next axis and the one after.
 int edge_number(int axis, int a, int b) { return 4 * axis + a + 2 * b; }
 
 Node start_of_edge(const Node& cell, int edge) {
@@ -75,9 +73,9 @@ Node start_of_edge(const Node& cell, int edge) {
   return moved(moved(cell, (axis + 1) % 3, edge & 1), (axis + 2) % 3, edge >> 1 & 1);
 }
 
-/// For each edge of the cell which of the pieces of surface in the cell crosses it; -1: none does.
-/// Pieces are joined across faces. A face whose diagonal corners alone are inside could be joined
-/// in two ways: both cells that share it keep the inside corners apart, so the net stays a
+/// Per edge of the cell, the piece of surface in the cell that crosses it; -1: none does. Pieces
+/// are joined across faces. A face with only two diagonal corners inside could be joined in two
+/// ways. Both cells that share such a face keep its inside corners apart. So the net stays a
 /// manifold [Schaefer, Ju & Warren 2007].
 std::array<int, 12> pieces(const Grid& grid, const Node& cell) {
   std::array<int, 12> piece;
@@ -111,7 +109,7 @@ std::array<int, 12> pieces(const Grid& grid, const Node& cell) {
   return piece;
 }
 
-/// A point for each piece of surface in each cell, a quad for each grid edge that is crossed.
+/// Makes a point for each piece of surface in each cell, and a quad for each crossed grid edge.
 void build_net(const Grid& grid, std::vector<Vec3>& points, std::vector<Quad>& quads) {
   const auto [nx, ny, nz] = grid.nodes;
   std::vector<int> crossed_cell(grid.values.size(), -1);
@@ -135,7 +133,7 @@ void build_net(const Grid& grid, std::vector<Vec3>& points, std::vector<Quad>& q
             sum += grid.crossing(start_of_edge(cell, edge), edge / 4);
             ++crossings;
           }
-          // Its edges now name the point; no edge number reaches this high.
+          // The piece's edges now hold 12 + the point's index, which no edge number reaches.
           std::replace(piece.begin(), piece.end(), first, 12 + static_cast<int>(points.size()));
           points.push_back(sum / crossings);
         }
@@ -152,7 +150,7 @@ void build_net(const Grid& grid, std::vector<Vec3>& points, std::vector<Quad>& q
         for (int axis = 0; axis < 3; ++axis) {
           const bool inside = grid.inside(from);
           if (inside == grid.inside(moved(from, axis, 1))) continue;
-          // Counter-clockwise around the edge; the edge lies on the far side of a cell before it.
+          // The cells run counter-clockwise around the edge. It lies on side 1 of a cell before it.
           constexpr std::array<std::array<int, 2>, 4> around = {{{1, 1}, {0, 1}, {0, 0}, {1, 0}}};
           Quad quad;
           for (int i = 0; i < 4; ++i) {
@@ -192,8 +190,8 @@ Vec3 onto_surface(const ImplicitFunction& shape, Vec3 point, double tolerance) {
   return point;
 }
 
-/// Moves each point toward the middle of its neighbours and back onto the surface. Sharp grid
-/// patterns spread out; the surface stays.
+/// Moves each point toward the middle of its neighbours and back onto the surface. The grid's
+/// pattern spreads out; the surface stays.
 void even_out(const ImplicitFunction& shape, const std::vector<Quad>& quads, int rounds,
               double tolerance, std::vector<Vec3>& points) {
   const int count = static_cast<int>(points.size());
@@ -216,7 +214,7 @@ void even_out(const ImplicitFunction& shape, const std::vector<Quad>& quads, int
   }
 }
 
-/// The sine of the smallest angle of the two triangles, as far as their order is concerned.
+/// A number that grows with the smallest angle of triangle abc: minus that angle's cosine.
 double worst_corner(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = (b - a).normalized();
   const Vec3 bc = (c - b).normalized();
@@ -246,7 +244,7 @@ std::vector<Triangle> cut_quads(const std::vector<Quad>& quads, const std::vecto
   return triangles;
 }
 
-/// Every directed edge has to have its opposite, exactly once.
+/// Whether every directed edge occurs once and its opposite occurs, too.
 bool is_closed(const std::vector<Quad>& quads) {
   std::vector<std::array<int, 2>> edges;
   edges.reserve(4 * quads.size());

@@ -1,4 +1,4 @@
-// The zero level of a function as a triangle mesh.
+// The surface where a function is zero as a triangle mesh.
 #pragma once
 
 #include <functional>
@@ -7,24 +7,24 @@
 
 namespace toile {
 
-/// Negative inside, positive outside, twice differentiable near zero and about a distance there, in
-/// metres. Called from several threads at once.
+/// About the signed distance to the surface, metres: negative inside, positive outside. It has to
+/// be twice differentiable near zero. Several threads call it at once.
 using ImplicitFunction = std::function<double(const Vec3&)>;
 
-/// What is meshed, and how finely.
 struct ImplicitMeshOptions {
-  Vec3 low = Vec3::Constant(-1);  ///< the box that holds the surface, metres
-  Vec3 high = Vec3::Constant(1);
-  double spacing = 0.01;  ///< metres; of the sampling grid. Mean edges come out at 0.9 of it
-  int smoothing = 12;     ///< rounds of evening out the triangles, on the surface
+  Vec3 low = Vec3::Constant(-1);  ///< metres, lower corner of a box that holds the surface
+  Vec3 high = Vec3::Constant(1);  ///< metres, upper corner
+  double spacing = 0.01;  ///< metres, of the sampling grid; the mean edge is about 0.9 of it
+  int smoothing = 12;     ///< rounds of evening out the triangles on the surface
 };
 
-/// Meshes the surface where `shape` is zero: surface nets [Gibson 1998], made manifold [Schaefer,
-/// Ju & Warren 2007], on a grid, evened out and put onto the surface by Newton's method to 1e-9 m.
-/// Closed and outward-oriented; throws Error when the surface leaves the box or the spacing is too
-/// coarse to tell its parts apart. O(volume / spacing^3). The same bits for any number of threads.
-/// (CGAL's own surface mesher is not used: its result hangs on where its triangulation lies in
-/// memory.)
+/// Meshes the surface where `shape` is zero, by surface nets on a grid [Gibson 1998] that are made
+/// manifold [Schaefer, Ju & Warren 2007]. The points are evened out and put onto the surface by
+/// Newton's method to 1e-9 m. The mesh is closed and outward-oriented, the same bits for any number
+/// of threads. It throws Error when the surface leaves the box, or when the spacing is too coarse
+/// to separate its parts. O(volume / spacing^3).
+///
+/// It does not use CGAL's surface mesher, whose result depends on memory addresses.
 TriangleMesh mesh_implicit(const ImplicitFunction& shape, const ImplicitMeshOptions& options);
 
 }  // namespace toile

@@ -36,25 +36,26 @@ bool overlap(const Box& a, const Box& b) {
   return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
 }
 
-/// Of all pairs (a triangle of `asking`, one of `asked`) whose boxes meet those that `test` lets
-/// pass, in no order.
+/// The pairs (triangle of `querying`, triangle of `tree_mesh`) whose boxes meet and that pass
+/// `test`, in no order.
 template <class Test>
-std::vector<TrianglePair> pairs_that(const TriangleMesh& asking, const TriangleMesh& asked,
+std::vector<TrianglePair> pairs_that(const TriangleMesh& querying, const TriangleMesh& tree_mesh,
                                      const Test& test) {
   std::vector<TrianglePair> pairs;
-  if (asking.triangles.empty() || asked.triangles.empty()) return pairs;
-  const TriangleTree tree(asked);
+  if (querying.triangles.empty() || tree_mesh.triangles.empty()) return pairs;
+  const TriangleTree tree(tree_mesh);
   tbb::enumerable_thread_specific<std::vector<TrianglePair>> found;
-  tbb::parallel_for(tbb::blocked_range<int>(0, static_cast<int>(asking.triangles.size()), 256),
+  tbb::parallel_for(tbb::blocked_range<int>(0, static_cast<int>(querying.triangles.size()), 256),
                     [&](const tbb::blocked_range<int>& range) {
                       std::vector<TrianglePair>& here = found.local();
                       std::vector<int> near;
                       for (int a = range.begin(); a < range.end(); ++a) {
-                        const Box box = box_of(asking, a);
+                        const Box box = box_of(querying, a);
                         near.clear();
                         tree.meeting(box.low, box.high, near);
                         for (const int b : near) {
-                          if (overlap(box, box_of(asked, b)) && test(a, b)) here.push_back({a, b});
+                          if (overlap(box, box_of(tree_mesh, b)) && test(a, b))
+                            here.push_back({a, b});
                         }
                       }
                     });
@@ -62,8 +63,8 @@ std::vector<TrianglePair> pairs_that(const TriangleMesh& asking, const TriangleM
   return pairs;
 }
 
-/// A triangle as the points it has: without area it is a segment or one point, of which CGAL's test
-/// for triangles knows nothing.
+/// The set of a triangle's points. Without area it is a segment or one point, which CGAL's test for
+/// triangles does not handle.
 using Piece = std::variant<Kernel::Triangle_3, Kernel::Segment_3, Point>;
 
 Piece segment_or_point(const Point& a, const Point& b) {
@@ -86,7 +87,7 @@ bool meet(const Piece& s, const Piece& t) {
 
 /// Whether two triangles of one mesh meet beyond what they share.
 bool meet(const TriangleMesh& mesh, const Triangle& s, const Triangle& t) {
-  // Rotate both so that shared corners come first, in places i and j.
+  // Finds the corners that both share: in_s[k] of s is in_t[k] of t.
   int shared = 0;
   int in_s[3] = {};
   int in_t[3] = {};
@@ -102,7 +103,7 @@ bool meet(const TriangleMesh& mesh, const Triangle& s, const Triangle& t) {
   if (shared == 0) return meet(piece_of(mesh, s), piece_of(mesh, t));
   const auto point = [&](int index) { return to_cgal(mesh.points[index]); };
   if (shared == 1) {
-    // Two triangles hinged at a vertex meet again only if one's far edge meets the other.
+    // Two triangles that share a vertex meet elsewhere only if one's far edge meets the other.
     const int i = in_s[0];
     const int j = in_t[0];
     const Piece far_s = segment_or_point(point(s[(i + 1) % 3]), point(s[(i + 2) % 3]));
@@ -110,12 +111,12 @@ bool meet(const TriangleMesh& mesh, const Triangle& s, const Triangle& t) {
     return meet(piece_of(mesh, s), far_t) || meet(piece_of(mesh, t), far_s);
   }
   if (shared == 2) {
-    // Hinged at an edge: they overlap only when folded flat onto each other.
+    // Two triangles that share an edge overlap only when they are folded flat onto each other.
     const Point a = point(s[in_s[0]]);
     const Point b = point(s[in_s[1]]);
     const Point c = point(s[3 - in_s[0] - in_s[1]]);
     const Point d = point(t[3 - in_t[0] - in_t[1]]);
-    // One without area lies on the edge they share, or on beyond its end.
+    // A triangle without area lies on the shared edge or on its extension, and does not count.
     return CGAL::coplanar(a, b, c, d) && !CGAL::collinear(a, b, c) && !CGAL::collinear(a, b, d) &&
            CGAL::coplanar_orientation(a, b, c, d) == CGAL::POSITIVE;
   }
@@ -137,8 +138,8 @@ std::vector<TrianglePair> intersections(const TriangleMesh& first, const Triangl
     return meet(piece_of(first, first.triangles[a]), piece_of(second, second.triangles[b]));
   };
   std::vector<TrianglePair> pairs;
-  // The tree is cheaper to build of the smaller mesh; most of the other's triangles are nowhere
-  // near it, which they are told at once.
+  // A tree of the smaller mesh is cheaper to build. Most triangles of the larger mesh are far from
+  // it, so their queries end at once.
   if (second.triangles.size() <= first.triangles.size()) {
     pairs = pairs_that(first, second, meets);
   } else {

@@ -14,25 +14,28 @@ namespace toile {
 
 namespace {
 
-/// How fast edges may grow with the distance from a short border segment.
+/// Metres that an edge may be longer for each metre of distance from a short border segment.
 constexpr double growth = 0.6;
-/// Of the first lattice, in units of the wanted edge length: the border's rows end up wider.
+/// Spacing of the first lattice in wanted edge lengths. Below 1, as the rows at the border end up
+/// wider.
 constexpr double lattice_spacing = 0.96;
-/// Lattices at most, each half as wide as the one before.
-constexpr int finest_lattice = 5;
-/// Distances in units of the wanted edge length: of a first point from its neighbours, from border
-/// points and from border segments; and the least distance from the border that smoothing keeps.
+/// Maximum number of lattices, each half as wide as the one before.
+constexpr int max_lattices = 5;
+/// Wanted edge lengths: minimum distance of a new point from interior points.
 constexpr double first_spacing = 0.8;
+/// Wanted edge lengths: minimum distance of a new point from border points.
 constexpr double border_point_spacing = 0.7;
+/// Wanted edge lengths: minimum distance of a new point from border segments.
 constexpr double border_spacing = 0.55;
+/// Wanted edge lengths: minimum distance from the border that smoothing keeps.
 constexpr double border_clearance = 0.35;
-/// Rounds of smoothing; the points hardly move after 30.
+/// Rounds of smoothing. The points hardly move after 30.
 constexpr int smoothing_rounds = 40;
-/// Sweeps of the last, angle-raising pass.
+/// Sweeps of the last pass, which raises angles.
 constexpr int raising_sweeps = 12;
-/// Points whose angles are all larger stay where the smoothing put them.
+/// Radians. A point whose angles are all larger stays where smoothing put it.
 constexpr double well_shaped = 40 * std::numbers::pi / 180;
-/// An edge from border to border is given up for a triangle no sharper than this.
+/// Radians. An edge from border to border is flipped if both new triangles have no smaller angle.
 constexpr double crossing_angle = 20 * std::numbers::pi / 180;
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
@@ -77,7 +80,7 @@ class Filler {
 
   PlanarMesh fill(const std::vector<int>& split_corners) {
     for (const int corner : split_corners) split(corner);
-    held_ = interior_.size();
+    kept_ = interior_.size();
     seed();
     for (int round = 0; round < smoothing_rounds && !interior_.empty(); ++round) smooth();
     connect();
@@ -91,10 +94,10 @@ class Filler {
   }
 
  private:
-  /// The edge length wanted at `point`.
+  /// The wanted edge length at `point`, metres.
   double size(const Vec2& point) const {
     double wanted = edge_length_;
-    // A segment's length matters only as far as edges take to grow from it to the full length.
+    // A short segment shortens edges only up to the distance at which they reach full length.
     segments_.near(point, edge_length_ / growth, [&](int i) {
       if (lengths_[at(i)] >= wanted) return;
       wanted = std::min(wanted, lengths_[at(i)] + growth * (point - middles_[at(i)]).norm());
@@ -102,17 +105,17 @@ class Filler {
     return wanted;
   }
 
-  /// Distance to the border, or something larger than edge_length if that is larger.
+  /// Metres to the border; some larger number where that is more than edge_length.
   double border_distance(const Vec2& point) const {
-    double least = std::numeric_limits<double>::max();
+    double distance = std::numeric_limits<double>::max();
     segments_.near(point, edge_length_, [&](int i) {
-      least = std::min(
-          least, distance_to_segment(point, outline_[at(i)], outline_[at((i + 1) % border_)]));
+      distance = std::min(
+          distance, distance_to_segment(point, outline_[at(i)], outline_[at((i + 1) % border_)]));
     });
-    return least;
+    return distance;
   }
 
-  /// Puts a point into the triangle of an outline point and its neighbours, toward the far side.
+  /// Adds a point in the triangle of an outline point and its neighbours, toward the far side.
   void split(int corner) {
     const Vec2& before = outline_[at((corner + border_ - 1) % border_)];
     const Vec2& after = outline_[at((corner + 1) % border_)];
@@ -121,20 +124,20 @@ class Filler {
     interior_.push_back(point);
   }
 
-  /// Whether `point`, known to be inside, is far enough from the border and from other points.
+  /// Whether `point` is far enough from the border and from other points. It has to lie inside.
   bool fits(const Vec2& point) const {
     const double wanted = size(point);
     bool free = true;
     points_.near(point, wanted, [&](int i) {
       const bool border = i < border_;
       const Vec2& other = border ? outline_[at(i)] : interior_[at(i - border_)];
-      const double least = border ? border_point_spacing : first_spacing;
-      if ((other - point).norm() < least * wanted) free = false;
+      const double spacing = border ? border_point_spacing : first_spacing;
+      if ((other - point).norm() < spacing * wanted) free = false;
     });
     return free && border_distance(point) >= border_spacing * wanted;
   }
 
-  /// Where the horizontal line at `y` enters and leaves the polygon, from left to right.
+  /// The x at which the horizontal line at `y` enters and leaves the polygon, in rising order.
   std::vector<double> crossings(double y) const {
     std::vector<double> xs;
     for (int i = 0; i < border_; ++i) {
@@ -147,11 +150,12 @@ class Filler {
     return xs;
   }
 
-  /// Hexagonal lattices, the coarsest first, finer ones where the border asks for shorter edges.
+  /// Adds points of hexagonal lattices, the coarsest first. Finer lattices fill the places where
+  /// the border wants shorter edges.
   void seed() {
     const double shortest = *std::min_element(lengths_.begin(), lengths_.end());
     double step = lattice_spacing * edge_length_;
-    for (int level = 0; level < finest_lattice; ++level, step /= 2) {
+    for (int lattice = 0; lattice < max_lattices; ++lattice, step /= 2) {
       const double row_height = step * std::sqrt(3.0) / 2;
       const Vec2 middle = (box_.low + box_.high) / 2;
       const int rows = static_cast<int>((box_.high.y() - box_.low.y()) / row_height / 2) + 1;
@@ -163,8 +167,8 @@ class Filler {
           const double last = std::floor((xs[k + 1] - offset) / step);
           for (double column = std::ceil((xs[k] - offset) / step); column <= last; ++column) {
             const Vec2 point(offset + column * step, y);
-            // A finer lattice has no business where a coarser one has the right density.
-            if (level > 0 && size(point) > 1.5 * step) continue;
+            // A coarser lattice already has the right density here.
+            if (lattice > 0 && size(point) > 1.5 * step) continue;
             if (!fits(point)) continue;
             points_.add(point, border_ + static_cast<int>(interior_.size()));
             interior_.push_back(point);
@@ -201,18 +205,18 @@ class Filler {
         weight[at(corner - border_)] += mass;
       }
     }
-    for (std::size_t i = held_; i < interior_.size(); ++i) {
+    for (std::size_t i = kept_; i < interior_.size(); ++i) {
       if (!(weight[i] > 0)) continue;
       const Vec2 moved = sum[i] / weight[i];
-      // A point that moves less than its distance from the border can't leave the polygon.
+      // A point that moves by less than its distance from the border can't leave the polygon.
       const double room = std::min(border_distance(interior_[i]), edge_length_);
       if ((moved - interior_[i]).norm() >= room && !inside(outline_, moved)) continue;
       if (border_distance(moved) >= border_clearance * size(moved)) interior_[i] = moved;
     }
   }
 
-  /// Flips edges that run from border to border when the result is not sharp; whether any were. A
-  /// triangle changes once a pass, so what was noted of it holds.
+  /// Flips edges that run from border to border where the new triangles are not sharp. It returns
+  /// whether it flipped any. A triangle changes once a pass, so `sides` stays right for the others.
   bool uncross() {
     std::map<std::array<int, 2>, std::array<int, 2>> sides;  // edge to (triangle, corner across)
     std::vector<bool> changed(mesh_.triangles.size(), false);
@@ -232,8 +236,9 @@ class Filler {
     return any;
   }
 
-  /// Replaces the edge across from corner `k` of `first` and `l` of `second` by the one between
-  /// those corners, if that leaves good triangles and ends in the interior.
+  /// Replaces the edge across from corner `k` of triangle `first` and corner `l` of `second` by the
+  /// edge between those corners. It does so if an end of the new edge is interior and no new angle
+  /// is sharp.
   bool flip(int first, int k, int second, int l) {
     const Triangle one = mesh_.triangles[at(first)];
     const Triangle two = mesh_.triangles[at(second)];
@@ -252,12 +257,12 @@ class Filler {
   double edge_length_;
   int border_;
   Box box_;
-  BucketGrid segments_;  ///< of the border
-  BucketGrid points_;    ///< of the border, and interior ones as they are placed
+  BucketGrid segments_;  ///< border segments
+  BucketGrid points_;    ///< border points, and interior points as they are placed
   std::vector<Vec2> middles_;
   std::vector<double> lengths_;
   std::vector<Vec2> interior_;
-  std::size_t held_ = 0;  ///< the first interior points stay through the smoothing
+  std::size_t kept_ = 0;  ///< number of first interior points that smoothing does not move
   PlanarMesh mesh_;
 };
 

@@ -16,7 +16,7 @@ int side(const Vec2& a, const Vec2& b, const Vec2& c) {
       Kernel::Point_2(a.x(), a.y()), Kernel::Point_2(b.x(), b.y()), Kernel::Point_2(c.x(), c.y())));
 }
 
-/// Whether `point`, known to be on the line through a and b, lies between them.
+/// Whether `point`, a point of the line through a and b, lies between them.
 bool between(const Vec2& a, const Vec2& b, const Vec2& point) {
   return std::min(a.x(), b.x()) <= point.x() && point.x() <= std::max(a.x(), b.x()) &&
          std::min(a.y(), b.y()) <= point.y() && point.y() <= std::max(a.y(), b.y());
@@ -37,7 +37,7 @@ bool meet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
 double signed_area(const std::vector<Vec2>& outline) {
   double twice = 0;
   for (std::size_t i = 0; i < outline.size(); ++i) {
-    // From the first point, so that a polygon far from the origin loses no digits.
+    // Relative to the first point, so that a polygon far from the origin loses no digits.
     const Vec2 a = outline[i] - outline[0];
     const Vec2 b = outline[(i + 1) % outline.size()] - outline[0];
     twice += a.x() * b.y() - a.y() * b.x();

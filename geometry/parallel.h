@@ -1,4 +1,4 @@
-// Work in parts of fixed size, so that results don't depend on the threads.
+// Parallel loops whose results don't depend on the threads: chunks have a fixed size.
 #pragma once
 
 #include <oneapi/tbb/parallel_for.h>
@@ -8,30 +8,31 @@
 
 namespace toile {
 
-/// Vertices that one task handles. With 512 a coarse mesh is a single task: a T-shirt at 10 mm
-/// takes 1.3 times as long on two cores; 32 to 256 are alike there, but with 128 the coarse meshes
-/// of a preview fall into two or three tasks, of which one core has twice as many.
+/// Vertices that one task handles. With 512, a coarse mesh is a single task, and a T-shirt at 10 mm
+/// takes 1.3 times as long on two cores. 32 to 256 take the same time there. With 128, the coarse
+/// meshes of a preview make two or three tasks, and one core gets twice as many as the other.
 inline constexpr std::size_t vertex_chunk = 64;
 
+/// Number of chunks of `size` items that hold all `items`.
 inline std::size_t chunks_of(std::size_t items, std::size_t size) {
   return (items + size - 1) / size;
 }
 
-/// Runs `work` for each of `tasks`, side by side where that pays.
-template <typename Work>
-void parallel_for(std::size_t tasks, const Work& work) {
+/// Calls `body(task)` for each task in [0, tasks), in parallel where there are two or more.
+template <typename Body>
+void parallel_for(std::size_t tasks, const Body& body) {
   if (tasks < 2) {
-    for (std::size_t t = 0; t < tasks; ++t) work(t);
+    for (std::size_t t = 0; t < tasks; ++t) body(t);
     return;
   }
-  tbb::parallel_for(std::size_t{0}, tasks, work, tbb::static_partitioner());
+  tbb::parallel_for(std::size_t{0}, tasks, body, tbb::static_partitioner());
 }
 
-/// Runs `work(begin, end)` for ranges of as many vertices, which make up all of `items`.
-template <typename Work>
-void parallel_for_chunks(std::size_t items, const Work& work) {
+/// Calls `body(begin, end)` for ranges of vertex_chunk items that together cover [0, items).
+template <typename Body>
+void parallel_for_chunks(std::size_t items, const Body& body) {
   parallel_for(chunks_of(items, vertex_chunk), [&](std::size_t c) {
-    work(c * vertex_chunk, std::min(items, (c + 1) * vertex_chunk));
+    body(c * vertex_chunk, std::min(items, (c + 1) * vertex_chunk));
   });
 }
 

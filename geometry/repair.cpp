@@ -141,7 +141,8 @@ TriangleMesh to_plain(const Mesh& mesh) {
   return plain;
 }
 
-/// A quad is cut along the diagonal at which it folds least, and of two equal ones the shorter.
+/// Cuts a quad along the diagonal at which it folds least. Of two equal diagonals it takes the
+/// shorter.
 void cut_quad(const std::vector<Point>& points, const std::vector<std::size_t>& quad,
               Polygons& triangles) {
   const auto fold = [&](int first) {
@@ -185,8 +186,9 @@ void cut_polygon(const std::vector<Point>& points, const std::vector<std::size_t
   }
 }
 
-// Before there is a mesh, because a diagonal may be an edge elsewhere: in a soup that is an edge of
-// too many triangles, which the orientation takes apart; in a half-edge mesh it is a trap.
+/// Cuts all polygons into triangles. This comes before the half-edge mesh, because a diagonal may
+/// be an edge elsewhere. In a soup it is then an edge of too many triangles, which the orientation
+/// splits. A half-edge mesh could not hold it.
 void triangulate(Soup& soup, RepairReport& report) {
   Polygons triangles;
   triangles.reserve(soup.polygons.size());
@@ -282,7 +284,7 @@ void fill_holes(Mesh& mesh, RepairReport& report, bool orientable, const RepairO
     PMP::triangulate_and_refine_hole(mesh, border, std::back_inserter(patch),
                                      std::back_inserter(inner));
     if (patch.empty()) {
-      // The refinement's Delaunay search can find no filling where a plain one exists.
+      // The refinement's Delaunay search can miss a filling that the plain search finds.
       PMP::triangulate_hole(mesh, border, std::back_inserter(patch),
                             PMP::parameters::use_delaunay_triangulation(false));
     }
@@ -301,8 +303,8 @@ double farthest_from(const TriangleMesh& of, const TriangleMesh& surface) {
   return farthest;
 }
 
-// CGAL's removal cuts the facets around an intersection out and fills the hole. It may fail or take
-// away more than it should, so it works on a copy that is kept only when it came out well.
+/// CGAL cuts out the facets around an intersection and fills the hole. It may fail or remove too
+/// much. So it works on a copy, which is kept only when it is closed, better and near the surface.
 TriangleMesh without_self_intersections(const Mesh& mesh, RepairReport& report,
                                         const RepairOptions& options) {
   TriangleMesh plain = to_plain(mesh);
@@ -352,7 +354,7 @@ RepairedSurface repair(const PolygonSoup& given, const std::string& name,
     if (!(std::abs(volume) > 1e-6 * std::pow(longest_side(mesh), 3))) {
       throw Error(name, "the surface encloses no volume", "give a closed body");
     }
-    // The volume's sign, because a test at one extreme point is misled by intersections there.
+    // The volume's sign decides: intersections at an extreme point would mislead a test there.
     if (volume < 0) {
       PMP::reverse_face_orientations(mesh);
       report.turned_inside_out = true;

@@ -9,14 +9,15 @@ namespace toile {
 
 namespace {
 
-// The cut through one triangle. An edge of the mesh is named by its two vertices, the one below
-// the plane first, so both triangles at the edge give it the same name and the same cut point.
+// An edge of the mesh as its two vertices, the one below the plane first. So both triangles at the
+// edge have the same Edge and the same cut point.
 using Edge = std::pair<int, int>;
 
+// The cut through one triangle.
 struct Cut {
   int triangle;
-  Edge enter;  // the half-edge on which the triangle's border comes down through the plane
-  Edge leave;  // the one on which it goes up; the next triangle enters there
+  Edge enter;  // the edge on which the triangle's border comes down through the plane
+  Edge leave;  // the edge on which it goes up; the next triangle enters there
 };
 
 std::vector<Cut> cut_triangles(const TriangleMesh& mesh, const std::vector<double>& height) {
@@ -44,7 +45,7 @@ std::vector<Cut> cut_triangles(const TriangleMesh& mesh, const std::vector<doubl
   return cuts;
 }
 
-// Two directions that span the plane, so that (u, v, normal) is right-handed.
+// Two unit vectors that span the plane; (u, v, normal) is right-handed.
 std::pair<Vec3, Vec3> plane_axes(const Vec3& unit_normal) {
   const Vec3 u = unit_normal.unitOrthogonal();
   return {u, unit_normal.cross(u)};
@@ -54,7 +55,7 @@ double cross(const Vec2& o, const Vec2& a, const Vec2& b) {
   return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
 }
 
-// Andrew's monotone chain.
+// The perimeter of the convex hull by Andrew's monotone chain.
 double hull_length(std::vector<Vec2> points) {
   std::sort(points.begin(), points.end(), [](const Vec2& a, const Vec2& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
@@ -102,7 +103,8 @@ void measure(Section& section, const Vec3& unit_normal) {
   const std::vector<Vec2> flat = in_plane(section.points, u, v);
   section.girth = hull_length(flat);
   if (!section.closed) return;
-  // Fan of triangles from the first point, which keeps the sums small far from the origin.
+  // The area is summed over a fan of triangles from the first point. That keeps the sums small far
+  // from the origin.
   Vec3 moment = Vec3::Zero();
   for (std::size_t i = 1; i + 1 < n; ++i) {
     const double part = cross(flat[0], flat[i], flat[i + 1]) / 2;
@@ -130,15 +132,15 @@ std::vector<Section> slice(const TriangleMesh& mesh, const Vec3& origin, const V
     return mesh.points[edge.first] + t * (mesh.points[edge.second] - mesh.points[edge.first]);
   };
 
-  // Each cut is followed by one that enters where it leaves. Beginnings of open polylines come
-  // first, so that none is begun in its middle.
+  // The cut after a cut enters where that one leaves. Open polylines are followed from their
+  // beginnings first, so that none starts in its middle.
   std::vector<int> next(cuts.size(), -1);
   std::vector<char> has_previous(cuts.size(), 0);
   for (std::size_t i = 0; i < cuts.size(); ++i) {
     auto found =
         std::lower_bound(cuts.begin(), cuts.end(), cuts[i].leave,
                          [](const Cut& cut, const Edge& edge) { return cut.enter < edge; });
-    // At an edge of more than two triangles the first that is still free continues the line.
+    // At an edge of more than two triangles, the first cut without a previous one comes next.
     while (found != cuts.end() && found->enter == cuts[i].leave &&
            has_previous[found - cuts.begin()]) {
       ++found;

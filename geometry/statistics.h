@@ -8,8 +8,8 @@
 
 namespace toile {
 
-/// The value at index floor(n / 2) of the n `values` in rising order: of an even number, the upper
-/// of the two in the middle. 0 for no values. O(n).
+/// The value at index floor(n / 2) of the n `values` in rising order. For an even n this is the
+/// upper of the two values in the middle. 0 for no values. O(n).
 inline double median(std::vector<double> values) {
   if (values.empty()) return 0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -27,8 +27,8 @@ inline double percentile(std::vector<double> values, double share) {
   return *at;
 }
 
-/// The root of the mean of the squares, which are summed in the order of `values`. Not a number for
-/// no values.
+/// The root of the mean of the squares, summed in the order of `values`. Not a number for no
+/// values.
 inline double root_mean_square(const std::vector<double>& values) {
   double sum = 0;
   for (const double value : values) sum += value * value;

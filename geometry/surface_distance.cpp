@@ -17,7 +17,7 @@ namespace toile {
 
 namespace {
 
-// What triangles_in_box tells needs no exact predicates.
+// triangles_in_box() needs no exact predicates.
 using Kernel = CGAL::Simple_cartesian<double>;
 
 Kernel::Point_3 to_cgal(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
@@ -28,7 +28,8 @@ double corner_angle(const Vec3& at, const Vec3& to, const Vec3& also_to) {
   return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
-/// The signed distance at `away` from the nearest point, on a border whose sheet faces `normal`.
+/// Metres, signed, at `away` from the closest point, which lies on the border of a sheet with that
+/// normal.
 double beside_border(const Vec3& away, const Vec3& normal) {
   const double distance = away.norm();
   const double behind = -away.dot(normal);
@@ -46,12 +47,12 @@ struct SurfaceDistance::Tree {
   const TriangleMesh mesh;
   const TriangleTree tree;
   std::vector<Vec3> face_normals;
-  std::vector<std::array<Vec3, 3>> edge_normals;  // of the edge opposite to corner i
+  std::vector<std::array<Vec3, 3>> edge_normals;  // per triangle, of the edge opposite to corner i
   std::vector<Vec3> vertex_normals;
   std::vector<std::array<char, 3>> edge_is_border;
   std::vector<char> vertex_is_border;
 
-  /// What the nearest point of a triangle lies on.
+  /// The face, edge or vertex that holds a closest point.
   struct Feature {
     Vec3 normal;
     bool border;
@@ -68,7 +69,7 @@ void SurfaceDistance::Tree::compute_normals() {
   edge_is_border.resize(count);
   vertex_normals.assign(mesh.points.size(), Vec3::Zero());
   vertex_is_border.assign(mesh.points.size(), 0);
-  std::vector<Vec3> angles(count);  // at the triangles' corners
+  std::vector<Vec3> angles(count);  // radians, at the triangles' corners
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t t) {
     const Triangle& corners = mesh.triangles[t];
     const Vec3& a = mesh.points[corners[0]];

@@ -14,10 +14,10 @@ namespace toile {
 namespace {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
-/// Share of the largest coordinate by which rounding can falsify a distance, amply.
+/// Share of the largest coordinate: an ample bound for the rounding error of a distance.
 constexpr double rounding = 1e-6;
 
-// Four lanes are what every processor of this kind has.
+// Every x86-64 or 64-bit ARM processor has instructions on four floats.
 using Lanes = float __attribute__((vector_size(16)));
 
 const Lanes& lanes(const float* four) { return *reinterpret_cast<const Lanes*>(four); }
@@ -28,37 +28,37 @@ float rounded_down(double value) {
 }
 float rounded_up(double value) { return -rounded_down(-value); }
 
-/// A triangle's number and its middle.
-struct Place {
-  Vec3 middle;
+/// A triangle's index and its centroid.
+struct Entry {
+  Vec3 centroid;
   int triangle;
 };
 
-/// Orders places so that each run of `run` of them, a power of two, and of every smaller power of
-/// two fills a small box.
-void order_by_place(Place* begin, Place* end, std::ptrdiff_t run) {
+/// Orders the entries so that neighbours lie close together: each run of `run` entries fills a
+/// small box, and so does each run of every smaller power of two. `run` is a power of two.
+void order_entries(Entry* begin, Entry* end, std::ptrdiff_t run) {
   constexpr std::ptrdiff_t worth_a_thread = 4096;
   while (run > 1 && end - begin <= run / 2) run /= 2;
   if (run <= 1) return;
-  Vec3 low = begin->middle;
+  Vec3 low = begin->centroid;
   Vec3 high = low;
-  for (const Place* place = begin; place != end; ++place) {
-    low = low.cwiseMin(place->middle);
-    high = high.cwiseMax(place->middle);
+  for (const Entry* entry = begin; entry != end; ++entry) {
+    low = low.cwiseMin(entry->centroid);
+    high = high.cwiseMax(entry->centroid);
   }
   int axis = 0;
   (high - low).maxCoeff(&axis);
-  Place* const middle = begin + run / 2;
-  std::nth_element(begin, middle, end, [axis](const Place& a, const Place& b) {
-    return a.middle[axis] != b.middle[axis] ? a.middle[axis] < b.middle[axis]
-                                            : a.triangle < b.triangle;
+  Entry* const middle = begin + run / 2;
+  std::nth_element(begin, middle, end, [axis](const Entry& a, const Entry& b) {
+    return a.centroid[axis] != b.centroid[axis] ? a.centroid[axis] < b.centroid[axis]
+                                                : a.triangle < b.triangle;
   });
   if (end - begin < worth_a_thread) {
-    order_by_place(begin, middle, run / 2);
-    order_by_place(middle, end, run / 2);
+    order_entries(begin, middle, run / 2);
+    order_entries(middle, end, run / 2);
   } else {
-    tbb::parallel_invoke([=] { order_by_place(begin, middle, run / 2); },
-                         [=] { order_by_place(middle, end, run / 2); });
+    tbb::parallel_invoke([=] { order_entries(begin, middle, run / 2); },
+                         [=] { order_entries(middle, end, run / 2); });
   }
 }
 
@@ -66,16 +66,16 @@ void order_by_place(Place* begin, Place* end, std::ptrdiff_t run) {
 
 TriangleTree::TriangleTree(const TriangleMesh& mesh) : mesh_(mesh) {
   for (const Vec3& p : mesh.points) largest_ = std::max(largest_, p.cwiseAbs().maxCoeff());
-  std::vector<Place> places(mesh.triangles.size());
-  tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t t) {
+  std::vector<Entry> entries(mesh.triangles.size());
+  tbb::parallel_for(std::size_t{0}, entries.size(), [&](std::size_t t) {
     const Triangle& c = mesh.triangles[t];
-    places[t] = {(mesh.points[c[0]] + mesh.points[c[1]] + mesh.points[c[2]]) / 3,
-                 static_cast<int>(t)};
+    entries[t] = {(mesh.points[c[0]] + mesh.points[c[1]] + mesh.points[c[2]]) / 3,
+                  static_cast<int>(t)};
   });
   std::ptrdiff_t run = 1;
-  while (run < static_cast<std::ptrdiff_t>(places.size())) run *= 2;
-  order_by_place(places.data(), places.data() + places.size(), run);
-  order_.resize(places.size());
+  while (run < static_cast<std::ptrdiff_t>(entries.size())) run *= 2;
+  order_entries(entries.data(), entries.data() + entries.size(), run);
+  order_.resize(entries.size());
 
   Boxes none;
   std::fill(&none.low[0][0], &none.low[0][0] + 3 * width, infinite);
@@ -83,15 +83,15 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) : mesh_(mesh) {
   const auto eights = [](std::size_t count) { return (count + width - 1) / width; };
   levels_.emplace_back(eights(order_.size()), none);
   tbb::parallel_for(std::size_t{0}, order_.size(), [&](std::size_t i) {
-    order_[i] = places[i].triangle;
+    order_[i] = entries[i].triangle;
     Boxes& boxes = levels_.front()[i / width];
     const Triangle& corners = mesh_.triangles[order_[i]];
     for (int axis = 0; axis < 3; ++axis) {
-      const auto [least, most] =
+      const auto [min, max] =
           std::minmax({mesh_.points[corners[0]][axis], mesh_.points[corners[1]][axis],
                        mesh_.points[corners[2]][axis]});
-      boxes.low[axis][i % width] = rounded_down(least);
-      boxes.high[axis][i % width] = rounded_up(most);
+      boxes.low[axis][i % width] = rounded_down(min);
+      boxes.high[axis][i % width] = rounded_up(max);
     }
   });
   while (levels_.back().size() > 1) {
@@ -109,15 +109,15 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) : mesh_(mesh) {
   }
 }
 
-/// A point that asks how far boxes are.
+/// A point whose distances to boxes are asked for.
 struct TriangleTree::Query {
   Query(const Vec3& point, double largest)
       : at{static_cast<float>(point.x()), static_cast<float>(point.y()),
            static_cast<float>(point.z())},
         slack(rounding * std::max(largest, point.cwiseAbs().maxCoeff())) {}
 
-  /// Squared distances of the eight boxes; infinite where there is no box.
-  void ask(const Boxes& boxes, float (&squared)[width]) const {
+  /// Squared distances to the eight boxes; infinite where there is no box.
+  void measure(const Boxes& boxes, float (&squared)[width]) const {
     for (int half = 0; half < width; half += 4) {
       Lanes sum = {0, 0, 0, 0};
       for (int axis = 0; axis < 3; ++axis) {
@@ -130,7 +130,7 @@ struct TriangleTree::Query {
       for (int lane = 0; lane < 4; ++lane) squared[half + lane] = sum[lane];
     }
   }
-  /// What a box says at most that holds something within `distance`.
+  /// An upper bound of measure() for boxes that hold a point within `distance`.
   float limit(double distance) const { return rounded_up((distance + slack) * (distance + slack)); }
 
   float at[3];
@@ -144,14 +144,14 @@ struct TriangleTree::Nearest {
   float limit = infinite;
   int triangle = 0;
 
-  void look_at(const TriangleMesh& mesh, int t) {
+  void consider(const TriangleMesh& mesh, int t) {
     const Triangle& corners = mesh.triangles[t];
     const Vec3& a = mesh.points[corners[0]];
     const Vec3& b = mesh.points[corners[1]];
     const Vec3& c = mesh.points[corners[2]];
     const Vec3 weights = closest_on_triangle(point, a, b, c);
     const double away = (weights[0] * a + weights[1] * b + weights[2] * c - point).squaredNorm();
-    // Of several that are as near the first, whatever was looked at before.
+    // Of several equally close triangles it takes the first, in whatever order they come.
     if (away < squared || (away == squared && t < triangle)) {
       squared = away;
       limit = query.limit(std::sqrt(away));
@@ -162,9 +162,9 @@ struct TriangleTree::Nearest {
 
 void TriangleTree::search(std::size_t level, std::size_t number, Nearest& nearest) const {
   float squared[width];
-  nearest.query.ask(levels_[level][number], squared);
+  nearest.query.measure(levels_[level][number], squared);
   for (;;) {
-    // The nearest of the eight first: what it holds rules out most of the others.
+    // The closest of the eight boxes comes first: its triangles rule out most of the others.
     int next = 0;
     for (int i = 1; i < width; ++i) next = squared[i] < squared[next] ? i : next;
     if (!(squared[next] < nearest.limit)) return;
@@ -173,14 +173,14 @@ void TriangleTree::search(std::size_t level, std::size_t number, Nearest& neares
     if (level > 0) {
       search(level - 1, child, nearest);
     } else {
-      nearest.look_at(mesh_, order_[child]);
+      nearest.consider(mesh_, order_[child]);
     }
   }
 }
 
 int TriangleTree::closest_triangle(const Vec3& point, int hint) const {
   Nearest nearest{Query(point, largest_), point};
-  if (hint >= 0) nearest.look_at(mesh_, hint);
+  if (hint >= 0) nearest.consider(mesh_, hint);
   search(levels_.size() - 1, 0, nearest);
   return nearest.triangle;
 }
@@ -205,7 +205,7 @@ void TriangleTree::within(const Vec3& point, double radius, std::vector<int>& fo
   const float limit = query.limit(radius);
   const auto meets = [&](const Boxes& boxes) {
     float squared[width];
-    query.ask(boxes, squared);
+    query.measure(boxes, squared);
     unsigned met = 0;
     for (unsigned i = 0; i < width; ++i) met |= static_cast<unsigned>(squared[i] <= limit) << i;
     return met;
@@ -214,18 +214,18 @@ void TriangleTree::within(const Vec3& point, double radius, std::vector<int>& fo
 }
 
 void TriangleTree::meeting(const Vec3& low, const Vec3& high, std::vector<int>& found) const {
-  float least[3];
-  float most[3];
+  float bottom[3];
+  float top[3];
   for (int axis = 0; axis < 3; ++axis) {
-    least[axis] = rounded_down(low[axis]);
-    most[axis] = rounded_up(high[axis]);
+    bottom[axis] = rounded_down(low[axis]);
+    top[axis] = rounded_up(high[axis]);
   }
   const auto meets = [&](const Boxes& boxes) {
     unsigned met = 0;
     for (unsigned i = 0; i < width; ++i) {
-      const bool meets_all = boxes.low[0][i] <= most[0] && boxes.high[0][i] >= least[0] &&
-                             boxes.low[1][i] <= most[1] && boxes.high[1][i] >= least[1] &&
-                             boxes.low[2][i] <= most[2] && boxes.high[2][i] >= least[2];
+      const bool meets_all = boxes.low[0][i] <= top[0] && boxes.high[0][i] >= bottom[0] &&
+                             boxes.low[1][i] <= top[1] && boxes.high[1][i] >= bottom[1] &&
+                             boxes.low[2][i] <= top[2] && boxes.high[2][i] >= bottom[2];
       met |= static_cast<unsigned>(meets_all) << i;
     }
     return met;

@@ -1,4 +1,4 @@
-// Finds the triangles of a mesh that are near.
+// Finds the triangles of a mesh near a point or in a box.
 #pragma once
 
 #include <cstddef>
@@ -8,22 +8,23 @@
 
 namespace toile {
 
-/// Boxes around triangles, eight to a box of the next level: eight are tested side by side, in
-/// single precision, rounded to the safe side.
-/// Building is O(n log n), a question about O(log n). Answers depend on the mesh only.
+/// A tree of boxes around triangles, eight to a box of the next level. Eight boxes are tested at
+/// once, in single precision, rounded to the safe side. Building is O(n log n), a query about
+/// O(log n). Results depend on the mesh and the query only.
 class TriangleTree {
  public:
-  /// The mesh has to outlive the tree, and has triangles, all of finite points.
+  /// The mesh has to outlive the tree, to have triangles, and to have finite points only.
   explicit TriangleTree(const TriangleMesh& mesh);
 
-  /// The triangle nearest to the point, of several the first; `hint`, a triangle that may be near,
-  /// spares looking at what is farther, and changes no answer. 0 for a point that is not finite.
+  /// The triangle closest to the point, the first one of several. `hint` is a triangle that may be
+  /// near; it makes the search faster and does not change its result. -1: no hint. For a point that
+  /// is not finite the result is 0.
   int closest_triangle(const Vec3& point, int hint = -1) const;
 
-  /// Appends all triangles within `radius` of the point, and some more.
+  /// Appends all triangles within `radius` metres of the point, and some others.
   void within(const Vec3& point, double radius, std::vector<int>& found) const;
 
-  /// Appends all triangles that meet the box from `low` to `high`, and some more.
+  /// Appends all triangles that meet the box from `low` to `high`, and some others.
   void meeting(const Vec3& low, const Vec3& high, std::vector<int>& found) const;
 
  private:
@@ -41,9 +42,9 @@ class TriangleTree {
   void descend(std::size_t level, std::size_t number, const Meets& meets, const Visit& visit) const;
 
   const TriangleMesh& mesh_;
-  double largest_ = 0;                      // size of a coordinate
-  std::vector<int> order_;                  // of the triangles
-  std::vector<std::vector<Boxes>> levels_;  // first the triangles' own boxes, last a single eight
+  double largest_ = 0;                      // largest size of a coordinate
+  std::vector<int> order_;                  // triangles in the order of their boxes
+  std::vector<std::vector<Boxes>> levels_;  // first the triangles' boxes, last a single eight
 };
 
 }  // namespace toile

@@ -29,7 +29,8 @@ using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
   throw Error("triangulation", problem, "check the outline");
 }
 
-/// Marks (info 1) the faces that can be reached from outside without crossing the outline.
+/// Sets info() to 1 for faces that can be reached from outside without crossing the outline, and to
+/// 0 for the others.
 void mark_outside(Triangulation& mesh) {
   for (auto face : mesh.all_face_handles()) face->info() = 0;
   std::vector<Triangulation::Face_handle> front = {mesh.infinite_face()};
@@ -54,7 +55,7 @@ std::vector<Triangle> triangulate(const std::vector<Vec2>& outline,
   Triangulation mesh;
   std::vector<Triangulation::Vertex_handle> border;
   int index = 0;
-  // Neighbours in the list are neighbours in the plane, so each search starts at the last find.
+  // Neighbours in the list are mostly close together, so each search starts at the last point.
   Triangulation::Face_handle near;
   const auto insert = [&](const Vec2& point) {
     const auto vertex = mesh.insert(Kernel::Point_2(point.x(), point.y()), near);
@@ -83,8 +84,8 @@ std::vector<Triangle> triangulate(const std::vector<Vec2>& outline,
     triangles.push_back(triangle);
   }
   std::sort(triangles.begin(), triangles.end());
-  // A disc has this many triangles by Euler's formula; any other count means that an outline
-  // segment was split by a point on it, or that a point lies outside.
+  // Euler's formula gives this number of triangles for a disc. Any other number means that a point
+  // splits an outline segment or lies outside.
   if (triangles.size() != outline.size() + 2 * interior.size() - 2) {
     fail("a point lies on or outside the outline");
   }

@@ -1,4 +1,4 @@
-// The plain data that every room shares: points, triangles, polygon soups.
+// The plain data that all parts of Toile share: points, triangles, polygon soups.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,7 +10,7 @@ namespace toile {
 using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
 
-/// Three point indices, counter-clockwise seen from outside.
+/// Three point indices, counter-clockwise as seen from outside.
 using Triangle = std::array<int, 3>;
 
 /// A triangle mesh in metres. Every index in `triangles` is in [0, points.size()).
@@ -28,8 +28,8 @@ inline void append(TriangleMesh& mesh, const TriangleMesh& more) {
   }
 }
 
-/// What a mesh file holds before anything is known of it: polygons of any size, in any order, in
-/// the file's own unit. Every index is in [0, points.size()).
+/// The unchecked content of a mesh file: polygons of any size in any order, in the file's unit.
+/// Every index is in [0, points.size()).
 struct PolygonSoup {
   std::vector<Vec3> points;
   std::vector<std::vector<int>> polygons;

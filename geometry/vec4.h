@@ -1,4 +1,4 @@
-// Points as the inner loops take them: four doubles that one instruction handles.
+// Points as four doubles that one instruction handles, for inner loops.
 #pragma once
 
 #include <boost/align/aligned_allocator.hpp>
@@ -8,10 +8,11 @@
 
 namespace toile {
 
-/// x, y, z and a fourth that is 0, on compilers with vector extensions (GCC and Clang).
+/// x, y, z and 0. It needs a compiler with vector extensions (GCC or Clang).
 using Vec4 = double __attribute__((vector_size(32)));
 
-/// Where the wide instructions expect them; a structure of them says alignas(32), Vec4 first.
+/// Vec4s aligned as the wide instructions expect. A struct that holds a Vec4 says alignas(32) and
+/// has the Vec4 first.
 using Vec4s = std::vector<Vec4, boost::alignment::aligned_allocator<Vec4, 64>>;
 
 [[gnu::always_inline]] inline Vec4 as_vec4(const Vec3& p) { return Vec4{p.x(), p.y(), p.z(), 0}; }
@@ -29,9 +30,10 @@ inline Vec4s as_vec4(const std::vector<Vec3>& points) {
   return result;
 }
 
-// The same bits on every machine, whatever its instructions: no clone may fuse a product and a sum,
-// so files that use this are compiled with -ffp-contract=off. TOILE_ONE_CLONE: for tools that don't
-// know the wide instructions, as valgrind.
+// TOILE_CLONES compiles a function once for each instruction set. All clones give the same bits:
+// none may fuse a product and a sum. So files that use it are compiled with -ffp-contract=off.
+// TOILE_ONE_CLONE switches it off for tools that don't know the wide instructions, such as
+// valgrind.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(TOILE_ONE_CLONE)
 #define TOILE_CLONES __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
