@@ -34,8 +34,8 @@ struct Entry {
   int triangle;
 };
 
-/// Orders the entries so that neighbours lie close together: each run of `run` entries fills a
-/// small box, and so does each run of every smaller power of two. `run` is a power of two.
+/// Orders the entries so that each run of `run` entries fills a small box. So does each run of
+/// every smaller power of two. `run` is a power of two.
 void order_entries(Entry* begin, Entry* end, std::ptrdiff_t run) {
   constexpr std::ptrdiff_t worth_a_thread = 4096;
   while (run > 1 && end - begin <= run / 2) run /= 2;

@@ -1,4 +1,4 @@
-// The bones of one body part as a line that panels are laid along.
+// The bones of one body part as a polyline, along which panels are laid.
 #pragma once
 
 #include <string>
@@ -9,25 +9,26 @@
 
 namespace toile {
 
-/// The bones of one part, end to end; the first and the last one go on beyond their ends. Lengths
-/// along them are in metres from the first joint, negative before it.
+/// The bones of one part, end to end. The first and the last bone are extended beyond their ends.
+/// Arc lengths are in metres from the first joint, negative before it.
 struct Bones {
-  std::vector<Vec3> joints;   ///< of a part that the skeleton lacks: none, then ask nothing else
+  std::vector<Vec3> joints;   ///< metres; empty if the skeleton lacks the part
   std::vector<double> along;  ///< arc length at each joint
 
+  /// `part` is one of body_parts. If the skeleton lacks it, no other member may be called.
   Bones(const Skeleton& skeleton, const std::string& part);
 
-  /// Metres from the bones themselves, not from what they would go on to.
+  /// Metres from the bones without their extensions.
   double distance(const Vec3& p) const;
 
-  /// Arc length of the point's foot on the bones.
+  /// Arc length of the point closest to `p` on the bones and their extensions.
   double foot(const Vec3& p) const;
 
-  /// The point at an arc length, and the bone's direction there.
+  /// The point at an arc length, and the bone's unit direction there.
   std::pair<Vec3, Vec3> at(double s) const;
 
-  /// The one straight line for the stretch from `low` to `high`, low < high: its middle and its
-  /// direction, each the mean over the bones of the stretch weighted by their lengths
+  /// The middle and the unit direction of the straight line that stands for the bones between the
+  /// arc lengths `low` and `high`, low < high. Each is the mean over the bones, weighted by length
   /// [Zhong & Xu 2009, "the average orientation of the multiple joint connections"].
   std::pair<Vec3, Vec3> average(double low, double high) const;
 };

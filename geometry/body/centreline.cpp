@@ -22,7 +22,7 @@ std::optional<Section> section_at(const std::vector<Section>& sections, const Ve
                                   const Vec3& normal, double min_area, double reach) {
   const Section* nearest = nullptr;
   double distance = reach;
-  // Sections come by area, the largest first: the last that contains the point is the smallest.
+  // Sections are in falling area: the last that contains the point is the smallest.
   const Section* around = nullptr;
   for (const Section& section : sections) {
     if (!section.closed || section.area < min_area) continue;
@@ -43,7 +43,7 @@ std::vector<Station> walk_limb(const TriangleMesh& mesh, const Vec3& start, cons
   std::vector<Station> stations;
   Vec3 at = start;
   Vec3 onward = direction.normalized();
-  for (double way = 0; way <= options.length; way += options.step) {
+  for (double walked = 0; walked <= options.length; walked += options.step) {
     auto found = section_at(slice(mesh, at, onward), at, onward, options.min_area, options.reach);
     if (!found) break;
     double along = 0;
@@ -51,7 +51,7 @@ std::vector<Station> walk_limb(const TriangleMesh& mesh, const Vec3& start, cons
       along = stations.back().along + (found->centroid - stations.back().section.centroid).norm();
     }
     stations.push_back({along, onward, std::move(*found)});
-    // The way over the last few sections, so that one odd section doesn't turn the plane.
+    // The direction over the last few sections: a single odd section doesn't turn the plane.
     const std::size_t last = stations.size() - 1;
     const std::size_t back = last - std::min<std::size_t>(last, 4);
     const Vec3& here = stations[last].section.centroid;
@@ -67,10 +67,10 @@ std::vector<Station> walk_limb(const TriangleMesh& mesh, const Vec3& start, cons
 std::vector<Station> walk_level(const TriangleMesh& mesh, const Vec3& start, double end,
                                 const WalkOptions& options) {
   std::vector<Station> stations;
-  const double way = std::abs(end - start.y());
+  const double distance = std::abs(end - start.y());
   const double sign = end < start.y() ? -1 : 1;
   Vec3 at = start;
-  for (int i = 0; i * options.step <= std::min(way, options.length); ++i) {
+  for (int i = 0; i * options.step <= std::min(distance, options.length); ++i) {
     at.y() = start.y() + sign * i * options.step;
     auto found = section_at(slice(mesh, at, Vec3::UnitY()), at, Vec3::UnitY(), options.min_area,
                             options.reach);

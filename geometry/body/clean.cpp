@@ -31,7 +31,7 @@ double inferred_unit(double height, const std::string& name) {
               "give --unit");
 }
 
-/// A body on its way to stand on y = 0; still in the file's unit.
+/// A body turned and lifted to stand on y = 0, in the file's unit.
 struct Standing {
   TriangleMesh mesh;
   double lifted = 0;
@@ -39,7 +39,8 @@ struct Standing {
   std::string no_skeleton;
 };
 
-/// Turned by a matrix of 0, 1 and -1, so that no coordinate is rounded but y by the lift.
+/// Turns the body and lifts it onto y = 0. The matrix holds 0, 1 and -1 only, so no coordinate is
+/// rounded but y by the lift.
 Standing stand(const TriangleMesh& mesh, const Matrix& turn, const std::string& name) {
   Standing body;
   body.mesh = mesh;
@@ -59,7 +60,7 @@ Standing stand(const TriangleMesh& mesh, const Matrix& turn, const std::string& 
   return body;
 }
 
-/// The turn that brings `axis` to +y, and how it is called.
+/// The rotation that brings `axis` to +y, and the axis's name.
 struct Upright {
   const char* axis;
   Matrix turn;
@@ -78,52 +79,55 @@ std::vector<Upright> uprights() {
           {"-y", rows(-x, -y, z)},   {"x", rows(-y, x, z)}, {"-x", rows(y, -x, z)}};
 }
 
-/// About y, by -90 degrees (+x comes to +z) and by 180.
+/// A turn about y by -90 degrees: +x comes to +z.
 Matrix quarter_turn() { return (Matrix() << 0, 0, -1, 0, 1, 0, 1, 0, 0).finished(); }
+/// A turn about y by 180 degrees.
 Matrix half_turn() { return Vec3(-1, 1, -1).asDiagonal(); }
 
-/// Wide from side to side, as arms held out make every body.
+/// `turn`, followed by a quarter turn if the body is wider from front to back than from side to
+/// side. Arms held out make every body widest from side to side.
 Matrix sideways(const TriangleMesh& mesh, const Matrix& turn) {
   const Vec3 size = (turn * bounds(mesh).sizes()).cwiseAbs();
   return size.z() > 1.4 * size.x() ? Matrix(quarter_turn() * turn) : turn;
 }
 
-/// The axis that a body lies along when nothing but its box is known. One that is clearly longer
-/// along z than along y is z-up; arms out to the sides reach hardly farther than it is tall.
+/// The index in uprights() of the axis that the body stands along, judged by its box. A box that is
+/// clearly longer along z than along y is z-up. Arms out to the sides span hardly more than the
+/// body's height.
 std::size_t likely_axis(const TriangleMesh& mesh) {
   const Vec3 size = bounds(mesh).sizes();
   return size.z() > 1.5 * size.y() && size.z() >= 0.8 * size.x() ? 1 : 0;
 }
 
 Standing stand_up(const TriangleMesh& mesh, const std::string& name, std::string& turned) {
-  const std::vector<Upright> ways = uprights();
+  const std::vector<Upright> axes = uprights();
   std::size_t chosen = likely_axis(mesh);
-  Matrix turn = sideways(mesh, ways[chosen].turn);
+  Matrix turn = sideways(mesh, axes[chosen].turn);
   Standing body = stand(mesh, turn, name);
   if (!body.skeleton) {
     int found = 0;
     Standing other;
-    std::size_t other_way = chosen;
-    for (std::size_t way = 0; way < ways.size(); ++way) {
-      Standing tried = stand(mesh, sideways(mesh, ways[way].turn), name);
+    std::size_t other_axis = chosen;
+    for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+      Standing tried = stand(mesh, sideways(mesh, axes[axis].turn), name);
       if (!tried.skeleton) continue;
       ++found;
       other = std::move(tried);
-      other_way = way;
+      other_axis = axis;
     }
     if (found == 1) {
-      chosen = other_way;
-      turn = sideways(mesh, ways[chosen].turn);
+      chosen = other_axis;
+      turn = sideways(mesh, axes[chosen].turn);
       body = std::move(other);
     }
   }
-  bool about_y = turn != ways[chosen].turn;
+  bool about_y = turn != axes[chosen].turn;
   if (body.skeleton && toes_forward(body.mesh, *body.skeleton) < -0.01) {
     turn = half_turn() * turn;
     body = stand(mesh, turn, name);
     about_y = true;
   }
-  if (chosen != 0) turned = std::string("from ") + ways[chosen].axis + " up to y up";
+  if (chosen != 0) turned = std::string("from ") + axes[chosen].axis + " up to y up";
   if (about_y) turned += (turned.empty() ? "" : ", and ") + std::string("to face +z");
   return body;
 }
@@ -135,9 +139,9 @@ void scale(Standing& body, double factor) {
   for (auto& [joint, point] : body.skeleton->joints) point *= factor;
 }
 
-/// Brings a body that stands farther than that from the y axis onto it; how far, in metres.
+/// Moves a body that stands more than 10 m from the y axis onto it. It returns the move in metres.
 Vec3 bring_near(Standing& body) {
-  constexpr double far = 10;
+  constexpr double far = 10;  // metres
   Vec3 middle = bounds(body.mesh).center();
   middle.y() = 0;
   if (middle.norm() <= far) return Vec3::Zero();
@@ -148,7 +152,7 @@ Vec3 bring_near(Standing& body) {
   return -middle;
 }
 
-/// What is wrong with joints given for a body of that unit; empty: nothing.
+/// Why the given joints can't be used for a body in units of `unit` metres; empty: they can.
 std::string refusal(const Skeleton& skeleton, const TriangleMesh& mesh, double unit) {
   for (const Segment& segment : body_segments()) {
     for (const std::string& name : {segment.from, segment.to}) {
@@ -159,7 +163,7 @@ std::string refusal(const Skeleton& skeleton, const TriangleMesh& mesh, double u
   return outside ? "'" + outside->name + "' lies outside the body" : "";
 }
 
-/// The body as the given joints have it, if they are its own.
+/// The body placed by the given joints; nothing if they are absent or refused.
 std::optional<Standing> as_given(const TriangleMesh& mesh, const CleanOptions& options,
                                  const std::string& name, CleanReport& report) {
   if (!options.skeleton) return std::nullopt;
@@ -178,7 +182,7 @@ std::optional<Standing> as_given(const TriangleMesh& mesh, const CleanOptions& o
     point /= unit;
     point.y() -= floor;
   }
-  // An earlier run may have turned the body: its joints fit the unturned one too.
+  // An earlier run may have turned the body. Its joints then lie within the unturned one, too.
   if (toes_forward(body.mesh, *body.skeleton) < -0.01) {
     report.skeleton_refused = "its toes point to -z";
     return std::nullopt;

@@ -13,33 +13,37 @@ namespace toile {
 
 namespace {
 
-// Lengths below are shares of the body's height. Segment lengths are those of Drillis & Contini
-// (1966) as every ergonomics table has them: upper arm 0.186, forearm 0.146, hand 0.108.
+// Share of the body's height: upper arm 0.186, forearm 0.146 and hand 0.108, the segment lengths of
+// [Drillis & Contini 1966] as every ergonomics table has them.
 constexpr double arm_to_wrist = 0.186 + 0.146;
 constexpr double arm_to_tip = arm_to_wrist + 0.108;
+// Share of the length from shoulder to wrist.
 constexpr double elbow_share = 0.186 / arm_to_wrist;
-constexpr double knee_share = 0.61;  // of the crotch's height
+// Share of the crotch's height.
+constexpr double knee_share = 0.61;
 
-struct Reach {
+/// The range of a section in x, metres.
+struct Extent {
   double low = 0;
   double high = 0;
 };
 
-Reach reach_in_x(const Section& section) {
-  Reach reach{section.points.front().x(), section.points.front().x()};
+Extent extent_in_x(const Section& section) {
+  Extent extent{section.points.front().x(), section.points.front().x()};
   for (const Vec3& point : section.points) {
-    reach.low = std::min(reach.low, point.x());
-    reach.high = std::max(reach.high, point.x());
+    extent.low = std::min(extent.low, point.x());
+    extent.high = std::max(extent.high, point.x());
   }
-  return reach;
+  return extent;
 }
 
-/// How far a section reaches to one side: 1 left (+x), -1 right.
-double reach_to(const Section& section, int side) {
-  const Reach reach = reach_in_x(section);
-  return side > 0 ? reach.high : -reach.low;
+/// Metres that a section extends to one side of x = 0: 1 is left (+x), -1 is right.
+double extent_to(const Section& section, int side) {
+  const Extent extent = extent_in_x(section);
+  return side > 0 ? extent.high : -extent.low;
 }
 
+/// The station of least girth with `along` in [low, high], or the first station if there is none.
 const Station& min_girth(const std::vector<Station>& stations, double low, double high) {
   const Station* least = nullptr;
   for (const Station& station : stations) {
@@ -54,7 +58,7 @@ class Finder {
   Finder(const TriangleMesh& body, const std::string& name) : body_(body), name_(name) {
     for (const Vec3& point : body.points) height_ = std::max(height_, point.y());
     walk_.step = height_ / 200;
-    walk_.min_area = 3.5e-4 * height_ * height_;  // 10 cm^2 at 1.70 m: a finger is less
+    walk_.min_area = 3.5e-4 * height_ * height_;  // 10 cm^2 at 1.70 m; a finger is less
     walk_.reach = 0.05 * height_;
     walk_.length = height_;
   }
@@ -80,7 +84,8 @@ class Finder {
     return skeleton_.joints[(side > 0 ? "left_" : "right_") + joint_name];
   }
 
-  std::vector<Section> level(double y) const {
+  /// The closed sections at height y that are large enough, in falling area.
+  std::vector<Section> sections_at(double y) const {
     std::vector<Section> sections = slice(body_, Vec3(0, y, 0), Vec3::UnitY());
     std::erase_if(sections,
                   [this](const Section& s) { return !s.closed || s.area < walk_.min_area; });
@@ -89,14 +94,14 @@ class Finder {
 
   /// The section at height y that holds the whole trunk around `middle`, if there is one.
   std::optional<Section> trunk_section(double y, const Vec3& middle) const {
-    return section_at(level(y), Vec3(middle.x(), y, middle.z()), Vec3::UnitY(), walk_.min_area,
-                      walk_.reach);
+    return section_at(sections_at(y), Vec3(middle.x(), y, middle.z()), Vec3::UnitY(),
+                      walk_.min_area, walk_.reach);
   }
 
   void find_legs() {
-    // Hands hang no lower than this, and feet are out of the way.
+    // A quarter of the height is below the hands and above the feet.
     const double shin = 0.25 * height_;
-    std::vector<Section> shins = level(shin);
+    std::vector<Section> shins = sections_at(shin);
     if (shins.size() != 2) {
       fail("a level cut at a quarter of the height meets " + std::to_string(shins.size()) +
            " parts instead of two legs");
@@ -107,7 +112,7 @@ class Finder {
     for (int leg = 0; leg < 2; ++leg) {
       up[leg] = walk_level(body_, shins[leg].centroid, 0.65 * height_, walk_);
     }
-    // Both walks end up in the trunk; the crotch is where they first meet in one section.
+    // Both walks end in the trunk. The crotch is the level where they first meet in one section.
     std::size_t first = 0;
     const std::size_t both = std::min(up[0].size(), up[1].size());
     while (first < both && up[0][first].section.centroid != up[1][first].section.centroid) ++first;
@@ -135,7 +140,7 @@ class Finder {
       const double thin = min_girth(leg_line, 0.5 * crotch_, 0.7 * crotch_).along;
       joint(side, "knee") = point_along(
           leg_line, std::clamp(knee_share * crotch_, thin - 0.04 * height_, thin + 0.04 * height_));
-      // The least girth lies above the ankle bones.
+      // The ankle's least girth lies above its bones.
       const double above_ankle = min_girth(leg_line, 0.03 * height_, 0.14 * height_).along;
       joint(side, "ankle") = point_along(leg_line, std::max(0.65 * above_ankle, 0.03 * height_));
     }
@@ -156,11 +161,12 @@ class Finder {
 
   void find_armpit(int side) {
     // The lowest level between waist and neck where the trunk's section suddenly loses a part of
-    // the arm. There can be several: an arm held out level is lost piece by piece.
+    // the arm. There can be several, as a level arm leaves the section piece by piece.
     std::size_t below = 0;
     for (std::size_t i = 1; i < trunk_.size() && below == 0; ++i) {
       if (trunk_[i].along < 0.6 * height_ || trunk_[i].along > 0.88 * height_) continue;
-      const double lost = reach_to(trunk_[i].section, side) - reach_to(trunk_[i - 1].section, side);
+      const double lost =
+          extent_to(trunk_[i].section, side) - extent_to(trunk_[i - 1].section, side);
       if (lost > 0.03 * height_) below = i;
     }
     if (below == 0)
@@ -168,23 +174,23 @@ class Finder {
     double joined = trunk_[below].along;
     double apart = trunk_[below - 1].along;
     const double between =
-        (reach_to(trunk_[below].section, side) + reach_to(trunk_[below - 1].section, side)) / 2;
+        (extent_to(trunk_[below].section, side) + extent_to(trunk_[below - 1].section, side)) / 2;
     Section free = trunk_[below - 1].section;
     for (int i = 0; i < 8; ++i) {
       const double y = (joined + apart) / 2;
       auto section = trunk_section(y, free.centroid);
-      if (section && reach_to(*section, side) < between) {
+      if (section && extent_to(*section, side) < between) {
         apart = y;
         free = std::move(*section);
       } else {
         joined = y;
       }
     }
-    // Below, the trunk's side may still lead out to the arm's underside, flatter than any side:
-    // down to where that ends.
-    double reach = reach_to(free, side);
+    // Below this level the trunk's section may still include some of the arm's underside, which is
+    // flatter than any side of a trunk. The armpit lies where that ends.
+    double reach = extent_to(free, side);
     for (std::size_t i = below; i-- > 0 && trunk_[i].along > joined - 0.035 * height_;) {
-      const double inner = reach_to(trunk_[i].section, side);
+      const double inner = extent_to(trunk_[i].section, side);
       if (reach - inner > 0.5 * walk_.step) free = trunk_[i].section;
       reach = inner;
     }
@@ -203,10 +209,10 @@ class Finder {
     }
     if (head_girth < 1.05 * thin.section.girth) fail("no neck is thinner than a head above it");
     const auto width = [](const Section& section) {
-      const Reach reach = reach_in_x(section);
-      return reach.high - reach.low;
+      const Extent extent = extent_in_x(section);
+      return extent.high - extent.low;
     };
-    // The base of the neck: down from there, where it has widened by 40 % toward the shoulders.
+    // The base of the neck is the level below where it has widened by 40 % toward the shoulders.
     const Station* base = &thin;
     for (auto at = trunk_.rbegin(); at != trunk_.rend(); ++at) {
       if (at->along > thin.along) continue;
@@ -226,7 +232,7 @@ class Finder {
         [side](const Vec3& a, const Vec3& b) { return side * a.x() < side * b.x(); });
     const Vec3 outward = (tip - armpit).normalized();
     const Vec3 across = (Vec3::UnitY() - outward.y() * outward).normalized();
-    // Into the arm's middle, and on until the section is the arm's alone.
+    // The walk starts in the arm's middle, at the first point whose section is the arm's alone.
     WalkOptions options = walk_;
     options.min_area = walk_.min_area / 2;
     std::vector<Station> arm;
@@ -236,7 +242,7 @@ class Finder {
     }
     if (arm.size() < 20) fail("the " + which + " arm can't be followed from the armpit to a hand");
 
-    // Upper arm: its line carried back to above the armpit, where the joint is.
+    // The shoulder joint lies above the armpit, on the upper arm's line.
     const std::size_t far = std::min<std::size_t>(arm.size() - 1, 16);
     const Vec3 root = arm.front().section.centroid;
     const Vec3 axis = (arm[far].section.centroid - root).normalized();
@@ -254,7 +260,8 @@ class Finder {
     joint(side, "wrist") = point_along(arm, wrist);
   }
 
-  /// How far along the arm's stations the wrist is; they begin `back` from the shoulder joint.
+  /// Metres along the arm's stations to the wrist. They begin `back` metres from the shoulder
+  /// joint.
   double find_wrist(const std::vector<Station>& arm, double back) const {
     const double whole = back + arm.back().along;
     const double low = 0.62 * whole - back;
@@ -265,7 +272,7 @@ class Finder {
       if (station.along > thin.along) hand = std::max(hand, station.section.girth);
     }
     if (hand > 1.05 * thin.section.girth) return thin.along;
-    // No hand that is thicker than the wrist: either the arm ends there, or proportion has to do.
+    // No hand is thicker than the wrist. Either the arm ends at the wrist, or proportion decides.
     if (whole < (arm_to_wrist + arm_to_tip) / 2 * height_) return arm.back().along;
     return arm_to_wrist / arm_to_tip * whole - back;
   }

@@ -15,11 +15,11 @@ std::vector<TorsoLevel> torso_levels(const TriangleMesh& body, const Skeleton& s
   const double crotch = skeleton.joint("pelvis").y();
   const double middle = skeleton.joint("waist").y();
   const double armpit = skeleton.joint("chest").y();
-  constexpr double fine = 0.005;
+  constexpr double step = 0.005;  // metres
   double backmost = std::numeric_limits<double>::infinity();
   double foremost = -std::numeric_limits<double>::infinity();
   std::optional<double> bust, waist, hip;
-  for (double y = crotch + fine; y < armpit; y += fine) {
+  for (double y = crotch + step; y < armpit; y += step) {
     const std::optional<Section> section = torso_section(body, y);
     if (!section) continue;
     for (const Vec3& point : section->points) {
@@ -27,7 +27,7 @@ std::vector<TorsoLevel> torso_levels(const TriangleMesh& body, const Skeleton& s
         backmost = point.z();
         hip = y;
       }
-      // The belly may stand out more than the bust: look in the upper two thirds only.
+      // The belly may stand out more than the bust, so only the upper two thirds count.
       if (y > middle + (armpit - middle) / 3 && point.z() > foremost) {
         foremost = point.z();
         bust = y;
@@ -35,11 +35,11 @@ std::vector<TorsoLevel> torso_levels(const TriangleMesh& body, const Skeleton& s
     }
   }
   if (!bust || !hip) return {};
-  double least = std::numeric_limits<double>::infinity();
-  for (double y = *hip + fine; y < *bust; y += fine) {
+  double least_girth = std::numeric_limits<double>::infinity();
+  for (double y = *hip + step; y < *bust; y += step) {
     const std::optional<Section> section = torso_section(body, y);
-    if (section && section->girth < least) {
-      least = section->girth;
+    if (section && section->girth < least_girth) {
+      least_girth = section->girth;
       waist = y;
     }
   }

@@ -1,4 +1,4 @@
-// Levels and sections of a body that tailoring names.
+// Levels and sections of a body that have names in tailoring.
 #pragma once
 
 #include <optional>
@@ -11,18 +11,20 @@
 
 namespace toile {
 
-/// The section of the torso at a height, metres: the largest of the body's sections there, between
-/// crotch and armpits. Nothing where that is not closed.
+/// The section of the torso at a height in metres, between crotch and armpits. It is the largest of
+/// the body's sections there. Nothing if that is not closed. O(n).
 std::optional<Section> torso_section(const TriangleMesh& body, double height);
 
-/// A level of the torso that its shape tells: "bust", "waist" or "hip".
+/// A level of the torso that its shape defines: "bust", "waist" or "hip".
 struct TorsoLevel {
   std::string name;
-  double height = 0;  ///< above the floor, metres
+  double height = 0;  ///< metres above the floor
 };
 
-/// Bust, waist and hip of ISO 8559-1, as far as they can be told: see measure_girth_ease().
-/// Cost: about 100 slices of the body.
+/// Bust, waist and hip as ISO 8559-1 defines them, in this order. The bust is the foremost level in
+/// the upper two thirds from waist to armpits. The hip is the rearmost level between crotch and
+/// waist. The waist has the least girth between bust and hip, and may be missing. Empty if bust or
+/// hip can't be found. It costs about 100 slices.
 std::vector<TorsoLevel> torso_levels(const TriangleMesh& body, const Skeleton& skeleton);
 
 }  // namespace toile

@@ -1,4 +1,4 @@
-// How a body holds its limbs: plain data, in degrees.
+// The pose of a body as joint angles in degrees: plain data.
 #pragma once
 
 #include <array>
@@ -7,20 +7,20 @@
 
 namespace toile {
 
-/// The joint angles of one side, degrees; 0 is upright with arms and legs hanging straight down,
-/// palms inward. At hip and shoulder the limb is first turned about its own length, then raised
-/// sideways, then swung forward: rotation about the bone, abduction about z, flexion about x.
+/// The joint angles of one side, degrees. All 0 is upright with arms and legs hanging straight
+/// down, palms inward. Hip and shoulder turn the limb about the bone first (rotation). Then they
+/// raise it sideways about z (abduction) and swing it forward about x (flexion).
 struct SidePose {
   double hip_flexion = 0;          ///< thigh forward
   double hip_abduction = 0;        ///< thigh outward
   double hip_rotation = 0;         ///< toes outward
   double knee_flexion = 0;         ///< heel backward
   double ankle_flexion = 0;        ///< toes down, against the shin
-  double toes_extension = 0;       ///< toes up, against the foot: what a lifted heel asks for
+  double toes_extension = 0;       ///< toes up, against the foot, as under a lifted heel
   double shoulder_flexion = 0;     ///< arm forward
   double shoulder_abduction = 45;  ///< arm outward
   double shoulder_rotation = 0;    ///< thumb outward
-  double elbow_flexion = 0;        ///< forearm forward, where the thumb points
+  double elbow_flexion = 0;        ///< forearm forward, toward the thumb
 
   bool operator==(const SidePose&) const = default;
 };
@@ -32,14 +32,14 @@ struct Pose {
   bool operator==(const Pose&) const = default;
 };
 
-/// A way in which a joint moves, how files call it, and how far it does, degrees. Beyond that the
-/// mannequin's sections would fold or its limbs meet.
+/// One motion of a joint and its range. Beyond the range the mannequin's sections would fold or its
+/// limbs meet.
 struct JointMotion {
-  std::string_view joint;
-  std::string_view motion;
+  std::string_view joint;   ///< name in files, without left_ or right_
+  std::string_view motion;  ///< name in files
   double SidePose::*angle;
-  double min;
-  double max;
+  double min;  ///< degrees
+  double max;  ///< degrees
 };
 
 inline constexpr std::array<JointMotion, 10> joint_motions = {{
@@ -55,17 +55,18 @@ inline constexpr std::array<JointMotion, 10> joint_motions = {{
     {"elbow", "flexion", &SidePose::elbow_flexion, 0, 90},
 }};
 
-/// Upright, arms out at 45 degrees.
+/// The body upright, arms out at 45 degrees.
 Pose standing_pose();
 
-/// A step: the left leg forward on its heel, the right one behind with its knee bent and its heel
-/// off the floor; the arms swing against the legs, 30 degrees away from the trunk.
+/// A step. The left leg is forward on its heel. The right one is behind with its knee bent and its
+/// heel off the floor. The arms swing against the legs, 30 degrees away from the trunk.
 Pose walking_pose();
 
-/// The same with left and right exchanged.
+/// The pose with left and right exchanged.
 Pose mirrored(const Pose& pose);
 
-/// Throws Error, `name` its place, for an angle that is not finite or beyond its joint's range.
+/// Throws Error, with the place `name`, for an angle that is not finite or outside its joint's
+/// range.
 void check_pose(const Pose& pose, const std::string& name);
 
 }  // namespace toile

@@ -1,4 +1,4 @@
-// The joints of a body and the segments between them: plain data, no geometry.
+// The joints of a body and the segments between them: plain data.
 #pragma once
 
 #include <array>
@@ -19,17 +19,20 @@ struct Segment {
   std::string to;
 };
 
-/// Joints in metres, in the body's own frame: y up, feet on y = 0, facing +z, the wearer's left +x.
+/// Joints in metres, in the body's frame: y up, feet on y = 0, facing +z, the wearer's left is +x.
 ///
-/// Joint names: pelvis (at crotch height), waist, chest (at armpit height), neck (its base),
-/// head (top); and left_/right_ with shoulder, elbow, wrist, hip, knee, ankle.
-/// Segments run away from the pelvis: torso pelvis-waist-chest-neck; head neck-head; each arm
-/// shoulder-elbow-wrist; each leg hip-knee-ankle.
+/// The trunk's joints are pelvis (at crotch height), waist, chest (at armpit height), neck (its
+/// base) and head (the top). shoulder, elbow, wrist, hip, knee and ankle have left_ or right_
+/// before them. Segments run away from the pelvis:
+/// - torso: pelvis, waist, chest, neck;
+/// - head: neck, head;
+/// - each arm: shoulder, elbow, wrist;
+/// - each leg: hip, knee, ankle.
 struct Skeleton {
-  std::map<std::string, Vec3> joints;
+  std::map<std::string, Vec3> joints;  ///< by name
   std::vector<Segment> segments;
 
-  /// Throws Error when there is no such joint.
+  /// The joint of that name. Throws Error when there is none.
   const Vec3& joint(const std::string& name) const {
     const auto found = joints.find(name);
     if (found == joints.end()) {
@@ -47,7 +50,7 @@ inline constexpr std::array<std::string_view, 17> joint_names = {
 inline constexpr std::array<std::string_view, 6> body_parts = {
     "torso", "head", "left_arm", "right_arm", "left_leg", "right_leg"};
 
-/// The segments between the joints above.
+/// The segments of a whole body, between joint_names.
 inline std::vector<Segment> body_segments() {
   std::vector<Segment> segments;
   const auto chain = [&segments](const std::string& part, const std::vector<std::string>& names) {

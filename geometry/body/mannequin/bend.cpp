@@ -21,17 +21,17 @@ Eigen::Matrix3d Bend::turned_by(double angle) const {
 
 Eigen::Matrix3d Bend::turn(const Vec3& rest) const {
   if (straight()) return Eigen::Matrix3d::Identity();
-  const double way = (rest - joint_).dot(along_);
-  const double share = std::clamp((way + reach_) / (2 * reach_), 0.0, 1.0);
+  const double beyond = (rest - joint_).dot(along_);
+  const double share = std::clamp((beyond + reach_) / (2 * reach_), 0.0, 1.0);
   return turned_by(share * angle_);
 }
 
 Vec3 Bend::posed(const Vec3& rest) const {
   if (straight()) return rest;
-  const double way = (rest - joint_).dot(along_);
-  if (way <= -reach_) return rest;
-  if (way >= reach_) return whole_.posed(rest);
-  const Vec3 in_section = rest - way * along_ - reach_ * along_ - centre_;
+  const double beyond = (rest - joint_).dot(along_);
+  if (beyond <= -reach_) return rest;
+  if (beyond >= reach_) return whole_.posed(rest);
+  const Vec3 in_section = rest - beyond * along_ - reach_ * along_ - centre_;
   return centre_ + turn(rest) * in_section;
 }
 
@@ -41,7 +41,7 @@ Vec3 Bend::rest(const Vec3& posed) const {
   const double ahead = from_centre.dot(along_);
   const double out = -from_centre.dot(toward_);
   double turned = std::atan2(ahead, out);
-  // Beyond the centre, where no limb is, the two bones share space half and half.
+  // Beyond the centre, where there is no limb, the two bones get half of space each.
   if (turned < angle_ / 2 - std::numbers::pi) turned += 2 * std::numbers::pi;
   if (turned <= 0) return posed;
   if (turned >= angle_) return whole_.rest(posed);

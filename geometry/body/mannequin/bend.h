@@ -1,4 +1,4 @@
-// How a joint carries space with it: turned as a whole, or bent along an arc.
+// How a joint moves the space around it: a turn as a whole, or a bend along an arc.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,7 +7,7 @@
 
 namespace toile {
 
-/// Everything turned about a joint. `rotation` is orthonormal.
+/// Turns all space about a joint. `rotation` is orthonormal.
 struct Turn {
   Vec3 joint = Vec3::Zero();
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
@@ -16,22 +16,24 @@ struct Turn {
   Vec3 rest(const Vec3& posed) const { return joint + rotation.transpose() * (posed - joint); }
 };
 
-/// A limb bent at a joint. Beyond `reach` before and after the joint both bones move rigidly, the
-/// one behind turned about the joint; between, cross-sections square to the limb follow an arc that
-/// is tangent to both bones. A section keeps its shape, so its girth too; along the limb the arc is
-/// shorter than the straight way by angle / (2 tan(angle / 2)).
+/// Bends a limb at a joint. More than `reach` metres before and after the joint, the bones move
+/// rigidly; the bone after it turns about the joint. In between, cross-sections square to the limb
+/// follow an arc tangent to both bones. A section keeps its shape and its girth. The arc's length
+/// is angle / (2 tan(angle / 2)) times that of the straight limb.
 ///
-/// One-to-one as far as the limb is thinner, on the inside of the bend, than reach / tan(angle /
-/// 2).
+/// The map is one-to-one where the limb on the inside of the bend is thinner than
+/// reach / tan(angle / 2).
 class Bend {
  public:
-  /// `along` leads down the limb at rest, `toward` is where the bone behind goes: orthonormal.
-  /// `angle` in radians, at least 0, below pi.
+  /// `along` points down the limb at rest. `toward` points to where the bone after the joint goes.
+  /// They are orthonormal. `angle` is in radians, in [0, pi).
   Bend(const Vec3& joint, const Vec3& along, const Vec3& toward, double angle, double reach);
 
+  /// The posed place of a point at rest.
   Vec3 posed(const Vec3& rest) const;
+  /// The place at rest of a posed point.
   Vec3 rest(const Vec3& posed) const;
-  /// How a section through that point of the limb at rest is turned.
+  /// The rotation of the section through a point of the limb at rest.
   Eigen::Matrix3d turn(const Vec3& rest) const;
 
  private:
@@ -45,7 +47,7 @@ class Bend {
   double reach_;
   double radius_ = 0;
   Vec3 centre_ = Vec3::Zero();
-  Turn whole_;  // what the bone behind the joint does
+  Turn whole_;  // of the bone after the joint
 };
 
 }  // namespace toile

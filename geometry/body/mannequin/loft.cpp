@@ -27,7 +27,8 @@ void Loft::fit() {
     const LoftRow& r = rows_[i];
     values_[i] << r.u, r.v, r.half_width, r.front, r.back, r.squareness;
   }
-  // The natural cubic spline: second derivatives that make the first continuous, 0 at the ends.
+  // The natural cubic spline: the second derivatives at the rows, 0 at the ends, make the first
+  // derivatives continuous.
   Eigen::MatrixXd system = Eigen::MatrixXd::Identity(n, n);
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, 6);
   for (int i = 1; i + 1 < n; ++i) {
@@ -43,7 +44,7 @@ void Loft::fit() {
   const Eigen::MatrixXd solved = system.partialPivLu().solve(right);
   for (int i = 0; i < n; ++i) curvatures_[i] = solved.row(i).transpose().array();
 
-  // Splines may swing a little beyond their rows.
+  // Metres: splines may swing a little beyond their rows.
   constexpr double margin = 0.01;
   low_ = Vec3(1e9, 1e9, rows_.front().t);
   high_ = Vec3(-1e9, -1e9, rows_.back().t);
@@ -97,8 +98,8 @@ double Loft::distance(const Vec3& point) const {
   const double n = elliptic_ ? 2 : value[5];
   const auto power = [this, n](double x) { return elliptic_ ? x * x : std::pow(x, n); };
 
-  // rho is 1 on the surface and grows in proportion along every ray from the centre line; divided
-  // by its gradient, rho - 1 is a distance to first order.
+  // rho is 1 on the surface and grows in proportion along every ray from the centre line. So
+  // rho - 1 divided by the size of its gradient is a distance to first order.
   const double in_u = power(std::abs(u) / width);
   const double in_v = power(std::abs(v) / depth);
   const double sum = in_u + in_v;

@@ -1,5 +1,5 @@
-// Solids as distance functions: lofts through superelliptic cross-sections, ellipsoids, and the
-// smooth unions that join them. What a mannequin is carved from.
+// Solids as distance functions: lofts through superelliptic cross-sections, ellipsoids, and smooth
+// unions of them. A mannequin is made of them.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,17 +9,17 @@
 
 namespace toile {
 
-/// A cross-section of a loft at height `t` along its axis, metres. The section is a superellipse
-/// about (u, v) that reaches `half_width` to both sides in u, `front` ahead and `back` behind in v:
-/// |u'/half_width|^squareness + |v'/depth|^squareness = 1. Squareness 2 is an ellipse; usual 1.8-3.
+/// A cross-section of a loft, metres. It is a superellipse about (u, v):
+/// |u'/half_width|^squareness + |v'/depth|^squareness = 1. The depth is `front` where v' is
+/// positive, `back` where it is negative.
 struct LoftRow {
-  double t = 0;
-  double u = 0;
-  double v = 0;
-  double half_width = 0;
-  double front = 0;
-  double back = 0;
-  double squareness = 2;
+  double t = 0;           ///< height along the loft's axis
+  double u = 0;           ///< centre
+  double v = 0;           ///< centre
+  double half_width = 0;  ///< to both sides in u
+  double front = 0;       ///< in v
+  double back = 0;        ///< in -v
+  double squareness = 2;  ///< 2 is an ellipse; usual values are 1.8 to 3
 };
 
 /// The frame of a loft: an axis and the directions of its sections, orthonormal.
@@ -30,21 +30,20 @@ struct LoftFrame {
   Vec3 v = Vec3::UnitZ();
 };
 
-/// A solid through cross-sections, natural cubic splines between them, ends rounded.
+/// A solid through cross-sections, with natural cubic splines between them and rounded ends.
 class Loft {
  public:
-  /// Rows in rising t, three or more. `rounding` is how far from each end row the rounding of the
-  /// end reaches, metres.
+  /// Three or more rows in rising t. `rounding` is in metres, the length of a rounded end.
   Loft(const LoftFrame& frame, std::vector<LoftRow> rows, double rounding);
 
-  /// About the distance to the surface: exact in sign, and to first order near the surface;
-  /// farther than `far` from the solid only a lower bound above `far`.
+  /// About the distance to the surface, metres. Its sign is exact, and near the surface its value
+  /// is exact to first order. More than `far` from the solid it is a lower bound above `far`.
   double distance(const Vec3& point) const;
 
-  /// Scales row `i`'s half width and depths.
+  /// Scales the half width and the depths of row `i`, in [0, rows().size()), by `factor`.
   void scale(int i, double factor);
 
-  static constexpr double far = 0.1;  ///< metres; above any blend in use
+  static constexpr double far = 0.1;  ///< metres; larger than any blend in use
 
   const std::vector<LoftRow>& rows() const { return rows_; }
   const LoftFrame& frame() const { return frame_; }
@@ -61,23 +60,25 @@ class Loft {
   double rounding_;
   std::vector<Channels> values_;
   std::vector<Channels> curvatures_;  // second derivatives at the rows
-  Vec3 low_;                          // bounds in u, v, t
+  Vec3 low_;                          // metres: bounds in u, v, t
   Vec3 high_;
-  bool elliptic_ = false;  // every section is an ellipse
+  bool elliptic_ = false;  // whether every section is an ellipse
 };
 
-/// An ellipsoid with its axes along x, y, z, turned by `tilt` radians about x.
+/// An ellipsoid with its axes along x, y and z, tilted about x.
 struct Ellipsoid {
-  Vec3 centre;
-  Vec3 radii;
-  double tilt = 0;
+  Vec3 centre;      ///< metres
+  Vec3 radii;       ///< metres
+  double tilt = 0;  ///< radians
 
+  /// About the distance to the surface, metres.
   double distance(const Vec3& point) const;
 };
 
-/// Union and intersection of two solids whose surfaces flow into each other where their distances
-/// differ by less than `blend` metres: min and max with a cubic fillet, twice differentiable.
+/// The distance to the union of two solids at distances `a` and `b`, metres. It is the minimum with
+/// a cubic fillet where `a` and `b` differ by less than `blend`. It is twice differentiable.
 double smooth_union(double a, double b, double blend);
+/// The distance to the intersection of two solids: the maximum with the same fillet.
 double smooth_intersection(double a, double b, double blend);
 
 }  // namespace toile

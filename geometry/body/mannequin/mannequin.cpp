@@ -13,7 +13,7 @@ namespace toile {
 
 namespace {
 
-/// Of a closed surface: in one piece, without a hole to put a finger through.
+/// Whether a closed surface is one piece without a hole through it, by Euler's formula.
 bool is_sphere(const TriangleMesh& mesh) {
   return mesh.points.size() - mesh.triangles.size() / 2 == 2;
 }
@@ -36,7 +36,7 @@ Mannequin make_mannequin(const MannequinOptions& options) {
   }
   check_pose(options.pose, "pose");
   MannequinShape shape;
-  constexpr double tolerance = 2e-4;
+  constexpr double tolerance = 2e-4;  // metres
   shape.carve(tolerance);
 
   ImplicitMeshOptions meshing;
@@ -57,7 +57,7 @@ Mannequin make_mannequin(const MannequinOptions& options) {
     }
   }
 
-  // The soles are flat at y = 0 but for rounding.
+  // The soles are flat at y = 0 up to rounding.
   double floor = 1;
   for (const Vec3& point : mannequin.surface.points) floor = std::min(floor, point.y());
   for (Vec3& point : mannequin.surface.points) point.y() -= floor;

@@ -11,8 +11,8 @@ namespace toile {
 
 namespace {
 
-// Tables: height along the axis; centre; half width, front and back depth; squareness. The frames
-// say which way each of them points. Metres.
+// The tables' columns, metres: height along the axis; centre u and v; half width, front depth and
+// back depth; squareness. The frames give their directions.
 
 Loft torso() {
   return Loft({},
@@ -33,7 +33,7 @@ Loft torso() {
               0.05);
 }
 
-// Across the shoulders: the centre is (z, y), widths run in z, depths up and down.
+// The loft runs across the shoulders. Its centre is (z, y), widths run in z, depths up and down.
 Loft yoke() {
   const LoftFrame frame{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitZ(), Vec3::UnitY()};
   return Loft(frame,
@@ -57,7 +57,8 @@ Loft neck() {
               0.03);
 }
 
-// Arm and hand, from the shoulder down and out; widths run up and out, depths forward and back.
+// The loft of arm and hand runs from the shoulder down and out. Widths run up and out, depths
+// forward and back.
 const Vec3 shoulder(0.160, 1.357, -0.034);
 const Vec3 down_the_arm = Vec3(1, -1, 0) / std::numbers::sqrt2;
 const Vec3 out_of_the_arm = Vec3(1, 1, 0) / std::numbers::sqrt2;
@@ -113,7 +114,7 @@ Loft leg() {
               0.06);
 }
 
-// From the heel forward: the centre is (x, y), widths run in x, depths up and down.
+// The loft runs from the heel forward. Its centre is (x, y), widths run in x, depths up and down.
 Loft foot() {
   const LoftFrame frame{Vec3::Zero(), Vec3::UnitZ(), Vec3::UnitX(), Vec3::UnitY()};
   return Loft(frame,
@@ -128,7 +129,7 @@ Loft foot() {
               0.025);
 }
 
-// Of the left side; the right one is its mirror image.
+// Parts of the left side; those of the right side are mirror images.
 const Ellipsoid breast{{0.072, 1.226, 0.056}, {0.068, 0.076, 0.073}, 0.25};
 const Ellipsoid buttock{{0.072, 0.850, -0.066}, {0.080, 0.090, 0.066}, 0.0};
 const Ellipsoid cranium{{0, 1.602, -0.004}, {0.075, 0.098, 0.096}, 0.0};
@@ -137,7 +138,7 @@ const Ellipsoid nose{{0, 1.572, 0.095}, {0.011, 0.022, 0.014}, -0.35};
 
 Vec3 mirrored(const Vec3& p) { return {-p.x(), p.y(), p.z()}; }
 
-/// Left and right of a solid given for the left.
+/// The distance to a solid of the left side and its mirror image, blended.
 double pair(const Ellipsoid& left, const Vec3& point, double blend) {
   return smooth_union(left.distance(point), left.distance(mirrored(point)), blend);
 }
@@ -200,7 +201,7 @@ double MannequinShape::distance(const Vec3& p) const {
                                smooth_union(leg_distance(q), foot_.distance(q), 0.04));
   double body = smooth_union(trunk_distance(p), legs, 0.06);
   body = smooth_union(body, arms, 0.045);
-  // The floor cuts the soles flat.
+  // The plane y = 0 cuts the soles flat.
   return smooth_intersection(body, -p.y(), 0.012);
 }
 
@@ -214,8 +215,8 @@ Vec3 MannequinShape::normal(const GirthTarget& target) const {
 
 double MannequinShape::girth(const GirthTarget& target) const {
   constexpr int rays = 180;
-  constexpr double reach = 0.3;
-  constexpr double step = 0.004;
+  constexpr double max_radius = 0.3;  // metres
+  constexpr double step = 0.004;      // metres
   const LoftFrame& frame = part(target.part).frame();
   const Vec3 from = centre(target);
   std::vector<Vec3> outline;
@@ -223,7 +224,7 @@ double MannequinShape::girth(const GirthTarget& target) const {
     const double angle = 2 * std::numbers::pi * i / rays;
     const Vec3 direction = std::cos(angle) * frame.u + std::sin(angle) * frame.v;
     double inside = 0;
-    while (inside + step < reach && distance(from + (inside + step) * direction) < 0) {
+    while (inside + step < max_radius && distance(from + (inside + step) * direction) < 0) {
       inside += step;
     }
     double outside = inside + step;

@@ -1,4 +1,4 @@
-// The mannequin as a solid: tailoring cross-sections, lofted and joined.
+// The mannequin as a solid of lofted and joined tailoring cross-sections.
 #pragma once
 
 #include <array>
@@ -10,53 +10,58 @@
 
 namespace toile {
 
-/// The lofts of which the mannequin is made; arms and legs stand for both sides.
+/// The main lofts of the mannequin. Arm and leg stand for both sides.
 enum class MannequinPart { torso, neck, arm, leg };
 
-/// A girth that the mannequin is carved to: around the centre line of `part` at the loft's row
-/// `row`, square to the part's axis. It goes around one limb, not around both.
+/// A girth that the mannequin is scaled to. It goes around the centre line of `part` at a row of
+/// the loft, square to the part's axis. It goes around one limb, not around both.
 struct GirthTarget {
   std::string_view name;
   MannequinPart part;
-  double t;      ///< height of the row along the part's axis, metres
+  double t;      ///< metres: height of the row along the part's axis
   double girth;  ///< metres
 };
 
-/// In the order from neck to ankle. Bust to knee are the measures of the body in Zhong & Xu 2009,
-/// Fig. 12; the others are those of a woman of that build and 1.70 m.
+/// The target girths in the order from neck to ankle. Bust to knee are the body's measures in
+/// [Zhong & Xu 2009, Fig. 12]. The others are those of a woman of that build and of 1.70 m.
 const std::vector<GirthTarget>& girth_targets();
 
-/// The mannequin: standing on y = 0, facing +z, left +x, arms out at 45 degrees. Metres.
+/// The mannequin in metres. It stands on y = 0 and faces +z, with left +x and arms out at 45
+/// degrees.
 class MannequinShape {
  public:
-  /// From the tables, not yet carved to the girths.
+  /// The shape from the tables, not yet scaled to the girths.
   MannequinShape();
 
-  /// About the distance to the skin; negative inside. Symmetric in x to the last bit.
+  /// About the distance to the skin, negative inside. It is symmetric in x to the last bit.
   double distance(const Vec3& point) const;
 
-  /// Its parts at rest, about the distance to each: trunk with head; the left arm with its hand,
-  /// the left leg without its foot, the left foot with its sole cut flat at y = 0.
+  /// About the distance to the trunk with the head, at rest.
   double trunk_distance(const Vec3& point) const;
+  /// About the distance to the left arm with its hand, at rest.
   double arm_distance(const Vec3& point) const;
+  /// About the distance to the left leg without its foot, at rest.
   double leg_distance(const Vec3& point) const;
+  /// About the distance to the left foot, its sole cut flat at y = 0, at rest.
   double foot_distance(const Vec3& point) const;
 
-  /// Where the girth is taken: the part's centre at its height, and the direction of its axis.
+  /// The part's centre at the height of the girth.
   Vec3 centre(const GirthTarget& target) const;
+  /// The direction of the part's axis, square to the girth's plane.
   Vec3 normal(const GirthTarget& target) const;
-  /// What a tape around the shape there reads, metres. Sections are star-shaped about the centre.
+  /// Metres that a tape around the shape reads there. Sections have to be star-shaped about the
+  /// centre.
   double girth(const GirthTarget& target) const;
 
-  /// Scales sections until each girth is within `tolerance` metres of its target, and returns the
-  /// greatest difference left.
+  /// Scales sections until each girth is within `tolerance` metres of its target. It returns the
+  /// greatest difference left. It throws Error when 30 rounds are not enough.
   double carve(double tolerance);
 
  private:
   const Loft& part(MannequinPart which) const;
   Loft& part(MannequinPart which);
 
-  std::array<Loft, 4> parts_;  // by MannequinPart
+  std::array<Loft, 4> parts_;  // in the order of MannequinPart
   Loft yoke_;
   Loft thumb_;
   Loft foot_;

@@ -14,12 +14,12 @@ double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 Vec3 mirrored(const Vec3& p) { return {-p.x(), p.y(), p.z()}; }
 
-// How far from the joint a limb begins to bend: about as far as it is thick there, metres.
+// Metres from a joint where the limb begins to bend: about the limb's thickness there.
 constexpr double knee_reach = 0.070;
 constexpr double elbow_reach = 0.055;
 constexpr double toes_reach = 0.022;
 
-/// The line across the ball of the foot, on the sole.
+/// Metres: a point of the line across the ball of the foot, on the sole.
 const Vec3 ball_of_foot(0.094, 0, 0.092);
 const Vec3 toe_tip(0.091, 0.01, 0.160);
 const Vec3 heel(0.088, 0.01, -0.100);
@@ -27,7 +27,7 @@ const Vec3 finger_tip(0.673, 0.844, 0.010);
 
 const Vec3& left(const std::string& joint) { return standing_joints().joint("left_" + joint); }
 
-/// The limb from hanging down: about its length, then outward, then forward.
+/// The rotation of a hanging limb, degrees: about its length, then outward, then forward.
 Eigen::Matrix3d ball_joint(double flexion, double abduction, double rotation) {
   using Eigen::AngleAxisd;
   return (AngleAxisd(radians(-flexion), Vec3::UnitX()) *
@@ -116,7 +116,7 @@ Skeleton PosedMannequin::skeleton() const {
     const auto move = [&](const std::string& joint, const Vec3& to) {
       posed.joints[(is_left ? "left_" : "right_") + joint] = is_left ? to : mirrored(to);
     };
-    // At the joint itself the arc cuts the corner; the bones meet in it all the same.
+    // At the joint the arc cuts the corner, but the skeleton's bones still meet in the joint.
     move("knee", side.hip().posed(left("knee")));
     move("ankle", side.leg(left("ankle")));
     move("elbow", side.shoulder().posed(left("elbow")));
