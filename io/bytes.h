@@ -1,4 +1,4 @@
-// Numbers in bytes of either order.
+// Numbers as bytes of either order.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace toile {
 
-/// The `Number` at `bytes`, stored in `order`.
+/// The number that the sizeof(Number) bytes from `bytes` on hold in `order`.
 template <class Number>
 Number load(const char* bytes, std::endian order) {
   static_assert(std::is_arithmetic_v<Number>);

@@ -17,12 +17,13 @@ namespace {
 using Checksum = std::uint64_t;
 using Count = std::uint64_t;
 
-/// Changes with the meaning of what follows it.
+/// The version in it changes with the format of the rest of the file.
 constexpr char magic[] = "toile body distances 1\n";
-/// Reads as another number on a machine of the other byte order, to which the file is of no use.
+/// A machine of the other byte order reads another number and rejects the file.
 constexpr std::uint32_t byte_order = 0x01020304;
 
-/// The library's: a file that another one wrote is of no use, and no harm.
+/// The standard library's hash. A file written with another library fails the check and is not
+/// used.
 Checksum checksum(const void* bytes, std::size_t count) {
   return std::hash<std::string_view>{}({static_cast<const char*>(bytes), count});
 }
@@ -43,7 +44,7 @@ std::string head_of(const TriangleMesh& body) {
   return head;
 }
 
-/// Takes from the front of `bytes`; false when they are too few.
+/// Moves `count` items from the front of `bytes` to `items`. False when there are too few bytes.
 template <class T>
 bool take(std::string_view& bytes, T* items, std::size_t count) {
   if (bytes.size() / sizeof(T) < count) return false;

@@ -1,4 +1,4 @@
-// What is known of a body's distances, kept from one run to the next.
+// A file of a body's computed distances, kept from one run to the next.
 #pragma once
 
 #include <filesystem>
@@ -9,14 +9,14 @@
 
 namespace toile {
 
-/// Writes what is known of the distances of `body`, whole or not at all. Throws Error when the file
-/// can't be written.
+/// Writes the computed distances to `body`, whole or not at all. Throws Error when the file can't
+/// be written.
 void write_distance_cache(const std::filesystem::path& path, const TriangleMesh& body,
                           const DistanceCache& cache);
 
-/// What write_distance_cache wrote for the same body on a machine of this kind; nothing when there
-/// is no such file, when it is damaged or of another body. Only what is in it is checked, not
-/// whether its distances are right.
+/// Reads the file that write_distance_cache() wrote for the same body on a machine of this kind. It
+/// returns nothing when there is no such file, or when it is damaged or of another body. It checks
+/// the file's bytes, not whether the distances are right.
 std::optional<DistanceCache> read_distance_cache(const std::filesystem::path& path,
                                                  const TriangleMesh& body);
 

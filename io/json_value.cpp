@@ -11,7 +11,7 @@ namespace toile {
 
 namespace {
 
-/// Line and column of a byte, both from 1.
+/// "line:column" of a byte, both counted from 1.
 std::string line_and_column(const std::string& text, std::size_t byte) {
   byte = std::min(byte, text.size());
   const auto line =

@@ -1,4 +1,4 @@
-// JSON from outside, read with distrust: every value knows its place in the file.
+// Checked reading of JSON from users. Every value knows its place in the file.
 #pragma once
 
 #include <limits>
@@ -10,16 +10,17 @@
 
 namespace toile {
 
-/// A value inside a JsonDocument, which has to outlive it. Reading something of another form throws
-/// an Error that names the place. Keys with the value null count as absent.
+/// A value inside a JsonDocument, which has to outlive it. Reading a value of another type throws
+/// an Error that names its place. Keys with the value null count as absent.
 class JsonValue {
  public:
   JsonValue(const nlohmann::ordered_json& json, std::string place)
       : json_(&json), place_(std::move(place)) {}
 
-  /// The same value under another name, for messages that should say "edge 3", not "edges[3]".
+  /// The same value with another place, for messages that say "edge 3" instead of "edges[3]".
   JsonValue called(std::string place) const { return {*json_, std::move(place)}; }
   const std::string& place() const { return place_; }
+  /// Throws Error with the value's place.
   [[noreturn]] void fail(const std::string& problem, const std::string& remedy = "") const;
 
   bool is_object() const;
@@ -27,19 +28,24 @@ class JsonValue {
   bool is_text() const;
   bool is_flag() const;  ///< true or false
 
-  /// Of an object: its keys in the file's order, the value of one, or nothing.
+  /// The keys of an object, in the file's order.
   std::vector<std::string> keys() const;
+  /// The value of an object's key. When it is absent, find() returns nothing and get() throws Error.
   std::optional<JsonValue> find(const std::string& key) const;
   JsonValue get(const std::string& key) const;
 
-  /// Of a list of `min` to `max` entries: their number, and each one.
+  /// The number of a list's entries. Throws Error when it is not `min` to `max`.
   std::size_t size(std::size_t min = 0,
                    std::size_t max = std::numeric_limits<std::size_t>::max()) const;
+  /// Entry `i` of a list, i < size().
   JsonValue item(std::size_t i) const;
 
-  double number() const;                                         ///< finite
-  int index(int below = std::numeric_limits<int>::max()) const;  ///< whole, in [0, below)
-  bool flag() const;  ///< true or false, or a number that is 0 or not
+  /// A finite number.
+  double number() const;
+  /// A whole number in [0, below).
+  int index(int below = std::numeric_limits<int>::max()) const;
+  /// True or false. A number counts as true unless it is 0.
+  bool flag() const;
   std::string text() const;
 
  private:
@@ -47,9 +53,10 @@ class JsonValue {
   std::string place_;
 };
 
+/// A JSON text, parsed.
 class JsonDocument {
  public:
-  /// Throws Error with "name:line:column" for text that is not JSON.
+  /// Throws Error with the place "name:line:column" for text that is not JSON.
   JsonDocument(const std::string& text, const std::string& name);
   ~JsonDocument();
   JsonDocument(const JsonDocument&) = delete;

@@ -1,4 +1,4 @@
-// Numbers and words out of text and bytes, with the place of whatever is wrong.
+// Reads words and numbers from a text line by line. Its errors name the line.
 #pragma once
 
 #include <string>
@@ -6,27 +6,30 @@
 
 namespace toile {
 
-/// Walks through a text line by line and word by word. Every Error it throws names "name:line".
+/// Reads a text line by line and word by word. Every Error it throws has the place "name:line". The
+/// text has to outlive it.
 class LineScanner {
  public:
   LineScanner(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
 
-  /// Goes on to the next line that is not blank, nor a comment where `comment` is not 0.
-  /// False at the end of the text. Lines end in LF, CR or CR LF.
+  /// Goes on to the next line that is not blank. The rest of a line from the character `comment` on
+  /// is dropped, unless that is 0. False at the end of the text. Lines end in LF, CR or CR LF.
   bool next_line(char comment = 0);
-  /// As next_line(), but the end of the text is an Error: "ends before <what>".
+  /// Goes on as next_line(). The end of the text is an Error: "the file ends before <what>".
   void need_line(const std::string& what, char comment = 0);
 
   /// The next word of the line; empty at its end.
   std::string_view word();
-  /// What is left of the line.
+  /// The rest of the line.
   std::string_view rest() const { return line_; }
-  /// The next word as a finite number; as an integer from `low` to `high`. `what` names it.
+  /// The next word as a finite number. `what` names it in an Error.
   double number(const std::string& what);
+  /// The next word as an integer from `low` to `high`. `what` names it in an Error.
   long long integer(const std::string& what, long long low, long long high);
 
-  /// Bytes before the next line.
+  /// Number of bytes before the next line.
   std::size_t offset() const { return at_; }
+  /// Number of the current line, from 1; 0 before the first.
   int line() const { return number_; }
 
   [[noreturn]] void fail(const std::string& problem, const std::string& remedy) const;
@@ -39,7 +42,7 @@ class LineScanner {
   int number_ = 0;
 };
 
-/// A word as messages show it: cut at 40 characters, what can't be printed as '?'.
+/// A word as messages show it: in quotes, cut at 40 characters, with '?' for unprintable ones.
 std::string shown(std::string_view word);
 
 }  // namespace toile

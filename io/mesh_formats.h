@@ -1,4 +1,4 @@
-// One mesh format each, between text or bytes and plain data; mesh_file.h chooses among them.
+// Converts between mesh files' content and plain data, one format each. mesh_file.h chooses one.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace toile {
 
-/// All throw Error with "name:line", or "name, byte n" for binary data, as read_mesh() says. None
-/// allocates by a count that the rest of the file doesn't bear out.
+/// All parsers throw Error with the place "name:line", or "name, byte n" for binary data, as
+/// read_mesh() says. None allocates memory by a count that the rest of the file does not justify.
 PolygonSoup parse_ply(std::string_view data, const std::string& name);
 PolygonSoup parse_stl(std::string_view data, const std::string& name);
 PolygonSoup parse_off(std::string_view data, const std::string& name);

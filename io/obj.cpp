@@ -24,7 +24,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// Takes the first word off `rest`; empty when there is none.
+/// Removes the first word from `rest` and returns it; empty when there is none.
 std::string_view next_word(std::string_view& rest) {
   while (!rest.empty() && is_space(rest.front())) rest.remove_prefix(1);
   std::size_t end = 0;
@@ -94,7 +94,8 @@ class Parser {
     return *value;
   }
 
-  /// An index as written (from 1, or negative from the last one so far) as one from 0.
+  /// An index of the file as an index from 0. The file counts from 1, or from -1 backward from the
+  /// last item so far.
   int index(std::string_view word, std::size_t so_far, std::string_view of) const {
     long long value = 0;
     const auto read = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -180,7 +181,7 @@ class Parser {
     ++statements_;
   }
 
-  /// Indices may point forward in the file, so they are checked when all of it is read.
+  /// Checks indices. Indices may point forward in the file, so this comes when all of it is read.
   void check_ranges() {
     const auto check = [this](int value, std::size_t count, const char* what) {
       if (value >= static_cast<int>(count)) {
@@ -220,7 +221,7 @@ void append_coordinate(std::string& text, double value) {
 /// Appends an index as the file counts, from 1.
 void append_index(std::string& text, int index) { text += std::to_string(index + 1LL); }
 
-/// A name on one line, without what would read back as a comment or another name.
+/// A name on one line, with '_' for characters that would not read back as part of it.
 std::string one_line(std::string_view name) {
   std::string text(trimmed(name));
   for (char& c : text) {

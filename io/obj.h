@@ -1,4 +1,4 @@
-// Wavefront OBJ as Toile reads and writes it: positions, texture coordinates, groups, faces, lines.
+// Wavefront OBJ files: positions, texture coordinates, groups, faces and lines.
 #pragma once
 
 #include <array>
@@ -11,34 +11,35 @@
 
 namespace toile {
 
-/// One corner of a face: indices into ObjData::points and ObjData::texture (-1: none).
+/// One corner of a face.
 struct ObjCorner {
-  int point = 0;
-  int texture = -1;
+  int point = 0;     ///< index into ObjData::points
+  int texture = -1;  ///< index into ObjData::texture; -1: none
 };
 
 struct ObjFace {
   std::vector<ObjCorner> corners;  ///< three or more
-  int group = -1;                  ///< index into ObjData::groups, -1: none
+  int group = -1;                  ///< index into ObjData::groups; -1: none
 };
 
-/// All indices count from 0 here, whatever the file counts from.
+/// The content of an OBJ file. Indices count from 0 here, and from 1 in the file.
 struct ObjData {
-  std::vector<std::string> comments;      ///< `#` lines put at the top when written; not read
+  std::vector<std::string> comments;      ///< `#` lines, written at the top of the file, not read
   std::vector<Vec3> points;               ///< v
   std::vector<Vec2> texture;              ///< vt
   std::vector<std::string> groups;        ///< g (or o), in the order of first use
   std::vector<ObjFace> faces;             ///< f
-  std::vector<std::array<int, 2>> lines;  ///< l a b, longer lines cut into pairs
+  std::vector<std::array<int, 2>> lines;  ///< l a b; longer lines are cut into pairs
 };
 
-/// Throws Error with "file:line" for malformed or non-finite numbers, indices out of range, faces
-/// of fewer than three corners, and files that hold no OBJ statement at all. Statements that Toile
-/// has no use for (vn, usemtl, s, ...) are passed over.
+/// Reads an OBJ file or text. It throws Error with "file:line" for malformed or non-finite numbers,
+/// indices out of range, and faces of fewer than three corners. Text without any OBJ statement is
+/// an Error, too. Statements that Toile does not use (vn, usemtl, s, ...) are skipped.
 ObjData read_obj(const std::filesystem::path& path);
 ObjData parse_obj(const std::string& text, const std::string& name);
 
-/// Doubles are written with the fewest digits that read back to the same bits.
+/// Writes an OBJ file, whole or not at all. Doubles have the fewest digits that read back to the
+/// same bits. Throws Error as OutputFile does.
 void write_obj(const std::filesystem::path& path, const ObjData& data);
 
 }  // namespace toile

@@ -1,5 +1,4 @@
-// Object File Format [Geomview]: OFF, and its variants with normals or colours, which are passed
-// over. Text only.
+// Object File Format [Geomview], as text only. Normals and colours of its variants are skipped.
 #include <limits>
 
 #include "io/line_scanner.h"

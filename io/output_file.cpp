@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 OutputFile::OutputFile(fs::path path) : path_(std::move(path)) {
   if (fs::is_directory(path_)) throw Error(path_.string(), "is a folder", "name a file");
-  // The process id keeps two runs that write the same file out of each other's way.
+  // The process id keeps the temporary files of two runs apart that write the same file.
   temporary_ = path_;
   temporary_ += ".part" + std::to_string(getpid());
   stream_.open(temporary_, std::ios::binary | std::ios::trunc);

@@ -1,4 +1,4 @@
-// Files written whole or not at all, files read whole.
+// Writes files whole or not at all, and reads whole files.
 #pragma once
 
 #include <filesystem>
@@ -9,9 +9,9 @@
 
 namespace toile {
 
-/// Writes to a temporary file beside `path`; commit() renames it onto `path`. A run that is killed,
-/// or that throws before commit(), leaves `path` as it was. Throws Error when the folder can't be
-/// written or the disk is full.
+/// Writes to a temporary file beside `path`. commit() renames it to `path`. A run that is killed or
+/// throws before commit() leaves `path` as it was. Throws Error when the folder can't be written or
+/// the disk is full.
 class OutputFile {
  public:
   explicit OutputFile(std::filesystem::path path);
@@ -31,14 +31,14 @@ class OutputFile {
 /// Writes `content` to `path`, whole or not at all. Throws Error as OutputFile does.
 void write_file(const std::filesystem::path& path, std::string_view content);
 
-/// Throws Error unless a file can be written there: to find out before a long computation.
+/// Throws Error unless a file can be written there. Call it before a long computation.
 void check_writable(const std::filesystem::path& path);
 
-/// Throws Error unless the path ends in one of the extensions, ".obj" say, in small or capital
-/// letters: a file should be what its name says.
+/// Throws Error unless the path ends in one of the extensions, such as ".obj", in small or capital
+/// letters. A file should have the format that its name says.
 void check_extension(const std::filesystem::path& path, const std::vector<std::string>& extensions);
 
-/// The whole file. Throws Error when it is missing, a folder, or can't be read.
+/// The content of a file. Throws Error when it is missing, a folder, or can't be read.
 std::string read_file(const std::filesystem::path& path);
 
 }  // namespace toile

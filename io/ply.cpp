@@ -1,6 +1,6 @@
-// The Polygon File Format [Turk 1994]: a text header that declares elements and their properties,
-// then the elements as text or as binary of either byte order. Points and faces are read, all else
-// is passed over.
+// The Polygon File Format [Turk 1994]. A text header declares elements and their properties. The
+// elements follow as text or as binary of either byte order. The parser reads points and faces and
+// skips all else.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -41,7 +41,7 @@ std::size_t size_of(Type type) {
 struct Property {
   std::string name;
   Type type = Type::float32;
-  std::optional<Type> count;  // of a list's length
+  std::optional<Type> count;  // type of a list's length; none: no list
 };
 
 struct Element {
@@ -51,7 +51,7 @@ struct Element {
 };
 
 struct Header {
-  std::optional<std::endian> binary;  // none: text
+  std::optional<std::endian> binary;  // byte order; none: text
   std::vector<Element> elements;
 };
 
@@ -121,14 +121,14 @@ Header parse_header(LineScanner& scanner) {
   return header;
 }
 
-/// Values one after another, whatever they are stored as.
+/// Reads the values after the header one after another, from text or from binary.
 class Body {
  public:
   Body(LineScanner& scanner, std::string_view data, const std::string& name,
        std::optional<std::endian> binary)
       : scanner_(scanner), data_(data), name_(name), binary_(binary), at_(scanner.offset()) {}
 
-  /// Each element of a text file has its line, each value of a binary one its bytes.
+  /// Begins an element. In a text file each element has a line; in a binary one values follow on.
   void begin(const Element& element, long long number) {
     element_ = &element;
     number_ = number;
@@ -274,7 +274,8 @@ PolygonSoup parse_ply(std::string_view data, const std::string& name) {
   Body body(scanner, data, name, header.binary);
   PolygonSoup soup;
   for (const Element& element : header.elements) {
-    if (element.properties.empty()) continue;  // nothing is stored of it, however many it claims
+    if (element.properties.empty())
+      continue;  // the file stores nothing for these elements, whatever their count
     for (long long i = 0; i < element.count; ++i) {
       body.begin(element, i);
       if (element.name == "vertex") {

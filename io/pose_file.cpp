@@ -9,7 +9,7 @@ namespace toile {
 
 namespace {
 
-/// "a, b, c": each name once, in their order.
+/// `so_far`, a list such as "a, b", with `name` appended unless it is the last one already.
 std::string list(const std::string& so_far, std::string_view name) {
   if (so_far == name || so_far.ends_with(", " + std::string(name))) return so_far;
   return so_far + (so_far.empty() ? "" : ", ") + std::string(name);
@@ -32,7 +32,7 @@ void read_joint(const std::string& joint, const JsonValue& motions, SidePose& si
         std::find_if(joint_motions.begin(), joint_motions.end(),
                      [&](const JointMotion& m) { return m.joint == joint && m.motion == key; });
     if (motion == joint_motions.end()) {
-      motions.fail("'" + key + "' is not a way in which it moves", "use " + known);
+      motions.fail("'" + key + "' is no motion of this joint", "use " + known);
     }
     if (const auto angle = motions.find(key)) side.*(motion->angle) = angle->number();
   }

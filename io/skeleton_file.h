@@ -1,4 +1,4 @@
-// body.json: a body's joints and segments on disk.
+// Reads and writes body.json: a body's joints and segments.
 #pragma once
 
 #include <filesystem>
@@ -7,19 +7,21 @@
 
 namespace toile {
 
+/// Writes a file such as
 /// {"format": "toile-body", "version": 1, "units": "m", "up": "y",
 ///  "joints": {name: [x, y, z]}, "segments": [{"part", "from", "to"}]}
 void write_skeleton(const std::filesystem::path& path, const Skeleton& skeleton);
 
-/// Reads what write_skeleton wrote; keys it does not know are passed over. Throws Error, naming the
-/// file and the key, for other units or another up axis, a joint that is no three finite numbers, a
-/// part that is none of body_parts, or a segment of joints that are not there.
+/// Reads a file that write_skeleton() wrote and skips unknown keys. It throws Error with the file
+/// and the key for other units or another up axis, and for a joint that is not three finite
+/// numbers. A part that is not in body_parts and a segment whose joints are missing are Errors,
+/// too.
 Skeleton read_skeleton(const std::filesystem::path& path);
 
-/// Whether the file says that it is one, sound or not. False where there is no file.
+/// Whether the file's `format` is that of a skeleton file, sound or not. False if there is no file.
 bool is_skeleton_file(const std::filesystem::path& path);
 
-/// Where a body's skeleton is by convention: beside it, of the same stem, .json.
+/// The path of a body's skeleton by convention: beside it, with the extension .json.
 std::filesystem::path skeleton_path(const std::filesystem::path& body);
 
 }  // namespace toile

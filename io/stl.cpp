@@ -1,4 +1,4 @@
-// Stereolithography files: loose triangles, as text or as 50-byte binary records of floats.
+// Stereolithography files: separate triangles, as text or as 50-byte binary records of floats.
 #include <cmath>
 #include <cstdint>
 
@@ -66,7 +66,7 @@ void expect(LineScanner& scanner, const std::string& statement) {
 PolygonSoup parse_text(std::string_view data, const std::string& name) {
   LineScanner scanner(data, name);
   PolygonSoup soup;
-  bool open = false;  // between solid and endsolid; a file may hold several solids
+  bool open = false;  // whether between solid and endsolid; a file may hold several solids
   while (scanner.next_line()) {
     const std::string_view line = scanner.rest();
     const std::string_view keyword = scanner.word();

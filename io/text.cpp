@@ -121,7 +121,7 @@ std::string fixed_number(double value, int decimals) {
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
                                  std::chars_format::fixed, decimals);
   std::string text(buffer.data(), end.ptr);
-  // "-0.0" says something that is not so.
+  // A value that rounds to 0 has no sign.
   if (text.starts_with('-') && text.find_first_not_of("-0.") == std::string::npos) text.erase(0, 1);
   return text;
 }

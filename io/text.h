@@ -1,4 +1,4 @@
-// Text that comes from users, made safe for what it goes into.
+// Text from users made safe for output, and numbers as text.
 #pragma once
 
 #include <optional>
@@ -7,11 +7,11 @@
 
 namespace toile {
 
-/// `text` with every byte that is not part of well-formed UTF-8, and every control character,
-/// replaced by U+FFFD.
+/// `text` with U+FFFD for every control character and every byte that is not part of well-formed
+/// UTF-8.
 std::string valid_utf8(std::string_view text);
 
-/// valid_utf8() with & < > " ' as character references: fit for HTML text and quoted attributes.
+/// valid_utf8() with & < > " ' as character references, for HTML text and quoted attributes.
 std::string html_escaped(std::string_view text);
 
 /// Standard base64 with padding.
@@ -24,7 +24,8 @@ std::optional<double> parse_number(std::string_view word);
 /// Appends `value` in the fewest digits that read back to the same bits.
 void append_number(std::string& text, double value);
 
-/// A number with `decimals` places, the same in every locale. -0 becomes 0.
+/// A number with `decimals` decimal places, the same in every locale. -0 becomes 0. This is how
+/// reports and messages show numbers to people.
 std::string fixed_number(double value, int decimals);
 
 }  // namespace toile

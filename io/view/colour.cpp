@@ -32,7 +32,7 @@ Colour ColourRamp::at(double value) const {
   if (value < low) return below;
   const double place = (value - low) / (high - low) * static_cast<double>(steps.size() - 1);
   const double last = static_cast<double>(steps.size() - 1);
-  // Written so that a value that is not a number ends at the first step.
+  // The comparison takes a value that is not a number to the first step.
   const double inside = place > 0 ? std::min(place, last) : 0;
   const auto from = static_cast<std::size_t>(inside);
   const std::size_t to = std::min(from + 1, steps.size() - 1);
@@ -49,8 +49,8 @@ ColourRamp magnitude_ramp(double low, double high) {
   constexpr int count = 65;
   for (int i = 0; i < count; ++i) {
     const double t = static_cast<double>(i) / (count - 1);
-    // Yellow through green and teal to deep blue, with as much chroma as sRGB has on that way:
-    // clipped colours would show as a band.
+    // Yellow through green and teal to deep blue. The chroma stays within sRGB, as clipped colours
+    // would show as a band.
     const double chroma =
         0.100 + 0.045 * std::max(0.0, std::sin(2 * std::numbers::pi * t)) + 0.045 * std::pow(t, 8);
     ramp.steps.push_back(oklch(0.94 - 0.54 * t, chroma, 100 + 175 * t));
@@ -60,7 +60,7 @@ ColourRamp magnitude_ramp(double low, double high) {
 }
 
 Colour quiet_colour(int index) {
-  // Neighbours in this row are far apart in hue; a second round is darker.
+  // Neighbours in this list are far apart in hue. The second eight colours are darker.
   static constexpr std::array<double, 8> hues = {245, 70, 155, 20, 300, 110, 200, 345};
   const auto place = static_cast<std::size_t>(index) % hues.size();
   const bool second = (static_cast<std::size_t>(index) / hues.size()) % 2 == 1;

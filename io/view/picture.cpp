@@ -15,7 +15,7 @@ namespace toile {
 
 namespace {
 
-constexpr Colour paper{251 / 255.0, 251 / 255.0, 250 / 255.0};  // as the views' background
+constexpr Colour paper{251 / 255.0, 251 / 255.0, 250 / 255.0};  // as the background of RayScene
 constexpr Colour ink{0.16, 0.16, 0.18};
 constexpr Colour faint_ink{0.42, 0.42, 0.45};
 
@@ -59,13 +59,13 @@ Eigen::AlignedBox3d framed_box(const std::vector<PictureMesh>& meshes) {
   return box;
 }
 
-/// Width and height that the box takes up for a camera.
+/// Metres: width and height of the box as a camera sees it.
 Vec2 seen_size(const Eigen::AlignedBox3d& box, const Camera& camera) {
   const Vec3 right = camera.forward.cross(camera.up);
   return {box.sizes().dot(right.cwiseAbs()), box.sizes().dot(camera.up.cwiseAbs())};
 }
 
-/// A cairo surface with its context; text and shapes in pixels.
+/// A cairo surface with its context. Text and shapes have their sizes and places in pixels.
 class Canvas {
  public:
   Canvas(int width, int height)
@@ -102,7 +102,7 @@ class Canvas {
     return extents.x_advance;
   }
 
-  /// `align` 0 starts at x, 0.5 is centred on it, 1 ends there; y is the base line.
+  /// Draws text on the base line y. `align` 0 starts it at x, 0.5 centres it on x, 1 ends it at x.
   void text(double x, double y, const std::string& text, double size, const Colour& colour,
             double align = 0) {
     x -= align * text_width(text, size);
@@ -183,8 +183,8 @@ void draw_bar(Canvas& canvas, const ColourBar& bar, double left, double top, dou
   }
 }
 
-/// The legend's rows, each entry's place in a width; drawn if `canvas` should show it at `top`.
-/// Returns the height.
+/// Lays the legend's entries out in rows of `width` pixels from `top` on, and draws them if
+/// `visible`. It returns the height in pixels.
 double draw_legend(Canvas& canvas, const std::vector<LegendEntry>& legend, double left,
                    double width, double top, double size, bool visible) {
   if (legend.empty()) return 0;

@@ -11,20 +11,20 @@
 
 namespace toile {
 
-/// Where the camera stands, for a body that faces +z: `left` is the wearer's left (+x), so in the
-/// front view the wearer's left is on the picture's right.
+/// The side from which the camera looks at a body that faces +z. `left` is the wearer's left (+x).
+/// In the front view the wearer's left is on the picture's right.
 enum class View { front, back, left, right, top };
 
 inline constexpr std::array<std::string_view, 5> view_names = {"front", "back", "left", "right",
                                                                "top"};
 
-/// The view of that name, if there is one.
+/// The view of that name, or nothing.
 std::optional<View> view_named(std::string_view name);
 
 struct ColourBar {
-  std::string title;  ///< with the unit, such as "gap, mm"
+  std::string title;  ///< with the unit, as in "gap, mm"
   ColourRamp ramp;
-  std::string below;  ///< what the colour below the ramp means; empty: not shown
+  std::string below;  ///< meaning of the colour below the ramp; empty: not shown
 };
 
 struct LegendEntry {
@@ -32,19 +32,19 @@ struct LegendEntry {
   std::string label;
 };
 
-/// What a picture shows besides the meshes. User text may hold any bytes.
+/// The layout of a picture and its content besides the meshes. Text may hold any bytes.
 struct Picture {
   std::string title;                                 ///< empty: none
   std::vector<View> views{View::front, View::back};  ///< from left to right
   int view_width = 900;                              ///< pixels, from 16 to 4096
-  int view_height = 0;                               ///< pixels; 0: as the meshes need it
+  int view_height = 0;                               ///< pixels, up to 8192; 0: as the meshes need
   std::optional<ColourBar> bar;
   std::vector<LegendEntry> legend;
 };
 
-/// The bytes of a PNG file: all views to one scale, in parallel projection. The same input gives
-/// the same bytes with the same versions of the libraries and fonts. Throws Error when there is
-/// nothing to show.
+/// The bytes of a PNG file with all views to one scale, in parallel projection. The same input
+/// gives the same bytes with the same versions of the libraries and fonts. It throws Error when
+/// there is no triangle or no view to show. The cost is that of RayScene.
 std::string picture_png(std::vector<PictureMesh> meshes, const Picture& picture);
 std::string picture_png(const RayScene& scene, const Picture& picture);
 

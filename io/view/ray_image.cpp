@@ -14,18 +14,19 @@ namespace toile {
 
 namespace {
 
-constexpr Colour background{251 / 255.0, 251 / 255.0, 250 / 255.0};  // a white that is not harsh
+constexpr Colour background{251 / 255.0, 251 / 255.0, 250 / 255.0};  // a soft white
 
-alignas(16) constexpr int all_lanes[4] = {-1, -1, -1, -1};  // of a packet of four rays
+alignas(16) constexpr int all_lanes[4] = {-1, -1, -1,
+                                          -1};  // the valid rays of a packet of four: all
 
-/// What shading needs to know of a point: its normal, and how open the sky is on either side.
-struct PointLook {
+/// The shading of a point.
+struct PointShading {
   Vec3 normal = Vec3::UnitY();
-  double open_front = 1;
-  double open_back = 1;
+  double open_front = 1;  ///< share of the sky that is visible before the surface
+  double open_back = 1;   ///< and behind it
 };
 
-/// Directions spread evenly over the sphere, on a golden-angle spiral.
+/// Unit vectors spread evenly over the sphere, on a golden-angle spiral.
 std::vector<Vec3> sphere_directions(int count) {
   std::vector<Vec3> directions;
   const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
@@ -37,10 +38,10 @@ std::vector<Vec3> sphere_directions(int count) {
   return directions;
 }
 
-/// Normals weighted by the angle at the point.
-std::vector<PointLook> point_normals(const TriangleMesh& mesh) {
-  std::vector<PointLook> looks(mesh.points.size());
-  for (PointLook& look : looks) look.normal.setZero();
+/// The points' normals: means of their triangles' normals, weighted by the angle at the point.
+std::vector<PointShading> point_normals(const TriangleMesh& mesh) {
+  std::vector<PointShading> shadings(mesh.points.size());
+  for (PointShading& shading : shadings) shading.normal.setZero();
   for (const Triangle& triangle : mesh.triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3& p = mesh.points[static_cast<std::size_t>(triangle[i])];
@@ -49,14 +50,14 @@ std::vector<PointLook> point_normals(const TriangleMesh& mesh) {
       const Vec3 across = a.cross(b);
       const double size = across.norm();
       if (size == 0) continue;
-      looks[static_cast<std::size_t>(triangle[i])].normal +=
+      shadings[static_cast<std::size_t>(triangle[i])].normal +=
           across * (std::atan2(size, a.dot(b)) / size);
     }
   }
-  for (PointLook& look : looks) {
-    if (look.normal.norm() > 0) look.normal.normalize();
+  for (PointShading& shading : shadings) {
+    if (shading.normal.norm() > 0) shading.normal.normalize();
   }
-  return looks;
+  return shadings;
 }
 
 RTCRay ray_of(const Vec3& origin, const Vec3& direction, double from, double to) {
@@ -77,9 +78,9 @@ RTCRay ray_of(const Vec3& origin, const Vec3& direction, double from, double to)
 
 struct RayScene::Data {
   std::vector<PictureMesh> meshes;
-  std::vector<std::vector<PointLook>> looks;
+  std::vector<std::vector<PointShading>> shadings;
   std::vector<std::vector<Light>> lights;  // one a triangle, or one for the mesh
-  std::vector<std::int32_t> first_region;  // makes the meshes' regions distinct
+  std::vector<std::int32_t> first_region;  // per mesh, added to its regions to make them distinct
   Eigen::AlignedBox3d box;
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
@@ -128,7 +129,7 @@ RTCGeometry RayScene::Data::new_geometry(const TriangleMesh& mesh) const {
   return geometry;
 }
 
-/// A mesh has its own index as its id in every scene that it is in.
+/// Builds the Embree scenes. The index of a mesh is its geometry's id in both scenes.
 void RayScene::Data::build_scenes() {
   scene = new_scene();
   for (std::size_t m = 0; m < meshes.size(); ++m) {
@@ -144,21 +145,22 @@ void RayScene::Data::build_scenes() {
   if (sunken != nullptr) rtcCommitScene(sunken);
 }
 
-/// How much of the half sphere over each point, weighted by the cosine, meets nothing near. All
-/// points use the same directions: the error is then smooth over the surface instead of noise.
+/// Finds the share of the half sphere over each point, weighted by the cosine, whose rays meet
+/// nothing near. All points use the same directions. So the error is smooth over the surface, not
+/// noise.
 void RayScene::Data::find_openness() {
   static const std::vector<Vec3> directions = sphere_directions(96);
   const double reach = 0.15 * box.diagonal().norm();
   const double lift = 1e-4 * box.diagonal().norm();
   for (std::size_t m = 0; m < meshes.size(); ++m) {
-    tbb::parallel_for(std::size_t{0}, looks[m].size(), [&](std::size_t i) {
-      PointLook& look = looks[m][i];
+    tbb::parallel_for(std::size_t{0}, shadings[m].size(), [&](std::size_t i) {
+      PointShading& shading = shadings[m][i];
       std::array<double, 2> open{}, all{};
       for (const Vec3& direction : directions) {
-        const double cosine = look.normal.dot(direction);
+        const double cosine = shading.normal.dot(direction);
         const int side = cosine > 0 ? 0 : 1;
         if (side == 1 && !meshes[m].inside_shown) continue;
-        const Vec3 origin = meshes[m].mesh.points[i] + (side == 0 ? lift : -lift) * look.normal;
+        const Vec3 origin = meshes[m].mesh.points[i] + (side == 0 ? lift : -lift) * shading.normal;
         RTCRay ray = ray_of(origin, direction, lift, reach);
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);
@@ -167,8 +169,8 @@ void RayScene::Data::find_openness() {
         all[static_cast<std::size_t>(side)] += weight;
         if (ray.tfar >= 0) open[static_cast<std::size_t>(side)] += weight;
       }
-      if (all[0] > 0) look.open_front = open[0] / all[0];
-      if (all[1] > 0) look.open_back = open[1] / all[1];
+      if (all[0] > 0) shading.open_front = open[0] / all[0];
+      if (all[1] > 0) shading.open_back = open[1] / all[1];
     });
   }
 }
@@ -181,7 +183,7 @@ RayScene::RayScene(std::vector<PictureMesh> meshes) : data_(std::make_unique<Dat
   for (const PictureMesh& mesh : data.meshes) {
     triangles += mesh.mesh.triangles.size();
     for (const Vec3& point : mesh.mesh.points) data.box.extend(point);
-    data.looks.push_back(point_normals(mesh.mesh));
+    data.shadings.push_back(point_normals(mesh.mesh));
     std::vector<Light>& lights = data.lights.emplace_back();
     for (const Colour& colour : mesh.triangle_colours) lights.push_back(light_of(colour));
     if (lights.empty()) lights.push_back(light_of(mesh.colour));
@@ -212,14 +214,14 @@ double RayScene::Data::value_at(std::size_t mesh, std::size_t triangle, double u
 
 Light RayScene::Data::surface_light(std::size_t mesh, std::size_t triangle, double u,
                                     double v) const {
-  // Interpolating the value, not its colour, keeps the ramp's steps where they belong.
+  // It interpolates the value, not its colour. So the ramp's steps keep their places.
   if (!meshes[mesh].values.empty()) {
     return light_of(meshes[mesh].ramp.at(value_at(mesh, triangle, u, v)));
   }
   return lights[mesh].size() > 1 ? lights[mesh][triangle] : lights[mesh][0];
 }
 
-/// Puts what shows through in the place of what covers it. `fresh` are the rays of `hit` before
+/// Replaces hits by the surfaces that show through there. `fresh` holds the rays of `hit` before
 /// they were cast.
 void RayScene::Data::bring_forward(RTCRayHit4& hit, const RTCRayHit4& fresh) const {
   RTCRayHit4 under = fresh;
@@ -262,14 +264,14 @@ Sample RayScene::Data::shade(const RTCRayHit4& hit, std::size_t lane,
   Vec3 normal = Vec3::Zero();
   double open = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    const PointLook& look = looks[mesh][static_cast<std::size_t>(triangle[k])];
-    // Beyond about 70 degrees an edge is meant to be sharp.
-    normal += weight[k] * (look.normal.dot(facet) > 0.35 ? look.normal : facet);
-    open += weight[k] * (back ? look.open_back : look.open_front);
+    const PointShading& shading = shadings[mesh][static_cast<std::size_t>(triangle[k])];
+    // An edge of more than about 70 degrees counts as sharp.
+    normal += weight[k] * (shading.normal.dot(facet) > 0.35 ? shading.normal : facet);
+    open += weight[k] * (back ? shading.open_back : shading.open_front);
   }
   normal.normalize();
   if (back) normal = -normal;
-  // What shows through is shut in all around, but is to be seen.
+  // A surface that shows through is enclosed all around, but should not be dark.
   const PictureMesh& shown = meshes[mesh];
   if (shown.shows_through > 0 && !shown.values.empty() &&
       value_at(mesh, index, u, v) < shown.ramp.low) {
@@ -281,7 +283,7 @@ Sample RayScene::Data::shade(const RTCRayHit4& hit, std::size_t lane,
   const double brightness = (0.16 + 0.84 * open) * (0.20 + 0.32 * head_on + 0.52 * key);
   Light light = surface_light(mesh, index, u, v);
   if (back && meshes[mesh].inside_shown) {
-    // The inside: darker, and drawn toward a violet that no panel has.
+    // The inside is darker and tinted violet, a colour that no panel has.
     light = {0.42 * light.red + 0.10, 0.38 * light.green + 0.03, 0.42 * light.blue + 0.14};
   }
   Sample sample;

@@ -1,4 +1,4 @@
-// What rays saw, four to a pixel, on its way to an image.
+// Samples of rays, four to a pixel, that make an image.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +8,14 @@
 
 namespace toile {
 
-/// Rows from the top, three bytes a pixel (red, green, blue).
+/// Pixels in rows from the top, three bytes each (red, green, blue).
 struct Image {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> bytes;
 };
 
-/// A colour as linear light, which may be added up and scaled.
+/// A colour as linear light, which can be added and scaled.
 struct Light {
   double red = 0;
   double green = 0;
@@ -24,25 +24,26 @@ struct Light {
 
 Light light_of(const Colour& colour);
 
+/// The result of one ray.
 struct Sample {
-  float red = 0;  ///< light
+  float red = 0;  ///< linear light, as green and blue
   float green = 0;
   float blue = 0;
-  std::int32_t region = -1;  ///< of the surface that was met; -1: none was
+  std::int32_t region = -1;  ///< of the surface that the ray met; -1: none
 };
 
-/// A pixel has a sample in each of its quarters: 0 and 1 in the upper row, 2 and 3 in the lower.
+/// The samples of an image. A pixel has one in each quarter: 0 and 1 are above, 2 and 3 below.
 class SampleGrid {
  public:
-  /// Sizes in pixels, positive. All samples are `background`.
+  /// Sizes are in pixels, positive. All samples start as `background`.
   SampleGrid(int width, int height, const Colour& background);
 
   Sample& at(int x, int y, int quarter) {
     return samples_[index(2 * x + quarter % 2, 2 * y + quarter / 2)];
   }
 
-  /// Darkens the samples on either side of a border between regions; a border with the background
-  /// is none.
+  /// Darkens the samples on either side of a border between regions. The edge of the background is
+  /// no border.
   void draw_borders();
 
   /// The mean of each pixel's samples.

@@ -10,8 +10,8 @@
 #include "io/bytes.h"
 #include "io/text.h"
 
-// The files that the page is made of, put into the program as they are, so that it needs none of
-// them where it runs. TOILE_PAGE, TOILE_THREE and TOILE_CONTROLS are their paths.
+// The page's files are embedded in the program, which then needs no files where it runs.
+// TOILE_PAGE, TOILE_THREE and TOILE_CONTROLS are their paths.
 #define TOILE_EMBED(name, path)       \
   asm(".section .rodata\n"            \
       ".global " #name "\n" #name     \
@@ -75,7 +75,7 @@ json mesh_data(const std::vector<Vec3>& points, const std::vector<Triangle>& tri
 }
 
 std::string data_of(const ViewerPage& page) {
-  // Each region's triangles in one run.
+  // Sorts the triangles so that those of a region follow one another.
   std::vector<std::size_t> order(page.surface.triangles.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t t) { return page.region_of_triangle[t]; });
@@ -106,7 +106,7 @@ std::string data_of(const ViewerPage& page) {
   data["high"] = page.ramp.high;
   data["below"] = bytes_of(page.ramp.below);
   for (const Colour& step : page.ramp.steps) data["steps"].push_back(bytes_of(step));
-  // "</script" in a name must not end the element that the data stands in.
+  // "</script" in a name must not end the element that holds the data.
   std::string text = data.dump();
   for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;) {
     text.replace(at, 1, "\\u003c");
@@ -182,7 +182,7 @@ std::string viewer_page(const ViewerPage& page) {
     return {toile_orbit_controls_js, toile_orbit_controls_js_end};  // "controls"
   };
 
-  // One pass over the template, so that nothing in user text is taken for a place in it.
+  // The template is read once, so that {{...}} in user text is not replaced.
   std::string_view rest(
       toile_viewer_page_html,
       static_cast<std::size_t>(toile_viewer_page_html_end - toile_viewer_page_html));
