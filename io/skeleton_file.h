@@ -12,10 +12,9 @@ namespace toile {
 ///  "joints": {name: [x, y, z]}, "segments": [{"part", "from", "to"}]}
 void write_skeleton(const std::filesystem::path& path, const Skeleton& skeleton);
 
-/// Reads a file that write_skeleton() wrote and skips unknown keys. It throws Error with the file
-/// and the key for other units or another up axis, and for a joint that is not three finite
-/// numbers. A part that is not in body_parts and a segment whose joints are missing are Errors,
-/// too.
+/// Reads a file that write_skeleton() wrote and skips unknown keys. It throws Error, with the file
+/// and the key, for other units or another up axis. A joint that is not three finite numbers is an
+/// Error, too. So are a part that is not in body_parts and a segment whose joints are missing.
 Skeleton read_skeleton(const std::filesystem::path& path);
 
 /// Whether the file's `format` is that of a skeleton file, sound or not. False if there is no file.

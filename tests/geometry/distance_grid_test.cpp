@@ -79,7 +79,7 @@ TEST_F(SphereGrid, RemembersWhatAnotherKnew) {
     ASSERT_EQ(after.gradient, before.gradient);
   }
   EXPECT_EQ(again.computed_nodes(), 0U);
-  // What was not asked for is computed still.
+  // Lookups elsewhere still compute nodes.
   for (const Vec3& p : scattered(body.mesh(), 4000)) {
     ASSERT_EQ(again.at(p).distance, grid.at(p).distance);
   }
@@ -110,7 +110,7 @@ TEST_F(SphereGrid, HasTheSameBitsForAnyThreadsAndOrderOfAsking) {
   const std::vector<Vec3> points = scattered(body.mesh(), 3000);
   const DistanceGrid backward(body);
   for (std::size_t i = points.size(); i-- > 0;) backward.at(points[i]);
-  // Four threads that ask for the same blocks at once.
+  // Four threads look up the same blocks at once.
   const DistanceGrid crowded(body);
   std::vector<std::thread> threads;
   for (int t = 0; t < 4; ++t) {
@@ -133,7 +133,7 @@ TEST_F(SphereGrid, NeverSaysMoreThanAtLeastAllows) {
   for (const Vec3& p : scattered(body.mesh(), 3000)) {
     const double said = grid.at(p).distance;
     const double exact = body.closest_point(p).distance;
-    // The smoothing of the spline aside; deep inside nobody asks for clearance.
+    // The bound may miss by the spline's smoothing. Nothing needs the clearance deep inside.
     if (exact > -0.02) {
       EXPECT_LT(grid.lower_bound(said), exact + 1e-4);
     }
@@ -147,8 +147,8 @@ TEST_F(SphereGrid, NeverSaysMoreThanAtLeastAllows) {
 }
 
 TEST(DistanceGrid, IsExactOnEveryFeatureAtItsNodes) {
-  // A box's edges and corners, concave ones too: the spline through exact values at the nodes is
-  // what the grid says.
+  // At a box's edges and corners, concave ones included, the grid equals the spline through exact
+  // values at the nodes.
   const SurfaceDistance body(test::box({-0.04, 0, -0.03}, {0.05, 0.3, 0.04}));
   const DistanceGridOptions options;
   const DistanceGrid grid(body, options);
@@ -204,14 +204,14 @@ TEST_F(WornSheet, TheBodyWithASheetIsABodyAsLargeAsTheSheet) {
       largest = std::max(largest, std::abs(said - from_sheet));
     }
     RecordProperty("error_mm_at_" + std::to_string(1000 * off), std::to_string(1000 * largest));
-    // cell²/(8 R), and the chords of the sheet.
+    // The tolerance is cell²/(8 R) and the sagitta of the sheet's chords.
     EXPECT_LT(largest, 8e-5) << off;
-    // Between skin and sheet, also in the middle, the way out is through the sheet.
+    // Between skin and sheet, also in the middle, the gradient points out through the sheet.
     const auto between = grid->at({0, 0.18, 0.06 + 0.5 * off});
     EXPECT_LT(between.distance, 0);
     EXPECT_GT(between.gradient.normalized().z(), 0.99);
     EXPECT_LT(at(0.02, 0.18), -0.03) << "inside the body";
-    // Far beyond the hem, the body.
+    // Far beyond the hem the body is closest.
     EXPECT_NEAR(at(0.065, 0.06), 0.005, 8e-5);
     EXPECT_NEAR(at(0.057, 0.06), -0.003, 8e-5);
   }
@@ -236,7 +236,7 @@ TEST_F(WornSheet, AddedToAGridThatWasAskedItIsAsIfItHadBeenThereFirst) {
 
 TEST_F(WornSheet, TheHemIsASmallStep) {
   wear(0.002);
-  // Along the way that cloth slides down, 2 mm off the sheet and on past its hem.
+  // The points follow cloth that slides down, 2 mm off the sheet and past its hem.
   double least = 1, largest_jump = 0, last = at(0.064, 0.16);
   for (double y = 0.16; y > 0.06; y -= 1e-4) {
     const double here = at(0.064, y);

@@ -28,7 +28,7 @@ TEST(HalfEdges, EverySideOnceByEdgeThenByTriangle) {
     if (i > 0) {
       EXPECT_LT(key(sides[i - 1]), key(side));
     }
-    // A closed surface: each edge has two sides, one either way.
+    // Each edge of a closed surface has two sides that run in opposite directions.
     if (i % 2 == 1) {
       EXPECT_TRUE(side.same_edge(sides[i - 1]));
       EXPECT_NE(side.forward, sides[i - 1].forward);

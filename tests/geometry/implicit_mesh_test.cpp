@@ -31,7 +31,7 @@ double volume(const TriangleMesh& mesh) {
   return sum;
 }
 
-/// V - E + F, once every edge is known to have two triangles that run it in opposite directions.
+/// V - E + F. It checks that every edge has two triangles that run along it in opposite directions.
 int euler(const TriangleMesh& mesh) {
   std::map<std::array<int, 2>, int> blocks;
   for (const Triangle& t : mesh.triangles) {
@@ -83,7 +83,7 @@ TEST(ImplicitMesh, RingHasOneHandle) {
   EXPECT_EQ(euler(mesh_implicit(ring, box(0.15, 0.008))), 0);
 }
 
-// Half a cell apart: both meet the same cells, where one point for both would join them.
+// The spheres are half a cell apart and meet the same cells. One point for both would join them.
 TEST(ImplicitMesh, NearBallsStayApartAtAnyOffset) {
   for (int i = 0; i < 20; ++i) {
     const Vec3 centre = (0.053 + 0.0002 * i) * Vec3(1, 1, 0.1 * i).normalized();

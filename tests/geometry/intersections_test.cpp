@@ -54,7 +54,7 @@ TEST(Intersections, SeeDuplicateFaces) {
   EXPECT_EQ(self_intersections(mesh).size(), 1u);
 }
 
-/// Two corners in one place, three on a line, and all in one place.
+/// Triangles with two corners in one place, with three on a line, and with all in one place.
 TEST(Intersections, TrianglesWithoutAreaAreSegmentsAndPoints) {
   TriangleMesh flat;
   flat.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
@@ -79,7 +79,7 @@ TEST(Intersections, TrianglesWithoutAreaAreSegmentsAndPoints) {
   EXPECT_TRUE(meets(Vec3(-1, 0, 0), Vec3(0.5, 0, 0), Vec3(-1, 0, 0))) << "along an edge";
 }
 
-/// An edge of a closed surface split with nothing between: two triangles more, of no area.
+/// A closed surface with one edge split open and closed by two triangles without area.
 TEST(Intersections, ASplitEdgeMeetsNothingNew) {
   TriangleMesh split = test::sphere(0.5, 3);
   const Triangle first = split.triangles.front();
@@ -93,7 +93,7 @@ TEST(Intersections, ASplitEdgeMeetsNothingNew) {
 }
 
 TEST(Intersections, AreThoseOfEveryPairByItself) {
-  // Two crumpled sheets through each other: hundreds of pairs that meet, and thousands that do not.
+  // Two crumpled sheets cross: hundreds of pairs meet, and thousands do not.
   std::mt19937 random(9);
   std::uniform_real_distribution<double> unit(-1, 1);
   const auto crumpled = [&](int subdivisions, const Vec3& middle) {

@@ -88,7 +88,7 @@ TEST(MeshPolygon, RaisingAnglesMovesOnlyWhatMayMove) {
   EXPECT_EQ(mesh.points, before.points);
   raise_angles(mesh, {true, true, true, true, false}, 44 * degree);
   for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(mesh.points[i], before.points[i]);
-  // The middle of a square has 45 degrees all round.
+  // With the free point in the middle of the square, its triangles have angles of 45 degrees.
   EXPECT_GT(smallest_angle(mesh.points, mesh.triangles), 35 * degree);
 }
 

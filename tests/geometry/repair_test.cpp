@@ -155,7 +155,7 @@ TEST(Repair, SelfIntersectionsAreRemovedWithoutMovingTheSurfaceFar) {
   EXPECT_TRUE(is_closed(result.mesh));
   EXPECT_LE(result.report.largest_move, 0.05 * 2.01);
 
-  // Where it may not move anything, it leaves the surface as it is and says so.
+  // If it may not move the surface, it leaves it as it is and reports the intersections.
   options.largest_move = 0;
   const RepairedSurface kept = repair(test::soup(ball), "ball", options);
   EXPECT_EQ(kept.report.self_intersections_left, kept.report.self_intersections_found);
@@ -186,7 +186,7 @@ TEST(Repair, AnySoupEndsClosedOrAsAnError) {
   const auto coordinate = [&random] { return static_cast<double>(random() % 5) / 4; };
   int closed = 0;
   for (int round = 0; round < 600; ++round) {
-    // Half of them are random polygons, half a ball that was damaged.
+    // Half of the soups are random polygons, half are damaged balls.
     PolygonSoup soup;
     if (round % 2 == 0) {
       const int points = 3 + static_cast<int>(random() % 8);

@@ -55,7 +55,7 @@ TEST(Slice, ObliqueSectionOfASphereIsACircle) {
 }
 
 TEST(Slice, GirthBridgesHollowsAsATapeDoes) {
-  // Two legs of a U: the tape around one loop of a U-shaped section.
+  // A tape around two legs follows the hull of both sections.
   TriangleMesh u = box({0, 0, 0}, {3, 1, 1});
   const auto sections = slice(test::together(u, box({5, 0, 0}, {6, 1, 1})), {0, 0.5, 0}, {0, 1, 0});
   ASSERT_EQ(sections.size(), 2u);

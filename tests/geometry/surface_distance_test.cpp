@@ -21,8 +21,8 @@ TEST(SurfaceDistance, IsExactBesideFacesEdgesAndCornersOfACube) {
 }
 
 TEST(SurfaceDistance, KeepsItsSignWhereTheNearestFaceLooksAway) {
-  // Just off a sharp edge the nearest face's own plane can have the point on its other side; only
-  // the averaged normal of the edge tells inside from outside.
+  // Close to a sharp edge, a point outside can lie behind the closest face's plane. Only the
+  // averaged normal of the edge separates inside from outside.
   TriangleMesh wedge;
   wedge.points = {{0, 0, 0},      {0, 0, 1},     {-1, 0.05, 0},
                   {-1, -0.05, 0}, {-1, 0.05, 1}, {-1, -0.05, 1}};
@@ -74,7 +74,7 @@ TEST(SurfaceDistance, BeyondItsBorderASheetIsToKeepAwayFrom) {
     EXPECT_NEAR(at(0.17, 0.5 - below), std::hypot(0.02, below), 1e-9) << "before it";
     EXPECT_LE(std::abs(at(0.12, 0.5 - below)), std::hypot(0.03, below) + 1e-9) << "behind it";
   }
-  // Behind it, from inside to outside at 45 degrees, or 5 mm beyond.
+  // Behind the sheet the sign changes at 45 degrees, or 5 mm beyond the hem.
   EXPECT_NEAR(at(0.148, 0.498), 0, 2e-5);
   EXPECT_LT(at(0.148, 0.499), 0);
   EXPECT_GT(at(0.148, 0.497), 0);
@@ -97,8 +97,8 @@ TEST(SurfaceDistance, ASheetsSignDoesNotJumpAroundItsBorder) {
     }
     RecordProperty("largest_jump_mm_at_" + std::to_string(1000 * r),
                    std::to_string(1000 * largest));
-    // From r to -r through zero within 5 mm beyond the border: steps of at most 2 r/5 mm times
-    // the way there, 0.0063 r.
+    // The value goes from r to -r within 5 mm beyond the border. A step moves by 0.0063 r, so the
+    // value changes by at most 2 r/5 mm times that.
     EXPECT_LT(largest, 0.02 * r * (1 + 2 * r / SurfaceDistance::border_bevel));
     EXPECT_NEAR(last, -r, 1e-4);
   }

@@ -12,7 +12,7 @@
 namespace toile {
 namespace {
 
-/// Triangles of all sizes, anywhere, some of them without area.
+/// Triangles of random sizes and places, some of them without area.
 TriangleMesh loose(int count, double scale, const Vec3& middle) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(-1, 1);
@@ -39,7 +39,7 @@ TEST(TriangleTree, FindsWhatLookingAtEveryTriangleFinds) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(-1, 1);
   for (const int count : {1, 2, 7, 8, 9, 64, 65, 600}) {
-    // Also far from where coordinates begin, where single precision is coarse.
+    // Some trees are far from the origin, where single precision is coarse.
     for (const Vec3& middle : {Vec3(0, 0, 0), Vec3(700, -300, 2000)}) {
       const TriangleMesh mesh = loose(count, 0.3, middle);
       const TriangleTree tree(mesh);
@@ -65,7 +65,7 @@ TEST(TriangleTree, FindsWhatLookingAtEveryTriangleFinds) {
   }
 }
 
-// Else what a grid of distances holds would depend on the order in which it was filled.
+// Otherwise the values of a distance grid would depend on the order in which it is filled.
 TEST(TriangleTree, AHintChangesNoAnswerThoughSeveralAreAsNear) {
   TriangleMesh mesh = test::box({-1, -1, -1}, {1, 1, 1});
   const int count = static_cast<int>(mesh.triangles.size());

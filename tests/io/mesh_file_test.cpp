@@ -262,7 +262,7 @@ void fuzz(const std::string& good, const Parse& parse) {
       }
     }
   }
-  // Neither side is empty, or the mutations would test nothing.
+  // The mutations test both sides: some parse and some are Errors.
   EXPECT_GT(parsed, 40);
   EXPECT_GT(refused, 400);
 }
@@ -299,7 +299,8 @@ TEST(MeshFuzz, PlyText) {
 }
 
 TEST(MeshFuzz, StlBinary) {
-  // Most mutations change the length and with it the count's truth, so flip bytes alone.
+  // Most mutations change the length, which then contradicts the count. So this test flips bytes
+  // only.
   std::mt19937 random(7);
   const std::string good = format_stl(test::cube());
   int parsed = 0;

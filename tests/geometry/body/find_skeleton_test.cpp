@@ -13,7 +13,7 @@
 namespace toile {
 namespace {
 
-/// Made once: 15 mm edges show every girth that the search looks for.
+/// The mannequin, made once. Edges of 15 mm show every girth that the search uses.
 const TriangleMesh& mannequin() {
   static const TriangleMesh mesh = [] {
     MannequinOptions options;
@@ -23,8 +23,8 @@ const TriangleMesh& mannequin() {
   return mesh;
 }
 
-/// The mannequin with both arms raised by `degrees` from its 45 about the shoulder joints, the
-/// armpits stretching over a few centimetres.
+/// The mannequin with both arms raised by `degrees` from its 45 about the shoulder joints. The
+/// armpits stretch over a few centimetres.
 TriangleMesh with_arms_raised(double degrees) {
   TriangleMesh mesh = mannequin();
   const Skeleton skeleton = find_skeleton(mesh, "mannequin");
@@ -128,7 +128,7 @@ TEST(FindSkeleton, WhatIsNoBodyIsAnError) {
   EXPECT_THROW(find_skeleton(test::cube(), "cube"), Error);
   EXPECT_THROW(find_skeleton(test::sphere(1, 3), "below the floor"), Error);
   EXPECT_THROW(find_skeleton({}, "nothing"), Error);
-  // Two legs and nothing above them; a table, whose four legs are two too many.
+  // The first body is two legs with nothing above them. The second is a table with four legs.
   const TriangleMesh legs = test::together(test::box({0.05, 0, -0.1}, {0.2, 1.7, 0.1}),
                                            test::box({-0.2, 0, -0.1}, {-0.05, 1.7, 0.1}));
   EXPECT_THROW(find_skeleton(legs, "legs"), Error);

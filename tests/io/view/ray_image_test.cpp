@@ -17,7 +17,7 @@ PictureMesh facing_triangle(const Colour& colour, double z = 0, double size = 1)
   return shown;
 }
 
-/// Sees the square (0, 0)-(1, 1) from +z, 100 pixels wide and high.
+/// A camera at +z that sees the square (0, 0)-(1, 1) as 100 x 100 pixels.
 Camera square_camera() {
   Camera camera;
   camera.centre = {0.5, 0.5, 0};

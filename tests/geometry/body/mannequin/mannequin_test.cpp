@@ -20,7 +20,7 @@ const Mannequin& mannequin() {
   return made;
 }
 
-/// The girth of the horizontal section at `height` that encloses the most: torso, or one leg.
+/// The girth of the largest horizontal section at `height`: of the torso or of one leg.
 double tape_at(double height) {
   return slice(mannequin().surface, Vec3(0, height, 0), Vec3::UnitY()).front().girth;
 }
@@ -74,7 +74,7 @@ TEST(Mannequin, StandsOnTheFloorAndIsOfAWomansHeight) {
   EXPECT_GT(high.z(), -low.z()) << "toes and bust are in front";
 }
 
-// Sections that the skeleton of a standing body is read from.
+// find_skeleton() uses these sections of a standing body.
 TEST(Mannequin, HasLimbsThatSectionsTellApart) {
   const auto sections = [](double y) {
     return slice(mannequin().surface, Vec3(0, y, 0), Vec3::UnitY()).size();
@@ -109,7 +109,7 @@ TEST(Mannequin, IsOneClosedManifoldWithoutHandles) {
   const auto edges = static_cast<long>(blocks.size() / 2);
   const auto faces = static_cast<long>(surface.triangles.size());
   EXPECT_EQ(vertices - edges + faces, 2) << "one sphere";
-  // Outward, and about as much water as a woman of 1.70 m displaces.
+  // The volume is positive, and about that of a woman of 1.70 m.
   EXPECT_GT(volume, 0.050);
   EXPECT_LT(volume, 0.070);
 }

@@ -36,7 +36,7 @@ const Mannequin& standing() {
   return made;
 }
 
-/// Knees and elbows strongly bent, arms and legs swung and spread as far as they go.
+/// Knees and elbows are bent far, and arms and legs swung and spread as far as they go.
 Pose leap() {
   Pose pose;
   pose.left.hip_flexion = 60;
@@ -121,8 +121,8 @@ TEST(PosedMannequin, BonesKeepTheirLengthsAndPointAsThePoseSays) {
   }
 }
 
-// Square to the posed limbs, on the mesh. The upper thigh is taken 3 cm below the crotch, where
-// trunk and thigh flow into one another.
+// Girths are measured on the mesh, square to the posed limbs. The upper thigh is measured 3 cm
+// below the crotch, where trunk and thigh flow into each other.
 TEST(PosedMannequin, GirthsOfTheLimbsStay) {
   const auto compare = [](const Mannequin& made, const std::string& pose) {
     for (std::size_t i = 0; i < made.girths.size(); ++i) {
