@@ -1,30 +1,19 @@
 #include "cloth/relaxation/cloth_forces.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "cloth/contact/body_attraction.h"
-#include "cloth/contact/clip_to_ball.h"
-#include "cloth/relaxation/block_stiffness.h"
-#include "geometry/parallel.h"
+#include "cloth/scene/collider.h"
 
 namespace toile {
 
 namespace {
 
-/// Weights of a node that may pull at it where it comes down on the body, and metres that it comes
-/// down by in a step at most: soft cloth (1 N/m) is thrown back and comes down again for ever,
-/// unless it reckons with the body a step before.
-constexpr double weights_coming_down = 8;
-constexpr double max_coming_down = 0.004;
-
 /// Active pairs that one task handles, of which each costs as much as several triangles.
 constexpr std::size_t pair_chunk = 16;
-
-/// Forces between two looks at the pull to the body, which is wide and smooth.
-constexpr int pull_interval = 16;
+/// Steps between two updates of the attraction to the body, which is wide and smooth.
+constexpr int attraction_interval = 16;
 /// Metres: the tightest curves of a body that a garment spans with whole triangles.
 constexpr double body_curve = 0.02;
 /// Share of the offset from the body that the sagitta of an edge over such a curve may use up
@@ -34,39 +23,44 @@ constexpr double max_sagitta = 0.7;
 }  // namespace
 
 ClothForces::ClothForces(const GarmentModel& model, const ForceOptions& options,
-                         const std::vector<Vec3>& x, bool open_seams)
+                         const SearchInterval& interval, const std::vector<Vec3>& x,
+                         bool open_seams)
     : model_(model),
       options_(options),
+      interval_(interval),
       stretch_{model.scene.strain_limit.value_or(-1), options.compression,
                model.scene.shear_limit.value_or(-1)},
       gravity_(options.gravity * as_vec4(model.scene.gravity)),
       nodes_(as_vec4(x)),
+      node_force_(model.nodes, Vec4{}),
       open_(open_seams ? 1 : 0) {
-  if (layer_contact()) {
-    for (const Vec3& p : layers().points) nodes_.push_back(as_vec4(p));
+  if (touches_layers(model, options)) {
+    for (const Vec3& p : model.scene.collider->cloth().points) nodes_.push_back(as_vec4(p));
   }
-  use_skin(open_seams);
+  use_vertices(open_seams);
   if (has_limits()) {
     if (options.multipliers != nullptr) kernel_->start_multipliers(*options.multipliers);
     update_multipliers();
   }
   if (options.warm_start == nullptr || open_seams) return;
-  pairs_.friction().hold(options.warm_start->cloth);
+  neighbourhood_->pairs().friction().hold(options.warm_start->cloth);
   if (edge_contacts_) edge_contacts_->hold(options.warm_start->edges);
   const auto& skin = options.warm_start->skin;
-  for (std::size_t n = 0; n < std::min(skin.size(), contacts_.size()); ++n) {
-    if (skin[n]) contacts_[n].hold_at(*skin[n]);
+  for (std::size_t n = 0; n < std::min(skin.size(), vertices_->count); ++n) {
+    if (skin[n]) neighbourhood_->contact(n).hold_at(*skin[n]);
   }
 }
 
 WarmStart ClothForces::warm_start() const {
   WarmStart warm_start;
   if (has_limits()) warm_start.multipliers = kernel_->multipliers();
-  if (by_points_) return warm_start;
+  if (seams_stand_open()) return warm_start;
   if (edge_contacts_) warm_start.edges = edge_contacts_->anchors();
-  warm_start.cloth = pairs_.friction().anchors();
-  warm_start.skin.reserve(contacts_.size());
-  for (const BodyContact& contact : contacts_) warm_start.skin.push_back(contact.anchor());
+  warm_start.cloth = neighbourhood_->pairs().friction().anchors();
+  warm_start.skin.reserve(vertices_->count);
+  for (const BodyContact& contact : neighbourhood_->contacts()) {
+    warm_start.skin.push_back(contact.anchor());
+  }
   return warm_start;
 }
 
@@ -76,88 +70,29 @@ std::vector<Vec3> ClothForces::state() const {
   return state;
 }
 
-std::vector<Vec3> ClothForces::all_positions() const {
-  std::vector<Vec3> all;
-  all.reserve(vertices());
-  for (const Vec4& p : positions()) all.push_back(as_vec3(p));
-  return all;
-}
-
-void ClothForces::use_skin(bool points) {
-  by_points_ = points;
+void ClothForces::use_vertices(bool points) {
   // Triangles are the same, of nodes as of points.
-  const std::vector<LimitMultiplier> yarns =
+  const std::vector<LimitMultiplier> multipliers =
       kernel_ && has_limits() ? kernel_->multipliers() : std::vector<LimitMultiplier>{};
+  if (neighbourhood_) searches_before_ += neighbourhood_->searches();
+  neighbourhood_.reset();
+  edge_contacts_.reset();
+  vertices_ = std::make_unique<Vertices>(model_, points);
   kernel_ = std::make_unique<ElasticKernel>(model_, points);
+  kernel_->start_multipliers(multipliers);
   elastics_ = std::make_unique<ElasticForces>(model_, points);
   attachments_ = std::make_unique<AttachmentForces>(model_, points);
-  kernel_->start_multipliers(yarns);
-  const std::size_t count = kernel_->vertices();
-  vertex_force_.assign(count, Vec4{});
-  vertices_of_.assign(model_.nodes, [&](const auto& add) {
-    for (std::size_t v = 0; v < count; ++v) {
-      add(points ? model_.node_of_point[v] : v, static_cast<int>(v));
-    }
-  });
+  vertex_force_.assign(vertices_->count, Vec4{});
   points_.clear();
   if (points) place_points();
-  const std::vector<Triangle>& triangles = points ? model_.triangles : model_.node_triangles;
-  body_bounds_.reset();
-  if (options_.bounded && exact_body() && !points) {
-    body_bounds_ = std::make_unique<BodyBounds>(*model_.scene.collider, triangles, count);
-  }
-  approach_bound_ = of_vertices(approach_bounds());
-  edge_contacts_.reset();
-  if (exact_body()) {
-    const double shortest = std::sqrt(8 * body_curve * max_sagitta * model_.body_offset);
-    edge_contacts_ = std::make_unique<EdgeContacts>(
-        triangles, positions(), shortest, of_vertices(model_.friction_skin), approach_bound_);
-  }
-  contacts_.assign(count, {});
-  safe_balls_.assign(count, Vec4{});
-  pull_.clear();
+  attraction_.clear();
   computed_ = 0;
-  pairs_.clear();
-  bound_.clear();
-  search_due_ = true;
-  if (!self_contact()) {
-    set_safe_balls();
-    return;
-  }
-  if (options_.friction) {
-    pairs_.friction().set_coefficients(of_vertices(model_.friction_cloth));
-  }
-  std::vector<int> node = model_.node_of_point;
-  if (!points) {
-    node.resize(count);
-    std::iota(node.begin(), node.end(), 0);
-  }
-  proximity_ =
-      std::make_unique<ProximitySearch>(triangles, node, of_vertices(model_.shortest_edge));
-  if (layer_contact()) {
-    proximity_->add_layer(layers().triangles, static_cast<int>(layers().points.size()),
-                          model_.scene.layer_gap);
-  }
-}
-
-/// Metres that each node may come down onto the body in a step.
-std::vector<double> ClothForces::approach_bounds() const {
-  std::vector<double> steps;
-  for (int n = 0; n < model_.nodes; ++n) {
-    const double weight = model_.mass[n] * model_.scene.gravity.norm();
-    const double bend = model_.bend.empty() ? 0 : model_.bend_diagonal[n];
-    const double stiffness = isotropic_share * model_.stretch_diagonal[n] + bend;
-    steps.push_back(
-        std::min(max_coming_down, weights_coming_down * weight / std::max(stiffness, 1e-12)));
-  }
-  return steps;
-}
-
-std::vector<double> ClothForces::of_vertices(const std::vector<double>& of_nodes) const {
-  if (!by_points_) return of_nodes;
-  std::vector<double> values;
-  for (const int node : model_.node_of_point) values.push_back(of_nodes[node]);
-  return values;
+  neighbourhood_ = std::make_unique<Neighbourhood>(model_, options_, *vertices_, positions());
+  if (!touches_body_exactly(model_.scene)) return;
+  const double shortest = std::sqrt(8 * body_curve * max_sagitta * model_.body_offset);
+  edge_contacts_ = std::make_unique<EdgeContacts>(vertices_->triangles, positions(), shortest,
+                                                  vertices_->spread(model_.friction_skin),
+                                                  neighbourhood_->approach_bound());
 }
 
 void ClothForces::place_points() {
@@ -174,26 +109,26 @@ void ClothForces::place_points() {
 
 void ClothForces::close_seams(double wanted) {
   double open = wanted;
-  if (bounded()) {
+  if (neighbourhood_->bounded()) {
     // The closing moves points too: no farther than their bounds allow.
     for (std::size_t p = 0; p < model_.offsets.size(); ++p) {
-      const Vec3 away = as_vec3(points_[p]) - searched_at_[p];
-      const Vec3 way = (wanted - open_) * model_.offsets[p];
-      const double share = clip_to_ball(away, way, bound_[p]);
-      if (share < 1) search_due_ = true;
+      const double share =
+          neighbourhood_->allowed_share(p, (wanted - open_) * model_.offsets[p]);
+      if (share < 1) neighbourhood_->request_search();
       open = std::max(open, open_ + share * (wanted - open_));
     }
   }
   if (open <= 0) {
     open_ = 0;
-    use_skin(false);
+    use_vertices(false);
     return;
   }
   open_ = open;
   place_points();
-  for (std::size_t p = 0; p < vertices(); ++p) {
-    const Vec4 moved = points_[p] - safe_balls_[p];
-    if (squared_length(moved) > safe_balls_[p][3]) set_safe_ball(p, as_vec3(points_[p]));
+  for (std::size_t p = 0; p < vertices_->count; ++p) {
+    if (!neighbourhood_->is_safe(p, points_[p])) {
+      neighbourhood_->set_safe_ball(p, as_vec3(points_[p]));
+    }
   }
 }
 
@@ -205,124 +140,51 @@ bool ClothForces::update_multipliers() {
     counts[c] = kernel_->hold(c * vertex_chunk, std::min(kernel_->groups(), (c + 1) * vertex_chunk),
                               stretch_, positions());
   });
-  stiffening_.assign(model_.nodes, 0);
-  for (std::size_t n = 0; n < stiffening_.size(); ++n) {
-    for (const int v : vertices_of_[n]) stiffening_[n] += kernel_->stiffening(v);
+  limit_stiffness_.assign(model_.nodes, 0);
+  for (std::size_t n = 0; n < limit_stiffness_.size(); ++n) {
+    for (const int v : vertices_->of_node[n]) limit_stiffness_[n] += kernel_->stiffening(v);
   }
   return std::all_of(counts.begin(), counts.end(),
                      [](const ElasticKernel::Held& held) { return held.beyond == 0; });
 }
 
-void ClothForces::search_when_due(int interval, int max_interval) {
-  update_body_bounds();
-  if (!self_contact()) return;
-  // Unbounded, a node may leave the searched neighbourhood: look again now and then.
-  if (!options_.bounded && since_search_ >= max_interval) search_due_ = true;
-  if (search_due_ && (since_search_ >= interval || bound_.empty())) {
-    search();
-    ++searches_;
-  } else if (activation_due_) {
-    activate_pairs();
-  }
-  ++since_search_;
-}
-
-void ClothForces::look_anew() {
-  for (BodyContact& contact : contacts_) contact.forget();
-  if (edge_contacts_) edge_contacts_->look_anew();
-  if (self_contact()) activate_pairs();
-  set_safe_balls();
-}
-
-void ClothForces::search() {
-  const std::vector<Vec3> p = all_positions();
-  const double gap = model_.self_gap;
-  // Bounds that nobody keeps say nothing of where things are.
-  if (bounded()) {
-    proximity_->update(p, options_.self_radius, gap, pairs_.pairs(), bound_, searched_at_,
-                       by_points_);
-  } else {
-    proximity_->find(p, options_.self_radius, gap, pairs_.pairs(), bound_, by_points_);
-    searched_at_ = p;
-  }
-  since_search_ = 0;
-  search_due_ = false;
-  activate_pairs();
-}
-
-void ClothForces::activate_pairs() {
-  activated_at_ = all_positions();
-  pairs_.activate(activated_at_);
-  activation_due_ = false;
-  set_safe_balls();
-}
-
-void ClothForces::set_safe_balls() {
-  parallel_for_chunks(vertices(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) set_safe_ball(v, as_vec3(positions()[v]));
-  });
-}
-
-void ClothForces::update_body_bounds() {
-  if (!body_bounds_) return;
-  constexpr int meeting_interval = 32;
-  if (++looks_ % meeting_interval == 0) body_bounds_->look_at_meeting();
-  if (!body_bounds_->due()) return;
-  for (const int v : body_bounds_->look(positions())) {
-    if (body_bounds_->extra_offset(v) > 0) contacts_[v].forget();
-    set_safe_ball(v, as_vec3(nodes_[v]));
-  }
-}
-
-/// How far a vertex that stands at `p` may go until it has to be looked after again: because the
-/// body is near, its bound used up, or a pair may begin to push.
-void ClothForces::set_safe_ball(std::size_t v, const Vec3& p) {
-  double reach = 1e3;
-  if (touches_body(model_.scene)) {
-    if (contacts_[v].remaining(p) <= 0) {
-      const double offset = model_.body_offset + extra_offset(static_cast<int>(v));
-      contacts_[v].look(model_.scene, p, offset, options_.linearization_radius, approach_bound_[v]);
-    }
-    reach = contacts_[v].remaining(p);
-  }
-  if (bounded()) {
-    const double used = (p - searched_at_[v]).norm();
-    const double due = options_.search_share * bound_[v];
-    if (used > due) search_due_ = true;
-    reach = std::min(reach, std::max((used > due ? bound_[v] : due) - used, 0.0));
-  }
-  if (body_bounds_) reach = std::min(reach, body_bounds_->free(static_cast<int>(v), p));
-  if (!bound_.empty()) {
-    const double left = 0.5 * PairForces::margin - (p - activated_at_[v]).norm();
-    if (left <= 0) activation_due_ = true;
-    reach = std::min(reach, std::max(left, 0.0));
-  }
-  safe_balls_[v] = as_vec4(p);
-  safe_balls_[v][3] = reach * reach;
-}
-
-void ClothForces::find_pull() {
-  pull_.resize(vertices());
+void ClothForces::find_attraction() {
+  attraction_.resize(vertices_->count);
   parallel_for_chunks(model_.nodes, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
-      const double weight = model_.mass[n] / static_cast<double>(vertices_of_[n].size()) *
+      const double weight = model_.mass[n] / static_cast<double>(vertices_->of_node[n].size()) *
                             model_.scene.gravity.norm() * options_.pull;
-      for (const int v : vertices_of_[n]) {
-        pull_[v] = as_vec4(pull_to_body(model_.scene, as_vec3(positions()[v]), weight));
+      for (const int v : vertices_->of_node[n]) {
+        attraction_[v] = as_vec4(pull_to_body(model_.scene, as_vec3(positions()[v]), weight));
       }
     }
   });
 }
 
-void ClothForces::compute(double bending) {
+const Vec4s& ClothForces::step_forces(double bending) {
   bending_ = bending;
-  const bool pulls_to_body = options_.pull > 0 && touches_body(model_.scene);
-  if (pulls_to_body && computed_++ % pull_interval == 0) find_pull();
+  neighbourhood_->update(interval_);
+  compute();
+  return node_force_;
+}
+
+const Vec4s& ClothForces::fresh_forces(double bending) {
+  bending_ = bending;
+  if (edge_contacts_) edge_contacts_->look_anew();
+  neighbourhood_->refresh();
+  compute();
+  return node_force_;
+}
+
+void ClothForces::compute() {
+  const bool attracts = options_.pull > 0 && touches_body(model_.scene);
+  if (attracts && computed_++ % attraction_interval == 0) find_attraction();
   const Vec4s& p = positions();
+  PairForces& pairs = neighbourhood_->pairs();
   const std::size_t edges = edge_contacts_ ? edge_contacts_->edges() : 0;
   // Each task has its share of all three, so that tasks are alike.
   const std::size_t tasks =
-      std::max({chunks_of(kernel_->groups(), vertex_chunk), chunks_of(pairs_.active(), pair_chunk),
+      std::max({chunks_of(kernel_->groups(), vertex_chunk), chunks_of(pairs.active(), pair_chunk),
                 chunks_of(edges, vertex_chunk)});
   parallel_for(tasks, [&](std::size_t task) {
     const auto share = [&](std::size_t items, const auto& work) {
@@ -330,19 +192,27 @@ void ClothForces::compute(double bending) {
     };
     share(kernel_->groups(),
           [&](std::size_t begin, std::size_t end) { kernel_->pull(begin, end, stretch_, p); });
-    share(pairs_.active(), [&](std::size_t begin, std::size_t end) {
-      pairs_.push(begin, end, options_.bounded, options_.activation_distance, p);
+    share(pairs.active(), [&](std::size_t begin, std::size_t end) {
+      pairs.push(begin, end, options_.bounded, options_.activation_distance, p);
     });
     if (edges == 0) return;
     share(edges, [&](std::size_t begin, std::size_t end) {
       edge_contacts_->push(begin, end, model_, options_, p);
     });
   });
-  // Points of a node may be anywhere among the others.
-  if (!by_points_) return;
-  parallel_for_chunks(vertices(), [&](std::size_t begin, std::size_t end) { add_up(begin, end); });
+  // Points of a node may be anywhere among the others; a node's own force is added where it is
+  // gathered.
+  if (seams_stand_open()) {
+    parallel_for_chunks(vertices_->count,
+                        [&](std::size_t begin, std::size_t end) { add_up(begin, end); });
+  }
+  parallel_for_chunks(model_.nodes, [&](std::size_t begin, std::size_t end) {
+    if (!seams_stand_open()) add_up(begin, end);
+    gather(begin, end);
+  });
 }
 
+/// What the cloth itself does to vertices `begin` to `end`.
 void ClothForces::add_up(std::size_t begin, std::size_t end) {
   const Vec4s& p = positions();
   // A seam bends as one cloth only when it is sewn.
@@ -352,47 +222,64 @@ void ClothForces::add_up(std::size_t begin, std::size_t end) {
   if (edge_contacts_ && !edge_contacts_->empty()) edge_contacts_->add(begin, end, vertex_force_);
 }
 
-/// Where a node comes to on its way to `wanted` without any of its vertices leaving its bound.
-Vec3 ClothForces::within_bounds(std::size_t node, const Vec3& wanted) const {
-  if (!by_points_) {
-    const Vec3 away = wanted - searched_at_[node];
-    const double distance = away.norm();
-    return distance > bound_[node] ? searched_at_[node] + away * (bound_[node] / distance) : wanted;
+/// All that acts on nodes `begin` to `end`.
+TOILE_CLONES
+void ClothForces::gather(std::size_t begin, std::size_t end) {
+  const bool has_body = touches_body(model_.scene);
+  for (std::size_t n = begin; n < end; ++n) {
+    Vec4 force = model_.mass[n] * gravity_;
+    double stiffness = stretch_stiffness(n);
+    if (!model_.bend.empty()) stiffness += bending_ * model_.bend_diagonal[n];
+    const double friction = options_.friction ? model_.friction_skin[n] : 0;
+    for (const int v : vertices_->of_node[n]) {
+      const Vec4& p = positions()[v];
+      stiffness += vertex_force_[v][3];
+      force += vertex_force_[v];
+      neighbourhood_->pairs().add(v, force, stiffness);
+      if (has_body) neighbourhood_->contact(v).add(p, friction, force, stiffness);
+      if (!attraction_.empty()) force += attraction_[v];
+    }
+    force[3] = stiffness;
+    node_force_[n] = force;
   }
-  const Vec3 from = as_vec3(nodes_[node]);
-  const Vec3 way = wanted - from;
-  double share = 1;
-  for (const int v : vertices_of_[node]) {
-    share = std::min(share, clip_to_ball(as_vec3(points_[v]) - searched_at_[v], way, bound_[v]));
-  }
-  return share < 1 ? Vec3(from + share * way) : wanted;
 }
 
-/// A node that leaves the guard of one of its vertices: stopped at its bounds, looked after anew.
-bool ClothForces::leave_safe_ball(std::size_t node, const Vec4& wanted) {
+/// Where a node comes to on its way to `wanted` without any of its vertices leaving its bound.
+Vec3 ClothForces::within_bounds(std::size_t n, const Vec3& wanted) const {
+  if (!seams_stand_open()) return neighbourhood_->clipped(n, wanted);
+  const Vec3 from = as_vec3(nodes_[n]);
+  const Vec3 displacement = wanted - from;
+  double share = 1;
+  for (const int v : vertices_->of_node[n]) {
+    share = std::min(share, neighbourhood_->allowed_share(v, displacement));
+  }
+  return share < 1 ? Vec3(from + share * displacement) : wanted;
+}
+
+/// A node that leaves the safe ball of one of its vertices is stopped at its bounds, and gets new
+/// balls there.
+bool ClothForces::move_on(std::size_t n, const Vec4& wanted) {
   Vec3 next = as_vec3(wanted);
   bool allowed = true;
-  if (bounded()) {
-    const Vec3 within = within_bounds(node, next);
+  if (neighbourhood_->bounded()) {
+    const Vec3 within = within_bounds(n, next);
     allowed = within == next;
-    if (!allowed) search_due_ = true;
+    if (!allowed) neighbourhood_->request_search();
     next = within;
   }
-  if (body_bounds_) {
-    const Vec3 from = as_vec3(nodes_[node]);
-    const double share = body_bounds_->share(static_cast<int>(node), from, next);
-    if (share < 1) {
-      next = from + share * (next - from);
-      allowed = false;
-    }
+  const Vec3 from = as_vec3(nodes_[n]);
+  const double share = neighbourhood_->allowed_by_body(n, from, next);
+  if (share < 1) {
+    next = from + share * (next - from);
+    allowed = false;
   }
-  nodes_[node] = as_vec4(next);
-  if (!by_points_) {
-    set_safe_ball(node, next);
+  nodes_[n] = as_vec4(next);
+  if (!seams_stand_open()) {
+    neighbourhood_->set_safe_ball(n, next);
     return allowed;
   }
-  for (const int v : vertices_of_[node]) {
-    set_safe_ball(v, next + open_ * model_.offsets[v]);
+  for (const int v : vertices_->of_node[n]) {
+    neighbourhood_->set_safe_ball(v, next + open_ * model_.offsets[v]);
   }
   return allowed;
 }

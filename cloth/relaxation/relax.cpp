@@ -57,14 +57,15 @@ class Relaxation {
   Relaxation(const GarmentModel& model, const RelaxOptions& options, const std::vector<Vec3>& x)
       : model_(model),
         options_(options),
-        forces_(model, options, x, options.closing_iterations > 0 && !model.offsets.empty()),
+        forces_(model, options, {search_interval, watch_interval}, x,
+                options.closing_iterations > 0 && !model.offsets.empty()),
         // A dart that closes in wide patches turns its tip in.
-        coarse_(model, options.closing_iterations == 0),
+        multilevel_(model, options.closing_iterations == 0),
         blocks_(model),
         step_factor_(step_factor /
-                     (1 + level_share * coarse_.nested_levels() +
-                      aggregate_level_share * (coarse_.levels() - coarse_.nested_levels()))),
-        touch_factor_(std::max(1.0, step_factor_ * (1 + coarse_.levels()) / max_step)),
+                     (1 + level_share * multilevel_.nested_levels() +
+                      aggregate_level_share * (multilevel_.levels() - multilevel_.nested_levels()))),
+        touch_factor_(std::max(1.0, step_factor_ * (1 + multilevel_.levels()) / max_step)),
         node_force_(model.nodes, Vec4{}),
         x_(as_vec4(x)),
         partial_(chunks_of(model.nodes, vertex_chunk)) {}
@@ -75,13 +76,13 @@ class Relaxation {
  private:
   /// One step of all nodes; returns the power of the forces along the last step.
   double step();
-  void find_forces();
-  void find_forces(std::size_t begin, std::size_t end);
+  void take_forces(const Vec4s& forces);
+  void take_forces(const Vec4s& forces, std::size_t begin, std::size_t end);
   void update_blocks();
   double bend_stiffness(std::size_t n) const {
     return model_.bend.empty() ? 0 : bending_ * model_.bend_diagonal[n];
   }
-  double step_nodes(std::size_t begin, std::size_t end);
+  double step_nodes(std::size_t begin, std::size_t end, const ClothForces::Mover& move);
   Residual measure_residual();
   Residual last_residual() const;
   void adjust_momentum(double power, bool closing);
@@ -94,7 +95,7 @@ class Relaxation {
   const GarmentModel& model_;
   const RelaxOptions& options_;
   ClothForces forces_;  // its nodes are the state: the iterate with momentum
-  MultilevelPreconditioner coarse_;
+  MultilevelPreconditioner multilevel_;
   BlockStiffness blocks_;
   int block_interval_ = min_block_interval;
   int until_blocks_ = 0;
@@ -111,13 +112,11 @@ class Relaxation {
   int momentum_age_ = 0;         // iterations that momentum has grown for
 };
 
-TOILE_CLONES
-void Relaxation::find_forces(std::size_t begin, std::size_t end) {
-  forces_.gather(begin, end);
+/// Of nodes `begin` to `end`: the forces, with the stiffness of what they touch as the fourth.
+void Relaxation::take_forces(const Vec4s& forces, std::size_t begin, std::size_t end) {
   for (std::size_t n = begin; n < end; ++n) {
-    Vec4 force;
-    double stiffness;
-    forces_.at(n, force, stiffness);
+    Vec4 force = forces[n];
+    const double stiffness = force[3];
     force[3] = touch_factor_ * (stiffness - forces_.stretch_stiffness(n) - bend_stiffness(n));
     node_force_[n] = force;
   }
@@ -131,29 +130,31 @@ void Relaxation::update_blocks() {
   block_interval_ = static_cast<int>(std::clamp<double>(block_interval_ * max_turn / turn,
                                                         min_block_interval, max_block_interval));
   until_blocks_ = block_interval_;
-  coarse_.set_blocks(blocks_.of_nodes());
+  multilevel_.set_blocks(blocks_.of_nodes());
 }
 
-/// Of all nodes, and of the patches of the coarser levels.
-void Relaxation::find_forces() {
+/// From the forces on all nodes, those on the patches of the coarser levels too.
+void Relaxation::take_forces(const Vec4s& forces) {
   update_blocks();
-  parallel_for_chunks(model_.nodes,
-                      [&](std::size_t begin, std::size_t end) { find_forces(begin, end); });
-  coarse_.compute(node_force_, bending_);
+  parallel_for_chunks(model_.nodes, [&](std::size_t begin, std::size_t end) {
+    take_forces(forces, begin, end);
+  });
+  multilevel_.compute(node_force_, bending_);
 }
 
 TOILE_CLONES
-double Relaxation::step_nodes(std::size_t begin, std::size_t end) {
+double Relaxation::step_nodes(std::size_t begin, std::size_t end,
+                              const ClothForces::Mover& move) {
   const double max_squared = options_.max_move * options_.max_move;
   const double isotropic = blocks_.known() ? isotropic_share : 1;
   double power = 0;
   for (std::size_t n = begin; n < end; ++n) {
     Vec4 force = node_force_[n];
-    const double stiffness = force[3] + bend_stiffness(n) + forces_.stiffening(n) +
+    const double stiffness = force[3] + bend_stiffness(n) + forces_.limit_stiffness(n) +
                              isotropic * model_.stretch_diagonal[n];
     force[3] = 0;
     Vec4 way = step_factor_ * way_of(blocks_.of_nodes()[n], stiffness, force);
-    way += step_factor_ * coarse_.of_node(n);
+    way += step_factor_ * multilevel_.of_node(n);
     const double squared = squared_length(way);
     if (squared > max_squared) way *= options_.max_move / std::sqrt(squared);
     const Vec4 next = forces_.node(n) + way;
@@ -161,26 +162,23 @@ double Relaxation::step_nodes(std::size_t begin, std::size_t end) {
     power += dot(force, glide);
     const double speed = squared_length(glide);
     if (speed > max_squared) glide *= options_.max_move / std::sqrt(speed);
-    x_[n] = forces_.move(n, next + momentum_ * glide) ? next : forces_.node(n);
+    x_[n] = move(n, next + momentum_ * glide) ? next : forces_.node(n);
   }
   return power;
 }
 
 double Relaxation::step() {
   momentum_ = std::min(options_.momentum, momentum_age_ / (momentum_age_ + 3.0));
-  find_forces();
-  parallel_for_chunks(model_.nodes, [&](std::size_t begin, std::size_t end) {
-    partial_[begin / vertex_chunk] = step_nodes(begin, end);
+  take_forces(forces_.step_forces(bending_));
+  forces_.advance([&](std::size_t begin, std::size_t end, const ClothForces::Mover& move) {
+    partial_[begin / vertex_chunk] = step_nodes(begin, end, move);
   });
-  forces_.moved();
   return std::accumulate(partial_.begin(), partial_.end(), 0.0);
 }
 
 /// Of the state as it is now, the body looked at anew.
 Residual Relaxation::measure_residual() {
-  forces_.look_anew();
-  forces_.compute(bending_);
-  find_forces();
+  take_forces(forces_.fresh_forces(bending_));
   return last_residual();
 }
 
@@ -198,7 +196,7 @@ Residual Relaxation::last_residual() const {
     throw Error("garment", "its forces grew beyond all numbers",
                 "check the fabric's stiffness and the panels for degenerate triangles");
   }
-  r.wide = coarse_.rms_acceleration() / std::max(model_.scene.gravity.norm(), 1e-9);
+  r.wide = multilevel_.rms_acceleration() / std::max(model_.scene.gravity.norm(), 1e-9);
   r.max = *std::max_element(norms.begin(), norms.end());
   std::nth_element(norms.begin(), norms.begin() + norms.size() / 2, norms.end());
   r.median = norms[norms.size() / 2];
@@ -248,8 +246,6 @@ RelaxReport Relaxation::run(const RelaxWatcher& watcher) {
       report.converged = !forces_.seams_stand_open();
       if (report.converged) break;
     }
-    forces_.search_when_due(search_interval, watch_interval);
-    forces_.compute(bending_);
     const double power = step();
     adjust_momentum(power, closing);
     report.iterations = i + 1;

@@ -37,7 +37,8 @@ class Release {
   std::vector<Vec3> state() const { return forces_.state(); }
 
  private:
-  void step_nodes(std::size_t begin, std::size_t end);
+  void step_nodes(const Vec4s& forces, std::size_t begin, std::size_t end,
+                  const ClothForces::Mover& move);
   double kinetic() const;
 
   const GarmentModel& model_;
@@ -53,7 +54,7 @@ Release::Release(const GarmentModel& model, const ReleaseOptions& options,
                  const std::vector<Vec3>& x)
     : model_(model),
       options_(in_time(options)),
-      forces_(model, options_, x, false),
+      forces_(model, options_, {1, search_interval}, x, false),
       x_(as_vec4(x)),
       v_(model.nodes, Vec4{}) {
   double most = 0;
@@ -72,19 +73,20 @@ Release::Release(const GarmentModel& model, const ReleaseOptions& options,
 }
 
 TOILE_CLONES
-void Release::step_nodes(std::size_t begin, std::size_t end) {
+void Release::step_nodes(const Vec4s& forces, std::size_t begin, std::size_t end,
+                         const ClothForces::Mover& move) {
   const double kept = std::exp(-options_.damping * step_);
   for (std::size_t n = begin; n < end; ++n) {
-    Vec4 force;
-    double stiffness;
-    forces_.at(n, force, stiffness);
+    Vec4 force = forces[n];
+    const double stiffness = force[3];
+    force[3] = 0;
     const double mass = std::max(model_.mass[n], stiffness / max_inverse_);
     if (!(mass > 0)) continue;
     v_[n] = kept * (v_[n] + step_ / mass * force);
     const Vec4 before = forces_.node(n);
     x_[n] += step_ * v_[n];
     const Vec4 glide = ahead * step_ * v_[n];
-    if (forces_.move(n, x_[n] + glide)) continue;
+    if (move(n, x_[n] + glide)) continue;
     // What its bounds stop has the speed of the way they left it: its own would carry it past them.
     x_[n] = forces_.node(n);
     v_[n] = (x_[n] - before) / step_;
@@ -117,12 +119,10 @@ ReleaseReport Release::run() {
   const Vec4s from = x_;
   const int watch = std::max(1, static_cast<int>(watch_interval / step_));
   for (int i = 1; i <= report.steps; ++i) {
-    forces_.search_when_due(1, search_interval);
-    forces_.compute(options_.bending);
-    parallel_for_chunks(x_.size(),
-                        [&](std::size_t begin, std::size_t end) { forces_.gather(begin, end); });
-    parallel_for_chunks(x_.size(),
-                        [&](std::size_t begin, std::size_t end) { step_nodes(begin, end); });
+    const Vec4s& forces = forces_.step_forces(options_.bending);
+    forces_.advance([&](std::size_t begin, std::size_t end, const ClothForces::Mover& move) {
+      step_nodes(forces, begin, end, move);
+    });
     if (i % watch != 0 && i != report.steps) continue;
     for (std::size_t n = 0; n < x_.size(); ++n) {
       report.moved[n] = std::max(report.moved[n], std::sqrt(squared_length(x_[n] - from[n])));

@@ -24,6 +24,10 @@ bool touches_body(const Scene& scene) {
   return scene.collider != nullptr && scene.body_contact != BodyContactTerm::none;
 }
 
+bool touches_body_exactly(const Scene& scene) {
+  return scene.collider != nullptr && scene.body_contact == BodyContactTerm::faces;
+}
+
 bool has_layers(const Scene& scene) {
   return scene.collider != nullptr && !scene.collider->cloth().triangles.empty();
 }

@@ -43,6 +43,8 @@ struct Scene {
 
 /// Whether the scene has a body that pushes at the cloth.
 bool touches_body(const Scene& scene);
+/// Whether the body keeps off the cloth's edges and faces too.
+bool touches_body_exactly(const Scene& scene);
 /// Whether the body wears layers that the garment is dressed over.
 bool has_layers(const Scene& scene);
 

@@ -78,18 +78,13 @@ class Sewn : public testing::Test {
 /// What the relaxation and the release move by: one a node, N.
 Places forces(const GarmentModel& model, const ForceOptions& options, const Places& x,
               std::vector<double>* bounds = nullptr) {
-  ClothForces all(model, options, x, false);
-  all.search_when_due(0, 0);
-  all.compute(1);
-  all.gather(0, x.size());
+  ClothForces all(model, options, {0, 0}, x, false);
+  const Vec4s& found = all.step_forces(1);
   Places forces(x.size());
   if (bounds != nullptr) bounds->resize(x.size());
   for (std::size_t n = 0; n < x.size(); ++n) {
-    Vec4 force;
-    double bound;
-    all.at(n, force, bound);
-    forces[n] = as_vec3(force);
-    if (bounds != nullptr) (*bounds)[n] = bound;
+    forces[n] = as_vec3(found[n]);
+    if (bounds != nullptr) (*bounds)[n] = found[n][3];
   }
   return forces;
 }
