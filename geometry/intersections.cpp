@@ -65,14 +65,14 @@ std::vector<TrianglePair> pairs_that(const TriangleMesh& querying, const Triangl
 
 /// The set of a triangle's points. Without area it is a segment or one point, which CGAL's test for
 /// triangles does not handle.
-using Piece = std::variant<Kernel::Triangle_3, Kernel::Segment_3, Point>;
+using Primitive = std::variant<Kernel::Triangle_3, Kernel::Segment_3, Point>;
 
-Piece segment_or_point(const Point& a, const Point& b) {
+Primitive segment_or_point(const Point& a, const Point& b) {
   if (a == b) return a;
   return Kernel::Segment_3(a, b);
 }
 
-Piece piece_of(const TriangleMesh& mesh, const Triangle& corners) {
+Primitive primitive_of(const TriangleMesh& mesh, const Triangle& corners) {
   const Point a = to_cgal(mesh.points[corners[0]]);
   const Point b = to_cgal(mesh.points[corners[1]]);
   const Point c = to_cgal(mesh.points[corners[2]]);
@@ -81,7 +81,7 @@ Piece piece_of(const TriangleMesh& mesh, const Triangle& corners) {
   return segment_or_point(first, last);
 }
 
-bool meet(const Piece& s, const Piece& t) {
+bool meet(const Primitive& s, const Primitive& t) {
   return std::visit([](const auto& a, const auto& b) { return CGAL::do_intersect(a, b); }, s, t);
 }
 
@@ -100,15 +100,15 @@ bool meet(const TriangleMesh& mesh, const Triangle& s, const Triangle& t) {
       }
     }
   }
-  if (shared == 0) return meet(piece_of(mesh, s), piece_of(mesh, t));
+  if (shared == 0) return meet(primitive_of(mesh, s), primitive_of(mesh, t));
   const auto point = [&](int index) { return to_cgal(mesh.points[index]); };
   if (shared == 1) {
     // Two triangles that share a vertex meet elsewhere only if one's far edge meets the other.
     const int i = in_s[0];
     const int j = in_t[0];
-    const Piece far_s = segment_or_point(point(s[(i + 1) % 3]), point(s[(i + 2) % 3]));
-    const Piece far_t = segment_or_point(point(t[(j + 1) % 3]), point(t[(j + 2) % 3]));
-    return meet(piece_of(mesh, s), far_t) || meet(piece_of(mesh, t), far_s);
+    const Primitive far_s = segment_or_point(point(s[(i + 1) % 3]), point(s[(i + 2) % 3]));
+    const Primitive far_t = segment_or_point(point(t[(j + 1) % 3]), point(t[(j + 2) % 3]));
+    return meet(primitive_of(mesh, s), far_t) || meet(primitive_of(mesh, t), far_s);
   }
   if (shared == 2) {
     // Two triangles that share an edge overlap only when they are folded flat onto each other.
@@ -135,7 +135,7 @@ std::vector<TrianglePair> self_intersections(const TriangleMesh& mesh) {
 
 std::vector<TrianglePair> intersections(const TriangleMesh& first, const TriangleMesh& second) {
   const auto meets = [&](int a, int b) {
-    return meet(piece_of(first, first.triangles[a]), piece_of(second, second.triangles[b]));
+    return meet(primitive_of(first, first.triangles[a]), primitive_of(second, second.triangles[b]));
   };
   std::vector<TrianglePair> pairs;
   // A tree of the smaller mesh is cheaper to build. Most triangles of the larger mesh are far from

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "geometry/bucket_grid.h"
-#include "geometry/outline.h"
+#include "geometry/polygon.h"
 #include "geometry/triangulate.h"
 
 namespace toile {

@@ -69,33 +69,34 @@ Soup checked_soup(const PolygonSoup& soup, const std::string& name) {
 /// edge joins the items that agree with one another. A polygon joined to itself turned is a
 /// contradiction.
 bool is_orientable(const Polygons& polygons) {
-  struct Use {
+  struct PolygonSide {
     std::size_t low, high, polygon;
     bool forward;
   };
-  std::vector<Use> uses;
+  std::vector<PolygonSide> sides;
   for (std::size_t p = 0; p < polygons.size(); ++p) {
     const auto& polygon = polygons[p];
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const std::size_t a = polygon[i];
       const std::size_t b = polygon[(i + 1) % polygon.size()];
-      uses.push_back({std::min(a, b), std::max(a, b), p, a < b});
+      sides.push_back({std::min(a, b), std::max(a, b), p, a < b});
     }
   }
-  std::sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) {
+  std::sort(sides.begin(), sides.end(), [](const PolygonSide& a, const PolygonSide& b) {
     return std::tie(a.low, a.high, a.polygon) < std::tie(b.low, b.high, b.polygon);
   });
   const int count = static_cast<int>(polygons.size());
   DisjointSets agreeing(2 * polygons.size());
-  for (std::size_t i = 0; i < uses.size();) {
+  for (std::size_t i = 0; i < sides.size();) {
     std::size_t end = i + 1;
-    while (end < uses.size() && uses[end].low == uses[i].low && uses[end].high == uses[i].high) {
+    while (end < sides.size() && sides[end].low == sides[i].low &&
+           sides[end].high == sides[i].high) {
       ++end;
     }
     if (end - i == 2) {
-      const int a = static_cast<int>(uses[i].polygon);
-      const int b = static_cast<int>(uses[i + 1].polygon);
-      const bool must_turn = uses[i].forward == uses[i + 1].forward;
+      const int a = static_cast<int>(sides[i].polygon);
+      const int b = static_cast<int>(sides[i + 1].polygon);
+      const bool must_turn = sides[i].forward == sides[i + 1].forward;
       agreeing.join(a, must_turn ? b + count : b);
       agreeing.join(a + count, must_turn ? b : b + count);
       if (agreeing.of(a) == agreeing.of(a + count)) return false;

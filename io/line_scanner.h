@@ -29,8 +29,6 @@ class LineScanner {
 
   /// Number of bytes before the next line.
   std::size_t offset() const { return at_; }
-  /// Number of the current line, from 1; 0 before the first.
-  int line() const { return number_; }
 
   [[noreturn]] void fail(const std::string& problem, const std::string& remedy) const;
 

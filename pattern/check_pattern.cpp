@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "geometry/error.h"
-#include "geometry/outline.h"
+#include "geometry/polygon.h"
 #include "pattern/seam_orientation.h"
 
 namespace toile {

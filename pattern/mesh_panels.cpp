@@ -8,7 +8,7 @@
 
 #include "geometry/error.h"
 #include "geometry/mesh_polygon.h"
-#include "geometry/outline.h"
+#include "geometry/polygon.h"
 #include "geometry/triangulate.h"
 #include "pattern/doubled_triangles.h"
 #include "pattern/seam_orientation.h"

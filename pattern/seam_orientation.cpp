@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "geometry/outline.h"
+#include "geometry/polygon.h"
 
 namespace toile {
 

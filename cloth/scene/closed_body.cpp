@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "geometry/body/clean.h"
+#include "geometry/body/clean_body.h"
 #include "geometry/closed_surface.h"
 #include "geometry/error.h"
 #include "io/mesh_file.h"

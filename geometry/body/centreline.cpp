@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/outline.h"
+#include "geometry/polygon.h"
 
 namespace toile {
 

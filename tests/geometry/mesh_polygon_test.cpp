@@ -6,7 +6,7 @@
 #include <map>
 #include <numbers>
 
-#include "geometry/outline.h"
+#include "geometry/polygon.h"
 #include "geometry/triangulate.h"
 
 namespace toile {

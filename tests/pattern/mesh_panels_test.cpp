@@ -8,7 +8,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "geometry/outline.h"
+#include "geometry/polygon.h"
 #include "geometry/triangulate.h"
 #include "pattern/doubled_triangles.h"
 #include "pattern/nesting.h"

@@ -1,4 +1,4 @@
-#include "geometry/outline.h"
+#include "geometry/polygon.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "geometry/outline.h"
+#include "geometry/polygon.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

@@ -1,4 +1,4 @@
-#include "geometry/body/clean.h"
+#include "geometry/body/clean_body.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
