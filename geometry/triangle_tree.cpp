@@ -185,52 +185,34 @@ int TriangleTree::closest_triangle(const Vec3& point, int hint) const {
   return nearest.triangle;
 }
 
-template <class Meets, class Visit>
-void TriangleTree::descend(std::size_t level, std::size_t number, const Meets& meets,
-                           const Visit& visit) const {
-  unsigned met = meets(levels_[level][number]);
+void TriangleTree::collect(std::size_t level, std::size_t number, const FloatBox& box,
+                           std::vector<int>& found) const {
+  const Boxes& boxes = levels_[level][number];
+  unsigned met = 0;
+  for (unsigned i = 0; i < width; ++i) {
+    const bool meets_all = boxes.low[0][i] <= box.high[0] && boxes.high[0][i] >= box.low[0] &&
+                           boxes.low[1][i] <= box.high[1] && boxes.high[1][i] >= box.low[1] &&
+                           boxes.low[2][i] <= box.high[2] && boxes.high[2][i] >= box.low[2];
+    met |= static_cast<unsigned>(meets_all) << i;
+  }
   for (std::size_t i = 0; met != 0; ++i, met >>= 1U) {
     if ((met & 1U) == 0) continue;
     const std::size_t child = number * width + i;
     if (level > 0) {
-      descend(level - 1, child, meets, visit);
+      collect(level - 1, child, box, found);
     } else {
-      visit(order_[child]);
+      found.push_back(order_[child]);
     }
   }
-}
-
-void TriangleTree::within(const Vec3& point, double radius, std::vector<int>& found) const {
-  const Query query(point, largest_);
-  const float limit = query.limit(radius);
-  const auto meets = [&](const Boxes& boxes) {
-    float squared[width];
-    query.measure(boxes, squared);
-    unsigned met = 0;
-    for (unsigned i = 0; i < width; ++i) met |= static_cast<unsigned>(squared[i] <= limit) << i;
-    return met;
-  };
-  descend(levels_.size() - 1, 0, meets, [&](int triangle) { found.push_back(triangle); });
 }
 
 void TriangleTree::meeting(const Vec3& low, const Vec3& high, std::vector<int>& found) const {
-  float bottom[3];
-  float top[3];
+  FloatBox box;
   for (int axis = 0; axis < 3; ++axis) {
-    bottom[axis] = rounded_down(low[axis]);
-    top[axis] = rounded_up(high[axis]);
+    box.low[axis] = rounded_down(low[axis]);
+    box.high[axis] = rounded_up(high[axis]);
   }
-  const auto meets = [&](const Boxes& boxes) {
-    unsigned met = 0;
-    for (unsigned i = 0; i < width; ++i) {
-      const bool meets_all = boxes.low[0][i] <= top[0] && boxes.high[0][i] >= bottom[0] &&
-                             boxes.low[1][i] <= top[1] && boxes.high[1][i] >= bottom[1] &&
-                             boxes.low[2][i] <= top[2] && boxes.high[2][i] >= bottom[2];
-      met |= static_cast<unsigned>(meets_all) << i;
-    }
-    return met;
-  };
-  descend(levels_.size() - 1, 0, meets, [&](int triangle) { found.push_back(triangle); });
+  collect(levels_.size() - 1, 0, box, found);
 }
 
 }  // namespace toile

@@ -21,9 +21,6 @@ class TriangleTree {
   /// is not finite the result is 0.
   int closest_triangle(const Vec3& point, int hint = -1) const;
 
-  /// Appends all triangles within `radius` metres of the point, and some others.
-  void within(const Vec3& point, double radius, std::vector<int>& found) const;
-
   /// Appends all triangles that meet the box from `low` to `high`, and some others.
   void meeting(const Vec3& low, const Vec3& high, std::vector<int>& found) const;
 
@@ -33,13 +30,17 @@ class TriangleTree {
     float low[3][width];
     float high[3][width];
   };
+  struct FloatBox {
+    float low[3];
+    float high[3];
+  };
   struct Nearest;
   struct Query;
 
   void search(std::size_t level, std::size_t number, Nearest& nearest) const;
-  /// Calls `visit` with the triangles in boxes that `meets` lets pass.
-  template <class Meets, class Visit>
-  void descend(std::size_t level, std::size_t number, const Meets& meets, const Visit& visit) const;
+  /// Appends the triangles whose boxes meet `box`, below one eight of boxes.
+  void collect(std::size_t level, std::size_t number, const FloatBox& box,
+               std::vector<int>& found) const;
 
   const TriangleMesh& mesh_;
   double largest_ = 0;                      // largest size of a coordinate

@@ -53,7 +53,8 @@ TEST(TriangleTree, FindsWhatLookingAtEveryTriangleFinds) {
         EXPECT_EQ(distance(mesh, tree.closest_triangle(p), p), least);
         EXPECT_EQ(distance(mesh, tree.closest_triangle(p, i % count), p), least);
         found.clear();
-        tree.within(p, 1.2 * least + 0.01, found);
+        const Vec3 reach = Vec3::Constant(1.2 * least + 0.01);
+        tree.meeting(p - reach, p + reach, found);
         std::sort(found.begin(), found.end());
         EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end());
         for (int t = 0; t < count; ++t) {
