@@ -1,40 +1,36 @@
 #include "io/pose_file.h"
 
-#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "io/json_value.h"
+#include "io/json_words.h"
 #include "io/output_file.h"
 
 namespace toile {
 
 namespace {
 
-/// `so_far`, a list such as "a, b", with `name` appended unless it is the last one already.
-std::string list(const std::string& so_far, std::string_view name) {
-  if (so_far == name || so_far.ends_with(", " + std::string(name))) return so_far;
-  return so_far + (so_far.empty() ? "" : ", ") + std::string(name);
-}
-
 std::string known_joints() {
-  std::string names;
-  for (const JointMotion& motion : joint_motions) names = list(names, motion.joint);
-  return "left_ or right_ and one of " + names;
+  std::vector<std::string_view> names;
+  for (const JointMotion& motion : joint_motions) {
+    if (names.empty() || names.back() != motion.joint) names.push_back(motion.joint);
+  }
+  return "left_ or right_ and one of " + listed(names);
 }
 
 void read_joint(const std::string& joint, const JsonValue& motions, SidePose& side) {
-  std::string known;
+  std::vector<std::string_view> known;
   for (const JointMotion& motion : joint_motions) {
-    if (motion.joint == joint) known = list(known, motion.motion);
+    if (motion.joint == joint) known.push_back(motion.motion);
   }
   if (known.empty()) motions.fail("is no joint of the mannequin", "use " + known_joints());
-  for (const std::string& key : motions.keys()) {
-    const auto motion =
-        std::find_if(joint_motions.begin(), joint_motions.end(),
-                     [&](const JointMotion& m) { return m.joint == joint && m.motion == key; });
-    if (motion == joint_motions.end()) {
-      motions.fail("'" + key + "' is no motion of this joint", "use " + known);
-    }
-    if (const auto angle = motions.find(key)) side.*(motion->angle) = angle->number();
+  refuse_other_keys(motions, known);
+  for (const JointMotion& motion : joint_motions) {
+    if (motion.joint != joint) continue;
+    const auto angle = motions.find(std::string(motion.motion));
+    if (angle) side.*(motion.angle) = angle->number();
   }
 }
 
@@ -53,11 +49,7 @@ Pose read_pose(const std::filesystem::path& path) {
   if (const auto version = root.find("version"); version && version->number() != 1) {
     version->fail("is not 1");
   }
-  for (const std::string& key : root.keys()) {
-    if (key != "format" && key != "version" && key != "units" && key != "joints") {
-      root.fail("'" + key + "' is no key of a pose", "name the joints under 'joints'");
-    }
-  }
+  refuse_other_keys(root, std::vector<std::string>{"format", "version", "units", "joints"});
   Pose pose = standing_pose();
   const JsonValue joints = root.get("joints");
   for (const std::string& key : joints.keys()) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/body/skeleton.h"
-#include "pattern/json_words.h"
+#include "io/json_words.h"
 
 namespace toile {
 

@@ -9,9 +9,9 @@
 
 #include "geometry/error.h"
 #include "io/json_value.h"
+#include "io/json_words.h"
 #include "io/output_file.h"
 #include "pattern/attachment_json.h"
-#include "pattern/json_words.h"
 #include "pattern/placement_json.h"
 #include "pattern/schematic_figure.h"
 

@@ -1,4 +1,4 @@
-// Words and keys of a pattern file that come from a list.
+// Words and keys in JSON that have to come from a list.
 #pragma once
 
 #include <algorithm>
@@ -9,9 +9,10 @@
 
 namespace toile {
 
+/// `text` in single quotes.
 inline std::string in_quotes(const std::string& text) { return "'" + text + "'"; }
 
-/// "a, b, c": all but the empty ones.
+/// The words that are not empty, as "a, b, c".
 template <class Words>
 std::string listed(const Words& words) {
   std::string all;
@@ -22,7 +23,7 @@ std::string listed(const Words& words) {
   return all;
 }
 
-/// Throws Error, naming the value's place, for a key that is none of `known`.
+/// Throws Error with the value's place for a key that is not in `known`.
 template <class Words>
 void refuse_other_keys(const JsonValue& value, const Words& known) {
   for (const std::string& key : value.keys()) {
@@ -31,7 +32,7 @@ void refuse_other_keys(const JsonValue& value, const Words& known) {
   }
 }
 
-/// The index of the value's word; throws Error when it is none of `words`.
+/// The index in `words` of the value's word. Throws Error when it is not in `words`.
 template <class Words>
 std::size_t word_of(const JsonValue& value, const Words& words) {
   const std::string word = value.text();
