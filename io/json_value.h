@@ -30,7 +30,8 @@ class JsonValue {
 
   /// The keys of an object, in the file's order.
   std::vector<std::string> keys() const;
-  /// The value of an object's key. When it is absent, find() returns nothing and get() throws Error.
+  /// The value of an object's key. When it is absent, find() returns nothing and get() throws
+  /// Error.
   std::optional<JsonValue> find(const std::string& key) const;
   JsonValue get(const std::string& key) const;
 

@@ -178,7 +178,8 @@ const std::vector<int>& BodyBounds::look(const Vec4s& x) {
     }
     looked_.insert(looked_.end(), triangles_[t].begin(), triangles_[t].end());
   }
-  for (const auto& [v, more] : lifted) extra_offset_[v] = std::min(extra_offset_[v] + more, max_lift);
+  for (const auto& [v, more] : lifted)
+    extra_offset_[v] = std::min(extra_offset_[v] + more, max_lift);
   std::sort(looked_.begin(), looked_.end());
   looked_.erase(std::unique(looked_.begin(), looked_.end()), looked_.end());
   return looked_;

@@ -56,7 +56,7 @@ class BodyBounds {
     double slack = 0;            // metres above that level when looked after, of the lowest corner
     double reach = 0;            // metres from where the corner was
     std::array<Vec3, 3> at;      // the corners
-    double extra_offset = 0;             // metres that the corners should come out
+    double extra_offset = 0;     // metres that the corners should come out
     int facet = 0;               // nearest to the middle
     bool meets = false;          // the body: no bounds
   };

@@ -102,9 +102,7 @@ class CoupledRelaxation {
     }
   }
 
-  void set_forces(ForceOptions& options) const {
-    options.bounded = true;
-  }
+  void set_forces(ForceOptions& options) const { options.bounded = true; }
 
   void come_to_rest(RestingState& state) {
     RelaxOptions options;
@@ -135,7 +133,8 @@ class CoupledRelaxation {
     const WornGarment& worn = garments_[garment];
     result_.nodes.emplace_back(state.nodes.begin() + first_[garment],
                                state.nodes.begin() + first_[garment + 1]);
-    result_.extra_offset.emplace_back(extra_offset_.begin() + first_[garment], extra_offset_.begin() + first_[garment + 1]);
+    result_.extra_offset.emplace_back(extra_offset_.begin() + first_[garment],
+                                      extra_offset_.begin() + first_[garment + 1]);
     std::vector<double> moved;
     for (std::size_t n = 0; n < worn.nodes.size(); ++n) {
       moved.push_back((result_.nodes.back()[n] - worn.nodes[n]).norm());

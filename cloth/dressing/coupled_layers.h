@@ -37,7 +37,7 @@ struct CoupledResult {
   /// Of the whole, one for each time it was brought to rest; residuals are all garments'.
   std::vector<StageReport> stages;
   std::vector<std::vector<Vec3>> nodes;             ///< metres, by garment
-  std::vector<std::vector<double>> extra_offset;            ///< metres, by garment: RelaxReport's
+  std::vector<std::vector<double>> extra_offset;    ///< metres, by garment: RelaxReport's
   std::vector<MovedFigures> moved;                  ///< by garment: from where it was dressed
   std::vector<std::vector<TightSeam>> tight_seams;  ///< by garment
   std::vector<TightRegions> tight_regions;          ///< by garment

@@ -14,7 +14,7 @@ namespace toile {
 /// What is wrong with one state on the way: counts of pairs of triangles that intersect.
 struct FrameFigures {
   std::string stage;
-  int points = 0;      ///< material points of the mesh in hand
+  int points = 0;        ///< material points of the mesh in hand
   int open_pairs = 0;    ///< pairs of seam points that are not in one place
   int body = 0;          ///< with the body
   int layers = 0;        ///< with the layers below

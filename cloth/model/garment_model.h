@@ -74,9 +74,9 @@ struct GarmentModel {
   std::vector<double> friction_cloth;  ///< Coulomb, per node: the same, against cloth
   std::vector<Vec3> start;             ///< metres, per node
   Scene scene;
-  double mean_weight = 0;  ///< N, of a node
+  double mean_weight = 0;      ///< N, of a node
   double body_offset = 0.002;  ///< metres kept between the skin and the middle of the cloth
-  double self_gap = 0;     ///< metres kept between the middles of cloth and cloth
+  double self_gap = 0;         ///< metres kept between the middles of cloth and cloth
 };
 
 /// Place of every material point while seams are `open`.

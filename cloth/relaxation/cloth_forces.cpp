@@ -112,8 +112,7 @@ void ClothForces::close_seams(double wanted) {
   if (neighbourhood_->bounded()) {
     // The closing moves points too: no farther than their bounds allow.
     for (std::size_t p = 0; p < model_.offsets.size(); ++p) {
-      const double share =
-          neighbourhood_->allowed_share(p, (wanted - open_) * model_.offsets[p]);
+      const double share = neighbourhood_->allowed_share(p, (wanted - open_) * model_.offsets[p]);
       if (share < 1) neighbourhood_->request_search();
       open = std::max(open, open_ + share * (wanted - open_));
     }
@@ -161,19 +160,9 @@ void ClothForces::find_attraction() {
   });
 }
 
-const Vec4s& ClothForces::step_forces(double bending) {
-  bending_ = bending;
-  neighbourhood_->update(interval_);
-  compute();
-  return node_force_;
-}
-
-const Vec4s& ClothForces::fresh_forces(double bending) {
-  bending_ = bending;
+void ClothForces::refresh() {
   if (edge_contacts_) edge_contacts_->look_anew();
   neighbourhood_->refresh();
-  compute();
-  return node_force_;
 }
 
 void ClothForces::compute() {
@@ -206,10 +195,6 @@ void ClothForces::compute() {
     parallel_for_chunks(vertices_->count,
                         [&](std::size_t begin, std::size_t end) { add_up(begin, end); });
   }
-  parallel_for_chunks(model_.nodes, [&](std::size_t begin, std::size_t end) {
-    if (!seams_stand_open()) add_up(begin, end);
-    gather(begin, end);
-  });
 }
 
 /// What the cloth itself does to vertices `begin` to `end`.
@@ -225,19 +210,24 @@ void ClothForces::add_up(std::size_t begin, std::size_t end) {
 /// All that acts on nodes `begin` to `end`.
 TOILE_CLONES
 void ClothForces::gather(std::size_t begin, std::size_t end) {
+  if (!seams_stand_open()) add_up(begin, end);
   const bool has_body = touches_body(model_.scene);
+  const bool bends = !model_.bend.empty();
+  const bool attracts = !attraction_.empty();
+  const PairForces& pairs = neighbourhood_->pairs();
+  const Adjacency<int>& of_node = vertices_->of_node;
+  const Vec4* const p = positions().data();
   for (std::size_t n = begin; n < end; ++n) {
     Vec4 force = model_.mass[n] * gravity_;
     double stiffness = stretch_stiffness(n);
-    if (!model_.bend.empty()) stiffness += bending_ * model_.bend_diagonal[n];
+    if (bends) stiffness += bending_ * model_.bend_diagonal[n];
     const double friction = options_.friction ? model_.friction_skin[n] : 0;
-    for (const int v : vertices_->of_node[n]) {
-      const Vec4& p = positions()[v];
+    for (const int v : of_node[n]) {
       stiffness += vertex_force_[v][3];
       force += vertex_force_[v];
-      neighbourhood_->pairs().add(v, force, stiffness);
-      if (has_body) neighbourhood_->contact(v).add(p, friction, force, stiffness);
-      if (!attraction_.empty()) force += attraction_[v];
+      pairs.add(v, force, stiffness);
+      if (has_body) neighbourhood_->contact(v).add(p[v], friction, force, stiffness);
+      if (attracts) force += attraction_[v];
     }
     force[3] = stiffness;
     node_force_[n] = force;

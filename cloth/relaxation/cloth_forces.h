@@ -25,8 +25,8 @@ class ClothForces {
  public:
   /// `x`: metres, one a node. With `open_seams`, seams stand as they were placed until
   /// close_seams().
-  ClothForces(const GarmentModel& model, const ForceOptions& options, const SearchInterval& interval,
-              const std::vector<Vec3>& x, bool open_seams);
+  ClothForces(const GarmentModel& model, const ForceOptions& options,
+              const SearchInterval& interval, const std::vector<Vec3>& x, bool open_seams);
 
   const Vec4& node(std::size_t n) const { return nodes_[n]; }
   const Vec4s& nodes() const { return nodes_; }  ///< and then what does not move
@@ -38,32 +38,59 @@ class ClothForces {
   /// Closes the seams until `open` is left, or as far as bounds allow; at 0 they are sewn for good.
   void close_seams(double open);
 
-  /// The forces of one step, per node (N), each with a bound of its stiffness (N/m) as the fourth.
-  /// `bending` multiplies the bending stiffness. Searches for near cloth where that is due, and
-  /// friction slides along, so each call is a step's.
-  const Vec4s& step_forces(double bending);
+  /// Finds the forces of one step. Calls take(begin, end, forces) for ranges of nodes, in parallel:
+  /// per node the force (N), with a bound of its stiffness (N/m) as the fourth. `bending`
+  /// multiplies the bending stiffness. Searches for near cloth where that is due, and friction
+  /// slides along, so each call is a step's.
+  template <typename Take>
+  void step_forces(double bending, const Take& take) {
+    bending_ = bending;
+    neighbourhood_->update(interval_);
+    compute();
+    gather_all(take);
+  }
   /// The same forces where the nodes stand, all that is near found anew, without a search.
-  const Vec4s& fresh_forces(double bending);
+  template <typename Take>
+  void fresh_forces(double bending, const Take& take) {
+    bending_ = bending;
+    refresh();
+    compute();
+    gather_all(take);
+  }
 
   /// Moves nodes for advance().
   class Mover {
    public:
     /// Moves node n to `wanted`, or as far as its bounds allow: then false.
     [[gnu::always_inline]] bool operator()(std::size_t n, const Vec4& wanted) const {
-      return forces_.move(n, wanted);
+      for (const int v : of_node_[n]) {
+        if (!neighbourhood_.is_safe(v, positions_[v] + (wanted - nodes_[n]))) {
+          return forces_.move_on(n, wanted);
+        }
+      }
+      nodes_[n] = wanted;
+      return true;
     }
 
    private:
     friend class ClothForces;
-    explicit Mover(ClothForces& forces) : forces_(forces) {}
+    explicit Mover(ClothForces& forces)
+        : forces_(forces),
+          neighbourhood_(*forces.neighbourhood_),
+          of_node_(forces.vertices_->of_node),
+          positions_(forces.positions().data()),
+          nodes_(forces.nodes_.data()) {}
     ClothForces& forces_;
+    const Neighbourhood& neighbourhood_;
+    const Adjacency<int>& of_node_;
+    const Vec4* const positions_;
+    Vec4* const nodes_;
   };
   /// Calls step(begin, end, mover) for ranges of nodes, in parallel, to move each node once.
   template <typename Step>
   void advance(const Step& step) {
-    parallel_for_chunks(model_.nodes, [&](std::size_t begin, std::size_t end) {
-      step(begin, end, Mover(*this));
-    });
+    parallel_for_chunks(
+        model_.nodes, [&](std::size_t begin, std::size_t end) { step(begin, end, Mover(*this)); });
     if (seams_stand_open()) place_points();
   }
 
@@ -87,10 +114,17 @@ class ClothForces {
 
  private:
   void use_vertices(bool points);
+  void refresh();
   void compute();
   void gather(std::size_t begin, std::size_t end);
+  template <typename Take>
+  void gather_all(const Take& take) {
+    parallel_for_chunks(model_.nodes, [&](std::size_t begin, std::size_t end) {
+      gather(begin, end);
+      take(begin, end, node_force_);
+    });
+  }
   void add_up(std::size_t begin, std::size_t end);
-  [[gnu::always_inline]] bool move(std::size_t n, const Vec4& wanted);
   bool move_on(std::size_t n, const Vec4& wanted);
   Vec3 within_bounds(std::size_t n, const Vec3& wanted) const;
   void place_points();
@@ -104,7 +138,7 @@ class ClothForces {
   const Vec4 gravity_;
   Vec4s nodes_;         // then the layers' points
   Vec4s points_;        // likewise the material points, while seams stand open
-  Vec4s node_force_;    // what step_forces() returns
+  Vec4s node_force_;    // what step_forces() hands out
   Vec4s vertex_force_;  // N, with the stiffness as the fourth: from the cloth itself
   Vec4s attraction_;    // N, per vertex, to the body; empty: none
   std::vector<double> limit_stiffness_;  // N/m, per node; empty: no limits
@@ -121,15 +155,5 @@ class ClothForces {
   std::unique_ptr<EdgeContacts> edge_contacts_;  // null: no edge is long enough
   std::unique_ptr<Neighbourhood> neighbourhood_;
 };
-
-inline bool ClothForces::move(std::size_t n, const Vec4& wanted) {
-  for (const int v : vertices_->of_node[n]) {
-    if (!neighbourhood_->is_safe(v, positions()[v] + (wanted - nodes_[n]))) {
-      return move_on(n, wanted);
-    }
-  }
-  nodes_[n] = wanted;
-  return true;
-}
 
 }  // namespace toile

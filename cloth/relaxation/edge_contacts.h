@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "cloth/contact/body_contact.h"
-#include "cloth/relaxation/force_options.h"
 #include "cloth/model/garment_model.h"
+#include "cloth/relaxation/force_options.h"
 #include "geometry/adjacency.h"
 #include "geometry/vec4.h"
 
@@ -37,8 +37,8 @@ class EdgeContacts {
   std::size_t edges() const { return edges_.size(); }
   /// First pass, of edges `begin` to `end`: what the body does to their middles, with vertices at
   /// `x`. The model's scene has a body.
-  void push(std::size_t begin, std::size_t end, const GarmentModel& model, const ForceOptions& options,
-            const Vec4s& x);
+  void push(std::size_t begin, std::size_t end, const GarmentModel& model,
+            const ForceOptions& options, const Vec4s& x);
   /// Second pass, of vertices `begin` to `end`: adds the forces (N) to theirs, and a bound of their
   /// stiffness (N/m) as the fourth of them.
   void add(std::size_t begin, std::size_t end, Vec4s& force) const;

@@ -62,9 +62,9 @@ class Relaxation {
         // A dart that closes in wide patches turns its tip in.
         multilevel_(model, options.closing_iterations == 0),
         blocks_(model),
-        step_factor_(step_factor /
-                     (1 + level_share * multilevel_.nested_levels() +
-                      aggregate_level_share * (multilevel_.levels() - multilevel_.nested_levels()))),
+        step_factor_(step_factor / (1 + level_share * multilevel_.nested_levels() +
+                                    aggregate_level_share *
+                                        (multilevel_.levels() - multilevel_.nested_levels()))),
         touch_factor_(std::max(1.0, step_factor_ * (1 + multilevel_.levels()) / max_step)),
         node_force_(model.nodes, Vec4{}),
         x_(as_vec4(x)),
@@ -76,7 +76,6 @@ class Relaxation {
  private:
   /// One step of all nodes; returns the power of the forces along the last step.
   double step();
-  void take_forces(const Vec4s& forces);
   void take_forces(const Vec4s& forces, std::size_t begin, std::size_t end);
   void update_blocks();
   double bend_stiffness(std::size_t n) const {
@@ -133,18 +132,8 @@ void Relaxation::update_blocks() {
   multilevel_.set_blocks(blocks_.of_nodes());
 }
 
-/// From the forces on all nodes, those on the patches of the coarser levels too.
-void Relaxation::take_forces(const Vec4s& forces) {
-  update_blocks();
-  parallel_for_chunks(model_.nodes, [&](std::size_t begin, std::size_t end) {
-    take_forces(forces, begin, end);
-  });
-  multilevel_.compute(node_force_, bending_);
-}
-
 TOILE_CLONES
-double Relaxation::step_nodes(std::size_t begin, std::size_t end,
-                              const ClothForces::Mover& move) {
+double Relaxation::step_nodes(std::size_t begin, std::size_t end, const ClothForces::Mover& move) {
   const double max_squared = options_.max_move * options_.max_move;
   const double isotropic = blocks_.known() ? isotropic_share : 1;
   double power = 0;
@@ -169,7 +158,11 @@ double Relaxation::step_nodes(std::size_t begin, std::size_t end,
 
 double Relaxation::step() {
   momentum_ = std::min(options_.momentum, momentum_age_ / (momentum_age_ + 3.0));
-  take_forces(forces_.step_forces(bending_));
+  update_blocks();
+  forces_.step_forces(bending_, [&](std::size_t begin, std::size_t end, const Vec4s& forces) {
+    take_forces(forces, begin, end);
+  });
+  multilevel_.compute(node_force_, bending_);
   forces_.advance([&](std::size_t begin, std::size_t end, const ClothForces::Mover& move) {
     partial_[begin / vertex_chunk] = step_nodes(begin, end, move);
   });
@@ -178,7 +171,11 @@ double Relaxation::step() {
 
 /// Of the state as it is now, the body looked at anew.
 Residual Relaxation::measure_residual() {
-  take_forces(forces_.fresh_forces(bending_));
+  update_blocks();
+  forces_.fresh_forces(bending_, [&](std::size_t begin, std::size_t end, const Vec4s& forces) {
+    take_forces(forces, begin, end);
+  });
+  multilevel_.compute(node_force_, bending_);
   return last_residual();
 }
 

@@ -37,8 +37,7 @@ class Release {
   std::vector<Vec3> state() const { return forces_.state(); }
 
  private:
-  void step_nodes(const Vec4s& forces, std::size_t begin, std::size_t end,
-                  const ClothForces::Mover& move);
+  void step_nodes(std::size_t begin, std::size_t end, const ClothForces::Mover& move);
   double kinetic() const;
 
   const GarmentModel& model_;
@@ -46,6 +45,7 @@ class Release {
   ClothForces forces_;  // its nodes are where forces are taken
   Vec4s x_;
   Vec4s v_;
+  Vec4s force_;  // N, with the stiffness as the fourth
   double step_ = 0;
   double max_inverse_ = 0;  // 1/s²: the most that stiffness over mass may be
 };
@@ -56,7 +56,8 @@ Release::Release(const GarmentModel& model, const ReleaseOptions& options,
       options_(in_time(options)),
       forces_(model, options_, {1, search_interval}, x, false),
       x_(as_vec4(x)),
-      v_(model.nodes, Vec4{}) {
+      v_(model.nodes, Vec4{}),
+      force_(model.nodes, Vec4{}) {
   double most = 0;
   for (int n = 0; n < model.nodes; ++n) {
     if (!(model.mass[n] > 0)) continue;
@@ -73,11 +74,10 @@ Release::Release(const GarmentModel& model, const ReleaseOptions& options,
 }
 
 TOILE_CLONES
-void Release::step_nodes(const Vec4s& forces, std::size_t begin, std::size_t end,
-                         const ClothForces::Mover& move) {
+void Release::step_nodes(std::size_t begin, std::size_t end, const ClothForces::Mover& move) {
   const double kept = std::exp(-options_.damping * step_);
   for (std::size_t n = begin; n < end; ++n) {
-    Vec4 force = forces[n];
+    Vec4 force = force_[n];
     const double stiffness = force[3];
     force[3] = 0;
     const double mass = std::max(model_.mass[n], stiffness / max_inverse_);
@@ -119,9 +119,12 @@ ReleaseReport Release::run() {
   const Vec4s from = x_;
   const int watch = std::max(1, static_cast<int>(watch_interval / step_));
   for (int i = 1; i <= report.steps; ++i) {
-    const Vec4s& forces = forces_.step_forces(options_.bending);
+    forces_.step_forces(
+        options_.bending, [&](std::size_t begin, std::size_t end, const Vec4s& found) {
+          std::copy(found.begin() + begin, found.begin() + end, force_.begin() + begin);
+        });
     forces_.advance([&](std::size_t begin, std::size_t end, const ClothForces::Mover& move) {
-      step_nodes(forces, begin, end, move);
+      step_nodes(begin, end, move);
     });
     if (i % watch != 0 && i != report.steps) continue;
     for (std::size_t n = 0; n < x_.size(); ++n) {

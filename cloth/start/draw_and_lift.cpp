@@ -73,7 +73,7 @@ bool hangs_from_shoulders(const PanelMesh& garment, const std::vector<Vec3>& pla
 }  // namespace
 
 Placement draw_and_lift(const PanelMesh& garment, const DistanceGrid& body,
-                            const Skeleton* skeleton, double hang) {
+                        const Skeleton* skeleton, double hang) {
   Placement placement;
   placement.placed = garment.placed;
   bool hangs = false;

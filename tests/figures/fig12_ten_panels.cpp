@@ -4,10 +4,10 @@
 #include <cmath>
 #include <map>
 
-#include "tools/ease_map/report.h"
 #include "io/output_file.h"
 #include "tests/figures/dressing_pictures.h"
 #include "tests/figures/sheet.h"
+#include "tools/ease_map/report.h"
 
 namespace toile::figures {
 namespace {

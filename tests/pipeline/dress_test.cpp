@@ -167,7 +167,8 @@ TEST(Dress, TheSampleFromBodyAndPatternToEaseMap) {
     EXPECT_TRUE(stage["converged"].is_boolean());
     EXPECT_GE(stage["steps"].get<int>(), 0);
   }
-  EXPECT_EQ(stages, (std::vector<std::string>{"position", "close_seams", "untangle", "settle", "rest"}));
+  EXPECT_EQ(stages,
+            (std::vector<std::string>{"position", "close_seams", "untangle", "settle", "rest"}));
   EXPECT_GT(chain.number("/seconds"), seconds);
   EXPECT_GT(chain.number("/residual/median"), 0);
   EXPECT_LT(chain.number("/residual/median"), 0.06);

@@ -142,7 +142,8 @@ TEST_F(Contacts, LaidOverSpikesAndKnives) {
   add_sheet(garment, 0.24, 16, {0.003, 0.05, 0.002});
   std::vector<Vec3> x;
   const RelaxReport report = relaxed(garment, x);
-  const auto lifted = std::ranges::count_if(report.extra_offset, [](double lift) { return lift > 0; });
+  const auto lifted =
+      std::ranges::count_if(report.extra_offset, [](double lift) { return lift > 0; });
   EXPECT_GT(lifted, 0);
   EXPECT_LT(lifted, model.nodes / 2);
   state("4 laid over a spike and a knife of 1 mm, edges of 15 mm", "relaxation",

@@ -15,7 +15,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Metres by which cloth is held farther off the body than the offset, from which on the user is told.
+/// Metres by which cloth is held farther off the body than the offset, from which on the user is
+/// told.
 constexpr double worth_saying = 0.002;
 
 struct ExtraOffset {

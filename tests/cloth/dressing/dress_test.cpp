@@ -49,7 +49,8 @@ TEST(Dress, ProgressGoesFromNothingToAllAndNeverBack) {
     meshes.insert(&frame.mesh);
     progress.push_back(frame.progress);
   });
-  EXPECT_EQ(stages, (std::set<std::string>{"position", "close_seams", "untangle", "settle", "rest"}));
+  EXPECT_EQ(stages,
+            (std::set<std::string>{"position", "close_seams", "untangle", "settle", "rest"}));
   EXPECT_GT(meshes.size(), 1U);
   EXPECT_EQ(progress.front(), 0);
   EXPECT_EQ(progress.back(), 1);
