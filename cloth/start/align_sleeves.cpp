@@ -13,8 +13,8 @@ namespace toile {
 
 namespace {
 
-/// Radians: T-shirts and a shirt are off arms like those that they were laid out for by 3 to 9
-/// degrees, off arms that hang lower, swing or reach by 12 to 52 [measured].
+/// Radians. T-shirts and a shirt are 3 to 9 degrees off arms like those they were laid out for.
+/// They are 12 to 52 degrees off arms that hang lower, swing or reach forward [measured].
 constexpr double min_turn = 11 * std::numbers::pi / 180;
 /// Cosine between a seam and the arm, from which on it runs along the sleeve, not around it.
 constexpr double along_sleeve = 0.5;

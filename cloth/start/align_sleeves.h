@@ -10,12 +10,14 @@
 
 namespace toile {
 
-/// Turns the panels of a sleeve in `placed` to run down the arm, where they are off it by more than
-/// patterns are that were laid out for about this pose: a sleeve that starts beside its arm closes
-/// beside it. Which way a sleeve runs the seams between its panels tell, over whose length the arm
-/// is looked at; one without such seams stays, as do panels that the skeleton positioned. Each
-/// panel turns about the middle of the armhole, at its own depth: so front and back keep facing
-/// each other, and what they are sewn to. Radians turned by, for each arm whose sleeve was.
+/// Turns sleeves in `placed` to run down their arms, for a sleeve that starts beside its arm closes
+/// beside it. Only sleeves turn that are farther off than patterns laid out for about this pose.
+/// The seams between a sleeve's panels tell its direction. It is compared with the arm's over the
+/// length of those seams. Sleeves without such seams stay, and so do panels that the skeleton
+/// positioned.
+/// Each panel turns about the middle of the armhole, at its own depth. So front and back keep
+/// facing each other and what they are sewn to.
+/// Returns radians, for each arm whose sleeve turned.
 std::map<std::string, double> turn_sleeves(const PanelMesh& garment,
                                            const std::vector<std::string>& part_of_point,
                                            const Skeleton& skeleton, std::vector<Vec3>& placed);

@@ -7,11 +7,12 @@
 
 namespace toile {
 
-/// Moves each panel that starts inside the collider, or closer to it than 1 cm, as a whole the way
-/// its right side faces, in steps of 1 cm up to 40 cm: to the first place where none of its points
-/// is, else to where the fewest are. A rolled panel, which faces no way, stays. A pattern places
-/// its panels around the body; under a further layer the body is wider than it knew.
-/// Notes the moves in `placement` and counts its points_inside anew.
+/// Moves panels off the layers below. A pattern places its panels around the body; with layers on,
+/// the body is wider than the pattern knew.
+/// A panel moves as a whole if any of its points is inside the collider or within 1 cm of it. It
+/// moves the way its right side faces, in steps of 1 cm, up to 40 cm. It stops where no such point
+/// is left, or else where the fewest are. A rolled panel faces no one way, and stays.
+/// Notes the moves in `placement` and counts its points_inside again.
 void clear_of_layers(const PanelMesh& garment, const DistanceGrid& collider, Placement& placement);
 
 }  // namespace toile

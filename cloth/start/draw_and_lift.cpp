@@ -28,10 +28,10 @@ constexpr Limb limb_directions[] = {{"left_arm", "left_shoulder", "left_wrist"},
 /// Metres between a limb's seam points and their partners on the torso, along the limb.
 constexpr double limb_gap = 0.01;
 
-/// How far the panels of a limb have to be drawn out along `direction`. Upright panels stand at
-/// depths that say nothing of that: a sleeve's back may be sewn to the front, and then would be
-/// drawn far down an arm that reaches forward. A slanting one passes the torso's at an angle: there
-/// depths count, and the room they bring is needed [measured].
+/// Metres that the panels of a limb have to be drawn out along `direction`.
+/// The depth at which upright panels stand does not count. A sleeve's back may be sewn to the
+/// front, and would be drawn far down an arm that reaches forward. A `slanting` panel passes the
+/// torso's at an angle: there depth counts, and the room it brings is needed [measured].
 double draw_out(const PanelMesh& garment, const std::vector<Vec3>& placed,
                 const std::vector<std::string>& part_of_point, const std::string& part,
                 const Vec3& direction, bool slanting) {

@@ -27,24 +27,21 @@ struct Placement {
   int seams_inside = 0;   ///< pairs of sewn points that would meet inside the body
 };
 
-/// Draws out and lifts panels that stand where `garment.placed` says. Each point of a rolled limb
-/// panel stays level; the others are lifted together.
+/// Draws out and lifts panels that stand where `garment.placed` says.
 ///
-/// - Sleeves are turned to their arms (align_sleeves.h).
-/// - Panels of arms and legs are drawn out along their bones, until none of their seam points has
-/// to
+/// - Sleeves turn to their arms (align_sleeves.h).
+/// - Panels of arms and legs are drawn out along their bones. They stop where no seam point has to
 ///   pass its partner on the torso, behind which it would be caught. `skeleton` null: they stay.
-/// - All panels but those rolled around a limb are lifted together, until the points that are to be
-///   sewn come to each other outside the body: a shoulder seam drawn below the body's shoulder
-///   would be pulled through it. Of the lifts up to 20 cm, the lowest wins for which the body
-///   obstructs the fewest pairs (seam_paths.h).
-/// - A garment with seams above the chest hangs from the shoulders: it is lifted by `hang` metres
-/// at
-///   least, unless it has tubes around limbs, which hold it where it is.
-/// - A garment without such seams or sleeves is lifted only as long as no more of its points are
+/// - All panels but those rolled around a limb are lifted together. The points to be sewn then meet
+///   outside the body. A shoulder seam drawn below the body's shoulder would be pulled through it.
+/// - Of the lifts up to 20 cm, the one wins for which the body obstructs the fewest pairs
+///   (seam_paths.h). Of equal ones, the lowest wins.
+/// - A garment with seams above the chest hangs from the shoulders. It is lifted by `hang` metres
+///   at least, unless tubes around limbs hold it where it is.
+/// - A garment without such seams or sleeves is lifted only as long as no more of its points get
 ///   inside the body.
 ///
-/// Linear in the points, times 20 lifts; the seam points cost some queries each.
+/// Linear in the points, times 20 lifts; a seam point costs some queries of `body` each time.
 Placement draw_and_lift(const PanelMesh& garment, const DistanceGrid& body,
                         const Skeleton* skeleton, double hang = 0);
 

@@ -9,9 +9,10 @@
 
 namespace toile {
 
-/// The body part that each panel belongs to: what the pattern says, else the part whose bones lie
-/// nearest to the middle of the panel as placed. A panel in front of both legs belongs to the
-/// torso, which a skirt hangs from; one that reaches the body's middle is no sleeve.
+/// The body part of each panel, one of body_parts. The pattern's own word counts first. Else it is
+/// the part whose bones lie nearest to the middle of the panel as placed.
+/// A panel in front of both legs belongs to the torso, from which a skirt hangs. A panel that
+/// reaches the body's middle is no sleeve.
 std::vector<std::string> panel_parts(const PanelMesh& garment, const Skeleton& skeleton);
 
 }  // namespace toile

@@ -16,15 +16,16 @@ namespace {
 constexpr double on_one_side = 0.5;
 /// Share of a group's seams that have to reach across the middle.
 constexpr double max_across = 0.5;
-/// What standing mirrored has to make of the seams' lengths, and bring at least, metres.
+/// A group is on the other side if its seams would be this much shorter with it mirrored.
 constexpr double much_shorter = 0.65;
+/// Metres that this has to bring at least.
 constexpr double worth = 0.15;
-/// Two panels are each other's mirror images when their middles and their sizes are, to this share
-/// of a size: that they are sewn together says nothing of sides, as they can only change places.
+/// Two panels are mirror images when their middles and sizes agree to this share of a size. Such
+/// panels, sewn together, can only change places.
 constexpr double image_share = 0.15;
-/// Of facing_out(): below, a panel is inside out.
+/// Below this value of facing_out(), a panel is inside out.
 constexpr double surely_inward = -0.5;
-/// Triangles of a panel that are looked at.
+/// Triangles of a panel that are sampled at most.
 constexpr int looked_at = 50;
 
 /// Panels on one side of the body that are sewn together.
@@ -217,21 +218,21 @@ std::vector<double> facing_out(const PanelMesh& garment, const SurfaceDistance& 
 
 std::vector<PlacementWarning> placement_warnings(const PanelMesh& garment, const Scene& scene) {
   using Kind = PlacementWarning::Kind;
-  std::vector<PlacementWarning> warning;
+  std::vector<PlacementWarning> warnings;
   const double middle = scene.skeleton != nullptr ? scene.skeleton->joint("pelvis").x() : 0;
   Sides sides(garment, middle);
   for (const int p : sides.exchange_swapped()) {
-    warning.push_back({garment.panels[p].name, Kind::swapped});
+    warnings.push_back({garment.panels[p].name, Kind::swapped});
   }
   for (const int p : sides.misplaced()) {
-    warning.push_back({garment.panels[p].name, Kind::other_side});
+    warnings.push_back({garment.panels[p].name, Kind::other_side});
   }
-  if (scene.collider == nullptr) return warning;
+  if (scene.collider == nullptr) return warnings;
   const std::vector<double> facing = facing_out(garment, scene.collider->skin());
   for (std::size_t p = 0; p < facing.size(); ++p) {
-    if (facing[p] < surely_inward) warning.push_back({garment.panels[p].name, Kind::inside_out});
+    if (facing[p] < surely_inward) warnings.push_back({garment.panels[p].name, Kind::inside_out});
   }
-  return warning;
+  return warnings;
 }
 
 std::string text_of(const PlacementWarning& warning) {

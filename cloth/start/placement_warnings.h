@@ -22,23 +22,25 @@ struct PlacementWarning {
   Kind kind;
 };
 
-/// Looks at the panels where `garment.placed` says; names play no part. On the other side stand
-/// panels, joined among each other on one side of the body's middle, most of whose seams reach
-/// across it, and would be half as long and shorter by 15 cm at least if the panels stood mirrored;
-/// of two such groups that are sewn together the smaller one. Swapped are panels that are sewn to
-/// their mirror images, as two legs are, by seams that would be as much shorter if the two changed
-/// places; what else is sewn to them is judged as if they had. Inside out is a panel whose right
-/// side faces the skin that is nearest to it, by more than half of its area weighed by how
-/// squarely. In the garment's order, swapped ones first, then other sides. The scene's `skin`, if
-/// any, tells what is inside out; `skeleton`, if any, where the middle is (x = 0). Cost is some 50
-/// queries of the skin a panel.
+/// Warns of panels by where `garment.placed` puts them; names play no part.
+///
+/// - Other side: panels that are joined among each other on one side of the body's middle. Most of
+///   their seams reach across it. With the panels mirrored, the seams would be 35 % and 15 cm
+///   shorter at least. Of two such groups that are sewn together, the smaller one is named.
+/// - Swapped: panels that are sewn to their mirror images, as two legs are. Their seams would be as
+///   much shorter if the two changed places. What else is sewn to them is judged as if they had.
+/// - Inside out: a panel whose right side faces the nearest skin, by facing_out() below -0.5.
+///
+/// They come in the garment's order, swapped ones first, then other sides. Without a collider
+/// nothing is inside out; without a skeleton the middle is x = 0. Cost: some 50 queries of the skin
+/// a panel.
 std::vector<PlacementWarning> placement_warnings(const PanelMesh& garment, const Scene& scene);
 
-/// Of each panel, how its right side faces away from the skin: the mean cosine over its area, 1
-/// when all of it does.
+/// Per panel, the mean cosine between its right side and the way out of the skin, over its area. It
+/// is 1 when all of the right side faces out.
 std::vector<double> facing_out(const PanelMesh& garment, const SurfaceDistance& skin);
 
-/// What is warning and what to do, in a line.
+/// The warning and its remedy, in a line.
 std::string text_of(const PlacementWarning& warning);
 
 }  // namespace toile

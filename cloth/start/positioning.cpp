@@ -24,7 +24,7 @@ constexpr double widest = 0.3;  // added to a radius
 constexpr double draw_step = 0.01;
 constexpr double draw_worth = 0.002;  // metres nearer to the arm that a step must bring
 constexpr double farthest_drawn = 0.20;
-constexpr double bend_worth = 0.02;    // metres less of a gap or a way along the bones
+constexpr double bend_worth = 0.02;    // metres of gap and of draw that bending must spare
 constexpr double from_divide = 0.005;  // metres kept from the plane between the legs
 constexpr int halvings = 6;            // of a step, toward the nearest place that is clear
 
@@ -246,8 +246,8 @@ class Stand {
   Vec2 drawn_middle_;
 };
 
-/// Whether the panel may be drawn down its part to clear the body: only sleeves whose place the
-/// pattern leaves open, since the armpit is in the way of their upper ends.
+/// Whether the panel may be drawn down its part to clear the body. Only sleeves may whose place the
+/// pattern leaves open, since the armpit obstructs their upper ends.
 bool may_be_drawn_out(const Piece& piece) {
   return piece.panel.part.ends_with("_arm") && piece.panel.placement.at.empty();
 }

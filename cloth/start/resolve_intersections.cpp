@@ -24,8 +24,8 @@ constexpr double surely_inside = -0.002;
 constexpr int max_widening = 15;  // steps
 /// Metres: where a pattern places two sides in one place, only rounding lies between them.
 constexpr double rounding = 1e-9;
-/// Panels face one way when their areas, added as vectors, keep this share of their sum: that of a
-/// flat one is 1, of one rolled half around 0.64; of two that stand square to each other 0.71.
+/// A panel is flat when its areas, added as vectors, keep this share of their sum. A flat one has
+/// 1. One rolled half around has 0.64, two that stand square to each other 0.71.
 constexpr double flat_share = 0.68;
 
 /// Calls `with` for each pair of points that are to be sewn and are in one place.

@@ -10,15 +10,19 @@
 
 namespace toile {
 
-/// Moves panels that intersect each other or the collider, or are inside of it, apart: one after
-/// another, the nearest to the collider first, each is moved on until it is clear of the collider
-/// and of those before it, a centimetre at a time and up to 70 cm; a flat one along its normal,
-/// away from the collider; one that bends around its body part, away from the bones, by 15 cm at
-/// most. Panels that stand joined along a seam, and nowhere through each other, move as one. Panels
-/// that stand clear stay where they are, as long as none that is moved comes to stand there; so do
-/// those that meet only where they are sewn together. Exact where anything is near; `collider` is
-/// the surface that `distance` tells the distance to. Notes the moves in `placement` and counts its
-/// points_inside anew. Throws Error, naming the panels, when one finds no place.
+/// Moves panels apart that intersect each other or the collider, or are inside it.
+///
+/// - One after another is moved, the nearest to the collider first. Each stops where it is clear of
+///   the collider and of those before it.
+/// - A flat one moves along its normal, away from the collider, in steps of 1 cm up to 70 cm. One
+///   that bends around its body part moves away from the bones, by 15 cm at most.
+/// - Panels that stand joined along a seam, and nowhere through each other, move as one.
+/// - Panels that stand clear stay, as long as no moved one comes to stand there. So do panels that
+///   meet only where they are sewn together.
+///
+/// `collider` is the surface to which `distance` measures. Exact where anything is near. Notes the
+/// moves in `placement` and counts its points_inside again. Throws Error, naming the panels, when
+/// one finds no place.
 void resolve_intersections(const PanelMesh& garment, const TriangleMesh& collider,
                            const DistanceGrid& distance, const Skeleton* skeleton,
                            Placement& placement);

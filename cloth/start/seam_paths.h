@@ -14,7 +14,7 @@ namespace toile {
 /// Metres that a meeting place has to keep from the skin, so that the seam finds its way out.
 inline constexpr double meeting_clearance = 0.01;
 
-/// The straight ways between the points of each seam's two sides, as the panels are lifted.
+/// The straight paths between the points of each seam's two sides, while the panels are lifted.
 class SeamPaths {
  public:
   /// `lifted`: per material point, the share of a lift that it takes part in. `skeleton` null: no
@@ -22,13 +22,13 @@ class SeamPaths {
   SeamPaths(const PanelMesh& garment, const std::vector<Vec3>& placed,
             const std::vector<double>& lifted, const DistanceGrid& body, const Skeleton* skeleton);
 
-  /// Pairs whose way leads through the body, or that would meet too near to it: it is not enough
-  /// that a seam meets before a narrow shoulder, when its other side has to come through that. A
-  /// pair that an arm was ever in the way of counts from there on: lifted past the arm, it would
-  /// close above, with the arm outside of its sleeve. So ask for rising lifts, in metres.
+  /// Pairs whose path leads through the body, or that would meet too near to it. It is not enough
+  /// that a seam meets before a narrow shoulder, when its other side has to come through that.
+  /// A pair that an arm once obstructed counts at every higher lift. Lifted past the arm, it would
+  /// close above, with the arm outside of its sleeve. So call this for rising lifts, in metres.
   int obstructed(double lift);
 
-  /// Those of them that are obstructed at every higher lift too.
+  /// Those of them that stay obstructed at every higher lift, because of an arm.
   int at_arms() const;
 
   /// Pairs that would meet inside the body or too near to it.

@@ -50,9 +50,9 @@ TEST(TurnOut, WhatLayBelowLiesOver) {
     p.x() *= 0.107 / 0.104;
     p.z() *= 0.107 / 0.104;
   }
-  // The segment goes around the lower half only, through the pleats.
-  const DressedGarment segment = test::cloth_tube(0.106, 0.106, 0.05, 0.25, 150, 20);
-  const TriangleMesh outer{segment.points, segment.triangles};
+  // The band goes around the lower half only, through the pleats.
+  const DressedGarment band = test::cloth_tube(0.106, 0.106, 0.05, 0.25, 150, 20);
+  const TriangleMesh outer{band.points, band.triangles};
   const auto& triangles = tail.dressed.triangles;
   EXPECT_GT(intersections({tail.dressed.points, triangles}, outer).size(), 100U);
 
@@ -70,7 +70,7 @@ TEST(TurnOut, WhatLayBelowLiesOver) {
     const Vec3& was = tail.dressed.points[n];
     EXPECT_NEAR(nodes[n].y(), was.y(), 1e-3);
     if (was.y() < 0.23) {
-      // As far from the segment as it was from the skin.
+      // As far from the band as it was from the skin.
       const double expected = 0.106 + radius_of(was) - body_radius;
       worst = std::max(worst, std::abs(radius_of(nodes[n]) - expected));
       EXPECT_EQ(moved[n], 1);
@@ -86,10 +86,10 @@ TEST(TurnOut, WhatLayBelowLiesOver) {
 TEST(TurnOut, OnlyThePanelsNamed) {
   const Tail tail = tube(0.1, 0.4, 0.104, 120, 30, "tail");
   const TriangleMesh body = test::closed_tube(body_radius, body_radius, 0.5, 200);
-  const DressedGarment segment = test::cloth_tube(0.106, 0.106, 0.05, 0.45, 150, 20);
+  const DressedGarment band = test::cloth_tube(0.106, 0.106, 0.05, 0.45, 150, 20);
   const Collider below(body);
   Collider above(body);
-  above.add_layer({segment.points, segment.triangles});
+  above.add_layer({band.points, band.triangles});
   EXPECT_EQ(panels_named(tail.garment, {"tail_f*"}), std::vector<int>{0});
   EXPECT_EQ(panels_named(tail.garment, {"tail_*"}), (std::vector<int>{0, 1}));
   EXPECT_HOLDS(samples::error_of([&] { panels_named(tail.garment, {"collar"}); }), "collar");

@@ -116,7 +116,7 @@ TEST(Relax, ABandAsSoftAsAWebComesToRestAroundABody) {
   options.max_iterations = 20000;
   options.stop_median = options.stop_rms = 0.01;
   PanelMesh garment;
-  test::add_panel(garment, "segment", test::grid(0.5, 0.05, 20, 2), [](const Vec2& p) {
+  test::add_panel(garment, "band", test::grid(0.5, 0.05, 20, 2), [](const Vec2& p) {
     const double angle = 2 * std::numbers::pi * p.x() / 0.5;
     return Vec3(0.11 * std::sin(angle), 0.2 + p.y(), 0.11 * std::cos(angle));
   });

@@ -76,7 +76,7 @@ TEST(Release, RingsAndLosesEnergyAsTheStepSays) {
   }
 }
 
-/// A segment of 5 cm around an upright cylinder, strained so that its hoop tension is `share` of
+/// A band of 5 cm around an upright cylinder, strained so that its hoop tension is `share` of
 /// what friction needs to carry it: T = W/(2π mu).
 class Band : public testing::Test {
  protected:
@@ -100,11 +100,10 @@ class Band : public testing::Test {
     const double load = share * scene.fabric.areal_density * 9.81 / (2 * pi * mu);
     const double girth = polygon / (1 + load * polygon / scene.fabric.stretch_weft);
     PanelMesh garment;
-    test::add_panel(garment, "segment", test::grid(girth, height, columns, rows),
-                    [&](const Vec2& p) {
-                      const double angle = 2 * pi * p.x() / girth;
-                      return Vec3(out * std::sin(angle), 0.7 + p.y(), out * std::cos(angle));
-                    });
+    test::add_panel(garment, "band", test::grid(girth, height, columns, rows), [&](const Vec2& p) {
+      const double angle = 2 * pi * p.x() / girth;
+      return Vec3(out * std::sin(angle), 0.7 + p.y(), out * std::cos(angle));
+    });
     garment.seams = {test::seam("", test::side(garment.panels[0], columns, rows, false),
                                 test::side(garment.panels[0], columns, rows, true))};
     const GarmentModel model = compile(garment, scene, garment.placed);

@@ -193,7 +193,7 @@ TEST(Positioning, FlatPanelsClearTheBodyByTheOffset) {
         nearest = std::min(nearest, exact.closest_point(p).distance);
       std::cout << "asked " << 1000 * offset << " mm, stands " << 1000 * nearest << " mm off\n";
       EXPECT_GT(nearest, offset - 1e-6);
-      // Beyond its segment the grid interpolates.
+      // Beyond its band the grid interpolates.
       EXPECT_LT(nearest, offset + (offset < 0.01 ? 0.0005 : 0.015));
       EXPECT_GT(done.panels[0].distance, skin + offset - 1e-6);
     }
