@@ -312,21 +312,6 @@ PanelMesh read_garment(const fs::path& obj, const fs::path& json) {
   return garment;
 }
 
-DressedGarment as_dressed(const PanelMesh& garment, std::vector<Vec3> points,
-                          std::vector<Triangle> triangles) {
-  DressedGarment dressed;
-  dressed.points = std::move(points);
-  dressed.triangles = std::move(triangles);
-  dressed.flat = garment.flat;
-  dressed.flat_triangles = garment.triangles;
-  for (const MeshedPanel& panel : garment.panels) {
-    dressed.panel_of_triangle.insert(dressed.panel_of_triangle.end(), panel.triangles,
-                                     static_cast<int>(dressed.panels.size()));
-    dressed.panels.push_back(panel.name);
-  }
-  return dressed;
-}
-
 void write_dressed(const fs::path& obj, const DressedGarment& garment) {
   ObjData data;
   data.comments = {"Toile dressed garment: v nodes (sewn points shared), vt flat coordinates (m)"};

@@ -18,11 +18,6 @@ void write_garment(const std::filesystem::path& obj, const PanelMesh& garment);
 /// the file of the same stem. Throws Error, naming the file, when the two do not fit together.
 PanelMesh read_garment(const std::filesystem::path& obj, const std::filesystem::path& json = {});
 
-/// The garment with its nodes at `points`; `triangles` are of those nodes, one for each of the
-/// garment's and in the same order.
-DressedGarment as_dressed(const PanelMesh& garment, std::vector<Vec3> points,
-                          std::vector<Triangle> triangles);
-
 void write_dressed(const std::filesystem::path& obj, const DressedGarment& garment);
 
 /// Throws Error when a face has no vt, is no triangle, or belongs to no group.

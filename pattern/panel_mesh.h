@@ -73,4 +73,9 @@ struct DressedGarment {
   std::vector<int> panel_of_triangle;    ///< index into `panels`
 };
 
+/// The garment with its nodes at `points`; `triangles` are of those nodes, one for each of the
+/// garment's and in the same order.
+DressedGarment as_dressed(const PanelMesh& garment, std::vector<Vec3> points,
+                          std::vector<Triangle> triangles);
+
 }  // namespace toile

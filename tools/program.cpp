@@ -37,19 +37,15 @@ bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
   return std::filesystem::weakly_canonical(a) == std::filesystem::weakly_canonical(b);
 }
 
-/// An output must not take the place of another output, or of a file that is to be read.
-void refuse_overwriting(const po::variables_map& given, const CommonSettings& settings) {
-  if (settings.report && same_file(*settings.report, settings.output)) {
-    throw Error("--report", "is the same file as the output", "name two files");
-  }
+/// The files that options and arguments name, but for those to write.
+std::vector<std::filesystem::path> files_to_read(const po::variables_map& given) {
+  std::vector<std::filesystem::path> files;
   for (const auto& [name, value] : given) {
+    if (name == "output" || name == "report") continue;
     const auto* text = boost::any_cast<std::string>(&value.value());
-    if (text == nullptr || text->empty() || name == "output" || name == "report") continue;
-    if (!std::filesystem::is_regular_file(*text)) continue;
-    const bool read = same_file(*text, settings.output) ||
-                      (settings.report && same_file(*text, *settings.report));
-    if (read) throw Error(*text, "would be overwritten", "give the output another name");
+    if (text != nullptr && std::filesystem::is_regular_file(*text)) files.emplace_back(*text);
   }
+  return files;
 }
 
 int usage_error(const CommandLineProgram& program, const std::string& problem) {
@@ -137,9 +133,10 @@ int run_program(int argc, char** argv, const CommandLineProgram& program) {
     if (!program.output_extensions.empty()) {
       check_extension(settings.output, program.output_extensions);
     }
-    refuse_overwriting(given, settings);
-    check_writable(settings.output);
-    if (settings.report) check_writable(*settings.report);
+    std::vector<std::filesystem::path> to_write = {settings.output};
+    if (settings.report) to_write.push_back(*settings.report);
+    refuse_overwriting(to_write, files_to_read(given));
+    for (const std::filesystem::path& file : to_write) check_writable(file);
     return program.work(given, settings);
   } catch (const std::bad_alloc&) {
     std::cerr << program.name << ": error: out of memory; use a coarser mesh\n";
@@ -147,6 +144,20 @@ int run_program(int argc, char** argv, const CommandLineProgram& program) {
     std::cerr << program.name << ": error: " << failed.what() << '\n';
   }
   return exit_error;
+}
+
+void refuse_overwriting(const std::vector<std::filesystem::path>& to_write,
+                        const std::vector<std::filesystem::path>& to_read) {
+  for (std::size_t i = 0; i < to_write.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!same_file(to_write[i], to_write[j])) continue;
+      throw Error(to_write[i].string(), "is named for two outputs", "give -o and --report different files");
+    }
+    for (const std::filesystem::path& file : to_read) {
+      if (!same_file(to_write[i], file)) continue;
+      throw Error(file.string(), "would be overwritten", "give the output another name");
+    }
+  }
 }
 
 double parse_length(const std::string& text, const std::string& option) {

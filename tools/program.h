@@ -50,6 +50,10 @@ struct CommandLineProgram {
 /// work, turns exceptions into one message and the exit code that belongs to it. -o is required.
 int run_program(int argc, char** argv, const CommandLineProgram& program);
 
+/// Throws Error when a file to write is among those to read, or when two to write are the same.
+void refuse_overwriting(const std::vector<std::filesystem::path>& to_write,
+                        const std::vector<std::filesystem::path>& to_read);
+
 /// A length with its unit ("10mm", "1.5cm", "0.01m"), in metres. Throws Error, naming `option`,
 /// when it is not a positive length, or a bare number: whoever writes 25 means millimetres or
 /// inches.

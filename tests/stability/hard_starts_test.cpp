@@ -62,11 +62,15 @@ class HardStarts : public testing::Test {
 
   /// That what is said of the placement is this of these panels, and that the report has it too.
   void expect_warned(const std::vector<std::string>& panels, const std::string& words) {
-    ASSERT_EQ(report["warnings"].size(), panels.size()) << report["warnings"];
-    for (std::size_t i = 0; i < panels.size(); ++i) {
-      const std::string warning = report["warnings"][i];
-      EXPECT_EQ(warning.find("panel '" + panels[i] + "' " + words), 0U) << warning;
+    std::vector<std::string> of_panels;
+    for (const std::string warning : report["warnings"]) {
+      if (warning.starts_with("panel '")) of_panels.push_back(warning);
       EXPECT_NE(done.err.find("warning: " + warning + "\n"), std::string::npos) << done.err;
+    }
+    ASSERT_EQ(of_panels.size(), panels.size()) << report["warnings"];
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+      const std::string& warning = of_panels[i];
+      EXPECT_EQ(warning.find("panel '" + panels[i] + "' " + words), 0U) << warning;
     }
   }
 

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <optional>
 #include <set>
-#include <sstream>
 
 #include "geometry/error.h"
 
@@ -82,25 +81,6 @@ std::map<std::string, Fabric> panel_fabrics(const std::vector<PanelMesh>& garmen
                 "the pattern says so by a panel's key 'fabric'");
   }
   return fabrics;
-}
-
-std::vector<std::string> softened_fabrics(const PanelMesh& garment, const Scene& scene) {
-  std::map<std::string, double> given;
-  for (const MeshedPanel& panel : garment.panels) {
-    const Fabric& fabric = fabric_of(scene, panel);
-    if (fabric.stiffness_given == 0) continue;
-    given[panel.fabric.empty() ? "the garment's" : "'" + panel.fabric + "'"] =
-        fabric.stiffness_given;
-  }
-  std::vector<std::string> lines;
-  for (const auto& [name, stiffness] : given) {
-    std::ostringstream line;
-    line << "fabric: " << name << " has a stiffness of " << stiffness
-         << " N/m and is taken for one of " << stiffest
-         << " N/m: the strains that the report tells would be less";
-    lines.push_back(line.str());
-  }
-  return lines;
 }
 
 }  // namespace toile

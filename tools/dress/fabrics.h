@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "cloth/scene/fabric.h"
-#include "cloth/scene/scene.h"
 #include "pattern/panel_mesh.h"
 
 namespace toile {
@@ -27,8 +26,5 @@ FabricChoice read_fabrics(const boost::program_options::variables_map& given);
 /// Throws Error for names that are neither, and for a choice that no panel names.
 std::map<std::string, Fabric> panel_fabrics(const std::vector<PanelMesh>& garments,
                                             const FabricChoice& choice);
-
-/// A line for each fabric of the garment that is taken for less stiff than its file says.
-std::vector<std::string> softened_fabrics(const PanelMesh& garment, const Scene& scene);
 
 }  // namespace toile

@@ -66,13 +66,6 @@ double positive(const po::variables_map& given, const string& option, double mos
   return value;
 }
 
-const Quality& quality_named(const string& name) {
-  for (const Quality& quality : qualities) {
-    if (name == quality.name) return quality;
-  }
-  throw po::error("--quality is draft, standard or fine");
-}
-
 const Quality& quality_of(const po::variables_map& given) {
   if (given.count("quality") == 0) return standard_quality;
   return quality_named(given["quality"].as<string>());
@@ -108,15 +101,35 @@ DressMethod paper(const po::variables_map& given, double residual) {
       set_sewing(setting, options);
     }
   }
-  return {"paper",
-          {},
-          [options](const PanelMesh& garment, const Scene& scene, const FrameWatcher& watcher) {
-            return dress_springs(garment, scene, options, watcher);
-          },
-          {}};
+  DressMethod method;
+  method.name = "paper";
+  method.outfit.dress = [options](const PanelMesh& garment, const Scene& scene,
+                                  const FrameWatcher& watcher) {
+    return dress_springs(garment, scene, options, watcher);
+  };
+  return method;
+}
+
+DressOptions until_residual(double residual) {
+  DressOptions options;
+  options.stop_median = residual;
+  options.stop_rms = 10 * residual;
+  options.stop_wide = residual;
+  return options;
 }
 
 }  // namespace
+
+const Quality& quality_named(const string& name) {
+  for (const Quality& quality : qualities) {
+    if (name == quality.name) return quality;
+  }
+  throw po::error("--quality is draft, standard or fine");
+}
+
+DressMethod relaxation_of(const Quality& quality) {
+  return {"relaxation", quality, relaxation_method(until_residual(quality.residual), false)};
+}
 
 void add_method_options(po::options_description& options) {
   options.add_options()("method", po::value<string>()->default_value("relaxation"),
@@ -201,15 +214,14 @@ double read_residual(const po::variables_map& given, bool of_paper) {
   return residual;
 }
 
-DressMethod read_method(const po::variables_map& given, bool together) {
+DressMethod read_method(const po::variables_map& given, bool coupled) {
   const bool of_paper = given["method"].as<string>() == "paper";
   const double residual = read_residual(given, of_paper);
   if (of_paper) {
-    if (!together) return paper(given, residual);
+    if (!coupled) return paper(given, residual);
     throw Error("--method", "paper's layers are frozen", "leave \"layering\" out of the scene");
   }
-  DressOptions options;
-  options.stop_wide = residual;
+  DressOptions options = until_residual(residual);
   if (given.count("release")) {
     // What isn't at rest as a whole would swing.
     options.stop_wide = std::min(residual, 0.0007);
@@ -218,21 +230,9 @@ DressMethod read_method(const po::variables_map& given, bool together) {
       throw Error("--release", "is longer than a minute", "1s shows whether a garment stays");
     }
   }
-  options.stop_median = residual;
-  options.stop_rms = 10 * residual;
   std::optional<Quality> quality;
   if (given.count("residual") == 0) quality = quality_of(given);
-  return {"relaxation", quality,
-          [options, together](const PanelMesh& garment, const Scene& scene,
-                              const FrameWatcher& watcher) {
-            DressOptions of_one = options;
-            if (together) of_one.release_seconds = 0;
-            return dress(garment, scene, of_one, watcher);
-          },
-          [options](const std::vector<WornGarment>& garments, const Scene& scene,
-                    const FrameWatcher& watcher) {
-            return relax_coupled(garments, scene, options, watcher);
-          }};
+  return {"relaxation", quality, relaxation_method(options, coupled)};
 }
 
 }  // namespace toile

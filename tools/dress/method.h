@@ -2,11 +2,10 @@
 #pragma once
 
 #include <boost/program_options.hpp>
-#include <functional>
 #include <optional>
 #include <string>
 
-#include "cloth/dressing/coupled_layers.h"
+#include "cloth/dressing/outfit.h"
 #include "cloth/dressing/quality.h"
 
 namespace toile {
@@ -15,11 +14,14 @@ struct DressMethod {
   std::string name;
   /// The preset that says how far it goes; none: a --residual, or a method without measured ones.
   std::optional<Quality> quality;
-  std::function<DressResult(const PanelMesh&, const Scene&, const FrameWatcher&)> dress;
-  /// Empty: garments stay where this method dressed them.
-  std::function<CoupledResult(const std::vector<WornGarment>&, const Scene&, const FrameWatcher&)>
-      relax_coupled;
+  OutfitMethod outfit;
 };
+
+/// Until the rest that `quality` stands for, which is one of the presets.
+DressMethod relaxation_of(const Quality& quality);
+
+/// The preset of that name. Throws boost::program_options::error for another one.
+const Quality& quality_named(const std::string& name);
 
 /// Adds --method, --strain-limit, --shear-limit, --residual and what belongs to one method only.
 void add_method_options(boost::program_options::options_description& options);
@@ -27,9 +29,9 @@ void add_method_options(boost::program_options::options_description& options);
 /// Throws boost::program_options::error when an option belongs to a method that is not chosen.
 void check_method_options(const boost::program_options::variables_map& given);
 
-/// The method that was asked for; of several garments that are to move `together`, the whole is
-/// released, not each. Throws Error for values out of range, and for a method that can't.
-DressMethod read_method(const boost::program_options::variables_map& given, bool together);
+/// The method that was asked for, of layers that are `coupled` or not. Throws Error for values out
+/// of range, and for a method that can't couple layers.
+DressMethod read_method(const boost::program_options::variables_map& given, bool coupled);
 
 /// --strain-limit, if it was given and is a fraction.
 std::optional<double> read_strain_limit(const boost::program_options::variables_map& given);

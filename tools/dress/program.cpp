@@ -1,171 +1,30 @@
 // dress: sews meshed garments around a body, one over another, and lets them come to rest.
-
-#include <boost/program_options.hpp>
-#include <sstream>
-
-#include "cloth/scene/scene_file.h"
-#include "geometry/error.h"
-#include "io/output_file.h"
-#include "io/skeleton_file.h"
 #include "tools/dress/run.h"
+#include "tools/dress/settings.h"
 #include "tools/programs.h"
 
 namespace toile {
 
 namespace {
 
-namespace po = boost::program_options;
-namespace fs = std::filesystem;
-
-/// The garment or the scene that the command line names, with the files to write for it.
-void read_layers(const po::variables_map& given, const fs::path& output, OutfitSettings& settings) {
-  settings.fabrics = read_fabrics(given);
-  const std::string& fabric = settings.fabrics.of_garments;
-  if (given.count("scene") == 0) {
-    OutfitLayer only;
-    only.garment = given["garment"].as<std::string>();
-    if (given.count("garment-json")) only.garment_json = given["garment-json"].as<std::string>();
-    only.fabric = find_fabric(fabric);
-    only.output = output;
-    settings.body = given["body"].as<std::string>();
-    settings.layers.push_back(only);
-  } else {
-    settings.scene = given["scene"].as<std::string>();
-    const SceneFile scene = read_scene(*settings.scene);
-    settings.body = scene.body;
-    settings.coupled = scene.coupled;
-    if (scene.gravity) settings.gravity = *scene.gravity;
-    settings.skeleton = scene.skeleton.value_or(skeleton_path(scene.body));
-    settings.needs_skeleton = scene.skeleton.has_value();
-    for (const SceneLayer& layer : scene.layers) {
-      const std::string file = output.stem().string() + "-" + layer.name + ".obj";
-      settings.layers.push_back({layer.name, layer.garment, layer.garment_json,
-                                 find_fabric(layer.fabric.empty() ? fabric : layer.fabric),
-                                 output.parent_path() / file, layer.panels_over});
-    }
-  }
-  if (given.count("skeleton")) {
-    settings.skeleton = given["skeleton"].as<std::string>();
-    settings.needs_skeleton = true;
-  } else if (settings.skeleton.empty()) {
-    settings.skeleton = skeleton_path(settings.body);
-  }
-}
-
-/// "x,y,z", m/s².
-Vec3 parse_gravity(const std::string& text) {
-  Vec3 gravity;
-  std::istringstream words(text);
-  char comma = ',';
-  for (int i = 0; i < 3; ++i) {
-    if (i > 0) words >> comma;
-    if (comma != ',' || !(words >> gravity[i])) {
-      throw Error("--gravity", "'" + text + "' is not three numbers",
-                  "write --gravity=X,Y,Z in m/s²: 0,-9.81,0 is the default");
-    }
-  }
-  if (words >> comma) {
-    throw Error("--gravity", "'" + text + "' goes on after three numbers",
-                "write --gravity=X,Y,Z in m/s²: 0,-9.81,0 is the default");
-  }
-  check_gravity(gravity, "--gravity");
-  return gravity;
-}
-
-OutfitSettings read_settings(const po::variables_map& given, const fs::path& output) {
-  OutfitSettings settings;
-  read_layers(given, output, settings);
-  if (given.count("frames")) settings.frames = given["frames"].as<std::string>();
-  if (given.count("cache")) settings.cache = fs::path(settings.body).replace_extension("distances");
-  settings.certify_frames = given.count("certify-frames") != 0;
-  if (given.count("gravity")) settings.gravity = parse_gravity(given["gravity"].as<std::string>());
-  settings.strain_limit = read_strain_limit(given);
-  settings.shear_limit = read_shear_limit(given);
-  settings.method = read_method(given, settings.coupled);
-  return settings;
-}
-
-/// The files that a scene writes are named by its layers: none may be one that it reads.
-void refuse_overwriting(const OutfitSettings& settings, const CommonSettings& common) {
-  const auto same = [](const fs::path& a, const fs::path& b) {
-    return fs::weakly_canonical(a) == fs::weakly_canonical(b);
-  };
-  std::vector<fs::path> inputs = {settings.body, settings.skeleton};
-  if (settings.cache) inputs.push_back(*settings.cache);
-  if (settings.scene) inputs.push_back(*settings.scene);
-  for (const OutfitLayer& layer : settings.layers) {
-    inputs.push_back(layer.garment);
-    inputs.push_back(layer.garment_json.empty() ? fs::path(layer.garment).replace_extension("json")
-                                                : layer.garment_json);
-  }
-  for (const OutfitLayer& layer : settings.layers) {
-    if (common.report && same(layer.output, *common.report)) {
-      throw Error("--report", "is the same file as a layer's", "name two files");
-    }
-    for (const fs::path& input : inputs) {
-      if (same(layer.output, input) || (common.report && same(*common.report, input))) {
-        throw Error(input.string(), "would be overwritten", "give the output another name");
-      }
-    }
-    check_writable(layer.output);
-  }
-}
-
-int work(const po::variables_map& given, const CommonSettings& common) {
-  const OutfitSettings settings = read_settings(given, common.output);
-  refuse_overwriting(settings, common);
-  return dress_outfit(settings, common);
-}
-
-/// A garment on a body, or a scene that names them: one of the two.
-void check_usage(const po::variables_map& given) {
-  const bool has_scene = given.count("scene") != 0;
-  for (const char* name : {"body", "garment", "garment-json"}) {
-    const bool is_given = given.count(name) != 0;
-    if (has_scene && is_given) {
-      throw po::error("--scene names the body and the garments: leave out the " +
-                      std::string(name));
-    }
-    if (!has_scene && !is_given && name != std::string("garment-json")) {
-      throw po::required_option(name);
-    }
-  }
-  check_method_options(given);
+int work(const boost::program_options::variables_map& given, const CommonSettings& common) {
+  const std::string verdict = run_dress(read_dress_settings(given, common.output), common);
+  return exit_code_of(verdict);
 }
 
 }  // namespace
 
 CommandLineProgram dress_program() {
-  using boost::program_options::value;
-  using std::string;
   CommandLineProgram program;
   program.name = "dress";
   program.summary = "sews meshed garments around a body and lets them come to rest";
   program.usage =
       "--body body.ply garment.obj -o dressed.obj [options]\n"
       "       dress --scene outfit.json -o outfit.obj [options]";
-  program.options.add_options()("body", value<string>(), "the body, as clean-body writes it")(
-      "garment", value<string>(), "the garment, as mesh-pattern writes it")(
-      "garment-json", value<string>(), "its panels and seams; default: garment.json beside it")(
-      "scene", value<string>(),
-      "instead of these: a body and its layers of garments, the innermost first; -o outfit.obj "
-      "then gives outfit-NAME.obj for each")(
-      "skeleton", value<string>(), "the body's joints; default: body.json beside the body")(
-      "gravity", value<string>(),
-      "x,y,z in m/s²; default: the scene's, or 0,-9.81,0; write --gravity=-9.81,0,0")(
-      "frames", value<string>(), "write the states on the way as OBJ files into this folder")(
-      "certify-frames",
-      "check every state on the way, as --frames writes them, with exact predicates: when it "
-      "became "
-      "free of intersections, and whether it stayed so")(
-      "cache",
-      "keep the body's distances beside it, body.distances for body.ply: later garments on this "
-      "body are dressed the same, sooner");
-  add_fabric_option(program.options);
-  add_method_options(program.options);
+  add_dress_options(program.options);
   program.positional.add("garment", 1);
   program.output_extensions = {".obj"};
-  program.check = check_usage;
+  program.check = check_dress_options;
   program.work = work;
   return program;
 }

@@ -1,44 +1,32 @@
-// What dress says of a dressed garment: the report's entry, the lines for the user.
+// The report of dress, as JSON: docs/report.md says what each key is.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
-#include "cloth/dressing/dress.h"
-#include "cloth/dressing/quality.h"
-#include "cloth/judge/certify.h"
-#include "cloth/judge/verdict.h"
-#include "tools/program.h"
+#include "cloth/dressing/outfit.h"
+#include "tools/dress/method.h"
 
 namespace toile {
 
-/// Every figure of the report of one garment. `seconds` is what it took as a whole.
-nlohmann::ordered_json report_of(const PanelMesh& garment, const Scene& scene,
-                                 const std::string& method, const DressResult& result,
-                                 const Judgement& judgement, double seconds);
+/// What the program itself adds to a layer's entry.
+struct LayerNotes {
+  std::vector<std::string> warnings;
+  double seconds = 0;  ///< all that the layer took
+  /// What took them besides the dressing, in the order in which it was done.
+  std::vector<std::pair<std::string, double>> other_seconds;
+};
 
-/// The preset that a garment was draped by, and the error to expect of it: two entries of a report.
-nlohmann::ordered_json quality_json(const Quality& quality);
+/// Every figure of one garment.
+nlohmann::ordered_json layer_json(const WornLayer& layer, const DressMethod& method,
+                                  const LayerNotes& notes);
 
-/// A residual in node weights, and ways in millimetres, as entries of a report.
-nlohmann::ordered_json residual_json(const Residual& residual);
+/// Of layers that were relaxed as one: `worn.coupled` is there.
+nlohmann::ordered_json coupled_json(const WornOutfit& worn, const std::vector<std::string>& names);
+
+/// How far nodes moved, in millimetres.
 nlohmann::ordered_json moved_json(const MovedFigures& moved);
-
-/// What each stage took, and where it came to.
-nlohmann::ordered_json stages_json(const std::vector<StageReport>& stages);
-
-/// What --certify-frames found: its entry in the report, and a line for the user or a warning.
-nlohmann::ordered_json certified_json(const Certificate& certificate);
-void say_certificate(const Certificate& certificate, const CommonSettings& common);
-
-/// Where the skeleton positioned the panels, for those that asked for it.
-void say_positions(const Placement& placement, const CommonSettings& common);
-
-/// What was compiled, by term, with counts.
-void say_terms(const DressResult& result, const CommonSettings& common);
-
-/// Seams, intersections, strain, wraps and the verdict; warns of what looks wrong.
-void say_result(const DressResult& result, const Judgement& judgement,
-                const CommonSettings& common);
 
 }  // namespace toile

@@ -20,8 +20,8 @@ struct DressWatch::Bar {
   }
 };
 
-DressWatch::DressWatch(std::optional<fs::path> folder, bool show_progress, Certificate* certificate)
-    : folder_(std::move(folder)), certificate_(certificate) {
+DressWatch::DressWatch(std::optional<fs::path> folder, bool show_progress)
+    : folder_(std::move(folder)) {
   if (folder_) {
     std::error_code failed;
     fs::create_directories(*folder_, failed);
@@ -36,7 +36,6 @@ DressWatch::~DressWatch() {
 
 void DressWatch::operator()(const DressFrame& frame) {
   if (bar_) bar_->reach(static_cast<unsigned long>(100 * frame.progress));
-  if (certificate_ != nullptr) certificate_->check(frame);
   if (!folder_) return;
   std::ostringstream name;
   name << std::setw(4) << std::setfill('0') << count_++ << '-' << frame.stage << ".obj";

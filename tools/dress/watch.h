@@ -5,18 +5,16 @@
 #include <memory>
 #include <optional>
 
-#include "cloth/dressing/dress.h"
-#include "cloth/judge/certify.h"
+#include "cloth/judge/frame.h"
 
 namespace toile {
 
-/// Drives a progress bar on stderr, writes the states as OBJ files into a folder, has them checked.
-/// All end with the scope.
+/// Drives a progress bar on stderr, which is full at the end of the scope, and writes the states as
+/// OBJ files into a folder.
 class DressWatch {
  public:
-  /// `certificate` null: nothing is checked. Throws Error when the folder can't be made.
-  DressWatch(std::optional<std::filesystem::path> folder, bool show_progress,
-             Certificate* certificate);
+  /// Throws Error when the folder can't be made.
+  DressWatch(std::optional<std::filesystem::path> folder, bool show_progress);
   ~DressWatch();
   DressWatch(const DressWatch&) = delete;
   DressWatch& operator=(const DressWatch&) = delete;
@@ -27,7 +25,6 @@ class DressWatch {
   struct Bar;
   std::optional<std::filesystem::path> folder_;
   std::unique_ptr<Bar> bar_;
-  Certificate* certificate_;
   int count_ = 0;
 };
 

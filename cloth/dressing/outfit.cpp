@@ -1,0 +1,322 @@
+#include "cloth/dressing/outfit.h"
+
+#include <algorithm>
+#include <chrono>
+#include <sstream>
+#include <utility>
+
+#include "cloth/dressing/panels_over.h"
+#include "cloth/start/placement_warnings.h"
+
+namespace toile {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// A line for each fabric of the garment that is taken for less stiff than it was given.
+std::vector<std::string> softened_fabrics(const PanelMesh& garment, const Scene& scene) {
+  std::map<std::string, double> given;
+  for (const MeshedPanel& panel : garment.panels) {
+    const Fabric& fabric = fabric_of(scene, panel);
+    if (fabric.stiffness_given == 0) continue;
+    given[panel.fabric.empty() ? "the garment's" : "'" + panel.fabric + "'"] =
+        fabric.stiffness_given;
+  }
+  std::vector<std::string> lines;
+  for (const auto& [name, stiffness] : given) {
+    std::ostringstream line;
+    line << "fabric: " << name << " has a stiffness of " << stiffness
+         << " N/m and is taken for one of " << stiffest
+         << " N/m: the strains that the report tells would be less";
+    lines.push_back(line.str());
+  }
+  return lines;
+}
+
+/// What is not at rest is a surface still; what is open or meets something is none.
+bool is_surface(const Judgement& judgement) {
+  return judgement.verdict == "sewn" || judgement.verdict == "unconverged";
+}
+
+class Dressing {
+ public:
+  Dressing(const Outfit& outfit, Collider& collider, const Skeleton* skeleton,
+           const OutfitHooks& hooks)
+      : outfit_(outfit),
+        collider_(collider),
+        skeleton_(skeleton),
+        hooks_(hooks),
+        cache_(collider.grid().cache()) {
+    for (std::size_t i = 0; i < count(); ++i) {
+      for (std::size_t other = 0; other < count(); ++other) panels_over(i, other);
+    }
+  }
+
+  WornOutfit run();
+
+ private:
+  std::size_t count() const { return outfit_.layers.size(); }
+  Scene scene_of(const OutfitLayer& layer) const;
+  /// The layers that are dressed; null: none.
+  const TriangleMesh* layers_below() const {
+    return collider_.cloth().triangles.empty() ? nullptr : &collider_.cloth();
+  }
+  FrameWatcher watcher_of(std::size_t layer, Certificate* certificate) const;
+  void warn(const std::string& line) const {
+    if (hooks_.warn) hooks_.warn(line);
+  }
+  std::vector<int> panels_over(std::size_t layer, std::size_t other) const;
+  bool is_below_panels(std::size_t layer) const;
+  Collider collider_of(std::size_t layers, std::size_t under, std::size_t without) const;
+  void warn_of_start(WornLayer& worn) const;
+  WornLayer dress_layer(std::size_t layer) const;
+  void write_and_judge(std::size_t layer, const TriangleMesh* others);
+  bool turn_panels_out(std::size_t over);
+  bool dress_one_by_one();
+  void relax_coupled();
+  void take_coupled();
+
+  const Outfit& outfit_;
+  Collider& collider_;
+  const Skeleton* skeleton_;
+  const OutfitHooks& hooks_;
+  DistanceCache cache_;  // of the body, before the first layer
+  WornOutfit worn_;
+};
+
+Scene Dressing::scene_of(const OutfitLayer& layer) const {
+  Scene scene;
+  scene.fabric = layer.fabric;
+  scene.fabrics = outfit_.fabrics;
+  scene.collider = &collider_;
+  scene.skeleton = skeleton_;
+  scene.gravity = outfit_.gravity;
+  scene.strain_limit = outfit_.strain_limit;
+  scene.shear_limit = outfit_.shear_limit;
+  return scene;
+}
+
+FrameWatcher Dressing::watcher_of(std::size_t layer, Certificate* certificate) const {
+  FrameWatcher watcher;
+  if (hooks_.watch) watcher = hooks_.watch(layer);
+  return [certificate, watcher](const DressFrame& frame) {
+    if (certificate != nullptr) certificate->check(frame);
+    if (watcher) watcher(frame);
+  };
+}
+
+/// Which panels of a layer lie over another one, by their indices.
+std::vector<int> Dressing::panels_over(std::size_t layer, std::size_t other) const {
+  const auto& all = outfit_.layers[layer].panels_over;
+  const auto found = all.find(outfit_.layers[other].name);
+  if (found == all.end()) return {};
+  return panels_named(outfit_.layers[layer].garment, found->second);
+}
+
+bool Dressing::is_below_panels(std::size_t layer) const {
+  for (std::size_t i = 0; i < layer; ++i) {
+    if (!panels_over(i, layer).empty()) return true;
+  }
+  return false;
+}
+
+/// The body and the first `layers`, but for what lies over the layer `under`, and all of `without`.
+Collider Dressing::collider_of(std::size_t layers, std::size_t under, std::size_t without) const {
+  Collider collider(collider_.body(), cache_);
+  for (std::size_t i = 0; i < layers; ++i) {
+    if (i == without) continue;
+    TriangleMesh cloth = worn_.layers[i].cloth;
+    if (under < count()) {
+      leave_out(outfit_.layers[i].garment, panels_over(i, under), cloth.triangles);
+    }
+    if (!cloth.triangles.empty()) collider.add_layer(cloth);
+  }
+  return collider;
+}
+
+void Dressing::warn_of_start(WornLayer& worn) const {
+  for (const PlacementWarning& warning : placement_warnings(worn.garment, worn.scene)) {
+    worn.warnings.push_back(text_of(warning));
+  }
+  std::ranges::copy(softened_fabrics(worn.garment, worn.scene), std::back_inserter(worn.warnings));
+  for (const std::string& line : worn.warnings) warn(line);
+}
+
+WornLayer Dressing::dress_layer(std::size_t layer) const {
+  const auto start = Clock::now();
+  WornLayer worn;
+  worn.garment = outfit_.layers[layer].garment;
+  worn.scene = scene_of(outfit_.layers[layer]);
+  const std::size_t known_before = collider_.grid().computed_nodes();
+  if (outfit_.certify) worn.certificate.emplace(collider_.body(), layers_below());
+  {
+    const FrameWatcher watcher = watcher_of(layer, worn.certificate ? &*worn.certificate : nullptr);
+    worn.result = outfit_.method.dress(worn.garment, worn.scene, watcher);
+    // Where the panels stood decides what is judged, too.
+    worn.garment.placed = worn.result.placement.initial;
+    watcher({worn.garment, "dressed", material_points(worn.garment, worn.result), 1});
+  }
+  warn_of_start(worn);
+  worn.distances_computed = collider_.grid().computed_nodes() - known_before;
+  worn.dress_seconds = seconds_since(start);
+  return worn;
+}
+
+/// `others`: the cloth that this layer must not meet; null: none.
+void Dressing::write_and_judge(std::size_t layer, const TriangleMesh* others) {
+  const auto start = Clock::now();
+  WornLayer& worn = worn_.layers[layer];
+  const DressResult& result = worn.result;
+  DressedGarment dressed = as_dressed(worn.garment, result.nodes, result.triangles);
+  if (hooks_.write) dressed = hooks_.write(layer, dressed);
+  const bool rests = result.converged && (!result.release || result.release->stays());
+  worn.judgement =
+      judge(worn.garment, dressed, collider_.body(), skeleton_, rests, others, result.tight_seams);
+  worn.cloth = {std::move(dressed.points), std::move(dressed.triangles)};
+  worn.judge_seconds += seconds_since(start);
+}
+
+/// Turns out the panels that lie over the layer that was dressed last; whether nothing meets then.
+bool Dressing::turn_panels_out(std::size_t over) {
+  const std::size_t none = count();
+  for (std::size_t i = 0; i < over; ++i) {
+    const std::vector<int> panels = panels_over(i, over);
+    if (panels.empty()) continue;
+    WornLayer& worn = worn_.layers[i];
+    // What the layer lay on, and the same with the other one on it.
+    const Collider below = collider_of(i, none, none);
+    Collider above = collider_of(i, none, none);
+    above.add_layer(worn_.layers[over].cloth);
+    const std::vector<char> moved = flip_over(worn.garment, panels, below.grid(), above.grid(),
+                                              worn.result.triangles, worn.result.nodes);
+    worn.result.warm_start.let_go(moved);
+    const Collider others = collider_of(over + 1, none, i);
+    write_and_judge(i, &others.cloth());
+    if (is_surface(worn.judgement)) continue;
+    warn("layer " + outfit_.layers[i].name + " is " + worn.judgement.verdict +
+         " once its panels lie over " + outfit_.layers[over].name +
+         ": the seams that join them to the rest have to be clear of it");
+    return false;
+  }
+  return true;
+}
+
+/// Whether all could be dressed; none is over a layer that failed.
+bool Dressing::dress_one_by_one() {
+  const std::size_t none = count();
+  double collider_seconds = 0;
+  for (std::size_t i = 0; i < count(); ++i) {
+    const OutfitLayer& layer = outfit_.layers[i];
+    if (hooks_.begin) hooks_.begin(i);
+    if (is_below_panels(i)) collider_ = collider_of(i, i, none);
+    worn_.layers.push_back(dress_layer(i));
+    worn_.layers[i].collider_seconds = collider_seconds;
+    if (hooks_.dressed) hooks_.dressed(i, worn_.layers[i]);
+    write_and_judge(i, layers_below());
+    if (hooks_.judged) hooks_.judged(i, worn_.layers[i]);
+    const bool sewn = is_surface(worn_.layers[i].judgement);
+    if (sewn && is_below_panels(i)) {
+      if (!turn_panels_out(i)) return false;
+      collider_ = collider_of(i, none, none);
+    }
+    if (i + 1 == count()) return sewn;
+    if (!sewn) {
+      warn("layer " + layer.name + " is " + worn_.layers[i].judgement.verdict +
+           ": the layers over it are not dressed");
+      return false;
+    }
+    const auto start = Clock::now();
+    collider_.add_layer(worn_.layers[i].cloth);
+    collider_seconds = seconds_since(start);
+  }
+  return true;
+}
+
+void Dressing::relax_coupled() {
+  if (hooks_.begin) hooks_.begin(count());
+  const Collider bare(collider_.body(), cache_);
+  Scene scene = scene_of(outfit_.layers.front());
+  scene.collider = &bare;
+  std::vector<WornGarment> garments;
+  for (const WornLayer& worn : worn_.layers) {
+    garments.push_back({&worn.garment, worn.scene.fabric, worn.result.nodes, worn.result.warm_start,
+                        worn.result.body_offset, worn.result.held});
+  }
+  std::optional<Certificate>& certificate = worn_.coupled_certificate;
+  if (outfit_.certify) certificate.emplace(bare.body(), nullptr);
+  const FrameWatcher watcher = watcher_of(count(), certificate ? &*certificate : nullptr);
+  worn_.coupled = outfit_.method.relax_coupled(garments, scene, watcher);
+}
+
+/// The layers as the coupled relaxation left them.
+void Dressing::take_coupled() {
+  const CoupledResult& coupled = *worn_.coupled;
+  for (std::size_t i = 0; i < count(); ++i) {
+    DressResult& result = worn_.layers[i].result;
+    result.nodes = coupled.nodes[i];
+    result.extra_offset = coupled.extra_offset[i];
+    result.tight_seams = coupled.tight_seams[i];
+    if (outfit_.strain_limit) result.tight_regions = coupled.tight_regions[i];
+    result.converged = coupled.stages.back().converged;
+    result.residual = coupled.stages.back().residual;
+    result.release = coupled.release;
+    const PanelMesh& garment = worn_.layers[i].garment;
+    measure_lasting(garment, result.held, material_points(garment, result), result.attachments);
+  }
+}
+
+WornOutfit Dressing::run() {
+  const bool all_dressed = dress_one_by_one();
+  if (outfit_.method.relax_coupled && all_dressed && count() > 1) {
+    relax_coupled();
+    take_coupled();
+    for (std::size_t i = 0; i < count(); ++i) {
+      TriangleMesh others;
+      for (std::size_t j = 0; j < count(); ++j) {
+        const DressResult& other = worn_.layers[j].result;
+        if (j != i) append(others, {other.nodes, other.triangles});
+      }
+      write_and_judge(i, &others);
+      if (hooks_.judged) hooks_.judged(i, worn_.layers[i]);
+    }
+  }
+  for (WornLayer& worn : worn_.layers) worn.scene.collider = nullptr;
+  return std::move(worn_);
+}
+
+}  // namespace
+
+OutfitMethod relaxation_method(const DressOptions& options, bool coupled) {
+  DressOptions of_one = options;
+  if (coupled) of_one.release_seconds = 0;
+  OutfitMethod method;
+  method.dress = [of_one](const PanelMesh& garment, const Scene& scene,
+                          const FrameWatcher& watcher) {
+    return dress(garment, scene, of_one, watcher);
+  };
+  if (!coupled) return method;
+  method.relax_coupled = [options](const std::vector<WornGarment>& garments, const Scene& scene,
+                                   const FrameWatcher& watcher) {
+    return relax_coupled(garments, scene, options, watcher);
+  };
+  return method;
+}
+
+std::string WornOutfit::verdict() const {
+  for (const WornLayer& worn : layers) {
+    if (worn.judgement.verdict != "sewn") return worn.judgement.verdict;
+  }
+  return "sewn";
+}
+
+WornOutfit dress_outfit(const Outfit& outfit, Collider& collider, const Skeleton* skeleton,
+                        const OutfitHooks& hooks) {
+  return Dressing(outfit, collider, skeleton, hooks).run();
+}
+
+}  // namespace toile

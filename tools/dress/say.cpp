@@ -1,0 +1,215 @@
+#include "tools/dress/say.h"
+
+#include <cmath>
+#include <iomanip>
+#include <numbers>
+#include <sstream>
+#include <utility>
+
+#include "tools/dress/extra_offset.h"
+
+namespace toile {
+
+namespace {
+
+/// Metres by which cloth is held farther off the body than its offset, from which on it is said.
+constexpr double worth_saying = 0.002;
+/// Strain (99th percentile, off the seams) that no woven is worn at.
+constexpr double suspicious_strain = 0.1;
+/// Metres from which on a garment is said to have slid.
+constexpr double far_to_slide = 0.05;
+/// Metres, on average: an attachment that stands farther off was not held.
+constexpr double not_held = 0.02;
+
+std::string percent(double fraction) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(2) << 100 * fraction << " %";
+  return text.str();
+}
+
+/// Names the most strained place of those that can't be held to the strain limit.
+void say_tight_places(const TightRegions& tight, DressLog& log) {
+  if (tight.places.empty()) return;
+  const TightRegion& most = tight.places.front();
+  std::ostringstream line;
+  line << std::fixed << std::setprecision(1) << "beyond the strain limit: panel " << most.panel
+       << ", " << 100 * most.height << " cm above the ground, " << 1e4 * most.area
+       << " cm2, is strained by up to " << percent(most.largest) << " along the "
+       << (most.along_warp ? "warp" : "weft") << ", where " << 100 * most.missing
+       << " cm are missing";
+  if (const std::size_t others = tight.places.size() - 1; others > 0) {
+    line << "; other places: " << others;
+  }
+  log.say(line.str());
+}
+
+void say_release(const ReleaseReport& release, DressLog& log) {
+  std::ostringstream line;
+  line << std::fixed << std::setprecision(2) << "let go for " << release.seconds
+       << " s, half of its nodes move less than " << 1000 * release.all.median
+       << " mm, 99 % less than " << 1000 * release.all.p99 << " mm, all less than "
+       << 1000 * release.all.max << " mm";
+  log.say(line.str());
+  if (release.stays()) return;
+  log.warn(
+      "the garment does not stay where it was draped: let go, a hundredth of its nodes "
+      "moves 2 mm and more; a smaller --residual can bring it nearer to rest");
+}
+
+/// A line for each, and a warning for one that did not hold.
+void say_attachments(const std::vector<AttachmentFigures>& attachments, DressLog& log) {
+  for (const AttachmentFigures& figures : attachments) {
+    std::ostringstream line;
+    line << std::fixed << std::setprecision(1) << figures.name << " attached to " << figures.to
+         << ": " << 1000 * figures.off_mean
+         << (figures.always ? " mm off, carries " : " mm off when it was let go");
+    if (figures.always) line << figures.pull.norm() << " N";
+    log.say(line.str());
+    if (figures.off_mean < not_held) continue;
+    std::ostringstream warning;
+    warning << std::fixed << std::setprecision(1) << "attachment " << figures.name << " stands "
+            << 100 * figures.off_mean << " cm off its " << figures.to
+            << ": the cloth does not reach, or needs more than its 'max_N'";
+    log.warn(warning.str());
+  }
+}
+
+/// Why the verdict is what it is, where that takes a name.
+void warn_of_verdict(const DressResult& result, const Judgement& judgement, DressLog& log) {
+  std::ostringstream line;
+  line << std::fixed << std::setprecision(1);
+  const char* separator = "";
+  for (const OpenSeam& seam : judgement.unsewable_seams) {
+    line << separator << seam.name << " (" << seam.missing_cm << " cm)";
+    separator = ", ";
+  }
+  if (!result.tight_seams.empty()) {
+    log.warn("too tight: closing these seams takes more than a hand's pull of " +
+             std::to_string(std::lround(hand_pull)) +
+             " N/m; what is missing at each: " + line.str());
+  } else if (!judgement.unsewable_seams.empty()) {
+    log.warn("these seams could not be closed; how far they stand open: " + line.str());
+  }
+  for (const std::string& part : judgement.unwrapped) {
+    log.warn("the garment does not go around " + part +
+             ": check where the panels of that part are placed, and what they are sewn to");
+  }
+}
+
+}  // namespace
+
+void DressLog::warn(const std::string& line) {
+  CommonSettings::warn(line);
+  warnings_.push_back(line);
+}
+
+std::vector<std::string> DressLog::take_warnings() { return std::exchange(warnings_, {}); }
+
+void say_certificate(const Certificate& certificate, DressLog& log) {
+  const std::size_t count = certificate.frames().size();
+  if (const std::optional<int> first = certificate.clean_from()) {
+    log.say("certified: " + std::to_string(count) + " frames, clean from frame " +
+            std::to_string(*first) + " (" + certificate.frames()[*first].stage + ") on");
+  }
+  if (certificate.stayed_clean()) return;
+  std::size_t last = count;
+  while (last > 0 && certificate.frames()[last - 1].clean()) --last;
+  if (last == 0) return;
+  const FrameFigures& frame = certificate.frames()[last - 1];
+  log.warn("not certified: the state did not stay free of intersections; last in frame " +
+           std::to_string(last - 1) + " (" + frame.stage + "): " + std::to_string(frame.body) +
+           " with the body, " + std::to_string(frame.self) + " with itself, " +
+           std::to_string(frame.layers) + " with layers below, " + std::to_string(frame.inside) +
+           " pieces inside the body");
+}
+
+void say_positions(const Placement& placement, DressLog& log) {
+  for (const PositionedPanel& panel : placement.positioned) {
+    std::ostringstream line;
+    line << std::fixed << std::setprecision(1) << "panel " << panel.panel;
+    if (panel.rolled) {
+      line << " is rolled" << (panel.bent ? " along the bend of its part" : "") << ", radius "
+           << 100 * panel.distance << " cm, gap " << 100 * panel.gap << " cm";
+    } else {
+      line << " stands " << 100 * panel.distance << " cm from the bones";
+    }
+    log.say(line.str());
+  }
+  for (const auto& [part, angle] : placement.turned) {
+    log.say("the sleeve of " + part + " was turned by " +
+            std::to_string(std::lround(angle * 180 / std::numbers::pi)) +
+            " degrees, to run down the arm");
+  }
+  for (const auto& [panel, distance] : placement.moved_clear) {
+    std::ostringstream line;
+    line << "panel " << panel << " stood through the body or another panel, and was moved out by "
+         << std::lround(100 * distance) << " cm";
+    log.say(line.str());
+  }
+}
+
+void say_terms(const DressResult& result, DressLog& log) {
+  std::string line = "terms:";
+  for (const auto& [term, count] : result.terms) {
+    line += " " + term + " " + std::to_string(count) + ",";
+  }
+  line.back() = '.';
+  log.say(line);
+}
+
+void say_result(const DressResult& result, const Judgement& judgement, DressLog& log) {
+  const GarmentFigures& figures = judgement.garment;
+  std::ostringstream residual;
+  residual << std::setprecision(2) << result.residual.median << " median, " << result.residual.rms
+           << " rms";
+  log.say("seams: " + std::to_string(figures.seams.sewn) + " sewn, " +
+          std::to_string(figures.seams.open) +
+          " open; intersections: " + std::to_string(judgement.body_intersections) +
+          " with the body, " + std::to_string(judgement.self_intersections) + " with itself, " +
+          std::to_string(judgement.layer_intersections) + " with layers below");
+  log.say("strain off the seams: " + percent(figures.strain_off_seams.p99) +
+          " (99th percentile); residual in node weights: " + residual.str());
+  if (const ExtraOffset extra = extra_offset_of(result.extra_offset); extra.max > worth_saying) {
+    std::ostringstream line;
+    line << std::setprecision(2) << "held up to " << 1000 * extra.max
+         << " mm farther off the body at " << extra.nodes
+         << " nodes, whose triangles span something sharp: a finer mesh comes nearer";
+    log.say(line.str());
+  }
+  say_attachments(result.attachments, log);
+  if (result.tight_regions) say_tight_places(*result.tight_regions, log);
+  if (result.release) say_release(*result.release, log);
+  for (const WrapFigure& wrap : judgement.wraps) {
+    log.say("wraps " + wrap.part + ": " + percent(wrap.fraction));
+    if (std::abs(wrap.slid) < far_to_slide) continue;
+    std::ostringstream line;
+    line << "the garment " << (wrap.slid > 0 ? "slid down " : "rode up ") << wrap.part << " by "
+         << std::setprecision(2) << 100 * std::abs(wrap.slid) << " cm from where it was placed";
+    log.warn(line.str());
+  }
+  if (result.placement.points_inside > 0) {
+    log.warn(
+        std::to_string(result.placement.points_inside) +
+        " points of the panels start inside the body, or a layer on it: place the panels clear of "
+        "it");
+  }
+  if (figures.strain_off_seams.p99 > suspicious_strain) {
+    log.warn("the cloth is strained by " + percent(figures.strain_off_seams.p99) +
+             " in places: the garment is too small for this body, or caught on it");
+  }
+  warn_of_verdict(result, judgement, log);
+  log.say("verdict: " + judgement.verdict);
+}
+
+void say_pressing(const CoupledResult& coupled, const std::vector<std::string>& names,
+                  DressLog& log) {
+  for (const LayerContact& pressing : coupled.contacts) {
+    std::ostringstream line;
+    line << std::fixed << std::setprecision(1) << names[pressing.outer] << " presses on "
+         << names[pressing.inner] << " with " << pressing.force << " N, "
+         << pressing.force / pressing.area << " Pa where they touch";
+    log.say(line.str());
+  }
+}
+
+}  // namespace toile

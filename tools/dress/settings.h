@@ -1,0 +1,60 @@
+// What dress is asked for: garments and their files, fabrics, method.
+#pragma once
+
+#include <boost/program_options.hpp>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cloth/scene/scene.h"
+#include "tools/dress/fabrics.h"
+#include "tools/dress/method.h"
+
+namespace toile {
+
+/// One garment that is to be dressed.
+struct LayerFiles {
+  std::string name;  ///< empty: the only one, not of a scene file
+  std::filesystem::path garment;
+  std::filesystem::path garment_json;  ///< empty: beside the garment
+  Fabric fabric;
+  std::filesystem::path output;
+  /// See OutfitLayer.
+  std::map<std::string, std::vector<std::string>> panels_over = {};
+};
+
+struct DressSettings {
+  std::optional<std::filesystem::path> scene;
+  std::filesystem::path body;
+  std::filesystem::path skeleton;
+  bool needs_skeleton = false;  ///< it was asked for, not looked for
+  std::vector<LayerFiles> layers;
+  bool coupled = false;  ///< the layers move together once all are dressed
+  FabricChoice fabrics;
+  std::optional<std::filesystem::path> frames;
+  bool certify_frames = false;
+  /// Where the body's distances are kept from run to run; none: they are not.
+  std::optional<std::filesystem::path> cache;
+  std::optional<double> strain_limit;
+  std::optional<double> shear_limit;
+  Vec3 gravity = Scene().gravity;
+  DressMethod method;
+};
+
+void add_dress_options(boost::program_options::options_description& options);
+
+/// Throws boost::program_options::error unless the options are of a garment on a body or of a
+/// scene, and of the method.
+void check_dress_options(const boost::program_options::variables_map& given);
+
+/// The settings of one garment, written to `output`, or of a scene, whose layers' files are named
+/// after `output`. Throws Error for values that can't be used and scenes that can't be read.
+DressSettings read_dress_settings(const boost::program_options::variables_map& given,
+                                  const std::filesystem::path& output);
+
+/// The body's distances are kept beside it: body.distances for body.ply.
+std::filesystem::path distances_path(const std::filesystem::path& body);
+
+}  // namespace toile
