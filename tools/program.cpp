@@ -22,17 +22,6 @@ void CommonSettings::warn(const std::string& line) { std::cerr << "warning: " <<
 
 namespace {
 
-po::options_description common_options() {
-  po::options_description common("Every program's options");
-  common.add_options()("output,o", po::value<std::string>(), "the file to write")(
-      "report", po::value<std::string>(), "write what was done and measured, as JSON")(
-      "threads", po::value<int>()->default_value(0),
-      "threads to use, 0 for all; the result is the same for any number")(
-      "quiet,q", po::bool_switch(), "say nothing but warnings and errors")("help,h", "this text")(
-      "version", "the version");
-  return common;
-}
-
 bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
   return std::filesystem::weakly_canonical(a) == std::filesystem::weakly_canonical(b);
 }
@@ -83,11 +72,26 @@ double parse_quantity(const std::string& text, const std::map<std::string, doubl
 
 }  // namespace
 
+po::options_description common_options(const CommandLineProgram& program) {
+  po::options_description common("Every program's options");
+  common.add_options()("output,o", po::value<std::string>(),
+                       program.writes_folder ? "the folder to write to" : "the file to write");
+  if (!program.writes_folder) {
+    common.add_options()("report", po::value<std::string>(),
+                         "write what was done and measured, as JSON");
+  }
+  common.add_options()("threads", po::value<int>()->default_value(0),
+                       "threads to use, 0 for all; the result is the same for any number")(
+      "quiet,q", po::bool_switch(), "say nothing but warnings and errors")("help,h", "this text")(
+      "version", "the version");
+  return common;
+}
+
 int run_program(int argc, char** argv, const CommandLineProgram& program) {
   // A file that grows beyond the shell's limit is an error like a full disk, not a signal.
   std::signal(SIGXFSZ, SIG_IGN);
   po::options_description all;
-  const po::options_description common = common_options();
+  const po::options_description common = common_options(program);
   all.add(program.options).add(common);
   po::variables_map given;
   CommonSettings settings;
@@ -103,12 +107,14 @@ int run_program(int argc, char** argv, const CommandLineProgram& program) {
       return exit_done;
     }
     if (given.count("version") != 0) {
-      std::cout << program.name << " (Toile) " << TOILE_VERSION << '\n';
+      print_version(program.name);
       return exit_done;
     }
     po::notify(given);
     if (program.check) program.check(given);
-    if (given.count("output") == 0) return usage_error(program, "-o FILE is missing");
+    if (given.count("output") == 0)
+      return usage_error(program,
+                         program.writes_folder ? "-o FOLDER is missing" : "-o FILE is missing");
     settings.output = given["output"].as<std::string>();
     if (given.count("report") != 0) settings.report = given["report"].as<std::string>();
     settings.threads = given["threads"].as<int>();
@@ -133,10 +139,12 @@ int run_program(int argc, char** argv, const CommandLineProgram& program) {
     if (!program.output_extensions.empty()) {
       check_extension(settings.output, program.output_extensions);
     }
-    std::vector<std::filesystem::path> to_write = {settings.output};
-    if (settings.report) to_write.push_back(*settings.report);
-    refuse_overwriting(to_write, files_to_read(given));
-    for (const std::filesystem::path& file : to_write) check_writable(file);
+    if (!program.writes_folder) {
+      std::vector<std::filesystem::path> to_write = {settings.output};
+      if (settings.report) to_write.push_back(*settings.report);
+      refuse_overwriting(to_write, files_to_read(given));
+      for (const std::filesystem::path& file : to_write) check_writable(file);
+    }
     return program.work(given, settings);
   } catch (const std::bad_alloc&) {
     std::cerr << program.name << ": error: out of memory; use a coarser mesh\n";
@@ -146,12 +154,19 @@ int run_program(int argc, char** argv, const CommandLineProgram& program) {
   return exit_error;
 }
 
+std::string toile_version() { return TOILE_VERSION; }
+
+void print_version(const std::string& name) {
+  std::cout << name << " (Toile) " << toile_version() << '\n';
+}
+
 void refuse_overwriting(const std::vector<std::filesystem::path>& to_write,
                         const std::vector<std::filesystem::path>& to_read) {
   for (std::size_t i = 0; i < to_write.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (!same_file(to_write[i], to_write[j])) continue;
-      throw Error(to_write[i].string(), "is named for two outputs", "give -o and --report different files");
+      throw Error(to_write[i].string(), "is named for two outputs",
+                  "give -o and --report different files");
     }
     for (const std::filesystem::path& file : to_read) {
       if (!same_file(to_write[i], file)) continue;
@@ -160,10 +175,15 @@ void refuse_overwriting(const std::vector<std::filesystem::path>& to_write,
   }
 }
 
-double parse_length(const std::string& text, const std::string& option) {
+const std::map<std::string, double>& length_units() {
   static const std::map<std::string, double> metres = {
       {"m", 1.0}, {"dm", 0.1}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}};
-  return parse_quantity(text, metres, option, "a length", "m, dm, cm, mm or in, such as 10mm");
+  return metres;
+}
+
+double parse_length(const std::string& text, const std::string& option) {
+  return parse_quantity(text, length_units(), option, "a length",
+                        "m, dm, cm, mm or in, such as 10mm");
 }
 
 double parse_time(const std::string& text, const std::string& option) {

@@ -4,6 +4,7 @@
 #include <boost/program_options.hpp>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,16 +44,30 @@ struct CommandLineProgram {
   std::function<void(const boost::program_options::variables_map&)> check;
   /// What -o has to end in, ".obj" say; none: the program looks at it itself.
   std::vector<std::string> output_extensions;
+  /// -o is a folder for files of fixed names, the report among them: there is no --report.
+  bool writes_folder = false;
   std::function<int(const boost::program_options::variables_map&, const CommonSettings&)> work;
 };
+
+/// The options that every program has, as --help prints them.
+boost::program_options::options_description common_options(const CommandLineProgram& program);
 
 /// Parses the command line, answers --help and --version, limits the threads, runs the program's
 /// work, turns exceptions into one message and the exit code that belongs to it. -o is required.
 int run_program(int argc, char** argv, const CommandLineProgram& program);
 
+/// Toile's own.
+std::string toile_version();
+
+/// The answer to --version, on stdout.
+void print_version(const std::string& name);
+
 /// Throws Error when a file to write is among those to read, or when two to write are the same.
 void refuse_overwriting(const std::vector<std::filesystem::path>& to_write,
                         const std::vector<std::filesystem::path>& to_read);
+
+/// Metres, by the names of units of length.
+const std::map<std::string, double>& length_units();
 
 /// A length with its unit ("10mm", "1.5cm", "0.01m"), in metres. Throws Error, naming `option`,
 /// when it is not a positive length, or a bare number: whoever writes 25 means millimetres or

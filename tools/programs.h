@@ -8,8 +8,15 @@ namespace toile {
 CommandLineProgram clean_body_program();
 CommandLineProgram dress_program();
 CommandLineProgram ease_map_program();
+CommandLineProgram fit_program();
 CommandLineProgram make_mannequin_program();
 CommandLineProgram mesh_pattern_program();
 CommandLineProgram render_program();
+
+/// What `toile` is.
+std::string toile_summary();
+
+/// All of them, in the order in which `toile --help` lists them.
+std::vector<CommandLineProgram> all_programs();
 
 }  // namespace toile

@@ -1,4 +1,6 @@
 // render: pictures of garments and bodies, made without a display.
+#include "tools/render.h"
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -7,7 +9,6 @@
 #include "io/mesh_file.h"
 #include "io/obj.h"
 #include "io/output_file.h"
-#include "io/view/picture.h"
 #include "tools/programs.h"
 
 namespace toile {
@@ -15,15 +16,6 @@ namespace toile {
 namespace {
 
 namespace po = boost::program_options;
-
-struct Settings {
-  std::string body;
-  std::vector<std::string> garments;
-  std::vector<View> views;
-  bool whole = false;
-  int width = 900;
-  std::string title;
-};
 
 constexpr Colour skin{0.80, 0.76, 0.73};
 
@@ -69,7 +61,9 @@ PictureMesh cloth_of(const ObjData& obj, const std::string& name,
   return cloth;
 }
 
-int work(const Settings& settings, const CommonSettings& common) {
+}  // namespace
+
+void run_render(const RenderSettings& settings, const CommonSettings& common) {
   Picture picture;
   picture.views = settings.views;
   picture.view_width = settings.width;
@@ -100,10 +94,7 @@ int work(const Settings& settings, const CommonSettings& common) {
     write_file(*common.report, report.dump(2) + "\n");
   }
   common.say("wrote " + common.output.string());
-  return exit_done;
 }
-
-}  // namespace
 
 CommandLineProgram render_program() {
   CommandLineProgram program;
@@ -124,7 +115,7 @@ CommandLineProgram render_program() {
   program.positional.add("garment", -1);
   program.output_extensions = {".png"};
   program.work = [](const po::variables_map& given, const CommonSettings& common) {
-    Settings settings;
+    RenderSettings settings;
     settings.body = given["body"].as<std::string>();
     settings.garments = given["garment"].as<std::vector<std::string>>();
     settings.views = views_of(given["views"].as<std::string>());
@@ -134,7 +125,8 @@ CommandLineProgram render_program() {
     if (settings.width < 64 || settings.width > 2048) {
       throw Error("--width", "is out of range", "give 64 to 2048 pixels");
     }
-    return work(settings, common);
+    run_render(settings, common);
+    return exit_done;
   };
   return program;
 }

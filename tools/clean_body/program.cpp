@@ -1,201 +1,24 @@
 // clean-body: a scan or mesh of a person becomes a closed body in metres, with its skeleton.
-#include <cmath>
-#include <cstdio>
-#include <map>
-#include <nlohmann/json.hpp>
-
-#include "geometry/body/clean_body.h"
-#include "geometry/error.h"
-#include "io/mesh_file.h"
-#include "io/output_file.h"
-#include "io/skeleton_file.h"
+#include "tools/clean_body/run.h"
 #include "tools/programs.h"
 
 namespace toile {
-namespace {
 
 namespace po = boost::program_options;
-using Json = nlohmann::ordered_json;
-
-const std::map<std::string, double> units = {
-    {"m", 1.0}, {"dm", 0.1}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}};
-
-std::string unit_name(double metres) {
-  for (const auto& [name, size] : units) {
-    if (size == metres) return name;
-  }
-  return "?";
-}
-
-std::string number(double value, const char* format) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
-std::string count(int n, const std::string& one, const std::string& many) {
-  return std::to_string(n) + " " + (n == 1 ? one : many);
-}
-
-/// What was changed, a line each, in the order in which it was done.
-void say_changes(const CleanReport& report, const CommonSettings& common) {
-  const RepairReport& r = report.repair;
-  const double unit = report.metres_per_unit;
-  const auto say_count = [&common](int n, const char* one, const char* many) {
-    if (n > 0) common.say(count(n, one, many));
-  };
-  common.say("read " + count(r.points_read, "point", "points") + ", " +
-             count(r.polygons_read, "polygon", "polygons"));
-  say_count(r.points_merged, "point that doubled another, or that nothing used, merged or removed",
-            "points that doubled others, or that nothing used, merged or removed");
-  say_count(r.polygons_removed, "polygon without area or listed twice removed",
-            "polygons without area or listed twice removed");
-  say_count(r.polygons_triangulated, "polygon cut into triangles", "polygons cut into triangles");
-  say_count(r.points_split, "point split where the surface met itself",
-            "points split where the surface met itself");
-  say_count(r.borders_stitched, "pair of border edges stitched", "pairs of border edges stitched");
-  if (r.components_dropped > 0) {
-    common.say(count(r.components_dropped, "separate part", "separate parts") + " dropped, " +
-               number(100 * r.dropped_area, "%.2g") + " % of the whole surface");
-  }
-  if (r.holes_filled > 0) {
-    common.say(count(r.holes_filled, "hole", "holes") + " filled, the largest " +
-               number(100 * unit * r.largest_hole_filled, "%.1f") + " cm across");
-  }
-  if (r.turned_inside_out) common.say("turned inside out: its facets faced inward");
-  if (r.self_intersections_found > 0) {
-    common.say(count(r.self_intersections_found, "pair", "pairs") + " of intersecting triangles, " +
-               std::to_string(r.self_intersections_left) +
-               " left after repair, which moved the surface by at most " +
-               number(1000 * unit * r.largest_move, "%.2f") + " mm");
-  }
-  if (!report.turned.empty()) common.say("turned " + report.turned);
-  if (report.unit_inferred && unit != 1) {
-    common.say("unit taken to be " + unit_name(unit) + ", since the body is then " +
-               number(report.height, "%.2f") + " m tall (--unit states it)");
-  }
-  if (report.lifted != 0) {
-    common.say("lifted by " + number(100 * report.lifted, "%.2f") + " cm to stand on y = 0");
-  }
-  if (!report.brought.isZero(0)) {
-    common.say("moved by " + number(report.brought.x(), "%.2f") + " m along x and " +
-               number(report.brought.z(), "%.2f") + " m along z: it stood too far from the origin");
-  }
-}
-
-void warn_remains(const CleanReport& report) {
-  const RepairReport& r = report.repair;
-  if (r.self_intersections_left > 0) {
-    CommonSettings::warn(count(r.self_intersections_left, "pair", "pairs") +
-                         " of triangles still intersect; they can't be repaired safely");
-  }
-  if (r.dropped_area > 0.05) {
-    CommonSettings::warn("the parts dropped are " + number(100 * r.dropped_area, "%.0f") +
-                         " % of the surface; was the body one piece?");
-  }
-  if (report.height < 1.0 || report.height > 2.3) {
-    CommonSettings::warn("the body is " + number(report.height, "%.2f") +
-                         " m tall; is the unit right?");
-  }
-}
-
-Json report_json(const CleanBody& body, bool given) {
-  const CleanReport& report = body.report;
-  const RepairReport& r = report.repair;
-  const double unit = report.metres_per_unit;
-  return {{"read", {{"points", r.points_read}, {"polygons", r.polygons_read}}},
-          {"changed",
-           {{"points_merged", r.points_merged},
-            {"polygons_removed", r.polygons_removed},
-            {"polygons_triangulated", r.polygons_triangulated},
-            {"points_split", r.points_split},
-            {"borders_stitched", r.borders_stitched},
-            {"components_dropped", r.components_dropped},
-            {"dropped_area_percent", 100 * r.dropped_area},
-            {"holes_filled", r.holes_filled},
-            {"largest_hole_filled_mm", 1000 * unit * r.largest_hole_filled},
-            {"turned_inside_out", r.turned_inside_out},
-            {"largest_move_mm", 1000 * unit * r.largest_move},
-            {"turned", report.turned},
-            {"lifted_mm", 1000 * report.lifted},
-            {"brought_m", {report.brought.x(), report.brought.z()}}}},
-          {"self_intersections",
-           {{"found", r.self_intersections_found}, {"left", r.self_intersections_left}}},
-          {"unit", {{"metres", unit}, {"inferred", report.unit_inferred}}},
-          {"body",
-           {{"points", body.mesh.points.size()},
-            {"triangles", body.mesh.triangles.size()},
-            {"height_m", report.height},
-            {"closed", true}}},
-          {"skeleton", body.skeleton.has_value()},
-          {"skeleton_given", given}};
-}
-
-/// An earlier run's skeleton beside a body that has none would be taken for that body's.
-void remove_stale_skeleton(const std::filesystem::path& path) {
-  if (!std::filesystem::exists(path)) return;
-  try {
-    read_skeleton(path);
-  } catch (const Error&) {
-    return;  // not ours
-  }
-  std::filesystem::remove(path);
-  CommonSettings::warn(path.string() + " was another body's skeleton and is removed");
-}
-
-int work(const po::variables_map& given, const CommonSettings& common) {
-  const std::string in = given["input"].as<std::string>();
-  CleanOptions options;
-  if (given.count("unit") != 0) {
-    options.metres_per_unit = units.at(given["unit"].as<std::string>());
-  }
-  check_mesh_extension(common.output);
-
-  const std::filesystem::path beside = skeleton_path(in);
-  if (is_skeleton_file(beside)) options.skeleton = read_skeleton(beside);
-
-  const CleanBody body = clean_body(read_mesh(in), in, options);
-  say_changes(body.report, common);
-  warn_remains(body.report);
-  common.say("a closed body of " + std::to_string(body.mesh.points.size()) + " points, " +
-             number(100 * body.report.height, "%.2f") + " cm tall");
-
-  if (!body.report.skeleton_refused.empty()) {
-    CommonSettings::warn(beside.string() + " is not this body's, " + body.report.skeleton_refused +
-                         "; its joints are searched for");
-  } else if (options.skeleton) {
-    common.say("joints taken from " + beside.string());
-  }
-  if (!body.skeleton) {
-    CommonSettings::warn(body.report.no_skeleton);
-    remove_stale_skeleton(skeleton_path(common.output));
-  }
-  write_mesh(common.output, body.mesh);
-  if (body.skeleton) write_skeleton(skeleton_path(common.output), *body.skeleton);
-  if (common.report) {
-    write_file(
-        *common.report,
-        report_json(body, options.skeleton && body.report.skeleton_refused.empty()).dump(1) + "\n");
-  }
-  return exit_done;
-}
-
-}  // namespace
 
 CommandLineProgram clean_body_program() {
-  const auto check_unit = [](const std::string& unit) {
-    if (!units.contains(unit)) throw po::error("--unit is one of m, dm, cm, mm, in");
-  };
   CommandLineProgram program;
   program.name = "clean-body";
   program.summary = "makes a mesh of a standing person a closed body in metres, with its skeleton";
   program.usage = "IN -o body.ply [--unit m|dm|cm|mm|in]";
   program.options.add_options()("input", po::value<std::string>()->required(),
-                                "the mesh to read: .obj, .ply, .stl or .off")(
-      "unit", po::value<std::string>()->notifier(check_unit),
-      "the unit of IN; told from the body's height when not given");
+                                "the mesh to read: .obj, .ply, .stl or .off");
+  add_unit_option(program.options);
   program.positional.add("input", 1);
-  program.work = work;
+  program.work = [](const po::variables_map& given, const CommonSettings& common) {
+    run_clean_body({given["input"].as<std::string>(), read_unit(given)}, common);
+    return exit_done;
+  };
   return program;
 }
 

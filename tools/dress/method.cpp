@@ -66,11 +66,6 @@ double positive(const po::variables_map& given, const string& option, double mos
   return value;
 }
 
-const Quality& quality_of(const po::variables_map& given) {
-  if (given.count("quality") == 0) return standard_quality;
-  return quality_named(given["quality"].as<string>());
-}
-
 DressMethod paper(const po::variables_map& given, double residual) {
   SpringDressOptions options;
   options.stop_median = residual;
@@ -120,7 +115,9 @@ DressOptions until_residual(double residual) {
 
 }  // namespace
 
-const Quality& quality_named(const string& name) {
+const Quality& read_quality(const po::variables_map& given) {
+  if (given.count("quality") == 0) return standard_quality;
+  const string name = given["quality"].as<string>();
   for (const Quality& quality : qualities) {
     if (name == quality.name) return quality;
   }
@@ -163,9 +160,9 @@ void add_method_options(po::options_description& options) {
 
 void check_method_options(const po::variables_map& given) {
   const string method = given["method"].as<string>();
-  if (given.count("quality")) {
-    quality_named(given["quality"].as<string>());
-    if (given.count("residual")) throw po::error("--quality and --residual say the same: give one");
+  read_quality(given);
+  if (given.count("quality") && given.count("residual")) {
+    throw po::error("--quality and --residual say the same: give one");
   }
   if (method == "paper") {
     for (const char* option : {"release", "shear-limit"}) {
@@ -204,7 +201,7 @@ std::optional<double> read_shear_limit(const po::variables_map& given) {
 
 /// What a garment at rest may have left, in node weights.
 double read_residual(const po::variables_map& given, bool of_paper) {
-  const Quality quality = quality_of(given);
+  const Quality quality = read_quality(given);
   const bool of_its_own = of_paper && string(quality.name) == standard_quality.name;
   double residual = of_its_own ? 0.05 : quality.residual;
   if (given.count("residual")) residual = given["residual"].as<double>();
@@ -231,7 +228,7 @@ DressMethod read_method(const po::variables_map& given, bool coupled) {
     }
   }
   std::optional<Quality> quality;
-  if (given.count("residual") == 0) quality = quality_of(given);
+  if (given.count("residual") == 0) quality = read_quality(given);
   return {"relaxation", quality, relaxation_method(options, coupled)};
 }
 

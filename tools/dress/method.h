@@ -20,8 +20,8 @@ struct DressMethod {
 /// Until the rest that `quality` stands for, which is one of the presets.
 DressMethod relaxation_of(const Quality& quality);
 
-/// The preset of that name. Throws boost::program_options::error for another one.
-const Quality& quality_named(const std::string& name);
+/// --quality, or the standard. Throws boost::program_options::error for what is no preset's name.
+const Quality& read_quality(const boost::program_options::variables_map& given);
 
 /// Adds --method, --strain-limit, --shear-limit, --residual and what belongs to one method only.
 void add_method_options(boost::program_options::options_description& options);

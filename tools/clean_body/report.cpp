@@ -1,0 +1,39 @@
+#include "tools/clean_body/report.h"
+
+#include <nlohmann/json.hpp>
+
+namespace toile {
+
+nlohmann::ordered_json clean_body_json(const CleanBody& body, bool skeleton_given) {
+  const CleanReport& report = body.report;
+  const RepairReport& r = report.repair;
+  const double unit = report.metres_per_unit;
+  return {{"read", {{"points", r.points_read}, {"polygons", r.polygons_read}}},
+          {"changed",
+           {{"points_merged", r.points_merged},
+            {"polygons_removed", r.polygons_removed},
+            {"polygons_triangulated", r.polygons_triangulated},
+            {"points_split", r.points_split},
+            {"borders_stitched", r.borders_stitched},
+            {"components_dropped", r.components_dropped},
+            {"dropped_area_percent", 100 * r.dropped_area},
+            {"holes_filled", r.holes_filled},
+            {"largest_hole_filled_mm", 1000 * unit * r.largest_hole_filled},
+            {"turned_inside_out", r.turned_inside_out},
+            {"largest_move_mm", 1000 * unit * r.largest_move},
+            {"turned", report.turned},
+            {"lifted_mm", 1000 * report.lifted},
+            {"brought_m", {report.brought.x(), report.brought.z()}}}},
+          {"self_intersections",
+           {{"found", r.self_intersections_found}, {"left", r.self_intersections_left}}},
+          {"unit", {{"metres", unit}, {"inferred", report.unit_inferred}}},
+          {"body",
+           {{"points", body.mesh.points.size()},
+            {"triangles", body.mesh.triangles.size()},
+            {"height_m", report.height},
+            {"closed", true}}},
+          {"skeleton", body.skeleton.has_value()},
+          {"skeleton_given", skeleton_given}};
+}
+
+}  // namespace toile

@@ -1,0 +1,25 @@
+// What ease-map does once it knows what is asked.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "cloth/ease/ease.h"
+#include "tools/program.h"
+
+namespace toile {
+
+struct EaseMapSettings {
+  std::filesystem::path garment;
+  std::filesystem::path body;
+  std::optional<std::filesystem::path> csv, json, ply, png;
+  std::optional<std::filesystem::path> skeleton;  ///< none: beside the body, if there
+  EaseOptions ease;
+  std::optional<double> top;  ///< metres, the end of the colour scale; none: to suit the garment
+};
+
+/// Measures the dressed garment's ease and writes the page, and the other files that are asked for.
+/// Throws Error for what can't be read, measured or written.
+void run_ease_map(const EaseMapSettings& settings, const CommonSettings& common);
+
+}  // namespace toile

@@ -1,0 +1,74 @@
+#include "tools/mesh_pattern/report.h"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "geometry/triangulate.h"
+
+namespace toile {
+
+PanelFigures figures_of(const PanelMesh& garment, const MeshedPanel& panel) {
+  PanelFigures figures{0, std::numbers::pi, 1e300, 0};
+  for (int t = panel.first_triangle; t < panel.first_triangle + panel.triangles; ++t) {
+    std::array<Vec2, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners[k] =
+          garment.flat[static_cast<std::size_t>(garment.triangles[static_cast<std::size_t>(t)][k])];
+    }
+    const Vec2 u = corners[1] - corners[0];
+    const Vec2 v = corners[2] - corners[0];
+    figures.area += (u.x() * v.y() - u.y() * v.x()) / 2;
+    figures.smallest_angle =
+        std::min(figures.smallest_angle, smallest_angle(corners[0], corners[1], corners[2]));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double length = (corners[(k + 1) % 3] - corners[k]).norm();
+      figures.shortest_edge = std::min(figures.shortest_edge, length);
+      figures.longest_edge = std::max(figures.longest_edge, length);
+    }
+  }
+  return figures;
+}
+
+nlohmann::ordered_json mesh_pattern_json(const std::string& pattern, const PanelMesh& garment,
+                                         const std::vector<PanelFigures>& figures,
+                                         const std::vector<Remark>& remarks, double seconds) {
+  using Json = nlohmann::ordered_json;
+  constexpr double degrees = 180 / std::numbers::pi;
+  Json report;
+  report["program"] = "mesh-pattern";
+  report["pattern"] = pattern;
+  report["garment"] = {{"vertices", garment.flat.size()},
+                       {"triangles", garment.triangles.size()},
+                       {"panels", garment.panels.size()},
+                       {"seams", garment.seams.size()}};
+  report["edge_length"] = garment.edge_length;
+  report["subdivisions"] = garment.subdivisions;
+  report["seconds"] = seconds;
+  report["panels"] = Json::array();
+  for (std::size_t p = 0; p < garment.panels.size(); ++p) {
+    report["panels"].push_back({{"name", garment.panels[p].name},
+                                {"vertices", garment.panels[p].points},
+                                {"triangles", garment.panels[p].triangles},
+                                {"area", figures[p].area},
+                                {"smallest_angle_degrees", figures[p].smallest_angle * degrees},
+                                {"shortest_edge", figures[p].shortest_edge},
+                                {"longest_edge", figures[p].longest_edge}});
+  }
+  report["seams"] = Json::array();
+  for (const MeshedSeam& seam : garment.seams) {
+    report["seams"].push_back({{"name", seam.name},
+                               {"points", seam.a.size()},
+                               {"length_a", seam.length_a},
+                               {"length_b", seam.length_b}});
+  }
+  report["notes"] = Json::array();
+  report["warnings"] = Json::array();
+  for (const Remark& remark : remarks) {
+    report[remark.warning ? "warnings" : "notes"].push_back(remark.text);
+  }
+  return report;
+}
+
+}  // namespace toile

@@ -1,0 +1,28 @@
+// The report of mesh-pattern, as JSON, and what is measured for it.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "pattern/panel_mesh.h"
+#include "pattern/pattern.h"
+
+namespace toile {
+
+/// What is measured on a meshed panel.
+struct PanelFigures {
+  double area = 0;            ///< square metres
+  double smallest_angle = 0;  ///< radians
+  double shortest_edge = 0;   ///< metres
+  double longest_edge = 0;
+};
+
+PanelFigures figures_of(const PanelMesh& garment, const MeshedPanel& panel);
+
+/// `figures`: one for each panel. `seconds` is what it took as a whole.
+nlohmann::ordered_json mesh_pattern_json(const std::string& pattern, const PanelMesh& garment,
+                                         const std::vector<PanelFigures>& figures,
+                                         const std::vector<Remark>& remarks, double seconds);
+
+}  // namespace toile

@@ -1,0 +1,119 @@
+#include "tools/mesh_pattern/run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "geometry/error.h"
+#include "io/output_file.h"
+#include "pattern/check_pattern.h"
+#include "pattern/garment_file.h"
+#include "pattern/pattern_file.h"
+#include "tools/mesh_pattern/report.h"
+
+namespace toile {
+
+namespace {
+
+namespace po = boost::program_options;
+
+/// Lays the panels side by side on z = 0 instead of around the body.
+void lay_flat(PanelMesh& garment) {
+  constexpr double gap = 0.02;
+  double right = 0;
+  for (const MeshedPanel& panel : garment.panels) {
+    const auto first = static_cast<std::size_t>(panel.first_point);
+    const auto last = first + static_cast<std::size_t>(panel.points);
+    Vec2 low = garment.flat[first];
+    double high = low.x();
+    for (std::size_t i = first; i < last; ++i) {
+      low = low.cwiseMin(garment.flat[i]);
+      high = std::max(high, garment.flat[i].x());
+    }
+    for (std::size_t i = first; i < last; ++i) {
+      const Vec2 point = garment.flat[i] - low;
+      garment.placed[i] = Vec3(right + point.x(), point.y(), 0);
+    }
+    right += high - low.x() + gap;
+  }
+}
+
+template <class... Arguments>
+std::string line(const char* format, Arguments... arguments) {
+  char text[512];
+  std::snprintf(text, sizeof text, format, arguments...);
+  return text;
+}
+
+constexpr double degrees = 180 / std::numbers::pi;
+
+void say_all(const PanelMesh& garment, const std::vector<PanelFigures>& figures,
+             const CommonSettings& common) {
+  double smallest = std::numbers::pi;
+  for (std::size_t p = 0; p < garment.panels.size(); ++p) {
+    const MeshedPanel& panel = garment.panels[p];
+    smallest = std::min(smallest, figures[p].smallest_angle);
+    common.say(line("  panel %-20s %6d points %6d triangles  %7.1f cm2  smallest angle %4.1f deg",
+                    panel.name.c_str(), panel.points, panel.triangles, figures[p].area * 1e4,
+                    figures[p].smallest_angle * degrees));
+  }
+  for (const MeshedSeam& seam : garment.seams) {
+    common.say(line("  seam %-40s %4zu points  %6.2f cm to %6.2f cm", seam.name.c_str(),
+                    seam.a.size(), seam.length_a * 100, seam.length_b * 100));
+  }
+  common.say(
+      line("%zu panels, %zu points, %zu triangles, %zu seams, %d subdivisions, "
+           "smallest angle %.1f deg",
+           garment.panels.size(), garment.flat.size(), garment.triangles.size(),
+           garment.seams.size(), garment.subdivisions, smallest * degrees));
+}
+
+}  // namespace
+
+void add_edge_length_option(po::options_description& options) {
+  options.add_options()("edge-length", po::value<std::string>()->default_value("10mm"),
+                        "length of triangle edges");
+}
+
+double read_edge_length(const po::variables_map& given) {
+  return parse_length(given["edge-length"].as<std::string>(), "--edge-length");
+}
+
+void run_mesh_pattern(const MeshPatternSettings& settings, const CommonSettings& common) {
+  const auto start = std::chrono::steady_clock::now();
+  // garment.json goes beside garment.obj: it must not take the pattern's own place.
+  const std::filesystem::path json =
+      std::filesystem::path(common.output).replace_extension(".json");
+  std::error_code absent;
+  if (std::filesystem::equivalent(json, settings.pattern, absent)) {
+    throw Error("-o " + common.output.string(), "would write " + json.string() + ", the pattern",
+                "name the garment otherwise");
+  }
+  std::vector<Remark> remarks;
+  const Pattern pattern = read_pattern(settings.pattern, remarks);
+  check_pattern(pattern, remarks);
+  PanelMesh garment = mesh_panels(pattern, settings.mesh, remarks);
+  for (const Remark& remark : remarks) {
+    if (remark.warning) {
+      CommonSettings::warn(remark.text);
+    } else {
+      common.say("note: " + remark.text);
+    }
+  }
+  std::vector<PanelFigures> figures;
+  for (const MeshedPanel& panel : garment.panels) figures.push_back(figures_of(garment, panel));
+  say_all(garment, figures, common);
+  if (settings.flat) lay_flat(garment);
+  write_garment(common.output, garment);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  if (common.report) {
+    write_file(*common.report, mesh_pattern_json(settings.pattern.string(), garment, figures,
+                                                 remarks, seconds.count())
+                                       .dump(2) +
+                                   "\n");
+  }
+}
+
+}  // namespace toile

@@ -1,0 +1,59 @@
+# What `cmake --install` puts where, and the Debian package that `cpack` makes of the programs. To
+# build against the libraries: find_package(Toile), then link Toile::cloth.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(programs toile clean-body mesh-pattern dress ease-map render make-mannequin)
+install(TARGETS ${programs} RUNTIME COMPONENT programs)
+
+# Man pages say what --help says.
+add_executable(man_pages tools/man_pages.cpp)
+target_link_libraries(man_pages PRIVATE toile_tools)
+set(pages toile toile-fit clean-body mesh-pattern dress ease-map render make-mannequin)
+list(TRANSFORM pages REPLACE "(.+)" "${PROJECT_BINARY_DIR}/man/\\1.1")
+add_custom_command(OUTPUT ${pages}
+  COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/man
+  COMMAND man_pages ${PROJECT_BINARY_DIR}/man)
+add_custom_target(man ALL DEPENDS ${pages})
+install(FILES ${pages} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT programs)
+
+install(DIRECTORY samples DESTINATION ${CMAKE_INSTALL_DATADIR}/toile COMPONENT programs)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/toile RENAME copyright
+        COMPONENT programs)
+
+# Libraries and headers; the names in the package leave out the project's.
+set(libraries geometry io pattern cloth)
+foreach(library options ${libraries})
+  set_target_properties(toile_${library} PROPERTIES EXPORT_NAME ${library})
+  install(TARGETS toile_${library} EXPORT Toile ARCHIVE COMPONENT libraries)
+endforeach()
+foreach(library ${libraries})
+  install(DIRECTORY ${library} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/toile COMPONENT libraries
+          FILES_MATCHING PATTERN "*.h")
+endforeach()
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/Toile)
+install(EXPORT Toile NAMESPACE Toile:: FILE ToileTargets.cmake DESTINATION ${package}
+        COMPONENT libraries)
+configure_package_config_file(tools/ToileConfig.cmake.in ToileConfig.cmake
+                              INSTALL_DESTINATION ${package})
+write_basic_package_version_file(ToileConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/ToileConfig.cmake
+              ${PROJECT_BINARY_DIR}/ToileConfigVersion.cmake
+        DESTINATION ${package} COMPONENT libraries)
+
+# build/release/toile_VERSION_amd64.deb, by `cpack --config build/release/CPackConfig.cmake`. Needs
+# dpkg-dev, which finds the libraries that the programs depend on. Pictures need a font.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME toile)
+set(CPACK_PACKAGE_CONTACT "Toile's maintainers")
+set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR})
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_COMPONENTS_ALL programs)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME toile)
+set(CPACK_DEBIAN_PROGRAMS_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_DEPENDS fonts-dejavu-core)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+include(CPack)

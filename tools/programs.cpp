@@ -1,0 +1,14 @@
+#include "tools/programs.h"
+
+namespace toile {
+
+std::string toile_summary() {
+  return "sews flat patterns around a body and reports how the garment fits";
+}
+
+std::vector<CommandLineProgram> all_programs() {
+  return {fit_program(),      clean_body_program(), mesh_pattern_program(),  dress_program(),
+          ease_map_program(), render_program(),     make_mannequin_program()};
+}
+
+}  // namespace toile
