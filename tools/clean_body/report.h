@@ -3,7 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "geometry/body/clean.h"
+#include "geometry/body/clean_body.h"
 
 namespace toile {
 

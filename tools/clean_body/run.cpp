@@ -1,9 +1,10 @@
 #include "tools/clean_body/run.h"
 
 #include <cstdio>
+#include <functional>
 #include <nlohmann/json.hpp>
 
-#include "geometry/body/clean.h"
+#include "geometry/body/clean_body.h"
 #include "geometry/error.h"
 #include "io/mesh_file.h"
 #include "io/output_file.h"
@@ -110,7 +111,7 @@ void remove_stale_skeleton(const std::filesystem::path& path) {
 }  // namespace
 
 void add_unit_option(po::options_description& options) {
-  const auto check_unit = [](const std::string& unit) {
+  const std::function<void(const std::string&)> check_unit = [](const std::string& unit) {
     if (!length_units().contains(unit)) throw po::error("--unit is one of m, dm, cm, mm, in");
   };
   options.add_options()("unit", po::value<std::string>()->notifier(check_unit),
