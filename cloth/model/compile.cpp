@@ -172,7 +172,7 @@ class Compiler {
     s.weft_stiffness = area * share * modulus_at(fabric, along - panel.grain);
     s.warp_stiffness = area * modulus_at(fabric, along - panel.grain + std::numbers::pi / 2);
     s.shear_stiffness = area * gathered_stiffness * fabric.shear;
-    s.held = false;
+    s.limited = false;
     return s;
   }
 

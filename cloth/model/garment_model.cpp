@@ -27,8 +27,8 @@ std::vector<std::pair<std::string, int>> term_counts(const GarmentModel& model) 
     return count(std::count_if(frictions.begin(), frictions.end(),
                                [](double friction) { return friction > 0; }));
   };
-  const int held = count(std::count_if(model.stretch.begin(), model.stretch.end(),
-                                       [](const StretchTriangle& s) { return s.held; }));
+  const int limited = count(std::count_if(model.stretch.begin(), model.stretch.end(),
+                                          [](const StretchTriangle& s) { return s.limited; }));
   return {
       {"stretch", triangles},
       {"bend", count(model.bend.size())},
@@ -40,8 +40,8 @@ std::vector<std::pair<std::string, int>> term_counts(const GarmentModel& model) 
       {"self_contact", scene.self_contact ? triangles : 0},
       {"cloth_friction", scene.self_contact ? rough(model.friction_cloth) : 0},
       {"layer_contact", has_layers(scene) ? count(scene.collider->cloth().triangles.size()) : 0},
-      {"strain_limit", scene.strain_limit ? held : 0},
-      {"shear_limit", scene.shear_limit ? held : 0}};
+      {"strain_limit", scene.strain_limit ? limited : 0},
+      {"shear_limit", scene.shear_limit ? limited : 0}};
 }
 
 }  // namespace toile

@@ -24,7 +24,7 @@ struct StretchTriangle {
   double weft_stiffness = 0;   ///< N·m
   double warp_stiffness = 0;   ///< N·m
   double shear_stiffness = 0;  ///< N·m
-  bool held = true;            ///< to the scene's limits; not on a gathered seam, which gives way
+  bool limited = true;         ///< by the scene's limits; false on a gathered seam, which gives way
 };
 
 /// Hinge of two triangles across an edge, at rest flat: Σ weight_i x_i is how the slope jumps

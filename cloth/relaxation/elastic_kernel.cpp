@@ -93,7 +93,7 @@ void ElasticKernel::lay_out_limits(const GarmentModel& model) {
     const StretchTriangle& s = model.stretch[t];
     HeldGroup& held = held_[t / group];
     held.area[t % group] = s.area;
-    held.most[t % group] = s.held ? s.area * max_limit_multiplier : 0;
+    held.most[t % group] = s.limited ? s.area * max_limit_multiplier : 0;
     for (int c = 0; c < 3; ++c) {
       held.sum_weft[t % group] += std::abs(s.weft[c]);
       held.sum_warp[t % group] += std::abs(s.warp[c]);
