@@ -26,7 +26,7 @@ struct Attachment {
   Vec3 point = Vec3::Zero();
   bool always = false;      ///< for good; else until friction takes over, when all is sewn
   double stiffness = 5000;  ///< N/m, of the whole; spread evenly along an edge
-  double most = 20;         ///< N, likewise
+  double max_pull = 20;     ///< N, likewise
 
   bool operator==(const Attachment&) const = default;
 };

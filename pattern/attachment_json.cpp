@@ -35,9 +35,9 @@ double length(const JsonValue& value, double unit) {
   return metres;
 }
 
-double positive(const JsonValue& value, double most, const std::string& remedy) {
+double positive(const JsonValue& value, double max, const std::string& remedy) {
   const double number = value.number();
-  if (!(number > 0 && number <= most)) value.fail("is not above 0, or too large", remedy);
+  if (!(number > 0 && number <= max)) value.fail("is not above 0, or too large", remedy);
   return number;
 }
 
@@ -115,8 +115,8 @@ Attachment read_attachment(const JsonValue& entry, double unit) {
   if (const auto stiffness = entry.find("stiffness_N_per_m")) {
     attachment.stiffness = positive(*stiffness, stiffest, "5000 gives way by 0.2 mm for 1 N");
   }
-  if (const auto most = entry.find("max_N")) {
-    attachment.most = positive(*most, strongest, "a garment weighs 1 to 20 N");
+  if (const auto max_pull = entry.find("max_N")) {
+    attachment.max_pull = positive(*max_pull, strongest, "a garment weighs 1 to 20 N");
   }
   return attachment;
 }
@@ -133,7 +133,7 @@ nlohmann::ordered_json attachment_json(const Attachment& attachment) {
   if (attachment.above != 0) json["above"] = attachment.above;
   json["while"] = while_words[attachment.always ? 1 : 0];
   json["stiffness_N_per_m"] = attachment.stiffness;
-  json["max_N"] = attachment.most;
+  json["max_N"] = attachment.max_pull;
   return json;
 }
 

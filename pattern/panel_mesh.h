@@ -1,6 +1,7 @@
 // A garment as meshed panels: what the pattern room hands to the cloth room.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,7 @@ struct MeshedPanel {
   std::string name;
   std::string part;    ///< body part it is placed at, one of body_parts; empty: find it by position
   std::string fabric;  ///< name of its fabric; empty: the garment's
-  double grain = 0;    ///< angle of the warp direction against the flat +y axis, radians
+  double grain = 0;    ///< radians, angle of the warp direction against the flat +y axis
   int first_point = 0;
   int points = 0;
   int first_triangle = 0;
@@ -23,15 +24,19 @@ struct MeshedPanel {
   PanelPlacement placement{};  ///< how the skeleton positions it; by default it does not
 };
 
-/// Two outline edges that are sewn together; side a's i-th point meets side b's i-th. The sides of
-/// a dart share the point at its tip: there both hold the same material point.
+/// Two outline edges that are sewn together: side a's i-th point meets side b's i-th. The sides of
+/// a dart share the point at its tip: both hold the same material point there.
 struct MeshedSeam {
   std::string name;     ///< "panel.edge-panel.edge" unless the pattern names it
   std::vector<int> a;   ///< material points along side a, at least two
   std::vector<int> b;   ///< as many along side b
-  double length_a = 0;  ///< of the pattern's curve, metres
-  double length_b = 0;
+  double length_a = 0;  ///< metres, of the pattern's curve
+  double length_b = 0;  ///< metres, of the pattern's curve
 };
+
+/// Sides of a seam whose lengths differ by more than this share of the shorter one are eased or
+/// gathered.
+inline constexpr double gather_threshold = 0.02;
 
 /// An elastic that is sewn along an outline edge while stretched to the edge's length.
 struct MeshedElastic {
@@ -42,32 +47,56 @@ struct MeshedElastic {
 };
 
 /// Panels as triangulated, before anything is sewn. A *material point* belongs to one panel and
-/// has flat coordinates there; where panels are sewn, two material points share one node. Flat
-/// coordinates show the cloth's right side, so once sewn all triangles face out of the garment.
+/// has flat coordinates there. Where panels are sewn, two material points share one node. Flat
+/// coordinates show the cloth's right side, so all triangles face out of the sewn garment.
 ///
-/// The triangulation is nested: with `subdivisions` = n, every run of four triangles
-/// 4t..4t+3 splits triangle t of the next coarser level into corner, corner, corner, centre:
-/// child i keeps the parent's corner i at its index i, and child 3 is (m01, m12, m20), so child 0
-/// is (c0, m01, m20), child 1 (m01, c1, m12), child 2 (m20, m12, c2). Within a panel the points of
-/// a coarser level come before those of a finer one. n = 0 says that nothing is known of nesting.
+/// The triangulation is nested in `subdivisions` = n levels. Every run of four triangles 4t..4t+3
+/// splits triangle t of the next coarser level into three corners and the centre. Child i keeps the
+/// parent's corner i at its index i. Child 0 is (c0, m01, m20), child 1 (m01, c1, m12), child 2
+/// (m20, m12, c2), child 3 (m01, m12, m20). Within a panel the points of a coarser level come
+/// before those of a finer one. n = 0 says that nothing is known of nesting.
 struct PanelMesh {
-  std::vector<Vec2> flat;    ///< metres, per material point
-  std::vector<Vec3> placed;  ///< metres, per material point, where the pattern puts it in space; of
-                             ///< panels that the skeleton positions, beside a schematic figure
+  std::vector<Vec2> flat;  ///< metres, per material point
+  /// Metres, per material point: where the pattern puts it in space. Panels that the skeleton
+  /// positions stand beside a schematic figure.
+  std::vector<Vec3> placed;
   std::vector<Triangle> triangles;  ///< of material points, counter-clockwise in flat coordinates
   std::vector<MeshedPanel> panels;  ///< in order of their ranges
   std::vector<MeshedSeam> seams;
   std::vector<MeshedElastic> elastics;
   std::vector<MeshedAttachment> attachments;
   int subdivisions = 0;
-  double edge_length = 0;  ///< the length asked for, metres; 0: not known
+  double edge_length = 0;  ///< metres, the length asked for; 0: not known
 };
+
+/// Per material point, the index of its panel.
+inline std::vector<int> panel_of_points(const PanelMesh& garment) {
+  std::vector<int> panel_of;
+  panel_of.reserve(garment.flat.size());
+  for (std::size_t i = 0; i < garment.panels.size(); ++i) {
+    panel_of.insert(panel_of.end(), garment.panels[i].points, static_cast<int>(i));
+  }
+  return panel_of;
+}
+
+/// Unit vectors of a flat panel along its yarns.
+struct YarnDirections {
+  Vec2 weft;
+  Vec2 warp;
+};
+
+/// The yarns of a panel whose warp is at `grain` radians to its +y axis: the flat +x and +y axes,
+/// turned by that.
+inline YarnDirections yarn_directions(double grain) {
+  const Vec2 weft(std::cos(grain), std::sin(grain));
+  return {weft, Vec2(-weft.y(), weft.x())};
+}
 
 /// A dressed garment: faces in the garment's order, sewn points shared.
 struct DressedGarment {
   std::vector<Vec3> points;              ///< nodes, metres
   std::vector<Triangle> triangles;       ///< of nodes
-  std::vector<Vec2> flat;                ///< material points' flat coordinates, metres
+  std::vector<Vec2> flat;                ///< metres, per material point
   std::vector<Triangle> flat_triangles;  ///< of material points, as many as `triangles`
   std::vector<std::string> panels;       ///< names
   std::vector<int> panel_of_triangle;    ///< index into `panels`

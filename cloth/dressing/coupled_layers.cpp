@@ -78,9 +78,9 @@ class CoupledRelaxation {
   void hold_for_good() {
     int first_point = 0;
     for (const WornGarment& worn : garments_) {
-      for (AttachedPoint held : worn.held) {
-        held.point += first_point;
-        model_.attachments.push_back(held);
+      for (AttachedPoint attached : worn.attached) {
+        attached.point += first_point;
+        model_.attachments.push_back(attached);
       }
       first_point += static_cast<int>(worn.garment->flat.size());
     }
@@ -142,16 +142,16 @@ class CoupledRelaxation {
     result_.moved.push_back(moved_figures(moved));
     Scene scene = scene_;
     scene.fabric = worn.fabric;
-    std::vector<LimitMultiplier> held;
+    std::vector<LimitMultiplier> multipliers;
     const std::vector<LimitMultiplier>& yarns = state.warm_start.multipliers;
     if (!yarns.empty()) {
-      held.assign(yarns.begin() + first_triangle_[garment],
-                  yarns.begin() + first_triangle_[garment + 1]);
+      multipliers.assign(yarns.begin() + first_triangle_[garment],
+                         yarns.begin() + first_triangle_[garment + 1]);
     }
     const GarmentModel model = compile(*worn.garment, scene, worn.garment->placed);
     const std::vector<Vec3>& nodes = result_.nodes.back();
-    result_.tight_seams.push_back(tight_seams(*worn.garment, model, nodes, held));
-    result_.tight_regions.push_back(tight_regions(*worn.garment, model, nodes, held));
+    result_.tight_seams.push_back(tight_seams(*worn.garment, model, nodes, multipliers));
+    result_.tight_regions.push_back(tight_regions(*worn.garment, model, nodes, multipliers));
   }
 
   int garment_of(int node) const {

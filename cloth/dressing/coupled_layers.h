@@ -11,11 +11,11 @@ namespace toile {
 /// A garment that is dressed, one of several.
 struct WornGarment {
   const PanelMesh* garment = nullptr;
-  Fabric fabric;                         ///< of the panels that name none
-  std::vector<Vec3> nodes;               ///< metres, where it was dressed
-  WarmStart warm_start;                  ///< where friction holds it
-  double body_offset = 0;                ///< metres kept from the skin
-  std::vector<AttachedPoint> held = {};  ///< what holds it for good
+  Fabric fabric;                             ///< of the panels that name none
+  std::vector<Vec3> nodes;                   ///< metres, where it was dressed
+  WarmStart warm_start;                      ///< where friction holds it
+  double body_offset = 0;                    ///< metres kept from the skin
+  std::vector<AttachedPoint> attached = {};  ///< what holds it for good
 };
 
 /// Panels, seams and points of all garments in one mesh, in their order, garment by garment; seams

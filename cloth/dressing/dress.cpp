@@ -186,7 +186,7 @@ DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptio
   detach(level, state, result.attachments);
 
   measure_lasting(garment, level.model.attachments, points_of(level, state), result.attachments);
-  result.held = level.model.attachments;
+  result.attached = level.model.attachments;
   result.terms = term_counts(level.model);
   result.triangles = level.model.node_triangles;
   result.tight_seams = tight_seams(garment, level.model, state.nodes, state.warm_start.multipliers);

@@ -33,8 +33,8 @@ struct DressResult {
   bool converged = false;
   /// One for each of the garment's: at rest, or of those that end, when they were let go.
   std::vector<AttachmentFigures> attachments;
-  std::vector<AttachedPoint> held;     ///< what holds the garment for good
-  std::vector<TightSeam> tight_seams;  ///< by the relaxation, which closes them at any tension
+  std::vector<AttachedPoint> attached;  ///< what holds the garment for good
+  std::vector<TightSeam> tight_seams;   ///< by the relaxation, which closes them at any tension
   /// Nothing: not looked for, without a strain limit or by another method than the relaxation.
   std::optional<TightRegions> tight_regions;
   /// What a copy of the garment did when it was let go; nothing: it was not. `nodes` is before.

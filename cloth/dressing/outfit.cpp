@@ -40,7 +40,7 @@ std::vector<std::string> softened_fabrics(const PanelMesh& garment, const Scene&
 
 /// What is not at rest is a surface still; what is open or meets something is none.
 bool is_surface(const Judgement& judgement) {
-  return judgement.verdict == "sewn" || judgement.verdict == "unconverged";
+  return judgement.verdict == Verdict::sewn || judgement.verdict == Verdict::unconverged;
 }
 
 class Dressing {
@@ -198,7 +198,7 @@ bool Dressing::turn_panels_out(std::size_t over) {
     const Collider others = collider_of(over + 1, none, i);
     write_and_judge(i, &others.cloth());
     if (is_surface(worn.judgement)) continue;
-    warn("layer " + outfit_.layers[i].name + " is " + worn.judgement.verdict +
+    warn("layer " + outfit_.layers[i].name + " is " + to_string(worn.judgement.verdict) +
          " once its panels lie over " + outfit_.layers[over].name +
          ": the seams that join them to the rest have to be clear of it");
     return false;
@@ -226,7 +226,7 @@ bool Dressing::dress_one_by_one() {
     }
     if (i + 1 == count()) return sewn;
     if (!sewn) {
-      warn("layer " + layer.name + " is " + worn_.layers[i].judgement.verdict +
+      warn("layer " + layer.name + " is " + to_string(worn_.layers[i].judgement.verdict) +
            ": the layers over it are not dressed");
       return false;
     }
@@ -245,7 +245,7 @@ void Dressing::relax_coupled() {
   std::vector<WornGarment> garments;
   for (const WornLayer& worn : worn_.layers) {
     garments.push_back({&worn.garment, worn.scene.fabric, worn.result.nodes, worn.result.warm_start,
-                        worn.result.body_offset, worn.result.held});
+                        worn.result.body_offset, worn.result.attached});
   }
   std::optional<Certificate>& certificate = worn_.coupled_certificate;
   if (outfit_.certify) certificate.emplace(bare.body(), nullptr);
@@ -266,7 +266,7 @@ void Dressing::take_coupled() {
     result.residual = coupled.stages.back().residual;
     result.release = coupled.release;
     const PanelMesh& garment = worn_.layers[i].garment;
-    measure_lasting(garment, result.held, material_points(garment, result), result.attachments);
+    measure_lasting(garment, result.attached, material_points(garment, result), result.attachments);
   }
 }
 
@@ -307,11 +307,11 @@ OutfitMethod relaxation_method(const DressOptions& options, bool coupled) {
   return method;
 }
 
-std::string WornOutfit::verdict() const {
+Verdict WornOutfit::verdict() const {
   for (const WornLayer& worn : layers) {
-    if (worn.judgement.verdict != "sewn") return worn.judgement.verdict;
+    if (worn.judgement.verdict != Verdict::sewn) return worn.judgement.verdict;
   }
-  return "sewn";
+  return Verdict::sewn;
 }
 
 WornOutfit dress_outfit(const Outfit& outfit, Collider& collider, const Skeleton* skeleton,

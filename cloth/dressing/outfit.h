@@ -69,8 +69,8 @@ struct WornOutfit {
   std::optional<CoupledResult> coupled;  ///< none: not asked for, or a layer failed
   std::optional<Certificate> coupled_certificate;
 
-  /// Of the first layer that is not "sewn"; else "sewn".
-  std::string verdict() const;
+  /// Of the first layer that is not sewn; else sewn.
+  Verdict verdict() const;
 };
 
 /// What the caller does while an outfit is dressed; each may be empty. `layer` is an index, and the

@@ -10,10 +10,10 @@ namespace toile {
 
 namespace {
 
-/// Metres: where a pattern places two sides in one place, only rounding lies between them.
+/// Metres: sides that a pattern places in one place are apart by rounding only, by less than this.
 constexpr double rounding = 1e-9;
 
-/// The triangles, each corner by the name of its set.
+/// The triangles, each corner replaced by the lowest point of its set.
 std::vector<Triangle> joined(std::vector<Triangle> triangles, DisjointSets& sets) {
   for (Triangle& t : triangles) {
     for (int& corner : t) corner = sets.of(corner);
@@ -66,7 +66,7 @@ const FrameFigures& Certificate::check(const DressFrame& frame) {
   for (const TrianglePair& pair : with_body) meeting.insert(pieces.of(cloth.triangles[pair[0]][0]));
   std::set<int> all;
   for (const Triangle& t : cloth.triangles) all.insert(pieces.of(t[0]));
-  // What does not meet the surface is on one side of it: any point tells which.
+  // A piece that does not meet the surface is all on one side of it, and so is any of its points.
   for (const int piece : all) {
     if (meeting.count(piece) != 0) continue;
     figures.inside += distance_.closest_point(frame.points[piece]).distance < 0;

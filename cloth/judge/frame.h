@@ -1,4 +1,4 @@
-// A state of a garment on its way to rest, for whoever watches.
+// A state of a garment while it is dressed, for observers.
 #pragma once
 
 #include <functional>
@@ -10,14 +10,14 @@
 
 namespace toile {
 
-/// A state on the way: places of the material points of `mesh`, which may be coarser than the
-/// garment. Called where the panels are placed, every 200 steps and at the end of each stage.
+/// A state of a dressing. It is reported where the panels are placed, every 200 steps and at the
+/// end of each stage.
 struct DressFrame {
-  const PanelMesh& mesh;
+  const PanelMesh& mesh;  ///< may be coarser than the garment
   const std::string& stage;
-  const std::vector<Vec3>& points;
-  double progress;     ///< of the whole dressing, 0 to 1, roughly
-  double seconds = 0;  ///< of the cloth's own time so far; 0 for a method that has none
+  const std::vector<Vec3>& points;  ///< metres, per material point of `mesh`
+  double progress;                  ///< roughly, of the whole dressing, from 0 to 1
+  double seconds = 0;               ///< of simulated time so far; 0 for a method without time
 };
 using FrameWatcher = std::function<void(const DressFrame&)>;
 

@@ -8,8 +8,10 @@
 
 #include "cloth/judge/yarn_strain.h"
 #include "cloth/model/gathers.h"
+#include "geometry/disjoint_sets.h"
 #include "geometry/error.h"
 #include "geometry/half_edges.h"
+#include "geometry/statistics.h"
 
 namespace toile {
 
@@ -17,7 +19,8 @@ namespace {
 
 using Edge = std::pair<int, int>;
 
-/// How many triangles each edge has, of the triangles [first, last) of `points` points.
+/// Each edge of the triangles [first, last) with the number of those that have it. `points` is the
+/// number of points.
 std::vector<std::pair<Edge, int>> edge_uses(const std::vector<Triangle>& triangles, int first,
                                             int last, std::size_t points) {
   const std::span<const Triangle> some(triangles.data() + first,
@@ -61,16 +64,11 @@ std::vector<double> sum_triangles(const PanelMesh& garment, const std::vector<Ve
   return sums;
 }
 
-StrainFigures figures_of(std::vector<double>& strains) {
-  StrainFigures figures;
-  if (strains.empty()) return figures;
+/// Strains are sorted first, so that the root mean square adds the small ones up first.
+StrainFigures figures_of(std::vector<double> strains) {
+  if (strains.empty()) return {};
   std::sort(strains.begin(), strains.end());
-  figures.max = strains.back();
-  figures.p99 = strains[static_cast<std::size_t>(0.99 * static_cast<double>(strains.size() - 1))];
-  double sum = 0;
-  for (const double s : strains) sum += s * s;
-  figures.rms = std::sqrt(sum / static_cast<double>(strains.size()));
-  return figures;
+  return {strains.back(), percentile(strains, 0.99), root_mean_square(strains)};
 }
 
 SeamFigures measure_seams(const PanelMesh& pattern, const std::vector<Vec3>& points) {
@@ -106,7 +104,7 @@ void measure_yarns(const PanelMesh& pattern, const std::vector<Vec3>& points,
   figures.shear = figures_of(shear);
 }
 
-/// Places of the material points in the dressed garment.
+/// Metres, per material point: its place in the dressed garment.
 std::vector<Vec3> dressed_points(const PanelMesh& pattern, const DressedGarment& dressed) {
   if (dressed.flat_triangles != pattern.triangles) {
     throw Error("dressed garment", "has other faces than its pattern",
@@ -219,24 +217,19 @@ GarmentFigures measure_garment(const PanelMesh& pattern, const DressedGarment& d
 }
 
 int border_loops(const std::vector<Triangle>& triangles, std::size_t points) {
-  std::vector<int> parent(points);
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int p) {
-    while (parent[p] != p) p = parent[p] = parent[parent[p]];
-    return p;
-  };
+  DisjointSets loops(points);
   std::vector<char> on_border(points, 0);
   for (const auto& [edge, uses] :
        edge_uses(triangles, 0, static_cast<int>(triangles.size()), points)) {
     if (uses != 1) continue;
     on_border[edge.first] = on_border[edge.second] = 1;
-    parent[root(edge.first)] = root(edge.second);
+    loops.join(edge.first, edge.second);
   }
-  int loops = 0;
+  int count = 0;
   for (std::size_t p = 0; p < points; ++p) {
-    loops += on_border[p] && root(static_cast<int>(p)) == static_cast<int>(p);
+    count += on_border[p] && loops.of(static_cast<int>(p)) == static_cast<int>(p);
   }
-  return loops;
+  return count;
 }
 
 }  // namespace toile

@@ -1,4 +1,4 @@
-// What is measured on a garment: areas, perimeters, strains, seams.
+// Measures of a garment: areas, perimeters, strains, seams.
 #pragma once
 
 #include <array>
@@ -11,26 +11,26 @@
 
 namespace toile {
 
-/// Area of each panel, m², flat or with its material points at `points`.
+/// m², per panel: its area, flat or with its material points at `points`.
 std::vector<double> panel_areas(const PanelMesh& garment);
 std::vector<double> panel_areas(const PanelMesh& garment, const std::vector<Vec3>& points);
 
-/// Length of each panel's outline, its seam edges included, metres.
+/// Metres, per panel: the length of its outline, its seam edges included.
 std::vector<double> panel_perimeters(const PanelMesh& garment);
-/// The edges of each panel's outline, for those who measure often.
+/// Per panel, the edges of its outline. Callers that measure often compute them once.
 using Outlines = std::vector<std::vector<std::array<int, 2>>>;
 Outlines panel_outlines(const PanelMesh& garment);
 std::vector<double> panel_perimeters(const Outlines& outlines, const std::vector<Vec3>& points);
 
-/// Sum over each panel of the perimeters of all its triangles, metres: the perimeter of
+/// Metres, per panel: the sum of the perimeters of all its triangles. This is the perimeter of
 /// [Zhong & Xu 2009, fig. 10].
 std::vector<double> triangle_perimeters(const PanelMesh& garment);
 std::vector<double> triangle_perimeters(const PanelMesh& garment, const std::vector<Vec3>& points);
 
-/// Largest |now/rest - 1| in percent.
+/// Percent: the largest |now/rest - 1|.
 double largest_change_percent(const std::vector<double>& rest, const std::vector<double>& now);
 
-/// |length/rest - 1| over a set of mesh edges.
+/// Figures of a set of strains, fractions. Of mesh edges a strain is |length/rest - 1|.
 struct StrainFigures {
   double max = 0;
   double p99 = 0;
@@ -49,24 +49,25 @@ struct SeamFigures {
   std::vector<OpenSeam> open_seams;
 };
 
-/// Two points of a seam are sewn when they are nearer than this, metres [Zhong & Xu 2009].
+/// Metres: two points of a seam that are nearer than this are sewn [Zhong & Xu 2009].
 inline constexpr double sewn_gap = 1e-5;
 
 struct GarmentFigures {
   StrainFigures strain;  ///< of all mesh edges
-  /// Without edges that have both ends on a seam; of those beside a gathered one or an elastic,
-  /// whose fullness lies in folds finer than the mesh, only how much longer they became.
+  /// Of all mesh edges but those with both ends on a seam. Beside a gathered seam or an elastic,
+  /// fullness lies in folds finer than the mesh. An edge there counts only by how much longer it
+  /// is.
   StrainFigures strain_off_seams;
-  /// Off the gathered seams, per triangle: how much longer its warp or weft is, whichever is more;
-  /// 0 where both are slack. And radians off the right angle between them.
+  /// Per triangle off the gathered seams: by how much its warp or weft is longer, whichever is
+  /// more. 0 where both are slack.
   StrainFigures warp_weft_strain;
-  StrainFigures shear;
+  StrainFigures shear;            ///< radians off the right angle of warp and weft, of the same
   double area_total_percent = 0;  ///< signed; the others are the largest |change|
   double area_max_panel_percent = 0;
   double perimeter_max_panel_percent = 0;
   double triangle_perimeter_max_panel_percent = 0;
   SeamFigures seams;
-  std::vector<ElasticFigures> elastics;  ///< elastics
+  std::vector<ElasticFigures> elastics;  ///< one an elastic of the pattern
   int borders = 0;                       ///< open border loops
 };
 

@@ -1,7 +1,6 @@
 #include "cloth/judge/tight_regions.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "cloth/judge/flat_line.h"
 #include "cloth/judge/yarn_strain.h"
@@ -10,16 +9,19 @@ namespace toile {
 
 namespace {
 
-constexpr double speck = 1e-4;  // m²
-constexpr int lines = 24;       // through a place
+/// m² of the flat panel: smaller regions are counted only.
+constexpr double speck = 1e-4;
+/// Lines that are laid through a region to find where the most is missing.
+constexpr int lines = 24;
 
-class Places {
+/// Finds and measures the tight regions of one garment.
+class TightRegionSearch {
  public:
-  Places(const PanelMesh& garment, const GarmentModel& model, const std::vector<Vec3>& nodes,
-         const std::vector<LimitMultiplier>& held)
+  TightRegionSearch(const PanelMesh& garment, const GarmentModel& model,
+                    const std::vector<Vec3>& nodes, const std::vector<LimitMultiplier>& multipliers)
       : garment_(garment),
         model_(model),
-        held_(held),
+        multipliers_(multipliers),
         limit_(*model.scene.strain_limit),
         points_(point_positions(model, nodes, 0)),
         strains_(yarn_strains(garment, points_)) {
@@ -34,16 +36,16 @@ class Places {
     for (const bool along_warp : {false, true}) {
       for (const MeshedPanel& panel : garment_.panels) {
         for (const std::vector<int>& piece : pieces(panel, along_warp)) {
-          TightRegion place = measure(panel, along_warp, piece);
-          if (place.area < speck) {
+          TightRegion region = measure(panel, along_warp, piece);
+          if (region.area < speck) {
             ++found.specks;
           } else {
-            found.places.push_back(std::move(place));
+            found.regions.push_back(std::move(region));
           }
         }
       }
     }
-    std::stable_sort(found.places.begin(), found.places.end(),
+    std::stable_sort(found.regions.begin(), found.regions.end(),
                      [](const auto& a, const auto& b) { return a.largest > b.largest; });
     return found;
   }
@@ -53,14 +55,14 @@ class Places {
     return along_warp ? strains_[t].warp : strains_[t].weft;
   }
 
-  /// Whether the yarn is beyond the limit for all that it is held with.
+  /// Whether the yarn stays beyond the limit though its multiplier is the largest there is.
   bool is_tight(int t, bool along_warp) const {
-    const double restraint = along_warp ? held_[t].warp : held_[t].weft;
-    return strain(t, along_warp) > limit_is_kept * limit_ &&
-           restraint > (1 - 1e-9) * max_limit_multiplier;
+    const double multiplier = along_warp ? multipliers_[t].warp : multipliers_[t].weft;
+    return strain(t, along_warp) > kept_limit * limit_ &&
+           multiplier > (1 - 1e-9) * max_limit_multiplier;
   }
 
-  /// Tight triangles of a panel, those that touch together.
+  /// The tight triangles of a panel in pieces: triangles that share a corner are in one piece.
   std::vector<std::vector<int>> pieces(const MeshedPanel& panel, bool along_warp) const {
     std::vector<std::vector<int>> all;
     std::vector<char> seen(panel.triangles, 0);
@@ -84,29 +86,29 @@ class Places {
 
   TightRegion measure(const MeshedPanel& panel, bool along_warp,
                       const std::vector<int>& piece) const {
-    TightRegion place;
-    place.panel = panel.name;
-    place.along_warp = along_warp;
-    place.flat = Vec2::Zero();
+    TightRegion region;
+    region.panel = panel.name;
+    region.along_warp = along_warp;
+    region.flat = Vec2::Zero();
     for (const int t : piece) {
       const double area = model_.stretch[t].area;
-      place.area += area;
-      place.mean += area * strain(t, along_warp);
-      place.largest = std::max(place.largest, strain(t, along_warp));
+      region.area += area;
+      region.mean += area * strain(t, along_warp);
+      region.largest = std::max(region.largest, strain(t, along_warp));
       for (const int p : garment_.triangles[t]) {
-        place.flat += area / 3 * garment_.flat[p];
-        place.height += area / 3 * points_[p].y();
+        region.flat += area / 3 * garment_.flat[p];
+        region.height += area / 3 * points_[p].y();
       }
     }
-    place.mean /= place.area;
-    place.flat /= place.area;
-    place.height /= place.area;
-    const Vec2 weft(std::cos(panel.grain), std::sin(panel.grain));
-    place.missing = missing(piece, along_warp, along_warp ? Vec2(-weft.y(), weft.x()) : weft);
-    return place;
+    region.mean /= region.area;
+    region.flat /= region.area;
+    region.height /= region.area;
+    const YarnDirections yarns = yarn_directions(panel.grain);
+    region.missing = missing(piece, along_warp, along_warp ? yarns.warp : yarns.weft);
+    return region;
   }
 
-  /// Metres by which the cloth is longer than it may be along the yarn that lacks the most.
+  /// Metres by which the cloth exceeds its limit along the yarn where that is most.
   double missing(const std::vector<int>& piece, bool along_warp, const Vec2& yarn) const {
     const Vec2 across(-yarn.y(), yarn.x());
     double low = 1e300;
@@ -119,9 +121,9 @@ class Places {
         begin = std::min(begin, garment_.flat[p].dot(yarn));
       }
     }
-    double most = 0;
+    double largest = 0;
     for (int i = 0; i < lines; ++i) {
-      // No round share, so that no line runs along an edge of the mesh.
+      // The share is not round, so that no line runs along an edge of the mesh.
       const double at = low + (high - low) * (i + 0.381966) / lines;
       const Vec2 from = (begin - 0.01) * yarn + at * across;
       double sum = 0;
@@ -129,14 +131,14 @@ class Places {
         const double length = length_within(flat_corners(garment_, t), from, yarn);
         if (length > 0) sum += length * (strain(t, along_warp) - limit_);
       }
-      most = std::max(most, sum);
+      largest = std::max(largest, sum);
     }
-    return most;
+    return largest;
   }
 
   const PanelMesh& garment_;
   const GarmentModel& model_;
-  const std::vector<LimitMultiplier>& held_;
+  const std::vector<LimitMultiplier>& multipliers_;
   double limit_;
   std::vector<Vec3> points_;
   std::vector<YarnStrain> strains_;
@@ -147,9 +149,9 @@ class Places {
 
 TightRegions tight_regions(const PanelMesh& garment, const GarmentModel& model,
                            const std::vector<Vec3>& nodes,
-                           const std::vector<LimitMultiplier>& held) {
-  if (!model.scene.strain_limit || held.empty()) return {};
-  return Places(garment, model, nodes, held).run();
+                           const std::vector<LimitMultiplier>& multipliers) {
+  if (!model.scene.strain_limit || multipliers.empty()) return {};
+  return TightRegionSearch(garment, model, nodes, multipliers).run();
 }
 
 }  // namespace toile

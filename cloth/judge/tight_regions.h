@@ -1,5 +1,5 @@
-// Where within its panels the cloth cannot be held to the scene's strain limit, and by how much it
-// is too short there.
+// Regions of panels whose cloth stays beyond the scene's strain limit, and how much is missing
+// there.
 #pragma once
 
 #include <string>
@@ -10,33 +10,35 @@
 
 namespace toile {
 
-/// A limit is kept where the strain is at most this times it.
-inline constexpr double limit_is_kept = 1.1;
+/// A triangle keeps the strain limit while its strain is at most this times the limit.
+inline constexpr double kept_limit = 1.1;
 
-/// A connected piece of a panel that is strained beyond the limit along one of its yarns.
+/// A connected region of a panel that is strained beyond the limit along one of its yarns.
 struct TightRegion {
   std::string panel;
-  bool along_warp = false;  ///< or else weft
+  bool along_warp = false;  ///< false: along the weft
   Vec2 flat;                ///< metres, its centre in the flat panel
-  double height = 0;        ///< metres, y of its centre as worn
+  double height = 0;        ///< metres, y of its centre as dressed
   double area = 0;          ///< m² of the flat panel
-  double largest = 0;       ///< strain, a fraction
-  double mean = 0;          ///< likewise, over the area
-  double missing = 0;       ///< metres along the yarns: strain beyond the limit, where that is most
+  double largest = 0;       ///< largest strain, a fraction
+  double mean = 0;          ///< mean strain over the area, a fraction
+  double missing = 0;       ///< metres along the yarn that lacks the most: strain beyond the limit
 };
 
 struct TightRegions {
-  std::vector<TightRegion> places;  ///< the most strained first
-  int specks = 0;                   ///< others, of less than 1 cm²
+  std::vector<TightRegion> regions;  ///< the most strained first
+  int specks = 0;                    ///< count of further regions, of less than 1 cm² each
 };
 
-/// The places of a garment whose warp or weft stays beyond the scene's strain limit by more than
-/// `limit_is_kept` though `held`, what holds each triangle to it, is at its most. Triangles that
-/// share a corner belong together. Gathered seams, which are not held, are left out; so is what
-/// only has not come to rest. `nodes` are the model's. Empty without a limit or what holds to it.
-/// Linear in the triangles, but for those of a place: 24 lines are laid through each.
+/// The regions whose warp or weft stays beyond the scene's strain limit. A triangle counts when its
+/// strain exceeds `kept_limit` times the limit and its multiplier is at `max_limit_multiplier`. A
+/// smaller multiplier says that the cloth has not come to rest. Triangles that share a corner
+/// belong to one region. Gathered seams have no limit and are left out.
+///
+/// `nodes` are the model's, `multipliers` one a triangle. The result is empty without a limit or
+/// without multipliers. Linear in the triangles, but each region is cut by 24 lines.
 TightRegions tight_regions(const PanelMesh& garment, const GarmentModel& model,
                            const std::vector<Vec3>& nodes,
-                           const std::vector<LimitMultiplier>& held);
+                           const std::vector<LimitMultiplier>& multipliers);
 
 }  // namespace toile

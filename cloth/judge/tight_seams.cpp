@@ -6,19 +6,26 @@
 #include <map>
 
 #include "cloth/judge/flat_line.h"
+#include "cloth/scene/constants.h"
 
 namespace toile {
 
 namespace {
 
-constexpr double hand = 0.1;  // metres, its breadth
+/// Lines at most along which a seam's missing cloth is measured; it is the largest of theirs.
 constexpr int max_lines = 24;
 
-class Tightness {
+/// Finds and measures the tight seams of one garment.
+class TightSeamSearch {
  public:
-  Tightness(const PanelMesh& garment, const GarmentModel& model, const std::vector<Vec3>& nodes,
-            const std::vector<LimitMultiplier>& held)
-      : garment_(garment), model_(model), nodes_(nodes), held_(held) {
+  TightSeamSearch(const PanelMesh& garment, const GarmentModel& model,
+                  const std::vector<Vec3>& nodes, const std::vector<LimitMultiplier>& multipliers)
+
+      : garment_(garment),
+        model_(model),
+        nodes_(nodes),
+        multipliers_(multipliers),
+        panel_of_point_(panel_of_points(garment)) {
     options_.limit = model.scene.strain_limit.value_or(-1);
     options_.shear_limit = model.scene.shear_limit.value_or(-1);
     std::vector<char> on_seam(garment.flat.size(), 0);
@@ -41,7 +48,7 @@ class Tightness {
     for (const MeshedSeam& seam : garment_.seams) {
       TightSeam found;
       found.name = seam.name;
-      if (!exceeds_the_hand(seam, found.tension)) continue;
+      if (!exceeds_bearable(seam, found.tension)) continue;
       const int edges = static_cast<int>(seam.a.size()) - 1;
       const int stride = (edges + max_lines - 1) / max_lines;
       for (int i = 0; i < edges; i += stride) {
@@ -49,13 +56,13 @@ class Tightness {
                                       missing_beside(seam.b[i], seam.b[i + 1]));
         found.missing_cm = std::max(found.missing_cm, 100 * missing);
       }
-      if (found.missing_cm > 100 * worn_tight) tight.push_back(found);
+      if (found.missing_cm > 100 * flesh_give) tight.push_back(found);
     }
     return tight;
   }
 
  private:
-  /// A triangle, and its corner that is opposite to an edge on a seam.
+  /// The triangle at an edge on a seam, and its corner that is opposite to the edge.
   struct Beside {
     int triangle;
     int corner;
@@ -66,37 +73,38 @@ class Tightness {
     return found == beside_.end() ? nullptr : &found->second;
   }
 
-  /// N/m with which the cloth on one side pulls across the edge; negative: it pushes.
+  /// N/m with which the cloth on one side pulls across the edge. Negative: it pushes.
   double tension_beside(int a, int b) const {
     const Beside* at = beside(a, b);
     if (at == nullptr) return 0;
     const Triangle& corners = model_.node_triangles[at->triangle];
-    const auto forces = stretch_forces(model_.stretch[at->triangle], options_, nodes_[corners[0]],
-                                       nodes_[corners[1]], nodes_[corners[2]],
-                                       held_.empty() ? LimitMultiplier{} : held_[at->triangle]);
+    const auto forces = stretch_forces(
+        model_.stretch[at->triangle], options_, nodes_[corners[0]], nodes_[corners[1]],
+        nodes_[corners[2]], multipliers_.empty() ? LimitMultiplier{} : multipliers_[at->triangle]);
     const Vec3& p = nodes_[corners[(at->corner + 1) % 3]];
     const Vec3& q = nodes_[corners[(at->corner + 2) % 3]];
     const Vec3 along = (q - p).normalized();
     Vec3 out = p - nodes_[corners[at->corner]];
     out = (out - along.dot(out) * along).normalized();
-    // The opposite corner bears half of what goes through the edge.
+    // The opposite corner bears half of the force across the edge.
     return 2 * forces[at->corner].dot(out) / (garment_.flat[a] - garment_.flat[b]).norm();
   }
 
-  /// N/m that the cloth beside the edge is borne with at most.
+  /// N/m of tension across the edge that a wearer bears at most.
   double bearable_beside(int a, int b) const {
     const Beside* at = beside(a, b);
     if (at == nullptr) return hand_pull;
-    const StretchTriangle& s = model_.stretch[at->triangle];
     const Vec2 edge = garment_.flat[b] - garment_.flat[a];
-    return std::min(hand_pull, max_worn * stiffness_along(s, at->triangle, {edge.y(), -edge.x()}));
+    return std::min(hand_pull,
+                    max_worn_strain * stiffness_along(at->triangle, {edge.y(), -edge.x()}));
   }
 
-  /// Whether some hand's breadth of the seam pulls harder than it may; `largest` becomes its N/m.
-  bool exceeds_the_hand(const MeshedSeam& seam, double& largest) const {
+  /// Whether some hand's breadth of the seam pulls harder than a wearer bears. `largest` becomes
+  /// the largest mean tension over a hand's breadth, N/m.
+  bool exceeds_bearable(const MeshedSeam& seam, double& largest) const {
     std::vector<double> length = {0};
-    std::vector<double> pull = {0};      // N, from the seam's start
-    std::vector<double> bearable = {0};  // N, likewise
+    std::vector<double> pull = {0};      // N, summed from the seam's start
+    std::vector<double> bearable = {0};  // N, summed from the seam's start
     for (std::size_t i = 0; i + 1 < seam.a.size(); ++i) {
       const double edge = 0.5 * ((garment_.flat[seam.a[i]] - garment_.flat[seam.a[i + 1]]).norm() +
                                  (garment_.flat[seam.b[i]] - garment_.flat[seam.b[i + 1]]).norm());
@@ -112,9 +120,9 @@ class Tightness {
     largest = 0;
     std::size_t end = 0;
     for (std::size_t from = 0; from + 1 < length.size(); ++from) {
-      while (end + 1 < length.size() && length[end] - length[from] < hand) ++end;
+      while (end + 1 < length.size() && length[end] - length[from] < hand_breadth) ++end;
       const double span = length[end] - length[from];
-      if (from > 0 && span < hand) break;
+      if (from > 0 && span < hand_breadth) break;
       if (span <= 0) continue;
       largest = std::max(largest, (pull[end] - pull[from]) / span);
       exceeds = exceeds || pull[end] - pull[from] > bearable[end] - bearable[from];
@@ -122,54 +130,54 @@ class Tightness {
     return exceeds;
   }
 
-  /// Metres by which the panel is stretched along the line from the middle of the edge square to
-  /// it.
+  /// Metres by which the panel is stretched along a line that begins in the middle of the edge and
+  /// runs square to it.
   double missing_beside(int a, int b) const {
     const Beside* at = beside(a, b);
     if (at == nullptr) return 0;
     const auto& flat = garment_.flat;
     const Vec2 from = 0.5 * (flat[a] + flat[b]);
-    Vec2 way(flat[a].y() - flat[b].y(), flat[b].x() - flat[a].x());
-    way.normalize();
-    if (way.dot(flat[garment_.triangles[at->triangle][at->corner]] - from) < 0) way = -way;
-    const auto panel =
-        std::find_if(garment_.panels.begin(), garment_.panels.end(), [&](const MeshedPanel& p) {
-          return at->triangle >= p.first_triangle && at->triangle < p.first_triangle + p.triangles;
-        });
+    Vec2 direction(flat[a].y() - flat[b].y(), flat[b].x() - flat[a].x());
+    direction.normalize();
+    const Vec2& opposite = flat[garment_.triangles[at->triangle][at->corner]];
+    if (direction.dot(opposite - from) < 0) direction = -direction;
+    const MeshedPanel& panel = garment_.panels[panel_of_point_[a]];
     double missing = 0;
-    for (int t = panel->first_triangle; t < panel->first_triangle + panel->triangles; ++t) {
-      const double length = length_within(flat_corners(garment_, t), from, way);
-      if (length > 0) missing += length * strain_along(t, way);
+    for (int t = panel.first_triangle; t < panel.first_triangle + panel.triangles; ++t) {
+      const double length = length_within(flat_corners(garment_, t), from, direction);
+      if (length > 0) missing += length * strain_along(t, direction);
     }
     return missing;
   }
 
-  /// Strain of a triangle along a flat direction; 0 where it is slack.
-  double strain_along(int t, const Vec2& way) const {
+  /// A flat direction in the triangle's own weft and warp, as they are at rest.
+  std::array<double, 2> weft_and_warp(int t, const Vec2& direction) const {
     const StretchTriangle& s = model_.stretch[t];
-    Vec3 now = Vec3::Zero();
     double weft = 0;
     double warp = 0;
     for (int i = 0; i < 3; ++i) {
-      const double along = garment_.flat[garment_.triangles[t][i]].dot(way);
+      const double along = garment_.flat[garment_.triangles[t][i]].dot(direction);
       weft += s.weft[i] * along;
       warp += s.warp[i] * along;
     }
+    return {weft, warp};
+  }
+
+  /// Strain of a triangle along a flat direction. 0 where it is slack.
+  double strain_along(int t, const Vec2& direction) const {
+    const StretchTriangle& s = model_.stretch[t];
+    const auto [weft, warp] = weft_and_warp(t, direction);
+    Vec3 now = Vec3::Zero();
     for (int i = 0; i < 3; ++i) {
       now += (weft * s.weft[i] + warp * s.warp[i]) * nodes_[model_.node_triangles[t][i]];
     }
     return std::max(0.0, now.norm() / std::hypot(weft, warp) - 1);
   }
 
-  /// N/m per strain along a flat direction, which is mixed from warp and weft.
-  double stiffness_along(const StretchTriangle& s, int t, const Vec2& way) const {
-    double weft = 0;
-    double warp = 0;
-    for (int i = 0; i < 3; ++i) {
-      const double along = garment_.flat[garment_.triangles[t][i]].dot(way);
-      weft += s.weft[i] * along;
-      warp += s.warp[i] * along;
-    }
+  /// N/m per strain of a triangle along a flat direction: a mean of weft's and warp's.
+  double stiffness_along(int t, const Vec2& direction) const {
+    const StretchTriangle& s = model_.stretch[t];
+    const auto [weft, warp] = weft_and_warp(t, direction);
     return (weft * weft * s.weft_stiffness + warp * warp * s.warp_stiffness) /
            ((weft * weft + warp * warp) * s.area);
   }
@@ -177,17 +185,18 @@ class Tightness {
   const PanelMesh& garment_;
   const GarmentModel& model_;
   const std::vector<Vec3>& nodes_;
-  const std::vector<LimitMultiplier>& held_;
+  const std::vector<LimitMultiplier>& multipliers_;
+  std::vector<int> panel_of_point_;
   StretchOptions options_;
-  std::map<std::pair<int, int>, Beside> beside_;
+  std::map<std::pair<int, int>, Beside> beside_;  // by the edge, lower point first
 };
 
 }  // namespace
 
 std::vector<TightSeam> tight_seams(const PanelMesh& garment, const GarmentModel& model,
                                    const std::vector<Vec3>& nodes,
-                                   const std::vector<LimitMultiplier>& held) {
-  return Tightness(garment, model, nodes, held).run();
+                                   const std::vector<LimitMultiplier>& multipliers) {
+  return TightSeamSearch(garment, model, nodes, multipliers).run();
 }
 
 }  // namespace toile

@@ -1,4 +1,4 @@
-// Which seams would not close in a hand: where the cloth is too tight, and by how much.
+// Seams that a hand could not close: where the cloth is too tight, and by how much.
 #pragma once
 
 #include <string>
@@ -9,29 +9,28 @@
 
 namespace toile {
 
-/// N per metre of seam that a hand pulls a seam together with, as in the paper's method.
-inline constexpr double hand_pull = 300;
-/// Metres of cloth that may be missing at a seam: as much as the flesh gives way.
-inline constexpr double worn_tight = 0.01;
-
-/// Strain that no seam is sewn to be worn at, however soft the fabric.
-inline constexpr double max_worn = 0.25;
+/// Strain at which no seam is meant to be worn, a fraction, however soft the fabric.
+inline constexpr double max_worn_strain = 0.25;
 
 struct TightSeam {
   std::string name;
-  double tension = 0;     ///< N/m across the seam, as a mean over a hand's breadth, the largest
-  double missing_cm = 0;  ///< of cloth beside the seam, at the place that lacks the most
+  double tension = 0;     ///< N/m across the seam: the largest mean over a hand's breadth
+  double missing_cm = 0;  ///< of cloth beside the seam, where the most is missing
 };
 
-/// The seams of a garment at rest that a hand could not have closed: the tension across them
-/// exceeds `hand_pull`, or what strains the cloth by `max_worn`, over 10 cm or all of the seam,
-/// and more than `worn_tight` is missing. Missing is what the cloth is stretched by along the line
-/// square to the seam through the panels on both sides; half of a panel's counts for the seam at
-/// its other end, so that all seams around a tube together lack what the tube lacks. `nodes` are
-/// the model's, `held` what holds each triangle to the scene's limits (empty: nothing). Linear in
-/// the seams; in the triangles too for those that are tight.
+/// The seams of a garment at rest that a hand could not have closed. Two things make a seam tight.
+/// - Over `hand_breadth`, or all of a shorter seam, the mean tension across it exceeds `hand_pull`.
+///   For a soft fabric the bound is the tension that strains the cloth by `max_worn_strain`.
+/// - More cloth is missing beside the seam than `flesh_give`.
+///
+/// Missing is the stretch of the cloth along the line square to the seam, through the panels on
+/// both sides. Half of a panel's stretch counts for the seam at its other end. So all seams around
+/// a tube together lack what the tube lacks.
+///
+/// `nodes` are the model's. `multipliers` are one a triangle; empty: none acts. Linear in the
+/// seams, and for the seams that are tight in the triangles too.
 std::vector<TightSeam> tight_seams(const PanelMesh& garment, const GarmentModel& model,
                                    const std::vector<Vec3>& nodes,
-                                   const std::vector<LimitMultiplier>& held = {});
+                                   const std::vector<LimitMultiplier>& multipliers = {});
 
 }  // namespace toile

@@ -4,6 +4,22 @@
 
 namespace toile {
 
+std::string to_string(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::unsewable:
+      return "unsewable";
+    case Verdict::intersecting:
+      return "intersecting";
+    case Verdict::unwrapped:
+      return "unwrapped";
+    case Verdict::unconverged:
+      return "unconverged";
+    case Verdict::sewn:
+      return "sewn";
+  }
+  return "";
+}
+
 Judgement judge(const PanelMesh& pattern, const DressedGarment& dressed, const TriangleMesh& body,
                 const Skeleton* skeleton, bool converged, const TriangleMesh* layers,
                 const std::vector<TightSeam>& tight) {
@@ -26,15 +42,15 @@ Judgement judge(const PanelMesh& pattern, const DressedGarment& dressed, const T
     if (wrap.tube && wrap.fraction < around_share) judgement.unwrapped.push_back(wrap.part);
   }
   if (!judgement.unsewable_seams.empty()) {
-    judgement.verdict = "unsewable";
+    judgement.verdict = Verdict::unsewable;
   } else if (all_intersections > 0) {
-    judgement.verdict = "intersecting";
+    judgement.verdict = Verdict::intersecting;
   } else if (!judgement.unwrapped.empty()) {
-    judgement.verdict = "unwrapped";
+    judgement.verdict = Verdict::unwrapped;
   } else if (!converged) {
-    judgement.verdict = "unconverged";
+    judgement.verdict = Verdict::unconverged;
   } else {
-    judgement.verdict = "sewn";
+    judgement.verdict = Verdict::sewn;
   }
   return judgement;
 }

@@ -1,6 +1,7 @@
-// The verdict on a dressed garment: every figure of the report, measured on what was written.
+// The verdict on a dressed garment, from figures measured on the garment as written.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -10,26 +11,40 @@
 
 namespace toile {
 
+/// What a dressing came to. When several apply, the verdict is the first in this order. A program
+/// that dresses ends with exit code 0 for `sewn` and 3 for every other verdict.
+enum class Verdict : std::uint8_t {
+  unsewable,     ///< a seam is open, or closed against more than a hand's pull
+  intersecting,  ///< the cloth meets the body, a lower layer or itself
+  unwrapped,     ///< a tube does not go around its body part
+  unconverged,   ///< the garment did not come to rest
+  sewn,          ///< none of these: the garment is dressed
+};
+
+/// The verdict's word, as reports and messages have it.
+std::string to_string(Verdict verdict);
+
 struct Judgement {
   GarmentFigures garment;
   std::vector<WrapFigure> wraps;
   int body_intersections = 0;   ///< pairs of a garment's and a body's triangle
   int self_intersections = 0;   ///< pairs of the garment's triangles
   int layer_intersections = 0;  ///< pairs of a garment's and a lower layer's triangle
-  /// Seams that are open, or closed against more than a hand's pull; with what is missing.
+  /// Seams that are open, or closed against more than a hand's pull, with the centimetres that are
+  /// missing.
   std::vector<OpenSeam> unsewable_seams;
-  std::vector<std::string> unwrapped;  ///< parts that a tube should go around and doesn't
-  std::string verdict;                 ///< sewn, unsewable, intersecting, unwrapped or unconverged
+  std::vector<std::string> unwrapped;  ///< body parts that a tube should go around and does not
+  Verdict verdict = Verdict::sewn;
 };
 
-/// A tube goes around a part when it meets that share of the directions square to its bones; cloth
-/// that only lies on one side of it meets half of them at most.
+/// Share of the directions square to a part's bones. A tube that meets less does not go around the
+/// part: cloth that lies on one side of it meets half of them at most.
 inline constexpr double around_share = 0.5;
 
-/// Measures the dressed garment against its pattern and the body, intersections with exact
-/// predicates; `layers` is the cloth below it, null: none. `skeleton` may be null: then nothing is
-/// said of wraps. `tight` are the seams that were closed by force. Of several things that are wrong
-/// the verdict names the first of: seams open or tight, intersections, parts not wrapped, no rest.
+/// Measures the dressed garment against its pattern and the body, with exact predicates for
+/// intersections. `layers` is the cloth below it; null: none. Without a `skeleton` (null) no wraps
+/// are measured. `tight` are the seams that were closed by force. Throws Error when garment and
+/// pattern have different faces. About O(n log n) in the triangles of cloth and body.
 Judgement judge(const PanelMesh& pattern, const DressedGarment& dressed, const TriangleMesh& body,
                 const Skeleton* skeleton, bool converged, const TriangleMesh* layers = nullptr,
                 const std::vector<TightSeam>& tight = {});

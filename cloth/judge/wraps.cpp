@@ -8,6 +8,8 @@
 #include <queue>
 
 #include "cloth/judge/measures.h"
+#include "cloth/scene/constants.h"
+#include "cloth/scene/scene.h"
 #include "cloth/start/panel_parts.h"
 #include "geometry/body/bones.h"
 
@@ -15,21 +17,23 @@ namespace toile {
 
 namespace {
 
-constexpr int stations = 32;
-constexpr int directions = 360;
-/// Metres: nodes no farther than this from a part's first or last one count as its top or hem.
+constexpr int stations = 32;     // along a part's stretch of bone
+constexpr int directions = 360;  // around a station
+/// Metres: nodes no farther than this from a part's first or last node count as its top or hem.
 constexpr double end_depth = 0.02;
-constexpr double hand = 0.1;  ///< metres, its breadth
+
+/// Metres along the bones.
 struct Interval {
   double low;
   double high;
 };
 
-/// Shortest ways on the flat panels of one part, over sewn seams, from `sources` to every node.
+/// Metres, per node: the shortest path from `sources` on the flat panels of one part, over sewn
+/// seams. Infinite for nodes that none of the panels has.
 std::vector<double> flat_distances(const PanelMesh& garment, const DressedGarment& dressed,
                                    const std::vector<char>& panel_counts,
                                    const std::vector<int>& sources) {
-  std::vector<std::vector<std::pair<int, double>>> ways(dressed.points.size());
+  std::vector<std::vector<std::pair<int, double>>> neighbours(dressed.points.size());
   for (std::size_t p = 0; p < garment.panels.size(); ++p) {
     if (!panel_counts[p]) continue;
     const MeshedPanel& panel = garment.panels[p];
@@ -38,8 +42,8 @@ std::vector<double> flat_distances(const PanelMesh& garment, const DressedGarmen
         const int j = (i + 1) % 3;
         const double length =
             (garment.flat[garment.triangles[t][i]] - garment.flat[garment.triangles[t][j]]).norm();
-        ways[dressed.triangles[t][i]].emplace_back(dressed.triangles[t][j], length);
-        ways[dressed.triangles[t][j]].emplace_back(dressed.triangles[t][i], length);
+        neighbours[dressed.triangles[t][i]].emplace_back(dressed.triangles[t][j], length);
+        neighbours[dressed.triangles[t][j]].emplace_back(dressed.triangles[t][i], length);
       }
     }
   }
@@ -54,7 +58,7 @@ std::vector<double> flat_distances(const PanelMesh& garment, const DressedGarmen
     const auto [so_far, node] = next.top();
     next.pop();
     if (so_far > distance[node]) continue;
-    for (const auto& [to, length] : ways[node]) {
+    for (const auto& [to, length] : neighbours[node]) {
       if (so_far + length >= distance[to]) continue;
       distance[to] = so_far + length;
       next.emplace(distance[to], to);
@@ -64,24 +68,25 @@ std::vector<double> flat_distances(const PanelMesh& garment, const DressedGarmen
 }
 
 /// The stretch of bone that a part's panels are meant to cover.
-struct Meant {
+struct CoveredBone {
   Interval stretch;
-  double slid = 0;  ///< how far down along the bones they hang from where they were placed
+  double slid = 0;  ///< metres down along the bones from where they were placed
 };
 
-/// Of what hangs from where its top is, a skirt, and reaches so far on the flat: where it slid to
-/// counts as long as that is on the torso, and no farther than half its length or a hand's breadth.
-/// What slid farther does not cover what it should.
-Meant hung(double placed, double lies, double length, double neck) {
+/// The stretch for a skirt, which hangs from wherever its top lies. `placed` and `lies` are metres
+/// along the torso's bones: its top as placed and as dressed. `length` is its own on the flat. A
+/// top that slid off the torso or too far does not count: the skirt does not cover what it should.
+CoveredBone covered_by_skirt(double placed, double lies, double length, double neck) {
   const double slid = placed - lies;
-  const bool worn = lies > 0 && lies < neck && std::abs(slid) < std::max(0.5 * length, hand);
-  const double top = worn ? lies : placed;
+  const double max_slid = std::max(0.5 * length, hand_breadth);
+  const bool counts = lies > 0 && lies < neck && std::abs(slid) < max_slid;
+  const double top = counts ? lies : placed;
   return {{top - 0.75 * length, top - 0.25 * length}, slid};
 }
 
-Meant meant_stretch(const PanelMesh& garment, const DressedGarment& dressed,
-                    const std::vector<std::string>& parts, const std::string& part,
-                    const Bones& bones, const Skeleton& skeleton) {
+CoveredBone covered_bone(const PanelMesh& garment, const DressedGarment& dressed,
+                         const std::vector<std::string>& parts, const std::string& part,
+                         const Bones& bones, const Skeleton& skeleton) {
   const bool torso = part == "torso";
   std::vector<char> counts;
   for (const std::string& p : parts) counts.push_back(p == part);
@@ -93,7 +98,7 @@ Meant meant_stretch(const PanelMesh& garment, const DressedGarment& dressed,
     for (int i = 0; i < 3; ++i) {
       const int node = dressed.triangles[t][i];
       (counted ? here : elsewhere)[node] = 1;
-      // The torso's bones run up, a limb's run out: its hem is low on the one, far on the other.
+      // The torso's bones run up, so its hem is low. A limb's bones run out, so its hem is far.
       if (counted) {
         const double along = bones.foot(garment.placed[garment.triangles[t][i]]);
         placed_along[node] = torso ? -along : along;
@@ -120,7 +125,7 @@ Meant meant_stretch(const PanelMesh& garment, const DressedGarment& dressed,
   const double armpit = skeleton.joint("chest").y();
   if (torso) {
     const double from = bones.foot(skeleton.joint("chest"));
-    // What starts below the armpits has no shoulders to hang from.
+    // Panels that start below the armpits have no shoulders to hang from.
     if (-top < from) {
       double placed = 0;
       double lies = 0;
@@ -128,10 +133,10 @@ Meant meant_stretch(const PanelMesh& garment, const DressedGarment& dressed,
         placed -= placed_along[n] / sources.size();
         lies += bones.foot(dressed.points[n]) / sources.size();
       }
-      return hung(placed, lies, length, bones.along.back());
+      return covered_by_skirt(placed, lies, length, bones.along.back());
     }
-    const double reach = length - (skeleton.joint("neck").y() - armpit);
-    return {{from - 0.7 * reach, from - 0.1 * reach}};
+    const double below = length - (skeleton.joint("neck").y() - armpit);
+    return {{from - 0.7 * below, from - 0.1 * below}};
   }
   const bool arm = part.ends_with("arm");
   Vec3 fork = bones.joints.front();
@@ -140,7 +145,7 @@ Meant meant_stretch(const PanelMesh& garment, const DressedGarment& dressed,
   return {{from + 0.25 * length, from + 0.75 * length}};
 }
 
-/// Share of directions around the station whose ray meets one of the triangles.
+/// The share of directions around the station, square to the axis, whose ray meets a triangle.
 double share_met(const Vec3& station, const Vec3& axis, const std::vector<Vec3>& points,
                  const std::vector<Triangle>& triangles) {
   const Vec3 u = axis.unitOrthogonal();
@@ -189,12 +194,12 @@ std::vector<WrapFigure> measure_wraps(const PanelMesh& garment, const DressedGar
     }
     const Bones bones(skeleton, part);
     if (bones.joints.empty()) continue;
-    const Meant meant = meant_stretch(garment, dressed, parts, part, bones, skeleton);
-    const Interval& stretch = meant.stretch;
-    // Panels that are joined to no torso, or end where they begin: nothing says what they cover.
+    const CoveredBone covered = covered_bone(garment, dressed, parts, part, bones, skeleton);
+    const Interval& stretch = covered.stretch;
+    // Panels that are joined to no torso, or end where they begin, have no stretch to cover.
     if (!(stretch.low < stretch.high) || !std::isfinite(stretch.high - stretch.low)) continue;
     WrapFigure figure{part, stretch.low, stretch.high};
-    figure.slid = meant.slid;
+    figure.slid = covered.slid;
     for (int i = 0; i < stations; ++i) {
       const double s = stretch.low + (i + 0.5) / stations * (stretch.high - stretch.low);
       const auto [station, axis] = bones.at(s);

@@ -1,4 +1,4 @@
-// What the yarns of a dressed garment feel: strain along warp and weft, and the angle between them.
+// The strain of a dressed garment's yarns along warp and weft, and the angle between them.
 #pragma once
 
 #include <vector>
@@ -16,11 +16,11 @@ struct YarnStrain {
   double largest() const { return weft > warp ? weft : warp; }
 };
 
-/// One per triangle, its material points at `points`. Warp runs along the panel's grain.
+/// One per triangle, with the material points at `points`. Warp runs along the panel's grain.
 std::vector<YarnStrain> yarn_strains(const PanelMesh& garment, const std::vector<Vec3>& points);
 
-/// Per triangle, whether it lies on a gathered seam, where yarns are drawn up into folds finer than
-/// the mesh: their strain says nothing there.
+/// Per triangle, whether it lies on a gathered seam. Yarns are drawn up there into folds finer than
+/// the mesh, so their strain means nothing.
 std::vector<char> on_gathers(const PanelMesh& garment);
 
 }  // namespace toile

@@ -145,38 +145,38 @@ std::vector<AttachedPoint> attached_points(const PanelMesh& garment, const Scene
       all.push_back(
           {point, static_cast<int>(a),
            how.to == AttachedTo::level ? level.point : anchors.place(attached, placed[point]),
-           level.axis, shares[i] * how.stiffness, shares[i] * how.most, how.always});
+           level.axis, shares[i] * how.stiffness, shares[i] * how.max_pull, how.always});
     }
   }
   return all;
 }
 
-std::vector<AttachedPoint> lasting(std::vector<AttachedPoint> attached) {
-  std::erase_if(attached, [](const AttachedPoint& held) { return !held.always; });
-  return attached;
+std::vector<AttachedPoint> lasting(std::vector<AttachedPoint> attachments) {
+  std::erase_if(attachments, [](const AttachedPoint& each) { return !each.always; });
+  return attachments;
 }
 
 std::vector<AttachmentFigures> measure_attachments(const PanelMesh& garment,
-                                                   const std::vector<AttachedPoint>& attached,
+                                                   const std::vector<AttachedPoint>& attachments,
                                                    const std::vector<Vec3>& points) {
   std::vector<AttachmentFigures> all;
   for (const MeshedAttachment& each : garment.attachments) {
     all.push_back({each.name, target_of(each.how), each.how.always});
   }
-  for (const AttachedPoint& held : attached) {
-    AttachmentFigures& figures = all[held.attachment];
-    const double off = way_to_anchor(held, points[held.point]).norm();
-    const auto count = static_cast<double>(garment.attachments[held.attachment].points.size());
+  for (const AttachedPoint& attached : attachments) {
+    AttachmentFigures& figures = all[attached.attachment];
+    const double off = displacement_to_anchor(attached, points[attached.point]).norm();
+    const auto count = static_cast<double>(garment.attachments[attached.attachment].points.size());
     figures.off_mean += off / count;
     figures.off_max = std::max(figures.off_max, off);
-    figures.pull += attachment_pull(held, points[held.point]);
+    figures.pull += attachment_pull(attached, points[attached.point]);
   }
   return all;
 }
 
-void measure_lasting(const PanelMesh& garment, const std::vector<AttachedPoint>& attached,
+void measure_lasting(const PanelMesh& garment, const std::vector<AttachedPoint>& attachments,
                      const std::vector<Vec3>& points, std::vector<AttachmentFigures>& figures) {
-  const std::vector<AttachmentFigures> now = measure_attachments(garment, attached, points);
+  const std::vector<AttachmentFigures> now = measure_attachments(garment, attachments, points);
   for (std::size_t i = 0; i < now.size(); ++i) {
     if (now[i].always) figures[i] = now[i];
   }

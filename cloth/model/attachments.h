@@ -19,22 +19,23 @@ struct AttachedPoint {
   Vec3 anchor;       ///< metres
   Vec3 axis;         ///< of unit length; zero: held in every direction
   double stiffness;  ///< N/m
-  double most;       ///< N
+  double max_pull;   ///< N
   bool always;       ///< for good; else while it is dressed
 };
 
 /// Metres from the point at `p` to where it is held.
-inline Vec3 way_to_anchor(const AttachedPoint& held, const Vec3& p) {
-  const Vec3 way = held.anchor - p;
-  return held.axis.isZero() ? way : Vec3(held.axis.dot(way) * held.axis);
+inline Vec3 displacement_to_anchor(const AttachedPoint& attached, const Vec3& p) {
+  const Vec3 displacement = attached.anchor - p;
+  return attached.axis.isZero() ? displacement
+                                : Vec3(attached.axis.dot(displacement) * attached.axis);
 }
 
 /// The force (N) on the point at `p`.
-inline Vec3 attachment_pull(const AttachedPoint& held, const Vec3& p) {
-  const Vec3 way = way_to_anchor(held, p);
-  const double distance = way.norm();
-  if (held.stiffness * distance <= held.most) return held.stiffness * way;
-  return held.most / distance * way;
+inline Vec3 attachment_pull(const AttachedPoint& attached, const Vec3& p) {
+  const Vec3 displacement = displacement_to_anchor(attached, p);
+  const double distance = displacement.norm();
+  if (attached.stiffness * distance <= attached.max_pull) return attached.stiffness * displacement;
+  return attached.max_pull / distance * displacement;
 }
 
 /// All attached points, in the order of the garment's attachments, with panels placed at `placed`
@@ -46,7 +47,7 @@ std::vector<AttachedPoint> attached_points(const PanelMesh& garment, const Scene
                                            const std::vector<Vec3>& placed, double body_offset);
 
 /// Those that hold for good.
-std::vector<AttachedPoint> lasting(std::vector<AttachedPoint> attached);
+std::vector<AttachedPoint> lasting(std::vector<AttachedPoint> attachments);
 
 /// An attachment as it is measured.
 struct AttachmentFigures {
@@ -60,11 +61,11 @@ struct AttachmentFigures {
 
 /// One for each of the garment's attachments, as they hold material points at `points`.
 std::vector<AttachmentFigures> measure_attachments(const PanelMesh& garment,
-                                                   const std::vector<AttachedPoint>& attached,
+                                                   const std::vector<AttachedPoint>& attachments,
                                                    const std::vector<Vec3>& points);
 
 /// Measures those anew that hold for good.
-void measure_lasting(const PanelMesh& garment, const std::vector<AttachedPoint>& attached,
+void measure_lasting(const PanelMesh& garment, const std::vector<AttachedPoint>& attachments,
                      const std::vector<Vec3>& points, std::vector<AttachmentFigures>& figures);
 
 }  // namespace toile

@@ -4,13 +4,6 @@
 
 namespace toile {
 
-namespace {
-
-/// Sides whose lengths differ by more than this are eased or gathered.
-constexpr double gather_threshold = 0.02;
-
-}  // namespace
-
 GatheredEdges gathered_edges(const PanelMesh& garment) {
   GatheredEdges shares;
   for (const MeshedSeam& seam : garment.seams) {

@@ -9,7 +9,7 @@ namespace toile {
 
 /// How the stretch terms are to be taken, beyond the element's stiffnesses.
 struct StretchOptions {
-  double limit = -1;        ///< strain that warp and weft are held to; negative: none
+  double limit = -1;        ///< strain that warp and weft are multipliers to; negative: none
   double compression = 1;   ///< share of the stiffness that resists compression
   double shear_limit = -1;  ///< likewise of |w_u·w_v|
 };
@@ -24,30 +24,30 @@ struct LimitMultiplier {
 /// Forces on the corners of a triangle at a, b, c [Baraff & Witkin 1998, with strains
 /// |w_u| - 1 and |w_v| - 1 and shear w_u·w_v]: minus the gradient of
 /// E = area/2 (weft (|w_u|-1)² + warp (|w_v|-1)² + shear (w_u·w_v)²), and of the stiffening
-/// beyond the limits, which begins earlier the more `held` holds [augmented Lagrangian: Nocedal &
-/// Wright 2006, 17.4].
+/// beyond the limits, which begins earlier the more `multipliers` holds [augmented Lagrangian:
+/// Nocedal & Wright 2006, 17.4].
 inline std::array<Vec3, 3> stretch_forces(const StretchTriangle& s, const StretchOptions& options,
                                           const Vec3& a, const Vec3& b, const Vec3& c,
-                                          const LimitMultiplier& held = {}) {
+                                          const LimitMultiplier& multiplier = {}) {
   const Vec3 wu = s.weft[0] * a + s.weft[1] * b + s.weft[2] * c;
   const Vec3 wv = s.warp[0] * a + s.warp[1] * b + s.warp[2] * c;
-  const auto over = [](double stiffness, double by, double restraint) {
-    return std::max(restraint + strain_limit_stiffening * stiffness * by, 0.0);
+  const auto over = [](double stiffness, double by, double hold) {
+    return std::max(hold + strain_limit_stiffening * stiffness * by, 0.0);
   };
-  const auto along = [&](double stiffness, double length, double restraint) {
+  const auto along = [&](double stiffness, double length, double hold) {
     const double strain = length - 1;
     double stress = stiffness * (strain < 0 ? options.compression : 1) * strain;
-    if (options.limit >= 0) stress += over(stiffness, strain - options.limit, restraint);
+    if (options.limit >= 0) stress += over(stiffness, strain - options.limit, hold);
     // A direction crushed to nothing has no direction to push along.
     return length > 1e-9 ? stress / length : 0;
   };
-  const double scale_u = along(s.weft_stiffness, wu.norm(), s.area * held.weft);
-  const double scale_v = along(s.warp_stiffness, wv.norm(), s.area * held.warp);
+  const double scale_u = along(s.weft_stiffness, wu.norm(), s.area * multiplier.weft);
+  const double scale_v = along(s.warp_stiffness, wv.norm(), s.area * multiplier.warp);
   const double turned = wu.dot(wv);
   double shear = s.shear_stiffness * turned;
   if (const double limit = options.shear_limit; limit >= 0) {
-    shear += over(s.shear_stiffness, turned - limit, s.area * held.shear) -
-             over(s.shear_stiffness, -turned - limit, -s.area * held.shear);
+    shear += over(s.shear_stiffness, turned - limit, s.area * multiplier.shear) -
+             over(s.shear_stiffness, -turned - limit, -s.area * multiplier.shear);
   }
   const Vec3 du = -(scale_u * wu + shear * wv);
   const Vec3 dv = -(scale_v * wv + shear * wu);

@@ -21,7 +21,7 @@ class AttachmentForces {
  private:
   struct Entry {
     std::size_t vertex;
-    AttachedPoint held;
+    AttachedPoint attached;
   };
   std::vector<Entry> entries_;  // by vertex, rising
 };

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "cloth/scene/constants.h"
 #include "cloth/scene/fabric.h"
 #include "geometry/types.h"
 
@@ -55,9 +56,8 @@ void check_gravity(const Vec3& gravity, const std::string& place);
 /// How much stiffer the cloth is beyond its limits, besides what holds it there. Higher finds that
 /// sooner, and converges slower.
 inline constexpr double strain_limit_stiffening = 1;
-/// N/m that holds a yarn to its limit at most: what a hand closes a seam with. A garment that takes
-/// more is too tight there.
-inline constexpr double max_limit_multiplier = 300;
+/// N/m that holds a yarn to its limit at most.
+inline constexpr double max_limit_multiplier = hand_pull;
 
 /// The fabric of a panel. Throws Error when the scene has none of that name.
 const Fabric& fabric_of(const Scene& scene, const MeshedPanel& panel);

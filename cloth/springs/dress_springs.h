@@ -16,7 +16,7 @@ struct SpringDressOptions {
   /// N per metre of seam: the hand that pulls a seam together. Seams that stay open against it are
   /// not sewable. Beyond the strain limit the cloth resists with all it has, so what this stretches
   /// is the elastic part only.
-  double hand_pull = 300;
+  double hand_pull = toile::hand_pull;
 };
 
 /// Dresses the scene's body by the method of Zhong & Xu 2009, on the garment's own mesh:

@@ -30,8 +30,8 @@ void stand(const SheetSettings& settings, Sheet& sheet) {
   const PaperDressing trousers =
       dress_by_paper("trousers", sample_garment("trousers", settings.edge_length), wearer);
   show(sheet, "(b) Trousers on the standing mannequin", trousers, wearer, {}, View::back);
-  if (trousers.judgement.verdict != "sewn") {
-    sheet.say("The trousers are " + trousers.judgement.verdict +
+  if (trousers.judgement.verdict != Verdict::sewn) {
+    sheet.say("The trousers are " + to_string(trousers.judgement.verdict) +
               ": the jacket is not dressed over them.");
     return;
   }

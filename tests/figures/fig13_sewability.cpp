@@ -83,11 +83,11 @@ void write(const SheetSettings& settings) {
                girth_row("enlarged, upper edge at the waist", large_girths.upper, waist),
                girth_row("enlarged, lower edge at the hip", large_girths.lower, hip)});
   sheet.compare("(a) panels too small for the body", "unsewable",
-                small.judgement.verdict + ", " + number(missing, 1) + " cm missing in " +
+                to_string(small.judgement.verdict) + ", " + number(missing, 1) + " cm missing in " +
                     std::to_string(seams.size()) + " seams",
-                small.judgement.verdict == "unsewable");
-  sheet.compare("(b) the panels enlarged from the body's measures", "sewn", large.judgement.verdict,
-                large.judgement.verdict == "sewn");
+                small.judgement.verdict == Verdict::unsewable);
+  sheet.compare("(b) the panels enlarged from the body's measures", "sewn",
+                to_string(large.judgement.verdict), large.judgement.verdict == Verdict::sewn);
   sheet.garment(small, "unsewable");
   sheet.garment(large);
   sheet.write();

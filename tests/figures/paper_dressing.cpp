@@ -91,8 +91,8 @@ std::string nearest_joint(const Skeleton& skeleton, const Vec3& point) {
 
 void say(const PaperDressing& d) {
   const GarmentFigures& g = d.judgement.garment;
-  std::cerr << d.name << ": " << d.judgement.verdict << "; " << d.result.nodes.size() << " nodes, "
-            << d.steps() << " steps of " << 1e6 * d.result.time_step << " us, "
+  std::cerr << d.name << ": " << to_string(d.judgement.verdict) << "; " << d.result.nodes.size()
+            << " nodes, " << d.steps() << " steps of " << 1e6 * d.result.time_step << " us, "
             << 1e3 * d.seconds_per_step() << " ms a step, " << d.seconds << " s; seams open "
             << g.seams.open << ", intersections " << d.judgement.body_intersections << " body "
             << d.judgement.self_intersections << " self " << d.judgement.layer_intersections

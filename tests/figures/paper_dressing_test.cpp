@@ -32,7 +32,7 @@ TEST(PaperDressing, StrainIsGatheredByPanelAndNearestJoint) {
 TEST(PaperDressing, TheSmallBandIsUnsewableAndTheLargerOneSews) {
   const Wearer wearer(standing_pose());
   const PaperDressing small = dress_by_paper("small", sample_garment("band_small", 0.03), wearer);
-  EXPECT_EQ(small.judgement.verdict, "unsewable");
+  EXPECT_EQ(small.judgement.verdict, Verdict::unsewable);
   ASSERT_EQ(small.judgement.garment.seams.open_seams.size(), 2U);
   double missing = 0;
   for (const OpenSeam& seam : small.judgement.garment.seams.open_seams) missing += seam.missing_cm;

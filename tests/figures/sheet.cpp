@@ -81,7 +81,7 @@ Json garment_row(const PaperDressing& d, const std::string& wanted) {
   row["perimeter_percent"] = {{"during", d.max_perimeter()},
                               {"end", g.triangle_perimeter_max_panel_percent}};
   row["residual"] = {{"median", d.result.residual.median}, {"rms", d.result.residual.rms}};
-  row["verdict"] = judged.verdict;
+  row["verdict"] = to_string(judged.verdict);
   row["wanted"] = wanted;
   return row;
 }

@@ -8,7 +8,7 @@ namespace toile {
 namespace {
 
 int work(const boost::program_options::variables_map& given, const CommonSettings& common) {
-  const std::string verdict = run_dress(read_dress_settings(given, common.output), common);
+  const Verdict verdict = run_dress(read_dress_settings(given, common.output), common);
   return exit_code_of(verdict);
 }
 

@@ -58,15 +58,15 @@ Json release_json(const ReleaseReport& release) {
 
 Json tight_regions_json(const TightRegions& tight) {
   Json all = Json::array();
-  for (const TightRegion& place : tight.places) {
-    all.push_back({{"panel", place.panel},
-                   {"flat_cm", {100 * place.flat.x(), 100 * place.flat.y()}},
-                   {"height_cm", 100 * place.height},
-                   {"area_cm2", 1e4 * place.area},
-                   {"direction", place.along_warp ? "warp" : "weft"},
-                   {"largest_percent", 100 * place.largest},
-                   {"mean_percent", 100 * place.mean},
-                   {"missing_cm", 100 * place.missing}});
+  for (const TightRegion& region : tight.regions) {
+    all.push_back({{"panel", region.panel},
+                   {"flat_cm", {100 * region.flat.x(), 100 * region.flat.y()}},
+                   {"height_cm", 100 * region.height},
+                   {"area_cm2", 1e4 * region.area},
+                   {"direction", region.along_warp ? "warp" : "weft"},
+                   {"largest_percent", 100 * region.largest},
+                   {"mean_percent", 100 * region.mean},
+                   {"missing_cm", 100 * region.missing}});
   }
   return all;
 }
@@ -216,7 +216,7 @@ Json wraps_json(const std::vector<WrapFigure>& wraps) {
 /// The verdict, and what it names.
 Json verdict_json(const DressResult& result, const Judgement& judgement) {
   Json json;
-  json["verdict"] = judgement.verdict;
+  json["verdict"] = to_string(judgement.verdict);
   for (const OpenSeam& seam : judgement.unsewable_seams) {
     json["unsewable_seams"].push_back({{"name", seam.name}, {"missing_cm", seam.missing_cm}});
   }

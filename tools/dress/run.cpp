@@ -49,7 +49,7 @@ class DressRun {
   DressRun(const DressSettings& settings, const CommonSettings& common)
       : settings_(settings), common_(common), log_(common) {}
 
-  std::string run();
+  Verdict run();
 
  private:
   Outfit read_outfit();
@@ -226,11 +226,11 @@ Json DressRun::scene_report(const WornOutfit& worn) const {
   if (worn.coupled) report["together"] = coupled_json(worn, names());
   report["warnings"] = warnings_;
   report["seconds"] = seconds_since(start_);
-  report["verdict"] = worn.verdict();
+  report["verdict"] = to_string(worn.verdict());
   return report;
 }
 
-std::string DressRun::run() {
+Verdict DressRun::run() {
   check_files(settings_, common_);
   const Outfit outfit = read_outfit();
   read_body();
@@ -246,18 +246,18 @@ std::string DressRun::run() {
     const Json report = settings_.scene ? scene_report(worn) : layer_report(worn, 0);
     write_file(*common_.report, report.dump(2) + "\n");
   }
-  if (settings_.scene) log_.say("outfit: " + worn.verdict());
+  if (settings_.scene) log_.say("outfit: " + to_string(worn.verdict()));
   return worn.verdict();
 }
 
 }  // namespace
 
-std::string run_dress(const DressSettings& settings, const CommonSettings& common) {
+Verdict run_dress(const DressSettings& settings, const CommonSettings& common) {
   return DressRun(settings, common).run();
 }
 
-ExitCode exit_code_of(const std::string& verdict) {
-  return verdict == "sewn" ? exit_done : exit_negative;
+ExitCode exit_code_of(Verdict verdict) {
+  return verdict == Verdict::sewn ? exit_done : exit_negative;
 }
 
 }  // namespace toile

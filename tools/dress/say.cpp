@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "cloth/scene/constants.h"
 #include "tools/dress/extra_offset.h"
 
 namespace toile {
@@ -27,18 +28,18 @@ std::string percent(double fraction) {
   return text.str();
 }
 
-/// Names the most strained place of those that can't be held to the strain limit.
-void say_tight_places(const TightRegions& tight, DressLog& log) {
-  if (tight.places.empty()) return;
-  const TightRegion& most = tight.places.front();
+/// Names the most strained of the regions that exceed the strain limit.
+void say_tight_regions(const TightRegions& tight, DressLog& log) {
+  if (tight.regions.empty()) return;
+  const TightRegion& most = tight.regions.front();
   std::ostringstream line;
   line << std::fixed << std::setprecision(1) << "beyond the strain limit: panel " << most.panel
        << ", " << 100 * most.height << " cm above the ground, " << 1e4 * most.area
        << " cm2, is strained by up to " << percent(most.largest) << " along the "
        << (most.along_warp ? "warp" : "weft") << ", where " << 100 * most.missing
        << " cm are missing";
-  if (const std::size_t others = tight.places.size() - 1; others > 0) {
-    line << "; other places: " << others;
+  if (const std::size_t others = tight.regions.size() - 1; others > 0) {
+    line << "; other regions: " << others;
   }
   log.say(line.str());
 }
@@ -177,7 +178,7 @@ void say_result(const DressResult& result, const Judgement& judgement, DressLog&
     log.say(line.str());
   }
   say_attachments(result.attachments, log);
-  if (result.tight_regions) say_tight_places(*result.tight_regions, log);
+  if (result.tight_regions) say_tight_regions(*result.tight_regions, log);
   if (result.release) say_release(*result.release, log);
   for (const WrapFigure& wrap : judgement.wraps) {
     log.say("wraps " + wrap.part + ": " + percent(wrap.fraction));
@@ -198,7 +199,7 @@ void say_result(const DressResult& result, const Judgement& judgement, DressLog&
              " in places: the garment is too small for this body, or caught on it");
   }
   warn_of_verdict(result, judgement, log);
-  log.say("verdict: " + judgement.verdict);
+  log.say("verdict: " + to_string(judgement.verdict));
 }
 
 void say_pressing(const CoupledResult& coupled, const std::vector<std::string>& names,

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "cloth/scene/closed_body.h"
+#include "cloth/scene/constants.h"
 #include "geometry/error.h"
 #include "io/mesh_file.h"
 #include "io/output_file.h"
@@ -50,10 +51,9 @@ void warn_if_implausible(const EaseReport& report) {
 
 /// What is cut smaller than the body goes around it by being stretched.
 void warn_if_too_small(const std::vector<GirthEase>& girths) {
-  constexpr double flesh = 0.01;  // metres that it gives way by
   for (const GirthEase& girth : girths) {
     const double missing = girth.body - girth.as_cut;
-    if (girth.level.empty() || missing < flesh) continue;
+    if (girth.level.empty() || missing < flesh_give) continue;
     CommonSettings::warn("at the " + girth.level + " the garment is cut " +
                          fixed_number(100 * missing, 1) +
                          " cm smaller than the body, and stretched by that");

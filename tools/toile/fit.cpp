@@ -91,7 +91,7 @@ int work(const po::variables_map& given, const CommonSettings& common) {
   common.say("Dressing:");
   CommonSettings dressing = writing(files.dressed);
   dressing.report = files.report;
-  const std::string verdict = run_dress(dress, dressing);
+  const Verdict verdict = run_dress(dress, dressing);
   common.say("Measuring the ease:");
   EaseMapSettings ease;
   ease.garment = files.dressed;
@@ -104,7 +104,7 @@ int work(const po::variables_map& given, const CommonSettings& common) {
     render.garments = {files.dressed.string()};
     run_render(render, writing(files.drape_picture));
   }
-  std::cout << verdict << ": see " << files.ease.string() << " and " << files.report.string()
+  std::cout << to_string(verdict) << ": see " << files.ease.string() << " and " << files.report.string()
             << std::endl;
   return exit_code_of(verdict);
 }

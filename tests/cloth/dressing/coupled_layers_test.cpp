@@ -175,8 +175,8 @@ TEST_F(TwoTubes, WhatIsAttachedForGoodStaysSo) {
   const double weight = 2 * pi * 0.1 * height * worn[1].fabric.areal_density * 9.81;
   for (int i = 0; i < columns; ++i) {
     const int point = 2 * (columns + 1) + i;
-    worn[1].held.push_back({point, 0, outer.placed[point] + Vec3(0, 0.02, 0), Vec3::UnitY(), 5,
-                            1.5 * weight / columns, true});
+    worn[1].attached.push_back({point, 0, outer.placed[point] + Vec3(0, 0.02, 0), Vec3::UnitY(), 5,
+                                1.5 * weight / columns, true});
   }
   const CoupledResult result = relax_coupled(worn, scene, options);
   double low = 1e9;
@@ -196,7 +196,7 @@ TEST_F(TwoTubes, WhatStandsOnASaddleFallsWhenLetGo) {
   std::vector<WornGarment> worn = {wear(strip, 1000), wear(outer, 1000)};
   worn[0].fabric = Fabric{};
   for (int point = 0; point < 6; ++point) {
-    worn[0].held.push_back({point, 0, strip.placed[point], Vec3::UnitY(), 1000, 8, true});
+    worn[0].attached.push_back({point, 0, strip.placed[point], Vec3::UnitY(), 1000, 8, true});
   }
   const auto highest = [](const std::vector<Vec3>& nodes) {
     double most = -1;

@@ -50,7 +50,7 @@ class OutfitTest : public testing::Test {
 TEST_F(OutfitTest, ALayerIsDressedOverTheOneBelow) {
   const WornOutfit worn = dress();
   ASSERT_EQ(worn.layers.size(), 2U);
-  EXPECT_EQ(worn.verdict(), "sewn");
+  EXPECT_EQ(worn.verdict(), Verdict::sewn);
   EXPECT_FALSE(worn.coupled);
   for (const WornLayer& layer : worn.layers) {
     EXPECT_EQ(layer.judgement.garment.seams.open, 0);
@@ -72,7 +72,7 @@ TEST_F(OutfitTest, NothingIsDressedOverALayerThatFailed) {
   hooks.warn = [&](const std::string& line) { warnings.push_back(line); };
   const WornOutfit worn = dress();
   ASSERT_EQ(worn.layers.size(), 1U);
-  EXPECT_EQ(worn.verdict(), "unsewable");
+  EXPECT_EQ(worn.verdict(), Verdict::unsewable);
   ASSERT_FALSE(warnings.empty());
   EXPECT_EQ(warnings.back(), "layer shirt is unsewable: the layers over it are not dressed");
 }
@@ -86,7 +86,7 @@ TEST_F(OutfitTest, TheGarmentIsJudgedAsItWasWritten) {
   };
   const WornOutfit worn = dress();
   ASSERT_EQ(worn.layers.size(), 1U);
-  EXPECT_EQ(worn.verdict(), "intersecting");
+  EXPECT_EQ(worn.verdict(), Verdict::intersecting);
   EXPECT_GT(worn.layers[0].judgement.body_intersections, 0);
   EXPECT_EQ(worn.layers[0].cloth.points[0], Vec3(0.98 * worn.layers[0].result.nodes[0]));
 }
@@ -99,7 +99,7 @@ TEST_F(OutfitTest, CoupledLayersMoveTogetherAndAreJudgedAgain) {
     events.push_back("dressed " + std::to_string(layer));
   };
   hooks.judged = [&](std::size_t layer, const WornLayer& worn) {
-    events.push_back("judged " + std::to_string(layer) + " " + worn.judgement.verdict);
+    events.push_back("judged " + std::to_string(layer) + " " + to_string(worn.judgement.verdict));
   };
   int frames = 0;
   hooks.watch = [&](std::size_t) { return [&](const DressFrame&) { ++frames; }; };

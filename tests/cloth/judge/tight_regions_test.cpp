@@ -26,20 +26,20 @@ Scene limited() {
 }
 
 /// 20 x 10 cm in squares of 1 cm, of which each point has moved by `stretch(p)` metres along y.
-/// Only the yarns along y are held: those across lie askew where that differs from column to
+/// Only the yarns along y are multipliers: those across lie askew where that differs from column to
 /// column.
 class Sheet : public testing::Test {
  protected:
   template <typename Stretch>
-  TightRegions places(const Stretch& stretch, double restraint = max_limit_multiplier) {
+  TightRegions regions_of(const Stretch& stretch, double multiplier = max_limit_multiplier) {
     garment = test::flat_panel(test::grid(0.2, 0.1, 20, 10));
     garment.panels[0].grain = grain;
     for (Vec3& p : garment.placed) p.y() += stretch(p);
     const GarmentModel model = compile(garment, limited(), garment.placed);
     const LimitMultiplier along_y =
-        grain == 0 ? LimitMultiplier{0, restraint, 0} : LimitMultiplier{restraint, 0, 0};
-    const std::vector<LimitMultiplier> held(garment.triangles.size(), along_y);
-    return tight_regions(garment, model, model.start, held);
+        grain == 0 ? LimitMultiplier{0, multiplier, 0} : LimitMultiplier{multiplier, 0, 0};
+    const std::vector<LimitMultiplier> multipliers(garment.triangles.size(), along_y);
+    return tight_regions(garment, model, model.start, multipliers);
   }
 
   PanelMesh garment;
@@ -53,52 +53,52 @@ double two_patches(const Vec3& p) {
 }
 
 TEST_F(Sheet, NamesWhereHowLargeAndHowMuchIsMissing) {
-  const TightRegions found = places(two_patches);
-  ASSERT_EQ(found.places.size(), 2U);
+  const TightRegions found = regions_of(two_patches);
+  ASSERT_EQ(found.regions.size(), 2U);
   EXPECT_EQ(found.specks, 0);
   double area = 0;
-  for (const TightRegion& place : found.places) {
-    EXPECT_EQ(place.panel, "panel");
-    EXPECT_TRUE(place.along_warp);
-    EXPECT_NEAR(place.largest, 0.05, 1e-9);
-    EXPECT_NEAR(place.mean, 0.05, 1e-9);
-    EXPECT_NEAR(place.missing, 0.04 * (0.05 - limit), 1e-9);
+  for (const TightRegion& region : found.regions) {
+    EXPECT_EQ(region.panel, "panel");
+    EXPECT_TRUE(region.along_warp);
+    EXPECT_NEAR(region.largest, 0.05, 1e-9);
+    EXPECT_NEAR(region.mean, 0.05, 1e-9);
+    EXPECT_NEAR(region.missing, 0.04 * (0.05 - limit), 1e-9);
     // Worn, its middle has come up by half of what it is longer.
-    EXPECT_NEAR(place.flat.y(), 0.04, 1e-3);
-    EXPECT_NEAR(place.height, 0.041, 1e-3);
-    area += place.area;
+    EXPECT_NEAR(region.flat.y(), 0.04, 1e-3);
+    EXPECT_NEAR(region.height, 0.041, 1e-3);
+    area += region.area;
   }
   // Each of 5 and 7 columns of points strains the triangles on its sides; the last one has one
   // side.
   EXPECT_NEAR(area, 0.04 * (0.05 + 0.065), 1e-9);
-  const double left = std::min(found.places[0].flat.x(), found.places[1].flat.x());
-  const double right = std::max(found.places[0].flat.x(), found.places[1].flat.x());
+  const double left = std::min(found.regions[0].flat.x(), found.regions[1].flat.x());
+  const double right = std::max(found.regions[0].flat.x(), found.regions[1].flat.x());
   EXPECT_NEAR(left, 0.06, 1e-9);
   EXPECT_NEAR(right, (6 * 0.165 + 0.5 * (0.2 - 0.01 / 3)) / 6.5, 1e-9);
 }
 
 TEST_F(Sheet, WarpAndWeftAreThePanelsOwn) {
   grain = pi / 2;  // the warp lies along x
-  for (const TightRegion& place : places(two_patches).places) EXPECT_FALSE(place.along_warp);
-  EXPECT_EQ(places(two_patches).places.size(), 2U);
+  for (const TightRegion& region : regions_of(two_patches).regions) EXPECT_FALSE(region.along_warp);
+  EXPECT_EQ(regions_of(two_patches).regions.size(), 2U);
 }
 
 TEST_F(Sheet, TheMostStrainedIsFirst) {
   const TightRegions found =
-      places([](const Vec3& p) { return two_patches(p) * (p.x() > 0.1 ? 1.6 : 1); });
-  ASSERT_EQ(found.places.size(), 2U);
-  EXPECT_NEAR(found.places[0].largest, 0.08, 1e-9);
-  EXPECT_GT(found.places[0].flat.x(), 0.1);
-  EXPECT_NEAR(found.places[1].largest, 0.05, 1e-9);
+      regions_of([](const Vec3& p) { return two_patches(p) * (p.x() > 0.1 ? 1.6 : 1); });
+  ASSERT_EQ(found.regions.size(), 2U);
+  EXPECT_NEAR(found.regions[0].largest, 0.08, 1e-9);
+  EXPECT_GT(found.regions[0].flat.x(), 0.1);
+  EXPECT_NEAR(found.regions[1].largest, 0.05, 1e-9);
 }
 
 TEST_F(Sheet, WhatIsNotHeldToTheUtmostIsNotTightButUnfinished) {
-  EXPECT_TRUE(places(two_patches, 0.99 * max_limit_multiplier).places.empty());
+  EXPECT_TRUE(regions_of(two_patches, 0.99 * max_limit_multiplier).regions.empty());
 }
 
 TEST_F(Sheet, TenPercentOfTheLimitAreWithinIt) {
-  EXPECT_TRUE(places([](const Vec3& p) { return 0.0109 * p.y(); }).places.empty());
-  EXPECT_EQ(places([](const Vec3& p) { return 0.0111 * p.y(); }).places.size(), 1U);
+  EXPECT_TRUE(regions_of([](const Vec3& p) { return 0.0109 * p.y(); }).regions.empty());
+  EXPECT_EQ(regions_of([](const Vec3& p) { return 0.0111 * p.y(); }).regions.size(), 1U);
 }
 
 TEST_F(Sheet, SpecksAreOnlyCounted) {
@@ -106,12 +106,12 @@ TEST_F(Sheet, SpecksAreOnlyCounted) {
   const auto prick = [](const Vec3& p) {
     return p.y() < 1e-3 && (p.x() < 1e-3 || p.x() > 0.199) ? -0.0005 : 0;
   };
-  const TightRegions found = places(prick);
-  EXPECT_TRUE(found.places.empty());
+  const TightRegions found = regions_of(prick);
+  EXPECT_TRUE(found.regions.empty());
   EXPECT_EQ(found.specks, 2);
 }
 
-/// One panel of stiff cloth, sewn to a tube around a cylinder, held to 1 % of strain.
+/// One panel of stiff cloth, sewn to a tube around a cylinder, multipliers to 1 % of strain.
 TightRegions drawn_over(double too_small) {
   constexpr double radius = 0.15, offset = 0.002;
   constexpr int columns = 108, rows = 8;
@@ -139,25 +139,25 @@ TightRegions drawn_over(double too_small) {
   std::vector<Vec3> x = model.start;
   const RelaxReport report = relax(model, options, x);
   const TightRegions found = tight_regions(garment, model, x, report.warm_start.multipliers);
-  for (const TightRegion& place : found.places) {
-    std::cout << 100 * too_small << " % too small: " << 100 * place.mean << " % on average, "
-              << 100 * place.largest << " % at most, " << 1e4 * place.area << " cm2, "
-              << 100 * place.missing << " of " << 100 * girth << " cm missing\n";
-    EXPECT_FALSE(place.along_warp);
-    EXPECT_NEAR(place.area, girth * 0.08, 0.02 * girth * 0.08);
-    EXPECT_NEAR(place.missing / girth, too_small - limit, 0.1 * (too_small - limit));
-    EXPECT_NEAR(place.height, 0.24, 0.005);
-    EXPECT_NEAR(place.flat.x(), girth / 2, 0.001);
+  for (const TightRegion& region : found.regions) {
+    std::cout << 100 * too_small << " % too small: " << 100 * region.mean << " % on average, "
+              << 100 * region.largest << " % at most, " << 1e4 * region.area << " cm2, "
+              << 100 * region.missing << " of " << 100 * girth << " cm missing\n";
+    EXPECT_FALSE(region.along_warp);
+    EXPECT_NEAR(region.area, girth * 0.08, 0.02 * girth * 0.08);
+    EXPECT_NEAR(region.missing / girth, too_small - limit, 0.1 * (too_small - limit));
+    EXPECT_NEAR(region.height, 0.24, 0.005);
+    EXPECT_NEAR(region.flat.x(), girth / 2, 0.001);
   }
   EXPECT_EQ(found.specks, 0);
   return found;
 }
 
-TEST(TightTube, LacksItsGirthButForTheLimit) { EXPECT_EQ(drawn_over(0.05).places.size(), 1U); }
+TEST(TightTube, LacksItsGirthButForTheLimit) { EXPECT_EQ(drawn_over(0.05).regions.size(), 1U); }
 
 TEST(TightTube, HasNoneWhereItFits) {
-  EXPECT_TRUE(drawn_over(0.008).places.empty());
-  EXPECT_TRUE(drawn_over(-0.05).places.empty());
+  EXPECT_TRUE(drawn_over(0.008).regions.empty());
+  EXPECT_TRUE(drawn_over(-0.05).regions.empty());
 }
 
 }  // namespace

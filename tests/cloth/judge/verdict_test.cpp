@@ -26,19 +26,19 @@ TEST(Judge, TheVerdictNamesTheFirstThingWrong) {
   const DressedGarment open = test::as_dressed(garment, gaping, false);
 
   Judgement judgement = judge(garment, sewn, thin, &skeleton, true);
-  EXPECT_EQ(judgement.verdict, "sewn");
+  EXPECT_EQ(judgement.verdict, Verdict::sewn);
   EXPECT_EQ(judgement.body_intersections, 0);
   EXPECT_EQ(judgement.self_intersections, 0);
   EXPECT_NEAR(judgement.wraps.at(0).fraction, 1, 1e-3);
   EXPECT_TRUE(judge(garment, sewn, thin, nullptr, true).wraps.empty());
 
-  EXPECT_EQ(judge(garment, sewn, thin, &skeleton, false).verdict, "unconverged");
+  EXPECT_EQ(judge(garment, sewn, thin, &skeleton, false).verdict, Verdict::unconverged);
   judgement = judge(garment, sewn, thick, &skeleton, false);
-  EXPECT_EQ(judgement.verdict, "intersecting");
+  EXPECT_EQ(judgement.verdict, Verdict::intersecting);
   EXPECT_GT(judgement.body_intersections, 4 * tube_rows);
   EXPECT_EQ(judgement.self_intersections, 0);
   judgement = judge(garment, open, thick, &skeleton, false);
-  EXPECT_EQ(judgement.verdict, "unsewable");
+  EXPECT_EQ(judgement.verdict, Verdict::unsewable);
   ASSERT_EQ(judgement.garment.seams.open_seams.size(), 1u);
   EXPECT_EQ(judgement.garment.seams.open_seams[0].name, "left");
 }
@@ -53,7 +53,7 @@ TEST(Judge, ClothThroughALowerLayerIsFound) {
     const Judgement judgement = judge(garment, sewn, body, nullptr, true, &layer);
     EXPECT_EQ(judgement.body_intersections + judgement.self_intersections, 0);
     EXPECT_EQ(judgement.layer_intersections > 40, x > tube_radius);
-    EXPECT_EQ(judgement.verdict, x > tube_radius ? "intersecting" : "sewn");
+    EXPECT_EQ(judgement.verdict, x > tube_radius ? Verdict::intersecting : Verdict::sewn);
   }
 }
 
@@ -67,7 +67,7 @@ TEST(Judge, ClothThroughItselfIsFound) {
                                     test::box({5, 0, 5}, {6, 1, 6}), nullptr, true);
   EXPECT_GT(judgement.self_intersections, 0);
   EXPECT_EQ(judgement.body_intersections, 0);
-  EXPECT_EQ(judgement.verdict, "intersecting");
+  EXPECT_EQ(judgement.verdict, Verdict::intersecting);
 }
 
 }  // namespace

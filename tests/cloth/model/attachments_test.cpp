@@ -49,12 +49,13 @@ TEST(Attachments, PullAsTheGradientOfTheirEnergy) {
   ASSERT_EQ(model.attachments.size(), top().size() + 1);
   const auto energy = [&](const Vec4s& x) {
     double sum = 0;
-    for (const AttachedPoint& held : model.attachments) {
-      Vec3 way = as_vec3(x[held.point]) - held.anchor;
-      if (!held.axis.isZero()) way = way.dot(held.axis) * held.axis;
-      const double off = way.norm();
-      const double most = held.most / held.stiffness;
-      sum += off < most ? 0.5 * held.stiffness * off * off : held.most * (off - 0.5 * most);
+    for (const AttachedPoint& attached : model.attachments) {
+      Vec3 displacement = as_vec3(x[attached.point]) - attached.anchor;
+      if (!attached.axis.isZero()) displacement = displacement.dot(attached.axis) * attached.axis;
+      const double off = displacement.norm();
+      const double elastic = attached.max_pull / attached.stiffness;
+      sum += off < elastic ? 0.5 * attached.stiffness * off * off
+                           : attached.max_pull * (off - 0.5 * elastic);
     }
     return sum;
   };
@@ -70,10 +71,10 @@ TEST(Attachments, PullAsTheGradientOfTheirEnergy) {
     }
     places[0] = 0.006 * Vec3(unit(random), unit(random), unit(random));
     const Vec4s x = as_vec4(places);
-    for (const AttachedPoint& held : model.attachments) {
-      const double pull = attachment_pull(held, places[held.point]).norm();
-      EXPECT_LE(pull, held.most * (1 + 1e-12));
-      ++(pull < held.most * (1 - 1e-9) ? elastic : at_most);
+    for (const AttachedPoint& attached : model.attachments) {
+      const double pull = attachment_pull(attached, places[attached.point]).norm();
+      EXPECT_LE(pull, attached.max_pull * (1 + 1e-12));
+      ++(pull < attached.max_pull * (1 - 1e-9) ? elastic : at_most);
     }
     Vec4s force(x.size(), Vec4{});
     forces.add(0, x.size(), x, force);
@@ -97,14 +98,14 @@ TEST(Attachments, SpreadAlongTheirEdgeWhateverItsMesh) {
     const auto attached = attached_points(garment, {}, garment.placed, 0.002);
     const std::vector<int>& points = garment.attachments[0].points;
     ASSERT_EQ(attached.size(), points.size());
-    double stiffness = 0, most = 0;
-    for (const AttachedPoint& held : attached) {
-      EXPECT_EQ(held.anchor, garment.placed[held.point]);
-      stiffness += held.stiffness;
-      most += held.most;
+    double stiffness = 0, max_pull = 0;
+    for (const AttachedPoint& each : attached) {
+      EXPECT_EQ(each.anchor, garment.placed[each.point]);
+      stiffness += each.stiffness;
+      max_pull += each.max_pull;
     }
     EXPECT_NEAR(stiffness, 900, 1e-9);
-    EXPECT_NEAR(most, 12, 1e-9);
+    EXPECT_NEAR(max_pull, 12, 1e-9);
     // An end stands for half as much of the edge as those within.
     EXPECT_NEAR(attached.front().stiffness / attached[1].stiffness, 0.5, 0.02);
     if (garment.subdivisions == 0) break;
@@ -121,8 +122,8 @@ TEST(Attachments, LevelsAreThoseOfTheBody) {
     return attached_points(garment, scene, garment.placed, 0.002).at(0);
   };
   // A place is off a level by this much along its axis.
-  const auto off = [](const AttachedPoint& held, const Vec3& p) {
-    return held.axis.dot(p - held.anchor);
+  const auto off = [](const AttachedPoint& attached, const Vec3& p) {
+    return attached.axis.dot(p - attached.anchor);
   };
   const AttachedPoint waist = held_at(to_level("waist", 0.03));
   EXPECT_EQ(waist.axis, Vec3(Vec3::UnitY()));
@@ -192,7 +193,7 @@ TEST(Attachments, CarryTheWeightOfASheetThatHangsFromThem) {
   PanelMesh garment = sheet();
   const Vec3 left(0, height, 0), right(width, height, 0);
   Attachment how = to_point(left);
-  how.most = 5;
+  how.max_pull = 5;
   how.stiffness = 300;
   const int first = rows * (columns + 1);
   garment.attachments = {{"left", {first}, how}, {"right", {first + columns}, how}};
