@@ -1,4 +1,4 @@
-// What holds an edge or a corner of a panel while it is dressed, or for good: plain data.
+// Springs that hold an edge or a corner of a panel, while it is dressed or for good: plain data.
 #pragma once
 
 #include <cstdint>
@@ -9,32 +9,33 @@
 
 namespace toile {
 
-/// `level`: a height of the body, along which it may slide around the body part; the others: a
-/// place for each of its points.
+/// What an attachment holds at. At a level, which is a height of the body, the cloth may slide
+/// around the body part. Otherwise each of its points has a place.
 enum class AttachedTo : std::uint8_t {
-  level,
-  place,  ///< where the panel is placed
-  skin,   ///< the place on the skin that is nearest to there
-  point,
+  level,  ///< a plane at a height of the body part
+  place,  ///< where the point is as the panel is placed
+  skin,   ///< the place on the skin that is nearest to that
+  point,  ///< Attachment::point, the same for all
 };
 
-/// A spring between a panel and a place, which gives way where it would pull harder than `most`.
+/// A spring between a panel and what holds it. It never pulls harder than `max_pull`: beyond that
+/// it gives way.
 struct Attachment {
   AttachedTo to = AttachedTo::place;
-  std::string landmark;  ///< of a level: a joint, or one of girth_names
-  double above = 0;      ///< metres that a level lies above that, up the body part
-  Vec3 point = Vec3::Zero();
-  bool always = false;      ///< for good; else until friction takes over, when all is sewn
-  double stiffness = 5000;  ///< N/m, of the whole; spread evenly along an edge
-  double max_pull = 20;     ///< N, likewise
+  std::string landmark;       ///< of a level: a joint of the skeleton, or one of girth_names
+  double above = 0;           ///< metres from the landmark to the level, up the body part
+  Vec3 point = Vec3::Zero();  ///< metres, of AttachedTo::point
+  bool always = false;        ///< for good; else until the garment is sewn and friction holds it
+  double stiffness = 5000;    ///< N/m, of the whole attachment; spread evenly along an edge
+  double max_pull = 20;       ///< N, of the whole attachment; spread evenly along an edge
 
   bool operator==(const Attachment&) const = default;
 };
 
-/// What is attached of a meshed panel: the points along an edge, or one.
+/// An attachment of a meshed panel: the points along an edge, or one point.
 struct MeshedAttachment {
-  std::string name;  ///< "panel.edge", or "panel.vVERTEX"
-  std::vector<int> points;
+  std::string name;         ///< "panel.edge", or "panel.vVERTEX"
+  std::vector<int> points;  ///< material points of the garment
   Attachment how;
 };
 

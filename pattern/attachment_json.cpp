@@ -17,10 +17,10 @@ constexpr std::array<std::string_view, 2> while_words = {"dressing", "always"};
 constexpr std::array<std::string_view, 7> known_keys = {
     "edge", "vertex", "to", "above", "while", "stiffness_N_per_m", "max_N"};
 
-/// Metres: nothing is held farther off.
+/// Metres: the largest coordinate or height that an attachment may have.
 constexpr double farthest = 10;
-constexpr double stiffest = 1e6;   // N/m
-constexpr double strongest = 1e4;  // N
+constexpr double max_stiffness = 1e6;   // N/m
+constexpr double max_pull_limit = 1e4;  // N
 
 std::vector<std::string_view> target_words() {
   std::vector<std::string_view> words(joint_names.begin(), joint_names.end());
@@ -58,7 +58,7 @@ void read_target(const JsonValue& to, double unit, Attachment& attachment) {
   if (attachment.to == AttachedTo::level) attachment.landmark = word;
 }
 
-/// What of the panel an entry holds.
+/// The edge or vertex that an entry holds.
 PanelAttachment attached_edge(const JsonValue& entry, const JsonValue& edges) {
   using Share = PanelAttachment::Share;
   const auto edge = entry.find("edge");
@@ -113,10 +113,10 @@ Attachment read_attachment(const JsonValue& entry, double unit) {
     attachment.always = while_words[word_of(*until, while_words)] == "always";
   }
   if (const auto stiffness = entry.find("stiffness_N_per_m")) {
-    attachment.stiffness = positive(*stiffness, stiffest, "5000 gives way by 0.2 mm for 1 N");
+    attachment.stiffness = positive(*stiffness, max_stiffness, "5000 gives way by 0.2 mm for 1 N");
   }
   if (const auto max_pull = entry.find("max_N")) {
-    attachment.max_pull = positive(*max_pull, strongest, "a garment weighs 1 to 20 N");
+    attachment.max_pull = positive(*max_pull, max_pull_limit, "a garment weighs 1 to 20 N");
   }
   return attachment;
 }

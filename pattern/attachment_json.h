@@ -12,19 +12,20 @@
 
 namespace toile {
 
-/// Girths that a level can be at, besides the joints: the fullest ones in front and behind.
+/// Girths of the torso that a level can be at, besides the joints: the fullest in front and behind.
 inline constexpr std::array<std::string_view, 2> girth_names = {"bust", "hip"};
 
-/// The entries of a panel's `attach`, their lengths times `unit` metres; `edges` are the panel's,
-/// whose vertices are known to be there. Throws Error for edges and vertices that it lacks, unknown
-/// keys and landmarks, and numbers that make no sense.
+/// Reads the entries of a panel's `attach`. Lengths in the file are in units of `unit` metres.
+/// `edges` is the panel's own array; its vertices have been checked. Throws Error for edges and
+/// vertices that the panel lacks, unknown keys and landmarks, and numbers out of range.
 std::vector<PanelAttachment> read_panel_attachments(const JsonValue& attach, const JsonValue& edges,
                                                     double unit);
 
-/// How one of them is held; what it holds, and other keys, are not looked at.
+/// Reads the target and the spring of one entry. Other keys are ignored, the held edge or vertex
+/// among them. Throws Error as read_panel_attachments does.
 Attachment read_attachment(const JsonValue& entry, double unit);
 
-/// What read_attachment reads back the same with unit 1.
+/// The attachment as JSON, in metres: read_attachment with unit 1 gives the same back.
 nlohmann::ordered_json attachment_json(const Attachment& attachment);
 
 }  // namespace toile

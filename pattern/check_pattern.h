@@ -1,4 +1,4 @@
-// What can be wrong with a pattern before any of it is meshed.
+// Checks a pattern before any of it is meshed.
 #pragma once
 
 #include <vector>
@@ -11,17 +11,19 @@ namespace toile {
 inline constexpr double seam_note_ratio = 0.02;
 /// ...and by more than this a warning: it is gathered, or a mistake.
 inline constexpr double seam_warning_ratio = 0.20;
-/// A gather's declared fullness may be off the drawn one by this share.
+/// A declared fullness may differ from the drawn one by this share.
 inline constexpr double fullness_tolerance = 0.05;
-/// An edge shorter than this (metres) is a drawing error, not cloth.
+/// Metres: a shorter edge is a drawing error, not cloth.
 inline constexpr double shortest_edge = 1e-4;
 
-/// Checks each panel's outline and each stitch. Remarks, one for each run of seams that meet end to
-/// end, on seams whose sides differ in length and that aren't declared gathered, and on gathers
-/// that are drawn otherwise than declared.
-/// Throws Error, naming panel and edge, for an edge of zero length, an outline that crosses or
-/// touches itself (curves followed to within a sixteenth of their turning), an edge in two stitches
-/// or sewn to itself.
+/// Checks each panel's outline and each stitch.
+///
+/// Adds to `remarks` seams whose sides differ in length and are not declared gathered. Seams that
+/// meet end to end share one remark. Adds gathers whose drawn fullness is not the declared one.
+///
+/// Throws Error, naming panel and edge, for an edge of zero length, an edge in two stitches, or one
+/// that is sewn to itself. Throws it for an outline that crosses or touches itself. Curves are
+/// followed by 16 chords and more, one for each 6 degrees of turning.
 void check_pattern(const Pattern& pattern, std::vector<Remark>& remarks);
 
 }  // namespace toile

@@ -7,9 +7,9 @@
 
 namespace toile {
 
-/// Triangles, by index and sorted, that share all three nodes with another one once all seams are
-/// sewn: two corners whose sides are sewn to each other, with no point between. Such a pair
-/// encloses nothing and no surface runs through it. O(n log n).
+/// Indices, sorted, of the triangles that share all three nodes with another triangle once all
+/// seams are sewn. That happens where two corners have no inner point and both of their sides are
+/// sewn to each other. Such a pair encloses nothing, and no surface runs through it. O(n log n).
 std::vector<int> doubled_triangles(const PanelMesh& garment);
 
 }  // namespace toile

@@ -14,7 +14,7 @@ constexpr std::array<double, 4> gauss_nodes = {0.1834346424956498, 0.52553240991
 constexpr std::array<double, 4> gauss_weights = {0.3626837833783620, 0.3137066458778873,
                                                  0.2223810344533745, 0.1012285362903763};
 
-/// Halvings of the parameter range at most: enough to close in on a cusp to 1e-12.
+/// Halvings of the parameter range at most. 40 close in on a cusp to 1e-12.
 constexpr int deepest = 40;
 
 }  // namespace
@@ -144,7 +144,7 @@ Vec2 EdgeCurve::at(double fraction) const {
   double high = after->t;
   const double piece = after->length - before.length;
   double t = piece > 0 ? low + (high - low) * (target - before.length) / piece : low;
-  // Newton's steps, kept between the bounds that halving would keep.
+  // Newton's method, safeguarded by bisection.
   for (int i = 0; i < 60; ++i) {
     const double excess = before.length + bezier_length(before.t, t) - target;
     if (std::abs(excess) <= 1e-15 * length_) break;

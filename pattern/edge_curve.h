@@ -8,19 +8,20 @@
 namespace toile {
 
 /// A curve from one corner of a panel to the next, in metres. Points are found by the fraction of
-/// the curve's length, so equal fractions are equal steps along the cloth. Arcs are exact; lengths
-/// of Bezier curves are integrated to about 1e-12 of the length (Gauss-Legendre, halved
-/// adaptively), points at a fraction lie within about 1e-12 of the length. Degenerate curves (all
-/// control points in one) are allowed here: their length is 0.
+/// the curve's length, so equal fractions are equal steps along the cloth.
+///
+/// Arcs are exact. Lengths of Bezier curves are integrated to about 1e-12 of the length, by
+/// Gauss-Legendre quadrature on adaptively halved pieces. Points at a fraction lie within about
+/// 1e-12 of the length. Degenerate curves, with all control points in one place, have length 0.
 class EdgeCurve {
  public:
   static EdgeCurve line(const Vec2& start, const Vec2& end);
   static EdgeCurve quadratic(const Vec2& start, const Vec2& control, const Vec2& end);
   static EdgeCurve cubic(const Vec2& start, const Vec2& control1, const Vec2& control2,
                          const Vec2& end);
-  /// A circular arc as SVG defines it: `large` takes the longer way round, `right` bulges to the
-  /// right of the direction from start to end (y up). A radius shorter than half the chord is
-  /// taken as half the chord.
+  /// A circular arc as SVG defines it, with y up. `large` takes the longer of the two arcs. `right`
+  /// bulges to the right of the direction from start to end. A radius shorter than half the chord
+  /// is taken as half the chord.
   static EdgeCurve arc(const Vec2& start, const Vec2& end, double radius, bool large, bool right);
 
   const Vec2& start() const { return points_[0]; }
@@ -28,8 +29,8 @@ class EdgeCurve {
   double length() const { return length_; }
   bool straight() const { return kind_ == Kind::line; }
 
-  /// How far the tangent turns between two fractions of the length, left and right added up,
-  /// radians. From 32 chords.
+  /// Radians by which the tangent turns between two fractions of the length, left and right turns
+  /// added up. Exact for arcs; Bezier curves are measured on 32 chords.
   double turning(double from = 0, double to = 1) const;
 
   /// The point at `fraction` in [0, 1] of the length; the end points exactly.
@@ -40,7 +41,7 @@ class EdgeCurve {
 
  private:
   enum class Kind { line, bezier, arc };
-  /// Where the curve parameter `t` has run through `length` of the curve.
+  /// The length of the curve from its start to parameter `t`.
   struct Mark {
     double t = 0;
     double length = 0;

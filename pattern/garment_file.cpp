@@ -182,8 +182,8 @@ void read_mesh(const ObjData& data, const std::string& name, PanelMesh& garment)
   }
 }
 
-/// Flat panels turn none of their triangles over, so two that pass an edge the same way lie on each
-/// other there.
+/// Throws Error when two triangles of a flat panel lie on each other. No triangle of a flat panel
+/// is turned over, so two that pass an edge in the same direction overlap there.
 void check_overlaps(const PanelMesh& garment, const std::string& name) {
   const std::vector<HalfEdge> edges = half_edges(garment.triangles, garment.flat.size());
   for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -195,7 +195,8 @@ void check_overlaps(const PanelMesh& garment, const std::string& name) {
   }
 }
 
-/// A panel may be placed bent, or a little out of shape, but not crushed: nothing could unfold it.
+/// Throws Error for a panel that is placed crushed: nothing could unfold it. A panel may be placed
+/// bent, or a little out of shape.
 void check_placed(const PanelMesh& garment, const std::string& name) {
   constexpr double min_share = 0.01;
   for (const MeshedPanel& panel : garment.panels) {
@@ -214,7 +215,8 @@ void check_placed(const PanelMesh& garment, const std::string& name) {
   }
 }
 
-/// The panels' ranges follow one another, cover everything, and hold their own triangles.
+/// Throws Error unless the panels' ranges follow one another, cover everything, and hold their own
+/// triangles.
 void check_ranges(const PanelMesh& garment, const std::string& name) {
   std::int64_t point = 0;
   std::int64_t triangle = 0;

@@ -9,18 +9,27 @@
 
 namespace toile {
 
-/// garment.obj: one group a panel, v the placed points, vt the flat coordinates in metres (one for
-/// each v, in the same order), l the seam pairs. garment.json of the same stem: panels with their
-/// ranges, grain, fabric, part and placement; seams with their pairs and lengths; subdivisions.
+/// Writes a garment as a pair of files.
+///
+/// - garment.obj: `v` are the placed points and `vt` the flat coordinates, both in metres and in
+///   the same order. One group a panel; `l` are the seam pairs.
+/// - garment.json of the same stem: panels with their ranges, grain, fabric, part and placement;
+///   seams with their pairs and lengths; elastics, attachments and subdivisions.
+///
+/// Throws Error when a file cannot be written.
 void write_garment(const std::filesystem::path& obj, const PanelMesh& garment);
 
-/// Reads what write_garment wrote, also after another program has moved the points. `json` empty:
-/// the file of the same stem. Throws Error, naming the file, when the two do not fit together.
+/// Reads what write_garment wrote, also after another program has moved the points. If `json` is
+/// empty, the file of the same stem is read. Throws Error, naming the file, when the two do not fit
+/// together.
 PanelMesh read_garment(const std::filesystem::path& obj, const std::filesystem::path& json = {});
 
+/// Writes a dressed garment: `v` are the nodes, `vt` the flat coordinates, one group a panel.
+/// Throws Error when the file cannot be written.
 void write_dressed(const std::filesystem::path& obj, const DressedGarment& garment);
 
-/// Throws Error when a face has no vt, is no triangle, or belongs to no group.
+/// Reads what write_dressed wrote. Throws Error when there is no face, or when a face has no vt, is
+/// no triangle, or belongs to no group.
 DressedGarment read_dressed(const std::filesystem::path& obj);
 
 }  // namespace toile

@@ -31,7 +31,7 @@ constexpr double acceptable = 25 * std::numbers::pi / 180;
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-/// Why a level of subdivision is out of reach: the panel and what happens to it.
+/// A panel that cannot be meshed with as many subdivisions, and why.
 struct Unmeshable {
   std::string panel;
   std::string problem;

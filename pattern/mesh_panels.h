@@ -9,26 +9,30 @@
 
 namespace toile {
 
+/// How fine panels are meshed.
 struct MeshSettings {
   double edge_length = 0.01;  ///< wanted length of triangle edges, metres
-  /// Levels of the nested triangulation, 0 to max_subdivisions; negative: as many as keep the
-  /// coarsest edges at about coarsest_edge.
+  /// Subdivisions of the nested triangulation, 0 to max_subdivisions. A negative number asks for as
+  /// many as keep the coarsest edges at about coarsest_edge.
   int subdivisions = -1;
 };
 
 inline constexpr int max_subdivisions = 3;
 inline constexpr double coarsest_edge = 0.04;  ///< metres
 
-/// Meshes every panel of a checked pattern. Each outline edge is cut into equal steps of its
-/// length, the longer side of a seam deciding for both, on the coarsest level; border points lie on
-/// the outline's curves on every level, and none are added after the seam sides are paired. Flat
-/// coordinates show the panel's right side: a panel whose right side is the back of its drawing is
-/// mirrored (x to -x, grain likewise), so that all triangles are counter-clockwise and, once sewn,
-/// face out of the garment. A dart's two sides share the point at its tip.
+/// Meshes every panel of a checked pattern.
+///
+/// - Each outline edge is cut into equal steps of its length on the coarsest level. The longer side
+///   of a seam decides the number of steps for both. No border points are added after that.
+/// - Border points lie on the outline's curves on every level.
+/// - Flat coordinates show the panel's right side. A panel whose right side is the back of its
+///   drawing is mirrored: x to -x, and the grain too. So all triangles are counter-clockwise and,
+///   once sewn, face out of the garment.
+/// - A dart's two sides share the point at its tip.
 ///
 /// Where a coarse outline would cross itself or give needles, fewer subdivisions are used and a
-/// remark says so. Throws Error, naming the panel, when even the finest outline can't be meshed, or
-/// when the mesh would have more than two million triangles.
+/// remark says so. Throws Error, naming the panel, when even the finest outline cannot be meshed.
+/// Throws it when the mesh would have more than two million triangles.
 PanelMesh mesh_panels(const Pattern& pattern, const MeshSettings& settings,
                       std::vector<Remark>& remarks);
 

@@ -10,7 +10,8 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-/// One level of one panel made coarser; false when its triangles are not runs of four.
+/// Replaces the triangles of one panel by those of the next coarser level. False when they are not
+/// runs of four.
 bool coarsen(std::vector<Triangle>& triangles) {
   if (triangles.empty() || triangles.size() % 4 != 0) return false;
   std::map<std::array<int, 2>, int> middles;
@@ -36,7 +37,8 @@ bool coarsen(std::vector<Triangle>& triangles) {
   return true;
 }
 
-/// The number of points that `triangles` use when they are first, first + 1, ...; else -1.
+/// The number of points that `triangles` use if these are first, first + 1, ... without a gap; else
+/// -1.
 int points_used(const std::vector<Triangle>& triangles, int first, int points) {
   std::vector<bool> used(at(points), false);
   int highest = 0;

@@ -14,7 +14,7 @@ namespace toile {
 /// One flat pattern piece as meshed. Its material points and triangles are contiguous ranges.
 struct MeshedPanel {
   std::string name;
-  std::string part;    ///< body part it is placed at, one of body_parts; empty: find it by position
+  std::string part;    ///< body part that it is for, one of body_parts; empty: found by position
   std::string fabric;  ///< name of its fabric; empty: the garment's
   double grain = 0;    ///< radians, angle of the warp direction against the flat +y axis
   int first_point = 0;
@@ -24,8 +24,8 @@ struct MeshedPanel {
   PanelPlacement placement{};  ///< how the skeleton positions it; by default it does not
 };
 
-/// Two outline edges that are sewn together: side a's i-th point meets side b's i-th. The sides of
-/// a dart share the point at its tip: both hold the same material point there.
+/// Two outline edges that are sewn together: the i-th point of side a meets the i-th of side b. The
+/// two sides of a dart hold the same material point at its tip.
 struct MeshedSeam {
   std::string name;     ///< "panel.edge-panel.edge" unless the pattern names it
   std::vector<int> a;   ///< material points along side a, at least two
@@ -46,8 +46,8 @@ struct MeshedElastic {
   double stiffness = 0;     ///< N: its tension is this times the strain
 };
 
-/// Panels as triangulated, before anything is sewn. A *material point* belongs to one panel and
-/// has flat coordinates there. Where panels are sewn, two material points share one node. Flat
+/// Panels as triangulated, before anything is sewn. A *material point* belongs to one panel and has
+/// flat coordinates there. Where panels are sewn, two material points share one node. Flat
 /// coordinates show the cloth's right side, so all triangles face out of the sewn garment.
 ///
 /// The triangulation is nested in `subdivisions` = n levels. Every run of four triangles 4t..4t+3
@@ -57,8 +57,8 @@ struct MeshedElastic {
 /// before those of a finer one. n = 0 says that nothing is known of nesting.
 struct PanelMesh {
   std::vector<Vec2> flat;  ///< metres, per material point
-  /// Metres, per material point: where the pattern puts it in space. Panels that the skeleton
-  /// positions stand beside a schematic figure.
+  /// Metres, per material point: where the pattern puts it in space. A panel that the skeleton
+  /// positions stands beside a schematic figure here.
   std::vector<Vec3> placed;
   std::vector<Triangle> triangles;  ///< of material points, counter-clockwise in flat coordinates
   std::vector<MeshedPanel> panels;  ///< in order of their ranges
@@ -66,7 +66,7 @@ struct PanelMesh {
   std::vector<MeshedElastic> elastics;
   std::vector<MeshedAttachment> attachments;
   int subdivisions = 0;
-  double edge_length = 0;  ///< metres, the length asked for; 0: not known
+  double edge_length = 0;  ///< metres, the triangle edges that were asked for; 0: not known
 };
 
 /// Per material point, the index of its panel.
@@ -85,8 +85,8 @@ struct YarnDirections {
   Vec2 warp;
 };
 
-/// The yarns of a panel whose warp is at `grain` radians to its +y axis: the flat +x and +y axes,
-/// turned by that.
+/// The yarns of a panel whose warp is `grain` radians counter-clockwise from +y. They are the flat
+/// +x and +y axes turned by that angle.
 inline YarnDirections yarn_directions(double grain) {
   const Vec2 weft(std::cos(grain), std::sin(grain));
   return {weft, Vec2(-weft.y(), weft.x())};
@@ -102,8 +102,8 @@ struct DressedGarment {
   std::vector<int> panel_of_triangle;    ///< index into `panels`
 };
 
-/// The garment with its nodes at `points`; `triangles` are of those nodes, one for each of the
-/// garment's and in the same order.
+/// The garment with its nodes at `points`. `triangles` holds one triangle of nodes for each of the
+/// garment's, in the same order.
 DressedGarment as_dressed(const PanelMesh& garment, std::vector<Vec3> points,
                           std::vector<Triangle> triangles);
 

@@ -13,35 +13,35 @@
 
 namespace toile {
 
-/// Something worth saying about an input that can be used all the same.
+/// A remark on an input that can be used nevertheless.
 struct Remark {
-  bool warning = false;  ///< else a note
-  std::string text;      ///< names panel and edge
+  bool warning = false;  ///< false: a note
+  std::string text;      ///< names the file, the panel and the edge
 };
 
 /// An elastic along an edge.
 struct Elastic {
-  double ratio = 1;      ///< its length at rest over the edge's
+  double ratio = 1;      ///< its length at rest over the edge's length, at most 1
   double stiffness = 0;  ///< N: its tension is this times the strain
 };
 
-/// One edge of a panel's outline, as the pattern numbers them. Metres, in the panel's drawing.
+/// One edge of a panel's outline. The curve is in metres, in the panel's drawing.
 struct PatternEdge {
   EdgeCurve curve;
   std::string label;
   std::optional<Elastic> elastic{};
 };
 
-/// An edge of a panel that something holds, or one of its ends.
+/// An edge of a panel that an attachment holds, or one end of the edge.
 struct PanelAttachment {
   enum class Share { whole, start, end };
-  std::string name;  ///< "edge", or "vVERTEX"
-  int edge = 0;
+  std::string name;  ///< the number of the edge, or "v" and the number of the vertex
+  int edge = 0;      ///< index into PatternPanel::edges
   Share share = Share::whole;
   Attachment how;
 };
 
-/// An edge as the outline is walked: `forward` when the walk runs from its start to its end.
+/// One edge of an outline. `forward` when the outline runs from the edge's start to its end.
 struct OutlineStep {
   int edge = 0;  ///< index into PatternPanel::edges
   bool forward = true;
@@ -50,17 +50,18 @@ struct OutlineStep {
 /// A flat piece as drawn, in metres.
 struct PatternPanel {
   std::string name;
-  std::string part;    ///< body part it is placed at, one of body_parts; empty: not stated
+  std::string part;    ///< body part that it is for, one of body_parts; empty: not stated
   std::string fabric;  ///< empty: the garment's
-  double grain =
-      0;  ///< angle of the warp against the drawing's +y axis, radians, counter-clockwise
+  /// Radians, counter-clockwise: angle of the warp against the drawing's +y axis.
+  double grain = 0;
   std::vector<PatternEdge> edges;    ///< in the file's order
   std::vector<OutlineStep> outline;  ///< one closed loop through all edges
   std::vector<PanelAttachment> attachments;
-  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< drawing (x, y, 0) to space
-  Vec3 translation = Vec3::Zero();
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< from the drawing (x, y, 0) to space
+  Vec3 translation = Vec3::Zero();                         ///< metres
   PanelPlacement placement{};  ///< how the skeleton positions it; by default it does not
 
+  /// A point of the drawing in space, by rotation and translation. Metres.
   Vec3 place(const Vec2& drawn) const {
     return rotation * Vec3(drawn.x(), drawn.y(), 0) + translation;
   }
@@ -74,27 +75,29 @@ struct EdgeRef {
 
 /// How the two edges of a stitch meet.
 enum class StitchDirection {
-  by_position,     ///< not stated: whichever way brings the placed end points closer
+  by_position,     ///< not stated: the placed end points decide, see orient()
   end_to_start,    ///< one edge's end meets the other's start
   start_to_start,  ///< they run side by side
 };
 
+/// Two edges that are sewn together.
 struct Stitch {
   std::string name;  ///< empty: not named
   EdgeRef a;
   EdgeRef b;
   StitchDirection direction = StitchDirection::by_position;
   bool gathered = false;  ///< the longer side is meant to be gathered
-  double fullness = 0;    ///< longer side over shorter, as declared; 0: as drawn
+  double fullness = 0;    ///< declared length of the longer side over the shorter's; 0: as drawn
 };
 
+/// A whole pattern.
 struct Pattern {
   std::string source;  ///< the file it came from, for messages
   std::vector<PatternPanel> panels;
   std::vector<Stitch> stitches;
 };
 
-/// "panel 'skirt_front', edge 3", for messages; edges count from 0, as in the file.
+/// "panel 'skirt_front', edge 3", for messages. Edges count from 0, as in the file.
 std::string edge_name(const Pattern& pattern, const EdgeRef& ref);
 
 }  // namespace toile

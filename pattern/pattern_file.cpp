@@ -19,10 +19,10 @@ namespace toile {
 
 namespace {
 
-/// Coordinates beyond this (metres) are no garment.
+/// Metres: larger coordinates are no garment's.
 constexpr double largest_coordinate = 1000;
 
-/// A radius too short for its chord by more than this share is worth a note.
+/// A circle's radius that is too short for its chord by more than this share gets a note.
 constexpr double radius_tolerance = 1e-3;
 
 /// N, estimated: a waistband's elastic takes some 10 N when it is half as long again.
@@ -303,8 +303,8 @@ class Reader {
     return EdgeCurve::arc(start, end, radius, params.item(1).flag(), params.item(2).flag());
   }
 
-  /// A control point: in the frame of the edge (start at 0, end at (1, 0), y to its left), or in
-  /// the panel's drawing.
+  /// A control point in metres. The file states it in the panel's drawing, or in the frame of the
+  /// edge: start at 0, end at (1, 0), y to its left.
   Vec2 control(const JsonValue& value, const Vec2& start, const Vec2& end) const {
     if (absolute_) return metres(value) - offset_;
     const Vec2 relative = pair(value);
@@ -348,7 +348,7 @@ class Reader {
     if (value.size() == 3) {
       const JsonValue extra = value.item(2);
       if (extra.is_text()) {
-        // GarmentCode's word for an edge sewn with its wrong side out.
+        // GarmentCode's word for an edge that is sewn with its wrong side out.
         if (extra.text() != "right_wrong") extra.fail(in_quotes(extra.text()) + " is unknown");
         stitch.direction = StitchDirection::start_to_start;
       } else {
@@ -392,7 +392,7 @@ std::string edge_name(const Pattern& pattern, const EdgeRef& ref) {
 
 Pattern parse_pattern(const std::string& text, const std::string& name,
                       std::vector<Remark>& remarks) {
-  // So begin XML, a zip archive and, with a group code, DXF.
+  // XML, a zip archive and, with a group code, DXF begin with one of these.
   const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   if (first != std::string::npos &&
       std::string_view("<P0123456789").find(text[first]) != std::string_view::npos) {

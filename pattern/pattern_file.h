@@ -1,4 +1,4 @@
-// GarmentCode pattern JSON, read.
+// Reads patterns in GarmentCode's JSON.
 #pragma once
 
 #include <filesystem>
@@ -9,15 +9,19 @@
 
 namespace toile {
 
-/// Reads a pattern in GarmentCode's JSON [Korosteleva & Sorkine-Hornung 2023], both generations of
-/// edge curvature: a lone control point `[x, y]`, and `{type, params}` with quadratic, cubic and
-/// circle. docs/pattern.schema.json states the keys, Toile's own included. Panels come in the order
-/// of `panel_order`, else of the file. Rotations are Euler angles in degrees about the fixed x,
-/// then y, then z axis. Keys that are not read, and what was assumed, are added to `remarks`.
+/// Reads a pattern in GarmentCode's JSON [Korosteleva & Sorkine-Hornung 2023].
+/// docs/pattern.schema.json states the keys, Toile's own included.
 ///
-/// Throws Error for malformed JSON (with line and column), missing or misshapen values, outlines
-/// that are not one closed loop, and stitches to a missing panel or edge (naming panel and edge).
+/// Both generations of edge curvature are read: a lone control point `[x, y]`, and `{type, params}`
+/// with quadratic, cubic and circle. Panels come in the order of `panel_order`, else of the file.
+/// Rotations are Euler angles in degrees about the fixed x, then y, then z axis. Keys that are not
+/// read are added to `remarks`, and so is what was assumed.
+///
+/// Throws Error for malformed JSON, with line and column, and for missing or misshapen values.
+/// Throws it for outlines that are not one closed loop. Throws it, naming panel and edge, for
+/// stitches to a panel or edge that is not there.
 Pattern read_pattern(const std::filesystem::path& path, std::vector<Remark>& remarks);
+/// The same of a text; `name` stands for the file in messages.
 Pattern parse_pattern(const std::string& text, const std::string& name,
                       std::vector<Remark>& remarks);
 

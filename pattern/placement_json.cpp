@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 4> axis_words = {"y", "-y", "x", "-x"};
 constexpr std::array<std::string_view, 9> known_keys = {"part",  "side",   "around", "axis", "turn",
                                                         "shift", "offset", "at",     "level"};
 
-/// Metres: no panel stands farther off, nor is drawn farther out.
+/// Metres: the largest offset and shift that a placement may have, and the largest `level`.
 constexpr double farthest_offset = 1;
 constexpr double farthest_drawn = 1000;
 
@@ -29,12 +29,12 @@ double length(const JsonValue& value, double unit, double low, double high) {
   return metres;
 }
 
-/// The drawing's coordinate along the axis grows up the body part, or down it.
+/// 1 if the drawing's coordinate along the axis grows up the body part, -1 if it grows down it.
 double up_sign(PlacementAxis axis) {
   return axis == PlacementAxis::plus_y || axis == PlacementAxis::plus_x ? 1 : -1;
 }
 
-/// The joint's full name: on a limb its own joints may be named without left_ and right_.
+/// The joint's full name. On a limb its own joints may be named without left_ and right_.
 std::string joint_name(const JsonValue& value, const std::string& part) {
   const std::string given = value.text();
   const auto known = [](const std::string& name) {

@@ -9,15 +9,18 @@
 
 namespace toile {
 
-/// The body part that `placement` names, one of body_parts; empty when it names none. Throws Error.
+/// The body part that `placement` names, one of body_parts; empty when it names none. Throws Error
+/// for any other name.
 std::string read_part(const JsonValue& placement);
 
-/// Everything else of it, its lengths times `unit` metres. Throws Error for a key or word that is
-/// unknown, numbers that make no sense, and keys that would have no effect: those that say how a
-/// panel is positioned need side or around, and these a part.
+/// Reads all keys of `placement` but the part. Lengths in the file are in units of `unit` metres.
+/// Throws Error for an unknown key or word and for numbers out of range. Throws it for keys without
+/// effect: those that state how a panel is positioned need `side` or `around`, and these need a
+/// part.
 PanelPlacement read_placement(const JsonValue& placement, const std::string& part, double unit);
 
-/// What read_placement reads back the same with unit 1. Without the part.
+/// The placement as JSON, in metres and without the part: read_placement with unit 1 gives the same
+/// back.
 nlohmann::ordered_json placement_json(const PanelPlacement& placement);
 
 }  // namespace toile

@@ -11,7 +11,7 @@ namespace toile {
 
 namespace {
 
-/// Metres above the ground of a figure 1.7 m tall.
+/// Metres above the ground, for a figure 1.7 m tall.
 const std::map<std::string, double> joint_heights = {
     {"pelvis", 0.77}, {"waist", 1.05},    {"chest", 1.25}, {"neck", 1.45},
     {"head", 1.7},    {"shoulder", 1.35}, {"elbow", 1.1},  {"wrist", 0.85},

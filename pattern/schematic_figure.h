@@ -1,13 +1,14 @@
-// Panels that are to stand by body part, before any body is known.
+// Places panels beside a schematic figure while no body is known.
 #pragma once
 
 #include "pattern/pattern.h"
 
 namespace toile {
 
-/// Turns and moves a panel that its placement positions to that side of a schematic figure, arms
-/// hanging, so that what is found from placed panels (how a seam runs, which face is out) and what
-/// is seen of them makes sense. A body's skeleton puts them right.
+/// Sets rotation and translation of a panel that names its body part and side. It stands at that
+/// side of a schematic figure 1.7 m tall, with arms hanging. So the placed panel tells how its
+/// seams run and which face is out, and pictures of it make sense. When the garment is dressed, the
+/// body's skeleton positions the panel.
 void stand_schematically(PatternPanel& panel);
 
 }  // namespace toile

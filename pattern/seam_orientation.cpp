@@ -8,17 +8,18 @@ namespace toile {
 
 namespace {
 
-/// End distances that differ by less than this share do not tell how a seam runs.
+/// The direction of a seam is undecided when the end distances of both differ by less than this
+/// share.
 constexpr double alike = 0.01;
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-/// What matters of a panel here.
+/// A panel as orientation needs it.
 struct Face {
-  double area = 0;              ///< as drawn, positive counter-clockwise
-  Vec3 centre = Vec3::Zero();   ///< of its outline, placed
-  Vec3 normal = Vec3::UnitZ();  ///< of the drawing's front, placed
-  std::vector<bool> forward;    ///< per edge: the outline's walk runs along it
+  double area = 0;              ///< m², as drawn; positive when counter-clockwise
+  Vec3 centre = Vec3::Zero();   ///< metres, of its outline as placed
+  Vec3 normal = Vec3::UnitZ();  ///< of the drawing's front as placed
+  std::vector<bool> forward;    ///< per edge: whether the outline runs along it
 };
 
 Face face_of(const PatternPanel& panel) {
@@ -69,7 +70,7 @@ Orientation orient(const Pattern& pattern, std::vector<Remark>& remarks) {
   }
 
   // A seam joins right to right when its edges run against each other around their panels, both
-  // seen from the right side: so each seam says whether its panels show the same face.
+  // seen from the right side. So each seam tells whether its panels show the same face.
   struct Link {
     int panel = 0;
     bool same = false;

@@ -12,11 +12,15 @@ struct Orientation {
   std::vector<bool> mirrored;  ///< per panel: the right side is the back of the drawing
 };
 
-/// Seams: as the pattern states, else whichever way brings the placed end points closer in sum; end
-/// to start, GarmentCode's rule, when both are alike. Panels: right sides are chosen so that every
-/// seam joins right side to right side, facing out of the garment as placed; where the placement
-/// does not tell, a panel drawn counter-clockwise shows its right side, GarmentCode's rule again.
-/// Seams that cannot all join right to right (a twisted band) leave that rule alone and a remark.
+/// Finds in which direction seams are sewn and which face of each panel is the right side.
+///
+/// - Seams run as the pattern states. Else they run in the direction that brings the placed end
+///   points closer in sum. When both are alike they run end to start, which is GarmentCode's rule.
+/// - Right sides are chosen so that every seam joins right side to right side, and that they face
+///   out of the garment as placed. Where the placement does not decide, a panel drawn
+///   counter-clockwise shows its right side, which is GarmentCode's rule too.
+/// - Seams that cannot all join right to right, as in a twisted band, fall back to GarmentCode's
+///   rule and add a warning to `remarks`.
 Orientation orient(const Pattern& pattern, std::vector<Remark>& remarks);
 
 }  // namespace toile
