@@ -7,6 +7,7 @@
 
 #include "geometry/body/skeleton.h"
 #include "io/json_words.h"
+#include "io/text.h"
 
 namespace toile {
 
@@ -37,7 +38,9 @@ double length(const JsonValue& value, double unit) {
 
 double positive(const JsonValue& value, double max, const std::string& remedy) {
   const double number = value.number();
-  if (!(number > 0 && number <= max)) value.fail("is not above 0, or too large", remedy);
+  if (!(number > 0 && number <= max)) {
+    value.fail("is not above 0 and at most " + fixed_number(max, 0), remedy);
+  }
   return number;
 }
 
@@ -64,7 +67,7 @@ PanelAttachment attached_edge(const JsonValue& entry, const JsonValue& edges) {
   const auto edge = entry.find("edge");
   const auto vertex = entry.find("vertex");
   if (edge.has_value() == vertex.has_value()) {
-    entry.fail("names not one edge or one vertex", "give it 'edge' or 'vertex', from 0");
+    entry.fail("names no edge and no vertex, or both", "give it 'edge' or 'vertex', from 0");
   }
   const int count = static_cast<int>(edges.size());
   if (edge) {
@@ -105,7 +108,8 @@ Attachment read_attachment(const JsonValue& entry, double unit) {
   read_target(entry.get("to"), unit, attachment);
   if (const auto above = entry.find("above")) {
     if (attachment.to != AttachedTo::level) {
-      above->fail("has no level to be above", "let 'to' name a joint or a girth, or leave it out");
+      above->fail("is given, but 'to' names no level",
+                  "let 'to' name a joint or a girth, or leave it out");
     }
     attachment.above = length(*above, unit);
   }

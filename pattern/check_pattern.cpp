@@ -6,10 +6,11 @@
 #include <iterator>
 #include <map>
 #include <numbers>
-#include <numeric>
 
+#include "geometry/disjoint_sets.h"
 #include "geometry/error.h"
 #include "geometry/polygon.h"
+#include "pattern/constants.h"
 #include "pattern/seam_orientation.h"
 
 namespace toile {
@@ -29,7 +30,8 @@ void check_outline(const Pattern& pattern, int index) {
   };
   for (std::size_t e = 0; e < panel.edges.size(); ++e) {
     const EdgeCurve& curve = panel.edges[e].curve;
-    if ((curve.end() - curve.start()).norm() < shortest_edge || curve.length() < shortest_edge) {
+    if ((curve.end() - curve.start()).norm() < min_edge_length ||
+        curve.length() < min_edge_length) {
       throw Error(place(static_cast<int>(e)), "has zero length",
                   "remove it or move one of its vertices");
     }
@@ -78,12 +80,7 @@ std::vector<std::array<int, 2>> ends_of(const Pattern& pattern) {
     first.push_back(corners);
     corners += static_cast<int>(panel.outline.size());
   }
-  std::vector<int> parent(static_cast<std::size_t>(corners));
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int c) {
-    while (parent[static_cast<std::size_t>(c)] != c) c = parent[static_cast<std::size_t>(c)];
-    return c;
-  };
+  DisjointSets sewn(static_cast<std::size_t>(corners));
   const auto edge_ends = [&](const EdgeRef& ref) {
     const auto& outline = pattern.panels[static_cast<std::size_t>(ref.panel)].outline;
     const auto step = std::find_if(outline.begin(), outline.end(),
@@ -99,12 +96,12 @@ std::vector<std::array<int, 2>> ends_of(const Pattern& pattern) {
     const std::array<int, 2> a = edge_ends(pattern.stitches[s].a);
     std::array<int, 2> b = edge_ends(pattern.stitches[s].b);
     if (orientation.reversed[s]) std::swap(b[0], b[1]);
-    for (std::size_t k = 0; k < 2; ++k) parent[static_cast<std::size_t>(root(a[k]))] = root(b[k]);
+    for (std::size_t k = 0; k < 2; ++k) sewn.join(a[k], b[k]);
     ends.push_back(a);
   }
   for (auto& [from, to] : ends) {
-    from = root(from);
-    to = root(to);
+    from = sewn.of(from);
+    to = sewn.of(to);
   }
   return ends;
 }
@@ -139,8 +136,8 @@ void remark_on_lengths(const Pattern& pattern, std::vector<Remark>& remarks) {
     std::vector<std::size_t> unequal;
     for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
       const double ratio = ratio_of(pattern.stitches[s]);
-      if (pattern.stitches[s].gathered || ratio <= 1 + seam_note_ratio) continue;
-      if (warning == (ratio > 1 + seam_warning_ratio)) unequal.push_back(s);
+      if (pattern.stitches[s].gathered || ratio <= 1 + gather_threshold) continue;
+      if (warning == (ratio > 1 + seam_warning_threshold)) unequal.push_back(s);
     }
     while (!unequal.empty()) {
       std::vector<std::size_t> line = {unequal.front()};

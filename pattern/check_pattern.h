@@ -7,15 +7,6 @@
 
 namespace toile {
 
-/// A seam whose sides differ by more than this share of the shorter one is worth a note...
-inline constexpr double seam_note_ratio = 0.02;
-/// ...and by more than this a warning: it is gathered, or a mistake.
-inline constexpr double seam_warning_ratio = 0.20;
-/// A declared fullness may differ from the drawn one by this share.
-inline constexpr double fullness_tolerance = 0.05;
-/// Metres: a shorter edge is a drawing error, not cloth.
-inline constexpr double shortest_edge = 1e-4;
-
 /// Checks each panel's outline and each stitch.
 ///
 /// Adds to `remarks` seams whose sides differ in length and are not declared gathered. Seams that

@@ -2,26 +2,17 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
+
+#include "geometry/disjoint_sets.h"
 
 namespace toile {
 
 std::vector<int> doubled_triangles(const PanelMesh& garment) {
-  std::vector<int> node(garment.flat.size());
-  std::iota(node.begin(), node.end(), 0);
-  const auto root = [&](int i) {
-    while (node[static_cast<std::size_t>(i)] != i) {
-      // Halving the path keeps long chains of seams short.
-      int& up = node[static_cast<std::size_t>(i)];
-      up = node[static_cast<std::size_t>(up)];
-      i = up;
-    }
-    return i;
-  };
+  DisjointSets nodes_of(garment.flat.size());
   std::vector<bool> sewn(garment.flat.size(), false);
   for (const MeshedSeam& seam : garment.seams) {
     for (std::size_t i = 0; i < seam.a.size(); ++i) {
-      node[static_cast<std::size_t>(root(seam.a[i]))] = root(seam.b[i]);
+      nodes_of.join(seam.a[i], seam.b[i]);
       sewn[static_cast<std::size_t>(seam.a[i])] = true;
       sewn[static_cast<std::size_t>(seam.b[i])] = true;
     }
@@ -33,7 +24,7 @@ std::vector<int> doubled_triangles(const PanelMesh& garment) {
                      [&](int i) { return sewn[static_cast<std::size_t>(i)]; })) {
       continue;
     }
-    for (int& corner : nodes) corner = root(corner);
+    for (int& corner : nodes) corner = nodes_of.of(corner);
     std::sort(nodes.begin(), nodes.end());
     meeting[nodes].push_back(static_cast<int>(t));
   }

@@ -26,7 +26,7 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 fs::path beside(const fs::path& obj) { return fs::path(obj).replace_extension(".json"); }
 
 [[noreturn]] void fail(const std::string& place, const std::string& problem) {
-  throw Error(place, problem, "make the pair anew with mesh-pattern");
+  throw Error(place, problem, "write both files again with mesh-pattern");
 }
 
 /// JSON of the garment, one panel or seam a line.
@@ -109,9 +109,9 @@ MeshedPanel panel_of(const JsonValue& value) {
   return panel;
 }
 
-std::vector<int> points_of(const JsonValue& list, std::size_t points, std::size_t least = 2) {
+std::vector<int> points_of(const JsonValue& list, std::size_t points, std::size_t min_count = 2) {
   std::vector<int> along;
-  for (std::size_t i = 0; i < list.size(least); ++i) {
+  for (std::size_t i = 0; i < list.size(min_count); ++i) {
     along.push_back(list.item(i).index(static_cast<int>(points)));
   }
   return along;

@@ -3,31 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
 
 #include "geometry/error.h"
 #include "geometry/mesh_polygon.h"
 #include "geometry/polygon.h"
 #include "geometry/triangulate.h"
+#include "pattern/constants.h"
 #include "pattern/doubled_triangles.h"
 #include "pattern/seam_orientation.h"
 
 namespace toile {
 
 namespace {
-
-/// A step along an outline may be longer than asked for by this share before another is added.
-constexpr double step_tolerance = 0.15;
-/// A curve should turn no further than this within one step of the coarsest level (radians), as
-/// far as that can be had with at most this many times the steps that its length asks for.
-constexpr double turn_per_step = 35 * std::numbers::pi / 180;
-constexpr int max_refined = 3;
-/// Triangles sharper than this are needles, and no ground to simulate on.
-constexpr double needle = 3 * std::numbers::pi / 180;
-constexpr double max_triangles = 2e6;
-/// Points on finer levels stay at the middles of edges unless an angle falls below this.
-constexpr double acceptable = 25 * std::numbers::pi / 180;
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
@@ -38,7 +26,7 @@ struct Unmeshable {
 };
 
 /// A panel while it is meshed; indices count its own points.
-struct Work {
+struct PanelTriangulation {
   PlanarMesh mesh;
   std::vector<std::vector<int>> along;  ///< per edge, points from its start to its end
   int coarse_border = 0;                ///< border points of the coarsest level; they come first
@@ -64,12 +52,12 @@ double sharpest_turn(const EdgeCurve& curve, int count) {
 Steps steps_along(const Pattern& pattern, double edge_length) {
   Steps steps;
   const auto wanted = [&](const EdgeCurve& curve) {
-    const int by_length =
-        std::max(1, static_cast<int>(std::ceil(curve.length() / edge_length - step_tolerance)));
-    const int most = std::max(max_refined * by_length, 12);
+    const int by_length = std::max(
+        1, static_cast<int>(std::ceil(curve.length() / edge_length - outline_step_tolerance)));
+    const int max_count = std::max(max_step_refinement * by_length, max_steps_of_short_curve);
     int count = by_length;
-    while (count < most && sharpest_turn(curve, count) > turn_per_step) {
-      count = std::min(most, count + 1 + count / 8);
+    while (count < max_count && sharpest_turn(curve, count) > max_turn_per_step) {
+      count = std::min(max_count, count + 1 + count / 8);
     }
     return count;
   };
@@ -89,25 +77,25 @@ class PanelMesher {
  public:
   PanelMesher(const PatternPanel& panel, bool mirrored) : panel_(panel), mirrored_(mirrored) {}
 
-  Work mesh(const std::vector<int>& steps, double coarse_length, int subdivisions,
-            const std::vector<int>& split_corners) {
+  PanelTriangulation mesh(const std::vector<int>& steps, double coarse_length, int subdivisions,
+                          const std::vector<int>& split_corners) {
     steps_ = steps;
     const std::vector<Vec2> outline = coarse_outline();
     if (outline.size() < 3) throw Unmeshable{panel_.name, "has too few border points"};
     if (first_crossing(outline)) {
       throw Unmeshable{panel_.name, "has an outline that crosses itself"};
     }
-    work_.coarse_border = static_cast<int>(outline.size());
+    triangulation_.coarse_border = static_cast<int>(outline.size());
     try {
-      work_.mesh = mesh_polygon(outline, coarse_length, split_corners);
+      triangulation_.mesh = mesh_polygon(outline, coarse_length, split_corners);
     } catch (const Error&) {
       throw Unmeshable{panel_.name, "can't be triangulated"};
     }
     for (int level = 0; level < subdivisions; ++level) subdivide();
-    if (smallest_angle(work_.mesh.points, work_.mesh.triangles) < needle) {
+    if (smallest_angle(triangulation_.mesh.points, triangulation_.mesh.triangles) < needle_angle) {
       throw Unmeshable{panel_.name, "gets triangles like needles"};
     }
-    return std::move(work_);
+    return std::move(triangulation_);
   }
 
  private:
@@ -132,23 +120,23 @@ class PanelMesher {
 
   std::vector<Vec2> coarse_outline() {
     std::vector<Vec2> outline;
-    work_.along.assign(panel_.edges.size(), {});
+    triangulation_.along.assign(panel_.edges.size(), {});
     const std::vector<OutlineStep> steps = walk();
     for (const OutlineStep& step : steps) {
       const int count = steps_[at(step.edge)];
       std::vector<Vec2> sample = panel_.edges[at(step.edge)].curve.sample(count);
       if (!step.forward) std::reverse(sample.begin(), sample.end());
       for (int i = 0; i < count; ++i) {
-        work_.along[at(step.edge)].push_back(static_cast<int>(outline.size()));
+        triangulation_.along[at(step.edge)].push_back(static_cast<int>(outline.size()));
         outline.push_back(flat(sample[at(i)]));
       }
     }
     for (std::size_t s = 0; s < steps.size(); ++s) {
-      std::vector<int>& along = work_.along[at(steps[s].edge)];
-      along.push_back(work_.along[at(steps[(s + 1) % steps.size()].edge)].front());
+      std::vector<int>& along = triangulation_.along[at(steps[s].edge)];
+      along.push_back(triangulation_.along[at(steps[(s + 1) % steps.size()].edge)].front());
     }
     for (const OutlineStep& step : steps) {
-      std::vector<int>& along = work_.along[at(step.edge)];
+      std::vector<int>& along = triangulation_.along[at(step.edge)];
       if (!step.forward) std::reverse(along.begin(), along.end());
     }
     return outline;
@@ -157,10 +145,10 @@ class PanelMesher {
   /// Splits every triangle in four, in the order that PanelMesh states.
   void subdivide() {
     std::map<std::array<int, 2>, int> middles;
-    std::vector<Vec2>& points = work_.mesh.points;
+    std::vector<Vec2>& points = triangulation_.mesh.points;
     const auto key = [](int a, int b) { return std::array{std::min(a, b), std::max(a, b)}; };
-    for (std::size_t e = 0; e < work_.along.size(); ++e) {
-      const std::vector<int> coarse = work_.along[e];
+    for (std::size_t e = 0; e < triangulation_.along.size(); ++e) {
+      const std::vector<int> coarse = triangulation_.along[e];
       std::vector<int> fine;
       const double spans = 2.0 * static_cast<double>(coarse.size() - 1);
       for (std::size_t i = 0; i + 1 < coarse.size(); ++i) {
@@ -172,7 +160,7 @@ class PanelMesher {
         fine.push_back(middle);
       }
       fine.push_back(coarse.back());
-      work_.along[e] = std::move(fine);
+      triangulation_.along[e] = std::move(fine);
     }
     const auto middle_of = [&](int a, int b) {
       const auto [found, added] = middles.try_emplace(key(a, b), static_cast<int>(points.size()));
@@ -183,8 +171,8 @@ class PanelMesher {
       return found->second;
     };
     std::vector<Triangle> fine;
-    fine.reserve(4 * work_.mesh.triangles.size());
-    for (const auto& [c0, c1, c2] : work_.mesh.triangles) {
+    fine.reserve(4 * triangulation_.mesh.triangles.size());
+    for (const auto& [c0, c1, c2] : triangulation_.mesh.triangles) {
       const int m01 = middle_of(c0, c1);
       const int m12 = middle_of(c1, c2);
       const int m20 = middle_of(c2, c0);
@@ -193,31 +181,32 @@ class PanelMesher {
       fine.push_back({m20, m12, c2});
       fine.push_back({m01, m12, m20});
     }
-    work_.mesh.triangles = std::move(fine);
+    triangulation_.mesh.triangles = std::move(fine);
     // Where a curve bulges inward, its new points come too close to the middles opposite.
     std::vector<bool> border(points.size(), false);
-    for (const std::vector<int>& along : work_.along) {
+    for (const std::vector<int>& along : triangulation_.along) {
       for (const int point : along) border[at(point)] = true;
     }
-    raise_angles(work_.mesh, border, acceptable);
+    raise_angles(triangulation_.mesh, border, acceptable_angle);
   }
 
   const PatternPanel& panel_;
   bool mirrored_;
   std::vector<int> steps_;
-  Work work_;
+  PanelTriangulation triangulation_;
 };
 
-std::vector<Work> mesh_all(const Pattern& pattern, const Orientation& orientation,
-                           double edge_length, int subdivisions, const Corners& split_corners) {
+std::vector<PanelTriangulation> mesh_all(const Pattern& pattern, const Orientation& orientation,
+                                         double edge_length, int subdivisions,
+                                         const Corners& split_corners) {
   const double coarse_length = edge_length * (1 << subdivisions);
   const Steps steps = steps_along(pattern, coarse_length);
-  std::vector<Work> works;
+  std::vector<PanelTriangulation> triangulations;
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
     PanelMesher mesher(pattern.panels[p], orientation.mirrored[p]);
-    works.push_back(mesher.mesh(steps[p], coarse_length, subdivisions, split_corners[p]));
+    triangulations.push_back(mesher.mesh(steps[p], coarse_length, subdivisions, split_corners[p]));
   }
-  return works;
+  return triangulations;
 }
 
 void check_size(const Pattern& pattern, double edge_length) {
@@ -233,7 +222,7 @@ void check_size(const Pattern& pattern, double edge_length) {
     triangles += std::abs(signed_area(points)) / (std::sqrt(3.0) / 4 * edge_length * edge_length) +
                  length / edge_length;
   }
-  if (triangles <= max_triangles) return;
+  if (triangles <= max_garment_triangles) return;
   throw Error(pattern.source,
               triangles < 1e12
                   ? "would need about " + std::to_string(static_cast<int>(triangles / 1e6)) +
@@ -255,11 +244,11 @@ std::vector<int> share_of(const std::vector<int>& along, PanelAttachment::Share 
 }
 
 PanelMesh assemble(const Pattern& pattern, const Orientation& orientation,
-                   const std::vector<Work>& works) {
+                   const std::vector<PanelTriangulation>& triangulations) {
   PanelMesh garment;
-  for (std::size_t p = 0; p < works.size(); ++p) {
+  for (std::size_t p = 0; p < triangulations.size(); ++p) {
     const PatternPanel& panel = pattern.panels[p];
-    const PlanarMesh& mesh = works[p].mesh;
+    const PlanarMesh& mesh = triangulations[p].mesh;
     MeshedPanel meshed;
     meshed.name = panel.name;
     meshed.part = panel.part;
@@ -281,24 +270,24 @@ PanelMesh assemble(const Pattern& pattern, const Orientation& orientation,
     }
     for (std::size_t e = 0; e < panel.edges.size(); ++e) {
       if (!panel.edges[e].elastic) continue;
-      MeshedElastic elastic{panel.name + "." + std::to_string(e), works[p].along[e],
+      MeshedElastic elastic{panel.name + "." + std::to_string(e), triangulations[p].along[e],
                             panel.edges[e].elastic->ratio, panel.edges[e].elastic->stiffness};
       for (int& point : elastic.points) point += meshed.first_point;
       garment.elastics.push_back(std::move(elastic));
     }
     for (const PanelAttachment& attached : panel.attachments) {
-      MeshedAttachment held{panel.name + "." + attached.name,
-                            share_of(works[p].along[at(attached.edge)], attached.share),
-                            attached.how};
-      for (int& point : held.points) point += meshed.first_point;
-      garment.attachments.push_back(std::move(held));
+      MeshedAttachment meshed_attachment{
+          panel.name + "." + attached.name,
+          share_of(triangulations[p].along[at(attached.edge)], attached.share), attached.how};
+      for (int& point : meshed_attachment.points) point += meshed.first_point;
+      garment.attachments.push_back(std::move(meshed_attachment));
     }
     garment.panels.push_back(std::move(meshed));
   }
   for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
     const Stitch& stitch = pattern.stitches[s];
     const auto side = [&](const EdgeRef& ref) {
-      std::vector<int> points = works[at(ref.panel)].along[at(ref.edge)];
+      std::vector<int> points = triangulations[at(ref.panel)].along[at(ref.edge)];
       for (int& point : points) point += garment.panels[at(ref.panel)].first_point;
       return points;
     };
@@ -315,12 +304,13 @@ PanelMesh assemble(const Pattern& pattern, const Orientation& orientation,
 }
 
 /// The outline's corners whose triangles would lie upon others once sewn.
-Corners doubled_corners(const PanelMesh& garment, const std::vector<Work>& works) {
-  Corners corners(works.size());
+Corners doubled_corners(const PanelMesh& garment,
+                        const std::vector<PanelTriangulation>& triangulations) {
+  Corners corners(triangulations.size());
   std::size_t p = 0;
   for (const int t : doubled_triangles(garment)) {
     while (t >= garment.panels[p].first_triangle + garment.panels[p].triangles) ++p;
-    const int border = works[p].coarse_border;
+    const int border = triangulations[p].coarse_border;
     Triangle local = garment.triangles[at(t)];
     std::vector<int> coarse;
     for (int& corner : local) {
@@ -345,12 +335,13 @@ Corners doubled_corners(const PanelMesh& garment, const std::vector<Work>& works
 PanelMesh mesh_garment(const Pattern& pattern, const Orientation& orientation, double edge_length,
                        int subdivisions) {
   const Corners none(pattern.panels.size());
-  std::vector<Work> works = mesh_all(pattern, orientation, edge_length, subdivisions, none);
-  PanelMesh garment = assemble(pattern, orientation, works);
-  const Corners corners = doubled_corners(garment, works);
+  std::vector<PanelTriangulation> triangulations =
+      mesh_all(pattern, orientation, edge_length, subdivisions, none);
+  PanelMesh garment = assemble(pattern, orientation, triangulations);
+  const Corners corners = doubled_corners(garment, triangulations);
   if (corners != none) {
-    works = mesh_all(pattern, orientation, edge_length, subdivisions, corners);
-    garment = assemble(pattern, orientation, works);
+    triangulations = mesh_all(pattern, orientation, edge_length, subdivisions, corners);
+    garment = assemble(pattern, orientation, triangulations);
   }
   garment.subdivisions = subdivisions;
   garment.edge_length = edge_length;

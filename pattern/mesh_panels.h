@@ -17,9 +17,6 @@ struct MeshSettings {
   int subdivisions = -1;
 };
 
-inline constexpr int max_subdivisions = 3;
-inline constexpr double coarsest_edge = 0.04;  ///< metres
-
 /// Meshes every panel of a checked pattern.
 ///
 /// - Each outline edge is cut into equal steps of its length on the coarsest level. The longer side

@@ -34,10 +34,6 @@ struct MeshedSeam {
   double length_b = 0;  ///< metres, of the pattern's curve
 };
 
-/// Sides of a seam whose lengths differ by more than this share of the shorter one are eased or
-/// gathered.
-inline constexpr double gather_threshold = 0.02;
-
 /// An elastic that is sewn along an outline edge while stretched to the edge's length.
 struct MeshedElastic {
   std::string name;         ///< "panel.edge"

@@ -12,6 +12,7 @@
 #include "io/json_words.h"
 #include "io/output_file.h"
 #include "pattern/attachment_json.h"
+#include "pattern/constants.h"
 #include "pattern/placement_json.h"
 #include "pattern/schematic_figure.h"
 
@@ -21,12 +22,6 @@ namespace {
 
 /// Metres: larger coordinates are no garment's.
 constexpr double largest_coordinate = 1000;
-
-/// A circle's radius that is too short for its chord by more than this share gets a note.
-constexpr double radius_tolerance = 1e-3;
-
-/// N, estimated: a waistband's elastic takes some 10 N when it is half as long again.
-constexpr double usual_elastic = 20;
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -85,7 +80,7 @@ class Reader {
                     "units_in_meter", "original_units_in_meter"});
     if (const auto units = given->find("units_in_meter")) {
       const double value = units->number();
-      if (value < 1e-3 || value > 1e6) units->fail("is no sensible number of units");
+      if (value < 1e-3 || value > 1e6) units->fail("is not between 0.001 and 1,000,000");
       unit_ = 1 / value;
     } else {
       note(pattern_.source + ": no 'units_in_meter'; lengths are taken as centimetres");
@@ -175,8 +170,8 @@ class Reader {
         *panel.placement.level -= upright(panel.placement.axis, centre).y();
     }
     edges(panel, value.get("edges"), points);
-    if (const auto held = value.find("attach")) {
-      panel.attachments = read_panel_attachments(held->called(value.place() + ", attach"),
+    if (const auto attach = value.find("attach")) {
+      panel.attachments = read_panel_attachments(attach->called(value.place() + ", attach"),
                                                  value.get("edges"), unit_);
     }
     if (panel.placement.by_part()) {
@@ -225,10 +220,10 @@ class Reader {
     const JsonValue ratio = value.get("ratio");
     elastic.ratio = ratio.number();
     if (!(elastic.ratio >= 0.1 && elastic.ratio <= 1)) {
-      ratio.fail("is not between 0.1 and 1", "it is the elastic's length over the edge's");
+      ratio.fail("is not between 0.1 and 1", "it is the elastic's length at rest over the edge's");
     }
     const auto stiffness = value.find("stiffness_N");
-    elastic.stiffness = stiffness ? stiffness->number() : usual_elastic;
+    elastic.stiffness = stiffness ? stiffness->number() : usual_elastic_stiffness;
     if (!(elastic.stiffness > 0 && elastic.stiffness <= 1e4)) {
       stiffness->fail("is not between 0 and 10,000 N", "a waistband's is some 20");
     }
@@ -297,20 +292,21 @@ class Reader {
     const double radius = params.item(0).number() * unit_;
     if (!(radius > 0) || radius > 1e6) params.item(0).fail("is no radius");
     const double half = (end - start).norm() / 2;
-    if (radius < half * (1 - radius_tolerance)) {
+    if (radius < half * (1 - radius_note_threshold)) {
       note(edge.place() + ": the circle's radius is too short to reach; half the chord is taken");
     }
     return EdgeCurve::arc(start, end, radius, params.item(1).flag(), params.item(2).flag());
   }
 
-  /// A control point in metres. The file states it in the panel's drawing, or in the frame of the
-  /// edge: start at 0, end at (1, 0), y to its left.
+  /// A control point in metres. The file states it in the panel's drawing or in the frame of the
+  /// edge. That frame has the start at 0, the end at (1, 0) and y to its left.
   Vec2 control(const JsonValue& value, const Vec2& start, const Vec2& end) const {
     if (absolute_) return metres(value) - offset_;
     const Vec2 relative = pair(value);
     const Vec2 run = end - start;
     const Vec2 point = start + relative.x() * run + relative.y() * Vec2(-run.y(), run.x());
-    if (!(point.cwiseAbs().maxCoeff() <= largest_coordinate)) value.fail("lies too far away");
+    if (!(point.cwiseAbs().maxCoeff() <= largest_coordinate))
+      value.fail("lies more than a kilometre away");
     return point;
   }
 
@@ -362,7 +358,8 @@ class Reader {
           } else {
             stitch.fullness = gather->number();
             if (!(stitch.fullness >= 1 && stitch.fullness <= 20)) {
-              gather->fail("is no fullness", "use true, or the longer side over the shorter: 1.5");
+              gather->fail("is no fullness between 1 and 20",
+                           "use true, or the longer side over the shorter: 1.5");
             }
           }
         }

@@ -25,7 +25,7 @@ constexpr double farthest_drawn = 1000;
 
 double length(const JsonValue& value, double unit, double low, double high) {
   const double metres = value.number() * unit;
-  if (metres < low || metres > high) value.fail("is no sensible length", "check the unit");
+  if (metres < low || metres > high) value.fail("is out of range", "check the unit");
   return metres;
 }
 
@@ -67,7 +67,7 @@ PanelPlacement read_placement(const JsonValue& value, const std::string& part, d
   if (const auto around = value.find("around")) {
     placement.around = around->is_flag() ? (around->flag() ? 1 : 0) : around->number();
     if (!(placement.around >= 0 && placement.around <= 1)) {
-      around->fail("is no share of the way around", "use true, false or a number up to 1");
+      around->fail("is not between 0 and 1", "use true, false or a number up to 1");
     }
   }
   if (!placement.by_part()) {
@@ -97,7 +97,7 @@ PanelPlacement read_placement(const JsonValue& value, const std::string& part, d
   }
   if (const auto at = value.find("at")) placement.at = joint_name(*at, part);
   if (const auto level = value.find("level")) {
-    if (placement.at.empty()) level->fail("has no joint to lie at", "add 'at'");
+    if (placement.at.empty()) level->fail("needs a joint", "add 'at'");
     placement.level =
         up_sign(placement.axis) * length(*level, unit, -farthest_drawn, farthest_drawn);
   }

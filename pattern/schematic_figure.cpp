@@ -17,17 +17,17 @@ const std::map<std::string, double> joint_heights = {
     {"head", 1.7},    {"shoulder", 1.35}, {"elbow", 1.1},  {"wrist", 0.85},
     {"hip", 0.83},    {"knee", 0.46},     {"ankle", 0.07}};
 
-/// Where the axis of a part stands from the middle, and how far off it its panels stand.
-struct Stand {
-  double aside;
-  double distance;
-  const char* top;
+/// The vertical axis of a body part of the figure, and where panels of the part stand.
+struct PartAxis {
+  double aside;     ///< metres from the middle of the body
+  double distance;  ///< metres from the axis to the panels
+  const char* top;  ///< joint that the upper ends of panels are level with
 };
 
-Stand stand_of(const std::string& part) {
+PartAxis axis_of(const std::string& part) {
   if (part.ends_with("_arm")) return {0.45, 0.12, "shoulder"};
   if (part.ends_with("_leg")) return {0.15, 0.12, "waist"};
-  return part == "head" ? Stand{0, 0.15, "head"} : Stand{0, 0.25, "neck"};
+  return part == "head" ? PartAxis{0, 0.15, "head"} : PartAxis{0, 0.25, "neck"};
 }
 
 }  // namespace
@@ -43,8 +43,8 @@ void stand_schematically(PatternPanel& panel) {
       high = high.cwiseMax(point);
     }
   }
-  const Stand stand = stand_of(panel.part);
-  std::string joint = placement.at.empty() ? stand.top : placement.at;
+  const PartAxis axis = axis_of(panel.part);
+  std::string joint = placement.at.empty() ? axis.top : placement.at;
   joint = joint.substr(joint.find('_') + 1);  // npos + 1 is 0
   const double middle = (low.x() + high.x()) / 2 - placement.shift;
   const double level = placement.level.value_or(high.y());
@@ -54,10 +54,10 @@ void stand_schematically(PatternPanel& panel) {
     turned.col(i).head<2>() = upright(placement.axis, Vec2::Unit(i));
   }
   const Eigen::Matrix3d around = Eigen::AngleAxisd(angle, Vec3::UnitY()).toRotationMatrix();
-  const double aside = panel.part.starts_with("right_") ? -stand.aside : stand.aside;
+  const double aside = panel.part.starts_with("right_") ? -axis.aside : axis.aside;
   panel.rotation = around * turned;
   panel.translation =
-      Vec3(aside, joint_heights.at(joint), 0) + around * Vec3(-middle, -level, stand.distance);
+      Vec3(aside, joint_heights.at(joint), 0) + around * Vec3(-middle, -level, axis.distance);
 }
 
 }  // namespace toile

@@ -3,27 +3,24 @@
 #include <cmath>
 
 #include "geometry/polygon.h"
+#include "pattern/constants.h"
 
 namespace toile {
 
 namespace {
 
-/// The direction of a seam is undecided when the end distances of both differ by less than this
-/// share.
-constexpr double alike = 0.01;
-
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// A panel as orientation needs it.
-struct Face {
+struct PanelFace {
   double area = 0;              ///< m², as drawn; positive when counter-clockwise
   Vec3 centre = Vec3::Zero();   ///< metres, of its outline as placed
   Vec3 normal = Vec3::UnitZ();  ///< of the drawing's front as placed
   std::vector<bool> forward;    ///< per edge: whether the outline runs along it
 };
 
-Face face_of(const PatternPanel& panel) {
-  Face face;
+PanelFace face_of(const PatternPanel& panel) {
+  PanelFace face;
   face.forward.resize(panel.edges.size());
   std::vector<Vec2> outline;
   for (const OutlineStep& step : panel.outline) {
@@ -56,14 +53,14 @@ bool runs_reversed(const Pattern& pattern, const Stitch& stitch) {
   const Vec3 b_end = b.place(edge_b.end());
   const double same = (a_start - b_start).norm() + (a_end - b_end).norm();
   const double opposite = (a_start - b_end).norm() + (a_end - b_start).norm();
-  return opposite <= same + alike * (same + opposite);
+  return opposite <= same + undecided_seam_direction * (same + opposite);
 }
 
 }  // namespace
 
 Orientation orient(const Pattern& pattern, std::vector<Remark>& remarks) {
   Orientation result;
-  std::vector<Face> faces;
+  std::vector<PanelFace> faces;
   for (const PatternPanel& panel : pattern.panels) faces.push_back(face_of(panel));
   for (const Stitch& stitch : pattern.stitches) {
     result.reversed.push_back(runs_reversed(pattern, stitch));
@@ -71,22 +68,22 @@ Orientation orient(const Pattern& pattern, std::vector<Remark>& remarks) {
 
   // A seam joins right to right when its edges run against each other around their panels, both
   // seen from the right side. So each seam tells whether its panels show the same face.
-  struct Link {
+  struct SeamNeighbour {
     int panel = 0;
     bool same = false;
     std::size_t stitch = 0;
   };
-  std::vector<std::vector<Link>> links(pattern.panels.size());
+  std::vector<std::vector<SeamNeighbour>> neighbours(pattern.panels.size());
   for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
     const Stitch& stitch = pattern.stitches[s];
     const auto counter_clockwise = [&](const EdgeRef& ref) {
-      const Face& face = faces[at(ref.panel)];
+      const PanelFace& face = faces[at(ref.panel)];
       return face.forward[at(ref.edge)] == (face.area > 0);
     };
     const bool along = counter_clockwise(stitch.a) == counter_clockwise(stitch.b);
     const bool same = along == result.reversed[s];
-    links[at(stitch.a.panel)].push_back({stitch.b.panel, same, s});
-    links[at(stitch.b.panel)].push_back({stitch.a.panel, same, s});
+    neighbours[at(stitch.a.panel)].push_back({stitch.b.panel, same, s});
+    neighbours[at(stitch.b.panel)].push_back({stitch.a.panel, same, s});
   }
 
   result.mirrored.assign(pattern.panels.size(), false);
@@ -97,15 +94,15 @@ Orientation orient(const Pattern& pattern, std::vector<Remark>& remarks) {
     seen[first] = true;
     bool twisted = false;
     for (std::size_t i = 0; i < group.size(); ++i) {
-      for (const Link& link : links[at(group[i])]) {
-        const bool mirrored = result.mirrored[at(group[i])] == link.same;
-        if (!seen[at(link.panel)]) {
-          seen[at(link.panel)] = true;
-          result.mirrored[at(link.panel)] = mirrored;
-          group.push_back(link.panel);
-        } else if (result.mirrored[at(link.panel)] != mirrored && !twisted) {
+      for (const SeamNeighbour& neighbour : neighbours[at(group[i])]) {
+        const bool mirrored = result.mirrored[at(group[i])] == neighbour.same;
+        if (!seen[at(neighbour.panel)]) {
+          seen[at(neighbour.panel)] = true;
+          result.mirrored[at(neighbour.panel)] = mirrored;
+          group.push_back(neighbour.panel);
+        } else if (result.mirrored[at(neighbour.panel)] != mirrored && !twisted) {
           twisted = true;
-          const Stitch& stitch = pattern.stitches[link.stitch];
+          const Stitch& stitch = pattern.stitches[neighbour.stitch];
           remarks.push_back({true, pattern.source + ": " + edge_name(pattern, stitch.a) + " and " +
                                        edge_name(pattern, stitch.b) +
                                        " join a right side to a wrong side; state the stitch's "
@@ -124,13 +121,13 @@ Orientation orient(const Pattern& pattern, std::vector<Remark>& remarks) {
     }
     centre /= area;
     for (const int p : group) {
-      const Face& face = faces[at(p)];
+      const PanelFace& face = faces[at(p)];
       const double sign = result.mirrored[at(p)] ? -1 : 1;
       outward += sign * std::abs(face.area) * face.normal.dot(face.centre - centre);
       scale += std::abs(face.area) * (face.centre - centre).norm();
       drawn += sign * face.area;
     }
-    const bool flip = std::abs(outward) > 0.05 * scale ? outward < 0 : drawn < 0;
+    const bool flip = std::abs(outward) > undecided_right_side * scale ? outward < 0 : drawn < 0;
     for (const int p : group) {
       if (twisted) {
         result.mirrored[at(p)] = faces[at(p)].area < 0;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "pattern/constants.h"
+
 namespace toile {
 
 GatheredEdges gathered_edges(const PanelMesh& garment) {

@@ -71,12 +71,13 @@ TEST(AttachmentJson, RefusesWhatMakesNoSense) {
   EXPECT_HOLDS(refusal(R"({"edge": -1, "to": "waist"})"), place);
   EXPECT_HOLDS(refusal(R"({"vertex": 4, "to": "waist"})"),
                place + ": names vertex 4, which no edge of the panel has");
-  EXPECT_HOLDS(refusal(R"({"to": "waist"})"), place + ": names not one edge or one vertex");
-  EXPECT_HOLDS(refusal(R"({"edge": 1, "vertex": 1, "to": "waist"})"), "not one edge or one vertex");
+  EXPECT_HOLDS(refusal(R"({"to": "waist"})"), place + ": names no edge and no vertex, or both");
+  EXPECT_HOLDS(refusal(R"({"edge": 1, "vertex": 1, "to": "waist"})"),
+               "names no edge and no vertex, or both");
   EXPECT_HOLDS(refusal(R"({"edge": 2})"), "'to'");
   EXPECT_HOLDS(refusal(R"({"edge": 2, "to": [1, 2]})"), place);
   EXPECT_HOLDS(refusal(R"({"edge": 2, "to": [1, 2, 3000]})"), "is more than 10 m");
-  EXPECT_HOLDS(refusal(R"({"edge": 2, "to": "place", "above": 2})"), "has no level to be above");
+  EXPECT_HOLDS(refusal(R"({"edge": 2, "to": "place", "above": 2})"), "names no level");
   EXPECT_HOLDS(refusal(R"({"edge": 2, "to": "waist", "while": "sewing"})"),
                "'sewing' is unknown; use one of dressing, always");
   EXPECT_HOLDS(refusal(R"({"edge": 2, "to": "waist", "whlie": "always"})"),

@@ -10,6 +10,7 @@
 
 #include "geometry/polygon.h"
 #include "geometry/triangulate.h"
+#include "pattern/constants.h"
 #include "pattern/doubled_triangles.h"
 #include "pattern/nesting.h"
 #include "pattern/seam_orientation.h"

@@ -1,5 +1,6 @@
 // mesh-pattern: from a flat sewing pattern to meshed panels with paired seams.
 #include "geometry/error.h"
+#include "pattern/constants.h"
 #include "tools/mesh_pattern/run.h"
 #include "tools/programs.h"
 

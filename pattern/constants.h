@@ -1,0 +1,65 @@
+// Constants of patterns and their meshes.
+#pragma once
+
+#include <numbers>
+
+namespace toile {
+
+/// Share of the shorter side. A seam whose sides differ by more is eased or gathered: the check
+/// notes it, and the cloth of the longer side gives way.
+inline constexpr double gather_threshold = 0.02;
+
+/// Share of the shorter side. A seam whose sides differ by more without being declared gathered
+/// gets a warning: it is gathered, or a mistake.
+inline constexpr double seam_warning_threshold = 0.20;
+
+/// A declared fullness may differ from the drawn one by this share.
+inline constexpr double fullness_tolerance = 0.05;
+
+/// Metres: a shorter edge is a drawing error, not cloth.
+inline constexpr double min_edge_length = 1e-4;
+
+/// N: the stiffness of an elastic whose pattern states none, estimated. A waistband's elastic takes
+/// some 10 N when it is half as long again.
+inline constexpr double usual_elastic_stiffness = 20;
+
+/// A circle's radius that is too short for its chord by more than this share gets a note.
+inline constexpr double radius_note_threshold = 1e-3;
+
+/// The direction of a seam is undecided by the placed end points when their distances in both
+/// directions differ by less than this share of their sum.
+inline constexpr double undecided_seam_direction = 0.01;
+
+/// The placed panels leave open which side is out when their mean outward offset is below this
+/// share of their mean distance from the centre.
+inline constexpr double undecided_right_side = 0.05;
+
+/// Levels of subdivision that a mesh has at most.
+inline constexpr int max_subdivisions = 3;
+
+/// Metres: the edge length of the coarsest level, by which the number of subdivisions is chosen.
+inline constexpr double coarsest_edge = 0.04;
+
+/// A step along an outline may be longer than asked for by this share before another step is added.
+inline constexpr double outline_step_tolerance = 0.15;
+
+/// Radians that a curve turns at most within one step of the coarsest level, as far as
+/// `max_step_refinement` allows it.
+inline constexpr double max_turn_per_step = 35 * std::numbers::pi / 180;
+
+/// A curve that turns sharply gets at most this many times the steps that its length asks for.
+inline constexpr int max_step_refinement = 3;
+
+/// A curve that turns sharply may get this many steps, however short it is.
+inline constexpr int max_steps_of_short_curve = 12;
+
+/// Radians: triangles with a smaller angle are needles, and no ground to simulate on.
+inline constexpr double needle_angle = 3 * std::numbers::pi / 180;
+
+/// Radians: points of finer levels stay at the middles of edges unless an angle is smaller.
+inline constexpr double acceptable_angle = 25 * std::numbers::pi / 180;
+
+/// Triangles of a garment at most.
+inline constexpr double max_garment_triangles = 2e6;
+
+}  // namespace toile
