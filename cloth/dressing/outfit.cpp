@@ -31,7 +31,7 @@ std::vector<std::string> softened_fabrics(const PanelMesh& garment, const Scene&
   for (const auto& [name, stiffness] : given) {
     std::ostringstream line;
     line << "fabric: " << name << " has a stiffness of " << stiffness
-         << " N/m and is taken for one of " << stiffest
+         << " N/m and is taken for one of " << max_modulus
          << " N/m: the strains that the report tells would be less";
     lines.push_back(line.str());
   }

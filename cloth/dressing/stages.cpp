@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "cloth/model/constants.h"
 #include "cloth/model/gathers.h"
 #include "cloth/start/start.h"
 

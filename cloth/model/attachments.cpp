@@ -14,8 +14,7 @@ namespace toile {
 
 namespace {
 
-/// The share of an attachment that each of its points takes: of the edge's length, what is nearest
-/// to it.
+/// Per point, its share of the attachment: the part of the edge's length that is nearest to it.
 std::vector<double> shares_along(const PanelMesh& garment, const std::vector<int>& points) {
   if (points.size() == 1) return {1};
   std::vector<double> shares(points.size(), 0);
@@ -30,10 +29,10 @@ std::vector<double> shares_along(const PanelMesh& garment, const std::vector<int
   return shares;
 }
 
-/// A height of the body: a point of the plane, and what the plane is square to.
+/// A plane at a height of the body.
 struct Level {
-  Vec3 point;
-  Vec3 axis;
+  Vec3 point;  ///< metres, on the plane
+  Vec3 axis;   ///< unit vector, square to the plane
 };
 
 class Anchors {
@@ -81,7 +80,7 @@ class Anchors {
     if (bones.joints.empty()) {
       throw refused(attached, "the skeleton lacks that limb", "let clean-body write the skeleton");
     }
-    // Bones of a limb run away from the body, and a level is above where it is nearer to it.
+    // Bones of a limb run away from the body. So a level above a joint lies nearer to the body.
     const double along = bones.foot(scene_.skeleton->joint(joint)) - attached.how.above;
     const auto [point, direction] = bones.at(along);
     return {point, direction};
@@ -97,7 +96,7 @@ class Anchors {
     throw refused(attached, "the body shows none", "name a joint, with 'above'");
   }
 
-  /// The distance is smooth, not exact, so one step out does not do.
+  /// Moves an anchor out of the body. The smooth distance is not exact, so it takes several steps.
   Vec3 off_the_body(Vec3 anchor) const {
     constexpr int steps = 5;
     for (int i = 0; i < steps; ++i) {
@@ -110,7 +109,7 @@ class Anchors {
 
   const Scene& scene_;
   double offset_;                   // metres that the cloth keeps from the skin
-  std::vector<TorsoLevel> girths_;  // once one was asked for
+  std::vector<TorsoLevel> girths_;  // empty until one is needed
 };
 
 std::string target_of(const Attachment& how) {

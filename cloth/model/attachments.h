@@ -1,4 +1,4 @@
-// What holds points of a garment while it is dressed, or for good: springs to places.
+// Attachments: springs that hold points of a garment, while it is dressed or for good.
 #pragma once
 
 #include <cmath>
@@ -10,20 +10,20 @@
 
 namespace toile {
 
-/// A material point that something holds, d off its anchor: E = ½ stiffness |d|² until the pull
-/// would be larger than `most`, from where on that is all it pulls with. Held at a level, d is what
-/// is missing along the axis alone.
+/// A material point on a spring to its anchor, with E = ½ stiffness |d|². d is the displacement to
+/// the anchor, for a level only its part along the axis. Once the pull reaches `max_pull` it stays
+/// there.
 struct AttachedPoint {
-  int point;
-  int attachment;    ///< of the garment's, by index
+  int point;         ///< index of the material point
+  int attachment;    ///< index into PanelMesh::attachments
   Vec3 anchor;       ///< metres
-  Vec3 axis;         ///< of unit length; zero: held in every direction
+  Vec3 axis;         ///< unit vector of a level; zero: held in every direction
   double stiffness;  ///< N/m
   double max_pull;   ///< N
-  bool always;       ///< for good; else while it is dressed
+  bool always;       ///< for good; else while the garment is dressed
 };
 
-/// Metres from the point at `p` to where it is held.
+/// Metres: the displacement from the point at `p` to its anchor.
 inline Vec3 displacement_to_anchor(const AttachedPoint& attached, const Vec3& p) {
   const Vec3 displacement = attached.anchor - p;
   return attached.axis.isZero() ? displacement
@@ -38,15 +38,17 @@ inline Vec3 attachment_pull(const AttachedPoint& attached, const Vec3& p) {
   return attached.max_pull / distance * displacement;
 }
 
-/// All attached points, in the order of the garment's attachments, with panels placed at `placed`
-/// (metres, per material point). A level of torso or head is horizontal, one of a limb square to
-/// its bones. A place that is nearer to the scene's body than `body_offset` metres is moved out to
-/// there. Throws Error, naming the attachment, when the scene lacks what it is held at. Cost is
-/// that of the points; 50 slices of the body where a girth is named.
+/// All attached points, in the order of the garment's attachments. `placed` are the places of the
+/// panels (metres, one per material point). A level of torso or head is horizontal, one of a limb
+/// is square to its bones. An anchor nearer to the scene's body than `body_offset` metres is moved
+/// out to that distance.
+///
+/// Throws Error, naming the attachment, when the scene lacks its target. Linear in the points, plus
+/// 50 slices of the body where a girth is named.
 std::vector<AttachedPoint> attached_points(const PanelMesh& garment, const Scene& scene,
                                            const std::vector<Vec3>& placed, double body_offset);
 
-/// Those that hold for good.
+/// The attachments that hold for good.
 std::vector<AttachedPoint> lasting(std::vector<AttachedPoint> attachments);
 
 /// An attachment as it is measured.
@@ -54,17 +56,18 @@ struct AttachmentFigures {
   std::string name;
   std::string to;  ///< the landmark, "place", "skin" or "point"
   bool always = false;
-  double off_mean = 0;       ///< metres off what holds it
-  double off_max = 0;        ///< likewise
-  Vec3 pull = Vec3::Zero();  ///< N: its force on the cloth
+  double off_mean = 0;       ///< metres from the points to their anchors, the mean
+  double off_max = 0;        ///< metres, the largest
+  Vec3 pull = Vec3::Zero();  ///< N: the force of the whole attachment on the cloth
 };
 
-/// One for each of the garment's attachments, as they hold material points at `points`.
+/// Measures each of the garment's attachments on the material points `points` (metres). Those
+/// without points in `attachments` have figures of 0.
 std::vector<AttachmentFigures> measure_attachments(const PanelMesh& garment,
                                                    const std::vector<AttachedPoint>& attachments,
                                                    const std::vector<Vec3>& points);
 
-/// Measures those anew that hold for good.
+/// Measures the attachments that hold for good again, and overwrites their `figures`.
 void measure_lasting(const PanelMesh& garment, const std::vector<AttachedPoint>& attachments,
                      const std::vector<Vec3>& points, std::vector<AttachmentFigures>& figures);
 

@@ -4,34 +4,29 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 
 #include "cloth/model/plate_bending.h"
 #include "geometry/adjacency.h"
+#include "geometry/half_edges.h"
 
 namespace toile {
 
 namespace {
 
-/// A triangle at an edge, and its corner opposite to that.
-struct Side {
-  int triangle;
-  int corner;
+/// An edge of a triangle, with the corner opposite to it in the frame of the edge.
+struct EdgeFrame {
+  int a;          ///< material point at one end
+  int b;          ///< material point at the other end
+  int c;          ///< material point of the opposite corner
+  double length;  ///< metres
+  Vec2 corner;    ///< metres along the edge from a, and away from it
 };
 
-/// An edge as a side sees it, from its point `a` to `b`, and its opposite corner in that frame.
-struct Reach {
-  int a;
-  int b;
-  int c;
-  double length;
-  Vec2 corner;  // along the edge from a, and away from it
-};
-
-struct Link {
-  int from;
-  int to;
-  double stiffness;
+/// An entry of the stiffness matrix.
+struct MatrixEntry {
+  int row;
+  int column;
+  double stiffness;  ///< N/m
 };
 
 class HingeLayout {
@@ -52,70 +47,69 @@ class HingeLayout {
   }
 
  private:
-  /// Sides by their node edge: also finds the hinge across a sewn seam.
+  /// Edges are those of nodes, so sewn seams have hinges too.
   void lay_out_hinges() {
-    std::map<std::pair<int, int>, std::vector<Side>> sides;
-    for (std::size_t t = 0; t < model_.node_triangles.size(); ++t) {
-      for (int i = 0; i < 3; ++i) {
-        const int a = model_.node_triangles[t][(i + 1) % 3];
-        const int b = model_.node_triangles[t][(i + 2) % 3];
-        sides[std::minmax(a, b)].push_back({static_cast<int>(t), i});
-      }
-    }
-    for (const auto& [edge, faces] : sides) {
-      if (faces.size() != 2) continue;  // a border, or three panels in one seam
-      add_hinge(faces[0], faces[1]);
+    const std::vector<HalfEdge> sides =
+        half_edges(model_.node_triangles, static_cast<std::size_t>(model_.nodes));
+    for (std::size_t i = 0; i < sides.size();) {
+      std::size_t end = i + 1;
+      while (end < sides.size() && sides[end].same_edge(sides[i])) ++end;
+      // Any other number is a border, or three panels in one seam.
+      if (end - i == 2) add_hinge(sides[i], sides[i + 1]);
+      i = end;
     }
   }
 
-  Reach reach(const Side& side, int from_node) const {
+  /// The edge of `side`, from the end at node `from_node` on.
+  EdgeFrame frame_of(const HalfEdge& side, int from_node) const {
     const Triangle& points = model_.triangles[side.triangle];
-    Reach reach;
-    reach.a = points[(side.corner + 1) % 3];
-    reach.b = points[(side.corner + 2) % 3];
-    reach.c = points[side.corner];
-    if (model_.node_of_point[reach.a] != from_node) std::swap(reach.a, reach.b);
-    const Vec2 edge = garment_.flat[reach.b] - garment_.flat[reach.a];
-    const Vec2 to = garment_.flat[reach.c] - garment_.flat[reach.a];
-    reach.length = edge.norm();
-    reach.corner = {edge.dot(to) / reach.length,
-                    std::abs(edge.x() * to.y() - edge.y() * to.x()) / reach.length};
-    return reach;
+    EdgeFrame frame;
+    frame.a = points[(side.opposite + 1) % 3];
+    frame.b = points[(side.opposite + 2) % 3];
+    frame.c = points[side.opposite];
+    if (model_.node_of_point[frame.a] != from_node) std::swap(frame.a, frame.b);
+    const Vec2 edge = garment_.flat[frame.b] - garment_.flat[frame.a];
+    const Vec2 to = garment_.flat[frame.c] - garment_.flat[frame.a];
+    frame.length = edge.norm();
+    frame.corner = {edge.dot(to) / frame.length,
+                    std::abs(edge.x() * to.y() - edge.y() * to.x()) / frame.length};
+    return frame;
   }
 
-  void add_hinge(const Side& one, const Side& other) {
-    const int from = model_.node_triangles[one.triangle][(one.corner + 1) % 3];
-    const Reach here = reach(one, from);
-    const Reach there = reach(other, from);
+  void add_hinge(const HalfEdge& one, const HalfEdge& other) {
+    const int from = model_.node_triangles[one.triangle][(one.opposite + 1) % 3];
+    const EdgeFrame here = frame_of(one, from);
+    const EdgeFrame there = frame_of(other, from);
     BendHinge hinge;
     hinge.points = {here.a, here.b, here.c, there.c};
     hinge.weights = {0, 0, 1 / here.corner.y(), 1 / there.corner.y()};
-    for (const Reach& side : {here, there}) {
-      const double share = side.corner.x() / side.length;
-      hinge.weights[0] -= (1 - share) / side.corner.y();
-      hinge.weights[1] -= share / side.corner.y();
+    for (const EdgeFrame& frame : {here, there}) {
+      const double share = frame.corner.x() / frame.length;
+      hinge.weights[0] -= (1 - share) / frame.corner.y();
+      hinge.weights[1] -= share / frame.corner.y();
     }
     hinge.across_seam = here.a != there.a || here.b != there.b;
-    hinges_[one.triangle][one.corner] = hinges_[other.triangle][other.corner] =
+    hinges_[one.triangle][one.opposite] = hinges_[other.triangle][other.opposite] =
         static_cast<int>(model_.bend.size());
     model_.bend.push_back(hinge);
     length_.push_back(0.5 * (here.length + there.length));
     area_.push_back(0);
     for (const auto& [side, across] : {std::pair(one, other), {other, one}}) {
-      feel(side, across);
+      store_jump(side, across);
     }
   }
 
-  /// In the flat panel of the side; the other is drawn up to its length.
-  void feel(const Side& side, const Side& across) {
+  /// Stores the jump across the edge of `side`, in the flat panel of that side. The panel of
+  /// `across` is scaled to the same length of the edge.
+  void store_jump(const HalfEdge& side, const HalfEdge& across) {
     const Triangle& points = model_.triangles[side.triangle];
-    const int a = points[(side.corner + 1) % 3];
-    const int b = points[(side.corner + 2) % 3];
+    const int a = points[(side.opposite + 1) % 3];
+    const int b = points[(side.opposite + 2) % 3];
     const auto& flat = garment_.flat;
-    const Reach other = reach(across, model_.node_of_point[a]);
+    const EdgeFrame other = frame_of(across, model_.node_of_point[a]);
     const Vec2 away((flat[b] - flat[a]).norm() / other.length * other.corner.x(), other.corner.y());
-    jumps_[side.triangle][side.corner] = jump_by_curvature(
-        flat[a], flat[b], flat[points[side.corner]], away, panel_of(side.triangle).grain);
+    jumps_[side.triangle][side.opposite] = jump_by_curvature(
+        flat[a], flat[b], flat[points[side.opposite]], away, panel_of(side.triangle).grain);
   }
 
   const MeshedPanel& panel_of(int triangle) const {
@@ -147,7 +141,8 @@ class HingeLayout {
     }
   }
 
-  /// Rows of open seams count as much as they may, and don't make up for others.
+  /// Bounds the row sums. Rows of open seams count with all of their stiffness, and do not cancel
+  /// that of other rows.
   void bound() {
     model_.bend_diagonal.assign(model_.nodes, 0);
     const BendMatrix matrix = bend_matrix(model_, model_.node_of_point, model_.nodes, true);
@@ -165,29 +160,31 @@ class HingeLayout {
 
   const PanelMesh& garment_;
   GarmentModel& model_;
-  std::vector<std::array<int, 3>> hinges_;  // opposite to each corner; -1: none
-  std::vector<std::array<Vec3, 3>> jumps_;  // of the same, by curvature
-  std::vector<double> length_;              // of each hinge's edge, the mean of both sides'
-  std::vector<double> area_;                // of each hinge's triangles
+  std::vector<std::array<int, 3>> hinges_;  // per triangle, opposite to each corner; -1: none
+  std::vector<std::array<Vec3, 3>> jumps_;  // per triangle, the jump there by curvature, metres
+  std::vector<double> length_;              // metres, per hinge: the edge, the mean of both sides
+  std::vector<double> area_;                // m², per hinge: of both triangles
 };
 
-/// Entries of the same place are added up in their order, so bits don't depend on the sorting.
-BendRows rows_of(const std::vector<Link>& links, std::size_t vertices) {
-  const Adjacency<Link> links_of(vertices, [&](const auto& add) {
-    for (const Link& link : links) add(link.from, link);
+/// Sorts entries into rows. Entries of the same place are added up in their order, so the sum does
+/// not depend on the sorting.
+BendRows rows_of(const std::vector<MatrixEntry>& entries, std::size_t vertices) {
+  const Adjacency<MatrixEntry> entries_of(vertices, [&](const auto& add) {
+    for (const MatrixEntry& entry : entries) add(entry.row, entry);
   });
-  std::vector<Link> sorted;
+  std::vector<MatrixEntry> sorted;
   BendRows rows;
   rows.first.push_back(0);
   for (std::size_t v = 0; v < vertices; ++v) {
-    sorted.assign(links_of[v].begin(), links_of[v].end());
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [](const Link& a, const Link& b) { return a.to < b.to; });
+    sorted.assign(entries_of[v].begin(), entries_of[v].end());
+    std::stable_sort(sorted.begin(), sorted.end(), [](const MatrixEntry& a, const MatrixEntry& b) {
+      return a.column < b.column;
+    });
     for (std::size_t i = 0; i < sorted.size(); ++i) {
-      if (i > 0 && sorted[i].to == sorted[i - 1].to) {
+      if (i > 0 && sorted[i].column == sorted[i - 1].column) {
         rows.stiffness.back() += sorted[i].stiffness;
       } else {
-        rows.vertex.push_back(sorted[i].to);
+        rows.vertex.push_back(sorted[i].column);
         rows.stiffness.push_back(sorted[i].stiffness);
       }
     }
@@ -196,7 +193,7 @@ BendRows rows_of(const std::vector<Link>& links, std::size_t vertices) {
   return rows;
 }
 
-/// The jumps across a triangle's edges, by the vertices that they are of.
+/// The jumps across a triangle's edges, as weights of the vertices.
 class Jumps {
  public:
   Jumps(const GarmentModel& model, const BendTriangle& triangle, const std::vector<int>& vertex) {
@@ -207,13 +204,14 @@ class Jumps {
     }
   }
 
-  /// What the energy ½ Jᵀ stiffness J adds to the matrix. The weights of a jump add up to 0, so
-  /// differences say it all, and a moved sheet feels nothing.
-  void add_links(const Eigen::Matrix3d& stiffness, std::vector<Link>& links) const {
+  /// Adds what the energy ½ Jᵀ stiffness J contributes to the matrix, without the diagonal. The
+  /// weights of a jump add up to 0, so off-diagonal entries suffice, and a moved sheet feels no
+  /// force.
+  void add_entries(const Eigen::Matrix3d& stiffness, std::vector<MatrixEntry>& entries) const {
     for (int a = 0; a < vertices_; ++a) {
       const Vec3 pull = stiffness * weights_.col(a);
       for (int b = 0; b < vertices_; ++b) {
-        if (a != b) links.push_back({vertex_[a], vertex_[b], -pull.dot(weights_.col(b))});
+        if (a != b) entries.push_back({vertex_[a], vertex_[b], -pull.dot(weights_.col(b))});
       }
     }
   }
@@ -239,8 +237,8 @@ void lay_out_bending(const PanelMesh& garment, GarmentModel& model) {
 
 BendMatrix bend_matrix(const GarmentModel& model, const std::vector<int>& vertex,
                        std::size_t vertices, bool seams_apart) {
-  std::vector<Link> inside;
-  std::vector<Link> seams;
+  std::vector<MatrixEntry> inside;
+  std::vector<MatrixEntry> seams;
   for (const BendTriangle& triangle : model.bend_triangles) {
     const Jumps jumps(model, triangle, vertex);
     Eigen::Matrix3d of_seams = Eigen::Matrix3d::Zero();
@@ -249,8 +247,8 @@ BendMatrix bend_matrix(const GarmentModel& model, const std::vector<int>& vertex
       of_seams.row(i) = triangle.stiffness.row(i);
       of_seams.col(i) = triangle.stiffness.col(i);
     }
-    jumps.add_links(triangle.stiffness - of_seams, inside);
-    if (!of_seams.isZero(0)) jumps.add_links(of_seams, seams);
+    jumps.add_entries(triangle.stiffness - of_seams, inside);
+    if (!of_seams.isZero(0)) jumps.add_entries(of_seams, seams);
   }
   BendMatrix matrix{rows_of(inside, vertices), {}};
   if (!seams.empty()) matrix.seams = rows_of(seams, vertices);

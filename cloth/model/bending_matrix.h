@@ -1,4 +1,4 @@
-// The hinges of a compiled garment, and what they make of the stiffness matrix.
+// The hinges of a compiled garment, and the stiffness matrix of its bending.
 #pragma once
 
 #include <cstddef>
@@ -9,27 +9,27 @@
 
 namespace toile {
 
-/// Fills the model's hinges, bend triangles and bend diagonal; the rest of it but the elastics
-/// has to be there. Linear in the triangles but for sorting.
+/// Fills the model's hinges, bend triangles and bend diagonal. Every other field has to be filled
+/// before, except `elastics`. O(n log n) in the triangles.
 void lay_out_bending(const PanelMesh& garment, GarmentModel& model);
 
-/// Off-diagonal entries of a stiffness matrix, by rows in order; those of a row add up to minus its
-/// diagonal, for the force on a sheet that is only moved is none.
+/// Off-diagonal entries of a stiffness matrix, row by row. The entries of a row add up to minus its
+/// diagonal, for a sheet that is only moved feels no force.
 struct BendRows {
-  std::vector<int> first;         ///< per vertex and one more: of the entries; empty: no hinges
-  std::vector<int> vertex;        ///< per entry, ascending in a row
-  std::vector<double> stiffness;  ///< N/m, positive pulls together
+  std::vector<int> first;  ///< per vertex, and one more: index of its first entry; empty: no hinges
+  std::vector<int> vertex;        ///< per entry: its column; ascending in a row
+  std::vector<double> stiffness;  ///< N/m, per entry; positive pulls together
 };
 
-/// Rows of what bends across seams and of all else, apart. What couples a hinge across a seam to
-/// one that is not counts as the seam's.
+/// Rows of the hinges across seams, and rows of all other hinges. An entry that couples a hinge
+/// across a seam to another one counts as the seam's.
 struct BendMatrix {
   BendRows inside;
   BendRows seams;
 };
 
-/// `vertex`: of each material point, from 0 to below `vertices`. Unless `seams_apart`, all rows are
-/// in `inside`.
+/// The stiffness matrix of all bend triangles. `vertex` holds, per material point, a number in [0,
+/// vertices). Unless `seams_apart`, all rows are in `inside`. O(n log n) in the triangles.
 BendMatrix bend_matrix(const GarmentModel& model, const std::vector<int>& vertex,
                        std::size_t vertices, bool seams_apart);
 

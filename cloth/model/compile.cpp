@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "cloth/model/bending_matrix.h"
+#include "cloth/model/constants.h"
 #include "cloth/model/gathers.h"
 #include "geometry/disjoint_sets.h"
 #include "geometry/error.h"
@@ -15,7 +16,8 @@ namespace toile {
 
 namespace {
 
-/// Sewn points joined; nodes numbered in the order of their first points.
+/// Per material point, its node: sewn points share one. Nodes are numbered in the order of their
+/// first points.
 std::vector<int> weld(const PanelMesh& garment, int& nodes) {
   DisjointSets sewn(garment.flat.size());
   for (const MeshedSeam& seam : garment.seams) {
@@ -31,9 +33,7 @@ std::vector<int> weld(const PanelMesh& garment, int& nodes) {
 }
 
 StretchTriangle stretch_of(const std::array<Vec2, 3>& corners, double grain) {
-  // Weft and warp directions: +x and +y of the flat panel, turned by the grain.
-  const Vec2 weft(std::cos(grain), std::sin(grain));
-  const Vec2 warp(-std::sin(grain), std::cos(grain));
+  const auto [weft, warp] = yarn_directions(grain);
   const Vec2 e1 = corners[1] - corners[0];
   const Vec2 e2 = corners[2] - corners[0];
   const double twice_area = e1.x() * e2.y() - e1.y() * e2.x();
@@ -153,7 +153,8 @@ class Compiler {
         total * std::max(model_.scene.gravity.norm(), 1e-9) / std::max(model_.nodes, 1);
   }
 
-  /// In a gathered row, weft and warp stand for the directions along the seam and across it.
+  /// The stretch term of triangle t. In a gathered row, weft stands for the direction along the
+  /// seam and warp for the one across it.
   StretchTriangle stretch(int t, const std::array<Vec2, 3>& flat, const MeshedPanel& panel,
                           const Fabric& fabric) const {
     const auto row = rows_.find(t);
@@ -202,7 +203,8 @@ class Compiler {
 
   const PanelMesh& garment_;
   GatheredEdges gathered_;
-  std::map<int, Vec2> rows_;  // along gathered edges and elastics
+  std::map<int, Vec2>
+      rows_;  // triangles along gathered edges and elastics, with the direction of the edge
   GarmentModel model_;
 };
 

@@ -9,11 +9,12 @@
 
 namespace toile {
 
-/// Welds the seams' points to nodes, and lays out the terms that the scene asks for. Nodes start
-/// in the middle of the places their points have in `placed`.
-/// Throws Error when a triangle would lose its area by being sewn to itself.
+/// Welds the seams' points to nodes, and fills the arrays of the terms that the scene asks for. A
+/// node starts at the mean of its points in `placed` (metres, one per material point). O(n log n)
+/// in the triangles. Throws Error when a triangle has no area or is sewn to itself, and as
+/// attached_points() and fabric_of() do.
 GarmentModel compile(const PanelMesh& garment, const Scene& scene, const std::vector<Vec3>& placed);
-/// The same with `body_offset` metres kept from the skin, instead of body_offset_of().
+/// The same, but `body_offset` metres are kept from the skin instead of body_offset_of().
 GarmentModel compile(const PanelMesh& garment, const Scene& scene, const std::vector<Vec3>& placed,
                      double body_offset);
 

@@ -44,18 +44,18 @@ GatheredEdges elastic_edges(const PanelMesh& garment) {
 
 std::map<int, Vec2> gathered_rows(const PanelMesh& garment, const GatheredEdges& gathered) {
   if (gathered.empty()) return {};
-  struct Place {
-    Vec2 along = Vec2::Zero();
+  struct GatheredPoint {
+    Vec2 along = Vec2::Zero();  // sum of its edges
     int edges = 0;
   };
   const auto add = [](Vec2& sum, const Vec2& along) {
     sum += sum.dot(along) < 0 ? Vec2(-along) : along;
   };
-  std::map<int, Place> places;  // material points of gathered edges
+  std::map<int, GatheredPoint> gathered_points;  // by material point
   for (const auto& [edge, share] : gathered) {
     for (const int end : {edge.first, edge.second}) {
-      add(places[end].along, garment.flat[edge.second] - garment.flat[edge.first]);
-      ++places[end].edges;
+      add(gathered_points[end].along, garment.flat[edge.second] - garment.flat[edge.first]);
+      ++gathered_points[end].edges;
     }
   }
   std::map<int, Vec2> rows;
@@ -64,13 +64,13 @@ std::map<int, Vec2> gathered_rows(const PanelMesh& garment, const GatheredEdges&
     int touching = 0;
     bool inside = false;
     for (const int point : garment.triangles[t]) {
-      const auto found = places.find(point);
-      if (found == places.end()) continue;
+      const auto found = gathered_points.find(point);
+      if (found == gathered_points.end()) continue;
       add(along, found->second.along);
       ++touching;
       inside = inside || found->second.edges > 1;
     }
-    // What touches only the end of a gather may lie on the next seam, which has to hold.
+    // A triangle that touches only the end of a gather may lie on the next seam, which has to hold.
     if (touching > 1 || inside) rows[static_cast<int>(t)] = along;
   }
   for (auto& [triangle, along] : rows) along.normalize();

@@ -7,12 +7,12 @@ namespace toile {
 
 namespace {
 
-/// Coarse triangle t of the four fine ones that it was split into.
+/// The coarse triangle t, which was split into the fine ones 4t to 4t + 3.
 Triangle parent_of(const std::vector<Triangle>& fine, std::size_t t) {
   return {fine[4 * t][0], fine[4 * t + 1][1], fine[4 * t + 2][2]};
 }
 
-/// Index of each fine point on the coarser level, -1 for those that are new on the finer one.
+/// Per fine point, its index on the coarser level; -1: it is new on the finer one.
 std::vector<int> coarse_index(const PanelMesh& fine) {
   std::vector<char> kept(fine.flat.size(), 0);
   for (std::size_t t = 0; t < fine.triangles.size() / 4; ++t) {

@@ -7,23 +7,28 @@
 
 namespace toile {
 
-/// The garment on the next coarser level of its nested mesh, with subdivisions one less. The
-/// caller makes sure that there is one.
+/// The garment on the next coarser level of its nested mesh, with one subdivision less.
+/// `fine.subdivisions` has to be at least 1. Linear.
 PanelMesh coarsen(const PanelMesh& fine);
 
-/// Node positions of a finer level from those of the coarser one it subdivides: old points stay,
-/// new ones stand in the middle of their edge, so the surface is the same set of points in space
-/// and what was free of intersections stays so. `node_of_point` are those of the two levels.
+/// Positions (metres) of the nodes of a finer level. Old points stay, and new ones stand in the
+/// middle of their edge. So the surface is the same set of points in space, and stays free of
+/// intersections.
+///
+/// `coarse_nodes` and `fine_nodes` hold the node of each material point on the two levels.
+/// `coarse_positions` holds one position per coarse node. `fine_node_count` is the number of fine
+/// nodes.
 std::vector<Vec3> refine_positions(const PanelMesh& coarse, const std::vector<int>& coarse_nodes,
                                    const std::vector<Vec3>& coarse_positions, const PanelMesh& fine,
                                    const std::vector<int>& fine_nodes, int fine_node_count);
 
-/// The same of what each material point has of its own: places, or moves.
+/// The same of a vector per material point, such as a position or a displacement. Sewn points may
+/// differ.
 std::vector<Vec3> refine_points(const PanelMesh& coarse, const std::vector<Vec3>& of_points,
                                 const PanelMesh& fine);
 
-/// Where a finer mesh of the panels stands when the coarser one was moved from where its garment
-/// puts it to `placed`: each point is moved as those around it were.
+/// Metres, per fine material point: where the finer mesh stands when the coarser one was moved from
+/// `coarse.placed` to `placed`. New points move by the mean of the two that they lie between.
 std::vector<Vec3> refine_placed(const PanelMesh& coarse, std::vector<Vec3> placed,
                                 const PanelMesh& fine);
 

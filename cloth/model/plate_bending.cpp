@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloth/model/constants.h"
+
 namespace toile {
 
 double bending_along(const Fabric& fabric, double angle) {
@@ -18,12 +20,12 @@ Vec3 jump_by_curvature(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& 
   const Vec2 along = (b - a) / length;
   const double place = along.dot(c - a);
   const double height = along.x() * (c - a).y() - along.y() * (c - a).x();
-  // Of curvature square to the edge, along it, and of twist between the two.
+  // Jumps for unit curvature square to the edge, unit curvature along it, and unit twist.
   const double normal = 0.5 * (height + away.y());
   const double edge =
       0.5 * (place * (place - length) / height + away.x() * (away.x() - length) / away.y());
   const double twist = place - away.x();
-  // The edge's direction to weft and warp.
+  // The components of the edge's direction along weft and warp.
   const double u = std::cos(grain) * along.x() + std::sin(grain) * along.y();
   const double v = std::cos(grain) * along.y() - std::sin(grain) * along.x();
   return {normal * v * v + edge * u * u - twist * u * v,
@@ -34,11 +36,11 @@ Vec3 jump_by_curvature(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& 
 Eigen::Matrix3d plate_stiffness(const Fabric& fabric, double area, const std::array<Vec3, 3>& jumps,
                                 const std::array<bool, 3>& there) {
   Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
-  const double most = std::max(fabric.bending_weft, fabric.bending_warp);
+  const double largest = std::max(fabric.bending_weft, fabric.bending_warp);
   const int count = static_cast<int>(std::count(there.begin(), there.end(), true));
-  if (!(most > 0) || count == 0) return stiffness;
-  const double weft = std::max(fabric.bending_weft, 1e-4 * most);
-  const double warp = std::max(fabric.bending_warp, 1e-4 * most);
+  if (!(largest > 0) || count == 0) return stiffness;
+  const double weft = std::max(fabric.bending_weft, min_rigidity_ratio * largest);
+  const double warp = std::max(fabric.bending_warp, min_rigidity_ratio * largest);
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
   Matrix rows(count, 3);
   std::array<int, 3> edge{};
@@ -54,7 +56,7 @@ Eigen::Matrix3d plate_stiffness(const Fabric& fabric, double area, const std::ar
       Eigen::SelfAdjointEigenSolver<Matrix>(rows * rows.transpose(), Eigen::EigenvaluesOnly)
           .eigenvalues()
           .minCoeff();
-  matrix.diagonal() *= 1 + std::max(0.0, min_distinct - distinct);
+  matrix.diagonal() *= 1 + std::max(0.0, min_distinct_jumps - distinct);
   const Matrix inverse = matrix.inverse();
   for (int i = 0; i < count; ++i) {
     for (int j = 0; j < count; ++j) {

@@ -15,18 +15,19 @@ namespace toile {
 
 namespace {
 
-/// Metres; from a child's torso to a giant.
+/// Metres: heights from a child's torso to a giant.
 constexpr double min_height = 0.1;
 constexpr double max_height = 3;
-/// Metres from the origin.
+/// Metres from the origin to the body. Garments are placed around the origin.
 constexpr double max_away = 10;
+
 Eigen::AlignedBox3d bounds_of(const TriangleMesh& body) {
   Eigen::AlignedBox3d box;
   for (const Vec3& p : body.points) box.extend(p);
   return box;
 }
 
-/// Points that no triangle has may be anywhere, and are no part of the body.
+/// Removes points that belong to no triangle. They may be anywhere and are no part of the body.
 void remove_loose_points(TriangleMesh& body) {
   std::vector<int> now(body.points.size(), -1);
   for (const Triangle& triangle : body.triangles) {

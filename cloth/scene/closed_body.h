@@ -1,4 +1,4 @@
-// A body as the programs that dress and measure need it.
+// Reads a body for programs that dress and measure it.
 #pragma once
 
 #include <filesystem>
@@ -9,12 +9,13 @@
 
 namespace toile {
 
-/// Reads a body in any mesh format, polygons cut into triangles. Throws Error when it is not closed
-/// and outward-oriented, for inside and outside could not be told, or is not of a body's height
-/// in metres and within 10 m of the origin.
+/// Reads a body in any mesh format and cuts its polygons into triangles. Metres. Throws Error when
+/// it is not closed and outward-oriented, for then inside and outside cannot be told apart. Throws
+/// it when the height is not between 0.1 and 3 m, or the body is 10 m or more from the origin.
 TriangleMesh read_closed_body(const std::filesystem::path& path);
 
-/// Reads a body's joints. Throws Error when one is not in the body: they are another's.
+/// Reads the joints of `body`. Throws Error when a joint is not inside the body: the skeleton is
+/// another body's.
 Skeleton read_skeleton_of(const SurfaceDistance& body, const std::filesystem::path& path);
 
 }  // namespace toile

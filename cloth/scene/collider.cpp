@@ -19,11 +19,11 @@ void Collider::add_layer(const TriangleMesh& garment) {
 }
 
 double Collider::distance(const Vec3& point) const {
-  double least = std::numeric_limits<double>::max();
+  double smallest = std::numeric_limits<double>::max();
   for (const SurfaceDistance& surface : surfaces_) {
-    least = std::min(least, surface.closest_point(point).distance);
+    smallest = std::min(smallest, surface.closest_point(point).distance);
   }
-  return least;
+  return smallest;
 }
 
 }  // namespace toile

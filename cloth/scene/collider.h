@@ -1,4 +1,4 @@
-// What a garment is dressed onto: the body, and the garments that it already wears.
+// The surface that a garment is dressed onto: the body, and the garments that it already wears.
 #pragma once
 
 #include <deque>
@@ -9,33 +9,37 @@
 
 namespace toile {
 
-/// The motionless collider surface [Zhong & Xu 2009, "Collision Detection and Response"]: the body
-/// is the first layer, each garment that was dressed is a further one for the next. What is between
-/// a layer and the skin, and what a freely hanging layer encloses, counts as inside.
+/// The motionless collider surface [Zhong & Xu 2009, "Collision Detection and Response"]. The body
+/// is the first layer, and each garment that was dressed is a further one for the next. Space
+/// between a layer and the skin counts as inside. So does space that a freely hanging layer
+/// encloses.
 class Collider {
  public:
-  /// The body alone: closed, outward-oriented, metres. Throws Error when it has no triangles.
-  /// `known`, of an earlier one of the same body, spares computing it again.
+  /// The body alone: closed, outward-oriented, metres. `known` are grid distances computed for an
+  /// earlier collider of the same body and options, which are then not computed again. Throws Error
+  /// when the body has no triangles.
   explicit Collider(const TriangleMesh& body, const DistanceCache& known = {},
                     const DistanceGridOptions& options = {});
 
-  /// A dressed garment becomes part of the surface; its triangles face away from the body. The
-  /// references that the others return stay valid, and speak of the new surface.
+  /// Adds a dressed garment to the surface. Its triangles face away from the body. References
+  /// returned by other members stay valid and refer to the new surface.
   void add_layer(const TriangleMesh& garment);
 
   const TriangleMesh& body() const { return skin().mesh(); }
   const SurfaceDistance& skin() const { return surfaces_.front(); }
-  /// Body and layers as one mesh, facets outward: the body's first, then layer by layer.
+  /// Body and layers as one mesh, facets outward: the body's facets first, then layer by layer.
   const TriangleMesh& surface() const { return surface_; }
-  /// The layers alone, as one mesh; without triangles when there are none.
+  /// The layers alone as one mesh. It has no triangles when there are no layers.
   const TriangleMesh& cloth() const { return cloth_; }
-  /// Signed distance to the whole surface, smoothed, at a cell's cost [see DistanceGrid].
+  /// The smoothed signed distance to the whole surface. A query costs one grid cell [see
+  /// DistanceGrid].
   const DistanceGrid& grid() const { return grid_; }
-  /// The same exactly, about O(log n): the least of the distances to body and layers.
+  /// Metres: the exact signed distance, the smallest of the distances to body and layers. About
+  /// O(log n).
   double distance(const Vec3& point) const;
 
  private:
-  std::deque<SurfaceDistance> surfaces_;  // which stay where they are
+  std::deque<SurfaceDistance> surfaces_;  // the body, then layers; a deque keeps addresses
   TriangleMesh surface_;
   TriangleMesh cloth_;
   DistanceGrid grid_;

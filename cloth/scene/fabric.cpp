@@ -7,6 +7,7 @@
 #include <optional>
 #include <sstream>
 
+#include "cloth/scene/constants.h"
 #include "geometry/error.h"
 #include "io/json_value.h"
 #include "io/output_file.h"
@@ -26,13 +27,13 @@ constexpr Preset presets[] = {
 #include "fabric_presets.inc"
 };
 
-/// What a key of a fabric's file sets.
+/// The quantities that a key of a fabric's file sets, and the range of its value.
 struct Quantity {
   std::vector<double*> values;
   bool may_be_zero;
-  double most;  ///< that anything worn has, and far more; in the key's unit
-  double unit = 1;
-  double counts = std::numeric_limits<double>::infinity();  ///< at most
+  double max;       ///< in the key's unit; far more than anything worn has
+  double unit = 1;  ///< the key's unit over the field's
+  double cut_to = std::numeric_limits<double>::infinity();  ///< in the field's unit
 };
 
 double number_of(const JsonValue& value, const std::string& key, const Quantity& quantity,
@@ -46,7 +47,7 @@ double number_of(const JsonValue& value, const std::string& key, const Quantity&
   if (number < 0 || (number == 0 && !quantity.may_be_zero)) {
     throw Error(place, said(), "give a positive number in the unit of the key");
   }
-  if (number > quantity.most) {
+  if (number > quantity.max) {
     throw Error(place, said() + ", more than any fabric has", "give it in the unit of the key");
   }
   return number;
@@ -57,9 +58,9 @@ Fabric read_fabric(const std::string& text, const std::string& place) {
   const std::map<std::string, Quantity> quantities = {
       {"areal_density_kg_per_m2", {{&fabric.areal_density}, false, 100}},
       {"thickness_mm", {{&fabric.thickness}, false, 30, 1e-3}},
-      {"stretch_warp_N_per_m", {{&fabric.stretch_warp}, false, 1e9, 1, stiffest}},
-      {"stretch_weft_N_per_m", {{&fabric.stretch_weft}, false, 1e9, 1, stiffest}},
-      {"shear_N_per_m", {{&fabric.shear}, true, 1e9, 1, stiffest}},
+      {"stretch_warp_N_per_m", {{&fabric.stretch_warp}, false, 1e9, 1, max_modulus}},
+      {"stretch_weft_N_per_m", {{&fabric.stretch_weft}, false, 1e9, 1, max_modulus}},
+      {"shear_N_per_m", {{&fabric.shear}, true, 1e9, 1, max_modulus}},
       {"bending_N_m", {{&fabric.bending_warp, &fabric.bending_weft}, true, 10}},
       {"bending_warp_N_m", {{&fabric.bending_warp}, true, 10}},
       {"bending_weft_N_m", {{&fabric.bending_weft}, true, 10}},
@@ -70,7 +71,7 @@ Fabric read_fabric(const std::string& text, const std::string& place) {
   const JsonDocument document(text, place);
   const JsonValue root = document.root();
   if (!root.is_object()) throw Error(place, "is no JSON object", "see the README");
-  // Sorted: what says "both" is read before what says one of them.
+  // Sorted: a key for both warp and weft is read before the keys for one of them.
   std::vector<std::string> keys = root.keys();
   std::ranges::sort(keys);
   for (const std::string& key : keys) {
@@ -92,8 +93,8 @@ Fabric read_fabric(const std::string& text, const std::string& place) {
     } else if (quantity != quantities.end()) {
       const Quantity& sets = quantity->second;
       const double number = number_of(value, key, sets, place);
-      for (double* of : sets.values) *of = std::min(sets.unit * number, sets.counts);
-      if (number > sets.counts) fabric.stiffness_given = std::max(fabric.stiffness_given, number);
+      for (double* of : sets.values) *of = std::min(sets.unit * number, sets.cut_to);
+      if (number > sets.cut_to) fabric.stiffness_given = std::max(fabric.stiffness_given, number);
     } else {
       throw Error(where, "is no quantity of a fabric", "see the README for the keys");
     }
@@ -131,7 +132,7 @@ Fabric find_fabric(const std::string& name_or_file) {
 double modulus_at(const Fabric& fabric, double angle) {
   const double weft = std::pow(std::cos(angle), 2);
   const double warp = 1 - weft;
-  const double shear = std::max(fabric.shear, 1e-3 * fabric.stretch_weft);
+  const double shear = std::max(fabric.shear, min_shear_share * fabric.stretch_weft);
   return 1 / (weft * weft / fabric.stretch_weft + warp * warp / fabric.stretch_warp +
               weft * warp / shear);
 }

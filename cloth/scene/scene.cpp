@@ -44,8 +44,7 @@ const Fabric& fabric_of(const Scene& scene, const MeshedPanel& panel) {
 }
 
 double body_offset_of(const Scene& scene, const PanelMesh& garment) {
-  constexpr double air = 0.001;
-  return std::max(scene.body_offset, 0.5 * thickest(scene, garment) + air);
+  return std::max(scene.body_offset, 0.5 * thickest(scene, garment) + skin_air_gap);
 }
 
 double self_gap_of(const Scene& scene, const PanelMesh& garment) {
@@ -53,10 +52,10 @@ double self_gap_of(const Scene& scene, const PanelMesh& garment) {
 }
 
 void check_gravity(const Vec3& gravity, const std::string& place) {
-  constexpr double least = 0.1;  // m/s²; residuals are counted in weights
-  constexpr double most = 100;
+  constexpr double min_gravity = 0.1;  // m/s²; residuals are counted in weights
+  constexpr double max_gravity = 100;
   const double size = gravity.norm();
-  if (!(size >= least && size <= most)) {
+  if (!(size >= min_gravity && size <= max_gravity)) {
     throw Error(place, "is not between 0.1 and 100 m/s² strong",
                 "the earth's is 0,-9.81,0: y is up, and the body faces +z");
   }

@@ -1,4 +1,4 @@
-// What is to be simulated, apart from the garment: the body, the fabric, the forces.
+// The scene of a garment: the body, the fabrics, the forces.
 #pragma once
 
 #include <map>
@@ -16,30 +16,32 @@ struct MeshedPanel;
 struct PanelMesh;
 struct Skeleton;
 
-/// What of the cloth the body keeps off.
+/// The parts of the cloth that the body pushes at.
 enum class BodyContactTerm {
-  none,   ///< nothing: the body is there for landmarks and attachments only
+  none,   ///< none: the body only gives landmarks and attachments their places
   nodes,  ///< nodes, by the smooth distance to body and layers
-  faces,  ///< nodes likewise; edges and faces exactly, by the body's facets
+  faces,  ///< nodes by the smooth distance; edges and faces exactly, by the body's facets
 };
 
+/// Everything a garment is simulated with.
 struct Scene {
   Fabric fabric;                          ///< of the panels that name none
-  std::map<std::string, Fabric> fabrics;  ///< of the others, by the names that they give
+  std::map<std::string, Fabric> fabrics;  ///< of other panels, by the names that these give
   Vec3 gravity{0, -9.81, 0};              ///< m/s²
-  const Collider* collider = nullptr;     ///< the body and the layers that it wears; none: no body
-  const Skeleton* skeleton = nullptr;     ///< of the body; none: panels start as the pattern says
+  const Collider* collider = nullptr;     ///< body and layers; null: no body
+  const Skeleton* skeleton = nullptr;     ///< null: panels start as the pattern places them
   BodyContactTerm body_contact = BodyContactTerm::faces;
-  double body_offset = 0.002;  ///< metres at least kept between skin and cloth's middle
+  double body_offset = 0.002;  ///< metres: least distance of skin and cloth's middle
   bool self_contact = true;
-  double self_gap = 0.002;  ///< metres at least kept between the middles of cloth and cloth
-  /// Metres at least kept between this garment and the layers below. The distance grid, which is
-  /// smooth, keeps `body_offset`; this is exact, and holds where their folds are sharp.
+  double self_gap = 0.002;  ///< metres: least distance of the middles of two layers of cloth
+  /// Metres: the least distance of this garment and the layers below. It is exact, and holds where
+  /// folds of the layers are sharp. The smooth distance grid keeps `body_offset`.
   double layer_gap = 0.001;
-  /// Most that warp and weft lengthen, a fraction, where anything gives way for that: they are held
-  /// by up to `max_limit_multiplier`. Compression has no limit: cloth buckles.
+  /// Largest strain of warp and weft, a fraction; none: no limit. Multipliers up to
+  /// `max_limit_multiplier` hold the yarns to it. Compression has no limit: cloth buckles.
   std::optional<double> strain_limit;
-  std::optional<double> shear_limit;  ///< likewise, sine of the angle that the yarns turn by
+  /// Largest sine of the angle by which the yarns turn against each other; none: no limit.
+  std::optional<double> shear_limit;
 };
 
 /// Whether the scene has a body that pushes at the cloth.
@@ -49,25 +51,20 @@ bool touches_body_exactly(const Scene& scene);
 /// Whether the body wears layers that the garment is dressed over.
 bool has_layers(const Scene& scene);
 
-/// Throws Error, naming `place`, for a gravity that is no number, or too weak or strong to be
-/// meant.
+/// Checks a gravity in m/s². Throws Error, naming `place`, for one that is no number or not between
+/// 0.1 and 100 m/s² strong.
 void check_gravity(const Vec3& gravity, const std::string& place);
-
-/// How much stiffer the cloth is beyond its limits, besides what holds it there. Higher finds that
-/// sooner, and converges slower.
-inline constexpr double strain_limit_stiffening = 1;
-/// N/m that holds a yarn to its limit at most.
-inline constexpr double max_limit_multiplier = hand_pull;
 
 /// The fabric of a panel. Throws Error when the scene has none of that name.
 const Fabric& fabric_of(const Scene& scene, const MeshedPanel& panel);
 
-/// Metres from the skin to the middle of the cloth: half the thickest fabric of the garment and
-/// 1 mm of air, but no less than the scene's.
+/// Metres from the skin to the middle of the cloth. It is half the thickness of the garment's
+/// thickest fabric and `skin_air_gap`, but at least the scene's `body_offset`. Throws Error as
+/// fabric_of() does.
 double body_offset_of(const Scene& scene, const PanelMesh& garment);
 
-/// Metres between the middles of two layers of cloth: the thickest fabric's thickness, but no less
-/// than the scene's.
+/// Metres between the middles of two layers of cloth. It is the thickness of the garment's thickest
+/// fabric, but at least the scene's `self_gap`. Throws Error as fabric_of() does.
 double self_gap_of(const Scene& scene, const PanelMesh& garment);
 
 }  // namespace toile

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t longest_name = 64;  // bytes
+constexpr std::size_t max_name_length = 64;  // bytes
 constexpr std::size_t max_layers = 100;
 constexpr std::size_t max_panels = 1000;
 
@@ -30,7 +30,7 @@ void refuse_unknown_keys(const JsonValue& value, const std::vector<std::string>&
   }
 }
 
-/// The path that `value` holds, counted from `folder`; the file has to be there.
+/// The path that `value` states, relative to `folder`. Throws Error when the file is not there.
 fs::path file_named(const JsonValue& value, const fs::path& folder) {
   const std::string text = value.text();
   if (text.empty()) value.fail("is empty", "name a file");
@@ -53,8 +53,8 @@ std::string layer_name(const JsonValue& value) {
     return c < 0x20 || c == 0x7f ||
            std::string_view("/\\:*?\"<>|").find(static_cast<char>(c)) != std::string_view::npos;
   };
-  if (name.empty() || name.size() > longest_name) {
-    value.fail("is not 1 to " + std::to_string(longest_name) + " bytes long",
+  if (name.empty() || name.size() > max_name_length) {
+    value.fail("is not 1 to " + std::to_string(max_name_length) + " bytes long",
                "the name becomes part of a file's name");
   }
   if (std::any_of(name.begin(), name.end(), is_bad) || valid_utf8(name) != name ||
@@ -89,7 +89,8 @@ SceneLayer layer_of(const JsonValue& value, const fs::path& folder) {
   return layer;
 }
 
-/// Panels lie over garments that are dressed later, and come to rest with them.
+/// Throws Error unless `panels_over` names later layers of a coupled scene. Panels lie over
+/// garments that are dressed later, and come to rest together with them.
 void check_panels_over(const JsonValue& layers, const SceneFile& scene) {
   for (std::size_t i = 0; i < scene.layers.size(); ++i) {
     for (const auto& [other, panels] : scene.layers[i].panels_over) {

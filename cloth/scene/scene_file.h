@@ -13,15 +13,16 @@ namespace toile {
 
 /// One garment of a scene.
 struct SceneLayer {
-  std::string name;                    ///< fit to be a part of a file's name
+  std::string name;                    ///< can be part of a file's name
   std::filesystem::path garment;       ///< as mesh-pattern writes it
   std::filesystem::path garment_json;  ///< empty: beside the garment
-  std::string fabric;                  ///< a fabric's name or a file; empty: not said
-  /// By the names of later layers: names of this garment's panels that lie over those, `*` for any
-  /// letters.
+  std::string fabric;                  ///< a fabric's name or a file; empty: not stated
+  /// Panels of this garment that lie over later layers. Keys are names of later layers, values
+  /// names of this garment's panels; `*` stands for any letters.
   std::map<std::string, std::vector<std::string>> panels_over;
 };
 
+/// A scene as read from its file.
 struct SceneFile {
   std::filesystem::path body;
   std::optional<std::filesystem::path> skeleton;  ///< none: beside the body
@@ -31,10 +32,12 @@ struct SceneFile {
 };
 
 /// Reads {"body", "skeleton", "gravity": [x, y, z], "layering", "layers": [{"name", "garment",
-/// "garment_json", "fabric"}]}, as docs/scene.schema.json describes it; relative paths count from
-/// the scene file. Throws Error, naming the file and the key, for keys it does not know, files that
-/// are missing, a scene without layers, names that two layers share (capitals aside) or that could
-/// not be part of a file's name.
+/// "garment_json", "fabric", "panels_over"}]}, as docs/scene.schema.json states it. Relative paths
+/// count from the folder of the scene file.
+///
+/// Throws Error, naming the file and the key, for unknown keys, missing files, and a scene without
+/// layers. Throws it for layer names that are equal but for capitals, or cannot be part of a file's
+/// name.
 SceneFile read_scene(const std::filesystem::path& path);
 
 }  // namespace toile

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "cloth/model/compile.h"
+#include "cloth/model/constants.h"
 #include "cloth/model/plate_bending.h"
 #include "tests/cloth/bend_energy.h"
 #include "tests/cloth/panels.h"
@@ -132,7 +133,7 @@ TEST(Bend, ATriangleHasThePlatesEnergyAtEveryCurvature) {
       for (int i = 0; i < 3; ++i) rows.row(i) = jumps[i].normalized();
       const double distinct =
           Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(rows * rows.transpose()).eigenvalues()[0];
-      if (distinct < min_distinct) continue;
+      if (distinct < min_distinct_jumps) continue;
       EXPECT_NEAR(jump.dot(stiffness * jump), energy, 1e-9 * energy);
     }
     EXPECT_EQ(missing.row(1), Vec3::Zero().transpose());
@@ -153,7 +154,7 @@ TEST(Bend, EdgesThatDoNotTellCurvaturesApartAreBounded) {
       plate_stiffness(fabric, 1e-4, {across, twisted, across + twisted}, {true, true, true});
   // On its own the first has 1e-4 m² · 1e-5 N·m / (1 cm)².
   EXPECT_TRUE(stiffness.allFinite());
-  EXPECT_LE(stiffness.norm(), 1e-5 * 2 / min_distinct);
+  EXPECT_LE(stiffness.norm(), 1e-5 * 2 / min_distinct_jumps);
   EXPECT_EQ(plate_stiffness(fabric, 1e-4, {across, twisted, across}, {false, false, false}).norm(),
             0);
 }

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "cloth/model/compile.h"
+#include "cloth/model/constants.h"
 #include "cloth/model/gathers.h"
 #include "tests/cloth/bend_energy.h"
 #include "tests/cloth/panels.h"

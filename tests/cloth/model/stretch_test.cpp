@@ -8,6 +8,7 @@
 
 #include "cloth/model/compile.h"
 #include "tests/cloth/panels.h"
+#include "tests/support/stretch_energy.h"
 
 namespace toile {
 namespace {
