@@ -18,8 +18,8 @@ struct WeightedGap {
   double area = 0;
 };
 
-/// The gap below which `share` of the area lies. Each gap stands in the middle of its own area, and
-/// gaps are interpolated between these middles.
+/// Metres: the gap below which `share` of the area lies. Each gap stands at the middle of its own
+/// area, and values between these middles are interpolated. `sorted` ascends and is not empty.
 double percentile(const std::vector<WeightedGap>& sorted, double total, double share) {
   const double wanted = share * total;
   double before = 0;
@@ -59,7 +59,7 @@ EaseStatistics statistics_of(std::vector<WeightedGap> gaps, double contact) {
     variance += (g.gap - result.mean) * (g.gap - result.mean) * g.area / total;
   }
   result.deviation = std::sqrt(variance);
-  // Sums of shares may end a bit above 1.
+  // Rounding may leave sums of shares just above 1.
   result.contact = std::min(result.contact, 1.0);
   result.inside = std::min(result.inside, 1.0);
   result.min = gaps.front().gap;
@@ -70,7 +70,7 @@ EaseStatistics statistics_of(std::vector<WeightedGap> gaps, double contact) {
   return result;
 }
 
-/// A triangle's corner: which point of which panel gets a third of its area.
+/// A triangle's corner with a third of the triangle's area.
 struct Corner {
   int panel;
   int flat;

@@ -11,7 +11,7 @@ namespace toile {
 
 namespace {
 
-/// Whether a closed section runs around `centre`, seen from above.
+/// Whether the section is closed and runs around `centre`, as seen from above.
 bool goes_around(const Section& section, const Vec3& centre) {
   if (!section.closed) return false;
   bool inside = false;
@@ -27,7 +27,7 @@ bool goes_around(const Section& section, const Vec3& centre) {
   return inside;
 }
 
-/// The length on the flat panels of the line in which the plane at a height cuts the triangles.
+/// Metres: the flat length of the line in which the plane at `height` cuts the triangles.
 double flat_length(const DressedGarment& garment, const std::vector<int>& triangles,
                    double height) {
   double length = 0;
@@ -67,7 +67,8 @@ std::vector<GirthEase> measure_girth_ease(const DressedGarment& garment, const T
     const Section* around = nullptr;
     const std::vector<Section> sections = slice(cloth, {0, level.height, 0}, Vec3::UnitY());
     for (const Section& section : sections) {
-      // The outermost, where layers lie over each other: it is the first, having the largest area.
+      // Where layers lie over each other, the outermost counts. It has the largest area and comes
+      // first.
       if (goes_around(section, torso->centroid)) {
         around = &section;
         break;

@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <set>
 
+#include "cloth/scene/constants.h"
 #include "geometry/disjoint_sets.h"
 #include "geometry/intersections.h"
 
 namespace toile {
 
 namespace {
-
-/// Metres: sides that a pattern places in one place are apart by rounding only, by less than this.
-constexpr double rounding = 1e-9;
 
 /// The triangles, each corner replaced by the lowest point of its set.
 std::vector<Triangle> joined(std::vector<Triangle> triangles, DisjointSets& sets) {
@@ -39,7 +37,7 @@ const FrameFigures& Certificate::check(const DressFrame& frame) {
   for (const MeshedSeam& seam : frame.mesh.seams) {
     for (std::size_t i = 0; i < seam.a.size(); ++i) {
       to_be_sewn.join(seam.a[i], seam.b[i]);
-      if ((frame.points[seam.a[i]] - frame.points[seam.b[i]]).norm() < rounding) {
+      if ((frame.points[seam.a[i]] - frame.points[seam.b[i]]).norm() < same_place) {
         sewn.join(seam.a[i], seam.b[i]);
       } else {
         ++figures.open_pairs;

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <span>
 
+#include "cloth/judge/constants.h"
 #include "cloth/judge/yarn_strain.h"
 #include "cloth/model/gathers.h"
 #include "geometry/disjoint_sets.h"
@@ -186,13 +187,12 @@ GarmentFigures measure_garment(const PanelMesh& pattern, const DressedGarment& d
   }
   std::vector<double> strains;
   std::vector<double> off_seams;
-  for (const auto& [edge, uses] : edge_uses(
-           pattern.triangles, 0, static_cast<int>(pattern.triangles.size()), pattern.flat.size())) {
-    const double rest = (flat[edge.first] - flat[edge.second]).norm();
-    const double longer = (points[edge.first] - points[edge.second]).norm() / rest - 1;
+  for (const auto& edge : unique_edges(pattern.triangles)) {
+    const double rest = (flat[edge[0]] - flat[edge[1]]).norm();
+    const double longer = (points[edge[0]] - points[edge[1]]).norm() / rest - 1;
     strains.push_back(std::abs(longer));
-    if (on_seam[edge.first] && on_seam[edge.second]) continue;
-    const bool folds = gathered[edge.first] || gathered[edge.second];
+    if (on_seam[edge[0]] && on_seam[edge[1]]) continue;
+    const bool folds = gathered[edge[0]] || gathered[edge[1]];
     off_seams.push_back(folds ? std::max(longer, 0.0) : std::abs(longer));
   }
   GarmentFigures figures;

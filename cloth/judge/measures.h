@@ -49,9 +49,6 @@ struct SeamFigures {
   std::vector<OpenSeam> open_seams;
 };
 
-/// Metres: two points of a seam that are nearer than this are sewn [Zhong & Xu 2009].
-inline constexpr double sewn_gap = 1e-5;
-
 struct GarmentFigures {
   StrainFigures strain;  ///< of all mesh edges
   /// Of all mesh edges but those with both ends on a seam. Beside a gathered seam or an elastic,

@@ -2,17 +2,13 @@
 
 #include <algorithm>
 
+#include "cloth/judge/constants.h"
 #include "cloth/judge/flat_line.h"
 #include "cloth/judge/yarn_strain.h"
 
 namespace toile {
 
 namespace {
-
-/// m² of the flat panel: smaller regions are counted only.
-constexpr double speck = 1e-4;
-/// Lines that are laid through a region to find where the most is missing.
-constexpr int lines = 24;
 
 /// Finds and measures the tight regions of one garment.
 class TightRegionSearch {
@@ -37,7 +33,7 @@ class TightRegionSearch {
       for (const MeshedPanel& panel : garment_.panels) {
         for (const std::vector<int>& piece : pieces(panel, along_warp)) {
           TightRegion region = measure(panel, along_warp, piece);
-          if (region.area < speck) {
+          if (region.area < min_region_area) {
             ++found.specks;
           } else {
             found.regions.push_back(std::move(region));
@@ -122,9 +118,9 @@ class TightRegionSearch {
       }
     }
     double largest = 0;
-    for (int i = 0; i < lines; ++i) {
+    for (int i = 0; i < region_lines; ++i) {
       // The share is not round, so that no line runs along an edge of the mesh.
-      const double at = low + (high - low) * (i + 0.381966) / lines;
+      const double at = low + (high - low) * (i + 0.381966) / region_lines;
       const Vec2 from = (begin - 0.01) * yarn + at * across;
       double sum = 0;
       for (const int t : piece) {

@@ -10,9 +10,6 @@
 
 namespace toile {
 
-/// A triangle keeps the strain limit while its strain is at most this times the limit.
-inline constexpr double kept_limit = 1.1;
-
 /// A connected region of a panel that is strained beyond the limit along one of its yarns.
 struct TightRegion {
   std::string panel;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "cloth/judge/constants.h"
 #include "cloth/judge/flat_line.h"
 #include "cloth/scene/constants.h"
 
@@ -12,15 +13,11 @@ namespace toile {
 
 namespace {
 
-/// Lines at most along which a seam's missing cloth is measured; it is the largest of theirs.
-constexpr int max_lines = 24;
-
 /// Finds and measures the tight seams of one garment.
 class TightSeamSearch {
  public:
   TightSeamSearch(const PanelMesh& garment, const GarmentModel& model,
                   const std::vector<Vec3>& nodes, const std::vector<LimitMultiplier>& multipliers)
-
       : garment_(garment),
         model_(model),
         nodes_(nodes),
@@ -50,7 +47,7 @@ class TightSeamSearch {
       found.name = seam.name;
       if (!exceeds_bearable(seam, found.tension)) continue;
       const int edges = static_cast<int>(seam.a.size()) - 1;
-      const int stride = (edges + max_lines - 1) / max_lines;
+      const int stride = (edges + max_seam_lines - 1) / max_seam_lines;
       for (int i = 0; i < edges; i += stride) {
         const double missing = 0.5 * (missing_beside(seam.a[i], seam.a[i + 1]) +
                                       missing_beside(seam.b[i], seam.b[i + 1]));

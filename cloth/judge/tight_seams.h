@@ -9,9 +9,6 @@
 
 namespace toile {
 
-/// Strain at which no seam is meant to be worn, a fraction, however soft the fabric.
-inline constexpr double max_worn_strain = 0.25;
-
 struct TightSeam {
   std::string name;
   double tension = 0;     ///< N/m across the seam: the largest mean over a hand's breadth

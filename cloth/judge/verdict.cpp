@@ -1,5 +1,6 @@
 #include "cloth/judge/verdict.h"
 
+#include "cloth/judge/constants.h"
 #include "geometry/intersections.h"
 
 namespace toile {

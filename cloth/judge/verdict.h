@@ -37,10 +37,6 @@ struct Judgement {
   Verdict verdict = Verdict::sewn;
 };
 
-/// Share of the directions square to a part's bones. A tube that meets less does not go around the
-/// part: cloth that lies on one side of it meets half of them at most.
-inline constexpr double around_share = 0.5;
-
 /// Measures the dressed garment against its pattern and the body, with exact predicates for
 /// intersections. `layers` is the cloth below it; null: none. Without a `skeleton` (null) no wraps
 /// are measured. `tight` are the seams that were closed by force. Throws Error when garment and

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <queue>
 
+#include "cloth/judge/constants.h"
 #include "cloth/judge/measures.h"
 #include "cloth/scene/constants.h"
 #include "cloth/scene/scene.h"
@@ -16,11 +17,6 @@
 namespace toile {
 
 namespace {
-
-constexpr int stations = 32;     // along a part's stretch of bone
-constexpr int directions = 360;  // around a station
-/// Metres: nodes no farther than this from a part's first or last node count as its top or hem.
-constexpr double end_depth = 0.02;
 
 /// Metres along the bones.
 struct Interval {
@@ -78,10 +74,10 @@ struct CoveredBone {
 /// top that slid off the torso or too far does not count: the skirt does not cover what it should.
 CoveredBone covered_by_skirt(double placed, double lies, double length, double neck) {
   const double slid = placed - lies;
-  const double max_slid = std::max(0.5 * length, hand_breadth);
+  const double max_slid = std::max(max_slid_share * length, hand_breadth);
   const bool counts = lies > 0 && lies < neck && std::abs(slid) < max_slid;
   const double top = counts ? lies : placed;
-  return {{top - 0.75 * length, top - 0.25 * length}, slid};
+  return {{top - limb_cover_end * length, top - limb_cover_begin * length}, slid};
 }
 
 CoveredBone covered_bone(const PanelMesh& garment, const DressedGarment& dressed,
@@ -136,13 +132,13 @@ CoveredBone covered_bone(const PanelMesh& garment, const DressedGarment& dressed
       return covered_by_skirt(placed, lies, length, bones.along.back());
     }
     const double below = length - (skeleton.joint("neck").y() - armpit);
-    return {{from - 0.7 * below, from - 0.1 * below}};
+    return {{from - torso_cover_end * below, from - torso_cover_begin * below}};
   }
   const bool arm = part.ends_with("arm");
   Vec3 fork = bones.joints.front();
   fork.y() = arm ? armpit : skeleton.joint("pelvis").y();
   const double from = bones.foot(fork);
-  return {{from + 0.25 * length, from + 0.75 * length}};
+  return {{from + limb_cover_begin * length, from + limb_cover_end * length}};
 }
 
 /// The share of directions around the station, square to the axis, whose ray meets a triangle.
@@ -150,7 +146,7 @@ double share_met(const Vec3& station, const Vec3& axis, const std::vector<Vec3>&
                  const std::vector<Triangle>& triangles) {
   const Vec3 u = axis.unitOrthogonal();
   const Vec3 v = axis.cross(u);
-  std::array<bool, directions> met{};
+  std::array<bool, wrap_directions> met{};
   for (const Triangle& t : triangles) {
     double height[3];
     for (int i = 0; i < 3; ++i) height[i] = axis.dot(points[t[i]] - station);
@@ -164,17 +160,17 @@ double share_met(const Vec3& station, const Vec3& axis, const std::vector<Vec3>&
       crossing[crossings++] = {p.dot(u), p.dot(v)};
     }
     if (crossings < 2) continue;
-    constexpr double unit = directions / (2 * std::numbers::pi);
+    constexpr double unit = wrap_directions / (2 * std::numbers::pi);
     const double from = unit * std::atan2(crossing[0].y(), crossing[0].x());
     double turn = unit * std::atan2(crossing[1].y(), crossing[1].x()) - from;
-    if (turn > directions / 2.0) turn -= directions;
-    if (turn < -directions / 2.0) turn += directions;
+    if (turn > wrap_directions / 2.0) turn -= wrap_directions;
+    if (turn < -wrap_directions / 2.0) turn += wrap_directions;
     const double low = std::min(from, from + turn);
     for (int d = static_cast<int>(std::ceil(low)); d <= low + std::abs(turn); ++d) {
-      met[(d + 2 * directions) % directions] = true;
+      met[(d + 2 * wrap_directions) % wrap_directions] = true;
     }
   }
-  return static_cast<double>(std::count(met.begin(), met.end(), true)) / directions;
+  return static_cast<double>(std::count(met.begin(), met.end(), true)) / wrap_directions;
 }
 
 }  // namespace
@@ -200,10 +196,10 @@ std::vector<WrapFigure> measure_wraps(const PanelMesh& garment, const DressedGar
     if (!(stretch.low < stretch.high) || !std::isfinite(stretch.high - stretch.low)) continue;
     WrapFigure figure{part, stretch.low, stretch.high};
     figure.slid = covered.slid;
-    for (int i = 0; i < stations; ++i) {
-      const double s = stretch.low + (i + 0.5) / stations * (stretch.high - stretch.low);
+    for (int i = 0; i < wrap_stations; ++i) {
+      const double s = stretch.low + (i + 0.5) / wrap_stations * (stretch.high - stretch.low);
       const auto [station, axis] = bones.at(s);
-      figure.fraction += share_met(station, axis, dressed.points, triangles) / stations;
+      figure.fraction += share_met(station, axis, dressed.points, triangles) / wrap_stations;
     }
     // A sheet has one border, whatever its shape.
     figure.tube = border_loops(triangles, dressed.points.size()) > 1;

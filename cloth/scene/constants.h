@@ -32,4 +32,8 @@ inline constexpr double max_limit_multiplier = hand_pull;
 /// Metres of air between the skin and the inner face of the cloth.
 inline constexpr double skin_air_gap = 0.001;
 
+/// Metres: two points that a pattern places in one place are nearer than this. Only rounding lies
+/// between them.
+inline constexpr double same_place = 1e-9;
+
 }  // namespace toile

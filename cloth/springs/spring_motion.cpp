@@ -7,7 +7,7 @@
 #include <string>
 
 #include "cloth/contact/body_attraction.h"
-#include "cloth/judge/measures.h"
+#include "cloth/judge/constants.h"
 #include "cloth/scene/collider.h"
 #include "cloth/springs/chunks.h"
 #include "geometry/error.h"

@@ -2,22 +2,16 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <span>
 #include <utility>
 
+#include "cloth/start/constants.h"
 #include "geometry/body/bones.h"
 
 namespace toile {
 
 namespace {
-
-/// Radians. T-shirts and a shirt are 3 to 9 degrees off arms like those they were laid out for.
-/// They are 12 to 52 degrees off arms that hang lower, swing or reach forward [measured].
-constexpr double min_turn = 11 * std::numbers::pi / 180;
-/// Cosine between a seam and the arm, from which on it runs along the sleeve, not around it.
-constexpr double along_sleeve = 0.5;
 
 class Sleeve {
  public:
@@ -30,17 +24,17 @@ class Sleeve {
 
   bool empty() const { return panels_.empty(); }
 
-  /// Which way it runs, of its mean length from armhole to cuff; no seam tells: zero.
+  /// Metres: the mean vector of its seams from armhole to cuff; zero if no seam runs along the arm.
   Vec3 run(const std::vector<Vec3>& placed, const Vec3& down_arm) const {
     Vec3 sum = Vec3::Zero();
     int sides = 0;
     for (const MeshedSeam& seam : garment_.seams) {
       if (!is_mine(seam.a.front()) || !is_mine(seam.b.front())) continue;
       for (const std::vector<int>* side : {&seam.a, &seam.b}) {
-        const Vec3 way = placed[side->back()] - placed[side->front()];
-        const double down = way.dot(down_arm);
-        if (std::abs(down) < along_sleeve * way.norm()) continue;
-        sum += down > 0 ? way : Vec3(-way);
+        const Vec3 side_run = placed[side->back()] - placed[side->front()];
+        const double down = side_run.dot(down_arm);
+        if (std::abs(down) < along_sleeve_cosine * side_run.norm()) continue;
+        sum += down > 0 ? side_run : Vec3(-side_run);
         ++sides;
       }
     }
@@ -95,7 +89,7 @@ std::map<std::string, double> turn_sleeves(const PanelMesh& garment,
     if (run.isZero() || !armhole) continue;
     const auto turn = Eigen::Quaterniond::FromTwoVectors(run, arm.average(0, run.norm()).second);
     const double angle = turn.angularDistance(Eigen::Quaterniond::Identity());
-    if (angle < min_turn) continue;
+    if (angle < min_sleeve_turn) continue;
     sleeve.turn(turn.toRotationMatrix(), *armhole, placed);
     turned[part] = angle;
   }

@@ -10,9 +10,9 @@ namespace toile {
 /// Moves panels off the layers below. A pattern places its panels around the body; with layers on,
 /// the body is wider than the pattern knew.
 /// A panel moves as a whole if any of its points is inside the collider or within 1 cm of it. It
-/// moves the way its right side faces, in steps of 1 cm, up to 40 cm. It stops where no such point
-/// is left, or else where the fewest are. A rolled panel faces no one way, and stays.
-/// Notes the moves in `placement` and counts its points_inside again.
+/// moves in the direction that its right side faces, in steps of 1 cm, up to 40 cm. It stops where
+/// no such point is left, or else where the fewest are. A rolled panel faces no direction, and
+/// stays. Notes the moves in `placement` and counts its points_inside again.
 void clear_of_layers(const PanelMesh& garment, const DistanceGrid& collider, Placement& placement);
 
 }  // namespace toile

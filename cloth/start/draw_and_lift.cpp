@@ -3,17 +3,13 @@
 #include <algorithm>
 
 #include "cloth/start/align_sleeves.h"
+#include "cloth/start/constants.h"
 #include "cloth/start/panel_parts.h"
 #include "cloth/start/seam_paths.h"
 
 namespace toile {
 
 namespace {
-
-constexpr double lift_step = 0.01;  // metres
-constexpr int lift_steps = 20;
-/// Metres added to the least lift: room for the cloth to come down onto the shoulders.
-constexpr double margin = 0.03;
 
 struct Limb {
   const char* part;
@@ -24,9 +20,6 @@ constexpr Limb limb_directions[] = {{"left_arm", "left_shoulder", "left_wrist"},
                                     {"right_arm", "right_shoulder", "right_wrist"},
                                     {"left_leg", "left_hip", "left_ankle"},
                                     {"right_leg", "right_hip", "right_ankle"}};
-
-/// Metres between a limb's seam points and their partners on the torso, along the limb.
-constexpr double limb_gap = 0.01;
 
 /// Metres that the panels of a limb have to be drawn out along `direction`.
 /// The depth at which upright panels stand does not count. A sleeve's back may be sewn to the
@@ -63,14 +56,18 @@ std::vector<double> lifted_points(const PanelMesh& garment) {
 
 bool hangs_from_shoulders(const PanelMesh& garment, const std::vector<Vec3>& placed,
                           const Skeleton& skeleton) {
-  constexpr double above = 0.05;  // metres
-  const double height = skeleton.joint("chest").y() + above;
+  const double height = skeleton.joint("chest").y() + shoulder_seam_height;
   return std::any_of(garment.seams.begin(), garment.seams.end(), [&](const MeshedSeam& seam) {
     return placed[seam.a.front()].y() > height && placed[seam.b.front()].y() > height;
   });
 }
 
 }  // namespace
+
+int points_inside(const std::vector<Vec3>& points, const DistanceGrid& body) {
+  return static_cast<int>(
+      std::ranges::count_if(points, [&](const Vec3& p) { return body.at(p).distance < 0; }));
+}
 
 Placement draw_and_lift(const PanelMesh& garment, const DistanceGrid& body,
                         const Skeleton* skeleton, double hang) {
@@ -101,8 +98,8 @@ Placement draw_and_lift(const PanelMesh& garment, const DistanceGrid& body,
     }
   }
   const std::vector<double> lifted = lifted_points(garment);
-  SeamPaths ways(garment, placement.placed, lifted, body, skeleton);
-  const auto points_inside = [&](double lift) {
+  SeamPaths paths(garment, placement.placed, lifted, body, skeleton);
+  const auto lifted_inside = [&](double lift) {
     int count = 0;
     for (std::size_t p = 0; p < placement.placed.size(); ++p) {
       count += body.at(placement.placed[p] + Vec3(0, lifted[p] * lift, 0)).distance < 0;
@@ -111,24 +108,24 @@ Placement draw_and_lift(const PanelMesh& garment, const DistanceGrid& body,
   };
   // What hangs from the shoulders has to come over them; a skirt must not come into the armpits.
   const bool may_meet_arms = skeleton == nullptr || hangs || has_sleeves;
-  const int inside_unlifted = points_inside(0);
-  int fewest = ways.obstructed(0);
-  for (int step = 1; step <= lift_steps && fewest > ways.at_arms(); ++step) {
+  const int inside_unlifted = lifted_inside(0);
+  int fewest = paths.obstructed(0);
+  for (int step = 1; step <= max_lift_steps && fewest > paths.at_arms(); ++step) {
     const double lift = step * lift_step;
-    const int count = ways.obstructed(lift);
+    const int count = paths.obstructed(lift);
     if (count >= fewest) continue;
-    if (!may_meet_arms && points_inside(lift + margin) > inside_unlifted) continue;
+    if (!may_meet_arms && lifted_inside(lift + lift_margin) > inside_unlifted) continue;
     fewest = count;
     placement.lift = lift;
   }
-  if (placement.lift > 0) placement.lift += margin;
+  if (placement.lift > 0) placement.lift += lift_margin;
   const bool has_tubes = std::find(lifted.begin(), lifted.end(), 0.0) != lifted.end();
   if (hangs && !has_tubes) placement.lift = std::max(placement.lift, hang);
-  placement.seams_inside = ways.meeting_inside(placement.lift);
+  placement.seams_inside = paths.meeting_inside(placement.lift);
   for (std::size_t p = 0; p < placement.placed.size(); ++p) {
     placement.placed[p].y() += lifted[p] * placement.lift;
   }
-  placement.points_inside = points_inside(0);
+  placement.points_inside = points_inside(placement.placed, body);
   return placement;
 }
 

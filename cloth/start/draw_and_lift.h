@@ -21,11 +21,14 @@ struct Placement {
   double lift = 0;                          ///< metres, of all panels together
   std::map<std::string, double> turned;     ///< radians, per arm whose sleeve was turned to it
   std::map<std::string, double> drawn_out;  ///< metres along the limb, per part that was
-  std::map<std::string, double> moved_off_layers;  ///< metres, per panel that was in a layer's way
+  std::map<std::string, double> moved_off_layers;  ///< metres, per panel moved off a layer
   std::map<std::string, double> moved_clear;       ///< metres, per panel that intersected something
   int points_inside = 0;  ///< material points that are still inside the body
   int seams_inside = 0;   ///< pairs of sewn points that would meet inside the body
 };
+
+/// The number of `points` that are inside the body.
+int points_inside(const std::vector<Vec3>& points, const DistanceGrid& body);
 
 /// Draws out and lifts panels that stand where `garment.placed` says.
 ///

@@ -5,16 +5,10 @@
 #include <limits>
 #include <string_view>
 
+#include "cloth/start/constants.h"
 #include "geometry/body/bones.h"
 
 namespace toile {
-
-namespace {
-
-/// Metres from the body's middle: no sleeve begins nearer, not even one cut up to the neck.
-constexpr double innermost_sleeve = 0.03;
-
-}  // namespace
 
 std::vector<std::string> panel_parts(const PanelMesh& garment, const Skeleton& skeleton) {
   std::vector<std::string> parts;
@@ -34,7 +28,7 @@ std::vector<std::string> panel_parts(const PanelMesh& garment, const Skeleton& s
       innermost = std::min(innermost, std::abs(garment.placed[p].x()));
     }
     middle /= panel.points;
-    const bool both_sides = std::min(left, right) > 0.15 * (left + right);
+    const bool both_sides = std::min(left, right) > both_sides_share * (left + right);
     std::string nearest = "torso";
     double distance = Bones(skeleton, nearest).distance(middle);
     for (const char* part : {"left_arm", "right_arm", "left_leg", "right_leg"}) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "cloth/scene/collider.h"
+#include "cloth/start/constants.h"
 #include "geometry/body/skeleton.h"
 #include "geometry/disjoint_sets.h"
 #include "geometry/surface_distance.h"
@@ -12,46 +13,32 @@ namespace toile {
 
 namespace {
 
-/// Half widths of a panel that its middle has to be off the body's: else it stands on both sides.
-constexpr double on_one_side = 0.5;
-/// Share of a group's seams that have to reach across the middle.
-constexpr double max_across = 0.5;
-/// A group is on the other side if its seams would be this much shorter with it mirrored.
-constexpr double much_shorter = 0.65;
-/// Metres that this has to bring at least.
-constexpr double worth = 0.15;
-/// Two panels are mirror images when their middles and sizes agree to this share of a size. Such
-/// panels, sewn together, can only change places.
-constexpr double image_share = 0.15;
-/// Below this value of facing_out(), a panel is inside out.
-constexpr double surely_inward = -0.5;
-/// Triangles of a panel that are sampled at most.
-constexpr int looked_at = 50;
-
 /// Panels on one side of the body that are sewn together.
 struct Group {
   std::vector<int> panels;
   double area = 0;
 };
 
-class Sides {
+class PanelSides {
  public:
-  Sides(const PanelMesh& garment, double middle)
-      : garment_(garment), at_(garment.placed), side_(garment.panels.size(), 0) {
+  PanelSides(const PanelMesh& garment, double middle)
+      : garment_(garment),
+        at_(garment.placed),
+        panel_of_(panel_of_points(garment)),
+        side_(garment.panels.size(), 0) {
     for (Vec3& p : at_) p.x() -= middle;
     for (std::size_t p = 0; p < garment.panels.size(); ++p) {
-      panel_of_.insert(panel_of_.end(), garment.panels[p].points, static_cast<int>(p));
       boxes_.push_back(box_of(garment.panels[p]));
       side_[p] = side_of(boxes_.back());
     }
   }
 
-  /// Panels that stand where their mirror images belong, in the garment's order; from here on they
-  /// count as exchanged.
+  /// Panels that stand where their mirror images belong, in the garment's order. After the call
+  /// they count as exchanged.
   std::vector<int> exchange_swapped() {
     std::vector<int> found;
     for (const Group& group : groups()) {
-      if (!reaches(group).to_images.is_much_shorter_there()) continue;
+      if (!seams_of(group).to_images.is_much_shorter_there()) continue;
       found.insert(found.end(), group.panels.begin(), group.panels.end());
     }
     for (const int p : found) carry_across(p);
@@ -63,7 +50,7 @@ class Sides {
   std::vector<int> misplaced() {
     std::vector<int> found;
     for (const Group& group : groups()) {
-      if (!belongs_across(reaches(group).to_others)) continue;
+      if (!belongs_across(seams_of(group).to_others)) continue;
       found.insert(found.end(), group.panels.begin(), group.panels.end());
       // What is sewn to it is judged by where it should be.
       for (const int p : group.panels) mirror(p);
@@ -82,18 +69,18 @@ class Sides {
   /// 1: left of the middle, -1: right, 0: on both sides.
   static int side_of(const Eigen::AlignedBox3d& box) {
     const double off = box.center().x() / (0.5 * box.sizes().x());
-    return off > on_one_side ? 1 : off < -on_one_side ? -1 : 0;
+    return off > one_side_offset ? 1 : off < -one_side_offset ? -1 : 0;
   }
 
   bool are_images(int a, int b) const {
     Vec3 mirrored = boxes_[a].center();
     mirrored.x() = -mirrored.x();
-    const double most = image_share * boxes_[b].diagonal().norm();
-    return (mirrored - boxes_[b].center()).norm() < most &&
-           (boxes_[a].sizes() - boxes_[b].sizes()).norm() < most;
+    const double tolerance = image_tolerance * boxes_[b].diagonal().norm();
+    return (mirrored - boxes_[b].center()).norm() < tolerance &&
+           (boxes_[a].sizes() - boxes_[b].sizes()).norm() < tolerance;
   }
 
-  /// The smallest first.
+  /// The groups, the smallest first.
   std::vector<Group> groups() const {
     DisjointSets sets(garment_.panels.size());
     for (const MeshedSeam& seam : garment_.seams) {
@@ -117,26 +104,26 @@ class Sides {
     return by_first;
   }
 
-  /// What a group's seams to other panels reach over, in metres, and would from the other side.
-  struct Reach {
+  /// The seams of a group to other panels: pairs of points, and the metres between them.
+  struct SeamLengths {
     int pairs = 0;
-    int across = 0;  ///< the body's middle
-    double here = 0;
-    double there = 0;
+    int across = 0;    ///< pairs on both sides of the body's middle
+    double here = 0;   ///< metres, the sum over all pairs
+    double there = 0;  ///< metres, the same with the group on the other side
 
     bool is_much_shorter_there() const {
-      return there < much_shorter * here && there < here - worth * pairs;
+      return there < much_shorter * here && there < here - min_seam_gain * pairs;
     }
   };
-  struct Reaches {
-    Reach to_images;  ///< of its own panels, if these move across as well
-    Reach to_others;
+  struct GroupSeams {
+    SeamLengths to_images;  ///< to mirror images of its panels, with these moved across as well
+    SeamLengths to_others;  ///< to all other panels
   };
 
-  Reaches reaches(const Group& group) const {
+  GroupSeams seams_of(const Group& group) const {
     std::vector<char> mine(garment_.panels.size(), 0);
     for (const int p : group.panels) mine[p] = 1;
-    Reaches reaches;
+    GroupSeams seams;
     for (const MeshedSeam& seam : garment_.seams) {
       int panel = panel_of_[seam.a.front()];
       int other = panel_of_[seam.b.front()];
@@ -144,26 +131,26 @@ class Sides {
       const bool from_a = mine[panel] != 0;
       if (!from_a) std::swap(panel, other);
       const bool images = are_images(panel, other);
-      Reach& reach = images ? reaches.to_images : reaches.to_others;
+      SeamLengths& lengths = images ? seams.to_images : seams.to_others;
       for (std::size_t i = 0; i < seam.a.size(); ++i) {
         const Vec3& p = at_[from_a ? seam.a[i] : seam.b[i]];
         const Vec3& q = at_[from_a ? seam.b[i] : seam.a[i]];
-        ++reach.pairs;
-        reach.across += (p.x() > 0) != (q.x() > 0);
-        reach.here += (q - p).norm();
-        reach.there += images ? (carried_across(q, other) - carried_across(p, panel)).norm()
-                              : (q - Vec3(-p.x(), p.y(), p.z())).norm();
+        ++lengths.pairs;
+        lengths.across += (p.x() > 0) != (q.x() > 0);
+        lengths.here += (q - p).norm();
+        lengths.there += images ? (carried_across(q, other) - carried_across(p, panel)).norm()
+                                : (q - Vec3(-p.x(), p.y(), p.z())).norm();
       }
     }
-    return reaches;
+    return seams;
   }
 
-  static bool belongs_across(const Reach& reach) {
-    return reach.across > max_across * reach.pairs && reach.is_much_shorter_there();
+  static bool belongs_across(const SeamLengths& lengths) {
+    return lengths.across > max_seams_across * lengths.pairs && lengths.is_much_shorter_there();
   }
 
-  /// A panel's point when the panel is moved across the middle, not turned: of legs that change
-  /// places the outer edges become the inner ones.
+  /// A panel's point when the panel is moved across the middle without being turned. So the outer
+  /// edges of legs that change places become inner ones.
   Vec3 carried_across(const Vec3& p, int panel) const {
     return {p.x() - 2 * boxes_[panel].center().x(), p.y(), p.z()};
   }
@@ -187,7 +174,7 @@ class Sides {
 
   const PanelMesh& garment_;
   std::vector<Vec3> at_;       // x from the body's middle
-  std::vector<int> panel_of_;  // each point's
+  std::vector<int> panel_of_;  // per material point
   std::vector<Eigen::AlignedBox3d> boxes_;
   std::vector<int> side_;
 };
@@ -197,7 +184,7 @@ class Sides {
 std::vector<double> facing_out(const PanelMesh& garment, const SurfaceDistance& skin) {
   std::vector<double> facing;
   for (const MeshedPanel& panel : garment.panels) {
-    const int stride = std::max(1, panel.triangles / looked_at);
+    const int stride = std::max(1, panel.triangles / facing_samples);
     double sum = 0;
     double areas = 0;
     for (int t = panel.first_triangle; t < panel.first_triangle + panel.triangles; t += stride) {
@@ -220,7 +207,7 @@ std::vector<PlacementWarning> placement_warnings(const PanelMesh& garment, const
   using Kind = PlacementWarning::Kind;
   std::vector<PlacementWarning> warnings;
   const double middle = scene.skeleton != nullptr ? scene.skeleton->joint("pelvis").x() : 0;
-  Sides sides(garment, middle);
+  PanelSides sides(garment, middle);
   for (const int p : sides.exchange_swapped()) {
     warnings.push_back({garment.panels[p].name, Kind::swapped});
   }
@@ -230,7 +217,8 @@ std::vector<PlacementWarning> placement_warnings(const PanelMesh& garment, const
   if (scene.collider == nullptr) return warnings;
   const std::vector<double> facing = facing_out(garment, scene.collider->skin());
   for (std::size_t p = 0; p < facing.size(); ++p) {
-    if (facing[p] < surely_inward) warnings.push_back({garment.panels[p].name, Kind::inside_out});
+    if (facing[p] < inside_out_facing)
+      warnings.push_back({garment.panels[p].name, Kind::inside_out});
   }
   return warnings;
 }

@@ -36,8 +36,8 @@ struct PlacementWarning {
 /// a panel.
 std::vector<PlacementWarning> placement_warnings(const PanelMesh& garment, const Scene& scene);
 
-/// Per panel, the mean cosine between its right side and the way out of the skin, over its area. It
-/// is 1 when all of the right side faces out.
+/// Per panel, the mean cosine between its right side and the direction out of the skin, over its
+/// area. It is 1 when all of the right side faces out.
 std::vector<double> facing_out(const PanelMesh& garment, const SurfaceDistance& skin);
 
 /// The warning and its remedy, in a line.

@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "cloth/start/constants.h"
 #include "cloth/start/rolling.h"
 #include "geometry/body/bones.h"
 #include "geometry/error.h"
@@ -18,36 +19,26 @@ namespace toile {
 
 namespace {
 
-constexpr double step = 0.005;  // metres between the distances tried
-constexpr double farthest = 1.5;
-constexpr double widest = 0.3;  // added to a radius
-constexpr double draw_step = 0.01;
-constexpr double draw_worth = 0.002;  // metres nearer to the arm that a step must bring
-constexpr double farthest_drawn = 0.20;
-constexpr double bend_worth = 0.02;    // metres of gap and of draw that bending must spare
-constexpr double from_divide = 0.005;  // metres kept from the plane between the legs
-constexpr int halvings = 6;            // of a step, toward the nearest place that is clear
-
 bool runs_up(const std::string& part) { return part == "torso" || part == "head"; }
 
 Error refused(const MeshedPanel& panel, const std::string& problem, const std::string& remedy) {
   return {"panel '" + panel.name + "'", problem, remedy};
 }
 
-/// A panel to be positioned, in the coordinates that run up its part.
-struct Piece {
+/// A panel to be positioned, in coordinates that run up its body part.
+struct UprightPanel {
   const MeshedPanel& panel;
   Bones bones;
   std::vector<Vec2> points;  ///< upright
   Vec2 low = Vec2::Constant(1e300);
   Vec2 high = Vec2::Constant(-1e300);
-  /// Of a leg: the plane between both, which its panels stay on their side of; else zero.
+  /// A point of the plane between the legs. The panels of a leg stay on its side.
   Vec3 divide = Vec3::Zero();
-  Vec3 away = Vec3::Zero();
-  /// Arc length on the bones where the upright y is 0; not known yet: none.
+  Vec3 away = Vec3::Zero();  ///< unit normal of that plane, to the own side; zero: no leg
+  /// Metres: arc length on the bones where the upright y is 0; none: not known yet.
   std::optional<double> origin;
 
-  Piece(const PanelMesh& garment, const MeshedPanel& of, const Skeleton& skeleton)
+  UprightPanel(const PanelMesh& garment, const MeshedPanel& of, const Skeleton& skeleton)
       : panel(of), bones(skeleton, of.part) {
     if (bones.joints.empty()) {
       throw refused(panel, "belongs at part '" + panel.part + "', which the skeleton lacks",
@@ -66,7 +57,7 @@ struct Piece {
     }
   }
 
-  /// Arc length on the bones grows up the torso, down a limb.
+  /// 1 where arc length on the bones grows up the part (torso), -1 where it grows down (limbs).
   double sign() const { return runs_up(panel.part) ? 1 : -1; }
   double arc(double y) const { return *origin + sign() * y; }
   /// Makes the upright y lie at an arc length.
@@ -83,8 +74,8 @@ struct Piece {
   }
 };
 
-/// Lays a panel's own joint, or its upper end at that of its part.
-void level_by_joint(Piece& piece, const Skeleton& skeleton) {
+/// Levels a panel by the joint that it names, else its upper end by that of its body part.
+void level_by_joint(UprightPanel& piece, const Skeleton& skeleton) {
   const PanelPlacement& placement = piece.panel.placement;
   if (!placement.at.empty()) {
     piece.level(placement.level.value_or(piece.high.y()),
@@ -96,13 +87,12 @@ void level_by_joint(Piece& piece, const Skeleton& skeleton) {
   }
 }
 
-/// Pieces with their level on the bones.
-class Levels {
+/// The panels to be positioned, with their levels on the bones.
+class PanelLevels {
  public:
-  Levels(const PanelMesh& garment, const Skeleton& skeleton)
-      : garment_(garment), skeleton_(skeleton) {
+  PanelLevels(const PanelMesh& garment, const Skeleton& skeleton)
+      : garment_(garment), skeleton_(skeleton), panel_of_(panel_of_points(garment)) {
     for (std::size_t i = 0; i < garment.panels.size(); ++i) {
-      panel_of_.insert(panel_of_.end(), garment.panels[i].points, static_cast<int>(i));
       const MeshedPanel& panel = garment.panels[i];
       if (!panel.placement.by_part()) continue;
       piece_of_[static_cast<int>(i)] = static_cast<int>(pieces.size());
@@ -113,12 +103,12 @@ class Levels {
     }
   }
 
-  std::vector<Piece> pieces;
+  std::vector<UprightPanel> pieces;
 
  private:
   bool level_one() {
-    Piece* first = nullptr;
-    for (Piece& piece : pieces) {
+    UprightPanel* first = nullptr;
+    for (UprightPanel& piece : pieces) {
       if (piece.origin) continue;
       if (first == nullptr) first = &piece;
       if (level_by_seams(piece)) return true;
@@ -127,7 +117,7 @@ class Levels {
     return first != nullptr;
   }
 
-  bool level_by_seams(Piece& piece) {
+  bool level_by_seams(UprightPanel& piece) {
     const int first = piece.panel.first_point;
     double sum = 0;
     int count = 0;
@@ -147,13 +137,13 @@ class Levels {
     return count > 0;
   }
 
-  /// Where another panel of the same part has a point, if that is known.
-  std::optional<double> arc_of(int point, const Piece& piece) const {
+  /// Metres: arc length on the bones of a point of another panel of the same part, if it is known.
+  std::optional<double> arc_of(int point, const UprightPanel& piece) const {
     const MeshedPanel& panel = garment_.panels[panel_of_[point]];
     if (&panel == &piece.panel || panel.part != piece.panel.part) return std::nullopt;
     const auto found = piece_of_.find(panel_of_[point]);
     if (found == piece_of_.end()) return piece.bones.foot(garment_.placed[point]);
-    const Piece& there = pieces[found->second];
+    const UprightPanel& there = pieces[found->second];
     if (!there.origin) return std::nullopt;
     return there.arc(there.points[point - panel.first_point].y());
   }
@@ -164,11 +154,11 @@ class Levels {
   std::map<int, int> piece_of_;
 };
 
-/// The panel's axis laid along the bones: what is left open is the distance from them.
-class Stand {
+/// A panel whose axis is laid along the bones. Its distance from them is left open.
+class PanelPose {
  public:
   /// `drawn_out`: metres farther along the bones. `bent`: a rolled panel follows their bends.
-  Stand(const Piece& piece, double drawn_out, bool bent = false)
+  PanelPose(const UprightPanel& piece, double drawn_out, bool bent = false)
       : piece_(piece), drawn_out_(drawn_out), bent_(bent) {
     const double angle =
         degrees_around(piece.panel.placement, piece.panel.part) * std::numbers::pi / 180;
@@ -184,7 +174,8 @@ class Stand {
   Vec3 at(const Vec2& point, double distance) const {
     const Vec2 drawn = point - drawn_middle_;
     if (bent_) {
-      // Over two radii of the bones: the inner side of a bend stays in order up to 115 degrees.
+      // The bones' direction is averaged over two radii. So the inner side of a bend stays in order
+      // up to 115 degrees.
       const double s = piece_.arc(point.y()) + drawn_out_;
       const auto [middle, frame] = along_bones(s - distance, s + distance);
       return middle + frame * roll({drawn.x(), 0}, 0, distance);
@@ -202,24 +193,26 @@ class Stand {
 
   /// Moves a flat panel of a leg sideways, to its side of the plane between the legs.
   void clear_divide() {
-    double least = from_divide;
+    double nearest = leg_plane_clearance;
     for (const Vec2& point : piece_.points) {
-      least = std::min(least, piece_.beside_divide(at(point, farthest)));
+      nearest = std::min(nearest, piece_.beside_divide(at(point, max_panel_distance)));
     }
     const Vec3 right = frame_.col(0);
     const double toward = right.dot(piece_.away);
-    // Of a panel at the side of its leg it is the distance that has to do it.
-    if (std::abs(toward) > 0.5) middle_ += (from_divide - least) / toward * right;
+    // A panel at the side of its leg clears the plane by its distance.
+    if (std::abs(toward) > min_sideways_cosine)
+      middle_ += (leg_plane_clearance - nearest) / toward * right;
   }
 
-  /// Points that are nearer to the skin than they should be; no more are counted than `most`.
-  int too_near(const DistanceGrid& body, double distance, int most) const {
+  /// The number of points that are nearer to the skin than asked for. Stops counting at
+  /// `max_count`.
+  int too_near(const DistanceGrid& body, double distance, int max_count) const {
     const double offset = piece_.asked_offset();
     int count = 0;
     for (const Vec2& point : piece_.points) {
       const Vec3 p = at(point, distance);
-      count += body.at(p).distance < offset || piece_.beside_divide(p) < from_divide;
-      if (count >= most) break;
+      count += body.at(p).distance < offset || piece_.beside_divide(p) < leg_plane_clearance;
+      if (count >= max_count) break;
     }
     return count;
   }
@@ -227,9 +220,9 @@ class Stand {
     return too_near(body, distance, 1) == 0;
   }
 
-  /// The least distance that is clear between one that is not and one that is.
+  /// Metres: the smallest clear distance between `near`, which is not clear, and `far`, which is.
   double min_clear(const DistanceGrid& body, double near, double far) const {
-    for (int i = 0; i < halvings; ++i) {
+    for (int i = 0; i < clearance_halvings; ++i) {
       const double between = 0.5 * (near + far);
       (clear(body, between) ? far : near) = between;
     }
@@ -237,7 +230,7 @@ class Stand {
   }
 
  private:
-  const Piece& piece_;
+  const UprightPanel& piece_;
   double drawn_out_;
   bool bent_;
   Eigen::Matrix3d turned_;  // to the panel's side of its part
@@ -248,66 +241,68 @@ class Stand {
 
 /// Whether the panel may be drawn down its part to clear the body. Only sleeves may whose place the
 /// pattern leaves open, since the armpit obstructs their upper ends.
-bool may_be_drawn_out(const Piece& piece) {
+bool may_be_drawn_out(const UprightPanel& piece) {
   return piece.panel.part.ends_with("_arm") && piece.panel.placement.at.empty();
 }
 
-/// Drawn out by whole steps, `least` first and no more than `most`.
-std::vector<double> draws(double least, double most) {
+/// Metres: lengths to draw out by, from `min_drawn` to `max_drawn` in steps of `draw_step`.
+std::vector<double> draws(double min_drawn, double max_drawn) {
   std::vector<double> all;
-  for (int i = 0; least + i * draw_step <= most + draw_step / 2; ++i) {
-    all.push_back(least + i * draw_step);
+  for (int i = 0; min_drawn + i * draw_step <= max_drawn + draw_step / 2; ++i) {
+    all.push_back(min_drawn + i * draw_step);
   }
   return all;
 }
 
-/// The least distance at which the flat panel is clear of the body; none below `farther`: that.
-double clear_distance(const Piece& piece, const DistanceGrid& body, double drawn, double farther) {
+/// Metres: the smallest distance at which the flat panel is clear of the body, at most `farther`.
+double clear_distance(const UprightPanel& piece, const DistanceGrid& body, double drawn,
+                      double farther) {
   // From the bones outward, not from afar inward: beside the torso there is room behind the arm.
-  const Stand stand(piece, drawn);
+  const PanelPose pose(piece, drawn);
   const double first = piece.asked_offset();
   double distance = first;
-  while (!stand.clear(body, distance)) {
-    distance += step;
+  while (!pose.clear(body, distance)) {
+    distance += positioning_step;
     if (distance >= farther) return farther;
   }
-  return distance > first ? stand.min_clear(body, distance - step, distance) : first;
+  return distance > first ? pose.min_clear(body, distance - positioning_step, distance) : first;
 }
 
-PositionedPanel stand_flat(const Piece& piece, const DistanceGrid& body,
+PositionedPanel stand_flat(const UprightPanel& piece, const DistanceGrid& body,
                            const std::vector<double>& drawn_out) {
-  PositionedPanel best{piece.panel.name, false, false, farthest, 0, 0, 0};
+  PositionedPanel best{piece.panel.name, false, false, max_panel_distance, 0, 0, 0};
   for (const double drawn : drawn_out) {
     const double distance = clear_distance(piece, body, drawn, best.distance);
     // A centimetre down the arm has to bring more than its slope does.
-    if (distance > best.distance - draw_worth) continue;
+    if (distance > best.distance - min_draw_gain) continue;
     best.distance = distance;
     best.drawn_out = drawn;
   }
-  if (best.distance >= farthest) {
+  if (best.distance >= max_panel_distance) {
     throw refused(piece.panel, "finds no place clear of the body",
                   "check its size and 'placement'");
   }
   return best;
 }
 
-PositionedPanel roll_around(const Piece& piece, const DistanceGrid& body,
+PositionedPanel roll_around(const UprightPanel& piece, const DistanceGrid& body,
                             const std::vector<double>& drawn_out, bool bent) {
   const double around = piece.panel.placement.around;
   const double width = piece.high.x() - piece.low.x();
   const double tightest = rolling_radius(width, around, 0);
   PositionedPanel best{piece.panel.name, true, bent, tightest, 0, 0, piece.panel.points + 1};
-  for (double radius = tightest; best.points_too_near > 0 && radius <= tightest + widest;
-       radius += step) {
+  for (double radius = tightest; best.points_too_near > 0 && radius <= tightest + max_radius_growth;
+       radius += positioning_step) {
     for (const double drawn : drawn_out) {
-      const Stand stand(piece, drawn, bent);
-      const int count = stand.too_near(body, radius, best.points_too_near);
+      const PanelPose pose(piece, drawn, bent);
+      const int count = pose.too_near(body, radius, best.points_too_near);
       if (count >= best.points_too_near) continue;
       best.distance = radius;
       best.drawn_out = drawn;
       best.points_too_near = count;
       if (count > 0) continue;
-      if (radius > tightest) best.distance = stand.min_clear(body, radius - step, radius);
+      if (radius > tightest)
+        best.distance = pose.min_clear(body, radius - positioning_step, radius);
       break;
     }
   }
@@ -315,8 +310,8 @@ PositionedPanel roll_around(const Piece& piece, const DistanceGrid& body,
   return best;
 }
 
-/// About a straight line, unless the bends of the part are in the way of that.
-PositionedPanel roll_around(const Piece& piece, const DistanceGrid& body,
+/// Rolls the panel about a straight line, or about the bent bones where that is better.
+PositionedPanel roll_around(const UprightPanel& piece, const DistanceGrid& body,
                             const std::vector<double>& drawn_out) {
   const PositionedPanel straight = roll_around(piece, body, drawn_out, false);
   const PositionedPanel bent = roll_around(piece, body, drawn_out, true);
@@ -324,11 +319,12 @@ PositionedPanel roll_around(const Piece& piece, const DistanceGrid& body,
     return bent.points_too_near < straight.points_too_near ? bent : straight;
   }
   const double brings = straight.drawn_out + straight.gap - bent.drawn_out - bent.gap;
-  return brings > bend_worth ? bent : straight;
+  return brings > min_bend_gain ? bent : straight;
 }
 
-PositionedPanel position(const Piece& piece, const DistanceGrid& body, double least, double most) {
-  const std::vector<double> drawn_out = draws(least, most);
+PositionedPanel position(const UprightPanel& piece, const DistanceGrid& body, double min_drawn,
+                         double max_drawn) {
+  const std::vector<double> drawn_out = draws(min_drawn, max_drawn);
   return piece.panel.placement.around > 0 ? roll_around(piece, body, drawn_out)
                                           : stand_flat(piece, body, drawn_out);
 }
@@ -361,19 +357,19 @@ Positioning position_panels(const PanelMesh& garment, const DistanceGrid& body,
     throw refused(*panel, "is to be positioned by the body's skeleton, and there is none",
                   "let clean-body write it beside the body, or name it with --skeleton");
   }
-  const Levels levels(garment, *skeleton);
+  const PanelLevels levels(garment, *skeleton);
   std::map<std::string, double> drawn_out;  // by part: the panels of one sleeve stay together
-  for (const Piece& piece : levels.pieces) {
+  for (const UprightPanel& piece : levels.pieces) {
     if (!may_be_drawn_out(piece)) continue;
     double& drawn = drawn_out[piece.panel.part];
-    drawn = std::max(drawn, position(piece, body, 0, farthest_drawn).drawn_out);
+    drawn = std::max(drawn, position(piece, body, 0, max_drawn_out).drawn_out);
   }
-  for (const Piece& piece : levels.pieces) {
+  for (const UprightPanel& piece : levels.pieces) {
     const double drawn = may_be_drawn_out(piece) ? drawn_out.at(piece.panel.part) : 0;
     const PositionedPanel how = position(piece, body, drawn, drawn);
-    const Stand stand(piece, how.drawn_out, how.bent);
+    const PanelPose pose(piece, how.drawn_out, how.bent);
     for (int i = 0; i < piece.panel.points; ++i) {
-      result.placed[piece.panel.first_point + i] = stand.at(piece.points[i], how.distance);
+      result.placed[piece.panel.first_point + i] = pose.at(piece.points[i], how.distance);
     }
     result.panels.push_back(how);
   }

@@ -27,11 +27,6 @@ struct Positioning {
   std::vector<PositionedPanel> panels;  ///< those that were positioned, in the garment's order
 };
 
-/// Metres: the least distance from the skin where the pattern does not state it. The distance grid
-/// is exact within its band, and good to a centimetre or so beyond.
-inline constexpr double flat_offset = 0.04;
-inline constexpr double rolled_offset = 0.005;
-
 /// Whether any panel of the garment is to be positioned by the skeleton.
 bool asks_for_skeleton(const PanelMesh& garment);
 

@@ -6,6 +6,9 @@
 #include <map>
 #include <set>
 
+#include "cloth/scene/constants.h"
+#include "cloth/start/constants.h"
+#include "cloth/start/facing.h"
 #include "cloth/start/panel_parts.h"
 #include "geometry/body/bones.h"
 #include "geometry/disjoint_sets.h"
@@ -16,41 +19,29 @@ namespace toile {
 
 namespace {
 
-constexpr double step = 0.01;  // metres
-constexpr int max_steps = 70;
-constexpr double reach = 0.1;  // metres over which it is judged which way leads out
-/// Metres: the distance grid rounds off corners, but not by that much.
-constexpr double surely_inside = -0.002;
-constexpr int max_widening = 15;  // steps
-/// Metres: where a pattern places two sides in one place, only rounding lies between them.
-constexpr double rounding = 1e-9;
-/// A panel is flat when its areas, added as vectors, keep this share of their sum. A flat one has
-/// 1. One rolled half around has 0.64, two that stand square to each other 0.71.
-constexpr double flat_share = 0.68;
-
 /// Calls `with` for each pair of points that are to be sewn and are in one place.
 template <typename With>
 void for_joined_points(const PanelMesh& garment, const std::vector<Vec3>& placed,
                        const With& with) {
   for (const MeshedSeam& seam : garment.seams) {
     for (std::size_t i = 0; i < seam.a.size(); ++i) {
-      if ((placed[seam.a[i]] - placed[seam.b[i]]).norm() < rounding) with(seam.a[i], seam.b[i]);
+      if ((placed[seam.a[i]] - placed[seam.b[i]]).norm() < same_place) with(seam.a[i], seam.b[i]);
     }
   }
 }
 
 /// Panels that stand joined along a seam: they are moved as one.
-struct Unit {
+struct JoinedPanels {
   std::vector<int> panels;
   std::vector<int> points;
   std::vector<Triangle> triangles;
-  double distance = 0;  ///< metres, of its points from the collider, on average
+  double distance = 0;  ///< metres, mean of its points from the collider
 };
 
-class Clearing {
+class IntersectionResolver {
  public:
-  Clearing(const PanelMesh& garment, const TriangleMesh& collider, const DistanceGrid& distance,
-           const Skeleton* skeleton, Placement& placement)
+  IntersectionResolver(const PanelMesh& garment, const TriangleMesh& collider,
+                       const DistanceGrid& distance, const Skeleton* skeleton, Placement& placement)
       : garment_(garment),
         collider_(collider),
         distance_(distance),
@@ -61,7 +52,7 @@ class Clearing {
     find_units();
     std::vector<char> settled(garment_.panels.size(), 0);
     std::string stuck;
-    for (const Unit& unit : units_) {
+    for (const JoinedPanels& unit : units_) {
       if (!place(unit, settled)) {
         for (const int p : unit.panels) stuck += (stuck.empty() ? "'" : ", '") + name(p) + "'";
       }
@@ -72,40 +63,34 @@ class Clearing {
                   "start inside the body or through other panels, and find no place clear of them",
                   "place each before its own side of the body");
     }
-    placement_.points_inside = 0;
-    for (const Vec3& p : placement_.placed) {
-      placement_.points_inside += distance_.at(p).distance < 0;
-    }
+    placement_.points_inside = points_inside(placement_.placed, distance_);
   }
 
   /// Whether any panel meets the collider or another one.
   bool is_due() const {
-    return meets_subject(garment_.triangles, placement_.placed) ||
+    return meets_collider(garment_.triangles, placement_.placed) ||
            !crossing_panels(garment_, placement_.placed).empty();
   }
 
  private:
   const std::string& name(int p) const { return garment_.panels[p].name; }
 
-  /// The nearest to the collider first.
+  /// Finds the units, the nearest to the collider first.
   void find_units() {
-    std::vector<int> panel_of;
-    for (std::size_t p = 0; p < garment_.panels.size(); ++p) {
-      panel_of.insert(panel_of.end(), garment_.panels[p].points, static_cast<int>(p));
-    }
+    const std::vector<int> panel_of = panel_of_points(garment_);
     DisjointSets sets(garment_.panels.size());
     for_joined_points(garment_, placement_.placed,
                       [&](int a, int b) { sets.join(panel_of[a], panel_of[b]); });
-    // What crosses what it is joined to can't get clear of it with it.
+    // Panels that cross one another cannot be cleared as one.
     std::vector<char> alone(garment_.panels.size(), 0);
     for (const auto& [a, b] : crossing_panels(garment_, placement_.placed)) {
       if (sets.of(a) == sets.of(b)) alone[sets.of(a)] = 1;
     }
-    std::map<int, Unit> units;
+    std::map<int, JoinedPanels> units;
     for (std::size_t p = 0; p < garment_.panels.size(); ++p) {
       const MeshedPanel& panel = garment_.panels[p];
       const int joined = sets.of(static_cast<int>(p));
-      Unit& unit = units[alone[joined] ? static_cast<int>(p) : joined];
+      JoinedPanels& unit = units[alone[joined] ? static_cast<int>(p) : joined];
       unit.panels.push_back(static_cast<int>(p));
       for (int i = panel.first_point; i < panel.first_point + panel.points; ++i) {
         unit.points.push_back(i);
@@ -118,76 +103,72 @@ class Clearing {
       unit.distance /= static_cast<double>(unit.points.size());
       units_.push_back(std::move(unit));
     }
-    // Of units at the same distance, whatever rounding says, the first goes first.
-    constexpr double same = 1e-4;
-    std::stable_sort(units_.begin(), units_.end(), [](const Unit& a, const Unit& b) {
-      return std::lround(a.distance / same) < std::lround(b.distance / same);
-    });
+    // Units at the same distance, whatever rounding says, stay in their order.
+    std::stable_sort(
+        units_.begin(), units_.end(), [](const JoinedPanels& a, const JoinedPanels& b) {
+          return std::lround(a.distance / same_distance) < std::lround(b.distance / same_distance);
+        });
   }
 
-  /// Which way each point of a unit is to be moved, of unit length; `flat` tells whether all go the
-  /// same.
-  std::vector<Vec3> ways(const Unit& unit, bool& flat) const {
+  /// Per point of a unit, the unit vector along which it is to be moved. `flat` becomes whether all
+  /// points have the same.
+  std::vector<Vec3> directions(const JoinedPanels& unit, bool& flat) const {
     const std::vector<Vec3>& at = placement_.placed;
-    Vec3 sum = Vec3::Zero();
-    double areas = 0;
-    for (const Triangle& c : unit.triangles) {
-      const Vec3 area = (at[c[1]] - at[c[0]]).cross(at[c[2]] - at[c[0]]);
-      sum += area;
-      areas += area.norm();
-    }
-    flat = sum.norm() > flat_share * areas || skeleton_ == nullptr;
-    std::vector<Vec3> ways(unit.points.size());
+    const FacingSum sum = facing_of(unit.triangles, at);
+    flat = sum.flatter_than(planar_flatness) || skeleton_ == nullptr;
+    std::vector<Vec3> result(unit.points.size());
     if (flat) {
-      Vec3 way = sum.norm() > 0 ? Vec3(sum.normalized()) : Vec3::UnitZ();
+      Vec3 direction = sum.vectors.norm() > 0 ? Vec3(sum.vectors.normalized()) : Vec3::UnitZ();
       // The right side faces away from the body, unless it surely stands on the wrong one.
       double out = 0;
       for (const int p : unit.points) {
-        out +=
-            distance_.at(at[p] + reach * way).distance - distance_.at(at[p] - reach * way).distance;
+        out += distance_.at(at[p] + outward_probe * direction).distance -
+               distance_.at(at[p] - outward_probe * direction).distance;
       }
-      if (out < -0.5 * reach * static_cast<double>(unit.points.size())) way = -way;
-      std::fill(ways.begin(), ways.end(), way);
-      return ways;
+      if (out < -wrong_side_share * outward_probe * static_cast<double>(unit.points.size()))
+        direction = -direction;
+      std::fill(result.begin(), result.end(), direction);
+      return result;
     }
     const Bones bones(*skeleton_, panel_parts(garment_, *skeleton_)[unit.panels.front()]);
-    for (std::size_t i = 0; i < ways.size(); ++i) {
+    for (std::size_t i = 0; i < result.size(); ++i) {
       const Vec3& p = at[unit.points[i]];
       const Vec3 away = p - bones.at(bones.foot(p)).first;
-      ways[i] = away.norm() > 0 ? Vec3(away.normalized()) : Vec3::Zero();
+      result[i] = away.norm() > 0 ? Vec3(away.normalized()) : Vec3::Zero();
     }
-    return ways;
+    return result;
   }
 
-  /// All panels' points, those of the unit moved on.
-  std::vector<Vec3> moved(const Unit& unit, const std::vector<Vec3>& ways, int steps) const {
+  /// Metres, per material point: all panels' points with the unit moved `steps` along `out`.
+  std::vector<Vec3> moved(const JoinedPanels& unit, const std::vector<Vec3>& out, int steps) const {
     std::vector<Vec3> points = placement_.placed;
-    for (std::size_t i = 0; i < ways.size(); ++i) points[unit.points[i]] += steps * step * ways[i];
+    for (std::size_t i = 0; i < out.size(); ++i)
+      points[unit.points[i]] += steps * clearing_step * out[i];
     return points;
   }
 
   /// Whether any of the triangles meets the collider or is inside of it.
-  bool meets_subject(const std::vector<Triangle>& triangles,
-                     const std::vector<Vec3>& points) const {
+  bool meets_collider(const std::vector<Triangle>& triangles,
+                      const std::vector<Vec3>& points) const {
     TriangleMesh near{points, {}};
     for (const Triangle& corners : triangles) {
       double longest = 0;
-      double least = 1e300;
+      double nearest = 1e300;
       for (int i = 0; i < 3; ++i) {
         const Vec3& p = points[corners[i]];
         const double at = distance_.at(p).distance;
         if (at < surely_inside) return true;
-        least = std::min(least, distance_.lower_bound(at));
+        nearest = std::min(nearest, distance_.lower_bound(at));
         longest = std::max(longest, (p - points[corners[(i + 1) % 3]]).norm());
       }
-      if (least < longest) near.triangles.push_back(corners);
+      if (nearest < longest) near.triangles.push_back(corners);
     }
     return !near.triangles.empty() && !intersections(near, collider_).empty();
   }
 
-  bool is_clear(const Unit& unit, const std::vector<char>& settled,
+  bool is_clear(const JoinedPanels& unit, const std::vector<char>& settled,
                 const std::vector<Vec3>& points) const {
-    if (meets_subject(unit.triangles, points)) return false;
+    if (meets_collider(unit.triangles, points)) return false;
     std::vector<char> mine(garment_.panels.size(), 0);
     for (const int p : unit.panels) mine[p] = 1;
     const std::vector<std::pair<int, int>> crossing = crossing_panels(garment_, points);
@@ -197,23 +178,23 @@ class Clearing {
     });
   }
 
-  bool place(const Unit& unit, const std::vector<char>& settled) {
+  bool place(const JoinedPanels& unit, const std::vector<char>& settled) {
     if (is_clear(unit, settled, placement_.placed)) return true;
     bool flat = true;
-    const std::vector<Vec3> out = ways(unit, flat);
-    const int most = flat ? max_steps : max_widening;
-    for (int steps = 1; steps <= most; ++steps) {
+    const std::vector<Vec3> out = directions(unit, flat);
+    const int max_steps = flat ? max_flat_clearing_steps : max_bent_clearing_steps;
+    for (int steps = 1; steps <= max_steps; ++steps) {
       std::vector<Vec3> points = moved(unit, out, steps);
       if (!is_clear(unit, settled, points)) continue;
       int best = steps;
-      // Just clear is too near to be moved about.
+      // A unit that is only just clear has no room to move. So one more step is tried.
       std::vector<Vec3> farther = moved(unit, out, steps + 1);
       if (is_clear(unit, settled, farther)) {
         points = std::move(farther);
         ++best;
       }
       placement_.placed = std::move(points);
-      for (const int p : unit.panels) placement_.moved_clear[name(p)] += best * step;
+      for (const int p : unit.panels) placement_.moved_clear[name(p)] += best * clearing_step;
       return true;
     }
     return false;
@@ -224,7 +205,7 @@ class Clearing {
   const DistanceGrid& distance_;
   const Skeleton* skeleton_;
   Placement& placement_;
-  std::vector<Unit> units_;
+  std::vector<JoinedPanels> units_;
 };
 
 /// The garment's triangles, sewn points that are in one place made one.
@@ -256,8 +237,8 @@ std::vector<std::pair<int, int>> crossing_panels(const PanelMesh& garment,
 void resolve_intersections(const PanelMesh& garment, const TriangleMesh& collider,
                            const DistanceGrid& distance, const Skeleton* skeleton,
                            Placement& placement) {
-  Clearing clearing(garment, collider, distance, skeleton, placement);
-  if (clearing.is_due()) clearing.run();
+  IntersectionResolver resolver(garment, collider, distance, skeleton, placement);
+  if (resolver.is_due()) resolver.run();
 }
 
 }  // namespace toile

@@ -1,4 +1,4 @@
-// What the body puts in the way of points that are to be sewn together.
+// The paths between points that are to be sewn together, and whether the body obstructs them.
 #pragma once
 
 #include <optional>
@@ -10,9 +10,6 @@
 #include "pattern/panel_mesh.h"
 
 namespace toile {
-
-/// Metres that a meeting place has to keep from the skin, so that the seam finds its way out.
-inline constexpr double meeting_clearance = 0.01;
 
 /// The straight paths between the points of each seam's two sides, while the panels are lifted.
 class SeamPaths {
@@ -35,14 +32,14 @@ class SeamPaths {
   int meeting_inside(double lift) const;
 
  private:
-  struct Way {
+  struct SeamPath {
     int a;
     int b;
     bool at_arm = false;  ///< at this lift or a lower one
   };
 
   Vec3 lifted_point(int point, double lift) const;
-  bool is_obstructed(Way& way, double lift) const;
+  bool is_obstructed(SeamPath& path, double lift) const;
   bool in_arm(const Vec3& p) const;
 
   const std::vector<Vec3>& placed_;
@@ -50,7 +47,7 @@ class SeamPaths {
   const DistanceGrid& body_;
   std::optional<Bones> torso_;  // none: no skeleton
   std::vector<Bones> arms_;
-  std::vector<Way> ways_;
+  std::vector<SeamPath> paths_;
 };
 
 }  // namespace toile

@@ -1,4 +1,4 @@
-// Where a garment starts: the one way from the pattern's panels to the first state.
+// The start of a garment: from the panels of the pattern to the first state.
 #pragma once
 
 #include "cloth/scene/scene.h"

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <iostream>
 
+#include "cloth/start/constants.h"
 #include "cloth/start/draw_and_lift.h"
 #include "geometry/body/bones.h"
 #include "tests/cloth/figure.h"

@@ -1,0 +1,171 @@
+// Constants of where a garment starts.
+#pragma once
+
+#include <numbers>
+
+namespace toile {
+
+// Positioning by the skeleton (positioning.h).
+
+/// Metres: the least distance from the skin of a flat panel whose pattern does not state it. The
+/// distance grid is exact within its band, and good to a centimetre or so beyond.
+inline constexpr double flat_offset = 0.04;
+
+/// Metres: the least distance from the skin of a rolled panel whose pattern does not state it.
+inline constexpr double rolled_offset = 0.005;
+
+/// Metres between the distances from the bones that are tried.
+inline constexpr double positioning_step = 0.005;
+
+/// Metres: the largest distance from the bones to a flat panel.
+inline constexpr double max_panel_distance = 1.5;
+
+/// Metres that the radius of a rolled panel may exceed its tightest one.
+inline constexpr double max_radius_growth = 0.3;
+
+/// Metres between the lengths tried by which a sleeve is drawn down its arm.
+inline constexpr double draw_step = 0.01;
+
+/// Metres: the longest length by which a sleeve is drawn down its arm.
+inline constexpr double max_drawn_out = 0.20;
+
+/// Metres by which a flat panel has to come nearer to the arm for one `draw_step` down the arm.
+/// The slope of the arm alone brings less.
+inline constexpr double min_draw_gain = 0.002;
+
+/// Metres of gap and of draw that a panel rolled about bent bones has to spare.
+inline constexpr double min_bend_gain = 0.02;
+
+/// Metres between the panels of a leg and the plane between the legs.
+inline constexpr double leg_plane_clearance = 0.005;
+
+/// Cosine between a flat panel and the direction to its own side of the plane between the legs. A
+/// panel with a smaller one stands beside its leg; only its distance can clear the plane.
+inline constexpr double min_sideways_cosine = 0.5;
+
+/// Halvings of a `positioning_step`, toward the smallest distance that is clear.
+inline constexpr int clearance_halvings = 6;
+
+// The body part of a panel (panel_parts.h).
+
+/// Metres from the body's middle: no sleeve begins nearer, not even one cut up to the neck.
+inline constexpr double innermost_sleeve = 0.03;
+
+/// Share of a panel's width that lies on its narrower side of the body's middle. A panel with more
+/// lies in front of both legs, and belongs to the torso.
+inline constexpr double both_sides_share = 0.15;
+
+// Sleeves (align_sleeves.h).
+
+/// Radians that a sleeve is off its arm before it is turned. T-shirts and a shirt are 3 to 9
+/// degrees off arms like those they were laid out for. They are 12 to 52 degrees off arms that hang
+/// lower, swing or reach forward [measured].
+inline constexpr double min_sleeve_turn = 11 * std::numbers::pi / 180;
+
+/// Cosine between a seam and the arm. A seam with at least this runs along the sleeve, not around
+/// it.
+inline constexpr double along_sleeve_cosine = 0.5;
+
+// Drawing out and lifting (draw_and_lift.h).
+
+/// Metres between a limb's seam points and their partners on the torso, along the limb.
+inline constexpr double limb_gap = 0.01;
+
+/// Metres between the lifts that are tried.
+inline constexpr double lift_step = 0.01;
+
+/// Lifts that are tried at most.
+inline constexpr int max_lift_steps = 20;
+
+/// Metres added to the smallest lift that works: room for the cloth to come down onto the
+/// shoulders.
+inline constexpr double lift_margin = 0.03;
+
+/// Metres above the chest joint. A garment with a seam higher than this hangs from the shoulders.
+inline constexpr double shoulder_seam_height = 0.05;
+
+// The paths of seams (seam_paths.h).
+
+/// Metres that a meeting place has to keep from the skin, so that the seam finds its way out.
+inline constexpr double meeting_clearance = 0.01;
+
+/// Metres between two probes of the body along a path. The path may graze the body over less than
+/// that.
+inline constexpr double seam_path_step = 0.02;
+
+/// Metres down the arm from the shoulder joint. Seams have to come over this part of the arm, so it
+/// obstructs no path for good.
+inline constexpr double armpit_length = 0.1;
+
+// Moving panels off layers (clear_of_layers.h).
+
+/// Metres between the displacements that are tried.
+inline constexpr double layer_clearing_step = 0.01;
+
+/// Displacements that are tried at most.
+inline constexpr int max_layer_clearing_steps = 40;
+
+/// Metres: the least distance from the collider at which a point of a further layer starts.
+inline constexpr double layer_start_clearance = 0.01;
+
+/// A panel faces one direction when its areas, added as vectors, keep this share of their sum.
+inline constexpr double facing_flatness = 0.5;
+
+// Resolving intersections (resolve_intersections.h).
+
+/// Metres between the displacements that are tried.
+inline constexpr double clearing_step = 0.01;
+
+/// Displacements of a flat panel that are tried at most.
+inline constexpr int max_flat_clearing_steps = 70;
+
+/// Displacements of a panel that bends around its body part that are tried at most.
+inline constexpr int max_bent_clearing_steps = 15;
+
+/// A panel moves along its normal when its areas, added as vectors, keep this share of their sum. A
+/// flat one has 1. One rolled half around has 0.64, two that stand square to each other 0.71.
+inline constexpr double planar_flatness = 0.68;
+
+/// Metres to either side of a panel at which the distance to the collider tells which side is out.
+inline constexpr double outward_probe = 0.1;
+
+/// Share of `outward_probe` by which a panel's right side has to be nearer to the collider, on
+/// average, to count as the wrong one.
+inline constexpr double wrong_side_share = 0.5;
+
+/// Metres: a point with a smaller distance is surely inside the collider. The distance grid rounds
+/// off corners, but not by that much.
+inline constexpr double surely_inside = -0.002;
+
+/// Metres: panels whose distances from the collider differ by less than this move in the order of
+/// the pattern, whatever rounding makes of the distances.
+inline constexpr double same_distance = 1e-4;
+
+// Warnings on placement (placement_warnings.h).
+
+/// Half widths of a panel between its middle and the body's. A panel with less stands on both
+/// sides.
+inline constexpr double one_side_offset = 0.5;
+
+/// Share of a group's seams that reach across the middle. A group with more may belong on the other
+/// side.
+inline constexpr double max_seams_across = 0.5;
+
+/// Share of their length that a group's seams have with the group on the other side. A group with
+/// less belongs there.
+inline constexpr double much_shorter = 0.65;
+
+/// Metres per pair of seam points by which the seams have to be shorter there.
+inline constexpr double min_seam_gain = 0.15;
+
+/// Two panels are mirror images when their middles and sizes agree to this share of a size. Such
+/// panels, sewn together, can only change places.
+inline constexpr double image_tolerance = 0.15;
+
+/// Below this value of facing_out(), a panel is inside out.
+inline constexpr double inside_out_facing = -0.5;
+
+/// Triangles of a panel at which facing_out() samples the skin, at most about twice this.
+inline constexpr int facing_samples = 50;
+
+}  // namespace toile
