@@ -26,8 +26,8 @@ inline constexpr double usual_elastic_stiffness = 20;
 /// A circle's radius that is too short for its chord by more than this share gets a note.
 inline constexpr double radius_note_threshold = 1e-3;
 
-/// The direction of a seam is undecided by the placed end points when their distances in both
-/// directions differ by less than this share of their sum.
+/// The placed end points leave the direction of a seam undecided when their distances in both
+/// directions nearly agree. They do when they differ by less than this share of their sum.
 inline constexpr double undecided_seam_direction = 0.01;
 
 /// The placed panels leave open which side is out when their mean outward offset is below this

@@ -34,8 +34,8 @@ inline std::optional<fs::path> find_in_path(const std::string& name) {
   return std::nullopt;
 }
 
-/// Each seam's pairs of points made one, in their middle: a peer whose seams stay a little open is
-/// not charged with two sides that cross each other.
+/// Joins each pair of seam points in its middle. A peer whose seams stay a little open is so not
+/// charged with two sides that cross each other.
 inline DressedGarment welded(const PanelMesh& garment, const std::vector<Vec3>& points) {
   std::vector<int> root(points.size());
   for (std::size_t i = 0; i < root.size(); ++i) root[i] = static_cast<int>(i);

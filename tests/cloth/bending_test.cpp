@@ -58,8 +58,9 @@ TEST(Bend, ARolledSheetHasThePlatesEnergyHoweverItIsCut) {
   }
 }
 
-// Rolled so that the threads of one kind bend, the other's rigidity does not count; on the bias the
-// sheet has the orthotropic plate's, whichever way the threads run through the mesh.
+// If the sheet is rolled so that the threads of one kind bend, the rigidity of the other kind does
+// not count. On the bias it has the rigidity of an orthotropic plate, in whatever direction the
+// threads run through the mesh.
 TEST(Bend, WarpAndWeftBendByTheirOwnRigidity) {
   const PlanarMesh mesh = unstructured();
   for (const double ratio : {0.01, 0.12, 0.5, 1.0, 3.0, 8.0, 100.0}) {

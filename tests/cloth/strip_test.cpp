@@ -34,8 +34,8 @@ const Collider& bar(double radius) {
   return collider;
 }
 
-/// The modulus that a strip shows which hangs over a bar under as much gravity as strains it by
-/// half a percent; its warp lies at `grain` to its length.
+/// N/m: the measured modulus of a strip whose warp lies at `grain` radians to its length. The strip
+/// hangs over a bar, under as much gravity as strains it by half a percent.
 double measured(const Fabric& fabric, double grain) {
   constexpr double radius = 0.02, edge = 0.01;
   constexpr int columns = 2, rows = 70;

@@ -1,5 +1,5 @@
-// Writes Fig. 12 of Zhong & Xu 2009: a woman's dress of ten panels from the meshed pattern over the
-// body's measures and the dressing to the ease map of its bodice.
+// Writes Fig. 12 of Zhong & Xu 2009: a woman's dress of ten panels. It shows the meshed pattern
+// over the body's measures, the dressing, and the ease map of the bodice.
 #include <algorithm>
 #include <cmath>
 #include <map>

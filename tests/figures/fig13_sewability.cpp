@@ -1,5 +1,5 @@
-// Writes Fig. 13 of Zhong & Xu 2009: two panels that are too small for the body can't be sewn;
-// enlarged by the body's measures they are.
+// Writes Fig. 13 of Zhong & Xu 2009. Two panels that are too small for the body cannot be sewn;
+// enlarged by the body's measures they can.
 #include <algorithm>
 #include <set>
 

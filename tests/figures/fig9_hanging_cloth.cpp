@@ -1,5 +1,6 @@
-// Writes Fig. 9 of Zhong & Xu 2009: the hanging cloth without strain control, with positions
-// adjusted at 10 % and with velocities adjusted at 1 %; and for which step three passes hold 1 %.
+// Writes Fig. 9 of Zhong & Xu 2009. It shows the hanging cloth without strain control, with
+// positions adjusted at 10 %, and with velocities adjusted at 1 %. It also shows for which step
+// three passes hold 1 %.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

@@ -1,5 +1,6 @@
-// Writes the limits of the paper's method: the largest stable step, and what a step costs, by the
-// length of edges; up to which step the explicit motion is stable, and the strain control holds.
+// Writes the limits of the paper's method by the length of edges: the largest stable step, and the
+// cost of a step. It finds up to which step the explicit motion is stable, and up to which the
+// strain control holds.
 #include <algorithm>
 #include <cmath>
 #include <iostream>

@@ -118,8 +118,8 @@ PanelMesh sample_garment(const std::string& name, double edge_length) {
   check_pattern(pattern, remarks);
   MeshSettings settings;
   settings.edge_length = edge_length;
-  // The paper knows one mesh. A nested one is cut by its coarsest level, for which curves ask for
-  // shorter steps; the shortest edge of all decides how many steps in time there are.
+  // The paper knows one mesh. A nested mesh is cut by its coarsest level, for which curves ask for
+  // shorter steps. The shortest edge of all decides the number of steps in time.
   settings.subdivisions = 0;
   return mesh_panels(pattern, settings, remarks);
 }

@@ -43,7 +43,7 @@ TEST(PatternFile, BothGenerationsOfCurvatureGiveTheSameCurve) {
   const Pattern old_spec = samples::parse(file(curved("[0.3, 0.2]")));
   const Pattern new_spec =
       samples::parse(file(curved(R"({"type": "quadratic", "params": [[0.3, 0.2]]})")));
-  // Absolute control points are in the panel's drawing: the edge runs from (20,20) to (0,20), so
+  // Absolute control points are in the panel's drawing. The edge runs from (20, 20) to (0, 20), so
   // (0.3, 0.2) along and to the left of it is (14, 16).
   const Pattern absolute =
       samples::parse(file(curved(R"({"type": "quadratic", "params": [[14, 16]]})"), "",

@@ -1,5 +1,5 @@
-// Every sample pattern as a tailor would check it on the table: seams that match, finished edges
-// that run on smoothly across a seam, the measures that samples/README.md states.
+// Every sample pattern as a tailor would check it on the table. Seams match, finished edges run on
+// smoothly across a seam, and the measures are those that samples/README.md states.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -150,12 +150,11 @@ class Draft {
     return corner;
   }
 
-  /// Of every panel's corners: the sewn corner, the angle that the cloth fills there in degrees,
-  /// and how many of its two edges are finished, not sewn.
+  /// One corner of a panel.
   struct Corner {
-    int root;
-    double angle;
-    int finished;
+    int root;      ///< the sewn corner that it belongs to
+    double angle;  ///< degrees that the cloth fills there
+    int finished;  ///< how many of its two edges are finished, not sewn
     std::string place;
   };
 

@@ -47,8 +47,8 @@ inline std::string curved(const std::string& curvature, const std::string& name 
          curvature + R"(}, {"endpoints": [3,0]}]})";
 }
 
-/// Front and back of a bag, drawn one counter-clockwise and one clockwise as GarmentCode does, with
-/// a curved bottom; sewn at both sides and the bottom, open at the top.
+/// Front and back of a bag with a curved bottom, sewn at both sides and the bottom, open at the
+/// top. One is drawn counter-clockwise and one clockwise, as GarmentCode does.
 inline const std::string bag = file(
     R"("front": {"translation": [0,100,20], "rotation": [0,0,0],
         "vertices": [[0,0],[30,0],[30,40],[0,40]],

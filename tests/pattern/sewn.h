@@ -42,8 +42,9 @@ inline std::vector<Triangle> triangles_of_level(const PanelMesh& garment, int co
   return triangles;
 }
 
-/// What keeps the sewn garment from being an oriented surface: a triangle with two corners in one
-/// node, or an edge run along twice in the same direction. Empty when nothing does.
+/// The first fault that keeps the sewn garment from being an oriented surface; empty when there is
+/// none. Faults are a triangle with two corners in one node, and an edge passed twice in the same
+/// direction.
 inline std::string sewn_fault(const PanelMesh& garment, int coarser) {
   const std::vector<int> node = sewn_nodes(garment);
   std::set<std::array<int, 2>> runs;

@@ -128,8 +128,8 @@ TEST_F(LongExtremes, StiffnessesAMillionTimesApart) {
   EXPECT_LT(ending.report["residual"]["rms"], 5);
 }
 
-// The step follows the lightest node: some 300,000 steps, and the hand's pull hardly moves the
-// heaviest, so for long no two points merge, though all come nearer.
+// The lightest node determines the step, so there are some 300,000 steps. The hand's pull hardly
+// moves the heaviest node. So no two points merge for a long time, though all come nearer.
 TEST_F(LongExtremes, MassesTenThousandTimesApartByThePapersMethod) {
   const Ending ending = wear("masses 10,000 : 1", "paper", {{"areal_density_kg_per_m2", 10}},
                              {{"areal_density_kg_per_m2", 0.001}}, {"sewn"}, "", 600);

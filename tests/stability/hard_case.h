@@ -53,10 +53,12 @@ class HardCase : public testing::Test {
   /// The sample band, 600 triangles around the waist, changed before it is meshed.
   fs::path band(const std::function<void(Json& panels, Json& stitches)>& change = {});
 
-  /// Runs `dress` by a method. However it ends: it does within `seconds`, by one of its own exit
-  /// codes; an error is one line and leaves no file; anything else is written whole, with finite
-  /// figures in mesh and report, the exit code is the verdict's, and the intersections in the
-  /// report are those that the files have. Fails the test otherwise.
+  /// Runs `dress` by a method. Fails the test unless the run ends as every run has to:
+  ///
+  /// - It ends within `seconds`, by one of the exit codes of dress.
+  /// - An error is one line and leaves no file.
+  /// - Anything else is written completely, with finite figures in mesh and report. The exit code
+  ///   is the verdict's. The intersections in the report are those of the files.
   Ending dress(const fs::path& body, const fs::path& garment, const std::string& method,
                const std::vector<std::string>& options = {}, int seconds = 120);
   /// Runs any program that has to refuse its input, as above, and returns what it said.

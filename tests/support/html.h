@@ -53,8 +53,9 @@ inline void fill(std::string& page, const std::string& mark, const std::string& 
   page.replace(at, mark.size(), with);
 }
 
-/// A page by its template, a path in the source tree, with the style of all; `charts` is what its
-/// script draws, by the library at `chart_js`. Throws Error when a file or a mark is missing.
+/// A page made from its template, a path in the source tree, with the common style. `charts` is the
+/// data of its script, which draws with the library at `chart_js`. Throws Error when a file or a
+/// mark is missing.
 inline std::string page(const std::string& page_template, const std::string& body,
                         const nlohmann::ordered_json& charts,
                         const std::filesystem::path& chart_js) {

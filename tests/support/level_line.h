@@ -9,12 +9,11 @@
 
 namespace toile::test {
 
-/// Where a dressed panel meets the line y = `height` of its drawing (metres): how long that was,
-/// how long it is, and its points in space in the drawing's order from left to right.
+/// The line in which a dressed panel meets y = `height` of its drawing. Metres.
 struct LevelLine {
-  double flat = 0;
-  double now = 0;
-  std::vector<Vec3> points;
+  double flat = 0;           ///< length in the drawing
+  double now = 0;            ///< length as dressed
+  std::vector<Vec3> points;  ///< in space, in the order of the drawing from left to right
 };
 
 inline LevelLine level_line(const DressedGarment& garment, const std::string& panel,

@@ -56,8 +56,8 @@ class SpringMotion {
   std::vector<Vec3> force_;
 };
 
-/// Node 0 held, the others one below the other, and the last with half the mass of the others:
-/// a strip of length 1 m cut into elements [reference case 3].
+/// A strip of length 1 m, hung up and cut into elements [reference case 3]. Node 0 is held, and the
+/// others hang one below the other. The last one has half the mass of the others.
 struct HangingChain {
   std::vector<Spring> springs;
   std::vector<Vec3> x;

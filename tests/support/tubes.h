@@ -9,8 +9,8 @@
 
 namespace toile::test {
 
-/// A closed cylinder from y = 0 to `height` with `around` sides whose corners lie on the ellipse of
-/// half axes a (x) and b (z), and a point in the middle of either end.
+/// A closed cylinder from y = 0 to `height` with `around` sides. Its corners lie on the ellipse of
+/// half axes a (x) and b (z), and each end has a point in its middle.
 inline TriangleMesh closed_tube(double a, double b, double height, int around) {
   TriangleMesh mesh;
   for (const double y : {0.0, height}) {
@@ -31,8 +31,8 @@ inline TriangleMesh closed_tube(double a, double b, double height, int around) {
   return mesh;
 }
 
-/// An open tube of cloth from y = `low` to `high` in `rows` rows: a half "front" (z > 0) and a half
-/// "back", sewn together at the sides, so that their points there share nodes. `around` has to be
+/// An open tube of cloth from y = `low` to `high` in `rows` rows. A half "front" (z > 0) and a half
+/// "back" are sewn together at the sides, so their points there share nodes. `around` has to be
 /// even.
 inline DressedGarment cloth_tube(double a, double b, double low, double high, int around,
                                  int rows) {

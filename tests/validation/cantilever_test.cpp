@@ -88,8 +88,8 @@ struct Cantilever {
   }
 };
 
-/// Where a mesh is mirrored, it bends more than it should along that line, by as much as it is
-/// coarse; and the elements have to be small against the boundary layer.
+/// Along a line at which its mesh is mirrored, a sheet bends more than it should, in proportion to
+/// the size of its elements. And elements have to be small against the boundary layer.
 const std::string mirrored_at_clamp = "bends more along the line that its mesh is mirrored at";
 const std::string thin_layer = "boundary layer of less than six elements";
 
@@ -154,8 +154,8 @@ TEST(LongCantilever, BendsAsTheHeavyElastica) {
   bend(1000, 32, false);
 }
 
-// The springs across an edge have the fabric's energy at one curvature only, and no more than the
-// step can bear: what they make of it is information.
+// The springs across an edge have the fabric's energy at one curvature only, and are no stiffer
+// than the step can bear. So their figures are information.
 TEST(LongCantilever, OfSprings) {
   const test::ReferenceTable table("case04_heavy_elastica.csv");
   for (const double gamma : {10.0, 100.0}) {

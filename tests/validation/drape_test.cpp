@@ -24,8 +24,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double disc = 0.09, sheet = 0.15;  // radii, metres
 
-/// Rings of points from the middle out; the disc's edge is halfway between two of them, which are
-/// held, as that is where a clamped sheet of triangles has its clamp.
+/// Rings of points from the middle out. The disc's edge is halfway between two rings. Both are
+/// held, for that is where a clamped sheet of triangles has its clamp.
 class DrapeTester {
  public:
   /// `free_rings` outside of those.
@@ -221,8 +221,9 @@ TEST(Drape, TheTesterReadsShadowsOfKnownShape) {
       100 * worst, 0, 0.5);
 }
 
-/// Its limit is 0. A mesh has no folds finer than its edges: held to its lengths it is held up by
-/// that, and comes down where compression is nearly free, as in cloth that buckles.
+/// The coefficient of ideal limp cloth is 0. A mesh has no folds finer than its edges. If its
+/// lengths are kept, it is held up by that. It comes down where compression is nearly free, as in
+/// cloth that buckles.
 void drape_limp(DrapeTester& tester, double bound) {
   Fabric limp;
   limp.bending_warp = limp.bending_weft = 1e-9;

@@ -65,8 +65,8 @@ struct Wrapped {
   }
 };
 
-// Reference case 8, polygon of 64 nodes on R = 0.15 m at 5 % and Y = 500 N/m: strain
-// 0.0495783758, pressure 165.2612527 Pa (8.4e-3 below that of the round tube).
+// Reference case 8, a polygon of 64 nodes on R = 0.15 m at 5 % and Y = 500 N/m. Its strain is
+// 0.0495783758 and its pressure 165.2612527 Pa, 8.4e-3 below that of the round tube.
 TEST(WrappedCylinder, ATooSmallTubePressesAsLaplaceSays) {
   constexpr double radius = 0.15;
   constexpr double stiffness = 500;
@@ -99,8 +99,8 @@ TEST(WrappedCylinder, ATooSmallTubePressesAsLaplaceSays) {
       pressure, table.find("nodes", around, "pressure_polygon_Pa"), 0.01);
 }
 
-/// Speed, m/s, with which a strip over half a cylinder runs when one end is pulled `ratio` times as
-/// hard as the other, brought up slowly.
+/// m/s: the speed of a strip over half a cylinder when one end is pulled `ratio` times as hard as
+/// the other. The pull grows slowly.
 double speed_of_strip(double ratio, double friction) {
   constexpr double radius = 0.1;
   constexpr int contacts = 33;

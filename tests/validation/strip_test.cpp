@@ -99,8 +99,8 @@ TEST_F(Hanging, IsHeldToItsLimit) {
   test::expect_near({strip + "largest strain", "relaxation", "40 rows", "%"}, 100 * most, 1, 0.01);
 }
 
-// Edges of triangles as springs [Van Gelder 1998]: those along the strip have its modulus, the
-// diagonals give way by narrowing it, but the more the strip is stretched the less.
+// Edges of triangles as springs [Van Gelder 1998]. Those along the strip have its modulus. The
+// diagonals give way by narrowing it, but the less, the more the strip is stretched.
 TEST_F(Hanging, ClothOfSpringsStretchesLikewise) {
   for (const double stretch : {65.4, 500.0}) {
     hang(stretch, 40);

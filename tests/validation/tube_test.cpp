@@ -119,8 +119,8 @@ TEST_F(Tube, HasTheStrainAndThePressureOfLaplace) {
           std::to_string(columns) + " x 8, cells of " + test::number(1000 * cell, 2) + " mm";
       test::Figure of_strain{tube + "hoop strain", "relaxation", at, "%"};
       test::Figure of_pressure{tube + "pressure", "relaxation", at, "Pa"};
-      // Where the strain is as small as that, it counts that the grid cuts 21 micrometres off 15 cm
-      // and the chords 12: both go with the square of the mesh.
+      // At such a small strain two errors count. The grid cuts 21 micrometres off 15 cm and the
+      // chords cut off 12; both shrink with the square of the mesh.
       const bool is_slight = strain_there < 0.02 && columns == 144;
       if (is_slight) {
         of_strain.asked = of_pressure.asked = 0.01;

@@ -35,8 +35,8 @@ inline const WornGarment shirt = {"GarmentCode shirt", "patterns/garmentcode/shi
 inline const WornGarment pencil_dress = {"GarmentCode pencil dress",
                                          "patterns/garmentcode/dress_pencil.json", "mean_all"};
 
-/// The term that a scene does without, to see what it costs and buys; the strain limit, which
-/// scenes do not have, is put in instead.
+/// The term that a scene leaves out, to show what it costs and buys. The strain limit, which scenes
+/// do not have, is put in instead.
 enum class Switched { none, bending, self_contact, edge_contact, friction, strain_limit };
 
 /// Makes bodies and meshes once each, by the programs.

@@ -9,8 +9,8 @@
 namespace toile {
 namespace {
 
-/// A lathe-turned torso from y = 0.7 to 1.5: hip at 0.9 standing out to the back, waist at 1.1,
-/// bust at 1.3 standing out to the front.
+/// A lathe-turned torso from y = 0.7 to 1.5. The hip at 0.9 stands out to the back, the waist is at
+/// 1.1, and the bust at 1.3 stands out to the front.
 TriangleMesh torso(int around) {
   struct Ring {
     double y, radius, forward;

@@ -108,8 +108,8 @@ TEST(Measures, SeamsAreSewnWithinTenMicrometres) {
 }
 
 TEST(Measures, StrainOfSeamEdgesIsKeptApart) {
-  // One point of the seam moves along it by a tenth of an edge: the edges on the seam feel all of
-  // it, those that run to the panels' insides less.
+  // One point of the seam moves along it by a tenth of an edge. The edges on the seam are strained
+  // by all of that, those into the panels by less.
   const PanelMesh garment = pair();
   std::vector<Vec3> points = garment.placed;
   points[garment.seams[0].a[5]].y() += 0.001;

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include "tests/cloth/figure.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tubes.h"
@@ -15,32 +18,103 @@ using test::tube_columns;
 using test::tube_radius;
 using test::tube_rows;
 
-TEST(Judge, TheVerdictNamesTheFirstThingWrong) {
-  const PanelMesh garment = tube();
-  const Skeleton skeleton = figure();
-  const TriangleMesh thin = test::closed_tube(0.15, 0.15, 1.7, 60);
-  const TriangleMesh thick = test::closed_tube(0.21, 0.15, 1.7, 60);
-  const DressedGarment sewn = test::as_dressed(garment, garment.placed);
-  std::vector<Vec3> gaping = garment.placed;
-  gaping[garment.seams[0].a[3]].x() += 0.001;
-  const DressedGarment open = test::as_dressed(garment, gaping, false);
+/// A tube around a body of 30 cm, judged with some things wrong.
+struct Dressing {
+  bool open = false;     ///< a seam gapes by 1 mm
+  bool tight = false;    ///< a seam was closed by force
+  bool thick = false;    ///< the body is too thick for the tube
+  bool slipped = false;  ///< the tube is beside the body
+  bool converged = true;
 
-  Judgement judgement = judge(garment, sewn, thin, &skeleton, true);
+  Judgement judgement() const {
+    const PanelMesh garment = tube();
+    std::vector<Vec3> points = garment.placed;
+    if (open) points[garment.seams[0].a[3]].x() += 0.001;
+    if (slipped) {
+      for (Vec3& p : points) p.x() += 0.5;
+    }
+    const Skeleton skeleton = figure();
+    const TriangleMesh body =
+        test::closed_tube(thick ? (slipped ? 0.4 : 0.21) : 0.15, 0.15, 1.7, 60);
+    std::vector<TightSeam> seams;
+    if (tight) seams.push_back({"right", 400, 3});
+    return judge(garment, test::as_dressed(garment, points, !open), body, &skeleton, converged,
+                 nullptr, seams);
+  }
+};
+
+TEST(Judge, NothingIsWrongWithATubeAroundItsBody) {
+  const Judgement judgement = Dressing().judgement();
   EXPECT_EQ(judgement.verdict, Verdict::sewn);
   EXPECT_EQ(judgement.body_intersections, 0);
   EXPECT_EQ(judgement.self_intersections, 0);
+  EXPECT_TRUE(judgement.unsewable_seams.empty());
+  EXPECT_TRUE(judgement.unwrapped.empty());
   EXPECT_NEAR(judgement.wraps.at(0).fraction, 1, 1e-3);
-  EXPECT_TRUE(judge(garment, sewn, thin, nullptr, true).wraps.empty());
+  const PanelMesh garment = tube();
+  const TriangleMesh body = test::closed_tube(0.15, 0.15, 1.7, 60);
+  const DressedGarment sewn = test::as_dressed(garment, garment.placed);
+  EXPECT_TRUE(judge(garment, sewn, body, nullptr, true).wraps.empty());
+}
 
-  EXPECT_EQ(judge(garment, sewn, thin, &skeleton, false).verdict, Verdict::unconverged);
-  judgement = judge(garment, sewn, thick, &skeleton, false);
+TEST(Judge, UnconvergedWhenItDidNotComeToRest) {
+  EXPECT_EQ(Dressing{.converged = false}.judgement().verdict, Verdict::unconverged);
+}
+
+TEST(Judge, UnwrappedWhenATubeDoesNotGoAroundItsPart) {
+  const Judgement judgement = Dressing{.slipped = true}.judgement();
+  EXPECT_EQ(judgement.verdict, Verdict::unwrapped);
+  EXPECT_EQ(judgement.unwrapped, std::vector<std::string>{"torso"});
+  EXPECT_EQ(judgement.body_intersections, 0);
+}
+
+TEST(Judge, IntersectingWhenTheBodyIsThickerThanTheTube) {
+  const Judgement judgement = Dressing{.thick = true}.judgement();
   EXPECT_EQ(judgement.verdict, Verdict::intersecting);
   EXPECT_GT(judgement.body_intersections, 4 * tube_rows);
   EXPECT_EQ(judgement.self_intersections, 0);
-  judgement = judge(garment, open, thick, &skeleton, false);
+}
+
+TEST(Judge, UnsewableWhenASeamIsOpenOrWasClosedByForce) {
+  Judgement judgement = Dressing{.open = true}.judgement();
   EXPECT_EQ(judgement.verdict, Verdict::unsewable);
-  ASSERT_EQ(judgement.garment.seams.open_seams.size(), 1u);
-  EXPECT_EQ(judgement.garment.seams.open_seams[0].name, "left");
+  ASSERT_EQ(judgement.unsewable_seams.size(), 1u);
+  EXPECT_EQ(judgement.unsewable_seams[0].name, "left");
+  EXPECT_NEAR(judgement.unsewable_seams[0].missing_cm, 0.1, 1e-9);
+
+  judgement = Dressing{.tight = true}.judgement();
+  EXPECT_EQ(judgement.verdict, Verdict::unsewable);
+  EXPECT_TRUE(judgement.garment.seams.open_seams.empty());
+  ASSERT_EQ(judgement.unsewable_seams.size(), 1u);
+  EXPECT_EQ(judgement.unsewable_seams[0].name, "right");
+  EXPECT_EQ(judgement.unsewable_seams[0].missing_cm, 3);
+}
+
+TEST(Judge, TheVerdictNamesTheFirstThingWrong) {
+  // From step to step one more thing is wrong, and it comes before the others.
+  Dressing dressing{.converged = false};
+  EXPECT_EQ(dressing.judgement().verdict, Verdict::unconverged);
+  dressing.slipped = true;
+  EXPECT_EQ(dressing.judgement().verdict, Verdict::unwrapped);
+  dressing.thick = true;
+  Judgement judgement = dressing.judgement();
+  EXPECT_EQ(judgement.verdict, Verdict::intersecting);
+  EXPECT_FALSE(judgement.unwrapped.empty());
+  dressing.tight = true;
+  judgement = dressing.judgement();
+  EXPECT_EQ(judgement.verdict, Verdict::unsewable);
+  EXPECT_GT(judgement.body_intersections, 0);
+  dressing.tight = false;
+  dressing.open = true;
+  EXPECT_EQ(dressing.judgement().verdict, Verdict::unsewable);
+}
+
+TEST(Judge, VerdictsHaveWords) {
+  EXPECT_EQ(to_string(Verdict::unsewable), "unsewable");
+  EXPECT_EQ(to_string(Verdict::intersecting), "intersecting");
+  EXPECT_EQ(to_string(Verdict::unwrapped), "unwrapped");
+  EXPECT_EQ(to_string(Verdict::unconverged), "unconverged");
+  EXPECT_EQ(to_string(Verdict::sewn), "sewn");
 }
 
 TEST(Judge, ClothThroughALowerLayerIsFound) {

@@ -203,8 +203,8 @@ TEST_F(ElasticTube, PulledOutToItsFlatLengthTheClothTakesPart) {
             << band_.tension << " N, presses with " << pressing() << " N\n";
   EXPECT_NEAR(band_.now / band_.flat - 1, 0.05, 0.006);
   EXPECT_NEAR(band_.tension, stiffness * (1.05 / 0.8 - 1), 0.15);
-  // All of the cloth presses as if there were no elastic, and the elastic besides; its row of
-  // triangles is free along it, and the segment stands for it.
+  // All of the cloth presses as if there were no elastic, and the elastic presses besides. The row
+  // of triangles on it gives way along it, and the segment stands for that row.
   const double cloth = 2 * pi * 0.05 * 1000 * 0.08;
   EXPECT_NEAR(pressing(), cloth + 2 * pi * band_.tension, 0.05 * cloth);
 }

@@ -221,8 +221,8 @@ TEST(GarmentModel, WhatLiesFlatHasNoCurvature) {
 }
 
 TEST(GarmentModel, AGatheredSeamTakesTheShorterSidesLength) {
-  // The same number of points on 13 and on 10 cm: the wide panel's triangles on the seam are at
-  // rest when their sides on it are as long as the narrow one's.
+  // Sides of 13 and 10 cm with the same number of points. The wide panel's triangles on the seam
+  // are at rest when their sides there are as long as the narrow one's.
   PanelMesh garment;
   test::add_panel(garment, "skirt", test::grid(0.1, 0.13, 5, 10),
                   [](const Vec2& p) { return Vec3(p.x(), p.y(), 0); });

@@ -16,7 +16,8 @@ namespace {
 using Corners = std::array<Vec3, 3>;
 using FlatCorners = std::array<Vec2, 3>;
 
-/// The energy from the deformation gradient: an own way to the same quantity, compression included.
+/// The energy from the deformation gradient, computed in another way than stretch_forces() does. It
+/// includes compression.
 double energy(const FlatCorners& flat, double grain, const Fabric& fabric,
               const StretchOptions& options, const Corners& x, const LimitMultiplier& held = {}) {
   Eigen::Matrix2d rest;
@@ -183,8 +184,8 @@ TEST_F(Stretch, PureStretchCostsHalfStiffnessTimesStrainSquaredTimesArea) {
 }
 
 TEST_F(Stretch, ThreadsOnTheBiasFeelOnlyShear) {
-  // Pulled by strain e along x with the grain at 45 degrees, threads lengthen to
-  // sqrt((1 + (1 + e)²) / 2) and meet at w_u · w_v = -+((1 + e)² - 1) / 2.
+  // Pulled by strain e along x with the grain at 45 degrees. Threads lengthen to sqrt((1 + (1 +
+  // e)²) / 2) and meet at w_u · w_v = -+((1 + e)² - 1) / 2.
   const FlatCorners flat = {Vec2(0, 0), Vec2(0.01, 0), Vec2(0, 0.01)};
   const double e = 0.02;
   const double thread = std::sqrt((1 + (1 + e) * (1 + e)) / 2) - 1;

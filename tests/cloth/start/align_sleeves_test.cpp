@@ -15,8 +15,8 @@ using test::pi;
 constexpr int cells = 4;
 constexpr int points = (cells + 1) * (cells + 1);
 
-/// A sleeve of two panels, 20 cm before and 10 cm behind the left arm of figure(), which is level;
-/// it runs from a torso panel's edge at x = 0.2 down by `steep` radians.
+/// A sleeve of two panels, 20 cm in front of and 10 cm behind the left arm of figure(), which is
+/// level. It runs down from a torso panel's edge at x = 0.2, by `steep` radians.
 PanelMesh shirt(double steep) {
   PanelMesh garment;
   test::add_panel(garment, "body", test::grid(0.2, 0.2, cells, cells), [](const Vec2& p) {

@@ -28,8 +28,8 @@ PanelMesh sandwich(double top) {
 
 TEST(Placement, SeamsAreLiftedUntilTheyMeetOutsideTheBody) {
   const DistanceGrid body{SurfaceDistance(test::box({-0.15, 0, -0.1}, {0.15, 1, 0.1}))};
-  // Half-way between the panels the seam is 5 cm deep: 6 clear it by the 1 cm it has to have, and
-  // the cloth gets 3 more to come down.
+  // Half-way between the panels the seam is 5 cm deep. 6 cm clear it by the 1 cm that it has to
+  // have, and the cloth gets 3 cm more to come down.
   const PanelMesh low = sandwich(0.955);
   const Placement lifted = draw_and_lift(low, body, nullptr);
   EXPECT_NEAR(lifted.lift, 0.09, 1e-12);
@@ -45,8 +45,8 @@ TEST(Placement, SeamsAreLiftedUntilTheyMeetOutsideTheBody) {
 }
 
 TEST(Placement, SeamsAreLiftedUntilNeitherSideHasToComeThroughTheBody) {
-  // They meet before the body, but the back has to come through it: up to its top at 1 m, which is
-  // 4.5 cm above the seam.
+  // The sides meet in front of the body, but the back has to come through it. So it is lifted up to
+  // the body's top at 1 m, which is 4.5 cm above the seam.
   const DistanceGrid body{SurfaceDistance(test::box({-0.15, 0, -0.16}, {0.15, 1, -0.04}))};
   const Placement lifted = draw_and_lift(sandwich(0.955), body, nullptr);
   EXPECT_NEAR(lifted.lift, 0.05 + 0.03, 1e-12);

@@ -52,8 +52,8 @@ TEST(Rolling, RadiusAndSeamGapAreThoseOfTheReference) {
 }
 
 TEST(Rolling, EdgesAreShortenedByTheChordErrorAlone) {
-  // Reference case 14, chord error at zeta = 1 cm: columns, relative error of an edge around, of
-  // one at 45 degrees, of the area, of the perimeter.
+  // Reference case 14, chord error at zeta = 1 cm. Columns, then the relative errors of an edge
+  // around, an edge at 45 degrees, the area and the perimeter.
   struct Row {
     int columns;
     double around, diagonal, area, perimeter;
@@ -108,7 +108,7 @@ TEST(Rolling, LengthsAreKeptEverywhere) {
 }
 
 TEST(Rolling, ThePrintedFormCrushesPanelsThatAreNotFlatAtTheirLowest) {
-  // Reference case 14, isometry: z - z_min at O_x, its slope, distance from O_x, local stretch: the
+  // Reference case 14, isometry: z - z_min at O_x, its slope, distance from O_x, local stretch. The
   // middle of a panel that lies 1 cm too high is crushed by 29 %.
   struct Row {
     double lift, slope, x, stretch;
