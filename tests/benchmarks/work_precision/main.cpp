@@ -1,5 +1,5 @@
 // Speed against error: each method over its own knobs, against the same method converged.
-//   bench_work_precision [-o FOLDER] [--fast] [--plot docs/work_precision.svg]
+//   bench_work_precision [-o FOLDER] [--fast] [--plot docs/images/work_precision.svg]
 #include <algorithm>
 #include <boost/program_options.hpp>
 #include <fstream>
@@ -149,7 +149,8 @@ int measured(int argc, char** argv) {
   po::options_description options("bench_work_precision");
   options.add_options()("help", "this")("output,o", po::value(&settings.folder),
                                         "folder of what is written; default: work-precision")(
-      "plot", po::value(&settings.plot), "the headline plot once more, such as docs/NAME.svg")(
+      "plot", po::value(&settings.plot),
+      "the headline plot once more, such as docs/images/NAME.svg")(
       "fast", "coarse and little of all: to see that it runs")(
       "only", po::value(&settings.only), "a part of it: presets, terms, sheets or garments");
   po::variables_map given;
