@@ -38,14 +38,12 @@ constexpr double well_shaped = 40 * std::numbers::pi / 180;
 /// Radians. An edge from border to border is flipped if both new triangles have no smaller angle.
 constexpr double crossing_angle = 20 * std::numbers::pi / 180;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 double angle_of(const PlanarMesh& mesh, const Triangle& t) {
-  return smallest_angle(mesh.points[at(t[0])], mesh.points[at(t[1])], mesh.points[at(t[2])]);
+  return smallest_angle(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
 }
 
 double angle_of(const PlanarMesh& mesh, int triangle) {
-  return angle_of(mesh, mesh.triangles[at(triangle)]);
+  return angle_of(mesh, mesh.triangles[triangle]);
 }
 
 struct Box {
@@ -69,8 +67,8 @@ class Filler {
         segments_(box_.low, box_.high, edge_length),
         points_(box_.low, box_.high, edge_length) {
     for (int i = 0; i < border_; ++i) {
-      const Vec2& a = outline_[at(i)];
-      const Vec2& b = outline_[at((i + 1) % border_)];
+      const Vec2& a = outline_[i];
+      const Vec2& b = outline_[(i + 1) % border_];
       middles_.push_back((a + b) / 2);
       lengths_.push_back((b - a).norm());
       segments_.add(a, b, i);
@@ -99,8 +97,8 @@ class Filler {
     double wanted = edge_length_;
     // A short segment shortens edges only up to the distance at which they reach full length.
     segments_.near(point, edge_length_ / growth, [&](int i) {
-      if (lengths_[at(i)] >= wanted) return;
-      wanted = std::min(wanted, lengths_[at(i)] + growth * (point - middles_[at(i)]).norm());
+      if (lengths_[i] >= wanted) return;
+      wanted = std::min(wanted, lengths_[i] + growth * (point - middles_[i]).norm());
     });
     return wanted;
   }
@@ -110,16 +108,16 @@ class Filler {
     double distance = std::numeric_limits<double>::max();
     segments_.near(point, edge_length_, [&](int i) {
       distance = std::min(
-          distance, distance_to_segment(point, outline_[at(i)], outline_[at((i + 1) % border_)]));
+          distance, distance_to_segment(point, outline_[i], outline_[(i + 1) % border_]));
     });
     return distance;
   }
 
   /// Adds a point in the triangle of an outline point and its neighbours, toward the far side.
   void split(int corner) {
-    const Vec2& before = outline_[at((corner + border_ - 1) % border_)];
-    const Vec2& after = outline_[at((corner + 1) % border_)];
-    const Vec2 point = 0.25 * outline_[at(corner)] + 0.375 * (before + after);
+    const Vec2& before = outline_[(corner + border_ - 1) % border_];
+    const Vec2& after = outline_[(corner + 1) % border_];
+    const Vec2 point = 0.25 * outline_[corner] + 0.375 * (before + after);
     points_.add(point, border_ + static_cast<int>(interior_.size()));
     interior_.push_back(point);
   }
@@ -130,7 +128,7 @@ class Filler {
     bool free = true;
     points_.near(point, wanted, [&](int i) {
       const bool border = i < border_;
-      const Vec2& other = border ? outline_[at(i)] : interior_[at(i - border_)];
+      const Vec2& other = border ? outline_[i] : interior_[i - border_];
       const double spacing = border ? border_point_spacing : first_spacing;
       if ((other - point).norm() < spacing * wanted) free = false;
     });
@@ -141,8 +139,8 @@ class Filler {
   std::vector<double> crossings(double y) const {
     std::vector<double> xs;
     for (int i = 0; i < border_; ++i) {
-      const Vec2& a = outline_[at(i)];
-      const Vec2& b = outline_[at((i + 1) % border_)];
+      const Vec2& a = outline_[i];
+      const Vec2& b = outline_[(i + 1) % border_];
       if ((a.y() > y) == (b.y() > y)) continue;
       xs.push_back(a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
     }
@@ -191,9 +189,9 @@ class Filler {
     std::vector<Vec2> sum(interior_.size(), Vec2::Zero());
     std::vector<double> weight(interior_.size(), 0);
     for (const Triangle& triangle : mesh_.triangles) {
-      const Vec2& a = mesh_.points[at(triangle[0])];
-      const Vec2& b = mesh_.points[at(triangle[1])];
-      const Vec2& c = mesh_.points[at(triangle[2])];
+      const Vec2& a = mesh_.points[triangle[0]];
+      const Vec2& b = mesh_.points[triangle[1]];
+      const Vec2& c = mesh_.points[triangle[2]];
       const Vec2 centre = (a + b + c) / 3;
       const Vec2 u = b - a;
       const Vec2 v = c - a;
@@ -201,8 +199,8 @@ class Filler {
       const double mass = (u.x() * v.y() - u.y() * v.x()) / (wanted * wanted * wanted * wanted);
       for (const int corner : triangle) {
         if (corner < border_) continue;
-        sum[at(corner - border_)] += mass * centre;
-        weight[at(corner - border_)] += mass;
+        sum[corner - border_] += mass * centre;
+        weight[corner - border_] += mass;
       }
     }
     for (std::size_t i = kept_; i < interior_.size(); ++i) {
@@ -223,14 +221,14 @@ class Filler {
     bool any = false;
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
       for (int k = 0; k < 3 && !changed[t]; ++k) {
-        const int a = mesh_.triangles[t][at((k + 1) % 3)];
-        const int b = mesh_.triangles[t][at((k + 2) % 3)];
+        const int a = mesh_.triangles[t][(k + 1) % 3];
+        const int b = mesh_.triangles[t][(k + 2) % 3];
         if (a >= border_ || b >= border_) continue;
         const auto [found, added] =
             sides.try_emplace({std::min(a, b), std::max(a, b)}, std::array{static_cast<int>(t), k});
         const auto [other, corner] = found->second;
-        if (added || changed[at(other)] || !flip(other, corner, static_cast<int>(t), k)) continue;
-        changed[t] = changed[at(other)] = any = true;
+        if (added || changed[other] || !flip(other, corner, static_cast<int>(t), k)) continue;
+        changed[t] = changed[other] = any = true;
       }
     }
     return any;
@@ -240,16 +238,16 @@ class Filler {
   /// edge between those corners. It does so if an end of the new edge is interior and no new angle
   /// is sharp.
   bool flip(int first, int k, int second, int l) {
-    const Triangle one = mesh_.triangles[at(first)];
-    const Triangle two = mesh_.triangles[at(second)];
-    const int c = one[at(k)];
-    const int d = two[at(l)];
+    const Triangle one = mesh_.triangles[first];
+    const Triangle two = mesh_.triangles[second];
+    const int c = one[k];
+    const int d = two[l];
     if (c < border_ && d < border_) return false;
-    const Triangle left = {c, one[at((k + 1) % 3)], d};
-    const Triangle right = {d, one[at((k + 2) % 3)], c};
+    const Triangle left = {c, one[(k + 1) % 3], d};
+    const Triangle right = {d, one[(k + 2) % 3], c};
     if (std::min(angle_of(mesh_, left), angle_of(mesh_, right)) < crossing_angle) return false;
-    mesh_.triangles[at(first)] = left;
-    mesh_.triangles[at(second)] = right;
+    mesh_.triangles[first] = left;
+    mesh_.triangles[second] = right;
     return true;
   }
 
@@ -271,7 +269,7 @@ class Filler {
 void raise_angles(PlanarMesh& mesh, const std::vector<bool>& fixed, double good) {
   std::vector<std::vector<int>> around(mesh.points.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (const int corner : mesh.triangles[t]) around[at(corner)].push_back(static_cast<int>(t));
+    for (const int corner : mesh.triangles[t]) around[corner].push_back(static_cast<int>(t));
   }
   const auto worst_at = [&](std::size_t point) {
     double worst = std::numbers::pi;
@@ -290,9 +288,9 @@ void raise_angles(PlanarMesh& mesh, const std::vector<bool>& fixed, double good)
       const Vec2 from = mesh.points[i];
       double reach = std::numeric_limits<double>::max();
       for (const int t : around[i]) {
-        for (const int corner : mesh.triangles[at(t)]) {
-          if (at(corner) == i) continue;
-          reach = std::min(reach, step * (mesh.points[at(corner)] - from).norm());
+        for (const int corner : mesh.triangles[t]) {
+          if (static_cast<std::size_t>(corner) == i) continue;
+          reach = std::min(reach, step * (mesh.points[corner] - from).norm());
         }
       }
       Vec2 best_point = from;

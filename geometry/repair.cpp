@@ -1,4 +1,6 @@
 #define CGAL_EIGEN3_ENABLED
+// The repair gives no tolerance, so it never uses an envelope. This halves the time to compile it.
+#define CGAL_PMP_REMOVE_SELF_INTERSECTION_NO_POLYHEDRAL_ENVELOPE_CHECK
 #include "geometry/repair.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -31,7 +31,7 @@ inline Vec4s as_vec4(const std::vector<Vec3>& points) {
 }
 
 // TOILE_CLONES compiles a function once for each instruction set. All clones give the same bits:
-// none may fuse a product and a sum. So files that use it are compiled with -ffp-contract=off.
+// none may fuse a product and a sum. So everything is compiled with -ffp-contract=off.
 // TOILE_ONE_CLONE switches it off for tools that don't know the wide instructions, such as
 // valgrind.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \

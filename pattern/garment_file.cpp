@@ -21,8 +21,6 @@ namespace {
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 fs::path beside(const fs::path& obj) { return fs::path(obj).replace_extension(".json"); }
 
 [[noreturn]] void fail(const std::string& place, const std::string& problem) {
@@ -157,8 +155,8 @@ void read_mesh(const ObjData& data, const std::string& name, PanelMesh& garment)
     for (std::size_t k = 0; k < 3; ++k) {
       const ObjCorner& corner = face.corners[k];
       if (corner.texture < 0) fail(name, where + " has no flat coordinates (vt)");
-      int& texture = texture_of[at(corner.point)];
-      if (texture >= 0 && data.texture[at(texture)] != data.texture[at(corner.texture)]) {
+      int& texture = texture_of[corner.point];
+      if (texture >= 0 && data.texture[texture] != data.texture[corner.texture]) {
         fail(name, "vertex " + std::to_string(corner.point + 1) +
                        " has two flat coordinates, so panels already share it");
       }
@@ -170,12 +168,12 @@ void read_mesh(const ObjData& data, const std::string& name, PanelMesh& garment)
   garment.flat.reserve(data.points.size());
   for (std::size_t i = 0; i < data.points.size(); ++i) {
     if (texture_of[i] < 0) fail(name, "vertex " + std::to_string(i + 1) + " is in no face");
-    garment.flat.push_back(data.texture[at(texture_of[i])]);
+    garment.flat.push_back(data.texture[texture_of[i]]);
   }
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
     const auto& [a, b, c] = garment.triangles[t];
-    const Vec2 u = garment.flat[at(b)] - garment.flat[at(a)];
-    const Vec2 v = garment.flat[at(c)] - garment.flat[at(a)];
+    const Vec2 u = garment.flat[b] - garment.flat[a];
+    const Vec2 v = garment.flat[c] - garment.flat[a];
     if (!(u.x() * v.y() - u.y() * v.x() > 0)) {
       fail(name, "face " + std::to_string(t) + " is not counter-clockwise in flat coordinates");
     }
@@ -203,12 +201,12 @@ void check_placed(const PanelMesh& garment, const std::string& name) {
     double flat = 0;
     double placed = 0;
     for (int t = panel.first_triangle; t < panel.first_triangle + panel.triangles; ++t) {
-      const auto& [a, b, c] = garment.triangles[at(t)];
-      const Vec2 u = garment.flat[at(b)] - garment.flat[at(a)];
-      const Vec2 v = garment.flat[at(c)] - garment.flat[at(a)];
-      const Vec3 along = garment.placed[at(b)] - garment.placed[at(a)];
+      const auto& [a, b, c] = garment.triangles[t];
+      const Vec2 u = garment.flat[b] - garment.flat[a];
+      const Vec2 v = garment.flat[c] - garment.flat[a];
+      const Vec3 along = garment.placed[b] - garment.placed[a];
       flat += u.x() * v.y() - u.y() * v.x();
-      placed += along.cross(garment.placed[at(c)] - garment.placed[at(a)]).norm();
+      placed += along.cross(garment.placed[c] - garment.placed[a]).norm();
     }
     if (placed > min_share * flat) continue;
     fail(name, "panel '" + panel.name + "' is placed with less than a hundredth of its area");
@@ -260,7 +258,7 @@ void write_garment(const fs::path& obj, const PanelMesh& garment) {
     for (int t = panel.first_triangle; t < panel.first_triangle + panel.triangles; ++t) {
       ObjFace face;
       face.group = static_cast<int>(p);
-      for (const int corner : garment.triangles[at(t)]) face.corners.push_back({corner, corner});
+      for (const int corner : garment.triangles[t]) face.corners.push_back({corner, corner});
       data.faces.push_back(std::move(face));
     }
   }

@@ -17,8 +17,6 @@ namespace toile {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 /// A panel that cannot be meshed with as many subdivisions, and why.
 struct Unmeshable {
   std::string panel;
@@ -66,8 +64,8 @@ Steps steps_along(const Pattern& pattern, double edge_length) {
     for (const PatternEdge& edge : panel.edges) counts.push_back(wanted(edge.curve));
   }
   for (const Stitch& stitch : pattern.stitches) {
-    int& a = steps[at(stitch.a.panel)][at(stitch.a.edge)];
-    int& b = steps[at(stitch.b.panel)][at(stitch.b.edge)];
+    int& a = steps[stitch.a.panel][stitch.a.edge];
+    int& b = steps[stitch.b.panel][stitch.b.edge];
     a = b = std::max(a, b);
   }
   return steps;
@@ -105,8 +103,7 @@ class PanelMesher {
   std::vector<OutlineStep> walk() const {
     std::vector<Vec2> points;
     for (const OutlineStep& step : panel_.outline) {
-      std::vector<Vec2> sample =
-          panel_.edges[at(step.edge)].curve.sample(8 * steps_[at(step.edge)]);
+      std::vector<Vec2> sample = panel_.edges[step.edge].curve.sample(8 * steps_[step.edge]);
       if (!step.forward) std::reverse(sample.begin(), sample.end());
       for (const Vec2& point : sample) points.push_back(flat(point));
     }
@@ -123,20 +120,20 @@ class PanelMesher {
     triangulation_.along.assign(panel_.edges.size(), {});
     const std::vector<OutlineStep> steps = walk();
     for (const OutlineStep& step : steps) {
-      const int count = steps_[at(step.edge)];
-      std::vector<Vec2> sample = panel_.edges[at(step.edge)].curve.sample(count);
+      const int count = steps_[step.edge];
+      std::vector<Vec2> sample = panel_.edges[step.edge].curve.sample(count);
       if (!step.forward) std::reverse(sample.begin(), sample.end());
       for (int i = 0; i < count; ++i) {
-        triangulation_.along[at(step.edge)].push_back(static_cast<int>(outline.size()));
-        outline.push_back(flat(sample[at(i)]));
+        triangulation_.along[step.edge].push_back(static_cast<int>(outline.size()));
+        outline.push_back(flat(sample[i]));
       }
     }
     for (std::size_t s = 0; s < steps.size(); ++s) {
-      std::vector<int>& along = triangulation_.along[at(steps[s].edge)];
-      along.push_back(triangulation_.along[at(steps[(s + 1) % steps.size()].edge)].front());
+      std::vector<int>& along = triangulation_.along[steps[s].edge];
+      along.push_back(triangulation_.along[steps[(s + 1) % steps.size()].edge].front());
     }
     for (const OutlineStep& step : steps) {
-      std::vector<int>& along = triangulation_.along[at(step.edge)];
+      std::vector<int>& along = triangulation_.along[step.edge];
       if (!step.forward) std::reverse(along.begin(), along.end());
     }
     return outline;
@@ -165,7 +162,7 @@ class PanelMesher {
     const auto middle_of = [&](int a, int b) {
       const auto [found, added] = middles.try_emplace(key(a, b), static_cast<int>(points.size()));
       if (added) {
-        const Vec2 middle = (points[at(a)] + points[at(b)]) / 2;
+        const Vec2 middle = (points[a] + points[b]) / 2;
         points.push_back(middle);
       }
       return found->second;
@@ -185,7 +182,7 @@ class PanelMesher {
     // Where a curve bulges inward, its new points come too close to the middles opposite.
     std::vector<bool> border(points.size(), false);
     for (const std::vector<int>& along : triangulation_.along) {
-      for (const int point : along) border[at(point)] = true;
+      for (const int point : along) border[point] = true;
     }
     raise_angles(triangulation_.mesh, border, acceptable_angle);
   }
@@ -215,7 +212,7 @@ void check_size(const Pattern& pattern, double edge_length) {
     std::vector<Vec2> points;
     double length = 0;
     for (const OutlineStep& step : panel.outline) {
-      const EdgeCurve& curve = panel.edges[at(step.edge)].curve;
+      const EdgeCurve& curve = panel.edges[step.edge].curve;
       length += curve.length();
       for (int i = 0; i < 8; ++i) points.push_back(curve.at((step.forward ? i : 8 - i) / 8.0));
     }
@@ -233,7 +230,7 @@ void check_size(const Pattern& pattern, double edge_length) {
 
 std::string default_name(const Pattern& pattern, const Stitch& stitch) {
   const auto side = [&](const EdgeRef& ref) {
-    return pattern.panels[at(ref.panel)].name + "." + std::to_string(ref.edge);
+    return pattern.panels[ref.panel].name + "." + std::to_string(ref.edge);
   };
   return side(stitch.a) + "-" + side(stitch.b);
 }
@@ -278,7 +275,7 @@ PanelMesh assemble(const Pattern& pattern, const Orientation& orientation,
     for (const PanelAttachment& attached : panel.attachments) {
       MeshedAttachment meshed_attachment{
           panel.name + "." + attached.name,
-          share_of(triangulations[p].along[at(attached.edge)], attached.share), attached.how};
+          share_of(triangulations[p].along[attached.edge], attached.share), attached.how};
       for (int& point : meshed_attachment.points) point += meshed.first_point;
       garment.attachments.push_back(std::move(meshed_attachment));
     }
@@ -287,8 +284,8 @@ PanelMesh assemble(const Pattern& pattern, const Orientation& orientation,
   for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
     const Stitch& stitch = pattern.stitches[s];
     const auto side = [&](const EdgeRef& ref) {
-      std::vector<int> points = triangulations[at(ref.panel)].along[at(ref.edge)];
-      for (int& point : points) point += garment.panels[at(ref.panel)].first_point;
+      std::vector<int> points = triangulations[ref.panel].along[ref.edge];
+      for (int& point : points) point += garment.panels[ref.panel].first_point;
       return points;
     };
     MeshedSeam seam;
@@ -296,8 +293,8 @@ PanelMesh assemble(const Pattern& pattern, const Orientation& orientation,
     seam.a = side(stitch.a);
     seam.b = side(stitch.b);
     if (orientation.reversed[s]) std::reverse(seam.b.begin(), seam.b.end());
-    seam.length_a = pattern.panels[at(stitch.a.panel)].edges[at(stitch.a.edge)].curve.length();
-    seam.length_b = pattern.panels[at(stitch.b.panel)].edges[at(stitch.b.edge)].curve.length();
+    seam.length_a = pattern.panels[stitch.a.panel].edges[stitch.a.edge].curve.length();
+    seam.length_b = pattern.panels[stitch.b.panel].edges[stitch.b.edge].curve.length();
     garment.seams.push_back(std::move(seam));
   }
   return garment;
@@ -311,7 +308,7 @@ Corners doubled_corners(const PanelMesh& garment,
   for (const int t : doubled_triangles(garment)) {
     while (t >= garment.panels[p].first_triangle + garment.panels[p].triangles) ++p;
     const int border = triangulations[p].coarse_border;
-    Triangle local = garment.triangles[at(t)];
+    Triangle local = garment.triangles[t];
     std::vector<int> coarse;
     for (int& corner : local) {
       corner -= garment.panels[p].first_point;

@@ -8,8 +8,6 @@ namespace toile {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 /// Replaces the triangles of one panel by those of the next coarser level. False when they are not
 /// runs of four.
 bool coarsen(std::vector<Triangle>& triangles) {
@@ -40,15 +38,15 @@ bool coarsen(std::vector<Triangle>& triangles) {
 /// The number of points that `triangles` use if these are first, first + 1, ... without a gap; else
 /// -1.
 int points_used(const std::vector<Triangle>& triangles, int first, int points) {
-  std::vector<bool> used(at(points), false);
+  std::vector<bool> used(points, false);
   int highest = 0;
   int count = 0;
   for (const Triangle& triangle : triangles) {
     for (const int corner : triangle) {
       const int index = corner - first;
       highest = std::max(highest, index + 1);
-      if (!used[at(index)]) ++count;
-      used[at(index)] = true;
+      if (!used[index]) ++count;
+      used[index] = true;
     }
   }
   return count == highest ? count : -1;
@@ -86,7 +84,7 @@ std::optional<std::string> nesting_problem(const PanelMesh& garment) {
     for (std::size_t i = 0; i < along.size() && follows; ++i) {
       int level = 0;
       while (level < garment.subdivisions && i % (std::size_t{2} << level) == 0) ++level;
-      follows = level_of[at(along[i])] == level;
+      follows = level_of[along[i]] == level;
     }
     return follows;
   };

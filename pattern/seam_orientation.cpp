@@ -9,8 +9,6 @@ namespace toile {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 /// A panel as orientation needs it.
 struct PanelFace {
   double area = 0;              ///< m², as drawn; positive when counter-clockwise
@@ -24,8 +22,8 @@ PanelFace face_of(const PatternPanel& panel) {
   face.forward.resize(panel.edges.size());
   std::vector<Vec2> outline;
   for (const OutlineStep& step : panel.outline) {
-    const EdgeCurve& curve = panel.edges[at(step.edge)].curve;
-    face.forward[at(step.edge)] = step.forward;
+    const EdgeCurve& curve = panel.edges[step.edge].curve;
+    face.forward[step.edge] = step.forward;
     constexpr int segments = 8;
     for (int i = 0; i < segments; ++i) {
       const double fraction = static_cast<double>(i) / segments;
@@ -43,10 +41,10 @@ bool runs_reversed(const Pattern& pattern, const Stitch& stitch) {
   if (stitch.direction != StitchDirection::by_position) {
     return stitch.direction == StitchDirection::end_to_start;
   }
-  const PatternPanel& a = pattern.panels[at(stitch.a.panel)];
-  const PatternPanel& b = pattern.panels[at(stitch.b.panel)];
-  const EdgeCurve& edge_a = a.edges[at(stitch.a.edge)].curve;
-  const EdgeCurve& edge_b = b.edges[at(stitch.b.edge)].curve;
+  const PatternPanel& a = pattern.panels[stitch.a.panel];
+  const PatternPanel& b = pattern.panels[stitch.b.panel];
+  const EdgeCurve& edge_a = a.edges[stitch.a.edge].curve;
+  const EdgeCurve& edge_b = b.edges[stitch.b.edge].curve;
   const Vec3 a_start = a.place(edge_a.start());
   const Vec3 a_end = a.place(edge_a.end());
   const Vec3 b_start = b.place(edge_b.start());
@@ -77,13 +75,13 @@ Orientation orient(const Pattern& pattern, std::vector<Remark>& remarks) {
   for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
     const Stitch& stitch = pattern.stitches[s];
     const auto counter_clockwise = [&](const EdgeRef& ref) {
-      const PanelFace& face = faces[at(ref.panel)];
-      return face.forward[at(ref.edge)] == (face.area > 0);
+      const PanelFace& face = faces[ref.panel];
+      return face.forward[ref.edge] == (face.area > 0);
     };
     const bool along = counter_clockwise(stitch.a) == counter_clockwise(stitch.b);
     const bool same = along == result.reversed[s];
-    neighbours[at(stitch.a.panel)].push_back({stitch.b.panel, same, s});
-    neighbours[at(stitch.b.panel)].push_back({stitch.a.panel, same, s});
+    neighbours[stitch.a.panel].push_back({stitch.b.panel, same, s});
+    neighbours[stitch.b.panel].push_back({stitch.a.panel, same, s});
   }
 
   result.mirrored.assign(pattern.panels.size(), false);
@@ -94,13 +92,13 @@ Orientation orient(const Pattern& pattern, std::vector<Remark>& remarks) {
     seen[first] = true;
     bool twisted = false;
     for (std::size_t i = 0; i < group.size(); ++i) {
-      for (const SeamNeighbour& neighbour : neighbours[at(group[i])]) {
-        const bool mirrored = result.mirrored[at(group[i])] == neighbour.same;
-        if (!seen[at(neighbour.panel)]) {
-          seen[at(neighbour.panel)] = true;
-          result.mirrored[at(neighbour.panel)] = mirrored;
+      for (const SeamNeighbour& neighbour : neighbours[group[i]]) {
+        const bool mirrored = result.mirrored[group[i]] == neighbour.same;
+        if (!seen[neighbour.panel]) {
+          seen[neighbour.panel] = true;
+          result.mirrored[neighbour.panel] = mirrored;
           group.push_back(neighbour.panel);
-        } else if (result.mirrored[at(neighbour.panel)] != mirrored && !twisted) {
+        } else if (result.mirrored[neighbour.panel] != mirrored && !twisted) {
           twisted = true;
           const Stitch& stitch = pattern.stitches[neighbour.stitch];
           remarks.push_back({true, pattern.source + ": " + edge_name(pattern, stitch.a) + " and " +
@@ -116,13 +114,13 @@ Orientation orient(const Pattern& pattern, std::vector<Remark>& remarks) {
     Vec3 centre = Vec3::Zero();
     double area = 0;
     for (const int p : group) {
-      centre += std::abs(faces[at(p)].area) * faces[at(p)].centre;
-      area += std::abs(faces[at(p)].area);
+      centre += std::abs(faces[p].area) * faces[p].centre;
+      area += std::abs(faces[p].area);
     }
     centre /= area;
     for (const int p : group) {
-      const PanelFace& face = faces[at(p)];
-      const double sign = result.mirrored[at(p)] ? -1 : 1;
+      const PanelFace& face = faces[p];
+      const double sign = result.mirrored[p] ? -1 : 1;
       outward += sign * std::abs(face.area) * face.normal.dot(face.centre - centre);
       scale += std::abs(face.area) * (face.centre - centre).norm();
       drawn += sign * face.area;
@@ -130,9 +128,9 @@ Orientation orient(const Pattern& pattern, std::vector<Remark>& remarks) {
     const bool flip = std::abs(outward) > undecided_right_side * scale ? outward < 0 : drawn < 0;
     for (const int p : group) {
       if (twisted) {
-        result.mirrored[at(p)] = faces[at(p)].area < 0;
+        result.mirrored[p] = faces[p].area < 0;
       } else if (flip) {
-        result.mirrored[at(p)] = !result.mirrored[at(p)];
+        result.mirrored[p] = !result.mirrored[p];
       }
     }
   }

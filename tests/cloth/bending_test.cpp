@@ -12,7 +12,7 @@
 #include "tests/cloth/panels.h"
 
 namespace toile {
-namespace {
+namespace bending_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -183,5 +183,5 @@ TEST(Bend, JumpsAreThoseOfABentSheet) {
   EXPECT_NEAR(felt.dot(curvature), slope(c) - slope(d), 1e-12);
 }
 
-}  // namespace
+}  // namespace bending_test
 }  // namespace toile

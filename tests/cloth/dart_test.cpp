@@ -11,7 +11,7 @@
 #include "tests/pattern/sewn.h"
 
 namespace toile {
-namespace {
+namespace dart_test {
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -93,5 +93,5 @@ TEST(Dart, OfADiscMakesACone) {
   }
 }
 
-}  // namespace
+}  // namespace dart_test
 }  // namespace toile

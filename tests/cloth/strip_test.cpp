@@ -11,7 +11,7 @@
 #include "tests/support/tubes.h"
 
 namespace toile {
-namespace {
+namespace strip_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -93,5 +93,5 @@ TEST(Strip, EachFabricStretchesAlongWarpWeftAndBiasAsItSays) {
   EXPECT_LT(worst, 0.02);
 }
 
-}  // namespace
+}  // namespace strip_test
 }  // namespace toile

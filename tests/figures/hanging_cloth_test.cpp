@@ -5,7 +5,7 @@
 #include <iostream>
 
 namespace toile::figures {
-namespace {
+namespace hanging_cloth_test {
 
 HangingCloth hang(const char* name, const HangingClothOptions& options) {
   HangingCloth cloth = hang_cloth(options);
@@ -70,5 +70,5 @@ TEST(HangingCloth, SweepingInOrderHoldsOnePercentAtAnyStep) {
   }
 }
 
-}  // namespace
+}  // namespace hanging_cloth_test
 }  // namespace toile::figures

@@ -6,7 +6,7 @@
 #include "tests/figures/sheet.h"
 
 namespace toile::figures {
-namespace {
+namespace page_test {
 
 std::filesystem::path empty_folder(const std::string& name) {
   const auto folder = std::filesystem::path(testing::TempDir()) / name;
@@ -42,5 +42,5 @@ TEST(FiguresPage, AFolderWithoutSheetsIsRefused) {
   EXPECT_THROW(figures_page(empty_folder("toile_no_page")), Error);
 }
 
-}  // namespace
+}  // namespace page_test
 }  // namespace toile::figures

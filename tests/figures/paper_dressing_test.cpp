@@ -5,7 +5,7 @@
 #include <iostream>
 
 namespace toile::figures {
-namespace {
+namespace paper_dressing_test {
 
 TEST(PaperDressing, StrainIsGatheredByPanelAndNearestJoint) {
   const Skeleton skeleton{{{"waist", {0, 1, 0}}, {"left_knee", {0, 0.5, 0}}}, {}};
@@ -49,5 +49,5 @@ TEST(PaperDressing, TheSmallBandIsUnsewableAndTheLargerOneSews) {
   EXPECT_LT(large.max_perimeter(), 0.87);
 }
 
-}  // namespace
+}  // namespace paper_dressing_test
 }  // namespace toile::figures

@@ -5,7 +5,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile {
-namespace {
+namespace closed_surface_test {
 
 const Vec3 low(0, 0, 0);
 const Vec3 high(1, 1, 1);
@@ -41,5 +41,5 @@ TEST(ClosedSurface, InsideOutIsFoundFarFromTheOriginToo) {
   EXPECT_EQ(closed_surface_defect({}), "has no triangles");
 }
 
-}  // namespace
+}  // namespace closed_surface_test
 }  // namespace toile

@@ -5,7 +5,7 @@
 #include <random>
 
 namespace toile {
-namespace {
+namespace closest_points_test {
 
 TEST(Nearest, BeatsEverySampleOfTheTriangle) {
   std::mt19937 random(7);
@@ -48,5 +48,5 @@ TEST(Nearest, BeatsEverySampleOfTheSegments) {
   }
 }
 
-}  // namespace
+}  // namespace closest_points_test
 }  // namespace toile

@@ -7,7 +7,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile {
-namespace {
+namespace decimate_test {
 
 TEST(Decimate, KeepsTheShapeAndTheTopology) {
   const TriangleMesh fine = test::sphere(0.5, 6);  // 32768 triangles
@@ -30,5 +30,5 @@ TEST(Decimate, LeavesAloneWhatIsSmallOrNoManifold) {
   EXPECT_EQ(decimate(fins, 1).triangles, fins.triangles);
 }
 
-}  // namespace
+}  // namespace decimate_test
 }  // namespace toile

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace toile {
-namespace {
+namespace disjoint_sets_test {
 
 TEST(DisjointSets, ASetIsNamedByItsLowestItem) {
   DisjointSets sets(6);
@@ -26,5 +26,5 @@ TEST(DisjointSets, ALongChainStaysCheap) {
   for (int i = 0; i < count; ++i) ASSERT_EQ(sets.of(count - 1), 0);
 }
 
-}  // namespace
+}  // namespace disjoint_sets_test
 }  // namespace toile

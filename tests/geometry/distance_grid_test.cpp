@@ -11,7 +11,7 @@
 #include "tests/support/tubes.h"
 
 namespace toile {
-namespace {
+namespace distance_grid_test {
 
 constexpr double radius = 0.1;
 
@@ -250,5 +250,5 @@ TEST_F(WornSheet, TheHemIsASmallStep) {
   EXPECT_LT(largest_jump, 1e-4) << "as far as the point moved";
 }
 
-}  // namespace
+}  // namespace distance_grid_test
 }  // namespace toile

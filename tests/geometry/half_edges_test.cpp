@@ -8,7 +8,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile {
-namespace {
+namespace half_edges_test {
 
 TEST(HalfEdges, EverySideOnceByEdgeThenByTriangle) {
   const TriangleMesh mesh = test::sphere(0.1, 2);
@@ -49,5 +49,5 @@ TEST(HalfEdges, UniqueEdgesAreTheSidesWithoutRepeats) {
   }
 }
 
-}  // namespace
+}  // namespace half_edges_test
 }  // namespace toile

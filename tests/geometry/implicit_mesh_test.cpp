@@ -11,7 +11,7 @@
 #include "geometry/error.h"
 
 namespace toile {
-namespace {
+namespace implicit_mesh_test {
 
 ImplicitMeshOptions box(double half, double spacing) {
   ImplicitMeshOptions options;
@@ -109,5 +109,5 @@ TEST(ImplicitMesh, IsTheSameForAnyNumberOfThreads) {
   EXPECT_TRUE(many.triangles == alone.triangles);
 }
 
-}  // namespace
+}  // namespace implicit_mesh_test
 }  // namespace toile

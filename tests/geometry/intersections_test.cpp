@@ -9,7 +9,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile {
-namespace {
+namespace intersections_test {
 
 TEST(Intersections, FindNoneInAClosedSurface) {
   EXPECT_TRUE(self_intersections(test::cube()).empty());
@@ -122,5 +122,5 @@ TEST(Intersections, AreThoseOfEveryPairByItself) {
   std::cout << expected.size() << " pairs\n";
 }
 
-}  // namespace
+}  // namespace intersections_test
 }  // namespace toile

@@ -10,7 +10,7 @@
 #include "geometry/triangulate.h"
 
 namespace toile {
-namespace {
+namespace mesh_polygon_test {
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -92,5 +92,5 @@ TEST(MeshPolygon, RaisingAnglesMovesOnlyWhatMayMove) {
   EXPECT_GT(smallest_angle(mesh.points, mesh.triangles), 35 * degree);
 }
 
-}  // namespace
+}  // namespace mesh_polygon_test
 }  // namespace toile

@@ -7,7 +7,7 @@
 #include <random>
 
 namespace toile {
-namespace {
+namespace polygon_test {
 
 using Outline = std::vector<Vec2>;
 using Pair = std::array<int, 2>;
@@ -72,5 +72,5 @@ TEST(Outline, InsideAndDistance) {
   EXPECT_DOUBLE_EQ(distance_to_segment({3, 4}, {0, 0}, {0, 0}), 5);
 }
 
-}  // namespace
+}  // namespace polygon_test
 }  // namespace toile

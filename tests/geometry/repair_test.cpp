@@ -11,7 +11,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile {
-namespace {
+namespace repair_test {
 
 using test::is_closed;
 using test::volume;
@@ -232,5 +232,5 @@ TEST(Repair, AnySoupEndsClosedOrAsAnError) {
   EXPECT_LT(closed, 600);
 }
 
-}  // namespace
+}  // namespace repair_test
 }  // namespace toile

@@ -7,7 +7,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile {
-namespace {
+namespace slice_test {
 
 using test::box;
 using test::sphere;
@@ -91,5 +91,5 @@ TEST(Slice, MissingThePlaneIsNothing) {
   EXPECT_EQ(slice(box({0, 0, 0}, {1, 1, 1}), {0, 1, 0}, {0, 1, 0}).size(), 1u);
 }
 
-}  // namespace
+}  // namespace slice_test
 }  // namespace toile

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace toile {
-namespace {
+namespace statistics_test {
 
 TEST(Statistics, TheMedianOfAnEvenNumberIsTheUpperOfTheMiddleTwo) {
   EXPECT_EQ(median({3, 1, 2}), 2);
@@ -23,5 +23,5 @@ TEST(Statistics, TheRootMeanSquareOfThreeAndFour) {
   EXPECT_DOUBLE_EQ(root_mean_square({3, -4}), std::sqrt(12.5));
 }
 
-}  // namespace
+}  // namespace statistics_test
 }  // namespace toile

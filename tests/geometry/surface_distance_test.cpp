@@ -7,7 +7,7 @@
 #include "tests/support/tubes.h"
 
 namespace toile {
-namespace {
+namespace surface_distance_test {
 
 TEST(SurfaceDistance, IsExactBesideFacesEdgesAndCornersOfACube) {
   const SurfaceDistance body(test::cube());
@@ -108,5 +108,5 @@ TEST(SurfaceDistance, RefusesABodyWithoutTriangles) {
   EXPECT_THROW(SurfaceDistance(TriangleMesh{}), Error);
 }
 
-}  // namespace
+}  // namespace surface_distance_test
 }  // namespace toile

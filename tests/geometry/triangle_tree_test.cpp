@@ -10,7 +10,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile {
-namespace {
+namespace triangle_tree_test {
 
 /// Triangles of random sizes and places, some of them without area.
 TriangleMesh loose(int count, double scale, const Vec3& middle) {
@@ -117,5 +117,5 @@ TEST(TriangleTree, AnswersWhateverItIsAsked) {
   }
 }
 
-}  // namespace
+}  // namespace triangle_tree_test
 }  // namespace toile

@@ -9,7 +9,7 @@
 #include "geometry/error.h"
 
 namespace toile {
-namespace {
+namespace triangulate_test {
 
 const std::vector<Vec2> square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 
@@ -53,5 +53,5 @@ TEST(Triangulate, SmallestAngleIsNegativeForATurnedTriangle) {
   EXPECT_NEAR(smallest_angle(square, {{0, 1, 2}, {0, 2, 3}}), 45 * degree, 1e-15);
 }
 
-}  // namespace
+}  // namespace triangulate_test
 }  // namespace toile

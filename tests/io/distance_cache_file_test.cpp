@@ -10,7 +10,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile {
-namespace {
+namespace distance_cache_file_test {
 
 class KnownDistancesFile : public testing::Test {
  protected:
@@ -81,5 +81,5 @@ TEST_F(KnownDistancesFile, SaysNothingWhenDamaged) {
   EXPECT_TRUE(read_distance_cache(path, body).has_value());
 }
 
-}  // namespace
+}  // namespace distance_cache_file_test
 }  // namespace toile

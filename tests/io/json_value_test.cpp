@@ -7,7 +7,7 @@
 #include "geometry/error.h"
 
 namespace toile {
-namespace {
+namespace json_value_test {
 
 std::string error_of(const std::function<void()>& work) {
   try {
@@ -61,5 +61,5 @@ TEST(JsonValue, SaysWhereTextIsNotJson) {
   EXPECT_EQ(message("{}"), "");
 }
 
-}  // namespace
+}  // namespace json_value_test
 }  // namespace toile

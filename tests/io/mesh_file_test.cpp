@@ -17,7 +17,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile {
-namespace {
+namespace mesh_file_test {
 
 namespace fs = std::filesystem;
 
@@ -329,5 +329,5 @@ TEST(MeshFuzz, Off) {
   fuzz(format_off(test::cube()), [](const std::string& text) { return parse_off(text, "fuzz"); });
 }
 
-}  // namespace
+}  // namespace mesh_file_test
 }  // namespace toile

@@ -12,7 +12,7 @@
 #include "geometry/error.h"
 
 namespace toile {
-namespace {
+namespace obj_test {
 
 const std::string quad_with_line =
     "# two panels\n"
@@ -167,5 +167,5 @@ TEST(Obj, MutatedFilesAreReadOrRefusedButNeverCrash) {
 
 TEST(Obj, AMissingFileIsAnError) { EXPECT_THROW(read_obj("no/such/file.obj"), Error); }
 
-}  // namespace
+}  // namespace obj_test
 }  // namespace toile

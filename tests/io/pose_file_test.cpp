@@ -9,7 +9,7 @@
 #include "io/output_file.h"
 
 namespace toile {
-namespace {
+namespace pose_file_test {
 
 namespace fs = std::filesystem;
 
@@ -78,5 +78,5 @@ TEST_F(PoseFile, ErrorsNameTheJoint) {
   expect_error(R"({"joint": {}, "joints": {}})", "'joint'");
 }
 
-}  // namespace
+}  // namespace pose_file_test
 }  // namespace toile

@@ -9,7 +9,7 @@
 #include "io/output_file.h"
 
 namespace toile {
-namespace {
+namespace skeleton_file_test {
 
 namespace fs = std::filesystem;
 
@@ -71,5 +71,5 @@ TEST(SkeletonPath, LiesBesideTheBody) {
   EXPECT_EQ(skeleton_path("some/body.v2.ply"), fs::path("some/body.v2.json"));
 }
 
-}  // namespace
+}  // namespace skeleton_file_test
 }  // namespace toile

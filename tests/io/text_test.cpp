@@ -5,7 +5,7 @@
 #include <limits>
 
 namespace toile {
-namespace {
+namespace text_test {
 
 TEST(Text, WellFormedUtf8IsKept) {
   const std::string good = "Ärmel \xE2\x80\x93 袖 \xF0\x9F\x91\x95";
@@ -55,5 +55,5 @@ TEST(Text, NumbersReadBackToTheSameBits) {
   EXPECT_EQ(parse_number("1.5m"), std::nullopt);
 }
 
-}  // namespace
+}  // namespace text_test
 }  // namespace toile

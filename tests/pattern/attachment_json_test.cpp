@@ -7,7 +7,7 @@
 #include "tests/pattern/samples.h"
 
 namespace toile {
-namespace {
+namespace attachment_json_test {
 
 using samples::error_of;
 using samples::file;
@@ -86,5 +86,5 @@ TEST(AttachmentJson, RefusesWhatMakesNoSense) {
   EXPECT_HOLDS(refusal(R"({"edge": 2, "to": "waist", "max_N": -1})"), "above 0");
 }
 
-}  // namespace
+}  // namespace attachment_json_test
 }  // namespace toile

@@ -5,7 +5,7 @@
 #include "tests/pattern/samples.h"
 
 namespace toile {
-namespace {
+namespace check_pattern_test {
 
 using samples::curved;
 using samples::error_of;
@@ -142,5 +142,5 @@ TEST(Check, TheRealPatternsPass) {
   }
 }
 
-}  // namespace
+}  // namespace check_pattern_test
 }  // namespace toile

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace toile {
-namespace {
+namespace doubled_triangles_test {
 
 /// Two panels of one triangle each; side 0-1 and side 1-2 can be sewn to the other's.
 PanelMesh two_triangles() {
@@ -26,5 +26,5 @@ TEST(Doubled, TwoSeamsRoundACornerDo) {
   EXPECT_EQ(doubled_triangles(garment), (std::vector<int>{0, 1}));
 }
 
-}  // namespace
+}  // namespace doubled_triangles_test
 }  // namespace toile

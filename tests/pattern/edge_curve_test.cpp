@@ -6,7 +6,7 @@
 #include <numbers>
 
 namespace toile {
-namespace {
+namespace edge_curve_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -110,5 +110,5 @@ TEST(EdgeCurve, APointHasNoLengthAndNoDirection) {
   EXPECT_EQ(EdgeCurve::arc({1, 1}, {1, 1}, 2, true, true).length(), 0);
 }
 
-}  // namespace
+}  // namespace edge_curve_test
 }  // namespace toile

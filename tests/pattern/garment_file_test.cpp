@@ -9,7 +9,7 @@
 #include "tests/pattern/samples.h"
 
 namespace toile {
-namespace {
+namespace garment_file_test {
 
 namespace fs = std::filesystem;
 using samples::error_of;
@@ -268,5 +268,5 @@ TEST_F(GarmentFile, ADressedGarmentNeedsFlatCoordinatesAndPanels) {
   EXPECT_HOLDS(message(""), "holds no face");
 }
 
-}  // namespace
+}  // namespace garment_file_test
 }  // namespace toile

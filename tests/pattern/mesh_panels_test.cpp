@@ -18,7 +18,7 @@
 #include "tests/pattern/sewn.h"
 
 namespace toile {
-namespace {
+namespace mesh_panels_test {
 
 using samples::curved;
 using samples::file;
@@ -355,5 +355,5 @@ TEST(MeshPanels, TheRealPatternsAreSound) {
   }
 }
 
-}  // namespace
+}  // namespace mesh_panels_test
 }  // namespace toile

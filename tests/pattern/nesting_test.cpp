@@ -7,7 +7,7 @@
 #include "tests/pattern/samples.h"
 
 namespace toile {
-namespace {
+namespace nesting_test {
 
 PanelMesh bag(int subdivisions) {
   std::vector<Remark> remarks;
@@ -86,5 +86,5 @@ TEST(Nesting, AnAttachmentOutOfStepIsFound) {
   EXPECT_HOLDS(*problem, "attachment 'front.v1'");
 }
 
-}  // namespace
+}  // namespace nesting_test
 }  // namespace toile

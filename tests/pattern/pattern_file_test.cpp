@@ -9,7 +9,7 @@
 #include "tests/pattern/samples.h"
 
 namespace toile {
-namespace {
+namespace pattern_file_test {
 
 using samples::curved;
 using samples::error_of;
@@ -252,5 +252,5 @@ TEST(PatternFile, ElasticsAreRead) {
   }
 }
 
-}  // namespace
+}  // namespace pattern_file_test
 }  // namespace toile

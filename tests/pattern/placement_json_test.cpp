@@ -9,7 +9,7 @@
 #include "tests/pattern/samples.h"
 
 namespace toile {
-namespace {
+namespace placement_json_test {
 
 using samples::error_of;
 using samples::file;
@@ -126,5 +126,5 @@ TEST(PlacementJson, SeamsFindTheirWayBesideTheSchematicFigure) {
   EXPECT_EQ(orientation.reversed, std::vector<bool>(3, true));
 }
 
-}  // namespace
+}  // namespace placement_json_test
 }  // namespace toile

@@ -16,7 +16,7 @@
 #include "sewn.h"
 
 namespace toile {
-namespace {
+namespace sample_patterns_test {
 
 /// A panel, or with a leading '_' all whose names end so, measured across the drawing at a height:
 /// darts left out.
@@ -325,5 +325,5 @@ TEST_P(SamplePatterns, MeasureWhatTheirTableSays) {
 INSTANTIATE_TEST_SUITE_P(Samples, SamplePatterns, testing::ValuesIn(all_samples()),
                          [](const auto& sample) { return sample.param.name; });
 
-}  // namespace
+}  // namespace sample_patterns_test
 }  // namespace toile

@@ -5,7 +5,7 @@
 #include "tests/pattern/samples.h"
 
 namespace toile {
-namespace {
+namespace seam_orientation_test {
 
 using samples::file;
 using samples::polygon;
@@ -107,5 +107,5 @@ TEST(Orient, ATwistedBandIsRemarkedOn) {
   EXPECT_HOLDS(remarks[0].text, "join a right side to a wrong side");
 }
 
-}  // namespace
+}  // namespace seam_orientation_test
 }  // namespace toile

@@ -14,7 +14,7 @@
 #include "pattern/pattern_file.h"
 
 namespace toile {
-namespace {
+namespace tshirt_sample_test {
 
 const Mannequin& mannequin() {
   static const Mannequin made = make_mannequin({.edge_length = 0.012});
@@ -186,5 +186,5 @@ TEST(TshirtSample, TorsoSeamsMeetOutsideTheBody) {
   }
 }
 
-}  // namespace
+}  // namespace tshirt_sample_test
 }  // namespace toile

@@ -8,7 +8,7 @@
 #include "tests/support/worn_sample.h"
 
 namespace toile::pipeline {
-namespace {
+namespace attachments_test {
 
 using Json = nlohmann::json;
 
@@ -167,5 +167,5 @@ TEST_F(Attached, WhatIsWrongWithThemIsOneMessage) {
       << done.err;
 }
 
-}  // namespace
+}  // namespace attachments_test
 }  // namespace toile::pipeline

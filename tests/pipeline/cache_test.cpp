@@ -4,7 +4,7 @@
 #include "tests/support/worn_sample.h"
 
 namespace toile::pipeline {
-namespace {
+namespace cache_test {
 
 class Cache : public WornSample {
  protected:
@@ -61,5 +61,5 @@ TEST_F(Cache, ThatCannotBeKeptIsAWarning) {
   EXPECT_EQ(computed("nowhere"), all);
 }
 
-}  // namespace
+}  // namespace cache_test
 }  // namespace toile::pipeline

@@ -12,7 +12,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile {
-namespace {
+namespace clean_body_test {
 
 using pipeline::run;
 using pipeline::ScratchFolder;
@@ -207,5 +207,5 @@ TEST(CleanBodyProgram, UsageErrorsEndWithTwo) {
   EXPECT_NE(help.out.find("--unit"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace clean_body_test
 }  // namespace toile

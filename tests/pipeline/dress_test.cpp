@@ -12,7 +12,7 @@
 #include "tests/support/worn_sample.h"
 
 namespace toile::pipeline {
-namespace {
+namespace dress_test {
 
 using Json = nlohmann::json;
 
@@ -453,5 +453,5 @@ TEST_F(DressInput, WhatFindsNoRestIsWrittenWithItsVerdict) {
   for (const Json& frame : certified["frames"]) EXPECT_EQ(frame["clean"], true) << frame;
 }
 
-}  // namespace
+}  // namespace dress_test
 }  // namespace toile::pipeline

@@ -11,7 +11,7 @@
 #include "tests/support/tubes.h"
 
 namespace toile::pipeline {
-namespace {
+namespace ease_map_test {
 
 /// A cylinder with a skeleton beside it, and cloth around it that stands off by 10 mm.
 class EaseMap : public testing::Test {
@@ -191,5 +191,5 @@ TEST_F(EaseMap, RenderDrawsTheSameFiles) {
   EXPECT_FALSE(fs::exists(scratch / "p.jpg"));
 }
 
-}  // namespace
+}  // namespace ease_map_test
 }  // namespace toile::pipeline

@@ -8,7 +8,7 @@
 #include "tests/support/worn_sample.h"
 
 namespace toile::pipeline {
-namespace {
+namespace fabrics_test {
 
 using Json = nlohmann::json;
 
@@ -84,5 +84,5 @@ TEST_F(Jersey, TrousersStayUp) {
   for (const auto& wrap : worn["wraps"]) EXPECT_EQ(wrap["fraction"], 1);
 }
 
-}  // namespace
+}  // namespace fabrics_test
 }  // namespace toile::pipeline

@@ -9,7 +9,7 @@
 #include "tests/support/worn_sample.h"
 
 namespace toile::pipeline {
-namespace {
+namespace gathers_test {
 
 using Json = nlohmann::json;
 
@@ -108,5 +108,5 @@ TEST_F(Gathers, OfAnElasticHoldTheSkirtAtTheWaist) {
   }
 }
 
-}  // namespace
+}  // namespace gathers_test
 }  // namespace toile::pipeline

@@ -8,7 +8,7 @@
 #include "tests/support/run_program.h"
 
 namespace toile::pipeline {
-namespace {
+namespace make_mannequin_test {
 
 using Json = nlohmann::json;
 
@@ -122,5 +122,5 @@ TEST(MakeMannequinProgram, PosesFromFilesAndWrongOnes) {
   EXPECT_FALSE(fs::exists(folder / "b.ply"));
 }
 
-}  // namespace
+}  // namespace make_mannequin_test
 }  // namespace toile::pipeline

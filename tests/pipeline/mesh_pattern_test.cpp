@@ -8,7 +8,7 @@
 #include "tests/support/run_program.h"
 
 namespace toile {
-namespace {
+namespace mesh_pattern_test {
 
 using pipeline::read_text;
 using pipeline::Run;
@@ -138,5 +138,5 @@ TEST(MeshPattern, TheRealPatternsAreMeshed) {
   EXPECT_EQ(read_garment(out).seams.size(), 23u);
 }
 
-}  // namespace
+}  // namespace mesh_pattern_test
 }  // namespace toile

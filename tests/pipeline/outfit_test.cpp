@@ -13,7 +13,7 @@
 #include "tests/support/worn_sample.h"
 
 namespace toile::pipeline {
-namespace {
+namespace outfit_test {
 
 using Json = nlohmann::ordered_json;
 
@@ -290,5 +290,5 @@ TEST_F(OutfitInput, NothingIsDressedOverALayerThatFailed) {
   EXPECT_FALSE(fs::exists(folder / "out-coat.obj"));
 }
 
-}  // namespace
+}  // namespace outfit_test
 }  // namespace toile::pipeline

@@ -7,7 +7,7 @@
 #include "tests/support/worn_sample.h"
 
 namespace toile::pipeline {
-namespace {
+namespace positioning_test {
 
 using Json = nlohmann::json;
 
@@ -173,5 +173,5 @@ TEST_F(Positioned, TrousersRolledAroundTheLegs) {
   EXPECT_FALSE(fs::exists(nothing));
 }
 
-}  // namespace
+}  // namespace positioning_test
 }  // namespace toile::pipeline

@@ -9,7 +9,7 @@
 #include "tests/support/worn_sample.h"
 
 namespace toile::pipeline {
-namespace {
+namespace quality_test {
 
 using Json = nlohmann::json;
 
@@ -78,5 +78,5 @@ TEST_F(Quality, IsOneOfThreeAndNoResidualBeside) {
   EXPECT_FALSE(fs::exists(folder / "a.obj"));
 }
 
-}  // namespace
+}  // namespace quality_test
 }  // namespace toile::pipeline

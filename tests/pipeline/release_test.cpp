@@ -6,7 +6,7 @@
 #include "tests/support/worn_sample.h"
 
 namespace toile::pipeline {
-namespace {
+namespace release_test {
 
 class Released : public WornSample {
  protected:
@@ -26,5 +26,5 @@ class Released : public WornSample {
 
 TEST_F(Released, TrousersStayOnTheHips) { expect_to_stay("trousers", "25mm"); }
 
-}  // namespace
+}  // namespace release_test
 }  // namespace toile::pipeline

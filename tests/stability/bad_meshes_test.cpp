@@ -8,7 +8,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile::test {
-namespace {
+namespace bad_meshes_test {
 
 using pipeline::run;
 
@@ -231,5 +231,5 @@ TEST_F(BadBodyMesh, FarIsolatedPoints) {
   dresses(mesh, "body with an isolated point 100 m away");
 }
 
-}  // namespace
+}  // namespace bad_meshes_test
 }  // namespace toile::test

@@ -13,7 +13,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile::test {
-namespace {
+namespace contacts_test {
 
 /// A plate with a spike 1 mm wide, 4 cm high, and a wall 1 mm thick, 3 cm high, along z.
 TriangleMesh spikes_and_knives() {
@@ -251,5 +251,5 @@ TEST_F(Plate, ASheetEdgeOn) {
         clear + ", its top at " + number(100 * top) + " of 10 cm, " + figures(report));
 }
 
-}  // namespace
+}  // namespace contacts_test
 }  // namespace toile::test

@@ -10,7 +10,7 @@
 #include "tests/stability/hard_case.h"
 
 namespace toile::test {
-namespace {
+namespace cut_short_test {
 
 using pipeline::read_text;
 using pipeline::write_text;
@@ -205,5 +205,5 @@ TEST_F(CutShort, AFolderWithoutTheRightToWriteIsAnError) {
   }
 }
 
-}  // namespace
+}  // namespace cut_short_test
 }  // namespace toile::test

@@ -2,7 +2,7 @@
 #include "tests/stability/hard_case.h"
 
 namespace toile::test {
-namespace {
+namespace extremes_test {
 
 class Extremes : public HardCase {
  protected:
@@ -142,5 +142,5 @@ TEST_F(LongExtremes, NearlyInextensibleByThePapersMethod) {
   EXPECT_LT(strain(ending), 0.012);
 }
 
-}  // namespace
+}  // namespace extremes_test
 }  // namespace toile::test

@@ -6,7 +6,7 @@
 #include "tests/stability/hard_case.h"
 
 namespace toile::pipeline {
-namespace {
+namespace hard_starts_test {
 
 using test::Json;
 
@@ -185,5 +185,5 @@ TEST_F(HardStarts, GravitySidewaysOrUpward) {
   expect_sewn();
 }
 
-}  // namespace
+}  // namespace hard_starts_test
 }  // namespace toile::pipeline

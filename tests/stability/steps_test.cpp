@@ -13,7 +13,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile::test {
-namespace {
+namespace steps_test {
 
 /// A handkerchief of 20 cm that hangs over a ball.
 class Handkerchief : public testing::Test {
@@ -176,5 +176,5 @@ TEST_F(TooLongSteps, AreAnErrorOfDress) {
   }
 }
 
-}  // namespace
+}  // namespace steps_test
 }  // namespace toile::test

@@ -15,7 +15,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile::test {
-namespace {
+namespace terms_test {
 
 using Terms = std::map<std::string, int>;
 
@@ -231,5 +231,5 @@ TEST_F(SwitchedOff, WhatASceneDoesNotUseChangesNoBit) {
   EXPECT_EQ(changed(other), 0);
 }
 
-}  // namespace
+}  // namespace terms_test
 }  // namespace toile::test

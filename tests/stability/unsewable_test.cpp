@@ -2,7 +2,7 @@
 #include "tests/stability/hard_case.h"
 
 namespace toile::test {
-namespace {
+namespace unsewable_test {
 
 class Unsewable : public HardCase {
  protected:
@@ -101,5 +101,5 @@ TEST_F(Unsewable, SeamsOfOneToTwoAreNamedWithBothLengths) {
   }
 }
 
-}  // namespace
+}  // namespace unsewable_test
 }  // namespace toile::test

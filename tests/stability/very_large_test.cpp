@@ -2,7 +2,7 @@
 #include "tests/stability/hard_case.h"
 
 namespace toile::test {
-namespace {
+namespace very_large_test {
 
 using pipeline::run;
 
@@ -30,5 +30,5 @@ TEST(LongVeryLarge, TwoHundredThousandNodes) {
             " s of processor), " + number(done.peak_MiB, 4) + " MiB");
 }
 
-}  // namespace
+}  // namespace very_large_test
 }  // namespace toile::test

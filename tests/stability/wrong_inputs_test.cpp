@@ -8,7 +8,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile::test {
-namespace {
+namespace wrong_inputs_test {
 
 using pipeline::read_text;
 using pipeline::run;
@@ -282,5 +282,5 @@ TEST_F(NoNumber, InOptions) {
         std::to_string(refusals) + " of " + std::to_string(refusals) + " refused");
 }
 
-}  // namespace
+}  // namespace wrong_inputs_test
 }  // namespace toile::test

@@ -18,15 +18,15 @@ struct LevelLine {
 
 inline LevelLine level_line(const DressedGarment& garment, const std::string& panel,
                             double height) {
-  struct Cut {
+  struct Crossing {
     double x;
     Vec3 at;
   };
   LevelLine line;
-  std::vector<Cut> middles;
+  std::vector<Crossing> middles;
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
     if (garment.panels[garment.panel_of_triangle[t]] != panel) continue;
-    std::vector<Cut> cuts;
+    std::vector<Crossing> cuts;
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3;
       const Vec2& a = garment.flat[garment.flat_triangles[t][i]];
@@ -42,8 +42,8 @@ inline LevelLine level_line(const DressedGarment& garment, const std::string& pa
     line.now += (cuts[0].at - cuts[1].at).norm();
     middles.push_back({0.5 * (cuts[0].x + cuts[1].x), 0.5 * (cuts[0].at + cuts[1].at)});
   }
-  std::sort(middles.begin(), middles.end(), [](const Cut& a, const Cut& b) { return a.x < b.x; });
-  for (const Cut& cut : middles) line.points.push_back(cut.at);
+  std::sort(middles.begin(), middles.end(), [](const Crossing& a, const Crossing& b) { return a.x < b.x; });
+  for (const Crossing& cut : middles) line.points.push_back(cut.at);
   return line;
 }
 

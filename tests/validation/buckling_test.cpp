@@ -13,7 +13,7 @@
 #include "tests/validation/scenes.h"
 
 namespace toile {
-namespace {
+namespace buckling_test {
 
 constexpr double length = 0.1, width = 0.02;  // metres
 
@@ -65,5 +65,5 @@ TEST(LongBuckling, LateralOfAStripOnEdge) {
   }
 }
 
-}  // namespace
+}  // namespace buckling_test
 }  // namespace toile

@@ -12,7 +12,7 @@
 #include "tests/validation/scenes.h"
 
 namespace toile {
-namespace {
+namespace cantilever_test {
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr double length = 0.1, width = 0.05;  // metres
@@ -174,5 +174,5 @@ TEST(LongCantilever, OfSprings) {
   }
 }
 
-}  // namespace
+}  // namespace cantilever_test
 }  // namespace toile

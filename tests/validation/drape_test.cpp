@@ -19,7 +19,7 @@
 #include "tests/validation/scenes.h"
 
 namespace toile {
-namespace {
+namespace drape_test {
 
 constexpr double pi = std::numbers::pi;
 constexpr double disc = 0.09, sheet = 0.15;  // radii, metres
@@ -334,5 +334,5 @@ TEST(LongDrape, HardlyChangesFromFiveMillimetresOn) {
   }
 }
 
-}  // namespace
+}  // namespace drape_test
 }  // namespace toile

@@ -10,7 +10,7 @@
 #include "tests/validation/report.h"
 
 namespace toile {
-namespace {
+namespace ease_test {
 
 constexpr double gap_bound = 0.05;   // mm
 constexpr double girth_bound = 0.1;  // mm
@@ -95,5 +95,5 @@ TEST(EaseMapOf, AnEllipseAndItsOffset) {
                     of_most, 0, gap_bound);
 }
 
-}  // namespace
+}  // namespace ease_test
 }  // namespace toile

@@ -17,7 +17,7 @@
 #include "tests/validation/scenes.h"
 
 namespace toile {
-namespace {
+namespace friction_test {
 
 constexpr double pi = std::numbers::pi;
 constexpr double degree = pi / 180;
@@ -172,5 +172,5 @@ TEST_F(Capstan, SlipsWhereTheCapstanEquationSays) {
   }
 }
 
-}  // namespace
+}  // namespace friction_test
 }  // namespace toile

@@ -24,7 +24,7 @@
 #include "tests/validation/scenes.h"
 
 namespace toile {
-namespace {
+namespace gradients_test {
 
 using Places = std::vector<Vec3>;
 
@@ -335,5 +335,5 @@ TEST_F(Sewn, AtRestItIsFreeOfForces) {
       largest(force) / scale, 0, 1e-9);
 }
 
-}  // namespace
+}  // namespace gradients_test
 }  // namespace toile

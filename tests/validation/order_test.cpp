@@ -12,7 +12,7 @@
 #include "tests/validation/scenes.h"
 
 namespace toile {
-namespace {
+namespace order_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -108,5 +108,5 @@ TEST(Order, OfTheCatenaryInItsMesh) {
   }
 }
 
-}  // namespace
+}  // namespace order_test
 }  // namespace toile

@@ -10,7 +10,7 @@
 #include "tests/validation/report.h"
 
 namespace toile {
-namespace {
+namespace springs_friction_test {
 
 using test::LooseCloth;
 
@@ -135,5 +135,5 @@ TEST(CollisionFriction, TheImpulseStaysInTheCone) {
   EXPECT_NEAR(std::hypot(cloth.v[0].x(), cloth.v[0].z()), 0, 1e-12);
 }
 
-}  // namespace
+}  // namespace springs_friction_test
 }  // namespace toile

@@ -12,7 +12,7 @@
 #include "tests/validation/report.h"
 
 namespace toile {
-namespace {
+namespace springs_on_cylinder_test {
 
 constexpr double gap = 0.002;
 constexpr double pi = std::numbers::pi;
@@ -153,5 +153,5 @@ TEST(WrappedCylinder, AStripSlipsWhereTheCapstanEquationSays) {
                         0.5 * (holds + slips), limit, 0.02);
 }
 
-}  // namespace
+}  // namespace springs_on_cylinder_test
 }  // namespace toile

@@ -12,7 +12,7 @@
 #include "tests/validation/scenes.h"
 
 namespace toile {
-namespace {
+namespace strip_test {
 
 constexpr double areal_density = 0.2;  // kg/m²
 constexpr double width = 0.05;         // metres
@@ -185,5 +185,5 @@ TEST_F(Catenary, ShapeOfAStripOfSprings) {
   }
 }
 
-}  // namespace
+}  // namespace strip_test
 }  // namespace toile

@@ -16,7 +16,7 @@
 #include "tests/validation/report.h"
 
 namespace toile {
-namespace {
+namespace tube_test {
 
 constexpr double pi = std::numbers::pi;
 constexpr double offset = 0.002;  // metres that the body keeps off
@@ -158,5 +158,5 @@ TEST_F(Tube, PressesOnAnEllipseByItsCurvature) {
   }
 }
 
-}  // namespace
+}  // namespace tube_test
 }  // namespace toile

@@ -12,16 +12,13 @@
 #include "tests/support/shapes.h"
 
 namespace toile {
-
-namespace {
+namespace body_bounds_test {
 
 /// A body with a spike: a box with a needle of a pyramid on it, 1 cm wide and 6 cm high.
 TriangleMesh spiked_box() {
   return test::together(test::box({-0.2, -0.05, -0.2}, {0.2, 0, 0.2}),
                         test::spike(0, 0, 0.005, 0.06));
 }
-
-}  // namespace
 
 /// Corners thrown about as far as the bounds let them, and anew from there: never through a facet.
 TEST(BodyBounds, NothingThatKeepsToThemMeetsTheBody) {
@@ -150,4 +147,5 @@ TEST(BodyBounds, ASheetHangsOnASpike) {
             << intersections({free, model.node_triangles}, body.body()).size() << "\n";
 }
 
+}  // namespace body_bounds_test
 }  // namespace toile

@@ -10,7 +10,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile {
-namespace {
+namespace body_contact_test {
 
 constexpr double offset = 0.006;
 
@@ -64,5 +64,5 @@ TEST_F(Crevice, TheFartherFromItsMiddleTheHarderItPushesBack) {
   EXPECT_GT(stiffest, 0.3) << "the bound says nothing";
 }
 
-}  // namespace
+}  // namespace body_contact_test
 }  // namespace toile

@@ -6,7 +6,7 @@
 #include <numbers>
 
 namespace toile {
-namespace {
+namespace pair_forces_test {
 
 using Corners = std::array<Vec3, 4>;
 
@@ -38,8 +38,6 @@ Corners at(double t, double height) {
   const Vec3 middle(slide, above, 0.0005);
   return {Vec3(-0.005, 0, 0), Vec3(0.005, 0, 0), middle - along, middle + along};
 }
-
-}  // namespace
 
 /// The push is the slope of an energy and has no jumps: else cloth whose folds lie edge on edge
 /// would go on moving for ever. Without the share that turning edges get, 0.2 N jump here.
@@ -82,4 +80,5 @@ TEST(PairForces, CrossingEdgesPushWithAll) {
   EXPECT_NEAR((force[0] + force[1]).y(), -all, 1e-12);
 }
 
+}  // namespace pair_forces_test
 }  // namespace toile

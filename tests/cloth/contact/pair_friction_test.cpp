@@ -16,7 +16,7 @@
 #include "tests/support/tubes.h"
 
 namespace toile {
-namespace {
+namespace pair_friction_test {
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -247,5 +247,5 @@ TEST(PairFriction, CostsNothingWithoutCoefficients) {
   EXPECT_TRUE(friction.empty());
 }
 
-}  // namespace
+}  // namespace pair_friction_test
 }  // namespace toile

@@ -12,7 +12,7 @@
 #include "tests/cloth/panels.h"
 
 namespace toile {
-namespace {
+namespace proximity_test {
 
 using Key = std::array<int, 5>;
 
@@ -390,5 +390,5 @@ TEST(SelfContact, AnEarlyTouchIsStiffAndDoesNotPush) {
   }
 }
 
-}  // namespace
+}  // namespace proximity_test
 }  // namespace toile

@@ -16,7 +16,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile {
-namespace {
+namespace coupled_layers_test {
 
 constexpr double pi = std::numbers::pi;
 constexpr double height = 0.06, bending = 2e-3;
@@ -254,5 +254,5 @@ TEST(CoupledRelaxation, EachGarmentHasItsOwnLift) {
   }
 }
 
-}  // namespace
+}  // namespace coupled_layers_test
 }  // namespace toile

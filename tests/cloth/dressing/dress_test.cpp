@@ -12,7 +12,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile {
-namespace {
+namespace dress_test {
 
 /// Two squares of 20 cm that are sewn along one side, above a box.
 PanelMesh two_squares() {
@@ -98,5 +98,5 @@ TEST(Dress, LeavesASaddleThatReleaseFinds) {
   EXPECT_GT(fallen.stages.size(), standing.stages.size());
 }
 
-}  // namespace
+}  // namespace dress_test
 }  // namespace toile

@@ -8,7 +8,7 @@
 #include "tests/support/tubes.h"
 
 namespace toile {
-namespace {
+namespace outfit_test {
 
 constexpr double radius = 0.1, height = 0.1;
 constexpr int columns = 12, rows = 4;
@@ -123,5 +123,5 @@ TEST_F(OutfitTest, PanelsOverAnotherThatAreMissingAreAnError) {
   EXPECT_THROW(dress(true), Error);
 }
 
-}  // namespace
+}  // namespace outfit_test
 }  // namespace toile

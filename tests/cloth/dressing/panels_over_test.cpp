@@ -11,7 +11,7 @@
 #include "tests/support/tubes.h"
 
 namespace toile {
-namespace {
+namespace panels_over_test {
 
 /// A tube of two panels, front and back, around an upright cylinder.
 struct Tail {
@@ -105,5 +105,5 @@ TEST(TurnOut, OnlyThePanelsNamed) {
   EXPECT_EQ(left.front(), tail.dressed.triangles[left.size()]);
 }
 
-}  // namespace
+}  // namespace panels_over_test
 }  // namespace toile

@@ -9,7 +9,7 @@
 #include "tests/support/tubes.h"
 
 namespace toile {
-namespace {
+namespace ease_test {
 
 constexpr double micrometre = 1e-6;
 
@@ -90,5 +90,5 @@ TEST(Ease, SameBitsForAnyNumberOfThreads) {
   EXPECT_EQ(single.garment.mean, all.garment.mean);
 }
 
-}  // namespace
+}  // namespace ease_test
 }  // namespace toile

@@ -7,7 +7,7 @@
 #include "tests/support/tubes.h"
 
 namespace toile {
-namespace {
+namespace girth_ease_test {
 
 /// A lathe-turned torso from y = 0.7 to 1.5. The hip at 0.9 stands out to the back, the waist is at
 /// 1.1, and the bust at 1.3 stands out to the front.
@@ -116,5 +116,5 @@ TEST(GirthEase, ATubeBesideTheTorsoIsNotAroundIt) {
   EXPECT_TRUE(measure_girth_ease(sleeve, torso(60), joints()).empty());
 }
 
-}  // namespace
+}  // namespace girth_ease_test
 }  // namespace toile

@@ -6,7 +6,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile {
-namespace {
+namespace certify_test {
 
 /// A sheet in two panels that are sewn in the plane x = 0; z = 0.3, before the block. Its points
 /// at the seam are apart by rounding alone.
@@ -115,5 +115,5 @@ TEST_F(Certified, LayersBelowCount) {
   EXPECT_EQ(figures.body + figures.self, 0);
 }
 
-}  // namespace
+}  // namespace certify_test
 }  // namespace toile

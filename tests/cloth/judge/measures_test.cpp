@@ -8,7 +8,7 @@
 #include "tests/pattern/samples.h"
 
 namespace toile {
-namespace {
+namespace measures_test {
 
 /// 20 x 10 cm, squares of 1 cm.
 PanelMesh panel() { return test::flat_panel(test::grid(0.2, 0.1, 20, 10)); }
@@ -152,5 +152,5 @@ TEST(Measures, AnotherGarmentIsRefused) {
   EXPECT_HOLDS(samples::error_of([&] { measure_garment(garment, other); }), "other faces");
 }
 
-}  // namespace
+}  // namespace measures_test
 }  // namespace toile

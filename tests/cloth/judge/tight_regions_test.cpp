@@ -14,7 +14,7 @@
 #include "tests/support/tubes.h"
 
 namespace toile {
-namespace {
+namespace tight_regions_test {
 
 constexpr double pi = std::numbers::pi;
 constexpr double limit = 0.01;
@@ -160,5 +160,5 @@ TEST(TightTube, HasNoneWhereItFits) {
   EXPECT_TRUE(drawn_over(-0.05).regions.empty());
 }
 
-}  // namespace
+}  // namespace tight_regions_test
 }  // namespace toile

@@ -10,7 +10,7 @@
 #include "tests/support/tubes.h"
 
 namespace toile {
-namespace {
+namespace verdict_test {
 
 using test::figure;
 using test::tube;
@@ -144,5 +144,5 @@ TEST(Judge, ClothThroughItselfIsFound) {
   EXPECT_EQ(judgement.verdict, Verdict::intersecting);
 }
 
-}  // namespace
+}  // namespace verdict_test
 }  // namespace toile

@@ -9,7 +9,7 @@
 #include "tests/cloth/figure.h"
 
 namespace toile {
-namespace {
+namespace wraps_test {
 
 using test::add_half;
 using test::figure;
@@ -192,5 +192,5 @@ TEST(Wraps, HalfAFrontIsTheTorsosThoughAnArmHangsBehindIt) {
   EXPECT_EQ(panel_parts(garment, skeleton), (std::vector<std::string>{"torso", "left_arm"}));
 }
 
-}  // namespace
+}  // namespace wraps_test
 }  // namespace toile

@@ -20,7 +20,7 @@
 #include "tests/support/tubes.h"
 
 namespace toile {
-namespace {
+namespace attachments_test {
 
 Attachment to_level(const std::string& landmark, double above = 0) {
   return {AttachedTo::level, landmark, above, Vec3::Zero(), true, 100, 8};
@@ -270,5 +270,5 @@ TEST(Attachments, WithoutThemThereIsNoTerm) {
   EXPECT_TRUE(AttachmentForces(model, true).empty());
 }
 
-}  // namespace
+}  // namespace attachments_test
 }  // namespace toile

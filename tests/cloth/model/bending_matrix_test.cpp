@@ -12,7 +12,7 @@
 #include "tests/cloth/panels.h"
 
 namespace toile {
-namespace {
+namespace bending_matrix_test {
 
 class BendRowsOf : public testing::Test {
  protected:
@@ -108,5 +108,5 @@ TEST_F(BendRowsOf, AreSemidefiniteAndBoundedHoweverFarSeamsAreClosed) {
   }
 }
 
-}  // namespace
+}  // namespace bending_matrix_test
 }  // namespace toile

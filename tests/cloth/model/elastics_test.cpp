@@ -17,7 +17,7 @@
 #include "tests/support/tubes.h"
 
 namespace toile {
-namespace {
+namespace elastics_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -209,5 +209,5 @@ TEST_F(ElasticTube, PulledOutToItsFlatLengthTheClothTakesPart) {
   EXPECT_NEAR(pressing(), cloth + 2 * pi * band_.tension, 0.05 * cloth);
 }
 
-}  // namespace
+}  // namespace elastics_test
 }  // namespace toile

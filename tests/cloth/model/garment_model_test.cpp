@@ -11,7 +11,7 @@
 #include "tests/pattern/samples.h"
 
 namespace toile {
-namespace {
+namespace garment_model_test {
 
 std::map<std::string, int> terms(const GarmentModel& model) {
   const auto counts = term_counts(model);
@@ -306,5 +306,5 @@ TEST(GarmentModel, RunsTheSameTwice) {
   }
 }
 
-}  // namespace
+}  // namespace garment_model_test
 }  // namespace toile

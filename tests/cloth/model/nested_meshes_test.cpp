@@ -13,7 +13,7 @@
 #include "tests/pattern/samples.h"
 
 namespace toile {
-namespace {
+namespace nested_meshes_test {
 
 PanelMesh bag(int subdivisions) {
   std::vector<Remark> remarks;
@@ -143,5 +143,5 @@ TEST(Levels, MovedPanelsAreMovedOnEveryLevel) {
   }
 }
 
-}  // namespace
+}  // namespace nested_meshes_test
 }  // namespace toile

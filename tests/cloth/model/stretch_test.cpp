@@ -11,7 +11,7 @@
 #include "tests/support/stretch_energy.h"
 
 namespace toile {
-namespace {
+namespace stretch_test {
 
 using Corners = std::array<Vec3, 3>;
 using FlatCorners = std::array<Vec2, 3>;
@@ -217,5 +217,5 @@ TEST_F(Stretch, ATriangleCrushedToAPointGivesNumbers) {
   }
 }
 
-}  // namespace
+}  // namespace stretch_test
 }  // namespace toile

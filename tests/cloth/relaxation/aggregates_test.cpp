@@ -8,7 +8,7 @@
 #include "tests/cloth/panels.h"
 
 namespace toile {
-namespace {
+namespace aggregates_test {
 
 TEST(Aggregates, CoverASheetAndAreAFewEdgesAcross) {
   const PlanarMesh sheet = test::grid(1, 1, 20, 20);
@@ -50,5 +50,5 @@ TEST(Aggregates, AVertexByItselfIsAPatch) {
   EXPECT_EQ(wide.of_vertices[3][0].weight, 1);
 }
 
-}  // namespace
+}  // namespace aggregates_test
 }  // namespace toile

@@ -13,7 +13,7 @@
 #include "tests/cloth/panels.h"
 
 namespace toile {
-namespace {
+namespace block_stiffness_test {
 
 Eigen::Matrix3d matrix(const StiffnessBlock& s) {
   return Eigen::Matrix3d{{s[0], s[1], s[2]}, {s[1], s[3], s[4]}, {s[2], s[4], s[5]}};
@@ -119,5 +119,5 @@ TEST(BlockStiffness, TakesAForceWhereTheStiffnessLetsIt) {
   EXPECT_EQ(as_vec3(way_of({}, 0, as_vec4(force))), Vec3::Zero());
 }
 
-}  // namespace
+}  // namespace block_stiffness_test
 }  // namespace toile

@@ -11,7 +11,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile {
-namespace {
+namespace edge_contacts_test {
 
 /// What holds a coarse mesh by the middles of its edges goes on to hold it in the next run: else it
 /// sags until they have taken hold anew.
@@ -104,5 +104,5 @@ TEST_F(CoarseOnASlope, IsAtRestWithOthers) {
   }
 }
 
-}  // namespace
+}  // namespace edge_contacts_test
 }  // namespace toile

@@ -14,7 +14,7 @@
 #include "tests/support/tubes.h"
 
 namespace toile {
-namespace {
+namespace multilevel_preconditioner_test {
 
 /// Each triangle cut into four, as PanelMesh states.
 PlanarMesh subdivided(PlanarMesh mesh) {
@@ -166,5 +166,5 @@ TEST(MultilevelPreconditioner, SoftClothComesToRestOnWhatItTouches) {
   EXPECT_TRUE(report.converged);
 }
 
-}  // namespace
+}  // namespace multilevel_preconditioner_test
 }  // namespace toile

@@ -16,7 +16,7 @@
 #include "tests/support/tubes.h"
 
 namespace toile {
-namespace {
+namespace relax_test {
 
 constexpr double pi = std::numbers::pi;
 constexpr double degree = pi / 180;
@@ -316,5 +316,5 @@ TEST(Relax, TheCountIsNoConvergence) {
   EXPECT_NEAR(report.residual.median, 121.0 / 100, 1e-3);
 }
 
-}  // namespace
+}  // namespace relax_test
 }  // namespace toile

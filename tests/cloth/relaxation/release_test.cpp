@@ -13,7 +13,7 @@
 #include "tests/support/tubes.h"
 
 namespace toile {
-namespace {
+namespace release_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -179,5 +179,5 @@ TEST(Release, TheSameBitsForAnyNumberOfThreads) {
   EXPECT_FALSE(one == model.start);
 }
 
-}  // namespace
+}  // namespace release_test
 }  // namespace toile

@@ -7,7 +7,7 @@
 #include "tests/support/tubes.h"
 
 namespace toile {
-namespace {
+namespace collider_test {
 
 TriangleMesh tube_at(double radius, double low, double high) {
   const DressedGarment cloth = test::cloth_tube(radius, radius, low, high, 120, 8);
@@ -57,5 +57,5 @@ TEST(Collider, EachLayerJoinsTheSurface) {
   EXPECT_LT(largest, 1e-4);
 }
 
-}  // namespace
+}  // namespace collider_test
 }  // namespace toile

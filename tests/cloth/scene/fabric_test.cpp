@@ -6,7 +6,7 @@
 #include "tests/support/run_program.h"
 
 namespace toile {
-namespace {
+namespace fabric_test {
 
 class FabricFile : public testing::Test {
  protected:
@@ -167,5 +167,5 @@ TEST(FabricPresets, EachIsPlausibleAndHasASource) {
   }
 }
 
-}  // namespace
+}  // namespace fabric_test
 }  // namespace toile

@@ -6,7 +6,7 @@
 #include "tests/support/run_program.h"
 
 namespace toile {
-namespace {
+namespace scene_file_test {
 
 namespace fs = std::filesystem;
 using pipeline::write_text;
@@ -134,5 +134,5 @@ TEST_F(SceneFiles, NamesStayInTheFolder) {
       "bytes long");
 }
 
-}  // namespace
+}  // namespace scene_file_test
 }  // namespace toile

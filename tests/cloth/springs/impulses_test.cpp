@@ -6,7 +6,7 @@
 #include <iostream>
 
 namespace toile {
-namespace {
+namespace impulses_test {
 
 // Reference case 12, point in a triangle.
 struct PointRow {
@@ -280,5 +280,5 @@ TEST(Impulses, HeldNodesTakeNothing) {
   EXPECT_EQ(motionless_shares<2>({0.5, 0.5}, {0, 0})[0], 0);
 }
 
-}  // namespace
+}  // namespace impulses_test
 }  // namespace toile

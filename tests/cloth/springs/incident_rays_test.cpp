@@ -7,7 +7,7 @@
 #include <random>
 
 namespace toile {
-namespace {
+namespace incident_rays_test {
 
 /// Random points, weights and speeds, the same each time.
 class Draw {
@@ -90,5 +90,5 @@ TEST(IncidentRays, AnEdgeThatMovesMeetsTheEdge) {
   std::cout << "weights and distance within " << error << '\n';
 }
 
-}  // namespace
+}  // namespace incident_rays_test
 }  // namespace toile

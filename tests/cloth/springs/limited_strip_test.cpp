@@ -7,7 +7,7 @@
 #include "tests/support/spring_motion.h"
 
 namespace toile {
-namespace {
+namespace limited_strip_test {
 
 constexpr double areal_density = 0.2;  // kg/m²
 constexpr double stretch = 65.4;       // N/m
@@ -78,5 +78,5 @@ TEST(LimitedStrip, ThreePassesActAsASpringThatTheStepMakesStiff) {
   }
 }
 
-}  // namespace
+}  // namespace limited_strip_test
 }  // namespace toile

@@ -12,7 +12,7 @@
 #include "tests/cloth/panels.h"
 
 namespace toile {
-namespace {
+namespace self_collisions_test {
 
 /// Two squares of 10 cm, one 8 mm above the other and turned against its mesh, moving together.
 struct Sheets {
@@ -88,5 +88,5 @@ TEST(SelfCollisions, NothingPassesWhateverTheSpeed) {
   EXPECT_GT(sheets.gap(), 0);
 }
 
-}  // namespace
+}  // namespace self_collisions_test
 }  // namespace toile

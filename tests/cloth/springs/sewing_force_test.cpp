@@ -6,7 +6,7 @@
 #include <iostream>
 
 namespace toile {
-namespace {
+namespace sewing_force_test {
 
 /// Two kilograms, a gap of 10 cm along x, at rest.
 SewnPair resting_pair(double mass_a = 1, double mass_b = 1) {
@@ -153,5 +153,5 @@ TEST(SewingForce, PullsNoHarderAndNoFasterThanAllowed) {
   EXPECT_NEAR(pair.v_a.x() - pair.v_b.x(), 1, 1e-9);
 }
 
-}  // namespace
+}  // namespace sewing_force_test
 }  // namespace toile

@@ -13,7 +13,7 @@
 #include "tests/support/spring_motion.h"
 
 namespace toile {
-namespace {
+namespace spring_forces_test {
 
 using test::SpringMotion;
 
@@ -279,5 +279,5 @@ TEST(SpringForces, AHangingChainStretchesAsTheStripDoes) {
   }
 }
 
-}  // namespace
+}  // namespace spring_forces_test
 }  // namespace toile

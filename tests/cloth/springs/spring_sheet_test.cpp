@@ -12,7 +12,7 @@
 #include "tests/cloth/panels.h"
 
 namespace toile {
-namespace {
+namespace spring_sheet_test {
 
 GarmentModel compiled(const PanelMesh& garment, const Fabric& fabric) {
   Scene scene;
@@ -145,5 +145,5 @@ TEST(SpringSheet, AGatheredSideTakesItsPartnersLength) {
   EXPECT_EQ(found, 10);
 }
 
-}  // namespace
+}  // namespace spring_sheet_test
 }  // namespace toile

@@ -11,7 +11,7 @@
 #include "tests/support/spring_grid.h"
 
 namespace toile {
-namespace {
+namespace strain_control_test {
 
 constexpr int links = 16;
 constexpr double rest = 1.0 / 16;
@@ -294,5 +294,5 @@ TEST(StrainControl, ProvotShortensElongatedSpringsInTurn) {
   EXPECT_NEAR(report.after, 0.25, 1e-15);
 }
 
-}  // namespace
+}  // namespace strain_control_test
 }  // namespace toile

@@ -16,7 +16,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile {
-namespace {
+namespace subject_collisions_test {
 
 using test::level_sheet;
 using test::LooseCloth;
@@ -366,5 +366,5 @@ TEST(SubjectCollisions, RefusesASubjectWithoutArea) {
   EXPECT_THROW(SubjectCollisions(flat, {}), Error);
 }
 
-}  // namespace
+}  // namespace subject_collisions_test
 }  // namespace toile

@@ -12,7 +12,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile {
-namespace {
+namespace subject_surface_test {
 
 int ridges(const SubjectSurface& surface) {
   int count = 0;
@@ -108,5 +108,5 @@ TEST(SubjectSurface, BordersHaveNoInside) {
   }
 }
 
-}  // namespace
+}  // namespace subject_surface_test
 }  // namespace toile

@@ -7,7 +7,7 @@
 #include "tests/cloth/figure.h"
 
 namespace toile {
-namespace {
+namespace align_sleeves_test {
 
 using test::figure;
 using test::pi;
@@ -92,5 +92,5 @@ TEST(TurnedSleeves, WhatTheSkeletonPositionedStays) {
   EXPECT_TRUE(turn_sleeves(garment, parts(), figure(), placed).empty());
 }
 
-}  // namespace
+}  // namespace align_sleeves_test
 }  // namespace toile

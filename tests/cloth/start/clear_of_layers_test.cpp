@@ -6,7 +6,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile {
-namespace {
+namespace clear_of_layers_test {
 
 const SurfaceDistance& block() {
   static const SurfaceDistance body(test::box({-0.15, 0, -0.1}, {0.15, 1, 0.1}));
@@ -63,5 +63,5 @@ TEST(StepOut, WhatNoStepClearsAndWhatIsRolledStays) {
   }
 }
 
-}  // namespace
+}  // namespace clear_of_layers_test
 }  // namespace toile

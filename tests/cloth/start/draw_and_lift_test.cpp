@@ -6,7 +6,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile {
-namespace {
+namespace draw_and_lift_test {
 
 using test::figure;
 
@@ -146,5 +146,5 @@ TEST(Placement, HowFarBehindItsArmholeASleeveStandsDrawsItOutNoFarther) {
   EXPECT_LT(drawn_out(-0.15), 0.04);
 }
 
-}  // namespace
+}  // namespace draw_and_lift_test
 }  // namespace toile

@@ -15,7 +15,7 @@
 #include "tests/support/run_program.h"
 
 namespace toile {
-namespace {
+namespace placement_warnings_test {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
@@ -236,5 +236,5 @@ TEST(DoubtfulStart, ASinglePanelBehindTheBodyThatFacesItIsInsideOut) {
   EXPECT_EQ(sheet(30, 180), Names({"sheet"}));
 }
 
-}  // namespace
+}  // namespace placement_warnings_test
 }  // namespace toile

@@ -13,7 +13,7 @@
 #include "tests/support/tubes.h"
 
 namespace toile {
-namespace {
+namespace positioning_test {
 
 using test::figure;
 
@@ -399,5 +399,5 @@ TEST(Positioning, SaysWhatTheSkeletonLacks) {
             std::string::npos);
 }
 
-}  // namespace
+}  // namespace positioning_test
 }  // namespace toile

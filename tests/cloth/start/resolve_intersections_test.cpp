@@ -8,7 +8,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile {
-namespace {
+namespace resolve_intersections_test {
 
 const TriangleMesh& block() {
   static const TriangleMesh body = test::box({-0.15, 0, -0.1}, {0.15, 1, 0.1});
@@ -159,5 +159,5 @@ TEST(ClearStart, WhatFindsNoPlaceIsNamed) {
   EXPECT_EQ(message.find("good"), std::string::npos) << message;
 }
 
-}  // namespace
+}  // namespace resolve_intersections_test
 }  // namespace toile

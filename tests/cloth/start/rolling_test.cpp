@@ -9,7 +9,7 @@
 #include "tests/cloth/panels.h"
 
 namespace toile {
-namespace {
+namespace rolling_test {
 
 constexpr double pi = std::numbers::pi;
 /// The panel of reference case 14: metres, O_x at its middle.
@@ -154,5 +154,5 @@ TEST(Rolling, ThePrintedFormCrushesPanelsThatAreNotFlatAtTheirLowest) {
   EXPECT_LT(apart, 1e-15);
 }
 
-}  // namespace
+}  // namespace rolling_test
 }  // namespace toile

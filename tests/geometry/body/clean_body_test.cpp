@@ -9,7 +9,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile {
-namespace {
+namespace clean_body_test {
 
 PolygonSoup mannequin_soup() {
   static const PolygonSoup soup = [] {
@@ -141,5 +141,5 @@ TEST(CleanBody, ABodyWithoutASkeletonIsStillClean) {
   EXPECT_EQ(cube.mesh.points.size(), 8u);
 }
 
-}  // namespace
+}  // namespace clean_body_test
 }  // namespace toile

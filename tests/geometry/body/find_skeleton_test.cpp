@@ -11,7 +11,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile {
-namespace {
+namespace find_skeleton_test {
 
 /// The mannequin, made once. Edges of 15 mm show every girth that the search uses.
 const TriangleMesh& mannequin() {
@@ -137,5 +137,5 @@ TEST(FindSkeleton, WhatIsNoBodyIsAnError) {
   EXPECT_THROW(find_skeleton(armless, "armless"), Error);
 }
 
-}  // namespace
+}  // namespace find_skeleton_test
 }  // namespace toile

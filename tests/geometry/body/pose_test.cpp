@@ -7,7 +7,7 @@
 #include "geometry/error.h"
 
 namespace toile {
-namespace {
+namespace pose_test {
 
 std::string error_of(const Pose& pose) {
   try {
@@ -50,5 +50,5 @@ TEST(Pose, AnglesBeyondAJointAreRefusedByName) {
   }
 }
 
-}  // namespace
+}  // namespace pose_test
 }  // namespace toile

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace toile {
-namespace {
+namespace colour_test {
 
 double luminance(const Colour& c) {
   return 0.2126 * to_light(c.red) + 0.7152 * to_light(c.green) + 0.0722 * to_light(c.blue);
@@ -66,5 +66,5 @@ TEST(Colour, RoundUp) {
   EXPECT_DOUBLE_EQ(round_up(81), 100);
 }
 
-}  // namespace
+}  // namespace colour_test
 }  // namespace toile

@@ -5,7 +5,7 @@
 #include "geometry/error.h"
 
 namespace toile {
-namespace {
+namespace picture_test {
 
 PictureMesh square(double width, double height) {
   PictureMesh shown;
@@ -93,5 +93,5 @@ TEST(Picture, ViewsHaveNames) {
   EXPECT_FALSE(view_named("Front").has_value());
 }
 
-}  // namespace
+}  // namespace picture_test
 }  // namespace toile

@@ -6,7 +6,7 @@
 #include "geometry/error.h"
 
 namespace toile {
-namespace {
+namespace ray_image_test {
 
 /// A right-angled triangle in the plane z = `z` that faces +z; legs of one metre from the origin.
 PictureMesh facing_triangle(const Colour& colour, double z = 0, double size = 1) {
@@ -120,5 +120,5 @@ TEST(RayImage, NothingToShowIsAnError) {
   EXPECT_THROW(RayScene({}), Error);
 }
 
-}  // namespace
+}  // namespace ray_image_test
 }  // namespace toile

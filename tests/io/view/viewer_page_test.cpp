@@ -7,7 +7,7 @@
 #include <regex>
 
 namespace toile {
-namespace {
+namespace viewer_page_test {
 
 ViewerPage small_page() {
   ViewerPage page;
@@ -125,5 +125,5 @@ TEST(ViewerPage, HoldsThreeJsRelease111) {
   EXPECT_GT(count(html, "Permission is hereby granted"), 0U);
 }
 
-}  // namespace
+}  // namespace viewer_page_test
 }  // namespace toile

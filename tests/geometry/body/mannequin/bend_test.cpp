@@ -7,7 +7,7 @@
 #include <numbers>
 
 namespace toile {
-namespace {
+namespace bend_test {
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -64,5 +64,5 @@ TEST(Bend, SectionsFollowTheArc) {
   EXPECT_NEAR(normal.dot(Vec3::UnitY()), std::cos(angle * 0.05 / 0.14), 1e-12);
 }
 
-}  // namespace
+}  // namespace bend_test
 }  // namespace toile

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace toile {
-namespace {
+namespace loft_test {
 
 Loft cylinder(double squareness) {
   return Loft({},
@@ -89,5 +89,5 @@ TEST(SmoothUnion, IsTheNearerOneAwayFromTheBlendAndNeverOutsideIt) {
   }
 }
 
-}  // namespace
+}  // namespace loft_test
 }  // namespace toile

@@ -13,7 +13,7 @@
 #include "geometry/surface_distance.h"
 
 namespace toile {
-namespace {
+namespace mannequin_test {
 
 const Mannequin& mannequin() {
   static const Mannequin made = make_mannequin({.edge_length = 0.012});
@@ -139,5 +139,5 @@ TEST(Mannequin, RefusesEdgeLengthsItCantMesh) {
   EXPECT_THROW(make_mannequin({.edge_length = 0.5}), Error);
 }
 
-}  // namespace
+}  // namespace mannequin_test
 }  // namespace toile

@@ -16,7 +16,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile {
-namespace {
+namespace posed_mannequin_test {
 
 constexpr double edge_length = 0.015;
 
@@ -219,5 +219,5 @@ TEST(PosedMannequin, RefusesPosesInWhichPartsTouch) {
   EXPECT_THROW(make_mannequin({0.015, pose}), Error);
 }
 
-}  // namespace
+}  // namespace posed_mannequin_test
 }  // namespace toile
