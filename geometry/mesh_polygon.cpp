@@ -107,8 +107,8 @@ class Filler {
   double border_distance(const Vec2& point) const {
     double distance = std::numeric_limits<double>::max();
     segments_.near(point, edge_length_, [&](int i) {
-      distance = std::min(
-          distance, distance_to_segment(point, outline_[i], outline_[(i + 1) % border_]));
+      distance =
+          std::min(distance, distance_to_segment(point, outline_[i], outline_[(i + 1) % border_]));
     });
     return distance;
   }

@@ -42,7 +42,8 @@ inline LevelLine level_line(const DressedGarment& garment, const std::string& pa
     line.now += (cuts[0].at - cuts[1].at).norm();
     middles.push_back({0.5 * (cuts[0].x + cuts[1].x), 0.5 * (cuts[0].at + cuts[1].at)});
   }
-  std::sort(middles.begin(), middles.end(), [](const Crossing& a, const Crossing& b) { return a.x < b.x; });
+  std::sort(middles.begin(), middles.end(),
+            [](const Crossing& a, const Crossing& b) { return a.x < b.x; });
   for (const Crossing& cut : middles) line.points.push_back(cut.at);
   return line;
 }

@@ -104,8 +104,8 @@ int work(const po::variables_map& given, const CommonSettings& common) {
     render.garments = {files.dressed.string()};
     run_render(render, writing(files.drape_picture));
   }
-  std::cout << to_string(verdict) << ": see " << files.ease.string() << " and " << files.report.string()
-            << std::endl;
+  std::cout << to_string(verdict) << ": see " << files.ease.string() << " and "
+            << files.report.string() << std::endl;
   return exit_code_of(verdict);
 }
 
