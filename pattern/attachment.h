@@ -9,7 +9,7 @@
 
 namespace toile {
 
-/// What an attachment holds at. At a level, which is a height of the body, the cloth may slide
+/// The target of an attachment. At a level, which is a height of the body, the cloth may slide
 /// around the body part. Otherwise each of its points has a place.
 enum class AttachedTo : std::uint8_t {
   level,  ///< a plane at a height of the body part

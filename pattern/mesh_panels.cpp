@@ -23,14 +23,15 @@ struct Unmeshable {
   std::string problem;
 };
 
-/// A panel while it is meshed; indices count its own points.
+/// The mesh of one panel. Indices count the points of this panel.
 struct PanelTriangulation {
   PlanarMesh mesh;
   std::vector<std::vector<int>> along;  ///< per edge, points from its start to its end
   int coarse_border = 0;                ///< border points of the coarsest level; they come first
 };
 
-/// Per panel, points of its coarse outline that need a point inside right before them.
+/// Per panel, points of its coarse outline that need an interior point in the triangle with their
+/// two neighbours on the outline.
 using Corners = std::vector<std::vector<int>>;
 
 /// The pattern's edges cut into steps on the coarsest level, per panel and edge.

@@ -11,11 +11,8 @@ DressedGarment as_dressed(const PanelMesh& garment, std::vector<Vec3> points,
   dressed.triangles = std::move(triangles);
   dressed.flat = garment.flat;
   dressed.flat_triangles = garment.triangles;
-  for (const MeshedPanel& panel : garment.panels) {
-    dressed.panel_of_triangle.insert(dressed.panel_of_triangle.end(), panel.triangles,
-                                     static_cast<int>(dressed.panels.size()));
-    dressed.panels.push_back(panel.name);
-  }
+  dressed.panel_of_triangle = panel_of_triangles(garment);
+  for (const MeshedPanel& panel : garment.panels) dressed.panels.push_back(panel.name);
   return dressed;
 }
 

@@ -1,4 +1,4 @@
-// A garment as meshed panels: what the pattern room hands to the cloth room.
+// A garment as meshed panels. The pattern room makes it, and the cloth room dresses it.
 #pragma once
 
 #include <cmath>
@@ -71,6 +71,16 @@ inline std::vector<int> panel_of_points(const PanelMesh& garment) {
   panel_of.reserve(garment.flat.size());
   for (std::size_t i = 0; i < garment.panels.size(); ++i) {
     panel_of.insert(panel_of.end(), garment.panels[i].points, static_cast<int>(i));
+  }
+  return panel_of;
+}
+
+/// Per triangle, the index of its panel.
+inline std::vector<int> panel_of_triangles(const PanelMesh& garment) {
+  std::vector<int> panel_of;
+  panel_of.reserve(garment.triangles.size());
+  for (std::size_t i = 0; i < garment.panels.size(); ++i) {
+    panel_of.insert(panel_of.end(), garment.panels[i].triangles, static_cast<int>(i));
   }
   return panel_of;
 }

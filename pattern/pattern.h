@@ -1,4 +1,4 @@
-// A sewing pattern: flat panels bounded by curves, where they are placed, and what is sewn to what.
+// A sewing pattern: flat panels bounded by curves, their placement, and the seams between them.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// Which way round seams are sewn, and which face of each panel is the cloth's right side.
+// The direction in which seams are sewn, and the face of each panel that is the cloth's right side.
 #pragma once
 
 #include <vector>

@@ -34,6 +34,7 @@ class HingeLayout {
   HingeLayout(const PanelMesh& garment, GarmentModel& model)
       : garment_(garment),
         model_(model),
+        panel_of_(panel_of_triangles(garment)),
         hinges_(model.triangles.size(), {-1, -1, -1}),
         jumps_(model.triangles.size(), {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}) {}
 
@@ -108,14 +109,9 @@ class HingeLayout {
     const auto& flat = garment_.flat;
     const EdgeFrame other = frame_of(across, model_.node_of_point[a]);
     const Vec2 away((flat[b] - flat[a]).norm() / other.length * other.corner.x(), other.corner.y());
-    jumps_[side.triangle][side.opposite] = jump_by_curvature(
-        flat[a], flat[b], flat[points[side.opposite]], away, panel_of(side.triangle).grain);
-  }
-
-  const MeshedPanel& panel_of(int triangle) const {
-    return *std::find_if(garment_.panels.begin(), garment_.panels.end(), [&](const auto& panel) {
-      return triangle < panel.first_triangle + panel.triangles;
-    });
+    jumps_[side.triangle][side.opposite] =
+        jump_by_curvature(flat[a], flat[b], flat[points[side.opposite]], away,
+                          garment_.panels[panel_of_[side.triangle]].grain);
   }
 
   void stiffen(const MeshedPanel& panel) {
@@ -160,6 +156,7 @@ class HingeLayout {
 
   const PanelMesh& garment_;
   GarmentModel& model_;
+  std::vector<int> panel_of_;               // per triangle
   std::vector<std::array<int, 3>> hinges_;  // per triangle, opposite to each corner; -1: none
   std::vector<std::array<Vec3, 3>> jumps_;  // per triangle, the jump there by curvature, metres
   std::vector<double> length_;              // metres, per hinge: the edge, the mean of both sides

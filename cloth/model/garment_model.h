@@ -24,8 +24,8 @@ struct StretchTriangle {
   double weft_stiffness = 0;   ///< N·m
   double warp_stiffness = 0;   ///< N·m
   double shear_stiffness = 0;  ///< N·m
-  bool limited =
-      true;  ///< whether the scene's strain limits act; not on gathered seams, which give way
+  /// Whether the scene's strain limits act. They do not on gathered seams, which give way.
+  bool limited = true;
 };
 
 /// A hinge of two triangles across an edge, flat at rest. Its jump Σ weight_i x_i is the change of

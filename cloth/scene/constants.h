@@ -1,4 +1,4 @@
-// Constants of what is dressed: hands, flesh, fabrics and their limits.
+// Constants of the scene: hands, flesh, fabrics and their limits.
 #pragma once
 
 namespace toile {

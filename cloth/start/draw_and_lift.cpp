@@ -81,9 +81,7 @@ Placement draw_and_lift(const PanelMesh& garment, const DistanceGrid& body,
     has_sleeves =
         std::ranges::any_of(parts, [](const auto& part) { return part.ends_with("_arm"); });
     std::vector<std::string> part_of_point;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      part_of_point.insert(part_of_point.end(), garment.panels[i].points, parts[i]);
-    }
+    for (const int panel : panel_of_points(garment)) part_of_point.push_back(parts[panel]);
     placement.turned = turn_sleeves(garment, part_of_point, *skeleton, placement.placed);
     for (const Limb& limb : limb_directions) {
       if (std::find(parts.begin(), parts.end(), limb.part) == parts.end()) continue;
@@ -106,7 +104,8 @@ Placement draw_and_lift(const PanelMesh& garment, const DistanceGrid& body,
     }
     return count;
   };
-  // What hangs from the shoulders has to come over them; a skirt must not come into the armpits.
+  // A garment that hangs from the shoulders has to come over them. A skirt must not come into the
+  // armpits.
   const bool may_meet_arms = skeleton == nullptr || hangs || has_sleeves;
   const int inside_unlifted = lifted_inside(0);
   int fewest = paths.obstructed(0);

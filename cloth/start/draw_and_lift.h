@@ -1,4 +1,4 @@
-// Where a garment starts: its panels around the body, clear of it.
+// Draws out and lifts panels, so that a garment starts around the body and clear of it.
 #pragma once
 
 #include <map>
@@ -30,7 +30,7 @@ struct Placement {
 /// The number of `points` that are inside the body.
 int points_inside(const std::vector<Vec3>& points, const DistanceGrid& body);
 
-/// Draws out and lifts panels that stand where `garment.placed` says.
+/// Draws out and lifts panels that stand at `garment.placed`.
 ///
 /// - Sleeves turn to their arms (align_sleeves.h).
 /// - Panels of arms and legs are drawn out along their bones. They stop where no seam point has to

@@ -52,7 +52,7 @@ class PanelSides {
     for (const Group& group : groups()) {
       if (!belongs_across(seams_of(group).to_others)) continue;
       found.insert(found.end(), group.panels.begin(), group.panels.end());
-      // What is sewn to it is judged by where it should be.
+      // Panels that are sewn to the group are judged by where the group should be.
       for (const int p : group.panels) mirror(p);
     }
     std::sort(found.begin(), found.end());

@@ -1,4 +1,4 @@
-// What looks wrong about where a pattern places its panels, though it can be dressed.
+// Warnings of panels whose placement looks wrong, though the garment can be dressed.
 #pragma once
 
 #include <string>
@@ -28,7 +28,8 @@ struct PlacementWarning {
 ///   their seams reach across it. With the panels mirrored, the seams would be 35 % and 15 cm
 ///   shorter at least. Of two such groups that are sewn together, the smaller one is named.
 /// - Swapped: panels that are sewn to their mirror images, as two legs are. Their seams would be as
-///   much shorter if the two changed places. What else is sewn to them is judged as if they had.
+///   much shorter if the two changed places. Other panels that are sewn to them are judged as if
+///   they had.
 /// - Inside out: a panel whose right side faces the nearest skin, by facing_out() below -0.5.
 ///
 /// They come in the garment's order, swapped ones first, then other sides. Without a collider

@@ -223,10 +223,7 @@ std::vector<Triangle> joined(const PanelMesh& garment, const std::vector<Vec3>& 
 
 std::vector<std::pair<int, int>> crossing_panels(const PanelMesh& garment,
                                                  const std::vector<Vec3>& placed) {
-  std::vector<int> panel_of;
-  for (std::size_t i = 0; i < garment.panels.size(); ++i) {
-    panel_of.insert(panel_of.end(), garment.panels[i].triangles, static_cast<int>(i));
-  }
+  const std::vector<int> panel_of = panel_of_triangles(garment);
   std::set<std::pair<int, int>> pairs;
   for (const auto& [s, t] : self_intersections({placed, joined(garment, placed)})) {
     if (panel_of[s] != panel_of[t]) pairs.insert(std::minmax(panel_of[s], panel_of[t]));

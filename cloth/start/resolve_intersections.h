@@ -1,4 +1,4 @@
-// Where a garment starts: its panels clear of each other, and of what they are dressed onto.
+// Moves panels clear of each other and of the collider, for the start of a garment.
 #pragma once
 
 #include <vector>

@@ -69,9 +69,9 @@ TEST(Bend, WarpAndWeftBendByTheirOwnRigidity) {
     fabric.bending_warp = ratio * 1e-5;
     double worst = 0;
     for (const double grain : {0.0, 0.3, pi / 4, 1.0, pi / 2}) {
-      for (const double way : {0.0, pi / 4, pi / 2, 2.5}) {
-        const double plate = bending_along(fabric, way) / fabric.bending_weft;
-        const double share = rolled(mesh, 0.2, grain + way, fabric, grain) / plate;
+      for (const double direction : {0.0, pi / 4, pi / 2, 2.5}) {
+        const double plate = bending_along(fabric, direction) / fabric.bending_weft;
+        const double share = rolled(mesh, 0.2, grain + direction, fabric, grain) / plate;
         worst = std::max(worst, std::abs(share - 1));
       }
     }
@@ -175,9 +175,9 @@ TEST(Bend, JumpsAreThoseOfABentSheet) {
   };
   // Slope square to the edge of the plane through a, b and a corner.
   const auto slope = [&](const Vec2& corner) {
-    Eigen::Matrix2d ways;
-    ways << (b - a).transpose(), (corner - a).transpose();
-    const Vec2 gradient = ways.inverse() * Vec2(height(b) - height(a), height(corner) - height(a));
+    Eigen::Matrix2d sides;
+    sides << (b - a).transpose(), (corner - a).transpose();
+    const Vec2 gradient = sides.inverse() * Vec2(height(b) - height(a), height(corner) - height(a));
     return gradient.dot(normal);
   };
   EXPECT_NEAR(felt.dot(curvature), slope(c) - slope(d), 1e-12);

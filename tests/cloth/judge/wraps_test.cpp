@@ -19,8 +19,8 @@ using test::tube_radius;
 
 constexpr double pi = std::numbers::pi;
 
-std::vector<Vec3> moved(std::vector<Vec3> points, const Vec3& way) {
-  for (Vec3& p : points) p += way;
+std::vector<Vec3> moved(std::vector<Vec3> points, const Vec3& displacement) {
+  for (Vec3& p : points) p += displacement;
   return points;
 }
 
@@ -55,20 +55,20 @@ TEST(Wraps, ATubeBelowTheArmpitsHangsFromWhereItIsPlaced) {
 TEST(Wraps, ATubeBelowTheArmpitsMaySlide) {
   PanelMesh garment = tube();
   garment.placed = moved(garment.placed, {0, -0.3, 0});
-  const auto slid = [&](double way) {
-    const auto points = moved(garment.placed, {0, way, 0});
+  const auto slid = [&](double displacement) {
+    const auto points = moved(garment.placed, {0, displacement, 0});
     return measure_wraps(garment, test::as_dressed(garment, points), figure()).at(0);
   };
-  for (const double way : {-0.25, -0.1, 0.0, 0.2}) {
-    EXPECT_NEAR(slid(way).fraction, 1, 1e-3);
-    EXPECT_NEAR(slid(way).slid, -way, 1e-9);
-    EXPECT_NEAR(slid(way).from, 0.3 + way - 0.75 * 0.6, 0.012);
-    EXPECT_NEAR(slid(way).to, 0.3 + way - 0.25 * 0.6, 0.012);
+  for (const double displacement : {-0.25, -0.1, 0.0, 0.2}) {
+    EXPECT_NEAR(slid(displacement).fraction, 1, 1e-3);
+    EXPECT_NEAR(slid(displacement).slid, -displacement, 1e-9);
+    EXPECT_NEAR(slid(displacement).from, 0.3 + displacement - 0.75 * 0.6, 0.012);
+    EXPECT_NEAR(slid(displacement).to, 0.3 + displacement - 0.25 * 0.6, 0.012);
   }
   // Its top down at the thighs, or over the head: what it should cover is where it was placed.
-  for (const double way : {-0.5, 0.5}) {
-    EXPECT_LT(slid(way).fraction, 0.4);
-    EXPECT_NEAR(slid(way).from, 0.3 - 0.75 * 0.6, 0.005);
+  for (const double displacement : {-0.5, 0.5}) {
+    EXPECT_LT(slid(displacement).fraction, 0.4);
+    EXPECT_NEAR(slid(displacement).from, 0.3 - 0.75 * 0.6, 0.005);
   }
 }
 
@@ -77,8 +77,8 @@ TEST(Wraps, AShortTopThatSlidFarIsWhereItShouldNotBe) {
   // 15 cm, from 1.0 to 1.15 m.
   for (Vec2& p : garment.flat) p.y() *= 0.25;
   for (Vec3& p : garment.placed) p.y() = 1.0 + 0.25 * (p.y() - 0.8);
-  const auto slid = [&](double way) {
-    const auto points = moved(garment.placed, {0, -way, 0});
+  const auto slid = [&](double displacement) {
+    const auto points = moved(garment.placed, {0, -displacement, 0});
     return measure_wraps(garment, test::as_dressed(garment, points), figure()).at(0);
   };
   EXPECT_NEAR(slid(0.09).fraction, 1, 1e-3);
@@ -102,7 +102,7 @@ TEST(Wraps, ATubeThatSlippedOff) {
 }
 
 TEST(Wraps, ATubeWithASlit) {
-  // The front, spread around nine tenths of the way.
+  // The front, spread around nine tenths of the displacement.
   PanelMesh garment;
   add_half(garment, "front", -pi / 2);
   std::vector<Vec3> points = garment.placed;
@@ -137,9 +137,10 @@ TEST(Wraps, ASleeveIsMeasuredAroundItsArm) {
   PanelMesh garment = tube();
   add_sleeve(garment);
   const MeshedPanel sleeve = garment.panels.back();
-  const auto share_at = [&](const Vec3& way) {
+  const auto share_at = [&](const Vec3& displacement) {
     std::vector<Vec3> points = garment.placed;
-    for (int p = sleeve.first_point; p < sleeve.first_point + sleeve.points; ++p) points[p] += way;
+    for (int p = sleeve.first_point; p < sleeve.first_point + sleeve.points; ++p)
+      points[p] += displacement;
     const auto wraps = measure_wraps(garment, test::as_dressed(garment, points), figure());
     EXPECT_EQ(wraps.size(), 2U);
     EXPECT_NEAR(wraps[0].fraction, 1, 1e-3);

@@ -130,8 +130,9 @@ TEST(Levels, MovedPanelsAreMovedOnEveryLevel) {
   const auto moved = [](const PanelMesh& garment) {
     std::vector<Vec3> placed = garment.placed;
     for (const MeshedPanel& panel : garment.panels) {
-      const Vec3 way(0.1, panel.first_point > 0 ? -0.2 : 0.3, 0);
-      for (int p = panel.first_point; p < panel.first_point + panel.points; ++p) placed[p] += way;
+      const Vec3 displacement(0.1, panel.first_point > 0 ? -0.2 : 0.3, 0);
+      for (int p = panel.first_point; p < panel.first_point + panel.points; ++p)
+        placed[p] += displacement;
     }
     return placed;
   };

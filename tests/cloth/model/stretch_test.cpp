@@ -19,7 +19,8 @@ using FlatCorners = std::array<Vec2, 3>;
 /// The energy from the deformation gradient, computed in another way than stretch_forces() does. It
 /// includes compression.
 double energy(const FlatCorners& flat, double grain, const Fabric& fabric,
-              const StretchOptions& options, const Corners& x, const LimitMultiplier& held = {}) {
+              const StretchOptions& options, const Corners& x,
+              const LimitMultiplier& multiplier = {}) {
   Eigen::Matrix2d rest;
   rest << flat[1] - flat[0], flat[2] - flat[0];
   Eigen::Matrix<double, 3, 2> now;
@@ -38,12 +39,12 @@ double energy(const FlatCorners& flat, double grain, const Fabric& fabric,
   const double turned = weft.dot(warp);
   double shear = fabric.shear * turned * turned;
   if (options.shear_limit >= 0) {
-    shear += beyond(fabric.shear, turned - options.shear_limit, held.shear) +
-             beyond(fabric.shear, -turned - options.shear_limit, -held.shear);
+    shear += beyond(fabric.shear, turned - options.shear_limit, multiplier.shear) +
+             beyond(fabric.shear, -turned - options.shear_limit, -multiplier.shear);
   }
   return 0.5 * 0.5 * rest.determinant() *
-         (along(fabric.stretch_weft, weft.norm() - 1, held.weft) +
-          along(fabric.stretch_warp, warp.norm() - 1, held.warp) + shear);
+         (along(fabric.stretch_weft, weft.norm() - 1, multiplier.weft) +
+          along(fabric.stretch_warp, warp.norm() - 1, multiplier.warp) + shear);
 }
 
 class Stretch : public testing::Test {
@@ -104,11 +105,11 @@ TEST_F(Stretch, ForcesAreMinusTheGradientOfTheEnergy) {
     if (trial % 3 == 1) options.limit = 0.01;
     if (trial % 2 == 1) options.compression = 0.05;
     if (trial % 5 == 1) options.shear_limit = 0.05;
-    LimitMultiplier held;
+    LimitMultiplier multiplier;
     if (trial % 4 == 1) {
-      held = {100 * std::abs(unit(random)), 100 * std::abs(unit(random)), 20 * unit(random)};
+      multiplier = {100 * std::abs(unit(random)), 100 * std::abs(unit(random)), 20 * unit(random)};
     }
-    const std::array<Vec3, 3> forces = stretch_forces(s, options, x[0], x[1], x[2], held);
+    const std::array<Vec3, 3> forces = stretch_forces(s, options, x[0], x[1], x[2], multiplier);
     double largest = 0;
     for (const Vec3& f : forces) largest = std::max(largest, f.norm());
     for (int corner = 0; corner < 3; ++corner) {
@@ -117,8 +118,8 @@ TEST_F(Stretch, ForcesAreMinusTheGradientOfTheEnergy) {
         Corners ahead = x, behind = x;
         ahead[corner][axis] += h;
         behind[corner][axis] -= h;
-        const double slope = (energy(flat, grain, fabric, options, ahead, held) -
-                              energy(flat, grain, fabric, options, behind, held)) /
+        const double slope = (energy(flat, grain, fabric, options, ahead, multiplier) -
+                              energy(flat, grain, fabric, options, behind, multiplier)) /
                              (2 * h);
         ASSERT_NEAR(forces[corner][axis], -slope, 2e-5 * largest) << trial;
       }

@@ -55,14 +55,14 @@ PanelMesh placed(const Json& file, const Stage& stage) {
   return garment;
 }
 
-struct Found {
+struct WarnedPanels {
   Names swapped;
   Names other_side;
   Names inside_out;
 };
 
-Found doubts(const Json& file, const Stage& stage = mannequin()) {
-  Found found;
+WarnedPanels warned_panels(const Json& file, const Stage& stage = mannequin()) {
+  WarnedPanels found;
   for (const PlacementWarning& warning : placement_warnings(placed(file, stage), stage.scene)) {
     EXPECT_NE(text_of(warning).find("panel '" + warning.panel + "' "), std::string::npos);
     using Kind = PlacementWarning::Kind;
@@ -75,7 +75,7 @@ Found doubts(const Json& file, const Stage& stage = mannequin()) {
 }
 
 void expect_none(const Json& file, const Stage& stage, const std::string& name) {
-  const Found found = doubts(file, stage);
+  const WarnedPanels found = warned_panels(file, stage);
   EXPECT_EQ(found.swapped, Names()) << name;
   EXPECT_EQ(found.other_side, Names()) << name;
   EXPECT_EQ(found.inside_out, Names()) << name;
@@ -131,7 +131,7 @@ TEST_F(TshirtSleeves, AtEachOthersArmsAreNamed) {
       panel("right" + half)[key] = left[key];
     }
   }
-  const Found found = doubts(file);
+  const WarnedPanels found = warned_panels(file);
   EXPECT_EQ(found.other_side,
             Names({"left_sleeve_b", "left_sleeve_f", "right_sleeve_b", "right_sleeve_f"}));
   EXPECT_EQ(found.inside_out, Names());
@@ -141,12 +141,12 @@ TEST_F(TshirtSleeves, OnlyThoseAtTheWrongArmAreNamed) {
   for (const std::string half : {"_sleeve_f", "_sleeve_b"}) {
     place_as("left" + half, "right" + half);
   }
-  EXPECT_EQ(doubts(file).other_side, Names({"left_sleeve_b", "left_sleeve_f"}));
+  EXPECT_EQ(warned_panels(file).other_side, Names({"left_sleeve_b", "left_sleeve_f"}));
 }
 
 TEST_F(TshirtSleeves, AHalfAtTheWrongArmIsNamed) {
   place_as("left_sleeve_f", "right_sleeve_f");
-  EXPECT_EQ(doubts(file).other_side, Names({"left_sleeve_f"}));
+  EXPECT_EQ(warned_panels(file).other_side, Names({"left_sleeve_f"}));
 }
 
 TEST_F(TshirtSleeves, ASignOfXIsFound) {
@@ -154,7 +154,7 @@ TEST_F(TshirtSleeves, ASignOfXIsFound) {
     Json& x = panel("left" + half)["translation"][0];
     x = -x.get<double>();
   }
-  EXPECT_EQ(doubts(file).other_side, Names({"left_sleeve_b", "left_sleeve_f"}));
+  EXPECT_EQ(warned_panels(file).other_side, Names({"left_sleeve_b", "left_sleeve_f"}));
 }
 
 TEST_F(TshirtSleeves, NamesPlayNoPart) {
@@ -171,13 +171,13 @@ TEST_F(TshirtSleeves, NamesPlayNoPart) {
       text.replace(at, from.size(), to);
     }
   }
-  EXPECT_EQ(doubts(Json::parse(text)).other_side, Names());
+  EXPECT_EQ(warned_panels(Json::parse(text)).other_side, Names());
 }
 
 TEST_F(TshirtSleeves, OneThatIsTurnedAroundIsInsideOut) {
   Json& y = panel("left_back")["rotation"][1];
   y = y.get<double>() + 180;
-  const Found found = doubts(file);
+  const WarnedPanels found = warned_panels(file);
   EXPECT_EQ(found.inside_out, Names({"left_back"}));
   EXPECT_EQ(found.other_side, Names());
 }
@@ -185,20 +185,20 @@ TEST_F(TshirtSleeves, OneThatIsTurnedAroundIsInsideOut) {
 TEST(DoubtfulStart, ASleeveRolledAroundTheWrongArmIsNamed) {
   Json file = sample("jacket");
   file["pattern"]["panels"]["left_sleeve"]["placement"]["part"] = "right_arm";
-  EXPECT_EQ(doubts(file).other_side, Names({"left_sleeve"}));
+  EXPECT_EQ(warned_panels(file).other_side, Names({"left_sleeve"}));
 }
 
 TEST(DoubtfulStart, LegsInEachOthersPlaceAreNamed) {
   Json file = sample("trousers");
   Json& panels = file["pattern"]["panels"];
   for (const std::string half : {"_front", "_back"}) {
-    for (const auto& [side, way] : {std::pair("left", -35.0), std::pair("right", 35.0)}) {
+    for (const auto& [side, displacement] : {std::pair("left", -35.0), std::pair("right", 35.0)}) {
       Json& x = panels[side + half]["translation"][0];
-      x = x.get<double>() + way;
+      x = x.get<double>() + displacement;
     }
   }
   const Names legs = {"left_back", "left_front", "right_back", "right_front"};
-  const Found found = doubts(file);
+  const WarnedPanels found = warned_panels(file);
   EXPECT_EQ(found.swapped, legs);
   EXPECT_EQ(found.other_side, Names());
   EXPECT_EQ(found.inside_out, Names());
@@ -216,8 +216,8 @@ TEST(DoubtfulStart, LegsInEachOthersPlaceAreNamed) {
         Json::array({{{"panel", name}, {"edge", 0}},
                      {{"panel", side + std::string("_front")}, {"edge", edge}}}));
   }
-  EXPECT_EQ(doubts(file).swapped, legs);
-  EXPECT_EQ(doubts(file).other_side, Names());
+  EXPECT_EQ(warned_panels(file).swapped, legs);
+  EXPECT_EQ(warned_panels(file).other_side, Names());
 }
 
 TEST(DoubtfulStart, ASinglePanelBehindTheBodyThatFacesItIsInsideOut) {
@@ -228,7 +228,7 @@ TEST(DoubtfulStart, ASinglePanelBehindTheBodyThatFacesItIsInsideOut) {
                   {"endpoints": [3, 0]}]}}}, "properties": {"units_in_meter": 100}})");
     file["pattern"]["panels"]["sheet"]["translation"] = {0, 90, z};
     file["pattern"]["panels"]["sheet"]["rotation"] = {0, turned, 0};
-    return doubts(file).inside_out;
+    return warned_panels(file).inside_out;
   };
   EXPECT_EQ(sheet(30, 0), Names());
   EXPECT_EQ(sheet(-30, 0), Names({"sheet"}));
