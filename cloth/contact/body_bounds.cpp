@@ -27,7 +27,7 @@ constexpr double max_lift = 0.015;
 /// Of a region's width, what may be left when it is time to look again, before a corner is stopped.
 constexpr double due_share = 0.3;
 /// Looks between two at the same triangle: what presses against the body would be due each time.
-constexpr int look_interval = 4;
+constexpr int region_update_interval = 4;
 /// Triangles that one task looks after.
 constexpr std::size_t chunk = 64;
 
@@ -79,7 +79,7 @@ BodyBounds::BodyBounds(const Collider& collider, const std::vector<Triangle>& tr
       corners_(corners_by_vertex(triangles, vertices)),
       regions_(triangles.size()),
       due_(triangles.size(), 1),
-      next_look_(triangles.size(), 0),
+      next_update_(triangles.size(), 0),
       extra_offset_(vertices, 0) {}
 
 BodyBounds::Region BodyBounds::region_of(const Triangle& corners, const Vec4s& x, int near_facet,
@@ -95,11 +95,11 @@ BodyBounds::Region BodyBounds::region_of(const Triangle& corners, const Vec4s& x
   hint.triangle = near_facet;
   const SurfacePoint nearest_point = collider_.skin().closest_point(centre, hint);
   region.facet = nearest_point.triangle;
-  region.meets = nearest_point.distance < 0;
-  if (region.meets) return region;
-  const double clear = nearest_point.distance - radius;
-  if (clear > around) {
-    region.reach = clear - safety;
+  region.intersects = nearest_point.distance < 0;
+  if (region.intersects) return region;
+  const double sphere_clearance = nearest_point.distance - radius;
+  if (sphere_clearance > around) {
+    region.reach = sphere_clearance - safety;
     return region;
   }
   region.reach = around;
@@ -140,15 +140,15 @@ BodyBounds::Region BodyBounds::region_of(const Triangle& corners, const Vec4s& x
   // In a hollow of the body, as an armpit, what is well clear of its facets may find no plane above
   // them all, or only one that it would be stopped at.
   region.normal = Vec3::Zero();
-  region.meets = nearest == 0;
+  region.intersects = nearest == 0;
   region.reach = std::max(nearest - safety, 0.0);
   return region;
 }
 
-const std::vector<int>& BodyBounds::look(const Vec4s& x) {
-  looked_.clear();
+const std::vector<int>& BodyBounds::update(const Vec4s& x) {
+  updated_.clear();
   std::vector<int> due;
-  ++looks_;
+  ++updates_;
   any_due_ = false;
   const auto next_due = [&](std::size_t from) {
     const void* at = std::memchr(due_.data() + from, 1, due_.size() - from);
@@ -156,12 +156,12 @@ const std::vector<int>& BodyBounds::look(const Vec4s& x) {
                          : static_cast<std::size_t>(static_cast<const char*>(at) - due_.data());
   };
   for (std::size_t t = next_due(0); t < due_.size(); t = next_due(t + 1)) {
-    if (looks_ < next_look_[t]) {
+    if (updates_ < next_update_[t]) {
       any_due_ = true;
       continue;
     }
     due_[t] = 0;
-    next_look_[t] = looks_ + look_interval;
+    next_update_[t] = updates_ + region_update_interval;
     due.push_back(static_cast<int>(t));
   }
   parallel_for(chunks_of(due.size(), chunk), [&](std::size_t c) {
@@ -176,13 +176,13 @@ const std::vector<int>& BodyBounds::look(const Vec4s& x) {
     for (const int v : triangles_[t]) {
       if (regions_[t].extra_offset > 0) lifted[v] = std::max(lifted[v], regions_[t].extra_offset);
     }
-    looked_.insert(looked_.end(), triangles_[t].begin(), triangles_[t].end());
+    updated_.insert(updated_.end(), triangles_[t].begin(), triangles_[t].end());
   }
   for (const auto& [v, more] : lifted)
     extra_offset_[v] = std::min(extra_offset_[v] + more, max_lift);
-  std::sort(looked_.begin(), looked_.end());
-  looked_.erase(std::unique(looked_.begin(), looked_.end()), looked_.end());
-  return looked_;
+  std::sort(updated_.begin(), updated_.end());
+  updated_.erase(std::unique(updated_.begin(), updated_.end()), updated_.end());
+  return updated_;
 }
 
 void BodyBounds::make_due(int triangle) {
@@ -190,26 +190,27 @@ void BodyBounds::make_due(int triangle) {
   any_due_.store(true, std::memory_order_relaxed);
 }
 
-double BodyBounds::free(int vertex, const Vec3& p) const {
-  double least = std::numeric_limits<double>::max();
+double BodyBounds::free_radius(int vertex, const Vec3& p) const {
+  double radius = std::numeric_limits<double>::max();
   for (const auto& [t, corner] : corners_[vertex]) {
     const Region& region = regions_[t];
-    if (region.meets) continue;
-    least = std::min(least, region.reach - (p - region.at[corner]).norm());
-    if (region.normal != Vec3::Zero()) least = std::min(least, region.normal.dot(p) - region.level);
+    if (region.intersects) continue;
+    radius = std::min(radius, region.reach - (p - region.at[corner]).norm());
+    if (region.normal != Vec3::Zero())
+      radius = std::min(radius, region.normal.dot(p) - region.level);
   }
-  return std::max(least, 0.0);
+  return std::max(radius, 0.0);
 }
 
-double BodyBounds::share(int vertex, const Vec3& p, const Vec3& wanted) {
+double BodyBounds::allowed_share(int vertex, const Vec3& p, const Vec3& wanted) {
   double share = 1;
-  const Vec3 way = wanted - p;
+  const Vec3 displacement = wanted - p;
   for (const auto& [t, corner] : corners_[vertex]) {
     const Region& region = regions_[t];
-    if (region.meets) continue;
+    if (region.intersects) continue;
     const Vec3 away = p - region.at[corner];
-    if ((away + way).norm() > (1 - due_share) * region.reach) make_due(t);
-    share = std::min(share, clip_to_ball(away, way, region.reach));
+    if ((away + displacement).norm() > (1 - due_share) * region.reach) make_due(t);
+    share = std::min(share, clip_to_ball(away, displacement, region.reach));
     if (region.normal == Vec3::Zero()) continue;
     const double from = region.normal.dot(p) - region.level;
     const double to = region.normal.dot(wanted) - region.level;
@@ -222,9 +223,9 @@ double BodyBounds::share(int vertex, const Vec3& p, const Vec3& wanted) {
   return share;
 }
 
-void BodyBounds::look_at_meeting() {
+void BodyBounds::recheck_intersecting() {
   for (std::size_t t = 0; t < regions_.size(); ++t) {
-    if (regions_[t].meets) make_due(static_cast<int>(t));
+    if (regions_[t].intersects) make_due(static_cast<int>(t));
   }
 }
 

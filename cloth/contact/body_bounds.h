@@ -31,19 +31,19 @@ class BodyBounds {
   /// Looks after the triangles that are due, at first all, and each only now and then; `x` per
   /// vertex. Side by side; what it finds depends on the places only. Returns the vertices of those
   /// triangles, sorted.
-  const std::vector<int>& look(const Vec4s& x);
+  const std::vector<int>& update(const Vec4s& x);
 
   /// Metres that a vertex at `p`, in its region, may move in any direction and stay in it; without
   /// end where all its triangles meet the body.
-  double free(int vertex, const Vec3& p) const;
+  double free_radius(int vertex, const Vec3& p) const;
 
   /// The share in [0, 1] of the way from `p`, in the region, to `wanted` that stays in it. What
   /// stops the vertex is due to be looked after.
-  double share(int vertex, const Vec3& p, const Vec3& wanted);
+  double allowed_share(int vertex, const Vec3& p, const Vec3& wanted);
 
-  bool due() const { return any_due_; }
+  bool is_due() const { return any_due_; }
   /// What meets the body may have come out: it is due as well.
-  void look_at_meeting();
+  void recheck_intersecting();
 
   /// Metres that a vertex has to keep from the body beyond the offset of all, because a triangle of
   /// its own spans something sharp there, as far as is known; it only grows.
@@ -58,7 +58,7 @@ class BodyBounds {
     std::array<Vec3, 3> at;      // the corners
     double extra_offset = 0;     // metres that the corners should come out
     int facet = 0;               // nearest to the middle
-    bool meets = false;          // the body: no bounds
+    bool intersects = false;     // the body: no bounds
   };
 
   Region region_of(const Triangle& corners, const Vec4s& x, int near_facet,
@@ -69,12 +69,12 @@ class BodyBounds {
   const std::vector<Triangle>& triangles_;
   Adjacency<TriangleCorner> corners_;  // per vertex
   std::vector<Region> regions_;
-  std::vector<char> due_;       // per triangle
-  std::vector<int> next_look_;  // per triangle, the first that may be again
-  int looks_ = 0;
+  std::vector<char> due_;         // per triangle
+  std::vector<int> next_update_;  // per triangle, the first that may be again
+  int updates_ = 0;
   std::atomic<bool> any_due_ = true;
   std::vector<double> extra_offset_;
-  std::vector<int> looked_;  // vertices of the last look
+  std::vector<int> updated_;  // vertices of the last look
 };
 
 }  // namespace toile

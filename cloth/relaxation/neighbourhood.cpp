@@ -102,7 +102,7 @@ Vec3 Neighbourhood::clipped(std::size_t v, const Vec3& wanted) const {
 }
 
 double Neighbourhood::allowed_by_body(std::size_t v, const Vec3& from, const Vec3& to) {
-  return body_bounds_ ? body_bounds_->share(static_cast<int>(v), from, to) : 1;
+  return body_bounds_ ? body_bounds_->allowed_share(static_cast<int>(v), from, to) : 1;
 }
 
 std::vector<Vec3> Neighbourhood::positions() const {
@@ -143,9 +143,9 @@ void Neighbourhood::set_safe_balls() {
 
 void Neighbourhood::update_body_bounds() {
   if (!body_bounds_) return;
-  if (++body_updates_ % meeting_interval == 0) body_bounds_->look_at_meeting();
-  if (!body_bounds_->due()) return;
-  for (const int v : body_bounds_->look(x_)) {
+  if (++body_updates_ % meeting_interval == 0) body_bounds_->recheck_intersecting();
+  if (!body_bounds_->is_due()) return;
+  for (const int v : body_bounds_->update(x_)) {
     if (body_bounds_->extra_offset(v) > 0) contacts_[v].forget();
     set_safe_ball(v, as_vec3(x_[v]));
   }
@@ -166,7 +166,7 @@ void Neighbourhood::set_safe_ball(std::size_t v, const Vec3& p) {
     if (used > due) search_due_ = true;
     radius = std::min(radius, std::max((used > due ? bound_[v] : due) - used, 0.0));
   }
-  if (body_bounds_) radius = std::min(radius, body_bounds_->free(static_cast<int>(v), p));
+  if (body_bounds_) radius = std::min(radius, body_bounds_->free_radius(static_cast<int>(v), p));
   if (!bound_.empty()) {
     const double left = 0.5 * PairForces::margin - (p - activated_at_[v]).norm();
     if (left <= 0) activation_due_ = true;

@@ -33,12 +33,12 @@ TEST(BodyBounds, NothingThatKeepsToThemMeetsTheBody) {
   std::uniform_real_distribution<double> any(-1, 1);
   int stopped = 0;
   for (int round = 0; round < 200; ++round) {
-    bounds.look(as_vec4(x));
+    bounds.update(as_vec4(x));
     for (std::size_t v = 0; v < x.size(); ++v) {
       // Down, at 3 cm a round, and about.
       const Vec3 wanted = x[v] + Vec3(0.01 * any(random), -0.03, 0.01 * any(random));
-      const double free = bounds.free(static_cast<int>(v), x[v]);
-      const double share = bounds.share(static_cast<int>(v), x[v], wanted);
+      const double free = bounds.free_radius(static_cast<int>(v), x[v]);
+      const double share = bounds.allowed_share(static_cast<int>(v), x[v], wanted);
       EXPECT_GE(share * (wanted - x[v]).norm(),
                 std::min(free, (wanted - x[v]).norm()) * 0.99 - 1e-12);
       stopped += share < 1;
@@ -55,16 +55,16 @@ TEST(BodyBounds, WhatMeetsTheBodyCanComeOut) {
   const std::vector<Triangle> triangles = {{0, 1, 2}};
   std::vector<Vec3> x = {{0, -0.01, 0}, {0.02, 0.01, 0}, {0, 0.01, 0.02}};
   BodyBounds bounds(body, triangles, 3);
-  bounds.look(as_vec4(x));
-  EXPECT_GT(bounds.free(0, x[0]), 1);
-  EXPECT_EQ(bounds.share(0, x[0], {0, 0.01, 0}), 1);
+  bounds.update(as_vec4(x));
+  EXPECT_GT(bounds.free_radius(0, x[0]), 1);
+  EXPECT_EQ(bounds.allowed_share(0, x[0], {0, 0.01, 0}), 1);
   x[0] = {0, 0.01, 0};
-  bounds.look_at_meeting();
-  for (int i = 0; i < 4; ++i) bounds.look(as_vec4(x));  // each triangle only now and then
-  EXPECT_LT(bounds.free(0, x[0]), 0.01);
+  bounds.recheck_intersecting();
+  for (int i = 0; i < 4; ++i) bounds.update(as_vec4(x));  // each triangle only now and then
+  EXPECT_LT(bounds.free_radius(0, x[0]), 0.01);
   for (int i = 0; i < 80; ++i) {
-    x[0] += bounds.share(0, x[0], {0, -0.01, 0}) * (Vec3(0, -0.01, 0) - x[0]);
-    bounds.look(as_vec4(x));
+    x[0] += bounds.allowed_share(0, x[0], {0, -0.01, 0}) * (Vec3(0, -0.01, 0) - x[0]);
+    bounds.update(as_vec4(x));
   }
   EXPECT_GT(x[0].y(), 0);
   EXPECT_LT(x[0].y(), 1e-4);  // the box's top is flat: a plane just above it
@@ -80,9 +80,9 @@ TEST(BodyBounds, WhatIsInsideCanComeOut) {
       const double y = side * depth;
       std::vector<Vec3> x = {{0, y, 0}, {0.02, y, 0}, {0, y, 0.02}};
       BodyBounds bounds(body, triangles, 3);
-      bounds.look(as_vec4(x));
+      bounds.update(as_vec4(x));
       const Vec3 through(0, -2 * y, 0);
-      const double share = bounds.share(0, x[0], x[0] + through);
+      const double share = bounds.allowed_share(0, x[0], x[0] + through);
       EXPECT_EQ(share, side < 0 ? 1 : std::min(share, 0.5)) << y;
     }
   }
@@ -97,15 +97,15 @@ TEST(BodyBounds, WhatIsClearBesideAStepIsNotHeldAtItsHeight) {
   const std::vector<Vec3> x = {{0, 0.01, 0}, {0.02, 0.01, 0}, {0, 0.01, 0.02}};
   BodyBounds bounds(body, triangles, 3);
   for (int i = 0; i < 40; ++i) {
-    bounds.look(as_vec4(x));
+    bounds.update(as_vec4(x));
     for (int v = 0; v < 3; ++v) {
       // What is stopped is due to be looked after anew.
-      EXPECT_EQ(bounds.share(v, x[v], x[v] - Vec3(0, 0.003, 0)), 1);
-      EXPECT_LT(bounds.share(v, x[v], x[v] + Vec3(0.02, -0.009, 0)), 0.5);
+      EXPECT_EQ(bounds.allowed_share(v, x[v], x[v] - Vec3(0, 0.003, 0)), 1);
+      EXPECT_LT(bounds.allowed_share(v, x[v], x[v] + Vec3(0.02, -0.009, 0)), 0.5);
     }
   }
   for (int v = 0; v < 3; ++v) {
-    EXPECT_GT(bounds.free(v, x[v]), 0.003);
+    EXPECT_GT(bounds.free_radius(v, x[v]), 0.003);
     EXPECT_EQ(bounds.extra_offset(v), 0);
   }
 }
