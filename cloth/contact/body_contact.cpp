@@ -16,11 +16,11 @@ constexpr double ridge_slope = 0.97;
 
 }  // namespace
 
-void BodyContact::look(const Scene& scene, const Vec3& p, double offset,
-                       double linearization_radius, double approach_bound) {
+void BodyContact::linearize(const Scene& scene, const Vec3& p, double offset,
+                            double linearization_radius, double approach_bound) {
   const DistanceGrid::Sample sample = scene.collider->grid().at(p);
   const double away = sample.distance - offset;
-  looked_at_ = p;
+  linearized_at_ = p;
   const double near = std::max(near_surface, approach_bound);
   near_ = away < near;
   if (!near_) {

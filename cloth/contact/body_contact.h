@@ -19,12 +19,12 @@ class alignas(32) BodyContact {
   /// `linearization_radius` metres; for less where it bends away on both sides. The vertex, which
   /// may come down by `approach_bound` metres in a step, counts as held by the body from so far
   /// off. The scene has a body.
-  void look(const Scene& scene, const Vec3& p, double offset, double linearization_radius,
-            double approach_bound);
+  void linearize(const Scene& scene, const Vec3& p, double offset, double linearization_radius,
+                 double approach_bound);
 
   /// Metres that the vertex may still move before the body has to be looked at again; 0 and less
   /// when it is due.
-  double remaining(const Vec3& p) const { return reach_ - (p - looked_at_).norm(); }
+  double remaining(const Vec3& p) const { return reach_ - (p - linearized_at_).norm(); }
 
   /// Whether the body is near enough to push within what remains.
   bool near() const { return near_; }
@@ -40,7 +40,7 @@ class alignas(32) BodyContact {
     return anchored_ ? std::optional<Vec3>(as_vec3(anchor_)) : std::nullopt;
   }
   /// Lets friction hold it there, instead of where it comes to touch the body.
-  void hold_at(const Vec3& anchor) {
+  void set_anchor(const Vec3& anchor) {
     anchored_ = true;
     anchor_ = as_vec4(anchor);
   }
@@ -67,10 +67,10 @@ class alignas(32) BodyContact {
     }
     const Vec4 away = p - anchor_;
     Vec4 slip = away - dot(normal_, away) * normal_;
-    const double most = friction * push / anchor_stiffness;
+    const double max_slip = friction * push / anchor_stiffness;
     const double squared = squared_length(slip);
-    if (squared > most * most) {
-      slip *= most / std::sqrt(squared);
+    if (squared > max_slip * max_slip) {
+      slip *= max_slip / std::sqrt(squared);
       anchor_ = p - slip;
     }
     force -= anchor_stiffness * slip;
@@ -90,7 +90,7 @@ class alignas(32) BodyContact {
   double level_ = 0;      // metres of depth at the origin
   double stiffness_ = 0;  // N/m, a bound of the push's
   double reach_ = -1;
-  Vec3 looked_at_ = Vec3::Zero();
+  Vec3 linearized_at_ = Vec3::Zero();
   bool near_ = false;
   bool anchored_ = false;
 };

@@ -10,7 +10,7 @@ namespace toile {
 /// The middle of an edge that sticks to the body.
 struct EdgeAnchor {
   std::array<int, 2> edge;  ///< its vertices, the lower first
-  Vec3 anchor;              ///< metres, where it sticks
+  Vec3 position;            ///< metres, where it sticks
 };
 
 /// Two points of a pair, one of either side, that try to stay side by side.

@@ -98,7 +98,7 @@ void PairForces::push(std::size_t begin, std::size_t end, bool barrier, double e
       slots_[4 * i + j] = as_vec4(push.on[j]);
       slots_[4 * i + j][3] = push.stiffness[j];
     }
-    if (!friction_.empty()) friction_.rub(i, push.nearest, push.force, x, &slots_[4 * i]);
+    if (!friction_.empty()) friction_.add(i, push.nearest, push.force, x, &slots_[4 * i]);
   }
 }
 

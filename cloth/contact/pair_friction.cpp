@@ -10,7 +10,7 @@ namespace toile {
 namespace {
 
 /// N/m. A garment is held by hundreds of pairs: its weight moves them by micrometres.
-constexpr double rub_stiffness = 50;
+constexpr double pair_friction_stiffness = 50;
 
 template <typename Pair>
 auto key(const Pair& pair) {
@@ -18,7 +18,7 @@ auto key(const Pair& pair) {
 }
 
 /// The one of `sorted` with the same vertices; none: null.
-const PairAnchor* grip_of(const ContactPair& pair, const std::vector<PairAnchor>& sorted) {
+const PairAnchor* anchor_of(const ContactPair& pair, const std::vector<PairAnchor>& sorted) {
   const auto found =
       std::lower_bound(sorted.begin(), sorted.end(), pair,
                        [](const PairAnchor& a, const ContactPair& b) { return key(a) < key(b); });
@@ -49,8 +49,8 @@ double PairFriction::coefficient(const ContactPair& pair) const {
 
 std::vector<PairAnchor> PairFriction::anchors() const {
   std::vector<PairAnchor> anchors;
-  for (const Rub& rub : rubs_) {
-    if (rub.holds) anchors.push_back(rub.warm_start);
+  for (const PairState& state : states_) {
+    if (state.sticks) anchors.push_back(state.anchor);
   }
   std::sort(anchors.begin(), anchors.end(),
             [](const PairAnchor& a, const PairAnchor& b) { return key(a) < key(b); });
@@ -58,49 +58,50 @@ std::vector<PairAnchor> PairFriction::anchors() const {
 }
 
 void PairFriction::activate(const std::vector<ContactPair>& pairs) {
-  const std::vector<PairAnchor> held = carried_.empty() ? anchors() : std::move(carried_);
-  carried_.clear();
-  rubs_.clear();
+  const std::vector<PairAnchor> anchors =
+      given_anchors_.empty() ? this->anchors() : std::move(given_anchors_);
+  given_anchors_.clear();
+  states_.clear();
   if (coefficients_.empty()) return;
-  rubs_.resize(pairs.size());
+  states_.resize(pairs.size());
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    Rub& rub = rubs_[i];
-    rub.friction = coefficient(pairs[i]);
-    rub.warm_start = {pairs[i].vertices, pairs[i].edges, {}, Vec3::Zero()};
-    const PairAnchor* warm_start = grip_of(pairs[i], held);
-    rub.holds = warm_start != nullptr;
-    if (rub.holds) rub.warm_start = *warm_start;
+    PairState& state = states_[i];
+    state.friction = coefficient(pairs[i]);
+    state.anchor = {pairs[i].vertices, pairs[i].edges, {}, Vec3::Zero()};
+    const PairAnchor* anchor = anchor_of(pairs[i], anchors);
+    state.sticks = anchor != nullptr;
+    if (state.sticks) state.anchor = *anchor;
   }
 }
 
-void PairFriction::rub(std::size_t i, const NearestPoints& nearest, double push, const Vec4s& x,
+void PairFriction::add(std::size_t i, const NearestPoints& nearest, double push, const Vec4s& x,
                        Vec4* on_vertices) {
-  Rub& rub = rubs_[i];
+  PairState& state = states_[i];
   const double distance = nearest.apart.norm();
-  if (push <= 0 || distance <= 0 || rub.friction <= 0) {
-    rub.holds = false;
+  if (push <= 0 || distance <= 0 || state.friction <= 0) {
+    state.sticks = false;
     return;
   }
-  PairAnchor& warm_start = rub.warm_start;
-  if (!rub.holds) {
-    rub.holds = true;
-    warm_start.weights = nearest.weights;
-    warm_start.anchor = Vec3::Zero();
+  PairAnchor& anchor = state.anchor;
+  if (!state.sticks) {
+    state.sticks = true;
+    anchor.weights = nearest.weights;
+    anchor.offset = Vec3::Zero();
   }
-  Vec3 slip = -warm_start.anchor;
-  for (int j = 0; j < 4; ++j) slip += warm_start.weights[j] * as_vec3(x[warm_start.vertices[j]]);
+  Vec3 slip = -anchor.offset;
+  for (int j = 0; j < 4; ++j) slip += anchor.weights[j] * as_vec3(x[anchor.vertices[j]]);
   const Vec3 normal = nearest.apart / distance;
   slip -= normal.dot(slip) * normal;
-  const double most = rub.friction * push / rub_stiffness;
+  const double max_slip = state.friction * push / pair_friction_stiffness;
   const double squared = slip.squaredNorm();
-  if (squared > most * most) {
-    slip *= most / std::sqrt(squared);
-    warm_start.weights = nearest.weights;
-    warm_start.anchor = -slip;
+  if (squared > max_slip * max_slip) {
+    slip *= max_slip / std::sqrt(squared);
+    anchor.weights = nearest.weights;
+    anchor.offset = -slip;
   }
   for (int j = 0; j < 4; ++j) {
-    Vec4 force = as_vec4(-rub_stiffness * warm_start.weights[j] * slip);
-    force[3] = 2 * rub_stiffness * std::abs(warm_start.weights[j]);
+    Vec4 force = as_vec4(-pair_friction_stiffness * anchor.weights[j] * slip);
+    force[3] = 2 * pair_friction_stiffness * std::abs(anchor.weights[j]);
     on_vertices[j] += force;
   }
 }

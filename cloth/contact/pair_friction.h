@@ -20,30 +20,30 @@ class PairFriction {
   /// layers, is as rough as what rubs on it. Empty: there is no friction, and it costs nothing.
   void set_coefficients(std::vector<double> coefficients);
   /// Lets the next activate() hold pairs so, instead of where they come to press.
-  void hold(std::vector<PairAnchor> anchors) { carried_ = std::move(anchors); }
+  void set_anchors(std::vector<PairAnchor> anchors) { given_anchors_ = std::move(anchors); }
   /// What friction holds, sorted by the vertices.
   std::vector<PairAnchor> anchors() const;
 
   /// The pairs to come in rub(), by their index. Those that it holds it goes on holding.
   void activate(const std::vector<ContactPair>& pairs);
-  bool empty() const { return rubs_.empty(); }
-  void clear() { rubs_.clear(), carried_.clear(); }
+  bool empty() const { return states_.empty(); }
+  void clear() { states_.clear(), given_anchors_.clear(); }
   /// Adds the force (N) on each vertex of pair i, which is pushed apart with `push` (N), and a
   /// bound of their stiffness (N/m) as the fourth. Different pairs may come side by side.
-  void rub(std::size_t i, const NearestPoints& nearest, double push, const Vec4s& x,
+  void add(std::size_t i, const NearestPoints& nearest, double push, const Vec4s& x,
            Vec4* on_vertices);
 
  private:
-  struct Rub {
+  struct PairState {
     double friction = 0;  // Coulomb
-    bool holds = false;
-    PairAnchor warm_start;
+    bool sticks = false;
+    PairAnchor anchor;
   };
   double coefficient(const ContactPair& pair) const;
 
   std::vector<double> coefficients_;
-  std::vector<Rub> rubs_;
-  std::vector<PairAnchor> carried_;
+  std::vector<PairState> states_;
+  std::vector<PairAnchor> given_anchors_;
 };
 
 }  // namespace toile

@@ -43,11 +43,11 @@ ClothForces::ClothForces(const GarmentModel& model, const ForceOptions& options,
     update_multipliers();
   }
   if (options.warm_start == nullptr || open_seams) return;
-  neighbourhood_->pairs().friction().hold(options.warm_start->cloth);
-  if (edge_contacts_) edge_contacts_->hold(options.warm_start->edges);
+  neighbourhood_->pairs().friction().set_anchors(options.warm_start->cloth);
+  if (edge_contacts_) edge_contacts_->set_anchors(options.warm_start->edges);
   const auto& skin = options.warm_start->skin;
   for (std::size_t n = 0; n < std::min(skin.size(), vertices_->count); ++n) {
-    if (skin[n]) neighbourhood_->contact(n).hold_at(*skin[n]);
+    if (skin[n]) neighbourhood_->contact(n).set_anchor(*skin[n]);
   }
 }
 
@@ -161,7 +161,7 @@ void ClothForces::find_attraction() {
 }
 
 void ClothForces::refresh() {
-  if (edge_contacts_) edge_contacts_->look_anew();
+  if (edge_contacts_) edge_contacts_->forget();
   neighbourhood_->refresh();
 }
 

@@ -32,7 +32,7 @@ EdgeContacts::EdgeContacts(const std::vector<Triangle>& triangles, const Vec4s& 
   });
 }
 
-void EdgeContacts::look_anew() {
+void EdgeContacts::forget() {
   for (BodyContact& contact : contacts_) contact.forget();
   free_.assign(edges_.size(), Vec4{});
 }
@@ -46,11 +46,11 @@ std::vector<EdgeAnchor> EdgeContacts::anchors() const {
   return anchors;
 }
 
-void EdgeContacts::hold(const std::vector<EdgeAnchor>& anchors) {
-  for (const EdgeAnchor& warm_start : anchors) {
-    const auto found = std::lower_bound(edges_.begin(), edges_.end(), warm_start.edge);
-    if (found == edges_.end() || *found != warm_start.edge) continue;
-    contacts_[found - edges_.begin()].hold_at(warm_start.anchor);
+void EdgeContacts::set_anchors(const std::vector<EdgeAnchor>& anchors) {
+  for (const EdgeAnchor& anchor : anchors) {
+    const auto found = std::lower_bound(edges_.begin(), edges_.end(), anchor.edge);
+    if (found == edges_.end() || *found != anchor.edge) continue;
+    contacts_[found - edges_.begin()].set_anchor(anchor.position);
   }
 }
 
@@ -65,8 +65,8 @@ void EdgeContacts::push(std::size_t begin, std::size_t end, const GarmentModel& 
     pushed_[e] = 1;
     const Vec3 p = as_vec3(middle);
     if (contacts_[e].remaining(p) <= 0) {
-      contacts_[e].look(model.scene, p, model.body_offset, options.linearization_radius,
-                        approach_bound_[e]);
+      contacts_[e].linearize(model.scene, p, model.body_offset, options.linearization_radius,
+                             approach_bound_[e]);
       const double reach = contacts_[e].near() ? 0 : contacts_[e].remaining(p);
       free_[e] = middle;
       free_[e][3] = reach * reach;

@@ -27,12 +27,12 @@ class EdgeContacts {
   bool empty() const { return contacts_.empty(); }
 
   /// Has the body looked at again before the next forces.
-  void look_anew();
+  void forget();
 
   /// Where friction holds the middles, sorted by their edges.
   std::vector<EdgeAnchor> anchors() const;
   /// Lets friction hold them there, instead of where they come to touch the body.
-  void hold(const std::vector<EdgeAnchor>& anchors);
+  void set_anchors(const std::vector<EdgeAnchor>& anchors);
 
   std::size_t edges() const { return edges_.size(); }
   /// First pass, of edges `begin` to `end`: what the body does to their middles, with vertices at

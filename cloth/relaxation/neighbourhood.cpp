@@ -156,7 +156,8 @@ void Neighbourhood::set_safe_ball(std::size_t v, const Vec3& p) {
   if (touches_body(model_.scene)) {
     if (contacts_[v].remaining(p) <= 0) {
       const double offset = model_.body_offset + extra_offset(static_cast<int>(v));
-      contacts_[v].look(model_.scene, p, offset, options_.linearization_radius, approach_bound_[v]);
+      contacts_[v].linearize(model_.scene, p, offset, options_.linearization_radius,
+                             approach_bound_[v]);
     }
     radius = contacts_[v].remaining(p);
   }

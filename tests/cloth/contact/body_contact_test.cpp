@@ -29,7 +29,7 @@ class Crevice : public testing::Test {
   Push push_at(double x) const {
     const Vec3 p(x, 0.003, 0.001);
     BodyContact contact;
-    contact.look(scene, p, offset, 2e-4, 0);
+    contact.linearize(scene, p, offset, 2e-4, 0);
     Vec4 force = {0, 0, 0, 0};
     Push push = {};
     contact.add(as_vec4(p), 0, force, push.stiffness);

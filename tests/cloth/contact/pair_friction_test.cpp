@@ -39,7 +39,7 @@ class ClothOnCloth : public testing::Test {
   }
 
   /// Metres that the patch goes down the slope in `seconds`, having rested there first.
-  double way(double slope, double mu, double seconds, bool hand_over = true) {
+  double slid_distance(double slope, double mu, double seconds, bool hand_over = true) {
     scene.fabric.friction_cloth = mu;
     scene.gravity = 9.81 * Vec3(std::sin(slope), -std::cos(slope), 0);
     const GarmentModel model = compile(patch, scene, patch.placed);
@@ -73,7 +73,7 @@ class ClothOnCloth : public testing::Test {
 
 TEST_F(ClothOnCloth, SticksBelowTheFrictionAngle) {
   for (const double slope : {5.0, 10.0, 15.0, 16.0}) {  // of 16.7
-    const double crept = way(slope * degree, 0.3, 0.5);
+    const double crept = slid_distance(slope * degree, 0.3, 0.5);
     std::cout << slope << " degrees: crept " << 1000 * crept << " mm, at most "
               << 1000 * report.all.max << ", " << anchors << " anchors\n";
     EXPECT_GT(anchors, 100U);
@@ -84,7 +84,7 @@ TEST_F(ClothOnCloth, SticksBelowTheFrictionAngle) {
 
 TEST_F(ClothOnCloth, SlidesBeyondItAsCoulombSays) {
   for (const double slope : {18.0, 20.0, 25.0, 30.0}) {
-    const double slid = way(slope * degree, 0.3, 0.2, false);
+    const double slid = slid_distance(slope * degree, 0.3, 0.2, false);
     const double wanted =
         0.5 * 9.81 * (std::sin(slope * degree) - 0.3 * std::cos(slope * degree)) * 0.04;
     std::cout << slope << " degrees: slid " << 1000 * slid << " of " << 1000 * wanted
@@ -96,7 +96,7 @@ TEST_F(ClothOnCloth, SlidesBeyondItAsCoulombSays) {
 TEST_F(ClothOnCloth, TheSameBitsForAnyNumberOfThreads) {
   const auto run = [&](int threads) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    way(18 * degree, 0.3, 0.02);
+    slid_distance(18 * degree, 0.3, 0.02);
     return report.moved;
   };
   EXPECT_TRUE(run(1) == run(2));
@@ -216,7 +216,7 @@ TEST(PairFriction, IsTheSmootherSidesAndLetsGo) {
     const std::vector<Vec3> at = {
         {-0.01 + way, 0.001, 0}, {0.01 + way, 0.001, 0}, {0, 0, -0.01}, {0, 0, 0.01}};
     Vec4s on(4, Vec4{});
-    friction.rub(0, nearest_points(pair, at), pushed, as_vec4(at), on.data());
+    friction.add(0, nearest_points(pair, at), pushed, as_vec4(at), on.data());
     EXPECT_NEAR(on[0][0] + on[1][0], -(on[2][0] + on[3][0]), 1e-15);
     return on[0][0] + on[1][0];
   };
@@ -231,7 +231,7 @@ TEST(PairFriction, IsTheSmootherSidesAndLetsGo) {
   ASSERT_EQ(friction.anchors().size(), 1U);
   PairFriction next;
   next.set_coefficients({0.2, 0.4, 0.5, 0.5});
-  next.hold(friction.anchors());
+  next.set_anchors(friction.anchors());
   friction = next;
   friction.activate({pair});
   EXPECT_NEAR(drag(0.001, push), -most, 1e-12);

@@ -29,7 +29,7 @@ TEST(EdgeContacts, HoldOnFromRunToRun) {
   };
   const auto pull = [&](EdgeContacts& contacts, double way) {
     Vec4s force(3, Vec4{});
-    contacts.look_anew();
+    contacts.forget();
     contacts.push(0, contacts.edges(), model, ForceOptions{}, at(way));
     contacts.add(0, force.size(), force);
     return force[0][0] + force[1][0] + force[2][0];
@@ -42,7 +42,7 @@ TEST(EdgeContacts, HoldOnFromRunToRun) {
   ASSERT_EQ(anchors.size(), 1U);
   EXPECT_EQ(anchors[0].edge, (std::array<int, 2>{0, 1}));
   EdgeContacts next(triangles, at(1e-5), 0.025, {0.4, 0.4, 0.4}, {0, 0, 0});
-  next.hold(anchors);
+  next.set_anchors(anchors);
   EXPECT_NEAR(pull(next, 1e-5), held, 1e-12);
 }
 
