@@ -55,14 +55,14 @@ std::vector<SphereGrid::Sphere> spheres_around(const std::vector<Shape>& shapes,
 }
 
 /// Runs `search(item, found)` for every item, in chunks side by side, and joins what they found.
-template <typename Finds, typename Search>
-Finds search_in_chunks(std::size_t items, const Search& search) {
-  std::vector<Finds> found((items + chunk - 1) / chunk);
+template <typename NearPairs, typename Search>
+NearPairs search_in_chunks(std::size_t items, const Search& search) {
+  std::vector<NearPairs> found((items + chunk - 1) / chunk);
   tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t c) {
     const std::size_t end = std::min((c + 1) * chunk, items);
     for (std::size_t item = c * chunk; item < end; ++item) search(item, found[c]);
   });
-  Finds all;
+  NearPairs all;
   for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
   return all;
 }
@@ -180,7 +180,7 @@ double ProximitySearch::neighbour_gap(const ContactPair& pair) const {
   return neighbour_share * shortest;
 }
 
-double ProximitySearch::gap_to_keep(const Found& found, double gap) const {
+double ProximitySearch::gap_to_keep(const NearPair& found, double gap) const {
   if (of_layer(found.pair)) {
     return (1 - bound_share) * found.distance < layer_gap_ ? layer_gap_ : -1;
   }
@@ -190,20 +190,21 @@ double ProximitySearch::gap_to_keep(const Found& found, double gap) const {
   return found.distance < 3 * kept ? kept : -1;
 }
 
-void ProximitySearch::consider(const ContactPair& pair, const Near& near, Finds& found) const {
-  if (boxes_apart(pair, near.x, near.radius)) return;
-  const double distance = nearest_points(pair, near.x).apart.norm();
-  if (distance < near.radius) found.push_back({pair, distance});
+void ProximitySearch::consider(const ContactPair& pair, const Query& query,
+                               NearPairs& found) const {
+  if (boxes_apart(pair, query.x, query.radius)) return;
+  const double distance = nearest_points(pair, query.x).apart.norm();
+  if (distance < query.radius) found.push_back({pair, distance});
 }
 
-void ProximitySearch::point_and_triangle(int v, int t, const Near& near, Finds& found) const {
+void ProximitySearch::point_and_triangle(int v, int t, const Query& query, NearPairs& found) const {
   if (of_layer(v) && t >= moving_triangles_) return;
   const Triangle& c = triangles_[t];
   if (same_node(c[0], v) || same_node(c[1], v) || same_node(c[2], v)) return;
-  consider({{v, c[0], c[1], c[2]}, false, 0}, near, found);
+  consider({{v, c[0], c[1], c[2]}, false, 0}, query, found);
 }
 
-void ProximitySearch::two_edges(int e, int f, const Near& near, Finds& found) const {
+void ProximitySearch::two_edges(int e, int f, const Query& query, NearPairs& found) const {
   // A layer's edges come after the surface's own.
   if (e >= moving_edges_) return;
   const auto& a = edges_[e];
@@ -212,59 +213,59 @@ void ProximitySearch::two_edges(int e, int f, const Near& near, Finds& found) co
       same_node(a[1], b[1])) {
     return;
   }
-  consider({{a[0], a[1], b[0], b[1]}, true, 0}, near, found);
+  consider({{a[0], a[1], b[0], b[1]}, true, 0}, query, found);
 }
 
-ProximitySearch::Finds ProximitySearch::triangles_near_vertices(const Near& near) const {
-  const SphereGrid grid(spheres_around(triangles_, near.x), near.radius);
-  return search_in_chunks<Finds>(near.x.size(), [&](std::size_t v, Finds& found) {
-    if (!near.wants(v)) return;
-    grid.near(near.x[v], 0,
-              [&](int t) { point_and_triangle(static_cast<int>(v), t, near, found); });
+ProximitySearch::NearPairs ProximitySearch::triangles_near_vertices(const Query& query) const {
+  const SphereGrid grid(spheres_around(triangles_, query.x), query.radius);
+  return search_in_chunks<NearPairs>(query.x.size(), [&](std::size_t v, NearPairs& found) {
+    if (!query.wants(v)) return;
+    grid.near(query.x[v], 0,
+              [&](int t) { point_and_triangle(static_cast<int>(v), t, query, found); });
   });
 }
 
-ProximitySearch::Finds ProximitySearch::others_near_wanted_triangles(const Near& near) const {
+ProximitySearch::NearPairs ProximitySearch::others_near_wanted_triangles(const Query& query) const {
   std::vector<SphereGrid::Sphere> points;
-  points.reserve(near.x.size());
-  for (const Vec3& p : near.x) points.push_back({p, 0});
-  const SphereGrid grid(points, near.radius);
-  return search_in_chunks<Finds>(triangles_.size(), [&](std::size_t t, Finds& found) {
-    if (!any_of(near.wanted, triangles_[t])) return;
-    const SphereGrid::Sphere around = sphere_around(triangles_[t], near.x);
+  points.reserve(query.x.size());
+  for (const Vec3& p : query.x) points.push_back({p, 0});
+  const SphereGrid grid(points, query.radius);
+  return search_in_chunks<NearPairs>(triangles_.size(), [&](std::size_t t, NearPairs& found) {
+    if (!any_of(query.wanted, triangles_[t])) return;
+    const SphereGrid::Sphere around = sphere_around(triangles_[t], query.x);
     grid.near(around.centre, around.radius, [&](int v) {
-      if (!near.wants(v)) point_and_triangle(v, static_cast<int>(t), near, found);
+      if (!query.wants(v)) point_and_triangle(v, static_cast<int>(t), query, found);
     });
   });
 }
 
-ProximitySearch::Finds ProximitySearch::edges_near_edges(const Near& near) const {
-  const std::vector<SphereGrid::Sphere> edges = spheres_around(edges_, near.x);
-  const SphereGrid grid(edges, near.radius);
-  if (near.wanted.empty()) {
-    return search_in_chunks<Finds>(grid.parts(), [&](std::size_t part, Finds& found) {
-      grid.pairs(part, [&](int e, int f) { two_edges(e, f, near, found); });
+ProximitySearch::NearPairs ProximitySearch::edges_near_edges(const Query& query) const {
+  const std::vector<SphereGrid::Sphere> edges = spheres_around(edges_, query.x);
+  const SphereGrid grid(edges, query.radius);
+  if (query.wanted.empty()) {
+    return search_in_chunks<NearPairs>(grid.parts(), [&](std::size_t part, NearPairs& found) {
+      grid.pairs(part, [&](int e, int f) { two_edges(e, f, query, found); });
     });
   }
-  return search_in_chunks<Finds>(edges_.size(), [&](std::size_t i, Finds& found) {
+  return search_in_chunks<NearPairs>(edges_.size(), [&](std::size_t i, NearPairs& found) {
     const int e = static_cast<int>(i);
-    if (!any_of(near.wanted, edges_[e])) return;
+    if (!any_of(query.wanted, edges_[e])) return;
     grid.near(edges[e].centre, edges[e].radius, [&](int f) {
-      if (f == e || (f < e && any_of(near.wanted, edges_[f]))) return;
-      two_edges(std::min(e, f), std::max(e, f), near, found);
+      if (f == e || (f < e && any_of(query.wanted, edges_[f]))) return;
+      two_edges(std::min(e, f), std::max(e, f), query, found);
     });
   });
 }
 
-ProximitySearch::Finds ProximitySearch::near_pairs(const Near& near) const {
-  Finds all;
-  Finds of_others;
-  Finds of_edges;
-  tbb::parallel_invoke([&] { all = triangles_near_vertices(near); },
+ProximitySearch::NearPairs ProximitySearch::near_pairs(const Query& query) const {
+  NearPairs all;
+  NearPairs of_others;
+  NearPairs of_edges;
+  tbb::parallel_invoke([&] { all = triangles_near_vertices(query); },
                        [&] {
-                         if (!near.wanted.empty()) of_others = others_near_wanted_triangles(near);
+                         if (!query.wanted.empty()) of_others = others_near_wanted_triangles(query);
                        },
-                       [&] { of_edges = edges_near_edges(near); });
+                       [&] { of_edges = edges_near_edges(query); });
   all.insert(all.end(), of_others.begin(), of_others.end());
   all.insert(all.end(), of_edges.begin(), of_edges.end());
   return all;
@@ -275,7 +276,7 @@ void ProximitySearch::find(const std::vector<Vec3>& x, double radius, double gap
                            bool skip_neighbours) const {
   pairs.clear();
   bound.assign(x.size(), bound_share * radius);
-  for (Found& found : near_pairs({x, radius, {}})) {
+  for (NearPair& found : near_pairs({x, radius, {}})) {
     if (skip_neighbours && !of_layer(found.pair) && neighbours(found.pair)) continue;
     for (const int v : found.pair.vertices) {
       bound[v] = std::min(bound[v], bound_share * found.distance);
@@ -306,19 +307,19 @@ void ProximitySearch::update(const std::vector<Vec3>& x, double radius, double g
     bound[v] = bound_share * radius;
   }
   // One that keeps its bound may still go as far as its whole width from where it is now.
-  const double seen = bound_share * (2 + used_share) * 1.02 * radius;
-  for (Found& found : near_pairs({x, seen, moved})) {
+  const double search_radius = bound_share * (2 + used_share) * 1.02 * radius;
+  for (NearPair& found : near_pairs({x, search_radius, moved})) {
     if (skip_neighbours && !of_layer(found.pair) && neighbours(found.pair)) continue;
-    const double most = bound_share * found.distance;
+    const double limit = bound_share * found.distance;
     for (const int v : found.pair.vertices) {
       if (moved[v] == 0 && !of_layer(v)) {
         const double used = (x[v] - at[v]).norm();
-        // The other side keeps to `most`.
-        if (bound[v] + used <= found.distance - most) continue;
+        // The other side keeps to `limit`.
+        if (bound[v] + used <= found.distance - limit) continue;
         bound[v] = std::max(bound[v] - used, 0.0);
         at[v] = x[v];
       }
-      bound[v] = std::min(bound[v], most);
+      bound[v] = std::min(bound[v], limit);
     }
     if (found.distance >= radius) continue;
     found.pair.gap = gap_to_keep(found, gap);

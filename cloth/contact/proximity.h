@@ -39,7 +39,7 @@ struct ContactPush {
 };
 ContactPush contact_push(double distance, double gap, bool barrier, double early = 0);
 
-/// Finds the close pairs of a surface whose connectivity stays the same. Vertices that are one
+/// NearPairs the close pairs of a surface whose connectivity stays the same. Vertices that are one
 /// node, or are to become one when a seam closes, never pair with what holds the other. Between
 /// neighbours in the mesh the gap is reduced to what the flat mesh leaves between them, so that a
 /// sheet does not push itself apart.
@@ -74,29 +74,29 @@ class ProximitySearch {
               bool skip_neighbours) const;
 
  private:
-  struct Found {
+  struct NearPair {
     ContactPair pair;
     double distance;
   };
-  using Finds = std::vector<Found>;
+  using NearPairs = std::vector<NearPair>;
 
   /// What is asked for: pairs nearer than `radius` of which some vertex is `wanted`; none given:
   /// all.
-  struct Near {
+  struct Query {
     const std::vector<Vec3>& x;
     double radius;
     const std::vector<char>& wanted;
     bool wants(std::size_t v) const { return wanted.empty() || wanted[v] != 0; }
   };
-  void consider(const ContactPair& pair, const Near& near, Finds& found) const;
-  void point_and_triangle(int v, int t, const Near& near, Finds& found) const;
-  void two_edges(int e, int f, const Near& near, Finds& found) const;
-  Finds triangles_near_vertices(const Near& near) const;
-  Finds others_near_wanted_triangles(const Near& near) const;
-  Finds edges_near_edges(const Near& near) const;
-  Finds near_pairs(const Near& near) const;
+  void consider(const ContactPair& pair, const Query& query, NearPairs& found) const;
+  void point_and_triangle(int v, int t, const Query& query, NearPairs& found) const;
+  void two_edges(int e, int f, const Query& query, NearPairs& found) const;
+  NearPairs triangles_near_vertices(const Query& query) const;
+  NearPairs others_near_wanted_triangles(const Query& query) const;
+  NearPairs edges_near_edges(const Query& query) const;
+  NearPairs near_pairs(const Query& query) const;
   /// What a pair keeps, metres; negative: it needs no force before the next search.
-  double gap_to_keep(const Found& found, double gap) const;
+  double gap_to_keep(const NearPair& found, double gap) const;
   bool of_layer(int vertex) const { return vertex >= moving_vertices_; }
   bool of_layer(const ContactPair& pair) const {
     return of_layer(pair.vertices[0]) || of_layer(pair.vertices[2]);
