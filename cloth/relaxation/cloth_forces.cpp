@@ -134,17 +134,18 @@ void ClothForces::close_seams(double wanted) {
 bool ClothForces::update_multipliers() {
   if (!has_limits()) return true;
   const std::size_t tasks = chunks_of(kernel_->groups(), vertex_chunk);
-  std::vector<ElasticKernel::Held> counts(tasks);
+  std::vector<ElasticKernel::LimitViolations> counts(tasks);
   parallel_for(tasks, [&](std::size_t c) {
-    counts[c] = kernel_->hold(c * vertex_chunk, std::min(kernel_->groups(), (c + 1) * vertex_chunk),
-                              stretch_, positions());
+    counts[c] = kernel_->update_multipliers(c * vertex_chunk,
+                                            std::min(kernel_->groups(), (c + 1) * vertex_chunk),
+                                            stretch_, positions());
   });
   limit_stiffness_.assign(model_.nodes, 0);
   for (std::size_t n = 0; n < limit_stiffness_.size(); ++n) {
     for (const int v : vertices_->of_node[n]) limit_stiffness_[n] += kernel_->stiffening(v);
   }
   return std::all_of(counts.begin(), counts.end(),
-                     [](const ElasticKernel::Held& held) { return held.beyond == 0; });
+                     [](const ElasticKernel::LimitViolations& found) { return found.beyond == 0; });
 }
 
 void ClothForces::find_attraction() {

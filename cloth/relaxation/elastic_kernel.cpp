@@ -54,9 +54,9 @@ constexpr double near_limit = 0.5;
 [[gnu::always_inline]] inline Vec4 larger(const Vec4& a, const Vec4& b) { return a > b ? a : b; }
 
 /// What limits add to the stress of four triangles that are beyond them `by` so much strain.
-[[gnu::always_inline]] inline Vec4 holding(const Vec4& stiffness, const Vec4& by,
-                                           const Vec4& restraint) {
-  return larger(restraint + strain_limit_stiffening * stiffness * by, Vec4{0, 0, 0, 0});
+[[gnu::always_inline]] inline Vec4 limit_stress(const Vec4& stiffness, const Vec4& by,
+                                                const Vec4& multiplier) {
+  return larger(multiplier + strain_limit_stiffening * stiffness * by, Vec4{0, 0, 0, 0});
 }
 
 // A direction crushed to nothing has no direction to push along.
@@ -64,11 +64,11 @@ constexpr double min_squared = 1e-18;
 
 /// Stress over stretched length, N·m/... of four triangles along one yarn.
 [[gnu::always_inline]] inline Vec4 tension(const Vec4& stiffness, const Vec4& squared,
-                                           const StretchOptions& options, const Vec4* restraint) {
+                                           const StretchOptions& options, const Vec4* multiplier) {
   const Vec4 length = square_root(squared > min_squared ? squared : Vec4{1, 1, 1, 1});
   const Vec4 strain = length - 1.0;
   Vec4 stress = stiffness * (strain > 0.0 ? strain : options.compression * strain);
-  if (restraint != nullptr) stress += holding(stiffness, strain - options.limit, *restraint);
+  if (multiplier != nullptr) stress += limit_stress(stiffness, strain - options.limit, *multiplier);
   const Vec4 result = stress / length;
   return squared > min_squared ? result : Vec4{0, 0, 0, 0};
 }
@@ -87,40 +87,40 @@ ElasticKernel::ElasticKernel(const GarmentModel& model, bool of_points) {
 }
 
 void ElasticKernel::lay_out_limits(const GarmentModel& model) {
-  held_.assign(groups_.size(), HeldGroup{});
+  limits_.assign(groups_.size(), LimitGroup{});
   triangles_ = model.stretch.size();
   for (std::size_t t = 0; t < triangles_; ++t) {
     const StretchTriangle& s = model.stretch[t];
-    HeldGroup& held = held_[t / group];
-    held.area[t % group] = s.area;
-    held.most[t % group] = s.limited ? s.area * max_limit_multiplier : 0;
+    LimitGroup& limits = limits_[t / group];
+    limits.area[t % group] = s.area;
+    limits.max[t % group] = s.limited ? s.area * max_limit_multiplier : 0;
     for (int c = 0; c < 3; ++c) {
-      held.sum_weft[t % group] += std::abs(s.weft[c]);
-      held.sum_warp[t % group] += std::abs(s.warp[c]);
+      limits.sum_weft[t % group] += std::abs(s.weft[c]);
+      limits.sum_warp[t % group] += std::abs(s.warp[c]);
     }
   }
 }
 
 void ElasticKernel::start_multipliers(const std::vector<LimitMultiplier>& yarns) {
   for (std::size_t t = 0; t < std::min(yarns.size(), triangles_); ++t) {
-    HeldGroup& held = held_[t / group];
+    LimitGroup& limits = limits_[t / group];
     const std::size_t i = t % group;
-    const auto within = [&](double restraint) {
-      return std::clamp(held.area[i] * restraint, -held.most[i], held.most[i]);
+    const auto within = [&](double multiplier) {
+      return std::clamp(limits.area[i] * multiplier, -limits.max[i], limits.max[i]);
     };
-    held.weft[i] = within(yarns[t].weft);
-    held.warp[i] = within(yarns[t].warp);
-    held.shear[i] = within(yarns[t].shear);
+    limits.weft[i] = within(yarns[t].weft);
+    limits.warp[i] = within(yarns[t].warp);
+    limits.shear[i] = within(yarns[t].shear);
   }
 }
 
 std::vector<LimitMultiplier> ElasticKernel::multipliers() const {
   std::vector<LimitMultiplier> yarns(triangles_);
   for (std::size_t t = 0; t < triangles_; ++t) {
-    const HeldGroup& held = held_[t / group];
+    const LimitGroup& limits = limits_[t / group];
     const std::size_t i = t % group;
-    yarns[t] = {held.weft[i] / held.area[i], held.warp[i] / held.area[i],
-                held.shear[i] / held.area[i]};
+    yarns[t] = {limits.weft[i] / limits.area[i], limits.warp[i] / limits.area[i],
+                limits.shear[i] / limits.area[i]};
   }
   return yarns;
 }
@@ -187,17 +187,17 @@ template <bool limited>
     Columns weft;
     Columns warp;
     deform(t, x, weft, warp);
-    const HeldGroup* held = limited ? &held_[g] : nullptr;
-    const bool stretch_held = limited && options.limit >= 0;
+    const LimitGroup* limits = limited ? &limits_[g] : nullptr;
+    const bool limits_stretch = limited && options.limit >= 0;
     const Vec4 along_weft =
-        tension(t.stretch_weft, dot(weft, weft), options, stretch_held ? &held->weft : nullptr);
+        tension(t.stretch_weft, dot(weft, weft), options, limits_stretch ? &limits->weft : nullptr);
     const Vec4 along_warp =
-        tension(t.stretch_warp, dot(warp, warp), options, stretch_held ? &held->warp : nullptr);
+        tension(t.stretch_warp, dot(warp, warp), options, limits_stretch ? &limits->warp : nullptr);
     const Vec4 turned = dot(weft, warp);
     Vec4 sheared = t.shear * turned;
     if (limited && options.shear_limit >= 0) {
-      sheared += holding(t.shear, turned - options.shear_limit, held->shear) -
-                 holding(t.shear, -turned - options.shear_limit, -held->shear);
+      sheared += limit_stress(t.shear, turned - options.shear_limit, limits->shear) -
+                 limit_stress(t.shear, -turned - options.shear_limit, -limits->shear);
     }
     store_rows(
         {-(along_weft * weft.x + sheared * warp.x), -(along_weft * weft.y + sheared * warp.y),
@@ -213,76 +213,79 @@ template <bool limited>
 TOILE_CLONES
 void ElasticKernel::pull(std::size_t begin, std::size_t end, const StretchOptions& options,
                          const Vec4s& x) {
-  if (held_.empty()) {
+  if (limits_.empty()) {
     pull_all<false>(begin, end, options, x.data());
   } else {
     pull_all<true>(begin, end, options, x.data());
   }
 }
 
-ElasticKernel::Held ElasticKernel::hold(std::size_t begin, std::size_t end,
-                                        const StretchOptions& options, const Vec4s& x) {
+ElasticKernel::LimitViolations ElasticKernel::update_multipliers(std::size_t begin, std::size_t end,
+                                                                 const StretchOptions& options,
+                                                                 const Vec4s& x) {
   // So a load that has one way to go is held at once. Half of it takes twice the iterations, one
   // and a half don't settle where much is held [measured on five garments].
   constexpr double step = 1 + strain_limit_stiffening;
-  Held count;
+  LimitViolations found;
   for (std::size_t g = begin; g < end; ++g) {
     const TriangleGroup& t = groups_[g];
-    HeldGroup& held = held_[g];
+    LimitGroup& limits = limits_[g];
     Columns weft;
     Columns warp;
     deform(t, x.data(), weft, warp);
     // Returns what the limit adds to the stiffness.
     const auto adjust = [&](const Vec4& stiffness, const Vec4& strain, double limit,
-                            Vec4& restraint) {
+                            Vec4& multiplier) {
       const Vec4 zero = {0, 0, 0, 0};
       const Vec4 by = strain - limit;
-      const Vec4 wanted = larger(restraint + step * stiffness * by, zero);
-      restraint = wanted < held.most ? wanted : held.most;
+      const Vec4 wanted = larger(multiplier + step * stiffness * by, zero);
+      multiplier = wanted < limits.max ? wanted : limits.max;
       for (std::size_t i = 0; i < group; ++i) {
-        if (strain[i] <= (1 + limit_tolerance) * limit || held.most[i] <= 0) continue;
-        ++(wanted[i] >= held.most[i] ? count.in_vain : count.beyond);
+        if (strain[i] <= (1 + limit_tolerance) * limit || limits.max[i] <= 0) continue;
+        ++(wanted[i] >= limits.max[i] ? found.at_max_multiplier : found.beyond);
       }
-      const Vec4 stiffer = strain > near_limit * limit || restraint > zero
+      const Vec4 stiffer = strain > near_limit * limit || multiplier > zero
                                ? strain_limit_stiffening * stiffness
                                : zero;
       // Tension is a stiffness too, across the yarn.
-      const Vec4 stress = stiffness * strain + holding(stiffness, by, restraint);
+      const Vec4 stress = stiffness * strain + limit_stress(stiffness, by, multiplier);
       return larger(stiffer, stress - stiffness);
     };
     Vec4 more_weft = {0, 0, 0, 0};
     Vec4 more_warp = {0, 0, 0, 0};
     if (options.limit >= 0) {
       const auto strain = [](const Columns& c) { return square_root(dot(c, c)) - 1.0; };
-      more_weft = held.sum_weft * adjust(t.stretch_weft, strain(weft), options.limit, held.weft);
-      more_warp = held.sum_warp * adjust(t.stretch_warp, strain(warp), options.limit, held.warp);
+      more_weft =
+          limits.sum_weft * adjust(t.stretch_weft, strain(weft), options.limit, limits.weft);
+      more_warp =
+          limits.sum_warp * adjust(t.stretch_warp, strain(warp), options.limit, limits.warp);
     }
     if (options.shear_limit >= 0) {
       const Vec4 turned = dot(weft, warp);
       // Held to one side at most.
-      const Vec4 side = held.shear < 0.0 || (held.shear == 0.0 && turned < 0.0)
+      const Vec4 side = limits.shear < 0.0 || (limits.shear == 0.0 && turned < 0.0)
                             ? Vec4{-1, -1, -1, -1}
                             : Vec4{1, 1, 1, 1};
-      Vec4 restraint = side * held.shear;
-      const Vec4 more = adjust(t.shear, side * turned, options.shear_limit, restraint);
-      held.shear = side * restraint;
-      const Vec4 both = 0.5 * (held.sum_weft + held.sum_warp) * more;
+      Vec4 multiplier = side * limits.shear;
+      const Vec4 more = adjust(t.shear, side * turned, options.shear_limit, multiplier);
+      limits.shear = side * multiplier;
+      const Vec4 both = 0.5 * (limits.sum_weft + limits.sum_warp) * more;
       more_weft += both;
       more_warp += both;
     }
-    held.stiffening_weft = more_weft;
-    held.stiffening_warp = more_warp;
+    limits.stiffening_weft = more_weft;
+    limits.stiffening_warp = more_warp;
   }
-  return count;
+  return found;
 }
 
 double ElasticKernel::stiffening(std::size_t v) const {
   double sum = 0;
   for (const PullEntry& entry : pulls_on_[v]) {
-    const HeldGroup& held = held_[entry.triangle / group];
+    const LimitGroup& limits = limits_[entry.triangle / group];
     const std::size_t at = entry.triangle % group;
-    sum += std::abs(entry.weft) * held.stiffening_weft[at] +
-           std::abs(entry.warp) * held.stiffening_warp[at];
+    sum += std::abs(entry.weft) * limits.stiffening_weft[at] +
+           std::abs(entry.warp) * limits.stiffening_warp[at];
   }
   return sum;
 }

@@ -43,11 +43,12 @@ class ElasticKernel {
   /// Lets go where yarns of groups `begin` to `end` are within their limits at `x` and holds them
   /// harder where they are not, so that repeated they come to be. Returns how many were beyond by
   /// more than `limit_tolerance`, but are held as much as they can be, and how many others.
-  struct Held {
-    int in_vain = 0;
+  struct LimitViolations {
+    int at_max_multiplier = 0;
     int beyond = 0;
   };
-  Held hold(std::size_t begin, std::size_t end, const StretchOptions& options, const Vec4s& x);
+  LimitViolations update_multipliers(std::size_t begin, std::size_t end,
+                                     const StretchOptions& options, const Vec4s& x);
   /// A bound of the stiffness (N/m) that limits add to a vertex, as of the last hold().
   double stiffening(std::size_t vertex) const;
 
@@ -62,11 +63,11 @@ class ElasticKernel {
     Vec4 shear;
     int corners[3][group];
   };
-  struct alignas(32) HeldGroup {
-    Vec4 weft;  // N·m: restraint times area
+  struct alignas(32) LimitGroup {
+    Vec4 weft;  // N·m: multiplier times area
     Vec4 warp;
     Vec4 shear;
-    Vec4 most;      // N·m: of each
+    Vec4 max;       // N·m: of each
     Vec4 area;      // m²
     Vec4 sum_weft;  // 1/m: of the corners' derivatives
     Vec4 sum_warp;
@@ -86,7 +87,7 @@ class ElasticKernel {
   void lay_out_limits(const GarmentModel& model);
 
   std::vector<TriangleGroup> groups_;
-  std::vector<HeldGroup> held_;  // empty: no limits
+  std::vector<LimitGroup> limits_;  // empty: no limits
   std::size_t triangles_ = 0;
   Vec4s pulls_;                    // per triangle: by weft, by warp
   Adjacency<PullEntry> pulls_on_;  // per vertex
