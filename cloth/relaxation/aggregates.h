@@ -9,9 +9,9 @@
 
 namespace toile {
 
-/// Of a vertex to a patch, of those it belongs to: in all 1.
+/// Of a vertex to a aggregate, of those it belongs to: in all 1.
 struct AggregateShare {
-  int patch;
+  int aggregate;
   double weight;
 };
 
@@ -23,7 +23,7 @@ Neighbours neighbours_of(const std::vector<Triangle>& triangles, std::size_t ver
 /// vertices of which no two are neighbours, the others shared out among those next to them, and
 /// that smoothed once [after Vaněk, Mandel & Brezina 1996, smoothed aggregation].
 struct Aggregates {
-  std::vector<int> middles;               ///< per patch, the vertex that it is around
+  std::vector<int> middles;               ///< per aggregate, the vertex that it is around
   Adjacency<AggregateShare> of_vertices;  ///< per vertex
   Neighbours neighbours;                  ///< per patch
 };

@@ -14,8 +14,8 @@ namespace toile {
 using StiffnessBlock = std::array<double, 6>;
 
 /// Where (stiffness + more I) takes what `force` pulls at; nowhere, if nothing holds it.
-[[gnu::always_inline]] inline Vec4 way_of(const StiffnessBlock& stiffness, double more,
-                                          const Vec4& force) {
+[[gnu::always_inline]] inline Vec4 solve(const StiffnessBlock& stiffness, double more,
+                                         const Vec4& force) {
   const double xx = stiffness[0] + more;
   const double yy = stiffness[3] + more;
   const double zz = stiffness[5] + more;
@@ -26,10 +26,10 @@ using StiffnessBlock = std::array<double, 6>;
   const double determinant = xx * cofactor_xx + xy * cofactor_xy + xz * cofactor_xz;
   if (!(determinant > 0)) return Vec4{};
   const double cofactor_yz = xy * xz - xx * yz;
-  const Vec4 way = force[0] * Vec4{cofactor_xx, cofactor_xy, cofactor_xz, 0} +
-                   force[1] * Vec4{cofactor_xy, xx * zz - xz * xz, cofactor_yz, 0} +
-                   force[2] * Vec4{cofactor_xz, cofactor_yz, xx * yy - xy * xy, 0};
-  return way / determinant;
+  const Vec4 displacement = force[0] * Vec4{cofactor_xx, cofactor_xy, cofactor_xz, 0} +
+                            force[1] * Vec4{cofactor_xy, xx * zz - xz * xz, cofactor_yz, 0} +
+                            force[2] * Vec4{cofactor_xz, cofactor_yz, xx * yy - xy * xy, 0};
+  return displacement / determinant;
 }
 
 /// Share of the undirected bound that those who step by a blocks one add to it, for cloth turns

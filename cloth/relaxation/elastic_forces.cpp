@@ -21,9 +21,9 @@ ElasticForces::ElasticForces(const GarmentModel& model, bool of_points) {
 void ElasticForces::add(std::size_t begin, std::size_t end, const Vec4s& x, Vec4s& force) const {
   for (std::size_t v = begin; v < end; ++v) {
     for (const auto& [other, segment] : segments_[v]) {
-      const Vec4 way = x[other] - x[v];
-      const double length = std::sqrt(squared_length(way));
-      if (length > 0) force[v] += elastic_tension(segment, length) / length * way;
+      const Vec4 displacement = x[other] - x[v];
+      const double length = std::sqrt(squared_length(displacement));
+      if (length > 0) force[v] += elastic_tension(segment, length) / length * displacement;
     }
   }
 }

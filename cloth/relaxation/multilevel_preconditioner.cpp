@@ -18,17 +18,18 @@ constexpr std::size_t min_aggregates = 4;
 
 }  // namespace
 
-MultilevelPreconditioner::MultilevelPreconditioner(const GarmentModel& model, bool wide) {
+MultilevelPreconditioner::MultilevelPreconditioner(const GarmentModel& model,
+                                                   bool with_aggregates) {
   const std::vector<Triangle> coarsest = add_nested_levels(model);
   if (levels_.empty()) return;
   nested_ = levels();
-  if (!wide) return;
+  if (!with_aggregates) return;
   Neighbours joined = neighbours_of(coarsest, levels_.back().mass.size());
   for (int i = 0; i < max_aggregate_levels; ++i) {
-    Aggregates patches = aggregate(joined);
-    if (patches.middles.size() < min_aggregates) break;
-    add_aggregate_level(patches);
-    joined = std::move(patches.neighbours);
+    Aggregates aggregates = aggregate(joined);
+    if (aggregates.middles.size() < min_aggregates) break;
+    add_aggregate_level(aggregates);
+    joined = std::move(aggregates.neighbours);
   }
 }
 
@@ -84,20 +85,20 @@ std::vector<Triangle> MultilevelPreconditioner::add_nested_levels(const GarmentM
   return triangles;
 }
 
-void MultilevelPreconditioner::add_aggregate_level(const Aggregates& wide) {
+void MultilevelPreconditioner::add_aggregate_level(const Aggregates& aggregates) {
   const Level& finer = levels_.back();
   Level level;
-  level.patches = wide.of_vertices;
-  level.shares.assign(wide.middles.size(), [&](const auto& add) {
-    for (std::size_t n = 0; n < wide.of_vertices.size(); ++n) {
-      for (const auto& [patch, weight] : wide.of_vertices[n]) {
+  level.patches = aggregates.of_vertices;
+  level.shares.assign(aggregates.middles.size(), [&](const auto& add) {
+    for (std::size_t n = 0; n < aggregates.of_vertices.size(); ++n) {
+      for (const auto& [patch, weight] : aggregates.of_vertices[n]) {
         add(patch, {static_cast<int>(n), weight});
       }
     }
   });
-  for (std::size_t p = 0; p < wide.middles.size(); ++p) {
-    level.stretch.push_back(finer.stretch[wide.middles[p]]);
-    level.bend.push_back(finer.bend[wide.middles[p]]);
+  for (std::size_t p = 0; p < aggregates.middles.size(); ++p) {
+    level.stretch.push_back(finer.stretch[aggregates.middles[p]]);
+    level.bend.push_back(finer.bend[aggregates.middles[p]]);
     level.mass.push_back(0);
     for (const auto& [node, weight] : level.shares[p]) level.mass[p] += weight * finer.mass[node];
   }
@@ -108,7 +109,7 @@ void MultilevelPreconditioner::add_level(Level level) {
   const std::size_t patches = level.mass.size();
   level.blocks.assign(patches, StiffnessBlock{});
   level.force.assign(patches, Vec4{});
-  level.way.assign(patches, Vec4{});
+  level.displacement.assign(patches, Vec4{});
   levels_.push_back(std::move(level));
 }
 
@@ -157,11 +158,12 @@ double MultilevelPreconditioner::rms_acceleration() const {
 }
 
 /// The way of a level's patches at a finer node.
-Vec4 MultilevelPreconditioner::way_at(const Level& level, std::size_t finer) {
+Vec4 MultilevelPreconditioner::displacement_at(const Level& level, std::size_t finer) {
   if (level.patches.empty()) return between_parents(level, finer);
-  Vec4 way = {0, 0, 0, 0};
-  for (const auto& [patch, weight] : level.patches[finer]) way += weight * level.way[patch];
-  return way;
+  Vec4 displacement = {0, 0, 0, 0};
+  for (const auto& [patch, weight] : level.patches[finer])
+    displacement += weight * level.displacement[patch];
+  return displacement;
 }
 
 void MultilevelPreconditioner::compute(const Vec4s& forces, double bending) {
@@ -172,13 +174,13 @@ void MultilevelPreconditioner::compute(const Vec4s& forces, double bending) {
   }
   for (std::size_t l = levels_.size(); l-- > 0;) {
     Level& level = levels_[l];
-    parallel_for_chunks(level.way.size(), [&](std::size_t begin, std::size_t end) {
+    parallel_for_chunks(level.displacement.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n) {
         const double stiffness =
             isotropic_share_ * level.stretch[n] + bending * level.bend[n] + level.force[n][3];
-        Vec4 way = way_of(level.blocks[n], stiffness, level.force[n]);
-        if (l + 1 < levels_.size()) way += way_at(levels_[l + 1], n);
-        level.way[n] = way;
+        Vec4 displacement = solve(level.blocks[n], stiffness, level.force[n]);
+        if (l + 1 < levels_.size()) displacement += displacement_at(levels_[l + 1], n);
+        level.displacement[n] = displacement;
       }
     });
   }

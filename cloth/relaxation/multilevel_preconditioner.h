@@ -21,7 +21,7 @@ namespace toile {
 /// triangles, and that of bending grows with finer ones; what touches adds up.
 class MultilevelPreconditioner {
  public:
-  MultilevelPreconditioner(const GarmentModel& model, bool wide);
+  MultilevelPreconditioner(const GarmentModel& model, bool with_aggregates);
 
   int levels() const { return static_cast<int>(levels_.size()); }
   /// Those of the nested mesh; the others are wide.
@@ -57,16 +57,16 @@ class MultilevelPreconditioner {
     std::vector<double> bend;
     std::vector<double> mass;  // kg
     Vec4s force;
-    Vec4s way;
+    Vec4s displacement;
   };
   [[gnu::always_inline]] static Vec4 between_parents(const Level& level, std::size_t finer) {
     const auto& [a, b] = level.parents[finer];
-    return 0.5 * (level.way[a] + level.way[b]);
+    return 0.5 * (level.displacement[a] + level.displacement[b]);
   }
   std::vector<Triangle> add_nested_levels(const GarmentModel& model);
-  void add_aggregate_level(const Aggregates& wide);
+  void add_aggregate_level(const Aggregates& aggregates);
   void add_level(Level level);
-  static Vec4 way_at(const Level& level, std::size_t finer);
+  static Vec4 displacement_at(const Level& level, std::size_t finer);
   void restrict_forces(const Level& level, const Vec4s& finer, Vec4s& force) const;
 
   int nested_ = 0;

@@ -142,16 +142,16 @@ double Relaxation::step_nodes(std::size_t begin, std::size_t end, const ClothFor
     const double stiffness = force[3] + bend_stiffness(n) + forces_.limit_stiffness(n) +
                              isotropic * model_.stretch_diagonal[n];
     force[3] = 0;
-    Vec4 way = step_factor_ * way_of(blocks_.of_nodes()[n], stiffness, force);
-    way += step_factor_ * multilevel_.of_node(n);
-    const double squared = squared_length(way);
-    if (squared > max_squared) way *= options_.max_move / std::sqrt(squared);
-    const Vec4 next = forces_.node(n) + way;
-    Vec4 glide = next - x_[n];
-    power += dot(force, glide);
-    const double speed = squared_length(glide);
-    if (speed > max_squared) glide *= options_.max_move / std::sqrt(speed);
-    x_[n] = move(n, next + momentum_ * glide) ? next : forces_.node(n);
+    Vec4 displacement = step_factor_ * solve(blocks_.of_nodes()[n], stiffness, force);
+    displacement += step_factor_ * multilevel_.of_node(n);
+    const double squared = squared_length(displacement);
+    if (squared > max_squared) displacement *= options_.max_move / std::sqrt(squared);
+    const Vec4 next = forces_.node(n) + displacement;
+    Vec4 motion = next - x_[n];
+    power += dot(force, motion);
+    const double speed = squared_length(motion);
+    if (speed > max_squared) motion *= options_.max_move / std::sqrt(speed);
+    x_[n] = move(n, next + momentum_ * motion) ? next : forces_.node(n);
   }
   return power;
 }

@@ -58,17 +58,17 @@ Release::Release(const GarmentModel& model, const ReleaseOptions& options,
       x_(as_vec4(x)),
       v_(model.nodes, Vec4{}),
       force_(model.nodes, Vec4{}) {
-  double most = 0;
+  double max_ratio = 0;
   for (int n = 0; n < model.nodes; ++n) {
     if (!(model.mass[n] > 0)) continue;
     double stiffness = forces_.stretch_stiffness(n);
     if (!model.bend.empty()) stiffness += options.bending * model.bend_diagonal[n];
     if (touches_body(model.scene)) stiffness += BodyContact::max_stiffness;
-    most = std::max(most, stiffness / model.mass[n]);
+    max_ratio = std::max(max_ratio, stiffness / model.mass[n]);
   }
   // Stable as long as (step·frequency)² (1 + 2 ahead) < 4.
   const double limit = 4 * safe_share * safe_share / (1 + 2 * ahead);
-  const double stable = most > 0 ? std::sqrt(limit / most) : options.seconds;
+  const double stable = max_ratio > 0 ? std::sqrt(limit / max_ratio) : options.seconds;
   step_ = options.seconds / std::ceil(options.seconds / stable);
   max_inverse_ = limit / (step_ * step_);
 }
@@ -86,7 +86,7 @@ void Release::step_nodes(std::size_t begin, std::size_t end, const ClothForces::
     const Vec4 before = forces_.node(n);
     x_[n] += step_ * v_[n];
     const Vec4 glide = ahead * step_ * v_[n];
-    if (move(n, x_[n] + glide)) continue;
+    if (move(n, x_[n] + motion)) continue;
     // What its bounds stop has the speed of the way they left it: its own would carry it past them.
     x_[n] = forces_.node(n);
     v_[n] = (x_[n] - before) / step_;
