@@ -194,7 +194,7 @@ bool Dressing::turn_panels_out(std::size_t over) {
     above.add_layer(worn_.layers[over].cloth);
     const std::vector<char> moved = flip_over(worn.garment, panels, below.grid(), above.grid(),
                                               worn.result.triangles, worn.result.nodes);
-    worn.result.warm_start.let_go(moved);
+    worn.result.warm_start.release_anchors(moved);
     const Collider others = collider_of(over + 1, none, i);
     write_and_judge(i, &others.cloth());
     if (is_surface(worn.judgement)) continue;

@@ -20,7 +20,7 @@ struct WarmStart {
   std::vector<LimitMultiplier> multipliers;  ///< per triangle; empty: no limits
 
   /// Friction lets go of the nodes for which `moved` is not 0.
-  void let_go(const std::vector<char>& moved) {
+  void release_anchors(const std::vector<char>& moved) {
     for (std::size_t n = 0; n < std::min(moved.size(), skin.size()); ++n) {
       if (moved[n] != 0) skin[n].reset();
     }
@@ -29,9 +29,8 @@ struct WarmStart {
         return static_cast<std::size_t>(v) < moved.size() && moved[v] != 0;
       });
     };
-    std::erase_if(edges, [&](const EdgeAnchor& warm_start) { return any_moved(warm_start.edge); });
-    std::erase_if(cloth,
-                  [&](const PairAnchor& warm_start) { return any_moved(warm_start.vertices); });
+    std::erase_if(edges, [&](const EdgeAnchor& anchor) { return any_moved(anchor.edge); });
+    std::erase_if(cloth, [&](const PairAnchor& anchor) { return any_moved(anchor.vertices); });
   }
 };
 

@@ -131,21 +131,21 @@ ReleaseReport Release::run() {
       report.moved[n] = std::max(report.moved[n], std::sqrt(squared_length(x_[n] - from[n])));
     }
     report.kinetic = kinetic();
-    report.given_up += 2 * options_.damping * report.kinetic * watch * step_;
+    report.released_energy += 2 * options_.damping * report.kinetic * watch * step_;
     if (!std::isfinite(report.kinetic)) {
       throw Error("garment", "flies apart when it is let go",
                   "check the fabric's stiffness and the panels for degenerate triangles");
     }
   }
-  report.given_up += report.kinetic;
+  report.released_energy += report.kinetic;
   report.all = moved_figures(report.moved);
   if (options_.warm_start != nullptr) {
-    std::vector<double> held;
+    std::vector<double> moved;
     for (std::size_t n = 0; n < options_.warm_start->skin.size(); ++n) {
-      if (options_.warm_start->skin[n]) held.push_back(report.moved[n]);
+      if (options_.warm_start->skin[n]) moved.push_back(report.moved[n]);
     }
-    report.held = static_cast<int>(held.size());
-    report.of_held = moved_figures(held);
+    report.sticking = static_cast<int>(moved.size());
+    report.of_sticking = moved_figures(moved);
   }
   std::vector<double> speeds;
   for (const Vec4& v : v_) speeds.push_back(std::sqrt(squared_length(v)));

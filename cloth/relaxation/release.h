@@ -31,14 +31,14 @@ struct ReleaseReport {
   double wall_seconds = 0;
   std::vector<double> moved;  ///< metres, per node: farthest from where it was let go
   MovedFigures all;
-  int held = 0;  ///< nodes that friction held when they were let go, by the options' warm_start
-  MovedFigures of_held;  ///< how far those crept
-  double speed_p99 = 0;  ///< m/s, at the end
-  double kinetic = 0;    ///< J, at the end
+  int sticking = 0;  ///< nodes that friction held when they were let go, by the options' warm_start
+  MovedFigures of_sticking;  ///< how far those crept
+  double speed_p99 = 0;      ///< m/s, at the end
+  double kinetic = 0;        ///< J, at the end
   /// Whether 99 % of the nodes stayed within 2 mm.
   bool stays() const { return all.p99 < 0.002; }
-  WarmStart warm_start;  ///< where friction holds it at the end
-  double given_up = 0;   ///< J of potential energy: what became speed, and what damping took
+  WarmStart warm_start;        ///< where friction holds it at the end
+  double released_energy = 0;  ///< J of potential energy: what became speed, and what damping took
 };
 
 /// Moves the nodes `x` (one a node, metres, at rest in the beginning) through time, under the same

@@ -68,7 +68,7 @@ TEST_F(Incline, SticksAndSlidesAsCoulombSays) {
     if (table.text(row, "set") != "release" || mu == 0) continue;
     if (table.text(row, "state") == "stick") {
       creep = std::max(creep, std::abs(way(slope * degree, mu, 0.5)) / 0.5);
-      EXPECT_EQ(last_.held, 81) << slope;
+      EXPECT_EQ(last_.sticking, 81) << slope;
       EXPECT_TRUE(last_.stays()) << slope;
       nearest = std::min(nearest, table.at(row, "critical_slope_deg") - slope);
       continue;

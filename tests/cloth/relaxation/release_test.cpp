@@ -44,7 +44,7 @@ TEST(Release, AFreeSheetFallsAsDampingLetsIt) {
     const double kinetic = 0.5 * 0.15 * 0.01 * speed * speed;
     EXPECT_NEAR(report.kinetic / kinetic, 1, 1e-3);
     // All of its weight's work became speed, or was damped away.
-    EXPECT_NEAR(report.given_up / (0.15 * 0.01 * 9.81 * fallen), 1, 0.05) << damping;
+    EXPECT_NEAR(report.released_energy / (0.15 * 0.01 * 9.81 * fallen), 1, 0.05) << damping;
     EXPECT_FALSE(report.stays());
   }
 }
