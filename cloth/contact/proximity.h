@@ -39,7 +39,7 @@ struct ContactPush {
 };
 ContactPush contact_push(double distance, double gap, bool barrier, double early = 0);
 
-/// NearPairs the close pairs of a surface whose connectivity stays the same. Vertices that are one
+/// Finds the close pairs of a surface whose connectivity stays the same. Vertices that are one
 /// node, or are to become one when a seam closes, never pair with what holds the other. Between
 /// neighbours in the mesh the gap is reduced to what the flat mesh leaves between them, so that a
 /// sheet does not push itself apart.

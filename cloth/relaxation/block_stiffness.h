@@ -14,8 +14,8 @@ namespace toile {
 using StiffnessBlock = std::array<double, 6>;
 
 /// Where (stiffness + more I) takes what `force` pulls at; nowhere, if nothing holds it.
-[[gnu::always_inline]] inline Vec4 solve(const StiffnessBlock& stiffness, double more,
-                                         const Vec4& force) {
+[[gnu::always_inline]] inline Vec4 solve_block(const StiffnessBlock& stiffness, double more,
+                                               const Vec4& force) {
   const double xx = stiffness[0] + more;
   const double yy = stiffness[3] + more;
   const double zz = stiffness[5] + more;

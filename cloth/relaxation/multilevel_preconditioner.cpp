@@ -178,7 +178,7 @@ void MultilevelPreconditioner::compute(const Vec4s& forces, double bending) {
       for (std::size_t n = begin; n < end; ++n) {
         const double stiffness =
             isotropic_share_ * level.stretch[n] + bending * level.bend[n] + level.force[n][3];
-        Vec4 displacement = solve(level.blocks[n], stiffness, level.force[n]);
+        Vec4 displacement = solve_block(level.blocks[n], stiffness, level.force[n]);
         if (l + 1 < levels_.size()) displacement += displacement_at(levels_[l + 1], n);
         level.displacement[n] = displacement;
       }

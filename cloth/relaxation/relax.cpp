@@ -142,7 +142,7 @@ double Relaxation::step_nodes(std::size_t begin, std::size_t end, const ClothFor
     const double stiffness = force[3] + bend_stiffness(n) + forces_.limit_stiffness(n) +
                              isotropic * model_.stretch_diagonal[n];
     force[3] = 0;
-    Vec4 displacement = step_factor_ * solve(blocks_.of_nodes()[n], stiffness, force);
+    Vec4 displacement = step_factor_ * solve_block(blocks_.of_nodes()[n], stiffness, force);
     displacement += step_factor_ * multilevel_.of_node(n);
     const double squared = squared_length(displacement);
     if (squared > max_squared) displacement *= options_.max_move / std::sqrt(squared);

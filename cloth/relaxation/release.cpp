@@ -85,7 +85,7 @@ void Release::step_nodes(std::size_t begin, std::size_t end, const ClothForces::
     v_[n] = kept * (v_[n] + step_ / mass * force);
     const Vec4 before = forces_.node(n);
     x_[n] += step_ * v_[n];
-    const Vec4 glide = ahead * step_ * v_[n];
+    const Vec4 motion = ahead * step_ * v_[n];
     if (move(n, x_[n] + motion)) continue;
     // What its bounds stop has the speed of the way they left it: its own would carry it past them.
     x_[n] = forces_.node(n);

@@ -112,11 +112,11 @@ TEST(BlockStiffness, IsOnlyTheTensionSquareToAFlatSheet) {
 TEST(BlockStiffness, TakesAForceWhereTheStiffnessLetsIt) {
   StiffnessBlock s = {5, 1, -0.5, 4, 0.3, 6};
   const Vec3 force(0.3, -0.2, 0.7);
-  const Vec3 displacement = as_vec3(solve(s, 2, as_vec4(force)));
+  const Vec3 displacement = as_vec3(solve_block(s, 2, as_vec4(force)));
   const Eigen::Matrix3d held = matrix(s) + 2 * Eigen::Matrix3d::Identity();
   EXPECT_LT((held * displacement - force).norm(), 1e-15);
   // What nothing holds has nothing to be moved by.
-  EXPECT_EQ(as_vec3(solve({}, 0, as_vec4(force))), Vec3::Zero());
+  EXPECT_EQ(as_vec3(solve_block({}, 0, as_vec4(force))), Vec3::Zero());
 }
 
 }  // namespace block_stiffness_test
