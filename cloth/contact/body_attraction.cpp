@@ -2,20 +2,14 @@
 
 #include <algorithm>
 
+#include "cloth/contact/constants.h"
 #include "cloth/scene/collider.h"
 
 namespace toile {
 
-namespace {
-
-/// Metres from the skin at which the pull reaches its full strength.
-constexpr double full_pull = 0.05;
-
-}  // namespace
-
 Vec3 pull_to_body(const Scene& scene, const Vec3& p, double weight) {
   const DistanceGrid::Sample sample = scene.collider->grid().at(p);
-  const double strength = std::clamp(sample.distance / full_pull, 0.0, 1.0);
+  const double strength = std::clamp(sample.distance / full_attraction_distance, 0.0, 1.0);
   return -strength * weight * sample.gradient;
 }
 

@@ -1,4 +1,4 @@
-// What draws cloth to the body while it is wrapped.
+// The force that attracts cloth to the body while its seams close.
 #pragma once
 
 #include "cloth/scene/scene.h"
@@ -6,9 +6,9 @@
 
 namespace toile {
 
-/// The force that draws a vertex of weight `weight` (N) at `p` toward the skin: that weight from
-/// 5 cm on, less nearer by [Zhong & Xu 2009, wrapping: adaptive to the distance]. The scene has a
-/// body.
+/// The force (N) that attracts a vertex at `p` (metres) to the skin. It is `weight` (N) from
+/// full_attraction_distance (5 cm) on. Nearer, it falls in proportion to the distance
+/// [Zhong & Xu 2009, wrapping]. The scene has a body.
 Vec3 pull_to_body(const Scene& scene, const Vec3& p, double weight);
 
 }  // namespace toile

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "cloth/contact/clip_to_ball.h"
+#include "cloth/contact/constants.h"
 #include "geometry/closest_points.h"
 #include "geometry/parallel.h"
 #include "geometry/triangle_tree.h"
@@ -16,22 +17,12 @@ namespace toile {
 
 namespace {
 
-/// Metres around a triangle within which facets are looked for. More lets it slide farther, but
-/// fewer planes have all of the facets behind them.
-constexpr double around = 0.005;
-/// Metres that are kept from a facet at least, far above what rounding can do.
+/// Metres between a plane and the facets behind it. It is far above what rounding can do.
 constexpr double safety = 1e-7;
-/// Metres that a triangle should keep from the facets, and the most that its corners are lifted.
-constexpr double clearance = 0.0002;
-constexpr double max_lift = 0.015;
-/// Of a region's width, what may be left when it is time to look again, before a corner is stopped.
-constexpr double due_share = 0.3;
-/// Looks between two at the same triangle: what presses against the body would be due each time.
-constexpr int region_update_interval = 4;
-/// Triangles that one task looks after.
+/// Regions that one task updates.
 constexpr std::size_t chunk = 64;
 
-/// Whether the segment ab passes through the triangle, touching included as far as rounding lets.
+/// Whether the segment ab passes through the triangle, or touches it, up to rounding.
 bool pierces(const Vec3& a, const Vec3& b, const std::array<Vec3, 3>& t) {
   const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
   const double from = normal.dot(a - t[0]);
@@ -47,7 +38,7 @@ bool pierces(const Vec3& a, const Vec3& b, const std::array<Vec3, 3>& t) {
   return positive == 3 || negative == 3;
 }
 
-/// Distance of two triangles, 0 when they meet.
+/// Metres between two triangles; 0 where they intersect.
 double distance_of(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t) {
   double squared = std::numeric_limits<double>::max();
   for (int i = 0; i < 3; ++i) {
@@ -98,19 +89,20 @@ BodyBounds::Region BodyBounds::region_of(const Triangle& corners, const Vec4s& x
   region.intersects = nearest_point.distance < 0;
   if (region.intersects) return region;
   const double sphere_clearance = nearest_point.distance - radius;
-  if (sphere_clearance > around) {
+  if (sphere_clearance > facet_search_distance) {
     region.reach = sphere_clearance - safety;
     return region;
   }
-  region.reach = around;
+  region.reach = facet_search_distance;
   near.clear();
-  const Vec3 margin = Vec3::Constant(around);
+  const Vec3 margin = Vec3::Constant(facet_search_distance);
   collider_.skin().tree().meeting(p[0].cwiseMin(p[1]).cwiseMin(p[2]) - margin,
                                   p[0].cwiseMax(p[1]).cwiseMax(p[2]) + margin, near);
   if (near.empty()) return region;
 
   const TriangleMesh& body = collider_.body();
-  // A plane with all facets behind it: square to the way out, or along the triangle itself.
+  // Candidates for a plane with all facets behind it: square to the gradient of the distance, or
+  // parallel to the triangle.
   const Vec3 own = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
   const Vec3 out = collider_.grid().at(centre).gradient.normalized();
   for (const Vec3& normal : {out, own, Vec3(-own)}) {
@@ -121,24 +113,24 @@ BodyBounds::Region BodyBounds::region_of(const Triangle& corners, const Vec4s& x
       }
     }
     const double lowest = std::min({normal.dot(p[0]), normal.dot(p[1]), normal.dot(p[2])});
-    // Half: a corner that was stopped at its level stays there, and may slide along.
+    // With half of the safety, a corner that was stopped at its level may slide along it.
     const double slack = lowest - highest - 0.5 * safety;
     if (slack <= 0 || (region.normal != Vec3::Zero() && slack <= region.slack)) continue;
     region.normal = normal;
     region.level = highest + safety;
     region.slack = slack;
   }
-  if (region.normal != Vec3::Zero() && region.slack >= clearance) return region;
-  double nearest = around;
+  if (region.normal != Vec3::Zero() && region.slack >= facet_clearance) return region;
+  double nearest = facet_search_distance;
   for (const int f : near) {
     const Triangle& facet = body.triangles[f];
     nearest = std::min(nearest, distance_of(p, {body.points[facet[0]], body.points[facet[1]],
                                                 body.points[facet[2]]}));
   }
-  region.extra_offset = std::max(clearance - nearest, 0.0);
-  if (region.normal != Vec3::Zero() && nearest < clearance) return region;
-  // In a hollow of the body, as an armpit, what is well clear of its facets may find no plane above
-  // them all, or only one that it would be stopped at.
+  region.extra_offset = std::max(facet_clearance - nearest, 0.0);
+  if (region.normal != Vec3::Zero() && nearest < facet_clearance) return region;
+  // In an armpit, or another hollow of the body, there may be no plane above all facets although
+  // the triangle is well clear of them. Or there is one that would stop it.
   region.normal = Vec3::Zero();
   region.intersects = nearest == 0;
   region.reach = std::max(nearest - safety, 0.0);
@@ -179,7 +171,7 @@ const std::vector<int>& BodyBounds::update(const Vec4s& x) {
     updated_.insert(updated_.end(), triangles_[t].begin(), triangles_[t].end());
   }
   for (const auto& [v, more] : lifted)
-    extra_offset_[v] = std::min(extra_offset_[v] + more, max_lift);
+    extra_offset_[v] = std::min(extra_offset_[v] + more, max_facet_lift);
   std::sort(updated_.begin(), updated_.end());
   updated_.erase(std::unique(updated_.begin(), updated_.end()), updated_.end());
   return updated_;
@@ -209,14 +201,14 @@ double BodyBounds::allowed_share(int vertex, const Vec3& p, const Vec3& wanted) 
     const Region& region = regions_[t];
     if (region.intersects) continue;
     const Vec3 away = p - region.at[corner];
-    if ((away + displacement).norm() > (1 - due_share) * region.reach) make_due(t);
+    if ((away + displacement).norm() > (1 - due_region_share) * region.reach) make_due(t);
     share = std::min(share, clip_to_ball(away, displacement, region.reach));
     if (region.normal == Vec3::Zero()) continue;
     const double from = region.normal.dot(p) - region.level;
     const double to = region.normal.dot(wanted) - region.level;
-    if (to < due_share * region.slack) make_due(t);
+    if (to < due_region_share * region.slack) make_due(t);
     if (to >= 0 || to >= from) continue;
-    // A little less, for the quotient may round to the outside.
+    // Slightly less, for the quotient may round to the outside.
     constexpr double inside = 1 - 1e-9;
     share = std::min(share, std::clamp(from / (from - to) * inside, 0.0, 1.0));
   }

@@ -1,4 +1,4 @@
-// How far cloth may move without meeting the body: no triangle through a facet, ever.
+// Bounds on the motion of cloth that keep its triangles from meeting the body's facets.
 #pragma once
 
 #include <array>
@@ -12,53 +12,59 @@
 
 namespace toile {
 
-/// For each triangle of the cloth a region that its corners must not leave: about where they were
-/// when it was last looked after, and, near the body, on the outer side of a plane that has all
-/// facets around behind it; where no such plane leaves it room, closer than the nearest facet. A
-/// triangle with its corners in its region meets no facet, so a cloth that keeps to its bounds
-/// never comes to intersect the body. The region is convex: it holds a straight way if it holds its
+/// Bounds that keep cloth from meeting the body. Each triangle of the cloth has a region that its
+/// corners must not leave.
+///
+/// The region is a ball around where each corner stood at the last update of the triangle. Near the
+/// body it is cut by a plane that has all facets of the surroundings behind it. Where no such plane
+/// leaves the triangle room, the ball is smaller than the distance to the nearest facet.
+///
+/// A triangle with its corners in its region meets no facet. So a cloth within its bounds never
+/// comes to intersect the body. A region is convex: it contains a straight path if it contains both
 /// ends.
 ///
-/// What meets the body already, or is inside, is not bound, for it has to come out; from when it is
-/// clear, it is.
+/// A triangle that intersects the body, or is inside, is free, for it has to come out. It is bound
+/// as soon as it is clear.
 class BodyBounds {
  public:
-  /// Vertices are numbered from 0 to `vertices`-1. The collider has to outlive the bounds; its skin
-  /// bounds, its grid tells the way out.
+  /// Vertices have indices in [0, `vertices`). The regions heed the facets of the collider's skin;
+  /// the gradient of its grid points to the outside. The collider and `triangles` must outlive the
+  /// bounds.
   BodyBounds(const Collider& collider, const std::vector<Triangle>& triangles,
              std::size_t vertices);
 
-  /// Looks after the triangles that are due, at first all, and each only now and then; `x` per
-  /// vertex. Side by side; what it finds depends on the places only. Returns the vertices of those
-  /// triangles, sorted.
+  /// Updates the regions that are due; at first, all are. A region is updated only every few calls.
+  /// `x`: metres, one a vertex. Returns the vertices of the updated triangles, sorted. Runs in
+  /// parallel; the result depends on the positions only. Linear in the regions that are due.
   const std::vector<int>& update(const Vec4s& x);
 
-  /// Metres that a vertex at `p`, in its region, may move in any direction and stay in it; without
-  /// end where all its triangles meet the body.
+  /// Metres that a vertex at `p`, which is in its region, may move in any direction and stay there.
+  /// It is the largest double where all its triangles intersect the body.
   double free_radius(int vertex, const Vec3& p) const;
 
-  /// The share in [0, 1] of the way from `p`, in the region, to `wanted` that stays in it. What
-  /// stops the vertex is due to be looked after.
+  /// The share in [0, 1] of the path from `p`, which is in the region, to `wanted` that stays in
+  /// the region. A region that stops the vertex, or nearly does, becomes due.
   double allowed_share(int vertex, const Vec3& p, const Vec3& wanted);
 
+  /// Whether the region of any triangle is due.
   bool is_due() const { return any_due_; }
-  /// What meets the body may have come out: it is due as well.
+  /// Makes triangles that intersect the body due, for they may have come out.
   void recheck_intersecting();
 
-  /// Metres that a vertex has to keep from the body beyond the offset of all, because a triangle of
-  /// its own spans something sharp there, as far as is known; it only grows.
+  /// Metres that a vertex has to keep from the body beyond the common offset. It is more than 0
+  /// where one of its triangles spans something sharp of the body. It never shrinks.
   double extra_offset(int vertex) const { return extra_offset_[vertex]; }
 
  private:
   struct Region {
-    Vec3 normal = Vec3::Zero();  // of the plane; zero: none
-    double level = 0;            // along the normal, at least
-    double slack = 0;            // metres above that level when looked after, of the lowest corner
-    double reach = 0;            // metres from where the corner was
-    std::array<Vec3, 3> at;      // the corners
-    double extra_offset = 0;     // metres that the corners should come out
-    int facet = 0;               // nearest to the middle
-    bool intersects = false;     // the body: no bounds
+    Vec3 normal = Vec3::Zero();  // of the plane; zero: no plane
+    double level = 0;            // metres: the least coordinate of a corner along the normal
+    double slack = 0;            // metres of the lowest corner above the level, at the update
+    double reach = 0;            // metres: radius of the balls around the corners
+    std::array<Vec3, 3> at;      // metres: the corners at the update
+    double extra_offset = 0;     // metres by which the corners should be lifted
+    int facet = 0;               // index of the body's facet nearest to the triangle's middle
+    bool intersects = false;     // intersects the body or is inside: no bounds
   };
 
   Region region_of(const Triangle& corners, const Vec4s& x, int near_facet,
@@ -70,11 +76,11 @@ class BodyBounds {
   Adjacency<TriangleCorner> corners_;  // per vertex
   std::vector<Region> regions_;
   std::vector<char> due_;         // per triangle
-  std::vector<int> next_update_;  // per triangle, the first that may be again
+  std::vector<int> next_update_;  // per triangle, the first update it may have
   int updates_ = 0;
   std::atomic<bool> any_due_ = true;
   std::vector<double> extra_offset_;
-  std::vector<int> updated_;  // vertices of the last look
+  std::vector<int> updated_;  // vertices of the triangles of the last update
 };
 
 }  // namespace toile

@@ -6,25 +6,15 @@
 
 namespace toile {
 
-namespace {
-
-/// Metres off the surface from which the body is taken for a plane.
-constexpr double near_surface = 2e-4;
-/// As far from two surfaces, as between arm and chest, the distance has a ridge, rounded by the
-/// grid: it rises less steeply than this, and bends so much that no plane stands for it.
-constexpr double ridge_slope = 0.97;
-
-}  // namespace
-
 void BodyContact::linearize(const Scene& scene, const Vec3& p, double offset,
                             double linearization_radius, double approach_bound) {
   const DistanceGrid::Sample sample = scene.collider->grid().at(p);
   const double away = sample.distance - offset;
   linearized_at_ = p;
-  const double near = std::max(near_surface, approach_bound);
+  const double near = std::max(body_activation_distance, approach_bound);
   near_ = away < near;
   if (!near_) {
-    // On the far side of the middle between here and there, the plane is asked for again.
+    // Beyond the middle between the vertex and the surface, linearize() is due again.
     reach_ = std::max(scene.collider->grid().lower_bound(sample.distance) - offset - 0.5 * near,
                       linearization_radius);
     anchored_ = false;
@@ -36,7 +26,7 @@ void BodyContact::linearize(const Scene& scene, const Vec3& p, double offset,
   normal_ = as_vec4(normal);
   level_ = slope_ * normal.dot(p) - away;
   reach_ = slope_ < ridge_slope ? 0 : linearization_radius;
-  stiffness_ = push_stiffness *
+  stiffness_ = body_push_stiffness *
                (slope_ * slope_ + scene.collider->grid().gradient_bound() * std::max(-away, 0.0));
 }
 

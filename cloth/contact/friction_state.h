@@ -1,4 +1,4 @@
-// What friction remembers of cloth that presses on something.
+// Anchors of friction: the points at which cloth sticks to the body and to cloth.
 #pragma once
 
 #include <array>
@@ -7,18 +7,18 @@
 
 namespace toile {
 
-/// The middle of an edge that sticks to the body.
+/// An edge whose middle sticks to the body.
 struct EdgeAnchor {
-  std::array<int, 2> edge;  ///< its vertices, the lower first
-  Vec3 position;            ///< metres, where it sticks
+  std::array<int, 2> edge;  ///< indices of its vertices, the lower one first
+  Vec3 position;            ///< metres: the point on the body that its middle sticks to
 };
 
-/// Two points of a pair, one of either side, that try to stay side by side.
+/// Two points, one on each side of a pair, that stick to each other.
 struct PairAnchor {
-  std::array<int, 4> vertices;    ///< as a ContactPair's
-  bool edges;                     ///< likewise
-  std::array<double, 4> weights;  ///< of the points: one less the other, as NearestPoints'
-  Vec3 anchor;                    ///< metres along the cloth, of the one from the other, unpulled
+  std::array<int, 4> vertices;    ///< indices, in the order of ContactPair::vertices
+  bool edges;                     ///< whether the pair is two edges, not vertex and triangle
+  std::array<double, 4> weights;  ///< of the points, signed as NearestPoints::weights
+  Vec3 offset;  ///< metres: first point minus second, along the cloth, where the spring is slack
 };
 
 }  // namespace toile

@@ -4,22 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloth/contact/constants.h"
 #include "geometry/parallel.h"
 
 namespace toile {
 
 namespace {
 
-/// Square of the sine below which edges count as nearly parallel: at 27 degrees. Less makes the
-/// push change too fast with the angle, and needs shorter steps.
-constexpr double nearly_parallel = 0.2;
-
-/// How much of their push two edges get, by their angle, and its slope along each edge's vector.
+/// The share of their push that two edges get, by the angle between them.
 struct EdgeShare {
   double share = 1;
-  Vec3 first = Vec3::Zero();
-  Vec3 second = Vec3::Zero();
-  double curvature = 0;  // 1/m², a bound
+  Vec3 first = Vec3::Zero();   // 1/m: derivative of the share by the first edge's vector
+  Vec3 second = Vec3::Zero();  // 1/m: by the second edge's
+  double curvature = 0;        // 1/m²: a bound of the second derivatives
 };
 
 EdgeShare share_of(const Vec3& a, const Vec3& b) {
@@ -29,13 +26,13 @@ EdgeShare share_of(const Vec3& a, const Vec3& b) {
   EdgeShare result;
   if (aa == 0 || bb == 0) return result;
   const double squared_sine = a.cross(b).squaredNorm() / (aa * bb);
-  if (squared_sine >= nearly_parallel) return result;
-  const double c = squared_sine / nearly_parallel;
+  if (squared_sine >= parallel_squared_sine) return result;
+  const double c = squared_sine / parallel_squared_sine;
   result.share = (2 - c) * c;
-  const double slope = 2 * (1 - c) / nearly_parallel * 2 * ab / (aa * bb);
+  const double slope = 2 * (1 - c) / parallel_squared_sine * 2 * ab / (aa * bb);
   result.first = slope * (ab / aa * a - b);
   result.second = slope * (ab / bb * b - a);
-  result.curvature = 12 / (nearly_parallel * std::min(aa, bb));
+  result.curvature = 12 / (parallel_squared_sine * std::min(aa, bb));
   return result;
 }
 
@@ -45,7 +42,7 @@ void PairForces::activate(const std::vector<Vec3>& x) {
   near_.resize(pairs_.size());
   parallel_for_chunks(pairs_.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const double reach = pairs_[i].gap + margin;
+      const double reach = pairs_[i].gap + pair_activation_margin;
       near_[i] = nearest_points(pairs_[i], x).apart.squaredNorm() < reach * reach;
     }
   });
@@ -75,7 +72,7 @@ PairPush push_of(const ContactPair& pair, const std::array<Vec3, 4>& at, bool ba
       pair.edges && push.stiffness > 0 ? share_of(at[1] - at[0], at[3] - at[2]) : EdgeShare{};
   result.force = edges.share * push.force;
   const Vec3 along = distance > 0 ? Vec3(result.force / distance * nearest.apart) : Vec3::Zero();
-  // Edges give way by turning parallel as well.
+  // Edges that turn parallel lose energy, so the push also turns them.
   const Vec3 first = push.energy * edges.first;
   const Vec3 second = push.energy * edges.second;
   const std::array<Vec3, 4> turn = {first, -first, second, -second};

@@ -1,4 +1,4 @@
-// Pushes between cloth and cloth that came near each other, and the friction that they cause.
+// Forces between cloth and near cloth: pushes, and the friction that they cause.
 #pragma once
 
 #include <array>
@@ -12,41 +12,40 @@
 
 namespace toile {
 
-/// What a pair presses with, and how that acts on its four vertices: forces (N) and a bound of
-/// their stiffness (N/m). `barrier` and `early`: see contact_push().
+/// The push of a pair, and its forces on the four vertices of the pair.
 ///
-/// Where two edges become parallel, what is nearest on them jumps from one end to the other. A push
-/// that jumped with it would never come to rest, and mirrored folds are full of such pairs: edges
-/// push the less the more parallel they are [Li et al. 2020, Incremental Potential Contact, the
-/// mollifier], and leave it to their ends, which push at faces.
+/// Where two edges become parallel, their nearest points jump from one end to the other. A push
+/// that jumped too would never come to rest, and mirrored folds have many such edges. So two edges
+/// push the less, the more parallel they are [Li et al. 2020, Incremental Potential Contact, the
+/// mollifier]. The ends of parallel edges are left to push at faces.
 struct PairPush {
   NearestPoints nearest;
-  double force = 0;
-  std::array<Vec3, 4> on;
-  std::array<double, 4> stiffness;
+  double force = 0;                 ///< N: between the two sides
+  std::array<Vec3, 4> on;           ///< N: on each vertex
+  std::array<double, 4> stiffness;  ///< N/m: a bound at each vertex
 };
+/// The push of `pair` with its vertices at `at` (metres). See contact_push() for `barrier` and
+/// `early`.
 PairPush push_of(const ContactPair& pair, const std::array<Vec3, 4>& at, bool barrier,
                  double early = 0);
 
-/// The pairs of a search, and of these the ones that are near enough to push. Forces take two
-/// passes: push() over disjoint ranges of the active pairs, then add() for each vertex.
+/// The pairs that a search found, and of these the active ones, which are near enough to push.
+/// Forces take two passes: push() for disjoint ranges of the active pairs, which may run in
+/// parallel; then add() for each vertex.
 class PairForces {
  public:
-  /// How far two sides may come nearer before who is active has to be told again, metres: each
-  /// vertex half of it.
-  static constexpr double margin = 0.001;
-
   void clear() { pairs_.clear(), active_.clear(), slots_of_.clear(), friction_.clear(); }
   PairFriction& friction() { return friction_; }
   const PairFriction& friction() const { return friction_; }
-  /// All that a search found, to be kept by it.
+  /// The pairs found, for a search to replace. activate() must follow.
   std::vector<ContactPair>& pairs() { return pairs_; }
-  /// Tells anew which pairs are near, with all vertices at `x`.
+  /// Finds the active pairs. `x`: metres, one a vertex. They stay valid until two sides approach by
+  /// pair_activation_margin. Linear in the pairs.
   void activate(const std::vector<Vec3>& x);
 
   std::size_t active() const { return active_.size(); }
-  /// Pushes of active pairs `begin` to `end`, and their friction, which slides along. `barrier`
-  /// and `early`: see contact_push().
+  /// Finds the pushes of active pairs `begin` to `end`, with vertices at `x`, and their friction,
+  /// whose anchors slide along. See contact_push() for `barrier` and `early`.
   void push(std::size_t begin, std::size_t end, bool barrier, double early, const Vec4s& x);
   /// Adds the pushes on a vertex to its force (N) and a bound of their stiffness (N/m).
   [[gnu::always_inline]] void add(std::size_t vertex, Vec4& force, double& stiffness) const {
@@ -61,11 +60,11 @@ class PairForces {
 
  private:
   std::vector<ContactPair> pairs_;
-  std::vector<char> near_;  // per pair: is active
+  std::vector<char> near_;  // per pair, whether it is active
   std::vector<ContactPair> active_;
   PairFriction friction_;    // of the active pairs
-  Vec4s slots_;              // force, and the stiffness as the fourth; four an active pair
-  Adjacency<int> slots_of_;  // per vertex; empty: none is active
+  Vec4s slots_;              // four an active pair: force (N), stiffness (N/m) as the fourth
+  Adjacency<int> slots_of_;  // per vertex; empty: no pair is active
 };
 
 }  // namespace toile

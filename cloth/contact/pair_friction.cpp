@@ -5,19 +5,18 @@
 #include <limits>
 #include <tuple>
 
+#include "cloth/contact/constants.h"
+
 namespace toile {
 
 namespace {
-
-/// N/m. A garment is held by hundreds of pairs: its weight moves them by micrometres.
-constexpr double pair_friction_stiffness = 50;
 
 template <typename Pair>
 auto key(const Pair& pair) {
   return std::tie(pair.vertices, pair.edges);
 }
 
-/// The one of `sorted` with the same vertices; none: null.
+/// The anchor in `sorted` that belongs to `pair`; null without one.
 const PairAnchor* anchor_of(const ContactPair& pair, const std::vector<PairAnchor>& sorted) {
   const auto found =
       std::lower_bound(sorted.begin(), sorted.end(), pair,

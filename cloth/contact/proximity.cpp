@@ -6,30 +6,21 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "cloth/contact/constants.h"
 #include "cloth/contact/sphere_grid.h"
 #include "geometry/closest_points.h"
 #include "geometry/half_edges.h"
+#include "geometry/parallel.h"
 
 namespace toile {
 
 namespace {
 
-/// Share of the distance to the nearest thing that a vertex may move: both sides move, so just
-/// under a half.
-constexpr double bound_share = 0.45;
-/// Share of its bound that a vertex has used up when an update looks at it anew.
-constexpr double used_share = 0.4;
-/// Where more vertices than this have, all are looked at.
-constexpr double max_updated = 0.25;
-/// Share of the shortest edge at rest that neighbours in the mesh may come near each other.
-constexpr double neighbour_share = 0.25;
-/// N/m, per pair.
-constexpr double push_stiffness = 200;
-/// Metres; below it, forces grow no more.
+/// Metres below which forces do not grow any more.
 constexpr double min_distance = 1e-9;
-/// Vertices or edges that one task looks up; fixed, so that results don't depend on the threads.
+/// Vertices or edges that one task searches around. It is fixed, so that results don't depend on
+/// the threads.
 constexpr std::size_t chunk = 128;
 
 SphereGrid::Sphere sphere_around(const std::array<int, 2>& edge, const std::vector<Vec3>& x) {
@@ -37,7 +28,7 @@ SphereGrid::Sphere sphere_around(const std::array<int, 2>& edge, const std::vect
   return {centre, (x[edge[0]] - centre).norm()};
 }
 
-/// Not the least one, but a triangle lies within.
+/// A sphere that contains the triangle, not the smallest one.
 SphereGrid::Sphere sphere_around(const Triangle& t, const std::vector<Vec3>& x) {
   const Vec3 centre = (x[t[0]] + x[t[1]] + x[t[2]]) / 3;
   return {centre,
@@ -54,10 +45,11 @@ std::vector<SphereGrid::Sphere> spheres_around(const std::vector<Shape>& shapes,
   return spheres;
 }
 
-/// Runs `search(item, found)` for every item, in chunks side by side, and joins what they found.
+/// Calls `search(item, found)` for each item, in parallel, and joins what the chunks found. Work is
+/// uneven, so threads take chunks from each other.
 template <typename NearPairs, typename Search>
 NearPairs search_in_chunks(std::size_t items, const Search& search) {
-  std::vector<NearPairs> found((items + chunk - 1) / chunk);
+  std::vector<NearPairs> found(chunks_of(items, chunk));
   tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t c) {
     const std::size_t end = std::min((c + 1) * chunk, items);
     for (std::size_t item = c * chunk; item < end; ++item) search(item, found[c]);
@@ -67,7 +59,7 @@ NearPairs search_in_chunks(std::size_t items, const Search& search) {
   return all;
 }
 
-/// Whether boxes tell already that the two sides of a pair are `reach` apart or more.
+/// Whether the boxes around the two sides of a pair are `reach` metres apart or more.
 bool boxes_apart(const ContactPair& pair, const std::vector<Vec3>& x, double reach) {
   const auto& [a, b, c, d] = pair.vertices;
   const Vec3 first_low = pair.edges ? x[a].cwiseMin(x[b]) : x[a];
@@ -110,14 +102,15 @@ NearestPoints nearest_points(const ContactPair& pair, const std::vector<Vec3>& x
 
 ContactPush contact_push(double distance, double gap, bool barrier, double early) {
   if (distance >= gap + early) return {};
-  if (distance >= gap) return {0, push_stiffness, 0};
+  if (distance >= gap) return {0, pair_push_stiffness, 0};
   const double half = 0.5 * gap;
   if (distance >= half || !barrier) {
     const double depth = gap - distance;
-    return {push_stiffness * depth, push_stiffness, 0.5 * push_stiffness * depth * depth};
+    return {pair_push_stiffness * depth, pair_push_stiffness,
+            0.5 * pair_push_stiffness * depth * depth};
   }
   const double d = std::max(distance, min_distance);
-  const double scale = push_stiffness * half * half;
+  const double scale = pair_push_stiffness * half * half;
   return {scale / d, scale / (d * d), scale * (0.5 + std::log(half / d))};
 }
 
@@ -131,20 +124,17 @@ ProximitySearch::ProximitySearch(const std::vector<Triangle>& triangles,
       moving_edges_(static_cast<int>(edges_.size())),
       node_(node),
       shortest_edge_(shortest_edge) {
-  std::vector<std::array<int, 2>> links;  // between nodes, both ways
+  nodes_ = node.empty() ? 0 : *std::max_element(node.begin(), node.end()) + 1;
+  std::vector<std::array<int, 2>> pairs;  // of nodes, in both orders
   for (const auto& [a, b] : edges_) {
-    links.push_back({node[a], node[b]});
-    links.push_back({node[b], node[a]});
+    pairs.push_back({node[a], node[b]});
+    pairs.push_back({node[b], node[a]});
   }
-  std::sort(links.begin(), links.end());
-  links.erase(std::unique(links.begin(), links.end()), links.end());
-  const int nodes = node.empty() ? 0 : *std::max_element(node.begin(), node.end()) + 1;
-  ring_first_.assign(nodes + 1, 0);
-  for (const auto& link : links) {
-    ++ring_first_[link[0] + 1];
-    ring_.push_back(link[1]);
-  }
-  std::partial_sum(ring_first_.begin(), ring_first_.end(), ring_first_.begin());
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  neighbours_.assign(nodes_, [&](const auto& add) {
+    for (const auto& [a, b] : pairs) add(a, b);
+  });
 }
 
 void ProximitySearch::add_layer(const std::vector<Triangle>& triangles, int vertices, double gap) {
@@ -154,17 +144,14 @@ void ProximitySearch::add_layer(const std::vector<Triangle>& triangles, int vert
     triangles_.push_back({t[0] + first, t[1] + first, t[2] + first});
   }
   for (const auto& [a, b] : unique_edges(triangles)) edges_.push_back({a + first, b + first});
-  // Nodes of their own, that are nobody's neighbours.
-  int node = static_cast<int>(ring_first_.size()) - 1;
-  for (int v = 0; v < vertices; ++v) node_.push_back(node++);
-  ring_first_.resize(ring_first_.size() + vertices, ring_first_.back());
+  // Each vertex of a layer is a node without neighbours.
+  for (int v = 0; v < vertices; ++v) node_.push_back(nodes_++);
   shortest_edge_.resize(node_.size(), 0);
 }
 
 bool ProximitySearch::neighbours(int a, int b) const {
-  const int n = node_[a];
-  return std::binary_search(ring_.begin() + ring_first_[n], ring_.begin() + ring_first_[n + 1],
-                            node_[b]);
+  const auto n = static_cast<std::size_t>(node_[a]);
+  return n < neighbours_.size() && std::ranges::binary_search(neighbours_[n], node_[b]);
 }
 
 bool ProximitySearch::neighbours(const ContactPair& pair) const {
@@ -177,17 +164,17 @@ bool ProximitySearch::neighbours(const ContactPair& pair) const {
 double ProximitySearch::neighbour_gap(const ContactPair& pair) const {
   double shortest = shortest_edge_[pair.vertices[0]];
   for (const int v : pair.vertices) shortest = std::min(shortest, shortest_edge_[v]);
-  return neighbour_share * shortest;
+  return neighbour_gap_share * shortest;
 }
 
 double ProximitySearch::gap_to_keep(const NearPair& found, double gap) const {
   if (of_layer(found.pair)) {
-    return (1 - bound_share) * found.distance < layer_gap_ ? layer_gap_ : -1;
+    return (1 - proximity_bound_share) * found.distance < layer_gap_ ? layer_gap_ : -1;
   }
   if (!neighbours(found.pair)) return gap;
-  // Neighbours that can't touch before the next search need no force.
+  // Neighbours that cannot touch before the next search need no force.
   const double kept = std::min(gap, neighbour_gap(found.pair));
-  return found.distance < 3 * kept ? kept : -1;
+  return found.distance < neighbour_force_range * kept ? kept : -1;
 }
 
 void ProximitySearch::consider(const ContactPair& pair, const Query& query,
@@ -205,7 +192,7 @@ void ProximitySearch::point_and_triangle(int v, int t, const Query& query, NearP
 }
 
 void ProximitySearch::two_edges(int e, int f, const Query& query, NearPairs& found) const {
-  // A layer's edges come after the surface's own.
+  // Edges of layers come after those of the surface.
   if (e >= moving_edges_) return;
   const auto& a = edges_[e];
   const auto& b = edges_[f];
@@ -275,11 +262,11 @@ void ProximitySearch::find(const std::vector<Vec3>& x, double radius, double gap
                            std::vector<ContactPair>& pairs, std::vector<double>& bound,
                            bool skip_neighbours) const {
   pairs.clear();
-  bound.assign(x.size(), bound_share * radius);
+  bound.assign(x.size(), proximity_bound_share * radius);
   for (NearPair& found : near_pairs({x, radius, {}})) {
     if (skip_neighbours && !of_layer(found.pair) && neighbours(found.pair)) continue;
     for (const int v : found.pair.vertices) {
-      bound[v] = std::min(bound[v], bound_share * found.distance);
+      bound[v] = std::min(bound[v], proximity_bound_share * found.distance);
     }
     found.pair.gap = gap_to_keep(found, gap);
     if (found.pair.gap > 0) pairs.push_back(found.pair);
@@ -292,10 +279,10 @@ void ProximitySearch::update(const std::vector<Vec3>& x, double radius, double g
   std::vector<char> moved(x.size(), 0);
   std::size_t count = 0;
   for (int v = 0; v < moving_vertices_; ++v) {
-    moved[v] = (x[v] - at[v]).norm() >= used_share * bound[v];
+    moved[v] = (x[v] - at[v]).norm() >= stale_bound_share * bound[v];
     count += moved[v];
   }
-  if (count > max_updated * moving_vertices_) {
+  if (count > max_partial_update * moving_vertices_) {
     find(x, radius, gap, pairs, bound, skip_neighbours);
     at = x;
     return;
@@ -304,13 +291,16 @@ void ProximitySearch::update(const std::vector<Vec3>& x, double radius, double g
   for (std::size_t v = 0; v < x.size(); ++v) {
     if (moved[v] == 0) continue;
     at[v] = x[v];
-    bound[v] = bound_share * radius;
+    bound[v] = proximity_bound_share * radius;
   }
-  // One that keeps its bound may still go as far as its whole width from where it is now.
-  const double search_radius = bound_share * (2 + used_share) * 1.02 * radius;
+  // A vertex that keeps its bound may still move by the whole width of it. The factor is above what
+  // rounding can do.
+  constexpr double search_slack = 1.02;
+  const double search_radius =
+      proximity_bound_share * (2 + stale_bound_share) * search_slack * radius;
   for (NearPair& found : near_pairs({x, search_radius, moved})) {
     if (skip_neighbours && !of_layer(found.pair) && neighbours(found.pair)) continue;
-    const double limit = bound_share * found.distance;
+    const double limit = proximity_bound_share * found.distance;
     for (const int v : found.pair.vertices) {
       if (moved[v] == 0 && !of_layer(v)) {
         const double used = (x[v] - at[v]).norm();

@@ -1,74 +1,83 @@
-// Cloth near cloth, its own or that of a motionless layer below: which vertices and edges come
-// close, and how far each may move before they have to be looked for again.
+// Proximity of cloth to itself and to motionless layers: the close pairs, and how far each vertex
+// may move before the next search.
 #pragma once
 
 #include <array>
 #include <utility>
 #include <vector>
 
+#include "geometry/adjacency.h"
 #include "geometry/types.h"
 
 namespace toile {
 
 /// A vertex near a triangle, or an edge near an edge, of one surface or of two layers.
 struct ContactPair {
-  std::array<int, 4> vertices;  ///< vertex, then the triangle's corners; or both edges' ends
-  bool edges;                   ///< two edges, not vertex and triangle
-  double gap;                   ///< metres: nearer than this, they push each other apart
+  std::array<int, 4> vertices;  ///< a vertex and a triangle's corners; or the ends of two edges
+  bool edges;                   ///< whether the pair is two edges, not vertex and triangle
+  double gap;                   ///< metres: nearer than this, the two sides push each other apart
 };
 
-/// Nearest points of a pair as signed weights of its four vertices: their weighted sum is the
-/// vector from the second side to the first, its length the distance.
+/// Nearest points of the two sides of a pair, as signed weights of its four vertices. Weights of
+/// the first side add up to 1, those of the second to -1.
 struct NearestPoints {
   std::array<double, 4> weights;
-  Vec3 apart;
+  Vec3 apart;  ///< metres: from the second side to the first, the weighted sum of the vertices
 };
-/// Of a pair with its vertices at `at`: two edges, or vertex and triangle.
+/// Nearest points of two edges, or of a vertex and a triangle, with their vertices at `at`
+/// (metres).
 NearestPoints nearest_points(bool edges, const std::array<Vec3, 4>& at);
+/// The same for a pair of the vertices `x` (metres).
 NearestPoints nearest_points(const ContactPair& pair, const std::vector<Vec3>& x);
 
-/// Force (N) that pushes a pair at `distance` apart, a bound of its stiffness (N/m), which it has
-/// `early` metres before it pushes, and its energy (J). The force is linear in how much of the gap
-/// is used up; with `barrier`, beyond half the gap as 1/distance, so that nothing can press the two
-/// to touch [Chen et al. 2025, the two-stage activation]. A barrier belongs to a state without
-/// intersections: it would hold a tangle fast.
+/// The push of a pair at `distance` metres.
+///
+/// The force is linear in the part of the gap that is used up. With `barrier`, it grows as
+/// 1/distance from half the gap on, so that nothing can press the two sides to touch [Chen et al.
+/// 2025, the two-stage activation]. A barrier needs a state without intersections: it would hold a
+/// tangle fast. The stiffness acts from `early` metres before the push on.
 struct ContactPush {
-  double force = 0;
-  double stiffness = 0;
-  double energy = 0;
+  double force = 0;      ///< N
+  double stiffness = 0;  ///< N/m: a bound
+  double energy = 0;     ///< J
 };
 ContactPush contact_push(double distance, double gap, bool barrier, double early = 0);
 
-/// Finds the close pairs of a surface whose connectivity stays the same. Vertices that are one
-/// node, or are to become one when a seam closes, never pair with what holds the other. Between
-/// neighbours in the mesh the gap is reduced to what the flat mesh leaves between them, so that a
-/// sheet does not push itself apart.
+/// Finds the close pairs of a surface whose connectivity stays the same. Vertices of one node, or
+/// of nodes that a seam will join, form no pair with a triangle or an edge at that node.
+///
+/// Between neighbours in the mesh the gap is reduced to the distance that the flat mesh leaves
+/// them. So a sheet does not push itself apart.
 class ProximitySearch {
  public:
-  /// `node` and `shortest_edge` (metres, at rest) per vertex; nodes are numbered from 0.
+  /// `triangles` hold indices of vertices. `node` holds the node of each vertex, numbered from 0.
+  /// `shortest_edge` holds the length (metres, at rest) of the shortest edge at each vertex.
   ProximitySearch(const std::vector<Triangle>& triangles, const std::vector<int>& node,
                   const std::vector<double>& shortest_edge);
 
-  /// Adds cloth that does not move. Its vertices follow the surface's own in all that find() takes
-  /// and gives; `triangles` are numbered within the layer, of `vertices` vertices. Pairs of a layer
-  /// with itself are not looked for; those with the surface keep `gap` metres, and only those come
-  /// that are near enough to use it up before the bounds are.
+  /// Adds a layer of cloth that does not move, of `vertices` vertices. `triangles` are numbered
+  /// within the layer. In all arguments of find() and update(), its vertices follow those of the
+  /// surface. Pairs within a layer are not searched for. Pairs with the surface keep `gap` metres.
+  /// Only those are found that can come nearer than that before the bounds are used up.
   void add_layer(const std::vector<Triangle>& triangles, int vertices, double gap);
 
-  /// `x` holds the surface's vertices and then the layer's. All pairs nearer than `radius`, in an
-  /// order that does not depend on the threads, and for each vertex in `bound` how far it may move:
-  /// as long as none moves farther than that, nothing that is apart can come to intersect [Chen et
-  /// al. 2025, Offset Geometric Contact]. `gap` is what non-neighbours keep. With
-  /// `skip_neighbours`, pairs that are neighbours across a seam or in a panel are left out, of the
-  /// bounds too: while a seam closes, they have to come past each other, and can come to intersect.
+  /// Finds all pairs nearer than `radius` metres, in an order that does not depend on the threads.
+  /// `x`: metres, one a vertex. Pairs that are no neighbours keep `gap` metres.
+  ///
+  /// `bound` receives the metres that each vertex may move. As long as no vertex moves farther,
+  /// surfaces that are apart cannot come to intersect [Chen et al. 2025, Offset Geometric Contact].
+  ///
+  /// With `skip_neighbours`, neighbours across a seam or in a panel are left out, also of the
+  /// bounds. While a seam closes they have to pass each other, and they can come to intersect.
+  ///
   /// About O(n) while few things are near each other.
   void find(const std::vector<Vec3>& x, double radius, double gap, std::vector<ContactPair>& pairs,
             std::vector<double>& bound, bool skip_neighbours) const;
 
-  /// As find(), but looks anew only at what has used up a good part of its bound, which is often a
-  /// handful of vertices; the others keep theirs. `at` holds, per vertex, the place from where its
-  /// bound counts: the `x` of a find(), or what an update() left. Costs the making of the grids and
-  /// a search for what has moved.
+  /// Does the same as find(), but searches only around vertices that have used up much of their
+  /// bound, often a handful. The other bounds stay. `at` holds the position (metres) from which the
+  /// bound of each vertex counts. It is the `x` of a find(), or the result of an update(). The cost
+  /// is that of the grids, O(n), and of a search around the moved vertices.
   void update(const std::vector<Vec3>& x, double radius, double gap,
               std::vector<ContactPair>& pairs, std::vector<double>& bound, std::vector<Vec3>& at,
               bool skip_neighbours) const;
@@ -80,8 +89,8 @@ class ProximitySearch {
   };
   using NearPairs = std::vector<NearPair>;
 
-  /// What is asked for: pairs nearer than `radius` of which some vertex is `wanted`; none given:
-  /// all.
+  /// Asks for the pairs nearer than `radius` metres that have a wanted vertex. Without `wanted`,
+  /// all vertices are.
   struct Query {
     const std::vector<Vec3>& x;
     double radius;
@@ -95,7 +104,7 @@ class ProximitySearch {
   NearPairs others_near_wanted_triangles(const Query& query) const;
   NearPairs edges_near_edges(const Query& query) const;
   NearPairs near_pairs(const Query& query) const;
-  /// What a pair keeps, metres; negative: it needs no force before the next search.
+  /// Metres that a pair keeps; negative where it needs no force before the next search.
   double gap_to_keep(const NearPair& found, double gap) const;
   bool of_layer(int vertex) const { return vertex >= moving_vertices_; }
   bool of_layer(const ContactPair& pair) const {
@@ -114,8 +123,8 @@ class ProximitySearch {
   double layer_gap_ = 0;
   std::vector<int> node_;
   std::vector<double> shortest_edge_;
-  std::vector<int> ring_first_;  // neighbours of a node, sorted
-  std::vector<int> ring_;
+  int nodes_ = 0;
+  Adjacency<int> neighbours_;  // per node, the nodes it shares an edge with, sorted; none of layers
 };
 
 }  // namespace toile

@@ -1,4 +1,4 @@
-// A uniform grid in space that finds small things near a place.
+// A uniform grid in space that finds the spheres near a point.
 #pragma once
 
 #include <algorithm>
@@ -8,12 +8,13 @@
 #include <numeric>
 #include <vector>
 
+#include "cloth/contact/constants.h"
 #include "geometry/types.h"
 
 namespace toile {
 
-/// Spheres around things of about one size, filed by their centres. Of the few that are much larger
-/// than the rest, all are looked at each time.
+/// Spheres of about one size, filed by their centres. The few that are much larger than the others
+/// are compared with every query.
 class SphereGrid {
  public:
   struct Sphere {
@@ -21,7 +22,7 @@ class SphereGrid {
     double radius;
   };
 
-  /// For questions about what is within `reach` of a sphere.
+  /// Files `spheres` (metres) for queries within `reach` metres of a sphere. O(n).
   SphereGrid(const std::vector<Sphere>& spheres, double reach) : reach_(reach) {
     low_ = Vec3::Constant(std::numeric_limits<double>::max());
     Vec3 high = -low_;
@@ -32,13 +33,10 @@ class SphereGrid {
       sum += sphere.radius;
     }
     if (spheres.empty()) low_ = high = Vec3::Zero();
-    constexpr double much_larger = 1.5;
-    max_radius_ = much_larger * sum / std::max<std::size_t>(spheres.size(), 1);
+    max_radius_ = large_sphere_ratio * sum / std::max<std::size_t>(spheres.size(), 1);
     cell_ = std::max(0.5 * (2 * max_radius_ + reach), 1e-6);
-    // Empty cells cost too: small spheres far apart get large ones.
-    constexpr double max_cells_a_sphere = 8;
-    const double max_cells = max_cells_a_sphere * static_cast<double>(spheres.size()) + 1;
-    while (((high - low_) / cell_ + Vec3::Ones()).prod() > max_cells) cell_ *= 1.2;
+    const double max_cells = max_cells_per_sphere * static_cast<double>(spheres.size()) + 1;
+    while (((high - low_) / cell_ + Vec3::Ones()).prod() > max_cells) cell_ *= cell_growth;
     for (int axis = 0; axis < 3; ++axis) {
       size_[axis] = static_cast<int>((high[axis] - low_[axis]) / cell_) + 1;
     }
@@ -65,18 +63,18 @@ class SphereGrid {
     }
   }
 
-  /// Calls `visit` with the number of each sphere that is nearer than the reach to this one, in an
-  /// order that depends only on the spheres.
+  /// Calls `visit` with the index of each sphere that is less than the reach away from the given
+  /// one. The order depends on the spheres only.
   template <typename Visit>
   void near(const Vec3& centre, double radius, const Visit& visit) const {
     near_from(0, centre, radius, [&](const Item& item) { visit(item.number); });
   }
 
-  /// Pairs fall into as many parts as there are spheres, to be asked for in any order.
+  /// Number of parts that all pairs of spheres fall into: one part per sphere.
   std::size_t parts() const { return items_.size(); }
 
-  /// Calls `visit` with the numbers of two spheres nearer to each other than the reach, the lesser
-  /// first; over all parts, once for each such two.
+  /// Calls `visit` with the indices, the lower first, of two spheres less than the reach apart, for
+  /// each such pair of a part. Over all parts in [0, parts()), each pair comes once.
   template <typename Visit>
   void pairs(std::size_t part, const Visit& visit) const {
     const Item& one = items_[part];
@@ -92,7 +90,7 @@ class SphereGrid {
     int number;
   };
 
-  /// Of the items from `start` on.
+  /// Calls `visit` with each near item, of those from index `start` on.
   template <typename Visit>
   void near_from(std::size_t start, const Vec3& centre, double radius, const Visit& visit) const {
     const auto consider = [&](std::size_t begin, std::size_t end) {
@@ -101,7 +99,7 @@ class SphereGrid {
         if ((items_[i].centre - centre).squaredNorm() < apart * apart) visit(items_[i]);
       }
     };
-    // A large sphere can be near anything.
+    // Large spheres are in no cell.
     const std::size_t filed = static_cast<std::size_t>(first_.back());
     const double around = radius + max_radius_ + reach_;
     const Vec3 from = centre - Vec3::Constant(around);
@@ -130,8 +128,8 @@ class SphereGrid {
   double cell_;
   Vec3 low_;
   int size_[3];
-  std::vector<int> first_;   // per cell, its first item
-  std::vector<Item> items_;  // by cells; then the large ones
+  std::vector<int> first_;   // per cell, the index of its first item
+  std::vector<Item> items_;  // by cells, then the large spheres
 };
 
 }  // namespace toile

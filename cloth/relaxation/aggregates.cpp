@@ -26,7 +26,7 @@ void add(Shares& shares, int aggregate, double weight) {
   }
 }
 
-/// Half its own, half the mean of its neighbours'.
+/// The mean of each vertex's shares and of the mean shares of its neighbours.
 std::vector<Shares> smoothed(const std::vector<Shares>& shares, const Neighbours& vertices) {
   std::vector<Shares> smooth(shares.size());
   for (std::size_t v = 0; v < shares.size(); ++v) {

@@ -1,4 +1,4 @@
-// Patches wider than the triangles of the coarsest mesh: what it is too fine for moves as a whole.
+// Aggregates of vertices: patches of the cloth wider than the triangles of the coarsest mesh.
 #pragma once
 
 #include <cstddef>
@@ -9,26 +9,27 @@
 
 namespace toile {
 
-/// Of a vertex to a aggregate, of those it belongs to: in all 1.
+/// The weight with which a vertex belongs to an aggregate. The weights of a vertex add up to 1.
 struct AggregateShare {
   int aggregate;
   double weight;
 };
 
-/// Per vertex, the others that are joined to it, ascending.
+/// Per vertex, the vertices that share an edge with it, ascending.
 using Neighbours = std::vector<std::vector<int>>;
 Neighbours neighbours_of(const std::vector<Triangle>& triangles, std::size_t vertices);
 
-/// Overlapping patches about three edges across, some four times as few as vertices: around
-/// vertices of which no two are neighbours, the others shared out among those next to them, and
-/// that smoothed once [after Vaněk, Mandel & Brezina 1996, smoothed aggregation].
+/// Overlapping aggregates about three edges across, about a quarter as many as vertices. They lie
+/// around vertices of which no two are neighbours. The other vertices are shared out among the
+/// aggregates next to them. Then the weights are smoothed once [after Vaněk, Mandel & Brezina 1996,
+/// smoothed aggregation].
 struct Aggregates {
-  std::vector<int> middles;               ///< per aggregate, the vertex that it is around
-  Adjacency<AggregateShare> of_vertices;  ///< per vertex
-  Neighbours neighbours;                  ///< per patch
+  std::vector<int> middles;               ///< per aggregate, its middle vertex
+  Adjacency<AggregateShare> of_vertices;  ///< per vertex, one or more
+  Neighbours neighbours;                  ///< per aggregate, those it shares an edge with
 };
 
-/// Linear in the joints. Each vertex belongs to one patch or more.
+/// Aggregates the vertices, given their neighbours. Linear in the edges.
 Aggregates aggregate(const Neighbours& vertices);
 
 }  // namespace toile

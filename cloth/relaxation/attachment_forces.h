@@ -1,4 +1,4 @@
-// Pulls of attachments on the vertices that they hold.
+// Forces of attachments on the vertices that they hold.
 #pragma once
 
 #include <vector>
@@ -8,14 +8,15 @@
 
 namespace toile {
 
-/// Vertices are the model's nodes, or its material points while seams stand open.
+/// Forces of attachments. Vertices are the model's material points with `of_points`, as while seams
+/// stand open; else they are its nodes.
 class AttachmentForces {
  public:
   AttachmentForces(const GarmentModel& model, bool of_points);
 
   bool empty() const { return entries_.empty(); }
-  /// Adds to the forces (N) on vertices `begin` to `end`, with all vertices at `x`, and to the
-  /// bounds of their stiffness (N/m), the fourth.
+  /// Adds the attachments' forces (N) on vertices `begin` to `end` to `force`, and bounds of their
+  /// stiffness (N/m) as the fourth component. `x`: metres, one a vertex.
   void add(std::size_t begin, std::size_t end, const Vec4s& x, Vec4s& force) const;
 
  private:
@@ -23,7 +24,7 @@ class AttachmentForces {
     std::size_t vertex;
     AttachedPoint attached;
   };
-  std::vector<Entry> entries_;  // by vertex, rising
+  std::vector<Entry> entries_;  // by ascending vertex
 };
 
 }  // namespace toile

@@ -11,7 +11,8 @@ namespace toile {
 
 namespace {
 
-/// Adds `stiffness` along a yarn of the length and direction of `yarn`, `across` square to it.
+/// Adds `stiffness` (N/m) in the direction of `yarn`, and `across` (N/m) square to it. `squared` is
+/// the squared length of `yarn`.
 void add_yarn(StiffnessBlock& sum, double stiffness, double across, const Vec4& yarn,
               double squared) {
   const double scale = (stiffness - across) / squared;
@@ -25,7 +26,7 @@ void add_yarn(StiffnessBlock& sum, double stiffness, double across, const Vec4& 
   sum[5] += scale * yarn[2] * yarn[2] + across;
 }
 
-/// A bound of what one has beyond the other along any direction.
+/// A bound of the difference a - b along any direction, N/m.
 double excess(const StiffnessBlock& a, const StiffnessBlock& b) {
   constexpr std::array<double, 6> times = {1, 2, 2, 1, 2, 1};
   double sum = 0;
@@ -65,9 +66,9 @@ StiffnessBlock BlockStiffness::at(std::size_t node, const Vec4s& x) const {
     const double of_warp = std::abs(s.warp[c]);
     const double weft_sum = sum_of(s.weft);
     const double warp_sum = sum_of(s.warp);
-    // A shearing triangle pulls each of its yarns along the other, |Σ a_i + b_i|² being at most
-    // the sum of the weights times the sum of their squares; and once it is sheared, its pulls turn
-    // with the yarns, whichever way these go.
+    // A shearing triangle pulls each of its yarns along the other. |Σ a_i + b_i|² is at most the
+    // sum of the weights times the sum of their squares. Once it is sheared, its pulls turn with
+    // the yarns, in whichever direction these turn.
     const double shear = s.shear_stiffness * (weft_sum + warp_sum);
     const double sheared =
         s.shear_stiffness * std::abs(dot(weft, warp)) * (of_weft * warp_sum + of_warp * weft_sum);

@@ -1,4 +1,4 @@
-// How stiffly cloth holds its nodes along each direction: hard in its plane, softly square to it.
+// Stiffness of the cloth at its nodes by direction: large in its plane, small along its normal.
 #pragma once
 
 #include <array>
@@ -10,10 +10,11 @@
 
 namespace toile {
 
-/// xx, xy, xz, yy, yz, zz of a symmetric matrix, N/m.
+/// N/m: xx, xy, xz, yy, yz, zz of a symmetric matrix.
 using StiffnessBlock = std::array<double, 6>;
 
-/// Where (stiffness + more I) takes what `force` pulls at; nowhere, if nothing holds it.
+/// Solves (`stiffness` + `more` · I) displacement = `force` (N) for the displacement (metres).
+/// `more` is in N/m. Returns zero where the matrix is singular.
 [[gnu::always_inline]] inline Vec4 solve_block(const StiffnessBlock& stiffness, double more,
                                                const Vec4& force) {
   const double xx = stiffness[0] + more;
@@ -32,32 +33,26 @@ using StiffnessBlock = std::array<double, 6>;
   return displacement / determinant;
 }
 
-/// Share of the undirected bound that those who step by a blocks one add to it, for cloth turns
-/// while they step, and a patch is not flat. Ten garments at 15 mm come to rest in as many
-/// iterations, within 4 %, with 0.05 as with 0.1; at 10 mm a pencil dress never does with 0.03, nor
-/// with 0.1 for patches.
-inline constexpr double isotropic_share = 0.1;
-inline constexpr double isotropic_share_of_aggregates = 0.25;
-
-/// A bound of the stiffness of stretch, shear and elastics at each node, as a matrix: along a yarn
-/// its row sum, across it what its tension adds. So a step square to the cloth may be many times
-/// as long as one along it.
+/// A bound of the stiffness of stretch, shear and elastics at each node, as a matrix. Along a yarn
+/// it is the row sum of the stiffness; across a yarn it is what the tension adds. So a step along
+/// the normal of the cloth may be many times as long as one in its plane.
 class BlockStiffness {
  public:
   explicit BlockStiffness(const GarmentModel& model);
 
-  /// Of the model's nodes, at `x`. Returns how far it was from what it is, as the mean over the
-  /// nodes of the largest difference along any direction, in undirected bounds: the sine of the
-  /// angle by which yarns turned; 1 the first time. Linear in the triangles; same bits for any
-  /// number of threads.
+  /// Finds the blocks of all nodes at `x` (metres, one a node). Returns how far they changed: the
+  /// mean over the nodes of the largest change along any direction, in units of the isotropic
+  /// bound. That is the sine of the angle by which yarns turned. The first time it is 1. Linear in
+  /// the triangles; same bits for any number of threads.
   double update(const Vec4s& x);
-  /// Whether there was an update(): before, of_nodes() are zero.
+  /// Whether there was an update(). Before it, the blocks are zero.
   bool known() const { return known_; }
+  /// N/m, per node.
   const std::vector<StiffnessBlock>& of_nodes() const { return of_nodes_; }
 
  private:
   StiffnessBlock at(std::size_t node, const Vec4s& x) const;
-  /// update() of nodes `begin` to `end`; the sum over them.
+  /// Updates nodes `begin` to `end`; returns the sum of their changes.
   double update(std::size_t begin, std::size_t end, const Vec4s& x);
 
   const GarmentModel& model_;

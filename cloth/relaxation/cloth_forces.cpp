@@ -4,21 +4,15 @@
 #include <cmath>
 
 #include "cloth/contact/body_attraction.h"
+#include "cloth/relaxation/constants.h"
 #include "cloth/scene/collider.h"
 
 namespace toile {
 
 namespace {
 
-/// Active pairs that one task handles, of which each costs as much as several triangles.
+/// Active pairs that one task handles. Each costs as much as several triangles.
 constexpr std::size_t pair_chunk = 16;
-/// Steps between two updates of the attraction to the body, which is wide and smooth.
-constexpr int attraction_interval = 16;
-/// Metres: the tightest curves of a body that a garment spans with whole triangles.
-constexpr double body_curve = 0.02;
-/// Share of the offset from the body that the sagitta of an edge over such a curve may use up
-/// before its middle has to touch the body too.
-constexpr double max_sagitta = 0.7;
 
 }  // namespace
 
@@ -71,7 +65,7 @@ std::vector<Vec3> ClothForces::state() const {
 }
 
 void ClothForces::use_vertices(bool points) {
-  // Triangles are the same, of nodes as of points.
+  // Points and nodes have the same triangles, so the multipliers stay.
   const std::vector<LimitMultiplier> multipliers =
       kernel_ && has_limits() ? kernel_->multipliers() : std::vector<LimitMultiplier>{};
   if (neighbourhood_) searches_before_ += neighbourhood_->searches();
@@ -89,7 +83,8 @@ void ClothForces::use_vertices(bool points) {
   computed_ = 0;
   neighbourhood_ = std::make_unique<Neighbourhood>(model_, options_, *vertices_, positions());
   if (!touches_body_exactly(model_.scene)) return;
-  const double shortest = std::sqrt(8 * body_curve * max_sagitta * model_.body_offset);
+  const double shortest =
+      std::sqrt(8 * edge_contact_radius * max_sagitta_share * model_.body_offset);
   edge_contacts_ = std::make_unique<EdgeContacts>(vertices_->triangles, positions(), shortest,
                                                   vertices_->spread(model_.friction_skin),
                                                   neighbourhood_->approach_bound());
@@ -110,7 +105,7 @@ void ClothForces::place_points() {
 void ClothForces::close_seams(double wanted) {
   double open = wanted;
   if (neighbourhood_->bounded()) {
-    // The closing moves points too: no farther than their bounds allow.
+    // The closing moves the points, no farther than their bounds allow.
     for (std::size_t p = 0; p < model_.offsets.size(); ++p) {
       const double share = neighbourhood_->allowed_share(p, (wanted - open_) * model_.offsets[p]);
       if (share < 1) neighbourhood_->request_search();
@@ -172,7 +167,7 @@ void ClothForces::compute() {
   const Vec4s& p = positions();
   PairForces& pairs = neighbourhood_->pairs();
   const std::size_t edges = edge_contacts_ ? edge_contacts_->edges() : 0;
-  // Each task has its share of all three, so that tasks are alike.
+  // Each task gets a share of groups, pairs and edges, so that all tasks take about as long.
   const std::size_t tasks =
       std::max({chunks_of(kernel_->groups(), vertex_chunk), chunks_of(pairs.active(), pair_chunk),
                 chunks_of(edges, vertex_chunk)});
@@ -190,15 +185,14 @@ void ClothForces::compute() {
       edge_contacts_->push(begin, end, model_, options_, p);
     });
   });
-  // Points of a node may be anywhere among the others; a node's own force is added where it is
-  // gathered.
+  // The points of a node may lie in several chunks, so their forces come before the nodes'.
   if (seams_stand_open()) {
     parallel_for_chunks(vertices_->count,
                         [&](std::size_t begin, std::size_t end) { add_up(begin, end); });
   }
 }
 
-/// What the cloth itself does to vertices `begin` to `end`.
+/// Finds the cloth's own forces on vertices `begin` to `end`.
 void ClothForces::add_up(std::size_t begin, std::size_t end) {
   const Vec4s& p = positions();
   // A seam bends as one cloth only when it is sewn.
@@ -208,7 +202,7 @@ void ClothForces::add_up(std::size_t begin, std::size_t end) {
   if (edge_contacts_ && !edge_contacts_->empty()) edge_contacts_->add(begin, end, vertex_force_);
 }
 
-/// All that acts on nodes `begin` to `end`.
+/// Adds up all forces on nodes `begin` to `end`.
 TOILE_CLONES
 void ClothForces::gather(std::size_t begin, std::size_t end) {
   if (!seams_stand_open()) add_up(begin, end);
@@ -235,7 +229,8 @@ void ClothForces::gather(std::size_t begin, std::size_t end) {
   }
 }
 
-/// Where a node comes to on its way to `wanted` without any of its vertices leaving its bound.
+/// The position on the path to `wanted` that node n reaches before one of its vertices leaves its
+/// bound.
 Vec3 ClothForces::within_bounds(std::size_t n, const Vec3& wanted) const {
   if (!seams_stand_open()) return neighbourhood_->clipped(n, wanted);
   const Vec3 from = as_vec3(nodes_[n]);
@@ -247,8 +242,8 @@ Vec3 ClothForces::within_bounds(std::size_t n, const Vec3& wanted) const {
   return share < 1 ? Vec3(from + share * displacement) : wanted;
 }
 
-/// A node that leaves the safe ball of one of its vertices is stopped at its bounds, and gets new
-/// balls there.
+/// Moves a node that leaves the safe ball of one of its vertices. It stops at its bounds, and its
+/// vertices get new balls. Returns whether it got to `wanted`.
 bool ClothForces::move_on(std::size_t n, const Vec4& wanted) {
   Vec3 next = as_vec3(wanted);
   bool allowed = true;

@@ -1,5 +1,5 @@
-// All that acts on the nodes of a garment, and how far each may go: what relaxation and release,
-// which move them, have in common.
+// All forces on the nodes of a garment, and how far each node may move: the common part of
+// relaxation and release.
 #pragma once
 
 #include <memory>
@@ -18,30 +18,34 @@
 
 namespace toile {
 
-/// The nodes of a garment in motion. A step is two calls: step_forces(), which finds the forces
-/// where the nodes stand, and advance(), which moves them. Model and options stay where they are as
-/// long as this lives.
+/// The nodes of a garment in motion. A step is two calls: step_forces() finds the forces at the
+/// present positions, advance() moves the nodes. Model and options must outlive this.
 class ClothForces {
  public:
   /// `x`: metres, one a node. With `open_seams`, seams stand as they were placed until
-  /// close_seams().
+  /// close_seams(). `interval` limits the searches for near cloth.
   ClothForces(const GarmentModel& model, const ForceOptions& options,
               const SearchInterval& interval, const std::vector<Vec3>& x, bool open_seams);
 
+  /// Metres: the position of node n.
   const Vec4& node(std::size_t n) const { return nodes_[n]; }
-  const Vec4s& nodes() const { return nodes_; }  ///< and then what does not move
+  const Vec4s& nodes() const { return nodes_; }  ///< metres; the layers' points come last
+  /// Metres, one a node.
   std::vector<Vec3> state() const;
+  /// Anchors and multipliers at the end, for the next run.
   WarmStart warm_start() const;
 
   double open() const { return open_; }  ///< 1: seams as placed, 0: closed
   bool seams_stand_open() const { return vertices_->are_points; }
-  /// Closes the seams until `open` is left, or as far as bounds allow; at 0 they are sewn for good.
+  /// Closes the seams until the share `open` of their width is left, or as far as bounds allow. At
+  /// 0 they are sewn for good.
   void close_seams(double open);
 
-  /// Finds the forces of one step. Calls take(begin, end, forces) for ranges of nodes, in parallel:
-  /// per node the force (N), with a bound of its stiffness (N/m) as the fourth. `bending`
-  /// multiplies the bending stiffness. Searches for near cloth where that is due, and friction
-  /// slides along, so each call is a step's.
+  /// Finds the forces of one step. Calls take(begin, end, forces) for ranges of nodes, in parallel.
+  /// `forces` has the force (N) of each node, with a bound of its stiffness (N/m) as the fourth
+  /// component. `bending` is a factor on the bending stiffness. A call may search for near cloth,
+  /// and it slides the anchors of friction. So there is one call a step. Linear in the triangles
+  /// and active pairs.
   template <typename Take>
   void step_forces(double bending, const Take& take) {
     bending_ = bending;
@@ -49,7 +53,8 @@ class ClothForces {
     compute();
     gather_all(take);
   }
-  /// The same forces where the nodes stand, all that is near found anew, without a search.
+  /// Finds the forces as step_forces() does, but first finds contacts and active pairs anew at the
+  /// present positions. It does not search for near cloth.
   template <typename Take>
   void fresh_forces(double bending, const Take& take) {
     bending_ = bending;
@@ -61,7 +66,8 @@ class ClothForces {
   /// Moves nodes for advance().
   class Mover {
    public:
-    /// Moves node n to `wanted`, or as far as its bounds allow: then false.
+    /// Moves node n to `wanted` (metres), or as far as its bounds allow. Returns whether it got
+    /// there.
     [[gnu::always_inline]] bool operator()(std::size_t n, const Vec4& wanted) const {
       for (const int v : of_node_[n]) {
         if (!neighbourhood_.is_safe(v, positions_[v] + (wanted - nodes_[n]))) {
@@ -86,7 +92,8 @@ class ClothForces {
     const Vec4* const positions_;
     Vec4* const nodes_;
   };
-  /// Calls step(begin, end, mover) for ranges of nodes, in parallel, to move each node once.
+  /// Calls step(begin, end, mover) for ranges of nodes, in parallel. `step` calls `mover` once for
+  /// each node.
   template <typename Step>
   void advance(const Step& step) {
     parallel_for_chunks(
@@ -94,20 +101,22 @@ class ClothForces {
     if (seams_stand_open()) place_points();
   }
 
+  /// Number of searches for near cloth so far.
   int searches() const { return searches_before_ + neighbourhood_->searches(); }
-  /// Share of the stiffness that resists compression from now on.
+  /// Sets the share of the stiffness that resists compression.
   void resist_compression(double share) { stretch_.compression = share; }
+  /// Whether the scene limits strain or shear.
   bool has_limits() const { return stretch_.limit >= 0 || stretch_.shear_limit >= 0; }
-  /// Tightens and loosens the multipliers of the scene's limits. Returns whether the yarns are
-  /// within them, but for those whose multiplier is at its largest.
+  /// Updates the multipliers of the scene's limits. Returns whether all yarns are within their
+  /// limits, except those whose multiplier is at its largest.
   bool update_multipliers();
-  /// Metres that node n is held off the body beyond the model's offset.
+  /// Metres that node n keeps from the body beyond the model's offset.
   double extra_offset(int n) const { return neighbourhood_->extra_offset(n); }
-  /// A bound of the cloth's own stiffness in its plane at node n, N/m, limits included.
+  /// N/m: a bound of the cloth's stiffness in its plane at node n, limits included.
   double stretch_stiffness(std::size_t n) const {
     return model_.stretch_diagonal[n] + limit_stiffness(n);
   }
-  /// What limits add to that.
+  /// N/m: the part of it that limits add.
   double limit_stiffness(std::size_t n) const {
     return limit_stiffness_.empty() ? 0 : limit_stiffness_[n];
   }
@@ -136,18 +145,18 @@ class ClothForces {
   const SearchInterval interval_;
   StretchOptions stretch_;
   const Vec4 gravity_;
-  Vec4s nodes_;         // then the layers' points
-  Vec4s points_;        // likewise the material points, while seams stand open
-  Vec4s node_force_;    // what step_forces() hands out
-  Vec4s vertex_force_;  // N, with the stiffness as the fourth: from the cloth itself
-  Vec4s attraction_;    // N, per vertex, to the body; empty: none
+  Vec4s nodes_;   // metres: the nodes, then the layers' points
+  Vec4s points_;  // metres: the material points, then the layers' points; while seams stand open
+  Vec4s node_force_;  // per node, the argument of take(): force (N), stiffness (N/m) as the fourth
+  Vec4s vertex_force_;  // per vertex, of the cloth's own forces: N, stiffness (N/m) as the fourth
+  Vec4s attraction_;    // N, per vertex, to the body; empty: no attraction
   std::vector<double> limit_stiffness_;  // N/m, per node; empty: no limits
   double open_ = 0;
   double bending_ = 1;
   int computed_ = 0;
-  int searches_before_ = 0;  // of the vertices before these
+  int searches_before_ = 0;  // by the neighbourhood of the material points
 
-  // Made anew when the vertices become the nodes.
+  // Made anew when the seams are sewn and nodes replace points as vertices.
   std::unique_ptr<Vertices> vertices_;
   std::unique_ptr<ElasticKernel> kernel_;
   std::unique_ptr<ElasticForces> elastics_;

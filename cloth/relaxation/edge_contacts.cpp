@@ -23,7 +23,7 @@ EdgeContacts::EdgeContacts(const std::vector<Triangle>& triangles, const Vec4s& 
   for (const auto& [a, b] : edges_)
     approach_bound_.push_back(std::max(approach_bound[a], approach_bound[b]));
   forces_.assign(edges_.size(), Vec4{});
-  free_.assign(edges_.size(), Vec4{});
+  free_balls_.assign(edges_.size(), Vec4{});
   pushed_.assign(edges_.size(), 0);
   edges_of_ = Adjacency<int>(x.size(), [&](const auto& add) {
     for (std::size_t e = 0; e < edges_.size(); ++e) {
@@ -34,7 +34,7 @@ EdgeContacts::EdgeContacts(const std::vector<Triangle>& triangles, const Vec4s& 
 
 void EdgeContacts::forget() {
   for (BodyContact& contact : contacts_) contact.forget();
-  free_.assign(edges_.size(), Vec4{});
+  free_balls_.assign(edges_.size(), Vec4{});
 }
 
 std::vector<EdgeAnchor> EdgeContacts::anchors() const {
@@ -60,16 +60,16 @@ void EdgeContacts::push(std::size_t begin, std::size_t end, const GarmentModel& 
     const auto [a, b] = edges_[e];
     const Vec4 middle = 0.5 * (x[a] + x[b]);
     pushed_[e] = 0;
-    const Vec4 away = middle - free_[e];
-    if (squared_length(away) < free_[e][3]) continue;
+    const Vec4 away = middle - free_balls_[e];
+    if (squared_length(away) < free_balls_[e][3]) continue;
     pushed_[e] = 1;
     const Vec3 p = as_vec3(middle);
     if (contacts_[e].remaining(p) <= 0) {
       contacts_[e].linearize(model.scene, p, model.body_offset, options.linearization_radius,
                              approach_bound_[e]);
       const double reach = contacts_[e].near() ? 0 : contacts_[e].remaining(p);
-      free_[e] = middle;
-      free_[e][3] = reach * reach;
+      free_balls_[e] = middle;
+      free_balls_[e][3] = reach * reach;
     }
     Vec4 sum = {0, 0, 0, 0};
     double stiffness = 0;

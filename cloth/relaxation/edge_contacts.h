@@ -1,4 +1,4 @@
-// Contact of a coarse cloth with the body between its vertices.
+// Contact of long edges of the cloth with the body.
 #pragma once
 
 #include <array>
@@ -13,44 +13,46 @@
 
 namespace toile {
 
-/// The middles of long edges touch the body as vertices do: else, with only its vertices held off,
-/// a coarse triangle cuts the curves of the body. Their forces go to the ends in halves.
+/// Contact of the middles of long edges with the body, as of vertices. Without it, a coarse
+/// triangle cuts the curves of the body, for only its vertices keep off. Half of each force goes to
+/// each end of the edge.
 class EdgeContacts {
  public:
-  /// Takes the edges of the triangles that are longer than `shortest` metres, with vertices at `x`.
-  /// `friction` is that of each vertex, on the body; an edge has the mean of its ends';
-  /// `approach_bound` the metres it may come down onto the body in a step; an edge, the more of its
-  /// ends'.
+  /// Takes the edges that are longer than `shortest` metres, with vertices at `x` (metres).
+  /// `friction` has each vertex's coefficient on the body; an edge has the mean of its ends.
+  /// `approach_bound` has the metres that each vertex may approach the body in a step; an edge has
+  /// the larger one of its ends. O(n log n).
   EdgeContacts(const std::vector<Triangle>& triangles, const Vec4s& x, double shortest,
                const std::vector<double>& friction, const std::vector<double>& approach_bound);
 
+  /// Whether no edge is long enough.
   bool empty() const { return contacts_.empty(); }
 
-  /// Has the body looked at again before the next forces.
+  /// Makes the next forces find the body anew. Anchors stay.
   void forget();
 
-  /// Where friction holds the middles, sorted by their edges.
+  /// Anchors of the middles that stick, sorted by edge.
   std::vector<EdgeAnchor> anchors() const;
-  /// Lets friction hold them there, instead of where they come to touch the body.
+  /// Makes middles stick at `anchors`, instead of where they first touch the body.
   void set_anchors(const std::vector<EdgeAnchor>& anchors);
 
   std::size_t edges() const { return edges_.size(); }
-  /// First pass, of edges `begin` to `end`: what the body does to their middles, with vertices at
-  /// `x`. The model's scene has a body.
+  /// First pass: finds the forces of the body on the middles of edges `begin` to `end`. `x`:
+  /// metres, one a vertex. The scene of the model has a body.
   void push(std::size_t begin, std::size_t end, const GarmentModel& model,
             const ForceOptions& options, const Vec4s& x);
-  /// Second pass, of vertices `begin` to `end`: adds the forces (N) to theirs, and a bound of their
-  /// stiffness (N/m) as the fourth of them.
+  /// Second pass: adds the forces (N) on vertices `begin` to `end` to `force`, and a bound of their
+  /// stiffness (N/m) as the fourth component.
   void add(std::size_t begin, std::size_t end, Vec4s& force) const;
 
  private:
   std::vector<std::array<int, 2>> edges_;
   std::vector<BodyContact> contacts_;
-  std::vector<double> friction_;        // Coulomb, per edge
+  std::vector<double> friction_;        // Coulomb's coefficient, per edge
   std::vector<double> approach_bound_;  // metres, per edge
-  Vec4s forces_;                        // per edge, stiffness as the fourth
-  Vec4s free_;                // per edge: nothing touches it within the root of the fourth
-  std::vector<char> pushed_;  // per edge: its force counts
+  Vec4s forces_;                        // N, per edge, on each end; stiffness (N/m) as the fourth
+  Vec4s free_balls_;          // per edge: centre and squared radius of a ball without contact
+  std::vector<char> pushed_;  // per edge, whether its force counts
   Adjacency<int> edges_of_;   // per vertex
 };
 

@@ -1,4 +1,4 @@
-// Pulls of elastics on the vertices along them.
+// Forces of elastics on the vertices along them.
 #pragma once
 
 #include "cloth/model/garment_model.h"
@@ -7,13 +7,15 @@
 
 namespace toile {
 
-/// Vertices are the model's nodes, or its material points while seams stand open.
+/// Forces of elastics. Vertices are the model's material points with `of_points`, as while seams
+/// stand open; else they are its nodes.
 class ElasticForces {
  public:
   ElasticForces(const GarmentModel& model, bool of_points);
 
   bool empty() const { return segments_.empty(); }
-  /// Adds to the forces (N) on vertices `begin` to `end`, with all vertices at `x`.
+  /// Adds the elastics' forces (N) on vertices `begin` to `end` to `force`. `x`: metres, one a
+  /// vertex.
   void add(std::size_t begin, std::size_t end, const Vec4s& x, Vec4s& force) const;
 
  private:
@@ -21,7 +23,7 @@ class ElasticForces {
     int other;
     ElasticSegment segment;
   };
-  Adjacency<Entry> segments_;  // per vertex; empty: no elastics
+  Adjacency<Entry> segments_;  // per vertex; empty: the model has no elastics
 };
 
 }  // namespace toile

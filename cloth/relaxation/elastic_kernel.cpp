@@ -4,11 +4,13 @@
 #include <cmath>
 #include <numeric>
 
+#include "cloth/relaxation/constants.h"
+
 namespace toile {
 
 namespace {
 
-/// Four points with their coordinates side by side.
+/// Four vectors: their x components, their y components, their z components.
 struct Columns {
   Vec4 x;
   Vec4 y;
@@ -48,21 +50,19 @@ struct Columns {
   return root;
 }
 
-/// Share of the limit from which on the step reckons with the stiffness beyond it.
-constexpr double near_limit = 0.5;
-
 [[gnu::always_inline]] inline Vec4 larger(const Vec4& a, const Vec4& b) { return a > b ? a : b; }
 
-/// What limits add to the stress of four triangles that are beyond them `by` so much strain.
+/// The stress that a limit adds in four triangles whose strain exceeds it by `by`.
 [[gnu::always_inline]] inline Vec4 limit_stress(const Vec4& stiffness, const Vec4& by,
                                                 const Vec4& multiplier) {
   return larger(multiplier + strain_limit_stiffening * stiffness * by, Vec4{0, 0, 0, 0});
 }
 
-// A direction crushed to nothing has no direction to push along.
+/// Squared stretch below which a yarn is crushed to a point. It then has no direction to push
+/// along.
 constexpr double min_squared = 1e-18;
 
-/// Stress over stretched length, N·m/... of four triangles along one yarn.
+/// N·m: stress times area over the stretch, of four triangles along one yarn.
 [[gnu::always_inline]] inline Vec4 tension(const Vec4& stiffness, const Vec4& squared,
                                            const StretchOptions& options, const Vec4* multiplier) {
   const Vec4 length = square_root(squared > min_squared ? squared : Vec4{1, 1, 1, 1});
@@ -134,7 +134,7 @@ void ElasticKernel::lay_out_triangles(const GarmentModel& model,
     TriangleGroup& g = groups_[t / group];
     const std::size_t i = t % group;
     if (t >= triangles.size()) {
-      // Pulls on nothing.
+      // Fills up the last group with triangles that pull at nothing.
       for (int c = 0; c < 3; ++c) g.corners[c][i] = 0;
       g.weft[0][i] = g.weft[1][i] = g.warp[0][i] = g.warp[1][i] = 0;
       g.stretch_weft[i] = g.stretch_warp[i] = g.shear[i] = 0;
@@ -177,7 +177,7 @@ template <typename Group>
   warp = columns_of(v[0], v[1], v[2], v[3]);
 }
 
-/// Without limits it costs nothing that there could be some.
+/// `limited` is a template parameter, so that limits cost nothing in a model without them.
 template <bool limited>
 [[gnu::always_inline]] inline void ElasticKernel::pull_all(std::size_t begin, std::size_t end,
                                                            const StretchOptions& options,
@@ -223,9 +223,6 @@ void ElasticKernel::pull(std::size_t begin, std::size_t end, const StretchOption
 ElasticKernel::LimitViolations ElasticKernel::update_multipliers(std::size_t begin, std::size_t end,
                                                                  const StretchOptions& options,
                                                                  const Vec4s& x) {
-  // So a load that has one way to go is held at once. Half of it takes twice the iterations, one
-  // and a half don't settle where much is held [measured on five garments].
-  constexpr double step = 1 + strain_limit_stiffening;
   LimitViolations found;
   for (std::size_t g = begin; g < end; ++g) {
     const TriangleGroup& t = groups_[g];
@@ -233,21 +230,21 @@ ElasticKernel::LimitViolations ElasticKernel::update_multipliers(std::size_t beg
     Columns weft;
     Columns warp;
     deform(t, x.data(), weft, warp);
-    // Returns what the limit adds to the stiffness.
+    // Updates a multiplier; returns the stiffness that the limit adds.
     const auto adjust = [&](const Vec4& stiffness, const Vec4& strain, double limit,
                             Vec4& multiplier) {
       const Vec4 zero = {0, 0, 0, 0};
       const Vec4 by = strain - limit;
-      const Vec4 wanted = larger(multiplier + step * stiffness * by, zero);
+      const Vec4 wanted = larger(multiplier + multiplier_step * stiffness * by, zero);
       multiplier = wanted < limits.max ? wanted : limits.max;
       for (std::size_t i = 0; i < group; ++i) {
         if (strain[i] <= (1 + limit_tolerance) * limit || limits.max[i] <= 0) continue;
         ++(wanted[i] >= limits.max[i] ? found.at_max_multiplier : found.beyond);
       }
-      const Vec4 stiffer = strain > near_limit * limit || multiplier > zero
+      const Vec4 stiffer = strain > limit_stiffening_onset * limit || multiplier > zero
                                ? strain_limit_stiffening * stiffness
                                : zero;
-      // Tension is a stiffness too, across the yarn.
+      // Tension is a stiffness across the yarn.
       const Vec4 stress = stiffness * strain + limit_stress(stiffness, by, multiplier);
       return larger(stiffer, stress - stiffness);
     };
@@ -262,7 +259,7 @@ ElasticKernel::LimitViolations ElasticKernel::update_multipliers(std::size_t beg
     }
     if (options.shear_limit >= 0) {
       const Vec4 turned = dot(weft, warp);
-      // Held to one side at most.
+      // At most one of the two shear limits, of one sign each, holds.
       const Vec4 side = limits.shear < 0.0 || (limits.shear == 0.0 && turned < 0.0)
                             ? Vec4{-1, -1, -1, -1}
                             : Vec4{1, 1, 1, 1};

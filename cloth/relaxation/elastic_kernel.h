@@ -12,44 +12,49 @@
 
 namespace toile {
 
-/// Share of a limit by which it is missed at most.
-inline constexpr double limit_tolerance = 0.08;
-
-/// Vertices are the model's nodes, or its material points while seams stand open. Forces take two
-/// passes over disjoint ranges that may run side by side: first all of pull(), then all of
-/// gather(); a vertex sums what its triangles left in a fixed order, so that bits don't depend on
-/// the threads. The same model as stretch_forces() and the model's bend triangles, element for
-/// element.
+/// Forces of stretch, shear and bending. Vertices are the model's material points with `of_points`,
+/// as while seams stand open; else they are its nodes.
+///
+/// Forces take two passes over disjoint ranges that may run in parallel: all of pull(), then all of
+/// gather(). A vertex adds up the pulls of its triangles in a fixed order, so bits don't depend on
+/// the threads.
+///
+/// Element for element it is the same model as stretch_forces() and the bend triangles of the
+/// model.
 class ElasticKernel {
  public:
-  static constexpr std::size_t group = 4;  ///< triangles that are pulled together
+  static constexpr std::size_t group = 4;  ///< triangles that are computed together
 
   ElasticKernel(const GarmentModel& model, bool of_points);
 
   std::size_t vertices() const { return pulls_on_.size(); }
   std::size_t groups() const { return groups_.size(); }
 
-  /// First pass, of groups `begin` to `end`: stresses of the triangles, with vertices at `x`.
+  /// First pass: finds the stresses of the triangles of groups `begin` to `end`. `x`: metres, one a
+  /// vertex.
   void pull(std::size_t begin, std::size_t end, const StretchOptions& options, const Vec4s& x);
 
-  /// Second pass: force (N) on vertices `begin` to `end`. `bending` multiplies the stiffness of all
-  /// that bends, `seam_bending` (0 to 1) besides that of what bends across a seam.
+  /// Second pass: sets the forces (N) on vertices `begin` to `end`. `bending` is a factor on the
+  /// stiffness of all bending; `seam_bending` (0 to 1) is a further factor across seams.
   void gather(std::size_t begin, std::size_t end, double bending, double seam_bending,
               const Vec4s& x, Vec4s& force) const;
 
-  /// What holds the yarns to the limits of `options`, per triangle: to begin with, and now.
+  /// Sets the multipliers that hold the yarns to their limits, one a triangle of the model. Each is
+  /// cut to the largest that is allowed.
   void start_multipliers(const std::vector<LimitMultiplier>& yarns);
+  /// The multipliers as they are now, one a triangle.
   std::vector<LimitMultiplier> multipliers() const;
-  /// Lets go where yarns of groups `begin` to `end` are within their limits at `x` and holds them
-  /// harder where they are not, so that repeated they come to be. Returns how many were beyond by
-  /// more than `limit_tolerance`, but are held as much as they can be, and how many others.
+  /// Numbers of strains beyond their limits by more than `limit_tolerance`.
   struct LimitViolations {
-    int at_max_multiplier = 0;
-    int beyond = 0;
+    int at_max_multiplier = 0;  ///< those that the largest multiplier cannot hold
+    int beyond = 0;             ///< the others
   };
+  /// Raises the multipliers of groups `begin` to `end` where yarns at `x` (metres) exceed their
+  /// limits, and lowers them where yarns are within. Repeated calls bring the yarns within limits.
   LimitViolations update_multipliers(std::size_t begin, std::size_t end,
                                      const StretchOptions& options, const Vec4s& x);
-  /// A bound of the stiffness (N/m) that limits add to a vertex, as of the last hold().
+  /// N/m: a bound of the stiffness that limits add to a vertex, as of the last
+  /// update_multipliers().
   double stiffening(std::size_t vertex) const;
 
  private:
@@ -67,7 +72,7 @@ class ElasticKernel {
     Vec4 weft;  // N·m: multiplier times area
     Vec4 warp;
     Vec4 shear;
-    Vec4 max;       // N·m: of each
+    Vec4 max;       // N·m: the largest of each
     Vec4 area;      // m²
     Vec4 sum_weft;  // 1/m: of the corners' derivatives
     Vec4 sum_warp;

@@ -1,4 +1,4 @@
-// What acts on a garment, by all that moves it.
+// Options of the forces on a garment, common to relaxation and release.
 #pragma once
 
 #include <algorithm>
@@ -11,15 +11,15 @@
 
 namespace toile {
 
-/// Where friction holds a garment, and what holds its yarns to their limits: what one run hands to
-/// the next, so that the force is not lost.
+/// Anchors of friction and multipliers of the limits at the end of a run. A run that begins with
+/// them begins with the forces that they hold.
 struct WarmStart {
-  std::vector<std::optional<Vec3>> skin;  ///< per node; nothing: it does not
-  std::vector<EdgeAnchor> edges;          ///< of nodes, sorted: their middles on the skin
-  std::vector<PairAnchor> cloth;          ///< where it rubs on cloth, of nodes and then of layers
+  std::vector<std::optional<Vec3>> skin;  ///< metres, per node; none: it slides
+  std::vector<EdgeAnchor> edges;          ///< middles on the skin, of nodes, sorted
+  std::vector<PairAnchor> cloth;          ///< on cloth, of nodes and then of layers' points, sorted
   std::vector<LimitMultiplier> multipliers;  ///< per triangle; empty: no limits
 
-  /// Friction lets go of the nodes for which `moved` is not 0.
+  /// Drops the anchors of nodes for which `moved` is not 0. `moved`: one a node.
   void release_anchors(const std::vector<char>& moved) {
     for (std::size_t n = 0; n < std::min(moved.size(), skin.size()); ++n) {
       if (moved[n] != 0) skin[n].reset();
@@ -35,39 +35,40 @@ struct WarmStart {
 };
 
 struct ForceOptions {
-  double gravity = 1;  ///< factor on the scene's
+  double gravity = 1;  ///< factor on the scene's gravity
   /// Share of the stiffness that resists compression. Real cloth buckles in folds finer than a
-  /// coarse mesh has; a mesh that can't is held up by its own creases unless compression is cheap
+  /// coarse mesh can form. Unless compression is cheap, such a mesh is held up by its own creases
   /// [tension-field theory: Pipkin 1986].
   double compression = 1;
-  /// Pull toward the skin, as a multiple of the cloth's weight far from it, falling to nothing at
-  /// the skin [Zhong & Xu 2009, wrapping]. Without it, the middle of a wide
-  /// panel stays where it was while its seams close, and folds into one sharp ridge.
+  /// Attraction to the skin, as a multiple of the cloth's weight; it falls to 0 at the skin [Zhong
+  /// & Xu 2009, wrapping]. Without it, the middle of a wide panel stays where it was while its
+  /// seams close, and folds into one sharp ridge.
   double pull = 0;
-  bool friction = true;  ///< off, a garment can find its way down
-  /// Keeps every node within its bound of the last search, so that what is apart stays apart.
-  /// To be used from a state without intersections; a tangle would be locked in.
-  /// With BodyContactTerm::faces and seams closed, no triangle that is clear of the body comes to
-  /// meet it; what meets it can come out.
+  bool friction = true;  ///< without it, a garment can slide down into place
+  /// Keeps every node within its bound of the last search, so that surfaces that are apart stay
+  /// apart. The run must begin without intersections: a tangle would be locked in.
+  ///
+  /// With BodyContactTerm::faces and closed seams, no triangle that is clear of the body comes to
+  /// meet it. A triangle that meets it can come out.
   bool bounded = false;
-  /// Keeps the cloth apart from the scene's layers too, each vertex, edge and face of either from
-  /// the other's, within the bounds. To be used from a state that does not meet them.
+  /// Keeps vertices, edges and faces of the cloth apart from those of the scene's layers, too, and
+  /// within bounds of them. The run must begin without intersections with the layers.
   bool layer_contact = false;
-  /// Metres along which the body passes for a plane: curved with a radius of 2 cm, it leaves one by
-  /// 6e-9 m, a force of 6e-6 N on a vertex that touches it. More is faster where nothing has to
-  /// come to rest.
+  /// Metres within which a plane stands for the body. A body with a radius of curvature of 2 cm is
+  /// 6e-9 m off that plane. On a vertex in contact that is a force of 6e-6 N. More is faster where
+  /// nothing has to come to rest.
   double linearization_radius = 1.5e-5;
-  double self_radius = 0.005;  ///< metres within which cloth is looked for
-  /// Metres before cloth touches cloth at which the step reckons with the stiffness of the touch: a
-  /// longer step would be thrown back, for ever. release() takes 0.
+  double self_radius = 0.005;  ///< metres within which near cloth is searched for
+  /// Metres before two sides of cloth push each other, from which on the step heeds the stiffness
+  /// of the push. A longer step would be thrown back again and again. release() takes 0.
   double activation_distance = 1e-4;
-  /// Share of its bound beyond which a node has near cloth looked for anew. 1: when it is stopped;
-  /// with less, what moves freely never is, for more searches.
+  /// Share of its bound after which a node has near cloth searched for. With 1, it has when it is
+  /// stopped. With less, nodes that move freely are never stopped, at the cost of more searches.
   double search_share = 1;
-  /// Of a run that ended where this one begins, seams closed. None: friction holds what
-  /// touches where it comes to touch.
+  /// The end of an earlier run at the same positions, with closed seams. Null: friction holds the
+  /// cloth where it first touches.
   const WarmStart* warm_start = nullptr;
-  /// Begins with these multipliers, likewise. None: they are found from nothing.
+  /// Multipliers of the limits, one a triangle, to begin with. Null: they begin at 0.
   const std::vector<LimitMultiplier>* multipliers = nullptr;
 };
 

@@ -1,5 +1,5 @@
-// Moves whole patches of the cloth by the forces on them: what is soft and wide comes to rest with
-// the coarse meshes' iterations, not the fine one's.
+// A multilevel preconditioner: it moves whole patches of the cloth by the forces on them. So wide
+// and soft motions need as few iterations as on a coarse mesh.
 #pragma once
 
 #include <array>
@@ -13,34 +13,41 @@
 
 namespace toile {
 
-/// Additive multilevel preconditioner [Bramble, Pasciak & Xu 1990]: on each coarser level, the
-/// forces on a patch over a bound of its stiffness. Patches are the hat functions of the coarse
-/// nodes of the model's nested mesh, and beyond the coarsest of them two levels of wide patches,
-/// where there are enough nodes for them; without a nested mesh, or unless `wide`, none. A patch's
-/// bound is its middle node's, for the stiffness of a membrane does not depend on the size of its
-/// triangles, and that of bending grows with finer ones; what touches adds up.
+/// Additive multilevel preconditioner [Bramble, Pasciak & Xu 1990]. On each coarser level, the
+/// displacement of a patch is the force on it over a bound of its stiffness.
+///
+/// Patches are the hat functions of the coarse nodes of the model's nested mesh. Above the coarsest
+/// of these there are up to two levels of aggregates, where there are enough nodes for them.
+///
+/// A patch has the stiffness bounds of its middle node. The bound of a membrane does not depend on
+/// the size of its triangles, and that of bending grows with finer ones. The stiffness of contacts
+/// is summed over a patch.
 class MultilevelPreconditioner {
  public:
+  /// Without a nested mesh there are no levels. O(n).
   MultilevelPreconditioner(const GarmentModel& model, bool with_aggregates);
 
+  /// Number of levels.
   int levels() const { return static_cast<int>(levels_.size()); }
-  /// Those of the nested mesh; the others are wide.
+  /// Number of levels of the nested mesh; the others are aggregates.
   int nested_levels() const { return nested_; }
 
-  /// The cloth's stiffness at each of the model's nodes: from now on a patch has the mean of its
-  /// nodes', instead of the same in all directions.
+  /// Sets the stiffness of each patch to the mean of the blocks of its nodes, instead of the
+  /// isotropic bound. `of_nodes` has one block a node of the model.
   void set_blocks(const std::vector<StiffnessBlock>& of_nodes);
 
-  /// Ways of the coarse nodes, by the forces (N) on all nodes, with the stiffness (N/m) of what
-  /// they touch as the fourth. `bending` multiplies the bending stiffness.
+  /// Finds the displacements of all patches. `forces` has the force (N) on each node, and the
+  /// stiffness (N/m) of its contacts as the fourth component. `bending` is a factor on the bending
+  /// stiffness. Linear in the nodes.
   void compute(const Vec4s& forces, double bending);
-  /// What compute() found for a node, metres.
+  /// Metres: the displacement that compute() found for node n.
   [[gnu::always_inline]] Vec4 of_node(std::size_t n) const {
     if (levels_.empty()) return Vec4{};
     return between_parents(levels_.front(), n);
   }
-  /// Of the nested mesh's coarsest patches by what compute() was given, m/s²; 0 without. Forces
-  /// that neighbours have on each other cancel: what is left sets cloth in motion as a whole.
+  /// m/s²: root mean square acceleration of the patches of the nested mesh's coarsest level, by the
+  /// forces of the last compute(). 0 without levels. Forces of neighbours on each other cancel; the
+  /// rest sets the cloth in motion as a whole.
   double rms_acceleration() const;
 
  private:
@@ -49,15 +56,16 @@ class MultilevelPreconditioner {
     double weight;
   };
   struct Level {
-    std::vector<std::array<int, 2>> parents;  // per finer node; the same twice: it is one of these
-    Adjacency<AggregateShare> patches;        // per finer node, of a wide level; it has no parents
-    Adjacency<Share> shares;                  // per node, of finer ones
-    std::vector<double> stretch;              // N/m, per node, in all directions
-    std::vector<StiffnessBlock> blocks;       // per node
-    std::vector<double> bend;
-    std::vector<double> mass;  // kg
-    Vec4s force;
-    Vec4s displacement;
+    std::vector<std::array<int, 2>>
+        parents;                        // per finer node; twice the same for a node of this level
+    Adjacency<AggregateShare> patches;  // per finer node; of a level of aggregates, without parents
+    Adjacency<Share> shares;            // per node, its finer nodes
+    std::vector<double> stretch;        // N/m, per node: isotropic bounds
+    std::vector<StiffnessBlock> blocks;  // N/m, per node
+    std::vector<double> bend;            // N/m, per node
+    std::vector<double> mass;            // kg, per node
+    Vec4s force;                         // N, per node; stiffness of contacts (N/m) as the fourth
+    Vec4s displacement;                  // metres, per node
   };
   [[gnu::always_inline]] static Vec4 between_parents(const Level& level, std::size_t finer) {
     const auto& [a, b] = level.parents[finer];
@@ -70,8 +78,8 @@ class MultilevelPreconditioner {
   void restrict_forces(const Level& level, const Vec4s& finer, Vec4s& force) const;
 
   int nested_ = 0;
-  double isotropic_share_ = 1;  // share of the levels' stretch
-  std::vector<Level> levels_;   // the finer first
+  double isotropic_share_ = 1;  // of the levels' stretch; 1 before blocks are set
+  std::vector<Level> levels_;   // from fine to coarse
 };
 
 }  // namespace toile

@@ -5,7 +5,8 @@
 #include <numeric>
 
 #include "cloth/contact/clip_to_ball.h"
-#include "cloth/relaxation/block_stiffness.h"
+#include "cloth/contact/constants.h"
+#include "cloth/relaxation/constants.h"
 #include "cloth/scene/collider.h"
 #include "geometry/parallel.h"
 
@@ -13,17 +14,10 @@ namespace toile {
 
 namespace {
 
-/// Weights of a node that may pull at it where it comes down on the body, and metres that it comes
-/// down by in a step at most. Soft cloth (1 N/m) would be thrown back and come down again for ever,
-/// unless it reckons with the body a step before.
-constexpr double weights_coming_down = 8;
-constexpr double max_coming_down = 0.004;
-/// Updates after which what meets the body may have come out of it.
-constexpr int meeting_interval = 32;
 /// Metres: the radius of a safe ball that nothing limits.
 constexpr double boundless = 1e3;
 
-/// Metres that each node may come down onto the body in a step.
+/// Metres by which each node may approach the body in a step.
 std::vector<double> approach_bounds(const GarmentModel& model) {
   std::vector<double> bounds;
   for (int n = 0; n < model.nodes; ++n) {
@@ -31,7 +25,7 @@ std::vector<double> approach_bounds(const GarmentModel& model) {
     const double bend = model.bend.empty() ? 0 : model.bend_diagonal[n];
     const double stiffness = isotropic_share * model.stretch_diagonal[n] + bend;
     bounds.push_back(
-        std::min(max_coming_down, weights_coming_down * weight / std::max(stiffness, 1e-12)));
+        std::min(max_approach_bound, approach_weights * weight / std::max(stiffness, 1e-12)));
   }
   return bounds;
 }
@@ -115,7 +109,7 @@ std::vector<Vec3> Neighbourhood::positions() const {
 void Neighbourhood::search() {
   const std::vector<Vec3> p = positions();
   const double gap = model_.self_gap;
-  // Bounds that nobody keeps say nothing of where things are.
+  // update() needs vertices that have kept their bounds.
   if (bounded()) {
     proximity_->update(p, options_.self_radius, gap, pairs_.pairs(), bound_, searched_at_,
                        vertices_.are_points);
@@ -143,7 +137,7 @@ void Neighbourhood::set_safe_balls() {
 
 void Neighbourhood::update_body_bounds() {
   if (!body_bounds_) return;
-  if (++body_updates_ % meeting_interval == 0) body_bounds_->recheck_intersecting();
+  if (++body_updates_ % intersecting_update_interval == 0) body_bounds_->recheck_intersecting();
   if (!body_bounds_->is_due()) return;
   for (const int v : body_bounds_->update(x_)) {
     if (body_bounds_->extra_offset(v) > 0) contacts_[v].forget();
@@ -169,7 +163,7 @@ void Neighbourhood::set_safe_ball(std::size_t v, const Vec3& p) {
   }
   if (body_bounds_) radius = std::min(radius, body_bounds_->free_radius(static_cast<int>(v), p));
   if (!bound_.empty()) {
-    const double left = 0.5 * PairForces::margin - (p - activated_at_[v]).norm();
+    const double left = 0.5 * pair_activation_margin - (p - activated_at_[v]).norm();
     if (left <= 0) activation_due_ = true;
     radius = std::min(radius, std::max(left, 0.0));
   }

@@ -1,4 +1,4 @@
-// What is near each vertex of the cloth, and how far it may go until that has to be found anew.
+// Contacts of each vertex of the cloth, and how far it may move until they must be found anew.
 #pragma once
 
 #include <atomic>
@@ -10,6 +10,7 @@
 #include "cloth/contact/pair_forces.h"
 #include "cloth/contact/proximity.h"
 #include "cloth/model/garment_model.h"
+#include "cloth/relaxation/constants.h"
 #include "cloth/relaxation/force_options.h"
 #include "cloth/relaxation/vertices.h"
 #include "geometry/vec4.h"
@@ -18,55 +19,58 @@ namespace toile {
 
 /// Steps between two searches for near cloth.
 struct SearchInterval {
-  int min = 1;   ///< a node that has used up its bound waits so long
-  int max = 50;  ///< unbounded, a node may leave the searched neighbourhood by then
+  int min = 1;  ///< for so many steps a node that has used up its bound waits
+  /// Without bounds, a node may leave the searched neighbourhood after so many.
+  int max = max_search_interval;
 };
 
-/// Whether a run keeps the cloth off the layers below.
+/// Whether a run keeps the cloth off motionless layers.
 inline bool touches_layers(const GarmentModel& model, const ForceOptions& options) {
   return model.scene.self_contact && options.layer_contact && has_layers(model.scene);
 }
 
-/// Each vertex has a safe ball: as long as it stays inside, nothing new can touch it, and nothing
-/// that bounds keep apart can meet. Different vertices may ask at the same time.
+/// The contacts of all vertices. Each vertex has a safe ball. While it stays inside, nothing new
+/// can touch it, and its bounds hold. Calls for different vertices may run in parallel.
 class Neighbourhood {
  public:
-  /// `x`: metres, one a vertex, then the points of the layers below; it stays where it is and is
-  /// read whenever the neighbourhood is updated. So stay model, options and vertices.
+  /// `x`: metres, one a vertex, then the points of the scene's layers. It is read at each update.
+  /// Model, options, vertices and `x` must outlive this.
   Neighbourhood(const GarmentModel& model, const ForceOptions& options, const Vertices& vertices,
                 const Vec4s& x);
 
-  /// Searches for near cloth when vertices have used up their bounds, and looks after the body's.
+  /// Searches for near cloth when vertices have used up their bounds, and updates the body's
+  /// bounds.
   void update(const SearchInterval& interval);
-  /// Forgets the body and the active pairs, and finds them anew where the vertices are.
+  /// Finds all contacts with the body and the active pairs anew at the present positions.
   void refresh();
+  /// Number of searches for near cloth so far.
   int searches() const { return searches_; }
 
   BodyContact& contact(std::size_t v) { return contacts_[v]; }
   PairForces& pairs() { return pairs_; }
   const PairForces& pairs() const { return pairs_; }
   const std::vector<BodyContact>& contacts() const { return contacts_; }
-  /// Metres, per vertex, that it may come down onto the body in a step.
+  /// Metres, per vertex, by which it may approach the body in a step.
   const std::vector<double>& approach_bound() const { return approach_bound_; }
-  /// Metres that a vertex is held off the body beyond the offset of all.
+  /// Metres that a vertex keeps from the body beyond the model's offset.
   double extra_offset(int v) const { return body_bounds_ ? body_bounds_->extra_offset(v) : 0; }
 
-  /// Whether a vertex at `p` is inside its safe ball.
+  /// Whether `p` (metres) is inside the safe ball of vertex v.
   [[gnu::always_inline]] bool is_safe(std::size_t v, const Vec4& p) const {
     return !(squared_length(p - safe_balls_[v]) > safe_balls_[v][3]);
   }
-  /// Finds the safe ball of a vertex that has come to `p`.
+  /// Finds the safe ball of vertex v, which has come to `p` (metres).
   void set_safe_ball(std::size_t v, const Vec3& p);
 
   /// Whether vertices keep within the bounds of the last search.
   bool bounded() const { return options_.bounded && !bound_.empty(); }
-  /// Share in [0, 1] of a displacement of vertex v, from where it is, that its bound allows.
+  /// Share in [0, 1] of a displacement (metres) of vertex v that its bound allows.
   double allowed_share(std::size_t v, const Vec3& displacement) const;
-  /// The place nearest to `wanted` that the bound of vertex v allows.
+  /// The point nearest to `wanted` (metres) that the bound of vertex v allows.
   Vec3 clipped(std::size_t v, const Vec3& wanted) const;
-  /// Share in [0, 1] of the path of vertex v that the body's bounds allow; 1 without such bounds.
+  /// Share in [0, 1] of the path of vertex v that the body's bounds allow; 1 without bounds.
   double allowed_by_body(std::size_t v, const Vec3& from, const Vec3& to);
-  /// A vertex has used up its bound: the next update() may search.
+  /// Reports that a vertex has used up its bound, so that the next update() may search.
   void request_search() { search_due_ = true; }
 
  private:
@@ -80,14 +84,14 @@ class Neighbourhood {
   const ForceOptions& options_;
   const Vertices& vertices_;
   const Vec4s& x_;
-  std::vector<BodyContact> contacts_;  // per vertex
-  std::vector<double> approach_bound_;
-  /// Per vertex: where it was when its ball was found, and the square of the ball's radius.
+  std::vector<BodyContact> contacts_;   // per vertex
+  std::vector<double> approach_bound_;  // metres, per vertex
+  /// Metres, per vertex: the centre of its ball, and the squared radius as the fourth.
   Vec4s safe_balls_;
   std::unique_ptr<BodyBounds> body_bounds_;
   std::unique_ptr<ProximitySearch> proximity_;
   PairForces pairs_;
-  std::vector<double> bound_;  // metres, per vertex, around searched_at_; empty: never searched
+  std::vector<double> bound_;  // metres, per vertex, around searched_at_; empty before a search
   std::vector<Vec3> searched_at_;
   std::vector<Vec3> activated_at_;
   int since_search_ = 0;

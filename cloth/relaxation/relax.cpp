@@ -7,6 +7,7 @@
 
 #include "cloth/relaxation/block_stiffness.h"
 #include "cloth/relaxation/cloth_forces.h"
+#include "cloth/relaxation/constants.h"
 #include "cloth/relaxation/multilevel_preconditioner.h"
 #include "geometry/error.h"
 #include "geometry/parallel.h"
@@ -15,41 +16,6 @@ namespace toile {
 
 namespace {
 
-/// Steps are this much longer than the bound on the stiffness allows, for the bound is pessimistic:
-/// 1 needs twice the iterations. With 1.5, ten garments on five meshes take 0.93 times as many, but
-/// a sheet without coarser meshes flies apart (max_step), and jersey trembles on fine ones.
-constexpr double step_factor = 1.3;
-/// What each coarser level adds to the bound: 1 would always be safe; at 0.2, garments of the
-/// default fabric come to rest, but those of jersey and denim go on trembling; those of jersey on
-/// two coarser meshes at 0.4 too.
-constexpr double level_share = 0.5;
-/// And each level of wide patches: with 0.25 and 0.5 ten garments take 1.1 and 1.2 times the
-/// iterations, with 0 about the same.
-constexpr double aggregate_level_share = 0.1;
-/// How many times the inverse of a force's stiffness a step may be with momentum. Of a stiffness λ,
-/// steps of s and momentum β change what is off by x'' = (1 - sλ)((1 + β) x' - β x), which stays
-/// bounded for sλ < (2 + 2β) / (1 + 2β): 4/3 with β near 1.
-constexpr double max_step = 4.0 / 3;
-/// Iterations that the directions of the stiffness are kept, and how far the yarns may turn
-/// meanwhile, as a sine: what turns faster is looked at more often. Garments turn by 0.001 to 0.01;
-/// a tube 5 % too small, drawn over an ellipse, never finds out of its tangle with 25 iterations
-/// alone. Twice as often brings none to rest sooner, half as often needs 1.15 times the iterations.
-constexpr int min_block_interval = 4;
-constexpr int max_block_interval = 25;
-constexpr double max_turn = 0.02;
-/// Of the age of its momentum, what a run keeps that goes uphill: what trembles somewhere must not
-/// stop what is slow elsewhere. With three quarters, ten garments on five meshes take 1.1 times the
-/// iterations; with an age for each node, 2 to 5 times. What is younger than the least is left
-/// alone.
-constexpr double kept_age = 0.9;
-constexpr int min_age = 50;
-/// Iterations between two measurements of the residual, and calls of the watcher.
-constexpr int watch_interval = 50;
-/// How often a garment that is at rest but for a few nodes is held harder, where it is beyond its
-/// limits: what can't be held would never come to rest.
-constexpr int max_waits = 30;
-/// Least iterations between two searches for near cloth; a node that has used up its bound waits.
-constexpr int search_interval = 8;
 double smoothstep(double t) { return t * t * (3 - 2 * t); }
 
 class Relaxation {
@@ -57,15 +23,15 @@ class Relaxation {
   Relaxation(const GarmentModel& model, const RelaxOptions& options, const std::vector<Vec3>& x)
       : model_(model),
         options_(options),
-        forces_(model, options, {search_interval, watch_interval}, x,
+        forces_(model, options, {min_search_interval, max_search_interval}, x,
                 options.closing_iterations > 0 && !model.offsets.empty()),
-        // A dart that closes in wide patches turns its tip in.
+        // Without aggregates while seams close: with them, a closing dart turns its tip in.
         multilevel_(model, options.closing_iterations == 0),
         blocks_(model),
         step_factor_(step_factor / (1 + level_share * multilevel_.nested_levels() +
                                     aggregate_level_share *
                                         (multilevel_.levels() - multilevel_.nested_levels()))),
-        touch_factor_(std::max(1.0, step_factor_ * (1 + multilevel_.levels()) / max_step)),
+        touch_factor_(std::max(1.0, step_factor_ * (1 + multilevel_.levels()) / max_momentum_step)),
         node_force_(model.nodes, Vec4{}),
         x_(as_vec4(x)),
         partial_(chunks_of(model.nodes, vertex_chunk)) {}
@@ -74,7 +40,7 @@ class Relaxation {
   std::vector<Vec3> state() const { return forces_.state(); }
 
  private:
-  /// One step of all nodes; returns the power of the forces along the last step.
+  /// Moves all nodes; returns the power of the forces along the last step.
   double step();
   void take_forces(const Vec4s& forces, std::size_t begin, std::size_t end);
   void update_blocks();
@@ -93,25 +59,26 @@ class Relaxation {
 
   const GarmentModel& model_;
   const RelaxOptions& options_;
-  ClothForces forces_;  // its nodes are the state: the iterate with momentum
+  ClothForces forces_;  // its nodes are the iterate with momentum
   MultilevelPreconditioner multilevel_;
   BlockStiffness blocks_;
   int block_interval_ = min_block_interval;
   int until_blocks_ = 0;
   double step_factor_;
-  /// What touches holds its nodes alike on all levels, whose steps add up.
+  /// Factor on the stiffness of contacts. It holds nodes on all levels alike, and their steps add
+  /// up.
   double touch_factor_;
-  Vec4s node_force_;  // N, and the stiffness of what the node touches as the fourth
+  Vec4s node_force_;  // N, stiffness of contacts (N/m) as the fourth
   Vec4s x_;           // the iterate before momentum
   std::vector<double> partial_;
   double bending_ = 1;
   double momentum_ = 0;
-  double nearest_to_rest_ = -1;  // the residual as a multiple of what it has to be, at its least
-  int nearest_at_ = 0;           // and in which iteration
+  double nearest_to_rest_ = -1;  // the smallest residual so far, in units of its goal
+  int nearest_at_ = 0;           // the iteration of that residual
   int momentum_age_ = 0;         // iterations that momentum has grown for
 };
 
-/// Of nodes `begin` to `end`: the forces, with the stiffness of what they touch as the fourth.
+/// Takes the forces on nodes `begin` to `end`, with the stiffness of contacts as the fourth.
 void Relaxation::take_forces(const Vec4s& forces, std::size_t begin, std::size_t end) {
   for (std::size_t n = begin; n < end; ++n) {
     Vec4 force = forces[n];
@@ -121,12 +88,12 @@ void Relaxation::take_forces(const Vec4s& forces, std::size_t begin, std::size_t
   }
 }
 
-/// While seams stand open, the panels are far from their places and turn fast: their stiffness is
-/// taken for the same in all directions.
+/// Updates the blocks when they are due. While seams stand open, panels turn fast. So blocks stay
+/// zero, and the stiffness is isotropic.
 void Relaxation::update_blocks() {
   if (forces_.seams_stand_open() || --until_blocks_ > 0) return;
   const double turn = std::max(blocks_.update(forces_.nodes()), 1e-9);
-  block_interval_ = static_cast<int>(std::clamp<double>(block_interval_ * max_turn / turn,
+  block_interval_ = static_cast<int>(std::clamp<double>(block_interval_ * max_block_turn / turn,
                                                         min_block_interval, max_block_interval));
   until_blocks_ = block_interval_;
   multilevel_.set_blocks(blocks_.of_nodes());
@@ -169,7 +136,7 @@ double Relaxation::step() {
   return std::accumulate(partial_.begin(), partial_.end(), 0.0);
 }
 
-/// Of the state as it is now, the body looked at anew.
+/// The residual at the present positions, with contacts found anew.
 Residual Relaxation::measure_residual() {
   update_blocks();
   forces_.fresh_forces(bending_, [&](std::size_t begin, std::size_t end, const Vec4s& forces) {
@@ -179,7 +146,7 @@ Residual Relaxation::measure_residual() {
   return last_residual();
 }
 
-/// Of the state that the last step found.
+/// The residual of the forces that the last step found.
 Residual Relaxation::last_residual() const {
   Residual r;
   std::vector<double> norms(model_.nodes);
@@ -200,25 +167,22 @@ Residual Relaxation::last_residual() const {
   return r;
 }
 
-/// Less of it when the forces are against the last step, all nodes together.
+/// Cuts the momentum when the forces, summed over all nodes, are against the last step.
 void Relaxation::adjust_momentum(double power, bool closing) {
-  const bool uphill = power < 0 && !closing && momentum_age_ >= min_age;
-  momentum_age_ = uphill ? static_cast<int>(kept_age * momentum_age_) : momentum_age_ + 1;
+  const bool uphill = power < 0 && !closing && momentum_age_ >= min_momentum_age;
+  momentum_age_ = uphill ? static_cast<int>(kept_momentum_age * momentum_age_) : momentum_age_ + 1;
 }
 
-/// Whether the residual has not come nearer to what it has to be for long: a node or two are held
-/// against their bounds, and going on would not change that. Where a fold snaps over, it begins
-/// anew.
+/// Whether the residual has made no progress toward its goal for too long. Then a node or two are
+/// held against their bounds, and further iterations would not change that. Where a fold snaps
+/// through, the count begins anew.
 bool Relaxation::stalls(const Residual& residual, int iteration) {
-  constexpr double progress = 0.98;
-  // One fold of a silk skirt raised it by 25 times [measured].
-  constexpr double snapped = 10;
   if (options_.patience == 0) return false;
   double farthest =
       std::max(residual.median / options_.stop_median, residual.rms / options_.stop_rms);
   if (options_.stop_wide > 0) farthest = std::max(farthest, residual.wide / options_.stop_wide);
-  if (nearest_to_rest_ < 0 || farthest < progress * nearest_to_rest_ ||
-      farthest > snapped * nearest_to_rest_) {
+  if (nearest_to_rest_ < 0 || farthest < stall_progress * nearest_to_rest_ ||
+      farthest > snap_through_ratio * nearest_to_rest_) {
     nearest_to_rest_ = farthest;
     nearest_at_ = iteration;
   }
@@ -246,10 +210,10 @@ RelaxReport Relaxation::run(const RelaxWatcher& watcher) {
     const double power = step();
     adjust_momentum(power, closing);
     report.iterations = i + 1;
-    if ((i + 1) % watch_interval != 0 && i + 1 != options_.max_iterations) continue;
+    if ((i + 1) % residual_interval != 0 && i + 1 != options_.max_iterations) continue;
     if (watcher) watcher({i + 1, forces_.open(), state()});
     if (closing) continue;
-    const bool within_limits = waited >= max_waits || forces_.update_multipliers();
+    const bool within_limits = waited >= max_limit_waits || forces_.update_multipliers();
     const Residual left = last_residual();
     if (left.median < options_.stop_median) ++waited;
     if (i < options_.stiffening_iterations) continue;

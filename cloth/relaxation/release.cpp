@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "cloth/relaxation/cloth_forces.h"
+#include "cloth/relaxation/constants.h"
 #include "geometry/error.h"
 #include "geometry/parallel.h"
 
@@ -13,18 +14,10 @@ namespace toile {
 
 namespace {
 
-/// Of the longest step that the bound on the stiffness allows.
-constexpr double safe_share = 0.9;
-/// How far ahead forces are taken, in steps.
-constexpr double ahead = 0.1;
-/// Seconds between two looks at where the nodes are.
-constexpr double watch_interval = 0.01;
-/// Steps between two searches when cloth is not bounded.
-constexpr int search_interval = 50;
-
-/// Who flies is not to be stopped by a bound that is old, nor made heavier by what it may touch.
+/// Options for a motion in time. Old bounds must not stop nodes in flight, and contacts to come
+/// must not make them heavier.
 ReleaseOptions in_time(ReleaseOptions options) {
-  options.search_share = 0.5;
+  options.search_share = release_search_share;
   options.activation_distance = 0;
   return options;
 }
@@ -33,7 +26,7 @@ class Release {
  public:
   Release(const GarmentModel& model, const ReleaseOptions& options, const std::vector<Vec3>& x);
   ReleaseReport run();
-  /// Where forces were taken: there the bounds hold.
+  /// Metres, one a node: where forces were taken, which is within the bounds.
   std::vector<Vec3> state() const { return forces_.state(); }
 
  private:
@@ -45,16 +38,16 @@ class Release {
   ClothForces forces_;  // its nodes are where forces are taken
   Vec4s x_;
   Vec4s v_;
-  Vec4s force_;  // N, with the stiffness as the fourth
+  Vec4s force_;  // N, stiffness (N/m) as the fourth
   double step_ = 0;
-  double max_inverse_ = 0;  // 1/s²: the most that stiffness over mass may be
+  double max_inverse_ = 0;  // 1/s²: the largest stable ratio of stiffness to mass
 };
 
 Release::Release(const GarmentModel& model, const ReleaseOptions& options,
                  const std::vector<Vec3>& x)
     : model_(model),
       options_(in_time(options)),
-      forces_(model, options_, {1, search_interval}, x, false),
+      forces_(model, options_, {1, max_search_interval}, x, false),
       x_(as_vec4(x)),
       v_(model.nodes, Vec4{}),
       force_(model.nodes, Vec4{}) {
@@ -66,8 +59,8 @@ Release::Release(const GarmentModel& model, const ReleaseOptions& options,
     if (touches_body(model.scene)) stiffness += BodyContact::max_stiffness;
     max_ratio = std::max(max_ratio, stiffness / model.mass[n]);
   }
-  // Stable as long as (step·frequency)² (1 + 2 ahead) < 4.
-  const double limit = 4 * safe_share * safe_share / (1 + 2 * ahead);
+  // The motion is stable while (step·frequency)² (1 + 2 lookahead) < 4.
+  const double limit = 4 * time_step_share * time_step_share / (1 + 2 * force_lookahead);
   const double stable = max_ratio > 0 ? std::sqrt(limit / max_ratio) : options.seconds;
   step_ = options.seconds / std::ceil(options.seconds / stable);
   max_inverse_ = limit / (step_ * step_);
@@ -85,9 +78,10 @@ void Release::step_nodes(std::size_t begin, std::size_t end, const ClothForces::
     v_[n] = kept * (v_[n] + step_ / mass * force);
     const Vec4 before = forces_.node(n);
     x_[n] += step_ * v_[n];
-    const Vec4 motion = ahead * step_ * v_[n];
+    const Vec4 motion = force_lookahead * step_ * v_[n];
     if (move(n, x_[n] + motion)) continue;
-    // What its bounds stop has the speed of the way they left it: its own would carry it past them.
+    // A node that its bounds stop gets the speed of its actual motion. Its own would carry it past
+    // them.
     x_[n] = forces_.node(n);
     v_[n] = (x_[n] - before) / step_;
   }
@@ -117,7 +111,7 @@ ReleaseReport Release::run() {
   report.steps = static_cast<int>(std::lround(options_.seconds / step_));
   report.moved.assign(x_.size(), 0);
   const Vec4s from = x_;
-  const int watch = std::max(1, static_cast<int>(watch_interval / step_));
+  const int watch = std::max(1, static_cast<int>(motion_watch_interval / step_));
   for (int i = 1; i <= report.steps; ++i) {
     forces_.step_forces(
         options_.bending, [&](std::size_t begin, std::size_t end, const Vec4s& found) {

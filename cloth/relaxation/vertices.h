@@ -1,4 +1,4 @@
-// What touches things while a garment moves: its material points, or its nodes.
+// The vertices of a garment in motion, which contact acts on: material points or nodes.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,9 @@
 
 namespace toile {
 
-/// The vertices of the cloth's surface. While seams stand open they are the model's material
-/// points, so that both sides of a seam touch things on their own; once sewn, they are its nodes.
+/// The vertices of the cloth's surface. While seams stand open, they are the model's material
+/// points, so that the two sides of a seam touch things separately. Once the seams are sewn, they
+/// are the nodes.
 struct Vertices {
   Vertices(const GarmentModel& model, bool points)
       : are_points(points),
@@ -23,7 +24,7 @@ struct Vertices {
           }
         }) {}
 
-  /// The same values per vertex.
+  /// Values per vertex, from values per node.
   std::vector<double> spread(const std::vector<double>& per_node) const {
     if (!are_points) return per_node;
     std::vector<double> values;
@@ -31,9 +32,9 @@ struct Vertices {
     return values;
   }
 
-  const bool are_points;
+  const bool are_points;  ///< material points, not nodes
   const std::size_t count;
-  const std::vector<Triangle>& triangles;  ///< of vertices
+  const std::vector<Triangle>& triangles;  ///< indices of vertices
   const std::vector<int>& node_of_point;
   const Adjacency<int> of_node;  ///< per node, its vertices
 };

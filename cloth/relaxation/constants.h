@@ -1,0 +1,144 @@
+// Constants of relaxation and release: steps, momentum, intervals, tolerances.
+#pragma once
+
+#include "cloth/scene/constants.h"
+
+namespace toile {
+
+// Steps of a relaxation.
+
+/// Factor by which steps exceed what the bound on the stiffness allows, for the bound is
+/// pessimistic. With 1, twice the iterations are needed. With 1.5, ten garments on five meshes take
+/// 0.93 times as many. But then a sheet without coarser meshes flies apart (max_momentum_step), and
+/// jersey trembles on fine meshes.
+inline constexpr double step_factor = 1.3;
+
+/// Share of the bound that each coarser level of the nested mesh adds to it; 1 would always be
+/// safe. With 0.2, garments of the default fabric come to rest, but those of jersey and denim go on
+/// trembling. With 0.4, those of jersey on two coarser meshes do, too.
+inline constexpr double level_share = 0.5;
+
+/// Share of the bound that each level of aggregates adds to it. With 0.25 and 0.5, ten garments
+/// take 1.1 and 1.2 times the iterations; with 0, about as many.
+inline constexpr double aggregate_level_share = 0.1;
+
+/// Largest step with momentum, as a multiple of the inverse of a force's stiffness. With a
+/// stiffness λ, steps of s and momentum β, a deviation x follows x'' = (1 - sλ)((1 + β) x' - β x).
+/// It stays bounded for sλ < (2 + 2β) / (1 + 2β): 4/3 with β near 1.
+inline constexpr double max_momentum_step = 4.0 / 3;
+
+/// Share of the isotropic bound of the stiffness that is added to the blocks of a step. Cloth turns
+/// between two updates of the blocks. With 0.05, ten garments at 15 mm need as many iterations as
+/// with 0.1, within 4 %. With 0.03, a pencil dress at 10 mm never comes to rest.
+inline constexpr double isotropic_share = 0.1;
+
+/// The same share on the levels of the multilevel preconditioner, whose patches are not flat. With
+/// 0.1, a pencil dress at 10 mm never comes to rest.
+inline constexpr double isotropic_share_of_patches = 0.25;
+
+/// Iterations between two updates of the blocks, at least and at most. With half of both, no
+/// garment comes to rest sooner. With twice, they need 1.15 times the iterations.
+inline constexpr int min_block_interval = 4;
+inline constexpr int max_block_interval = 25;
+
+/// Sine of the angle by which the yarns may turn between two updates of the blocks. Where they turn
+/// faster, updates are more frequent. Garments turn by 0.001 to 0.01. With 25 iterations
+/// everywhere, a tube 5 % too small, drawn over an ellipse, never finds out of its tangle.
+inline constexpr double max_block_turn = 0.02;
+
+/// Levels of aggregates, at most. With none, ten garments take 1.55 times the iterations at 15 mm
+/// and 1.4 times at 10 mm. With one and with three, they take 1.06 times, and 1.1 to 1.2 times.
+inline constexpr int max_aggregate_levels = 2;
+
+/// Aggregates that a level has at least. A level of fewer is left out.
+inline constexpr int min_aggregates = 4;
+
+/// Share of the age of its momentum that a run keeps when it goes uphill. Cloth that trembles in
+/// one place must not stop slow cloth elsewhere. With three quarters, ten garments on five meshes
+/// take 1.1 times the iterations; with an age for each node, 2 to 5 times.
+inline constexpr double kept_momentum_age = 0.9;
+
+/// Iterations: a younger momentum is not cut.
+inline constexpr int min_momentum_age = 50;
+
+/// Iterations between two measurements of the residual, and between two calls of the watcher.
+inline constexpr int residual_interval = 50;
+
+/// Factor by which the residual has to come nearer to its goal to count as progress.
+inline constexpr double stall_progress = 0.98;
+
+/// Factor by which the residual rises when a fold snaps through. The count of iterations without
+/// progress then begins at zero. One fold of a silk skirt raised the residual by 25 times
+/// [measured].
+inline constexpr double snap_through_ratio = 10;
+
+// Contact.
+
+/// Steps between two searches for near cloth, at least. A node that has used up its bound waits so
+/// long.
+inline constexpr int min_search_interval = 8;
+
+/// Steps between two searches for near cloth, at most, in a run without bounds.
+inline constexpr int max_search_interval = 50;
+
+/// Steps between two updates of the attraction to the body, which is wide and smooth.
+inline constexpr int attraction_interval = 16;
+
+/// Updates between two attempts to bind triangles that met the body, for they may have come out.
+inline constexpr int intersecting_update_interval = 32;
+
+/// Node weights. The approach bound of a node is as long as the step that a force of so many
+/// weights drives it onto the body. Without that bound, soft cloth (1 N/m) would be thrown back and
+/// come down again for ever.
+inline constexpr double approach_weights = 8;
+
+/// Metres: the largest approach bound of a node.
+inline constexpr double max_approach_bound = 0.004;
+
+/// Metres: the radius of the tightest curve of a body that a garment spans with whole triangles. It
+/// decides which edges touch the body with their middles. It does not set the offset of the nodes.
+inline constexpr double edge_contact_radius = 0.02;
+
+/// Share of the offset from the body. An edge whose sagitta over the tightest curve uses more of it
+/// touches the body with its middle.
+inline constexpr double max_sagitta_share = 0.7;
+
+// Strain limits.
+
+/// Share of a strain limit by which a relaxation may exceed it at rest. A drape within this
+/// tolerance keeps its limits for the judge, too: that allows 10 % (kept_limit).
+inline constexpr double limit_tolerance = 0.08;
+
+/// Share of a strain limit above which the step heeds the stiffness beyond the limit.
+inline constexpr double limit_stiffening_onset = 0.5;
+
+/// Change of a multiplier at an update, in units of the fabric's stiffness times the strain beyond
+/// the limit. With this value a load that only the limit can carry is held at once. Half of it
+/// takes twice the iterations. One and a half times does not settle where much is held [measured on
+/// five garments].
+inline constexpr double multiplier_step = 1 + strain_limit_stiffening;
+
+/// Measurements of the residual at which the multipliers of a garment are updated although its
+/// median residual is at its goal, at most. Cloth that no multiplier can hold would never come to
+/// rest.
+inline constexpr int max_limit_waits = 30;
+
+// Release in time.
+
+/// Share of the longest step at which the integration in time is stable.
+inline constexpr double time_step_share = 0.9;
+
+/// Steps ahead of the nodes, along their motion, at which forces are taken.
+inline constexpr double force_lookahead = 0.1;
+
+/// Seconds between two measurements of how far the nodes have moved.
+inline constexpr double motion_watch_interval = 0.01;
+
+/// Share of its bound after which a node in flight has near cloth searched for, so that no old
+/// bound stops it.
+inline constexpr double release_search_share = 0.5;
+
+/// Metres within which 99 % of the nodes of a stable garment stay.
+inline constexpr double max_stable_motion = 0.002;
+
+}  // namespace toile
