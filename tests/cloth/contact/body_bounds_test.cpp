@@ -14,13 +14,13 @@
 namespace toile {
 namespace body_bounds_test {
 
-/// A body with a spike: a box with a needle of a pyramid on it, 1 cm wide and 6 cm high.
+/// A box with a spike on it: a pyramid 1 cm wide and 6 cm high.
 TriangleMesh spiked_box() {
   return test::together(test::box({-0.2, -0.05, -0.2}, {0.2, 0, 0.2}),
                         test::spike(0, 0, 0.005, 0.06));
 }
 
-/// Corners thrown about as far as the bounds let them, and anew from there: never through a facet.
+/// Corners move at random, as far as the bounds allow, again and again. They never pass a facet.
 TEST(BodyBounds, NothingThatKeepsToThemMeetsTheBody) {
   const Collider body{spiked_box()};
   PanelMesh garment;
@@ -35,7 +35,7 @@ TEST(BodyBounds, NothingThatKeepsToThemMeetsTheBody) {
   for (int round = 0; round < 200; ++round) {
     bounds.update(as_vec4(x));
     for (std::size_t v = 0; v < x.size(); ++v) {
-      // Down, at 3 cm a round, and about.
+      // 3 cm down a round, and up to 1 cm sideways.
       const Vec3 wanted = x[v] + Vec3(0.01 * any(random), -0.03, 0.01 * any(random));
       const double free = bounds.free_radius(static_cast<int>(v), x[v]);
       const double share = bounds.allowed_share(static_cast<int>(v), x[v], wanted);
@@ -49,7 +49,7 @@ TEST(BodyBounds, NothingThatKeepsToThemMeetsTheBody) {
   EXPECT_GT(stopped, 1000);
 }
 
-/// What is through the body already is let go of, and held once it is out.
+/// A triangle that intersects the body is free to come out. Once it is out, it is bound.
 TEST(BodyBounds, WhatMeetsTheBodyCanComeOut) {
   const Collider body{test::box({-0.2, -0.05, -0.2}, {0.2, 0, 0.2})};
   const std::vector<Triangle> triangles = {{0, 1, 2}};
@@ -60,18 +60,18 @@ TEST(BodyBounds, WhatMeetsTheBodyCanComeOut) {
   EXPECT_EQ(bounds.allowed_share(0, x[0], {0, 0.01, 0}), 1);
   x[0] = {0, 0.01, 0};
   bounds.recheck_intersecting();
-  for (int i = 0; i < 4; ++i) bounds.update(as_vec4(x));  // each triangle only now and then
+  for (int i = 0; i < 4; ++i) bounds.update(as_vec4(x));  // a region is updated every few calls
   EXPECT_LT(bounds.free_radius(0, x[0]), 0.01);
   for (int i = 0; i < 80; ++i) {
     x[0] += bounds.allowed_share(0, x[0], {0, -0.01, 0}) * (Vec3(0, -0.01, 0) - x[0]);
     bounds.update(as_vec4(x));
   }
   EXPECT_GT(x[0].y(), 0);
-  EXPECT_LT(x[0].y(), 1e-4);  // the box's top is flat: a plane just above it
+  EXPECT_LT(x[0].y(), 1e-4);  // the plane just above the flat top of the box
 }
 
-/// What is wholly inside meets no facet, and has to come out as well; what lies a hair above may
-/// not go in. Near the skin, where planes are looked for, and deep.
+/// A triangle wholly inside meets no facet, but must be free to come out. A triangle just outside
+/// must not go in. This holds near the skin, where a region has a plane, and far from it.
 TEST(BodyBounds, WhatIsInsideCanComeOut) {
   const Collider body{test::box({-0.2, -0.2, -0.2}, {0.2, 0, 0.2})};
   const std::vector<Triangle> triangles = {{0, 1, 2}};
@@ -88,8 +88,8 @@ TEST(BodyBounds, WhatIsInsideCanComeOut) {
   }
 }
 
-/// Beside a step that it is a hair higher than, but 4 mm away from: no plane at the step's height
-/// stops it, and nothing lifts it.
+/// A triangle lies 4 mm beside a step, and slightly higher than it. No plane at the step's height
+/// stops the triangle, and nothing lifts it.
 TEST(BodyBounds, WhatIsClearBesideAStepIsNotHeldAtItsHeight) {
   const Collider body{test::together(test::box({-0.2, -0.2, -0.2}, {0.2, 0, 0.2}),
                                      test::box({0.024, 0.00005, -0.2}, {0.2, 0.0099, 0.2}))};
@@ -99,7 +99,7 @@ TEST(BodyBounds, WhatIsClearBesideAStepIsNotHeldAtItsHeight) {
   for (int i = 0; i < 40; ++i) {
     bounds.update(as_vec4(x));
     for (int v = 0; v < 3; ++v) {
-      // What is stopped is due to be looked after anew.
+      // A region that stops a corner becomes due.
       EXPECT_EQ(bounds.allowed_share(v, x[v], x[v] - Vec3(0, 0.003, 0)), 1);
       EXPECT_LT(bounds.allowed_share(v, x[v], x[v] + Vec3(0.02, -0.009, 0)), 0.5);
     }
@@ -110,8 +110,8 @@ TEST(BodyBounds, WhatIsClearBesideAStepIsNotHeldAtItsHeight) {
   }
 }
 
-/// A sheet falls on a spike that is finer than its mesh: it hangs on it, with no facet through it
-/// at any time.
+/// A sheet falls on a spike that is finer than the mesh of the sheet. It comes to hang on the
+/// spike, and no facet passes through it at any time.
 TEST(BodyBounds, ASheetHangsOnASpike) {
   const Collider body{spiked_box()};
   PanelMesh garment;
@@ -138,7 +138,7 @@ TEST(BodyBounds, ASheetHangsOnASpike) {
   }
   EXPECT_GT(highest, 0.06);
   EXPECT_LT(lowest, 0.02);
-  // Without the bounds the spike goes through: that is what they are for.
+  // Without bounds, the spike passes through the sheet.
   scene.body_contact = BodyContactTerm::nodes;
   const GarmentModel unbounded = compile(garment, scene, garment.placed);
   std::vector<Vec3> free = model.start;

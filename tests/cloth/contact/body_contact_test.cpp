@@ -14,14 +14,15 @@ namespace body_contact_test {
 
 constexpr double offset = 0.006;
 
-/// Two walls that stand nearer to each other than twice the offset, as an arm and a chest.
+/// Two walls less than twice the offset apart, as arm and chest may be.
 class Crevice : public testing::Test {
  protected:
   static constexpr double half_width = 0.004;
 
   Crevice() { scene.collider = &grid; }
 
-  /// The push on a vertex that stands at `x` across the crevice; and the stiffness it reckons with.
+  /// The push (N) on a vertex at `x` metres across the crevice, and the bound of its stiffness
+  /// (N/m).
   struct Push {
     double force;
     double stiffness;
@@ -42,7 +43,7 @@ class Crevice : public testing::Test {
   Scene scene;
 };
 
-/// Else a vertex in the middle is thrown from one side to the other for ever.
+/// Otherwise a vertex in the middle would be thrown from side to side without end.
 TEST_F(Crevice, TheFartherFromItsMiddleTheHarderItPushesBack) {
   constexpr double step = 2e-5;
   double largest_jump = 0;

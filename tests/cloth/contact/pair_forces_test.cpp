@@ -10,7 +10,7 @@ namespace pair_forces_test {
 
 using Corners = std::array<Vec3, 4>;
 
-/// Forces on two edges that keep 2 mm.
+/// Forces (N) on the ends of two edges that keep a gap of 2 mm.
 Corners forces_on(const Corners& x) {
   PairForces forces;
   forces.pairs() = {{{0, 1, 2, 3}, true, 0.002}};
@@ -27,8 +27,8 @@ Corners forces_on(const Corners& x) {
   return force;
 }
 
-/// Two edges of 1 cm, one over the other, at share `t` of a way on which they turn past parallel
-/// twice, slide and sink, and come back.
+/// Two edges of 1 cm, one `height` metres over the other, at share `t` of a closed path. On it the
+/// edges turn past parallel twice, slide, and sink.
 Corners at(double t, double height) {
   const double phase = 2 * std::numbers::pi * t;
   const double angle = 0.6 * std::sin(phase);
@@ -39,9 +39,10 @@ Corners at(double t, double height) {
   return {Vec3(-0.005, 0, 0), Vec3(0.005, 0, 0), middle - along, middle + along};
 }
 
-/// The push is the slope of an energy and has no jumps: else cloth whose folds lie edge on edge
-/// would go on moving for ever. Without the share that turning edges get, 0.2 N jump here.
-TEST(PairForces, EdgesPushWithoutJumpsAndDoNoWorkOnAClosedWay) {
+/// The push is the slope of an energy and has no jumps. Otherwise cloth whose folds lie edge on
+/// edge would never come to rest. Without the share that turning edges get, the push jumps by 0.2 N
+/// here.
+TEST(PairForces, EdgesPushWithoutJumpsAndDoNoWorkOnAClosedPath) {
   for (const double height : {0.0015, 0.0007}) {
     constexpr int steps = 20000;
     double work = 0;
@@ -65,12 +66,12 @@ TEST(PairForces, EdgesPushWithoutJumpsAndDoNoWorkOnAClosedWay) {
     EXPECT_GT(turned_over, 1e-5);
     EXPECT_LT(std::abs(work), 1e-4 * turned_over) << height;
     EXPECT_LT(largest_jump, 0.002) << height;
-    std::cout << "at " << height << " m: work on the way " << work << " of " << turned_over
+    std::cout << "at " << height << " m: work on the path " << work << " of " << turned_over
               << " J, largest jump of a force " << largest_jump << " N\n";
   }
 }
 
-/// Edges that cross push as ever.
+/// Edges that cross at a large angle have the whole push.
 TEST(PairForces, CrossingEdgesPushWithAll) {
   const Corners x = {Vec3(-0.005, 0, 0), Vec3(0.005, 0, 0), Vec3(0, 0.0015, -0.005),
                      Vec3(0, 0.0015, 0.005)};

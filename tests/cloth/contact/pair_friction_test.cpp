@@ -20,7 +20,7 @@ namespace pair_friction_test {
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// A patch of cloth on a motionless layer of cloth, both sloping; reference case 06, incline.
+/// A patch of cloth on a motionless layer of cloth, both on a slope. Reference case 06, incline.
 class ClothOnCloth : public testing::Test {
  protected:
   static constexpr double gap = 0.001;
@@ -38,7 +38,7 @@ class ClothOnCloth : public testing::Test {
     scene.layer_gap = gap;
   }
 
-  /// Metres that the patch goes down the slope in `seconds`, having rested there first.
+  /// Metres that the patch slides down the slope in `seconds`, after it came to rest there.
   double slid_distance(double slope, double mu, double seconds, bool hand_over = true) {
     scene.fabric.friction_cloth = mu;
     scene.gravity = 9.81 * Vec3(std::sin(slope), -std::cos(slope), 0);
@@ -52,7 +52,7 @@ class ClothOnCloth : public testing::Test {
     anchors = rested.warm_start.cloth.size();
     ReleaseOptions options;
     options.layer_contact = true;
-    options.bounded = hand_over;  // what slides is stopped by its bounds now and then
+    options.bounded = hand_over;  // bounds stop a sliding patch now and then
     options.seconds = seconds;
     options.damping = 0;
     if (hand_over) options.warm_start = &rested.warm_start;
@@ -72,7 +72,7 @@ class ClothOnCloth : public testing::Test {
 };
 
 TEST_F(ClothOnCloth, SticksBelowTheFrictionAngle) {
-  for (const double slope : {5.0, 10.0, 15.0, 16.0}) {  // of 16.7
+  for (const double slope : {5.0, 10.0, 15.0, 16.0}) {  // the friction angle is 16.7
     const double crept = slid_distance(slope * degree, 0.3, 0.5);
     std::cout << slope << " degrees: crept " << 1000 * crept << " mm, at most "
               << 1000 * report.all.max << ", " << anchors << " anchors\n";
@@ -103,9 +103,9 @@ TEST_F(ClothOnCloth, TheSameBitsForAnyNumberOfThreads) {
   EXPECT_GT(anchors, 128U);  // several chunks
 }
 
-/// Two tubes of cloth around an upright cylinder, one over the other. The outer one is strained so
-/// that its hoop tension is `share` of what friction on the inner one needs to carry its weight,
-/// T = W/(2 pi mu); the skin is rougher, and holds the inner one.
+/// Two tubes of cloth around an upright cylinder, one over the other. The strain of the outer one
+/// gives it a hoop tension of `share` times W/(2 pi mu). With a share of 1, friction on the inner
+/// tube just carries its weight W. The skin is rougher, and holds the inner tube.
 class TubeOnTube : public testing::Test {
  protected:
   static constexpr double radius = 0.1, mu = 0.3, row = 0.0125;
@@ -122,21 +122,20 @@ class TubeOnTube : public testing::Test {
                                      test::side(panel, columns, rows, true)));
   }
 
-  /// Metres that the outer one goes down in `seconds`, and the inner one.
+  /// Metres that the outer tube, and the inner one, slide down in `seconds`.
   std::pair<double, double> sink(double share, double seconds) {
     static const Collider body{test::closed_tube(radius, radius, 1, 400)};
     Scene scene;
     scene.collider = &body;
     scene.body_contact = BodyContactTerm::nodes;
     Fabric& fabric = scene.fabric;
-    // Heavy: release() makes nodes heavier that are too light for the contact's stiffness.
+    // Heavy cloth, for release() gives more mass to nodes too light for the stiffness of contact.
     fabric.areal_density = 0.6;
     fabric.stretch_warp = fabric.stretch_weft = 200;
     fabric.shear = 80;
     fabric.friction_skin = 1;
     fabric.friction_cloth = mu;
-    // Where the grid, which is smooth, has its 2 mm; and where the middles of the edges have
-    // theirs.
+    // Radii at which the smooth grid is 2 mm off: at the nodes, and at the middles of the edges.
     const double skin = radius + 0.004 - body.grid().at({0, 0.7, radius + 0.002}).distance;
     const double out = skin + scene.self_gap / std::cos(std::numbers::pi / columns);
     const double side = 2 * columns * std::sin(std::numbers::pi / columns);
@@ -160,7 +159,7 @@ class TubeOnTube : public testing::Test {
       EXPECT_TRUE(rested.converged);
     }
     ReleaseOptions options;
-    options.bounded = share > 1;  // what slides is stopped by its bounds now and then
+    options.bounded = share > 1;  // bounds stop a sliding tube now and then
     options.seconds = seconds;
     options.damping = share > 1 ? 1 : 0;
     if (share > 1) options.warm_start = &rested.warm_start;
@@ -205,16 +204,18 @@ TEST_F(TubeOnTube, SlidesWhereTheTensionIsTooLittle) {
   }
 }
 
-/// A pair of edges of two fabrics that press on each other, one dragged over the other.
+/// Two edges of two fabrics press on each other. One is dragged over the other.
 TEST(PairFriction, IsTheSmootherSidesAndLetsGo) {
   const ContactPair pair = {{0, 1, 2, 3}, true, 0.002};
   PairFriction friction;
   friction.set_coefficients({0.2, 0.4, 0.5, 0.5});
   friction.activate({pair});
   constexpr double push = 0.01, most = 0.3 * push;
-  const auto drag = [&](double way, double pushed) {
-    const std::vector<Vec3> at = {
-        {-0.01 + way, 0.001, 0}, {0.01 + way, 0.001, 0}, {0, 0, -0.01}, {0, 0, 0.01}};
+  const auto drag = [&](double displacement, double pushed) {
+    const std::vector<Vec3> at = {{-0.01 + displacement, 0.001, 0},
+                                  {0.01 + displacement, 0.001, 0},
+                                  {0, 0, -0.01},
+                                  {0, 0, 0.01}};
     Vec4s on(4, Vec4{});
     friction.add(0, nearest_points(pair, at), pushed, as_vec4(at), on.data());
     EXPECT_NEAR(on[0][0] + on[1][0], -(on[2][0] + on[3][0]), 1e-15);
@@ -223,10 +224,10 @@ TEST(PairFriction, IsTheSmootherSidesAndLetsGo) {
   EXPECT_EQ(drag(0, push), 0);
   EXPECT_NEAR(drag(1e-5, push), -50 * 1e-5, 1e-12);
   EXPECT_NEAR(drag(0.001, push), -most, 1e-12);
-  // Back by half of what it is pulled along by.
+  // Pushed back by half of the distance by which it is dragged.
   EXPECT_NEAR(drag(0.001 - 0.5 * most / 50, push), -0.5 * most, 1e-12);
 
-  // It is the same pair after another look, and in another run; anew when it has let go.
+  // The anchor survives another activate() and goes to another run; a pair apart loses it.
   friction.activate({{{4, 5, 6, 7}, true, 0.002}, pair});
   ASSERT_EQ(friction.anchors().size(), 1U);
   PairFriction next;

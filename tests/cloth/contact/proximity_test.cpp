@@ -28,7 +28,7 @@ Key key_of(const ContactPair& pair) {
   return {pair.edges ? 1 : 0, v[0], v[1], v[2], v[3]};
 }
 
-/// A surface to search, each vertex its own node unless said otherwise.
+/// A surface to search. Its shortest edge at rest is the same at all vertices.
 struct Surface {
   std::vector<Triangle> triangles;
   std::vector<Vec3> x;
@@ -48,7 +48,7 @@ struct Surface {
     return true;
   }
 
-  /// Every vertex against every triangle, every edge against every edge, and how far apart.
+  /// All pairs nearer than `radius` metres, and their distances. O(n²).
   std::map<Key, double> all_pairs(double radius) const {
     std::map<Key, double> pairs;
     std::set<std::pair<int, int>> edges;
@@ -94,7 +94,7 @@ Surface soup(int triangles, unsigned seed) {
   return with_own_nodes(surface);
 }
 
-/// A rough sheet of 1 cm squares, folded over twice like a letter, layers `gap` apart.
+/// A rough sheet of 1 cm squares, folded twice like a letter. Its layers are `gap` metres apart.
 Surface folded(double gap, double roughness, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> unit(-1, 1);
@@ -124,7 +124,7 @@ TEST(NearestPoints, NoSampledPointIsNearer) {
       Vec3 sum = Vec3::Zero();
       for (int i = 0; i < 4; ++i) sum += w[i] * x[i];
       EXPECT_LT((sum - nearest.apart).norm(), 1e-14);
-      // Both sides are points of the figures: weights of one sign that add up to one.
+      // The weights of a side have one sign, and their magnitudes add up to 1.
       const int first = edges ? 2 : 1;
       double one = 0, other = 0;
       for (int i = 0; i < 4; ++i) {
@@ -175,7 +175,7 @@ TEST(ProximitySearch, FindsInASoupWhatAllPairsFind) {
 TEST(ProximitySearch, FindsInFoldsWhatAllPairsFind) {
   const Surface surface = folded(0.003, 0.001, 4);
   const double gap = 0.002;
-  const auto at_home = [&](int a, int b) {  // neighbours in the mesh
+  const auto share_triangle = [&](int a, int b) {  // neighbours in the mesh
     for (const Triangle& t : surface.triangles) {
       if (std::count(t.begin(), t.end(), a) && std::count(t.begin(), t.end(), b)) return true;
     }
@@ -185,7 +185,7 @@ TEST(ProximitySearch, FindsInFoldsWhatAllPairsFind) {
     const int first = key[0] == 1 ? 2 : 1;
     for (int i = 1; i <= first; ++i) {
       for (int j = first + 1; j < 5; ++j) {
-        if (at_home(key[i], key[j])) return true;
+        if (share_triangle(key[i], key[j])) return true;
       }
     }
     return false;
@@ -206,17 +206,17 @@ TEST(ProximitySearch, FindsInFoldsWhatAllPairsFind) {
         EXPECT_EQ(pair.gap, gap);
         continue;
       }
-      // Neighbours may come as near as the flat mesh leaves them: half an edge at the least.
+      // Neighbours keep at most the distance that the flat mesh leaves them, half an edge.
       ++neighbours;
       EXPECT_LE(pair.gap, 0.5 * surface.shortest_edge);
       EXPECT_GT(pair.gap, 0);
     }
-    // Of what was left out, all are neighbours in the mesh, too far apart to touch soon.
+    // All pairs left out are neighbours in the mesh, and too far apart to touch soon.
     for (const auto& [key, distance] : missing) {
       EXPECT_TRUE(near_in_mesh(key));
       EXPECT_GT(distance, gap);
     }
-    // Bounds heed all, those left out too, and waste little.
+    // Bounds heed all pairs, also those left out, and are not much smaller than needed.
     for (std::size_t v = 0; v < bound.size(); ++v) {
       EXPECT_LT(bound[v], 0.5 * nearest[v]);
       EXPECT_GT(bound[v], 0.4 * nearest[v]);
@@ -270,7 +270,7 @@ TEST(ProximitySearch, FindsALayerAsAllPairsFindIt) {
   }
   EXPECT_GT(of_layer, 100);
   EXPECT_TRUE(own.empty());
-  // Of the layer's, those are left out that can't come near before the bounds are used up.
+  // Pairs with the layer are left out if they cannot come near before the bounds are used up.
   for (const auto& [key, distance] : with_layer) EXPECT_GT(0.55 * distance, 0.999 * layer_gap);
   for (int v = 0; v < first; ++v) {
     EXPECT_LT(bound[v], 0.5 * nearest[v] + 1e-15);
@@ -279,7 +279,7 @@ TEST(ProximitySearch, FindsALayerAsAllPairsFindIt) {
 }
 
 TEST(ProximitySearch, WhatIsOneNodeNeverPairs) {
-  // Two triangles one over the other, sewn at one corner: nothing pairs there.
+  // Two triangles lie one over the other, sewn at one corner, where no pair may be.
   Surface surface;
   surface.triangles = {{0, 1, 2}, {3, 4, 5}};
   surface.x = {{0, 0, 0},     {0.01, 0, 0},     {0, 0.01, 0},
@@ -296,8 +296,8 @@ TEST(ProximitySearch, WhatIsOneNodeNeverPairs) {
       }
     }
   }
-  // Each of the four free corners with the other triangle; the far edge of each with the three of
-  // the other, of which one pair is the same.
+  // Four pairs are a free corner with the other triangle. Five pairs are a far edge with one of the
+  // three edges of the other triangle; both far edges together are one of these.
   EXPECT_EQ(pairs.size(), 4U + 5U);
 }
 
@@ -324,12 +324,12 @@ TEST(ProximitySearch, TheSameOrderForAnyNumberOfThreads) {
   EXPECT_EQ(bound_one, bound_two);
 }
 
-/// Moves every vertex by `share` of its bound along `way(vertex)`.
-template <typename Way>
+/// Moves every vertex by `share` of its bound along `direction(vertex)`.
+template <typename Direction>
 std::vector<Vec3> moved(const Surface& surface, const std::vector<double>& bound, double share,
-                        const Way& way) {
+                        const Direction& direction) {
   std::vector<Vec3> x = surface.x;
-  for (std::size_t v = 0; v < x.size(); ++v) x[v] += share * bound[v] * way(v).normalized();
+  for (std::size_t v = 0; v < x.size(); ++v) x[v] += share * bound[v] * direction(v).normalized();
   return x;
 }
 
@@ -346,8 +346,8 @@ TEST(Bounds, NothingThatIsApartComesToIntersect) {
       if (!self_intersections({surface.x, surface.triangles}).empty()) continue;
       ++tried;
       const ProximitySearch search = surface.search();
-      // Each state is searched, moved to the end of its bounds, and judged. LayerContact layers
-      // together, every move may take nine tenths of what is left between them.
+      // Each state is searched, moved to the end of its bounds, and tested. When layers press on
+      // each other, a move may use nine tenths of the distance between them.
       for (int step = 0; step < 8; ++step) {
         search.find(surface.x, 0.005, 0.002, pairs, bound, false);
         const double press = step % 2 ? 5 : 0;
@@ -363,7 +363,7 @@ TEST(Bounds, NothingThatIsApartComesToIntersect) {
 }
 
 TEST(Bounds, FartherMovesWouldIntersect) {
-  // What the walk above could not have passed without its bounds.
+  // Moves of four bounds intersect, so the test above can fail.
   std::mt19937 random(9);
   std::normal_distribution<double> normal;
   const Surface surface = folded(0.001, 0.0015, 21);
@@ -376,7 +376,7 @@ TEST(Bounds, FartherMovesWouldIntersect) {
   EXPECT_FALSE(self_intersections({x, surface.triangles}).empty());
 }
 
-// The step has to know of a touch before it comes, or it is thrown back for ever.
+// A step that ignores the stiffness of a touch to come is thrown back again and again.
 TEST(SelfContact, AnEarlyTouchIsStiffAndDoesNotPush) {
   constexpr double gap = 0.002, early = 1e-4;
   for (const bool barrier : {false, true}) {

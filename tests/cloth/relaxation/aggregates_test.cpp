@@ -16,7 +16,7 @@ TEST(Aggregates, CoverASheetAndAreAFewEdgesAcross) {
   EXPECT_GT(aggregates.middles.size(), sheet.points.size() / 7);
   EXPECT_LT(aggregates.middles.size(), sheet.points.size() / 3);
   ASSERT_EQ(aggregates.of_vertices.size(), sheet.points.size());
-  const double edge = std::sqrt(2) / 20;  // the longest
+  const double edge = std::sqrt(2) / 20;  // the length of the longest edges
   for (std::size_t v = 0; v < sheet.points.size(); ++v) {
     double sum = 0;
     for (const auto& [aggregate, weight] : aggregates.of_vertices[v]) {
@@ -29,7 +29,7 @@ TEST(Aggregates, CoverASheetAndAreAFewEdgesAcross) {
   }
 }
 
-TEST(Aggregates, OfWidePatchesAreWiderStill) {
+TEST(Aggregates, OfAggregatesAreWider) {
   const PlanarMesh sheet = test::grid(1, 1, 20, 20);
   const Aggregates aggregates = aggregate(neighbours_of(sheet.triangles, sheet.points.size()));
   const Aggregates wider = aggregate(aggregates.neighbours);
@@ -43,7 +43,7 @@ TEST(Aggregates, OfWidePatchesAreWiderStill) {
   }
 }
 
-TEST(Aggregates, AVertexByItselfIsAPatch) {
+TEST(Aggregates, AVertexWithoutNeighboursIsAnAggregate) {
   const Aggregates aggregates = aggregate(neighbours_of({{0, 1, 2}}, 4));
   ASSERT_EQ(aggregates.middles.size(), 2U);
   ASSERT_EQ(aggregates.of_vertices[3].size(), 1U);

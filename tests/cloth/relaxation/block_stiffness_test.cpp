@@ -19,7 +19,7 @@ Eigen::Matrix3d matrix(const StiffnessBlock& s) {
   return Eigen::Matrix3d{{s[0], s[1], s[2]}, {s[1], s[3], s[4]}, {s[2], s[4], s[5]}};
 }
 
-/// A sheet whose yarns are nowhere the same nor along the axes.
+/// A sheet whose yarns differ everywhere, and are not parallel to the axes.
 struct Sheet {
   explicit Sheet(double stretch_stiffness = 2000, double shear_stiffness = 200) {
     Scene scene;
@@ -44,7 +44,7 @@ struct Sheet {
     return sum;
   }
 
-  /// Minus the slope of the forces.
+  /// Minus the derivative of the forces by the positions, N/m.
   Eigen::MatrixXd hessian(std::vector<Vec3> x) const {
     constexpr double h = 1e-6;
     Eigen::MatrixXd result(3 * model.nodes, 3 * model.nodes);
@@ -64,7 +64,7 @@ struct Sheet {
   std::unique_ptr<BlockStiffness> blocks;
 };
 
-// The step over it is then as long as the forces allow, and no longer, whichever way cloth lies.
+// Then a step is as long as the forces allow, and no longer, whichever direction the cloth has.
 TEST(BlockStiffness, BoundsTheStiffnessOfClothThatIsBentPulledAndSheared) {
   struct Case {
     double stretch_stiffness, shear_stiffness, pulled, along, sheared;
@@ -96,7 +96,7 @@ TEST(BlockStiffness, IsOnlyTheTensionSquareToAFlatSheet) {
   for (int n = 0; n < sheet.model.nodes; ++n) {
     const Eigen::Matrix3d at = matrix(sheet.blocks->of_nodes()[n]);
     EXPECT_NEAR(at(2, 2), 0, 1e-9);
-    // In the plane nothing is let off.
+    // In the plane of the cloth the bound is not smaller than the isotropic one.
     const double in_plane = at(0, 0) + at(1, 1);
     EXPECT_GT(in_plane, sheet.model.stretch_diagonal[n]);
   }
@@ -115,7 +115,7 @@ TEST(BlockStiffness, TakesAForceWhereTheStiffnessLetsIt) {
   const Vec3 displacement = as_vec3(solve_block(s, 2, as_vec4(force)));
   const Eigen::Matrix3d held = matrix(s) + 2 * Eigen::Matrix3d::Identity();
   EXPECT_LT((held * displacement - force).norm(), 1e-15);
-  // What nothing holds has nothing to be moved by.
+  // A zero matrix gives no displacement.
   EXPECT_EQ(as_vec3(solve_block({}, 0, as_vec4(force))), Vec3::Zero());
 }
 

@@ -13,8 +13,8 @@
 namespace toile {
 namespace edge_contacts_test {
 
-/// What holds a coarse mesh by the middles of its edges goes on to hold it in the next run: else it
-/// sags until they have taken hold anew.
+/// Anchors at the middles of the edges go on holding a coarse mesh in the next run. Otherwise the
+/// mesh would sag until it has new anchors.
 TEST(EdgeContacts, HoldOnFromRunToRun) {
   const Collider body{test::box({-0.2, -0.1, -0.2}, {0.2, 0, 0.2})};
   Scene scene;
@@ -22,15 +22,16 @@ TEST(EdgeContacts, HoldOnFromRunToRun) {
   GarmentModel model;
   model.scene = scene;
   const std::vector<Triangle> triangles = {{0, 1, 2}};
-  const auto at = [](double way) {
+  const auto at = [](double displacement) {
     const double height = 0.002 - 1e-5;
-    return as_vec4(
-        {Vec3(way, height, 0), {0.03 + way, height, 0}, {0.05 + way, height + 0.01, 0.002}});
+    return as_vec4({Vec3(displacement, height, 0),
+                    {0.03 + displacement, height, 0},
+                    {0.05 + displacement, height + 0.01, 0.002}});
   };
-  const auto pull = [&](EdgeContacts& contacts, double way) {
+  const auto pull = [&](EdgeContacts& contacts, double displacement) {
     Vec4s force(3, Vec4{});
     contacts.forget();
-    contacts.push(0, contacts.edges(), model, ForceOptions{}, at(way));
+    contacts.push(0, contacts.edges(), model, ForceOptions{}, at(displacement));
     contacts.add(0, force.size(), force);
     return force[0][0] + force[1][0] + force[2][0];
   };
@@ -46,8 +47,8 @@ TEST(EdgeContacts, HoldOnFromRunToRun) {
   EXPECT_NEAR(pull(next, 1e-5), held, 1e-12);
 }
 
-/// Heavy sheets of 5 cm edges at rest on a slope: of the 49 places that hold each, 33 are middles
-/// of edges.
+/// Heavy sheets of 5 cm edges rest on a slope. Of the 49 anchors of each, 33 are at the middles of
+/// edges.
 class CoarseOnASlope : public testing::Test {
  protected:
   CoarseOnASlope() {

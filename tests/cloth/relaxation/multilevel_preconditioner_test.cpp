@@ -16,7 +16,7 @@
 namespace toile {
 namespace multilevel_preconditioner_test {
 
-/// Each triangle cut into four, as PanelMesh states.
+/// Cuts each triangle into four, in the order that PanelMesh states.
 PlanarMesh subdivided(PlanarMesh mesh) {
   std::map<std::pair<int, int>, int> middles;
   const auto middle = [&](int a, int b) {
@@ -44,14 +44,14 @@ TEST(MultilevelPreconditioner, MovesPatchesByTheForcesOnThem) {
   for (const double mass : model.mass) forces.push_back(Vec4{0, -9.81 * mass, 0, 0});
   motion.compute(forces, 1);
   EXPECT_NEAR(motion.rms_acceleration(), 9.81, 1e-9);
-  // Two nodes of one patch that push each other apart don't move it: here a child's two corners.
+  // Two nodes of a patch that push each other apart do not move it; here, two corners of a child.
   forces.assign(model.nodes, Vec4{});
   const Triangle inner = model.node_triangles[3];
   forces[inner[0]] = Vec4{0, 0, 1, 0};
   forces[inner[1]] = Vec4{0, 0, -1, 0};
   motion.compute(forces, 1);
   EXPECT_LT(motion.rms_acceleration(), 0.51 / model.mass[inner[0]] / 16);
-  // A force on a node moves the other patches' nodes linearly: those halfway, half as far.
+  // A force on a node moves the nodes of other patches linearly: halfway, half as far.
   forces.assign(model.nodes, Vec4{});
   const int centre = 2 * 5 + 2;  // of the coarsest mesh, whose points come first
   forces[centre] = Vec4{0, 0, 1, 0};
@@ -61,7 +61,7 @@ TEST(MultilevelPreconditioner, MovesPatchesByTheForcesOnThem) {
   for (const Vec2& p : {Vec2(0.15, 0.2), Vec2(0.2, 0.15)}) {
     for (int n = 0; n < model.nodes; ++n) {
       if ((garment.flat[n] - p).norm() > 1e-9) continue;
-      // Half of the coarsest patch's, none of the middle level's own.
+      // Half of the coarsest patch's displacement; none of the middle level's.
       EXPECT_GT(motion.of_node(n)[2], 0.2 * motion.of_node(centre)[2]);
       EXPECT_LT(motion.of_node(n)[2], 0.5 * motion.of_node(centre)[2]);
     }
@@ -94,13 +94,13 @@ TEST(MultilevelPreconditioner, MovesWiderPatchesThanTheNestedMeshHas) {
     EXPECT_GE(of_centre[n], nested_of_centre[n]);
     EXPECT_LE(of_centre[n], of_centre[centre]);
   }
-  // What spreads the forces over the patches spreads the patches' ways over the nodes.
+  // The weights that restrict forces to patches also interpolate displacements to nodes.
   for (const int other : {0, 7, model.nodes / 2, model.nodes - 1}) {
     EXPECT_NEAR(ways(wide, other)[centre], of_centre[other], 1e-12 * of_centre[centre]);
   }
 }
 
-/// A strip over a bar along x, whose ends start swung out by some degrees.
+/// A strip over a bar along x, whose ends are swung out by some degrees at the start.
 TEST(MultilevelPreconditioner, BringsWideMotionsToRestInFewerIterations) {
   const double radius = 0.03, length = 0.64, out = radius + 0.002;
   TriangleMesh bar = test::closed_tube(radius, radius, 0.3, 100);
@@ -144,8 +144,8 @@ TEST(MultilevelPreconditioner, BringsWideMotionsToRestInFewerIterations) {
   EXPECT_LT(farthest, 0.001);
 }
 
-/// Where all of a sheet touches, each level would take the whole stiffness of the touch for its own
-/// step, and the steps add up.
+/// Where all of a sheet is in contact, each level would take the whole stiffness of contact for its
+/// step alone. But the steps of all levels add up.
 TEST(MultilevelPreconditioner, SoftClothComesToRestOnWhatItTouches) {
   const Collider body{test::box({-0.3, -0.1, -0.3}, {0.3, 0, 0.3})};
   PanelMesh garment;

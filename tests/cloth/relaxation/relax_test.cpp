@@ -21,7 +21,7 @@ namespace relax_test {
 constexpr double pi = std::numbers::pi;
 constexpr double degree = pi / 180;
 
-/// A sheet of 20 x 20 cm on a big flat box, gravity leaning by `slope`: the way it went.
+/// The displacement (metres) of a sheet of 20 x 20 cm on a flat box, with gravity at `slope`.
 Vec3 slide(double slope, double height, RelaxReport& report, std::vector<Vec3>& x,
            bool friction = true, int iterations = 6000) {
   static const Collider body{test::box({-0.4, -0.1, -0.2}, {0.4, 0, 0.2})};
@@ -41,12 +41,12 @@ Vec3 slide(double slope, double height, RelaxReport& report, std::vector<Vec3>& 
   options.stop_median = 0.001;
   options.stop_rms = 0.01;
   report = relax(model, options, x);
-  Vec3 way = Vec3::Zero();
-  for (std::size_t n = 0; n < x.size(); ++n) way += (x[n] - model.start[n]) / x.size();
-  return way;
+  Vec3 displacement = Vec3::Zero();
+  for (std::size_t n = 0; n < x.size(); ++n) displacement += (x[n] - model.start[n]) / x.size();
+  return displacement;
 }
 
-/// A sheet of 20 cm that falls on the edge of a sharp ridge of motionless cloth, 1 cm below it.
+/// A sheet of 20 cm falls on a sharp ridge of motionless cloth, 1 cm below it.
 std::vector<Vec3> fall_on_a_ridge(bool layer_contact, TriangleMesh& cloth, TriangleMesh& ridge) {
   PanelMesh garment;
   test::add_panel(garment, "sheet", test::grid(0.2, 0.2, 10, 10),
@@ -55,7 +55,7 @@ std::vector<Vec3> fall_on_a_ridge(bool layer_contact, TriangleMesh& cloth, Trian
                   {0.3, -0.3, 0.1}, {-0.3, -0.3, -0.1}, {0.3, -0.3, -0.1}};
   ridge.triangles = {{0, 2, 1}, {1, 2, 3}, {0, 1, 4}, {1, 5, 4}};
   Scene scene;
-  // The ridge is asked for by its edges alone: no body pushes.
+  // No body pushes; only the edge of the ridge does.
   Collider collider(test::box({5, 5, 5}, {6, 6, 6}));
   collider.add_layer(ridge);
   scene.collider = &collider;
@@ -72,7 +72,7 @@ std::vector<Vec3> fall_on_a_ridge(bool layer_contact, TriangleMesh& cloth, Trian
 }
 
 TEST(Relax, ALayerBelowHoldsTheClothWithItsEdges) {
-  // No node of either is over a face of the other where they touch: only edges hold.
+  // Where they touch, no node of one is over a face of the other. So only edges can hold.
   TriangleMesh cloth, ridge;
   const std::vector<Vec3> held = fall_on_a_ridge(true, cloth, ridge);
   EXPECT_TRUE(intersections(cloth, ridge).empty());
@@ -94,18 +94,18 @@ TEST(Relax, ALayerBelowHoldsTheClothWithItsEdges) {
 TEST(Relax, AFallenSheetLiesFlatAtItsOffset) {
   RelaxReport report;
   std::vector<Vec3> x;
-  const Vec3 way = slide(0, 0.012, report, x);
+  const Vec3 displacement = slide(0, 0.012, report, x);
   EXPECT_TRUE(report.converged);
   EXPECT_LT(report.residual.median, 0.001);
   EXPECT_LT(report.residual.rms, 0.01);
   EXPECT_LT(report.iterations, 6000);
   for (const Vec3& p : x) ASSERT_NEAR(p.y(), 0.002, 2e-5);
-  EXPECT_NEAR(way.y(), -0.010, 2e-5);
-  EXPECT_LT(std::hypot(way.x(), way.z()), 1e-5);
+  EXPECT_NEAR(displacement.y(), -0.010, 2e-5);
+  EXPECT_LT(std::hypot(displacement.x(), displacement.z()), 1e-5);
 }
 
-/// Of a weight that moves its nodes by millimetres in a step: they must not be thrown back from the
-/// body and come down again for ever.
+/// The weight of this sheet moves its nodes by millimetres in a step. They must not be thrown back
+/// from the body and come down again without end.
 TEST(Relax, ABandAsSoftAsAWebComesToRestAroundABody) {
   const Collider body(test::closed_tube(0.1, 0.1, 0.4, 128));
   Scene scene;
@@ -134,17 +134,17 @@ TEST(Relax, FrictionHoldsBelowItsAngleOnly) {
   RelaxReport report;
   std::vector<Vec3> x;
   for (const double angle : {10.0, 20.0, 21.3}) {
-    const double way = slide(angle * degree, 0.002, report, x).norm();
-    EXPECT_LT(way, 1e-5) << angle;
+    const double displacement = slide(angle * degree, 0.002, report, x).norm();
+    EXPECT_LT(displacement, 1e-5) << angle;
     EXPECT_TRUE(report.converged) << angle;
   }
-  // Beyond, it goes on as long as it is let; where there is no friction, on the least slope.
+  // Beyond, the sheet slides as long as the run lasts; without friction, on the smallest slope.
   for (const double angle : {22.3, 25.0}) {
-    const double way = slide(angle * degree, 0.002, report, x).x();
+    const double displacement = slide(angle * degree, 0.002, report, x).x();
     EXPECT_FALSE(report.converged) << angle;
-    EXPECT_GT(way, 0.0006) << angle;
+    EXPECT_GT(displacement, 0.0006) << angle;
     const double farther = slide(angle * degree, 0.002, report, x, true, 12000).x();
-    EXPECT_GT(farther, 2 * way) << angle;
+    EXPECT_GT(farther, 2 * displacement) << angle;
     EXPECT_FALSE(report.converged) << angle;
   }
   EXPECT_GT(slide(2 * degree, 0.002, report, x, false).x(), 0.002);
@@ -194,7 +194,7 @@ TEST(Relax, SeamsCloseAroundABody) {
     EXPECT_LE(at.open, last_open);
     last_open = at.open;
     ++calls;
-    // No state on the way goes through itself.
+    // No state of the run intersects itself.
     if (calls % 8 == 0) {
       const auto points = point_positions(model, at.nodes, at.open);
       EXPECT_TRUE(self_intersections({points, model.triangles}).empty()) << at.iteration;
@@ -211,7 +211,7 @@ TEST(Relax, SeamsCloseAroundABody) {
   }
   EXPECT_TRUE(self_intersections({x, model.node_triangles}).empty());
   for (const Vec3& p : x) EXPECT_GT(std::hypot(p.x(), p.z()), 0.1);
-  // Each row of points goes once around the body.
+  // Each row of points winds once around the body.
   for (int row = 0; row <= rows; ++row) {
     double turn = 0;
     for (int panel = 0; panel < 2; ++panel) {
@@ -265,7 +265,7 @@ TEST(Relax, TheSameBitsForAnyNumberOfThreads) {
 }
 
 TEST(Relax, AtRestItStaysAtRest) {
-  // A flat sheet without weight feels nothing.
+  // A flat sheet without weight has no force.
   const PanelMesh garment = test::flat_panel(test::grid(0.1, 0.1, 10, 10));
   const GarmentModel model = compile(garment, {}, garment.placed);
   std::vector<Vec3> x = model.start;
@@ -278,8 +278,8 @@ TEST(Relax, AtRestItStaysAtRest) {
   for (std::size_t n = 0; n < x.size(); ++n) EXPECT_LT((x[n] - model.start[n]).norm(), 1e-12);
 }
 
-/// A sheet that stands upright on the floor is all but at rest until it falls over; that it takes
-/// longer then to come as near to rest again is no reason to give it up.
+/// A sheet that stands upright on the floor is almost at rest until it falls over. Then it takes
+/// longer to come as near to rest again. The run must not give it up.
 TEST(Relax, WhatFallsOutOfABalanceIsNotGivenUp) {
   const Collider floor(test::box({-0.3, -0.1, -0.3}, {0.3, 0, 0.3}));
   PanelMesh garment;
@@ -302,7 +302,7 @@ TEST(Relax, WhatFallsOutOfABalanceIsNotGivenUp) {
 }
 
 TEST(Relax, TheCountIsNoConvergence) {
-  // In free fall there is no rest.
+  // A sheet in free fall does not come to rest.
   const PanelMesh garment = test::flat_panel(test::grid(0.1, 0.1, 10, 10));
   const GarmentModel model = compile(garment, {}, garment.placed);
   std::vector<Vec3> x = model.start;

@@ -18,9 +18,9 @@ namespace release_test {
 constexpr double pi = std::numbers::pi;
 
 Vec3 mean_way(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
-  Vec3 way = Vec3::Zero();
-  for (std::size_t n = 0; n < to.size(); ++n) way += (to[n] - from[n]) / to.size();
-  return way;
+  Vec3 displacement = Vec3::Zero();
+  for (std::size_t n = 0; n < to.size(); ++n) displacement += (to[n] - from[n]) / to.size();
+  return displacement;
 }
 
 TEST(Release, AFreeSheetFallsAsDampingLetsIt) {
@@ -43,14 +43,14 @@ TEST(Release, AFreeSheetFallsAsDampingLetsIt) {
     EXPECT_NEAR(report.all.median, fallen, 9.81 * t * report.time_step);
     const double kinetic = 0.5 * 0.15 * 0.01 * speed * speed;
     EXPECT_NEAR(report.kinetic / kinetic, 1, 1e-3);
-    // All of its weight's work became speed, or was damped away.
+    // All work of the weight became speed, or was damped.
     EXPECT_NEAR(report.released_energy / (0.15 * 0.01 * 9.81 * fallen), 1, 0.05) << damping;
     EXPECT_FALSE(report.stays());
   }
 }
 
 TEST(Release, RingsAndLosesEnergyAsTheStepSays) {
-  // A flat sheet, stretched a little in its middle and let go, rings at the speed of sound in it.
+  // A flat sheet, stretched a little and released, oscillates at the speed of sound in it.
   const double length = 0.2, width = 0.02, amplitude = 1e-4;
   const PanelMesh garment = test::flat_panel(test::grid(length, width, 40, 4));
   const GarmentModel model = compile(garment, {}, garment.placed);
@@ -60,14 +60,14 @@ TEST(Release, RingsAndLosesEnergyAsTheStepSays) {
   options.damping = 0;
   std::vector<Vec3> stretched = model.start;
   for (Vec3& p : stretched) p.x() += amplitude * std::sin(pi * (p.x() / length - 0.5));
-  // A wave takes half a period along it; halfway, all is speed.
+  // A wave needs half a period along the sheet. After a quarter, all energy is kinetic.
   const double half = length / std::sqrt(fabric.stretch_weft / fabric.areal_density);
   const double energy = 0.25 * fabric.stretch_weft * width * std::pow(amplitude * pi, 2) / length;
   for (const int halves : {0, 1, 20}) {
     options.seconds = (halves + 0.5) * half;
     std::vector<Vec3> x = stretched;
     const ReleaseReport report = release(model, options, x);
-    // Forces are taken a tenth of a step ahead.
+    // Forces are taken a tenth of a step ahead of the nodes.
     const double rate = 0.1 * report.time_step * std::pow(pi / half, 2);
     const double left = energy * std::exp(-rate * options.seconds);
     std::cout << "after " << halves << " half periods: energy " << report.kinetic / energy
@@ -76,17 +76,17 @@ TEST(Release, RingsAndLosesEnergyAsTheStepSays) {
   }
 }
 
-/// A band of 5 cm around an upright cylinder, strained so that its hoop tension is `share` of
-/// what friction needs to carry it: T = W/(2π mu).
+/// A band of 5 cm around an upright cylinder. Its strain gives it a hoop tension of `share` times
+/// W/(2π mu). With a share of 1, friction just carries its weight W.
 class Band : public testing::Test {
  protected:
   static constexpr double radius = 0.1, height = 0.05, mu = 0.4;
   static constexpr int columns = 48, rows = 4;
 
-  /// Metres that it goes down in `seconds`.
+  /// Metres that the band slides down in `seconds`.
   double sink(double share, double seconds) {
     static const Collider body{test::closed_tube(radius, radius, 1, 400)};
-    // Where the grid, which is smooth, has its 2 mm.
+    // The radius at which the smooth grid is 2 mm off.
     const double out = radius + 0.004 - body.grid().at({0, 0.7, radius + 0.002}).distance;
     Scene scene;
     scene.collider = &body;
@@ -96,7 +96,7 @@ class Band : public testing::Test {
     scene.fabric.shear = 20;
     scene.fabric.friction_skin = mu;
     const double polygon = 2 * columns * out * std::sin(pi / columns);
-    // Tension and weight both as per metre of height: Y·strain = share·rho·g·girth/(2π mu).
+    // Tension and weight, both per metre of height: Y·strain = share·rho·g·girth/(2π mu).
     const double load = share * scene.fabric.areal_density * 9.81 / (2 * pi * mu);
     const double girth = polygon / (1 + load * polygon / scene.fabric.stretch_weft);
     PanelMesh garment;
