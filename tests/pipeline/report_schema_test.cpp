@@ -6,7 +6,7 @@
 #include "tests/support/worn_sample.h"
 
 namespace toile::pipeline {
-namespace {
+namespace report_schema_test {
 
 using Json = nlohmann::json;
 using Pointer = Json::json_pointer;
@@ -28,8 +28,20 @@ void collect(const Json& value, const Pointer& at, std::vector<Pointer>& objects
   for (const auto& [key, part] : value.items()) collect(part, at / key, objects, values);
 }
 
+/// Its tests share a mannequin.
 class ReportSchema : public WornSample {
  protected:
+  static void SetUpTestSuite() {
+    shared = new ScratchFolder;
+    succeed("make-mannequin", {"-o", *shared / "body.ply", "-q"});
+  }
+  static void TearDownTestSuite() {
+    delete shared;
+    shared = nullptr;
+  }
+
+  ReportSchema() { body = *shared / "body.ply"; }
+
   Json read(const std::string& file) const { return Json::parse(read_text(folder / file)); }
 
   void expect_valid(const std::string& definition, const std::string& file,
@@ -98,7 +110,15 @@ class ReportSchema : public WornSample {
     words.insert(words.end(), options.begin(), options.end());
     return run("dress", words);
   }
+
+  static ScratchFolder* shared;
 };
+
+ScratchFolder* ReportSchema::shared = nullptr;
+
+/// Suites run side by side.
+using ReportSchemaOfStarts = ReportSchema;
+using ReportSchemaOfLayers = ReportSchema;
 
 /// The sample band with panels of `width` centimetres.
 Json band(double width) {
@@ -114,7 +134,8 @@ Json band(double width) {
 TEST_F(ReportSchema, HoldsForTheBodysPrograms) {
   succeed("make-mannequin",
           {"-o", folder / "raw.ply", "--report", folder / "mannequin.json", "-q"});
-  succeed("clean-body", {folder / "raw.ply", "-o", body, "--report", folder / "clean.json", "-q"});
+  succeed("clean-body", {folder / "raw.ply", "-o", folder / "clean.ply", "--report",
+                         folder / "clean.json", "-q"});
   expect_valid("make_mannequin", "mannequin.json");
   expect_valid("clean_body", "clean.json");
   expect_faults_found("make_mannequin", "mannequin.json");
@@ -122,7 +143,6 @@ TEST_F(ReportSchema, HoldsForTheBodysPrograms) {
 }
 
 TEST_F(ReportSchema, HoldsForMeshPatternDressEaseMapAndRender) {
-  make_body();
   succeed("mesh-pattern", {sample("tshirt"), "-o", garment, "--edge-length", "25mm", "--report",
                            folder / "mesh.json", "-q"});
   EXPECT_EQ(dress("dressed", {"--certify-frames"}).exit_code, 0);
@@ -144,15 +164,13 @@ TEST_F(ReportSchema, HoldsForMeshPatternDressEaseMapAndRender) {
 }
 
 TEST_F(ReportSchema, HoldsForWhatToileFitWrites) {
-  make_body();
   const pipeline::Run done = run("toile", {"fit", "--body", body, sample("gathered_skirt"), "-o",
                                            folder / "fit", "--edge-length", "40mm", "-q"});
   EXPECT_EQ(done.exit_code, 0) << done.err;
   expect_valid("dress", "fit/dressed.json", {"/scene/panel_fabrics"});
 }
 
-TEST_F(ReportSchema, HoldsForElasticsAttachmentsAndRelease) {
-  make_body();
+TEST_F(ReportSchemaOfStarts, HoldsForElasticsAttachmentsAndRelease) {
   mesh(sample("tube_top"), "25mm");
   EXPECT_EQ(dress("top").exit_code, 0);
   expect_valid("dress", "top.json",
@@ -175,8 +193,7 @@ TEST_F(ReportSchema, HoldsForElasticsAttachmentsAndRelease) {
   expect_faults_found("dress", "hung.json");
 }
 
-TEST_F(ReportSchema, HoldsForGarmentsThatCannotBeSewn) {
-  make_body();
+TEST_F(ReportSchemaOfStarts, HoldsForGarmentsThatCannotBeSewn) {
   mesh_as("garment", band(25));
   EXPECT_EQ(dress("tight").exit_code, 3);
   expect_valid("dress", "tight.json", {"/unsewable_seams/0", "/tight_seams/0"});
@@ -194,7 +211,8 @@ TEST_F(ReportSchema, HoldsForGarmentsThatCannotBeSewn) {
   expect_valid("dress", "open.json", {"/unsewable_seams/0", "/unwrapped/0"});
 }
 
-TEST_F(ReportSchema, HoldsForPanelsThatWereMoved) {
+TEST_F(ReportSchemaOfStarts, HoldsForPanelsThatWereMoved) {
+  body = folder / "body.ply";
   succeed("make-mannequin", {"-o", body, "--pose", "walking", "-q"});
   mesh(sample("tshirt"), "25mm");
   EXPECT_EQ(dress("walking", {"--cache"}).exit_code, 0);
@@ -203,8 +221,7 @@ TEST_F(ReportSchema, HoldsForPanelsThatWereMoved) {
   expect_faults_found("dress", "walking.json");
 }
 
-TEST_F(ReportSchema, HoldsForAStrainLimitAndAResidual) {
-  make_body();
+TEST_F(ReportSchemaOfStarts, HoldsForAStrainLimitAndAResidual) {
   mesh(sample("band_small"), "25mm");
   EXPECT_EQ(dress("limited", {"--strain-limit", "0.01", "--residual", "0.01"}).exit_code, 0);
   expect_valid("dress", "limited.json", {"/tight_regions/0", "/tight_specks"});
@@ -212,19 +229,17 @@ TEST_F(ReportSchema, HoldsForAStrainLimitAndAResidual) {
   expect_faults_found("dress", "limited.json");
 }
 
-TEST_F(ReportSchema, HoldsForThePapersMethod) {
-  make_body();
+TEST_F(ReportSchemaOfLayers, HoldsForThePapersMethod) {
   mesh(sample("band"), "40mm");
   EXPECT_EQ(dress("paper", {"--method", "paper", "--certify-frames"}).exit_code, 0);
   expect_valid("dress", "paper.json", {"/time_step_s", "/certified", "/scene/terms/edge_springs"});
   expect_faults_found("dress", "paper.json");
 }
 
-TEST_F(ReportSchema, HoldsForLayersThatMoveTogether) {
-  make_body();
+TEST_F(ReportSchemaOfLayers, HoldsForLayersThatMoveTogether) {
   mesh_larger("shirt", 1);
   mesh_larger("coat", 1.12);
-  const Json scene = {{"body", "body.ply"},
+  const Json scene = {{"body", body},
                       {"layering", "coupled"},
                       {"layers",
                        {{{"name", "shirt"}, {"garment", "shirt.obj"}},
@@ -236,11 +251,10 @@ TEST_F(ReportSchema, HoldsForLayersThatMoveTogether) {
   expect_faults_found("dress_scene", "report.json");
 }
 
-TEST_F(ReportSchema, HoldsForLayersThatAreNotDressed) {
-  make_body();
+TEST_F(ReportSchemaOfLayers, HoldsForLayersThatAreNotDressed) {
   mesh_as("tight", band(25));
   mesh_as("loose", band(60));
-  const Json scene = {{"body", "body.ply"},
+  const Json scene = {{"body", body},
                       {"layers",
                        {{{"name", "inner"}, {"garment", "tight.obj"}},
                         {{"name", "outer"}, {"garment", "loose.obj"}}}}};
@@ -248,5 +262,5 @@ TEST_F(ReportSchema, HoldsForLayersThatAreNotDressed) {
   expect_valid("dress_scene", "report.json", {"/not_dressed/0"});
 }
 
-}  // namespace
+}  // namespace report_schema_test
 }  // namespace toile::pipeline
