@@ -70,7 +70,7 @@ Fabric read_fabric(const std::string& text, const std::string& place) {
       {"damping_s", {{&fabric.damping}, true, 1}}};
   const JsonDocument document(text, place);
   const JsonValue root = document.root();
-  if (!root.is_object()) throw Error(place, "is no JSON object", "see the README");
+  if (!root.is_object()) throw Error(place, "is no JSON object", "docs/fabrics.md states the keys");
   // Sorted: a key for both warp and weft is read before the keys for one of them.
   std::vector<std::string> keys = root.keys();
   std::ranges::sort(keys);
@@ -96,7 +96,7 @@ Fabric read_fabric(const std::string& text, const std::string& place) {
       for (double* of : sets.values) *of = std::min(sets.unit * number, sets.cut_to);
       if (number > sets.cut_to) fabric.stiffness_given = std::max(fabric.stiffness_given, number);
     } else {
-      throw Error(where, "is no quantity of a fabric", "see the README for the keys");
+      throw Error(where, "is no quantity of a fabric", "docs/fabrics.md states the keys");
     }
   }
   return fabric;
