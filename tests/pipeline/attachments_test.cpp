@@ -151,7 +151,7 @@ TEST_F(Attached, WhatIsWrongWithThemIsOneMessage) {
   };
   expect(refused({{{"edge", 2}, {"to", "belly"}}}), "'belly' is unknown");
   expect(refused({{{"edge", 9}, {"to", "bust"}}}), "names edge 9");
-  expect(refused({{{"to", "bust"}}}), "not one edge or one vertex");
+  expect(refused({{{"to", "bust"}}}), "names no edge and no vertex, or both");
   // A landmark that this body's file does not have.
   write(tube_top());
   mesh(folder / "pattern.json", "25mm");
