@@ -171,7 +171,7 @@ TEST(Dress, TheSampleFromBodyAndPatternToEaseMap) {
             (std::vector<std::string>{"position", "close_seams", "untangle", "settle", "rest"}));
   EXPECT_GT(chain.number("/seconds"), seconds);
   EXPECT_GT(chain.number("/residual/median"), 0);
-  EXPECT_LT(chain.number("/residual/median"), 0.06);
+  EXPECT_LE(chain.number("/residual/median"), 0.0015);  // what the default asks for
   EXPECT_LT(chain.number("/residual/median"), chain.number("/residual/max"));
   EXPECT_LT(chain.number("/residual/rms"), chain.number("/residual/max"));
   EXPECT_LE(chain.number("/strain/rms"), chain.number("/strain/p99"));

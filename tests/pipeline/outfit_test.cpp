@@ -120,8 +120,8 @@ TEST(Outfit, AShirtOverAShirt) {
   EXPECT_EQ(moved["verdict"], "sewn");
   const Json& whole = moved["together"];
   EXPECT_TRUE(whole["converged"].get<bool>());
-  EXPECT_LT(whole["residual"]["median"].get<double>(), 0.01);
-  EXPECT_LT(whole["residual"]["wide"].get<double>(), 0.01);
+  EXPECT_LE(whole["residual"]["median"].get<double>(), 0.0015);
+  EXPECT_LE(whole["residual"]["wide"].get<double>(), 0.0015);
   EXPECT_TRUE(whole["certified"]["stayed_clean"].get<bool>());
   ASSERT_EQ(whole["pressing"].size(), 1U);
   EXPECT_EQ(whole["pressing"][0]["inner"], "tee");

@@ -24,22 +24,15 @@ TEST_F(Unsewable, ABandThreeSizesSmallLacksCentimetres) {
   });
   for (const std::string& method : both_methods) {
     const Ending ending = dress(mannequin(), garment, method);
-    // The relaxation lets soft panels close on one side of the body, and says that they do.
-    if (method == "relaxation" && ending.outcome == "unwrapped") {
-      EXPECT_TRUE(ending.says("does not go around torso")) << ending.said;
-      state("7 band three sizes small", method, "unwrapped",
-            "**falls short**: says that it is not around the torso, not that it is too small");
-      continue;
-    }
     EXPECT_EQ(ending.outcome, "unsewable") << ending.said;
     double missing = 0;
     for (const Json& seam : ending.report["unsewable_seams"]) {
       missing += seam["missing_cm"].get<double>();
       EXPECT_TRUE(ending.says(seam["name"].get<std::string>())) << ending.said;
     }
-    // The waist has 21 cm more than the tube, the hips 48.
-    EXPECT_GT(missing, 10) << ending.report["unsewable_seams"];
-    EXPECT_LT(missing, 48) << ending.report["unsewable_seams"];
+    // The waist, where it comes to lie, has 21 cm more than the tube.
+    EXPECT_GT(missing, 17) << ending.report["unsewable_seams"];
+    EXPECT_LT(missing, 26) << ending.report["unsewable_seams"];
     state("7 band three sizes small", method, ending.outcome,
           "lacks " + number(missing) + " cm in all");
   }
@@ -90,13 +83,8 @@ TEST_F(Unsewable, SeamsOfOneToTwoAreNamedWithBothLengths) {
   }
   for (const std::string& method : both_methods) {
     const Ending ending = dress(mannequin(), folder / "uneven.obj", method);
-    if (method == "relaxation") {
-      EXPECT_EQ(ending.report["seams"]["open"], 0) << ending.said;
-    } else {
-      // Its edges may not be strained by more than 1 %, and know no gathers finer than the mesh.
-      EXPECT_TRUE(ending.outcome == "unsewable" || ending.report["seams"]["open"] == 0);
-    }
-    EXPECT_NE(ending.outcome, "error");
+    EXPECT_EQ(ending.outcome, "sewn") << ending.said;
+    EXPECT_EQ(ending.report["seams"]["open"], 0) << ending.said;
     state("7 seams of 2 : 1, undeclared", method, ending.outcome, ending.figures());
   }
 }

@@ -83,7 +83,11 @@ TEST(BodyBounds, WhatIsInsideCanComeOut) {
       bounds.update(as_vec4(x));
       const Vec3 through(0, -2 * y, 0);
       const double share = bounds.allowed_share(0, x[0], x[0] + through);
-      EXPECT_EQ(share, side < 0 ? 1 : std::min(share, 0.5)) << y;
+      if (side < 0) {
+        EXPECT_EQ(share, 1) << y;
+      } else {
+        EXPECT_LE(share, 0.5) << y;
+      }
     }
   }
 }
@@ -143,8 +147,7 @@ TEST(BodyBounds, ASheetHangsOnASpike) {
   const GarmentModel unbounded = compile(garment, scene, garment.placed);
   std::vector<Vec3> free = model.start;
   relax(unbounded, options, free);
-  std::cout << "without bounds, facets through the sheet: "
-            << intersections({free, model.node_triangles}, body.body()).size() << "\n";
+  EXPECT_FALSE(intersections({free, model.node_triangles}, body.body()).empty());
 }
 
 }  // namespace body_bounds_test
