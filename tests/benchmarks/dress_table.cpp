@@ -222,7 +222,7 @@ void dress_row(Table& table, std::size_t row, Case& at, const Settings& settings
       Json::parse(read_file(fs::path(at.mesh).replace_extension(std::to_string(median) + ".json")));
   at.seconds = runs[median].seconds;
   at.lift = report.at("scene").at("lift_mm").get<double>() / 1000;
-  table.set(row, "nodes", std::to_string(report.at("garment").at("vertices").get<int>()));
+  table.set(row, "nodes", std::to_string(report.at("garment").at("nodes").get<int>()));
   table.set(row, "seconds", fixed(at.seconds, 2));
   table.set(row, "processor s", fixed(runs[median].processor_seconds, 2));
   table.set(row, "peak MiB", fixed(runs[median].peak_MiB, 0));

@@ -150,13 +150,13 @@ TEST(Dress, TheSampleFromBodyAndPatternToEaseMap) {
   const auto flat = corners(chain.garment);
   const auto worn = corners(chain.dressed);
   EXPECT_EQ(chain.number("/garment/triangles"), lines(chain.garment, "f").size());
-  EXPECT_EQ(chain.number("/garment/vertices"), lines(chain.dressed, "v").size());
+  EXPECT_EQ(chain.number("/garment/nodes"), lines(chain.dressed, "v").size());
   EXPECT_EQ(chain.number("/garment/panels"), lines(chain.dressed, "g").size());
   EXPECT_EQ(chain.number("/garment/seams"), chain.number("/seams/sewn"));
   EXPECT_EQ(chain.number("/scene/terms/stretch"), chain.number("/garment/triangles"));
   EXPECT_GT(chain.number("/scene/terms/bend"), 0);
   EXPECT_GT(chain.number("/scene/terms/seam"), 0);
-  EXPECT_EQ(chain.number("/scene/terms/body_contact"), chain.number("/garment/vertices"));
+  EXPECT_EQ(chain.number("/scene/terms/body_contact"), chain.number("/garment/nodes"));
   EXPECT_EQ(chain.number("/scene/terms/strain_limit"), 0);
   EXPECT_TRUE(chain.report["method"].is_string());
   std::vector<std::string> stages;

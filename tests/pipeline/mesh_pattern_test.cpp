@@ -38,7 +38,7 @@ TEST(MeshPattern, WritesAGarmentThatReadsBack) {
   EXPECT_EQ(garment.subdivisions, 2);
   EXPECT_EQ(garment.seams.size(), 3u);
   const auto report = nlohmann::json::parse(read_text(folder / "report.json"));
-  EXPECT_EQ(report["garment"]["vertices"], garment.flat.size());
+  EXPECT_EQ(report["garment"]["material_points"], garment.flat.size());
   EXPECT_EQ(report["garment"]["triangles"], garment.triangles.size());
   EXPECT_GT(report["panels"][0]["smallest_angle_degrees"], 20);
   EXPECT_NEAR(report["panels"][1]["area"].get<double>(), 0.3 * 0.41 + 0.3 * 0.3 * 0.2 / 3, 1e-3);

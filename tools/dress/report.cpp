@@ -111,7 +111,7 @@ Json certified_json(const Certificate& certificate) {
 }
 
 Json garment_json(const WornLayer& layer) {
-  return {{"vertices", layer.result.nodes.size()},
+  return {{"nodes", layer.result.nodes.size()},
           {"material_points", layer.garment.flat.size()},
           {"triangles", layer.garment.triangles.size()},
           {"panels", layer.garment.panels.size()},

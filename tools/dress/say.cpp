@@ -85,9 +85,9 @@ void warn_of_verdict(const DressResult& result, const Judgement& judgement, Dres
     separator = ", ";
   }
   if (!result.tight_seams.empty()) {
-    log.warn("too tight: closing these seams takes more than a hand's pull of " +
+    log.warn("too tight: closing these seams takes more than a hand's pull, " +
              std::to_string(std::lround(hand_pull)) +
-             " N/m; what is missing at each: " + line.str());
+             " N/m, or of soft fabrics less; what is missing at each: " + line.str());
   } else if (!judgement.unsewable_seams.empty()) {
     log.warn("these seams could not be closed; how far they stand open: " + line.str());
   }
@@ -185,7 +185,8 @@ void say_result(const DressResult& result, const Judgement& judgement, DressLog&
     if (std::abs(wrap.slid) < far_to_slide) continue;
     std::ostringstream line;
     line << "the garment " << (wrap.slid > 0 ? "slid down " : "rode up ") << wrap.part << " by "
-         << std::setprecision(2) << 100 * std::abs(wrap.slid) << " cm from where it was placed";
+         << std::fixed << std::setprecision(1) << 100 * std::abs(wrap.slid)
+         << " cm from where it was placed";
     log.warn(line.str());
   }
   if (result.placement.points_inside > 0) {

@@ -39,7 +39,7 @@ nlohmann::ordered_json mesh_pattern_json(const std::string& pattern, const Panel
   Json report;
   report["program"] = "mesh-pattern";
   report["pattern"] = pattern;
-  report["garment"] = {{"vertices", garment.flat.size()},
+  report["garment"] = {{"material_points", garment.flat.size()},
                        {"triangles", garment.triangles.size()},
                        {"panels", garment.panels.size()},
                        {"seams", garment.seams.size()}};
@@ -49,7 +49,7 @@ nlohmann::ordered_json mesh_pattern_json(const std::string& pattern, const Panel
   report["panels"] = Json::array();
   for (std::size_t p = 0; p < garment.panels.size(); ++p) {
     report["panels"].push_back({{"name", garment.panels[p].name},
-                                {"vertices", garment.panels[p].points},
+                                {"material_points", garment.panels[p].points},
                                 {"triangles", garment.panels[p].triangles},
                                 {"area", figures[p].area},
                                 {"smallest_angle_degrees", figures[p].smallest_angle * degrees},
