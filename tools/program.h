@@ -32,8 +32,8 @@ struct CommonSettings {
   static void warn(const std::string& line);
 };
 
-/// What a program is: its name, a line that says what it does, how it is called, its own options
-/// and positional arguments, and its work, which returns an exit code.
+/// A program: its name, its purpose in a line, its usage, its own options and positional arguments.
+/// Its work returns an exit code.
 struct CommandLineProgram {
   std::string name;
   std::string summary;
@@ -52,8 +52,8 @@ struct CommandLineProgram {
 /// The options that every program has, as --help prints them.
 boost::program_options::options_description common_options(const CommandLineProgram& program);
 
-/// Parses the command line, answers --help and --version, limits the threads, runs the program's
-/// work, turns exceptions into one message and the exit code that belongs to it. -o is required.
+/// Runs a program. It parses the command line, answers --help and --version, limits the threads and
+/// runs the work. An exception becomes one message and its exit code. -o is required.
 int run_program(int argc, char** argv, const CommandLineProgram& program);
 
 /// Toile's own.

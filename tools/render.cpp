@@ -35,8 +35,8 @@ std::vector<View> views_of(const std::string& list) {
   return views;
 }
 
-/// Each group (panel) becomes a region with a colour of its own, counted on from `legend`, which
-/// gets the groups' names; with a `name`, the whole garment has one colour under that name.
+/// Each group (panel) becomes a region with its own colour, counted on from `legend`, which gets
+/// the groups' names. With a `name`, the whole garment has one colour under that name.
 PictureMesh cloth_of(const ObjData& obj, const std::string& name,
                      std::vector<LegendEntry>& legend) {
   PictureMesh cloth;

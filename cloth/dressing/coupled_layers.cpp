@@ -6,6 +6,7 @@
 #include "cloth/contact/body_bounds.h"
 #include "cloth/contact/pair_forces.h"
 #include "cloth/contact/proximity.h"
+#include "cloth/dressing/constants.h"
 #include "cloth/dressing/stability_test.h"
 #include "cloth/dressing/stages.h"
 #include "cloth/model/compile.h"
@@ -23,10 +24,6 @@ Scene with_fabrics(Scene scene, const std::vector<WornGarment>& garments) {
   }
   return scene;
 }
-
-/// Gaps within which two garments touch: between nodes that press, others stand off by as much as
-/// the cloth is curved under their triangles.
-constexpr double touching = 1.05;
 
 class CoupledRelaxation {
  public:
@@ -165,7 +162,7 @@ class CoupledRelaxation {
     const ProximitySearch search(model_.node_triangles, nodes, model_.shortest_edge);
     std::vector<ContactPair> pairs;
     std::vector<double> bound;
-    search.find(x, touching * model_.self_gap, model_.self_gap, pairs, bound, false);
+    search.find(x, touching_gaps * model_.self_gap, model_.self_gap, pairs, bound, false);
     const std::size_t count = garments_.size();
     std::vector<LayerContact> table(count * count);
     std::vector<std::vector<char>> touched(count * count);

@@ -18,10 +18,10 @@ struct WornGarment {
   std::vector<AttachedPoint> attached = {};  ///< what holds it for good
 };
 
-/// Panels, seams and points of all garments in one mesh, in their order, garment by garment; seams
-/// join what they joined, so garments share no node. Without attachments, whose places only the
-/// dressing knows. Panels that name no fabric get the name
-/// `garment_fabric(i)` of garment i. The mesh is nested as deep as the least of them.
+/// Panels, seams and points of all garments in one mesh, garment by garment. Seams join what they
+/// joined before, so garments share no node. Attachments are left out: only the dressing knows
+/// their places. Panels that name no fabric get the name `garment_fabric(i)` of garment i. The mesh
+/// is nested as deep as the garment with the fewest levels.
 PanelMesh join_garments(const std::vector<WornGarment>& garments);
 std::string garment_fabric(std::size_t garment);
 
@@ -45,10 +45,11 @@ struct CoupledResult {
   std::optional<ReleaseReport> release;             ///< of the whole, if it was asked for
 };
 
-/// Relaxes garments, each as it was dressed over the ones before, on the scene's body until the
-/// whole is at rest: every garment moves, and those that touch push each other. The scene's body
-/// has to be bare, and nothing may meet: moves are bounded, so that nothing comes to, nor the cloth
-/// and the scene's skin, where it has one. A frame's mesh is join_garments().
+/// Brings garments to rest together on the scene's body, starting where each was dressed over the
+/// ones before. Every garment moves, and garments that touch push each other.
+/// The scene's body has to be bare, and nothing may intersect. Moves are bounded, so nothing comes
+/// to intersect: neither cloth with cloth nor cloth with the skin. A frame's mesh is
+/// join_garments().
 /// Throws Error for garments that intersect each other or themselves.
 CoupledResult relax_coupled(const std::vector<WornGarment>& garments, const Scene& scene,
                             const DressOptions& options, const FrameWatcher& watcher = {});

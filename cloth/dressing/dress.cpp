@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "cloth/dressing/constants.h"
 #include "cloth/dressing/level.h"
 #include "cloth/dressing/stability_test.h"
 #include "cloth/dressing/stages.h"
@@ -14,21 +15,6 @@
 namespace toile {
 
 namespace {
-
-/// How often the panels are placed and sewn anew, each time twice as carefully: a tangle is not
-/// undone but avoided.
-constexpr int max_attempts = 3;
-/// Share of their offset that seams may stand open for another attempt to help. Seams that stay
-/// wider open are held apart by something.
-constexpr double jammed_open = 0.1;
-/// Metres that cloth falls without friction, on average, from which on it falls anew with it: a
-/// soft waist slides off the hips that would hold it. Of ten garments in three fabrics, those that
-/// stay fall 0.04 m at most, those that slide 0.1 and 0.2 m, and then 0.01 m [measured, 25 mm
-/// edges].
-constexpr double slid_off = 0.06;
-/// Metres that cloth has come down when it lies at the feet or farther: it would go on sliding.
-/// Panels are lifted by a third of that at most.
-constexpr double fallen_off = 0.6;
 
 /// The panels with their seams closed, as far as they close.
 struct Sewn {
@@ -46,7 +32,8 @@ Sewn sew(Level level, Journal& journal) {
     sewn.is_clear = clear_of_itself(sewn.level, sewn.state);
     return sewn;
   }
-  for (int attempt = 0; attempt < max_attempts && !sewn.is_clear && !sewn.jammed; ++attempt) {
+  for (int attempt = 0; attempt < max_sewing_attempts && !sewn.is_clear && !sewn.jammed;
+       ++attempt) {
     const double care = std::pow(2.0, attempt);
     journal.begin_attempt(attempt + 1);
     sewn.state.nodes = sewn.level.model.start;
@@ -67,9 +54,9 @@ Sewn sew(Level level, Journal& journal) {
 State first_settled(const Level& level, const State& sewn, bool bounded, bool& friction,
                     Journal& journal) {
   State slid = settle(level, sewn, bounded, false, journal).state;
-  if (fallen(level, slid, sewn.nodes) <= slid_off) return slid;
+  if (fallen(level, slid, sewn.nodes) <= slid_off_fall) return slid;
   State held = settle(level, {sewn.nodes, slid.warm_start, {}}, bounded, true, journal).state;
-  friction = fallen(level, held, sewn.nodes) <= slid_off;
+  friction = fallen(level, held, sewn.nodes) <= slid_off_fall;
   return friction ? held : slid;
 }
 
@@ -163,7 +150,9 @@ DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptio
   bool friction = false;
   bool is_clear = sewn.is_clear;
   State state = first_settled(level, sewn.state, is_clear, friction, journal);
-  const auto is_lost = [&] { return fallen(level, state, result.placement.placed) > fallen_off; };
+  const auto is_lost = [&] {
+    return fallen(level, state, result.placement.placed) > fallen_off_drop;
+  };
   is_clear = is_clear || clear_of_itself(level, state);
   while (level.depth > 0) {
     level = finer_level(level, meshes[level.depth - 1], scene, result.body_offset, state);

@@ -31,31 +31,31 @@ struct DressResult {
   DuringDressing during;
   Residual residual;
   bool converged = false;
-  /// One for each of the garment's: at rest, or of those that end, when they were let go.
+  /// One for each of the garment's attachments: at rest, or when it was released.
   std::vector<AttachmentFigures> attachments;
   std::vector<AttachedPoint> attached;  ///< what holds the garment for good
   std::vector<TightSeam> tight_seams;   ///< by the relaxation, which closes them at any tension
-  /// Nothing: not looked for, without a strain limit or by another method than the relaxation.
+  /// Empty without a strain limit, and by another method than the relaxation.
   std::optional<TightRegions> tight_regions;
-  /// What a copy of the garment did when it was let go; nothing: it was not. `nodes` is before.
+  /// The motion of a copy of the garment that was released. Empty: it was not. `nodes` is before.
   std::optional<ReleaseReport> release;
 };
 
 /// Dresses the scene's body with the garment, stage by stage (stages.h).
 ///
-/// - On the coarsest of the garment's nested meshes the panels are placed (`position`), their seams
-///   closed (`close_seams`), and folds let out that went through themselves (`untangle`). Panels
-///   that tangle are sewn anew, twice as carefully, three times at most.
-/// - The garment falls, mesh by mesh (`settle`), each finer one starting from the coarser one's
-/// rest.
-///   It falls without friction, unless it slides off so.
+/// - On the coarsest of the garment's nested meshes the panels are placed (`position`). Then their
+///   seams close (`close_seams`), and folds that went through themselves are let out (`untangle`).
+///   Panels that tangle are sewn again, twice as carefully, three times at most.
+/// - The garment falls, mesh by mesh (`settle`). Each finer mesh starts from the rest of the
+///   coarser one. It falls without friction, unless it would slide off.
 /// - The finest mesh comes to rest with the fabric's full stiffness and friction (`rest`).
-///   Attachments hold until just before that (`release_attachments`), for nothing but friction may
-///   hold the garment where they do. Those for good go on.
+///   Attachments hold until just before that (`release_attachments`). Attachments for good go on
+///   holding.
 ///
-/// Seams that stay far open end the dressing after `close_seams`; what fell off is not brought to
-/// rest. The cost of each mesh is some four times the coarser one's. The same bits for any number
-/// of threads. Throws Error when the scene has no body, and what find_start() and compile() throw.
+/// Seams that stay far open end the dressing after `close_seams`. A garment that fell off is not
+/// brought to rest. Each mesh costs some four times as much as the next coarser one. The same bits
+/// for any number of threads. Throws Error when the scene has no body, and as find_start() and
+/// compile() do.
 DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptions& options,
                   const FrameWatcher& watcher = {});
 

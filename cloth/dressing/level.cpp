@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "cloth/dressing/constants.h"
 #include "cloth/model/nested_meshes.h"
 #include "cloth/scene/collider.h"
 #include "geometry/intersections.h"
@@ -12,19 +13,9 @@ namespace toile {
 
 namespace {
 
-/// Metres: the tightest curves of a body, and of the folds of cloth.
-constexpr double body_curve = 0.03;
-constexpr double fold_curve = 0.01;
-constexpr double max_body_offset = 0.006;  ///< metres; beyond, the drape would be another one
-/// Metres, while the cloth finds its place over another; it comes to rest nearer.
-constexpr double max_fold_offset = 0.015;
-/// How much farther off the skin each coarser mesh settles, as a share of the finest one's offset.
-constexpr double offset_growth = 0.5;
-
-/// Metres that nodes keep from a surface so that faces of such edges clear curves of the radius
-/// `tightest_curve`, whose sagitta they cut off: `asked` at least, `most` at most.
+/// Metres that nodes keep from a surface of curves down to the radius `tightest_curve`. The faces
+/// between nodes cut off the sagitta of such a curve. At least `asked`, at most `most`.
 double clearing_offset(double asked, double edge_length, double tightest_curve, double most) {
-  constexpr double face_clearance = 0.001;
   const double needed = face_clearance + edge_length * edge_length / (8 * tightest_curve);
   return std::max(asked, std::min(needed, most));
 }
@@ -38,7 +29,7 @@ std::vector<PanelMesh> nested_meshes(const PanelMesh& garment) {
 }
 
 double resting_offset(const PanelMesh& garment, const Scene& scene) {
-  return clearing_offset(body_offset_of(scene, garment), garment.edge_length, body_curve,
+  return clearing_offset(body_offset_of(scene, garment), garment.edge_length, body_curve_radius,
                          max_body_offset);
 }
 
@@ -46,7 +37,7 @@ double settling_offset(const PanelMesh& mesh, int depth, const Scene& scene,
                        double resting_offset) {
   const double offset = resting_offset * (1 + offset_growth * depth);
   if (!has_layers(scene)) return offset;
-  return std::max(offset, clearing_offset(0, mesh.edge_length, fold_curve, max_fold_offset));
+  return std::max(offset, clearing_offset(0, mesh.edge_length, fold_curve_radius, max_fold_offset));
 }
 
 Level compiled_level(const PanelMesh& mesh, int depth, const Scene& scene,
@@ -75,11 +66,10 @@ bool clear_of_itself(const Level& level, const State& state) {
 
 bool clear_of_layers(const Level& level, const State& state) {
   // Metres: what is a little inside by the smoothed distance may be outside by the exact one.
-  constexpr double surely_inside = -0.005;
   const Scene& scene = level.model.scene;
   if (!has_layers(scene)) return false;
   for (const Vec3& p : state.nodes) {
-    if (scene.collider->grid().at(p).distance < surely_inside) return false;
+    if (scene.collider->grid().at(p).distance < max_smooth_depth) return false;
   }
   return intersections({state.nodes, level.model.node_triangles}, scene.collider->cloth()).empty();
 }

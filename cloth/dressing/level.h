@@ -29,8 +29,8 @@ struct State {
   std::vector<double> extra_offset;
 };
 
-/// Metres kept from the skin on the garment's own mesh: at least the scene's, more for edges above
-/// 15 mm, whose faces cut the curves of a body.
+/// Metres kept from the skin on the garment's own mesh: the scene's at least. Edges above 15 mm
+/// need more, because their faces cut the curves of a body.
 double resting_offset(const PanelMesh& garment, const Scene& scene);
 
 /// Metres kept from the skin while the garment settles on a mesh: the coarser, the more. Over

@@ -5,15 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloth/dressing/constants.h"
 #include "geometry/error.h"
 
 namespace toile {
 
 namespace {
-
-constexpr double exact_to = 1e-5;  // metres
-constexpr int max_steps = 30;
-constexpr double max_way = 0.05;  // metres; two layers are never so thick
 
 Vec3 turned_out(const DistanceGrid& below, const DistanceGrid& above, const Vec3& p) {
   const DistanceGrid::Sample at = below.at(p);
@@ -21,10 +18,10 @@ Vec3 turned_out(const DistanceGrid& below, const DistanceGrid& above, const Vec3
   if (length < 1e-6) return p;
   const Vec3 out = at.gradient / length;
   double way = 0;
-  for (int i = 0; i < max_steps; ++i) {
+  for (int i = 0; i < max_flip_steps; ++i) {
     const double missing = at.distance - above.at(p + way * out).distance;
-    if (std::abs(missing) < exact_to) break;
-    way = std::min(std::max(way + missing, 0.0), max_way);
+    if (std::abs(missing) < flip_tolerance) break;
+    way = std::min(std::max(way + missing, 0.0), max_flip_distance);
   }
   return p + way * out;
 }
@@ -77,7 +74,7 @@ std::vector<char> flip_over(const PanelMesh& garment, const std::vector<int>& pa
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     if (of_panels[n] == 0) continue;
     const Vec3 to = turned_out(below, above, nodes[n]);
-    moved[n] = (to - nodes[n]).norm() > exact_to;
+    moved[n] = (to - nodes[n]).norm() > flip_tolerance;
     nodes[n] = to;
   }
   return moved;

@@ -18,12 +18,14 @@ std::vector<int> panels_named(const PanelMesh& garment, const std::vector<std::s
 void leave_out(const PanelMesh& garment, const std::vector<int>& panels,
                std::vector<Triangle>& triangles);
 
-/// Brings the given panels of a dressed garment from below another garment over it: each of their
-/// nodes goes out along the gradient of `below`, what the garment lies on, until it is as far from
-/// `above`, the same with the other garment on it, as it was from `below`. So what lay over another
-/// in these panels still does. Nodes where the other garment is not stay; those of a seam to a
-/// panel that is not turned out move too, so that seam has to be clear of the other garment.
-/// `nodes` and `triangles` are the dressed garment's, in its order. Returns which nodes moved.
+/// Brings the given panels of a dressed garment from below another garment over it. `below` is the
+/// surface that the garment lies on. `above` is the same surface with the other garment on it.
+/// Each node of the panels moves out along the gradient of `below`, until it is as far from `above`
+/// as it was from `below`. So what lay over another in these panels still does. Nodes stay where
+/// the other garment is not.
+/// Nodes of a seam to a panel that is not flipped over move too. So that seam has to be clear of
+/// the other garment. `nodes` and `triangles` are the dressed garment's, in its order. Returns
+/// which nodes moved.
 std::vector<char> flip_over(const PanelMesh& garment, const std::vector<int>& panels,
                             const DistanceGrid& below, const DistanceGrid& above,
                             const std::vector<Triangle>& triangles, std::vector<Vec3>& nodes);

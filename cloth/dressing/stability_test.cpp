@@ -2,14 +2,9 @@
 
 #include <utility>
 
+#include "cloth/dressing/constants.h"
+
 namespace toile {
-
-namespace {
-
-/// How often what does not stay is brought to rest anew.
-constexpr int max_returns = 3;
-
-}  // namespace
 
 ReleaseReport test_stability(const GarmentModel& model, ReleaseOptions options, RestingState& state,
                              const std::function<void(RestingState&)>& come_to_rest) {

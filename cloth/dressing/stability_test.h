@@ -16,10 +16,11 @@ struct RestingState {
   bool at_rest = false;
 };
 
-/// release() of a copy of `state`, under the forces of `options` with the state's warm_start. What
-/// moves off had come to rest where cloth can fall either way, as a fold can on its edge: as long
-/// as it was at rest it is taken to where it has gone to, three times at most, and `come_to_rest`
-/// brings it to rest from there. Returns the last release.
+/// Releases a copy of `state` under the forces of `options`, from its friction anchors, and returns
+/// the last release.
+/// Cloth that moves off was at rest where it can fall either way, as a fold can on its edge. Then
+/// the state goes to where the copy went, three times at most, as long as it was at rest.
+/// `come_to_rest` brings it to rest from there.
 ReleaseReport test_stability(const GarmentModel& model, ReleaseOptions options, RestingState& state,
                              const std::function<void(RestingState&)>& come_to_rest);
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "cloth/dressing/constants.h"
 #include "cloth/model/constants.h"
 #include "cloth/model/gathers.h"
 #include "cloth/start/start.h"
@@ -15,50 +16,14 @@ namespace toile {
 
 namespace {
 
-/// Factor on the bending stiffness while seams close; 30 lets folds go through their own seam.
-constexpr double closing_stiffness = 300;
-/// Pull toward the skin while seams close, in weights of the cloth; 0 leaves one ridge down the
-/// middle of a wide front.
-constexpr double closing_pull = 2;
-/// Cap of the momentum while seams close.
-constexpr double closing_momentum = 0.99;
-/// Iterations in which seams close on a mesh of `closing_points` points, with a care of 1. A finer
-/// mesh, which has no coarser one, has farther to carry the pull of its seams.
-constexpr int closing_iterations = 3000;
-constexpr double closing_points = 700;
-/// Metres that the body passes for a plane while nothing has to come to rest.
-constexpr double closing_linearization_radius = 2e-4;
-
-/// N/m: cloth is at least so stiff while its seams close.
-constexpr double closing_stretch = 1000;
-constexpr double closing_shear = 200;
-
-/// Iterations of a run that lets folds out of their own seam, and how many such runs there are.
-constexpr int untangling_iterations = 300;
-constexpr int untangling_runs = 3;
-/// Iterations in which the bending stiffness comes down to the fabric's.
-constexpr int softening_iterations = 500;
-
-/// Share of the stiffness that resists compression while the cloth finds its folds, from the finest
-/// mesh to the coarsest. With all of it, cloth stands on creases that its mesh is too coarse to
-/// break, and is strained more at rest.
-constexpr std::array<double, 3> soft_compression = {0.02, 0.05, 0.01};
-/// Iterations at most on each mesh but the last.
-constexpr int settling_iterations = 2000;
-/// Iterations in which the finest mesh gets all of its stiffness, and is pushed back to its own
-/// offset: at once, it would be thrown about.
-constexpr int stiffening_iterations = 1000;
-/// Iterations without coming nearer to rest after which a run gives up.
-constexpr int patience = 8000;
-
 double compression_of(const Level& level) {
   return soft_compression[std::min<std::size_t>(level.depth, soft_compression.size() - 1)];
 }
 
-/// The residual of cloth that may go on to the next mesh. It is the same whatever rest is asked for
-/// at the end. Then a drape brought nearer to rest goes on from where the other one stopped, and is
-/// nearer to where both would end; with less, the finest mesh has no fewer iterations to do
-/// [measured].
+/// Stops at the residual of cloth that may go on to the next mesh. It is the same whatever rest is
+/// asked for at the end. So a drape brought nearer to rest continues from where the other one
+/// stopped, and both end near each other. With a smaller residual, the finest mesh needs no fewer
+/// iterations [measured].
 void stop_when_settled(RelaxOptions& options) {
   options.stop_median = 0.05;
   options.stop_rms = 0.5;
@@ -90,7 +55,7 @@ RelaxOptions rest_options(const Level& level, bool bounded, const DressOptions& 
   return options;
 }
 
-/// Progress of the whole dressing once a level has settled: each mesh costs some four times the
+/// Progress of the whole dressing once a level has settled. Each mesh costs some four times the
 /// coarser one, and rest more than twice what comes before.
 double progress_when_settled(const Level& level) {
   return 0.3 * std::pow(0.25, std::max(level.depth - 1, 0));
@@ -101,10 +66,10 @@ double progress_when_sewn(const Level& level, const Journal& journal) {
   return 0.5 * (journal.progress() + progress_when_settled(level));
 }
 
-/// The level's model, its gathered rows giving way along their seams too. Drawn up while a seam
-/// stands open, they turn the whole garment about the body by up to a right angle, for that brings
-/// them nearer. But the seam is to close the way it was placed, so its sides would then pass
-/// through the cloth.
+/// The level's model, with gathered rows that give way along their seams. Stiff rows come nearer to
+/// each other by turning the garment about the body, by up to a right angle, while a seam stands
+/// open. But the seam is to close from where it was placed: its sides would then pass through the
+/// cloth.
 GarmentModel with_slack_gathers(const Level& level) {
   GarmentModel model = level.model;
   for (const auto& [triangle, along] : gathered_rows(*level.mesh, gathered_edges(*level.mesh))) {
@@ -115,7 +80,7 @@ GarmentModel with_slack_gathers(const Level& level) {
 
 Staged run(const std::string& name, const Level& level, const GarmentModel& model, State state,
            RelaxOptions options, double end, Journal& journal) {
-  // A seam that has to come past a layer would jam on it; the distance grid lets it through, and
+  // A seam that has to come past a layer would jam on it. The distance grid lets it through, and
   // pushes it out on the right side.
   options.layer_contact = options.closing_iterations == 0 && clear_of_layers(level, state);
   options.multipliers = &state.warm_start.multipliers;
@@ -184,7 +149,7 @@ Staged untangle(const Level& level, State state, double care, Journal& journal) 
   options.bounded = true;
   staged = run("untangle", level, level.model, std::move(staged.state), options,
                progress_when_sewn(level, journal), journal);
-  // What this stage is for is that state, not rest.
+  // This stage ends with full stiffness, not with rest.
   journal.mark_converged();
   staged.report.converged = true;
   return staged;
@@ -208,7 +173,7 @@ Staged release_attachments(const Level& level, State state, bool bounded, int ma
   options.compression = compression_of(level);
   options.stiffening_iterations = stiffening_iterations;
   options.max_iterations = std::min(2 * stiffening_iterations, max_iterations);
-  options.patience = patience;
+  options.patience = rest_patience;
   stop_when_settled(options);
   return run("release_attachments", level, level.model, std::move(state), options, 1, journal);
 }
@@ -233,13 +198,12 @@ void ask_for_rest(const DressOptions& wanted, RelaxOptions& options) {
   options.stop_median = wanted.stop_median;
   options.stop_rms = wanted.stop_rms;
   options.stop_wide = wanted.stop_wide;
-  options.patience = patience;
+  options.patience = rest_patience;
 }
 
 double search_radius(const Level& level) {
-  constexpr double most = 0.02;
   const double room = 0.0015 + self_gap_of(level.model.scene, *level.mesh);  // before it touches
-  return std::min(most, std::max(room, 0.4 * level.mesh->edge_length));
+  return std::min(max_search_radius, std::max(room, 0.4 * level.mesh->edge_length));
 }
 
 }  // namespace toile

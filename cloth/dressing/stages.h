@@ -14,8 +14,8 @@ struct Staged {
   StageReport report;
 };
 
-/// The scene in which seams close: no cloth softer than 1000 N/m (shear 200 N/m), for closing seams
-/// would draw it into strings; no strain limits, which are for the drape.
+/// The scene in which seams close. No cloth is softer than closing_stretch and closing_shear, for
+/// closing seams would draw it into strings. Strain limits are left out; they are for the drape.
 Scene closing_scene(Scene scene);
 
 /// Panels that stand where they start, and the level on which their seams close.

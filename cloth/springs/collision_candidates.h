@@ -9,8 +9,8 @@
 
 namespace toile {
 
-/// A triangle of the cloth. Each node and edge of the cloth belongs to one triangle, so that going
-/// through the triangles meets each once.
+/// A triangle of the cloth. Each node and each edge of the cloth belongs to one triangle. So a loop
+/// over the triangles meets each once.
 struct ClothTriangle {
   Triangle nodes = {-1, -1, -1};
   std::array<bool, 3> owns_node = {};
@@ -42,9 +42,9 @@ struct NearTriangle {
   double moved(const Triangle& nodes, const std::vector<Vec3>& x) const;
 };
 
-/// Edges and vertices that nothing straight can touch first are not listed: valleys, hollows.
-/// The lists of all triangles of the cloth. The subject is asked again only for a triangle that
-/// has used up its margin: the subject does not move.
+/// The lists of near facets, edges and vertices of all triangles of the cloth. The subject does not
+/// move. So it is searched again only for a triangle that has used up its margin.
+/// Valleys and hollows are not listed: nothing straight can touch such an edge or vertex first.
 class CollisionCandidates {
  public:
   /// `behind_depth`: how far behind the surface a node is still looked after, metres.
@@ -55,10 +55,11 @@ class CollisionCandidates {
   void set_cloth(const std::vector<Triangle>& triangles);
   const std::vector<ClothTriangle>& cloth() const { return cloth_; }
 
-  /// The lists of triangle `t`, good for facets within `reach` of its nodes at `x`, and for edges
-  /// and vertices within `pair_reach`, which is no more. Asks with `margin` to spare when it has
-  /// to ask. What is listed is measured anew more often, so that lists can be read from the front
-  /// only as far as matters. Different triangles may be refreshed at the same time.
+  /// The lists of triangle `t`. They are good for facets within `reach` of its nodes at `x`, and
+  /// for edges and vertices within `pair_reach`, which is no more than `reach`. A new search uses
+  /// `margin` metres more.
+  /// The distances of listed items are measured again more often. So a list can be read from the
+  /// front, only as far as matters. Different triangles may be refreshed at the same time.
   const NearTriangle& refreshed(int t, const std::vector<Vec3>& x, double reach, double pair_reach,
                                 double margin);
   const NearTriangle& near(int t) const { return near_[t]; }

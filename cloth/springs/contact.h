@@ -6,12 +6,21 @@
 #include <cmath>
 #include <vector>
 
-#include "cloth/springs/impulses.h"
 #include "geometry/types.h"
 
 namespace toile {
 
-/// A point of the cloth that must not approach the subject faster than told. `N` nodes hold it.
+/// Inverse mass, 1/kg, of the point with barycentric `weights` of nodes of `inverse_mass` (1/kg, 0
+/// of a held node). An impulse P there changes the point's velocity by P times that.
+template <std::size_t N>
+double inverse_mass_at(const std::array<double, N>& weights,
+                       const std::array<double, N>& inverse_mass) {
+  double sum = 0;
+  for (std::size_t i = 0; i < N; ++i) sum += weights[i] * weights[i] * inverse_mass[i];
+  return sum;
+}
+
+/// A point of the cloth whose approach to the subject is limited. `N` nodes hold it.
 template <std::size_t N>
 struct Contact {
   std::array<int, N> nodes;
@@ -29,9 +38,9 @@ struct Contact {
   }
   double approach(const std::vector<Vec3>& v) const { return least - normal.dot(velocity(v)); }
 
-  /// Gives the point the velocity that it has to have along the normal, taking back what was
-  /// pushed too much, then as much friction as the push so far allows. Returns the largest change
-  /// of the point's velocity, m/s.
+  /// Gives the point the velocity along the normal that it needs, and takes back what was pushed
+  /// too much. Then it applies as much friction as the push so far allows. Returns the largest
+  /// change of the point's velocity, m/s.
   double solve(double friction, std::vector<Vec3>& v) {
     const double at_point = inverse_mass_at(weights, inverse_mass);
     if (at_point <= 0) return 0;

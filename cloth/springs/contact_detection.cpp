@@ -10,19 +10,19 @@ namespace toile {
 
 namespace {
 
-/// Steps in which what is a little nearer than its gap is let out: slowly enough that it does not
-/// leave the surface with a speed that shows.
+/// Steps in which a point that is a little nearer than its gap is let out. So many that it leaves
+/// the surface without visible speed.
 constexpr double let_out_steps = 20;
 /// Metres; nearest points nearer than that are one contact.
 constexpr double same_point = 1e-7;
 /// Metres; nearer than this, the direction comes from the surface.
 constexpr double touching = 1e-9;
-/// Sine of the angle below which edges count as parallel: their ends are nodes and vertices, which
-/// are looked after themselves.
+/// Sine of the angle below which edges count as parallel. The contacts of their ends, which are
+/// nodes and vertices, then suffice.
 constexpr double parallel = 1e-6;
 
-/// The speed that the paper's response asks for, where the approach is fast enough to bounce. What
-/// does not bounce may go the rest of the way to the gap first.
+/// The speed that the paper's response asks for when the approach is fast enough to bounce. A point
+/// that does not bounce may first go the rest of the way to the gap.
 double bounced(const CollisionStep& step, double least, double speed_before) {
   if (step.options.restitution > 0 && speed_before < least &&
       speed_before < -step.options.slowest_bounce) {
@@ -183,8 +183,8 @@ void edge_contact(const CollisionStep& step, int t, int side, const SubjectEdge&
   } else {
     if (square.dot(edge.normal) < 0) contact.normal = -square;
     if (!in_front) {
-      // Behind the edge: only what really goes through the surface there is let out, not what
-      // lies in front of the other side of something thin.
+      // Behind the edge: a point that really goes through the surface there is let out. A point in
+      // front of the other side of something thin is not.
       if (distance > gap) return;
       const auto pierces = [&](int facet) {
         const Triangle& c = step.subject.mesh().triangles[facet];

@@ -21,8 +21,8 @@ struct CollisionStep {
   double behind_depth;  ///< metres that a node may be behind the surface and still be let out
 };
 
-/// m/s along the normal that a point has to have which is `distance` metres from the surface: it
-/// may come down to the gap (metres) within the step, and is let out when it is nearer.
+/// m/s along the normal that a point `distance` metres from the surface needs. It may come down to
+/// the gap (metres) within the step. A nearer point is let out.
 double min_speed(const CollisionStep& step, double distance, double gap);
 
 /// The contacts of one node: at most the four nearest.
@@ -33,12 +33,12 @@ struct NodeContacts {
 };
 
 /// Contacts of corner `corner` of triangle `t`, nearest first. `clear` is lowered to the distance
-/// of what lies in front.
+/// of the nearest thing in front, metres.
 NodeContacts node_contacts(const CollisionStep& step, int t, int corner, const NearTriangle& near,
                            double moved, double reach, double& clear);
 
-/// Edges and triangles within `reach` that approach the subject faster than they may at velocities
-/// `v`, appended. `clear` as above.
+/// Appends edges and triangles within `reach` that approach the subject faster than they may at
+/// velocities `v`. `clear` is lowered as by node_contacts().
 struct PairContacts {
   std::vector<Contact<2>> edges;
   std::vector<Contact<3>> vertices;

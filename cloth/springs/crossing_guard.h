@@ -7,12 +7,12 @@
 
 namespace toile {
 
-/// Cuts velocities v so that moving step.x by dt·v leaves every pair of the lists of `triangles`
-/// (near, in step.cloth's order) apart by a tenth of its distance: first only the speed towards
-/// the subject, and where the cuts work against each other, all of a node's speed. Two convex
-/// things that are d apart stay so as long as no corner of the moving one comes d nearer along the
-/// line between their nearest points. What already is behind the surface is left alone. Returns
-/// whether anything was cut.
+/// Cuts velocities v so that no pair of the lists of `triangles` crosses when step.x moves by dt·v.
+/// The lists `near` are in step.cloth's order. A tenth of the distance of each pair stays.
+/// First it cuts only the speed towards the subject. Where cuts work against each other, it cuts
+/// all of a node's speed. Two convex things stay apart as long as no corner of the moving one
+/// covers their distance along the line between their nearest points.
+/// Points that already are behind the surface are left alone. Returns whether it cut any velocity.
 bool keep_from_crossing(const CollisionStep& step, const std::vector<int>& triangles,
                         const CollisionCandidates& near, std::vector<Vec3>& v);
 

@@ -27,17 +27,17 @@ constexpr double wrapped_gap = 0.02;
 constexpr double wrapped_share = 0.95;
 /// Seconds in which the seams close in step.
 constexpr double closing = 0.4;
-/// Metres that a garment of the shoulders starts above where it is to hang: its panels come down as
-/// their upper edges lean in over the shoulders, and what is too low catches below them.
+/// Metres that a garment of the shoulders starts above where it is to hang. Its panels come down as
+/// their upper edges lean in over the shoulders. A lower start catches below the shoulders.
 constexpr double hang = 0.05;
 /// Seconds in which the sewing force's unit of time halves: it grows until the seams close.
 constexpr double tightening = 0.1;
-/// Seconds, the least unit of time: while wrapping, and for good. There the constant force below
-/// delta is as strong as a hand.
+/// Seconds: the smallest unit of time, for wrapping and for sewing. At the smallest, the constant
+/// force below delta is as strong as a hand.
 constexpr double tightest_wrap = 0.01;
 constexpr double tightest = 1e-4;
-/// Seconds at the full force in which no pair merges, nor the widest gap comes down to this share
-/// of itself, before what is open counts as not sewable.
+/// Seconds at the full force without progress, after which open seams count as not sewable.
+/// Progress is a pair that merges, or a widest gap that comes down to that share of itself.
 constexpr double patience = 0.3;
 constexpr double nearer = 0.98;
 /// Factor on the bending stiffness while seams close: smooth panels don't fold through their seams.

@@ -14,26 +14,28 @@ struct SpringDressOptions {
   double longest_sew = 3;
   double longest_drape = 3;
   /// N per metre of seam: the hand that pulls a seam together. Seams that stay open against it are
-  /// not sewable. Beyond the strain limit the cloth resists with all it has, so what this stretches
-  /// is the elastic part only.
+  /// not sewable. Beyond the strain limit the cloth resists with all it has. So this stretches only
+  /// the elastic part.
   double hand_pull = toile::hand_pull;
 };
 
 /// Dresses the scene's body by the method of Zhong & Xu 2009, on the garment's own mesh:
 ///
-/// - *position*: place_panels(); a garment of the shoulders starts 5 cm above them.
+/// - *position*: the panels are placed as by find_start(). A garment of the shoulders starts 5 cm
+///   above them.
 /// - *wrap*: without gravity or friction, every particle is attracted to its nearest facet, less
-///   the nearer it is, and the points of each seam to each other, all seams in step, until 95 % of
-///   the pairs are within 2 cm. The attraction grows from nothing as the seams close: panels that
-///   come near the body before their shoulders have met slide down on it and catch.
-/// - *sew*: the same, the sewing force growing until all pairs are merged, or until none has been
-///   for 0.3 s at the greatest force and they come no nearer: then the seams that are open are not
-///   sewable, and the garment is not draped. Until the sewn cloth is found free of intersections,
-///   neighbours in the mesh may pass each other; from then on nothing may.
-/// - *drape*: gravity, at first without friction, as a tailor lets a garment fall into place;
-///   then with it, until the residual is below `stop_*`.
+///   the nearer it is. The points of each seam are attracted to each other, all seams in step,
+///   until 95 % of the pairs are within 2 cm. The attraction to the body grows from nothing as the
+///   seams close. Otherwise panels that come near the body before their shoulders have met slide
+///   down on it and catch.
+/// - *sew*: the same, but the sewing force grows until all pairs are merged. It gives up when no
+///   pair has merged for 0.3 s at the greatest force and the gaps do not shrink. Then the open
+///   seams are not sewable, and the garment is not draped. Neighbours in the mesh may pass each
+///   other until the sewn cloth is found free of intersections. From then on nothing may.
+/// - *drape*: gravity, at first without friction, as a tailor lets a garment fall into place. Then
+///   with friction, until the residual is below `stop_*`.
 ///
-/// The residual is the force left on a node, air resistance left out, as a mean over 5 ms: single
+/// The residual is the force left on a node without air resistance, as a mean over 5 ms: single
 /// steps hold the impulses of contact. Throws Error when the scene has no body.
 DressResult dress_springs(const PanelMesh& garment, const Scene& scene,
                           const SpringDressOptions& options, const FrameWatcher& watcher = {});

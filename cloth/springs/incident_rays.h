@@ -21,9 +21,9 @@ struct VertexHit {
 std::optional<VertexHit> vertex_ray(const Vec3& q, const Vec3& v_g, const Vec3& p1, const Vec3& p2,
                                     const Vec3& p3);
 
-/// Where the garment edge P1P2, swept along v_G, meets the subject's edge Q1Q2: Q3 is where Q1Q2
-/// goes through the plane of P1P2 and v_G, P3 where the ray (Q3, -v_G) meets P1P2
-/// [Zhong & Xu 2009, fig. 7].
+/// Where the garment edge P1P2, swept along v_G, meets the subject's edge Q1Q2. Q3 is where Q1Q2
+/// goes through the plane of P1P2 and v_G. P3 is where the ray (Q3, -v_G) meets P1P2 [Zhong & Xu
+/// 2009, fig. 7].
 struct EdgeHit {
   double w1;        ///< |P1 P3| / |P1 P2|
   double w2;        ///< |Q1 Q3| / |Q1 Q2|

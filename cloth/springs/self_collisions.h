@@ -9,20 +9,20 @@
 
 namespace toile {
 
-/// Keeps the cloth's points and edges `gap` metres from its other triangles and edges by impulses
-/// on their velocities [Bridson et al. 2002], and bounds every move so that what is apart stays
+/// Keeps the cloth's points and edges `gap` metres from its other triangles and edges, by impulses
+/// on their velocities [Bridson et al. 2002]. It also bounds every move: things that are apart stay
 /// apart, whatever the velocities. `model` has to outlive it.
 class SelfCollisions {
  public:
   SelfCollisions(const GarmentModel& model, double gap);
 
-  /// While seams close, neighbours across a seam have to come past each other: they are left out,
-  /// of the bounds too. So it begins.
+  /// Leaves neighbours across a seam out, of the bounds too: while seams close, they have to come
+  /// past each other. This is how it begins.
   void leave_out_neighbours(bool leave_out);
 
-  /// Changes velocities so that no pair of points comes nearer than the gap, nor nearer than it is
-  /// when that is less, and lets out what is nearer. `node`: of each material point; the others
-  /// are per node. Points merged away have to be where their nodes are.
+  /// Changes velocities so that no pair of points comes nearer than the gap. A pair that is nearer
+  /// already comes no nearer and is let out. `node` holds the node of each material point; the
+  /// other arrays are per node. Merged points have to be where their nodes are.
   void respond(const std::vector<Vec3>& x, const std::vector<int>& node,
                const std::vector<double>& inverse_mass, double dt, std::vector<Vec3>& v);
 

@@ -7,11 +7,11 @@ namespace toile {
 
 /// Coefficients of the sewing force; the defaults are the paper's [Zhong & Xu 2009, table 1].
 ///
-/// As printed, the force depends on the units it is computed in and, read as a force, on the node's
-/// mass: with table 1 and a centimetre of cloth (2e-5 kg) it would act 50,000 times faster than on
-/// a kilogram. So it is read as an acceleration (which also keeps the momentum of a pair of unequal
-/// masses), in the units `unit_time` and `unit_length`: 1 s and 1 m are the printed law on masses
-/// of 1 kg.
+/// As printed, the force depends on the units that it is computed in. Read as a force, it also
+/// depends on the node's mass. With table 1 a centimetre of cloth (2e-5 kg) would move 50,000 times
+/// faster than a kilogram.
+/// So it is read as an acceleration, which also keeps the momentum of a pair of unequal masses. Its
+/// units are `unit_time` and `unit_length`: 1 s and 1 m are the printed law on masses of 1 kg.
 struct SewingForce {
   double epsilon = 1.0;       ///< of the distance
   double tau = 0.2;           ///< air resistance
@@ -36,14 +36,15 @@ struct SewnPair {
   double mass_a, mass_b;  ///< kg
 };
 
-/// Changes the velocities of the pair by the force over a step of `dt` seconds
-/// [Zhong & Xu 2009, eq. of f_sew and of ΔA_ab].
+/// Changes the velocities of the pair by the force over a step of `dt` seconds [Zhong & Xu 2009,
+/// eq. of f_sew and of ΔA_ab].
 ///
 /// The motion of one point toward the other is taken implicitly, with the acceleration terms in the
-/// mass: from the previous step, as they would be read off, they grow by λ_atten/m each step. Below
-/// `delta` the constant force is a soft threshold on the distance at the end of the step, with the
-/// damping of above, and a test of the whole step, so that the two land on each other instead of
-/// swinging around each other, however long the step.
+/// mass. Taken from the previous step, as they could be read, they would grow by λ_atten/m each
+/// step.
+/// Below `delta` the constant force is a soft threshold on the distance at the end of the step. It
+/// has the damping of the law above `delta`, and a test of the whole step. So the two points land
+/// on each other instead of swinging around each other, however long the step.
 void sew_step(const SewingForce& force, double dt, SewnPair& pair);
 
 }  // namespace toile

@@ -19,10 +19,10 @@ class SpringForces {
   /// Copies the springs. Throws as check_springs().
   SpringForces(std::span<const Spring> springs, int nodes);
 
-  /// Adds each spring's pull, N, to the forces on its ends: along the axis d from one end to the
-  /// other, (stiffness·(|d| - rest) + damping·d|d|/dt) d/|d|. Equal and opposite to the last bit at
-  /// the two ends; ends on one place get nothing. `x` in metres, `v` in m/s, one entry a node.
-  /// The same bits for any number of threads.
+  /// Adds each spring's pull, N, to the forces on its ends. With d the axis from one end to the
+  /// other, the pull is (stiffness·(|d| - rest) + damping·d|d|/dt) d/|d|. It is equal and opposite
+  /// to the last bit at the two ends. Ends in one place get nothing. `x` in metres, `v` in m/s, one
+  /// entry a node. The same bits for any number of threads.
   void add(std::span<const Vec3> x, std::span<const Vec3> v, std::span<Vec3> force) const;
 
  private:
@@ -39,15 +39,20 @@ class SpringForces {
 /// Energy held by the springs, J: the forces without damping are minus its gradient.
 double spring_energy(std::span<const Spring> springs, std::span<const Vec3> x);
 
-/// A step, s, below which symplectic Euler (velocities from the forces at the present positions and
-/// velocities, then positions from the new velocities) is stable, whatever the shape: every mode
-/// with ω² from the springs' stiffness and rate γ from their damping, and from a drag that slows
-/// every node by `drag_rate` (1/s), needs ω²dt² + 2γdt < 4. The modes are bounded by the sum over
-/// a spring's two ends of (stiffness of all springs there)/mass, the largest over the springs
-/// [Gershgorin's discs on the springs' own matrix; for graphs Anderson & Morley 1985]: exact for a
-/// long chain of equal masses, some tenths too short for a sheet. `inverse_mass` in 1/kg, 0 where
-/// held. Infinite without springs and drag. Damping of springs much shorter than at rest is no
-/// more than at rest; compressed springs can still buckle, which no step prevents.
+/// Seconds: a step below which symplectic Euler is stable, whatever the shape. Symplectic Euler
+/// takes velocities from the forces at the present positions and velocities, then positions from
+/// the new velocities.
+///
+/// - A mode with ω² from the springs' stiffness and rate γ from their damping needs ω²dt² + 2γdt <
+///   4. A drag that slows every node by `drag_rate` (1/s) adds to γ.
+/// - The modes are bounded by a sum over a spring's two ends: the stiffness of all springs there
+///   over the mass. The largest of the springs counts [Gershgorin's discs on the springs' own
+///   matrix; for graphs Anderson & Morley 1985].
+/// - The bound is exact for a long chain of equal masses, and some tenths too short for a sheet.
+/// - A spring much shorter than at rest is damped no more than at rest. Compressed springs can
+///   still buckle, which no step prevents.
+///
+/// `inverse_mass` in 1/kg, 0 where held. Infinite without springs and drag.
 double stable_step(std::span<const Spring> springs, std::span<const double> inverse_mass,
                    double drag_rate = 0);
 

@@ -21,8 +21,8 @@ struct SpringOptions {
   double step_share = 0.9;
   StrainScheme strain_scheme = StrainScheme::velocity;
   StrainControlOptions strain = {.measure_after = false};
-  /// While draping, Gauss-Seidel until the limit holds, in place of the mean of three passes, which
-  /// holds it only as far as the step is short [reference case 13].
+  /// While draping, Gauss-Seidel sweeps until the limit holds, in place of the mean of three
+  /// passes. The mean holds it only as far as the step is short [reference case 13].
   bool converged_strain = false;
   SewingForce sewing = {.unit_time = 0.1, .unit_length = 0.001};
   double tolerance = 0.002;  ///< metres kept from the subject surface (ξ)
@@ -36,8 +36,8 @@ struct SpringStage {
   double attraction = 0;  ///< toward the nearest facet, in weights of the cloth 5 cm off the skin
   bool friction = false;
   SewingForce sewing;
-  /// Share of their first gap above which the points of a seam are pulled together. Falling from 1
-  /// to 0, it closes all seams in step: a waist that closes first drags the shoulders down.
+  /// Share of their first gap above which the points of a seam are pulled together. It falls from 1
+  /// to 0 and closes all seams in step: a waist that closes first drags the shoulders down.
   double open = 0;
 };
 
@@ -47,16 +47,16 @@ struct SpringCounts {
   long merged = 0;  ///< pairs of seam points
 };
 
-/// A garment of masses and springs on its way: symplectic Euler on the forces of springs, gravity,
-/// attraction and air; then, on the velocities, the sewing force, the strain control, and
-/// collisions with itself and with the subject, last what must hold most [Zhong & Xu 2009,
-/// Implementation]. Cost per step is linear in the triangles. The same bits for any number of
-/// threads.
+/// A garment of masses and springs in motion, by symplectic Euler. The forces are of springs,
+/// gravity, attraction and air. Then velocities change by the sewing force, the strain control, and
+/// collisions with itself and with the subject. What must hold most comes last [Zhong & Xu 2009,
+/// Implementation].
+/// The cost of a step is linear in the triangles. The same bits for any number of threads.
 class SpringMotion {
  public:
-  /// `model`: `garment` compiled for a scene that has a subject; starts with the material points
-  /// at `placed`. All have to outlive this. Throws Error for a time step beyond twice
-  /// stable_step().
+  /// `model` is `garment` compiled for a scene that has a subject. The motion starts with the
+  /// material points at `placed`. All arguments have to outlive it. Throws Error for a time step
+  /// beyond twice stable_step().
   SpringMotion(const PanelMesh& garment, const GarmentModel& model, const SpringOptions& options,
                const std::vector<Vec3>& placed);
 

@@ -44,9 +44,9 @@ SpringSheet::SpringSheet(const PanelMesh& garment, const GarmentModel& model)
   refresh();
 }
 
-/// One needle of a triangle would set the step of the whole garment. What hangs on a node that
-/// is lighter for its stiffness than most gives way more than the fabric would; the strain control
-/// holds it all the same.
+/// Softens the springs of small elements: one needle of a triangle would set the step of the whole
+/// garment. A node that is lighter for its stiffness than most then gives way more than the fabric
+/// would. The strain control holds its springs all the same.
 void SpringSheet::soften_small_elements() {
   constexpr double max_over_median = 2.5;
   std::vector<double> stiffness(point_mass_.size(), 0);

@@ -11,19 +11,19 @@
 
 namespace toile {
 
-/// A mass-spring garment [Zhong & Xu 2009; Provot 1995]. Every material point starts as a node of
-/// its own; where seams are sewn, nodes are merged and what hung on the one hangs on the other
-/// (fig. 5). A node is named by one of its material points: arrays are as long as the garment has
-/// points, and those merged away have no mass and no springs.
+/// A mass-spring garment [Zhong & Xu 2009; Provot 1995]. Every material point starts as a node.
+/// Where seams are sewn, two nodes are merged, and the one left takes the springs of the other
+/// (fig. 5). A node is named by one of its material points. So arrays are as long as the garment
+/// has points, and points merged away have no mass and no springs.
 ///
 /// - *Structural and shear springs* are the edges of the triangles, which on an unstructured mesh
-///   are both. Their stiffness is the fabric's modulus in their direction times the area that is
-///   theirs over their length squared [Van Gelder 1998]; along a gathered seam they take the
-///   shorter side's length.
-/// - *Bending springs* join the opposite corners of two adjacent triangles, of a seam's two panels
-///   too once it is sewn. Such a spring resists a fold with the fourth power of the angle: it has
-///   the fabric's bending energy at one curvature only, 1/`matched_radius`, less below and more
-///   above; and it is no stiffer than the step that the edges need can bear.
+///   are both. Their stiffness is the fabric's modulus in their direction, times their area over
+///   their length squared [Van Gelder 1998]. Along a gathered seam they take the shorter side's
+///   length.
+/// - *Bending springs* join the opposite corners of two adjacent triangles, also of a seam's two
+///   panels once it is sewn. Such a spring resists a fold with the fourth power of the angle. So it
+///   has the fabric's bending energy at one curvature only, 1/`matched_radius`, with less energy
+///   below and more above. It is no stiffer than the step that the edges need can bear.
 class SpringSheet {
  public:
   /// Metres; the radius of a fold in a garment.

@@ -13,8 +13,8 @@ namespace toile {
 enum class StrainScheme { none, velocity, position };
 
 /// How the corrections of one pass add up where springs share a node. A spring beyond the limit
-/// asks its ends for a correction, shared by their inverse masses, that alone would bring it to
-/// the limit. All but `node_average` conserve momentum.
+/// asks for a correction of its ends that alone would bring it to the limit. The ends share it by
+/// their inverse masses. All but `node_average` conserve momentum.
 enum class StrainSweep {
   summed,        ///< Jacobi: all corrections added; overshoots, and can grow, where many meet
   shared,        ///< Jacobi: each divided by the number of springs beyond at its busier end
@@ -47,10 +47,10 @@ struct StrainReport {
   int passes = 0;     ///< that found a spring beyond the limit
 };
 
-/// Limits the springs given to it: in a garment the structural and shear springs, not those that
-/// bend, for cloth that can't shorten across a fold can't fold. Keeps scratch memory: one object
-/// serves one caller at a time. The same bits for any number of threads. A call in which no spring
-/// is beyond the limit looks at each spring once and changes nothing.
+/// Limits the springs given to it. In a garment these are the structural and shear springs: cloth
+/// that can't shorten across a fold can't fold. It keeps scratch memory, so one object serves one
+/// caller at a time. The same bits for any number of threads. A call in which no spring is beyond
+/// the limit reads each spring once and changes nothing.
 class StrainControl {
  public:
   /// Copies the springs' ends and rest lengths; their stiffness plays no part. Throws as

@@ -11,9 +11,9 @@ namespace toile {
 struct CollisionOptions {
   double tolerance = 0.002;  ///< xi of the particles, metres, above 0: also the gap they keep
   /// xi of edges and of triangles over the subject's vertices, metres, above 0, at most
-  /// `tolerance`. Smaller, because edges cut the corners of a convex body: so the nodes carry the
-  /// cloth, which is cheaper by far, and holds the others off unless something sharp comes between
-  /// nodes. A chord of 1 cm loses 1 mm where the radius is 12 mm.
+  /// `tolerance`. It is smaller because edges cut the corners of a convex body. So the nodes carry
+  /// the cloth, which is cheaper by far. They hold edges and triangles off unless something sharp
+  /// comes between nodes. A chord of 1 cm loses 1 mm where the radius is 12 mm.
   double edge_tolerance = 0.001;
   double restitution = 0;        ///< lambda, in [0, 1]
   double friction = 0;           ///< Coulomb's; 0 while wrapping and sewing
@@ -31,17 +31,18 @@ struct CollisionCounts {
 /// Detection and response, once a time step [Zhong & Xu 2009, 'Collision detection and response',
 /// figs 6 and 7; Bridson, Fedkiw & Anderson 2002].
 ///
-/// A collision is announced by the paper's incident rays within the tolerance, or within what is
-/// passed in a step where that is more. The rays say nothing of cloth that rests (v = 0) or passes
-/// along the surface; there the nearest points decide: the cloth may come as near as the tolerance,
-/// which is its gap, and no nearer; what is nearer is let out slowly.
+/// The paper's incident rays announce a collision within the tolerance, or within the path of a
+/// step where that is longer. The rays say nothing of cloth that rests (v = 0) or moves along the
+/// surface. There the nearest points decide: the cloth may come as near as the tolerance, which is
+/// its gap, and no nearer. Nearer cloth is let out slowly.
 ///
 /// Impulses of all collisions are found together by Gauss-Seidel sweeps in fixed order, each share
-/// (w_i/m_i) / (sum of w_j^2/m_j), with Coulomb's friction against the sum of a collision's normal
-/// impulses, so that what sticks does not creep. Last, where a step is long against the distance
-/// left, velocities are cut so that no node, edge or triangle can pass through in it.
+/// (w_i/m_i) / (sum of w_j^2/m_j). Coulomb's friction is bounded by the sum of a collision's normal
+/// impulses, so cloth that sticks does not creep. Last, velocities are cut where a step is long
+/// against the distance left. So no node, edge or triangle can pass through in one step.
 ///
-/// A node up to 5 mm behind the nearest point of the surface is let out; one deeper is not seen.
+/// A node up to 5 mm behind the nearest point of the surface is let out. A deeper one is not
+/// detected.
 class SubjectCollisions {
  public:
   /// `subject`: the closed body and open sheets, outward-oriented, one mesh; a copy is kept.
@@ -52,8 +53,8 @@ class SubjectCollisions {
   SubjectCollisions(SubjectCollisions&&) noexcept;
   SubjectCollisions& operator=(SubjectCollisions&&) noexcept;
 
-  /// New triangles of the cloth, for instance when nodes of a seam were merged. What was known of
-  /// unchanged triangles stays known.
+  /// Sets new triangles of the cloth, for instance when nodes of a seam were merged. Lists of
+  /// unchanged triangles stay valid.
   void set_cloth(const std::vector<Triangle>& triangles);
 
   /// Changes the velocities v (m/s) so that moving x (m) by dt·v (s) collides with nothing. All per

@@ -1,5 +1,5 @@
-// The motionless surface that a garment is dressed over, prepared for collisions: its edges, its
-// normals, and which direction off an edge or a vertex is outward.
+// The motionless surface that a garment is dressed over, prepared for collisions. It knows its
+// edges, its normals, and which directions off an edge or a vertex are outward.
 #pragma once
 
 #include <array>
@@ -34,8 +34,8 @@ struct SubjectNearest {
 };
 
 /// The body and the sheets of cloth that are already dressed, as one outward-oriented mesh. Sheets
-/// may be open and may lie over each other: whether a point is in front of the surface or behind
-/// is decided at the nearest feature only. Triangles without area take no part.
+/// may be open and may lie over each other. So the nearest feature alone decides whether a point is
+/// in front of the surface or behind it. Triangles without area take no part.
 class SubjectSurface {
  public:
   /// Keeps a copy. Throws Error when no triangle has an area, or a point is not finite.
@@ -67,8 +67,7 @@ class SubjectSurface {
   /// What of the facet is nearest to `p`.
   SubjectNearest nearest(const Vec3& p, int facet) const;
 
-  /// Whether nothing at the edge or vertex comes nearer in that direction: it points to where the
-  /// edge or vertex is the nearest of the surface.
+  /// Whether `direction` points to where the edge or vertex is the nearest feature of the surface.
   bool faces(const SubjectEdge& edge, const Vec3& direction) const;
   bool faces(int vertex, const Vec3& direction) const;
 

@@ -40,8 +40,8 @@ struct FitFiles {
       drape_picture;
 };
 
-/// Makes the folder, and removes what an earlier run left in it: if this one fails, none of that is
-/// to be taken for its own.
+/// Makes the folder, and removes what an earlier run left in it. If this run fails, no file there
+/// may pass for its own.
 void make_ready(const fs::path& folder, const FitFiles& files) {
   std::error_code failed;
   fs::create_directories(folder, failed);

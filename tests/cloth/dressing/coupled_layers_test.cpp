@@ -185,9 +185,9 @@ TEST_F(TwoTubes, WhatIsAttachedForGoodStaysSo) {
   for (const Vec3& p : result.nodes[0]) EXPECT_LT(p.y(), 0.002 + height + 1e-3);
 }
 
-/// A strip of 10 cm that stands upright, held by its lower end, is more than twice as long as it
-/// can [Greenhill 1881], but nothing tells it which way to fall: released, it moves off, and what
-/// counts is where it comes to rest then.
+/// A strip of 10 cm stands upright, held by its lower end. It is more than twice as long as it can
+/// be [Greenhill 1881], but nothing says which side it falls to. Released, it moves off, and its
+/// rest after that counts.
 TEST_F(TwoTubes, WhatStandsOnASaddleFallsWhenLetGo) {
   constexpr double length = 0.1, off = 1e-6;
   const PanelMesh outer = tube(2 * pi * 0.1, 0.1, 48, 4);
@@ -215,9 +215,9 @@ TEST_F(TwoTubes, WhatStandsOnASaddleFallsWhenLetGo) {
   EXPECT_LT(highest(fallen.nodes[1]), 0.002 + height + 1e-3);
 }
 
-/// A sheet over a spike that is finer than its mesh, which its triangles would let through, is held
-/// off it, and one on the floor is not: each garment knows its own.
-TEST(CoupledRelaxation, EachGarmentHasItsOwnLift) {
+/// A sheet lies over a spike that is finer than its mesh and would pass between its nodes. It is
+/// held off the spike, and a sheet on the floor is not: each garment has its own extra offset.
+TEST(CoupledRelaxation, EachGarmentHasItsOwnExtraOffset) {
   const Collider body{test::together(test::box({-0.2, -0.05, -0.2}, {0.6, 0, 0.2}),
                                      test::spike(0, 0, 0.005, 0.06))};
   const auto sheet = [](double x, double y) {

@@ -61,8 +61,8 @@ TEST(Dress, ProgressGoesFromNothingToAllAndNeverBack) {
   }
 }
 
-/// A strip of 10 cm held upright by its lower end is more than twice as long as it can stand
-/// [Greenhill 1881: (7.84 B / w)^(1/3), 3.8 cm], but nothing tells it which way to fall.
+/// A strip of 10 cm is held upright by its lower end. It is more than twice as long as it can
+/// stand, 3.8 cm [Greenhill 1881: (7.84 B / w)^(1/3)], but nothing says which side it falls to.
 TEST(Dress, LeavesASaddleThatReleaseFinds) {
   constexpr double length = 0.1, off = 1e-6;
   PanelMesh garment = test::flat_panel(test::grid(0.02, length, 2, 10));

@@ -1,9 +1,9 @@
-#include "cloth/springs/impulses.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <iostream>
+
+#include "tests/support/impulse_shares.h"
 
 namespace toile {
 namespace impulses_test {

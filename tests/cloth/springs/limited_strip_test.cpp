@@ -60,9 +60,9 @@ TEST(LimitedStrip, SweepingInOrderGivesTheLimitedElongation) {
 }
 
 TEST(LimitedStrip, ThreePassesActAsASpringThatTheStepMakesStiff) {
-  // A pass takes from a spring with two moving ends, each with one more spring beyond the limit, a
-  // quarter of its excess times m/dt²; the mean of three passes does so twice. So beyond the limit
-  // the strip is as if its springs were stiffer by m/(2 dt²), no more.
+  // Take a spring with two moving ends, each with one more spring beyond the limit. A pass takes a
+  // quarter of its excess times m/dt²; the mean of three passes takes half. So beyond the limit the
+  // strip is as if its springs were stiffer by m/(2 dt²), no more.
   const int links = 16;
   const double h = 1.0 / links;
   for (const double dt : {0.002, 0.001, 0.0005, 0.00025}) {

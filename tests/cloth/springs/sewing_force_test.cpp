@@ -21,8 +21,9 @@ void advance(const SewingForce& force, double dt, SewnPair& pair) {
 
 double gap(const SewnPair& pair) { return (pair.x_b - pair.x_a).norm(); }
 
-// Reference case 11: M x'' + C x' + K x = 0 with M = 1.03, C = 1.03, K = 2.83 for 1 kg, so
-// x = 0.1 exp(-t/2) (cos wt + sin wt / 2w), w = 1.58037110057543; zero at 1.18783 s.
+// Reference case 11: M x'' + C x' + K x = 0 with M = 1.03, C = 1.03, K = 2.83 for 1 kg. Its
+// solution is x = 0.1 exp(-t/2) (cos wt + sin wt / 2w), w = 1.58037110057543. It is zero at 1.18783
+// s.
 TEST(SewingForce, FollowsTheLinearLawAboveDelta) {
   SewingForce force;
   force.delta = 1e-9;
@@ -98,7 +99,7 @@ TEST(SewingForce, LandsWithoutOscillationForAnyMassAndStep) {
   }
 }
 
-// Reference case 11, lagged_acceleration: with the acceleration of the step before, the force
+// Reference case 11, lagged_acceleration. With the acceleration of the step before, the force
 // reading multiplies it by about lambda_atten/m each step: x3 at 0.01 kg, x1500 at 2e-5 kg.
 TEST(SewingForce, ThePrintedFormDivergesWhereOursDoesNot) {
   const SewingForce f;

@@ -48,8 +48,8 @@ TEST(SpringSheet, WeighsWhatTheClothWeighs) {
   EXPECT_NEAR(total(sheet.mass()), 2 * 0.01 * 0.15, 1e-12);
 }
 
-// A lattice of springs of stiffness Y·A/L² has the modulus Y: stretched along its grain with free
-// sides, a square of cloth pulls with Y times the strain per width.
+// A lattice of springs of stiffness Y·A/L² has the modulus Y. A square of cloth stretched along its
+// grain with free sides pulls with Y times the strain per width.
 TEST(SpringSheet, StretchedAlongTheGrainItHasTheFabricsEnergy) {
   const PanelMesh garment = test::flat_panel(test::grid(0.1, 0.1, 20, 20));
   Fabric fabric;
@@ -76,8 +76,9 @@ TEST(SpringSheet, IsForceFreeAtRestAndUnderRigidMotion) {
   EXPECT_LT(spring_energy(sheet.bending(), x), 1e-18);
 }
 
-// Rolled to the matched radius, the bending springs hold the fabric's B/2R² per area; at half the
-// radius more, at twice the radius less: their energy goes with the fourth power of the curvature.
+// Rolled to the matched radius, the bending springs hold the fabric's B/2R² per area. At half the
+// radius they hold more, at twice the radius less: their energy goes with the fourth power of the
+// curvature.
 TEST(SpringSheet, BendsLikeTheFabricAtOneCurvature) {
   const PanelMesh garment = test::flat_panel(test::grid(0.1, 0.1, 16, 16));
   Fabric fabric;

@@ -282,8 +282,8 @@ TEST_F(RandomCloth, SameBitsForAnyNumberOfThreads) {
 }
 
 TEST(StrainControl, ProvotShortensElongatedSpringsInTurn) {
-  // Two springs 30 % and 20 % long from a held node: the first is cut to 10 %, which lengthens the
-  // second, whose free ends then share what it is beyond.
+  // Two springs 30 % and 20 % long hang from a held node. The first is cut to 10 %, which lengthens
+  // the second. Its free ends then share the excess.
   std::vector<Vec3> x = {{0, 0, 0}, {1.3, 0, 0}, {2.5, 0, 0}};
   StrainControl control(test::spring_chain(2, 1, 1), 3);
   const StrainReport report =

@@ -1,0 +1,116 @@
+// Constants of the stages: how seams close, how cloth settles, when a stage gives up.
+#pragma once
+
+#include <array>
+
+namespace toile {
+
+// Closing seams.
+
+/// Factor on the bending stiffness while seams close. 30 lets folds go through their own seam.
+inline constexpr double closing_stiffness = 300;
+
+/// Weights of the cloth with which it is pulled toward the skin while seams close. 0 leaves one
+/// ridge down the middle of a wide front.
+inline constexpr double closing_pull = 2;
+
+/// Largest momentum while seams close.
+inline constexpr double closing_momentum = 0.99;
+
+/// Iterations in which seams close on a mesh of `closing_points` points, with a care of 1. A finer
+/// mesh, which has no coarser one, has farther to carry the pull of its seams.
+inline constexpr int closing_iterations = 3000;
+inline constexpr double closing_points = 700;
+
+/// Metres within which the body passes for a plane while nothing has to come to rest.
+inline constexpr double closing_linearization_radius = 2e-4;
+
+/// N/m: cloth is at least so stiff along its yarns while its seams close.
+inline constexpr double closing_stretch = 1000;
+/// N/m: cloth is at least so stiff in shear while its seams close.
+inline constexpr double closing_shear = 200;
+
+/// Times that the panels are placed and sewn, each time twice as carefully. A tangle is not undone
+/// but avoided.
+inline constexpr int max_sewing_attempts = 3;
+
+/// Share of their offset that seams may stand open for another attempt to help. Seams that stay
+/// wider open are held apart by something.
+inline constexpr double jammed_open = 0.1;
+
+// Untangling.
+
+/// Iterations of a run that lets folds out of their own seam.
+inline constexpr int untangling_iterations = 300;
+/// Runs of that kind at most.
+inline constexpr int untangling_runs = 3;
+/// Iterations in which the bending stiffness comes down to the fabric's.
+inline constexpr int softening_iterations = 500;
+
+// Settling.
+
+/// Share of the stiffness that resists compression while the cloth finds its folds, from the finest
+/// mesh to the coarsest. With all of it, cloth stands on creases that its mesh is too coarse to
+/// break, and is strained more at rest.
+inline constexpr std::array<double, 3> soft_compression = {0.02, 0.05, 0.01};
+
+/// Iterations at most on each mesh but the last.
+inline constexpr int settling_iterations = 2000;
+
+/// Metres of fall without friction, on average, from which on cloth falls again with friction. A
+/// soft waist slides off the hips that would hold it. Of ten garments in three fabrics, those that
+/// stay fall 0.04 m at most. Those that slide fall 0.1 and 0.2 m, and with friction 0.01 m
+/// [measured, 25 mm edges].
+inline constexpr double slid_off_fall = 0.06;
+
+/// Metres of fall after which cloth lies at the feet or farther: it would go on sliding. Panels are
+/// lifted by a third of that at most.
+inline constexpr double fallen_off_drop = 0.6;
+
+/// Metres: the tightest curves of a body. They set how far nodes keep off, so that the faces
+/// between them clear the skin. edge_contact_radius, which is smaller, decides which edges are
+/// tested.
+inline constexpr double body_curve_radius = 0.03;
+/// Metres: the tightest folds of cloth, for the same purpose over layers.
+inline constexpr double fold_curve_radius = 0.01;
+/// Metres that nodes keep from the skin at most. Beyond, the drape would be another one.
+inline constexpr double max_body_offset = 0.006;
+/// Metres that nodes keep from a layer at most, while the cloth settles. It comes to rest nearer.
+inline constexpr double max_fold_offset = 0.015;
+/// Metres that faces stay clear of a curve when their nodes keep their offset.
+inline constexpr double face_clearance = 0.001;
+/// Growth of the offset from the skin with each coarser mesh, as a share of the finest one's.
+inline constexpr double offset_growth = 0.5;
+
+/// Metres: a point that is less deep by the smooth distance may be outside by the exact one.
+inline constexpr double max_smooth_depth = -0.005;
+
+/// Metres within which a mesh looks for cloth, at most.
+inline constexpr double max_search_radius = 0.02;
+
+// Rest.
+
+/// Iterations in which the finest mesh gets all of its stiffness and is pushed back to its own
+/// offset. At once, that would throw it about.
+inline constexpr int stiffening_iterations = 1000;
+
+/// Iterations without coming nearer to rest after which a run gives up.
+inline constexpr int rest_patience = 8000;
+
+/// Times at most that a garment that moves off when released is brought to rest again.
+inline constexpr int max_returns = 3;
+
+// Layers.
+
+/// Gaps within which two garments touch. Nodes press at one gap. Beside them nodes stand off by the
+/// curve of the cloth under their triangles.
+inline constexpr double touching_gaps = 1.05;
+
+/// Metres: a flipped node is as far from the layer as before to within this.
+inline constexpr double flip_tolerance = 1e-5;
+/// Steps along the gradient in which a node is flipped over, at most.
+inline constexpr int max_flip_steps = 30;
+/// Metres that a node moves when it is flipped over, at most. Two layers are never so thick.
+inline constexpr double max_flip_distance = 0.05;
+
+}  // namespace toile
