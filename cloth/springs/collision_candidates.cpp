@@ -5,14 +5,12 @@
 #include <map>
 #include <set>
 
+#include "cloth/springs/constants.h"
 #include "geometry/closest_points.h"
 
 namespace toile {
 
 namespace {
-
-/// Metres after which distances are measured anew.
-constexpr double stale = 0.0004;
 
 /// Drops what is farther, of triangles without area what has no distance, and sorts the rest.
 void keep_within(double reach, std::vector<Candidate>& list) {
@@ -78,7 +76,7 @@ const NearTriangle& CollisionCandidates::refreshed(int t, const std::vector<Vec3
     const double needed = near.behind ? std::max(reach, behind_depth_) : reach;
     const double moved = near.moved(own.nodes, x);
     if (moved + needed <= near.reach && moved + pair_reach <= near.pair_reach) {
-      if (!near.listed || moved <= stale) return near;
+      if (!near.listed || moved <= stale_distance) return near;
       near.reach -= moved;
       near.pair_reach -= moved;
       for (int i = 0; i < 3; ++i) near.at[i] = x[own.nodes[i]];

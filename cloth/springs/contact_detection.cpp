@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <optional>
 
+#include "cloth/springs/constants.h"
 #include "cloth/springs/incident_rays.h"
 #include "geometry/closest_points.h"
 
@@ -10,16 +11,8 @@ namespace toile {
 
 namespace {
 
-/// Steps in which a point that is a little nearer than its gap is let out. So many that it leaves
-/// the surface without visible speed.
-constexpr double let_out_steps = 20;
-/// Metres; nearest points nearer than that are one contact.
-constexpr double same_point = 1e-7;
 /// Metres; nearer than this, the direction comes from the surface.
 constexpr double touching = 1e-9;
-/// Sine of the angle below which edges count as parallel. The contacts of their ends, which are
-/// nodes and vertices, then suffice.
-constexpr double parallel = 1e-6;
 
 /// The speed that the paper's response asks for when the approach is fast enough to bounce. A point
 /// that does not bounce may first go the rest of the way to the gap.
@@ -87,7 +80,8 @@ NodeContacts node_contacts(const CollisionStep& step, int t, int corner, const N
     if (!closest || distance < std::abs(closest->nearest.distance)) closest = {nearest, facet};
     if (distance <= reach && nearest.distance >= 0) {
       const bool known = std::any_of(found.begin(), found.begin() + count, [&](const Found& f) {
-        return (f.nearest.point - nearest.point).squaredNorm() < same_point * same_point;
+        return (f.nearest.point - nearest.point).squaredNorm() <
+               same_contact_distance * same_contact_distance;
       });
       if (nearest.local && !known && count < found.size()) found[count++] = {nearest, facet};
       const Vec3& normal = step.subject.facet_normal(facet);
@@ -126,7 +120,8 @@ NodeContacts node_contacts(const CollisionStep& step, int t, int corner, const N
   if (first.distance <= reach) add(first.direction, min_speed(step, first.distance, tolerance));
   for (std::size_t i = 0; i < count; ++i) {
     const SubjectNearest& other = found[i].nearest;
-    if ((other.point - first.point).squaredNorm() < same_point * same_point) continue;
+    if ((other.point - first.point).squaredNorm() < same_contact_distance * same_contact_distance)
+      continue;
     add(other.direction, min_speed(step, other.distance, tolerance));
   }
   for (std::size_t i = 0; i < hit_count; ++i) {
@@ -161,7 +156,7 @@ void edge_contact(const CollisionStep& step, int t, int side, const SubjectEdge&
   const double along_p = pq * qr - pr * qq;
   const double along_q = pp * qr - pq * pr;
   if (!(along_p > 0 && along_p < crossing && along_q > 0 && along_q < crossing) ||
-      crossing <= parallel * parallel * pp * qq) {
+      crossing <= parallel_edges_sine * parallel_edges_sine * pp * qq) {
     return;
   }
   const double s = along_p / crossing;

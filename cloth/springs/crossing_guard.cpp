@@ -3,17 +3,15 @@
 #include <algorithm>
 #include <span>
 
+#include "cloth/springs/constants.h"
 #include "geometry/closest_points.h"
 
 namespace toile {
 
 namespace {
 
-/// Share of a distance that a step may use up.
-constexpr double usable = 0.9;
 /// Metres; of what is nearer than that, no direction is known.
 constexpr double touching = 1e-9;
-constexpr int sweeps = 8;
 
 class Guard {
  public:
@@ -42,7 +40,7 @@ void Guard::pair(std::span<const int> nodes, const Vec3& away) {
   const double distance = away.norm();
   if (distance < touching) return;
   const Vec3 direction = away / distance;
-  const double slowest = -usable * distance / step_.dt;
+  const double slowest = -usable_distance_share * distance / step_.dt;
   bool crosses = false;
   for (const int node : nodes) {
     crosses = crosses || direction.dot(v_[node]) < slowest * (1 + 1e-9);
@@ -64,7 +62,7 @@ void Guard::check(int t, const NearTriangle& near) {
   const SubjectSurface& subject = step_.subject;
   const Triangle& nodes = step_.cloth[t].nodes;
   const double moved = near.moved(nodes, step_.x);
-  const double reach = fastest(nodes) * step_.dt / usable;
+  const double reach = fastest(nodes) * step_.dt / usable_distance_share;
   for (const Candidate& c : near.facets) {
     if (c.distance - moved > reach) break;
     const int node = nodes[c.own];
@@ -103,9 +101,9 @@ bool keep_from_crossing(const CollisionStep& step, const std::vector<int>& trian
   Guard guard(step, v);
   bool any = false;
   // The strict sweep only shortens velocities, which breaks no pair that is already kept.
-  for (int sweep = 0; sweep <= sweeps; ++sweep) {
+  for (int sweep = 0; sweep <= guard_sweeps; ++sweep) {
     guard.start_sweep();
-    if (sweep == sweeps) guard.be_strict();
+    if (sweep == guard_sweeps) guard.be_strict();
     for (const int t : triangles) guard.check(t, near.near(t));
     if (!guard.cut()) break;
     any = true;

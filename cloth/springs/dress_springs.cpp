@@ -7,6 +7,7 @@
 #include "cloth/judge/measures.h"
 #include "cloth/model/compile.h"
 #include "cloth/scene/collider.h"
+#include "cloth/springs/constants.h"
 #include "cloth/start/start.h"
 #include "geometry/error.h"
 #include "geometry/intersections.h"
@@ -16,36 +17,8 @@ namespace toile {
 
 namespace {
 
-/// Weights of the cloth with which it is attracted, 5 cm and more off the skin.
-constexpr double attraction = 0.15;
-/// Seconds between two looks at the state.
-constexpr double look_interval = 0.005;
 /// Looks between two frames for those who watch.
 constexpr int frame_looks = 2;
-/// The wrap is over when `wrapped_share` of the seams' pairs are this near, metres.
-constexpr double wrapped_gap = 0.02;
-constexpr double wrapped_share = 0.95;
-/// Seconds in which the seams close in step.
-constexpr double closing = 0.4;
-/// Metres that a garment of the shoulders starts above where it is to hang. Its panels come down as
-/// their upper edges lean in over the shoulders. A lower start catches below the shoulders.
-constexpr double hang = 0.05;
-/// Seconds in which the sewing force's unit of time halves: it grows until the seams close.
-constexpr double tightening = 0.1;
-/// Seconds: the smallest unit of time, for wrapping and for sewing. At the smallest, the constant
-/// force below delta is as strong as a hand.
-constexpr double tightest_wrap = 0.01;
-constexpr double tightest = 1e-4;
-/// Seconds at the full force without progress, after which open seams count as not sewable.
-/// Progress is a pair that merges, or a widest gap that comes down to that share of itself.
-constexpr double patience = 0.3;
-constexpr double nearer = 0.98;
-/// Factor on the bending stiffness while seams close: smooth panels don't fold through their seams.
-constexpr double sewing_stiffness = 10;
-/// Seconds that folds get to come out of each other once the seams are closed.
-constexpr double longest_untangling = 0.3;
-/// Seconds of draping before there is friction.
-constexpr double frictionless = 0.25;
 
 class SpringDressing {
  public:
@@ -88,7 +61,7 @@ SpringDressing::SpringDressing(const PanelMesh& garment, const Scene& scene,
     : garment_(garment),
       options_(options),
       watcher_(watcher),
-      placement_(find_start(garment, scene, hang)),
+      placement_(find_start(garment, scene, shoulder_start_height)),
       model_(compile(garment, scene, placement_.placed)),
       motion_(garment, model_, options.motion, placement_.placed),
       rest_areas_(panel_areas(garment)),
@@ -113,19 +86,20 @@ DressResult SpringDressing::run() {
 }
 
 void SpringDressing::wrap() {
-  motion_.stiffen_bending(sewing_stiffness);
+  motion_.stiffen_bending(sewing_bending_factor);
   const bool has_seams = motion_.open_pairs() > 0;
   SpringStage forces;
-  forces.attraction = has_seams ? 0 : attraction;
+  forces.attraction = has_seams ? 0 : wrap_attraction;
   forces.sewing = options_.motion.sewing;
   forces.open = 1;
   const double loosest = forces.sewing.unit_time;
   stage("wrap", options_.longest_wrap, forces, [&](SpringStage& now, double time) {
-    now.sewing.unit_time = std::max(tightest_wrap, loosest * std::exp2(-time / tightening));
+    now.sewing.unit_time =
+        std::max(min_wrap_unit_time, loosest * std::exp2(-time / tightening_seconds));
     unit_time_ = now.sewing.unit_time;
-    now.open = std::max(0.0, 1 - time / closing);
+    now.open = std::max(0.0, 1 - time / closing_seconds);
     // Drawn near before the shoulders have met above, the panels would slide down in front.
-    now.attraction = has_seams ? attraction * std::pow(1 - now.open, 3) : attraction;
+    now.attraction = has_seams ? wrap_attraction * std::pow(1 - now.open, 3) : wrap_attraction;
     return has_seams && motion_.open_gap(wrapped_share) < wrapped_gap;
   });
 }
@@ -133,7 +107,7 @@ void SpringDressing::wrap() {
 bool SpringDressing::sew() {
   if (garment_.seams.empty()) return true;
   SpringStage forces;
-  forces.attraction = attraction;
+  forces.attraction = wrap_attraction;
   forces.sewing = options_.motion.sewing;
   const double loosest = unit_time_;
   forces.sewing.unit_time = loosest;
@@ -141,22 +115,23 @@ bool SpringDressing::sew() {
   double gap = motion_.open_gap(1);
   double came_nearer = 0;
   stage("sew", options_.longest_sew, forces, [&](SpringStage& now, double time) {
-    now.sewing.unit_time = std::max(tightest, loosest * std::exp2(-time / tightening));
-    const bool at_full_force = now.sewing.unit_time == tightest;
+    now.sewing.unit_time =
+        std::max(min_sewing_unit_time, loosest * std::exp2(-time / tightening_seconds));
+    const bool at_full_force = now.sewing.unit_time == min_sewing_unit_time;
     const double gap_now = motion_.open_gap(1);
-    if (motion_.open_pairs() < open || gap_now < nearer * gap || !at_full_force) {
+    if (motion_.open_pairs() < open || gap_now < sewing_progress * gap || !at_full_force) {
       came_nearer = time;
       gap = gap_now;
     }
     open = motion_.open_pairs();
-    return open == 0 || time - came_nearer > patience;
+    return open == 0 || time - came_nearer > sewing_patience;
   });
   if (open > 0) {
     result_.stages.back().converged = false;
     return false;
   }
   // Small folds that went through each other at the seams open as the stiff cloth smooths itself.
-  stage("sew", longest_untangling, forces, [&](SpringStage&, double) { return is_clean(); });
+  stage("sew", max_untangling_seconds, forces, [&](SpringStage&, double) { return is_clean(); });
   return true;
 }
 
@@ -167,7 +142,7 @@ void SpringDressing::drape() {
   SpringStage forces;
   forces.gravity = 1;
   stage("drape", options_.longest_drape, forces, [&](SpringStage& now, double time) {
-    now.friction = time > frictionless;
+    now.friction = time > frictionless_seconds;
     const Residual& left = result_.residual;
     return now.friction && left.median < options_.stop_median && left.rms < options_.stop_rms;
   });
@@ -183,7 +158,7 @@ StageReport& SpringDressing::stage(const std::string& name, double longest, Spri
                                    const Over& is_over) {
   const auto start = std::chrono::steady_clock::now();
   const double dt = motion_.time_step();
-  const int steps_a_look = std::max(1, static_cast<int>(std::lround(look_interval / dt)));
+  const int steps_a_look = std::max(1, static_cast<int>(std::lround(watch_interval / dt)));
   forces.sewing.most = options_.hand_pull * mean_edge_;
   forces.sewing.fastest = 1;
   StageReport report;
@@ -220,7 +195,7 @@ Residual SpringDressing::residual() {
   const auto& x = motion_.points();
   const auto& v = motion_.velocities();
   const double dt = motion_.time_step();
-  const double span = dt * std::max(1L, std::lround(look_interval / dt));
+  const double span = dt * std::max(1L, std::lround(watch_interval / dt));
   std::vector<double> left;
   for (std::size_t n = 0; n < x.size(); ++n) {
     const double mass = motion_.sheet().mass()[n];

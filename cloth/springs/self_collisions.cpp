@@ -2,18 +2,11 @@
 
 #include <algorithm>
 
+#include "cloth/springs/constants.h"
+
 namespace toile {
 
 namespace {
-
-/// Metres within which other cloth is looked for, beyond the gap.
-constexpr double reach = 0.003;
-/// Seconds in which what is nearer than the gap is let out of it.
-constexpr double let_out_time = 0.005;
-/// Times the list of pairs is gone through: an impulse on one pair changes its neighbours' speeds.
-constexpr int sweeps = 2;
-/// Least steps between two searches; what has used up its bound waits.
-constexpr int search_interval = 10;
 
 std::vector<double> shortest_edges(const GarmentModel& model) {
   std::vector<double> shortest;
@@ -26,7 +19,7 @@ std::vector<double> shortest_edges(const GarmentModel& model) {
 SelfCollisions::SelfCollisions(const GarmentModel& model, double gap)
     : proximity_(model.triangles, model.node_of_point, shortest_edges(model)),
       gap_(gap),
-      radius_(gap + reach) {}
+      radius_(gap + self_search_distance) {}
 
 void SelfCollisions::leave_out_neighbours(bool leave_out) {
   leave_out_ = leave_out;
@@ -44,7 +37,7 @@ void SelfCollisions::respond(const std::vector<Vec3>& x, const std::vector<int>&
                              const std::vector<double>& inverse_mass, double dt,
                              std::vector<Vec3>& v) {
   if (searched_.empty()) search(x);
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
+  for (int sweep = 0; sweep < self_sweeps; ++sweep) {
     for (const ContactPair& pair : pairs_) {
       const NearestPoints nearest = nearest_points(pair, x);
       const double distance = nearest.apart.norm();
@@ -58,7 +51,7 @@ void SelfCollisions::respond(const std::vector<Vec3>& x, const std::vector<int>&
         mobility += nearest.weights[i] * nearest.weights[i] * inverse_mass[n];
       }
       const double room = distance - pair.gap;
-      const double min_speed = room > 0 ? -room / dt : -room / let_out_time;
+      const double min_speed = room > 0 ? -room / dt : -room / let_out_seconds;
       if (speed >= min_speed || mobility <= 0) continue;
       const double impulse = (min_speed - speed) / mobility;
       for (int i = 0; i < 4; ++i) {
@@ -78,7 +71,7 @@ void SelfCollisions::bound(const std::vector<Vec3>& x, const std::vector<int>& n
   bool due = false;
   for (std::size_t p = 0; p < x.size() && !due; ++p) due = exceeds(p);
   if (!due) return;
-  if (since_search_ >= search_interval) search(x);
+  if (since_search_ >= self_search_interval) search(x);
   for (std::size_t p = 0; p < x.size(); ++p) {
     if (!exceeds(p)) continue;
     const Vec3 away = x[p] + dt * v[node[p]] - searched_[p];

@@ -10,25 +10,13 @@
 #include "cloth/judge/constants.h"
 #include "cloth/scene/collider.h"
 #include "cloth/springs/chunks.h"
+#include "cloth/springs/constants.h"
 #include "geometry/error.h"
 #include "geometry/statistics.h"
 
 namespace toile {
 
 namespace {
-
-/// Metres below which the sewing force has the last word.
-constexpr double landing_gap = 1e-4;
-/// Metres between the points of a seam below which the cloth beside them may be strained to meet.
-/// Where four panels come together, none could with all of its edges held to their lengths.
-constexpr double easing_gap = 0.012;
-/// Steps between two looks for such points.
-constexpr int easing_interval = 100;
-/// Times such pairs are gone through in a step: those that share a node undo each other's work.
-constexpr int sewing_sweeps = 4;
-/// The bound on the stable step is a safe one, and the strain control tames a little more. Beyond,
-/// the cloth is thrown about, and each step finds ever more collisions.
-constexpr double max_step_share = 2.001;
 
 std::string shown(double value) {
   std::ostringstream text;

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "cloth/model/gathers.h"
+#include "cloth/springs/constants.h"
 #include "geometry/statistics.h"
 
 namespace toile {
@@ -13,9 +14,6 @@ namespace toile {
 namespace {
 
 using Edge = std::pair<int, int>;
-
-/// Of the stiffness on a node, what one of the some six bending springs there may have.
-constexpr double bending_share = 0.1;
 
 Edge edge_of(int a, int b) { return std::minmax(a, b); }
 
@@ -48,7 +46,6 @@ SpringSheet::SpringSheet(const PanelMesh& garment, const GarmentModel& model)
 /// garment. A node that is lighter for its stiffness than most then gives way more than the fabric
 /// would. The strain control holds its springs all the same.
 void SpringSheet::soften_small_elements() {
-  constexpr double max_over_median = 2.5;
   std::vector<double> stiffness(point_mass_.size(), 0);
   for (const Spring& spring : point_edges_) {
     stiffness[spring.a] += spring.stiffness;
@@ -150,7 +147,7 @@ void SpringSheet::lay_out_bends() {
     bend.hinge = hinge;
     bend.rest = Vec2(reach[0].x() - reach[1].x(), heights).norm();
     // The spring shortens by `shorter` at the fold where the energies are to agree.
-    const double fold = 0.6 * heights / matched_radius;  // measured: fits most meshes
+    const double fold = fold_angle_share * heights / matched_radius;
     const double shorter = reach[0].y() * reach[1].y() * fold * fold / (2 * bend.rest);
     const double energy = 0.5 * stiffness.at(edge) * fold * fold;
     bend.stiffness = 2 * energy / (shorter * shorter);
@@ -192,7 +189,7 @@ void SpringSheet::refresh() {
     if (node(h[0]) != node(h[2]) || node(h[1]) != node(h[3])) continue;
     const double lightest = std::min(point_mass_[bend.corners[0]], point_mass_[bend.corners[1]]);
     const double stiffness =
-        std::min(bending_factor_ * bend.stiffness, bending_share * rate_ * lightest);
+        std::min(bending_factor_ * bend.stiffness, bending_spring_share * rate_ * lightest);
     bending_.push_back({node(bend.corners[0]), node(bend.corners[1]), bend.rest, stiffness,
                         bend.damping * stiffness});
   }

@@ -4,32 +4,22 @@
 
 #include <algorithm>
 
+#include "cloth/springs/constants.h"
 #include "cloth/springs/crossing_guard.h"
 
 namespace toile {
 
 namespace {
 
-/// Metres; a node farther behind the surface than that is not looked after.
-constexpr double behind_depth = 0.005;
 /// Triangles of a task; fixed, so that results don't depend on the threads.
 constexpr int chunk = 256;
-/// Steps that the lists of candidates shall last, and what that may cost in length, metres.
-constexpr double list_steps = 60;
-constexpr double min_margin = 0.0015;
-constexpr double max_margin = 0.01;
-/// Of the fastest approach, what may be left of any.
-constexpr double rest_share = 0.005;
-constexpr double rest_speed = 1e-7;  // m/s
-constexpr int sweeps = 40;
-constexpr int rounds = 4;
 
 }  // namespace
 
 class SubjectCollisions::Response {
  public:
   Response(const TriangleMesh& subject, const std::vector<Triangle>& triangles)
-      : subject_(subject), candidates_(subject_, behind_depth) {
+      : subject_(subject), candidates_(subject_, max_let_out_depth) {
     set_cloth(triangles);
   }
 
@@ -91,9 +81,9 @@ void SubjectCollisions::Response::nodes_first(const CollisionStep& step, std::ve
       const double passed = std::sqrt(speed) * step.dt;
       reach_[t] = step.options.tolerance + passed;
       pair_reach_[t] = step.options.edge_tolerance + passed;
-      const NearTriangle& near =
-          candidates_.refreshed(t, step.x, reach_[t], pair_reach_[t],
-                                std::clamp(list_steps * passed, min_margin, max_margin));
+      const NearTriangle& near = candidates_.refreshed(
+          t, step.x, reach_[t], pair_reach_[t],
+          std::clamp(candidate_list_steps * passed, min_candidate_margin, max_candidate_margin));
       clear_[t] = pair_reach_[t];
       moved_[t] = near.moved(own.nodes, step.x);
       for (int i = 0; i < 3; ++i) {
@@ -141,7 +131,7 @@ bool SubjectCollisions::Response::find_pairs(const CollisionStep& step, double s
 }
 
 void SubjectCollisions::Response::solve(double friction, double enough, std::vector<Vec3>& v) {
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
+  for (int sweep = 0; sweep < impulse_sweeps; ++sweep) {
     double change = 0;
     for (Contact<3>& contact : pairs_.vertices) {
       change = std::max(change, contact.solve(friction, v));
@@ -164,7 +154,7 @@ void SubjectCollisions::Response::guard(const CollisionStep& step, std::vector<V
     const double most = 0.9 * clear_[t] / step.dt;
     if (speed <= most * most) continue;
     const double reach = 2 * std::sqrt(speed) * step.dt;
-    candidates_.refreshed(t, step.x, reach, reach, min_margin);
+    candidates_.refreshed(t, step.x, reach, reach, min_candidate_margin);
     long_steps.push_back(t);
   }
   if (!long_steps.empty()) keep_from_crossing(step, long_steps, candidates_, v);
@@ -180,10 +170,10 @@ CollisionCounts SubjectCollisions::Response::respond(const CollisionStep& step,
   all_pairs_ = true;
   fastest_ = 0;
   nodes_first(step, v);
-  for (int round = 0; round < rounds; ++round) {
-    const double enough = std::max(rest_share * fastest_, rest_speed);
-    if (!find_pairs(step, round == 0 ? rest_speed : 2 * enough, v)) break;
-    solve(step.options.friction, std::max(rest_share * fastest_, rest_speed), v);
+  for (int round = 0; round < collision_rounds; ++round) {
+    const double enough = std::max(left_approach_share * fastest_, left_approach_speed);
+    if (!find_pairs(step, round == 0 ? left_approach_speed : 2 * enough, v)) break;
+    solve(step.options.friction, std::max(left_approach_share * fastest_, left_approach_speed), v);
     all_pairs_ = false;
   }
   guard(step, v);
@@ -222,7 +212,7 @@ CollisionCounts SubjectCollisions::respond(const std::vector<Vec3>& x,
                                            const CollisionOptions& options, std::vector<Vec3>& v) {
   const std::vector<Vec3> before = v;
   return response_->respond({response_->subject(), response_->cloth(), x, before, inverse_mass, dt,
-                             options, behind_depth},
+                             options, max_let_out_depth},
                             v);
 }
 
