@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/types.h"
+
 namespace toile {
 
 /// Disjoint sets of the items 0 to count - 1, each named by its lowest item. Path halving makes a
@@ -33,6 +35,14 @@ class DisjointSets {
     b = of(b);
     if (b < a) std::swap(a, b);
     parent_[b] = a;
+  }
+
+  /// The triangles, each corner replaced by the lowest item of its set.
+  std::vector<Triangle> joined(std::vector<Triangle> triangles) {
+    for (Triangle& t : triangles) {
+      for (int& corner : t) corner = of(corner);
+    }
+    return triangles;
   }
 
  private:

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "cloth/contact/body_bounds.h"
 #include "cloth/contact/pair_forces.h"
 #include "cloth/contact/proximity.h"
 #include "cloth/dressing/constants.h"
@@ -83,19 +82,18 @@ class CoupledRelaxation {
     }
   }
 
-  /// What friction holds of a garment beside its nodes; what was a layer below has nodes of its own
-  /// now.
+  /// Takes over the friction anchors of a garment's edges and pairs. Pairs with the layer below are
+  /// left out: its nodes have other numbers now.
   void take_over(const WornGarment& worn) {
     const int nodes = static_cast<int>(worn.nodes.size());
-    for (EdgeAnchor warm_start : worn.warm_start.edges) {
-      for (int& v : warm_start.edge) v += first_.back();
-      warm_start_.edges.push_back(warm_start);
+    for (EdgeAnchor anchor : worn.warm_start.edges) {
+      for (int& v : anchor.edge) v += first_.back();
+      warm_start_.edges.push_back(anchor);
     }
-    for (PairAnchor warm_start : worn.warm_start.cloth) {
-      if (*std::max_element(warm_start.vertices.begin(), warm_start.vertices.end()) >= nodes)
-        continue;
-      for (int& v : warm_start.vertices) v += first_.back();
-      warm_start_.cloth.push_back(warm_start);
+    for (PairAnchor anchor : worn.warm_start.cloth) {
+      if (std::ranges::max(anchor.vertices) >= nodes) continue;
+      for (int& v : anchor.vertices) v += first_.back();
+      warm_start_.cloth.push_back(anchor);
     }
   }
 
@@ -107,7 +105,7 @@ class CoupledRelaxation {
     options.warm_start = &state.warm_start;
     options.multipliers = &state.warm_start.multipliers;
     ask_for_rest(options_, options);
-    const std::string name = "together";
+    const std::string name = "relax_coupled";
     int calls = 0;
     const auto watch = [&](const std::vector<Vec3>& nodes, double progress) {
       if (watcher_) watcher_({mesh_, name, point_positions(model_, nodes, 0), progress});
@@ -209,7 +207,7 @@ class CoupledRelaxation {
   const PanelMesh mesh_;
   GarmentModel model_;
   std::vector<int> first_;                         // node of each garment, and the number of nodes
-  std::vector<std::size_t> first_triangle_ = {0};  // likewise
+  std::vector<std::size_t> first_triangle_ = {0};  // of each garment, and the number of triangles
   std::vector<Vec3> start_;
   WarmStart warm_start_;
   std::vector<double> extra_offset_;  // RelaxReport's, of the last rest

@@ -18,7 +18,7 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// A line for each fabric of the garment that is taken for less stiff than it was given.
+/// A line for each fabric of the garment that counts as less stiff than it is.
 std::vector<std::string> softened_fabrics(const PanelMesh& garment, const Scene& scene) {
   std::map<std::string, double> given;
   for (const MeshedPanel& panel : garment.panels) {
@@ -31,14 +31,14 @@ std::vector<std::string> softened_fabrics(const PanelMesh& garment, const Scene&
   for (const auto& [name, stiffness] : given) {
     std::ostringstream line;
     line << "fabric: " << name << " has a stiffness of " << stiffness
-         << " N/m and is taken for one of " << max_modulus
-         << " N/m: the strains that the report tells would be less";
+         << " N/m and counts as one of " << max_modulus
+         << " N/m: the real fabric strains less than the report says";
     lines.push_back(line.str());
   }
   return lines;
 }
 
-/// What is not at rest is a surface still; what is open or meets something is none.
+/// Whether the garment is a surface that others can lie on: closed, and clear of everything.
 bool is_surface(const Judgement& judgement) {
   return judgement.verdict == Verdict::sewn || judgement.verdict == Verdict::unconverged;
 }

@@ -11,14 +11,6 @@ namespace toile {
 
 namespace {
 
-/// The triangles, each corner replaced by the lowest point of its set.
-std::vector<Triangle> joined(std::vector<Triangle> triangles, DisjointSets& sets) {
-  for (Triangle& t : triangles) {
-    for (int& corner : t) corner = sets.of(corner);
-  }
-  return triangles;
-}
-
 bool share_a_corner(const Triangle& s, const Triangle& t) {
   return std::find_first_of(s.begin(), s.end(), t.begin(), t.end()) != s.end();
 }
@@ -44,8 +36,8 @@ const FrameFigures& Certificate::check(const DressFrame& frame) {
       }
     }
   }
-  const TriangleMesh cloth{frame.points, joined(frame.mesh.triangles, sewn)};
-  const std::vector<Triangle> closed = joined(frame.mesh.triangles, to_be_sewn);
+  const TriangleMesh cloth{frame.points, sewn.joined(frame.mesh.triangles)};
+  const std::vector<Triangle> closed = to_be_sewn.joined(frame.mesh.triangles);
   for (const auto& [s, t] : self_intersections(cloth)) {
     ++figures.self;
     figures.across_seams += share_a_corner(closed[s], closed[t]) &&

@@ -212,11 +212,7 @@ class IntersectionResolver {
 std::vector<Triangle> joined(const PanelMesh& garment, const std::vector<Vec3>& placed) {
   DisjointSets sets(placed.size());
   for_joined_points(garment, placed, [&](int a, int b) { sets.join(a, b); });
-  std::vector<Triangle> triangles = garment.triangles;
-  for (Triangle& t : triangles) {
-    for (int& corner : t) corner = sets.of(corner);
-  }
-  return triangles;
+  return sets.joined(garment.triangles);
 }
 
 }  // namespace

@@ -118,15 +118,15 @@ TEST(Outfit, AShirtOverAShirt) {
   EXPECT_EQ(report["layering"], "frozen");
   EXPECT_EQ(moved["layering"], "coupled");
   EXPECT_EQ(moved["verdict"], "sewn");
-  const Json& whole = moved["together"];
+  const Json& whole = moved["coupled"];
   EXPECT_TRUE(whole["converged"].get<bool>());
   EXPECT_LE(whole["residual"]["median"].get<double>(), 0.0015);
   EXPECT_LE(whole["residual"]["wide"].get<double>(), 0.0015);
   EXPECT_TRUE(whole["certified"]["stayed_clean"].get<bool>());
-  ASSERT_EQ(whole["pressing"].size(), 1U);
-  EXPECT_EQ(whole["pressing"][0]["inner"], "tee");
-  EXPECT_EQ(whole["pressing"][0]["outer"], "coat");
-  EXPECT_GT(whole["pressing"][0]["force_N"].get<double>(), 0.1);
+  ASSERT_EQ(whole["contacts"].size(), 1U);
+  EXPECT_EQ(whole["contacts"][0]["inner"], "tee");
+  EXPECT_EQ(whole["contacts"][0]["outer"], "coat");
+  EXPECT_GT(whole["contacts"][0]["force_N"].get<double>(), 0.1);
   const TriangleMesh moved_inner = mesh_of(folder / "moved1-tee.obj");
   const TriangleMesh moved_outer = mesh_of(folder / "moved1-coat.obj");
   const TriangleMesh bare = fan_triangles(read_mesh(body));
@@ -141,7 +141,7 @@ TEST(Outfit, AShirtOverAShirt) {
   }
   std::cout << "inner shirt gives way by " << 1000 * farthest << " mm\n";
   EXPECT_GT(farthest, 1e-4);
-  EXPECT_NEAR(moved["layers"][0]["moved_together_mm"]["max"].get<double>(), 1000 * farthest, 1e-6);
+  EXPECT_NEAR(moved["layers"][0]["moved_coupled_mm"]["max"].get<double>(), 1000 * farthest, 1e-6);
 }
 
 /// A cylinder, and a loose tube around it; nothing holds the tube, so it finds no rest.

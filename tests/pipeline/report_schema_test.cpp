@@ -246,7 +246,7 @@ TEST_F(ReportSchemaOfLayers, HoldsForLayersThatMoveTogether) {
                         {{"name", "coat"}, {"garment", "coat.obj"}}}}};
   EXPECT_EQ(dress_scene(scene, {"--certify-frames"}).exit_code, 0);
   expect_valid("dress_scene", "report.json",
-               {"/together/pressing/0", "/together/certified", "/layers/0/moved_together_mm",
+               {"/coupled/contacts/0", "/coupled/certified", "/layers/0/moved_coupled_mm",
                 "/layers/1/scene/stepped_out_mm"});
   expect_faults_found("dress_scene", "report.json");
 }

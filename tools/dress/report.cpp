@@ -285,9 +285,9 @@ nlohmann::ordered_json coupled_json(const WornOutfit& worn, const std::vector<st
   Json json = {{"stages", stages_json(coupled.stages)},
                {"converged", coupled.stages.back().converged},
                {"residual", residual_json(coupled.stages.back().residual)},
-               {"pressing", Json::array()}};
+               {"contacts", Json::array()}};
   for (const LayerContact& pressing : coupled.contacts) {
-    json["pressing"].push_back({{"inner", names[pressing.inner]},
+    json["contacts"].push_back({{"inner", names[pressing.inner]},
                                 {"outer", names[pressing.outer]},
                                 {"force_N", pressing.force},
                                 {"area_m2", pressing.area},

@@ -128,7 +128,7 @@ void DressRun::read_body() {
 FrameWatcher DressRun::watch(std::size_t layer) const {
   std::optional<fs::path> frames = settings_.frames;
   const bool is_whole = layer == settings_.layers.size();
-  if (frames && settings_.scene) *frames /= is_whole ? "together" : settings_.layers[layer].name;
+  if (frames && settings_.scene) *frames /= is_whole ? "coupled" : settings_.layers[layer].name;
   const bool shows_progress = !common_.quiet && isatty(STDERR_FILENO) != 0;
   const auto watcher = std::make_shared<DressWatch>(frames, shows_progress);
   return [watcher](const DressFrame& frame) { (*watcher)(frame); };
@@ -201,7 +201,7 @@ Json DressRun::layer_report(const WornOutfit& worn, std::size_t layer) const {
   notes.seconds = one.dress_seconds;
   for (const auto& [what, seconds] : notes.other_seconds) notes.seconds += seconds;
   Json report = layer_json(one, settings_.method, notes);
-  if (worn.coupled) report["moved_together_mm"] = moved_json(worn.coupled->moved[layer]);
+  if (worn.coupled) report["moved_coupled_mm"] = moved_json(worn.coupled->moved[layer]);
   if (!settings_.scene) return report;
   Json named = {{"name", settings_.layers[layer].name},
                 {"dressed", settings_.layers[layer].output.string()}};
@@ -223,7 +223,7 @@ Json DressRun::scene_report(const WornOutfit& worn) const {
   for (std::size_t i = worn.layers.size(); i < settings_.layers.size(); ++i) {
     report["not_dressed"].push_back(settings_.layers[i].name);
   }
-  if (worn.coupled) report["together"] = coupled_json(worn, names());
+  if (worn.coupled) report["coupled"] = coupled_json(worn, names());
   report["warnings"] = warnings_;
   report["seconds"] = seconds_since(start_);
   report["verdict"] = to_string(worn.verdict());
