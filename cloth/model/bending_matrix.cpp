@@ -41,9 +41,6 @@ class HingeLayout {
   void run() {
     lay_out_hinges();
     for (const MeshedPanel& panel : garment_.panels) stiffen(panel);
-    for (std::size_t h = 0; h < model_.bend.size(); ++h) {
-      model_.bend[h].stiffness *= length_[h] * length_[h] / area_[h];
-    }
     bound();
   }
 
@@ -93,8 +90,6 @@ class HingeLayout {
     hinges_[one.triangle][one.opposite] = hinges_[other.triangle][other.opposite] =
         static_cast<int>(model_.bend.size());
     model_.bend.push_back(hinge);
-    length_.push_back(0.5 * (here.length + there.length));
-    area_.push_back(0);
     for (const auto& [side, across] : {std::pair(one, other), {other, one}}) {
       store_jump(side, across);
     }
@@ -127,13 +122,6 @@ class HingeLayout {
       const double area = 0.5 * (first.x() * second.y() - first.y() * second.x());
       triangle.stiffness = plate_stiffness(fabric, area, jumps_[t], there);
       if (triangle.stiffness.trace() > 0) model_.bend_triangles.push_back(triangle);
-      for (int i = 0; i < 3; ++i) {
-        if (!there[i]) continue;
-        const Vec2 edge = corner(i + 2) - corner(i + 1);
-        const double across = std::atan2(edge.x(), -edge.y()) - panel.grain;
-        model_.bend[hinges_[t][i]].stiffness += 0.5 * bending_along(fabric, across);
-        area_[hinges_[t][i]] += area;
-      }
     }
   }
 
@@ -159,8 +147,6 @@ class HingeLayout {
   std::vector<int> panel_of_;               // per triangle
   std::vector<std::array<int, 3>> hinges_;  // per triangle, opposite to each corner; -1: none
   std::vector<std::array<Vec3, 3>> jumps_;  // per triangle, the jump there by curvature, metres
-  std::vector<double> length_;              // metres, per hinge: the edge, the mean of both sides
-  std::vector<double> area_;                // m², per hinge: of both triangles
 };
 
 /// Sorts entries into rows. Entries of the same place are added up in their order, so the sum does

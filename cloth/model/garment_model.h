@@ -33,11 +33,7 @@ struct StretchTriangle {
 struct BendHinge {
   std::array<int, 4> points;  ///< material points: the edge's ends, then the two opposite corners
   std::array<double, 4> weights;  ///< 1/m, add up to 0
-  /// N·m: the stiffness in E = ½ stiffness |jump|², if the hinge bent alone and were rolled square
-  /// to its edge. Each side contributes half of its rigidity. Only the springs of the paper's
-  /// method use it.
-  double stiffness = 0;
-  bool across_seam;  ///< the edge lies on a seam
+  bool across_seam;               ///< the edge lies on a seam
 };
 
 /// A triangle's piece of a bent plate: E = ½ Σ stiffness_ij jump_i · jump_j over its hinges.

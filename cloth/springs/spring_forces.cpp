@@ -5,8 +5,8 @@
 #include <limits>
 #include <string>
 
-#include "cloth/springs/chunks.h"
 #include "geometry/error.h"
+#include "geometry/parallel.h"
 
 namespace toile {
 
@@ -23,29 +23,23 @@ void check_springs(std::span<const Spring> springs, int nodes) {
   }
 }
 
-SpringForces::SpringForces(std::span<const Spring> springs, int nodes)
-    : first_(static_cast<std::size_t>(nodes) + 1), halves_(2 * springs.size()) {
+SpringForces::SpringForces(std::span<const Spring> springs, int nodes) {
   check_springs(springs, nodes);
-  for (const Spring& s : springs) {
-    ++first_[s.a + 1];
-    ++first_[s.b + 1];
-  }
-  for (int n = 0; n < nodes; ++n) first_[n + 1] += first_[n];
-  std::vector<int> next(first_.begin(), first_.end() - 1);
-  for (const Spring& s : springs) {
-    halves_[next[s.a]++] = {s.b, s.rest, s.stiffness, s.damping};
-    halves_[next[s.b]++] = {s.a, s.rest, s.stiffness, s.damping};
-  }
+  halves_.assign(static_cast<std::size_t>(nodes), [&](const auto& add) {
+    for (const Spring& s : springs) {
+      add(s.a, {s.b, s.rest, s.stiffness, s.damping});
+      add(s.b, {s.a, s.rest, s.stiffness, s.damping});
+    }
+  });
 }
 
 void SpringForces::add(std::span<const Vec3> x, std::span<const Vec3> v,
                        std::span<Vec3> force) const {
-  in_spring_chunks(static_cast<int>(first_.size()) - 1, [&](int, int first, int last) {
-    for (int n = first; n < last; ++n) {
+  parallel_for_chunks(halves_.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
       // Each spring is computed at both ends: cheaper than storing it once and collecting it twice.
       Vec3 sum = Vec3::Zero();
-      for (int h = first_[n]; h < first_[n + 1]; ++h) {
-        const Half& half = halves_[h];
+      for (const Half& half : halves_[n]) {
         const Vec3 d = x[half.other] - x[n];
         const double length = d.norm();
         if (length == 0) continue;
@@ -56,15 +50,6 @@ void SpringForces::add(std::span<const Vec3> x, std::span<const Vec3> v,
       force[n] += sum;
     }
   });
-}
-
-double spring_energy(std::span<const Spring> springs, std::span<const Vec3> x) {
-  double energy = 0;
-  for (const Spring& s : springs) {
-    const double change = (x[s.b] - x[s.a]).norm() - s.rest;
-    energy += 0.5 * s.stiffness * change * change;
-  }
-  return energy;
 }
 
 double stable_step(std::span<const Spring> springs, std::span<const double> inverse_mass,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cloth/springs/spring.h"
+#include "geometry/adjacency.h"
 #include "geometry/types.h"
 
 namespace toile {
@@ -32,12 +33,8 @@ class SpringForces {
     double stiffness;
     double damping;
   };
-  std::vector<int> first_;  ///< nodes + 1: node n's are halves_[first_[n]] .. [first_[n + 1] - 1]
-  std::vector<Half> halves_;
+  Adjacency<Half> halves_;  ///< at each node, in the order of the springs
 };
-
-/// Energy held by the springs, J: the forces without damping are minus its gradient.
-double spring_energy(std::span<const Spring> springs, std::span<const Vec3> x);
 
 /// Seconds: a step below which symplectic Euler is stable, whatever the shape. Symplectic Euler
 /// takes velocities from the forces at the present positions and velocities, then positions from

@@ -9,9 +9,9 @@
 #include "cloth/contact/body_attraction.h"
 #include "cloth/judge/constants.h"
 #include "cloth/scene/collider.h"
-#include "cloth/springs/chunks.h"
 #include "cloth/springs/constants.h"
 #include "geometry/error.h"
+#include "geometry/parallel.h"
 #include "geometry/statistics.h"
 
 namespace toile {
@@ -144,8 +144,8 @@ void SpringMotion::accelerate(const SpringStage& stage) {
   const Scene& scene = model_.scene;
   const double dt = time_step_;
   const double g = scene.gravity.norm();
-  in_spring_chunks(sheet_.points(), [&](int, int first, int last) {
-    for (int n = first; n < last; ++n) {
+  parallel_for_chunks(x_.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
       const double mass = sheet_.mass()[n];
       if (mass <= 0) continue;
       Vec3 f = force_[n] + stage.gravity * mass * scene.gravity;

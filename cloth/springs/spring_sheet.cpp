@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include "cloth/model/gathers.h"
+#include "cloth/model/plate_bending.h"
 #include "cloth/springs/constants.h"
+#include "geometry/adjacency.h"
 #include "geometry/statistics.h"
 
 namespace toile {
@@ -34,8 +35,7 @@ double area_of(const PanelMesh& garment, int t) {
 }  // namespace
 
 SpringSheet::SpringSheet(const PanelMesh& garment, const GarmentModel& model)
-    : garment_(garment), model_(model), parent_(garment.flat.size()) {
-  std::iota(parent_.begin(), parent_.end(), 0);
+    : garment_(garment), model_(model), merged_(garment.flat.size()) {
   lay_out_edges();
   soften_small_elements();
   lay_out_bends();
@@ -98,22 +98,8 @@ void SpringSheet::lay_out_edges() {
 
 void SpringSheet::lay_out_bends() {
   if (model_.bend.empty()) return;
-  std::map<Edge, double> stiffness;
-  for (const BendHinge& hinge : model_.bend) {
-    const Edge edge =
-        edge_of(model_.node_of_point[hinge.points[0]], model_.node_of_point[hinge.points[1]]);
-    stiffness[edge] = hinge.stiffness;
-  }
-  std::vector<double> damping_of(garment_.triangles.size());
-  for (const MeshedPanel& panel : garment_.panels) {
-    std::fill_n(damping_of.begin() + panel.first_triangle, panel.triangles,
-                fabric_of(model_.scene, panel).damping);
-  }
-  struct Side {
-    int triangle;
-    int corner;  // opposite to the edge
-  };
-  std::map<Edge, std::vector<Side>> sides;
+  const std::vector<int> panel_of = panel_of_triangles(garment_);
+  std::map<Edge, std::vector<TriangleCorner>> sides;  // corners opposite to each edge
   for (std::size_t t = 0; t < model_.node_triangles.size(); ++t) {
     const Triangle& nodes = model_.node_triangles[t];
     for (int i = 0; i < 3; ++i) {
@@ -122,56 +108,50 @@ void SpringSheet::lay_out_bends() {
   }
   for (const auto& [edge, faces] : sides) {
     if (faces.size() != 2) continue;
-    std::array<int, 4> hinge;
-    std::array<int, 2> corners;
-    std::array<Vec2, 2> reach;
+    Bend bend;
+    std::array<Vec2, 2> opposite;  // corners, as from_edge() gives them
+    double length = 0;
     double area = 0;
+    double rigidity = 0;  // N·m, the mean of both sides
     double damping = 0;
     for (int side = 0; side < 2; ++side) {
-      const Triangle& points = garment_.triangles[faces[side].triangle];
-      const int corner = faces[side].corner;
+      const auto& [triangle, corner] = faces[side];
+      const Triangle& points = garment_.triangles[triangle];
       int a = points[(corner + 1) % 3];
       int b = points[(corner + 2) % 3];
+      const MeshedPanel& panel = garment_.panels[panel_of[triangle]];
+      const Fabric& fabric = fabric_of(model_.scene, panel);
+      const Vec2 along = garment_.flat[b] - garment_.flat[a];
+      rigidity += 0.5 * bending_along(fabric, std::atan2(along.x(), -along.y()) - panel.grain);
+      length += 0.5 * along.norm();
       if (model_.node_of_point[a] != edge.first) std::swap(a, b);
-      hinge[2 * side] = a;
-      hinge[2 * side + 1] = b;
-      corners[side] = points[corner];
-      reach[side] = from_edge(garment_.flat[a], garment_.flat[b], garment_.flat[points[corner]]);
-      const double half = area_of(garment_, faces[side].triangle);
+      bend.hinge[2 * side] = a;
+      bend.hinge[2 * side + 1] = b;
+      bend.corners[side] = points[corner];
+      opposite[side] = from_edge(garment_.flat[a], garment_.flat[b], garment_.flat[points[corner]]);
+      const double half = area_of(garment_, triangle);
       area += half;
-      damping += half * damping_of[faces[side].triangle];
+      damping += half * fabric.damping;
     }
-    const double heights = reach[0].y() + reach[1].y();
-    Bend bend;
-    bend.corners = corners;
-    bend.hinge = hinge;
-    bend.rest = Vec2(reach[0].x() - reach[1].x(), heights).norm();
+    const double heights = opposite[0].y() + opposite[1].y();
+    bend.rest = Vec2(opposite[0].x() - opposite[1].x(), heights).norm();
     // The spring shortens by `shorter` at the fold where the energies are to agree.
     const double fold = fold_angle_share * heights / matched_radius;
-    const double shorter = reach[0].y() * reach[1].y() * fold * fold / (2 * bend.rest);
-    const double energy = 0.5 * stiffness.at(edge) * fold * fold;
+    const double shorter = opposite[0].y() * opposite[1].y() * fold * fold / (2 * bend.rest);
+    // N·m: E = ½ stiffness fold², if the hinge bent alone and were rolled square to its edge.
+    const double stiffness = rigidity * (length * length / area);
+    const double energy = 0.5 * stiffness * fold * fold;
     bend.stiffness = 2 * energy / (shorter * shorter);
     bend.damping = damping / area;
     point_bends_.push_back(bend);
   }
 }
 
-int SpringSheet::root(int point) const {
-  while (parent_[point] != point) point = parent_[point] = parent_[parent_[point]];
-  return point;
-}
-
-void SpringSheet::merge(int a, int b) {
-  a = root(a);
-  b = root(b);
-  parent_[std::max(a, b)] = std::min(a, b);
-}
-
 void SpringSheet::refresh() {
-  node_of_point_.resize(parent_.size());
-  mass_.assign(parent_.size(), 0);
-  for (std::size_t p = 0; p < parent_.size(); ++p) {
-    node_of_point_[p] = root(static_cast<int>(p));
+  node_of_point_.resize(point_mass_.size());
+  mass_.assign(point_mass_.size(), 0);
+  for (std::size_t p = 0; p < point_mass_.size(); ++p) {
+    node_of_point_[p] = merged_.of(static_cast<int>(p));
     mass_[node_of_point_[p]] += point_mass_[p];
   }
   inverse_mass_.resize(mass_.size());

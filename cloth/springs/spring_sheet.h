@@ -6,6 +6,7 @@
 
 #include "cloth/model/garment_model.h"
 #include "cloth/springs/spring.h"
+#include "geometry/disjoint_sets.h"
 #include "geometry/types.h"
 #include "pattern/panel_mesh.h"
 
@@ -36,7 +37,7 @@ class SpringSheet {
   void stiffen_bending(double factor) { bending_factor_ = factor; }
 
   /// The nodes of two material points become one; springs change at the next refresh().
-  void merge(int a, int b);
+  void merge(int a, int b) { merged_.join(a, b); }
   /// Re-connects springs and triangles, and adds up the masses. Linear in the triangles.
   void refresh();
 
@@ -61,14 +62,13 @@ class SpringSheet {
   void lay_out_edges();
   void lay_out_bends();
   void soften_small_elements();
-  int root(int point) const;
 
   const PanelMesh& garment_;
   const GarmentModel& model_;
   std::vector<double> point_mass_;
   std::vector<Spring> point_edges_;  // between material points
   std::vector<Bend> point_bends_;
-  mutable std::vector<int> parent_;
+  DisjointSets merged_;  // material points of one node
   double bending_factor_ = 1;
   double rate_ = 0;  // 1/s²: stiffness on a node over its mass, the median
   int softened_ = 0;

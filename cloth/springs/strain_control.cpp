@@ -4,8 +4,8 @@
 #include <atomic>
 #include <cmath>
 
-#include "cloth/springs/chunks.h"
 #include "cloth/springs/spring_forces.h"
+#include "geometry/parallel.h"
 
 namespace toile {
 namespace {
@@ -18,6 +18,8 @@ constexpr double activity = 1e-12;
 struct Bounds {
   double low;
   double high;
+
+  bool exceeded_by(double square) const { return square > high || square < low; }
 };
 
 Bounds bounds(const StrainControlOptions& options) {
@@ -49,27 +51,23 @@ StrainControlOptions provot_options() {
 }
 
 StrainControl::StrainControl(std::span<const Spring> springs, int nodes)
-    : first_(static_cast<std::size_t>(nodes) + 1),
-      ends_(2 * springs.size()),
-      reached_(nodes, Vec3::Zero()),
+    : reached_(nodes, Vec3::Zero()),
       pulls_(springs.size(), Vec3::Zero()),
-      over_(springs.size()),
+      pulling_(springs.size()),
       touched_(nodes),
       requests_(nodes),
-      seen_(std::max(chunks_of(static_cast<int>(springs.size())), 1)) {
+      surveys_(chunks_of(springs.size(), vertex_chunk)) {
   check_springs(springs, nodes);
   springs_.reserve(springs.size());
   for (const Spring& s : springs) {
     springs_.push_back({s.a, s.b, s.rest, 1 / (s.rest * s.rest)});
-    ++first_[s.a + 1];
-    ++first_[s.b + 1];
   }
-  for (int n = 0; n < nodes; ++n) first_[n + 1] += first_[n];
-  std::vector<int> next(first_.begin(), first_.end() - 1);
-  for (std::size_t s = 0; s < springs.size(); ++s) {
-    ends_[next[springs[s].a]++] = static_cast<int>(2 * s);
-    ends_[next[springs[s].b]++] = static_cast<int>(2 * s + 1);
-  }
+  ends_.assign(static_cast<std::size_t>(nodes), [&](const auto& add) {
+    for (std::size_t s = 0; s < springs.size(); ++s) {
+      add(springs[s].a, {static_cast<int>(s), false});
+      add(springs[s].b, {static_cast<int>(s), true});
+    }
+  });
 }
 
 StrainReport StrainControl::adjust_velocities(std::span<const Vec3> x,
@@ -77,15 +75,15 @@ StrainReport StrainControl::adjust_velocities(std::span<const Vec3> x,
                                               const StrainControlOptions& options,
                                               std::span<Vec3> v) {
   const auto predict = [&] {
-    in_spring_chunks(static_cast<int>(x.size()), [&](int, int first, int last) {
-      for (int n = first; n < last; ++n) reached_[n] = x[n] + dt * v[n];
+    parallel_for_chunks(x.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) reached_[n] = x[n] + dt * v[n];
     });
   };
   predict();
   StrainReport report = adjust(inverse_mass, options, 1 / dt, v);
   if (report.over > 0 && options.measure_after) {
     predict();
-    report.after = look(options).largest;
+    report.after = measure(options).largest;
   }
   return report;
 }
@@ -97,7 +95,7 @@ StrainReport StrainControl::adjust_positions(std::span<const double> inverse_mas
   StrainReport report = adjust(inverse_mass, options, 1, x);
   if (report.over > 0 && options.measure_after) {
     std::copy(x.begin(), x.end(), reached_.begin());
-    report.after = look(options).largest;
+    report.after = measure(options).largest;
   }
   return report;
 }
@@ -107,24 +105,24 @@ StrainReport StrainControl::adjust(std::span<const double> inverse_mass,
                                    const StrainControlOptions& options, double scale,
                                    std::span<Vec3> out) {
   StrainReport report;
-  Seen seen;
   for (int pass = 0; pass < options.passes; ++pass) {
     const bool in_order = options.sweep == StrainSweep::in_order;
-    seen = in_order ? look(options) : request(inverse_mass, options);
+    const Survey survey = in_order ? measure(options) : find_pulls(inverse_mass, options);
     if (pass == 0) {
-      report.before = seen.largest;
-      report.over = seen.over;
+      report.before = survey.largest;
+      report.over = survey.over;
     }
-    if (seen.over == 0) break;
-    if (in_order && pass > 0 && seen.largest - options.limit < options.tolerance) break;
-    // What one pass changes is in what all later ones reach: the mean needs no memory of them.
+    if (survey.over == 0) break;
+    if (in_order && pass > 0 && survey.largest - options.limit < options.tolerance) break;
+    // A pass's change is part of the state after each later pass. So the mean needs no copies of
+    // these states.
     const double share =
         options.mean_of_passes ? double(options.passes - pass) / options.passes : 1.0;
     if (in_order) {
       sweep_in_order(inverse_mass, options, share * scale, out);
     } else {
-      if (options.sweep != StrainSweep::summed) count_requests();
-      apply(inverse_mass, options.sweep, share * scale, out);
+      count_requests();
+      apply_pulls(inverse_mass, share * scale, out);
     }
     ++report.passes;
   }
@@ -132,99 +130,95 @@ StrainReport StrainControl::adjust(std::span<const double> inverse_mass,
   return report;
 }
 
-StrainControl::Seen StrainControl::look(const StrainControlOptions& options) {
+/// Calls visit(spring index, vector from end a to end b, squared length / rest) for each spring
+/// beyond the limit, in parallel.
+template <typename Visit>
+StrainControl::Survey StrainControl::survey(const StrainControlOptions& options,
+                                            const Visit& visit) {
   const Bounds bound = bounds(options);
-  in_spring_chunks(static_cast<int>(springs_.size()), [&](int chunk, int first, int last) {
+  parallel_for_chunks(springs_.size(), [&](std::size_t begin, std::size_t end) {
     double lowest = 1;
     double highest = 1;
     int over = 0;
-    for (int s = first; s < last; ++s) {
-      const Limited& spring = springs_[s];
-      const double square =
-          (reached_[spring.b] - reached_[spring.a]).squaredNorm() * spring.inverse_square;
-      lowest = std::min(lowest, square);
-      highest = std::max(highest, square);
-      over += square > bound.high || square < bound.low;
-    }
-    seen_[chunk] = {largest_strain(lowest, highest, options.compression), over};
-  });
-  return sum_of_chunks();
-}
-
-/// look() that also writes down what the springs beyond the limit ask for.
-StrainControl::Seen StrainControl::request(std::span<const double> inverse_mass,
-                                           const StrainControlOptions& options) {
-  const Bounds bound = bounds(options);
-  in_spring_chunks(static_cast<int>(springs_.size()), [&](int chunk, int first, int last) {
-    double lowest = 1;
-    double highest = 1;
-    int over = 0;
-    for (int s = first; s < last; ++s) {
+    for (std::size_t s = begin; s < end; ++s) {
       const Limited& spring = springs_[s];
       const Vec3 d = reached_[spring.b] - reached_[spring.a];
       const double square = d.squaredNorm() * spring.inverse_square;
       lowest = std::min(lowest, square);
       highest = std::max(highest, square);
-      over_[s] = 0;
-      if (!(square > bound.high || square < bound.low)) continue;
+      if (!bound.exceeded_by(square)) continue;
       ++over;
-      const double sum = inverse_mass[spring.a] + inverse_mass[spring.b];
-      const double length = d.norm();
-      if (sum == 0 || length == 0) continue;
-      over_[s] = 1;
-      pulls_[s] = (length - target(options, square, spring.rest)) / (length * sum) * d;
-      for (const int end : {spring.a, spring.b}) {
-        std::atomic_ref(touched_[end]).store(1, std::memory_order_relaxed);
-      }
+      visit(s, d, square);
     }
-    seen_[chunk] = {largest_strain(lowest, highest, options.compression), over};
+    surveys_[begin / vertex_chunk] = {largest_strain(lowest, highest, options.compression), over};
   });
-  return sum_of_chunks();
+  Survey all;
+  for (const Survey& of_chunk : surveys_) {
+    all.largest = std::max(all.largest, of_chunk.largest);
+    all.over += of_chunk.over;
+  }
+  return all;
 }
 
-StrainControl::Seen StrainControl::sum_of_chunks() const {
-  Seen sum;
-  const int chunks = chunks_of(static_cast<int>(springs_.size()));
-  for (int c = 0; c < chunks; ++c) {
-    sum.largest = std::max(sum.largest, seen_[c].largest);
-    sum.over += seen_[c].over;
-  }
-  return sum;
+StrainControl::Survey StrainControl::measure(const StrainControlOptions& options) {
+  return survey(options, [](std::size_t, const Vec3&, double) {});
+}
+
+/// Pull on end a toward end b that brings a spring to the limit, kg·m. `d` is the vector from a to
+/// b, `square` its squared length in rest lengths. Nothing where neither end can move, or the two
+/// are in one place.
+std::optional<Vec3> StrainControl::pull_of(const Limited& spring, const Vec3& d, double square,
+                                           std::span<const double> inverse_mass,
+                                           const StrainControlOptions& options) {
+  const double sum = inverse_mass[spring.a] + inverse_mass[spring.b];
+  const double length = d.norm();
+  if (sum == 0 || length == 0) return std::nullopt;
+  return (length - target(options, square, spring.rest)) / (length * sum) * d;
+}
+
+/// Stores the pulls of the springs beyond the limit, and marks the nodes at their ends.
+StrainControl::Survey StrainControl::find_pulls(std::span<const double> inverse_mass,
+                                                const StrainControlOptions& options) {
+  std::fill(pulling_.begin(), pulling_.end(), 0);
+  return survey(options, [&](std::size_t s, const Vec3& d, double square) {
+    const Limited& spring = springs_[s];
+    const std::optional<Vec3> pull = pull_of(spring, d, square, inverse_mass, options);
+    if (!pull) return;
+    pulling_[s] = 1;
+    pulls_[s] = *pull;
+    for (const int end : {spring.a, spring.b}) {
+      std::atomic_ref(touched_[end]).store(1, std::memory_order_relaxed);
+    }
+  });
 }
 
 void StrainControl::count_requests() {
-  in_spring_chunks(static_cast<int>(requests_.size()), [&](int, int first, int last) {
-    for (int n = first; n < last; ++n) {
+  parallel_for_chunks(requests_.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
       if (!touched_[n]) continue;
       int count = 0;
-      for (int e = first_[n]; e < first_[n + 1]; ++e) count += over_[ends_[e] / 2];
+      for (const End& e : ends_[n]) count += pulling_[e.spring];
       requests_[n] = count;
     }
   });
 }
 
-void StrainControl::apply(std::span<const double> inverse_mass, StrainSweep sweep, double scale,
-                          std::span<Vec3> out) {
-  in_spring_chunks(static_cast<int>(touched_.size()), [&](int, int first, int last) {
-    for (int n = first; n < last; ++n) {
+void StrainControl::apply_pulls(std::span<const double> inverse_mass, double scale,
+                                std::span<Vec3> out) {
+  parallel_for_chunks(touched_.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
       if (!touched_[n]) continue;
       touched_[n] = 0;
       if (inverse_mass[n] == 0) continue;
       Vec3 sum = Vec3::Zero();
-      for (int e = first_[n]; e < first_[n + 1]; ++e) {
-        const int s = ends_[e] / 2;
-        if (!over_[s]) continue;
-        const bool at_b = ends_[e] % 2 == 1;
-        double factor = at_b ? -1 : 1;
-        if (sweep == StrainSweep::shared) {
-          // A held end takes all that is asked of it: only ends that move can be overcharged.
-          const int other = at_b ? springs_[s].a : springs_[s].b;
-          factor /=
-              inverse_mass[other] == 0 ? requests_[n] : std::max(requests_[n], requests_[other]);
-        }
-        sum += factor * pulls_[s];
+      for (const End& e : ends_[n]) {
+        if (!pulling_[e.spring]) continue;
+        // A held end does not move. So only the requests at ends that move divide the pull.
+        const int other = e.is_b ? springs_[e.spring].a : springs_[e.spring].b;
+        const int divisor =
+            inverse_mass[other] == 0 ? requests_[n] : std::max(requests_[n], requests_[other]);
+        sum += (e.is_b ? -1.0 : 1.0) / divisor * pulls_[e.spring];
       }
-      if (sweep == StrainSweep::node_average) sum /= requests_[n];
       const Vec3 change = inverse_mass[n] * sum;
       reached_[n] += change;
       out[n] += scale * change;
@@ -239,13 +233,11 @@ void StrainControl::sweep_in_order(std::span<const double> inverse_mass,
   for (const Limited& spring : springs_) {
     const Vec3 d = reached_[spring.b] - reached_[spring.a];
     const double square = d.squaredNorm() * spring.inverse_square;
-    if (!(square > bound.high || square < bound.low)) continue;
-    const double sum = inverse_mass[spring.a] + inverse_mass[spring.b];
-    const double length = d.norm();
-    if (sum == 0 || length == 0) continue;
-    const Vec3 pull = (length - target(options, square, spring.rest)) / (length * sum) * d;
-    const Vec3 a = inverse_mass[spring.a] * pull;
-    const Vec3 b = inverse_mass[spring.b] * pull;
+    if (!bound.exceeded_by(square)) continue;
+    const std::optional<Vec3> pull = pull_of(spring, d, square, inverse_mass, options);
+    if (!pull) continue;
+    const Vec3 a = inverse_mass[spring.a] * *pull;
+    const Vec3 b = inverse_mass[spring.b] * *pull;
     reached_[spring.a] += a;
     reached_[spring.b] -= b;
     out[spring.a] += scale * a;

@@ -2,10 +2,12 @@
 // the positions move, or positions after they moved.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "cloth/springs/spring.h"
+#include "geometry/adjacency.h"
 #include "geometry/types.h"
 
 namespace toile {
@@ -14,12 +16,10 @@ enum class StrainScheme { none, velocity, position };
 
 /// How the corrections of one pass add up where springs share a node. A spring beyond the limit
 /// asks for a correction of its ends that alone would bring it to the limit. The ends share it by
-/// their inverse masses. All but `node_average` conserve momentum.
+/// their inverse masses. Both sweeps conserve momentum.
 enum class StrainSweep {
-  summed,        ///< Jacobi: all corrections added; overshoots, and can grow, where many meet
-  shared,        ///< Jacobi: each divided by the number of springs beyond at its busier end
-  node_average,  ///< Jacobi: a node takes the mean of what its springs ask; loses momentum
-  in_order,      ///< Gauss–Seidel: each spring sees what those before it did; one thread
+  shared,    ///< Jacobi: a correction is divided by the springs beyond the limit at its busier end
+  in_order,  ///< Gauss–Seidel: each spring sees the corrections before it; one thread
 };
 
 struct StrainControlOptions {
@@ -33,7 +33,7 @@ struct StrainControlOptions {
   /// Strain over the limit at which in_order stops before its passes are used up. It sweeps once
   /// in any case: corrections put off until the tolerance is reached come as knocks.
   double tolerance = 0;
-  bool measure_after = true;  ///< fill StrainReport::after; costs a look at every spring
+  bool measure_after = true;  ///< fill StrainReport::after; costs one pass over the springs
 };
 
 /// Provot's adjustment: one sweep over the springs in order, elongation only, limit 10 %
@@ -75,31 +75,38 @@ class StrainControl {
     double rest;
     double inverse_square;  ///< of rest
   };
-  struct Seen {  ///< by one look at the springs, or at a chunk of them
-    double largest = 0;
-    int over = 0;
+  struct End {
+    int spring;
+    bool is_b;  ///< its end b, not a
+  };
+  /// Of all springs, or of a chunk of them.
+  struct Survey {
+    double largest = 0;  ///< strain
+    int over = 0;        ///< springs beyond the limit
   };
 
   StrainReport adjust(std::span<const double> inverse_mass, const StrainControlOptions& options,
                       double scale, std::span<Vec3> out);
-  Seen look(const StrainControlOptions& options);
-  Seen request(std::span<const double> inverse_mass, const StrainControlOptions& options);
+  template <typename Visit>
+  Survey survey(const StrainControlOptions& options, const Visit& visit);
+  Survey measure(const StrainControlOptions& options);
+  Survey find_pulls(std::span<const double> inverse_mass, const StrainControlOptions& options);
   void count_requests();
-  void apply(std::span<const double> inverse_mass, StrainSweep sweep, double scale,
-             std::span<Vec3> out);
+  void apply_pulls(std::span<const double> inverse_mass, double scale, std::span<Vec3> out);
   void sweep_in_order(std::span<const double> inverse_mass, const StrainControlOptions& options,
                       double scale, std::span<Vec3> out);
-  Seen sum_of_chunks() const;
+  static std::optional<Vec3> pull_of(const Limited& spring, const Vec3& d, double square,
+                                     std::span<const double> inverse_mass,
+                                     const StrainControlOptions& options);
 
   std::vector<Limited> springs_;
-  std::vector<int> first_;     ///< nodes + 1: node n's are ends_[first_[n]] .. [first_[n + 1] - 1]
-  std::vector<int> ends_;      ///< 2·spring, + 1 at its end b
-  std::vector<Vec3> reached_;  ///< per node: predicted, and adjusted so far
-  std::vector<Vec3> pulls_;    ///< per spring beyond the limit: kg·m toward b on a
-  std::vector<unsigned char> over_;     ///< per spring
-  std::vector<unsigned char> touched_;  ///< per node: one of its springs is beyond the limit
-  std::vector<int> requests_;           ///< per touched node: its springs beyond the limit
-  std::vector<Seen> seen_;              ///< per chunk
+  Adjacency<End> ends_;                 ///< at each node, in the order of the springs
+  std::vector<Vec3> reached_;           ///< per node: predicted, and adjusted so far
+  std::vector<Vec3> pulls_;             ///< per spring, see pull_of()
+  std::vector<unsigned char> pulling_;  ///< per spring: its pull counts in this pass
+  std::vector<unsigned char> touched_;  ///< per node: a spring pulls at it in this pass
+  std::vector<int> requests_;           ///< per touched node: the springs that pull at it
+  std::vector<Survey> surveys_;         ///< per chunk
 };
 
 }  // namespace toile

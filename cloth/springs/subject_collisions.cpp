@@ -1,18 +1,17 @@
 #include "cloth/springs/subject_collisions.h"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 
 #include "cloth/springs/constants.h"
 #include "cloth/springs/crossing_guard.h"
+#include "geometry/parallel.h"
 
 namespace toile {
 
 namespace {
 
-/// Triangles of a task; fixed, so that results don't depend on the threads.
-constexpr int chunk = 256;
+/// Triangles that one task handles.
+constexpr std::size_t triangle_chunk = 256;
 
 }  // namespace
 
@@ -29,7 +28,7 @@ class SubjectCollisions::Response {
     reach_.resize(triangles.size());
     pair_reach_.resize(triangles.size());
     moved_.resize(triangles.size());
-    chunks_.resize((triangles.size() + chunk - 1) / chunk);
+    chunks_.resize(chunks_of(triangles.size(), triangle_chunk));
   }
 
   CollisionCounts respond(const CollisionStep& step, std::vector<Vec3>& v);
@@ -39,9 +38,8 @@ class SubjectCollisions::Response {
  private:
   template <class Work>
   void each_chunk(const Work& work) {
-    tbb::parallel_for(0, static_cast<int>(chunks_.size()), [&](int c) {
-      const int end = std::min((c + 1) * chunk, static_cast<int>(candidates_.cloth().size()));
-      work(c, c * chunk, end);
+    parallel_for(chunks_.size(), [&](std::size_t c) {
+      work(c, c * triangle_chunk, std::min((c + 1) * triangle_chunk, candidates_.cloth().size()));
     });
   }
   void nodes_first(const CollisionStep& step, std::vector<Vec3>& v);
@@ -73,8 +71,8 @@ void SubjectCollisions::Response::touch(int node) {
 
 void SubjectCollisions::Response::nodes_first(const CollisionStep& step, std::vector<Vec3>& v) {
   std::vector<double> fastest(chunks_.size(), 0);
-  each_chunk([&](int c, int begin, int end) {
-    for (int t = begin; t < end; ++t) {
+  each_chunk([&](std::size_t c, std::size_t begin, std::size_t end) {
+    for (int t = static_cast<int>(begin); t < static_cast<int>(end); ++t) {
       const ClothTriangle& own = step.cloth[t];
       double speed = 0;
       for (const int node : own.nodes) speed = std::max(speed, step.before[node].squaredNorm());
@@ -101,10 +99,10 @@ void SubjectCollisions::Response::nodes_first(const CollisionStep& step, std::ve
 
 bool SubjectCollisions::Response::find_pairs(const CollisionStep& step, double slack,
                                              const std::vector<Vec3>& v) {
-  each_chunk([&](int c, int begin, int end) {
+  each_chunk([&](std::size_t c, std::size_t begin, std::size_t end) {
     chunks_[c].edges.clear();
     chunks_[c].vertices.clear();
-    for (int t = begin; t < end; ++t) {
+    for (int t = static_cast<int>(begin); t < static_cast<int>(end); ++t) {
       const NearTriangle& near = candidates_.near(t);
       if (near.edges.empty() && near.vertices.empty()) continue;
       const Triangle& n = step.cloth[t].nodes;

@@ -103,19 +103,15 @@ void SubjectSurface::build_vertices() {
   }
   for (Vec3& normal : vertex_normals_) normal.normalize();
   for (Vec3& normal : side_normals_) normal.normalize();
-  ring_first_.assign(count + 1, 0);
   for (const SubjectEdge& edge : edges_) {
-    ++ring_first_[edge.a + 1];
-    ++ring_first_[edge.b + 1];
     if (edge.rim) vertex_on_rim_[edge.a] = vertex_on_rim_[edge.b] = 1;
   }
-  for (std::size_t v = 0; v < count; ++v) ring_first_[v + 1] += ring_first_[v];
-  ring_.resize(ring_first_.back());
-  std::vector<int> next(ring_first_.begin(), ring_first_.end() - 1);
-  for (const SubjectEdge& edge : edges_) {
-    ring_[next[edge.a]++] = edge.b;
-    ring_[next[edge.b]++] = edge.a;
-  }
+  ring_.assign(count, [&](const auto& add) {
+    for (const SubjectEdge& edge : edges_) {
+      add(edge.a, edge.b);
+      add(edge.b, edge.a);
+    }
+  });
   vertex_is_tip_.assign(count, 0);
   for (std::size_t v = 0; v < count; ++v) {
     vertex_is_tip_[v] = owned[v] != 0 && find_tip(static_cast<int>(v)) ? 1 : 0;

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/adjacency.h"
 #include "geometry/surface_distance.h"
 #include "geometry/types.h"
 
@@ -50,9 +51,7 @@ class SubjectSurface {
   /// Something flat over it can touch it before anything else at it.
   bool is_tip(int vertex) const { return vertex_is_tip_[vertex] != 0; }
   /// Vertices joined to `vertex` by an edge.
-  std::span<const int> neighbours(int vertex) const {
-    return {ring_.data() + ring_first_[vertex], ring_.data() + ring_first_[vertex + 1]};
-  }
+  std::span<const int> neighbours(int vertex) const { return ring_[vertex]; }
   const SubjectEdge& edge(int number) const { return edges_[number]; }
   /// Side i of a facet runs from its corner i to the next.
   const std::array<int, 3>& facet_edges(int facet) const { return facet_edges_[facet]; }
@@ -88,8 +87,7 @@ class SubjectSurface {
   std::vector<Vec3> side_normals_;  // of the vertices, weighted by angle: they tell the side
   std::vector<char> vertex_on_rim_;
   std::vector<char> vertex_is_tip_;
-  std::vector<int> ring_first_;
-  std::vector<int> ring_;
+  Adjacency<int> ring_;  // at each vertex, those joined to it by an edge
 };
 
 }  // namespace toile

@@ -88,7 +88,8 @@ HangingCloth hang_cloth(const HangingClothOptions& options) {
   HangingCloth result;
   result.grid = cloth(options);
   test::SpringMotion motion = motion_of(result.grid, options.drag_rate);
-  StrainControl control(result.grid.limited(), static_cast<int>(result.grid.x.size()));
+  const std::vector<Spring> limited = result.grid.limited();
+  StrainControl control(limited, static_cast<int>(result.grid.x.size()));
   Measure measure(result.grid);
 
   using Clock = std::chrono::steady_clock;
@@ -103,10 +104,13 @@ HangingCloth hang_cloth(const HangingClothOptions& options) {
     const Clock::time_point start = Clock::now();
     if (options.scheme == StrainScheme::velocity) {
       motion.step(options.dt, [&] {
-        passes += control
-                      .adjust_velocities(motion.x, motion.inverse_mass, options.dt, options.control,
-                                         motion.v)
-                      .passes;
+        const StrainReport report =
+            options.jacobi
+                ? test::adjust_velocities(*options.jacobi, limited, motion.x, motion.inverse_mass,
+                                          options.dt, options.control, motion.v)
+                : control.adjust_velocities(motion.x, motion.inverse_mass, options.dt,
+                                            options.control, motion.v);
+        passes += report.passes;
       });
     } else {
       motion.step(options.dt);

@@ -2,9 +2,11 @@
 // [Zhong & Xu 2009, Fig. 9; Provot 1995].
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "cloth/springs/strain_control.h"
+#include "tests/support/jacobi_strain.h"
 #include "tests/support/spring_grid.h"
 
 namespace toile::figures {
@@ -14,6 +16,8 @@ namespace toile::figures {
 struct HangingClothOptions {
   StrainScheme scheme = StrainScheme::none;
   StrainControlOptions control;  ///< of either scheme
+  /// Velocities are adjusted by this sum, to compare with; none: by StrainControl.
+  std::optional<test::JacobiSum> jacobi = {};
   int nodes_across = 17;
   double dt = 0.001;         ///< s
   double stiffness = 20;     ///< N/m, of structural and shear springs

@@ -18,6 +18,7 @@
 #include "tests/cloth/panels.h"
 #include "tests/support/shapes.h"
 #include "tests/support/slope.h"
+#include "tests/support/spring_energy.h"
 #include "tests/support/stretch_energy.h"
 #include "tests/support/tubes.h"
 #include "tests/validation/report.h"

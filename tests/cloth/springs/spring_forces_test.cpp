@@ -10,6 +10,7 @@
 #include <random>
 
 #include "geometry/error.h"
+#include "tests/support/spring_energy.h"
 #include "tests/support/spring_motion.h"
 
 namespace toile {

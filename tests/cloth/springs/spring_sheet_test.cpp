@@ -10,6 +10,7 @@
 #include "cloth/model/compile.h"
 #include "cloth/springs/spring_forces.h"
 #include "tests/cloth/panels.h"
+#include "tests/support/spring_energy.h"
 
 namespace toile {
 namespace spring_sheet_test {
@@ -126,6 +127,36 @@ TEST(SpringSheet, MergingJoinsMassesAndSprings) {
   std::vector<Vec3> x = garment.placed;
   for (std::size_t p = 121; p < x.size(); ++p) x[p].x() -= 0.03;
   EXPECT_LT(spring_energy(sheet.edges(), x) + spring_energy(sheet.bending(), x), 1e-18);
+}
+
+// Each side of a seam contributes half of its rigidity to the springs across it.
+TEST(SpringSheet, ASeamBendsAsTheMeanOfItsPanels) {
+  PanelMesh garment = two_squares();
+  garment.panels[1].fabric = "lining";
+  const auto across_seam = [&](double left, double right) {
+    Scene scene;
+    scene.fabric.bending_warp = scene.fabric.bending_weft = left;
+    Fabric& lining = scene.fabrics["lining"];
+    lining.bending_warp = lining.bending_weft = right;
+    const GarmentModel model = compile(garment, scene, garment.placed);
+    SpringSheet sheet(garment, model);
+    const MeshedSeam& seam = garment.seams[0];
+    for (std::size_t i = 0; i < seam.a.size(); ++i) sheet.merge(seam.a[i], seam.b[i]);
+    sheet.refresh();
+    std::vector<double> stiffness;
+    const auto is_left = [](int node) { return node < 121 && node % 11 < 10; };  // off the seam
+    for (const Spring& spring : sheet.bending()) {
+      const int on_left = is_left(spring.a) + is_left(spring.b);
+      const int on_right = (spring.a >= 121) + (spring.b >= 121);
+      if (on_left == 1 && on_right == 1) stiffness.push_back(spring.stiffness);
+    }
+    return stiffness;
+  };
+  const std::vector<double> soft = across_seam(1e-7, 1e-7);
+  const std::vector<double> mixed = across_seam(1e-7, 2e-7);
+  ASSERT_EQ(mixed.size(), soft.size());
+  EXPECT_EQ(soft.size(), 10U);
+  for (std::size_t i = 0; i < soft.size(); ++i) EXPECT_NEAR(mixed[i] / soft[i], 1.5, 1e-9);
 }
 
 TEST(SpringSheet, AGatheredSideTakesItsPartnersLength) {

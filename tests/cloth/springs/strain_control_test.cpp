@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <iostream>
+#include <optional>
 #include <random>
 
 #include "tests/cloth/springs/strain_chain_rows.h"
+#include "tests/support/jacobi_strain.h"
 #include "tests/support/spring_grid.h"
 
 namespace toile {
@@ -16,6 +18,21 @@ namespace strain_control_test {
 constexpr int links = 16;
 constexpr double rest = 1.0 / 16;
 constexpr double dt = 0.01;
+
+/// Options, and one of the sums to compare with; none: StrainControl.
+struct Scheme {
+  StrainControlOptions options;
+  std::optional<test::JacobiSum> jacobi = {};
+
+  StrainReport adjust(const std::vector<Spring>& springs, const std::vector<Vec3>& x,
+                      const std::vector<double>& inverse_mass, std::vector<Vec3>& v) const {
+    if (jacobi) {
+      return test::adjust_velocities(*jacobi, springs, x, inverse_mass, dt, options, v);
+    }
+    return StrainControl(springs, static_cast<int>(x.size()))
+        .adjust_velocities(x, inverse_mass, dt, options, v);
+  }
+};
 
 /// The chain of reference case 13, hanging down from node 0.
 struct Chain {
@@ -34,9 +51,7 @@ struct Chain {
     }
   }
 
-  StrainReport adjust(const StrainControlOptions& options) {
-    return StrainControl(springs, links + 1).adjust_velocities(x, inverse_mass, dt, options, v);
-  }
+  StrainReport adjust(const Scheme& scheme) { return scheme.adjust(springs, x, inverse_mass, v); }
 
   double strain(int link) const {
     const Vec3 d = x[link + 1] - x[link] + dt * (v[link + 1] - v[link]);
@@ -60,18 +75,21 @@ StrainControlOptions plain(StrainSweep sweep, int passes) {
   return options;
 }
 
-StrainControlOptions scheme_named(std::string_view name) {
-  if (name == "none") return plain(StrainSweep::summed, 0);
+Scheme scheme_named(std::string_view name) {
+  if (name == "none") return {plain(StrainSweep::shared, 0)};
   const std::string count(name.substr(name.rfind('_') + 1));
-  if (name.starts_with("jacobi_sum")) return plain(StrainSweep::summed, std::stoi(count));
-  if (name.starts_with("jacobi_avg")) return plain(StrainSweep::node_average, std::stoi(count));
+  if (name.starts_with("jacobi")) {
+    const bool summed = name.starts_with("jacobi_sum");
+    return {plain(StrainSweep::shared, std::stoi(count)),
+            summed ? test::JacobiSum::summed : test::JacobiSum::node_average};
+  }
   StrainControlOptions options = plain(StrainSweep::in_order, 100000);
   if (name.find("_to_") != name.npos) {
     options.tolerance = std::stod(count);
   } else {
     options.passes = std::stoi(count);
   }
-  return options;
+  return {options};
 }
 
 TEST(StrainControl, ChainsGoWhereRationalArithmeticPutsThem) {
@@ -110,14 +128,14 @@ TEST(StrainControl, ChainsGoWhereRationalArithmeticPutsThem) {
 
 TEST(StrainControl, ThePapersMeanOfThreePassesLeavesMoreThanTheThird) {
   const struct {
-    StrainSweep sweep;
+    test::JacobiSum sum;
     double left;  // reference case 13, to the digits given there
-  } rows[] = {{StrainSweep::summed, 0.126}, {StrainSweep::node_average, 0.122}};
+  } rows[] = {{test::JacobiSum::summed, 0.126}, {test::JacobiSum::node_average, 0.122}};
   for (const auto& row : rows) {
     Chain chain("uniform_10pct_fixed_top");
-    StrainControlOptions options = plain(row.sweep, 3);
-    options.mean_of_passes = true;
-    const StrainReport report = chain.adjust(options);
+    Scheme scheme{plain(StrainSweep::shared, 3), row.sum};
+    scheme.options.mean_of_passes = true;
+    const StrainReport report = chain.adjust(scheme);
     std::cout << "10 % over; mean of three passes leaves " << 100 * report.after << " % (reference "
               << 100 * row.left << " %)\n";
     EXPECT_NEAR(report.after, row.left, 6e-4);
@@ -126,7 +144,7 @@ TEST(StrainControl, ThePapersMeanOfThreePassesLeavesMoreThanTheThird) {
     std::vector<Vec3> mean(links + 1, Vec3::Zero());
     for (const int passes : {1, 2, 3}) {
       Chain part("uniform_10pct_fixed_top");
-      part.adjust(plain(row.sweep, passes));
+      part.adjust({plain(StrainSweep::shared, passes), row.sum});
       for (int i = 0; i <= links; ++i) mean[i] += part.v[i] / 3;
     }
     for (int i = 0; i <= links; ++i) EXPECT_LT((chain.v[i] - mean[i]).norm(), 1e-13);
@@ -162,14 +180,15 @@ TEST(StrainControl, OneSpringIsExactAfterOnePass) {
   };
   double worst = 0;
   for (const auto& row : rows) {
-    for (const StrainSweep sweep : {StrainSweep::summed, StrainSweep::shared,
-                                    StrainSweep::node_average, StrainSweep::in_order}) {
+    for (const Scheme& scheme :
+         {Scheme{plain(StrainSweep::shared, 1)}, Scheme{plain(StrainSweep::in_order, 1)},
+          Scheme{plain(StrainSweep::shared, 1), test::JacobiSum::summed},
+          Scheme{plain(StrainSweep::shared, 1), test::JacobiSum::node_average}}) {
       const std::vector<Vec3> x = {{0, 0, 0}, {(1 + row.strain) * rest, 0, 0}};
       const std::vector<Vec3> start = {{0, 0, 0}, {0, row.sideways * rest / dt, 0}};
       std::vector<Vec3> v = start;
-      StrainControl control(test::spring_chain(1, rest, 1), 2);
       const StrainReport report =
-          control.adjust_velocities(x, std::vector{row.w0, row.w1}, dt, plain(sweep, 1), v);
+          scheme.adjust(test::spring_chain(1, rest, 1), x, {row.w0, row.w1}, v);
       EXPECT_NEAR(report.after, 0.01, 1e-14);
       EXPECT_EQ(report.over, 1);
       worst = std::max({worst, std::abs((v[0] - start[0]).norm() - row.dv0),
@@ -184,7 +203,7 @@ TEST(StrainControl, WithinTheLimitNothingChanges) {
   Chain chain("uniform_10pct_fixed_top");
   StrainControlOptions options;
   options.limit = 0.1 + 1e-9;
-  const StrainReport report = chain.adjust(options);
+  const StrainReport report = chain.adjust({options});
   EXPECT_NEAR(report.before, 0.1, 1e-14);
   EXPECT_EQ(report.after, report.before);
   EXPECT_EQ(report.over, 0);
@@ -230,12 +249,9 @@ class RandomCloth : public testing::Test {
     }
   }
 
-  std::vector<Vec3> adjusted(StrainSweep sweep) {
+  std::vector<Vec3> adjusted(const Scheme& scheme) {
     std::vector<Vec3> v = velocities;
-    StrainControlOptions options;
-    options.sweep = sweep;
-    StrainControl control(grid.limited(), static_cast<int>(grid.x.size()));
-    const StrainReport report = control.adjust_velocities(grid.x, inverse_mass, dt, options, v);
+    const StrainReport report = scheme.adjust(grid.limited(), grid.x, inverse_mass, v);
     EXPECT_EQ(report.passes, 3);
     EXPECT_GT(report.over, 1000);
     return v;
@@ -259,26 +275,24 @@ class RandomCloth : public testing::Test {
 };
 
 TEST_F(RandomCloth, MomentumIsConserved) {
-  for (const StrainSweep sweep :
-       {StrainSweep::summed, StrainSweep::shared, StrainSweep::in_order}) {
-    const double gained = momentum_gained(adjusted(sweep));
+  for (const Scheme& scheme :
+       {Scheme{{.sweep = StrainSweep::shared}}, Scheme{{.sweep = StrainSweep::in_order}},
+        Scheme{{}, test::JacobiSum::summed}}) {
+    const double gained = momentum_gained(adjusted(scheme));
     EXPECT_LT(gained, 1e-14);
     std::cout << "momentum gained, as a share of the impulses: " << gained << "\n";
   }
-  const double lost = momentum_gained(adjusted(StrainSweep::node_average));
+  const double lost = momentum_gained(adjusted({{}, test::JacobiSum::node_average}));
   std::cout << "and with each node's average: " << lost << "\n";
   EXPECT_GT(lost, 1e-5);
 }
 
 TEST_F(RandomCloth, SameBitsForAnyNumberOfThreads) {
-  for (const StrainSweep sweep :
-       {StrainSweep::summed, StrainSweep::shared, StrainSweep::node_average}) {
-    const auto with_threads = [&](std::size_t threads) {
-      const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-      return adjusted(sweep);
-    };
-    EXPECT_EQ(with_threads(1), with_threads(4));
-  }
+  const auto with_threads = [&](std::size_t threads) {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    return adjusted({{.sweep = StrainSweep::shared}});
+  };
+  EXPECT_EQ(with_threads(1), with_threads(4));
 }
 
 TEST(StrainControl, ProvotShortensElongatedSpringsInTurn) {
