@@ -85,7 +85,14 @@ inline constexpr double offset_growth = 0.5;
 /// Metres: a point that is less deep by the smooth distance may be outside by the exact one.
 inline constexpr double max_smooth_depth = -0.005;
 
-/// Metres within which a mesh looks for cloth, at most.
+/// Residual, in mean node weights, of cloth that may go on to the next mesh.
+inline constexpr double settled_residual = 0.05;
+
+/// Radius within which a mesh searches for cloth, in its edge lengths.
+inline constexpr double search_radius_share = 0.4;
+/// Metres that this radius exceeds the gap at which cloth touches, at least.
+inline constexpr double min_search_margin = 0.0015;
+/// Metres: the largest such radius.
 inline constexpr double max_search_radius = 0.02;
 
 // Rest.
@@ -96,6 +103,11 @@ inline constexpr int stiffening_iterations = 1000;
 
 /// Iterations without coming nearer to rest after which a run gives up.
 inline constexpr int rest_patience = 8000;
+
+/// Residual of whole patches, in their weights, of a garment that is to be released. One that is
+/// not at rest as a whole would swing. At this residual 99 % of a garment move less than 2 mm in a
+/// second [measured].
+inline constexpr double releasable_residual = 0.0007;
 
 /// Times at most that a garment that moves off when released is brought to rest again.
 inline constexpr int max_returns = 3;

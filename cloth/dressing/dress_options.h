@@ -1,16 +1,19 @@
 // What a user may ask of a dressing.
 #pragma once
 
+#include "cloth/dressing/quality.h"
+
 namespace toile {
 
 struct DressOptions {
-  double stop_median = 0.0015;  ///< residual of a garment at rest, in mean node weights
-  double stop_rms = 0.015;
+  /// Residual of a garment at rest, in mean node weights.
+  double stop_median = standard_quality.residual;
+  double stop_rms = rms_over_median * standard_quality.residual;
   /// Residual of whole patches of cloth, in their weights; 0: not asked for. Soft motions come to
   /// rest slowly. At 0.0015 nodes are up to 0.3 mm (rms) from where they end, at 0.003 up to 0.6
   /// mm. At 0.0007 99 % of a garment move less than 2 mm when it is released for a second
   /// [measured].
-  double stop_wide = 0.0015;
+  double stop_wide = standard_quality.residual;
   int max_iterations = 40000;  ///< of the last stage, on the garment's own mesh
   double release_seconds = 0;  ///< for which the dressed garment is released; 0: it is not
 };

@@ -8,7 +8,7 @@ namespace toile {
 /// A preset of `dress --quality`.
 struct Quality {
   const char* name;
-  double residual;  ///< DressOptions::stop_median and stop_wide; a tenth of stop_rms
+  double residual;  ///< DressOptions::stop_median and stop_wide
   /// Millimetres, root of the mean square: how far nodes are from where the same run ends when it
   /// is brought to rest. The largest of the garments below [measured by bench_work_precision].
   double distance_rms_mm;
@@ -21,6 +21,11 @@ inline constexpr std::array<Quality, 3> qualities = {{
     {"fine", 0.0005, 0.04},
 }};
 inline constexpr const Quality& standard_quality = qualities[1];
+
+/// Root mean square of the residual that rest may have, in medians that it may have: stop_rms over
+/// stop_median.
+inline constexpr double rms_over_median = 10;
+
 inline constexpr const char* measured_on =
     "sample T-shirt, gathered and elastic skirt, GarmentCode shirt and pencil dress, 15 mm edges, "
     "default fabric: the largest";

@@ -25,8 +25,8 @@ double compression_of(const Level& level) {
 /// stopped, and both end near each other. With a smaller residual, the finest mesh needs no fewer
 /// iterations [measured].
 void stop_when_settled(RelaxOptions& options) {
-  options.stop_median = 0.05;
-  options.stop_rms = 0.5;
+  options.stop_median = settled_residual;
+  options.stop_rms = rms_over_median * settled_residual;
   options.stop_wide = 0;
 }
 
@@ -202,8 +202,9 @@ void ask_for_rest(const DressOptions& wanted, RelaxOptions& options) {
 }
 
 double search_radius(const Level& level) {
-  const double room = 0.0015 + self_gap_of(level.model.scene, *level.mesh);  // before it touches
-  return std::min(max_search_radius, std::max(room, 0.4 * level.mesh->edge_length));
+  const double min_radius = min_search_margin + self_gap_of(level.model.scene, *level.mesh);
+  return std::min(max_search_radius,
+                  std::max(min_radius, search_radius_share * level.mesh->edge_length));
 }
 
 }  // namespace toile

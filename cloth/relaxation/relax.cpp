@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "cloth/relaxation/block_stiffness.h"
 #include "cloth/relaxation/cloth_forces.h"
@@ -11,6 +12,7 @@
 #include "cloth/relaxation/multilevel_preconditioner.h"
 #include "geometry/error.h"
 #include "geometry/parallel.h"
+#include "geometry/statistics.h"
 
 namespace toile {
 
@@ -148,22 +150,16 @@ Residual Relaxation::measure_residual() {
 
 /// The residual of the forces that the last step found.
 Residual Relaxation::last_residual() const {
-  Residual r;
   std::vector<double> norms(model_.nodes);
-  double sum = 0;
   for (std::size_t n = 0; n < norms.size(); ++n) {
     norms[n] = std::sqrt(squared_length(node_force_[n])) / model_.mean_weight;
-    sum += norms[n] * norms[n];
   }
-  r.rms = std::sqrt(sum / static_cast<double>(norms.size()));
+  Residual r = residual_of(std::move(norms));
   if (!std::isfinite(r.rms)) {
     throw Error("garment", "its forces grew beyond all numbers",
                 "check the fabric's stiffness and the panels for degenerate triangles");
   }
   r.wide = multilevel_.rms_acceleration() / std::max(model_.scene.gravity.norm(), 1e-9);
-  r.max = *std::max_element(norms.begin(), norms.end());
-  std::nth_element(norms.begin(), norms.begin() + norms.size() / 2, norms.end());
-  r.median = norms[norms.size() / 2];
   return r;
 }
 
@@ -233,6 +229,15 @@ RelaxReport Relaxation::run(const RelaxWatcher& watcher) {
 }
 
 }  // namespace
+
+Residual residual_of(std::vector<double> forces) {
+  Residual r;
+  r.rms = root_mean_square(forces);
+  if (!std::isfinite(r.rms)) return r;
+  r.max = *std::max_element(forces.begin(), forces.end());
+  r.median = median(std::move(forces));
+  return r;
+}
 
 RelaxReport relax(const GarmentModel& model, const RelaxOptions& options, std::vector<Vec3>& x,
                   const RelaxWatcher& watcher) {

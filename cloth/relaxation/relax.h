@@ -19,6 +19,11 @@ struct Residual {
   double wide = 0;
 };
 
+/// Median, root mean square and maximum of the residual forces of the nodes; `wide` stays 0. Takes
+/// one force a node, in units of the mean node weight, and at least one. Only `rms` is set where it
+/// is not finite.
+Residual residual_of(std::vector<double> forces);
+
 struct RelaxOptions : ForceOptions {
   int max_iterations = 4000;
   /// Iterations over which seams close, or more where cloth is in the way; then the run ends. 0:

@@ -44,6 +44,9 @@ inline constexpr double max_untangling_seconds = 0.3;
 /// Seconds of draping before there is friction.
 inline constexpr double frictionless_seconds = 0.25;
 
+/// Residual, in mean node weights, of a garment at rest.
+inline constexpr double spring_resting_residual = 0.05;
+
 // Sewing.
 
 /// Metres below which the sewing force acts after all others.
@@ -75,6 +78,19 @@ inline constexpr double max_over_median = 2.5;
 /// Measured: it fits most meshes.
 inline constexpr double fold_angle_share = 0.6;
 
+/// Metres: the radius of a fold in a garment, at which bending springs have the fabric's energy.
+inline constexpr double matched_radius = 0.05;
+
+// Strain control until the limit holds.
+
+/// Sweeps over the springs in a step, at most.
+inline constexpr int converging_passes = 30;
+/// Strain over the limit at which the sweeps end, as a share of the limit.
+inline constexpr double converged_excess = 0.05;
+/// Share of the limit that the sweeps aim at. Collisions come after them and strain the cloth anew,
+/// by a little.
+inline constexpr double aimed_limit_share = 0.92;
+
 // Collisions with the subject.
 
 /// Metres of motion after which distances are measured again.
@@ -83,6 +99,10 @@ inline constexpr double stale_distance = 0.0004;
 /// Steps in which a point that is a little nearer than its gap is let out. So many that it leaves
 /// the surface without visible speed.
 inline constexpr double let_out_steps = 20;
+
+/// Sweeps over the contacts of one node, at most, and the m/s of change below which they end.
+inline constexpr int node_sweeps = 20;
+inline constexpr double min_node_change = 1e-12;
 
 /// Metres within which two nearest points are one contact.
 inline constexpr double same_contact_distance = 1e-7;
@@ -93,6 +113,7 @@ inline constexpr double parallel_edges_sine = 1e-6;
 
 /// Share of a distance that a step may use up.
 inline constexpr double usable_distance_share = 0.9;
+
 /// Sweeps that cut velocities so that nothing crosses.
 inline constexpr int guard_sweeps = 8;
 
@@ -107,6 +128,7 @@ inline constexpr double max_candidate_margin = 0.01;
 /// Share of the fastest approach, and m/s, that the impulses may leave of any approach.
 inline constexpr double left_approach_share = 0.005;
 inline constexpr double left_approach_speed = 1e-7;
+
 /// Sweeps over the collisions in a round, and rounds of detection in a step.
 inline constexpr int impulse_sweeps = 40;
 inline constexpr int collision_rounds = 4;

@@ -43,11 +43,11 @@ double min_speed(const CollisionStep& step, double distance, double gap) {
 double NodeContacts::solve(double friction, std::vector<Vec3>& v) {
   if (count == 0) return 0;
   double change = contacts[0].solve(friction, v);
-  for (int sweep = 0; sweep < 20 && count > 1; ++sweep) {
+  for (int sweep = 0; sweep < node_sweeps && count > 1; ++sweep) {
     double last = 0;
     for (int i = 0; i < count; ++i) last = std::max(last, contacts[i].solve(friction, v));
     change = std::max(change, last);
-    if (last < 1e-12) break;
+    if (last < min_node_change) break;
   }
   return change;
 }

@@ -11,7 +11,6 @@
 #include "cloth/start/start.h"
 #include "geometry/error.h"
 #include "geometry/intersections.h"
-#include "geometry/statistics.h"
 
 namespace toile {
 
@@ -205,11 +204,7 @@ Residual SpringDressing::residual() {
   }
   looked_x_ = x;
   looked_v_ = v;
-  Residual r;
-  r.rms = root_mean_square(left);
-  r.max = *std::max_element(left.begin(), left.end());
-  r.median = median(std::move(left));
-  return r;
+  return residual_of(std::move(left));
 }
 
 void SpringDressing::finish() {

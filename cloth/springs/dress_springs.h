@@ -2,14 +2,16 @@
 #pragma once
 
 #include "cloth/dressing/dress.h"
+#include "cloth/springs/constants.h"
 #include "cloth/springs/spring_motion.h"
 
 namespace toile {
 
 struct SpringDressOptions {
   SpringOptions motion;
-  double stop_median = 0.05;  ///< residual at rest, in mean node weights, as DressOptions
-  double stop_rms = 0.5;
+  /// Residual at rest, in mean node weights, as DressOptions.
+  double stop_median = spring_resting_residual;
+  double stop_rms = rms_over_median * spring_resting_residual;
   double longest_wrap = 0.7;  ///< seconds simulated
   double longest_sew = 3;
   double longest_drape = 3;

@@ -97,10 +97,9 @@ void SpringMotion::close_bounds() {
 void SpringMotion::converge_strain() {
   strain_options_.sweep = StrainSweep::in_order;
   strain_options_.mean_of_passes = false;
-  strain_options_.passes = 30;
-  strain_options_.tolerance = 0.05 * options_.strain.limit;
-  // Collisions come after it and strain the cloth anew, by a little.
-  strain_options_.limit = 0.92 * options_.strain.limit;
+  strain_options_.passes = converging_passes;
+  strain_options_.tolerance = converged_excess * options_.strain.limit;
+  strain_options_.limit = aimed_limit_share * options_.strain.limit;
 }
 
 void SpringMotion::stiffen_bending(double factor) {

@@ -27,9 +27,6 @@ namespace toile {
 ///   below and more above. It is no stiffer than the step that the edges need can bear.
 class SpringSheet {
  public:
-  /// Metres; the radius of a fold in a garment.
-  static constexpr double matched_radius = 0.05;
-
   /// `model`: the garment as compiled, which says what is to be sewn. Both have to outlive this.
   SpringSheet(const PanelMesh& garment, const GarmentModel& model);
 

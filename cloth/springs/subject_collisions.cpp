@@ -149,8 +149,8 @@ void SubjectCollisions::Response::guard(const CollisionStep& step, std::vector<V
   for (int t = 0; t < static_cast<int>(clear_.size()); ++t) {
     double speed = 0;
     for (const int node : step.cloth[t].nodes) speed = std::max(speed, v[node].squaredNorm());
-    const double most = 0.9 * clear_[t] / step.dt;
-    if (speed <= most * most) continue;
+    const double max_speed = usable_distance_share * clear_[t] / step.dt;
+    if (speed <= max_speed * max_speed) continue;
     const double reach = 2 * std::sqrt(speed) * step.dt;
     candidates_.refreshed(t, step.x, reach, reach, min_candidate_margin);
     long_steps.push_back(t);

@@ -5,6 +5,8 @@
 #include <map>
 #include <numbers>
 
+#include "cloth/dressing/constants.h"
+#include "cloth/springs/constants.h"
 #include "cloth/springs/dress_springs.h"
 #include "geometry/error.h"
 #include "io/text.h"
@@ -69,7 +71,7 @@ double positive(const po::variables_map& given, const string& option, double mos
 DressMethod paper(const po::variables_map& given, double residual) {
   SpringDressOptions options;
   options.stop_median = residual;
-  options.stop_rms = 10 * residual;
+  options.stop_rms = rms_over_median * residual;
   const string control = given["strain-control"].as<string>();
   if (control == "position") {
     options.motion.strain_scheme = StrainScheme::position;
@@ -108,7 +110,7 @@ DressMethod paper(const po::variables_map& given, double residual) {
 DressOptions until_residual(double residual) {
   DressOptions options;
   options.stop_median = residual;
-  options.stop_rms = 10 * residual;
+  options.stop_rms = rms_over_median * residual;
   options.stop_wide = residual;
   return options;
 }
@@ -199,11 +201,11 @@ std::optional<double> read_shear_limit(const po::variables_map& given) {
   return std::sin(degrees * std::numbers::pi / 180);
 }
 
-/// What a garment at rest may have left, in node weights.
+/// Residual of a garment at rest, in mean node weights.
 double read_residual(const po::variables_map& given, bool of_paper) {
   const Quality quality = read_quality(given);
-  const bool of_its_own = of_paper && string(quality.name) == standard_quality.name;
-  double residual = of_its_own ? 0.05 : quality.residual;
+  const bool is_standard = string(quality.name) == standard_quality.name;
+  double residual = of_paper && is_standard ? spring_resting_residual : quality.residual;
   if (given.count("residual")) residual = given["residual"].as<double>();
   if (!(residual > 0 && residual < 1)) {
     throw Error("--residual", "is not between 0 and 1", "leave it out for the default");
@@ -220,8 +222,7 @@ DressMethod read_method(const po::variables_map& given, bool coupled) {
   }
   DressOptions options = until_residual(residual);
   if (given.count("release")) {
-    // What isn't at rest as a whole would swing.
-    options.stop_wide = std::min(residual, 0.0007);
+    options.stop_wide = std::min(residual, releasable_residual);
     options.release_seconds = parse_time(given["release"].as<string>(), "--release");
     if (options.release_seconds > 60) {
       throw Error("--release", "is longer than a minute", "1s shows whether a garment stays");

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "cloth/model/compile.h"
-#include "cloth/springs/spring_forces.h"
+#include "cloth/springs/constants.h"
 #include "tests/cloth/panels.h"
 #include "tests/support/spring_energy.h"
 
@@ -93,13 +93,13 @@ TEST(SpringSheet, BendsLikeTheFabricAtOneCurvature) {
     return spring_energy(sheet.bending(), x) /
            (0.5 * fabric.bending_weft / (radius * radius) * 0.01);
   };
-  const double matched = share(SpringSheet::matched_radius);
+  const double matched = share(matched_radius);
   std::cout << "bending energy over the fabric's: " << matched << " at R, "
-            << share(0.5 * SpringSheet::matched_radius) << " at R/2, "
-            << share(2 * SpringSheet::matched_radius) << " at 2R\n";
+            << share(0.5 * matched_radius) << " at R/2, " << share(2 * matched_radius)
+            << " at 2R\n";
   EXPECT_GT(matched, 0.4);
   EXPECT_LT(matched, 1.6);
-  EXPECT_NEAR(share(2 * SpringSheet::matched_radius) / matched, 0.25, 0.02);
+  EXPECT_NEAR(share(2 * matched_radius) / matched, 0.25, 0.02);
 }
 
 TEST(SpringSheet, MergingJoinsMassesAndSprings) {
