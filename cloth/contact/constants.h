@@ -1,4 +1,5 @@
 // Constants of contact: stiffness of pushes, distances at which they act, shares of the bounds.
+// docs/constants.md shows what half and double of many of them do.
 #pragma once
 
 namespace toile {

@@ -1,4 +1,5 @@
 // Constants of the stages: how seams close, how cloth settles, when a stage gives up.
+// docs/constants.md shows what half and double of many of them do.
 #pragma once
 
 #include <array>

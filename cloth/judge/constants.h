@@ -1,4 +1,5 @@
 // Constants of the verdict on a dressed garment.
+// docs/constants.md shows what half and double of many of them do.
 #pragma once
 
 namespace toile {

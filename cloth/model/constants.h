@@ -1,4 +1,5 @@
 // Constants of the garment model.
+// docs/constants.md shows what half and double of many of them do.
 #pragma once
 
 namespace toile {

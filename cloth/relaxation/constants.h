@@ -1,4 +1,5 @@
 // Constants of relaxation and release: steps, momentum, intervals, tolerances.
+// docs/constants.md shows what half and double of many of them do.
 #pragma once
 
 #include "cloth/scene/constants.h"

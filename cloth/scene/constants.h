@@ -1,4 +1,5 @@
 // Constants of the scene: hands, flesh, fabrics and their limits.
+// docs/constants.md shows what half and double of many of them do.
 #pragma once
 
 namespace toile {

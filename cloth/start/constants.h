@@ -1,4 +1,5 @@
 // Constants of where a garment starts.
+// docs/constants.md shows what half and double of many of them do.
 #pragma once
 
 #include <numbers>
