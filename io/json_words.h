@@ -6,11 +6,15 @@
 #include <string_view>
 
 #include "io/json_value.h"
+#include "io/text.h"
 
 namespace toile {
 
-/// `text` in single quotes.
-inline std::string in_quotes(const std::string& text) { return "'" + text + "'"; }
+/// `text` in single quotes, on one line, cut at 80 bytes.
+inline std::string in_quotes(const std::string& text) {
+  constexpr std::size_t max_bytes = 80;
+  return "'" + valid_utf8(text.substr(0, max_bytes)) + (text.size() > max_bytes ? "...'" : "'");
+}
 
 /// The words that are not empty, as "a, b, c".
 template <class Words>

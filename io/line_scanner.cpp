@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "geometry/error.h"
+#include "io/coordinates.h"
 #include "io/text.h"
 
 namespace toile {
@@ -52,6 +53,13 @@ double LineScanner::number(const std::string& what) {
     fail(what + " is " + shown(given) + ", which is not a finite number", "export the body again");
   }
   return *value;
+}
+
+double LineScanner::coordinate() {
+  const double value = number("a coordinate");
+  const std::string problem = coordinate_problem(value);
+  if (!problem.empty()) fail(problem, coordinate_remedy);
+  return value;
 }
 
 long long LineScanner::integer(const std::string& what, long long low, long long high) {

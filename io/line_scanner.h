@@ -24,6 +24,8 @@ class LineScanner {
   std::string_view rest() const { return line_; }
   /// The next word as a finite number. `what` names it in an Error.
   double number(const std::string& what);
+  /// The next word as a coordinate, which is an Error beyond max_coordinate.
+  double coordinate();
   /// The next word as an integer from `low` to `high`. `what` names it in an Error.
   long long integer(const std::string& what, long long low, long long high);
 

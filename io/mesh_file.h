@@ -13,7 +13,7 @@ namespace toile {
 /// Reads a mesh in the format of the path's extension, in small or capital letters: .obj, .ply,
 /// .stl or .off. PLY and STL may be ASCII or binary, PLY of either byte order. It throws Error with
 /// the file and the line or byte when the file is cut off or contradicts itself. Coordinates that
-/// are not finite, indices out of range, and no faces are Errors, too.
+/// are not finite or beyond max_coordinate, indices out of range, and no faces are Errors, too.
 PolygonSoup read_mesh(const std::filesystem::path& path);
 
 /// The soup as triangles. Each polygon is cut into a fan from its first corner.

@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "geometry/error.h"
+#include "io/coordinates.h"
 #include "io/line_scanner.h"
 #include "io/output_file.h"
 #include "io/text.h"
@@ -36,7 +37,8 @@ std::string_view next_word(std::string_view& rest) {
 
 class Parser {
  public:
-  Parser(const std::string& text, const std::string& name) : text_(text), name_(name) {}
+  Parser(const std::string& text, const std::string& name, double max)
+      : text_(text), name_(name), max_(max) {}
 
   ObjData parse() {
     std::size_t at = 0;
@@ -91,6 +93,8 @@ class Parser {
     const std::optional<double> value = parse_number(word);
     if (!value) fail(shown(word) + " is not a number");
     if (!std::isfinite(*value)) fail(shown(word) + " is not a finite number");
+    const std::string problem = coordinate_problem(*value, max_);
+    if (!problem.empty()) fail(problem, coordinate_remedy);
     return *value;
   }
 
@@ -204,6 +208,7 @@ class Parser {
 
   const std::string& text_;
   const std::string& name_;
+  double max_;  // of coordinates
   ObjData data_;
   std::string group_name_;
   std::unordered_map<std::string, int> groups_;
@@ -232,12 +237,12 @@ std::string one_line(std::string_view name) {
 
 }  // namespace
 
-ObjData parse_obj(const std::string& text, const std::string& name) {
-  return Parser(text, name).parse();
+ObjData parse_obj(const std::string& text, const std::string& name, double max) {
+  return Parser(text, name, max).parse();
 }
 
-ObjData read_obj(const std::filesystem::path& path) {
-  return parse_obj(read_file(path), path.string());
+ObjData read_obj(const std::filesystem::path& path, double max) {
+  return parse_obj(read_file(path), path.string(), max);
 }
 
 void write_obj(const std::filesystem::path& path, const ObjData& data) {

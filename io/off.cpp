@@ -28,7 +28,7 @@ PolygonSoup parse_off(std::string_view data, const std::string& name) {
   for (long long i = 0; i < points; ++i) {
     scanner.need_line("point " + std::to_string(i + 1) + " of " + std::to_string(points), '#');
     Vec3& point = soup.points.emplace_back();
-    for (int axis = 0; axis < 3; ++axis) point[axis] = scanner.number("a coordinate");
+    for (int axis = 0; axis < 3; ++axis) point[axis] = scanner.coordinate();
   }
   for (long long i = 0; i < polygons; ++i) {
     scanner.need_line("face " + std::to_string(i + 1) + " of " + std::to_string(polygons), '#');

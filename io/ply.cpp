@@ -10,6 +10,7 @@
 
 #include "geometry/error.h"
 #include "io/bytes.h"
+#include "io/coordinates.h"
 #include "io/line_scanner.h"
 #include "io/mesh_formats.h"
 #include "io/text.h"
@@ -164,9 +165,8 @@ class Body {
 
   double coordinate(Type type) {
     const double number = value(type);
-    if (!std::isfinite(number)) {
-      fail("a coordinate of " + what() + " is not a finite number", "export the body again");
-    }
+    const std::string problem = coordinate_problem(number);
+    if (!problem.empty()) fail(what() + ": " + problem, coordinate_remedy);
     return number;
   }
 

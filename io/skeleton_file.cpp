@@ -1,10 +1,12 @@
 #include "io/skeleton_file.h"
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "geometry/error.h"
+#include "io/coordinates.h"
+#include "io/json_value.h"
+#include "io/json_words.h"
 #include "io/output_file.h"
 
 namespace toile {
@@ -14,25 +16,30 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-[[noreturn]] void fail(const fs::path& path, const std::string& problem) {
-  throw Error(path.string(), problem, "write it anew with clean-body");
+constexpr const char* remedy = "write it anew with clean-body";
+
+void expect(const JsonValue& root, const std::string& key, const std::string& wanted) {
+  const JsonValue value = root.get(key);
+  if (value.text() != wanted) value.fail("is not " + wanted, remedy);
 }
 
-Vec3 parse_joint(const fs::path& path, const std::string& name, const Json& value) {
+Vec3 joint_of(const JsonValue& value) {
+  value.size(3, 3);
   Vec3 point;
-  bool good = value.is_array() && value.size() == 3;
-  for (int axis = 0; good && axis < 3; ++axis) {
-    good = value[axis].is_number() && std::isfinite(value[axis].get<double>());
-    if (good) point[axis] = value[axis].get<double>();
+  for (int axis = 0; axis < 3; ++axis) {
+    point[axis] = value.item(static_cast<std::size_t>(axis)).number();
+    const std::string problem = coordinate_problem(point[axis], max_metres);
+    if (!problem.empty()) value.fail(problem, remedy);
   }
-  if (!good) fail(path, "joint '" + name + "' is not three finite numbers");
   return point;
 }
 
-std::string text(const fs::path& path, const Json& object, const std::string& key) {
-  const auto found = object.is_object() ? object.find(key) : object.end();
-  if (found == object.end() || !found->is_string()) fail(path, "'" + key + "' is no text");
-  return found->get<std::string>();
+bool has_segment(const Skeleton& skeleton, const Segment& wanted) {
+  return std::any_of(skeleton.segments.begin(), skeleton.segments.end(),
+                     [&](const Segment& segment) {
+                       return segment.part == wanted.part && segment.from == wanted.from &&
+                              segment.to == wanted.to;
+                     });
 }
 
 }  // namespace
@@ -52,42 +59,43 @@ void write_skeleton(const fs::path& path, const Skeleton& skeleton) {
 }
 
 Skeleton read_skeleton(const fs::path& path) {
-  const std::string content = read_file(path);
-  Json json;
-  try {
-    json = Json::parse(content);
-  } catch (const Json::exception& wrong) {
-    fail(path, std::string("is not JSON (") + wrong.what() + ")");
-  }
-  if (!json.is_object()) fail(path, "is no JSON object");
-  if (text(path, json, "units") != "m") fail(path, "'units' is not m");
-  if (text(path, json, "up") != "y") fail(path, "'up' is not y");
+  const JsonDocument document(read_file(path), path.string());
+  const JsonValue root = document.root();
+  expect(root, "units", "m");
+  expect(root, "up", "y");
   Skeleton skeleton;
-  const auto joints = json.find("joints");
-  if (joints == json.end() || !joints->is_object()) fail(path, "'joints' is missing");
-  for (const auto& [name, value] : joints->items()) {
-    skeleton.joints[name] = parse_joint(path, name, value);
+  const JsonValue joints = root.get("joints");
+  for (const std::string& name : joints.keys()) {
+    skeleton.joints[name] = joint_of(joints.get(name));
   }
-  const auto segments = json.find("segments");
-  if (segments == json.end() || !segments->is_array()) fail(path, "'segments' is missing");
-  for (const Json& value : *segments) {
-    Segment segment{text(path, value, "part"), text(path, value, "from"), text(path, value, "to")};
-    if (std::find(body_parts.begin(), body_parts.end(), segment.part) == body_parts.end()) {
-      fail(path, "'" + segment.part + "' is not a part of a body");
-    }
+  const JsonValue segments = root.get("segments");
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const JsonValue value = segments.item(i);
+    const Segment segment{std::string(body_parts.at(word_of(value.get("part"), body_parts))),
+                          value.get("from").text(), value.get("to").text()};
     for (const std::string& end : {segment.from, segment.to}) {
-      if (!skeleton.joints.contains(end)) fail(path, "segment joint '" + end + "' is missing");
+      if (skeleton.joints.contains(end)) continue;
+      value.fail("joint " + in_quotes(end) + " is missing", remedy);
     }
-    skeleton.segments.push_back(std::move(segment));
+    skeleton.segments.push_back(segment);
+  }
+  for (const Segment& wanted : body_segments()) {
+    const bool has_joints =
+        skeleton.joints.contains(wanted.from) && skeleton.joints.contains(wanted.to);
+    if (!has_joints || has_segment(skeleton, wanted)) continue;
+    segments.fail("has no segment of " + wanted.part + " from " + wanted.from + " to " + wanted.to,
+                  remedy);
   }
   return skeleton;
 }
 
 bool is_skeleton_file(const fs::path& path) {
   if (!fs::is_regular_file(path)) return false;
-  const Json json = Json::parse(read_file(path), nullptr, false);
-  const auto format = json.is_object() ? json.find("format") : json.end();
-  return format != json.end() && *format == "toile-body";
+  const JsonDocument document(read_file(path), path.string());
+  const JsonValue root = document.root();
+  if (!root.is_object()) return false;
+  const auto format = root.find("format");
+  return root.find("joints") || (format && format->is_text() && format->text() == "toile-body");
 }
 
 fs::path skeleton_path(const fs::path& body) {

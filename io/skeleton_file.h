@@ -13,11 +13,13 @@ namespace toile {
 void write_skeleton(const std::filesystem::path& path, const Skeleton& skeleton);
 
 /// Reads a file that write_skeleton() wrote and skips unknown keys. It throws Error, with the file
-/// and the key, for other units or another up axis. A joint that is not three finite numbers is an
-/// Error, too. So are a part that is not in body_parts and a segment whose joints are missing.
+/// and the key, for text that is not JSON, other units or another up axis. A joint that is not
+/// three numbers within max_metres is an Error, too. So is a part that is not in body_parts, a
+/// segment without its joints, and joints of one of body_segments() without that segment.
 Skeleton read_skeleton(const std::filesystem::path& path);
 
-/// Whether the file's `format` is that of a skeleton file, sound or not. False if there is no file.
+/// Whether the file is meant as a skeleton file, sound or not: it has joints, or its `format` says
+/// so. False if there is no file. Throws Error for a file that is not JSON.
 bool is_skeleton_file(const std::filesystem::path& path);
 
 /// The path of a body's skeleton by convention: beside it, with the extension .json.

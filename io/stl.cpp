@@ -1,9 +1,9 @@
 // Stereolithography files: separate triangles, as text or as 50-byte binary records of floats.
-#include <cmath>
 #include <cstdint>
 
 #include "geometry/error.h"
 #include "io/bytes.h"
+#include "io/coordinates.h"
 #include "io/line_scanner.h"
 #include "io/mesh_formats.h"
 
@@ -38,11 +38,10 @@ PolygonSoup parse_binary(std::string_view data, const std::string& name) {
       Vec3& point = soup.points.emplace_back();
       for (int axis = 0; axis < 3; ++axis, at += 4) {
         point[axis] = load<float>(&data[at], std::endian::little);
-        if (!std::isfinite(point[axis])) {
-          throw Error(
-              name + ", byte " + std::to_string(at),
-              "a coordinate of triangle " + std::to_string(i + 1) + " is not a finite number",
-              "export the body again");
+        const std::string problem = coordinate_problem(point[axis]);
+        if (!problem.empty()) {
+          throw Error(name + ", byte " + std::to_string(at),
+                      "triangle " + std::to_string(i + 1) + ": " + problem, coordinate_remedy);
         }
       }
     }
@@ -80,7 +79,7 @@ PolygonSoup parse_text(std::string_view data, const std::string& name) {
     for (int corner = 0; corner < 3; ++corner) {
       expect(scanner, "vertex");
       Vec3& point = soup.points.emplace_back();
-      for (int axis = 0; axis < 3; ++axis) point[axis] = scanner.number("a coordinate");
+      for (int axis = 0; axis < 3; ++axis) point[axis] = scanner.coordinate();
     }
     expect(scanner, "endloop");
     expect(scanner, "endfacet");

@@ -273,7 +273,7 @@ void write_garment(const fs::path& obj, const PanelMesh& garment) {
 
 PanelMesh read_garment(const fs::path& obj, const fs::path& json) {
   PanelMesh garment;
-  read_mesh(read_obj(obj), obj.string(), garment);
+  read_mesh(read_obj(obj, max_metres), obj.string(), garment);
   check_overlaps(garment, obj.string());
   const fs::path path = json.empty() ? beside(obj) : json;
   const std::string name = path.string();
@@ -331,7 +331,7 @@ void write_dressed(const fs::path& obj, const DressedGarment& garment) {
 
 DressedGarment read_dressed(const fs::path& obj) {
   const std::string name = obj.string();
-  ObjData data = read_obj(obj);
+  ObjData data = read_obj(obj, max_metres);
   if (data.faces.empty()) throw Error(name, "holds no face", "is it a dressed garment?");
   DressedGarment garment;
   for (std::size_t f = 0; f < data.faces.size(); ++f) {

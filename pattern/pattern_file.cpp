@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "geometry/error.h"
+#include "io/coordinates.h"
 #include "io/json_value.h"
 #include "io/json_words.h"
 #include "io/output_file.h"
@@ -19,9 +20,6 @@
 namespace toile {
 
 namespace {
-
-/// Metres: larger coordinates are no garment's.
-constexpr double largest_coordinate = 1000;
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -125,7 +123,7 @@ class Reader {
 
   Vec2 metres(const JsonValue& point) const {
     const Vec2 value = pair(point) * unit_;
-    if (value.cwiseAbs().maxCoeff() > largest_coordinate) {
+    if (value.cwiseAbs().maxCoeff() > max_metres) {
       point.fail("lies more than a kilometre away", "check 'units_in_meter'");
     }
     return value;
@@ -138,7 +136,7 @@ class Reader {
     panel.name = name;
     if (const auto translation = value.find("translation")) {
       panel.translation = triple(*translation) * unit_;
-      if (panel.translation.cwiseAbs().maxCoeff() > largest_coordinate) {
+      if (panel.translation.cwiseAbs().maxCoeff() > max_metres) {
         translation->fail("is more than a kilometre", "check 'units_in_meter'");
       }
     }
@@ -305,8 +303,7 @@ class Reader {
     const Vec2 relative = pair(value);
     const Vec2 run = end - start;
     const Vec2 point = start + relative.x() * run + relative.y() * Vec2(-run.y(), run.x());
-    if (!(point.cwiseAbs().maxCoeff() <= largest_coordinate))
-      value.fail("lies more than a kilometre away");
+    if (!(point.cwiseAbs().maxCoeff() <= max_metres)) value.fail("lies more than a kilometre away");
     return point;
   }
 

@@ -49,7 +49,7 @@ class MeshFile : public testing::Test {
 TriangleMesh awkward() {
   TriangleMesh mesh = test::cube();
   mesh.points[0] = {0.1, 1.0 / 3, -1e-300};
-  mesh.points[1] = {std::nextafter(1.0, 2.0), std::numeric_limits<double>::denorm_min(), 1e22};
+  mesh.points[1] = {std::nextafter(1.0, 2.0), std::numeric_limits<double>::denorm_min(), 1e6};
   mesh.points[2] = {-0.0, 123456.789012345678, 2.0 / 7};
   return mesh;
 }
@@ -159,7 +159,7 @@ TEST_F(MeshFile, ErrorsNameThePlace) {
   std::string binary = format_ply(test::cube(), {});
   const double not_a_number = std::nan("");
   std::memcpy(&binary[binary.find("end_header\n") + 11 + 24 + 8], &not_a_number, 8);
-  EXPECT_NE(error_of("a.ply", binary).find("coordinate of vertex 1 is not a finite"),
+  EXPECT_NE(error_of("a.ply", binary).find("vertex 1: a coordinate is not a finite"),
             std::string::npos);
 }
 
@@ -188,6 +188,31 @@ TEST_F(MeshFile, HugeCountsAreNotBelieved) {
   stl.replace(80, 4, "\xff\xff\xff\xff");
   EXPECT_NE(error_of("a.stl", stl).find("announces 4294967295"), std::string::npos);
   EXPECT_NE(error_of("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2000000000 0 1 2\n"), "no error");
+}
+
+TEST_F(MeshFile, FarPointsAreRefusedInEachFormat) {
+  for (const std::string far : {"1e15", "-1e18", "1e300", "1000001"}) {
+    const auto expect = [&](const std::string& name, const std::string& content,
+                            const std::string& line) {
+      const std::string error = error_of(name, content);
+      EXPECT_NE(error.find(name + ":" + line + ": a coordinate is "), std::string::npos) << error;
+      EXPECT_NE(error.find(", beyond 1,000,000 units; "), std::string::npos) << error;
+    };
+    expect("far.obj", "v 0 0 0\nv 0 " + far + " 0\nv 1 0 0\nf 1 2 3\n", "2");
+    expect("far.off", "OFF\n3 1 0\n0 0 0\n0 0 " + far + "\n1 0 0\n3 0 1 2\n", "4");
+    expect("far.stl",
+           "solid\nfacet normal 0 0 0\nouter loop\nvertex " + far +
+               " 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n",
+           "4");
+    TriangleMesh mesh = test::cube();
+    mesh.points[1].x() = std::stod(far);
+    EXPECT_NE(error_of("far.ply", format_ply(mesh, {})).find("vertex 1: a coordinate is"),
+              std::string::npos);
+    if (far != "1e300") {  // no float is as large
+      EXPECT_NE(error_of("far.stl", format_stl(mesh)).find("triangle"), std::string::npos);
+    }
+  }
+  EXPECT_EQ(error_of("near.obj", "v 0 0 0\nv 0 1e6 0\nv 1 0 0\nf 1 2 3\n"), "no error");
 }
 
 std::string mutated(std::string text, std::mt19937& random) {

@@ -64,6 +64,10 @@ TEST(Obj, NamesTheLineOfWhatIsWrong) {
             std::string::npos);
   EXPECT_NE(message_of("v 0 nan 0\n").find("some.obj:1: 'nan' is not a finite"), std::string::npos);
   EXPECT_NE(message_of("v 0 1e999 0\n").find("not a finite"), std::string::npos);
+  EXPECT_EQ(
+      message_of("v 0 0 0\nv 0 1e18 0\n"),
+      "some.obj:2: a coordinate is 1e+18, beyond 1,000,000 units; correct the point or remove "
+      "it");
   EXPECT_NE(message_of("v 0 0\n").find("some.obj:1: a number is missing"), std::string::npos);
   EXPECT_NE(message_of("v 0 0 0\n\nf 1 1 2\n").find("some.obj:3: refers to vertex 2"),
             std::string::npos);
@@ -91,7 +95,7 @@ TEST(Obj, DoublesSurviveTheRoundTripBitForBit) {
       double value = 0;
       do {
         value = std::bit_cast<double>(random());
-      } while (!std::isfinite(value));
+      } while (!(std::abs(value) <= max_coordinate));
       point[k] = value;
     }
     data.points.push_back(point);

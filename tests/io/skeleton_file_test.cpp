@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "geometry/error.h"
 #include "io/output_file.h"
@@ -34,37 +36,61 @@ class SkeletonFile : public testing::Test {
 
 TEST_F(SkeletonFile, ReadsBackWhatWasWritten) {
   Skeleton skeleton;
+  for (const std::string_view name : joint_names) skeleton.joints[std::string(name)] = {0, 1.1, 2};
   skeleton.joints["pelvis"] = {0.1, 1.0 / 3, -1e-17};
-  skeleton.joints["waist"] = {0, 1.1, 2};
-  skeleton.segments = {{"torso", "pelvis", "waist"}};
+  skeleton.segments = body_segments();
   write_skeleton(path_, skeleton);
   const Skeleton read = read_skeleton(path_);
   EXPECT_EQ(read.joints, skeleton.joints);
-  ASSERT_EQ(read.segments.size(), 1u);
+  ASSERT_EQ(read.segments.size(), skeleton.segments.size());
   EXPECT_EQ(read.segments[0].part, "torso");
   EXPECT_EQ(read.segments[0].from, "pelvis");
   EXPECT_EQ(read.segments[0].to, "waist");
 }
 
 TEST_F(SkeletonFile, ErrorsNameTheKey) {
-  const std::string head = R"({"units":"m","up":"y","joints":{"a":[0,1,2],"b":[0,0,0]})";
-  EXPECT_EQ(error_of(head + R"(,"segments":[{"part":"head","from":"a","to":"b"}],"more":1})"),
-            "no error");
-  EXPECT_NE(error_of("").find("not JSON"), std::string::npos);
-  EXPECT_NE(error_of("[]").find("no JSON object"), std::string::npos);
-  EXPECT_NE(error_of(R"({"units":"cm","up":"y"})").find("'units'"), std::string::npos);
-  EXPECT_NE(error_of(R"({"units":"m"})").find("'up'"), std::string::npos);
-  EXPECT_NE(error_of(head + "}").find("'segments'"), std::string::npos);
-  EXPECT_NE(
-      error_of(R"({"units":"m","up":"y","joints":{"a":[0,"x",2]},"segments":[]})").find("'a'"),
-      std::string::npos);
-  EXPECT_NE(error_of(R"({"units":"m","up":"y","joints":{"a":[0,1e999,2]},"segments":[]})"),
-            "no error");
-  EXPECT_NE(error_of(head + R"(,"segments":[{"part":"tail","from":"a","to":"b"}]})").find("'tail'"),
+  Skeleton skeleton;
+  for (const std::string_view name : joint_names) skeleton.joints[std::string(name)] = {0, 1.1, 2};
+  skeleton.segments = body_segments();
+  write_skeleton(path_, skeleton);
+  const auto sound = nlohmann::json::parse(read_file(path_));
+  const auto expect = [&](const std::string& words, const auto& damage) {
+    nlohmann::json damaged = sound;
+    damage(damaged);
+    EXPECT_NE(error_of(damaged.dump()).find(words), std::string::npos) << error_of(damaged.dump());
+  };
+  expect("no error", [](auto& j) { j["more"] = 1; });
+  expect(", units: is not m", [](auto& j) { j["units"] = "cm"; });
+  expect("has no 'up'", [](auto& j) { j.erase("up"); });
+  expect("has no 'joints'", [](auto& j) { j.erase("joints"); });
+  expect("has no 'segments'", [](auto& j) { j.erase("segments"); });
+  expect("joint 'left_knee' is missing", [](auto& j) { j["joints"].erase("left_knee"); });
+  expect(", joints, neck[1]: is not a number", [](auto& j) { j["joints"]["neck"][1] = "x"; });
+  expect(", joints, neck: has 2 entries", [](auto& j) { j["joints"]["neck"].erase(2); });
+  for (const double far : {1e15, -1e18, 1e300}) {
+    expect(", joints, neck: a coordinate is", [=](auto& j) { j["joints"]["neck"][0] = far; });
+  }
+  expect("'tail' is unknown", [](auto& j) { j["segments"][0]["part"] = "tail"; });
+  expect("joint 'c' is missing", [](auto& j) { j["segments"][0]["to"] = "c"; });
+  expect("segments[0]: is not an object", [](auto& j) { j["segments"][0] = 3; });
+  expect("has no segment of torso from pelvis", [](auto& j) { j["segments"].erase(0); });
+  EXPECT_NE(error_of("").find(":1:1: is not JSON here"), std::string::npos);
+  EXPECT_NE(error_of("[]").find("is not an object"), std::string::npos);
+  EXPECT_NE(error_of(R"({"joints":{"a":[0,1e999,2]}})").find("a number is too large"),
             std::string::npos);
-  EXPECT_NE(error_of(head + R"(,"segments":[{"part":"head","from":"a","to":"c"}]})").find("'c'"),
-            std::string::npos);
-  EXPECT_NE(error_of(head + R"(,"segments":[3]})").find("'part'"), std::string::npos);
+}
+
+TEST_F(SkeletonFile, IsToldFromOtherJson) {
+  const auto is_skeleton = [this](const std::string& text) {
+    write_file(path_, text);
+    return is_skeleton_file(path_);
+  };
+  EXPECT_TRUE(is_skeleton(R"({"format": "toile-body"})"));
+  EXPECT_TRUE(is_skeleton(R"({"format": "toil", "joints": {}})"));
+  EXPECT_FALSE(is_skeleton(R"({"pattern": {}})"));
+  EXPECT_FALSE(is_skeleton("[3]"));
+  EXPECT_THROW(is_skeleton(R"({"format": "toile-body")"), Error);
+  EXPECT_FALSE(is_skeleton_file(path_.string() + ".absent"));
 }
 
 TEST(SkeletonPath, LiesBesideTheBody) {

@@ -171,6 +171,17 @@ TEST_F(GarmentFile, NamesWhatDoesNotFitTogether) {
   EXPECT_HOLDS(message_after(obj_, "\nvt ", "\nvn "), "garment.obj");
 }
 
+TEST_F(GarmentFile, FarPointsAreRefused) {
+  for (const char* far : {"1000.5", "1e15", "-1e18", "1e300"}) {
+    const std::string point = std::string("\nv ") + far + " 0 0\nv ";
+    write_garment(obj_, bag());
+    EXPECT_HOLDS(message_after(obj_, "\nv ", point), "garment.obj:2: a coordinate is");
+    write_garment(obj_, bag());
+    EXPECT_HOLDS(message_after(obj_, "\nvt ", std::string("\nvt ") + far + " 0\nvt "),
+                 ": a coordinate is");
+  }
+}
+
 TEST_F(GarmentFile, FlatTrianglesMustNotBeTurnedOver) {
   write_file(obj_, "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 3/3 2/2\n");
   write_file(json_, R"({"panels": [], "seams": []})");
