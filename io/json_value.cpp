@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <unordered_set>
 
 #include "geometry/error.h"
+#include "io/text.h"
 
 namespace toile {
 
@@ -20,6 +22,81 @@ std::string line_and_column(const std::string& text, std::size_t byte) {
   const std::size_t column = start == std::string::npos ? byte : byte - start - 1;
   return std::to_string(line + 1) + ":" + std::to_string(std::max<std::size_t>(column, 1));
 }
+
+/// Throws Error where the nesting is too deep. It comes before the parsing, which is recursive.
+void refuse_deep_nesting(const std::string& text, const std::string& name) {
+  int depth = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '"') quoted = !quoted;
+    if (quoted && c == '\\') ++i;
+    if (quoted) continue;
+    if (c == '}' || c == ']') --depth;
+    if ((c == '{' || c == '[') && ++depth > max_json_depth) {
+      throw Error(name + ":" + line_and_column(text, i + 1),
+                  "more than " + std::to_string(max_json_depth) +
+                      " lists and objects are within one another here",
+                  "is it really a file for Toile?");
+    }
+  }
+}
+
+/// Watches the parsing for objects that are too large or have a key twice.
+class KeyWatch {
+ public:
+  explicit KeyWatch(const std::string& name) : name_(name) {}
+
+  bool operator()(int, nlohmann::ordered_json::parse_event_t event,
+                  const nlohmann::ordered_json& parsed) {
+    using Event = nlohmann::ordered_json::parse_event_t;
+    if (event == Event::object_start) keys_.emplace_back();
+    if (event == Event::object_end) keys_.pop_back();
+    if (event == Event::key) add(parsed.get_ref<const std::string&>());
+    return true;
+  }
+
+ private:
+  void add(const std::string& key) {
+    if (!keys_.back().insert(key).second) {
+      throw Error(name_, "an object has the key '" + valid_utf8(key) + "' twice",
+                  "remove or rename one of the two");
+    }
+    if (keys_.back().size() > max_json_keys) {
+      throw Error(name_, "an object has more than " + std::to_string(max_json_keys) + " keys",
+                  "is it really a file for Toile?");
+    }
+  }
+
+  const std::string& name_;
+  std::vector<std::unordered_set<std::string>> keys_;
+};
+
+/// Finds the byte and the word at which the parser stops. The parser's exceptions know no byte
+/// where a number is too large.
+struct StopFinder : nlohmann::json_sax<nlohmann::ordered_json> {
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t&) override { return true; }
+  bool string(string_t&) override { return true; }
+  bool binary(binary_t&) override { return true; }
+  bool start_object(std::size_t) override { return true; }
+  bool key(string_t&) override { return true; }
+  bool end_object() override { return true; }
+  bool start_array(std::size_t) override { return true; }
+  bool end_array() override { return true; }
+  bool parse_error(std::size_t position, const std::string& word,
+                   const nlohmann::detail::exception&) override {
+    byte = position;
+    last = word;
+    return false;
+  }
+
+  std::size_t byte = 0;
+  std::string last;
+};
 
 }  // namespace
 
@@ -43,7 +120,7 @@ std::optional<JsonValue> JsonValue::find(const std::string& key) const {
   if (!is_object()) fail("is not an object");
   const auto found = json_->find(key);
   if (found == json_->end() || found->is_null()) return std::nullopt;
-  return JsonValue(*found, place_ + ", " + key);
+  return JsonValue(*found, place_ + ", " + valid_utf8(key));
 }
 
 JsonValue JsonValue::get(const std::string& key) const {
@@ -93,14 +170,22 @@ std::string JsonValue::text() const {
 }
 
 JsonDocument::JsonDocument(const std::string& text, const std::string& name) : name_(name) {
+  using Json = nlohmann::ordered_json;
+  refuse_deep_nesting(text, name);
+  KeyWatch watch(name);
   try {
-    json_ = std::make_unique<nlohmann::ordered_json>(nlohmann::ordered_json::parse(text));
-  } catch (const nlohmann::ordered_json::parse_error& error) {
-    throw Error(name + ":" + line_and_column(text, error.byte), "is not JSON here",
-                "look for a missing or extra comma, quote or bracket at or before this place");
-  } catch (const nlohmann::ordered_json::exception& error) {
-    throw Error(name, std::string("is not JSON (") + error.what() + ")", "");
+    json_ = std::make_unique<Json>(Json::parse(text, std::ref(watch)));
+    return;
+  } catch (const Json::exception&) {
   }
+  StopFinder stop;
+  Json::sax_parse(text, &stop);
+  const std::string place = name + ":" + line_and_column(text, stop.byte);
+  if (const auto number = parse_number(stop.last); number && !std::isfinite(*number)) {
+    throw Error(place, "a number is too large", "correct it");
+  }
+  throw Error(place, "is not JSON here",
+              "look for a missing or extra comma, quote or bracket at or before this place");
 }
 
 JsonDocument::~JsonDocument() = default;

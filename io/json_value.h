@@ -54,10 +54,18 @@ class JsonValue {
   std::string place_;
 };
 
+/// Lists and objects within one another. Patterns have some ten.
+inline constexpr int max_json_depth = 100;
+
+/// Keys of one object. Searching an object takes time linear in them.
+inline constexpr std::size_t max_json_keys = 10'000;
+
 /// A JSON text, parsed.
 class JsonDocument {
  public:
-  /// Throws Error with the place "name:line:column" for text that is not JSON.
+  /// Throws Error with the place "name:line:column" for text that is not JSON and for a number too
+  /// large for a double. Nesting deeper than max_json_depth is an Error, too. A key that an object
+  /// has twice, and more keys than max_json_keys, are Errors with the place "name".
   JsonDocument(const std::string& text, const std::string& name);
   ~JsonDocument();
   JsonDocument(const JsonDocument&) = delete;

@@ -55,10 +55,30 @@ TEST(JsonValue, SaysWhereTextIsNotJson) {
   };
   EXPECT_EQ(message("{\n \"a\": ]").substr(0, 31), "f.json:2:7: is not JSON here; l");
   EXPECT_NE(message(""), "");
-  EXPECT_NE(message("[1e999]"), "");
+  EXPECT_EQ(message("[1,\n1e999]").substr(0, 33), "f.json:2:5: a number is too large");
   EXPECT_NE(message("\"\xff\""), "");
   EXPECT_NE(message(std::string(100000, '[')), "");
   EXPECT_EQ(message("{}"), "");
+}
+
+TEST(JsonValue, DeepNestingAndDoubledKeysAreRefused) {
+  const auto message = [](const std::string& text) {
+    return error_of([&] { const JsonDocument document(text, "f.json"); });
+  };
+  const auto nested = [](std::size_t depth) {
+    return std::string(depth, '[') + std::string(depth, ']');
+  };
+  EXPECT_EQ(message(nested(max_json_depth)), "");
+  EXPECT_EQ(message("\n" + nested(max_json_depth + 1)).substr(0, 37),
+            "f.json:2:101: more than 100 lists and");
+  EXPECT_NE(message(nested(140000)), "");
+  EXPECT_EQ(message("[\"\\\"" + std::string(200, '[') + "\"]"), "");  // text, not lists
+  EXPECT_EQ(message(R"({"a": 1, "b": {"a": 2}})"), "");
+  EXPECT_EQ(message(R"({"a": 1, "a": 2})"),
+            "f.json: an object has the key 'a' twice; remove or rename one of the two");
+  std::string many = "{\"k\": 0";
+  for (std::size_t i = 0; i < max_json_keys; ++i) many += ",\"k" + std::to_string(i) + "\": 0";
+  EXPECT_NE(message(many + "}").find("more than 10000 keys"), std::string::npos);
 }
 
 }  // namespace json_value_test
