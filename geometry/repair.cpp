@@ -45,6 +45,10 @@ struct Soup {
   Polygons polygons;
 };
 
+/// File's unit. A coordinate nearer to 0 is 0: powers of it would underflow, and CGAL divides by
+/// them.
+constexpr double min_coordinate = 1e-30;
+
 Soup checked_soup(const PolygonSoup& soup, const std::string& name) {
   if (soup.polygons.empty()) {
     throw Error(name, "holds no polygons", "give a surface, not only points");
@@ -57,7 +61,8 @@ Soup checked_soup(const PolygonSoup& soup, const std::string& name) {
       throw Error(name, "point " + std::to_string(i + 1) + " is not finite or is beyond 1e9",
                   "export the body again");
     }
-    copy.points.emplace_back(point.x(), point.y(), point.z());
+    const auto kept = [](double x) { return std::abs(x) < min_coordinate ? 0 : x; };
+    copy.points.emplace_back(kept(point.x()), kept(point.y()), kept(point.z()));
   }
   copy.polygons.reserve(soup.polygons.size());
   for (const std::vector<int>& polygon : soup.polygons) {

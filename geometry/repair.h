@@ -42,10 +42,10 @@ struct RepairedSurface {
 };
 
 /// Repairs a polygon soup with CGAL's polygon mesh processing. A sound surface keeps its points,
-/// their order and its triangles. It throws Error, with the place `name`, for no polygons,
-/// coordinates beyond 1e9, and a one-sided surface. Holes too large to fill and a surface that
-/// encloses no volume are Errors, too. About O(n log n); filling a hole costs more than linear time
-/// in its border.
+/// their order and its triangles; coordinates below 1e-30 become 0. It throws Error, with the place
+/// `name`, for no polygons, coordinates beyond 1e9, and a one-sided surface. Holes too large to
+/// fill and a surface that encloses no volume are Errors, too. About O(n log n); filling a hole
+/// costs more than linear time in its border.
 RepairedSurface repair(const PolygonSoup& soup, const std::string& name,
                        const RepairOptions& options = {});
 

@@ -162,6 +162,20 @@ TEST(Repair, SelfIntersectionsAreRemovedWithoutMovingTheSurfaceFar) {
   EXPECT_EQ(kept.mesh.points, ball.points);
 }
 
+// CGAL divides by products of coordinates, which underflow to 0.
+TEST(Repair, TinyCoordinatesCountAsZero) {
+  PolygonSoup box;
+  box.points = {{0, -1e-300, -1e-300}, {1, 0, 0},     {1, 2, 0}, {0, 2, 0}, {0, 0, 1}, {1, 0, 1},
+                {-1e-300, 2, -1e-300}, {0, 2, 5e-324}};
+  box.polygons = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                  {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  const RepairedSurface result = repair(box, "box.off");
+  EXPECT_TRUE(is_closed(result.mesh));
+  for (const Vec3& p : result.mesh.points) {
+    for (int axis = 0; axis < 3; ++axis) EXPECT_TRUE(p[axis] == 0 || p[axis] >= 1) << p[axis];
+  }
+}
+
 TEST(Repair, WhatEnclosesNothingIsAnError) {
   EXPECT_NE(error_of({}).find("no polygons"), std::string::npos);
   PolygonSoup flat;
