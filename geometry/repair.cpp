@@ -368,8 +368,8 @@ RepairedSurface repair(const PolygonSoup& given, const std::string& name,
       report.turned_inside_out = true;
     }
     result.mesh = without_self_intersections(mesh, report, options);
-  } catch (const CGAL::Failure_exception& failed) {
-    throw Error(name, "the surface can't be repaired (" + std::string(failed.what()) + ")",
+  } catch (const CGAL::Failure_exception&) {
+    throw Error(name, "the surface can't be repaired: its polygons contradict one another",
                 "export the body again, or repair it in a mesh editor");
   }
   return result;

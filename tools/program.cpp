@@ -148,8 +148,15 @@ int run_program(int argc, char** argv, const CommandLineProgram& program) {
     return program.work(given, settings);
   } catch (const std::bad_alloc&) {
     std::cerr << program.name << ": error: out of memory; use a coarser mesh\n";
-  } catch (const std::exception& failed) {
+  } catch (const Error& failed) {
     std::cerr << program.name << ": error: " << failed.what() << '\n';
+  } catch (const std::filesystem::filesystem_error& failed) {
+    std::cerr << program.name << ": error: " << failed.path1().string() << ": can't be reached ("
+              << failed.code().message() << "); name another file\n";
+  } catch (const std::exception&) {
+    // A library's own words would tell a user nothing.
+    std::cerr << program.name << ": error: the input leads to a case that was not foreseen; "
+              << "report it together with the input\n";
   }
   return exit_error;
 }

@@ -139,6 +139,17 @@ const std::string cube_points =
     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n";
 const std::string five_faces = "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\n";
 
+TEST(CleanBodyProgram, ANameThatNoFolderTakesIsOneMessage) {
+  const ScratchFolder folder;
+  const std::string name = std::string(300, 'x') + ".obj";
+  const pipeline::Run ended =
+      run("clean-body", {(folder / name).string(), "-o", (folder / "body.ply").string()});
+  EXPECT_EQ(ended.exit_code, 1);
+  EXPECT_TRUE(says(ended, name + ": can't be reached (")) << ended.err;
+  EXPECT_FALSE(says(ended, "filesystem error")) << ended.err;
+  EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+}
+
 TEST(CleanBodyProgram, BadInputIsOneMessageAndNoFile) {
   expect_refused("cube.obj", cube_points + five_faces, "1 hole is too large");
   expect_refused("empty.obj", "", "no OBJ statement");
