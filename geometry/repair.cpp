@@ -286,7 +286,7 @@ void fill_holes(Mesh& mesh, RepairReport& report, bool orientable, const RepairO
                 "close the body in a mesh editor");
   }
   for (const Halfedge border : borders) {
-    const double across = diagonal(hole_box(mesh, border));
+    const CGAL::Bbox_3 box = hole_box(mesh, border);
     std::vector<Mesh::Face_index> patch;
     std::vector<Mesh::Vertex_index> inner;
     PMP::triangulate_and_refine_hole(mesh, border, std::back_inserter(patch),
@@ -297,8 +297,8 @@ void fill_holes(Mesh& mesh, RepairReport& report, bool orientable, const RepairO
                             PMP::parameters::use_delaunay_triangulation(false));
     }
     if (patch.empty()) continue;
-    ++report.holes_filled;
-    report.largest_hole_filled = std::max(report.largest_hole_filled, across);
+    const Vec3 middle(box.xmin() + box.xmax(), box.ymin() + box.ymax(), box.zmin() + box.zmax());
+    report.holes_filled.push_back({middle / 2, diagonal(box)});
   }
 }
 
@@ -311,6 +311,10 @@ double farthest_from(const TriangleMesh& of, const TriangleMesh& surface) {
   return farthest;
 }
 
+/// Pairs of intersecting triangles for each triangle of the mesh. More are not repaired: CGAL may
+/// search for minutes, and what it would leave is no longer the surface that was given.
+constexpr double max_repaired_pairs = 0.05;
+
 /// CGAL cuts out the facets around an intersection and fills the hole. It may fail or remove too
 /// much. So it works on a copy, which is kept only when it is closed, better and near the surface.
 TriangleMesh without_self_intersections(const Mesh& mesh, RepairReport& report,
@@ -319,6 +323,8 @@ TriangleMesh without_self_intersections(const Mesh& mesh, RepairReport& report,
   report.self_intersections_found = static_cast<int>(self_intersections(plain).size());
   report.self_intersections_left = report.self_intersections_found;
   if (report.self_intersections_found == 0) return plain;
+  const double triangles = static_cast<double>(plain.triangles.size());
+  if (report.self_intersections_found > max_repaired_pairs * triangles) return plain;
   Mesh copy = mesh;
   try {
     PMP::experimental::remove_self_intersections(copy);

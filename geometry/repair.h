@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "geometry/types.h"
 
@@ -17,6 +18,12 @@ struct RepairOptions {
   double largest_move = 0.003;
 };
 
+/// A hole that was filled. What is there now is a guess.
+struct FilledHole {
+  Vec3 middle{0, 0, 0};  ///< of its bounding box; file's unit, as all of a RepairReport
+  double across = 0;     ///< the diagonal of that box
+};
+
 /// The changes that repair() made. A count of zero means that nothing had to be done.
 struct RepairReport {
   int points_read = 0;
@@ -28,8 +35,7 @@ struct RepairReport {
   int borders_stitched = 0;       ///< pairs of border edges
   int components_dropped = 0;     ///< all but the component of largest area
   double dropped_area = 0;        ///< share of the whole area that was dropped
-  int holes_filled = 0;
-  double largest_hole_filled = 0;    ///< diagonal of its bounding box, file's unit
+  std::vector<FilledHole> holes_filled;
   int self_intersections_found = 0;  ///< pairs of triangles
   int self_intersections_left = 0;
   double largest_move = 0;         ///< of the surface, by the repair of intersections; file's unit

@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "geometry/body/find_skeleton.h"
@@ -34,16 +36,18 @@ double inferred_unit(double height, const std::string& name) {
 /// A body turned and lifted to stand on y = 0, in the file's unit.
 struct Standing {
   TriangleMesh mesh;
+  Matrix turn = Matrix::Identity();
   double lifted = 0;
   std::optional<Skeleton> skeleton;
   std::string no_skeleton;
 };
 
-/// Turns the body and lifts it onto y = 0. The matrix holds 0, 1 and -1 only, so no coordinate is
-/// rounded but y by the lift.
+/// Turns the body and lifts it onto y = 0. A turn by right angles holds 0, 1 and -1 only, so that
+/// no coordinate is rounded but y by the lift.
 Standing stand(const TriangleMesh& mesh, const Matrix& turn, const std::string& name) {
   Standing body;
   body.mesh = mesh;
+  body.turn = turn;
   if (turn != Matrix::Identity()) {
     for (Vec3& p : body.mesh.points) p = turn * p;
   }
@@ -79,16 +83,47 @@ std::vector<Upright> uprights() {
           {"-y", rows(-x, -y, z)},   {"x", rows(-y, x, z)}, {"-x", rows(y, -x, z)}};
 }
 
-/// A turn about y by -90 degrees: +x comes to +z.
-Matrix quarter_turn() { return (Matrix() << 0, 0, -1, 0, 1, 0, 1, 0, 0).finished(); }
-/// A turn about y by 180 degrees.
-Matrix half_turn() { return Vec3(-1, 1, -1).asDiagonal(); }
+/// A turn about y, from +z to +x; exact by right angles.
+Matrix about_y(double degrees) {
+  const double quarters = degrees / 90;
+  double sine = std::sin(degrees * std::numbers::pi / 180);
+  double cosine = std::cos(degrees * std::numbers::pi / 180);
+  if (quarters == std::round(quarters)) {
+    sine = std::round(sine);
+    cosine = std::round(cosine);
+  }
+  return (Matrix() << cosine, 0, sine, 0, 1, 0, -sine, 0, cosine).finished();
+}
+
+/// Degrees in (-180, 180] of the turn about y that brings `across` to +x.
+double to_the_left(const Vec3& across) {
+  return std::atan2(across.z(), across.x()) * 180 / std::numbers::pi;
+}
+
+/// Degrees by which the body has to be turned about y for its left to be at +x, by its shoulders.
+/// The hips that find_skeleton() finds are beside each other in any case, and a step parts the
+/// feet.
+double askew(const Skeleton& skeleton) {
+  return to_the_left(skeleton.joint("left_shoulder") - skeleton.joint("right_shoulder"));
+}
+
+/// Degrees by which an upright body might have to be turned about y: first by the direction in
+/// which its points spread most.
+std::vector<double> likely_turns(const TriangleMesh& mesh, const Matrix& upright) {
+  Vec3 mean = Vec3::Zero();
+  for (const Vec3& p : mesh.points) mean += p / static_cast<double>(mesh.points.size());
+  Matrix spread = Matrix::Zero();
+  for (const Vec3& p : mesh.points) spread += (p - mean) * (p - mean).transpose();
+  spread = upright * spread * upright.transpose();
+  const double most = std::atan2(2 * spread(0, 2), spread(0, 0) - spread(2, 2)) / 2;
+  return {most * 180 / std::numbers::pi, 30, -30, 60, -60};
+}
 
 /// `turn`, followed by a quarter turn if the body is wider from front to back than from side to
 /// side. Arms held out make every body widest from side to side.
 Matrix sideways(const TriangleMesh& mesh, const Matrix& turn) {
   const Vec3 size = (turn * bounds(mesh).sizes()).cwiseAbs();
-  return size.z() > 1.4 * size.x() ? Matrix(quarter_turn() * turn) : turn;
+  return size.z() > 1.4 * size.x() ? Matrix(about_y(-90) * turn) : turn;
 }
 
 /// The index in uprights() of the axis that the body stands along, judged by its box. A box that is
@@ -99,11 +134,27 @@ std::size_t likely_axis(const TriangleMesh& mesh) {
   return size.z() > 1.5 * size.y() && size.z() >= 0.8 * size.x() ? 1 : 0;
 }
 
-Standing stand_up(const TriangleMesh& mesh, const std::string& name, std::string& turned) {
+/// Says in `report` how the body was turned.
+void report_turn(const Upright& axis, const Matrix& turn, CleanReport& report) {
+  const Matrix about = turn * axis.turn.transpose();
+  report.turned_degrees = std::atan2(about(0, 2), about(0, 0)) * 180 / std::numbers::pi;
+  const double quarters = report.turned_degrees / 90;
+  if (axis.turn != Matrix::Identity()) {
+    report.turned = std::string("from ") + axis.axis + " up to y up";
+  }
+  if (quarters == 0) return;
+  if (!report.turned.empty()) report.turned += ", and ";
+  if (quarters != std::round(quarters)) {
+    report.turned +=
+        "by " + number_text(std::abs(report.turned_degrees), 3) + " degrees about the vertical ";
+  }
+  report.turned += "to face +z";
+}
+
+Standing stand_up(const TriangleMesh& mesh, const std::string& name, CleanReport& report) {
   const std::vector<Upright> axes = uprights();
   std::size_t chosen = likely_axis(mesh);
-  Matrix turn = sideways(mesh, axes[chosen].turn);
-  Standing body = stand(mesh, turn, name);
+  Standing body = stand(mesh, sideways(mesh, axes[chosen].turn), name);
   if (!body.skeleton) {
     int found = 0;
     Standing other;
@@ -117,18 +168,29 @@ Standing stand_up(const TriangleMesh& mesh, const std::string& name, std::string
     }
     if (found == 1) {
       chosen = other_axis;
-      turn = sideways(mesh, axes[chosen].turn);
       body = std::move(other);
     }
   }
-  bool about_y = turn != axes[chosen].turn;
-  if (body.skeleton && toes_forward(body.mesh, *body.skeleton) < -0.01) {
-    turn = half_turn() * turn;
-    body = stand(mesh, turn, name);
-    about_y = true;
+  const Matrix& upright = axes[chosen].turn;
+  const auto turn_to = [&](const Matrix& turn) {
+    Standing turned = stand(mesh, turn, name);
+    if (turned.skeleton) body = std::move(turned);
+  };
+  if (!body.skeleton) {
+    for (const double degrees : likely_turns(mesh, upright)) {
+      if (!body.skeleton) turn_to(about_y(degrees) * upright);
+    }
   }
-  if (chosen != 0) turned = std::string("from ") + axes[chosen].axis + " up to y up";
-  if (about_y) turned += (turned.empty() ? "" : ", and ") + std::string("to face +z");
+  if (!body.skeleton) {
+    report_turn(axes[chosen], body.turn, report);
+    return body;
+  }
+  // The joints of a body askew are less true than those of the same body that faces forward.
+  for (int round = 0; round < 3 && std::abs(askew(*body.skeleton)) > max_askew; ++round) {
+    turn_to(about_y(askew(*body.skeleton)) * body.turn);
+  }
+  if (toes_forward(body.mesh, *body.skeleton) < -0.01) turn_to(about_y(180) * body.turn);
+  report_turn(axes[chosen], body.turn, report);
   return body;
 }
 
@@ -182,11 +244,17 @@ std::optional<Standing> as_given(const TriangleMesh& mesh, const CleanOptions& o
     point /= unit;
     point.y() -= floor;
   }
+  if (const double degrees = askew(*body.skeleton); std::abs(degrees) > max_askew) {
+    body.turn = about_y(degrees);
+    for (Vec3& p : body.mesh.points) p = body.turn * p;
+    for (auto& [joint, point] : body.skeleton->joints) point = body.turn * point;
+  }
   // An earlier run may have turned the body. Its joints then lie within the unturned one, too.
   if (toes_forward(body.mesh, *body.skeleton) < -0.01) {
     report.skeleton_refused = "its toes point to -z";
     return std::nullopt;
   }
+  report_turn(uprights().front(), body.turn, report);
   return body;
 }
 
@@ -213,7 +281,7 @@ CleanBody clean_body(const PolygonSoup& soup, const std::string& name,
   report.repair = surface.report;
 
   std::optional<Standing> given = as_given(surface.mesh, options, name, report);
-  Standing standing = given ? std::move(*given) : stand_up(surface.mesh, name, report.turned);
+  Standing standing = given ? std::move(*given) : stand_up(surface.mesh, name, report);
   const double units_tall = bounds(standing.mesh).max().y();
   report.unit_inferred = !options.metres_per_unit;
   report.metres_per_unit =
@@ -226,8 +294,18 @@ CleanBody clean_body(const PolygonSoup& soup, const std::string& name,
   report.lifted = standing.lifted * report.metres_per_unit;
   scale(standing, report.metres_per_unit);
   report.brought = bring_near(standing);
+  for (const FilledHole& hole : report.repair.holes_filled) {
+    const double across = hole.across * report.metres_per_unit;
+    if (across < large_hole) continue;
+    const Vec3 lift(0, standing.lifted, 0);
+    report.large_holes.push_back(
+        {(standing.turn * hole.middle + lift) * report.metres_per_unit + report.brought, across});
+  }
   body.mesh = std::move(standing.mesh);
   body.skeleton = std::move(standing.skeleton);
+  if (report.repair.self_intersections_left > 0) {
+    report.crossings = crossings_of(body.mesh, body.skeleton);
+  }
   report.no_skeleton = std::move(standing.no_skeleton);
   return body;
 }

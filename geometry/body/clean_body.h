@@ -3,7 +3,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "geometry/body/flaws.h"
 #include "geometry/body/skeleton.h"
 #include "geometry/repair.h"
 #include "geometry/surface_distance.h"
@@ -25,11 +27,14 @@ struct CleanReport {
   double metres_per_unit = 1;
   bool unit_inferred = false;
   std::string turned;            ///< how the body was turned to stand and face +z; empty: not
+  double turned_degrees = 0;     ///< about the vertical, once upright; positive from +z to +x
   double lifted = 0;             ///< metres added to y to put the feet on the floor
   Vec3 brought{0, 0, 0};         ///< metres by which a body far from the y axis was moved to it
   double height = 0;             ///< metres
   std::string skeleton_refused;  ///< why the given joints are not used; empty: they are, or none
   std::string no_skeleton;       ///< why there is no skeleton; empty: there is one
+  std::vector<FilledHole> large_holes;  ///< beyond large_hole; metres, in the cleaned body's frame
+  std::optional<Crossings> crossings;   ///< where the cleaned body crosses itself
 };
 
 struct CleanBody {
@@ -38,17 +43,27 @@ struct CleanBody {
   CleanReport report;
 };
 
+/// Degrees between the x axis and the line from side to side that need no turn. A body that steps
+/// or bends has as much.
+inline constexpr double max_askew = 8;
+
+/// Metres: what a filled hole has across that deserves a word. Soles take more, fingertips less.
+inline constexpr double large_hole = 0.05;
+
 /// Repairs, turns, lifts and scales a body and finds its skeleton.
 ///
-/// The body is turned by right angles only, and only in clear cases:
+/// The body is turned upright by right angles only, and only in clear cases:
 /// - it lies along z, as z-up programs leave it;
-/// - it has a skeleton along exactly one axis other than y;
-/// - it is wider from front to back than from side to side;
-/// - its toes point to -z.
+/// - it has a skeleton along exactly one axis other than y.
+///
+/// Then it is turned about the vertical to face +z:
+/// - by a right angle if it is wider from front to back than from side to side;
+/// - by the angle of its shoulders to the x axis, if that is more than max_askew;
+/// - by half a turn if its toes point to -z.
 ///
 /// Within 10 m of the origin the body keeps its place on the floor. Farther off there is no
-/// garment, so the body is moved to the origin. Given joints decide the body's orientation; they
-/// are only moved and scaled with it.
+/// garment, so the body is moved to the origin. Given joints decide the body's orientation. They
+/// are turned about the vertical, moved and scaled with it.
 ///
 /// It throws Error as repair() does, when the unit can't be found, or when the height is not 0.1 to
 /// 10 m. A body without a skeleton is no error.

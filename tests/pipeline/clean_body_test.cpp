@@ -192,6 +192,46 @@ TEST(CleanBodyProgram, AClosedCubeIsABodyWithoutSkeleton) {
   EXPECT_NEAR(test::volume(triangles(folder / "body.ply")), 1, 1e-12);
 }
 
+/// Runs on `mesh` and expects a warning with `words`, on the screen and in the report, which it
+/// returns.
+Json expect_warned(const TriangleMesh& mesh, const std::string& words) {
+  SCOPED_TRACE(words);
+  const ScratchFolder folder;
+  write_mesh(folder / "ball.ply", mesh);
+  const pipeline::Run ended =
+      run("clean-body", {"-q", (folder / "ball.ply").string(), "-o", (folder / "body.ply").string(),
+                         "--report", (folder / "report.json").string()});
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_TRUE(says(ended, words)) << ended.err;
+  Json report = Json::parse(pipeline::read_text(folder / "report.json"));
+  bool kept = false;
+  for (const std::string warning : report["warnings"]) {
+    EXPECT_TRUE(says(ended, "warning: " + warning + "\n"));
+    kept = kept || warning.find(words) != std::string::npos;
+  }
+  EXPECT_TRUE(kept);
+  return report;
+}
+
+TEST(CleanBodyProgram, AFilledHoleIsWarnedOfWithSizeAndPlace) {
+  TriangleMesh ball = test::sphere(0.75, 5);
+  std::erase_if(ball.triangles, [&](const Triangle& t) {
+    return std::all_of(t.begin(), t.end(), [&](int p) { return ball.points[p].x() > 0.744; });
+  });
+  const Json report = expect_warned(ball, " cm across was filled, 75 cm above the floor, at x 0.7");
+  EXPECT_TRUE(report["body"]["usable"].get<bool>());
+}
+
+TEST(CleanBodyProgram, ASurfaceOfCrossingsIsNoBodyToDress) {
+  TriangleMesh ball = test::sphere(0.75, 3);
+  for (std::size_t i = 0; i < ball.points.size(); i += 2) ball.points[i] *= 0.6;
+  for (std::size_t i = 0; i < ball.points.size(); i += 3) ball.points[i].x() += 0.3;
+  const Json report = expect_warned(ball, "this body can't be used to dress");
+  EXPECT_FALSE(report["body"]["usable"].get<bool>());
+  EXPECT_GT(report["self_intersections"]["left"], 100);
+  EXPECT_GT(report["self_intersections"]["area_percent"], 2);
+}
+
 TEST(CleanBodyProgram, OutputThatCannotBeWrittenIsAnError) {
   const ScratchFolder folder;
   pipeline::write_text(folder / "cube.obj", cube_points + five_faces + "f 1 5 8 4\n");

@@ -61,14 +61,20 @@ class DamagedJoints : public testing::Test {
 TEST_F(DamagedJoints, AreRefusedByEachProgram) {
   expect_refused("", ":1:1: is not JSON here");
   expect_refused(sound_.dump().substr(0, 300), ":1:300: is not JSON here");
-  expect_refused(std::string(140000, '[') + std::string(140000, ']'), ":1:101: more than 100 lists");
-  expect_refused([](Json& j) { j["joints"].erase("neck"); }, ", segments[2]: joint 'neck' is missing");
+  expect_refused(std::string(140000, '[') + std::string(140000, ']'),
+                 ":1:101: more than 100 lists");
+  expect_refused([](Json& j) { j["joints"].erase("neck"); },
+                 ", segments[2]: joint 'neck' is missing");
   expect_refused([](Json& j) { j["joints"]["neck"][1] = nullptr; },
                  ", joints, neck[1]: is not a number");
   expect_refused([](Json& j) { j["joints"]["neck"][1] = 1e300; },
                  ", joints, neck: a coordinate is 1e+300");
-  expect_refused([](Json& j) { j["format"] = "toile-bod"; j["units"] = "cm"; },
-                 ", units: is not m");
+  expect_refused(
+      [](Json& j) {
+        j["format"] = "toile-bod";
+        j["units"] = "cm";
+      },
+      ", units: is not m");
   expect_refused([](Json& j) { j["segments"].erase(3); }, ", segments: has no segment of head");
 }
 

@@ -1,10 +1,18 @@
 #include "tools/clean_body/report.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace toile {
 
-nlohmann::ordered_json clean_body_json(const CleanBody& body, bool skeleton_given) {
+double largest_hole(const RepairReport& report) {
+  double largest = 0;
+  for (const FilledHole& hole : report.holes_filled) largest = std::max(largest, hole.across);
+  return largest;
+}
+
+nlohmann::ordered_json clean_body_json(const CleanBody& body, bool skeleton_given,
+                                       const std::vector<std::string>& warnings) {
   const CleanReport& report = body.report;
   const RepairReport& r = report.repair;
   const double unit = report.metres_per_unit;
@@ -17,23 +25,28 @@ nlohmann::ordered_json clean_body_json(const CleanBody& body, bool skeleton_give
             {"borders_stitched", r.borders_stitched},
             {"components_dropped", r.components_dropped},
             {"dropped_area_percent", 100 * r.dropped_area},
-            {"holes_filled", r.holes_filled},
-            {"largest_hole_filled_mm", 1000 * unit * r.largest_hole_filled},
+            {"holes_filled", r.holes_filled.size()},
+            {"largest_hole_filled_mm", 1000 * unit * largest_hole(r)},
             {"turned_inside_out", r.turned_inside_out},
             {"largest_move_mm", 1000 * unit * r.largest_move},
             {"turned", report.turned},
+            {"turned_degrees", report.turned_degrees},
             {"lifted_mm", 1000 * report.lifted},
             {"brought_m", {report.brought.x(), report.brought.z()}}}},
           {"self_intersections",
-           {{"found", r.self_intersections_found}, {"left", r.self_intersections_left}}},
+           {{"found", r.self_intersections_found},
+            {"left", r.self_intersections_left},
+            {"area_percent", report.crossings ? 100 * report.crossings->area_share : 0}}},
           {"unit", {{"metres", unit}, {"inferred", report.unit_inferred}}},
           {"body",
            {{"points", body.mesh.points.size()},
             {"triangles", body.mesh.triangles.size()},
             {"height_m", report.height},
-            {"closed", true}}},
+            {"closed", true},
+            {"usable", is_usable(report.crossings)}}},
           {"skeleton", body.skeleton.has_value()},
-          {"skeleton_given", skeleton_given}};
+          {"skeleton_given", skeleton_given},
+          {"warnings", warnings}};
 }
 
 }  // namespace toile

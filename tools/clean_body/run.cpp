@@ -1,5 +1,6 @@
 #include "tools/clean_body/run.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -55,9 +56,10 @@ void say_changes(const CleanReport& report, const CommonSettings& common) {
     common.say(count(r.components_dropped, "separate part", "separate parts") + " dropped, " +
                number(100 * r.dropped_area, "%.2g") + " % of the whole surface");
   }
-  if (r.holes_filled > 0) {
-    common.say(count(r.holes_filled, "hole", "holes") + " filled, the largest " +
-               number(100 * unit * r.largest_hole_filled, "%.1f") + " cm across");
+  if (!r.holes_filled.empty()) {
+    common.say(count(static_cast<int>(r.holes_filled.size()), "hole", "holes") +
+               " filled, the largest " + number(100 * unit * largest_hole(r), "%.1f") +
+               " cm across");
   }
   if (r.turned_inside_out) common.say("turned inside out: its facets faced inward");
   if (r.self_intersections_found > 0) {
@@ -80,32 +82,65 @@ void say_changes(const CleanReport& report, const CommonSettings& common) {
   }
 }
 
-void warn_remains(const CleanReport& report) {
-  const RepairReport& r = report.repair;
-  if (r.self_intersections_left > 0) {
-    CommonSettings::warn(count(r.self_intersections_left, "pair", "pairs") +
-                         " of triangles still intersect; they can't be repaired safely");
-  }
-  if (r.dropped_area > 0.05) {
-    CommonSettings::warn("the parts dropped are " + number(100 * r.dropped_area, "%.0f") +
-                         " % of the surface; was the body one piece?");
-  }
-  if (report.height < 1.0 || report.height > 2.3) {
-    CommonSettings::warn("the body is " + number(report.height, "%.2f") +
-                         " m tall; is the unit right?");
-  }
+/// "95 cm above the floor, at the left leg", or at x and z where there are no joints.
+std::string place_of(const Vec3& point, const std::optional<Skeleton>& skeleton) {
+  std::string part = skeleton ? part_near(*skeleton, point) : "";
+  std::replace(part.begin(), part.end(), '_', ' ');
+  return number(100 * point.y(), "%.0f") + " cm above the floor, at " +
+         (part.empty()
+              ? "x " + number(point.x(), "%.2f") + " m, z " + number(point.z(), "%.2f") + " m"
+              : "the " + part);
 }
 
-/// An earlier run's skeleton beside a body that has none would be taken for that body's.
-void remove_stale_skeleton(const std::filesystem::path& path) {
-  if (!std::filesystem::exists(path)) return;
+std::string crossing_warning(const Crossings& crossings) {
+  std::string part = crossings.part;
+  std::replace(part.begin(), part.end(), '_', ' ');
+  const std::string where = count(crossings.pairs, "pair", "pairs") + " of triangles cross on " +
+                            number(100 * crossings.area_share, "%.2g") + " % of the surface, " +
+                            number(100 * crossings.low, "%.0f") + " to " +
+                            number(100 * crossings.high, "%.0f") + " cm above the floor" +
+                            (part.empty() ? "" : ", most at the " + part);
+  if (is_usable(crossings)) {
+    return where +
+           "; they can't be repaired safely; a drape that lies there may be called intersecting";
+  }
+  return where +
+         "; this body can't be used to dress, for cloth can't tell inside from outside there; "
+         "repair it in a mesh editor";
+}
+
+/// What the user should know about the body as it is written.
+std::vector<std::string> warnings_about(const CleanBody& body) {
+  const CleanReport& report = body.report;
+  const RepairReport& r = report.repair;
+  std::vector<std::string> warnings;
+  for (const FilledHole& hole : report.large_holes) {
+    warnings.push_back("a hole " + number(100 * hole.across, "%.1f") + " cm across was filled, " +
+                       place_of(hole.middle, body.skeleton) + "; the surface there is a guess");
+  }
+  if (report.crossings) warnings.push_back(crossing_warning(*report.crossings));
+  if (r.dropped_area > 0.05) {
+    warnings.push_back("the parts dropped are " + number(100 * r.dropped_area, "%.0f") +
+                       " % of the surface; was the body one piece?");
+  }
+  if (report.height < 1.0 || report.height > 2.3) {
+    warnings.push_back("the body is " + number(report.height, "%.2f") +
+                       " m tall; is the unit right?");
+  }
+  return warnings;
+}
+
+/// Whether there was an earlier run's skeleton beside a body that has none. It would be taken for
+/// that body's, and is removed.
+bool remove_stale_skeleton(const std::filesystem::path& path) {
+  if (!std::filesystem::exists(path)) return false;
   try {
     read_skeleton(path);
   } catch (const Error&) {
-    return;  // not ours
+    return false;  // not ours
   }
   std::filesystem::remove(path);
-  CommonSettings::warn(path.string() + " was another body's skeleton and is removed");
+  return true;
 }
 
 }  // namespace
@@ -134,27 +169,29 @@ void run_clean_body(const CleanBodySettings& settings, const CommonSettings& com
 
   const CleanBody body = clean_body(read_mesh(in), in, options);
   say_changes(body.report, common);
-  warn_remains(body.report);
-  common.say("a closed body of " + std::to_string(body.mesh.points.size()) + " points, " +
+  std::vector<std::string> warnings = warnings_about(body);
+  common.say((is_usable(body.report.crossings) ? "a closed body of " : "a closed surface of ") +
+             std::to_string(body.mesh.points.size()) + " points, " +
              number(100 * body.report.height, "%.2f") + " cm tall");
-
   if (!body.report.skeleton_refused.empty()) {
-    CommonSettings::warn(beside.string() + " is not this body's, " + body.report.skeleton_refused +
-                         "; its joints are searched for");
+    warnings.push_back(beside.string() + " is not this body's, " + body.report.skeleton_refused +
+                       "; its joints are searched for");
   } else if (options.skeleton) {
     common.say("joints taken from " + beside.string());
   }
+  const std::filesystem::path joints = skeleton_path(common.output);
   if (!body.skeleton) {
-    CommonSettings::warn(body.report.no_skeleton);
-    remove_stale_skeleton(skeleton_path(common.output));
+    warnings.push_back(body.report.no_skeleton);
+    if (remove_stale_skeleton(joints)) {
+      warnings.push_back(joints.string() + " was another body's skeleton and is removed");
+    }
   }
+  for (const std::string& warning : warnings) CommonSettings::warn(warning);
   write_mesh(common.output, body.mesh);
-  if (body.skeleton) write_skeleton(skeleton_path(common.output), *body.skeleton);
+  if (body.skeleton) write_skeleton(joints, *body.skeleton);
   if (common.report) {
-    write_file(
-        *common.report,
-        clean_body_json(body, options.skeleton && body.report.skeleton_refused.empty()).dump(1) +
-            "\n");
+    const bool given = options.skeleton && body.report.skeleton_refused.empty();
+    write_file(*common.report, clean_body_json(body, given, warnings).dump(1) + "\n");
   }
 }
 

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <numbers>
 
 #include "geometry/body/mannequin/mannequin.h"
 #include "geometry/error.h"
@@ -114,6 +116,68 @@ TEST(CleanBody, IsTurnedByRightAnglesToStandFacingForward) {
   }
 }
 
+PolygonSoup turned_soup(double degrees) {
+  const double angle = degrees * std::numbers::pi / 180;
+  PolygonSoup soup = mannequin_soup();
+  for (Vec3& p : soup.points) p = Eigen::AngleAxisd(angle, Vec3::UnitY()) * p;
+  return soup;
+}
+
+TEST(CleanBody, IsTurnedAboutTheVerticalToFaceForward) {
+  const CleanBody straight = clean_body(mannequin_soup(), "body");
+  for (const double degrees : {30.0, -30.0, 45.0, -62.0, 100.0, 150.0, -170.0, 12.0}) {
+    const CleanBody body = clean_body(turned_soup(degrees), "body");
+    ASSERT_TRUE(body.skeleton) << degrees;
+    EXPECT_NEAR(body.report.turned_degrees, -degrees, 0.5);
+    EXPECT_NE(body.report.turned.find("degrees about the vertical to face +z"), std::string::npos)
+        << body.report.turned;
+    EXPECT_LT(farthest(*body.skeleton, *straight.skeleton), 0.01) << degrees;
+    EXPECT_GT(body.skeleton->joint("left_shoulder").x(), 0.1);
+  }
+  const CleanBody nearly = clean_body(turned_soup(5), "body");
+  EXPECT_TRUE(nearly.skeleton);
+  EXPECT_EQ(nearly.report.turned_degrees, 0);
+
+  // z up, and turned about it.
+  PolygonSoup lying = turned_soup(30);
+  for (Vec3& p : lying.points) p = Vec3(p.x(), -p.z(), p.y());
+  const CleanBody body = clean_body(lying, "body");
+  ASSERT_TRUE(body.skeleton);
+  EXPECT_LT(farthest(*body.skeleton, *straight.skeleton), 0.01);
+  EXPECT_EQ(body.report.turned.substr(0, 22), "from z up to y up, and");
+}
+
+TEST(CleanBody, GivenJointsTurnABodyToo) {
+  const CleanBody straight = clean_body(mannequin_soup(), "body");
+  CleanOptions options;
+  options.skeleton = straight.skeleton;
+  const double angle = 30 * std::numbers::pi / 180;
+  for (auto& [name, joint] : options.skeleton->joints) {
+    joint = Eigen::AngleAxisd(angle, Vec3::UnitY()) * joint;
+  }
+  const CleanBody body = clean_body(turned_soup(30), "body", options);
+  EXPECT_EQ(body.report.skeleton_refused, "");
+  EXPECT_NEAR(body.report.turned_degrees, -30, 0.5);
+  EXPECT_LT(farthest(*body.skeleton, *straight.skeleton), 0.01);
+}
+
+TEST(CleanBody, LargeHolesThatWereFilledAreNamedWithTheirPlace) {
+  PolygonSoup back = mannequin_soup();
+  for (Vec3& p : back.points) p = Vec3(100 * p.x(), -100 * p.z(), 100 * p.y());  // z up, cm
+  std::erase_if(back.polygons, [&](const std::vector<int>& polygon) {
+    const Vec3& p = back.points[polygon[0]];
+    return p.y() > 5 && p.z() > 105 && p.z() < 128 && std::abs(p.x()) < 7;
+  });
+  const CleanBody body = clean_body(back, "body");
+  ASSERT_EQ(body.report.large_holes.size(), 1u);
+  const FilledHole& hole = body.report.large_holes[0];
+  EXPECT_NEAR(hole.across, 0.28, 0.03);
+  EXPECT_NEAR(hole.middle.y(), 1.165, 0.02);
+  EXPECT_LT(hole.middle.z(), -0.05);
+  ASSERT_TRUE(body.skeleton);
+  EXPECT_EQ(part_near(*body.skeleton, hole.middle), "torso");
+}
+
 TEST(CleanBody, MissingSolesAreFilledMissingTorsoIsNot) {
   PolygonSoup soles = mannequin_soup();
   std::erase_if(soles.polygons, [&](const std::vector<int>& polygon) {
@@ -121,7 +185,7 @@ TEST(CleanBody, MissingSolesAreFilledMissingTorsoIsNot) {
                        [&](int corner) { return soles.points[corner].y() < 0.01; });
   });
   const CleanBody body = clean_body(soles, "body");
-  EXPECT_EQ(body.report.repair.holes_filled, 2);
+  EXPECT_EQ(body.report.repair.holes_filled.size(), 2u);
   EXPECT_TRUE(test::is_closed(body.mesh));
   EXPECT_NEAR(body.report.height, 1.70, 0.01);
   EXPECT_TRUE(body.skeleton);

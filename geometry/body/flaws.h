@@ -1,0 +1,37 @@
+// What is wrong with a cleaned body's surface, and where.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "geometry/body/skeleton.h"
+#include "geometry/types.h"
+
+namespace toile {
+
+/// The part of body_parts whose bones are nearest to `point`. Empty if the skeleton has none.
+std::string part_near(const Skeleton& skeleton, const Vec3& point);
+
+/// Where a surface crosses itself.
+struct Crossings {
+  int pairs = 0;          ///< of triangles
+  double area_share = 0;  ///< of the surface: the triangles that cross others
+  double low = 0;         ///< metres: nine of ten crossing triangles lie between low and high
+  double high = 0;
+  std::string part;  ///< the one of most crossings; empty: there is no skeleton
+};
+
+/// Share of the surface. Crossings of more leave no clear inside for cloth to keep out of. Limbs
+/// that press into each other cross on less.
+inline constexpr double max_crossing_share = 0.02;
+
+/// Whether a body with such crossings can be used to dress. None are as good as few.
+inline bool is_usable(const std::optional<Crossings>& crossings) {
+  return !crossings || crossings->area_share <= max_crossing_share;
+}
+
+/// Where `mesh`, in metres, crosses itself; nothing if it does not. Costs self_intersections().
+std::optional<Crossings> crossings_of(const TriangleMesh& mesh,
+                                      const std::optional<Skeleton>& skeleton);
+
+}  // namespace toile
