@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "cloth/scene/collider.h"
@@ -10,6 +11,7 @@
 #include "tests/cloth/panels.h"
 #include "tests/pattern/samples.h"
 #include "tests/support/shapes.h"
+#include "tests/support/tubes.h"
 
 namespace toile {
 namespace dress_test {
@@ -59,6 +61,44 @@ TEST(Dress, ProgressGoesFromNothingToAllAndNeverBack) {
   for (std::size_t i = 1; i < progress.size(); ++i) {
     EXPECT_LT(progress[i] - progress[i - 1], 0.5) << i;
   }
+}
+
+/// The seams that are tight on a tube of `around` metres, dressed on one of 62.8 cm.
+std::vector<TightSeam> tight_on_a_tube(double around) {
+  constexpr int columns = 12, rows = 4;
+  const Collider body(test::closed_tube(0.1, 0.1, 2, 64));
+  PanelMesh garment;
+  for (const int half : {0, 1}) {
+    test::add_panel(garment, half == 0 ? "front" : "back",
+                    test::grid(around / 2, 0.15, columns, rows), [&](const Vec2& p) {
+                      const double angle = std::numbers::pi * (half + 2 * p.x() / around);
+                      const double radius = std::max(0.104, around / (2 * std::numbers::pi));
+                      return Vec3(radius * std::sin(angle), 1 + p.y(), radius * std::cos(angle));
+                    });
+  }
+  for (const std::size_t from : {0, 1}) {
+    garment.seams.push_back(test::seam(from == 0 ? "left" : "right",
+                                       test::side(garment.panels[from], columns, rows, true),
+                                       test::side(garment.panels[1 - from], columns, rows, false)));
+  }
+  Scene scene;
+  scene.collider = &body;
+  scene.body_contact = BodyContactTerm::nodes;
+  scene.fabric.stretch_warp = scene.fabric.stretch_weft = 200;
+  scene.fabric.shear = 40;
+  scene.gravity = Vec3::Zero();
+  DressOptions options;
+  options.max_iterations = 2000;
+  return dress(garment, scene, options).tight_seams;
+}
+
+TEST(Dress, TheSeamsOfATubeCutTooSmallAreTight) {
+  const std::vector<TightSeam> tight = tight_on_a_tube(0.47);
+  ASSERT_EQ(tight.size(), 2U);
+  // The cloth lies 2 mm off the body: 24 chords, 63.5 cm around.
+  EXPECT_NEAR(tight[0].missing_cm + tight[1].missing_cm, 16.5, 0.3);
+  EXPECT_NEAR(tight[0].tension, 200 * (0.635 / 0.47 - 1), 5);
+  EXPECT_TRUE(tight_on_a_tube(0.58).empty());  // 10 % of stretch are worn
 }
 
 /// A strip of 10 cm is held upright by its lower end. It is more than twice as long as it can
