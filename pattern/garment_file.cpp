@@ -42,6 +42,7 @@ std::string garment_json(const PanelMesh& garment) {
                  {"points", panel.points},
                  {"first_triangle", panel.first_triangle},
                  {"triangles", panel.triangles}};
+    if (!panel.label.empty()) json["label"] = panel.label;
     if (panel.placement.by_part()) json["placement"] = placement_json(panel.placement);
     text += separator;
     text += json.dump();
@@ -101,6 +102,7 @@ MeshedPanel panel_of(const JsonValue& value) {
                     count_of(value.get("points")),
                     count_of(value.get("first_triangle")),
                     count_of(value.get("triangles"))};
+  panel.label = text_or(value, "label", "");
   if (const auto placement = value.find("placement")) {
     panel.placement = read_placement(*placement, panel.part, 1);
   }

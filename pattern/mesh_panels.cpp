@@ -250,6 +250,7 @@ PanelMesh assemble(const Pattern& pattern, const Orientation& orientation,
     MeshedPanel meshed;
     meshed.name = panel.name;
     meshed.part = panel.part;
+    meshed.label = panel.label;
     meshed.fabric = panel.fabric;
     meshed.placement = orientation.mirrored[p] ? mirrored(panel.placement) : panel.placement;
     meshed.grain = orientation.mirrored[p] ? -panel.grain : panel.grain;

@@ -22,6 +22,7 @@ struct MeshedPanel {
   int first_triangle = 0;
   int triangles = 0;
   PanelPlacement placement{};  ///< how the skeleton positions it; by default it does not
+  std::string label = {};      ///< "body", "arm" or "leg", as GarmentCode has it; empty: not stated
 };
 
 /// Two outline edges that are sewn together: the i-th point of side a meets the i-th of side b. The

@@ -52,6 +52,7 @@ struct PatternPanel {
   std::string name;
   std::string part;    ///< body part that it is for, one of body_parts; empty: not stated
   std::string fabric;  ///< empty: the garment's
+  std::string label;   ///< "body", "arm" or "leg", as GarmentCode has it; empty: not stated
   /// Radians, counter-clockwise: angle of the warp against the drawing's +y axis.
   double grain = 0;
   std::vector<PatternEdge> edges;    ///< in the file's order

@@ -149,6 +149,7 @@ class Reader {
     }
     if (const auto grain = value.find("grain")) panel.grain = grain->number() * degree;
     if (const auto fabric = value.find("fabric")) panel.fabric = fabric->text();
+    if (const auto label = value.find("label")) panel.label = label->text();
     if (const auto placement = value.find("placement")) {
       panel.part = read_part(*placement);
       panel.placement = read_placement(*placement, panel.part, unit_);

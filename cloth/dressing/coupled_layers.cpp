@@ -64,6 +64,7 @@ class CoupledRelaxation {
     RestingState state = {std::move(start_), std::move(warm_start_)};
     come_to_rest(state);
     if (options_.release_seconds > 0) let_go_of(state);
+    result_.converged = is_at_rest(result_.stages.back(), options_);
     for (std::size_t i = 0; i < garments_.size(); ++i) take_out(i, state);
     measure_pressings(state.nodes);
     return std::move(result_);

@@ -36,6 +36,7 @@ struct LayerContact {
 struct CoupledResult {
   /// Of the whole, one for each time it was brought to rest; residuals are all garments'.
   std::vector<StageReport> stages;
+  bool converged = false;                           ///< the whole came to the rest asked for
   std::vector<std::vector<Vec3>> nodes;             ///< metres, by garment
   std::vector<std::vector<double>> extra_offset;    ///< metres, by garment: RelaxReport's
   std::vector<MovedFigures> moved;                  ///< by garment: from where it was dressed

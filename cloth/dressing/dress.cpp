@@ -75,18 +75,13 @@ void detach(Level& level, const State& state, std::vector<AttachmentFigures>& fi
 /// Brings the finest mesh to rest, released from what holds it while it is dressed.
 Staged come_to_rest(Level& level, State state, bool bounded, const DressOptions& options,
                     std::vector<AttachmentFigures>& attachments, Journal& journal) {
-  DressOptions wanted = options;
-  // What is far too small is held off the body by its own tension, and never at rest.
-  if (!tight_seams(*level.mesh, level.model, state.nodes).empty()) {
-    wanted.max_iterations = std::min(stiffening_limit(), wanted.max_iterations);
-  }
   if (!has_temporary_attachments(level)) {
-    return rest(level, std::move(state), bounded, true, wanted, journal);
+    return rest(level, std::move(state), bounded, true, options, journal);
   }
   state =
-      release_attachments(level, std::move(state), bounded, wanted.max_iterations, journal).state;
+      release_attachments(level, std::move(state), bounded, options.max_iterations, journal).state;
   detach(level, state, attachments);
-  return rest(level, std::move(state), bounded, false, wanted, journal);
+  return rest(level, std::move(state), bounded, false, options, journal);
 }
 
 /// Releases a copy of the garment for a while, and brings it to rest anew where it does not stay.
@@ -169,7 +164,7 @@ DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptio
       result.release = release_for_a_while(level, staged, is_clear, options, journal);
     }
     result.residual = staged.report.residual;
-    result.converged = staged.report.converged;
+    result.converged = is_at_rest(staged.report, options);
     state = std::move(staged.state);
   }
   detach(level, state, result.attachments);

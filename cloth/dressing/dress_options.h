@@ -15,7 +15,9 @@ struct DressOptions {
   /// [measured].
   double stop_wide = standard_quality.residual;
   int max_iterations = 40000;  ///< of the last stage, on the garment's own mesh
-  double release_seconds = 0;  ///< for which the dressed garment is released; 0: it is not
+  /// For which the dressed garment is released; 0: it is not. A garment that is to be released is
+  /// brought nearer to rest first, to releasable_residual, where it comes so far.
+  double release_seconds = 0;
 };
 
 }  // namespace toile

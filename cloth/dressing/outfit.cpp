@@ -39,9 +39,7 @@ std::vector<std::string> softened_fabrics(const PanelMesh& garment, const Scene&
 }
 
 /// Whether the garment is a surface that others can lie on: closed, and clear of everything.
-bool is_surface(const Judgement& judgement) {
-  return judgement.verdict == Verdict::sewn || judgement.verdict == Verdict::unconverged;
-}
+bool is_surface(const Judgement& judgement) { return judgement.verdict >= Verdict::unconverged; }
 
 class Dressing {
  public:
@@ -174,9 +172,9 @@ void Dressing::write_and_judge(std::size_t layer, const TriangleMesh* others) {
   const DressResult& result = worn.result;
   DressedGarment dressed = as_dressed(worn.garment, result.nodes, result.triangles);
   if (hooks_.write) dressed = hooks_.write(layer, dressed);
-  const bool rests = result.converged && (!result.release || result.release->stays());
-  worn.judgement =
-      judge(worn.garment, dressed, collider_.body(), skeleton_, rests, others, result.tight_seams);
+  DressingEnd end{result.converged, {}, result.tight_seams};
+  if (result.release) end.stays = result.release->stays();
+  worn.judgement = judge(worn.garment, dressed, collider_.body(), skeleton_, end, others);
   worn.cloth = {std::move(dressed.points), std::move(dressed.triangles)};
   worn.judge_seconds += seconds_since(start);
 }
@@ -262,7 +260,7 @@ void Dressing::take_coupled() {
     result.extra_offset = coupled.extra_offset[i];
     result.tight_seams = coupled.tight_seams[i];
     if (outfit_.strain_limit) result.tight_regions = coupled.tight_regions[i];
-    result.converged = coupled.stages.back().converged;
+    result.converged = coupled.converged;
     result.residual = coupled.stages.back().residual;
     result.release = coupled.release;
     const PanelMesh& garment = worn_.layers[i].garment;

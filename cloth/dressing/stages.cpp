@@ -191,14 +191,21 @@ Staged rest(const Level& level, State state, bool bounded, bool stiffens,
   return run("rest", level, level.model, std::move(state), options, 1, journal);
 }
 
-int stiffening_limit() { return stiffening_iterations; }
-
 void ask_for_rest(const DressOptions& wanted, RelaxOptions& options) {
   options.max_iterations = wanted.max_iterations;
   options.stop_median = wanted.stop_median;
   options.stop_rms = wanted.stop_rms;
   options.stop_wide = wanted.stop_wide;
+  if (wanted.release_seconds > 0 && wanted.stop_wide > 0) {
+    options.stop_wide = std::min(wanted.stop_wide, releasable_residual);
+  }
   options.patience = rest_patience;
+}
+
+bool is_at_rest(const StageReport& report, const DressOptions& wanted) {
+  const Residual& left = report.residual;
+  return report.converged || (left.median < wanted.stop_median && left.rms < wanted.stop_rms &&
+                              (wanted.stop_wide == 0 || left.wide < wanted.stop_wide));
 }
 
 double search_radius(const Level& level) {

@@ -54,12 +54,12 @@ Staged release_attachments(const Level& level, State state, bool bounded, int ma
 Staged rest(const Level& level, State state, bool bounded, bool stiffens,
             const DressOptions& options, Journal& journal);
 
-/// Iterations that release_attachments() or rest() spend at most on cloth that is too tight to come
-/// to rest.
-int stiffening_limit();
-
 /// Makes a run go on until the rest that is asked for, or until it comes no nearer to it.
 void ask_for_rest(const DressOptions& wanted, RelaxOptions& options);
+
+/// Whether a run that ask_for_rest() set up ended at the rest that is asked for. A garment that is
+/// to be released goes on from there, and need not come as near to rest as it then tries to.
+bool is_at_rest(const StageReport& report, const DressOptions& wanted);
 
 /// Metres within which a mesh looks for cloth. Coarser cloth moves farther between two searches,
 /// and has no more neighbours for it; fine cloth would have too many.

@@ -1,9 +1,11 @@
 #include "cloth/ease/girth_ease.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
+#include <map>
 #include <optional>
+#include <utility>
 
 #include "geometry/slice.h"
 
@@ -27,57 +29,135 @@ bool goes_around(const Section& section, const Vec3& centre) {
   return inside;
 }
 
-/// Metres: the flat length of the line in which the plane at `height` cuts the triangles.
-double flat_length(const DressedGarment& garment, const std::vector<int>& triangles,
-                   double height) {
-  double length = 0;
-  for (const int t : triangles) {
-    const Triangle& nodes = garment.triangles[static_cast<std::size_t>(t)];
-    const Triangle& points = garment.flat_triangles[static_cast<std::size_t>(t)];
-    Vec2 ends[2] = {Vec2::Zero(), Vec2::Zero()};
-    int found = 0;
-    for (int i = 0; i < 3 && found < 2; ++i) {
-      const int j = (i + 1) % 3;
-      const double from = garment.points[nodes[i]].y() - height;
-      const double to = garment.points[nodes[j]].y() - height;
-      if ((from >= 0) == (to >= 0)) continue;
-      const double along = from / (from - to);
-      ends[found++] = (1 - along) * garment.flat[points[i]] + along * garment.flat[points[j]];
-    }
-    length += (ends[1] - ends[0]).norm();
+/// The line in which a level cuts a panel, on the flat.
+struct FlatLine {
+  double length = 0;  ///< metres
+  Vec2 moment{0, 0};  ///< sum of lengths times middles
+  /// Of four directions, the sum of lengths across each: weft, warp, and the drawing's x and y.
+  std::array<double, 4> across{};
+};
+
+std::array<Vec2, 4> height_directions(double grain) {
+  const YarnDirections yarns = yarn_directions(grain);
+  return {yarns.warp, yarns.weft, Vec2::UnitY(), Vec2::UnitX()};
+}
+
+double grain_of(const std::vector<double>& grains, int panel) {
+  return grains.empty() ? 0 : grains[static_cast<std::size_t>(panel)];
+}
+
+/// The points in which a line cuts the sides of a flat triangle: where `height` of its corners is
+/// 0.
+int crossings(const std::array<Vec2, 3>& corners, const std::array<double, 3>& height,
+              Vec2 (&ends)[2]) {
+  int found = 0;
+  for (int i = 0; i < 3 && found < 2; ++i) {
+    const int j = (i + 1) % 3;
+    if ((height[i] >= 0) == (height[j] >= 0)) continue;
+    const double along = height[i] / (height[i] - height[j]);
+    ends[found++] = (1 - along) * corners[i] + along * corners[j];
   }
-  return length;
+  return found;
+}
+
+std::array<Vec2, 3> flat_corners(const DressedGarment& garment, std::size_t t) {
+  const Triangle& points = garment.flat_triangles[t];
+  return {garment.flat[points[0]], garment.flat[points[1]], garment.flat[points[2]]};
+}
+
+/// Metres of cloth on the straight line across a flat panel at a height along `up`.
+double width_at(const DressedGarment& garment, int panel, const Vec2& up, double height) {
+  double width = 0;
+  for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
+    if (garment.panel_of_triangle[t] != panel) continue;
+    const std::array<Vec2, 3> corners = flat_corners(garment, t);
+    std::array<double, 3> above;
+    for (int i = 0; i < 3; ++i) above[i] = corners[i].dot(up) - height;
+    Vec2 ends[2];
+    if (crossings(corners, above, ends) == 2) width += (ends[1] - ends[0]).norm();
+  }
+  return width;
+}
+
+/// The widths of the panels that the plane at `height` cuts in `triangles`.
+std::vector<PanelWidth> panel_widths(const DressedGarment& garment,
+                                     const std::vector<int>& triangles, double height,
+                                     const std::vector<double>& grains) {
+  std::map<int, FlatLine> lines;
+  for (const int t : triangles) {
+    const Triangle& nodes = garment.triangles[t];
+    std::array<double, 3> above;
+    for (int i = 0; i < 3; ++i) above[i] = garment.points[nodes[i]].y() - height;
+    Vec2 ends[2];
+    if (crossings(flat_corners(garment, t), above, ends) < 2) continue;
+    const int panel = garment.panel_of_triangle[t];
+    FlatLine& line = lines[panel];
+    const double length = (ends[1] - ends[0]).norm();
+    line.length += length;
+    line.moment += length * 0.5 * (ends[0] + ends[1]);
+    const std::array<Vec2, 4> directions = height_directions(grain_of(grains, panel));
+    for (int i = 0; i < 4; ++i) line.across[i] += std::abs(directions[i].dot(ends[1] - ends[0]));
+  }
+  std::vector<PanelWidth> widths;
+  for (const auto& [panel, line] : lines) {
+    if (!(line.length > 0)) continue;
+    // The line runs around the body: the direction that it runs along the least is the height.
+    const auto least = std::ranges::min_element(line.across) - line.across.begin();
+    const Vec2 up = height_directions(grain_of(grains, panel))[least];
+    const double at = line.moment.dot(up) / line.length;
+    widths.push_back({panel, at, width_at(garment, panel, up, at)});
+  }
+  return widths;
 }
 
 }  // namespace
 
-std::vector<GirthEase> measure_girth_ease(const DressedGarment& garment, const TriangleMesh& body,
-                                          const Skeleton& skeleton, double step) {
+GirthEases measure_girth_ease(const DressedGarment& garment, const TriangleMesh& body,
+                              const Skeleton& skeleton, const std::vector<double>& grains,
+                              double step) {
+  GirthEases result;
   std::vector<TorsoLevel> levels = torso_levels(body, skeleton);
+  for (const char* name : {"bust", "waist", "hip"}) {
+    if (std::ranges::find(levels, name, &TorsoLevel::name) == levels.end()) {
+      result.left_out.push_back({name, "the body has none"});
+    }
+  }
   const double crotch = skeleton.joint("pelvis").y();
   const double armpit = skeleton.joint("chest").y();
-  for (double y = std::ceil(crotch / step) * step; y < armpit; y += step) levels.push_back({"", y});
+  for (double y = std::ceil(crotch / step) * step; step > 0 && y < armpit; y += step) {
+    levels.push_back({"", y});
+  }
   std::ranges::stable_sort(levels, std::ranges::greater{}, &TorsoLevel::height);
 
   const TriangleMesh cloth{garment.points, garment.triangles};
-  std::vector<GirthEase> result;
   for (const TorsoLevel& level : levels) {
+    const auto leave_out = [&](const char* why) {
+      if (!level.name.empty()) result.left_out.push_back({level.name, why});
+    };
     const std::optional<Section> torso = torso_section(body, level.height);
-    if (!torso) continue;
-    const Section* around = nullptr;
-    const std::vector<Section> sections = slice(cloth, {0, level.height, 0}, Vec3::UnitY());
-    for (const Section& section : sections) {
-      // Where layers lie over each other, the outermost counts. It has the largest area and comes
-      // first.
-      if (goes_around(section, torso->centroid)) {
-        around = &section;
-        break;
-      }
+    if (!torso) {
+      leave_out("the body's surface is open there");
+      continue;
     }
-    if (around == nullptr) continue;
-    result.push_back({level.name, level.height, torso->girth, around->length,
-                      around->length - torso->girth,
-                      flat_length(garment, around->triangles, level.height)});
+    const std::vector<Section> sections = slice(cloth, {0, level.height, 0}, Vec3::UnitY());
+    // Where layers lie over each other, the outermost counts. It has the largest area and comes
+    // first.
+    const auto around = std::ranges::find_if(
+        sections, [&](const Section& section) { return goes_around(section, torso->centroid); });
+    if (around == sections.end()) {
+      leave_out(sections.empty() ? "the garment does not reach it"
+                                 : "the garment is not closed around the body there");
+      continue;
+    }
+    GirthEase girth;
+    girth.level = level.name;
+    girth.height = level.height;
+    girth.body = torso->girth;
+    girth.garment = around->length;
+    girth.ease = girth.garment - girth.body;
+    girth.panels = panel_widths(garment, around->triangles, level.height, grains);
+    for (const PanelWidth& panel : girth.panels) girth.as_cut += panel.width;
+    result.levels.push_back(std::move(girth));
   }
   return result;
 }

@@ -9,6 +9,13 @@
 
 namespace toile {
 
+/// How wide a flat panel is at a level.
+struct PanelWidth {
+  int panel = 0;           ///< index into DressedGarment::panels
+  double flat_height = 0;  ///< metres: mean height of the level's line on the flat panel
+  double width = 0;        ///< metres of cloth on the straight line at that height
+};
+
 /// The girths of body and garment at one height. Lengths in metres.
 struct GirthEase {
   std::string level;   ///< "bust", "waist" or "hip"; empty for other heights
@@ -16,22 +23,38 @@ struct GirthEase {
   double body = 0;     ///< girth of the convex hull of the torso's section: what a tape reads
   double garment = 0;  ///< length along the cloth, folds included
   double ease = 0;     ///< garment - body
-  double as_cut = 0;   ///< length of the same line on the flat panels
+  double as_cut = 0;   ///< sum of the panels' widths
+  std::vector<PanelWidth> panels;  ///< those that the level cuts
 };
 
-/// Girth ease on horizontal planes through the torso, from the top down. The planes lie at the
-/// bust, waist and hip of ISO 8559-1, and every `step` metres between crotch and armpits. Levels at
-/// which the garment does not close around the torso are left out.
+/// A named level at which there is no girth ease.
+struct LevelLeftOut {
+  std::string level;
+  std::string why;
+};
+
+struct GirthEases {
+  std::vector<GirthEase> levels;  ///< from the top down
+  std::vector<LevelLeftOut> left_out;
+};
+
+/// Girth ease on horizontal planes through the torso. The planes lie at the bust, waist and hip of
+/// ISO 8559-1 (torso_levels()), and every `step` metres between crotch and armpits, unless `step`
+/// is 0. Levels at which the garment does not close around the torso are left out.
 ///
-/// - Bust, waist and hip are found on the body by torso_levels().
+/// - As cut, each panel is measured where the level crosses it, at the mean flat height of the
+///   level's line. Its width is taken square to the grain, or along it where the grain runs around
+///   the body. On the bias it is square to the drawing's axis that runs down the body.
 /// - Cloth that is too small stretches until it goes around. Its ease is positive, and `as_cut` is
 ///   less than the body's girth.
-/// - A section of cloth that hangs in slanting folds is longer than the cloth is wide. So a loose
-///   garment reads up to a few per cent high.
+/// - A section of cloth that hangs in slanting folds is longer than the cloth is wide. So `garment`
+///   of a loose garment reads up to a few per cent high; `as_cut` does not.
 ///
+/// `grains` are MeshedPanel::grain of each panel; empty: the warp runs along the drawing's y.
 /// `skeleton` has to have the joints pelvis, waist and chest. Costs one pass over both meshes per
 /// level; bust, waist and hip cost about 100 passes over the body.
-std::vector<GirthEase> measure_girth_ease(const DressedGarment& garment, const TriangleMesh& body,
-                                          const Skeleton& skeleton, double step = 0.05);
+GirthEases measure_girth_ease(const DressedGarment& garment, const TriangleMesh& body,
+                              const Skeleton& skeleton, const std::vector<double>& grains = {},
+                              double step = 0.05);
 
 }  // namespace toile

@@ -26,9 +26,9 @@ inline constexpr double min_region_area = 1e-4;
 /// Lines that are laid through a region to find where the most is missing.
 inline constexpr int region_lines = 24;
 
-// Tubes (wraps.h, verdict.h).
+// What goes around a part (wraps.h).
 
-/// Share of the directions square to a part's bones. A tube that meets less does not go around the
+/// Share of the directions square to a part's bones. A sheet that meets less does not go around the
 /// part: cloth that lies on one side of it meets half of them at most.
 inline constexpr double around_share = 0.5;
 
@@ -38,21 +38,41 @@ inline constexpr int wrap_stations = 32;
 /// Directions around a station.
 inline constexpr int wrap_directions = 360;
 
-/// Metres: nodes no farther than this from a part's first or last node count as its top or hem.
+/// Metres: nodes no farther than this from a part's first node count as its top.
 inline constexpr double end_depth = 0.02;
 
-/// Shares of its length, from the top down, between which a skirt, an arm or a leg has to cover the
-/// bone. Ease, a hem that swings and folds take up the rest.
+/// Shares of where a part's cloth lies along the bone between which it has to cover the bone. Hems
+/// that slant or swing take up the rest.
 inline constexpr double limb_cover_begin = 0.25;
 inline constexpr double limb_cover_end = 0.75;
 
-/// Shares of its length below the armpits between which a torso has to cover the bone. Ease, a hem
-/// that swings and folds take up the rest.
-inline constexpr double torso_cover_begin = 0.1;
-inline constexpr double torso_cover_end = 0.7;
+/// Share of a part's nodes at either end that play no part in where the cloth lies.
+inline constexpr double stray_share = 0.01;
 
-/// Share of its length that a skirt may slide, or `hand_breadth` if that is more. One that slid
-/// farther does not cover what it should.
-inline constexpr double max_slid_share = 0.5;
+// Where a garment is worn (worn.h).
+
+/// Metres: border of the smallest opening that a limb is meant to pass through.
+inline constexpr double min_limb_opening = 0.15;
+
+/// Metres: border of the smallest opening that a head is meant to pass through.
+inline constexpr double min_neck_opening = 0.3;
+
+/// Share of the height from waist to armpits below which no strapless top ends.
+inline constexpr double strapless_share = 0.25;
+
+/// Share of the height from waist to armpits above which no skirt begins.
+inline constexpr double max_skirt_top_share = 0.67;
+
+/// Metres: panels whose middles are nearer tell no direction.
+inline constexpr double min_face_distance = 0.03;
+
+/// Cosine of the largest angle, 60 degrees, that a garment may be turned by about the vertical.
+inline constexpr double min_facing_cosine = 0.5;
+
+/// Metres beyond the shoulder joint at which a strap has slid off the shoulder.
+inline constexpr double slid_off_shoulder = 0.025;
+
+/// Metres from the bones beyond which cloth lies beside the body.
+inline constexpr double beside_body = 0.5;
 
 }  // namespace toile

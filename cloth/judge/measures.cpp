@@ -9,7 +9,7 @@
 #include "cloth/judge/constants.h"
 #include "cloth/judge/yarn_strain.h"
 #include "cloth/model/gathers.h"
-#include "geometry/disjoint_sets.h"
+#include "geometry/border_loops.h"
 #include "geometry/error.h"
 #include "geometry/half_edges.h"
 #include "geometry/statistics.h"
@@ -212,24 +212,8 @@ GarmentFigures measure_garment(const PanelMesh& pattern, const DressedGarment& d
       largest_change_percent(triangle_perimeters(pattern), triangle_perimeters(pattern, points));
   figures.seams = measure_seams(pattern, points);
   figures.elastics = measure_elastics(pattern, points);
-  figures.borders = border_loops(dressed.triangles, dressed.points.size());
+  figures.borders = static_cast<int>(border_loops(dressed.triangles, dressed.points.size()).size());
   return figures;
-}
-
-int border_loops(const std::vector<Triangle>& triangles, std::size_t points) {
-  DisjointSets loops(points);
-  std::vector<char> on_border(points, 0);
-  for (const auto& [edge, uses] :
-       edge_uses(triangles, 0, static_cast<int>(triangles.size()), points)) {
-    if (uses != 1) continue;
-    on_border[edge.first] = on_border[edge.second] = 1;
-    loops.join(edge.first, edge.second);
-  }
-  int count = 0;
-  for (std::size_t p = 0; p < points; ++p) {
-    count += on_border[p] && loops.of(static_cast<int>(p)) == static_cast<int>(p);
-  }
-  return count;
 }
 
 }  // namespace toile

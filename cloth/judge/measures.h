@@ -71,7 +71,4 @@ struct GarmentFigures {
 /// Measures a dressed garment against its pattern. Throws Error when the two have different faces.
 GarmentFigures measure_garment(const PanelMesh& pattern, const DressedGarment& dressed);
 
-/// Loops of edges that belong to one triangle only. Loops that meet in a point count as one.
-int border_loops(const std::vector<Triangle>& triangles, std::size_t points);
-
 }  // namespace toile

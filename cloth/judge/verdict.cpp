@@ -1,6 +1,5 @@
 #include "cloth/judge/verdict.h"
 
-#include "cloth/judge/constants.h"
 #include "geometry/intersections.h"
 
 namespace toile {
@@ -11,22 +10,44 @@ std::string to_string(Verdict verdict) {
       return "unsewable";
     case Verdict::intersecting:
       return "intersecting";
+    case Verdict::misplaced:
+      return "misplaced";
     case Verdict::unwrapped:
       return "unwrapped";
     case Verdict::unconverged:
       return "unconverged";
+    case Verdict::unstable:
+      return "unstable";
+    case Verdict::too_tight:
+      return "too_tight";
     case Verdict::sewn:
       return "sewn";
   }
   return "";
 }
 
+namespace {
+
+Fit measure_fit(const PanelMesh& pattern, const DressedGarment& dressed, const TriangleMesh& body,
+                const Skeleton& skeleton) {
+  if (!has_all_limbs(skeleton)) return {};
+  std::vector<double> grains;
+  for (const MeshedPanel& panel : pattern.panels) grains.push_back(panel.grain);
+  return fit_of(measure_girth_ease(dressed, body, skeleton, grains, 0).levels,
+                measure_garment_levels(dressed, body, skeleton));
+}
+
+}  // namespace
+
 Judgement judge(const PanelMesh& pattern, const DressedGarment& dressed, const TriangleMesh& body,
-                const Skeleton* skeleton, bool converged, const TriangleMesh* layers,
-                const std::vector<TightSeam>& tight) {
+                const Skeleton* skeleton, const DressingEnd& end, const TriangleMesh* layers) {
   Judgement judgement;
   judgement.garment = measure_garment(pattern, dressed);
-  if (skeleton != nullptr) judgement.wraps = measure_wraps(pattern, dressed, *skeleton);
+  if (skeleton != nullptr) {
+    judgement.wraps = measure_wraps(pattern, dressed, *skeleton);
+    judgement.worn = check_worn(pattern, dressed, *skeleton, judgement.wraps);
+    judgement.fit = measure_fit(pattern, dressed, body, *skeleton);
+  }
   const TriangleMesh cloth{dressed.points, dressed.triangles};
   judgement.body_intersections = static_cast<int>(intersections(cloth, body).size());
   judgement.self_intersections = static_cast<int>(self_intersections(cloth).size());
@@ -35,21 +56,20 @@ Judgement judge(const PanelMesh& pattern, const DressedGarment& dressed, const T
   }
   const int all_intersections =
       judgement.body_intersections + judgement.self_intersections + judgement.layer_intersections;
-  judgement.unsewable_seams = judgement.garment.seams.open_seams;
-  for (const TightSeam& seam : tight) {
-    judgement.unsewable_seams.push_back({seam.name, seam.missing_cm});
-  }
-  for (const WrapFigure& wrap : judgement.wraps) {
-    if (wrap.tube && wrap.fraction < around_share) judgement.unwrapped.push_back(wrap.part);
-  }
-  if (!judgement.unsewable_seams.empty()) {
+  if (judgement.garment.seams.open > 0) {
     judgement.verdict = Verdict::unsewable;
   } else if (all_intersections > 0) {
     judgement.verdict = Verdict::intersecting;
-  } else if (!judgement.unwrapped.empty()) {
+  } else if (judgement.worn.misplaced) {
+    judgement.verdict = Verdict::misplaced;
+  } else if (!judgement.worn.unwrapped.empty()) {
     judgement.verdict = Verdict::unwrapped;
-  } else if (!converged) {
+  } else if (!end.converged) {
     judgement.verdict = Verdict::unconverged;
+  } else if (!end.stays.value_or(true)) {
+    judgement.verdict = Verdict::unstable;
+  } else if (!end.tight_seams.empty()) {
+    judgement.verdict = Verdict::too_tight;
   } else {
     judgement.verdict = Verdict::sewn;
   }

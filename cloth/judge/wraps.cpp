@@ -5,12 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <queue>
 
 #include "cloth/judge/constants.h"
-#include "cloth/judge/measures.h"
-#include "cloth/scene/constants.h"
-#include "cloth/scene/scene.h"
 #include "cloth/start/panel_parts.h"
 #include "geometry/body/bones.h"
 
@@ -24,121 +20,56 @@ struct Interval {
   double high;
 };
 
-/// Metres, per node: the shortest path from `sources` on the flat panels of one part, over sewn
-/// seams. Infinite for nodes that none of the panels has.
-std::vector<double> flat_distances(const PanelMesh& garment, const DressedGarment& dressed,
-                                   const std::vector<char>& panel_counts,
-                                   const std::vector<int>& sources) {
-  std::vector<std::vector<std::pair<int, double>>> neighbours(dressed.points.size());
-  for (std::size_t p = 0; p < garment.panels.size(); ++p) {
-    if (!panel_counts[p]) continue;
-    const MeshedPanel& panel = garment.panels[p];
-    for (int t = panel.first_triangle; t < panel.first_triangle + panel.triangles; ++t) {
-      for (int i = 0; i < 3; ++i) {
-        const int j = (i + 1) % 3;
-        const double length =
-            (garment.flat[garment.triangles[t][i]] - garment.flat[garment.triangles[t][j]]).norm();
-        neighbours[dressed.triangles[t][i]].emplace_back(dressed.triangles[t][j], length);
-        neighbours[dressed.triangles[t][j]].emplace_back(dressed.triangles[t][i], length);
-      }
-    }
-  }
-  std::vector<double> distance(dressed.points.size(), std::numeric_limits<double>::infinity());
-  using Reached = std::pair<double, int>;
-  std::priority_queue<Reached, std::vector<Reached>, std::greater<>> next;
-  for (const int source : sources) {
-    distance[source] = 0;
-    next.emplace(0, source);
-  }
-  while (!next.empty()) {
-    const auto [so_far, node] = next.top();
-    next.pop();
-    if (so_far > distance[node]) continue;
-    for (const auto& [to, length] : neighbours[node]) {
-      if (so_far + length >= distance[to]) continue;
-      distance[to] = so_far + length;
-      next.emplace(distance[to], to);
-    }
-  }
-  return distance;
-}
-
-/// The stretch of bone that a part's panels are meant to cover.
-struct CoveredBone {
-  Interval stretch;
-  double slid = 0;  ///< metres down along the bones from where they were placed
+/// A corner of a triangle: a material point of the pattern, and its node as dressed.
+struct Corner {
+  int point;
+  int node;
 };
 
-/// The stretch for a skirt, which hangs from wherever its top lies. `placed` and `lies` are metres
-/// along the torso's bones: its top as placed and as dressed. `length` is its own on the flat. A
-/// top that slid off the torso or too far does not count: the skirt does not cover what it should.
-CoveredBone covered_by_skirt(double placed, double lies, double length, double neck) {
-  const double slid = placed - lies;
-  const double max_slid = std::max(max_slid_share * length, hand_breadth);
-  const bool counts = lies > 0 && lies < neck && std::abs(slid) < max_slid;
-  const double top = counts ? lies : placed;
-  return {{top - limb_cover_end * length, top - limb_cover_begin * length}, slid};
+/// Metres along the bones between which a part's cloth lies: a few stray nodes at both ends are
+/// left out. `nodes` are those of the part's panels.
+Interval lies_along(const std::vector<int>& nodes, const std::vector<Vec3>& points,
+                    const Bones& bones) {
+  std::vector<double> feet;
+  for (const int n : nodes) feet.push_back(bones.foot(points[n]));
+  std::ranges::sort(feet);
+  const auto stray = static_cast<std::size_t>(stray_share * static_cast<double>(feet.size()));
+  return {feet[stray], feet[feet.size() - 1 - stray]};
 }
 
-CoveredBone covered_bone(const PanelMesh& garment, const DressedGarment& dressed,
-                         const std::vector<std::string>& parts, const std::string& part,
-                         const Bones& bones, const Skeleton& skeleton) {
-  const bool torso = part == "torso";
-  std::vector<char> counts;
-  for (const std::string& p : parts) counts.push_back(p == part);
-  std::vector<char> here(dressed.points.size(), 0);
-  std::vector<char> elsewhere(dressed.points.size(), 0);
-  std::vector<double> placed_along(dressed.points.size(), 0);
-  for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
-    const bool counted = counts[dressed.panel_of_triangle[t]] != 0;
-    for (int i = 0; i < 3; ++i) {
-      const int node = dressed.triangles[t][i];
-      (counted ? here : elsewhere)[node] = 1;
-      // The torso's bones run up, so its hem is low. A limb's bones run out, so its hem is far.
-      if (counted) {
-        const double along = bones.foot(garment.placed[garment.triangles[t][i]]);
-        placed_along[node] = torso ? -along : along;
-      }
-    }
+/// The middle of where the cloth lies, without what slants at its ends. Above the armpits or the
+/// crotch cloth goes around more than one part, so that is left out, too.
+Interval covered(Interval lies, const std::string& part, const Bones& bones,
+                 const Skeleton& skeleton) {
+  if (part == "torso") {
+    lies.high = std::min(lies.high, bones.foot(skeleton.joint("chest")));
+  } else if (part != "head") {
+    Vec3 fork = bones.joints.front();
+    fork.y() = skeleton.joint(part.ends_with("arm") ? "chest" : "pelvis").y();
+    lies.low = std::max(lies.low, bones.foot(fork));
   }
-  double top = std::numeric_limits<double>::max();
-  double hem = std::numeric_limits<double>::lowest();
-  for (std::size_t n = 0; n < here.size(); ++n) {
-    if (!here[n]) continue;
-    top = std::min(top, placed_along[n]);
-    hem = std::max(hem, placed_along[n]);
+  const double length = lies.high - lies.low;
+  return {lies.low + limb_cover_begin * length, lies.low + limb_cover_end * length};
+}
+
+/// Metres by which the top of a part's cloth came down along the torso's bones from where it was
+/// placed. 0 for what starts above the armpits: it hangs from the shoulders.
+double slid_down(const PanelMesh& garment, const DressedGarment& dressed,
+                 const std::vector<Corner>& corners, const Bones& bones, double armpit) {
+  double top = std::numeric_limits<double>::lowest();
+  for (const Corner& c : corners) top = std::max(top, bones.foot(garment.placed[c.point]));
+  if (top >= armpit) return 0;
+  double placed = 0;
+  double lies = 0;
+  int count = 0;
+  for (const Corner& c : corners) {
+    const double foot = bones.foot(garment.placed[c.point]);
+    if (foot < top - end_depth) continue;
+    placed += foot;
+    lies += bones.foot(dressed.points[c.node]);
+    ++count;
   }
-  std::vector<int> sources;
-  for (std::size_t n = 0; n < here.size(); ++n) {
-    const bool source = torso ? placed_along[n] < top + end_depth : elsewhere[n] != 0;
-    if (here[n] && source) sources.push_back(static_cast<int>(n));
-  }
-  const std::vector<double> distances = flat_distances(garment, dressed, counts, sources);
-  double length = std::numeric_limits<double>::infinity();
-  for (std::size_t n = 0; n < here.size(); ++n) {
-    if (here[n] && placed_along[n] > hem - end_depth) length = std::min(length, distances[n]);
-  }
-  const double armpit = skeleton.joint("chest").y();
-  if (torso) {
-    const double from = bones.foot(skeleton.joint("chest"));
-    // Panels that start below the armpits have no shoulders to hang from.
-    if (-top < from) {
-      double placed = 0;
-      double lies = 0;
-      for (const int n : sources) {
-        placed -= placed_along[n] / sources.size();
-        lies += bones.foot(dressed.points[n]) / sources.size();
-      }
-      return covered_by_skirt(placed, lies, length, bones.along.back());
-    }
-    const double below = length - (skeleton.joint("neck").y() - armpit);
-    return {{from - torso_cover_end * below, from - torso_cover_begin * below}};
-  }
-  const bool arm = part.ends_with("arm");
-  Vec3 fork = bones.joints.front();
-  fork.y() = arm ? armpit : skeleton.joint("pelvis").y();
-  const double from = bones.foot(fork);
-  return {{from + limb_cover_begin * length, from + limb_cover_end * length}};
+  return (placed - lies) / count;
 }
 
 /// The share of directions around the station, square to the axis, whose ray meets a triangle.
@@ -182,27 +113,35 @@ std::vector<WrapFigure> measure_wraps(const PanelMesh& garment, const DressedGar
   for (const std::string_view name : body_parts) {
     const std::string part(name);
     if (std::find(parts.begin(), parts.end(), part) == parts.end()) continue;
-    std::vector<Triangle> triangles;
-    for (std::size_t p = 0; p < garment.panels.size(); ++p) {
-      if (parts[p] != part) continue;
-      const auto first = dressed.triangles.begin() + garment.panels[p].first_triangle;
-      triangles.insert(triangles.end(), first, first + garment.panels[p].triangles);
-    }
     const Bones bones(skeleton, part);
     if (bones.joints.empty()) continue;
-    const CoveredBone covered = covered_bone(garment, dressed, parts, part, bones, skeleton);
-    const Interval& stretch = covered.stretch;
-    // Panels that are joined to no torso, or end where they begin, have no stretch to cover.
-    if (!(stretch.low < stretch.high) || !std::isfinite(stretch.high - stretch.low)) continue;
+    std::vector<Triangle> triangles;
+    std::vector<Corner> corners;
+    std::vector<int> nodes;
+    for (std::size_t t = 0; t < dressed.triangles.size(); ++t) {
+      if (parts[dressed.panel_of_triangle[t]] != part) continue;
+      triangles.push_back(dressed.triangles[t]);
+      for (int i = 0; i < 3; ++i) {
+        corners.push_back({garment.triangles[t][i], dressed.triangles[t][i]});
+        nodes.push_back(dressed.triangles[t][i]);
+      }
+    }
+    if (triangles.empty()) continue;
+    std::ranges::sort(nodes);
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    const Interval stretch =
+        covered(lies_along(nodes, dressed.points, bones), part, bones, skeleton);
     WrapFigure figure{part, stretch.low, stretch.high};
-    figure.slid = covered.slid;
-    for (int i = 0; i < wrap_stations; ++i) {
+    if (part == "torso") {
+      const double armpit = bones.foot(skeleton.joint("chest"));
+      figure.slid = slid_down(garment, dressed, corners, bones, armpit);
+    }
+    // Cloth that lies at another part only has no stretch of this one to cover.
+    for (int i = 0; i < wrap_stations && stretch.low < stretch.high; ++i) {
       const double s = stretch.low + (i + 0.5) / wrap_stations * (stretch.high - stretch.low);
       const auto [station, axis] = bones.at(s);
       figure.fraction += share_met(station, axis, dressed.points, triangles) / wrap_stations;
     }
-    // A sheet has one border, whatever its shape.
-    figure.tube = border_loops(triangles, dressed.points.size()) > 1;
     figures.push_back(figure);
   }
   return figures;

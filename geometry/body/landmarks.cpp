@@ -1,5 +1,6 @@
 #include "geometry/body/landmarks.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -11,29 +12,52 @@ std::optional<Section> torso_section(const TriangleMesh& body, double height) {
   return std::move(sections.front());
 }
 
+namespace {
+
+/// The height at which the front of the trunk stands out the most from the straight line between
+/// its ends. A belly may stand out farther than the bust, so the line is needed, and only the upper
+/// two thirds count. A chest that is nowhere rounded has its level at its upper end. `front` has
+/// heights and foremost z from the waist to the armpits, at least three.
+std::optional<double> bust_level(const std::vector<Vec2>& front) {
+  if (front.size() < 3) return std::nullopt;
+  const Vec2& low = front.front();
+  const Vec2& high = front.back();
+  double most = 0;
+  double level = high.x();
+  for (const Vec2& at : front) {
+    const double along = (at.x() - low.x()) / (high.x() - low.x());
+    const double out = at.y() - (low.y() + along * (high.y() - low.y()));
+    if (along < 1.0 / 3 || out <= most) continue;
+    most = out;
+    level = at.x();
+  }
+  return level;
+}
+
+}  // namespace
+
 std::vector<TorsoLevel> torso_levels(const TriangleMesh& body, const Skeleton& skeleton) {
   const double crotch = skeleton.joint("pelvis").y();
   const double middle = skeleton.joint("waist").y();
   const double armpit = skeleton.joint("chest").y();
   constexpr double step = 0.005;  // metres
   double backmost = std::numeric_limits<double>::infinity();
-  double foremost = -std::numeric_limits<double>::infinity();
-  std::optional<double> bust, waist, hip;
+  std::optional<double> waist, hip;
+  std::vector<Vec2> front;  // height and foremost z, from the waist up
   for (double y = crotch + step; y < armpit; y += step) {
     const std::optional<Section> section = torso_section(body, y);
     if (!section) continue;
+    double foremost = -std::numeric_limits<double>::infinity();
     for (const Vec3& point : section->points) {
+      foremost = std::max(foremost, point.z());
       if (y < middle && point.z() < backmost) {
         backmost = point.z();
         hip = y;
       }
-      // The belly may stand out more than the bust, so only the upper two thirds count.
-      if (y > middle + (armpit - middle) / 3 && point.z() > foremost) {
-        foremost = point.z();
-        bust = y;
-      }
     }
+    if (y > middle) front.emplace_back(y, foremost);
   }
+  const std::optional<double> bust = bust_level(front);
   if (!bust || !hip) return {};
   double least_girth = std::numeric_limits<double>::infinity();
   for (double y = *hip + step; y < *bust; y += step) {

@@ -21,10 +21,11 @@ struct TorsoLevel {
   double height = 0;  ///< metres above the floor
 };
 
-/// Bust, waist and hip as ISO 8559-1 defines them, in this order. The bust is the foremost level in
-/// the upper two thirds from waist to armpits. The hip is the rearmost level between crotch and
-/// waist. The waist has the least girth between bust and hip, and may be missing. Empty if bust or
-/// hip can't be found. It costs about 100 slices.
+/// Bust, waist and hip as ISO 8559-1 defines them, in this order. At the bust the front stands out
+/// the most from the straight line between waist and armpits, so that a belly does not pass for a
+/// bust. A chest that is nowhere rounded is measured directly under the armpits. The hip is the
+/// rearmost level between crotch and waist. The waist has the least girth between bust and hip, and
+/// may be missing. Empty if bust or hip can't be found. It costs about 100 slices.
 std::vector<TorsoLevel> torso_levels(const TriangleMesh& body, const Skeleton& skeleton);
 
 }  // namespace toile

@@ -30,7 +30,7 @@ int main(int argc, char** argv) try {
   const DressedGarment dressed = as_dressed(garment, result.nodes, result.triangles);
   write_dressed(argv[2], dressed);
   const Judgement judgement = judge(garment, dressed, mannequin.surface, &mannequin.skeleton,
-                                    result.converged, nullptr, result.tight_seams);
+                                    {result.converged, {}, result.tight_seams});
   std::cout << "verdict: " << to_string(judgement.verdict) << "\nmean gap to the skin: "
             << 1000 * measure_ease(dressed, collider.skin()).garment.mean << " mm\n";
   return judgement.verdict == Verdict::sewn ? 0 : 3;

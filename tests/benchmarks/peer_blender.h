@@ -88,7 +88,7 @@ inline PeerFigures run_blender(const fs::path& blender, const fs::path& garment_
   const TriangleMesh body = fan_triangles(read_mesh(body_file));
   const GarmentFigures as_is =
       measure_garment(garment, as_dressed(garment, points, garment.triangles));
-  const Judgement judgement = judge(garment, welded(garment, points), body, nullptr, true);
+  const Judgement judgement = judge(garment, welded(garment, points), body, nullptr, {});
   figures.strain_p99 = as_is.strain_off_seams.p99;
   figures.gap_mm = as_is.seams.max_gap_mm;
   figures.body = judgement.body_intersections;

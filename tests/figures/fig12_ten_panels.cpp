@@ -73,7 +73,7 @@ void ease(const PaperDressing& dress, const Wearer& wearer, Sheet& sheet) {
   sheet.file("_ease.json", ease_json(report));
   sheet.pictures("(d) Ease map of the bodice", {{pictures[1], "gap between bodice and body, mm"}});
   std::vector<std::vector<std::string>> rows;
-  for (const GirthEase& girth : report.girths) {
+  for (const GirthEase& girth : report.girths.levels) {
     rows.push_back({girth.level, number(100 * girth.height, 1), number(100 * girth.body, 2),
                     number(100 * girth.garment, 2), number(100 * girth.ease, 2)});
   }

@@ -187,7 +187,7 @@ PaperDressing dress_by_paper(const std::string& name, const PanelMesh& garment,
       dress_springs(garment, scene, options, [&](const DressFrame& frame) { follower(frame); });
   done.dressed = as_dressed(done.garment, done.result.nodes, done.result.triangles);
   done.judgement = judge(done.garment, done.dressed, wearer.subject.body(), &skeleton,
-                         done.result.converged, layers.triangles.empty() ? nullptr : &layers);
+                         {done.result.converged}, layers.triangles.empty() ? nullptr : &layers);
   const std::vector<Vec3> last = material_points(garment, done.result);
   follower.add(done.result.stages.back().name, done.simulated(), last);
   done.states.push_back({"position", done.result.placement.placed});

@@ -222,7 +222,6 @@ DressMethod read_method(const po::variables_map& given, bool coupled) {
   }
   DressOptions options = until_residual(residual);
   if (given.count("release")) {
-    options.stop_wide = std::min(residual, releasable_residual);
     options.release_seconds = parse_time(given["release"].as<string>(), "--release");
     if (options.release_seconds > 60) {
       throw Error("--release", "is longer than a minute", "1s shows whether a garment stays");

@@ -118,6 +118,14 @@ Json garment_json(const WornLayer& layer) {
           {"seams", layer.garment.seams.size()}};
 }
 
+Json panels_json(const PanelMesh& garment) {
+  Json all = Json::array();
+  for (const MeshedPanel& panel : garment.panels) {
+    all.push_back({{"name", panel.name}, {"grain_degrees", degrees(panel.grain)}});
+  }
+  return all;
+}
+
 /// Where the panels started, and what was done to bring them there.
 Json start_json(const Placement& placement) {
   Json json;
@@ -207,8 +215,34 @@ Json wraps_json(const std::vector<WrapFigure>& wraps) {
                    {"fraction", wrap.fraction},
                    {"slid_cm", 100 * wrap.slid},
                    {"from_m", wrap.from},
-                   {"to_m", wrap.to},
-                   {"tube", wrap.tube}});
+                   {"to_m", wrap.to}});
+  }
+  return all;
+}
+
+std::string around_words(const LimbsThrough& limbs) {
+  if (!limbs.any()) return "nothing";
+  if (limbs == through_neckline) return "neck";
+  if (limbs == through_hem) return "trunk";
+  std::string words;
+  const auto add = [&](bool is_through, const char* limb) {
+    if (!is_through) return;
+    if (!words.empty()) words += ", ";
+    words += limb;
+  };
+  add(limbs.left_arm, "left arm");
+  add(limbs.right_arm, "right arm");
+  add(limbs.left_leg, "left leg");
+  add(limbs.right_leg, "right leg");
+  return words;
+}
+
+Json openings_json(const std::vector<Opening>& openings) {
+  Json all = Json::array();
+  for (const Opening& opening : openings) {
+    all.push_back({{"around", around_words(opening.limbs)},
+                   {"length_cm", 100 * opening.length},
+                   {"height_cm", 100 * opening.middle.y()}});
   }
   return all;
 }
@@ -217,7 +251,7 @@ Json wraps_json(const std::vector<WrapFigure>& wraps) {
 Json verdict_json(const DressResult& result, const Judgement& judgement) {
   Json json;
   json["verdict"] = to_string(judgement.verdict);
-  for (const OpenSeam& seam : judgement.unsewable_seams) {
+  for (const OpenSeam& seam : judgement.garment.seams.open_seams) {
     json["unsewable_seams"].push_back({{"name", seam.name}, {"missing_cm", seam.missing_cm}});
   }
   for (const TightSeam& seam : result.tight_seams) {
@@ -228,7 +262,18 @@ Json verdict_json(const DressResult& result, const Judgement& judgement) {
     json["tight_regions"] = tight_regions_json(*result.tight_regions);
     json["tight_specks"] = result.tight_regions->specks;
   }
-  for (const std::string& part : judgement.unwrapped) json["unwrapped"].push_back(part);
+  const WornFigures& worn = judgement.worn;
+  json["fit"] = {{"verdict", to_string(judgement.fit)}, {"levels", Json::array()}};
+  for (const TooSmallLevel& level : judgement.fit.levels) {
+    json["fit"]["levels"].push_back({{"name", level.level}, {"missing_cm", 100 * level.missing}});
+  }
+  json["worn"] = worn.is_checked ? "checked" : "not checked";
+  if (worn.misplaced) {
+    json["misplaced"] = {{"part", worn.misplaced->part},
+                         {"at", worn.misplaced->at},
+                         {"should_be", worn.misplaced->should_be}};
+  }
+  for (const std::string& part : worn.unwrapped) json["unwrapped"].push_back(part);
   return json;
 }
 
@@ -249,7 +294,9 @@ nlohmann::ordered_json layer_json(const WornLayer& layer, const DressMethod& met
   const Judgement& judgement = layer.judgement;
   const GarmentFigures& figures = judgement.garment;
   Json report;
+  report["inputs"] = {{"body", notes.body}, {"garment", notes.garment}};
   report["garment"] = garment_json(layer);
+  report["panels"] = panels_json(layer.garment);
   report["scene"] = scene_json(layer);
   report["method"] = method.name;
   if (result.time_step > 0) report["time_step_s"] = result.time_step;
@@ -257,7 +304,7 @@ nlohmann::ordered_json layer_json(const WornLayer& layer, const DressMethod& met
   report["seconds"] = notes.seconds;
   report["converged"] = result.converged;
   report["residual"] = residual_json(result.residual);
-  if (result.release) report["release"] = release_json(*result.release);
+  report["release"] = result.release ? release_json(*result.release) : Json("not asked");
   report.update(shape_json(figures, result.during));
   report["seams"] = {{"sewn", figures.seams.sewn},
                      {"open", figures.seams.open},
@@ -266,6 +313,7 @@ nlohmann::ordered_json layer_json(const WornLayer& layer, const DressMethod& met
   if (!result.attachments.empty()) report["attachments"] = attachments_json(result.attachments);
   report["wraps"] = wraps_json(judgement.wraps);
   report["borders"] = figures.borders;
+  report["openings"] = openings_json(judgement.worn.openings);
   report["intersections"] = {{"body", judgement.body_intersections},
                              {"self", judgement.self_intersections},
                              {"layers", judgement.layer_intersections},
@@ -283,7 +331,7 @@ nlohmann::ordered_json layer_json(const WornLayer& layer, const DressMethod& met
 nlohmann::ordered_json coupled_json(const WornOutfit& worn, const std::vector<std::string>& names) {
   const CoupledResult& coupled = *worn.coupled;
   Json json = {{"stages", stages_json(coupled.stages)},
-               {"converged", coupled.stages.back().converged},
+               {"converged", coupled.converged},
                {"residual", residual_json(coupled.stages.back().residual)},
                {"contacts", Json::array()}};
   for (const LayerContact& pressing : coupled.contacts) {

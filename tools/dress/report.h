@@ -13,6 +13,8 @@ namespace toile {
 
 /// What the program itself adds to a layer's entry.
 struct LayerNotes {
+  std::string body;     ///< the file
+  std::string garment;  ///< the file
   std::vector<std::string> warnings;
   double seconds = 0;  ///< all that the layer took
   /// What took them besides the dressing, in the order in which it was done.

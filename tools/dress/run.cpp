@@ -189,6 +189,8 @@ OutfitHooks DressRun::hooks() {
 Json DressRun::layer_report(const WornOutfit& worn, std::size_t layer) const {
   const WornLayer& one = worn.layers[layer];
   LayerNotes notes;
+  notes.body = settings_.body.string();
+  notes.garment = settings_.layers[layer].garment.string();
   notes.warnings = layer_warnings_[layer];
   if (!settings_.scene) {
     notes.warnings.insert(notes.warnings.begin(), warnings_.begin(), warnings_.end());

@@ -80,18 +80,36 @@ void warn_of_verdict(const DressResult& result, const Judgement& judgement, Dres
   std::ostringstream line;
   line << std::fixed << std::setprecision(1);
   const char* separator = "";
-  for (const OpenSeam& seam : judgement.unsewable_seams) {
+  for (const OpenSeam& seam : judgement.garment.seams.open_seams) {
     line << separator << seam.name << " (" << seam.missing_cm << " cm)";
+    separator = ", ";
+  }
+  if (!line.str().empty()) {
+    log.warn("these seams could not be closed; how far they stand open: " + line.str());
+  }
+  std::ostringstream tight;
+  tight << std::fixed << std::setprecision(1);
+  separator = "";
+  for (const TightSeam& seam : result.tight_seams) {
+    tight << separator << seam.name << " (" << seam.missing_cm << " cm)";
     separator = ", ";
   }
   if (!result.tight_seams.empty()) {
     log.warn("too tight: closing these seams takes more than a hand's pull, " +
              std::to_string(std::lround(hand_pull)) +
-             " N/m, or of soft fabrics less; what is missing at each: " + line.str());
-  } else if (!judgement.unsewable_seams.empty()) {
-    log.warn("these seams could not be closed; how far they stand open: " + line.str());
+             " N/m, or of soft fabrics less; what is missing at each: " + tight.str());
   }
-  for (const std::string& part : judgement.unwrapped) {
+  const WornFigures& worn = judgement.worn;
+  if (!worn.is_checked) {
+    log.warn(
+        "where the garment is worn is not checked: neither joints, parts, labels, names nor "
+        "openings tell where it belongs");
+  }
+  if (worn.misplaced) {
+    log.warn("the garment is not worn where it belongs: it is at " + worn.misplaced->at +
+             ", and should be: " + worn.misplaced->should_be + "; check where its panels start");
+  }
+  for (const std::string& part : worn.unwrapped) {
     log.warn("the garment does not go around " + part +
              ": check where the panels of that part are placed, and what they are sewn to");
   }
@@ -200,7 +218,8 @@ void say_result(const DressResult& result, const Judgement& judgement, DressLog&
              " in places: the garment is too small for this body, or caught on it");
   }
   warn_of_verdict(result, judgement, log);
-  log.say("verdict: " + to_string(judgement.verdict));
+  for (const TooSmallLevel& level : judgement.fit.levels) log.warn(text_of(level));
+  log.say("verdict: " + to_string(judgement.verdict) + "; fit: " + to_string(judgement.fit));
 }
 
 void say_pressing(const CoupledResult& coupled, const std::vector<std::string>& names,

@@ -31,8 +31,12 @@ CommandLineProgram ease_map_program() {
       "png", po::value<std::string>(), "write a picture, front and back")(
       "skeleton", po::value<std::string>(),
       "the body's joints, for girths (default: body.json beside the body)")(
-      "contact", po::value<std::string>()->default_value("3mm"),
-      "cloth nearer than this counts as touching")(
+      "dress-report", po::value<std::string>(),
+      "the report of dress, for its verdict and warnings (default: dressed.json beside "
+      "dressed.obj)")(
+      "contact", po::value<std::string>(),
+      "cloth nearer than this counts as touching (default: 1 mm more than the offset of the drape, "
+      "if there is a report of dress, else 3 mm)")(
       "top", po::value<std::string>(),
       "gap at the end of the colour scale; to compare garments (default: to suit this one)");
   program.positional.add("garment", 1);
@@ -46,7 +50,10 @@ CommandLineProgram ease_map_program() {
     settings.ply = path_option(given, "ply");
     settings.png = path_option(given, "png");
     settings.skeleton = path_option(given, "skeleton");
-    settings.ease.contact = parse_length(given["contact"].as<std::string>(), "--contact");
+    settings.dress_report = path_option(given, "dress-report");
+    if (given.count("contact") != 0) {
+      settings.contact = parse_length(given["contact"].as<std::string>(), "--contact");
+    }
     if (given.count("top") != 0)
       settings.top = parse_length(given["top"].as<std::string>(), "--top");
     run_ease_map(settings, common);

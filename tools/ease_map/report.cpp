@@ -87,15 +87,83 @@ PageTable girth_table(const EaseReport& report) {
   PageTable table;
   table.caption = "Girth ease around the torso, cm";
   table.columns = {"level", "height", "body", "garment", "ease", "as cut", "ease as cut"};
-  for (const GirthEase& girth : report.girths) {
+  for (const GirthEase& girth : report.girths.levels) {
     table.rows.push_back({girth.level, cm(girth.height), cm(girth.body), cm(girth.garment),
                           cm(girth.ease), cm(girth.as_cut), cm(girth.as_cut - girth.body)});
   }
   table.remark =
       "Horizontal sections. The body is measured as a tape does, across hollows; the garment along "
-      "the cloth with its folds, and as cut: the same line of cloth on the flat panels, before it "
-      "was stretched. Heights are above the floor.";
+      "the cloth with its folds. As cut: the sum of the widths of the flat panels where the level "
+      "crosses them. Heights are above the floor.";
+  for (const LevelLeftOut& level : report.girths.left_out) {
+    table.remark += " The " + level.level + " is left out: " + level.why + ".";
+  }
   return table;
+}
+
+PageTable garment_level_table(const EaseReport& report) {
+  PageTable table;
+  table.caption = "Levels of the garment itself, cm";
+  table.columns = {"level", "height", "body there", "garment", "as cut", "ease as cut"};
+  for (const GarmentLevel& level : report.garment_levels) {
+    table.rows.push_back({level.name, cm(level.height), level.body ? cm(*level.body) : "",
+                          cm(level.garment), cm(level.as_cut),
+                          level.body ? cm(level.as_cut - *level.body) : ""});
+  }
+  table.remark =
+      "Along the edge or seam, which need not lie level. Its height is the mean. The body is the "
+      "trunk at that height.";
+  return table;
+}
+
+nlohmann::ordered_json girths_json(const EaseReport& report) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const GirthEase& girth : report.girths.levels) {
+    nlohmann::ordered_json row;
+    if (!girth.level.empty()) row["level"] = girth.level;
+    row["height_cm"] = rounded(100 * girth.height);
+    row["body_cm"] = rounded(100 * girth.body);
+    row["garment_cm"] = rounded(100 * girth.garment);
+    row["ease_cm"] = rounded(100 * girth.ease);
+    row["as_cut_cm"] = rounded(100 * girth.as_cut);
+    row["as_cut_ease_cm"] = rounded(100 * (girth.as_cut - girth.body));
+    row["panels"] = nlohmann::ordered_json::array();
+    for (const PanelWidth& panel : girth.panels) {
+      row["panels"].push_back({{"name", valid_utf8(report.garment.panels[panel.panel])},
+                               {"flat_height_cm", rounded(100 * panel.flat_height)},
+                               {"width_cm", rounded(100 * panel.width)}});
+    }
+    all.push_back(std::move(row));
+  }
+  return all;
+}
+
+nlohmann::ordered_json garment_levels_json(const EaseReport& report) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const GarmentLevel& level : report.garment_levels) {
+    nlohmann::ordered_json row = {{"name", level.name},
+                                  {"height_cm", rounded(100 * level.height)},
+                                  {"garment_cm", rounded(100 * level.garment)},
+                                  {"as_cut_cm", rounded(100 * level.as_cut)}};
+    if (level.body) {
+      row["body_cm"] = rounded(100 * *level.body);
+      row["as_cut_ease_cm"] = rounded(100 * (level.as_cut - *level.body));
+    }
+    all.push_back(std::move(row));
+  }
+  return all;
+}
+
+/// "verdict: misplaced; fit: ok"; empty: not known.
+std::string verdict_line(const EaseReport& report) {
+  if (!report.dressing) return "";
+  return "verdict: " + report.dressing->verdict + "; fit: " + report.dressing->fit;
+}
+
+std::string title_of(const EaseReport& report) {
+  std::string title = "Ease map: " + report.garment_name + " on " + report.body_name;
+  if (report.dressing) title += " (" + report.dressing->verdict + ")";
+  return title;
 }
 
 }  // namespace
@@ -123,6 +191,14 @@ std::string ease_json(const EaseReport& report) {
   nlohmann::ordered_json json;
   json["garment"] = valid_utf8(report.garment_name);
   json["body"] = valid_utf8(report.body_name);
+  if (report.dressing) {
+    json["verdict"] = report.dressing->verdict;
+    json["fit"] = report.dressing->fit;
+  }
+  json["warnings"] = nlohmann::ordered_json::array();
+  for (const std::string& warning : report.warnings) {
+    json["warnings"].push_back(valid_utf8(warning));
+  }
   json["gap"] = definition;
   json["contact_below_mm"] = 1000 * report.options.contact;
   json["total"] = statistics_json(report.map.garment);
@@ -133,31 +209,28 @@ std::string ease_json(const EaseReport& report) {
     panel.update(statistics_json(report.map.panels[i]));
     json["panels"].push_back(std::move(panel));
   }
-  if (!report.girths.empty()) {
-    json["girths"] = nlohmann::ordered_json::array();
-    for (const GirthEase& girth : report.girths) {
-      nlohmann::ordered_json row;
-      if (!girth.level.empty()) row["level"] = girth.level;
-      row["height_cm"] = rounded(100 * girth.height);
-      row["body_cm"] = rounded(100 * girth.body);
-      row["garment_cm"] = rounded(100 * girth.garment);
-      row["ease_cm"] = rounded(100 * girth.ease);
-      row["as_cut_cm"] = rounded(100 * girth.as_cut);
-      row["as_cut_ease_cm"] = rounded(100 * (girth.as_cut - girth.body));
-      json["girths"].push_back(std::move(row));
-    }
+  if (!report.girths.levels.empty()) json["girths"] = girths_json(report);
+  for (const LevelLeftOut& level : report.girths.left_out) {
+    json["levels_left_out"].push_back({{"level", level.level}, {"why", level.why}});
   }
+  if (!report.garment_levels.empty()) json["garment_levels"] = garment_levels_json(report);
   return json.dump(2) + '\n';
 }
 
 std::string ease_page(const EaseReport& report, const std::string& picture) {
   ViewerPage page;
-  page.title = "Ease map: " + report.garment_name + " on " + report.body_name;
+  page.title = title_of(report);
   page.paragraphs = {
       "The gap is the distance from a point of the garment to the nearest point of the body's "
       "surface. It is negative inside the body.",
       "Drag to turn, scroll to zoom, drag with the right button to move. Point at the garment to "
       "read its gap. Left and right are the wearer's."};
+  if (report.dressing) {
+    page.paragraphs.insert(page.paragraphs.begin(), "Dressing: " + verdict_line(report) + ".");
+  }
+  for (const std::string& warning : report.warnings) {
+    page.paragraphs.push_back("Warning: " + warning + ".");
+  }
   page.surface = {report.garment.points, report.garment.triangles};
   page.values = gaps_mm(report);
   page.regions = report.garment.panels;
@@ -170,7 +243,8 @@ std::string ease_page(const EaseReport& report, const std::string& picture) {
   page.setting = decimate(report.body, page_body_triangles);
   page.setting_name = "body";
   page.tables.push_back(panel_table(report));
-  if (!report.girths.empty()) page.tables.push_back(girth_table(report));
+  if (!report.girths.levels.empty()) page.tables.push_back(girth_table(report));
+  if (!report.garment_levels.empty()) page.tables.push_back(garment_level_table(report));
   page.still_png = picture;
   return viewer_page(page);
 }
@@ -188,7 +262,7 @@ std::vector<std::string> ease_pictures(const EaseReport& report, const std::vect
   body.framed = false;
   body.inside_shown = false;
   Picture picture;
-  picture.title = "Ease map: " + report.garment_name + " on " + report.body_name;
+  picture.title = title_of(report);
   picture.bar = ColourBar{"gap, mm", cloth.ramp, "inside"};
   std::vector<PictureMesh> meshes;
   meshes.push_back(std::move(cloth));
@@ -221,12 +295,16 @@ std::vector<std::string> ease_summary(const EaseReport& report) {
     }
   }
   line("whole garment", report.map.garment);
-  for (const GirthEase& girth : report.girths) {
+  for (const GirthEase& girth : report.girths.levels) {
     if (girth.level.empty()) continue;
     lines.push_back(girth.level + " girth ease " + cm(girth.ease) + " cm (garment " +
                     cm(girth.garment) + ", body " + cm(girth.body) + "), " +
                     cm(girth.as_cut - girth.body) + " cm as cut (" + cm(girth.as_cut) + ")");
   }
+  for (const LevelLeftOut& level : report.girths.left_out) {
+    lines.push_back("no girth ease at the " + level.level + ": " + level.why);
+  }
+  if (report.dressing) lines.push_back(verdict_line(report));
   return lines;
 }
 

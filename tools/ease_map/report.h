@@ -1,12 +1,15 @@
 // The ease map as files: a page, tables, statistics, a coloured mesh, a picture.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cloth/ease/ease.h"
+#include "cloth/ease/garment_levels.h"
 #include "cloth/ease/girth_ease.h"
 #include "io/view/colour.h"
+#include "tools/ease_map/dress_report.h"
 
 namespace toile {
 
@@ -16,8 +19,11 @@ struct EaseReport {
   TriangleMesh body;
   EaseMap map;
   EaseOptions options;
-  std::vector<GirthEase> girths;  ///< empty: not measured
-  std::string garment_name;       ///< shown in titles
+  GirthEases girths;                         ///< empty: not measured
+  std::vector<GarmentLevel> garment_levels;  ///< empty: not measured
+  std::optional<DressReport> dressing;       ///< none: there is no report of dress
+  std::vector<std::string> warnings;         ///< of the dressing and of the ease map
+  std::string garment_name;                  ///< shown in titles
   std::string body_name;
   double top = 0;  ///< gap that gets the ramp's last colour, metres, positive
 };

@@ -1,9 +1,10 @@
 #include "tools/ease_map/run.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "cloth/judge/fit.h"
 #include "cloth/scene/closed_body.h"
-#include "cloth/scene/constants.h"
 #include "geometry/error.h"
 #include "io/mesh_file.h"
 #include "io/output_file.h"
@@ -18,14 +19,34 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Girths at the levels that the body's joints tell; none, with a note, where there are no joints.
-std::vector<GirthEase> girths_of(const EaseReport& report, const SurfaceDistance& skin,
-                                 const EaseMapSettings& settings, const CommonSettings& common) {
+/// Metres: cloth that rests on the skin is held at its offset, and rarely more than this off it.
+constexpr double contact_margin = 0.001;
+
+/// What the report of dress beside the garment says; none where there is no such report.
+std::optional<DressReport> dressing_of(const EaseReport& report, const EaseMapSettings& settings,
+                                       const CommonSettings& common) {
+  const fs::path beside = fs::path(settings.garment).replace_extension("json");
+  const fs::path file = settings.dress_report.value_or(beside);
+  if (!settings.dress_report && !fs::exists(file)) {
+    common.say("no verdict: there is no report of dress at " + file.string());
+    return std::nullopt;
+  }
+  const std::optional<DressReport> read = read_dress_report(file, settings.garment, report.garment);
+  if (!read && settings.dress_report) {
+    throw Error(file.string(), "is not the report of " + settings.garment.string(),
+                "give the file that dress --report wrote with it");
+  }
+  return read;
+}
+
+/// Girths at levels of body and garment; none, with a note, where there are no joints.
+void measure_girths(EaseReport& report, const SurfaceDistance& skin,
+                    const EaseMapSettings& settings, const CommonSettings& common) {
   const fs::path path = settings.skeleton.value_or(skeleton_path(settings.body));
   if (!settings.skeleton && !fs::exists(path)) {
     common.say("no girth ease: there are no joints in " + path.string() +
                "; clean-body writes them beside the body");
-    return {};
+    return;
   }
   const Skeleton skeleton = read_skeleton_of(skin, path);
   for (const char* joint : {"pelvis", "waist", "chest"}) {
@@ -34,29 +55,34 @@ std::vector<GirthEase> girths_of(const EaseReport& report, const SurfaceDistance
                   "let clean-body write it");
     }
   }
-  return measure_girth_ease(report.garment, report.body, skeleton);
+  const std::vector<double> grains =
+      report.dressing ? report.dressing->grains : std::vector<double>();
+  report.girths = measure_girth_ease(report.garment, report.body, skeleton, grains);
+  report.garment_levels = measure_garment_levels(report.garment, report.body, skeleton);
 }
 
-void warn_if_implausible(const EaseReport& report) {
+void warn(EaseReport& report, const std::string& line) {
+  CommonSettings::warn(line);
+  report.warnings.push_back(line);
+}
+
+void warn_if_implausible(EaseReport& report) {
   const EaseStatistics& all = report.map.garment;
   if (all.p50 > 0.5) {
-    CommonSettings::warn("half of the garment is more than " +
-                         std::to_string(std::lround(100 * all.p50)) +
-                         " cm away from the body: are both in metres and in the same place?");
+    warn(report, "half of the garment is more than " + std::to_string(std::lround(100 * all.p50)) +
+                     " cm away from the body: are both in metres and in the same place?");
   } else if (all.inside > 0.01) {
-    CommonSettings::warn(std::to_string(std::lround(100 * all.inside)) +
-                         " % of the garment's area lies inside the body");
+    warn(report, std::to_string(std::lround(100 * all.inside)) +
+                     " % of the garment's area lies inside the body");
   }
 }
 
 /// What is cut smaller than the body goes around it by being stretched.
-void warn_if_too_small(const std::vector<GirthEase>& girths) {
-  for (const GirthEase& girth : girths) {
-    const double missing = girth.body - girth.as_cut;
-    if (girth.level.empty() || missing < flesh_give) continue;
-    CommonSettings::warn("at the " + girth.level + " the garment is cut " +
-                         fixed_number(100 * missing, 1) +
-                         " cm smaller than the body, and stretched by that");
+void warn_if_too_small(EaseReport& report) {
+  for (const TooSmallLevel& level : fit_of(report.girths.levels, report.garment_levels).levels) {
+    const std::string line = text_of(level);
+    // The dressing may have found it.
+    if (std::ranges::find(report.warnings, line) == report.warnings.end()) warn(report, line);
   }
 }
 
@@ -68,15 +94,21 @@ void run_ease_map(const EaseMapSettings& settings, const CommonSettings& common)
   EaseReport report;
   report.garment = read_dressed(settings.garment);
   report.body = read_closed_body(settings.body);
-  report.options = settings.ease;
+  report.dressing = dressing_of(report, settings, common);
+  if (report.dressing) report.warnings = report.dressing->warnings;
+  if (settings.contact) {
+    report.options.contact = *settings.contact;
+  } else if (report.dressing) {
+    report.options.contact = report.dressing->body_offset + contact_margin;
+  }
   report.garment_name = settings.garment.filename().string();
   report.body_name = settings.body.filename().string();
   const SurfaceDistance skin(report.body);
-  report.map = measure_ease(report.garment, skin, settings.ease);
-  report.girths = girths_of(report, skin, settings, common);
+  report.map = measure_ease(report.garment, skin, report.options);
+  measure_girths(report, skin, settings, common);
   report.top = settings.top.value_or(suggested_top(report.map));
   warn_if_implausible(report);
-  warn_if_too_small(report.girths);
+  warn_if_too_small(report);
   if (!common.quiet) {
     for (const std::string& line : ease_summary(report)) common.say(line);
   }

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <optional>
 
-#include "cloth/ease/ease.h"
 #include "tools/program.h"
 
 namespace toile {
@@ -13,8 +12,11 @@ struct EaseMapSettings {
   std::filesystem::path garment;
   std::filesystem::path body;
   std::optional<std::filesystem::path> csv, json, ply, png;
-  std::optional<std::filesystem::path> skeleton;  ///< none: beside the body, if there
-  EaseOptions ease;
+  std::optional<std::filesystem::path> skeleton;      ///< none: beside the body, if there
+  std::optional<std::filesystem::path> dress_report;  ///< none: beside the garment, if there
+  /// Metres: cloth nearer than this touches the skin. None: 1 mm more than the offset at which the
+  /// cloth was draped, if the report of dress says it, else EaseOptions::contact.
+  std::optional<double> contact;
   std::optional<double> top;  ///< metres, the end of the colour scale; none: to suit the garment
 };
 

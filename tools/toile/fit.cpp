@@ -95,6 +95,7 @@ int work(const po::variables_map& given, const CommonSettings& common) {
   common.say("Measuring the ease:");
   EaseMapSettings ease;
   ease.garment = files.dressed;
+  ease.dress_report = files.report;
   ease.body = files.body;
   if (pictures) ease.png = files.ease_picture;
   run_ease_map(ease, writing(files.ease));

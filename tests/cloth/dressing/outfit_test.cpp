@@ -67,14 +67,27 @@ TEST_F(OutfitTest, ALayerIsDressedOverTheOneBelow) {
 }
 
 TEST_F(OutfitTest, NothingIsDressedOverALayerThatFailed) {
-  outfit.layers[0] = tube("shirt", 0.44);
   std::vector<std::string> warnings;
   hooks.warn = [&](const std::string& line) { warnings.push_back(line); };
+  // The file moves the shirt into the body.
+  hooks.write = [](std::size_t, const DressedGarment& garment) {
+    DressedGarment moved = garment;
+    for (Vec3& p : moved.points) p.x() += 0.1;
+    return moved;
+  };
   const WornOutfit worn = dress();
   ASSERT_EQ(worn.layers.size(), 1U);
-  EXPECT_EQ(worn.verdict(), Verdict::unsewable);
+  EXPECT_EQ(worn.verdict(), Verdict::intersecting);
   ASSERT_FALSE(warnings.empty());
-  EXPECT_EQ(warnings.back(), "layer shirt is unsewable: the layers over it are not dressed");
+  EXPECT_EQ(warnings.back(), "layer shirt is intersecting: the layers over it are not dressed");
+}
+
+TEST_F(OutfitTest, ALayerThatIsTooTightIsDressedOver) {
+  outfit.layers[0] = tube("shirt", 0.44);
+  const WornOutfit worn = dress();
+  ASSERT_EQ(worn.layers.size(), 2U);
+  EXPECT_EQ(worn.layers[0].judgement.verdict, Verdict::too_tight);
+  EXPECT_EQ(worn.verdict(), Verdict::too_tight);
 }
 
 // What is written is what others read, so it decides.

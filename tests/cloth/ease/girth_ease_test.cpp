@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <numbers>
 
 #include "tests/support/tubes.h"
@@ -57,8 +58,8 @@ Skeleton joints() {
   return skeleton;
 }
 
-const GirthEase* level(const std::vector<GirthEase>& girths, const std::string& name) {
-  for (const GirthEase& girth : girths) {
+const GirthEase* level(const GirthEases& girths, const std::string& name) {
+  for (const GirthEase& girth : girths.levels) {
     if (girth.level == name) return &girth;
   }
   return nullptr;
@@ -83,37 +84,71 @@ TEST(GirthEase, NamedLevelsAreFoundOnTheBody) {
 TEST(GirthEase, AsCutIsOnTheFlatPanels) {
   // On the flat each panel is 100 cells of 1 cm wide and 15 high; the rows lie anywhere in space.
   DressedGarment garment = test::cloth_tube(0.25, 0.25, 0.7, 1.45, 200, 15);
-  for (const GirthEase& girth : measure_girth_ease(garment, torso(60), joints())) {
+  for (const GirthEase& girth : measure_girth_ease(garment, torso(60), joints()).levels) {
     EXPECT_NEAR(girth.as_cut, 2, 1e-9);
     EXPECT_NEAR(girth.garment, 2 * std::numbers::pi * 0.25, 1e-3);
   }
-  // Hung askew by 10 cm in 50, the line runs askew over the flat panels.
+  // Hung askew by 10 cm in 50, the line runs askew over the flat panels, as wide as before.
   for (Vec3& p : garment.points) p.y() += 0.2 * p.x();
-  for (const GirthEase& girth : measure_girth_ease(garment, torso(60), joints())) {
-    EXPECT_GT(girth.as_cut, 2);
-    EXPECT_LT(girth.as_cut, 2.01);
+  for (const GirthEase& girth : measure_girth_ease(garment, torso(60), joints()).levels) {
+    EXPECT_NEAR(girth.as_cut, 2, 1e-9);
+    ASSERT_EQ(girth.panels.size(), 2U);
+    EXPECT_NEAR(girth.panels[0].width, 1, 1e-9);
+    // 15 rows of 1 cm hang over 75 cm. On average the line lies where its height is.
+    EXPECT_NEAR(girth.panels[0].flat_height, 0.15 * (girth.height - 0.7) / 0.75, 0.002);
   }
+}
+
+TEST(GirthEase, APanelCutAcrossTheGrainIsMeasuredAlongIt) {
+  DressedGarment garment = test::cloth_tube(0.25, 0.25, 0.7, 1.45, 200, 15);
+  for (Vec2& p : garment.flat) p = Vec2(-p.y(), p.x());
+  for (const std::vector<double>& grains :
+       {std::vector<double>{}, std::vector<double>{std::numbers::pi / 2, std::numbers::pi / 2}}) {
+    for (const GirthEase& girth : measure_girth_ease(garment, torso(60), joints(), grains).levels) {
+      EXPECT_NEAR(girth.as_cut, 2, 1e-9);
+    }
+  }
+}
+
+TEST(GirthEase, APieceDrawnAskewIsMeasuredSquareToItsGrain) {
+  const double angle = 0.4;
+  DressedGarment garment = test::cloth_tube(0.25, 0.25, 0.7, 1.45, 200, 15);
+  for (Vec2& p : garment.flat) p = Eigen::Rotation2Dd(angle) * p;
+  for (const GirthEase& girth :
+       measure_girth_ease(garment, torso(60), joints(), {angle, angle}).levels) {
+    EXPECT_NEAR(girth.as_cut, 2, 1e-9);
+  }
+}
+
+TEST(GirthEase, ALevelThatIsLeftOutSaysWhy) {
+  const GirthEases girths =
+      measure_girth_ease(test::cloth_tube(0.25, 0.25, 0.7, 1.2, 40, 15), torso(60), joints());
+  EXPECT_EQ(level(girths, "bust"), nullptr);
+  EXPECT_NE(level(girths, "waist"), nullptr);
+  ASSERT_EQ(girths.left_out.size(), 1U);
+  EXPECT_EQ(girths.left_out[0].level, "bust");
+  EXPECT_EQ(girths.left_out[0].why, "the garment does not reach it");
 }
 
 TEST(GirthEase, FromTheTopDown) {
   const auto girths =
       measure_girth_ease(test::cloth_tube(0.25, 0.25, 0.7, 1.45, 40, 15), torso(60), joints());
-  ASSERT_GT(girths.size(), 10U);
-  for (std::size_t i = 1; i < girths.size(); ++i) {
-    EXPECT_LE(girths[i].height, girths[i - 1].height);
+  ASSERT_GT(girths.levels.size(), 10U);
+  for (std::size_t i = 1; i < girths.levels.size(); ++i) {
+    EXPECT_LE(girths.levels[i].height, girths.levels[i - 1].height);
   }
 }
 
 TEST(GirthEase, AnOpenGarmentHasNone) {
   DressedGarment front = test::cloth_tube(0.25, 0.25, 0.7, 1.45, 40, 15);
   front.triangles.resize(front.triangles.size() / 2);
-  EXPECT_TRUE(measure_girth_ease(front, torso(60), joints()).empty());
+  EXPECT_TRUE(measure_girth_ease(front, torso(60), joints()).levels.empty());
 }
 
 TEST(GirthEase, ATubeBesideTheTorsoIsNotAroundIt) {
   DressedGarment sleeve = test::cloth_tube(0.05, 0.05, 0.7, 1.45, 40, 15);
   for (Vec3& point : sleeve.points) point.x() += 0.4;
-  EXPECT_TRUE(measure_girth_ease(sleeve, torso(60), joints()).empty());
+  EXPECT_TRUE(measure_girth_ease(sleeve, torso(60), joints()).levels.empty());
 }
 
 }  // namespace girth_ease_test

@@ -130,21 +130,6 @@ TEST(Measures, ThePanelThatChangedMostIsReported) {
   EXPECT_NEAR(figures.perimeter_max_panel_percent, 2, 1e-9);
 }
 
-TEST(Measures, BorderLoops) {
-  // A tube has two, with a hole cut into it three; a closed surface has none.
-  PanelMesh tube;
-  test::add_panel(tube, "tube", test::grid(0.6, 0.3, 24, 12),
-                  [](const Vec2& p) { return Vec3(p.x(), p.y(), 0); });
-  tube.seams = {test::seam("", test::side(tube.panels[0], 24, 12, false),
-                           test::side(tube.panels[0], 24, 12, true))};
-  DressedGarment dressed = test::as_dressed(tube, tube.placed);
-  EXPECT_EQ(border_loops(dressed.triangles, dressed.points.size()), 2);
-  dressed.triangles.erase(dressed.triangles.begin() + 2 * (24 * 6 + 12));
-  EXPECT_EQ(border_loops(dressed.triangles, dressed.points.size()), 3);
-  const std::vector<Triangle> closed = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
-  EXPECT_EQ(border_loops(closed, 4), 0);
-}
-
 TEST(Measures, AnotherGarmentIsRefused) {
   const PanelMesh garment = panel();
   DressedGarment other = test::as_dressed(garment, garment.placed);

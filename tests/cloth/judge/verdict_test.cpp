@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,11 +25,20 @@ struct Dressing {
   bool tight = false;    ///< a seam was closed by force
   bool thick = false;    ///< the body is too thick for the tube
   bool slipped = false;  ///< the tube is beside the body
+  bool flat = false;     ///< it is a sheet in front of the body, said to be a top
   bool converged = true;
+  std::optional<bool> stays = {};  ///< when it is let go
 
   Judgement judgement() const {
-    const PanelMesh garment = tube();
+    PanelMesh garment = tube();
+    if (flat) {
+      garment = PanelMesh();
+      test::add_half(garment, "bodice", -test::pi / 2);
+    }
     std::vector<Vec3> points = garment.placed;
+    if (flat) {
+      for (Vec3& p : points) p.z() = 0.25;
+    }
     if (open) points[garment.seams[0].a[3]].x() += 0.001;
     if (slipped) {
       for (Vec3& p : points) p.x() += 0.5;
@@ -38,8 +48,8 @@ struct Dressing {
         test::closed_tube(thick ? (slipped ? 0.4 : 0.21) : 0.15, 0.15, 1.7, 60);
     std::vector<TightSeam> seams;
     if (tight) seams.push_back({"right", 400, 3});
-    return judge(garment, test::as_dressed(garment, points, !open), body, &skeleton, converged,
-                 nullptr, seams);
+    return judge(garment, test::as_dressed(garment, points, !open), body, &skeleton,
+                 {converged, stays, seams});
   }
 };
 
@@ -48,24 +58,44 @@ TEST(Judge, NothingIsWrongWithATubeAroundItsBody) {
   EXPECT_EQ(judgement.verdict, Verdict::sewn);
   EXPECT_EQ(judgement.body_intersections, 0);
   EXPECT_EQ(judgement.self_intersections, 0);
-  EXPECT_TRUE(judgement.unsewable_seams.empty());
-  EXPECT_TRUE(judgement.unwrapped.empty());
+  EXPECT_TRUE(judgement.worn.is_checked);
+  EXPECT_FALSE(judgement.worn.misplaced);
+  EXPECT_TRUE(judgement.worn.unwrapped.empty());
+  EXPECT_EQ(to_string(judgement.fit), "ok");
   EXPECT_NEAR(judgement.wraps.at(0).fraction, 1, 1e-3);
   const PanelMesh garment = tube();
   const TriangleMesh body = test::closed_tube(0.15, 0.15, 1.7, 60);
   const DressedGarment sewn = test::as_dressed(garment, garment.placed);
-  EXPECT_TRUE(judge(garment, sewn, body, nullptr, true).wraps.empty());
+  const Judgement without_joints = judge(garment, sewn, body, nullptr, {});
+  EXPECT_EQ(without_joints.verdict, Verdict::sewn);
+  EXPECT_TRUE(without_joints.wraps.empty());
+  EXPECT_FALSE(without_joints.worn.is_checked);
+  EXPECT_EQ(to_string(without_joints.fit), "not checked");
 }
 
 TEST(Judge, UnconvergedWhenItDidNotComeToRest) {
   EXPECT_EQ(Dressing{.converged = false}.judgement().verdict, Verdict::unconverged);
 }
 
-TEST(Judge, UnwrappedWhenATubeDoesNotGoAroundItsPart) {
+TEST(Judge, UnstableWhenItDoesNotStayThoughItCameToRest) {
+  EXPECT_EQ(Dressing{.stays = true}.judgement().verdict, Verdict::sewn);
+  EXPECT_EQ(Dressing{.stays = false}.judgement().verdict, Verdict::unstable);
+  EXPECT_EQ((Dressing{.converged = false, .stays = false}.judgement().verdict),
+            Verdict::unconverged);
+}
+
+TEST(Judge, MisplacedWhenATubeGoesAroundNothing) {
   const Judgement judgement = Dressing{.slipped = true}.judgement();
-  EXPECT_EQ(judgement.verdict, Verdict::unwrapped);
-  EXPECT_EQ(judgement.unwrapped, std::vector<std::string>{"torso"});
+  EXPECT_EQ(judgement.verdict, Verdict::misplaced);
+  ASSERT_TRUE(judgement.worn.misplaced);
+  EXPECT_EQ(judgement.worn.misplaced->part, "torso");
   EXPECT_EQ(judgement.body_intersections, 0);
+}
+
+TEST(Judge, UnwrappedWhenATopLiesInFrontOfTheTrunk) {
+  const Judgement judgement = Dressing{.flat = true}.judgement();
+  EXPECT_EQ(judgement.verdict, Verdict::unwrapped);
+  EXPECT_EQ(judgement.worn.unwrapped, std::vector<std::string>{"torso"});
 }
 
 TEST(Judge, IntersectingWhenTheBodyIsThickerThanTheTube) {
@@ -75,36 +105,33 @@ TEST(Judge, IntersectingWhenTheBodyIsThickerThanTheTube) {
   EXPECT_EQ(judgement.self_intersections, 0);
 }
 
-TEST(Judge, UnsewableWhenASeamIsOpenOrWasClosedByForce) {
-  Judgement judgement = Dressing{.open = true}.judgement();
+TEST(Judge, UnsewableWhenASeamIsOpen) {
+  const Judgement judgement = Dressing{.open = true}.judgement();
   EXPECT_EQ(judgement.verdict, Verdict::unsewable);
-  ASSERT_EQ(judgement.unsewable_seams.size(), 1u);
-  EXPECT_EQ(judgement.unsewable_seams[0].name, "left");
-  EXPECT_NEAR(judgement.unsewable_seams[0].missing_cm, 0.1, 1e-9);
+  const std::vector<OpenSeam>& open = judgement.garment.seams.open_seams;
+  ASSERT_EQ(open.size(), 1u);
+  EXPECT_EQ(open[0].name, "left");
+  EXPECT_NEAR(open[0].missing_cm, 0.1, 1e-9);
+}
 
-  judgement = Dressing{.tight = true}.judgement();
-  EXPECT_EQ(judgement.verdict, Verdict::unsewable);
-  EXPECT_TRUE(judgement.garment.seams.open_seams.empty());
-  ASSERT_EQ(judgement.unsewable_seams.size(), 1u);
-  EXPECT_EQ(judgement.unsewable_seams[0].name, "right");
-  EXPECT_EQ(judgement.unsewable_seams[0].missing_cm, 3);
+TEST(Judge, TooTightWhenASeamWasClosedByForce) {
+  EXPECT_EQ(Dressing{.tight = true}.judgement().verdict, Verdict::too_tight);
 }
 
 TEST(Judge, TheVerdictNamesTheFirstThingWrong) {
   // From step to step one more thing is wrong, and it comes before the others.
-  Dressing dressing{.converged = false};
+  Dressing dressing{.tight = true};
+  EXPECT_EQ(dressing.judgement().verdict, Verdict::too_tight);
+  dressing.stays = false;
+  EXPECT_EQ(dressing.judgement().verdict, Verdict::unstable);
+  dressing.converged = false;
   EXPECT_EQ(dressing.judgement().verdict, Verdict::unconverged);
   dressing.slipped = true;
-  EXPECT_EQ(dressing.judgement().verdict, Verdict::unwrapped);
+  EXPECT_EQ(dressing.judgement().verdict, Verdict::misplaced);
   dressing.thick = true;
-  Judgement judgement = dressing.judgement();
+  const Judgement judgement = dressing.judgement();
   EXPECT_EQ(judgement.verdict, Verdict::intersecting);
-  EXPECT_FALSE(judgement.unwrapped.empty());
-  dressing.tight = true;
-  judgement = dressing.judgement();
-  EXPECT_EQ(judgement.verdict, Verdict::unsewable);
-  EXPECT_GT(judgement.body_intersections, 0);
-  dressing.tight = false;
+  EXPECT_TRUE(judgement.worn.misplaced);
   dressing.open = true;
   EXPECT_EQ(dressing.judgement().verdict, Verdict::unsewable);
 }
@@ -112,8 +139,11 @@ TEST(Judge, TheVerdictNamesTheFirstThingWrong) {
 TEST(Judge, VerdictsHaveWords) {
   EXPECT_EQ(to_string(Verdict::unsewable), "unsewable");
   EXPECT_EQ(to_string(Verdict::intersecting), "intersecting");
+  EXPECT_EQ(to_string(Verdict::misplaced), "misplaced");
   EXPECT_EQ(to_string(Verdict::unwrapped), "unwrapped");
   EXPECT_EQ(to_string(Verdict::unconverged), "unconverged");
+  EXPECT_EQ(to_string(Verdict::unstable), "unstable");
+  EXPECT_EQ(to_string(Verdict::too_tight), "too_tight");
   EXPECT_EQ(to_string(Verdict::sewn), "sewn");
 }
 
@@ -124,7 +154,7 @@ TEST(Judge, ClothThroughALowerLayerIsFound) {
   for (const double x : {0.19, 0.21}) {
     const DressedGarment below = test::cloth_tube(x, 0.19, 0.9, 1.3, 60, 10);
     const TriangleMesh layer{below.points, below.triangles};
-    const Judgement judgement = judge(garment, sewn, body, nullptr, true, &layer);
+    const Judgement judgement = judge(garment, sewn, body, nullptr, {}, &layer);
     EXPECT_EQ(judgement.body_intersections + judgement.self_intersections, 0);
     EXPECT_EQ(judgement.layer_intersections > 40, x > tube_radius);
     EXPECT_EQ(judgement.verdict, x > tube_radius ? Verdict::intersecting : Verdict::sewn);
@@ -138,7 +168,7 @@ TEST(Judge, ClothThroughItselfIsFound) {
   const int middle = 10 * (tube_columns + 1) + tube_columns / 2;
   points[middle].z() = -tube_radius - 0.01;
   const Judgement judgement = judge(garment, test::as_dressed(garment, points),
-                                    test::box({5, 0, 5}, {6, 1, 6}), nullptr, true);
+                                    test::box({5, 0, 5}, {6, 1, 6}), nullptr, {});
   EXPECT_GT(judgement.self_intersections, 0);
   EXPECT_EQ(judgement.body_intersections, 0);
   EXPECT_EQ(judgement.verdict, Verdict::intersecting);

@@ -1,0 +1,57 @@
+// Whether a garment is worn where it belongs: sleeves on arms, trousers on legs, a skirt about
+// waist or hips.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cloth/judge/openings.h"
+#include "cloth/judge/wraps.h"
+
+namespace toile {
+
+/// Something that is worn elsewhere than it belongs. Texts are for people.
+struct Misplaced {
+  std::string part;       ///< of the body, one of body_parts
+  std::string at;         ///< where the cloth is
+  std::string should_be;  ///< where it belongs
+};
+
+struct WornFigures {
+  /// False: nothing tells where the garment belongs, such as a sheet or a cape, or the skeleton
+  /// lacks joints.
+  bool is_checked = false;
+  std::vector<Opening> openings;
+  std::optional<Misplaced> misplaced;  ///< the first thing that is in a wrong place
+  /// Body parts that cloth lies at and should go around, and does not.
+  std::vector<std::string> unwrapped;
+};
+
+/// What a garment is comes from the parts, labels and names of its panels (panel_kind.h), and from
+/// its openings. Where it is worn comes from the limbs that pass through the openings, and from
+/// heights. Each connected piece is checked by itself:
+///
+/// - Sleeves: an opening of theirs has their arm, and no other limb.
+/// - Trousers: an opening has the left leg alone, another one the right leg.
+/// - What hangs from the shoulders: an opening separates an arm from the legs. Where it hangs, no
+///   strap has slid off its shoulder. A strapless top has
+///   an opening around the trunk, with its middle a quarter of the way from waist to armpits at
+///   least.
+/// - Skirts and trousers without a top: the highest opening around both legs lies between crotch
+///   and the lower third of the chest.
+/// - Of what is cut as one sheet, a wrap skirt say, cloth has to meet half of the directions around
+///   its part.
+/// - Any other piece: no two openings of 15 cm or more may have nothing in them. An opening around
+///   both legs may not be its highest one and lie below the crotch.
+/// - Panels named front and back, left and right, lie on their sides of the body within 60 degrees.
+/// - No piece hangs below the floor.
+///
+/// `garment` has panels placed where they started. `wraps` are those of measure_wraps().
+WornFigures check_worn(const PanelMesh& garment, const DressedGarment& dressed,
+                       const Skeleton& skeleton, const std::vector<WrapFigure>& wraps);
+
+/// Where on the body a point is, such as "shins, 25 cm above the floor".
+std::string place_on_body(const Vec3& point, const Skeleton& skeleton);
+
+}  // namespace toile

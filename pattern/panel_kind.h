@@ -1,0 +1,32 @@
+// What a panel is a piece of, as its pattern says.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "pattern/panel_mesh.h"
+
+namespace toile {
+
+/// The piece of a garment that a panel belongs to.
+enum class PanelKind : std::uint8_t {
+  unknown,
+  top,       ///< of what hangs from shoulders or chest: front, back, collar, hood
+  band,      ///< of a waistband
+  skirt,     ///< of what hangs from waist or hips around both legs
+  trousers,  ///< of what goes around each leg
+  sleeve,    ///< of what goes around an arm: sleeve, cuff
+};
+
+/// The kind by the panel's part and label (`body`, `arm`, `leg`), then by words in its name
+/// (sleeve, cuff, skirt, trousers, pants, waistband, torso, ...). A part of `torso` or a label of
+/// `body` without such a word is `unknown`: a tube around the trunk may be a top or a skirt.
+PanelKind kind_of(const MeshedPanel& panel);
+
+/// -1: the name says right, +1: left, 0: neither. The wearer's sides.
+int side_by_name(const std::string& name);
+
+/// -1: the name says back, +1: front, 0: neither.
+int face_by_name(const std::string& name);
+
+}  // namespace toile

@@ -1,0 +1,45 @@
+#include "cloth/judge/fit.h"
+
+#include <gtest/gtest.h>
+
+namespace toile {
+namespace fit_test {
+
+GirthEase girth(const std::string& level, double body, double as_cut) {
+  GirthEase girth;
+  girth.level = level;
+  girth.body = body;
+  girth.as_cut = as_cut;
+  return girth;
+}
+
+TEST(Fit, NamesTheLevelsAtWhichClothIsMissing) {
+  const Fit fit = fit_of({girth("bust", 1.00, 0.90), girth("waist", 0.80, 0.795),
+                          girth("", 0.80, 0.50), girth("hip", 1.00, 1.10)},
+                         {});
+  EXPECT_EQ(to_string(fit), "too_small");
+  ASSERT_EQ(fit.levels.size(), 1U);
+  EXPECT_EQ(fit.levels[0].level, "bust");
+  EXPECT_NEAR(fit.levels[0].missing, 0.10, 1e-12);
+  EXPECT_EQ(text_of(fit.levels[0]),
+            "at the bust the garment is cut 10.0 cm smaller than the body, and stretched by that");
+}
+
+TEST(Fit, LevelsOfTheGarmentCountWhereTheyLieOnTheTrunk) {
+  GarmentLevel seam;
+  seam.name = "waist seam";
+  seam.as_cut = 0.70;
+  EXPECT_EQ(to_string(fit_of({}, {seam})), "not checked");
+  seam.body = 0.72;
+  EXPECT_EQ(to_string(fit_of({}, {seam})), "too_small");
+  seam.body = 0.705;
+  EXPECT_EQ(to_string(fit_of({}, {seam})), "ok");
+}
+
+TEST(Fit, NothingMeasuredIsNotChecked) {
+  EXPECT_EQ(to_string(fit_of({}, {})), "not checked");
+  EXPECT_EQ(to_string(fit_of({girth("", 0.8, 0.5)}, {})), "not checked");
+}
+
+}  // namespace fit_test
+}  // namespace toile

@@ -1,0 +1,199 @@
+#include "cloth/judge/worn.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "tests/cloth/figure.h"
+
+namespace toile {
+namespace worn_test {
+
+using test::figure;
+using test::pi;
+
+/// Adds a tube of one panel around the line from `from` to `to`.
+MeshedPanel& add_tube(PanelMesh& garment, const std::string& name, const Vec3& from, const Vec3& to,
+                      double radius) {
+  const double length = (to - from).norm();
+  const Vec3 axis = (to - from) / length;
+  const Vec3 u = axis.unitOrthogonal();
+  const Vec3 v = axis.cross(u);
+  const int around = 24;
+  const int along = 8;
+  MeshedPanel& panel = test::add_panel(
+      garment, name, test::grid(2 * pi * radius, length, around, along), [&](const Vec2& p) {
+        const double angle = p.x() / radius;
+        return Vec3(from + p.y() * axis + radius * (std::cos(angle) * u + std::sin(angle) * v));
+      });
+  garment.seams.push_back(test::seam(name + " seam", test::side(panel, around, along, false),
+                                     test::side(panel, around, along, true)));
+  return garment.panels.back();
+}
+
+WornFigures check(const PanelMesh& garment) {
+  const DressedGarment dressed = test::as_dressed(garment, garment.placed);
+  return check_worn(garment, dressed, figure(), measure_wraps(garment, dressed, figure()));
+}
+
+PanelMesh moved(PanelMesh garment, const std::function<Vec3(const Vec3&)>& move) {
+  for (Vec3& p : garment.placed) p = move(p);
+  return garment;
+}
+
+/// Around the trunk, from the waist down.
+PanelMesh skirt() {
+  PanelMesh garment;
+  add_tube(garment, "skirt", {0, 0.4, 0}, {0, 1.0, 0}, 0.25);
+  return garment;
+}
+
+PanelMesh sleeve(const std::string& name, double from, double to) {
+  PanelMesh garment;
+  add_tube(garment, name, {from, 1.3, 0}, {to, 1.3, 0}, 0.07);
+  return garment;
+}
+
+TEST(Worn, ASkirtAboutTheHips) {
+  const WornFigures worn = check(skirt());
+  EXPECT_TRUE(worn.is_checked);
+  EXPECT_FALSE(worn.misplaced);
+  EXPECT_TRUE(worn.unwrapped.empty());
+  ASSERT_EQ(worn.openings.size(), 2U);
+  for (const Opening& opening : worn.openings) {
+    EXPECT_EQ(opening.limbs, through_hem);
+    EXPECT_NEAR(opening.length, 2 * pi * 0.25, 1e-9);
+  }
+}
+
+TEST(Worn, ASkirtTooLowOrTooHighIsMisplaced) {
+  for (const double up : {-0.3, -0.6, 0.25}) {
+    const WornFigures worn =
+        check(moved(skirt(), [&](const Vec3& p) { return Vec3(p + Vec3(0, up, 0)); }));
+    ASSERT_TRUE(worn.misplaced) << up;
+    EXPECT_EQ(worn.misplaced->should_be, "waist or hips");
+  }
+  const WornFigures low =
+      check(moved(skirt(), [](const Vec3& p) { return Vec3(p + Vec3(0, -0.3, 0)); }));
+  EXPECT_EQ(low.misplaced->at, "thighs, 70 cm above the floor");
+}
+
+TEST(Worn, BelowTheFloor) {
+  const WornFigures worn =
+      check(moved(skirt(), [](const Vec3& p) { return Vec3(p + Vec3(0, -1, 0)); }));
+  ASSERT_TRUE(worn.misplaced);
+  EXPECT_EQ(worn.misplaced->at, "below the floor by 30 cm");
+}
+
+TEST(Worn, AStraplessTopBelongsAboutTheChest) {
+  PanelMesh top;
+  add_tube(top, "top", {0, 0.9, 0}, {0, 1.25, 0}, 0.22);
+  EXPECT_FALSE(check(top).misplaced);
+  const WornFigures low =
+      check(moved(top, [](const Vec3& p) { return Vec3(p + Vec3(0, -0.25, 0)); }));
+  ASSERT_TRUE(low.misplaced);
+  EXPECT_EQ(low.misplaced->should_be, "chest or shoulders");
+}
+
+TEST(Worn, ASleeveBelongsOnItsArm) {
+  EXPECT_FALSE(check(sleeve("left_sleeve", 0.3, 0.6)).misplaced);
+  const WornFigures other = check(sleeve("left_sleeve", -0.6, -0.3));
+  ASSERT_TRUE(other.misplaced);
+  EXPECT_EQ(other.misplaced->part, "left_arm");
+  EXPECT_EQ(other.misplaced->should_be, "left arm");
+  EXPECT_EQ(other.misplaced->at, "right arm, 130 cm above the floor");
+  // Beside its arm it is where it should be, and goes around nothing.
+  const WornFigures beside = check(moved(sleeve("left_sleeve", 0.3, 0.6), [](const Vec3& p) {
+    return Vec3(p + Vec3(0, 0, 0.2));
+  }));
+  EXPECT_FALSE(beside.misplaced);
+  EXPECT_EQ(beside.unwrapped, std::vector<std::string>{"left_arm"});
+}
+
+TEST(Worn, TrousersBelongOnTwoLegs) {
+  PanelMesh trousers;
+  add_tube(trousers, "left_pant", {0.1, 0.1, 0}, {0.1, 0.7, 0}, 0.09);
+  add_tube(trousers, "right_pant", {-0.1, 0.1, 0}, {-0.1, 0.7, 0}, 0.09);
+  EXPECT_FALSE(check(trousers).misplaced);
+  EXPECT_TRUE(check(trousers).unwrapped.empty());
+  // Both tubes on the left leg.
+  PanelMesh both;
+  add_tube(both, "left_pant", {0.1, 0.1, 0}, {0.1, 0.7, 0}, 0.09);
+  add_tube(both, "right_pant", {0.1, 0.1, 0}, {0.1, 0.7, 0}, 0.12);
+  const WornFigures worn = check(both);
+  ASSERT_TRUE(worn.misplaced);
+  EXPECT_EQ(worn.misplaced->part, "right_leg");
+}
+
+/// A tube around the trunk with two holes of 36 cm at its sides, as a sleeveless top has.
+PanelMesh tube_with_armholes(double low) {
+  PanelMesh garment;
+  add_tube(garment, "piece", {0, low, 0}, {0, low + 0.6, 0}, 0.25);
+  // Cut out squares of 2 by 2 cells of 6.5 by 7.5 cm.
+  std::vector<Triangle> kept;
+  for (int t = 0; t < static_cast<int>(garment.triangles.size()); ++t) {
+    const int cell = t / 2;
+    const int row = cell / 24;
+    const int column = cell % 24;
+    const bool is_hole = (row == 4 || row == 5) && (column % 12 == 3 || column % 12 == 4);
+    if (!is_hole) kept.push_back(garment.triangles[t]);
+  }
+  garment.triangles = kept;
+  garment.panels[0].triangles = static_cast<int>(kept.size());
+  return garment;
+}
+
+TEST(Worn, AShirtAboutTheWaistHasTwoArmholesWithNothingInThem) {
+  const WornFigures worn = check(tube_with_armholes(0.5));
+  ASSERT_EQ(worn.openings.size(), 4U);
+  EXPECT_TRUE(worn.misplaced || !worn.unwrapped.empty());
+}
+
+TEST(Worn, ASheetOfNoKindIsNotChecked) {
+  PanelMesh sheet;
+  test::add_panel(sheet, "piece", test::grid(1, 1, 6, 6),
+                  [](const Vec2& p) { return Vec3(p.x() - 0.5, 1.9, p.y() - 0.5); });
+  const WornFigures worn = check(sheet);
+  EXPECT_FALSE(worn.is_checked);
+  EXPECT_FALSE(worn.misplaced);
+  // A wrap skirt in front of the body does not go around it.
+  sheet.panels[0].name = "skirt";
+  const WornFigures skirt = check(moved(sheet, [](const Vec3& p) {
+    return Vec3(p.x(), p.z() + 0.5, 0.3);
+  }));
+  EXPECT_TRUE(skirt.is_checked);
+  EXPECT_TRUE(skirt.misplaced || !skirt.unwrapped.empty());
+}
+
+TEST(Worn, AGarmentTurnedAboutTheVertical) {
+  const auto turned = [&](double angle) {
+    return check(moved(test::tube(), [&](const Vec3& p) {
+      return Vec3(std::cos(angle) * p.x() + std::sin(angle) * p.z(), p.y() - 0.3,
+                  std::cos(angle) * p.z() - std::sin(angle) * p.x());
+    }));
+  };
+  EXPECT_FALSE(turned(0).misplaced);
+  EXPECT_FALSE(turned(0.8).misplaced);
+  ASSERT_TRUE(turned(pi / 2).misplaced);
+  EXPECT_EQ(turned(pi / 2).misplaced->at, "turned about the vertical by 90 degrees");
+  EXPECT_TRUE(turned(pi).misplaced);
+}
+
+TEST(Worn, WithoutAllJointsNothingIsChecked) {
+  Skeleton skeleton = figure();
+  skeleton.joints.erase("left_wrist");
+  const PanelMesh garment = skirt();
+  const DressedGarment dressed = test::as_dressed(garment, garment.placed);
+  EXPECT_FALSE(check_worn(garment, dressed, skeleton, {}).is_checked);
+}
+
+TEST(Worn, PlacesHaveNames) {
+  EXPECT_EQ(place_on_body({0, 0.85, 0.1}, figure()), "hips, 85 cm above the floor");
+  EXPECT_EQ(place_on_body({0.5, 1.3, 0}, figure()), "left arm, 130 cm above the floor");
+  EXPECT_EQ(place_on_body({-0.1, 0.2, 0}, figure()), "shins, 20 cm above the floor");
+  EXPECT_EQ(place_on_body({0, 1.0, 2}, figure()), "beside the body, 100 cm above the floor");
+}
+
+}  // namespace worn_test
+}  // namespace toile

@@ -1,0 +1,54 @@
+#include "pattern/panel_kind.h"
+
+#include <gtest/gtest.h>
+
+namespace toile {
+namespace panel_kind_test {
+
+PanelKind kind(const std::string& name, const std::string& label = "",
+               const std::string& part = "") {
+  MeshedPanel panel;
+  panel.name = name;
+  panel.label = label;
+  panel.part = part;
+  return kind_of(panel);
+}
+
+TEST(PanelKind, ByName) {
+  EXPECT_EQ(kind("left_sleeve_f"), PanelKind::sleeve);
+  EXPECT_EQ(kind("sl_right_cuff_skirt_b"), PanelKind::sleeve);
+  EXPECT_EQ(kind("pant_l_cuff_skirt_f"), PanelKind::trousers);
+  EXPECT_EQ(kind("pant_f_r"), PanelKind::trousers);
+  EXPECT_EQ(kind("skirt_front_0"), PanelKind::skirt);
+  EXPECT_EQ(kind("skirtFront"), PanelKind::skirt);
+  EXPECT_EQ(kind("wb_back"), PanelKind::band);
+  EXPECT_EQ(kind("left_ftorso"), PanelKind::top);
+  EXPECT_EQ(kind("top_front"), PanelKind::top);
+  EXPECT_EQ(kind("front"), PanelKind::unknown);
+  EXPECT_EQ(kind("stop"), PanelKind::unknown);
+  EXPECT_EQ(kind("piece1"), PanelKind::unknown);
+}
+
+TEST(PanelKind, LabelAndPartComeFirst) {
+  EXPECT_EQ(kind("piece1", "arm"), PanelKind::sleeve);
+  EXPECT_EQ(kind("piece1", "leg"), PanelKind::skirt);
+  EXPECT_EQ(kind("pant_f_l", "leg"), PanelKind::trousers);
+  EXPECT_EQ(kind("piece1", "body"), PanelKind::top);
+  EXPECT_EQ(kind("wb_front", "body"), PanelKind::band);
+  EXPECT_EQ(kind("front", "", "left_leg"), PanelKind::trousers);
+  EXPECT_EQ(kind("front", "", "right_arm"), PanelKind::sleeve);
+  EXPECT_EQ(kind("front", "", "torso"), PanelKind::unknown);
+  EXPECT_EQ(kind("skirt_front", "", "torso"), PanelKind::skirt);
+}
+
+TEST(PanelKind, SidesAndFaces) {
+  EXPECT_EQ(side_by_name("left_sleeve_f"), 1);
+  EXPECT_EQ(side_by_name("pant_f_r"), -1);
+  EXPECT_EQ(side_by_name("skirt_front"), 0);
+  EXPECT_EQ(face_by_name("right_btorso"), -1);
+  EXPECT_EQ(face_by_name("pant_f_r"), 1);
+  EXPECT_EQ(face_by_name("left_sleeve"), 0);
+}
+
+}  // namespace panel_kind_test
+}  // namespace toile
