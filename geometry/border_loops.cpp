@@ -35,9 +35,8 @@ class BorderWalk {
   /// The range of sides_ that are the edge's.
   std::pair<std::size_t, std::size_t> at_edge(int a, int b) const {
     const std::pair<int, int> edge = std::minmax(a, b);
-    const auto range = std::ranges::equal_range(sides_, edge, {}, [](const HalfEdge& side) {
-      return std::pair(side.low, side.high);
-    });
+    const auto range = std::ranges::equal_range(
+        sides_, edge, {}, [](const HalfEdge& side) { return std::pair(side.low, side.high); });
     const auto first = static_cast<std::size_t>(range.begin() - sides_.begin());
     return {first, first + range.size()};
   }
@@ -62,8 +61,8 @@ class BorderWalk {
         other = third_point(beside, other, to);
         const auto [first, last] = at_edge(other, to);
         if (last - first == 1) break;
-        beside = sides_[first].triangle != beside ? sides_[first].triangle
-                                                  : sides_[first + 1].triangle;
+        beside =
+            sides_[first].triangle != beside ? sides_[first].triangle : sides_[first + 1].triangle;
       }
       from = std::exchange(to, other);
     }

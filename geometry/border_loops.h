@@ -9,9 +9,9 @@
 namespace toile {
 
 /// The loops of edges that belong to one triangle only. Each is a list of points in order; the last
-/// one is joined to the first. Loops that meet in a point stay apart: a loop goes on at the next
-/// border edge around its point. `points` is the number of points. Loops come in the order of their
-/// lowest triangle. O(n log n).
+/// one is joined to the first. At each point a loop goes on across the triangles that hang together
+/// there. So holes that meet in a point have one loop. `points` is the number of points. Loops come
+/// in the order of their lowest triangle. O(n log n).
 std::vector<std::vector<int>> border_loops(const std::vector<Triangle>& triangles,
                                            std::size_t points);
 

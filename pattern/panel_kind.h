@@ -19,8 +19,8 @@ enum class PanelKind : std::uint8_t {
 };
 
 /// The kind by the panel's part and label (`body`, `arm`, `leg`), then by words in its name
-/// (sleeve, cuff, skirt, trousers, pants, waistband, torso, ...). A part of `torso` or a label of
-/// `body` without such a word is `unknown`: a tube around the trunk may be a top or a skirt.
+/// (sleeve, cuff, skirt, trousers, pants, waistband, torso, ...). A
+/// part of `torso` without such a word is `unknown`: a tube there may be a top or a skirt.
 PanelKind kind_of(const MeshedPanel& panel);
 
 /// -1: the name says right, +1: left, 0: neither. The wearer's sides.

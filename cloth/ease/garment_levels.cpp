@@ -101,7 +101,8 @@ std::vector<GarmentLevel> measure_garment_levels(const DressedGarment& garment,
     double edge = 0;
     for (const int node : edges[0]) edge += garment.points[node].y() / edges[0].size();
     double cloth = 0;
-    for (const Vec3& p : garment.points) cloth += p.y() / static_cast<double>(garment.points.size());
+    for (const Vec3& p : garment.points)
+      cloth += p.y() / static_cast<double>(garment.points.size());
     add(edge > cloth ? "top edge" : "hem", edges[0]);
   } else if (!edges.empty()) {
     add("hem", edges.back());

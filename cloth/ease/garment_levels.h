@@ -13,11 +13,11 @@ namespace toile {
 /// A line of the garment that runs once around the trunk or both legs. It need not lie level.
 /// Lengths in metres.
 struct GarmentLevel {
-  std::string name;           ///< "top edge", "waist seam" or "hem"
-  double height = 0;          ///< above the floor, mean
-  double garment = 0;         ///< length as worn
-  double as_cut = 0;          ///< length on the flat panels; of a gathered seam, its shorter side
-  std::optional<double> body; ///< girth of the trunk at `height`; none: not on the trunk
+  std::string name;            ///< "top edge", "waist seam" or "hem"
+  double height = 0;           ///< above the floor, mean
+  double garment = 0;          ///< length as worn
+  double as_cut = 0;           ///< length on the flat panels; of a gathered seam, its shorter side
+  std::optional<double> body;  ///< girth of the trunk at `height`; none: not on the trunk
 };
 
 /// The levels that the garment has, from the top down. The waist seam is where panels of skirt or

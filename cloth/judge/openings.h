@@ -11,12 +11,12 @@ namespace toile {
 /// A border of the sewn surface: neckline, armhole, cuff, hem, or all of them in one where the
 /// garment is open in front.
 struct Opening {
-  std::vector<int> nodes;    ///< indices into DressedGarment::points, in order around
-  LimbsThrough limbs;        ///< those that pass through
-  double length = 0;         ///< metres, on the flat panels
-  Vec3 middle{0, 0, 0};      ///< metres, mean of the nodes as worn
-  int component = 0;         ///< connected piece of the garment, from 0
-  std::vector<int> panels;   ///< panel beside each of `nodes`, an index
+  std::vector<int> nodes;   ///< indices into DressedGarment::points, in order around
+  LimbsThrough limbs;       ///< those that pass through
+  double length = 0;        ///< metres, on the flat panels
+  Vec3 middle{0, 0, 0};     ///< metres, mean of the nodes as worn
+  int component = 0;        ///< connected piece of the garment, from 0
+  std::vector<int> panels;  ///< panel beside each of `nodes`, an index
 };
 
 /// All openings. `skeleton` has all limbs. About O(n log n) in the triangles.

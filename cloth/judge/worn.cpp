@@ -7,8 +7,8 @@
 #include <set>
 
 #include "cloth/judge/constants.h"
-#include "pattern/panel_kind.h"
 #include "geometry/body/bones.h"
+#include "pattern/panel_kind.h"
 
 namespace toile {
 
@@ -109,9 +109,7 @@ class WornCheck {
     }
     return panels;
   }
-  bool has(const Piece& piece, PanelKind wanted) const {
-    return !panels_of(piece, wanted).empty();
-  }
+  bool has(const Piece& piece, PanelKind wanted) const { return !panels_of(piece, wanted).empty(); }
   Cloth cloth_of(const auto& panels) const {
     Cloth sum;
     for (const int p : panels) sum.add(cloth_[p]);
@@ -178,9 +176,8 @@ class WornCheck {
 
   /// Whether most of the opening's border is of the panels.
   static bool belongs_to(const Opening& opening, const std::vector<int>& panels) {
-    const auto count = std::ranges::count_if(opening.panels, [&](int p) {
-      return std::ranges::find(panels, p) != panels.end();
-    });
+    const auto count = std::ranges::count_if(
+        opening.panels, [&](int p) { return std::ranges::find(panels, p) != panels.end(); });
     return 2 * count > static_cast<std::ptrdiff_t>(opening.panels.size());
   }
 

@@ -35,11 +35,11 @@ struct WornFigures {
 /// - Sleeves: an opening of theirs has their arm, and no other limb.
 /// - Trousers: an opening has the left leg alone, another one the right leg.
 /// - What hangs from the shoulders: an opening separates an arm from the legs. Where it hangs, no
-///   strap has slid off its shoulder. A strapless top has
-///   an opening around the trunk, with its middle a quarter of the way from waist to armpits at
-///   least.
-/// - Skirts and trousers without a top: the highest opening around both legs lies between crotch
-///   and the lower third of the chest.
+///   strap has slid off its shoulder.
+/// - Strapless tops: the highest opening around the trunk lies a quarter of the way from waist to
+///   armpits at least.
+/// - Skirts and trousers without a top: the highest opening around the trunk lies above the crotch,
+///   and below two thirds of the way from waist to armpits.
 /// - Of what is cut as one sheet, a wrap skirt say, cloth has to meet half of the directions around
 ///   its part.
 /// - Any other piece: no two openings of 15 cm or more may have nothing in them. An opening around

@@ -9,8 +9,8 @@
 
 namespace toile {
 
-/// The share of the directions square to a part's bones that meets the panels of that part, over
-/// the stretch of bone at which they lie as worn.
+/// The share of the directions square to a part's bones that meets the panels of that part. It is
+/// taken over the stretch of bone at which they lie as worn.
 struct WrapFigure {
   std::string part;
   double from = 0;  ///< metres along the bones from the part's first joint; negative before it
@@ -20,8 +20,8 @@ struct WrapFigure {
 };
 
 /// Measures every part that panels belong to. The stretch is the middle half of where the panels
-/// lie, without what is above the armpits, and of limbs without what is nearer than armpit or
-/// crotch. Where nothing is left, `fraction` is 0. Linear in the triangles times 32 stations.
+/// lie. Cloth above the armpits plays no part, nor cloth of limbs nearer than armpit or crotch.
+/// Where nothing is left, `fraction` is 0. Linear in the triangles times 32 stations.
 std::vector<WrapFigure> measure_wraps(const PanelMesh& garment, const DressedGarment& dressed,
                                       const Skeleton& skeleton);
 

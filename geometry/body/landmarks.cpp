@@ -1,6 +1,7 @@
 #include "geometry/body/landmarks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -14,6 +15,9 @@ std::optional<Section> torso_section(const TriangleMesh& body, double height) {
 
 namespace {
 
+/// Metres from the level that stands out the most within which the foremost one is looked for.
+constexpr double near_bust = 0.03;
+
 /// The height at which the front of the trunk stands out the most from the straight line between
 /// its ends. A belly may stand out farther than the bust, so the line is needed, and only the upper
 /// two thirds count. A chest that is nowhere rounded has its level at its upper end. `front` has
@@ -23,15 +27,27 @@ std::optional<double> bust_level(const std::vector<Vec2>& front) {
   const Vec2& low = front.front();
   const Vec2& high = front.back();
   double most = 0;
-  double level = high.x();
-  for (const Vec2& at : front) {
+  std::size_t level = front.size() - 1;
+  for (std::size_t i = 0; i < front.size(); ++i) {
+    const Vec2& at = front[i];
     const double along = (at.x() - low.x()) / (high.x() - low.x());
     const double out = at.y() - (low.y() + along * (high.y() - low.y()));
     if (along < 1.0 / 3 || out <= most) continue;
     most = out;
-    level = at.x();
+    level = i;
   }
-  return level;
+  // The foremost level, where there is one next to it.
+  std::size_t foremost = level;
+  const auto is_higher = [&](std::size_t i) {
+    return std::abs(front[i].x() - front[level].x()) < near_bust &&
+           front[i].y() > front[foremost].y();
+  };
+  while (foremost + 1 < front.size() && is_higher(foremost + 1)) ++foremost;
+  while (foremost > 0 && is_higher(foremost - 1)) --foremost;
+  const bool is_summit = foremost > 0 && foremost + 1 < front.size() &&
+                         front[foremost - 1].y() < front[foremost].y() &&
+                         front[foremost + 1].y() < front[foremost].y();
+  return front[is_summit ? foremost : level].x();
 }
 
 }  // namespace

@@ -22,10 +22,11 @@ struct TorsoLevel {
 };
 
 /// Bust, waist and hip as ISO 8559-1 defines them, in this order. At the bust the front stands out
-/// the most from the straight line between waist and armpits, so that a belly does not pass for a
-/// bust. A chest that is nowhere rounded is measured directly under the armpits. The hip is the
-/// rearmost level between crotch and waist. The waist has the least girth between bust and hip, and
-/// may be missing. Empty if bust or hip can't be found. It costs about 100 slices.
+/// the most from the straight line between waist and armpits. So a belly does not pass for a bust.
+/// The foremost level within 3 cm of there counts. A chest that is nowhere rounded is measured
+/// directly under the armpits. The hip is the rearmost level between crotch and waist. The waist
+/// has the least girth between bust and hip, and may be missing. Empty if bust or hip can't be
+/// found. It costs about 100 slices.
 std::vector<TorsoLevel> torso_levels(const TriangleMesh& body, const Skeleton& skeleton);
 
 }  // namespace toile

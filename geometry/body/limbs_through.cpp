@@ -40,8 +40,8 @@ Path leg_path(const Skeleton& skeleton, const std::string& side) {
           ankle, ankle - Vec3(0, far_away, 0)};
 }
 
-/// The number of times that the loop passes in front of the path to the right, less that to the
-/// left, as seen along a fixed direction. Of two paths from one point to infinity the difference is
+/// How often the loop passes in front of the path to the right, less how often to the left. Both
+/// are seen along a fixed direction. Of two paths from one point to infinity the difference is
 /// the linking number of the loop with both.
 int crossings(const std::vector<Vec3>& loop, const Path& path) {
   // A direction that no pattern, body or coordinate plane is lined up with.

@@ -125,7 +125,7 @@ TEST_F(HardStarts, APanelBehindTheBodyDoesNotSew) {
   EXPECT_TRUE(named) << report["unsewable_seams"];
 }
 
-TEST_F(HardStarts, FrontsAndBacksOnOneSideWrapNoTorso) {
+TEST_F(HardStarts, FrontsAndBacksOnOneSideWrapNoArm) {
   for (const std::string side : {"left", "right"}) {
     panel(side + "_back")["translation"] = panel(side + "_front")["translation"];
     panel(side + "_back")["rotation"] = panel(side + "_front")["rotation"];
@@ -133,8 +133,8 @@ TEST_F(HardStarts, FrontsAndBacksOnOneSideWrapNoTorso) {
   dress(3);
   // The backs can't come past the arms that the sleeves close around.
   EXPECT_EQ(report["verdict"], "unsewable");
-  EXPECT_EQ(report["unwrapped"], Json({"torso"}));
-  EXPECT_NE(done.err.find("does not go around torso"), std::string::npos) << done.err;
+  EXPECT_EQ(report["unwrapped"], Json({"left_arm", "right_arm"}));
+  EXPECT_NE(done.err.find("does not go around left_arm"), std::string::npos) << done.err;
 }
 
 TEST_F(HardStarts, SleevesOnTheWrongArmsDoNotSew) {
@@ -164,11 +164,14 @@ TEST_F(HardStarts, ThreeSizesSmallLacksCentimetres) {
     }
   }
   dress(3);
-  EXPECT_EQ(report["verdict"], "unsewable");
+  // The seams close at any tension, and the skin gives way to it by millimetres.
+  EXPECT_EQ(report["verdict"], "intersecting");
+  EXPECT_EQ(report["seams"]["open"], 0);
+  EXPECT_EQ(report["fit"]["verdict"], "too_small");
   // The hips have 98 cm, the hem 74: the four seams around it share the 24 cm that are missing,
   // each 6 cm.
   int sides = 0;
-  for (const Json& seam : report["unsewable_seams"]) {
+  for (const Json& seam : report["tight_seams"]) {
     if (!seam["name"].get<std::string>().ends_with(" side")) continue;
     ++sides;
     EXPECT_NEAR(seam["missing_cm"].get<double>(), 6, 1) << seam;

@@ -24,15 +24,20 @@ TEST_F(Unsewable, ABandThreeSizesSmallLacksCentimetres) {
   });
   for (const std::string& method : both_methods) {
     const Ending ending = dress(mannequin(), garment, method);
-    EXPECT_EQ(ending.outcome, "unsewable") << ending.said;
+    // The relaxation closes the seams at any tension. The skin gives way to it by millimetres, so
+    // that cloth of 49 % strain meets the body in places.
+    const bool closes = method == "relaxation";
+    EXPECT_EQ(ending.outcome, closes ? "intersecting" : "unsewable") << ending.said;
+    const Json seams = ending.report[closes ? "tight_seams" : "unsewable_seams"];
     double missing = 0;
-    for (const Json& seam : ending.report["unsewable_seams"]) {
+    for (const Json& seam : seams) {
       missing += seam["missing_cm"].get<double>();
       EXPECT_TRUE(ending.says(seam["name"].get<std::string>())) << ending.said;
     }
     // The waist, where it comes to lie, has 21 cm more than the tube.
-    EXPECT_GT(missing, 17) << ending.report["unsewable_seams"];
-    EXPECT_LT(missing, 26) << ending.report["unsewable_seams"];
+    EXPECT_GT(missing, 17) << seams;
+    EXPECT_LT(missing, 26) << seams;
+    EXPECT_EQ(ending.report["fit"]["verdict"], closes ? "too_small" : "not checked");
     state("7 band three sizes small", method, ending.outcome,
           "lacks " + number(missing) + " cm in all");
   }

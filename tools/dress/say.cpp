@@ -106,8 +106,8 @@ void warn_of_verdict(const DressResult& result, const Judgement& judgement, Dres
         "openings tell where it belongs");
   }
   if (worn.misplaced) {
-    log.warn("the garment is not worn where it belongs: it is at " + worn.misplaced->at +
-             ", and should be: " + worn.misplaced->should_be + "; check where its panels start");
+    log.warn("the garment is not worn where it belongs (" + worn.misplaced->should_be +
+             "), but lies elsewhere: " + worn.misplaced->at + "; check where its panels start");
   }
   for (const std::string& part : worn.unwrapped) {
     log.warn("the garment does not go around " + part +

@@ -104,9 +104,8 @@ TEST(Worn, ASleeveBelongsOnItsArm) {
   EXPECT_EQ(other.misplaced->should_be, "left arm");
   EXPECT_EQ(other.misplaced->at, "right arm, 130 cm above the floor");
   // Beside its arm it is where it should be, and goes around nothing.
-  const WornFigures beside = check(moved(sleeve("left_sleeve", 0.3, 0.6), [](const Vec3& p) {
-    return Vec3(p + Vec3(0, 0, 0.2));
-  }));
+  const WornFigures beside = check(moved(sleeve("left_sleeve", 0.3, 0.6),
+                                         [](const Vec3& p) { return Vec3(p + Vec3(0, 0, 0.2)); }));
   EXPECT_FALSE(beside.misplaced);
   EXPECT_EQ(beside.unwrapped, std::vector<std::string>{"left_arm"});
 }
@@ -159,9 +158,8 @@ TEST(Worn, ASheetOfNoKindIsNotChecked) {
   EXPECT_FALSE(worn.misplaced);
   // A wrap skirt in front of the body does not go around it.
   sheet.panels[0].name = "skirt";
-  const WornFigures skirt = check(moved(sheet, [](const Vec3& p) {
-    return Vec3(p.x(), p.z() + 0.5, 0.3);
-  }));
+  const WornFigures skirt =
+      check(moved(sheet, [](const Vec3& p) { return Vec3(p.x(), p.z() + 0.5, 0.3); }));
   EXPECT_TRUE(skirt.is_checked);
   EXPECT_TRUE(skirt.misplaced || !skirt.unwrapped.empty());
 }

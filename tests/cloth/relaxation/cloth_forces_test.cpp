@@ -114,9 +114,8 @@ TEST(ClothForces, ASeamPassesOnWhatOneSidePulls) {
     test::add_panel(garment, "a", test::grid(width, height, columns, rows),
                     [](const Vec2& p) { return Vec3(1.02 * p.x(), p.y(), 0); });
     if (sewn) {
-      test::add_panel(garment, "b", test::grid(width, height, columns, rows), [&](const Vec2& p) {
-        return Vec3(1.02 * width + p.x(), p.y(), 0);
-      });
+      test::add_panel(garment, "b", test::grid(width, height, columns, rows),
+                      [&](const Vec2& p) { return Vec3(1.02 * width + p.x(), p.y(), 0); });
       garment.seams = {test::seam("ab", test::side(garment.panels[0], columns, rows, true),
                                   test::side(garment.panels[1], columns, rows, false))};
     }

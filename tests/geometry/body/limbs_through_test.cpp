@@ -30,9 +30,9 @@ LimbsThrough level_circle(double height, double radius, double across = 0) {
 
 TEST(LimbsThrough, NecklineHemAndLegs) {
   EXPECT_EQ(level_circle(1.45, 0.1), through_neckline);
-  EXPECT_EQ(level_circle(1.1, 0.25), through_hem);   // below the arms
-  EXPECT_EQ(level_circle(0.4, 0.3), through_hem);    // around both knees
-  EXPECT_EQ(level_circle(-0.2, 0.3), through_hem);   // below the feet
+  EXPECT_EQ(level_circle(1.1, 0.25), through_hem);  // below the arms
+  EXPECT_EQ(level_circle(0.4, 0.3), through_hem);   // around both knees
+  EXPECT_EQ(level_circle(-0.2, 0.3), through_hem);  // below the feet
   EXPECT_EQ(level_circle(0.4, 0.08, 0.1), (LimbsThrough{false, false, true, false}));
   EXPECT_EQ(level_circle(0.4, 0.08, -0.1), (LimbsThrough{false, false, false, true}));
 }
