@@ -38,8 +38,8 @@ struct WornFigures {
 ///   strap has slid off its shoulder.
 /// - Strapless tops: the highest opening around the trunk lies a quarter of the way from waist to
 ///   armpits at least.
-/// - Skirts and trousers without a top: the highest opening around the trunk lies above the crotch,
-///   and below two thirds of the way from waist to armpits.
+/// - Skirts and trousers without a top: the highest opening around the trunk lies above the crotch.
+///   It lies below two thirds of the way from waist to armpits.
 /// - Of what is cut as one sheet, a wrap skirt say, cloth has to meet half of the directions around
 ///   its part.
 /// - Any other piece: no two openings of 15 cm or more may have nothing in them. An opening around
