@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "geometry/error.h"
-#include "io/coordinates.h"
+#include "io/limits.h"
 #include "io/text.h"
 
 namespace toile {

@@ -8,7 +8,7 @@
 #include <unordered_map>
 
 #include "geometry/error.h"
-#include "io/coordinates.h"
+#include "io/limits.h"
 #include "io/line_scanner.h"
 #include "io/output_file.h"
 #include "io/text.h"
@@ -131,6 +131,10 @@ class Parser {
     ObjFace face;
     for (auto word = next_word(rest); !word.empty(); word = next_word(rest)) {
       face.corners.push_back(corner(word));
+      if (face.corners.size() > max_face_corners) {
+        fail("a face has more than " + std::to_string(max_face_corners) + " corners",
+             "cut it into triangles");
+      }
     }
     if (face.corners.size() < 3) fail("a face has fewer than three corners");
     face.group = group();

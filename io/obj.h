@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "geometry/types.h"
-#include "io/coordinates.h"
+#include "io/limits.h"
 
 namespace toile {
 
@@ -34,9 +34,9 @@ struct ObjData {
 };
 
 /// Reads an OBJ file or text. It throws Error with "file:line" for malformed or non-finite numbers,
-/// indices out of range, and faces of fewer than three corners. Text without any OBJ statement is
-/// an Error, too. So is a coordinate beyond `max`, which is max_metres for a file in metres.
-/// Statements that Toile does not use (vn, usemtl, s, ...) are skipped.
+/// indices out of range, and faces of fewer than three corners or more than max_face_corners. Text
+/// without any OBJ statement is an Error, too. So is a coordinate beyond `max`, which is max_metres
+/// for a file in metres. Statements that Toile does not use (vn, usemtl, s, ...) are skipped.
 ObjData read_obj(const std::filesystem::path& path, double max = max_coordinate);
 ObjData parse_obj(const std::string& text, const std::string& name, double max = max_coordinate);
 

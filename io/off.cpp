@@ -1,6 +1,7 @@
 // Object File Format [Geomview], as text only. Normals and colours of its variants are skipped.
 #include <limits>
 
+#include "io/limits.h"
 #include "io/line_scanner.h"
 #include "io/mesh_formats.h"
 #include "io/text.h"
@@ -32,7 +33,7 @@ PolygonSoup parse_off(std::string_view data, const std::string& name) {
   }
   for (long long i = 0; i < polygons; ++i) {
     scanner.need_line("face " + std::to_string(i + 1) + " of " + std::to_string(polygons), '#');
-    const long long corners = scanner.integer("the number of corners", 3, max_count);
+    const long long corners = scanner.integer("the number of corners", 3, max_face_corners);
     std::vector<int>& polygon = soup.polygons.emplace_back();
     for (long long corner = 0; corner < corners; ++corner) {
       polygon.push_back(static_cast<int>(scanner.integer("a point's index", 0, points - 1)));

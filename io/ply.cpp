@@ -10,7 +10,7 @@
 
 #include "geometry/error.h"
 #include "io/bytes.h"
-#include "io/coordinates.h"
+#include "io/limits.h"
 #include "io/line_scanner.h"
 #include "io/mesh_formats.h"
 #include "io/text.h"
@@ -231,7 +231,7 @@ void read_polygon(Body& body, const Element& element, long long points, PolygonS
       continue;
     }
     const long long corners =
-        body.whole(*property.count, 3, std::numeric_limits<int>::max(), "the number of corners");
+        body.whole(*property.count, 3, max_face_corners, "the number of corners");
     std::vector<int>& polygon = soup.polygons.emplace_back();
     for (long long i = 0; i < corners; ++i) {
       polygon.push_back(

@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/error.h"
-#include "io/coordinates.h"
 #include "io/json_value.h"
 #include "io/json_words.h"
+#include "io/limits.h"
 #include "io/output_file.h"
 
 namespace toile {

@@ -3,7 +3,7 @@
 
 #include "geometry/error.h"
 #include "io/bytes.h"
-#include "io/coordinates.h"
+#include "io/limits.h"
 #include "io/line_scanner.h"
 #include "io/mesh_formats.h"
 

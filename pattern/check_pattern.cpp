@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <numbers>
@@ -21,6 +22,34 @@ std::string centimetres(double length) {
   char text[64];
   std::snprintf(text, sizeof text, "%.2f cm", length * 100);
   return text;
+}
+
+/// Throws Error where two straight edges leave less cloth between them than a needle. No mesh of
+/// the panel could do without that angle.
+void check_corners(const PatternPanel& panel, bool counter_clockwise,
+                   const std::function<std::string(int)>& place) {
+  const std::size_t count = panel.outline.size();
+  const auto run = [&](const OutlineStep& step) -> Vec2 {
+    const EdgeCurve& curve = panel.edges[static_cast<std::size_t>(step.edge)].curve;
+    return step.forward ? Vec2(curve.end() - curve.start()) : Vec2(curve.start() - curve.end());
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    const OutlineStep& step = panel.outline[i];
+    const OutlineStep& next = panel.outline[(i + 1) % count];
+    if (!panel.edges[static_cast<std::size_t>(step.edge)].curve.straight() ||
+        !panel.edges[static_cast<std::size_t>(next.edge)].curve.straight()) {
+      continue;
+    }
+    const Vec2 in = run(step);
+    const Vec2 out = run(next);
+    const double turn = std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
+    const double angle = std::numbers::pi - (counter_clockwise ? turn : -turn);
+    if (angle <= 0 || angle >= needle_angle) continue;
+    throw Error(place(step.edge),
+                "meets edge " + std::to_string(next.edge) + " at " +
+                    number_text(angle * 180 / std::numbers::pi, 2) + " degrees",
+                "no triangle fits into that corner; widen it or cut it off");
+  }
 }
 
 void check_outline(const Pattern& pattern, int index) {
@@ -47,6 +76,7 @@ void check_outline(const Pattern& pattern, int index) {
     points.insert(points.end(), sample.begin(), sample.end() - 1);
     edge_of_segment.insert(edge_of_segment.end(), static_cast<std::size_t>(segments), step.edge);
   }
+  check_corners(panel, signed_area(points) > 0, place);
   if (const auto crossing = first_crossing(points)) {
     const int first = edge_of_segment[static_cast<std::size_t>((*crossing)[0])];
     const int second = edge_of_segment[static_cast<std::size_t>((*crossing)[1])];

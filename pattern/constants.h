@@ -19,6 +19,12 @@ inline constexpr double fullness_tolerance = 0.05;
 /// Metres: a shorter edge is a drawing error, not cloth.
 inline constexpr double min_edge_length = 1e-4;
 
+/// Panels of a pattern, edges of a panel and stitches of a pattern at most. Garments have some
+/// hundred of each. The time to mesh a panel grows with the square of its edges.
+inline constexpr int max_panels = 1'000;
+inline constexpr int max_panel_edges = 2'000;
+inline constexpr int max_stitches = 20'000;
+
 /// N: the stiffness of an elastic whose pattern states none, estimated. A waistband's elastic takes
 /// some 10 N when it is half as long again.
 inline constexpr double usual_elastic_stiffness = 20;

@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "geometry/error.h"
-#include "io/coordinates.h"
 #include "io/json_value.h"
 #include "io/json_words.h"
+#include "io/limits.h"
 #include "io/output_file.h"
 #include "pattern/attachment_json.h"
 #include "pattern/constants.h"
@@ -50,6 +50,7 @@ class Reader {
     unread(content, {"panels", "panel_order", "stitches"});
     panels(content);
     if (const auto stitches = content.find("stitches")) {
+      refuse_more(*stitches, stitches->size(), max_stitches, "stitches");
       for (std::size_t i = 0; i < stitches->size(); ++i) {
         stitch(stitches->item(i).called(pattern_.source + ": stitch " + std::to_string(i)));
       }
@@ -59,6 +60,13 @@ class Reader {
 
  private:
   void note(const std::string& text) { remarks_.push_back({false, text}); }
+
+  static void refuse_more(const JsonValue& list, std::size_t count, int max,
+                          const std::string& what) {
+    if (count <= static_cast<std::size_t>(max)) return;
+    list.fail("has " + std::to_string(count) + " " + what + ", more than " + std::to_string(max),
+              "is it really a garment? join short edges to curves");
+  }
 
   void unread(const JsonValue& value, const std::vector<std::string>& known) {
     for (const std::string& key : value.keys()) {
@@ -99,6 +107,7 @@ class Reader {
     const JsonValue list = content.get("panels");
     const std::vector<std::string> listed = list.keys();
     if (listed.empty()) list.fail("holds no panel");
+    refuse_more(list, listed.size(), max_panels, "panels");
     std::vector<std::string> names;
     const auto add = [&](const std::string& name) {
       if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
@@ -187,6 +196,7 @@ class Reader {
   void edges(PatternPanel& panel, const JsonValue& list, const std::vector<Vec2>& points) {
     const std::string place = pattern_.source + ": panel " + in_quotes(panel.name);
     const std::size_t count = list.size(2);
+    refuse_more(list.called(place), count, max_panel_edges, "edges");
     std::vector<std::array<int, 2>> ends;
     for (std::size_t i = 0; i < count; ++i) {
       const JsonValue edge = list.item(i).called(place + ", edge " + std::to_string(i));

@@ -47,7 +47,8 @@ Pose pose_of(const std::string& given) {
 int work(const po::variables_map& given, const CommonSettings& common) {
   MannequinOptions options;
   options.edge_length = parse_length(given["edge-length"].as<std::string>(), "--edge-length");
-  options.pose = pose_of(given["pose"].as<std::string>());
+  options.pose_name = given["pose"].as<std::string>();
+  options.pose = pose_of(options.pose_name);
   check_mesh_extension(common.output);
   const std::filesystem::path joints = skeleton_path(common.output);
   check_writable(joints);

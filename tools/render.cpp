@@ -73,6 +73,9 @@ void run_render(const RenderSettings& settings, const CommonSettings& common) {
     const bool alone = settings.garments.size() == 1;
     const std::string name = alone ? "" : std::filesystem::path(path).stem().string();
     meshes.push_back(cloth_of(read_obj(path), name, picture.legend));
+    if (meshes.back().mesh.triangles.empty()) {
+      throw Error(path, "holds no face", "give a garment with its surface");
+    }
   }
   if (!settings.body.empty()) {
     PictureMesh body;

@@ -58,8 +58,13 @@ TriangleMesh read_closed_body(const std::filesystem::path& path) {
   const Eigen::AlignedBox3d bounds = bounds_of(body);
   const double height = bounds.sizes().y();
   if (!(height > min_height && height < max_height)) {
-    throw Error(path.string(), "the body is " + std::to_string(height) + " m tall",
+    throw Error(path.string(), "the body is " + number_text(height) + " m tall",
                 "let clean-body bring it to metres, with --unit if need be");
+  }
+  const double wide = std::max(bounds.sizes().x(), bounds.sizes().z());
+  if (!(wide < max_height)) {
+    throw Error(path.string(), "the body is " + number_text(wide) + " m wide",
+                "remove what does not belong to it, and let clean-body bring it to metres");
   }
   const double away = bounds.exteriorDistance(Vec3(0, 0, 0));
   if (!(away < max_away)) {

@@ -10,8 +10,8 @@
 namespace toile {
 
 /// Reads a body in any mesh format and cuts its polygons into triangles. Metres. Throws Error when
-/// it is not closed and outward-oriented, for then inside and outside cannot be told apart. Throws
-/// it when the height is not between 0.1 and 3 m, or the body is 10 m or more from the origin.
+/// it is not closed and outward-oriented, for then inside and outside cannot be told apart. It has
+/// to be 0.1 to 3 m tall, less than 3 m wide and deep, and less than 10 m from the origin.
 TriangleMesh read_closed_body(const std::filesystem::path& path);
 
 /// Reads the joints of `body`. Throws Error when a joint is not inside the body: the skeleton is

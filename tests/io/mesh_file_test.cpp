@@ -11,6 +11,7 @@
 #include <random>
 
 #include "geometry/error.h"
+#include "io/limits.h"
 #include "io/mesh_formats.h"
 #include "io/obj.h"
 #include "io/output_file.h"
@@ -213,6 +214,28 @@ TEST_F(MeshFile, FarPointsAreRefusedInEachFormat) {
     }
   }
   EXPECT_EQ(error_of("near.obj", "v 0 0 0\nv 0 1e6 0\nv 1 0 0\nf 1 2 3\n"), "no error");
+}
+
+TEST_F(MeshFile, AFaceOfVeryManyCornersIsRefusedInEachFormat) {
+  const auto face = [](const char* keyword, int corners) {
+    std::string text = keyword;
+    for (int i = 0; i < corners; ++i) text.append(i % 2 == 0 ? " 1" : " 2");
+    return text.append("\n");
+  };
+  const int many = max_face_corners + 1;
+  const std::string obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
+  EXPECT_EQ(error_of("a.obj", obj + face("f", many - 1)), "no error");
+  EXPECT_NE(error_of("a.obj", obj + face("f", many)).find("a.obj:4: a face has more than 1000"),
+            std::string::npos);
+  const std::string off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n";
+  EXPECT_NE(
+      error_of("a.off", off + face("1001", many)).find("a.off:6: the number of corners is 1001"),
+      std::string::npos);
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+      "z\nelement face 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n";
+  EXPECT_NE(error_of("a.ply", ply + face("1001", many)).find("corners of face 0 is 1001"),
+            std::string::npos);
 }
 
 std::string mutated(std::string text, std::mt19937& random) {

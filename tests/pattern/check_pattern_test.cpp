@@ -65,6 +65,15 @@ TEST(Check, AnEdgeOfZeroLengthIsNamed) {
                "panel 'p', edge 1: has zero length");
 }
 
+// Such teeth are meshed for minutes, and then refused: no triangle fits into them.
+TEST(Check, ACornerLikeANeedleNamesBothEdges) {
+  EXPECT_HOLDS(check_error(file(polygon("p", "[0,0],[10,0],[10,10],[9.8,0.2],[0,0.2]"))),
+               "panel 'p', edge 1: meets edge 2 at 1.2 degrees");
+  // Outside of the cloth a corner may be as sharp as a cut: edges 1 and 2 are a slit.
+  EXPECT_EQ(check_error(file(polygon("p", "[0,0],[10,0],[5,8],[10.1,0],[12,0],[12,10],[0,10]"))),
+            "");
+}
+
 TEST(Check, AnEdgeIsSewnOnce) {
   const std::string panels = polygon("a", "[0,0],[20,0],[20,20],[0,20]") + "," +
                              polygon("b", "[0,0],[20,0],[20,20],[0,20]");

@@ -167,6 +167,22 @@ TEST(PatternFile, NamesPanelAndEdgeOfWhatIsWrong) {
   EXPECT_HOLDS(parse_error(file(polygon("p", "[0,0],[1e9,0],[1,1]"))), "check 'units_in_meter'");
 }
 
+TEST(PatternFile, TooManyPanelsEdgesAndStitchesAreRefusedAtOnce) {
+  const std::string corners = "[0,0],[10,0],[10,10],[0,10]";
+  std::string panels = polygon("p", corners);
+  for (int i = 0; i < max_panels; ++i)
+    panels.append(",").append(polygon(std::to_string(i), corners));
+  EXPECT_HOLDS(parse_error(file(panels)), "pattern, panels: has 1001 panels, more than 1000");
+  std::string teeth = "[-1,0]";
+  for (int i = 0; i < max_panel_edges; ++i) {
+    teeth.append(",[").append(std::to_string(i)).append(i % 2 == 0 ? ",0]" : ",1]");
+  }
+  EXPECT_HOLDS(parse_error(file(polygon("p", teeth))), "panel 'p': has 2001 edges, more than 2000");
+  std::string stitches = "[]";
+  for (int i = 0; i < max_stitches; ++i) stitches.append(",[]");
+  EXPECT_HOLDS(parse_error(file(polygon("p", corners), stitches)), "has 20001 stitches");
+}
+
 TEST(PatternFile, StitchesNameWhatIsMissing) {
   EXPECT_HOLDS(
       parse_error(file(square, R"([{"panel":"square","edge":0},{"panel":"back","edge":2}])")),

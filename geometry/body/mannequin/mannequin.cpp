@@ -53,7 +53,7 @@ Mannequin make_mannequin(const MannequinOptions& options) {
     mannequin.surface =
         mesh_implicit([&posed](const Vec3& point) { return posed.distance(point); }, meshing);
     if (!is_sphere(mannequin.surface)) {
-      throw Error("pose", "parts of the body touch one another", "move them apart");
+      throw Error(options.pose_name, "parts of the body touch one another", "move them apart");
     }
   }
 

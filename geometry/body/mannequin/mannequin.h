@@ -13,6 +13,7 @@ namespace toile {
 struct MannequinOptions {
   double edge_length = 0.009;  ///< metres, about the mean edge; 0.004 to 0.015
   Pose pose = standing_pose();
+  std::string pose_name = "pose";  ///< the pose's file, for messages
 };
 
 /// A girth measured on the finished mesh.

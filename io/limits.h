@@ -1,5 +1,5 @@
-// The bound on coordinates that files may hold. Beyond it no body stands and no garment hangs, and
-// products of coordinates lose their digits or overflow.
+// Bounds on what mesh files may hold. Beyond them no body stands and no garment hangs, and products
+// of coordinates lose their digits or overflow.
 #pragma once
 
 #include <cmath>
@@ -14,6 +14,9 @@ inline constexpr double max_coordinate = 1e6;
 
 /// Metres, in files that are in metres: 1 km.
 inline constexpr double max_metres = 1e3;
+
+/// Corners of one face. The time to cut a face into triangles grows with the cube of them.
+inline constexpr int max_face_corners = 1000;
 
 /// What is wrong with a coordinate, for an Error, or empty. `max` is max_coordinate or max_metres.
 inline std::string coordinate_problem(double value, double max = max_coordinate) {
