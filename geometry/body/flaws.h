@@ -21,11 +21,11 @@ struct Crossings {
   std::string part;  ///< the one of most crossings; empty: there is no skeleton
 };
 
-/// Share of the surface. Crossings of more leave no clear inside for cloth to keep out of. Limbs
-/// that press into each other cross on less.
+/// Share of the surface. A body that crosses itself on more has a shape that no person has, and
+/// what cloth does there means nothing. Limbs that press into each other cross on less.
 inline constexpr double max_crossing_share = 0.02;
 
-/// Whether a body with such crossings can be used to dress. None are as good as few.
+/// Whether a drape on a body with such crossings can be relied on. Few are as good as none.
 inline bool is_usable(const std::optional<Crossings>& crossings) {
   return !crossings || crossings->area_share <= max_crossing_share;
 }

@@ -226,7 +226,7 @@ TEST(CleanBodyProgram, ASurfaceOfCrossingsIsNoBodyToDress) {
   TriangleMesh ball = test::sphere(0.75, 3);
   for (std::size_t i = 0; i < ball.points.size(); i += 2) ball.points[i] *= 0.6;
   for (std::size_t i = 0; i < ball.points.size(); i += 3) ball.points[i].x() += 0.3;
-  const Json report = expect_warned(ball, "this body can't be used to dress");
+  const Json report = expect_warned(ball, "this body can't be relied on");
   EXPECT_FALSE(report["body"]["usable"].get<bool>());
   EXPECT_GT(report["self_intersections"]["left"], 100);
   EXPECT_GT(report["self_intersections"]["area_percent"], 2);

@@ -105,7 +105,7 @@ std::string crossing_warning(const Crossings& crossings) {
            "; they can't be repaired safely; a drape that lies there may be called intersecting";
   }
   return where +
-         "; this body can't be used to dress, for cloth can't tell inside from outside there; "
+         "; this body can't be relied on: cloth there is fitted to a surface that no person has; "
          "repair it in a mesh editor";
 }
 
