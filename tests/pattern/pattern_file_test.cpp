@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include "pattern/constants.h"
 #include "tests/pattern/samples.h"
 
 namespace toile {
