@@ -154,6 +154,9 @@ std::string edges_named(const Pattern& pattern, const std::vector<EdgeRef>& refs
   return text;
 }
 
+/// Seams in a line that a remark names one by one.
+constexpr std::size_t max_named_seams = 4;
+
 /// Seams with sides of different length that nobody declared: one remark for each line of them.
 void remark_on_lengths(const Pattern& pattern, std::vector<Remark>& remarks) {
   const auto ratio_of = [&](const Stitch& stitch) {
@@ -191,14 +194,32 @@ void remark_on_lengths(const Pattern& pattern, std::vector<Remark>& remarks) {
           std::swap(longer.back(), shorter.back());
         }
       }
+      // Of a long line, the seam that is most unequal stands for all.
+      const std::size_t worst = static_cast<std::size_t>(
+          std::max_element(line.begin(), line.end(),
+                           [&](std::size_t s, std::size_t t) {
+                             return ratio_of(pattern.stitches[s]) < ratio_of(pattern.stitches[t]);
+                           }) -
+          line.begin());
+      const EdgeRef worst_longer = longer[worst];
+      const EdgeRef worst_shorter = shorter[worst];
       double lengths[2] = {0, 0};
       for (const EdgeRef& ref : longer) lengths[0] += length_of(pattern, ref);
       for (const EdgeRef& ref : shorter) lengths[1] += length_of(pattern, ref);
+      std::string sides = edges_named(pattern, longer) + " (" + centimetres(lengths[0]) + ") " +
+                          (line.size() > 1 ? "are" : "is") + " sewn to " +
+                          edges_named(pattern, shorter) + " (" + centimetres(lengths[1]) + "), " +
+                          times(lengths[0] / lengths[1]);
+      if (line.size() > max_named_seams) {
+        const double a = length_of(pattern, worst_longer);
+        const double b = length_of(pattern, worst_shorter);
+        sides = edge_name(pattern, worst_longer) + " (" + centimetres(a) + ") is sewn to " +
+                edge_name(pattern, worst_shorter) + " (" + centimetres(b) + "), " + times(a / b) +
+                ", the most unequal of " + std::to_string(line.size()) +
+                " seams in a line, together " + times(lengths[0] / lengths[1]);
+      }
       remarks.push_back(
-          {warning, pattern.source + ": " + edges_named(pattern, longer) + " (" +
-                        centimetres(lengths[0]) + ") " + (line.size() > 1 ? "are" : "is") +
-                        " sewn to " + edges_named(pattern, shorter) + " (" +
-                        centimetres(lengths[1]) + "), " + times(lengths[0] / lengths[1]) +
+          {warning, pattern.source + ": " + sides +
                         (warning ? "; right only if the longer side is gathered: say so by "
                                    "\"gather\": true in the stitch"
                                  : "; the longer side is eased in")});

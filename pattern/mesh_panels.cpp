@@ -19,9 +19,11 @@ namespace {
 
 /// A panel that cannot be meshed with as many subdivisions, and why.
 struct Unmeshable {
-  std::string panel;
+  std::string panel;  ///< "panel 'front'", and its edge where one is at fault
   std::string problem;
 };
+
+std::string quoted(const PatternPanel& panel) { return "panel '" + panel.name + "'"; }
 
 /// The mesh of one panel. Indices count the points of this panel.
 struct PanelTriangulation {
@@ -80,24 +82,48 @@ class PanelMesher {
                           const std::vector<int>& split_corners) {
     steps_ = steps;
     const std::vector<Vec2> outline = coarse_outline();
-    if (outline.size() < 3) throw Unmeshable{panel_.name, "has too few border points"};
+    if (outline.size() < 3) throw Unmeshable{quoted(panel_), "has too few border points"};
     if (first_crossing(outline)) {
-      throw Unmeshable{panel_.name, "has an outline that crosses itself"};
+      throw Unmeshable{quoted(panel_), "has an outline that crosses itself"};
     }
     triangulation_.coarse_border = static_cast<int>(outline.size());
     try {
       triangulation_.mesh = mesh_polygon(outline, coarse_length, split_corners);
     } catch (const Error&) {
-      throw Unmeshable{panel_.name, "can't be triangulated"};
+      throw Unmeshable{quoted(panel_), "can't be triangulated"};
     }
     for (int level = 0; level < subdivisions; ++level) subdivide();
     if (smallest_angle(triangulation_.mesh.points, triangulation_.mesh.triangles) < needle_angle) {
-      throw Unmeshable{panel_.name, "gets triangles like needles"};
+      throw Unmeshable{quoted(panel_) + sharpest_place(), "gets triangles like needles"};
     }
     return std::move(triangulation_);
   }
 
  private:
+  /// ", edge 3": the edge at the sharpest triangle; empty if it is at none.
+  std::string sharpest_place() const {
+    const PlanarMesh& mesh = triangulation_.mesh;
+    const auto angle = [&](const Triangle& t) {
+      return smallest_angle(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
+    };
+    const Triangle sharpest = *std::min_element(
+        mesh.triangles.begin(), mesh.triangles.end(),
+        [&](const Triangle& s, const Triangle& t) { return angle(s) < angle(t); });
+    // The edge that most of its corners lie on.
+    std::string place;
+    std::ptrdiff_t most = 0;
+    for (std::size_t e = 0; e < triangulation_.along.size(); ++e) {
+      const std::vector<int>& along = triangulation_.along[e];
+      const auto on_edge = std::count_if(sharpest.begin(), sharpest.end(), [&](int corner) {
+        return std::find(along.begin(), along.end(), corner) != along.end();
+      });
+      if (on_edge <= most) continue;
+      most = on_edge;
+      place = ", edge " + std::to_string(e);
+    }
+    return place;
+  }
+
   Vec2 flat(const Vec2& drawn) const { return {mirrored_ ? -drawn.x() : drawn.x(), drawn.y()}; }
 
   /// The outline's walk, turned so that it runs counter-clockwise in flat coordinates.
@@ -363,17 +389,17 @@ PanelMesh mesh_panels(const Pattern& pattern, const MeshSettings& settings,
     try {
       PanelMesh garment = mesh_garment(pattern, orientation, settings.edge_length, subdivisions);
       if (failure) {
-        remarks.push_back({false, pattern.source + ": panel '" + failure->panel + "' " +
-                                      failure->problem + " on the coarser level; " +
-                                      std::to_string(subdivisions) + " subdivisions are used"});
+        remarks.push_back({false, pattern.source + ": " + failure->panel + " " + failure->problem +
+                                      " on the coarser level; " + std::to_string(subdivisions) +
+                                      " subdivisions are used"});
       }
       return garment;
     } catch (const Unmeshable& unmeshable) {
       failure = unmeshable;
     }
   }
-  throw Error(pattern.source + ": panel '" + failure->panel + "'",
-              failure->problem + " at this edge length", "ask for a shorter --edge-length");
+  throw Error(pattern.source + ": " + failure->panel, failure->problem + " at this edge length",
+              "ask for a shorter --edge-length, or widen the corner there");
 }
 
 }  // namespace toile

@@ -136,6 +136,26 @@ TEST(Check, SeamsThatMeetEndToEndAreOneLine) {
             "so by \"gather\": true in the stitch");
 }
 
+TEST(Check, OfALongLineTheMostUnequalSeamIsNamed) {
+  std::string stitches;
+  for (int i = 0; i < 6; ++i) {
+    const std::string edge = std::to_string(i);
+    stitches.append(i == 0 ? "" : ",").append(R"([{"panel":"a","edge":)").append(edge);
+    stitches.append(R"(},{"panel":"b","edge":)").append(edge).append("}]");
+  }
+  std::vector<Remark> said;
+  check_pattern(
+      samples::parse(file(
+          polygon("a", "[0,0],[10,0],[20,0],[30,0],[40,0],[50,0],[60,0],[60,20],[0,20]") + "," +
+              polygon("b", "[0,0],[5,0],[10,0],[15,0],[17,0],[22,0],[27,0],[27,-20],[0,-20]"),
+          stitches)),
+      said);
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_HOLDS(said[0].text,
+               "test.json: panel 'a', edge 3 (10.00 cm) is sewn to panel 'b', edge 3 (2.00 cm), "
+               "5.00 : 1, the most unequal of 6 seams in a line, together 2.22 : 1; right only if");
+}
+
 TEST(Check, TheRealPatternsPass) {
   for (const std::string name : {"shirt_mean.json", "dress_pencil.json"}) {
     const auto path = samples::real_pattern(name);

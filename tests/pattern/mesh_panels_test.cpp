@@ -284,6 +284,20 @@ TEST(MeshPanels, SharpCornersSewnTogetherEncloseCloth) {
   }
 }
 
+TEST(MeshPanels, AnEdgeThatAsksForNeedlesIsNamed) {
+  const Pattern pattern =
+      samples::parse(file(polygon("sound", "[0,0],[20,0],[20,20],[0,20]") + "," +
+                          polygon("sharp", "[0,0],[20,0],[20,20],[19.7,0.3],[0,0.3]")));
+  std::vector<Remark> remarks;
+  const std::string error = samples::error_of([&] { mesh_panels(pattern, {0.02, -1}, remarks); });
+  EXPECT_HOLDS(error, "test.json: panel 'sharp', edge ");
+  EXPECT_HOLDS(error, ": gets triangles like needles at this edge length");
+  // Edges 1 and 2 meet at one degree.
+  EXPECT_TRUE(error.find("edge 1:") != std::string::npos ||
+              error.find("edge 2:") != std::string::npos)
+      << error;
+}
+
 TEST(MeshPanels, ShorterEdgesForTheAskingAndAMessageForTooMany) {
   const Pattern pattern = samples::parse(samples::bag);
   const std::size_t coarse = mesh(pattern, {0.02, -1}).triangles.size();
