@@ -1,0 +1,74 @@
+// toile fit: what it says of a garment stands in its report and on its ease map, whatever comes of it.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/support/run_program.h"
+
+namespace toile::pipeline {
+namespace fit_test {
+
+using Json = nlohmann::json;
+
+class ToileFit : public testing::Test {
+ protected:
+  ToileFit() {
+    EXPECT_EQ(run("make-mannequin", {"-o", body, "--edge-length", "14mm", "-q"}).exit_code, 0);
+    pattern = Json::parse(read_text(fs::path(TOILE_SOURCE_DIR) / "samples" / "tshirt.json"));
+  }
+  pipeline::Run fit() {
+    write_text(folder / "pattern.json", pattern.dump());
+    return run("toile", {"fit", "--body", body, folder / "pattern.json", "-o", folder / "out",
+                         "--edge-length", "25mm", "--quality", "draft"});
+  }
+  Json report(const std::string& name) { return Json::parse(read_text(folder / "out" / name)); }
+  Json& panels() { return pattern["pattern"]["panels"]; }
+
+  ScratchFolder folder;
+  fs::path body = folder / "mannequin.obj";
+  Json pattern;
+};
+
+TEST_F(ToileFit, EveryWarningIsInTheReportAndOnTheEaseMap) {
+  for (auto& [name, panel] : panels().items()) {
+    for (Json& vertex : panel["vertices"]) vertex[0] = 0.8 * vertex[0].get<double>();
+  }
+  const pipeline::Run done = fit();
+  const Json said = report("dressed.json");
+  EXPECT_EQ(said["fit"]["verdict"], "too_small") << done.err;
+  ASSERT_FALSE(said["fit"]["levels"].empty());
+  EXPECT_GT(said["fit"]["levels"][0]["missing_cm"], 5);
+  const std::string page = read_text(folder / "out" / "ease.html");
+  EXPECT_NE(page.find("verdict: " + said["verdict"].get<std::string>()), std::string::npos);
+  EXPECT_NE(page.find("fit: too_small"), std::string::npos);
+  // What stands on the screen as a warning of the drape stands in its report and on the page.
+  ASSERT_FALSE(said["warnings"].empty());
+  for (const Json& warning : said["warnings"]) {
+    const std::string line = warning.get<std::string>();
+    EXPECT_NE(done.err.find("warning: " + line), std::string::npos) << line;
+    EXPECT_NE(page.find("Warning: " + line.substr(0, line.find('\''))), std::string::npos) << line;
+  }
+}
+
+TEST_F(ToileFit, ANegativeVerdictStillGetsItsEaseMap) {
+  for (auto& [name, panel] : panels().items()) {
+    panel["translation"][1] = panel["translation"][1].get<double>() - 60;
+  }
+  const pipeline::Run done = fit();
+  EXPECT_EQ(done.exit_code, 3) << done.err;
+  EXPECT_EQ(report("dressed.json")["verdict"], "misplaced");
+  const std::string page = read_text(folder / "out" / "ease.html");
+  EXPECT_NE(page.find("misplaced"), std::string::npos);
+  EXPECT_NE(page.find("is not worn where it belongs"), std::string::npos);
+}
+
+TEST_F(ToileFit, WithoutReleaseStabilityIsNotAskedFor) {
+  EXPECT_EQ(fit().exit_code, 0);
+  const Json said = report("dressed.json");
+  EXPECT_EQ(said["verdict"], "sewn");
+  EXPECT_EQ(said["release"], "not asked");
+  EXPECT_EQ(said["worn"], "checked");
+}
+
+}  // namespace fit_test
+}  // namespace toile::pipeline

@@ -1,0 +1,72 @@
+// Bust, waist and hip of bodies against measures that are known of them.
+#include <fstream>
+
+#include "geometry/body/clean_body.h"
+#include "geometry/body/landmarks.h"
+#include "geometry/body/mannequin/mannequin.h"
+#include "geometry/body/mannequin/mannequin_shape.h"
+#include "io/mesh_file.h"
+#include "tests/support/run_program.h"
+#include "tests/validation/report.h"
+
+namespace toile {
+namespace levels_test {
+
+constexpr double bound = 1;  // cm
+
+/// Centimetres around the body at a level; 0: it has none.
+double girth_at(const TriangleMesh& body, const Skeleton& skeleton, const std::string& name) {
+  for (const TorsoLevel& level : torso_levels(body, skeleton)) {
+    if (level.name == name) return 100 * torso_section(body, level.height)->girth;
+  }
+  return 0;
+}
+
+/// Centimetres: a measure from a list of lines `name: value`.
+double measure(const std::filesystem::path& file, const std::string& name) {
+  std::ifstream lines(file);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t at = line.find(name + ":");
+    if (at != std::string::npos && line.find_first_not_of(' ') == at) {
+      return std::stod(line.substr(at + name.size() + 1));
+    }
+  }
+  ADD_FAILURE() << file << " has no " << name;
+  return 0;
+}
+
+void expect_measures(const std::string& name, const std::filesystem::path& mesh,
+                     const std::filesystem::path& measures) {
+  const CleanBody body = clean_body(read_mesh(mesh), name);
+  ASSERT_TRUE(body.skeleton);
+  for (const auto& [level, key] : {std::pair("bust", "bust"), {"waist", "waist"}, {"hip", "hips"}}) {
+    test::expect_near({name + ", girth of the " + level, "torso levels", "", "cm"},
+                      girth_at(body.mesh, *body.skeleton, level), measure(measures, key), bound);
+  }
+}
+
+TEST(Levels, OfAWomanMeasured) {
+  TOILE_REAL_DATA(mesh, "bodies/mean_all.obj");
+  TOILE_REAL_DATA(measures, "bodies/mean_all.yaml");
+  expect_measures("mean_all", mesh, measures);
+}
+
+TEST(Levels, OfAManMeasured) {
+  TOILE_REAL_DATA(mesh, "bodies/mean_male.obj");
+  TOILE_REAL_DATA(measures, "bodies/mean_male.yaml");
+  expect_measures("mean_male", mesh, measures);
+}
+
+TEST(Levels, OfTheMannequin) {
+  const Mannequin mannequin = make_mannequin();
+  for (const GirthTarget& target : girth_targets()) {
+    const std::string name(target.name);
+    if (name != "bust" && name != "waist" && name != "hip") continue;
+    test::expect_near({"mannequin, girth of the " + name, "torso levels", "", "cm"},
+                      girth_at(mannequin.surface, mannequin.skeleton, name), 100 * target.girth,
+                      bound);
+  }
+}
+
+}  // namespace levels_test
+}  // namespace toile
