@@ -30,7 +30,8 @@ double width_at(const PatternPanel& panel, double height) {
   }
   std::sort(crossings.begin(), crossings.end());
   double width = 0;
-  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) width += crossings[i + 1] - crossings[i];
+  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
+    width += crossings[i + 1] - crossings[i];
   return width;
 }
 

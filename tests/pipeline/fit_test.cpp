@@ -1,4 +1,4 @@
-// toile fit: what it says of a garment stands in its report and on its ease map, whatever comes of it.
+// toile fit: what it says of a garment stands in its report and on its ease map.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

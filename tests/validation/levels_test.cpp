@@ -39,7 +39,8 @@ void expect_measures(const std::string& name, const std::filesystem::path& mesh,
                      const std::filesystem::path& measures) {
   const CleanBody body = clean_body(read_mesh(mesh), name);
   ASSERT_TRUE(body.skeleton);
-  for (const auto& [level, key] : {std::pair("bust", "bust"), {"waist", "waist"}, {"hip", "hips"}}) {
+  for (const auto& [level, key] :
+       {std::pair("bust", "bust"), {"waist", "waist"}, {"hip", "hips"}}) {
     test::expect_near({name + ", girth of the " + level, "torso levels", "", "cm"},
                       girth_at(body.mesh, *body.skeleton, level), measure(measures, key), bound);
   }
