@@ -59,7 +59,7 @@ class KeyWatch {
  private:
   void add(const std::string& key) {
     if (!keys_.back().insert(key).second) {
-      throw Error(name_, "an object has the key '" + valid_utf8(key) + "' twice",
+      throw Error(name_, "an object has the key '" + shown_text(key) + "' twice",
                   "remove or rename one of the two");
     }
     if (keys_.back().size() > max_json_keys) {
@@ -120,7 +120,7 @@ std::optional<JsonValue> JsonValue::find(const std::string& key) const {
   if (!is_object()) fail("is not an object");
   const auto found = json_->find(key);
   if (found == json_->end() || found->is_null()) return std::nullopt;
-  return JsonValue(*found, place_ + ", " + valid_utf8(key));
+  return JsonValue(*found, place_ + ", " + shown_text(key));
 }
 
 JsonValue JsonValue::get(const std::string& key) const {

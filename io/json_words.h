@@ -10,10 +10,10 @@
 
 namespace toile {
 
-/// `text` in single quotes, on one line, cut at 80 bytes.
+/// `text` as messages show it, in single quotes.
 inline std::string in_quotes(const std::string& text) {
-  constexpr std::size_t max_bytes = 80;
-  return "'" + valid_utf8(text.substr(0, max_bytes)) + (text.size() > max_bytes ? "...'" : "'");
+  std::string quoted(1, '\'');
+  return quoted.append(shown_text(text)).append(1, '\'');
 }
 
 /// The words that are not empty, as "a, b, c".

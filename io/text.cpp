@@ -55,6 +55,11 @@ std::string valid_utf8(std::string_view text) {
   return valid;
 }
 
+std::string shown_text(std::string_view text) {
+  constexpr std::size_t max_bytes = 80;
+  return valid_utf8(text.substr(0, max_bytes)) + (text.size() > max_bytes ? "..." : "");
+}
+
 std::string html_escaped(std::string_view text) {
   std::string escaped;
   for (const char c : valid_utf8(text)) {

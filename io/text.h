@@ -11,6 +11,9 @@ namespace toile {
 /// UTF-8.
 std::string valid_utf8(std::string_view text);
 
+/// `text` as messages show it: valid_utf8(), cut at 80 bytes.
+std::string shown_text(std::string_view text);
+
 /// valid_utf8() with & < > " ' as character references, for HTML text and quoted attributes.
 std::string html_escaped(std::string_view text);
 

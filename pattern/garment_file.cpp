@@ -1,8 +1,10 @@
 #include "pattern/garment_file.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "geometry/error.h"
@@ -314,6 +316,25 @@ PanelMesh read_garment(const fs::path& obj, const fs::path& json) {
   return garment;
 }
 
+namespace {
+
+/// Throws Error when two faces have the same flat corners. Borders and edges would be counted
+/// wrong.
+void refuse_doubled_faces(const DressedGarment& garment, const std::string& name) {
+  std::map<Triangle, std::size_t> face_of;
+  for (std::size_t f = 0; f < garment.flat_triangles.size(); ++f) {
+    Triangle corners = garment.flat_triangles[f];
+    std::sort(corners.begin(), corners.end());
+    const auto [found, added] = face_of.try_emplace(corners, f);
+    if (added) continue;
+    throw Error(
+        name, "face " + std::to_string(f) + " is face " + std::to_string(found->second) + " again",
+        "use the dressed.obj that dress wrote");
+  }
+}
+
+}  // namespace
+
 void write_dressed(const fs::path& obj, const DressedGarment& garment) {
   ObjData data;
   data.comments = {"Toile dressed garment: v nodes (sewn points shared), vt flat coordinates (m)"};
@@ -356,6 +377,7 @@ DressedGarment read_dressed(const fs::path& obj) {
   garment.points = std::move(data.points);
   garment.flat = std::move(data.texture);
   garment.panels = std::move(data.groups);
+  refuse_doubled_faces(garment, name);
   return garment;
 }
 

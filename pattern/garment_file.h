@@ -29,7 +29,7 @@ PanelMesh read_garment(const std::filesystem::path& obj, const std::filesystem::
 void write_dressed(const std::filesystem::path& obj, const DressedGarment& garment);
 
 /// Reads what write_dressed wrote. Throws Error when there is no face, or when a face has no vt, is
-/// no triangle, or belongs to no group.
+/// no triangle, belongs to no group, or is there twice.
 DressedGarment read_dressed(const std::filesystem::path& obj);
 
 }  // namespace toile

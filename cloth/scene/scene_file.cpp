@@ -1,6 +1,7 @@
 #include "cloth/scene/scene_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <set>
 
@@ -8,6 +9,7 @@
 #include "cloth/scene/scene.h"
 #include "geometry/error.h"
 #include "io/json_value.h"
+#include "io/json_words.h"
 #include "io/output_file.h"
 #include "io/text.h"
 
@@ -21,15 +23,6 @@ constexpr std::size_t max_name_length = 64;  // bytes
 constexpr std::size_t max_layers = 100;
 constexpr std::size_t max_panels = 1000;
 
-void refuse_unknown_keys(const JsonValue& value, const std::vector<std::string>& known) {
-  for (const std::string& key : value.keys()) {
-    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-    std::string list;
-    for (const std::string& name : known) list += (list.empty() ? "" : ", ") + name;
-    value.fail("has an unknown key '" + valid_utf8(key) + "'", "known are " + list);
-  }
-}
-
 /// The path that `value` states, relative to `folder`. Throws Error when the file is not there.
 fs::path file_named(const JsonValue& value, const fs::path& folder) {
   const std::string text = value.text();
@@ -37,7 +30,7 @@ fs::path file_named(const JsonValue& value, const fs::path& folder) {
   const fs::path path = (folder / text).lexically_normal();
   std::error_code unreachable;
   if (!fs::is_regular_file(path, unreachable)) {
-    value.fail("'" + path.string() + "' is no file", "paths count from the scene file");
+    value.fail(in_quotes(path.string()) + " is no file", "paths count from the scene file");
   }
   return path;
 }
@@ -59,14 +52,14 @@ std::string layer_name(const JsonValue& value) {
   }
   if (std::any_of(name.begin(), name.end(), is_bad) || valid_utf8(name) != name ||
       name.front() == '.' || name.front() == ' ' || name.back() == '.' || name.back() == ' ') {
-    value.fail("'" + valid_utf8(name) + "' can't be part of a file's name",
-               "use letters, digits, - and _");
+    value.fail(in_quotes(name) + " can't be part of a file's name", "use letters, digits, - and _");
   }
   return name;
 }
 
 SceneLayer layer_of(const JsonValue& value, const fs::path& folder) {
-  refuse_unknown_keys(value, {"name", "garment", "garment_json", "fabric", "panels_over"});
+  refuse_other_keys(value, std::array<std::string_view, 5>{"name", "garment", "garment_json",
+                                                           "fabric", "panels_over"});
   SceneLayer layer;
   layer.name = layer_name(value.get("name"));
   layer.garment = file_named(value.get("garment"), folder);
@@ -115,7 +108,8 @@ SceneFile read_scene(const fs::path& path) {
   const JsonDocument document(read_file(path), path.string());
   const JsonValue root = document.root();
   const fs::path folder = path.parent_path();
-  refuse_unknown_keys(root, {"body", "skeleton", "gravity", "layering", "layers"});
+  refuse_other_keys(
+      root, std::array<std::string_view, 5>{"body", "skeleton", "gravity", "layering", "layers"});
   SceneFile scene;
   scene.body = file_named(root.get("body"), folder);
   if (const auto skeleton = root.find("skeleton")) scene.skeleton = file_named(*skeleton, folder);
@@ -128,7 +122,7 @@ SceneFile read_scene(const fs::path& path) {
   if (const auto layering = root.find("layering")) {
     scene.coupled = layering->text() == "coupled";
     if (!scene.coupled && layering->text() != "frozen") {
-      layering->fail("'" + layering->text() + "' is neither 'frozen' nor 'coupled'",
+      layering->fail(in_quotes(layering->text()) + " is neither 'frozen' nor 'coupled'",
                      "leave it out for frozen");
     }
   }

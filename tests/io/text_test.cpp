@@ -7,6 +7,14 @@
 namespace toile {
 namespace text_test {
 
+TEST(Text, IsShownOnOneLineAndCut) {
+  EXPECT_EQ(shown_text("a\nb"),
+            "a\xEF\xBF\xBD"
+            "b");
+  EXPECT_EQ(shown_text(std::string(80, 'x')), std::string(80, 'x'));
+  EXPECT_EQ(shown_text(std::string(5000, 'x')), std::string(80, 'x') + "...");
+}
+
 TEST(Text, WellFormedUtf8IsKept) {
   const std::string good = "Ärmel \xE2\x80\x93 袖 \xF0\x9F\x91\x95";
   EXPECT_EQ(valid_utf8(good), good);

@@ -273,6 +273,7 @@ TEST_F(GarmentFile, ADressedGarmentNeedsFlatCoordinatesAndPanels) {
     return error_of([&] { read_dressed(obj_); });
   };
   EXPECT_EQ(message("g p\nf 1/1 2/2 3/3\n"), "");
+  EXPECT_HOLDS(message("g p\nf 1/1 2/2 3/3\nf 3/3 1/1 2/2\n"), "face 1 is face 0 again");
   EXPECT_HOLDS(message("f 1/1 2/2 3/3\n"), "belongs to no panel");
   EXPECT_HOLDS(message("g p\nf 1 2 3\n"), "no flat coordinates");
   EXPECT_HOLDS(message("g p\nf 1/1 2/2 4/3 3/3\n"), "is no triangle");
