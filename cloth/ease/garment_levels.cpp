@@ -19,7 +19,7 @@ bool is_bottom(const std::string& panel) {
   MeshedPanel named;
   named.name = panel;
   const PanelKind kind = kind_of(named);
-  return kind == PanelKind::skirt || kind == PanelKind::trousers;
+  return kind == PanelKind::skirt || kind == PanelKind::trousers || kind == PanelKind::band;
 }
 
 /// The border loops of some triangles through which both legs pass, the highest first.
@@ -75,7 +75,8 @@ std::vector<GarmentLevel> measure_garment_levels(const DressedGarment& garment,
       const int to = loop[(i + 1) % loop.size()];
       level.height += garment.points[from].y() / static_cast<double>(loop.size());
       level.garment += (garment.points[to] - garment.points[from]).norm();
-      level.as_cut += lengths.at(std::minmax(from, to));
+      const auto length = lengths.find(std::minmax(from, to));
+      if (length != lengths.end()) level.as_cut += length->second;
     }
     const double low = skeleton.joint("pelvis").y();
     const double high = skeleton.joint("chest").y();
@@ -95,7 +96,12 @@ std::vector<GarmentLevel> measure_garment_levels(const DressedGarment& garment,
   }
   if (bottom.size() < garment.triangles.size()) {
     const auto seams = loops_around_trunk(garment, bottom, skeleton);
-    if (!seams.empty()) add("waist seam", seams.front());
+    const auto is_edge = [&](const std::vector<int>& loop) {
+      return std::ranges::any_of(edges, [&](const std::vector<int>& edge) {
+        return std::ranges::find(edge, loop.front()) != edge.end();
+      });
+    };
+    if (!seams.empty() && !is_edge(seams.front())) add("waist seam", seams.front());
   }
   if (edges.size() == 1) {
     double edge = 0;

@@ -20,9 +20,9 @@ struct GarmentLevel {
   std::optional<double> body;  ///< girth of the trunk at `height`; none: not on the trunk
 };
 
-/// The levels that the garment has, from the top down. The waist seam is where panels of skirt or
-/// trousers (panel_kind.h, by name) are sewn to others. Empty unless the skeleton has all limbs.
-/// Costs one pass over the body a level.
+/// The levels that the garment has, from the top down. The waist seam is where panels of
+/// waistband, skirt or trousers (panel_kind.h, by name) are sewn to others. Empty unless the
+/// skeleton has all limbs. Costs one pass over the body a level.
 std::vector<GarmentLevel> measure_garment_levels(const DressedGarment& garment,
                                                  const TriangleMesh& body,
                                                  const Skeleton& skeleton);

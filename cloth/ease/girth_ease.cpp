@@ -13,6 +13,11 @@ namespace toile {
 
 namespace {
 
+/// Metres, and a share of the level's line: a straight line that is shorter by more leaves the
+/// panel on its way.
+constexpr double min_cut_short = 0.01;
+constexpr double cut_short_share = 0.04;
+
 /// Whether the section is closed and runs around `centre`, as seen from above.
 bool goes_around(const Section& section, const Vec3& centre) {
   if (!section.closed) return false;
@@ -105,7 +110,11 @@ std::vector<PanelWidth> panel_widths(const DressedGarment& garment,
     const auto least = std::ranges::min_element(line.across) - line.across.begin();
     const Vec2 up = height_directions(grain_of(grains, panel))[least];
     const double at = line.moment.dot(up) / line.length;
-    widths.push_back({panel, at, width_at(garment, panel, up, at)});
+    const double width = width_at(garment, panel, up, at);
+    // Warp and weft, and the drawing's x and y, are square to each other.
+    const double run = line.across[static_cast<std::size_t>(least) ^ 1U];
+    const bool leaves = width < run - std::max(min_cut_short, cut_short_share * run);
+    widths.push_back({panel, at, leaves ? run : width, leaves});
   }
   return widths;
 }

@@ -45,7 +45,7 @@ Judgement judge(const PanelMesh& pattern, const DressedGarment& dressed, const T
   judgement.garment = measure_garment(pattern, dressed);
   if (skeleton != nullptr) {
     judgement.wraps = measure_wraps(pattern, dressed, *skeleton);
-    judgement.worn = check_worn(pattern, dressed, *skeleton, judgement.wraps);
+    judgement.worn = check_worn(pattern, dressed, *skeleton);
     judgement.fit = measure_fit(pattern, dressed, body, *skeleton);
   }
   const TriangleMesh cloth{dressed.points, dressed.triangles};

@@ -7,7 +7,9 @@
 #include <set>
 
 #include "cloth/judge/constants.h"
+#include "cloth/judge/wraps.h"
 #include "geometry/body/bones.h"
+#include "geometry/border_loops.h"
 #include "pattern/panel_kind.h"
 
 namespace toile {
@@ -63,13 +65,12 @@ struct Cloth {
 
 class WornCheck {
  public:
-  WornCheck(const PanelMesh& garment, const DressedGarment& dressed, const Skeleton& skeleton,
-            const std::vector<WrapFigure>& wraps)
+  WornCheck(const PanelMesh& garment, const DressedGarment& dressed, const Skeleton& skeleton)
       : garment_(garment),
+        dressed_(dressed),
         nodes_(dressed.points),
         placed_(dressed.points),
         skeleton_(skeleton),
-        wraps_(wraps),
         cloth_(garment.panels.size()) {
     figures_.openings = find_openings(dressed, skeleton);
     const std::vector<int> piece_of_node = connected_pieces(dressed);
@@ -115,12 +116,23 @@ class WornCheck {
     for (const int p : panels) sum.add(cloth_[p]);
     return sum;
   }
-  double share_met(const std::string& part) const {
-    double share = 0;
-    for (const WrapFigure& wrap : wraps_) {
-      if (wrap.part == part) share = wrap.fraction;
+  /// Whether panels go around a part: closed, as a loop of their border tells, or as far as a
+  /// cardigan does. Panels that do not reach it have nothing to go around.
+  bool goes_around(const std::vector<int>& panels, const std::string& part,
+                   const LimbsThrough& limbs) const {
+    std::vector<char> is_counted(garment_.panels.size(), 0);
+    for (const int p : panels) is_counted[p] = 1;
+    std::vector<Triangle> triangles;
+    for (std::size_t t = 0; t < dressed_.triangles.size(); ++t) {
+      if (is_counted[dressed_.panel_of_triangle[t]]) triangles.push_back(dressed_.triangles[t]);
     }
-    return share;
+    for (const std::vector<int>& loop : border_loops(triangles, nodes_.size())) {
+      std::vector<Vec3> curve;
+      for (const int node : loop) curve.push_back(nodes_[node]);
+      if (limbs_through(curve, skeleton_) == limbs) return true;
+    }
+    const WrapFigure wrap = measure_wrap(garment_, dressed_, skeleton_, part, is_counted);
+    return wrap.from >= wrap.to || wrap.fraction >= around_share;
   }
 
   void misplace(const std::string& part, const std::string& at, const std::string& should_be) {
@@ -184,17 +196,13 @@ class WornCheck {
   void check_sleeves(const Piece& piece) {
     for (const auto& [arm, panels] : by_side(panels_of(piece, PanelKind::sleeve), "arm")) {
       const LimbsThrough wanted = arm == "left_arm" ? through_left_arm : through_right_arm;
-      std::vector<const Opening*> own;
-      for (const Opening* opening : piece.openings) {
-        if (belongs_to(*opening, panels)) own.push_back(opening);
-      }
-      figures_.is_checked = true;
-      if (std::ranges::any_of(own, [&](const Opening* o) { return o->limbs == wanted; })) continue;
+      const bool has_opening = std::ranges::any_of(piece.openings, [&](const Opening* opening) {
+        return opening->limbs == wanted && belongs_to(*opening, panels);
+      });
       const Vec3 middle = cloth_of(panels).middle();
-      // A sleeve that is open along its length has no opening of its own.
-      if (own.empty() && nearest_part(middle, skeleton_) == arm && share_met(arm) >= around_share) {
-        continue;
-      }
+      const bool is_there = has_opening || nearest_part(middle, skeleton_) == arm;
+      figures_.is_checked = true;
+      if (is_there && goes_around(panels, arm, wanted)) continue;
       fail(arm, middle, in_words(arm));
     }
   }
@@ -226,14 +234,16 @@ class WornCheck {
   void check_trunk(const Piece& piece) {
     const bool is_top = has(piece, PanelKind::top);
     const bool is_bottom = has(piece, PanelKind::skirt) || has(piece, PanelKind::trousers);
+    const Opening* highest = highest_around_trunk(piece);
+    check_skirt(piece);
     if (std::ranges::any_of(piece.openings, [](const Opening* o) { return has_arm(*o); })) {
       figures_.is_checked = true;
       for (const Opening* opening : piece.openings) {
         if (opening->limbs == through_neckline) check_shoulders(*opening);
       }
+      check_open_front(piece, highest != nullptr);
       return;
     }
-    const Opening* highest = highest_around_trunk(piece);
     const Vec3 middle = cloth_of(piece.panels).middle();
     const std::string belongs = is_top ? "chest or shoulders" : "waist or hips";
     if (highest == nullptr) {
@@ -246,7 +256,8 @@ class WornCheck {
       const bool is_sheet = piece.openings.size() == 1;
       const double height = middle.y();
       const bool is_near = height > (is_top ? waist_ : 0.5 * crotch_) && height < armpit_ + 0.3;
-      if (is_sheet && is_near && share_met("torso") >= around_share) return;
+      const std::vector<int> panels(piece.panels.begin(), piece.panels.end());
+      if (is_sheet && is_near && goes_around(panels, "torso", through_hem)) return;
       fail("torso", middle, belongs);
       return;
     }
@@ -262,6 +273,25 @@ class WornCheck {
     if (height < low || height > high) {
       misplace("torso", place_on_body(highest->middle, skeleton_), belongs);
     }
+  }
+
+  void check_skirt(const Piece& piece) {
+    const std::vector<int> panels = panels_of(piece, PanelKind::skirt);
+    if (panels.empty() || goes_around(panels, "torso", through_hem)) return;
+    fail("torso", cloth_of(panels).middle(), "waist or hips");
+  }
+
+  /// What hangs from the shoulders and has no hem around the trunk, as a cardigan has none.
+  void check_open_front(const Piece& piece, bool has_hem) {
+    const bool has_legs = std::ranges::any_of(
+        piece.openings, [](const Opening* o) { return o->limbs == through_left_leg; });
+    std::vector<int> panels;
+    for (const int p : piece.panels) {
+      if (kind(p) != PanelKind::sleeve) panels.push_back(p);
+    }
+    if (has_hem || has_legs || panels.empty()) return;
+    if (goes_around(panels, "torso", through_hem)) return;
+    fail("torso", cloth_of(panels).middle(), "chest or shoulders");
   }
 
   /// On each side the neckline's highest point is where the garment hangs. Straps that started
@@ -340,10 +370,10 @@ class WornCheck {
   }
 
   const PanelMesh& garment_;
+  const DressedGarment& dressed_;
   const std::vector<Vec3>& nodes_;
   std::vector<Vec3> placed_;  // of each node, where one of its material points started
   const Skeleton& skeleton_;
-  const std::vector<WrapFigure>& wraps_;
   std::vector<Cloth> cloth_;  // per panel
   std::vector<Piece> pieces_;
   double crotch_ = 0;  // heights, metres
@@ -381,9 +411,9 @@ std::string place_on_body(const Vec3& point, const Skeleton& skeleton) {
 }
 
 WornFigures check_worn(const PanelMesh& garment, const DressedGarment& dressed,
-                       const Skeleton& skeleton, const std::vector<WrapFigure>& wraps) {
+                       const Skeleton& skeleton) {
   if (!has_all_limbs(skeleton)) return {};
-  return WornCheck(garment, dressed, skeleton, wraps).run();
+  return WornCheck(garment, dressed, skeleton).run();
 }
 
 }  // namespace toile

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "cloth/judge/openings.h"
-#include "cloth/judge/wraps.h"
 
 namespace toile {
 
@@ -40,16 +39,16 @@ struct WornFigures {
 ///   armpits at least.
 /// - Skirts and trousers without a top: the highest opening around the trunk lies above the crotch.
 ///   It lies below two thirds of the way from waist to armpits.
-/// - Of what is cut as one sheet, a wrap skirt say, cloth has to meet half of the directions around
-///   its part.
+/// - Sleeves, skirts and tops that are not closed around their part meet 85 % of the directions.
+///   A cardigan and a wrap skirt do. A shirt that lacks a quarter does not.
 /// - Any other piece: no two openings of 15 cm or more may have nothing in them. An opening around
 ///   both legs may not be its highest one and lie below the crotch.
 /// - Panels named front and back, left and right, lie on their sides of the body within 60 degrees.
 /// - No piece hangs below the floor.
 ///
-/// `garment` has panels placed where they started. `wraps` are those of measure_wraps().
+/// `garment` has panels placed where they started. About O(n log n) in the triangles.
 WornFigures check_worn(const PanelMesh& garment, const DressedGarment& dressed,
-                       const Skeleton& skeleton, const std::vector<WrapFigure>& wraps);
+                       const Skeleton& skeleton);
 
 /// Where on the body a point is, such as "shins, 25 cm above the floor".
 std::string place_on_body(const Vec3& point, const Skeleton& skeleton);

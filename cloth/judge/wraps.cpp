@@ -106,43 +106,51 @@ double share_met(const Vec3& station, const Vec3& axis, const std::vector<Vec3>&
 
 }  // namespace
 
+WrapFigure measure_wrap(const PanelMesh& garment, const DressedGarment& dressed,
+                        const Skeleton& skeleton, const std::string& part,
+                        const std::vector<char>& is_counted) {
+  const Bones bones(skeleton, part);
+  std::vector<Triangle> triangles;
+  std::vector<Corner> corners;
+  std::vector<int> nodes;
+  for (std::size_t t = 0; t < dressed.triangles.size(); ++t) {
+    if (!is_counted[dressed.panel_of_triangle[t]]) continue;
+    triangles.push_back(dressed.triangles[t]);
+    for (int i = 0; i < 3; ++i) {
+      corners.push_back({garment.triangles[t][i], dressed.triangles[t][i]});
+      nodes.push_back(dressed.triangles[t][i]);
+    }
+  }
+  WrapFigure figure{part};
+  if (triangles.empty() || bones.joints.empty()) return figure;
+  std::ranges::sort(nodes);
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  const Interval stretch = covered(lies_along(nodes, dressed.points, bones), part, bones, skeleton);
+  figure.from = stretch.low;
+  figure.to = stretch.high;
+  if (part == "torso") {
+    const double armpit = bones.foot(skeleton.joint("chest"));
+    figure.slid = slid_down(garment, dressed, corners, bones, armpit);
+  }
+  // Cloth that lies at another part only has no stretch of this one to cover.
+  for (int i = 0; i < wrap_stations && stretch.low < stretch.high; ++i) {
+    const double s = stretch.low + (i + 0.5) / wrap_stations * (stretch.high - stretch.low);
+    const auto [station, axis] = bones.at(s);
+    figure.fraction += share_met(station, axis, dressed.points, triangles) / wrap_stations;
+  }
+  return figure;
+}
+
 std::vector<WrapFigure> measure_wraps(const PanelMesh& garment, const DressedGarment& dressed,
                                       const Skeleton& skeleton) {
   const std::vector<std::string> parts = panel_parts(garment, skeleton);
   std::vector<WrapFigure> figures;
   for (const std::string_view name : body_parts) {
     const std::string part(name);
-    if (std::find(parts.begin(), parts.end(), part) == parts.end()) continue;
-    const Bones bones(skeleton, part);
-    if (bones.joints.empty()) continue;
-    std::vector<Triangle> triangles;
-    std::vector<Corner> corners;
-    std::vector<int> nodes;
-    for (std::size_t t = 0; t < dressed.triangles.size(); ++t) {
-      if (parts[dressed.panel_of_triangle[t]] != part) continue;
-      triangles.push_back(dressed.triangles[t]);
-      for (int i = 0; i < 3; ++i) {
-        corners.push_back({garment.triangles[t][i], dressed.triangles[t][i]});
-        nodes.push_back(dressed.triangles[t][i]);
-      }
-    }
-    if (triangles.empty()) continue;
-    std::ranges::sort(nodes);
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    const Interval stretch =
-        covered(lies_along(nodes, dressed.points, bones), part, bones, skeleton);
-    WrapFigure figure{part, stretch.low, stretch.high};
-    if (part == "torso") {
-      const double armpit = bones.foot(skeleton.joint("chest"));
-      figure.slid = slid_down(garment, dressed, corners, bones, armpit);
-    }
-    // Cloth that lies at another part only has no stretch of this one to cover.
-    for (int i = 0; i < wrap_stations && stretch.low < stretch.high; ++i) {
-      const double s = stretch.low + (i + 0.5) / wrap_stations * (stretch.high - stretch.low);
-      const auto [station, axis] = bones.at(s);
-      figure.fraction += share_met(station, axis, dressed.points, triangles) / wrap_stations;
-    }
-    figures.push_back(figure);
+    std::vector<char> is_counted;
+    for (const std::string& p : parts) is_counted.push_back(p == part);
+    if (std::ranges::count(is_counted, 1) == 0 || Bones(skeleton, part).joints.empty()) continue;
+    figures.push_back(measure_wrap(garment, dressed, skeleton, part, is_counted));
   }
   return figures;
 }

@@ -19,6 +19,8 @@ constexpr double worth_saying = 0.002;
 constexpr double suspicious_strain = 0.1;
 /// Metres from which on a garment is said to have slid.
 constexpr double far_to_slide = 0.05;
+/// Metres of border: a smaller hole than this is meant to be one.
+constexpr double worth_an_opening = 0.05;
 /// Metres, on average: an attachment that stands farther off was not held.
 constexpr double not_held = 0.02;
 
@@ -104,6 +106,16 @@ void warn_of_verdict(const DressResult& result, const Judgement& judgement, Dres
     log.warn(
         "where the garment is worn is not checked: neither joints, parts, labels, names nor "
         "openings tell where it belongs");
+  }
+  // Where seams are open, every panel has an opening.
+  for (const Opening& opening : worn.openings) {
+    if (judgement.garment.seams.open > 0) break;
+    if (opening.limbs.any() || opening.length < worth_an_opening) continue;
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(0) << "an opening of " << 100 * opening.length
+         << " cm, " << 100 * opening.middle.y()
+         << " cm above the floor, has nothing in it: a cut-out, or a stitch is missing";
+    log.warn(text.str());
   }
   if (worn.misplaced) {
     log.warn("the garment is not worn where it belongs (" + worn.misplaced->should_be +

@@ -131,7 +131,8 @@ nlohmann::ordered_json girths_json(const EaseReport& report) {
     for (const PanelWidth& panel : girth.panels) {
       row["panels"].push_back({{"name", valid_utf8(report.garment.panels[panel.panel])},
                                {"flat_height_cm", rounded(100 * panel.flat_height)},
-                               {"width_cm", rounded(100 * panel.width)}});
+                               {"width_cm", rounded(100 * panel.width)},
+                               {"along_edge", panel.along_edge}});
     }
     all.push_back(std::move(row));
   }

@@ -34,7 +34,7 @@ MeshedPanel& add_tube(PanelMesh& garment, const std::string& name, const Vec3& f
 
 WornFigures check(const PanelMesh& garment) {
   const DressedGarment dressed = test::as_dressed(garment, garment.placed);
-  return check_worn(garment, dressed, figure(), measure_wraps(garment, dressed, figure()));
+  return check_worn(garment, dressed, figure());
 }
 
 PanelMesh moved(PanelMesh garment, const std::function<Vec3(const Vec3&)>& move) {
@@ -183,7 +183,7 @@ TEST(Worn, WithoutAllJointsNothingIsChecked) {
   skeleton.joints.erase("left_wrist");
   const PanelMesh garment = skirt();
   const DressedGarment dressed = test::as_dressed(garment, garment.placed);
-  EXPECT_FALSE(check_worn(garment, dressed, skeleton, {}).is_checked);
+  EXPECT_FALSE(check_worn(garment, dressed, skeleton).is_checked);
 }
 
 TEST(Worn, PlacesHaveNames) {
