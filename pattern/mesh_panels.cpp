@@ -12,6 +12,7 @@
 #include "pattern/constants.h"
 #include "pattern/doubled_triangles.h"
 #include "pattern/seam_orientation.h"
+#include "pattern/seam_steps.h"
 
 namespace toile {
 
@@ -35,44 +36,6 @@ struct PanelTriangulation {
 /// Per panel, points of its coarse outline that need an interior point in the triangle with their
 /// two neighbours on the outline.
 using Corners = std::vector<std::vector<int>>;
-
-/// The pattern's edges cut into steps on the coarsest level, per panel and edge.
-using Steps = std::vector<std::vector<int>>;
-
-/// The furthest that `curve` turns within one of `count` equal steps.
-double sharpest_turn(const EdgeCurve& curve, int count) {
-  if (curve.straight()) return 0;
-  double sharpest = 0;
-  for (int i = 0; i < count; ++i) {
-    sharpest = std::max(sharpest, curve.turning(static_cast<double>(i) / count,
-                                                static_cast<double>(i + 1) / count));
-  }
-  return sharpest;
-}
-
-Steps steps_along(const Pattern& pattern, double edge_length) {
-  Steps steps;
-  const auto wanted = [&](const EdgeCurve& curve) {
-    const int by_length = std::max(
-        1, static_cast<int>(std::ceil(curve.length() / edge_length - outline_step_tolerance)));
-    const int max_count = std::max(max_step_refinement * by_length, max_steps_of_short_curve);
-    int count = by_length;
-    while (count < max_count && sharpest_turn(curve, count) > max_turn_per_step) {
-      count = std::min(max_count, count + 1 + count / 8);
-    }
-    return count;
-  };
-  for (const PatternPanel& panel : pattern.panels) {
-    std::vector<int>& counts = steps.emplace_back();
-    for (const PatternEdge& edge : panel.edges) counts.push_back(wanted(edge.curve));
-  }
-  for (const Stitch& stitch : pattern.stitches) {
-    int& a = steps[stitch.a.panel][stitch.a.edge];
-    int& b = steps[stitch.b.panel][stitch.b.edge];
-    a = b = std::max(a, b);
-  }
-  return steps;
-}
 
 class PanelMesher {
  public:
@@ -224,7 +187,7 @@ std::vector<PanelTriangulation> mesh_all(const Pattern& pattern, const Orientati
                                          double edge_length, int subdivisions,
                                          const Corners& split_corners) {
   const double coarse_length = edge_length * (1 << subdivisions);
-  const Steps steps = steps_along(pattern, coarse_length);
+  const EdgeSteps steps = steps_along(pattern, coarse_length);
   std::vector<PanelTriangulation> triangulations;
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
     PanelMesher mesher(pattern.panels[p], orientation.mirrored[p]);

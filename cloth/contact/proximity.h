@@ -1,5 +1,5 @@
-// Proximity of cloth to itself and to motionless layers: the close pairs, and how far each vertex
-// may move before the next search.
+// Bounds on motion from the proximity of cloth to itself and to motionless layers. They are the
+// close pairs, and how far each vertex may move so that nothing comes to intersect.
 #pragma once
 
 #include <array>

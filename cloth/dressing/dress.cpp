@@ -29,7 +29,7 @@ Sewn sew(Level level, Journal& journal) {
   Sewn sewn{std::move(level), {}};
   sewn.state.nodes = sewn.level.model.start;
   if (sewn.level.mesh->seams.empty()) {
-    sewn.is_clear = clear_of_itself(sewn.level, sewn.state);
+    sewn.is_clear = is_clear_of_itself(sewn.level, sewn.state);
     return sewn;
   }
   for (int attempt = 0; attempt < max_sewing_attempts && !sewn.is_clear && !sewn.jammed;
@@ -90,7 +90,7 @@ ReleaseReport release_for_a_while(const Level& level, Staged& staged, bool bound
   ReleaseOptions options;
   options.self_radius = search_radius(level);
   options.bounded = bounded;
-  options.layer_contact = clear_of_layers(level, staged.state);
+  options.layer_contact = is_clear_of_layers(level, staged.state);
   options.seconds = wanted.release_seconds;
   RestingState state = {staged.state.nodes, staged.state.warm_start, staged.report.converged};
   return test_stability(level.model, options, state, [&](RestingState& moved) {
@@ -148,12 +148,12 @@ DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptio
   const auto is_lost = [&] {
     return fallen(level, state, result.placement.placed) > fallen_off_drop;
   };
-  is_clear = is_clear || clear_of_itself(level, state);
+  is_clear = is_clear || is_clear_of_itself(level, state);
   while (level.depth > 0) {
     level = finer_level(level, meshes[level.depth - 1], scene, result.body_offset, state);
     if (level.depth == 0) break;
     if (!is_lost()) state = settle(level, std::move(state), is_clear, friction, journal).state;
-    is_clear = is_clear || clear_of_itself(level, state);
+    is_clear = is_clear || is_clear_of_itself(level, state);
   }
 
   level.model.body_offset = result.body_offset;
@@ -187,8 +187,7 @@ DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptio
 }
 
 std::vector<Vec3> material_points(const PanelMesh& garment, const DressResult& result) {
-  std::vector<Vec3> points = result.placement.placed;
-  points.resize(garment.flat.size(), Vec3::Zero());
+  std::vector<Vec3> points(garment.flat.size(), Vec3::Zero());
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
     for (int i = 0; i < 3; ++i) {
       points[garment.triangles[t][i]] = result.nodes[result.triangles[t][i]];

@@ -20,7 +20,7 @@ namespace toile {
 
 struct DressResult {
   std::vector<std::pair<std::string, int>> terms;  ///< what was compiled, by term
-  std::vector<Vec3> nodes;                         ///< metres; sewn points share one
+  std::vector<Vec3> nodes;                         ///< metres; sewn points share one, see dress()
   std::vector<Triangle> triangles;                 ///< of nodes, in the garment's order
   Placement placement;     ///< of the coarsest mesh; `initial` is of the garment's own points
   double body_offset = 0;  ///< metres kept from the skin: the scene's, more for edges above 15 mm
@@ -52,7 +52,8 @@ struct DressResult {
 ///   Attachments hold until just before that (`release_attachments`). Attachments for good go on
 ///   holding.
 ///
-/// Seams that stay far open end the dressing after `close_seams`. A garment that fell off is not
+/// Seams that stay far open end the dressing after `close_seams`. Then every material point is a
+/// node. A garment that fell off is not
 /// brought to rest. Each mesh costs some four times as much as the next coarser one. The same bits
 /// for any number of threads. Throws Error when the scene has no body, and as find_start() and
 /// compile() do.

@@ -60,11 +60,11 @@ Level finer_level(const Level& coarse, const PanelMesh& fine, const Scene& scene
   return level;
 }
 
-bool clear_of_itself(const Level& level, const State& state) {
+bool is_clear_of_itself(const Level& level, const State& state) {
   return self_intersections({state.nodes, level.model.node_triangles}).empty();
 }
 
-bool clear_of_layers(const Level& level, const State& state) {
+bool is_clear_of_layers(const Level& level, const State& state) {
   // Metres: what is a little inside by the smoothed distance may be outside by the exact one.
   const Scene& scene = level.model.scene;
   if (!has_layers(scene)) return false;

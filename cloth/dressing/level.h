@@ -47,11 +47,11 @@ Level finer_level(const Level& coarse, const PanelMesh& fine, const Scene& scene
                   double resting_offset, State& state);
 
 /// Whether no two triangles of the cloth intersect, by the exact test.
-bool clear_of_itself(const Level& level, const State& state);
+bool is_clear_of_itself(const Level& level, const State& state);
 
 /// Whether the cloth is outside of all layers below and meets none of them, so that bounds can keep
 /// it so. False without layers.
-bool clear_of_layers(const Level& level, const State& state);
+bool is_clear_of_layers(const Level& level, const State& state);
 
 /// Metres that the cloth has come down from where its nodes were, on average.
 double fallen(const Level& level, const State& state, const std::vector<Vec3>& from);

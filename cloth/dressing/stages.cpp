@@ -82,7 +82,7 @@ Staged run(const std::string& name, const Level& level, const GarmentModel& mode
            RelaxOptions options, double end, Journal& journal) {
   // A seam that has to come past a layer would jam on it. The distance grid lets it through, and
   // pushes it out on the right side.
-  options.layer_contact = options.closing_iterations == 0 && clear_of_layers(level, state);
+  options.layer_contact = options.closing_iterations == 0 && is_clear_of_layers(level, state);
   options.multipliers = &state.warm_start.multipliers;
   RelaxReport report = journal.run(name, *level.mesh, model, options, state.nodes, end);
   state.warm_start = std::move(report.warm_start);
@@ -136,11 +136,11 @@ Staged untangle(const Level& level, State state, double care, Journal& journal) 
   RelaxOptions options = sewing_options(level, care);
   options.max_iterations = untangling_iterations;
   Staged staged{std::move(state), {}};
-  bool is_clear = clear_of_itself(level, staged.state);
+  bool is_clear = is_clear_of_itself(level, staged.state);
   for (int i = 0; i < untangling_runs && !is_clear; ++i) {
     staged = run("untangle", level, level.model, std::move(staged.state), options,
                  progress_when_sewn(level, journal), journal);
-    is_clear = clear_of_itself(level, staged.state);
+    is_clear = is_clear_of_itself(level, staged.state);
   }
   staged.report.converged = false;
   if (!is_clear) return staged;

@@ -4,7 +4,8 @@
 
 namespace toile {
 
-// Seams (measures.h, tight_seams.h).
+// Seams (measures.h, tight_seams.h). A hand's pull and breadth, and how far flesh gives way, are in
+// cloth/scene/constants.h.
 
 /// Metres: two points of a seam that are nearer than this are sewn [Zhong & Xu 2009].
 inline constexpr double sewn_gap = 1e-5;

@@ -10,7 +10,7 @@
 
 namespace toile {
 
-/// A state of a dressing. It is reported where the panels are placed, every 200 steps and at the
+/// A state of a dressing. It is reported when the panels are placed, every 200 steps, and at the
 /// end of each stage.
 struct DressFrame {
   const PanelMesh& mesh;  ///< may be coarser than the garment

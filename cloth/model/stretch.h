@@ -21,9 +21,10 @@ struct LimitMultiplier {
   double shear = 0;  ///< of the sign of w_u·w_v
 };
 
-/// N: forces on the corners of a triangle at a, b, c [Baraff & Witkin 1998]. Strains are |w_u| - 1
-/// and |w_v| - 1, shear is w_u·w_v. The forces are minus the gradient of
-/// E = area/2 (weft (|w_u|-1)² + warp (|w_v|-1)² + shear (w_u·w_v)²).
+/// N: forces on the corners of a triangle at a, b, c [Baraff & Witkin 1998]. w_u and w_v are
+/// the weft's and the warp's unit vectors as deformed. Strains are |w_u| - 1 and |w_v| - 1, shear
+/// is w_u·w_v. The forces are minus the gradient of E = area/2 (weft (|w_u|-1)² + warp (|w_v|-1)² +
+/// shear (w_u·w_v)²).
 ///
 /// - A negative strain counts with `options.compression` times its stiffness.
 /// - Beyond a limit of `options`, `strain_limit_stiffening` times the stiffness is added. It acts

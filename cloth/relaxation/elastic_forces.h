@@ -7,10 +7,11 @@
 
 namespace toile {
 
-/// Forces of elastics. Vertices are the model's material points with `of_points`, as while seams
-/// stand open; else they are its nodes.
+/// Forces of elastics.
 class ElasticForces {
  public:
+  /// With `of_points` the vertices are the model's material points: its seams stand open. Without,
+  /// they are its nodes.
   ElasticForces(const GarmentModel& model, bool of_points);
 
   bool empty() const { return segments_.empty(); }

@@ -98,7 +98,7 @@ inline constexpr double seam_path_step = 0.02;
 /// obstructs no path for good.
 inline constexpr double armpit_length = 0.1;
 
-// Moving panels off layers (clear_of_layers.h).
+// Moving panels off layers (move_off_layers.h).
 
 /// Metres between the displacements that are tried.
 inline constexpr double layer_clearing_step = 0.01;

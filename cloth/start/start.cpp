@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "cloth/scene/collider.h"
-#include "cloth/start/clear_of_layers.h"
+#include "cloth/start/move_off_layers.h"
 #include "cloth/start/positioning.h"
 #include "cloth/start/resolve_intersections.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 void make_clear(const PanelMesh& garment, const Scene& scene, Placement& placement) {
   const DistanceGrid& distance = scene.collider->grid();
-  if (has_layers(scene)) clear_of_layers(garment, distance, placement);
+  if (has_layers(scene)) move_off_layers(garment, distance, placement);
   resolve_intersections(garment, scene.collider->surface(), distance, scene.skeleton, placement);
 }
 

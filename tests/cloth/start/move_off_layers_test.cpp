@@ -1,4 +1,4 @@
-#include "cloth/start/clear_of_layers.h"
+#include "cloth/start/move_off_layers.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile {
-namespace clear_of_layers_test {
+namespace move_off_layers_test {
 
 const SurfaceDistance& block() {
   static const SurfaceDistance body(test::box({-0.15, 0, -0.1}, {0.15, 1, 0.1}));
@@ -29,7 +29,7 @@ TEST(StepOut, PanelsStepBackUntilTheyAreClear) {
   Placement placement;
   placement.placed = garment.placed;
   placement.points_inside = 77;
-  clear_of_layers(garment, collider, placement);
+  move_off_layers(garment, collider, placement);
   // 35 mm deep, and 10 mm clear.
   EXPECT_EQ(placement.moved_off_layers.size(), 1U);
   EXPECT_NEAR(placement.moved_off_layers.at("front"), 0.05, 1e-12);
@@ -54,7 +54,7 @@ TEST(StepOut, WhatNoStepClearsAndWhatIsRolledStays) {
   });
   Placement placement;
   placement.placed = garment.placed;
-  clear_of_layers(garment, collider, placement);
+  move_off_layers(garment, collider, placement);
   EXPECT_EQ(placement.moved_off_layers.count("rolled"), 0U);
   EXPECT_EQ(placement.points_inside > 0, true);
   const MeshedPanel& rolled = garment.panels[1];
@@ -63,5 +63,5 @@ TEST(StepOut, WhatNoStepClearsAndWhatIsRolledStays) {
   }
 }
 
-}  // namespace clear_of_layers_test
+}  // namespace move_off_layers_test
 }  // namespace toile

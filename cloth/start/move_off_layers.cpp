@@ -1,4 +1,4 @@
-#include "cloth/start/clear_of_layers.h"
+#include "cloth/start/move_off_layers.h"
 
 #include <span>
 
@@ -19,7 +19,7 @@ Vec3 facing(const PanelMesh& garment, const MeshedPanel& panel, const std::vecto
 
 }  // namespace
 
-void clear_of_layers(const PanelMesh& garment, const DistanceGrid& collider, Placement& placement) {
+void move_off_layers(const PanelMesh& garment, const DistanceGrid& collider, Placement& placement) {
   for (const MeshedPanel& panel : garment.panels) {
     const Vec3 direction = facing(garment, panel, placement.placed);
     if (direction == Vec3::Zero()) continue;

@@ -13,6 +13,6 @@ namespace toile {
 /// moves in the direction that its right side faces, in steps of 1 cm, up to 40 cm. It stops where
 /// no such point is left, or else where the fewest are. A rolled panel faces no direction, and
 /// stays. Notes the moves in `placement` and counts its points_inside again.
-void clear_of_layers(const PanelMesh& garment, const DistanceGrid& collider, Placement& placement);
+void move_off_layers(const PanelMesh& garment, const DistanceGrid& collider, Placement& placement);
 
 }  // namespace toile
