@@ -89,11 +89,11 @@ TriangleMesh fan_triangles(PolygonSoup soup) {
   return mesh;
 }
 
-void write_mesh(const fs::path& path, const TriangleMesh& mesh,
+void write_mesh(const OutputPath& path, const TriangleMesh& mesh,
                 const std::vector<Colour>& colours) {
-  const Format format = format_of(path);
+  const Format format = format_of(path.path());
   if (!colours.empty() && format != Format::ply) {
-    throw Error(path.string(), "only PLY can hold colours", "use .ply");
+    throw Error(path.path().string(), "only PLY can hold colours", "use .ply");
   }
   switch (format) {
     case Format::obj:

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/types.h"
+#include "io/output_file.h"
 #include "io/view/colour.h"
 
 namespace toile {
@@ -23,7 +24,7 @@ TriangleMesh fan_triangles(PolygonSoup soup);
 /// (binary) keep the doubles exactly. STL holds floats and no shared points. `colours` is empty or
 /// holds one a point. Only PLY can hold colours. It throws Error for an unknown extension, for
 /// colours in another format, and as OutputFile does.
-void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
+void write_mesh(const OutputPath& path, const TriangleMesh& mesh,
                 const std::vector<Colour>& colours = {});
 
 /// Throws Error unless write_mesh() knows the extension. Call it before a long computation.

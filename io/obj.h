@@ -9,6 +9,7 @@
 
 #include "geometry/types.h"
 #include "io/limits.h"
+#include "io/output_file.h"
 
 namespace toile {
 
@@ -42,6 +43,6 @@ ObjData parse_obj(const std::string& text, const std::string& name, double max =
 
 /// Writes an OBJ file, whole or not at all. Doubles have the fewest digits that read back to the
 /// same bits. Throws Error as OutputFile does.
-void write_obj(const std::filesystem::path& path, const ObjData& data);
+void write_obj(const OutputPath& path, const ObjData& data);
 
 }  // namespace toile

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <boost/algorithm/string/predicate.hpp>
 #include <system_error>
 
@@ -11,41 +12,91 @@ namespace toile {
 
 namespace fs = std::filesystem;
 
-OutputFile::OutputFile(fs::path path) : path_(std::move(path)) {
-  if (fs::is_directory(path_)) throw Error(path_.string(), "is a folder", "name a file");
-  // The process id keeps the temporary files of two runs apart that write the same file.
-  temporary_ = path_;
-  temporary_ += ".part" + std::to_string(getpid());
-  stream_.open(temporary_, std::ios::binary | std::ios::trunc);
+namespace {
+
+/// Where a path leads by symbolic links, also when no file is there yet.
+fs::path followed(fs::path path) {
+  constexpr int max_links = 40;  // as the kernel's
+  std::error_code failed;
+  for (int i = 0; i < max_links && fs::is_symlink(path, failed); ++i) {
+    const fs::path target = fs::read_symlink(path, failed);
+    path = path.parent_path() / target;
+  }
+  return path;
+}
+
+/// A file can be replaced by a finished one, what else there is can't.
+void check_kind(const fs::path& path, const fs::path& target) {
+  const fs::file_status status = fs::status(path);
+  if (fs::is_directory(status)) throw Error(path.string(), "is a folder", "name a file");
+  const bool is_stream = fs::weakly_canonical(path.parent_path()).string().starts_with("/proc/") ||
+                         path.parent_path() == "/dev";
+  if ((fs::exists(status) && !fs::is_regular_file(status)) || is_stream) {
+    throw Error(path.string(), "is a device, a pipe or a socket", "name a file");
+  }
+  if (fs::exists(status) && access(target.c_str(), W_OK) != 0) {
+    throw Error(path.string(), "may not be written", "name another file, or change its mode");
+  }
+}
+
+}  // namespace
+
+OutputFile::OutputFile(fs::path path)
+    : path_(std::move(path)), target_(followed(path_)), temporary_(target_) {
+  check_kind(path_, target_);
+  stream_.open(temporary_.name(), std::ios::binary | std::ios::trunc);
   if (!stream_) {
     throw Error(path_.string(), "can't be written",
                 "check that its folder exists and that you may write there");
   }
 }
 
-OutputFile::~OutputFile() {
-  if (temporary_.empty()) return;
-  stream_.close();
-  std::error_code ignored;
-  fs::remove(temporary_, ignored);
+void OutputFile::finish() {
+  if (stream_.is_open()) stream_.close();
+  if (!stream_) throw Error(path_.string(), "could not be written whole", "is the disk full?");
 }
 
 void OutputFile::commit() {
-  stream_.close();
-  if (!stream_) throw Error(path_.string(), "could not be written whole", "is the disk full?");
-  std::error_code failed;
-  fs::rename(temporary_, path_, failed);
-  if (failed) throw Error(path_.string(), "could not be put in place", failed.message());
-  temporary_.clear();
+  finish();
+  temporary_.put_in_place(target_);
 }
 
-void write_file(const fs::path& path, std::string_view content) {
-  OutputFile file(path);
+void OutputFiles::add(const fs::path& path, std::string_view content) {
+  files_.remove_if([&](const OutputFile& file) { return file.path() == path; });
+  OutputFile& file = files_.emplace_back(path);
   file.stream().write(content.data(), static_cast<std::streamsize>(content.size()));
-  file.commit();
+  file.finish();
+}
+
+const fs::path& OutputFiles::written(const fs::path& path) const {
+  const auto file = std::ranges::find(files_, path, &OutputFile::path);
+  if (file == files_.end()) throw Error(path.string(), "was not written", "");
+  return file->temporary();
+}
+
+void OutputFiles::commit() {
+  const SignalsWait wait;
+  for (OutputFile& file : files_) file.commit();
+  files_.clear();
+}
+
+void write_file(const OutputPath& path, std::string_view content) {
+  OutputFiles alone;
+  OutputFiles& files = path.files() != nullptr ? *path.files() : alone;
+  files.add(path.path(), content);
+  alone.commit();
 }
 
 void check_writable(const fs::path& path) { const OutputFile probe(path); }
+
+bool same_file(const fs::path& a, const fs::path& b) {
+  std::error_code absent;
+  if (fs::equivalent(a, b, absent)) return true;
+  const fs::path one = fs::weakly_canonical(fs::absolute(followed(a)));
+  const fs::path other = fs::weakly_canonical(fs::absolute(followed(b)));
+  return one.parent_path() == other.parent_path() &&
+         boost::algorithm::iequals(one.filename().string(), other.filename().string());
+}
 
 void check_extension(const fs::path& path, const std::vector<std::string>& extensions) {
   for (const std::string& extension : extensions) {

@@ -44,7 +44,7 @@ bool has_segment(const Skeleton& skeleton, const Segment& wanted) {
 
 }  // namespace
 
-void write_skeleton(const fs::path& path, const Skeleton& skeleton) {
+void write_skeleton(const OutputPath& path, const Skeleton& skeleton) {
   Json json = {{"format", "toile-body"}, {"version", 1}, {"units", "m"}, {"up", "y"}};
   json["joints"] = Json::object();
   for (const auto& [name, point] : skeleton.joints) {

@@ -4,13 +4,14 @@
 #include <filesystem>
 
 #include "geometry/body/skeleton.h"
+#include "io/output_file.h"
 
 namespace toile {
 
 /// Writes a file such as
 /// {"format": "toile-body", "version": 1, "units": "m", "up": "y",
 ///  "joints": {name: [x, y, z]}, "segments": [{"part", "from", "to"}]}
-void write_skeleton(const std::filesystem::path& path, const Skeleton& skeleton);
+void write_skeleton(const OutputPath& path, const Skeleton& skeleton);
 
 /// Reads a file that write_skeleton() wrote and skips unknown keys. It throws Error, with the file
 /// and the key, for text that is not JSON, other units or another up axis. A joint that is not

@@ -23,8 +23,6 @@ namespace {
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
-fs::path beside(const fs::path& obj) { return fs::path(obj).replace_extension(".json"); }
-
 [[noreturn]] void fail(const std::string& place, const std::string& problem) {
   throw Error(place, problem, "write both files again with mesh-pattern");
 }
@@ -251,7 +249,9 @@ void check_ranges(const PanelMesh& garment, const std::string& name) {
 
 }  // namespace
 
-void write_garment(const fs::path& obj, const PanelMesh& garment) {
+fs::path garment_json_path(const fs::path& obj) { return fs::path(obj).replace_extension(".json"); }
+
+void write_garment(const OutputPath& obj, const PanelMesh& garment) {
   ObjData data;
   data.comments = {"Toile garment: v placed points, vt flat pattern coordinates (m), l stitches"};
   data.points = garment.placed;
@@ -271,15 +271,18 @@ void write_garment(const fs::path& obj, const PanelMesh& garment) {
       if (seam.a[i] != seam.b[i]) data.lines.push_back({seam.a[i], seam.b[i]});
     }
   }
-  write_obj(obj, data);
-  write_file(beside(obj), garment_json(garment));
+  OutputFiles pair;
+  OutputFiles& files = obj.files() != nullptr ? *obj.files() : pair;
+  write_obj(files.at(obj.path()), data);
+  write_file(files.at(garment_json_path(obj.path())), garment_json(garment));
+  pair.commit();
 }
 
 PanelMesh read_garment(const fs::path& obj, const fs::path& json) {
   PanelMesh garment;
   read_mesh(read_obj(obj, max_metres), obj.string(), garment);
   check_overlaps(garment, obj.string());
-  const fs::path path = json.empty() ? beside(obj) : json;
+  const fs::path path = json.empty() ? garment_json_path(obj) : json;
   const std::string name = path.string();
   const JsonDocument document(read_file(path), name);
   const JsonValue root = document.root();
@@ -335,7 +338,7 @@ void refuse_doubled_faces(const DressedGarment& garment, const std::string& name
 
 }  // namespace
 
-void write_dressed(const fs::path& obj, const DressedGarment& garment) {
+void write_dressed(const OutputPath& obj, const DressedGarment& garment) {
   ObjData data;
   data.comments = {"Toile dressed garment: v nodes (sewn points shared), vt flat coordinates (m)"};
   data.points = garment.points;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "io/output_file.h"
 #include "pattern/panel_mesh.h"
 
 namespace toile {
@@ -16,8 +17,11 @@ namespace toile {
 /// - garment.json of the same stem: panels with their ranges, grain, fabric, part and placement;
 ///   seams with their pairs and lengths; elastics, attachments and subdivisions.
 ///
-/// Throws Error when a file cannot be written.
-void write_garment(const std::filesystem::path& obj, const PanelMesh& garment);
+/// Both files are new or neither. Throws Error as OutputFile does.
+void write_garment(const OutputPath& obj, const PanelMesh& garment);
+
+/// Where a garment's panels and seams are: garment.json beside garment.obj.
+std::filesystem::path garment_json_path(const std::filesystem::path& obj);
 
 /// Reads what write_garment wrote, also after another program has moved the points. If `json` is
 /// empty, the file of the same stem is read. Throws Error, naming the file, when the two do not fit
@@ -25,8 +29,8 @@ void write_garment(const std::filesystem::path& obj, const PanelMesh& garment);
 PanelMesh read_garment(const std::filesystem::path& obj, const std::filesystem::path& json = {});
 
 /// Writes a dressed garment: `v` are the nodes, `vt` the flat coordinates, one group a panel.
-/// Throws Error when the file cannot be written.
-void write_dressed(const std::filesystem::path& obj, const DressedGarment& garment);
+/// Throws Error as OutputFile does.
+void write_dressed(const OutputPath& obj, const DressedGarment& garment);
 
 /// Reads what write_dressed wrote. Throws Error when there is no face, or when a face has no vt, is
 /// no triangle, belongs to no group, or is there twice.

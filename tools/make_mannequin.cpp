@@ -35,34 +35,48 @@ Json report_json(const Mannequin& mannequin) {
           {"girths", girths}};
 }
 
+/// Whether --pose gives a file, not a name.
+bool is_file(const std::string& pose) { return pose.find_first_of("./") != std::string::npos; }
+
 Pose pose_of(const std::string& given) {
   if (given == "standing") return standing_pose();
   if (given == "walking") return walking_pose();
-  if (given.find('.') == std::string::npos && given.find('/') == std::string::npos) {
+  if (!is_file(given)) {
     throw Error("--pose", "'" + given + "' is no pose", "give standing, walking or a file");
   }
   return read_pose(given);
 }
 
-int work(const po::variables_map& given, const CommonSettings& common) {
-  MannequinOptions options;
-  options.edge_length = parse_length(given["edge-length"].as<std::string>(), "--edge-length");
-  options.pose_name = given["pose"].as<std::string>();
+void write_mannequin(MannequinOptions options, const CommonSettings& common) {
   options.pose = pose_of(options.pose_name);
-  check_mesh_extension(common.output);
-  const std::filesystem::path joints = skeleton_path(common.output);
-  check_writable(joints);
-
   const Mannequin mannequin = make_mannequin(options);
   for (const MannequinGirth& girth : mannequin.girths) {
     char line[80];
     std::snprintf(line, sizeof line, "%-12s %6.2f cm", girth.name.c_str(), 100 * girth.measured);
     common.say(line);
   }
-  write_mesh(common.output, mannequin.surface);
-  write_skeleton(joints, mannequin.skeleton);
-  if (common.report) write_file(*common.report, report_json(mannequin).dump(1) + "\n");
-  return exit_done;
+  OutputFiles files;
+  write_mesh(files.at(common.output), mannequin.surface);
+  write_skeleton(files.at(skeleton_path(common.output)), mannequin.skeleton);
+  if (common.report) {
+    write_file(files.at(*common.report), report_json(mannequin).dump(1) + "\n");
+  }
+  files.commit();
+}
+
+Job prepare(const po::variables_map& given, const CommonSettings& common) {
+  MannequinOptions options;
+  options.edge_length = parse_length(given["edge-length"].as<std::string>(), "--edge-length");
+  options.pose_name = given["pose"].as<std::string>();
+  check_mesh_extension(common.output);
+  Job job;
+  if (is_file(options.pose_name)) job.files.reads = {options.pose_name};
+  job.files.writes = {common.output, skeleton_path(common.output)};
+  job.work = [options, &common] {
+    write_mannequin(options, common);
+    return exit_done;
+  };
+  return job;
 }
 
 }  // namespace
@@ -77,7 +91,7 @@ CommandLineProgram make_mannequin_program() {
                                 "mean edge of the mesh, 4mm to 15mm")(
       "pose", po::value<std::string>()->default_value("standing"),
       "standing, walking, or a file that gives joints' angles");
-  program.work = work;
+  program.prepare = prepare;
   return program;
 }
 

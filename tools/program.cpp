@@ -9,6 +9,7 @@
 
 #include "geometry/error.h"
 #include "io/output_file.h"
+#include "io/temporary_file.h"
 
 namespace toile {
 
@@ -22,19 +23,17 @@ void CommonSettings::warn(const std::string& line) { std::cerr << "warning: " <<
 
 namespace {
 
-bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
-  return std::filesystem::weakly_canonical(a) == std::filesystem::weakly_canonical(b);
-}
-
-/// The files that options and arguments name, but for those to write.
-std::vector<std::filesystem::path> files_to_read(const po::variables_map& given) {
-  std::vector<std::filesystem::path> files;
-  for (const auto& [name, value] : given) {
-    if (name == "output" || name == "report") continue;
-    const auto* text = boost::any_cast<std::string>(&value.value());
-    if (text != nullptr && std::filesystem::is_regular_file(*text)) files.emplace_back(*text);
+/// Refuses files that would be lost or can't be written, before any work.
+void check_files(const CommandLineProgram& program, const CommonSettings& settings,
+                 ProgramFiles files) {
+  if (settings.report) files.writes.push_back(*settings.report);
+  refuse_overwriting(files);
+  if (program.writes_folder) {
+    std::error_code failed;
+    std::filesystem::create_directories(settings.output, failed);
+    if (failed) throw Error(settings.output.string(), "can't be made", failed.message());
   }
-  return files;
+  for (const std::filesystem::path& file : files.writes) check_writable(file);
 }
 
 int usage_error(const CommandLineProgram& program, const std::string& problem) {
@@ -90,6 +89,7 @@ po::options_description common_options(const CommandLineProgram& program) {
 int run_program(int argc, char** argv, const CommandLineProgram& program) {
   // A file that grows beyond the shell's limit is an error like a full disk, not a signal.
   std::signal(SIGXFSZ, SIG_IGN);
+  remove_temporary_files_on_signals();
   po::options_description all;
   const po::options_description common = common_options(program);
   all.add(program.options).add(common);
@@ -139,13 +139,9 @@ int run_program(int argc, char** argv, const CommandLineProgram& program) {
     if (!program.output_extensions.empty()) {
       check_extension(settings.output, program.output_extensions);
     }
-    if (!program.writes_folder) {
-      std::vector<std::filesystem::path> to_write = {settings.output};
-      if (settings.report) to_write.push_back(*settings.report);
-      refuse_overwriting(to_write, files_to_read(given));
-      for (const std::filesystem::path& file : to_write) check_writable(file);
-    }
-    return program.work(given, settings);
+    const Job job = program.prepare(given, settings);
+    check_files(program, settings, job.files);
+    return job.work();
   } catch (const std::bad_alloc&) {
     std::cerr << program.name << ": error: out of memory; use a coarser mesh\n";
   } catch (const Error& failed) {
@@ -165,21 +161,6 @@ std::string toile_version() { return TOILE_VERSION; }
 
 void print_version(const std::string& name) {
   std::cout << name << " (Toile) " << toile_version() << '\n';
-}
-
-void refuse_overwriting(const std::vector<std::filesystem::path>& to_write,
-                        const std::vector<std::filesystem::path>& to_read) {
-  for (std::size_t i = 0; i < to_write.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (!same_file(to_write[i], to_write[j])) continue;
-      throw Error(to_write[i].string(), "is named for two outputs",
-                  "give -o and --report different files");
-    }
-    for (const std::filesystem::path& file : to_read) {
-      if (!same_file(to_write[i], file)) continue;
-      throw Error(file.string(), "would be overwritten", "give the output another name");
-    }
-  }
 }
 
 const std::map<std::string, double>& length_units() {

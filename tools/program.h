@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/program_files.h"
+
 namespace toile {
 
 /// Exit codes of every program.
@@ -32,8 +34,13 @@ struct CommonSettings {
   static void warn(const std::string& line);
 };
 
+/// What a command line asks for. Its work returns an exit code.
+struct Job {
+  ProgramFiles files;  ///< the report need not be among them
+  std::function<int()> work;
+};
+
 /// A program: its name, its purpose in a line, its usage, its own options and positional arguments.
-/// Its work returns an exit code.
 struct CommandLineProgram {
   std::string name;
   std::string summary;
@@ -46,14 +53,16 @@ struct CommandLineProgram {
   std::vector<std::string> output_extensions;
   /// -o is a folder for files of fixed names, the report among them: there is no --report.
   bool writes_folder = false;
-  std::function<int(const boost::program_options::variables_map&, const CommonSettings&)> work;
+  /// Reads no more than it takes to know all files. What it is given outlives the job.
+  std::function<Job(const boost::program_options::variables_map&, const CommonSettings&)> prepare;
 };
 
 /// The options that every program has, as --help prints them.
 boost::program_options::options_description common_options(const CommandLineProgram& program);
 
-/// Runs a program. It parses the command line, answers --help and --version, limits the threads and
-/// runs the work. An exception becomes one message and its exit code. -o is required.
+/// Runs a program. It parses the command line, answers --help and --version, limits the threads,
+/// checks that no file would be lost, and does the work. An exception becomes one message and its
+/// exit code. -o is required. A signal that ends the program leaves no temporary file.
 int run_program(int argc, char** argv, const CommandLineProgram& program);
 
 /// Toile's own.
@@ -61,10 +70,6 @@ std::string toile_version();
 
 /// The answer to --version, on stdout.
 void print_version(const std::string& name);
-
-/// Throws Error when a file to write is among those to read, or when two to write are the same.
-void refuse_overwriting(const std::vector<std::filesystem::path>& to_write,
-                        const std::vector<std::filesystem::path>& to_read);
 
 /// Metres, by the names of units of length.
 const std::map<std::string, double>& length_units();

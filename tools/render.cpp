@@ -87,15 +87,17 @@ void run_render(const RenderSettings& settings, const CommonSettings& common) {
   }
   if (meshes.empty()) throw Error("render", "there is nothing to show", "name a garment or a body");
   if (picture.legend.size() > 40) picture.legend.clear();
-  write_file(common.output, picture_png(std::move(meshes), picture));
+  OutputFiles files;
+  write_file(files.at(common.output), picture_png(std::move(meshes), picture));
   if (common.report) {
     nlohmann::ordered_json report;
     report["picture"] = common.output.string();
     report["views"] = settings.views.size();
     report["view_width_pixels"] = settings.width;
     report["garments"] = settings.garments;
-    write_file(*common.report, report.dump(2) + "\n");
+    write_file(files.at(*common.report), report.dump(2) + "\n");
   }
+  files.commit();
   common.say("wrote " + common.output.string());
 }
 
@@ -117,7 +119,7 @@ CommandLineProgram render_program() {
       "title", po::value<std::string>()->default_value(""), "text above the views");
   program.positional.add("garment", -1);
   program.output_extensions = {".png"};
-  program.work = [](const po::variables_map& given, const CommonSettings& common) {
+  program.prepare = [](const po::variables_map& given, const CommonSettings& common) {
     RenderSettings settings;
     settings.body = given["body"].as<std::string>();
     settings.garments = given["garment"].as<std::vector<std::string>>();
@@ -128,8 +130,15 @@ CommandLineProgram render_program() {
     if (settings.width < 64 || settings.width > 2048) {
       throw Error("--width", "is out of range", "give 64 to 2048 pixels");
     }
-    run_render(settings, common);
-    return exit_done;
+    Job job;
+    job.files.reads.assign(settings.garments.begin(), settings.garments.end());
+    if (!settings.body.empty()) job.files.reads.emplace_back(settings.body);
+    job.files.writes = {common.output};
+    job.work = [settings, &common] {
+      run_render(settings, common);
+      return exit_done;
+    };
+    return job;
   };
   return program;
 }

@@ -111,7 +111,7 @@ TEST(MeshPattern, ThePatternIsNeverOverwritten) {
   const auto beside =
       run("mesh-pattern", {(folder / "bag.json").string(), "-o", (folder / "bag.obj").string()});
   EXPECT_EQ(beside.exit_code, 1);
-  EXPECT_HOLDS(beside.err, "bag.json, the pattern; name the garment otherwise");
+  EXPECT_HOLDS(beside.err, "bag.json: would be overwritten; give the output another name");
   EXPECT_EQ(folder.names(), std::vector<std::string>{"bag.json"});
   write_text(folder / "bag.obj", samples::bag);
   const auto itself =

@@ -238,7 +238,7 @@ TEST_F(OutfitInput, NoInputIsOverwritten) {
   output = folder / "other.obj";
   expect_refused(dress(), "would be overwritten");
   report = folder / "other-first.obj";
-  expect_refused(dress(), "--report");
+  expect_refused(dress(), "other-first.obj: would be written twice");
 }
 
 TEST_F(OutfitInput, ALayerThatIsOnlyNotAtRestIsDressedOver) {

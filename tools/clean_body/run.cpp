@@ -130,16 +130,15 @@ std::vector<std::string> warnings_about(const CleanBody& body) {
   return warnings;
 }
 
-/// Whether there was an earlier run's skeleton beside a body that has none. It would be taken for
-/// that body's, and is removed.
-bool remove_stale_skeleton(const std::filesystem::path& path) {
+/// Whether an earlier run's skeleton is beside a body that has none. It would be taken for that
+/// body's.
+bool is_stale_skeleton(const std::filesystem::path& path) {
   if (!std::filesystem::exists(path)) return false;
   try {
     read_skeleton(path);
   } catch (const Error&) {
     return false;  // not ours
   }
-  std::filesystem::remove(path);
   return true;
 }
 
@@ -162,8 +161,6 @@ void run_clean_body(const CleanBodySettings& settings, const CommonSettings& com
   const std::string in = settings.input.string();
   CleanOptions options;
   options.metres_per_unit = settings.metres_per_unit;
-  check_mesh_extension(common.output);
-
   const std::filesystem::path beside = skeleton_path(in);
   if (is_skeleton_file(beside)) options.skeleton = read_skeleton(beside);
 
@@ -180,19 +177,21 @@ void run_clean_body(const CleanBodySettings& settings, const CommonSettings& com
     common.say("joints taken from " + beside.string());
   }
   const std::filesystem::path joints = skeleton_path(common.output);
-  if (!body.skeleton) {
-    warnings.push_back(body.report.no_skeleton);
-    if (remove_stale_skeleton(joints)) {
-      warnings.push_back(joints.string() + " was another body's skeleton and is removed");
-    }
+  const bool is_stale = !body.skeleton && is_stale_skeleton(joints);
+  if (!body.skeleton) warnings.push_back(body.report.no_skeleton);
+  if (is_stale) {
+    warnings.push_back(joints.string() + " was another body's skeleton and is removed");
   }
   for (const std::string& warning : warnings) CommonSettings::warn(warning);
-  write_mesh(common.output, body.mesh);
-  if (body.skeleton) write_skeleton(joints, *body.skeleton);
+  OutputFiles files;
+  write_mesh(files.at(common.output), body.mesh);
+  if (body.skeleton) write_skeleton(files.at(joints), *body.skeleton);
   if (common.report) {
     const bool given = options.skeleton && body.report.skeleton_refused.empty();
-    write_file(*common.report, clean_body_json(body, given, warnings).dump(1) + "\n");
+    write_file(files.at(*common.report), clean_body_json(body, given, warnings).dump(1) + "\n");
   }
+  files.commit();
+  if (is_stale) std::filesystem::remove(joints);
 }
 
 }  // namespace toile

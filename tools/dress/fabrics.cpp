@@ -43,6 +43,7 @@ FabricChoice read_fabrics(const po::variables_map& given) {
     std::error_code unreachable;
     if (equals != std::string::npos && equals > 0 && !std::filesystem::exists(text, unreachable)) {
       const std::string name = text.substr(0, equals);
+      choice.files.emplace_back(text.substr(equals + 1));
       if (!choice.of_panels.emplace(name, find_fabric(text.substr(equals + 1))).second) {
         throw Error("--fabric", "gives '" + name + "' twice", "leave one out");
       }
@@ -51,6 +52,7 @@ FabricChoice read_fabrics(const po::variables_map& given) {
                   "leave one out, or give it to panels: NAME=" + text);
     } else {
       of_garments = text;
+      choice.files.emplace_back(text);
     }
   }
   choice.of_garments = of_garments.value_or(Fabric().name);

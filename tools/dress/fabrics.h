@@ -2,6 +2,7 @@
 #pragma once
 
 #include <boost/program_options.hpp>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -13,8 +14,9 @@ namespace toile {
 
 /// What --fabric says.
 struct FabricChoice {
-  std::string of_garments;                  ///< a name or a file, for find_fabric()
-  std::map<std::string, Fabric> of_panels;  ///< by the names that panels give
+  std::string of_garments;                   ///< a name or a file, for find_fabric()
+  std::map<std::string, Fabric> of_panels;   ///< by the names that panels give
+  std::vector<std::filesystem::path> files;  ///< that were named; a fabric's own name may be here
 };
 
 void add_fabric_option(boost::program_options::options_description& options);

@@ -7,9 +7,10 @@ namespace toile {
 
 namespace {
 
-int work(const boost::program_options::variables_map& given, const CommonSettings& common) {
-  const Verdict verdict = run_dress(read_dress_settings(given, common.output), common);
-  return exit_code_of(verdict);
+Job prepare(const boost::program_options::variables_map& given, const CommonSettings& common) {
+  const DressSettings settings = read_dress_settings(given, common.output);
+  return {files_of(settings),
+          [settings, &common] { return exit_code_of(run_dress(settings, common)); }};
 }
 
 }  // namespace
@@ -25,7 +26,7 @@ CommandLineProgram dress_program() {
   program.positional.add("garment", 1);
   program.output_extensions = {".obj"};
   program.check = check_dress_options;
-  program.work = work;
+  program.prepare = prepare;
   return program;
 }
 

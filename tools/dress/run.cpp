@@ -27,23 +27,6 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// The files that a scene writes are named by its layers: none may be one that it reads.
-void check_files(const DressSettings& settings, const CommonSettings& common) {
-  std::vector<fs::path> to_read = {settings.body, settings.skeleton};
-  if (settings.cache) to_read.push_back(*settings.cache);
-  if (settings.scene) to_read.push_back(*settings.scene);
-  std::vector<fs::path> to_write;
-  for (const LayerFiles& layer : settings.layers) {
-    to_read.push_back(layer.garment);
-    to_read.push_back(layer.garment_json.empty() ? fs::path(layer.garment).replace_extension("json")
-                                                 : layer.garment_json);
-    to_write.push_back(layer.output);
-  }
-  if (common.report) to_write.push_back(*common.report);
-  refuse_overwriting(to_write, to_read);
-  for (const LayerFiles& layer : settings.layers) check_writable(layer.output);
-}
-
 class DressRun {
  public:
   DressRun(const DressSettings& settings, const CommonSettings& common)
@@ -67,6 +50,7 @@ class DressRun {
   const CommonSettings& common_;
   const Clock::time_point start_ = Clock::now();
   DressLog log_;
+  OutputFiles files_;  // but for the states on the way and the cache
   std::optional<Collider> collider_;
   std::optional<Skeleton> skeleton_;
   double read_seconds_ = 0;
@@ -179,8 +163,9 @@ OutfitHooks DressRun::hooks() {
   hooks.warn = [this](const std::string& line) { log_.warn(line); };
   hooks.dressed = [this](std::size_t layer, const WornLayer& worn) { say_dressed(layer, worn); };
   hooks.write = [this](std::size_t layer, const DressedGarment& garment) {
-    write_dressed(settings_.layers[layer].output, garment);
-    return read_dressed(settings_.layers[layer].output);
+    const fs::path& output = settings_.layers[layer].output;
+    write_dressed(files_.at(output), garment);
+    return read_dressed(files_.written(output));
   };
   hooks.judged = [this](std::size_t layer, const WornLayer& worn) { say_judged(layer, worn); };
   return hooks;
@@ -233,7 +218,6 @@ Json DressRun::scene_report(const WornOutfit& worn) const {
 }
 
 Verdict DressRun::run() {
-  check_files(settings_, common_);
   const Outfit outfit = read_outfit();
   read_body();
   warnings_ = log_.take_warnings();
@@ -246,8 +230,9 @@ Verdict DressRun::run() {
   for (std::string& line : log_.take_warnings()) warnings_.push_back(std::move(line));
   if (common_.report) {
     const Json report = settings_.scene ? scene_report(worn) : layer_report(worn, 0);
-    write_file(*common_.report, report.dump(2) + "\n");
+    write_file(files_.at(*common_.report), report.dump(2) + "\n");
   }
+  files_.commit();
   if (settings_.scene) log_.say("outfit: " + to_string(worn.verdict()));
   return worn.verdict();
 }

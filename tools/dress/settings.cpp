@@ -5,6 +5,7 @@
 #include "cloth/scene/scene_file.h"
 #include "geometry/error.h"
 #include "io/skeleton_file.h"
+#include "pattern/garment_file.h"
 
 namespace toile {
 
@@ -35,6 +36,7 @@ void read_layers(const po::variables_map& given, const fs::path& output, DressSe
     settings.needs_skeleton = scene.skeleton.has_value();
     for (const SceneLayer& layer : scene.layers) {
       const std::string file = output.stem().string() + "-" + layer.name + ".obj";
+      if (!layer.fabric.empty()) settings.fabrics.files.emplace_back(layer.fabric);
       settings.layers.push_back({layer.name, layer.garment, layer.garment_json,
                                  find_fabric(layer.fabric.empty() ? fabric : layer.fabric),
                                  output.parent_path() / file, layer.panels_over});
@@ -124,6 +126,25 @@ DressSettings read_dress_settings(const po::variables_map& given, const fs::path
   settings.shear_limit = read_shear_limit(given);
   settings.method = read_method(given, settings.coupled);
   return settings;
+}
+
+ProgramFiles files_of(const DressSettings& settings) {
+  ProgramFiles files;
+  files.reads = settings.fabrics.files;
+  files.reads.push_back(settings.body);
+  files.reads.push_back(settings.skeleton);
+  if (settings.scene) files.reads.push_back(*settings.scene);
+  if (settings.cache) files.keeps.push_back(*settings.cache);
+  for (const LayerFiles& layer : settings.layers) {
+    files.reads.push_back(layer.garment);
+    files.reads.push_back(layer.garment_json.empty() ? garment_json_path(layer.garment)
+                                                     : layer.garment_json);
+    files.writes.push_back(layer.output);
+    if (settings.frames && settings.scene) files.folders.push_back(*settings.frames / layer.name);
+  }
+  if (settings.frames) files.folders.push_back(*settings.frames);
+  if (settings.frames && settings.coupled) files.folders.push_back(*settings.frames / "coupled");
+  return files;
 }
 
 }  // namespace toile

@@ -11,6 +11,7 @@
 #include "cloth/scene/scene.h"
 #include "tools/dress/fabrics.h"
 #include "tools/dress/method.h"
+#include "tools/program_files.h"
 
 namespace toile {
 
@@ -53,6 +54,9 @@ void check_dress_options(const boost::program_options::variables_map& given);
 /// after `output`. Throws Error for values that can't be used and scenes that can't be read.
 DressSettings read_dress_settings(const boost::program_options::variables_map& given,
                                   const std::filesystem::path& output);
+
+/// All files that dress reads and writes, but for the report.
+ProgramFiles files_of(const DressSettings& settings);
 
 /// The body's distances are kept beside it: body.distances for body.ply.
 std::filesystem::path distances_path(const std::filesystem::path& body);

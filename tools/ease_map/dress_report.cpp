@@ -37,6 +37,10 @@ bool is_of(const JsonValue& entry, const DressedGarment& garment) {
 
 }  // namespace
 
+fs::path dress_report_path(const fs::path& garment_file) {
+  return fs::path(garment_file).replace_extension("json");
+}
+
 std::optional<DressReport> read_dress_report(const fs::path& file, const fs::path& garment_file,
                                              const DressedGarment& garment) {
   const JsonDocument document(read_file(file), file.string());

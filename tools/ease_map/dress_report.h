@@ -18,6 +18,9 @@ struct DressReport {
   std::vector<double> grains;         ///< radians, MeshedPanel::grain per panel of the garment
 };
 
+/// Where it is looked for: dressed.json beside dressed.obj.
+std::filesystem::path dress_report_path(const std::filesystem::path& garment_file);
+
 /// Reads the report of a garment, or the garment's entry in the report of a scene, by the name of
 /// its file. `garment_file` is the dressed garment's. Nothing if the file is no report of dress, or
 /// of another garment: the counts of triangles and material points tell. Throws Error for a file

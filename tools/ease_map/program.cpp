@@ -1,4 +1,7 @@
 // ease-map: how far a dressed garment stands off the body, to look at and to calculate with.
+#include "io/output_file.h"
+#include "io/skeleton_file.h"
+#include "tools/ease_map/dress_report.h"
 #include "tools/ease_map/run.h"
 #include "tools/programs.h"
 
@@ -41,7 +44,7 @@ CommandLineProgram ease_map_program() {
       "gap at the end of the colour scale; to compare garments (default: to suit this one)");
   program.positional.add("garment", 1);
   program.output_extensions = {".html", ".htm"};
-  program.work = [](const po::variables_map& given, const CommonSettings& common) {
+  program.prepare = [](const po::variables_map& given, const CommonSettings& common) {
     EaseMapSettings settings;
     settings.garment = given["garment"].as<std::string>();
     settings.body = given["body"].as<std::string>();
@@ -56,8 +59,21 @@ CommandLineProgram ease_map_program() {
     }
     if (given.count("top") != 0)
       settings.top = parse_length(given["top"].as<std::string>(), "--top");
-    run_ease_map(settings, common);
-    return exit_done;
+    if (settings.ply) check_extension(*settings.ply, {".ply"});  // only PLY files hold colours
+    if (settings.png) check_extension(*settings.png, {".png"});
+    Job job;
+    job.files.reads = {settings.garment, settings.body,
+                       settings.skeleton.value_or(skeleton_path(settings.body)),
+                       settings.dress_report.value_or(dress_report_path(settings.garment))};
+    job.files.writes = {common.output};
+    for (const auto& file : {settings.csv, settings.json, settings.ply, settings.png}) {
+      if (file) job.files.writes.push_back(*file);
+    }
+    job.work = [settings, &common] {
+      run_ease_map(settings, common);
+      return exit_done;
+    };
+    return job;
   };
   return program;
 }

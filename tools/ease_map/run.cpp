@@ -25,8 +25,7 @@ constexpr double contact_margin = 0.001;
 /// What the report of dress beside the garment says; none where there is no such report.
 std::optional<DressReport> dressing_of(const EaseReport& report, const EaseMapSettings& settings,
                                        const CommonSettings& common) {
-  const fs::path beside = fs::path(settings.garment).replace_extension("json");
-  const fs::path file = settings.dress_report.value_or(beside);
+  const fs::path file = settings.dress_report.value_or(dress_report_path(settings.garment));
   if (!settings.dress_report && !fs::exists(file)) {
     common.say("no verdict: there is no report of dress at " + file.string());
     return std::nullopt;
@@ -89,8 +88,6 @@ void warn_if_too_small(EaseReport& report) {
 }  // namespace
 
 void run_ease_map(const EaseMapSettings& settings, const CommonSettings& common) {
-  if (settings.ply) check_extension(*settings.ply, {".ply"});  // only PLY files hold colours
-  if (settings.png) check_extension(*settings.png, {".png"});
   EaseReport report;
   report.garment = read_dressed(settings.garment);
   report.body = read_closed_body(settings.body);
@@ -113,18 +110,20 @@ void run_ease_map(const EaseMapSettings& settings, const CommonSettings& common)
     for (const std::string& line : ease_summary(report)) common.say(line);
   }
 
-  if (settings.csv) write_file(*settings.csv, ease_csv(report));
-  if (settings.json) write_file(*settings.json, ease_json(report));
-  if (common.report) write_file(*common.report, ease_json(report));
+  OutputFiles files;
+  if (settings.csv) write_file(files.at(*settings.csv), ease_csv(report));
+  if (settings.json) write_file(files.at(*settings.json), ease_json(report));
+  if (common.report) write_file(files.at(*common.report), ease_json(report));
   if (settings.ply) {
-    write_mesh(*settings.ply, {report.garment.points, report.garment.triangles},
+    write_mesh(files.at(*settings.ply), {report.garment.points, report.garment.triangles},
                ease_colours(report));
   }
   std::vector<int> widths = {420};
   if (settings.png) widths.push_back(900);
   const std::vector<std::string> pictures = ease_pictures(report, widths);
-  if (settings.png) write_file(*settings.png, pictures[1]);
-  write_file(common.output, ease_page(report, pictures[0]));
+  if (settings.png) write_file(files.at(*settings.png), pictures[1]);
+  write_file(files.at(common.output), ease_page(report, pictures[0]));
+  files.commit();
   common.say("wrote " + common.output.string());
 }
 

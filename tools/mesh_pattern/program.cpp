@@ -1,6 +1,7 @@
 // mesh-pattern: from a flat sewing pattern to meshed panels with paired seams.
 #include "geometry/error.h"
 #include "pattern/constants.h"
+#include "pattern/garment_file.h"
 #include "tools/mesh_pattern/run.h"
 #include "tools/programs.h"
 
@@ -21,7 +22,7 @@ CommandLineProgram mesh_pattern_program() {
       "pattern", po::value<std::string>()->required(), "the pattern (also without --pattern)");
   program.positional.add("pattern", 1);
   program.output_extensions = {".obj"};  // garment.json is written beside it
-  program.work = [](const po::variables_map& given, const CommonSettings& common) {
+  program.prepare = [](const po::variables_map& given, const CommonSettings& common) {
     MeshPatternSettings settings;
     settings.pattern = given["pattern"].as<std::string>();
     settings.mesh.edge_length = read_edge_length(given);
@@ -31,8 +32,14 @@ CommandLineProgram mesh_pattern_program() {
                   "use 0 to 3, or -1");
     }
     settings.flat = given["flat"].as<bool>();
-    run_mesh_pattern(settings, common);
-    return exit_done;
+    Job job;
+    job.files.reads = {settings.pattern};
+    job.files.writes = {common.output, garment_json_path(common.output)};
+    job.work = [settings, &common] {
+      run_mesh_pattern(settings, common);
+      return exit_done;
+    };
+    return job;
   };
   return program;
 }

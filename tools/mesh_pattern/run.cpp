@@ -83,14 +83,6 @@ double read_edge_length(const po::variables_map& given) {
 
 void run_mesh_pattern(const MeshPatternSettings& settings, const CommonSettings& common) {
   const auto start = std::chrono::steady_clock::now();
-  // garment.json goes beside garment.obj: it must not take the pattern's own place.
-  const std::filesystem::path json =
-      std::filesystem::path(common.output).replace_extension(".json");
-  std::error_code absent;
-  if (std::filesystem::equivalent(json, settings.pattern, absent)) {
-    throw Error("-o " + common.output.string(), "would write " + json.string() + ", the pattern",
-                "name the garment otherwise");
-  }
   std::vector<Remark> remarks;
   const Pattern pattern = read_pattern(settings.pattern, remarks);
   check_pattern(pattern, remarks);
@@ -106,14 +98,15 @@ void run_mesh_pattern(const MeshPatternSettings& settings, const CommonSettings&
   for (const MeshedPanel& panel : garment.panels) figures.push_back(figures_of(garment, panel));
   say_all(garment, figures, common);
   if (settings.flat) lay_flat(garment);
-  write_garment(common.output, garment);
+  OutputFiles files;
+  write_garment(files.at(common.output), garment);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   if (common.report) {
-    write_file(*common.report, mesh_pattern_json(settings.pattern.string(), garment, figures,
-                                                 remarks, seconds.count())
-                                       .dump(2) +
-                                   "\n");
+    const std::string name = settings.pattern.string();
+    write_file(files.at(*common.report),
+               mesh_pattern_json(name, garment, figures, remarks, seconds.count()).dump(2) + "\n");
   }
+  files.commit();
 }
 
 }  // namespace toile

@@ -40,12 +40,9 @@ struct FitFiles {
       drape_picture;
 };
 
-/// Makes the folder, and removes what an earlier run left in it. If this run fails, no file there
-/// may pass for its own.
-void make_ready(const fs::path& folder, const FitFiles& files) {
+/// Removes what an earlier run left. If this run fails, no file there may pass for its own.
+void remove_earlier(const FitFiles& files) {
   std::error_code failed;
-  fs::create_directories(folder, failed);
-  if (failed) throw Error(folder.string(), "can't be made", failed.message());
   for (const fs::path& file : files.all()) {
     fs::remove(file, failed);
     if (failed) throw Error(file.string(), "can't be replaced", failed.message());
@@ -67,39 +64,37 @@ DressSettings dress_settings(const po::variables_map& given, const FitFiles& fil
   return settings;
 }
 
-int work(const po::variables_map& given, const CommonSettings& common) {
-  const FitFiles files(common.output);
-  const fs::path body = given["body"].as<std::string>();
-  const fs::path pattern = given["pattern"].as<std::string>();
-  refuse_overwriting(files.all(), {body, skeleton_path(body), pattern});
-  make_ready(common.output, files);
-  MeshPatternSettings mesh;
-  mesh.pattern = pattern;
-  mesh.mesh.edge_length = read_edge_length(given);
-  const DressSettings dress = dress_settings(given, files);
-  const bool pictures = given["png"].as<bool>();
+/// What the command line asks for.
+struct FitSettings {
+  CleanBodySettings body;
+  MeshPatternSettings pattern;
+  DressSettings dress;
+  bool pictures = false;
+};
 
+ExitCode fit(const FitSettings& settings, const FitFiles& files, const CommonSettings& common) {
   const auto writing = [&](const fs::path& output) {
-    CommonSettings settings = common;
-    settings.output = output;
-    return settings;
+    CommonSettings of_step = common;
+    of_step.output = output;
+    return of_step;
   };
+  remove_earlier(files);
   common.say("Cleaning the body:");
-  run_clean_body({body, read_unit(given)}, writing(files.body));
+  run_clean_body(settings.body, writing(files.body));
   common.say("Meshing the pattern:");
-  run_mesh_pattern(mesh, writing(files.garment));
+  run_mesh_pattern(settings.pattern, writing(files.garment));
   common.say("Dressing:");
   CommonSettings dressing = writing(files.dressed);
   dressing.report = files.report;
-  const Verdict verdict = run_dress(dress, dressing);
+  const Verdict verdict = run_dress(settings.dress, dressing);
   common.say("Measuring the ease:");
   EaseMapSettings ease;
   ease.garment = files.dressed;
   ease.dress_report = files.report;
   ease.body = files.body;
-  if (pictures) ease.png = files.ease_picture;
+  if (settings.pictures) ease.png = files.ease_picture;
   run_ease_map(ease, writing(files.ease));
-  if (pictures) {
+  if (settings.pictures) {
     RenderSettings render;
     render.body = files.body.string();
     render.garments = {files.dressed.string()};
@@ -108,6 +103,25 @@ int work(const po::variables_map& given, const CommonSettings& common) {
   std::cout << to_string(verdict) << ": see " << files.ease.string() << " and "
             << files.report.string() << std::endl;
   return exit_code_of(verdict);
+}
+
+Job prepare(const po::variables_map& given, const CommonSettings& common) {
+  const FitFiles files(common.output);
+  FitSettings settings;
+  settings.body = {given["body"].as<std::string>(), read_unit(given)};
+  settings.pattern.pattern = given["pattern"].as<std::string>();
+  settings.pattern.mesh.edge_length = read_edge_length(given);
+  settings.dress = dress_settings(given, files);
+  settings.pictures = given["png"].as<bool>();
+  Job job;
+  job.files.reads = settings.dress.fabrics.files;
+  job.files.reads.push_back(settings.body.input);
+  job.files.reads.push_back(skeleton_path(settings.body.input));
+  job.files.reads.push_back(settings.pattern.pattern);
+  job.files.writes = files.all();
+  job.files.keeps = {distances_path(files.body)};
+  job.work = [settings, files, &common] { return fit(settings, files, common); };
+  return job;
 }
 
 }  // namespace
@@ -132,7 +146,7 @@ CommandLineProgram fit_program() {
   program.positional.add("pattern", 1);
   program.writes_folder = true;
   program.check = [](const po::variables_map& given) { read_quality(given); };
-  program.work = work;
+  program.prepare = prepare;
   return program;
 }
 
