@@ -8,7 +8,7 @@ namespace toile {
 
 /// All files that a run reads and writes: those that were named, and those beside them.
 struct ProgramFiles {
-  std::vector<std::filesystem::path> reads;    ///< they may be missing
+  std::vector<std::filesystem::path> reads;  ///< they may be missing
   std::vector<std::filesystem::path> writes;
   std::vector<std::filesystem::path> keeps;    ///< written for later runs, where that is possible
   std::vector<std::filesystem::path> folders;  ///< filled with any number of files

@@ -25,8 +25,8 @@ class OutputPaths : public testing::Test {
   OutputPaths() {
     for (const char* name :
          {"scan.obj", "scan.json", "body.ply", "body.json", "body.distances", "joints.json",
-          "pose.json", "pattern.json", "garment.obj", "garment.json", "out-coat.obj", "coat-panels.json",
-          "dressed.obj", "dressed.json", "drape-report.json"}) {
+          "pose.json", "pattern.json", "garment.obj", "garment.json", "out-coat.obj",
+          "coat-panels.json", "dressed.obj", "dressed.json", "drape-report.json"}) {
       write_text(folder / name, std::string("content of ") + name);
     }
     write_text(folder / "fabric.json", "{}");
@@ -228,7 +228,8 @@ TEST(Outputs, AllAreWrittenOrNone) {
           {sample("band"), "-o", folder / "band.obj", "--edge-length", "30mm", "-q"});
   write_text(folder / "full-disk", "ulimit -f $1; shift; exec \"$@\"\n");
   const Words inputs = folder.names();
-  const auto on_full_disk = [&](const std::string& blocks, const std::string& program, Words words) {
+  const auto on_full_disk = [&](const std::string& blocks, const std::string& program,
+                                Words words) {
     words.insert(words.begin(),
                  {folder / "full-disk", blocks, fs::path(TOILE_TOOLS_DIR) / program});
     const pipeline::Run done = run("/bin/sh", words);
@@ -237,9 +238,9 @@ TEST(Outputs, AllAreWrittenOrNone) {
     EXPECT_EQ(names_but(folder, inputs), Words{}) << program;
   };
   on_full_disk("100", "ease-map",
-               {"-q", "--body", folder / "body.ply", folder / "band.obj", "-o", folder / "ease.html",
-                "--csv", folder / "ease.csv", "--json", folder / "ease.json", "--ply",
-                folder / "ease.ply", "--png", folder / "ease.png"});
+               {"-q", "--body", folder / "body.ply", folder / "band.obj", "-o",
+                folder / "ease.html", "--csv", folder / "ease.csv", "--json", folder / "ease.json",
+                "--ply", folder / "ease.ply", "--png", folder / "ease.png"});
   on_full_disk("9", "mesh-pattern",
                {"-q", sample("band"), "-o", folder / "new.obj", "--edge-length", "30mm", "--report",
                 folder / "report.json"});
