@@ -30,7 +30,7 @@ std::optional<DressReport> dressing_of(const EaseReport& report, const EaseMapSe
     common.say("no verdict: there is no report of dress at " + file.string());
     return std::nullopt;
   }
-  const std::optional<DressReport> read = read_dress_report(file, settings.garment, report.garment);
+  std::optional<DressReport> read = read_dress_report(file, settings.garment, report.garment);
   if (!read && settings.dress_report) {
     throw Error(file.string(), "is not the report of " + settings.garment.string(),
                 "give the file that dress --report wrote with it");
