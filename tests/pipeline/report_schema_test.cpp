@@ -135,11 +135,11 @@ TEST_F(ReportSchema, HoldsForTheBodysPrograms) {
   succeed("make-mannequin",
           {"-o", folder / "raw.ply", "--report", folder / "mannequin.json", "-q"});
   succeed("clean-body", {folder / "raw.ply", "-o", folder / "clean.ply", "--report",
-                         folder / "clean.json", "-q"});
+                         folder / "cleaning.json", "-q"});
   expect_valid("make_mannequin", "mannequin.json");
-  expect_valid("clean_body", "clean.json");
+  expect_valid("clean_body", "cleaning.json");
   expect_faults_found("make_mannequin", "mannequin.json");
-  expect_faults_found("clean_body", "clean.json");
+  expect_faults_found("clean_body", "cleaning.json");
 }
 
 TEST_F(ReportSchema, HoldsForMeshPatternDressEaseMapAndRender) {
