@@ -32,13 +32,13 @@ class BorderWalk {
   }
 
  private:
+  static std::pair<int, int> edge_of(const HalfEdge& side) { return {side.low, side.high}; }
   /// The range of sides_ that are the edge's.
   std::pair<std::size_t, std::size_t> at_edge(int a, int b) const {
     const std::pair<int, int> edge = std::minmax(a, b);
-    const auto range = std::ranges::equal_range(
-        sides_, edge, {}, [](const HalfEdge& side) { return std::pair(side.low, side.high); });
-    const auto first = static_cast<std::size_t>(range.begin() - sides_.begin());
-    return {first, first + range.size()};
+    const auto first = std::ranges::lower_bound(sides_, edge, {}, edge_of);
+    const auto last = std::ranges::upper_bound(sides_, edge, {}, edge_of);
+    return {first - sides_.begin(), last - sides_.begin()};
   }
 
   int third_point(int triangle, int a, int b) const {

@@ -29,6 +29,7 @@ std::vector<std::vector<int>> loops_around_trunk(const DressedGarment& garment,
   std::vector<std::pair<double, std::vector<int>>> by_height;
   for (std::vector<int>& loop : border_loops(triangles, garment.points.size())) {
     std::vector<Vec3> curve;
+    curve.reserve(loop.size());
     double height = 0;
     for (const int node : loop) {
       curve.push_back(garment.points[node]);

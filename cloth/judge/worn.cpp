@@ -194,7 +194,9 @@ class WornCheck {
   }
 
   void check_sleeves(const Piece& piece) {
-    for (const auto& [arm, panels] : by_side(panels_of(piece, PanelKind::sleeve), "arm")) {
+    for (const auto& group : by_side(panels_of(piece, PanelKind::sleeve), "arm")) {
+      const std::string& arm = group.first;
+      const std::vector<int>& panels = group.second;
       const LimbsThrough wanted = arm == "left_arm" ? through_left_arm : through_right_arm;
       const bool has_opening = std::ranges::any_of(piece.openings, [&](const Opening* opening) {
         return opening->limbs == wanted && belongs_to(*opening, panels);

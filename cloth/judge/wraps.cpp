@@ -31,6 +31,7 @@ struct Corner {
 Interval lies_along(const std::vector<int>& nodes, const std::vector<Vec3>& points,
                     const Bones& bones) {
   std::vector<double> feet;
+  feet.reserve(nodes.size());
   for (const int n : nodes) feet.push_back(bones.foot(points[n]));
   std::ranges::sort(feet);
   const auto stray = static_cast<std::size_t>(stray_share * static_cast<double>(feet.size()));
@@ -148,6 +149,7 @@ std::vector<WrapFigure> measure_wraps(const PanelMesh& garment, const DressedGar
   for (const std::string_view name : body_parts) {
     const std::string part(name);
     std::vector<char> is_counted;
+    is_counted.reserve(parts.size());
     for (const std::string& p : parts) is_counted.push_back(p == part);
     if (std::ranges::count(is_counted, 1) == 0 || Bones(skeleton, part).joints.empty()) continue;
     figures.push_back(measure_wrap(garment, dressed, skeleton, part, is_counted));
