@@ -33,7 +33,7 @@ std::vector<std::vector<int>> loops_around_trunk(const DressedGarment& garment,
     double height = 0;
     for (const int node : loop) {
       curve.push_back(garment.points[node]);
-      height += curve.back().y() / static_cast<double>(loop.size());
+      height += garment.points[node].y() / static_cast<double>(loop.size());
     }
     if (limbs_through(curve, skeleton) == through_hem) by_height.emplace_back(height, loop);
   }

@@ -128,6 +128,7 @@ class WornCheck {
     }
     for (const std::vector<int>& loop : border_loops(triangles, nodes_.size())) {
       std::vector<Vec3> curve;
+      curve.reserve(loop.size());
       for (const int node : loop) curve.push_back(nodes_[node]);
       if (limbs_through(curve, skeleton_) == limbs) return true;
     }
