@@ -40,6 +40,7 @@ std::vector<std::vector<int>> loops_around_trunk(const DressedGarment& garment,
   std::ranges::stable_sort(by_height, std::ranges::greater{},
                            &std::pair<double, std::vector<int>>::first);
   std::vector<std::vector<int>> loops;
+  loops.reserve(by_height.size());
   for (auto& [height, loop] : by_height) loops.push_back(std::move(loop));
   return loops;
 }
