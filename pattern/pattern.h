@@ -76,7 +76,7 @@ struct EdgeRef {
 
 /// How the two edges of a stitch meet.
 enum class StitchDirection {
-  by_position,     ///< not stated: the placed end points decide, see orient()
+  by_position,     ///< neither stated nor GarmentCode's: the placed end points decide, see orient()
   end_to_start,    ///< one edge's end meets the other's start
   start_to_start,  ///< they run side by side
 };

@@ -101,6 +101,7 @@ class Reader {
     if (const auto normalize = given->find("normalize_panel_translation")) {
       centre_panels_ = normalize->flag();
     }
+    if (const auto loops = given->find("normalized_edge_loops")) end_to_start_ = loops->flag();
   }
 
   void panels(const JsonValue& content) {
@@ -344,6 +345,7 @@ class Reader {
   void stitch(const JsonValue& value) {
     value.size(2, 3);
     Stitch stitch;
+    if (end_to_start_) stitch.direction = StitchDirection::end_to_start;
     stitch.a = side(value, 0);
     stitch.b = side(value, 1);
     for (std::size_t which = 0; which < 2; ++which) {
@@ -385,6 +387,7 @@ class Reader {
   double unit_ = 0.01;
   bool absolute_ = false;
   bool centre_panels_ = false;
+  bool end_to_start_ = false;  ///< GarmentCode's convention of seam directions holds
   Vec2 offset_ = Vec2::Zero();
 };
 

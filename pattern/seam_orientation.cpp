@@ -1,6 +1,8 @@
 #include "pattern/seam_orientation.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "geometry/polygon.h"
 #include "pattern/constants.h"
@@ -37,10 +39,16 @@ PanelFace face_of(const PatternPanel& panel) {
   return face;
 }
 
-bool runs_reversed(const Pattern& pattern, const Stitch& stitch) {
-  if (stitch.direction != StitchDirection::by_position) {
-    return stitch.direction == StitchDirection::end_to_start;
-  }
+/// A stitch as orientation needs it.
+struct SeamRun {
+  bool reversed = false;
+  bool stated = false;
+  /// Metres: the sum of the placed end points' distances, the other way round less this way.
+  double nearer = 0;
+  bool along = false;  ///< the edges run alike around their panels, both seen from the right side
+};
+
+SeamRun run_of(const Pattern& pattern, const Stitch& stitch, const std::vector<PanelFace>& faces) {
   const PatternPanel& a = pattern.panels[stitch.a.panel];
   const PatternPanel& b = pattern.panels[stitch.b.panel];
   const EdgeCurve& edge_a = a.edges[stitch.a.edge].curve;
@@ -51,63 +59,145 @@ bool runs_reversed(const Pattern& pattern, const Stitch& stitch) {
   const Vec3 b_end = b.place(edge_b.end());
   const double same = (a_start - b_start).norm() + (a_end - b_end).norm();
   const double opposite = (a_start - b_end).norm() + (a_end - b_start).norm();
-  return opposite <= same + undecided_seam_direction * (same + opposite);
+  SeamRun run;
+  run.stated = stitch.direction != StitchDirection::by_position;
+  run.reversed = run.stated ? stitch.direction == StitchDirection::end_to_start
+                            : opposite <= same + undecided_seam_direction * (same + opposite);
+  run.nearer = run.reversed ? same - opposite : opposite - same;
+  const auto counter_clockwise = [&](const EdgeRef& ref) {
+    const PanelFace& face = faces[ref.panel];
+    return face.forward[ref.edge] == (face.area > 0);
+  };
+  run.along = counter_clockwise(stitch.a) == counter_clockwise(stitch.b);
+  return run;
+}
+
+/// Panels in groups, and within a group whether a panel shows the same face as the group's lowest.
+class FaceGroups {
+ public:
+  explicit FaceGroups(std::size_t panels) : parent_(panels), turned_(panels, false) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+
+  int group(int panel) const {
+    while (parent_[panel] != panel) panel = parent_[panel];
+    return panel;
+  }
+
+  bool turned(int panel) const {
+    bool turned = false;
+    for (; parent_[panel] != panel; panel = parent_[panel]) turned ^= turned_[panel];
+    return turned;
+  }
+
+  /// Joins the groups of two panels that show the same face or not. False: they are in one group,
+  /// and it says otherwise.
+  bool join(int a, int b, bool same) {
+    const int root_a = group(a);
+    const int root_b = group(b);
+    const bool turned_b = turned(a) ^ turned(b) ^ !same;
+    if (root_a == root_b) return !turned_b;
+    parent_[std::max(root_a, root_b)] = std::min(root_a, root_b);
+    turned_[std::max(root_a, root_b)] = turned_b;
+    return true;
+  }
+
+ private:
+  std::vector<int> parent_;
+  std::vector<bool> turned_;  ///< per panel: against its parent
+};
+
+/// Whether the panels of a seam show the same face. A seam joins right to right when its edges run
+/// against each other around their panels, both seen from the right side.
+bool shows_same(const SeamRun& run) { return run.along == run.reversed; }
+
+/// Numbers of the stitches: stated ones first, and the ones nearer than the other way round first.
+std::vector<std::size_t> by_certainty(const std::vector<SeamRun>& runs) {
+  std::vector<std::size_t> order(runs.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t s, std::size_t t) {
+    if (runs[s].stated != runs[t].stated) return runs[s].stated;
+    return runs[s].nearer > runs[t].nearer;
+  });
+  return order;
+}
+
+/// Turns over what stated seams hold together, as long as that brings the other seams' ends nearer.
+void bring_nearer(const Pattern& pattern, const FaceGroups& held, std::vector<SeamRun>& runs) {
+  // Each turn makes the sum of distances smaller, so this ends; the bound is for safety.
+  for (std::size_t turns = 0; turns < pattern.panels.size(); ++turns) {
+    std::vector<double> gain(pattern.panels.size(), 0);
+    const auto ends = [&](std::size_t s) {
+      const Stitch& stitch = pattern.stitches[s];
+      return std::array{held.group(stitch.a.panel), held.group(stitch.b.panel)};
+    };
+    for (std::size_t s = 0; s < runs.size(); ++s) {
+      const auto [a, b] = ends(s);
+      if (a == b) continue;
+      gain[a] -= runs[s].nearer;
+      gain[b] -= runs[s].nearer;
+    }
+    const auto best = std::max_element(gain.begin(), gain.end());
+    if (*best < 1e-9) return;
+    const int turned = static_cast<int>(best - gain.begin());
+    for (std::size_t s = 0; s < runs.size(); ++s) {
+      const auto [a, b] = ends(s);
+      if ((a == turned) == (b == turned)) continue;
+      runs[s].reversed = !runs[s].reversed;
+      runs[s].nearer = -runs[s].nearer;
+    }
+  }
 }
 
 }  // namespace
 
 Orientation orient(const Pattern& pattern, std::vector<Remark>& remarks) {
-  Orientation result;
   std::vector<PanelFace> faces;
   for (const PatternPanel& panel : pattern.panels) faces.push_back(face_of(panel));
-  for (const Stitch& stitch : pattern.stitches) {
-    result.reversed.push_back(runs_reversed(pattern, stitch));
-  }
+  std::vector<SeamRun> runs;
+  for (const Stitch& stitch : pattern.stitches) runs.push_back(run_of(pattern, stitch, faces));
 
-  // A seam joins right to right when its edges run against each other around their panels, both
-  // seen from the right side. So each seam tells whether its panels show the same face.
-  struct SeamNeighbour {
-    int panel = 0;
-    bool same = false;
-    std::size_t stitch = 0;
-  };
-  std::vector<std::vector<SeamNeighbour>> neighbours(pattern.panels.size());
-  for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
+  FaceGroups groups(pattern.panels.size());
+  FaceGroups held(pattern.panels.size());
+  std::vector<int> twisted;  // panels of seams that can't join right to right
+  for (const std::size_t s : by_certainty(runs)) {
     const Stitch& stitch = pattern.stitches[s];
-    const auto counter_clockwise = [&](const EdgeRef& ref) {
-      const PanelFace& face = faces[ref.panel];
-      return face.forward[ref.edge] == (face.area > 0);
-    };
-    const bool along = counter_clockwise(stitch.a) == counter_clockwise(stitch.b);
-    const bool same = along == result.reversed[s];
-    neighbours[stitch.a.panel].push_back({stitch.b.panel, same, s});
-    neighbours[stitch.b.panel].push_back({stitch.a.panel, same, s});
+    SeamRun& run = runs[s];
+    if (run.stated) held.join(stitch.a.panel, stitch.b.panel, shows_same(run));
+    if (groups.join(stitch.a.panel, stitch.b.panel, shows_same(run))) continue;
+    if (!run.stated) {
+      run.reversed = !run.reversed;
+      run.nearer = -run.nearer;
+      continue;
+    }
+    twisted.push_back(stitch.a.panel);
+    remarks.push_back({true, pattern.source + ": " + edge_name(pattern, stitch.a) + " and " +
+                                 edge_name(pattern, stitch.b) +
+                                 " join a right side to a wrong side; state \"reversed\": " +
+                                 (run.reversed ? "false" : "true") +
+                                 " in the stitch, or check the other seams of these panels"});
   }
+  bring_nearer(pattern, held, runs);
+
+  Orientation result;
+  FaceGroups faced(pattern.panels.size());
+  for (const std::size_t s : by_certainty(runs)) {
+    const Stitch& stitch = pattern.stitches[s];
+    faced.join(stitch.a.panel, stitch.b.panel, shows_same(runs[s]));
+  }
+  for (const SeamRun& run : runs) result.reversed.push_back(run.reversed);
 
   result.mirrored.assign(pattern.panels.size(), false);
-  std::vector<bool> seen(pattern.panels.size(), false);
-  for (std::size_t first = 0; first < pattern.panels.size(); ++first) {
-    if (seen[first]) continue;
-    std::vector<int> group = {static_cast<int>(first)};
-    seen[first] = true;
-    bool twisted = false;
-    for (std::size_t i = 0; i < group.size(); ++i) {
-      for (const SeamNeighbour& neighbour : neighbours[group[i]]) {
-        const bool mirrored = result.mirrored[group[i]] == neighbour.same;
-        if (!seen[neighbour.panel]) {
-          seen[neighbour.panel] = true;
-          result.mirrored[neighbour.panel] = mirrored;
-          group.push_back(neighbour.panel);
-        } else if (result.mirrored[neighbour.panel] != mirrored && !twisted) {
-          twisted = true;
-          const Stitch& stitch = pattern.stitches[neighbour.stitch];
-          remarks.push_back({true, pattern.source + ": " + edge_name(pattern, stitch.a) + " and " +
-                                       edge_name(pattern, stitch.b) +
-                                       " join a right side to a wrong side; state the stitch's "
-                                       "'reversed', or check where the panels are placed"});
-        }
-      }
+  for (int first = 0; first < static_cast<int>(pattern.panels.size()); ++first) {
+    if (faced.group(first) != first) continue;
+    std::vector<int> group;
+    for (int p = first; p < static_cast<int>(pattern.panels.size()); ++p) {
+      if (faced.group(p) != first) continue;
+      group.push_back(p);
+      result.mirrored[p] = faced.turned(p);
     }
+    const bool one_sided =
+        std::any_of(twisted.begin(), twisted.end(), [&](int p) { return faced.group(p) == first; });
     double outward = 0;
     double drawn = 0;
     double scale = 0;
@@ -127,7 +217,7 @@ Orientation orient(const Pattern& pattern, std::vector<Remark>& remarks) {
     }
     const bool flip = std::abs(outward) > undecided_right_side * scale ? outward < 0 : drawn < 0;
     for (const int p : group) {
-      if (twisted) {
+      if (one_sided) {
         result.mirrored[p] = faces[p].area < 0;
       } else if (flip) {
         result.mirrored[p] = !result.mirrored[p];

@@ -94,6 +94,63 @@ TEST(Orient, WherePlacementDoesNotTellTheDrawingDoes) {
   EXPECT_TRUE(orientation_of(file(polygon("p", "[0,0],[9,9],[9,0]")), remarks).mirrored[0]);
 }
 
+// Both squares are drawn alike, the back behind the front: by distance edge 1 runs start to start.
+TEST(Orient, GarmentCodesConventionComesBeforeThePlacement) {
+  const auto reversed = [](const std::string& how, const std::string& properties) -> bool {
+    std::vector<Remark> remarks;
+    return orientation_of(
+               file(polygon("front", "[0,0],[20,0],[20,20],[0,20]", R"("translation": [0,0,10])") +
+                        "," + polygon("back", "[0,0],[20,0],[20,20],[0,20]"),
+                    R"([{"panel":"front","edge":1},{"panel":"back","edge":1})" + how + "]",
+                    R"("units_in_meter": 100)" + properties),
+               remarks)
+        .reversed[0];
+  };
+  const std::string convention = R"(, "normalized_edge_loops": true)";
+  EXPECT_FALSE(reversed("", ""));
+  EXPECT_FALSE(reversed("", R"(, "normalized_edge_loops": false)"));
+  EXPECT_TRUE(reversed("", convention));
+  EXPECT_TRUE(reversed(R"(, {"name": "side"})", convention));
+  EXPECT_FALSE(reversed(R"(, "right_wrong")", convention));
+  EXPECT_FALSE(reversed(R"(, {"reversed": false})", convention));
+}
+
+// Edge 2 lies nearer to edge 0 end to start, as in a hood that lies folded. That would twist it.
+TEST(Orient, AGuessLeavesTheGarmentTwoSided) {
+  std::vector<Remark> remarks;
+  const std::string side = R"([{"panel":"front","edge":1},{"panel":"back","edge":1}])";
+  const std::string top = R"([{"panel":"front","edge":2},{"panel":"back","edge":0}])";
+  const std::string bottom = R"([{"panel":"front","edge":0},{"panel":"back","edge":2}])";
+  const std::string behind = R"("translation": [0,0,-10])";
+  using Directions = std::vector<bool>;
+  EXPECT_EQ(orientation_of(squares(behind, top), remarks).reversed, Directions({true}));
+  // The side is more certain than the top.
+  EXPECT_EQ(orientation_of(squares(behind, top + "," + side), remarks).reversed,
+            Directions({false, false}));
+  // It is not more certain than top and bottom together.
+  EXPECT_EQ(orientation_of(squares(behind, top + "," + side + "," + bottom), remarks).reversed,
+            Directions({true, true, true}));
+  EXPECT_TRUE(remarks.empty());
+}
+
+TEST(Orient, TheSeamAtFaultIsNamed) {
+  std::vector<Remark> remarks;
+  const auto seam = [](int edge, const std::string& reversed) {
+    return R"([{"panel":"front","edge":)" + std::to_string(edge) + R"(},{"panel":"back","edge":)" +
+           std::to_string(edge) + R"(},{"reversed":)" + reversed + "}]";
+  };
+  // The wrong one comes first, so that it is the others that seem to disagree with it.
+  orientation_of(squares(R"("translation": [0,0,-10])",
+                         seam(3, "true") + "," + seam(0, "false") + "," + seam(1, "false")),
+                 remarks);
+  ASSERT_EQ(remarks.size(), 1u);
+  EXPECT_EQ(
+      remarks[0].text,
+      "test.json: panel 'front', edge 3 and panel 'back', edge 3 join a right side to a wrong "
+      "side; state \"reversed\": false in the stitch, or check the other seams of these "
+      "panels");
+}
+
 TEST(Orient, ATwistedBandIsRemarkedOn) {
   std::vector<Remark> remarks;
   // One side seam straight, one crossed: a Moebius band.
