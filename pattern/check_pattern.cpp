@@ -8,11 +8,11 @@
 #include <map>
 #include <numbers>
 
-#include "geometry/disjoint_sets.h"
 #include "geometry/error.h"
 #include "geometry/polygon.h"
 #include "pattern/constants.h"
-#include "pattern/seam_orientation.h"
+#include "pattern/outline_polygon.h"
+#include "pattern/sewn_corners.h"
 
 namespace toile {
 
@@ -57,25 +57,13 @@ void check_outline(const Pattern& pattern, int index) {
   const auto place = [&](int edge) {
     return pattern.source + ": " + edge_name(pattern, {index, edge});
   };
-  for (std::size_t e = 0; e < panel.edges.size(); ++e) {
-    const EdgeCurve& curve = panel.edges[e].curve;
-    if ((curve.end() - curve.start()).norm() < min_edge_length ||
-        curve.length() < min_edge_length) {
-      throw Error(place(static_cast<int>(e)), "has zero length",
-                  "remove it or move one of its vertices");
+  for (const auto& [edge, forward] : panel.outline) {
+    const EdgeCurve& curve = panel.edges[static_cast<std::size_t>(edge)].curve;
+    if ((curve.end() - curve.start()).norm() < min_edge_length) {
+      throw Error(place(edge), "ends where it starts", "split it in two");
     }
   }
-  std::vector<Vec2> points;
-  std::vector<int> edge_of_segment;
-  for (const OutlineStep& step : panel.outline) {
-    const EdgeCurve& curve = panel.edges[static_cast<std::size_t>(step.edge)].curve;
-    const int segments =
-        curve.straight() ? 1 : 16 + static_cast<int>(32 * curve.turning() / std::numbers::pi);
-    std::vector<Vec2> sample = curve.sample(segments);
-    if (!step.forward) std::reverse(sample.begin(), sample.end());
-    points.insert(points.end(), sample.begin(), sample.end() - 1);
-    edge_of_segment.insert(edge_of_segment.end(), static_cast<std::size_t>(segments), step.edge);
-  }
+  const auto& [points, edge_of_segment] = outline_polygon(panel);
   check_corners(panel, signed_area(points) > 0, place);
   if (const auto crossing = first_crossing(points)) {
     const int first = edge_of_segment[static_cast<std::size_t>((*crossing)[0])];
@@ -101,38 +89,9 @@ std::string times(double ratio) {
 
 /// The sewn corner at each end of every stitch, by number: stitches that share one meet there.
 std::vector<std::array<int, 2>> ends_of(const Pattern& pattern) {
-  std::vector<Remark> said_elsewhere;
-  const Orientation orientation = orient(pattern, said_elsewhere);
-  // Corner k of a panel is where step k of its outline begins.
-  std::vector<int> first;
-  int corners = 0;
-  for (const PatternPanel& panel : pattern.panels) {
-    first.push_back(corners);
-    corners += static_cast<int>(panel.outline.size());
-  }
-  DisjointSets sewn(static_cast<std::size_t>(corners));
-  const auto edge_ends = [&](const EdgeRef& ref) {
-    const auto& outline = pattern.panels[static_cast<std::size_t>(ref.panel)].outline;
-    const auto step = std::find_if(outline.begin(), outline.end(),
-                                   [&](const OutlineStep& s) { return s.edge == ref.edge; });
-    const int at = static_cast<int>(step - outline.begin());
-    const int base = first[static_cast<std::size_t>(ref.panel)];
-    std::array<int, 2> ends = {base + at, base + (at + 1) % static_cast<int>(outline.size())};
-    if (!step->forward) std::swap(ends[0], ends[1]);
-    return ends;
-  };
+  SewnCorners corners(pattern);
   std::vector<std::array<int, 2>> ends;
-  for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
-    const std::array<int, 2> a = edge_ends(pattern.stitches[s].a);
-    std::array<int, 2> b = edge_ends(pattern.stitches[s].b);
-    if (orientation.reversed[s]) std::swap(b[0], b[1]);
-    for (std::size_t k = 0; k < 2; ++k) sewn.join(a[k], b[k]);
-    ends.push_back(a);
-  }
-  for (auto& [from, to] : ends) {
-    from = sewn.of(from);
-    to = sewn.of(to);
-  }
+  for (const Stitch& stitch : pattern.stitches) ends.push_back(corners.ends(stitch.a));
   return ends;
 }
 

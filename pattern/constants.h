@@ -16,8 +16,15 @@ inline constexpr double seam_warning_threshold = 0.20;
 /// A declared fullness may differ from the drawn one by this share.
 inline constexpr double fullness_tolerance = 0.05;
 
-/// Metres: a shorter edge is a drawing error, not cloth.
+/// Metres: an edge whose ends are closer is a drawing error, not cloth.
 inline constexpr double min_edge_length = 1e-4;
+
+/// Metres: a shorter edge is merged with its neighbours. GarmentCode cuts edges where the other
+/// side of a seam has a dart or a corner. What is left can be shorter than the cloth is thick.
+inline constexpr double short_edge_length = 3e-3;
+
+/// Metres: no point of an outline moves farther than this when short edges are merged.
+inline constexpr double max_merge_shift = 3e-3;
 
 /// Panels of a pattern, edges of a panel and stitches of a pattern at most. Garments have some
 /// hundred of each. The time to mesh a panel grows with the square of its edges.

@@ -67,6 +67,28 @@ EdgeCurve EdgeCurve::arc(const Vec2& start, const Vec2& end, double radius, bool
   return curve;
 }
 
+EdgeCurve EdgeCurve::moved_to(const Vec2& start, const Vec2& end) const {
+  if (kind_ == Kind::line) return line(start, end);
+  const Vec2 from = points_[3] - points_[0];
+  const Vec2 to = end - start;
+  const double turn = std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
+  const double scale = to.norm() / from.norm();
+  const Vec2 along = scale * Vec2(std::cos(turn), std::sin(turn));
+  const auto moved = [&](const Vec2& point) -> Vec2 {
+    const Vec2 arm = point - points_[0];
+    return start + Vec2(along.x() * arm.x() - along.y() * arm.y(),
+                        along.y() * arm.x() + along.x() * arm.y());
+  };
+  if (kind_ == Kind::bezier) return cubic(start, moved(points_[1]), moved(points_[2]), end);
+  EdgeCurve arc = *this;
+  arc.points_ = {start, start, end, end};
+  arc.centre_ = moved(centre_);
+  arc.radius_ *= scale;
+  arc.from_angle_ += turn;
+  arc.length_ *= scale;
+  return arc;
+}
+
 double EdgeCurve::bezier_speed(double t) const {
   const double s = 1 - t;
   return 3 * (s * s * (points_[1] - points_[0]) + 2 * s * t * (points_[2] - points_[1]) +

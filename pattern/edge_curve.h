@@ -24,6 +24,10 @@ class EdgeCurve {
   /// is taken as half the chord.
   static EdgeCurve arc(const Vec2& start, const Vec2& end, double radius, bool large, bool right);
 
+  /// The curve turned and scaled as a whole, so that it runs from `start` to `end`. Its own ends
+  /// must differ.
+  EdgeCurve moved_to(const Vec2& start, const Vec2& end) const;
+
   const Vec2& start() const { return points_[0]; }
   const Vec2& end() const { return points_[3]; }
   double length() const { return length_; }

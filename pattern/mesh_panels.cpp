@@ -136,6 +136,7 @@ class PanelMesher {
     const auto key = [](int a, int b) { return std::array{std::min(a, b), std::max(a, b)}; };
     for (std::size_t e = 0; e < triangulation_.along.size(); ++e) {
       const std::vector<int> coarse = triangulation_.along[e];
+      if (coarse.empty()) continue;  // merged with another edge
       std::vector<int> fine;
       const double spans = 2.0 * static_cast<double>(coarse.size() - 1);
       for (std::size_t i = 0; i + 1 < coarse.size(); ++i) {

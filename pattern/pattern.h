@@ -55,8 +55,9 @@ struct PatternPanel {
   std::string label;   ///< "body", "arm" or "leg", as GarmentCode has it; empty: not stated
   /// Radians, counter-clockwise: angle of the warp against the drawing's +y axis.
   double grain = 0;
-  std::vector<PatternEdge> edges;    ///< in the file's order
-  std::vector<OutlineStep> outline;  ///< one closed loop through all edges
+  std::vector<PatternEdge> edges;  ///< in the file's order
+  /// One closed loop through all edges but those that are merged with others.
+  std::vector<OutlineStep> outline;
   std::vector<PanelAttachment> attachments;
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< from the drawing (x, y, 0) to space
   Vec3 translation = Vec3::Zero();                         ///< metres

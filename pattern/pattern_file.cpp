@@ -16,6 +16,7 @@
 #include "pattern/constants.h"
 #include "pattern/placement_json.h"
 #include "pattern/schematic_figure.h"
+#include "pattern/short_edges.h"
 
 namespace toile {
 
@@ -55,6 +56,7 @@ class Reader {
         stitch(stitches->item(i).called(pattern_.source + ": stitch " + std::to_string(i)));
       }
     }
+    merge_short_edges(pattern_, remarks_);
     return std::move(pattern_);
   }
 

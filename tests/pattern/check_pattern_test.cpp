@@ -60,9 +60,15 @@ TEST(Check, CurvesAreFollowedIntoACrossing) {
       "edge 2: crosses itself");
 }
 
-TEST(Check, AnEdgeOfZeroLengthIsNamed) {
-  EXPECT_HOLDS(check_error(file(polygon("p", "[0,0],[10,0],[10,0],[5,8]"))),
-               "panel 'p', edge 1: has zero length");
+// Of no length at all, an edge is merged: see short_edges_test.cpp.
+TEST(Check, AnEdgeThatEndsWhereItStartsIsNamed) {
+  EXPECT_HOLDS(
+      check_error(
+          R"({"pattern": {"panels": {"p": {"vertices": [[0,0],[10,0],[10,0],[5,8]], "edges": [
+              {"endpoints": [0,1]}, {"endpoints": [1,2], "curvature": [14,3]},
+              {"endpoints": [2,3]}, {"endpoints": [3,0]}]}}},
+              "properties": {"curvature_coords": "absolute", "units_in_meter": 100}})"),
+      "panel 'p', edge 1: ends where it starts; split it in two");
 }
 
 // Such teeth are meshed for minutes, and then refused: no triangle fits into them.

@@ -103,6 +103,24 @@ TEST(EdgeCurve, TurningOfAQuarterAndOfPartsOfIt) {
   EXPECT_NEAR(bezier.turning(), pi / 2, 0.1);
 }
 
+TEST(EdgeCurve, MovedAsAWholeItKeepsItsShape) {
+  const std::vector<EdgeCurve> curves = {EdgeCurve::line({1, 2}, {3, 3}),
+                                         EdgeCurve::cubic({1, 2}, {2, 4}, {4, 1}, {3, 3}),
+                                         EdgeCurve::arc({1, 2}, {3, 3}, 1.4, false, true),
+                                         EdgeCurve::arc({1, 2}, {3, 3}, 1.4, true, false)};
+  // A quarter turn, and twice as long.
+  for (const EdgeCurve& curve : curves) {
+    const EdgeCurve moved = curve.moved_to({0, 1}, {-2, 5});
+    EXPECT_EQ(moved.start(), Vec2(0, 1));
+    EXPECT_EQ(moved.end(), Vec2(-2, 5));
+    EXPECT_NEAR(moved.length(), 2 * curve.length(), 1e-12);
+    for (const double fraction : {0.2, 0.5, 0.9}) {
+      const Vec2 arm = curve.at(fraction) - Vec2(1, 2);
+      EXPECT_NEAR((moved.at(fraction) - Vec2(-2 * arm.y(), 1 + 2 * arm.x())).norm(), 0, 1e-12);
+    }
+  }
+}
+
 TEST(EdgeCurve, APointHasNoLengthAndNoDirection) {
   const EdgeCurve dot = EdgeCurve::cubic({1, 1}, {1, 1}, {1, 1}, {1, 1});
   EXPECT_EQ(dot.length(), 0);
