@@ -12,9 +12,9 @@ namespace toile {
 /// Adds to `remarks` seams whose sides differ in length and are not declared gathered. Seams that
 /// meet end to end share one remark. Adds gathers whose drawn fullness is not the declared one.
 ///
-/// Throws Error, naming panel and edge, for an edge that ends where it starts, an edge in two
-/// stitches, or one that is sewn to itself. Throws it for an outline that crosses or touches
-/// itself, as outline_polygon() draws it.
+/// Throws Error, naming panel and edge, for an edge that ends where it starts. Throws it for an
+/// edge in two stitches, or one that is sewn to itself. Throws it for an outline that crosses or
+/// touches itself, as outline_polygon() draws it.
 void check_pattern(const Pattern& pattern, std::vector<Remark>& remarks);
 
 }  // namespace toile

@@ -23,8 +23,9 @@ inline constexpr double min_edge_length = 1e-4;
 /// side of a seam has a dart or a corner. What is left can be shorter than the cloth is thick.
 inline constexpr double short_edge_length = 3e-3;
 
-/// Metres: no point of an outline moves farther than this when short edges are merged.
-inline constexpr double max_merge_shift = 3e-3;
+/// Metres: no point of an outline moves farther than this when short edges are merged and sharp
+/// corners opened.
+inline constexpr double max_outline_shift = 3e-3;
 
 /// Panels of a pattern, edges of a panel and stitches of a pattern at most. Garments have some
 /// hundred of each. The time to mesh a panel grows with the square of its edges.
@@ -68,6 +69,12 @@ inline constexpr int max_steps_of_short_curve = 12;
 
 /// Radians: triangles with a smaller angle are needles, and no ground to simulate on.
 inline constexpr double needle_angle = 3 * std::numbers::pi / 180;
+
+/// Radians: a corner that a curve makes as sharp as a needle is opened to this angle.
+inline constexpr double opened_corner = 5 * std::numbers::pi / 180;
+
+/// Radians: edges that overlap by more beside a corner cross each other.
+inline constexpr double max_corner_overlap = 10 * std::numbers::pi / 180;
 
 /// Radians: points of finer levels stay at the middles of edges unless an angle is smaller.
 inline constexpr double acceptable_angle = 25 * std::numbers::pi / 180;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 namespace toile {
@@ -79,6 +80,9 @@ EdgeCurve EdgeCurve::moved_to(const Vec2& start, const Vec2& end) const {
     return start + Vec2(along.x() * arm.x() - along.y() * arm.y(),
                         along.y() * arm.x() + along.x() * arm.y());
   };
+  if (kind_ == Kind::straightened) {
+    return drawn_->moved_to(start, end).straightened(kept_from_, kept_to_);
+  }
   if (kind_ == Kind::bezier) return cubic(start, moved(points_[1]), moved(points_[2]), end);
   EdgeCurve arc = *this;
   arc.points_ = {start, start, end, end};
@@ -87,6 +91,28 @@ EdgeCurve EdgeCurve::moved_to(const Vec2& start, const Vec2& end) const {
   arc.from_angle_ += turn;
   arc.length_ *= scale;
   return arc;
+}
+
+EdgeCurve EdgeCurve::straight_at_start(double length) const {
+  if (kind_ == Kind::line) return *this;
+  return straightened(std::min(1.0, length / length_), 1);
+}
+
+EdgeCurve EdgeCurve::straight_at_end(double length) const {
+  if (kind_ == Kind::line) return *this;
+  return straightened(0, std::max(0.0, 1 - length / length_));
+}
+
+EdgeCurve EdgeCurve::straightened(double kept_from, double kept_to) const {
+  EdgeCurve curve;
+  curve.kind_ = Kind::straightened;
+  curve.points_ = {start(), start(), end(), end()};
+  curve.drawn_ = std::make_shared<const EdgeCurve>(*this);
+  curve.kept_from_ = kept_from;
+  curve.kept_to_ = kept_to;
+  curve.length_ = (at(kept_from) - start()).norm() + (kept_to - kept_from) * length_ +
+                  (end() - at(kept_to)).norm();
+  return curve;
 }
 
 double EdgeCurve::bezier_speed(double t) const {
@@ -157,6 +183,15 @@ Vec2 EdgeCurve::at(double fraction) const {
     return centre_ + radius_ * Vec2(std::cos(angle), std::sin(angle));
   }
   const double target = fraction * length_;
+  if (kind_ == Kind::straightened) {
+    const Vec2 first = drawn_->at(kept_from_);
+    const Vec2 last = drawn_->at(kept_to_);
+    const double lead = (first - start()).norm();
+    const double tail = (end() - last).norm();
+    if (target < lead) return start() + target / lead * (first - start());
+    if (target > length_ - tail) return end() - (length_ - target) / tail * (end() - last);
+    return drawn_->at(kept_from_ + (target - lead) / drawn_->length());
+  }
   auto after = std::upper_bound(marks_.begin(), marks_.end(), target,
                                 [](double value, const Mark& mark) { return value < mark.length; });
   if (after == marks_.begin()) ++after;

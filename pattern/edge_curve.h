@@ -1,6 +1,7 @@
 // The curves that bound a panel: straight lines, Bezier curves, circular arcs, walked by length.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "geometry/types.h"
@@ -28,6 +29,10 @@ class EdgeCurve {
   /// must differ.
   EdgeCurve moved_to(const Vec2& start, const Vec2& end) const;
 
+  /// The same curve, but straight over the first or the last `length` metres of it.
+  EdgeCurve straight_at_start(double length) const;
+  EdgeCurve straight_at_end(double length) const;
+
   const Vec2& start() const { return points_[0]; }
   const Vec2& end() const { return points_[3]; }
   double length() const { return length_; }
@@ -44,13 +49,14 @@ class EdgeCurve {
   std::vector<Vec2> sample(int segments) const;
 
  private:
-  enum class Kind { line, bezier, arc };
+  enum class Kind { line, bezier, arc, straightened };
   /// The length of the curve from its start to parameter `t`.
   struct Mark {
     double t = 0;
     double length = 0;
   };
 
+  EdgeCurve straightened(double kept_from, double kept_to) const;
   void measure(double from, double to, double whole, int depth);
   double bezier_speed(double t) const;
   double bezier_length(double from, double to) const;
@@ -64,6 +70,9 @@ class EdgeCurve {
   double sweep_ = 0;  ///< angle from start to end, positive counter-clockwise
   double length_ = 0;
   std::vector<Mark> marks_;
+  std::shared_ptr<const EdgeCurve> drawn_;  ///< of a straightened curve
+  double kept_from_ = 0;                    ///< fractions of drawn_ between which it is kept
+  double kept_to_ = 1;
 };
 
 }  // namespace toile

@@ -16,6 +16,7 @@
 #include "pattern/constants.h"
 #include "pattern/placement_json.h"
 #include "pattern/schematic_figure.h"
+#include "pattern/sharp_corners.h"
 #include "pattern/short_edges.h"
 
 namespace toile {
@@ -57,6 +58,7 @@ class Reader {
       }
     }
     merge_short_edges(pattern_, remarks_);
+    open_sharp_corners(pattern_, remarks_);
     return std::move(pattern_);
   }
 

@@ -153,8 +153,7 @@ class Merger {
 
   void take_back(std::size_t panel, const Run& run) {
     for (std::size_t k = 0; k < run.count; ++k) {
-      flags_[panel][static_cast<std::size_t>(
-          step_at(pattern_.panels[panel], run, k).edge)] = false;
+      flags_[panel][static_cast<std::size_t>(step_at(pattern_.panels[panel], run, k).edge)] = false;
     }
   }
 
@@ -210,7 +209,7 @@ class Merger {
       if ((curve.end() - curve.start()).norm() < short_edge_length) continue;
       const EdgeCurve moved = curve.moved_to(from, to);
       double shift = shift_between(drawn, curve, moved);
-      if (shift > max_merge_shift) continue;
+      if (shift > max_outline_shift) continue;
       // Of two that shift alike, the one that is sewn as the short edge is.
       if (sewn(step.edge) != sewn(step_at(panel, run, 0).edge)) {
         shift += 0.1 * (drawn.back() - drawn.front()).norm();
@@ -295,8 +294,8 @@ void merge_short_edges(Pattern& pattern, std::vector<Remark>& remarks) {
   Takers takers;
   Pattern result = merger.merged(takers);
   const auto named = [&](const EdgeRef& ref) {
-    return edge_name(pattern, ref) + " (" +
-           number_text(curve_of(pattern, ref).length() * 1000, 2) + " mm)";
+    return edge_name(pattern, ref) + " (" + number_text(curve_of(pattern, ref).length() * 1000, 2) +
+           " mm)";
   };
   const auto taker = [&](const EdgeRef& ref) {
     return std::to_string(takers.at({ref.panel, ref.edge}));

@@ -121,6 +121,29 @@ TEST(EdgeCurve, MovedAsAWholeItKeepsItsShape) {
   }
 }
 
+TEST(EdgeCurve, StraightAtAnEndItIsTheChordThere) {
+  const EdgeCurve arc = EdgeCurve::arc({1, 0}, {0, 1}, 1, false, true);
+  const double eighth = pi / 8;
+  const EdgeCurve at_end = arc.straight_at_end(eighth);
+  const EdgeCurve at_start = arc.straight_at_start(eighth);
+  const double length = 3 * eighth + 2 * std::sin(eighth / 2);
+  EXPECT_NEAR(at_end.length(), length, 1e-12);
+  EXPECT_NEAR(at_start.length(), length, 1e-12);
+  EXPECT_FALSE(at_end.straight());
+  EXPECT_NEAR((at_end.at(3 * eighth / length) - arc.at(0.75)).norm(), 0, 1e-12);
+  EXPECT_NEAR((at_end.at(eighth / length) - arc.at(0.25)).norm(), 0, 1e-12);
+  // The middle of the chord.
+  const Vec2 middle = (arc.at(0.75) + arc.end()) / 2;
+  EXPECT_NEAR((at_end.at(1 - std::sin(eighth / 2) / length) - middle).norm(), 0, 1e-12);
+  EXPECT_NEAR((at_start.at(std::sin(eighth / 2) / length) - Vec2(middle.y(), middle.x())).norm(), 0,
+              1e-12);
+  EXPECT_NEAR(at_end.turning(), pi / 2 - eighth / 2, 0.05);
+  const EdgeCurve moved = at_end.moved_to({0, 0}, {-2, 2});
+  EXPECT_NEAR(moved.length(), 2 * length, 1e-12);
+  EXPECT_NEAR((moved.at(0.9) - 2 * (at_end.at(0.9) - Vec2(1, 0))).norm(), 0, 1e-12);
+  EXPECT_EQ(EdgeCurve::line({0, 0}, {1, 1}).straight_at_end(0.1).at(0.5), Vec2(0.5, 0.5));
+}
+
 TEST(EdgeCurve, APointHasNoLengthAndNoDirection) {
   const EdgeCurve dot = EdgeCurve::cubic({1, 1}, {1, 1}, {1, 1}, {1, 1});
   EXPECT_EQ(dot.length(), 0);

@@ -115,10 +115,10 @@ TEST(MergeShortEdges, TwoThatAreSewnTogetherGoWithTheirStitch) {
 TEST(MergeShortEdges, TheOtherSideMayBeTwiceAsLong) {
   const auto merged = [](const std::string& longer) {
     const std::string side = R"("translation": [0,0,10])";
-    return parsed(file(polygon("a", "[0,0],[20,0],[20,20],[20,20.2],[0,20.2]", side) + "," +
-                           polygon("b", "[0,0],[20,0],[20,20],[20," + longer + "],[0," + longer +
-                                            "]"),
-                       R"([{"panel":"a","edge":1},{"panel":"b","edge":1},{"reversed": false}],
+    return parsed(
+               file(polygon("a", "[0,0],[20,0],[20,20],[20,20.2],[0,20.2]", side) + "," +
+                        polygon("b", "[0,0],[20,0],[20,20],[20," + longer + "],[0," + longer + "]"),
+                    R"([{"panel":"a","edge":1},{"panel":"b","edge":1},{"reversed": false}],
                           [{"panel":"a","edge":2},{"panel":"b","edge":2},{"reversed": false}])"))
         .pattern.stitches.size();
   };
@@ -127,11 +127,10 @@ TEST(MergeShortEdges, TheOtherSideMayBeTwiceAsLong) {
 }
 
 TEST(MergeShortEdges, TheOnlySeamBetweenTwoPanelsStays) {
-  const auto [pattern, remarks] =
-      parsed(file(polygon("a", "[0,0],[20,0],[20,20],[0.2,20],[0,20]") + "," +
-                      polygon("b", "[0,0],[20,0],[20,20],[0.2,20],[0,20]",
-                              R"("translation": [0,0,10])"),
-                  R"([{"panel":"a","edge":3},{"panel":"b","edge":3}])"));
+  const auto [pattern, remarks] = parsed(
+      file(polygon("a", "[0,0],[20,0],[20,20],[0.2,20],[0,20]") + "," +
+               polygon("b", "[0,0],[20,0],[20,20],[0.2,20],[0,20]", R"("translation": [0,0,10])"),
+           R"([{"panel":"a","edge":3},{"panel":"b","edge":3}])"));
   EXPECT_EQ(pattern.stitches.size(), 1u);
   EXPECT_EQ(outline_of(pattern, 0).size(), 5u);
   EXPECT_TRUE(remarks.empty());
@@ -166,9 +165,9 @@ TEST(MergeShortEdges, ACutCornerIsMovedByItsOwnWidth) {
 }
 
 TEST(MergeShortEdges, AnAttachmentHoldsThePlace) {
-  const auto [pattern, remarks] = parsed(file(
-      polygon("p", "[0,0],[20,0],[20,0.1],[20,20],[0,20]",
-              R"("attach": [{"edge": 1, "to": "waist"}, {"edge": 3, "to": "waist"}])")));
+  const auto [pattern, remarks] = parsed(
+      file(polygon("p", "[0,0],[20,0],[20,0.1],[20,20],[0,20]",
+                   R"("attach": [{"edge": 1, "to": "waist"}, {"edge": 3, "to": "waist"}])")));
   const std::vector<PanelAttachment>& attachments = pattern.panels[0].attachments;
   ASSERT_EQ(attachments.size(), 2u);
   EXPECT_EQ(attachments[0].edge, 2);
