@@ -2,6 +2,7 @@
 
 #include <oneapi/tbb/global_control.h>
 
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <iostream>
@@ -177,6 +178,15 @@ double parse_length(const std::string& text, const std::string& option) {
 double parse_time(const std::string& text, const std::string& option) {
   static const std::map<std::string, double> seconds = {{"s", 1.0}, {"ms", 0.001}, {"", 1.0}};
   return parse_quantity(text, seconds, option, "a time", "s or ms, such as 1s");
+}
+
+std::uint64_t parse_memory(const std::string& text, const std::string& option) {
+  static const std::map<std::string, double> bytes = {
+      {"kB", 1e3}, {"MB", 1e6}, {"GB", 1e9}, {"KiB", 0x1p10}, {"MiB", 0x1p20}, {"GiB", 0x1p30}};
+  constexpr double max_bytes = 1e18;  // above any machine's
+  return static_cast<std::uint64_t>(
+      std::min(max_bytes, parse_quantity(text, bytes, option, "an amount of memory",
+                                         "kB, MB, GB, KiB, MiB or GiB, such as 4GB")));
 }
 
 }  // namespace toile

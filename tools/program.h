@@ -2,6 +2,7 @@
 #pragma once
 
 #include <boost/program_options.hpp>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -81,5 +82,8 @@ double parse_length(const std::string& text, const std::string& option);
 
 /// The same of a time ("1s", "500ms"; a bare number is seconds), in seconds.
 double parse_time(const std::string& text, const std::string& option);
+
+/// The same of memory ("4GB", "500MB"), in bytes.
+std::uint64_t parse_memory(const std::string& text, const std::string& option);
 
 }  // namespace toile

@@ -5,6 +5,7 @@
 
 namespace toile {
 
+CommandLineProgram batch_program();
 CommandLineProgram clean_body_program();
 CommandLineProgram dress_program();
 CommandLineProgram ease_map_program();

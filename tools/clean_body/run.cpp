@@ -10,6 +10,7 @@
 #include "io/mesh_file.h"
 #include "io/output_file.h"
 #include "io/skeleton_file.h"
+#include "io/text.h"
 #include "tools/clean_body/report.h"
 
 namespace toile {
@@ -188,7 +189,9 @@ void run_clean_body(const CleanBodySettings& settings, const CommonSettings& com
   if (body.skeleton) write_skeleton(files.at(joints), *body.skeleton);
   if (common.report) {
     const bool given = options.skeleton && body.report.skeleton_refused.empty();
-    write_file(files.at(*common.report), clean_body_json(body, given, warnings).dump(1) + "\n");
+    nlohmann::ordered_json report = clean_body_json(body, given, warnings);
+    report["read"]["file"] = valid_utf8(in);
+    write_file(files.at(*common.report), report.dump(1) + "\n");
   }
   files.commit();
   if (is_stale) std::filesystem::remove(joints);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/decimate.h"
+#include "io/csv.h"
 #include "io/text.h"
 #include "io/view/picture.h"
 #include "io/view/viewer_page.h"
@@ -22,7 +23,7 @@ constexpr int page_body_triangles = 16000;
 
 std::string mm(double metres) { return fixed_number(1000 * metres, 1); }
 std::string cm(double metres) { return fixed_number(100 * metres, 1); }
-std::string percent(double share) { return fixed_number(100 * share, 1); }
+std::string percent_text(double share) { return fixed_number(100 * share, 1); }
 
 ColourRamp ramp_mm(const EaseReport& report) { return magnitude_ramp(0, 1000 * report.top); }
 
@@ -30,17 +31,6 @@ std::vector<double> gaps_mm(const EaseReport& report) {
   std::vector<double> gaps;
   for (const double gap : report.map.node_gaps) gaps.push_back(1000 * gap);
   return gaps;
-}
-
-std::string csv_cell(const std::string& text) {
-  const std::string valid = valid_utf8(text);
-  if (valid.find_first_of(",\"") == std::string::npos) return valid;
-  std::string quoted = "\"";
-  for (const char c : valid) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + '"';
 }
 
 /// To four decimals: a tenth of a micrometre in mm is finer than anything measured here.
@@ -62,8 +52,13 @@ nlohmann::ordered_json statistics_json(const EaseStatistics& statistics) {
 }
 
 std::vector<std::string> statistics_row(const std::string& name, const EaseStatistics& s) {
-  return {name,      mm(s.mean), mm(s.p50),         mm(s.p5) + " \xE2\x80\x93 " + mm(s.p95),
-          mm(s.min), mm(s.max),  percent(s.contact)};
+  return {name,
+          mm(s.mean),
+          mm(s.p50),
+          mm(s.p5) + " \xE2\x80\x93 " + mm(s.p95),
+          mm(s.min),
+          mm(s.max),
+          percent_text(s.contact)};
 }
 
 PageTable panel_table(const EaseReport& report) {
@@ -173,7 +168,8 @@ double suggested_top(const EaseMap& map) { return round_up(std::max(0.010, map.g
 
 std::string ease_csv(const EaseReport& report) {
   std::vector<std::string> names;
-  for (const std::string& panel : report.garment.panels) names.push_back(csv_cell(panel));
+  for (const std::string& panel : report.garment.panels)
+    names.push_back(csv_field(valid_utf8(panel)));
   std::string text = "panel,u_m,v_m,x_m,y_m,z_m,gap_mm\n";
   for (const PointGap& point : report.map.points) {
     const Vec2& flat = report.garment.flat[static_cast<std::size_t>(point.flat)];
@@ -288,7 +284,8 @@ std::vector<std::string> ease_summary(const EaseReport& report) {
   std::vector<std::string> lines;
   const auto line = [&](const std::string& name, const EaseStatistics& s) {
     lines.push_back(name + ": gap mean " + mm(s.mean) + " mm, median " + mm(s.p50) + " mm, from " +
-                    mm(s.min) + " to " + mm(s.max) + " mm; contact " + percent(s.contact) + " %");
+                    mm(s.min) + " to " + mm(s.max) + " mm; contact " + percent_text(s.contact) +
+                    " %");
   };
   for (std::size_t i = 0; i < report.map.panels.size(); ++i) {
     if (report.map.panels[i].points > 0) {

@@ -1,0 +1,14 @@
+// index.html of a batch: the pictures of all garments beside their verdicts.
+#pragma once
+
+#include <string>
+
+#include "tools/batch/results.h"
+
+namespace toile {
+
+/// A page that needs no network. Pictures are files in the garments' folders beside it. Buttons
+/// show the garments of one verdict only.
+std::string contact_sheet(const RowReports& reports);
+
+}  // namespace toile

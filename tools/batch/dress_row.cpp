@@ -1,0 +1,159 @@
+#include "tools/batch/dress_row.h"
+
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "geometry/error.h"
+#include "io/checksum.h"
+#include "io/output_file.h"
+#include "io/text.h"
+#include "tools/batch/child.h"
+#include "tools/batch/figures.h"
+#include "tools/program.h"
+
+namespace toile {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+using Words = std::vector<std::string>;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// The message of a program that failed: what follows "PROGRAM: error: " in its last such line.
+std::string message_of(const std::string& output) {
+  const std::string mark = ": error: ";
+  const std::size_t at = output.rfind(mark);
+  if (at == std::string::npos) {
+    const std::size_t end = output.find_last_not_of('\n');
+    if (end == std::string::npos) return "";
+    const std::size_t start = output.rfind('\n', end);
+    const std::size_t first = start == std::string::npos ? 0 : start + 1;
+    return valid_utf8(output.substr(first, end + 1 - first));
+  }
+  const std::size_t start = at + mark.size();
+  return valid_utf8(output.substr(start, output.find('\n', start) - start));
+}
+
+/// Why a process did not do its work; empty: it did.
+std::string problem_of(const ChildEnd& ended, const RowLimits& limits) {
+  if (ended.timed_out) {
+    return "time: was not done within " + number_text(*limits.seconds) +
+           " s; give more by --timeout";
+  }
+  if (ended.signal != 0) {
+    return std::string("crash: ended by signal ") + std::to_string(ended.signal) + " (" +
+           strsignal(ended.signal) + "); report it together with the input";
+  }
+  if (ended.exit_code == exit_done || ended.exit_code == exit_negative) return "";
+  std::string message = message_of(ended.output);
+  if (limits.memory && message.starts_with("out of memory"))
+    message += ", or give more by --memory";
+  return message.empty() ? "exit code: " + std::to_string(ended.exit_code) : message;
+}
+
+/// The programs of one garment, one after another.
+class RowRun {
+ public:
+  RowRun(const GarmentFiles& files, const RowLimits& limits) : files_(files), limits_(limits) {
+    if (limits.seconds) {
+      end_ = start_ + std::chrono::duration_cast<Clock::duration>(
+                          std::chrono::duration<double>(*limits.seconds));
+    }
+  }
+
+  /// Writes the problem to the log, and throws Failed.
+  [[noreturn]] void fail(const std::string& program, const std::string& problem);
+  /// Seconds. Throws Failed.
+  double run(const std::string& program, const fs::path& output, Words words);
+
+  double seconds() const { return seconds_since(start_); }
+  double peak_MiB() const { return peak_MiB_; }
+
+  struct Failed {
+    std::string program, problem;
+  };
+
+ private:
+  const GarmentFiles& files_;
+  const RowLimits& limits_;
+  Clock::time_point start_ = Clock::now();
+  std::optional<Clock::time_point> end_;
+  double peak_MiB_ = 0;
+};
+
+void RowRun::fail(const std::string& program, const std::string& problem) {
+  std::ofstream(files_.log, std::ios::app | std::ios::binary)
+      << "toile batch: " << program << " failed: " << problem << '\n';
+  throw Failed{program, problem};
+}
+
+double RowRun::run(const std::string& program, const fs::path& output, Words words) {
+  words.insert(words.begin(), program);
+  words.insert(words.end(), {"-o", output.string(), "--threads", std::to_string(limits_.threads)});
+  const ChildEnd ended = run_toile(words, {end_, limits_.memory});
+  peak_MiB_ = std::max(peak_MiB_, ended.peak_MiB);
+  std::ofstream log(files_.log, std::ios::app | std::ios::binary);
+  log << "toile";
+  for (const std::string& word : words) log << ' ' << word;
+  log << '\n' << ended.output;
+  const std::string problem = problem_of(ended, limits_);
+  log.close();
+  if (!problem.empty()) fail(program, problem);
+  return ended.seconds;
+}
+
+}  // namespace
+
+CleanedBody clean_body_of_batch(const fs::path& body, const fs::path& output,
+                                const RowLimits& limits) {
+  const fs::path report = fs::path(output).replace_extension("report.json");
+  const ChildEnd ended = run_toile({"clean-body", body.string(), "-o", output.string(), "--report",
+                                    report.string(), "--threads", std::to_string(limits.threads)},
+                                   {});
+  return {output, problem_of(ended, limits)};
+}
+
+Json dress_row(const BatchRow& row, const CleanedBody& body, const GarmentFiles& files,
+               const RowLimits& limits) {
+  RowRun run(files, limits);
+  Json times = Json::object();
+  Json outcome;
+  try {
+    if (!body.problem.empty()) run.fail("clean-body", body.problem);
+    const Words on_body = {"--body", body.file.string(), files.dressed.string()};
+    const auto with = [&](Words more) {
+      more.insert(more.begin(), on_body.begin(), on_body.end());
+      return more;
+    };
+    times["mesh_seconds"] = run.run("mesh-pattern", files.garment,
+                                    {row.pattern.string(), "--edge-length", row.edge_length,
+                                     "--report", files.mesh_report.string()});
+    Words dress = {"--body",   body.file.string(),          files.garment.string(),
+                   "--report", files.dress_report.string(), "--cache"};
+    for (const std::string& fabric : row.fabrics) dress.insert(dress.end(), {"--fabric", fabric});
+    dress.insert(dress.end(), row.options.begin(), row.options.end());
+    times["dress_seconds"] = run.run("dress", files.dressed, dress);
+    outcome = outcome_of(read_file(files.dress_report), files.dress_report.string());
+    run.run("ease-map", files.ease, with({"--json", files.ease_report.string()}));
+    run.run("render", files.front, with({"--views", "front", "--whole", "--width", "420"}));
+    run.run("render", files.back, with({"--views", "back", "--whole", "--width", "420"}));
+    outcome["dressed_sha256"] = sha256_of_file(files.dressed);
+  } catch (const RowRun::Failed& failed) {
+    outcome = failure(failed.program, failed.problem);
+  } catch (const Error& failed) {
+    outcome = failure("batch", failed.what());
+  }
+  outcome.update(times);
+  outcome["seconds"] = run.seconds();
+  outcome["peak_MiB"] = run.peak_MiB();
+  return outcome;
+}
+
+}  // namespace toile

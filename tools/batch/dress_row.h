@@ -1,0 +1,39 @@
+// One garment of a batch, from its pattern to its report.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/batch/files.h"
+#include "tools/batch/manifest.h"
+
+namespace toile {
+
+/// What all garments of a batch have in common.
+struct RowLimits {
+  std::optional<double> seconds;        ///< of all programs of a garment
+  std::optional<std::uint64_t> memory;  ///< bytes of addresses, of each program
+  int threads = 1;                      ///< of each program
+};
+
+/// A body that was cleaned, or why it could not be.
+struct CleanedBody {
+  std::filesystem::path file;
+  std::string problem;  ///< empty: the file is there
+};
+
+/// Cleans a body by the program. `problem` says why not.
+CleanedBody clean_body_of_batch(const std::filesystem::path& body,
+                                const std::filesystem::path& output, const RowLimits& limits);
+
+/// Meshes, dresses, measures and draws the garment by the programs, each a process of its own. The
+/// folder must hold no file of an earlier run. Gives what `report.json` says of how it went; what
+/// fails is said there.
+nlohmann::ordered_json dress_row(const BatchRow& row, const CleanedBody& body,
+                                 const GarmentFiles& files, const RowLimits& limits);
+
+}  // namespace toile

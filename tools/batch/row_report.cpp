@@ -1,0 +1,103 @@
+#include "tools/batch/row_report.h"
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "geometry/error.h"
+#include "io/checksum.h"
+#include "io/output_file.h"
+#include "io/skeleton_file.h"
+#include "io/text.h"
+#include "tools/batch/figures.h"
+#include "tools/program.h"
+
+namespace toile {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// A file and its checksum: null where it can't be read.
+Json input(const fs::path& file) {
+  Json json = {{"file", valid_utf8(file.string())}, {"sha256", nullptr}};
+  try {
+    json["sha256"] = sha256_of_file(file);
+  } catch (const Error&) {
+    // The program that reads it says why.
+  }
+  return json;
+}
+
+}  // namespace
+
+struct RowKeys::Known {
+  Json limits;
+  std::string executable;          // its checksum
+  std::map<fs::path, Json> files;  // bodies, joints and fabrics
+
+  const Json& input_of(const fs::path& file) {
+    const auto found = files.find(file);
+    return found != files.end() ? found->second : files.emplace(file, input(file)).first->second;
+  }
+};
+
+RowKeys::RowKeys(const RowLimits& limits) : known_(std::make_unique<Known>()) {
+  known_->limits = {{"timeout_s", limits.seconds ? Json(*limits.seconds) : Json()},
+                    {"memory_bytes", limits.memory ? Json(*limits.memory) : Json()}};
+  known_->executable = sha256_of_file("/proc/self/exe");
+}
+
+RowKeys::~RowKeys() = default;
+
+Json RowKeys::key_of(const BatchRow& row) {
+  Json key;
+  key["program"] = "toile batch";
+  key["version"] = toile_version();
+  key["executable_sha256"] = known_->executable;
+  key["name"] = row.name;
+  key["inputs"]["pattern"] = input(row.pattern);
+  key["inputs"]["body"] = known_->input_of(row.body);
+  const Json& joints = known_->input_of(skeleton_path(row.body));
+  if (!joints["sha256"].is_null()) key["inputs"]["joints"] = joints;
+  for (const fs::path& file : row.fabric_files) {
+    key["inputs"]["fabrics"].push_back(known_->input_of(file));
+  }
+  key["edge_length"] = row.edge_length;
+  key["fabric"] = row.fabric_text.empty() ? "default" : valid_utf8(row.fabric_text);
+  key["options"] = valid_utf8(row.options_text);
+  key["limits"] = known_->limits;
+  return key;
+}
+
+std::optional<Json> kept_report(const GarmentFiles& files, const Json& key) {
+  std::error_code unreachable;
+  if (!fs::is_regular_file(files.report, unreachable)) return std::nullopt;
+  try {
+    Json report = Json::parse(read_file(files.report));
+    const bool is_error = report.at("verdict") == error_verdict;
+    for (const auto& [name, value] : key.items()) {
+      if (name == "limits" && !is_error) continue;
+      if (report.at(name) != value) return std::nullopt;
+    }
+    if (is_error) return report;
+    for (const fs::path& file : files.made()) {
+      if (!fs::is_regular_file(file, unreachable)) return std::nullopt;
+    }
+    if (report.at("dressed_sha256") != sha256_of_file(files.dressed)) return std::nullopt;
+    return report;
+  } catch (const Json::exception&) {
+    return std::nullopt;  // not ours
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+Json write_report(const GarmentFiles& files, const Json& key, const Json& outcome) {
+  Json report = key;
+  report.update(outcome);
+  write_file(files.report, report.dump(1) + "\n");
+  return report;
+}
+
+}  // namespace toile

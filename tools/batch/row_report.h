@@ -1,0 +1,37 @@
+// report.json of a garment: what was asked for, of which inputs, and what came of it.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+
+#include "tools/batch/dress_row.h"
+
+namespace toile {
+
+/// What decides a garment's bits: its inputs with their checksums, its settings, the programs. The
+/// limits are there as well. A file that can't be read has no checksum.
+class RowKeys {
+ public:
+  explicit RowKeys(const RowLimits& limits);
+  RowKeys(const RowKeys&) = delete;
+  RowKeys& operator=(const RowKeys&) = delete;
+  ~RowKeys();
+
+  /// Of all rows that are asked for, each body is read once.
+  nlohmann::ordered_json key_of(const BatchRow& row);
+
+ private:
+  struct Known;
+  std::unique_ptr<Known> known_;
+};
+
+/// The report in the garment's folder, if it is of this key and all that it names is there. A
+/// report of a garment that could not be done counts only if the limits were the same.
+std::optional<nlohmann::ordered_json> kept_report(const GarmentFiles& files,
+                                                  const nlohmann::ordered_json& key);
+
+/// Writes report.json: the key, then the outcome. Gives both.
+nlohmann::ordered_json write_report(const GarmentFiles& files, const nlohmann::ordered_json& key,
+                                    const nlohmann::ordered_json& outcome);
+
+}  // namespace toile
