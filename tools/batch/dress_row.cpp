@@ -58,15 +58,19 @@ std::string problem_of(const ChildEnd& ended, const RowLimits& limits) {
   return message.empty() ? "exit code: " + std::to_string(ended.exit_code) : message;
 }
 
+/// When what starts now has to be done.
+std::optional<Clock::time_point> end_by(const RowLimits& limits) {
+  if (!limits.seconds) return std::nullopt;
+  constexpr double max_seconds = 1e9;  // a clock can count them
+  const std::chrono::duration<double> seconds(std::min(*limits.seconds, max_seconds));
+  return Clock::now() + std::chrono::duration_cast<Clock::duration>(seconds);
+}
+
 /// The programs of one garment, one after another.
 class RowRun {
  public:
-  RowRun(const GarmentFiles& files, const RowLimits& limits) : files_(files), limits_(limits) {
-    if (limits.seconds) {
-      end_ = start_ + std::chrono::duration_cast<Clock::duration>(
-                          std::chrono::duration<double>(*limits.seconds));
-    }
-  }
+  RowRun(const GarmentFiles& files, const RowLimits& limits)
+      : files_(files), limits_(limits), end_(end_by(limits)) {}
 
   /// Writes the problem to the log, and throws Failed.
   [[noreturn]] void fail(const std::string& program, const std::string& problem);

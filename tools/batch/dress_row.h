@@ -15,7 +15,7 @@ namespace toile {
 
 /// What all garments of a batch have in common.
 struct RowLimits {
-  std::optional<double> seconds;        ///< of all programs of a garment
+  std::optional<double> seconds;        ///< of all programs of a garment, and of a body
   std::optional<std::uint64_t> memory;  ///< bytes of addresses, of each program
   int threads = 1;                      ///< of each program
 };

@@ -1,6 +1,7 @@
 // report.json of a garment: what was asked for, of which inputs, and what came of it.
 #pragma once
 
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 
