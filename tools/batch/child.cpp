@@ -90,6 +90,7 @@ ChildEnd run_toile(const std::vector<std::string>& words, const ChildLimits& lim
   std::vector<std::string> all = {"toile"};
   all.insert(all.end(), words.begin(), words.end());
   std::vector<char*> argv;
+  argv.reserve(all.size() + 1);
   for (std::string& word : all) argv.push_back(word.data());
   argv.push_back(nullptr);
   const auto fail = [](const char* what) {

@@ -78,7 +78,7 @@ class RowRun {
   double run(const std::string& program, const fs::path& output, Words words);
 
   double seconds() const { return seconds_since(start_); }
-  double peak_MiB() const { return peak_MiB_; }
+  double peak_memory() const { return peak_memory_; }  // MiB
 
   struct Failed {
     std::string program, problem;
@@ -89,7 +89,7 @@ class RowRun {
   const RowLimits& limits_;
   Clock::time_point start_ = Clock::now();
   std::optional<Clock::time_point> end_;
-  double peak_MiB_ = 0;
+  double peak_memory_ = 0;
 };
 
 void RowRun::fail(const std::string& program, const std::string& problem) {
@@ -102,7 +102,7 @@ double RowRun::run(const std::string& program, const fs::path& output, Words wor
   words.insert(words.begin(), program);
   words.insert(words.end(), {"-o", output.string(), "--threads", std::to_string(limits_.threads)});
   const ChildEnd ended = run_toile(words, {end_, limits_.memory});
-  peak_MiB_ = std::max(peak_MiB_, ended.peak_MiB);
+  peak_memory_ = std::max(peak_memory_, ended.peak_MiB);
   std::ofstream log(files_.log, std::ios::app | std::ios::binary);
   log << "toile";
   for (const std::string& word : words) log << ' ' << word;
@@ -156,7 +156,7 @@ Json dress_row(const BatchRow& row, const CleanedBody& body, const GarmentFiles&
   }
   outcome.update(times);
   outcome["seconds"] = run.seconds();
-  outcome["peak_MiB"] = run.peak_MiB();
+  outcome["peak_MiB"] = run.peak_memory();
   return outcome;
 }
 

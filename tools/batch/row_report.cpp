@@ -1,6 +1,5 @@
 #include "tools/batch/row_report.h"
 
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "geometry/error.h"
@@ -18,55 +17,53 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// A file and its checksum: null where it can't be read.
-Json input(const fs::path& file) {
-  Json json = {{"file", valid_utf8(file.string())}, {"sha256", nullptr}};
+/// Nothing where the file can't be read: the program that reads it says why.
+std::optional<std::string> checksum_of(const fs::path& file) {
   try {
-    json["sha256"] = sha256_of_file(file);
+    return sha256_of_file(file);
   } catch (const Error&) {
-    // The program that reads it says why.
+    return std::nullopt;
   }
-  return json;
+}
+
+/// A file and its checksum: null where it can't be read.
+Json input_json(const fs::path& file, const std::optional<std::string>& checksum) {
+  return {{"file", valid_utf8(file.string())}, {"sha256", checksum ? Json(*checksum) : Json()}};
+}
+
+Json limits_json(const RowLimits& limits) {
+  return {{"timeout_s", limits.seconds ? Json(*limits.seconds) : Json()},
+          {"memory_bytes", limits.memory ? Json(*limits.memory) : Json()}};
 }
 
 }  // namespace
 
-struct RowKeys::Known {
-  Json limits;
-  std::string executable;          // its checksum
-  std::map<fs::path, Json> files;  // bodies, joints and fabrics
+RowKeys::RowKeys(const RowLimits& limits)
+    : limits_(limits), executable_(sha256_of_file("/proc/self/exe")) {}
 
-  const Json& input_of(const fs::path& file) {
-    const auto found = files.find(file);
-    return found != files.end() ? found->second : files.emplace(file, input(file)).first->second;
-  }
-};
-
-RowKeys::RowKeys(const RowLimits& limits) : known_(std::make_unique<Known>()) {
-  known_->limits = {{"timeout_s", limits.seconds ? Json(*limits.seconds) : Json()},
-                    {"memory_bytes", limits.memory ? Json(*limits.memory) : Json()}};
-  known_->executable = sha256_of_file("/proc/self/exe");
+Json RowKeys::input_of(const fs::path& file) {
+  auto known = checksums_.find(file);
+  if (known == checksums_.end()) known = checksums_.emplace(file, checksum_of(file)).first;
+  return input_json(file, known->second);
 }
-
-RowKeys::~RowKeys() = default;
 
 Json RowKeys::key_of(const BatchRow& row) {
   Json key;
   key["program"] = "toile batch";
   key["version"] = toile_version();
-  key["executable_sha256"] = known_->executable;
+  key["executable_sha256"] = executable_;
   key["name"] = row.name;
-  key["inputs"]["pattern"] = input(row.pattern);
-  key["inputs"]["body"] = known_->input_of(row.body);
-  const Json& joints = known_->input_of(skeleton_path(row.body));
+  key["inputs"]["pattern"] = input_json(row.pattern, checksum_of(row.pattern));
+  key["inputs"]["body"] = input_of(row.body);
+  const Json joints = input_of(skeleton_path(row.body));
   if (!joints["sha256"].is_null()) key["inputs"]["joints"] = joints;
   for (const fs::path& file : row.fabric_files) {
-    key["inputs"]["fabrics"].push_back(known_->input_of(file));
+    key["inputs"]["fabrics"].push_back(input_of(file));
   }
   key["edge_length"] = row.edge_length;
   key["fabric"] = row.fabric_text.empty() ? "default" : valid_utf8(row.fabric_text);
   key["options"] = valid_utf8(row.options_text);
-  key["limits"] = known_->limits;
+  key["limits"] = limits_json(limits_);
   return key;
 }
 

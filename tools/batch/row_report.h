@@ -1,9 +1,10 @@
 // report.json of a garment: what was asked for, of which inputs, and what came of it.
 #pragma once
 
-#include <memory>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <string>
 
 #include "tools/batch/dress_row.h"
 
@@ -14,16 +15,16 @@ namespace toile {
 class RowKeys {
  public:
   explicit RowKeys(const RowLimits& limits);
-  RowKeys(const RowKeys&) = delete;
-  RowKeys& operator=(const RowKeys&) = delete;
-  ~RowKeys();
 
-  /// Of all rows that are asked for, each body is read once.
+  /// Of all rows that are asked for, each body and fabric is read once.
   nlohmann::ordered_json key_of(const BatchRow& row);
 
  private:
-  struct Known;
-  std::unique_ptr<Known> known_;
+  nlohmann::ordered_json input_of(const std::filesystem::path& file);
+
+  RowLimits limits_;
+  std::string executable_;  // its checksum
+  std::map<std::filesystem::path, std::optional<std::string>> checksums_;
 };
 
 /// The report in the garment's folder, if it is of this key and all that it names is there. A
