@@ -215,6 +215,35 @@ TEST_F(ToileBatch, OneThatFailsStopsNoOther) {
             std::string::npos);
 }
 
+TEST_F(ToileBatch, BodiesOfOneNameAndFilesOfFabricsCountFromTheManifest) {
+  std::string table = "name,pattern,body,options,fabric\n";
+  for (const std::string name : {"a", "b"}) {
+    fs::create_directory(folder / name);
+    fs::copy_file(*shared / "body.ply", folder / name / "body.ply");
+    table += name + ",band.json," + name + "/body.ply,--quality draft,a/wool.json\n";
+  }
+  fs::copy_file(fs::path(TOILE_SOURCE_DIR) / "samples" / "fabrics" / "wool.json",
+                folder / "a" / "wool.json");
+  fs::copy_file(sample("band"), folder / "band.json");
+  write_text(folder / "garments.csv", table);
+  const pipeline::Run ended =
+      batch({folder / "garments.csv", "-o", folder / "out", "-j", "2", "--threads", "1"});
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  int bodies = 0;
+  for (const auto& entry : fs::directory_iterator(folder / "out" / "bodies")) {
+    bodies += entry.path().extension() == ".ply" ? 1 : 0;
+  }
+  EXPECT_EQ(bodies, 2);
+  const Json report = Json::parse(read_text(folder / "out" / "a" / "report.json"));
+  ASSERT_EQ(report["inputs"]["fabrics"].size(), 1U);
+  EXPECT_EQ(report["inputs"]["fabrics"][0]["sha256"], sha256_of_file(folder / "a" / "wool.json"));
+  const Json dressed = Json::parse(read_text(folder / "out" / "a" / "dressed.json"));
+  EXPECT_EQ(dressed["scene"]["fabric"], Json::parse(read_text(folder / "a" / "wool.json"))["name"]);
+  // The same body under two names: the same bits.
+  EXPECT_EQ(read_text(folder / "out" / "a" / "dressed.obj"),
+            read_text(folder / "out" / "b" / "dressed.obj"));
+}
+
 TEST_F(ToileBatch, ANegativeVerdictEndsWith3AndAFolderIsABatchToo) {
   Json pattern = Json::parse(read_text(sample("band")));
   for (auto& [name, panel] : pattern["pattern"]["panels"].items()) {
