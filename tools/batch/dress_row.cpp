@@ -44,8 +44,8 @@ std::string message_of(const std::string& output) {
 /// Why a process did not do its work; empty: it did.
 std::string problem_of(const ChildEnd& ended, const RowLimits& limits) {
   if (ended.timed_out) {
-    return "time: was not done within " + number_text(*limits.seconds) +
-           " s; give more by --timeout";
+    return "time: out of time; it may take " + number_text(*limits.seconds) +
+           " s, give more by --timeout";
   }
   if (ended.signal != 0) {
     return std::string("crash: ended by signal ") + std::to_string(ended.signal) + " (" +
