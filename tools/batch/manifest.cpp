@@ -241,7 +241,9 @@ Batch parse_manifest(const std::string& text, const std::string& name, const fs:
 }
 
 Batch read_manifest(const fs::path& file, const BatchDefaults& defaults) {
-  return parse_manifest(read_file(file), file.string(), file.parent_path(), defaults);
+  // No path begins as an option does.
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  return parse_manifest(read_file(file), file.string(), folder, defaults);
 }
 
 Batch batch_of_folder(const fs::path& folder, const BatchDefaults& defaults) {

@@ -19,7 +19,7 @@ int cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurre
 
 Job prepare(const po::variables_map& given, const CommonSettings& common) {
   BatchSettings settings;
-  const fs::path garments = given["garments"].as<std::string>();
+  const fs::path garments = given["manifest"].as<std::string>();
   BatchDefaults defaults;
   if (given.count("body") != 0) defaults.body = given["body"].as<std::string>();
   read_edge_length(given);
@@ -61,7 +61,7 @@ CommandLineProgram batch_program() {
       "MANIFEST.csv -o OUT/ [options]\n"
       "       toile batch --body BODY FOLDER -o OUT/ [options]";
   program.options.add_options()(
-      "garments", po::value<std::string>()->required(),
+      "manifest", po::value<std::string>()->required(),
       "a table with the column pattern, and if wanted name, body, edge_length, fabric and options; "
       "or a folder of patterns; also as argument")(
       "body", po::value<std::string>(),
@@ -75,7 +75,7 @@ CommandLineProgram batch_program() {
       "resume", po::bool_switch(),
       "keep what an earlier run has done in OUT, where neither inputs, options nor programs "
       "changed");
-  program.positional.add("garments", 1);
+  program.positional.add("manifest", 1);
   program.writes_folder = true;
   program.check = [](const po::variables_map& given) {
     if (given.count("jobs") != 0 &&

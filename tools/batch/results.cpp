@@ -147,8 +147,8 @@ std::string summary_of(const RowReports& reports) {
     }
   }
   text << "\n| seconds | median | 90 % | 99 % | largest |\n|---|---|---|---|---|\n";
-  add_times(text, "to mesh and dress", dressing);
-  add_times(text, "with tables and pictures, or until the error", whole);
+  add_times(text, "to mesh and dress, where that ended", dressing);
+  add_times(text, "of all, with tables and pictures, or until the error", whole);
   if (dressed > 0) {
     text << "\nDressed at the first attempt in every stage: " << first_attempts << " of " << dressed
          << " (" << share(first_attempts, dressed) << ").\n";
