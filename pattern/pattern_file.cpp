@@ -16,6 +16,7 @@
 #include "pattern/constants.h"
 #include "pattern/placement_json.h"
 #include "pattern/schematic_figure.h"
+#include "pattern/seam_order.h"
 #include "pattern/sharp_corners.h"
 #include "pattern/short_edges.h"
 
@@ -57,6 +58,7 @@ class Reader {
         stitch(stitches->item(i).called(pattern_.source + ": stitch " + std::to_string(i)));
       }
     }
+    leave_out_crossed_stitches(pattern_, remarks_);
     merge_short_edges(pattern_, remarks_);
     open_sharp_corners(pattern_, remarks_);
     return std::move(pattern_);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pattern/constants.h"
+#include "pattern/sewn_corners.h"
 
 namespace toile {
 
@@ -37,6 +38,14 @@ EdgeSteps steps_along(const Pattern& pattern, double edge_length) {
   for (const PatternPanel& panel : pattern.panels) {
     std::vector<int>& counts = steps.emplace_back();
     for (const PatternEdge& edge : panel.edges) counts.push_back(wanted(edge.curve));
+  }
+  // With one step, a triangle on an edge whose ends are sewn together would be sewn to itself.
+  SewnCorners corners(pattern);
+  for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+    for (const auto& [edge, forward] : pattern.panels[p].outline) {
+      const std::array<int, 2> ends = corners.ends({static_cast<int>(p), edge});
+      if (ends[0] == ends[1]) steps[p][edge] = std::max(steps[p][edge], 2);
+    }
   }
   for (const Stitch& stitch : pattern.stitches) {
     int& a = steps[stitch.a.panel][stitch.a.edge];

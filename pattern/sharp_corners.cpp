@@ -30,8 +30,8 @@ struct Leaving {
     constexpr int samples = 16;
     double farthest = 0;
     for (int i = 1; i < samples; ++i) {
-      farthest = std::max(farthest, distance_to_segment(at(length * i / samples), at(0),
-                                                        at(length)));
+      farthest =
+          std::max(farthest, distance_to_segment(at(length * i / samples), at(0), at(length)));
     }
     return farthest;
   }

@@ -7,7 +7,8 @@
 
 namespace toile {
 
-/// Opens every corner that is sharper than needle_angle, where one of its edges at least is a curve.
+/// Opens every corner that is sharper than needle_angle, where one of its edges at least is a
+/// curve.
 ///
 /// Beside the corner the curve becomes straight, over the shortest length that opens the corner to
 /// opened_corner. No point of the outline moves farther than max_outline_shift: corners that would

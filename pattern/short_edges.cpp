@@ -10,6 +10,7 @@
 #include "pattern/constants.h"
 #include "pattern/outline_polygon.h"
 #include "pattern/sewn_corners.h"
+#include "pattern/stitch_of_edge.h"
 
 namespace toile {
 
@@ -276,19 +277,11 @@ class Merger {
   EdgeFlags flags_;
 };
 
-bool an_edge_is_sewn_twice(const Pattern& pattern) {
-  std::map<std::array<int, 2>, int> stitches;
-  for (const Stitch& stitch : pattern.stitches) {
-    if (++stitches[{stitch.a.panel, stitch.a.edge}] > 1) return true;
-    if (++stitches[{stitch.b.panel, stitch.b.edge}] > 1) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 void merge_short_edges(Pattern& pattern, std::vector<Remark>& remarks) {
-  if (an_edge_is_sewn_twice(pattern)) return;
+  const auto stitch_of = stitch_of_edge(pattern);
+  if (!stitch_of) return;
   Merger merger(pattern);
   if (!merger.any()) return;
   Takers takers;
@@ -300,22 +293,17 @@ void merge_short_edges(Pattern& pattern, std::vector<Remark>& remarks) {
   const auto taker = [&](const EdgeRef& ref) {
     return std::to_string(takers.at({ref.panel, ref.edge}));
   };
-  std::map<std::array<int, 2>, EdgeRef> sewn_to;
-  for (const Stitch& stitch : pattern.stitches) {
-    sewn_to.insert({{stitch.a.panel, stitch.a.edge}, stitch.b});
-    sewn_to.insert({{stitch.b.panel, stitch.b.edge}, stitch.a});
-  }
   for (const auto& [key, taken_by] : takers) {
     const EdgeRef ref{key[0], key[1]};
-    const auto other = sewn_to.find(key);
+    const auto sewn = stitch_of->find(key);
     std::string text = pattern.source + ": " + named(ref);
-    if (other == sewn_to.end()) {
+    if (sewn == stitch_of->end()) {
       text += " is too short to mesh; it is merged with edge " + std::to_string(taken_by);
     } else {
-      const std::array<int, 2> other_key = {other->second.panel, other->second.edge};
-      if (other_key < key) continue;
-      text += " and " + named(other->second) + ", sewn together, are too short to mesh; they are " +
-              "merged with edges " + std::to_string(taken_by) + " and " + taker(other->second);
+      const EdgeRef& other = sewn->second.other;
+      if (std::array{other.panel, other.edge} < key) continue;
+      text += " and " + named(other) + ", sewn together, are too short to mesh; they are " +
+              "merged with edges " + std::to_string(taken_by) + " and " + taker(other);
     }
     remarks.push_back({true, text});
   }

@@ -284,6 +284,20 @@ TEST(MeshPanels, SharpCornersSewnTogetherEncloseCloth) {
   }
 }
 
+// With one step, the triangle on edge 4 has two corners in one node.
+TEST(MeshPanels, AnEdgeWhoseEndsAreSewnTogetherClosesLikeADart) {
+  const std::string text =
+      file(polygon("p", "[0,0],[40,0],[40,30],[21,30],[20.5,15],[19.5,15],[19,30],[0,30]"),
+           R"([{"panel":"p","edge":3},{"panel":"p","edge":5},{"reversed": true}])");
+  for (const double edge_length : {0.005, 0.015, 0.03}) {
+    std::vector<Remark> remarks;
+    const PanelMesh garment = mesh_panels(samples::parse(text), {edge_length}, remarks);
+    for (int coarser = 0; coarser <= garment.subdivisions; ++coarser) {
+      EXPECT_EQ(samples::sewn_fault(garment, coarser), "") << edge_length << " " << coarser;
+    }
+  }
+}
+
 TEST(MeshPanels, AnEdgeThatAsksForNeedlesIsNamed) {
   const Pattern pattern =
       samples::parse(file(polygon("sound", "[0,0],[20,0],[20,20],[0,20]") + "," +

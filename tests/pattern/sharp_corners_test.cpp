@@ -16,8 +16,8 @@ using samples::file;
 
 /// Half a front whose neck, of `radius` cm, ends at the shoulder. At 15.354 cm it runs along it.
 std::string front(const std::string& radius, bool clockwise = false) {
-  const std::string neck = R"({"type": "circle", "params": [)" + radius + ", 0, " +
-                           (clockwise ? "1" : "0") + "]}";
+  const std::string neck =
+      R"({"type": "circle", "params": [)" + radius + ", 0, " + (clockwise ? "1" : "0") + "]}";
   const std::string x = clockwise ? "" : "-";
   return file(R"("front": {"vertices": [[0,0], [0,15.914], [)" + x + "5.34,45.684], [" + x +
               "17.069,41.021], [" + x + R"(25,0]], "edges": [{"endpoints": [0,1]},
@@ -57,8 +57,7 @@ TEST(OpenSharpCorners, ANeckThatRunsAlongTheShoulderIsMeshed) {
 TEST(OpenSharpCorners, TheCurveKeepsItsEndsAndItsShapeElsewhere) {
   const Pattern pattern = samples::parse(front("15.354"));
   const EdgeCurve& opened = pattern.panels[0].edges[1].curve;
-  const EdgeCurve drawn =
-      EdgeCurve::arc({0, 0.15914}, {-0.0534, 0.45684}, 0.15354, false, false);
+  const EdgeCurve drawn = EdgeCurve::arc({0, 0.15914}, {-0.0534, 0.45684}, 0.15354, false, false);
   EXPECT_NEAR((opened.start() - drawn.start()).norm(), 0, 1e-15);
   EXPECT_NEAR((opened.end() - drawn.end()).norm(), 0, 1e-15);
   EXPECT_LT(opened.length(), drawn.length());
