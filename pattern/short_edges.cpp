@@ -158,26 +158,28 @@ class Merger {
     }
   }
 
-  /// False when a run cannot be merged: its flags are taken back.
+  /// False when some runs cannot be merged: their flags are taken back.
   bool merge_panels(Pattern& result, Takers& takers) {
+    bool all_merged = true;
     for (std::size_t p = 0; p < result.panels.size(); ++p) {
       PatternPanel& panel = result.panels[p];
       const std::vector<Run> runs = runs_of(panel.outline, flags_[p]);
+      const std::vector<bool> flags = flags_[p];
       for (const Run& run : runs) {
         if (merge_run(p, run, panel, takers)) continue;
         take_back(p, run);
-        return false;
+        all_merged = false;
       }
       std::erase_if(panel.outline, [&](const OutlineStep& step) {
-        return flags_[p][static_cast<std::size_t>(step.edge)];
+        return flags[static_cast<std::size_t>(step.edge)];
       });
-      if (!runs.empty() && first_crossing(outline_polygon(panel).points)) {
+      if (all_merged && !runs.empty() && first_crossing(outline_polygon(panel).points)) {
         for (const Run& run : runs) take_back(p, run);
-        return false;
+        all_merged = false;
       }
     }
     std::erase_if(result.stitches, [&](const Stitch& stitch) { return is_merged(stitch.a); });
-    return true;
+    return all_merged;
   }
 
   /// Moves the end of a neighbour over a run. False when both would move the outline too far.
@@ -253,7 +255,7 @@ class Merger {
     return farthest;
   }
 
-  /// Whether what the left out stitches joined is still joined. If not, one flag is taken back.
+  /// Whether what the left out stitches joined is still joined. If not, their flags are taken back.
   bool keeps_joined(const Pattern& result, const Takers& takers) {
     if (result.stitches.size() == pattern_.stitches.size()) return true;
     SewnCorners corners(result);
@@ -265,12 +267,13 @@ class Merger {
       const std::array<int, 2> ends = corners.ends({ref.panel, taker});
       return (curve.start() - point).norm() < (curve.end() - point).norm() ? ends[0] : ends[1];
     };
+    bool all_joined = true;
     for (const Stitch& stitch : pattern_.stitches) {
       if (!is_merged(stitch.a) || corner(stitch.a) == corner(stitch.b)) continue;
       flag(stitch.a) = flag(stitch.b) = false;
-      return false;
+      all_joined = false;
     }
-    return true;
+    return all_joined;
   }
 
   const Pattern& pattern_;
