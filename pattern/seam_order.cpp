@@ -13,8 +13,8 @@ namespace {
 /// A stitch in a row of them: where its side on the other panel lies.
 struct Place {
   int stitch = 0;
-  int other_step = 0;  ///< step of the other panel's outline
-  double length = 0;   ///< metres, of the other side
+  int other_step = 0;    ///< step of the other panel's outline
+  double length = 0;     ///< metres, of the other side
   bool against = false;  ///< the outlines run against each other
 };
 
@@ -94,8 +94,8 @@ void leave_out_crossed_stitches(Pattern& pattern, std::vector<Remark>& remarks) 
         row.push_back({stitch, other_step, panel.edges[ref.edge].curve.length(),
                        alike == orientation.reversed[stitch]});
       }
-      const auto against = std::count_if(row.begin(), row.end(),
-                                         [](const Place& place) { return place.against; });
+      const auto against =
+          std::count_if(row.begin(), row.end(), [](const Place& place) { return place.against; });
       if (row.size() < 3 ||
           !in_a_row(row, static_cast<int>(pattern.panels[other].outline.size()))) {
         continue;

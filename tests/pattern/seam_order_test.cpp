@@ -19,8 +19,7 @@ std::string stitch(int a, int b) {
 /// and 2 cm, from below.
 Pattern sides(const std::string& stitches, std::vector<Remark>& remarks) {
   return parse_pattern(
-      file(polygon("a", "[0,0],[20,0],[20,2],[20,5],[20,25],[0,25]",
-                   R"("translation": [0,0,10])") +
+      file(polygon("a", "[0,0],[20,0],[20,2],[20,5],[20,25],[0,25]", R"("translation": [0,0,10])") +
                "," + polygon("b", "[0,0],[20,0],[20,3],[20,23],[20,25],[0,25]"),
            stitches),
       "test.json", remarks);
@@ -36,9 +35,10 @@ TEST(LeaveOutCrossedStitches, APieceSewnToTheFarEndIsLeftOut) {
   EXPECT_EQ(pattern.stitches[1].a.edge, 2);
   ASSERT_EQ(remarks.size(), 1u);
   EXPECT_TRUE(remarks[0].warning);
-  EXPECT_EQ(remarks[0].text,
-            "test.json: panel 'a', edge 1 and panel 'b', edge 3 are sewn out of order with the edges "
-            "beside them; their stitch is left out");
+  EXPECT_EQ(
+      remarks[0].text,
+      "test.json: panel 'a', edge 1 and panel 'b', edge 3 are sewn out of order with the edges "
+      "beside them; their stitch is left out");
 }
 
 TEST(LeaveOutCrossedStitches, WhatIsInOrderStays) {
