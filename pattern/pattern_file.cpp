@@ -138,7 +138,7 @@ class Reader {
   }
 
   Vec2 metres(const JsonValue& point) const {
-    const Vec2 value = pair(point) * unit_;
+    Vec2 value = pair(point) * unit_;
     if (value.cwiseAbs().maxCoeff() > max_metres) {
       point.fail("lies more than a kilometre away", "check 'units_in_meter'");
     }
@@ -320,7 +320,7 @@ class Reader {
     if (absolute_) return metres(value) - offset_;
     const Vec2 relative = pair(value);
     const Vec2 run = end - start;
-    const Vec2 point = start + relative.x() * run + relative.y() * Vec2(-run.y(), run.x());
+    Vec2 point = start + relative.x() * run + relative.y() * Vec2(-run.y(), run.x());
     if (!(point.cwiseAbs().maxCoeff() <= max_metres)) value.fail("lies more than a kilometre away");
     return point;
   }
