@@ -12,10 +12,12 @@ namespace toile {
 /// The target of an attachment. At a level, which is a height of the body, the cloth may slide
 /// around the body part. Otherwise each of its points has a place.
 enum class AttachedTo : std::uint8_t {
-  level,  ///< a plane at a height of the body part
-  place,  ///< where the point is as the panel is placed
-  skin,   ///< the place on the skin that is nearest to that
-  point,  ///< Attachment::point, the same for all
+  level,   ///< a plane at a height of the body part
+  place,   ///< where the point is as the panel is placed
+  skin,    ///< the place on the skin that is nearest to that
+  point,   ///< Attachment::point, the same for all
+  side,    ///< as far to the side as the point is placed; it may move up, down and in depth
+  height,  ///< as high as the point is placed; it may move level
 };
 
 /// A spring between a panel and what holds it. It never pulls harder than `max_pull`: beyond that

@@ -13,7 +13,7 @@ namespace toile {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> place_words = {"", "place", "skin", ""};
+constexpr std::array<std::string_view, 6> place_words = {"", "place", "skin", "", "side", "height"};
 constexpr std::array<std::string_view, 2> while_words = {"dressing", "always"};
 constexpr std::array<std::string_view, 7> known_keys = {
     "edge", "vertex", "to", "above", "while", "stiffness_N_per_m", "max_N"};
@@ -26,7 +26,7 @@ constexpr double max_pull_limit = 1e4;  // N
 std::vector<std::string_view> target_words() {
   std::vector<std::string_view> words(joint_names.begin(), joint_names.end());
   words.insert(words.end(), girth_names.begin(), girth_names.end());
-  words.insert(words.end(), {"place", "skin"});
+  words.insert(words.end(), {"place", "skin", "side", "height"});
   return words;
 }
 
@@ -55,9 +55,11 @@ void read_target(const JsonValue& to, double unit, Attachment& attachment) {
   }
   const std::vector<std::string_view> words = target_words();
   const std::string_view word = words[word_of(to, words)];
-  attachment.to = word == "place"  ? AttachedTo::place
-                  : word == "skin" ? AttachedTo::skin
-                                   : AttachedTo::level;
+  attachment.to = word == "place"    ? AttachedTo::place
+                  : word == "skin"   ? AttachedTo::skin
+                  : word == "side"   ? AttachedTo::side
+                  : word == "height" ? AttachedTo::height
+                                     : AttachedTo::level;
   if (attachment.to == AttachedTo::level) attachment.landmark = word;
 }
 

@@ -231,6 +231,14 @@ std::vector<int> share_of(const std::vector<int>& along, PanelAttachment::Share 
   return {share == PanelAttachment::Share::start ? along.front() : along.back()};
 }
 
+/// How GarmentCode's label of an edge says that it is held while the garment is dressed. A neckline
+/// would slide off the shoulders, and a strapless top down the chest.
+std::optional<AttachedTo> held_by_label(const std::string& label) {
+  if (label == "left_collar" || label == "right_collar") return AttachedTo::side;
+  if (label == "strapless_top") return AttachedTo::height;
+  return std::nullopt;
+}
+
 PanelMesh assemble(const Pattern& pattern, const Orientation& orientation,
                    const std::vector<PanelTriangulation>& triangulations) {
   PanelMesh garment;
@@ -263,6 +271,14 @@ PanelMesh assemble(const Pattern& pattern, const Orientation& orientation,
                             panel.edges[e].elastic->ratio, panel.edges[e].elastic->stiffness};
       for (int& point : elastic.points) point += meshed.first_point;
       garment.elastics.push_back(std::move(elastic));
+    }
+    for (std::size_t e = 0; e < panel.edges.size(); ++e) {
+      const std::optional<AttachedTo> to = held_by_label(panel.edges[e].label);
+      if (!to) continue;
+      MeshedAttachment held{panel.name + "." + std::to_string(e), triangulations[p].along[e], {}};
+      held.how.to = *to;
+      for (int& point : held.points) point += meshed.first_point;
+      garment.attachments.push_back(std::move(held));
     }
     for (const PanelAttachment& attached : panel.attachments) {
       MeshedAttachment meshed_attachment{

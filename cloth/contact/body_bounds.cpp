@@ -194,15 +194,18 @@ double BodyBounds::free_radius(int vertex, const Vec3& p) const {
   return std::max(radius, 0.0);
 }
 
-double BodyBounds::allowed_share(int vertex, const Vec3& p, const Vec3& wanted) {
+double BodyBounds::allowed_share(int vertex, const Vec3& p, const Vec3& wanted, Vec3* stopped_by) {
   double share = 1;
+  if (stopped_by != nullptr) *stopped_by = Vec3::Zero();
   const Vec3 displacement = wanted - p;
   for (const auto& [t, corner] : corners_[vertex]) {
     const Region& region = regions_[t];
     if (region.intersects) continue;
     const Vec3 away = p - region.at[corner];
     if ((away + displacement).norm() > (1 - due_region_share) * region.reach) make_due(t);
-    share = std::min(share, clip_to_ball(away, displacement, region.reach));
+    const double in_ball = clip_to_ball(away, displacement, region.reach);
+    if (in_ball < share && stopped_by != nullptr) *stopped_by = Vec3::Zero();
+    share = std::min(share, in_ball);
     if (region.normal == Vec3::Zero()) continue;
     const double from = region.normal.dot(p) - region.level;
     const double to = region.normal.dot(wanted) - region.level;
@@ -210,9 +213,25 @@ double BodyBounds::allowed_share(int vertex, const Vec3& p, const Vec3& wanted) 
     if (to >= 0 || to >= from) continue;
     // Slightly less, for the quotient may round to the outside.
     constexpr double inside = 1 - 1e-9;
-    share = std::min(share, std::clamp(from / (from - to) * inside, 0.0, 1.0));
+    const double own = std::clamp(from / (from - to) * inside, 0.0, 1.0);
+    if (own < share && stopped_by != nullptr) *stopped_by = region.normal;
+    share = std::min(share, own);
   }
   return share;
+}
+
+Vec3 BodyBounds::reached(int vertex, const Vec3& p, const Vec3& wanted) {
+  // In a corner of three planes there is nowhere to slide.
+  constexpr int most_planes = 3;
+  Vec3 to = wanted;
+  Vec3 normal;
+  for (int i = 0; i < most_planes; ++i) {
+    const double share = allowed_share(vertex, p, to, &normal);
+    if (share >= 1) return to;
+    if (normal == Vec3::Zero()) break;
+    to -= (1 - share) * normal.dot(to - p) * normal;
+  }
+  return p + allowed_share(vertex, p, to) * (to - p);
 }
 
 void BodyBounds::recheck_intersecting() {

@@ -43,8 +43,14 @@ class BodyBounds {
   double free_radius(int vertex, const Vec3& p) const;
 
   /// The share in [0, 1] of the path from `p`, which is in the region, to `wanted` that stays in
-  /// the region. A region that stops the vertex, or nearly does, becomes due.
-  double allowed_share(int vertex, const Vec3& p, const Vec3& wanted);
+  /// the region. A region that stops the vertex, or nearly does, becomes due. `stopped_by` receives
+  /// the normal of the plane that stops it; zero: none does.
+  double allowed_share(int vertex, const Vec3& p, const Vec3& wanted, Vec3* stopped_by = nullptr);
+
+  /// Metres: where the vertex comes on its way from `p`, which is in the region, to `wanted`. It
+  /// slides along planes that stop it. Cloth that is pressed to the body could else not move along
+  /// it, and a tight cuff would stay strained on one side of the arm.
+  Vec3 reached(int vertex, const Vec3& p, const Vec3& wanted);
 
   /// Whether the region of any triangle is due.
   bool is_due() const { return any_due_; }

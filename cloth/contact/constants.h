@@ -78,6 +78,12 @@ inline constexpr double neighbour_gap_share = 0.25;
 /// before the next search.
 inline constexpr double neighbour_force_range = 3;
 
+// Crossings (crossings.h).
+
+/// Sine of the angle between an edge and the face that it passes through, at least: the way out of
+/// a flatter one would be too long.
+inline constexpr double min_crossing_slant = 0.2;
+
 // The grid of spheres.
 
 /// Multiple of the mean radius. Larger spheres are not filed in cells but compared with every

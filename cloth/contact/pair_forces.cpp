@@ -38,12 +38,14 @@ EdgeShare share_of(const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-void PairForces::activate(const std::vector<Vec3>& x) {
+void PairForces::activate(const std::vector<Vec3>& x, const std::vector<char>& ignored) {
   near_.resize(pairs_.size());
   parallel_for_chunks(pairs_.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const double reach = pairs_[i].gap + pair_activation_margin;
-      near_[i] = nearest_points(pairs_[i], x).apart.squaredNorm() < reach * reach;
+      const auto is_ignored = [&](int v) { return !ignored.empty() && ignored[v] != 0; };
+      near_[i] = std::ranges::none_of(pairs_[i].vertices, is_ignored) &&
+                 nearest_points(pairs_[i], x).apart.squaredNorm() < reach * reach;
     }
   });
   active_.clear();

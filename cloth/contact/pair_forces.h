@@ -41,7 +41,9 @@ class PairForces {
   std::vector<ContactPair>& pairs() { return pairs_; }
   /// Finds the active pairs. `x`: metres, one a vertex. They stay valid until two sides approach by
   /// pair_activation_margin. Linear in the pairs.
-  void activate(const std::vector<Vec3>& x);
+  ///
+  /// `ignored`: per vertex, not 0 for those whose pairs push nothing; empty: all push.
+  void activate(const std::vector<Vec3>& x, const std::vector<char>& ignored = {});
 
   std::size_t active() const { return active_.size(); }
   /// Finds the pushes of active pairs `begin` to `end`, with vertices at `x`, and their friction,

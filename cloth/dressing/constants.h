@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 namespace toile {
 
@@ -23,6 +24,9 @@ inline constexpr double closing_momentum = 0.99;
 inline constexpr int closing_iterations = 3000;
 inline constexpr double closing_points = 700;
 
+/// Iterations in which seams close through the cloth that holds them apart.
+inline constexpr int passing_iterations = 1000;
+
 /// Metres within which the body passes for a plane while nothing has to come to rest.
 inline constexpr double closing_linearization_radius = 2e-4;
 
@@ -31,20 +35,22 @@ inline constexpr double closing_stretch = 1000;
 /// N/m: cloth is at least so stiff in shear while its seams close.
 inline constexpr double closing_shear = 200;
 
-/// Times that the panels are placed and sewn, each time twice as carefully. A tangle is not undone
-/// but avoided.
-inline constexpr int max_sewing_attempts = 3;
+/// Times that the panels are placed and sewn, each time twice as carefully.
+inline constexpr int max_sewing_attempts = 2;
+/// Nodes of the coarsest mesh from which on panels are sewn only once: again takes minutes.
+inline constexpr int max_resewn_nodes = 3000;
 
-/// Share of their offset that seams may stand open for another attempt to help. Seams that stay
-/// wider open are held apart by something.
-inline constexpr double jammed_open = 0.1;
+/// Metres between the bones of an arm and a panel's point, in the view from the front, from which
+/// on the arm is in nobody's way and stays as it is while seams close.
+inline constexpr double arm_clearance = 0.15;
 
 // Untangling.
 
-/// Iterations of a run that lets folds out of their own seam.
-inline constexpr int untangling_iterations = 300;
-/// Runs of that kind at most.
-inline constexpr int untangling_runs = 3;
+/// Factor on the bending stiffness while crossing cloth is drawn apart. With 300, flat hems stay
+/// crossed that come apart with this.
+inline constexpr double untangling_stiffness = 30;
+/// Iterations of that at most.
+inline constexpr int untangling_iterations = 900;
 /// Iterations in which the bending stiffness comes down to the fabric's.
 inline constexpr int softening_iterations = 500;
 
@@ -67,6 +73,10 @@ inline constexpr double slid_off_fall = 0.06;
 /// Metres of fall after which cloth lies at the feet or farther: it would go on sliding. Panels are
 /// lifted by a third of that at most.
 inline constexpr double fallen_off_drop = 0.6;
+
+/// Pairs of triangles that may still cross on the coarsest mesh for the garment to be brought to
+/// rest. Tangles of more never came clear on finer meshes, and took minutes not to.
+inline constexpr std::size_t max_hopeful_crossings = 20;
 
 /// Metres: the tightest curves of a body. They set how far nodes keep off, so that the faces
 /// between them clear the skin. edge_contact_radius, which is smaller, decides which edges are

@@ -109,7 +109,7 @@ class CoupledRelaxation {
     const std::string name = "relax_coupled";
     int calls = 0;
     const auto watch = [&](const std::vector<Vec3>& nodes, double progress) {
-      if (watcher_) watcher_({mesh_, name, point_positions(model_, nodes, 0), progress});
+      if (watcher_) watcher_({mesh_, name, point_positions(model_, nodes), progress});
     };
     watch(state.nodes, 0);
     const RelaxReport report = relax(model_, options, state.nodes, [&](const RelaxProgress& at) {

@@ -6,8 +6,10 @@
 
 #include "cloth/dressing/constants.h"
 #include "cloth/dressing/level.h"
+#include "cloth/dressing/sew.h"
 #include "cloth/dressing/stability_test.h"
 #include "cloth/dressing/stages.h"
+#include "cloth/judge/worn.h"
 #include "cloth/model/nested_meshes.h"
 #include "cloth/relaxation/release.h"
 #include "geometry/error.h"
@@ -16,37 +18,14 @@ namespace toile {
 
 namespace {
 
-/// The panels with their seams closed, as far as they close.
-struct Sewn {
-  Level level;
-  State state;
-  bool is_clear = false;  ///< of itself
-  bool jammed = false;    ///< seams stay far open
-  double open = 0;        ///< what is left of the seams' offset
-};
-
-Sewn sew(Level level, Journal& journal) {
-  Sewn sewn{std::move(level), {}};
-  sewn.state.nodes = sewn.level.model.start;
-  if (sewn.level.mesh->seams.empty()) {
-    sewn.is_clear = is_clear_of_itself(sewn.level, sewn.state);
-    return sewn;
-  }
-  for (int attempt = 0; attempt < max_sewing_attempts && !sewn.is_clear && !sewn.jammed;
-       ++attempt) {
-    const double care = std::pow(2.0, attempt);
-    journal.begin_attempt(attempt + 1);
-    sewn.state.nodes = sewn.level.model.start;
-    Staged staged = close_seams(sewn.level, std::move(sewn.state), care, journal);
-    sewn.open = staged.report.open;
-    sewn.jammed = sewn.open > jammed_open;
-    if (staged.report.converged) {
-      staged = untangle(sewn.level, std::move(staged.state), care, journal);
-      sewn.is_clear = staged.report.converged;
-    }
-    sewn.state = std::move(staged.state);
-  }
-  return sewn;
+/// Whether the garment is worn where it belongs, as far as a skeleton tells.
+bool is_in_place(const Level& level, const State& state) {
+  const Scene& scene = level.model.scene;
+  if (scene.skeleton == nullptr) return true;
+  PanelMesh garment = *level.mesh;
+  garment.placed = level.placed;
+  const DressedGarment dressed = as_dressed(garment, state.nodes, level.model.node_triangles);
+  return !check_worn(garment, dressed, *scene.skeleton).misplaced;
 }
 
 /// Settles on the coarsest mesh. What slides off without friction, and stays with it, has it from
@@ -54,9 +33,10 @@ Sewn sew(Level level, Journal& journal) {
 State first_settled(const Level& level, const State& sewn, bool bounded, bool& friction,
                     Journal& journal) {
   State slid = settle(level, sewn, bounded, false, journal).state;
-  if (fallen(level, slid, sewn.nodes) <= slid_off_fall) return slid;
+  const bool fell = fallen(level, slid, sewn.nodes) > slid_off_fall;
+  if (!fell && is_in_place(level, slid)) return slid;
   State held = settle(level, {sewn.nodes, slid.warm_start, {}}, bounded, true, journal).state;
-  friction = fallen(level, held, sewn.nodes) <= slid_off_fall;
+  friction = fell ? fallen(level, held, sewn.nodes) <= slid_off_fall : is_in_place(level, held);
   return friction ? held : slid;
 }
 
@@ -101,25 +81,6 @@ ReleaseReport release_for_a_while(const Level& level, Staged& staged, bool bound
   });
 }
 
-/// The garment as far as it came, its seams open, on its own mesh.
-DressResult given_up(const Sewn& sewn, const std::vector<PanelMesh>& meshes, DressResult result,
-                     const Journal& journal) {
-  std::vector<Vec3> points = points_of(sewn.level, sewn.state, sewn.open);
-  result.attachments = measure_attachments(*sewn.level.mesh, sewn.level.model.attachments, points);
-  for (int depth = sewn.level.depth; depth > 0; --depth) {
-    points = refine_points(meshes[depth], points, meshes[depth - 1]);
-  }
-  result.terms = term_counts(sewn.level.model);
-  result.warm_start = sewn.state.warm_start;
-  result.extra_offset = sewn.state.extra_offset;
-  result.residual = journal.stages().back().residual;
-  result.nodes = std::move(points);
-  result.triangles = meshes.front().triangles;
-  result.stages = journal.stages();
-  result.during = journal.during();
-  return result;
-}
-
 }  // namespace
 
 DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptions& options,
@@ -131,24 +92,23 @@ DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptio
   DressResult result;
   result.body_offset = resting_offset(garment, scene);
 
-  Positioned positioned = position(meshes[coarsest], coarsest, scene, result.body_offset, journal);
-  result.placement = std::move(positioned.placement);
+  Sewn sewn = sew(meshes[coarsest], coarsest, scene, result.body_offset, journal);
+  result.placement = std::move(sewn.placement);
   for (int depth = coarsest; depth > 0; --depth) {
     result.placement.initial =
         refine_placed(meshes[depth], result.placement.initial, meshes[depth - 1]);
   }
-  const Sewn sewn = sew(std::move(positioned.level), journal);
-  if (sewn.jammed) return given_up(sewn, meshes, std::move(result), journal);
 
   Level level = compiled_level(meshes[coarsest], coarsest, scene, result.placement.placed,
                                result.body_offset);
   bool friction = false;
   bool is_clear = sewn.is_clear;
   State state = first_settled(level, sewn.state, is_clear, friction, journal);
-  const auto is_lost = [&] {
-    return fallen(level, state, result.placement.placed) > fallen_off_drop;
-  };
   is_clear = is_clear || is_clear_of_itself(level, state);
+  const bool is_tangled = !is_clear && crossings(level, state) > max_hopeful_crossings;
+  const auto is_lost = [&] {
+    return is_tangled || fallen(level, state, result.placement.placed) > fallen_off_drop;
+  };
   while (level.depth > 0) {
     level = finer_level(level, meshes[level.depth - 1], scene, result.body_offset, state);
     if (level.depth == 0) break;

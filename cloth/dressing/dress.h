@@ -44,19 +44,17 @@ struct DressResult {
 /// Dresses the scene's body with the garment, stage by stage (stages.h).
 ///
 /// - On the coarsest of the garment's nested meshes the panels are placed (`position`). Then their
-///   seams close (`close_seams`), and folds that went through themselves are let out (`untangle`).
-///   Panels that tangle are sewn again, twice as carefully, three times at most.
+///   seams close, with the arms out of the way (`close_seams`), and what came through itself is
+///   drawn back (`untangle`, sew.h). Panels that tangle are sewn again, twice as carefully.
 /// - The garment falls, mesh by mesh (`settle`). Each finer mesh starts from the rest of the
 ///   coarser one. It falls without friction, unless it would slide off.
 /// - The finest mesh comes to rest with the fabric's full stiffness and friction (`rest`).
 ///   Attachments hold until just before that (`release_attachments`). Attachments for good go on
 ///   holding.
 ///
-/// Seams that stay far open end the dressing after `close_seams`. Then every material point is a
-/// node. A garment that fell off is not
-/// brought to rest. Each mesh costs some four times as much as the next coarser one. The same bits
-/// for any number of threads. Throws Error when the scene has no body, and as find_start() and
-/// compile() do.
+/// A garment that fell off is not brought to rest. Each mesh costs some four times as much as the
+/// next coarser one. The same bits for any number of threads. Throws Error when the scene has no
+/// body, and as find_start() and compile() do.
 DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptions& options,
                   const FrameWatcher& watcher = {});
 

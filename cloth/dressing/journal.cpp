@@ -14,7 +14,7 @@ constexpr int frame_interval = 4;
 StageReport stage_of(const std::string& name, int nodes, const RelaxReport& report) {
   StageReport stage;
   stage.name = name;
-  stage.open = report.open;
+  stage.open = report.open.empty() ? 0 : *std::ranges::max_element(report.open);
   stage.nodes = nodes;
   stage.steps = report.iterations;
   stage.searches = report.searches;
@@ -40,10 +40,10 @@ RelaxReport Journal::run(const std::string& stage, const PanelMesh& mesh, const 
     const std::vector<Vec3> points = point_positions(model, at.nodes, at.open);
     measure(mesh, areas, outlines, perimeters, points);
     progress_ = begin + (end - begin) * at.iteration / options.max_iterations;
-    if (watcher_ && calls++ % frame_interval == 0) watcher_({mesh, stage, points, progress_});
+    if (watcher_ && calls++ % frame_interval == 0) show(mesh, stage, points);
   });
   progress_ = end;
-  if (watcher_) watcher_({mesh, stage, point_positions(model, x, report.open), progress_});
+  if (watcher_) show(mesh, stage, point_positions(model, x, report.open));
   stages_.push_back(stage_of(stage, model.nodes, report));
   stages_.back().attempt = attempt_;
   return report;
@@ -52,7 +52,13 @@ RelaxReport Journal::run(const std::string& stage, const PanelMesh& mesh, const 
 void Journal::add(const StageReport& stage, const PanelMesh& mesh,
                   const std::vector<Vec3>& points) {
   stages_.push_back(stage);
-  if (watcher_) watcher_({mesh, stage.name, points, progress_});
+  if (watcher_) show(mesh, stage.name, points);
+}
+
+void Journal::show(const PanelMesh& mesh, const std::string& stage,
+                   std::vector<Vec3> points) const {
+  if (view_) std::ranges::transform(points, points.begin(), view_);
+  watcher_({mesh, stage, points, progress_});
 }
 
 void Journal::measure(const PanelMesh& mesh, const std::vector<double>& areas,

@@ -1,7 +1,9 @@
 // What is recorded while a garment is dressed: its stages, its largest changes, and its progress.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cloth/judge/frame.h"
@@ -37,6 +39,9 @@ class Journal {
   /// `watcher`, which may be empty, has to outlive the journal.
   explicit Journal(const FrameWatcher& watcher) : watcher_(watcher) {}
 
+  /// From here on the watcher sees points as `view` maps them (metres); empty: as they are.
+  void show_through(std::function<Vec3(const Vec3&)> view) { view_ = std::move(view); }
+
   /// Panels start anew: the changes so far no longer count.
   void begin_attempt(int attempt);
 
@@ -57,10 +62,12 @@ class Journal {
   double progress() const { return progress_; }
 
  private:
+  void show(const PanelMesh& mesh, const std::string& stage, std::vector<Vec3> points) const;
   void measure(const PanelMesh& mesh, const std::vector<double>& areas, const Outlines& outlines,
                const std::vector<double>& perimeters, const std::vector<Vec3>& points);
 
   const FrameWatcher& watcher_;
+  std::function<Vec3(const Vec3&)> view_;
   std::vector<StageReport> stages_;
   DuringDressing during_;
   double progress_ = 0;

@@ -61,7 +61,11 @@ Level finer_level(const Level& coarse, const PanelMesh& fine, const Scene& scene
 }
 
 bool is_clear_of_itself(const Level& level, const State& state) {
-  return self_intersections({state.nodes, level.model.node_triangles}).empty();
+  return crossings(level, state) == 0;
+}
+
+std::size_t crossings(const Level& level, const State& state) {
+  return self_intersections({state.nodes, level.model.node_triangles}).size();
 }
 
 bool is_clear_of_layers(const Level& level, const State& state) {
@@ -83,8 +87,8 @@ double fallen(const Level& level, const State& state, const std::vector<Vec3>& f
   return path.dot(level.model.scene.gravity.normalized());
 }
 
-std::vector<Vec3> points_of(const Level& level, const State& state, double open) {
-  return point_positions(level.model, state.nodes, open);
+std::vector<Vec3> points_of(const Level& level, const State& state) {
+  return point_positions(level.model, state.nodes);
 }
 
 }  // namespace toile

@@ -26,7 +26,7 @@ struct State {
   std::vector<Vec3> nodes;  ///< metres, one a node of the level's model
   WarmStart warm_start;
   /// RelaxReport's, of the last run.
-  std::vector<double> extra_offset;
+  std::vector<double> extra_offset = {};
 };
 
 /// Metres kept from the skin on the garment's own mesh: the scene's at least. Edges above 15 mm
@@ -49,6 +49,9 @@ Level finer_level(const Level& coarse, const PanelMesh& fine, const Scene& scene
 /// Whether no two triangles of the cloth intersect, by the exact test.
 bool is_clear_of_itself(const Level& level, const State& state);
 
+/// Pairs of triangles of the cloth that intersect, by the exact test.
+std::size_t crossings(const Level& level, const State& state);
+
 /// Whether the cloth is outside of all layers below and meets none of them, so that bounds can keep
 /// it so. False without layers.
 bool is_clear_of_layers(const Level& level, const State& state);
@@ -56,7 +59,7 @@ bool is_clear_of_layers(const Level& level, const State& state);
 /// Metres that the cloth has come down from where its nodes were, on average.
 double fallen(const Level& level, const State& state, const std::vector<Vec3>& from);
 
-/// Place of every material point, metres, while seams are `open`.
-std::vector<Vec3> points_of(const Level& level, const State& state, double open = 0);
+/// Place of every material point, metres.
+std::vector<Vec3> points_of(const Level& level, const State& state);
 
 }  // namespace toile

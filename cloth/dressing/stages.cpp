@@ -10,6 +10,7 @@
 #include "cloth/dressing/constants.h"
 #include "cloth/model/constants.h"
 #include "cloth/model/gathers.h"
+#include "cloth/relaxation/constants.h"
 #include "cloth/start/start.h"
 
 namespace toile {
@@ -45,6 +46,7 @@ RelaxOptions sewing_options(const Level& level, double care) {
   options.pull = closing_pull;
   options.linearization_radius = closing_linearization_radius;
   options.friction = false;
+  options.barrier = true;
   return options;
 }
 
@@ -125,25 +127,27 @@ Staged close_seams(const Level& level, State state, double care, Journal& journa
   const double across =
       std::max(1.0, std::sqrt(static_cast<double>(level.mesh->flat.size()) / closing_points));
   options.closing_iterations = static_cast<int>(closing_iterations * across * care);
-  options.max_iterations = 2 * options.closing_iterations;
+  options.passing_iterations = passing_iterations;
+  options.max_iterations = options.closing_iterations + max_closing_wait + 2 * passing_iterations;
   options.bounded = true;
   options.momentum = closing_momentum;
   return run("close_seams", level, with_slack_gathers(level), std::move(state), options,
              progress_when_sewn(level, journal), journal);
 }
 
-Staged untangle(const Level& level, State state, double care, Journal& journal) {
-  RelaxOptions options = sewing_options(level, care);
-  options.max_iterations = untangling_iterations;
+Staged untangle(const Level& level, State state, Journal& journal) {
   Staged staged{std::move(state), {}};
-  bool is_clear = is_clear_of_itself(level, staged.state);
-  for (int i = 0; i < untangling_runs && !is_clear; ++i) {
+  if (!is_clear_of_itself(level, staged.state)) {
+    RelaxOptions options = sewing_options(level, 1);
+    options.bending_from = options.bending_to = untangling_stiffness;
+    options.max_iterations = untangling_iterations;
+    options.untangles = true;
+    options.bounded_by_body = true;
     staged = run("untangle", level, level.model, std::move(staged.state), options,
                  progress_when_sewn(level, journal), journal);
-    is_clear = is_clear_of_itself(level, staged.state);
+    if (!staged.report.converged) return staged;
   }
-  staged.report.converged = false;
-  if (!is_clear) return staged;
+  RelaxOptions options = sewing_options(level, 1);
   options.max_iterations = softening_iterations;
   options.bending_to = 1;
   options.bounded = true;

@@ -29,15 +29,15 @@ Positioned position(const PanelMesh& mesh, int depth, const Scene& scene, double
                     Journal& journal);
 
 /// `close_seams`: closes the seams of panels that start at `state`, without gravity or friction,
-/// drawn to the skin, bounded. `level` is that of position(). `care` multiplies the
-/// bending stiffness and the iterations, from 1 on. The report's `converged` says whether all seams
-/// closed, `open` what is left.
+/// drawn to the skin. Cloth keeps off the body, with the gaps of open seams. It keeps off cloth,
+/// too, until no seam closes any more; then seams close through the cloth that holds them apart.
+/// `level` is that of position(). `care` multiplies the bending stiffness and the iterations, from
+/// 1 on.
 Staged close_seams(const Level& level, State state, double care, Journal& journal);
 
-/// `untangle`: lets stiff seams open small folds that went through themselves, then softens them
-/// again. `care` as for close_seams(). The report's `converged` says whether the cloth is clear of
-/// itself.
-Staged untangle(const Level& level, State state, double care, Journal& journal);
+/// `untangle`: draws cloth that has come through cloth back out of it, then gives the cloth its own
+/// bending stiffness. The report's `converged` says whether the cloth is clear of itself.
+Staged untangle(const Level& level, State state, Journal& journal);
 
 /// `settle`: lets the cloth fall until it may go on to the next mesh; it gives way to compression.
 /// `bounded`: the cloth is clear of itself, and stays so. Without `friction` it finds its way down.

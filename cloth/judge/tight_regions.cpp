@@ -19,7 +19,7 @@ class TightRegionSearch {
         model_(model),
         multipliers_(multipliers),
         limit_(*model.scene.strain_limit),
-        points_(point_positions(model, nodes, 0)),
+        points_(point_positions(model, nodes)),
         strains_(yarn_strains(garment, points_)) {
     around_.resize(garment.flat.size());
     for (std::size_t t = 0; t < garment.triangles.size(); ++t) {

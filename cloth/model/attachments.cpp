@@ -122,6 +122,10 @@ std::string target_of(const Attachment& how) {
       return "skin";
     case AttachedTo::point:
       return "point";
+    case AttachedTo::side:
+      return "side";
+    case AttachedTo::height:
+      return "height";
   }
   return "";
 }
@@ -141,10 +145,11 @@ std::vector<AttachedPoint> attached_points(const PanelMesh& garment, const Scene
     const std::vector<double> shares = shares_along(garment, attached.points);
     for (std::size_t i = 0; i < shares.size(); ++i) {
       const int point = attached.points[i];
-      all.push_back(
-          {point, static_cast<int>(a),
-           how.to == AttachedTo::level ? level.point : anchors.place(attached, placed[point]),
-           level.axis, shares[i] * how.stiffness, shares[i] * how.max_pull, how.always});
+      if (how.to == AttachedTo::side) level = {placed[point], Vec3::UnitX()};
+      if (how.to == AttachedTo::height) level = {placed[point], Vec3::UnitY()};
+      all.push_back({point, static_cast<int>(a),
+                     level.axis.isZero() ? anchors.place(attached, placed[point]) : level.point,
+                     level.axis, shares[i] * how.stiffness, shares[i] * how.max_pull, how.always});
     }
   }
   return all;

@@ -7,11 +7,11 @@
 namespace toile {
 
 std::vector<Vec3> point_positions(const GarmentModel& model, const std::vector<Vec3>& nodes,
-                                  double open) {
+                                  const std::vector<double>& open) {
   std::vector<Vec3> points(model.node_of_point.size());
   for (std::size_t p = 0; p < points.size(); ++p) {
     points[p] = nodes[model.node_of_point[p]];
-    if (!model.offsets.empty()) points[p] += open * model.offsets[p];
+    if (!open.empty()) points[p] += open[model.node_of_point[p]] * model.offsets[p];
   }
   return points;
 }

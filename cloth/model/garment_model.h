@@ -84,10 +84,10 @@ struct GarmentModel {
   double self_gap = 0;         ///< metres kept between the middles of cloth and cloth
 };
 
-/// Metres, per material point: its position for node positions `nodes` and seams that are `open`,
-/// from 0 (closed) to 1 (as placed).
+/// Metres, per material point: its position for node positions `nodes` and seams that are `open` at
+/// each node, from 0 (closed) to 1 (as placed). Empty: all are closed.
 std::vector<Vec3> point_positions(const GarmentModel& model, const std::vector<Vec3>& nodes,
-                                  double open);
+                                  const std::vector<double>& open = {});
 
 /// The terms of a model by name, with the count of their elements. A term that the scene does not
 /// use counts 0.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cloth/contact/body_attraction.h"
+#include "cloth/contact/crossings.h"
 #include "cloth/relaxation/constants.h"
 #include "cloth/scene/collider.h"
 
@@ -27,7 +28,8 @@ ClothForces::ClothForces(const GarmentModel& model, const ForceOptions& options,
       gravity_(options.gravity * as_vec4(model.scene.gravity)),
       nodes_(as_vec4(x)),
       node_force_(model.nodes, Vec4{}),
-      open_(open_seams ? 1 : 0) {
+      open_(open_seams ? model.nodes : 0, 1.0),
+      max_open_(open_seams ? 1 : 0) {
   if (touches_layers(model, options)) {
     for (const Vec3& p : model.scene.collider->cloth().points) nodes_.push_back(as_vec4(p));
   }
@@ -81,7 +83,19 @@ void ClothForces::use_vertices(bool points) {
   if (points) place_points();
   attraction_.clear();
   computed_ = 0;
-  neighbourhood_ = std::make_unique<Neighbourhood>(model_, options_, *vertices_, positions());
+  neighbourhood_ =
+      std::make_unique<Neighbourhood>(model_, options_, *vertices_, positions(), !passes_cloth_);
+  barrier_.reset();
+  if (options_.barrier && touches_body(model_.scene)) {
+    std::vector<BodyBarrier::Way> seams;
+    for (int n = 0; points && n < model_.nodes; ++n) {
+      const auto& sewn = vertices_->of_node[n];
+      for (std::size_t i = 1; i < sewn.size(); ++i) seams.push_back({sewn[0], sewn[i]});
+    }
+    barrier_ =
+        std::make_unique<BodyBarrier>(model_.scene, vertices_->triangles, seams, positions());
+    way_out_.assign(model_.nodes, Vec3::Zero());
+  }
   if (!touches_body_exactly(model_.scene)) return;
   const double shortest =
       std::sqrt(8 * edge_contact_radius * max_sagitta_share * model_.body_offset);
@@ -97,33 +111,100 @@ void ClothForces::place_points() {
   }
   parallel_for_chunks(model_.node_of_point.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
-      points_[p] = nodes_[model_.node_of_point[p]] + open_ * as_vec4(model_.offsets[p]);
+      const int n = model_.node_of_point[p];
+      points_[p] = nodes_[n] + open_[n] * as_vec4(model_.offsets[p]);
     }
   });
 }
 
 void ClothForces::close_seams(double wanted) {
-  double open = wanted;
-  if (neighbourhood_->bounded()) {
-    // The closing moves the points, no farther than their bounds allow.
-    for (std::size_t p = 0; p < model_.offsets.size(); ++p) {
-      const double share = neighbourhood_->allowed_share(p, (wanted - open_) * model_.offsets[p]);
-      if (share < 1) neighbourhood_->request_search();
-      open = std::max(open, open_ + share * (wanted - open_));
+  max_open_ = 0;
+  for (std::size_t n = 0; n < open_.size(); ++n) {
+    if (vertices_->of_node[n].size() < 2) {
+      open_[n] = std::min(open_[n], wanted);
+      continue;
     }
+    const double change = std::min(wanted - open_[n], 0.0);
+    double share = 1;
+    if (change < 0 && neighbourhood_->bounded()) {
+      // The closing moves the points, no farther than their bounds allow.
+      for (const int p : vertices_->of_node[n]) {
+        share = std::min(share, neighbourhood_->allowed_share(p, change * model_.offsets[p]));
+      }
+    }
+    if (share < 1) neighbourhood_->request_search();
+    open_[n] += share * change;
+    max_open_ = std::max(max_open_, open_[n]);
   }
-  if (open <= 0) {
-    open_ = 0;
+  if (max_open_ <= 0) {
+    open_.clear();
     use_vertices(false);
     return;
   }
-  open_ = open;
   place_points();
   for (std::size_t p = 0; p < vertices_->count; ++p) {
     if (!neighbourhood_->is_safe(p, points_[p])) {
       neighbourhood_->set_safe_ball(p, as_vec3(points_[p]));
     }
   }
+}
+
+const std::vector<int>& ClothForces::leave_body() {
+  left_body_.clear();
+  if (!barrier_) return left_body_;
+  const auto node_of = [&](int vertex) {
+    return seams_stand_open() ? model_.node_of_point[vertex] : vertex;
+  };
+  const auto take = [&](int vertex, const Vec3& way) {
+    const int n = node_of(vertex);
+    if (way_out_[n].isZero()) left_body_.push_back(n);
+    if (way.squaredNorm() > way_out_[n].squaredNorm()) way_out_[n] = way;
+  };
+  for (const auto& [way, share, out] : barrier_->find(positions())) {
+    if (node_of(way.from) == node_of(way.to)) {
+      take(way.from, out);
+      continue;
+    }
+    const double sum = (1 - share) * (1 - share) + share * share;
+    take(way.from, (1 - share) / sum * out);
+    take(way.to, share / sum * out);
+  }
+  for (const int n : left_body_) {
+    move_on(n, nodes_[n] + as_vec4(way_out_[n]));
+    way_out_[n] = Vec3::Zero();
+  }
+  if (!left_body_.empty() && seams_stand_open()) place_points();
+  return left_body_;
+}
+
+const std::vector<int>& ClothForces::leave_cloth() {
+  left_cloth_.clear();
+  std::vector<char> crossing(vertices_->count, 0);
+  std::vector<Vec3> way(model_.nodes, Vec3::Zero());
+  for (const Crossing& found : find_crossings(state(), model_.node_triangles)) {
+    const double length = found.way.norm();
+    const Vec3 step = crossing_step / std::max(length, min_crossing_way) * found.way;
+    double squares = 0;
+    for (const double w : found.weights) squares += w * w;
+    for (int i = 0; i < 5; ++i) {
+      const int v = i < 2 ? found.edge[i] : found.face[i - 2];
+      if (crossing[v] == 0) left_cloth_.push_back(v);
+      crossing[v] = 1;
+      way[v] += (i < 2 ? 1 : -1) * found.weights[i] / squares * step;
+    }
+  }
+  for (const int n : left_cloth_) {
+    const double length = way[n].norm();
+    if (length > max_crossing_step) way[n] *= max_crossing_step / length;
+    move_on(n, nodes_[n] + as_vec4(way[n]));
+  }
+  neighbourhood_->ignore(std::move(crossing));
+  return left_cloth_;
+}
+
+void ClothForces::pass_through_cloth() {
+  passes_cloth_ = true;
+  use_vertices(true);
 }
 
 bool ClothForces::update_multipliers() {
@@ -196,7 +277,7 @@ void ClothForces::compute() {
 void ClothForces::add_up(std::size_t begin, std::size_t end) {
   const Vec4s& p = positions();
   // A seam bends as one cloth only when it is sewn.
-  kernel_->gather(begin, end, bending_, 1 - open_, p, vertex_force_);
+  kernel_->gather(begin, end, bending_, 1 - max_open_, p, vertex_force_);
   if (!elastics_->empty()) elastics_->add(begin, end, p, vertex_force_);
   if (!attachments_->empty()) attachments_->add(begin, end, p, vertex_force_);
   if (edge_contacts_ && !edge_contacts_->empty()) edge_contacts_->add(begin, end, vertex_force_);
@@ -254,10 +335,14 @@ bool ClothForces::move_on(std::size_t n, const Vec4& wanted) {
     next = within;
   }
   const Vec3 from = as_vec3(nodes_[n]);
-  const double share = neighbourhood_->allowed_by_body(n, from, next);
-  if (share < 1) {
-    next = from + share * (next - from);
+  const Vec3 beside = neighbourhood_->reached_beside_body(n, from, next);
+  if (beside != next) {
     allowed = false;
+    next = beside;
+    // The way along the body may leave the ball that cloth allows.
+    if (neighbourhood_->bounded()) {
+      next = from + neighbourhood_->allowed_share(n, next - from) * (next - from);
+    }
   }
   nodes_[n] = as_vec4(next);
   if (!seams_stand_open()) {
@@ -265,7 +350,7 @@ bool ClothForces::move_on(std::size_t n, const Vec4& wanted) {
     return allowed;
   }
   for (const int v : vertices_->of_node[n]) {
-    neighbourhood_->set_safe_ball(v, next + open_ * model_.offsets[v]);
+    neighbourhood_->set_safe_ball(v, next + open_[n] * model_.offsets[v]);
   }
   return allowed;
 }

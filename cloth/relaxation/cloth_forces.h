@@ -7,6 +7,7 @@
 
 #include "cloth/model/garment_model.h"
 #include "cloth/relaxation/attachment_forces.h"
+#include "cloth/relaxation/body_barrier.h"
 #include "cloth/relaxation/edge_contacts.h"
 #include "cloth/relaxation/elastic_forces.h"
 #include "cloth/relaxation/elastic_kernel.h"
@@ -35,11 +36,14 @@ class ClothForces {
   /// Anchors and multipliers at the end, for the next run.
   WarmStart warm_start() const;
 
-  double open() const { return open_; }  ///< 1: seams as placed, 0: closed
+  /// Share of their offset by which the points of each node stand apart. 1: as placed, 0: closed.
+  const std::vector<double>& open() const { return open_; }
   bool seams_stand_open() const { return vertices_->are_points; }
-  /// Closes the seams until the share `open` of their width is left, or as far as bounds allow. At
-  /// 0 they are sewn for good.
+  /// Closes the seams until the share `open` of their width is left, each node by itself, as far
+  /// as its bounds allow. Once all are at 0, they are sewn for good.
   void close_seams(double open);
+  /// From here on cloth passes through cloth while the seams close.
+  void pass_through_cloth();
 
   /// Finds the forces of one step. Calls take(begin, end, forces) for ranges of nodes, in parallel.
   /// `forces` has the force (N) of each node, with a bound of its stiffness (N/m) as the fourth
@@ -101,6 +105,14 @@ class ClothForces {
     if (seams_stand_open()) place_points();
   }
 
+  /// While seams stand open: moves nodes so that cloth leaves the body, as far as the bounds of
+  /// cloth allow. Returns the nodes that were moved.
+  const std::vector<int>& leave_body();
+
+  /// Draws cloth that has come through cloth back by a small step. Returns the nodes that were
+  /// moved; none: no cloth crosses cloth. Seams are closed.
+  const std::vector<int>& leave_cloth();
+
   /// Number of searches for near cloth so far.
   int searches() const { return searches_before_ + neighbourhood_->searches(); }
   /// Sets the share of the stiffness that resists compression.
@@ -151,7 +163,9 @@ class ClothForces {
   Vec4s vertex_force_;  // per vertex, of the cloth's own forces: N, stiffness (N/m) as the fourth
   Vec4s attraction_;    // N, per vertex, to the body; empty: no attraction
   std::vector<double> limit_stiffness_;  // N/m, per node; empty: no limits
-  double open_ = 0;
+  std::vector<double> open_;             // per node; empty: the seams are closed
+  double max_open_ = 0;
+  bool passes_cloth_ = false;
   double bending_ = 1;
   int computed_ = 0;
   int searches_before_ = 0;  // by the neighbourhood of the material points
@@ -163,6 +177,10 @@ class ClothForces {
   std::unique_ptr<AttachmentForces> attachments_;
   std::unique_ptr<EdgeContacts> edge_contacts_;  // null: no edge is long enough
   std::unique_ptr<Neighbourhood> neighbourhood_;
+  std::unique_ptr<BodyBarrier> barrier_;  // null: seams are closed, or there is no body
+  std::vector<int> left_body_;
+  std::vector<int> left_cloth_;
+  std::vector<Vec3> way_out_;  // metres, per node
 };
 
 }  // namespace toile

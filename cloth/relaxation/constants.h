@@ -62,6 +62,16 @@ inline constexpr double kept_momentum_age = 0.9;
 /// Iterations: a younger momentum is not cut.
 inline constexpr int min_momentum_age = 50;
 
+/// Iterations without progress after which seams that have had their time to close count as held
+/// apart.
+inline constexpr int closing_patience = 500;
+
+/// Iterations at most that seams which have had their time to close are waited for.
+inline constexpr int max_closing_wait = 1500;
+
+/// Factor by which what is open of all seams has to shrink to count as progress.
+inline constexpr double closing_progress = 0.9;
+
 /// Iterations between two measurements of the residual, and between two calls of the watcher.
 inline constexpr int residual_interval = 50;
 
@@ -72,6 +82,14 @@ inline constexpr double stall_progress = 0.98;
 /// progress then begins at zero. One fold of a silk skirt raised the residual by 25 times
 /// [measured].
 inline constexpr double snap_through_ratio = 10;
+
+/// Count of stops from which on a bound counts as holding a node. A stop adds 2, a step without one
+/// takes 1 off. So a node is held that is stopped in more than a third of its steps, and no node is
+/// that is stopped now and then.
+inline constexpr int held_stops = 16;
+
+/// Share of the nodes that bounds may hold at rest. Where more are held, something is caught.
+inline constexpr double max_held_share = 0.05;
 
 // Contact.
 
@@ -103,6 +121,27 @@ inline constexpr double edge_contact_radius = 0.02;
 /// Share of the offset from the body. An edge whose sagitta over the tightest curve uses more of it
 /// touches the body with its middle.
 inline constexpr double max_sagitta_share = 0.7;
+
+/// Metres between two places of an edge, or of the way that a seam has to close, at which the body
+/// holds off cloth while seams close.
+inline constexpr double barrier_spacing = 0.02;
+
+/// Such places of an edge or way, at most.
+inline constexpr int max_barrier_parts = 32;
+
+/// Metres from the skin at which the body holds off cloth while seams close.
+inline constexpr double barrier_distance = 0.001;
+
+/// Iterations between two steps that draw crossing cloth apart.
+inline constexpr int crossing_interval = 2;
+/// Metres by which an edge and a face that cross are drawn apart at once.
+inline constexpr double crossing_step = 0.002;
+/// Metres that a node moves at once at most, of several crossings.
+inline constexpr double max_crossing_step = 0.004;
+/// Iterations without fewer crossing nodes after which a run that draws them apart gives up.
+inline constexpr int crossing_patience = 300;
+/// Length of a crossing's way below which it is drawn less far: there both sides pull alike.
+inline constexpr double min_crossing_way = 0.3;
 
 // Strain limits.
 

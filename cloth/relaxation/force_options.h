@@ -51,6 +51,13 @@ struct ForceOptions {
   /// With BodyContactTerm::faces and closed seams, no triangle that is clear of the body comes to
   /// meet it. A triangle that meets it can come out.
   bool bounded = false;
+  /// Keeps triangles off the body as `bounded` does, where cloth may pass through cloth.
+  bool bounded_by_body = false;
+  /// Moves cloth out of the body at once wherever it comes into it (BodyBarrier), for seams that
+  /// close pull it through any push.
+  bool barrier = false;
+  /// Draws cloth that has come through cloth back out of it (crossings.h).
+  bool untangles = false;
   /// Keeps vertices, edges and faces of the cloth apart from those of the scene's layers, too, and
   /// within bounds of them. The run must begin without intersections with the layers.
   bool layer_contact = false;

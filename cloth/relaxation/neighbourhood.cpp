@@ -33,7 +33,7 @@ std::vector<double> approach_bounds(const GarmentModel& model) {
 }  // namespace
 
 Neighbourhood::Neighbourhood(const GarmentModel& model, const ForceOptions& options,
-                             const Vertices& vertices, const Vec4s& x)
+                             const Vertices& vertices, const Vec4s& x, bool self_contact)
     : model_(model),
       options_(options),
       vertices_(vertices),
@@ -41,11 +41,12 @@ Neighbourhood::Neighbourhood(const GarmentModel& model, const ForceOptions& opti
       contacts_(vertices.count),
       approach_bound_(vertices.spread(approach_bounds(model))),
       safe_balls_(vertices.count, Vec4{}) {
-  if (options.bounded && touches_body_exactly(model.scene) && !vertices.are_points) {
+  if ((options.bounded || options.bounded_by_body) && touches_body_exactly(model.scene) &&
+      !vertices.are_points) {
     body_bounds_ =
         std::make_unique<BodyBounds>(*model.scene.collider, vertices.triangles, vertices.count);
   }
-  if (!model.scene.self_contact) {
+  if (!model.scene.self_contact || !self_contact) {
     set_safe_balls();
     return;
   }
@@ -95,8 +96,8 @@ Vec3 Neighbourhood::clipped(std::size_t v, const Vec3& wanted) const {
   return distance > bound_[v] ? searched_at_[v] + away * (bound_[v] / distance) : wanted;
 }
 
-double Neighbourhood::allowed_by_body(std::size_t v, const Vec3& from, const Vec3& to) {
-  return body_bounds_ ? body_bounds_->allowed_share(static_cast<int>(v), from, to) : 1;
+Vec3 Neighbourhood::reached_beside_body(std::size_t v, const Vec3& from, const Vec3& to) {
+  return body_bounds_ ? body_bounds_->reached(static_cast<int>(v), from, to) : to;
 }
 
 std::vector<Vec3> Neighbourhood::positions() const {
@@ -124,7 +125,7 @@ void Neighbourhood::search() {
 
 void Neighbourhood::activate_pairs() {
   activated_at_ = positions();
-  pairs_.activate(activated_at_);
+  pairs_.activate(activated_at_, ignored_);
   activation_due_ = false;
   set_safe_balls();
 }

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "cloth/contact/body_bounds.h"
@@ -35,8 +36,9 @@ class Neighbourhood {
  public:
   /// `x`: metres, one a vertex, then the points of the scene's layers. It is read at each update.
   /// Model, options, vertices and `x` must outlive this.
+  /// Without `self_contact`, cloth passes through cloth, whatever the scene says.
   Neighbourhood(const GarmentModel& model, const ForceOptions& options, const Vertices& vertices,
-                const Vec4s& x);
+                const Vec4s& x, bool self_contact = true);
 
   /// Searches for near cloth when vertices have used up their bounds, and updates the body's
   /// bounds.
@@ -68,8 +70,13 @@ class Neighbourhood {
   double allowed_share(std::size_t v, const Vec3& displacement) const;
   /// The point nearest to `wanted` (metres) that the bound of vertex v allows.
   Vec3 clipped(std::size_t v, const Vec3& wanted) const;
-  /// Share in [0, 1] of the path of vertex v that the body's bounds allow; 1 without bounds.
-  double allowed_by_body(std::size_t v, const Vec3& from, const Vec3& to);
+  /// Where vertex v comes on its path within the body's bounds; `to` without bounds.
+  Vec3 reached_beside_body(std::size_t v, const Vec3& from, const Vec3& to);
+  /// Lets the pairs of some vertices push nothing: per vertex, not 0 for those.
+  void ignore(std::vector<char> vertices) {
+    ignored_ = std::move(vertices);
+    activation_due_ = true;
+  }
   /// Reports that a vertex has used up its bound, so that the next update() may search.
   void request_search() { search_due_ = true; }
 
@@ -94,6 +101,7 @@ class Neighbourhood {
   std::vector<double> bound_;  // metres, per vertex, around searched_at_; empty before a search
   std::vector<Vec3> searched_at_;
   std::vector<Vec3> activated_at_;
+  std::vector<char> ignored_;  // per vertex; empty: none
   int since_search_ = 0;
   int searches_ = 0;
   int body_updates_ = 0;

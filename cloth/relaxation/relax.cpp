@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -20,6 +21,46 @@ namespace {
 
 double smoothstep(double t) { return t * t * (3 - 2 * t); }
 
+/// What of the seams should still be open, from one iteration to the next.
+class ClosingSchedule {
+ public:
+  explicit ClosingSchedule(const RelaxOptions& options) : options_(options) {}
+
+  /// The share of their width that seams may stand open at iteration i.
+  double wanted(int i) const {
+    const int iterations = passes_ ? options_.passing_iterations : options_.closing_iterations;
+    const double t = std::min(1.0, static_cast<double>(i - begin_) / iterations);
+    return from_ * (t < 1 ? 1 - smoothstep(t) : 0);
+  }
+  /// Whether nothing closes any more. `open`: per node, at iteration i.
+  bool is_stuck(int i, const std::vector<double>& open) {
+    const double left = std::accumulate(open.begin(), open.end(), 0.0);
+    if (wanted(i) > 0 || least_ < 0) begin_waiting_ = i;
+    if (wanted(i) > 0 || least_ < 0 || left < closing_progress * least_) {
+      least_ = left;
+      least_at_ = i;
+    }
+    return i - least_at_ >= closing_patience || i - begin_waiting_ >= max_closing_wait;
+  }
+  /// Begins anew from what is open at iteration i: seams now pass through what holds them apart.
+  void begin_passing(int i, const std::vector<double>& open) {
+    passes_ = true;
+    begin_ = i;
+    from_ = *std::max_element(open.begin(), open.end());
+    least_ = -1;
+  }
+  bool passes() const { return passes_; }
+
+ private:
+  const RelaxOptions& options_;
+  bool passes_ = false;
+  int begin_ = 0;
+  double from_ = 1;
+  double least_ = -1;
+  int least_at_ = 0;
+  int begin_waiting_ = 0;
+};
+
 class Relaxation {
  public:
   Relaxation(const GarmentModel& model, const RelaxOptions& options, const std::vector<Vec3>& x)
@@ -36,6 +77,7 @@ class Relaxation {
         touch_factor_(std::max(1.0, step_factor_ * (1 + multilevel_.levels()) / max_momentum_step)),
         node_force_(model.nodes, Vec4{}),
         x_(as_vec4(x)),
+        stops_(model.nodes, 0),
         partial_(chunks_of(model.nodes, vertex_chunk)) {}
 
   RelaxReport run(const RelaxWatcher& watcher);
@@ -50,8 +92,13 @@ class Relaxation {
     return model_.bend.empty() ? 0 : bending_ * model_.bend_diagonal[n];
   }
   double step_nodes(std::size_t begin, std::size_t end, const ClothForces::Mover& move);
+  /// What becomes of crossing cloth.
+  enum class Crossing { goes_on, gone, stuck };
+  Crossing untangle(int iteration);
   Residual measure_residual();
-  Residual last_residual() const;
+  Residual last_residual();
+  std::vector<std::size_t> held() const;
+  int leave_out_held();
   void adjust_momentum(double power, bool closing);
   bool stalls(const Residual& residual, int iteration);
   bool at_rest(const Residual& residual) const {
@@ -70,14 +117,18 @@ class Relaxation {
   /// Factor on the stiffness of contacts. It holds nodes on all levels alike, and their steps add
   /// up.
   double touch_factor_;
-  Vec4s node_force_;  // N, stiffness of contacts (N/m) as the fourth
-  Vec4s x_;           // the iterate before momentum
+  Vec4s free_force_;        // node_force_, 0 on nodes that bounds hold
+  Vec4s node_force_;        // N, stiffness of contacts (N/m) as the fourth
+  Vec4s x_;                 // the iterate before momentum
+  std::vector<int> stops_;  // per node: grows by 2 when a bound stops it, else falls by 1
   std::vector<double> partial_;
   double bending_ = 1;
   double momentum_ = 0;
   double nearest_to_rest_ = -1;  // the smallest residual so far, in units of its goal
   int nearest_at_ = 0;           // the iteration of that residual
-  int momentum_age_ = 0;         // iterations that momentum has grown for
+  std::size_t fewest_crossing_ = std::numeric_limits<std::size_t>::max();  // nodes
+  int fewest_crossing_at_ = 0;                                             // the iteration
+  int momentum_age_ = 0;  // iterations that momentum has grown for
 };
 
 /// Takes the forces on nodes `begin` to `end`, with the stiffness of contacts as the fourth.
@@ -117,10 +168,14 @@ double Relaxation::step_nodes(std::size_t begin, std::size_t end, const ClothFor
     if (squared > max_squared) displacement *= options_.max_move / std::sqrt(squared);
     const Vec4 next = forces_.node(n) + displacement;
     Vec4 motion = next - x_[n];
-    power += dot(force, motion);
+    const double own_power = dot(force, motion);
     const double speed = squared_length(motion);
     if (speed > max_squared) motion *= options_.max_move / std::sqrt(speed);
-    x_[n] = move(n, next + momentum_ * motion) ? next : forces_.node(n);
+    const bool moved = move(n, next + momentum_ * motion);
+    x_[n] = moved ? next : forces_.node(n);
+    // A node against its bound goes nowhere, however hard it is pulled.
+    if (moved) power += own_power;
+    stops_[n] = std::clamp(stops_[n] + (moved ? -1 : 2), 0, 2 * held_stops);
   }
   return power;
 }
@@ -131,11 +186,36 @@ double Relaxation::step() {
   forces_.step_forces(bending_, [&](std::size_t begin, std::size_t end, const Vec4s& forces) {
     take_forces(forces, begin, end);
   });
-  multilevel_.compute(node_force_, bending_);
+  // The forces on nodes that bounds hold move no patch. Else patches would move against the steps
+  // of the nodes around, and those would stand still under any force.
+  const std::vector<std::size_t> stopped = held();
+  if (stopped.empty()) {
+    multilevel_.compute(node_force_, bending_);
+  } else {
+    free_force_ = node_force_;
+    for (const std::size_t n : stopped) free_force_[n] = Vec4{0, 0, 0, node_force_[n][3]};
+    multilevel_.compute(free_force_, bending_);
+  }
   forces_.advance([&](std::size_t begin, std::size_t end, const ClothForces::Mover& move) {
     partial_[begin / vertex_chunk] = step_nodes(begin, end, move);
   });
+  if (options_.barrier) {
+    for (const int n : forces_.leave_body()) x_[n] = forces_.node(n);
+  }
   return std::accumulate(partial_.begin(), partial_.end(), 0.0);
+}
+
+/// Draws crossing cloth apart, when it is due.
+Relaxation::Crossing Relaxation::untangle(int iteration) {
+  if (!options_.untangles || iteration % crossing_interval != 0) return Crossing::goes_on;
+  const std::vector<int>& moved = forces_.leave_cloth();
+  for (const int n : moved) x_[n] = forces_.node(n);
+  if (moved.empty()) return Crossing::gone;
+  if (moved.size() < fewest_crossing_) {
+    fewest_crossing_ = moved.size();
+    fewest_crossing_at_ = iteration;
+  }
+  return iteration - fewest_crossing_at_ > crossing_patience ? Crossing::stuck : Crossing::goes_on;
 }
 
 /// The residual at the present positions, with contacts found anew.
@@ -148,13 +228,34 @@ Residual Relaxation::measure_residual() {
   return last_residual();
 }
 
+/// The nodes that bounds hold.
+std::vector<std::size_t> Relaxation::held() const {
+  std::vector<std::size_t> nodes;
+  for (std::size_t n = 0; n < stops_.size(); ++n) {
+    if (stops_[n] >= held_stops) nodes.push_back(n);
+  }
+  return nodes;
+}
+
+/// Leaves the forces on nodes that bounds hold out of node_force_, which the next step finds anew.
+/// Returns their number; 0 where they are too many to be left out.
+int Relaxation::leave_out_held() {
+  const std::vector<std::size_t> stopped = held();
+  if (static_cast<double>(stopped.size()) > max_held_share * model_.nodes) return 0;
+  for (const std::size_t n : stopped) node_force_[n] = Vec4{};
+  if (!stopped.empty()) multilevel_.compute(node_force_, bending_);
+  return static_cast<int>(stopped.size());
+}
+
 /// The residual of the forces that the last step found.
-Residual Relaxation::last_residual() const {
+Residual Relaxation::last_residual() {
+  const int held = leave_out_held();
   std::vector<double> norms(model_.nodes);
   for (std::size_t n = 0; n < norms.size(); ++n) {
     norms[n] = std::sqrt(squared_length(node_force_[n])) / model_.mean_weight;
   }
   Residual r = residual_of(std::move(norms));
+  r.held = held;
   if (!std::isfinite(r.rms)) {
     throw Error("garment", "its forces grew beyond all numbers",
                 "check the fabric's stiffness and the panels for degenerate triangles");
@@ -190,6 +291,7 @@ RelaxReport Relaxation::run(const RelaxWatcher& watcher) {
   RelaxReport report;
   int waited = 0;
   const bool closing = forces_.seams_stand_open();
+  ClosingSchedule seams(options_);
   const int schedule = closing ? options_.closing_iterations : options_.max_iterations;
   for (int i = 0; i < options_.max_iterations; ++i) {
     const double t = std::min(1.0, static_cast<double>(i) / schedule);
@@ -199,10 +301,18 @@ RelaxReport Relaxation::run(const RelaxWatcher& watcher) {
       forces_.resist_compression(std::pow(options_.compression, 1 - std::min(stiffened, 1.0)));
     }
     if (closing) {
-      forces_.close_seams(t < 1 ? 1 - smoothstep(t) : 0);
+      forces_.close_seams(seams.wanted(i));
       report.converged = !forces_.seams_stand_open();
       if (report.converged) break;
+      if (seams.is_stuck(i, forces_.open())) {
+        if (seams.passes() || options_.passing_iterations == 0) break;
+        seams.begin_passing(i, forces_.open());
+        forces_.pass_through_cloth();
+      }
     }
+    const Crossing crossing = untangle(i);
+    report.converged = crossing == Crossing::gone;
+    if (crossing != Crossing::goes_on) break;
     const double power = step();
     adjust_momentum(power, closing);
     report.iterations = i + 1;
@@ -219,7 +329,7 @@ RelaxReport Relaxation::run(const RelaxWatcher& watcher) {
     report.converged = at_rest(report.residual);
     if (report.converged) break;
   }
-  if (!report.converged && !closing) report.residual = measure_residual();
+  if (!closing && (!report.converged || options_.untangles)) report.residual = measure_residual();
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   report.open = forces_.open();
   report.searches = forces_.searches();

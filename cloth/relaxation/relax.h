@@ -10,6 +10,8 @@
 namespace toile {
 
 /// Residual force on the nodes, contact and friction included, in units of the mean node weight.
+/// Nodes that press against a bound are left out, up to one in a hundred: the bound holds them, as
+/// a contact would.
 struct Residual {
   double median = 0;
   double rms = 0;  ///< root mean square
@@ -17,6 +19,7 @@ struct Residual {
   /// Root mean square over the patches of the nested mesh's coarsest level, in units of their
   /// weights. It is the force that would set the cloth in motion as a whole. 0 without levels.
   double wide = 0;
+  int held = 0;  ///< nodes that were left out
 };
 
 /// Median, root mean square and maximum of the residual forces of the nodes; `wide` stays 0. Takes
@@ -30,6 +33,9 @@ struct RelaxOptions : ForceOptions {
   /// seams are closed. 2000 and more keep the panels from tangling while they close [measured on
   /// two garments].
   int closing_iterations = 0;
+  /// Iterations over which seams that cloth holds apart close through that cloth. 0: they stay
+  /// open.
+  int passing_iterations = 0;
   /// Factors on the bending stiffness at the first iteration and at the last one (of the closing,
   /// where seams close). Far above 1, panels stay smooth and seams do not fold onto themselves.
   double bending_from = 1;
@@ -53,7 +59,8 @@ struct RelaxReport {
   double seconds = 0;
   /// Whether the seams closed or, in a run that closes none, the garment came to rest.
   bool converged = false;
-  double open = 0;  ///< share of their width that seams are still open; 0: closed
+  /// Share of their width by which the seams stand open at each node; empty: they are closed.
+  std::vector<double> open;
   Residual residual;
   WarmStart warm_start;  ///< anchors and multipliers at the end
   /// Metres, per node, that it keeps from the body beyond the model's offset. It is more than 0
@@ -64,7 +71,8 @@ struct RelaxReport {
 /// Progress of a run, for its watcher.
 struct RelaxProgress {
   int iteration;
-  double open;                     ///< 1: seams as placed, 0: closed
+  /// Per node, of the seams' width: 1 as placed, 0 closed; empty: all are closed.
+  const std::vector<double>& open;
   const std::vector<Vec3>& nodes;  ///< metres
 };
 using RelaxWatcher = std::function<void(const RelaxProgress&)>;

@@ -67,6 +67,26 @@ inline constexpr double min_sleeve_turn = 11 * std::numbers::pi / 180;
 /// it.
 inline constexpr double along_sleeve_cosine = 0.5;
 
+// Sleeves (centre_sleeves.h).
+
+/// Metres that the seams of a sleeve should keep from the outline of the arm.
+inline constexpr double sleeve_clearance = 0.015;
+
+/// Metres between the two sides of a seam that closes around the arm, at least.
+inline constexpr double min_sleeve_depth = 0.05;
+
+/// Degrees by which a sleeve turns about its armhole at most, in steps of one.
+inline constexpr int max_sleeve_degrees = 20;
+
+/// Metres between the shifts that are tried.
+inline constexpr double sleeve_lift_step = 0.005;
+
+/// Shifts that are tried to either side.
+inline constexpr int max_sleeve_lifts = 30;
+
+/// Share of the square of a move that counts against it, beside the squares of what seams lack.
+inline constexpr double centring_reluctance = 1e-3;
+
 // Drawing out and lifting (draw_and_lift.h).
 
 /// Metres between a limb's seam points and their partners on the torso, along the limb.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cloth/start/align_sleeves.h"
+#include "cloth/start/centre_sleeves.h"
 #include "cloth/start/constants.h"
 #include "cloth/start/panel_parts.h"
 #include "cloth/start/seam_paths.h"
@@ -70,19 +71,23 @@ int points_inside(const std::vector<Vec3>& points, const DistanceGrid& body) {
 }
 
 Placement draw_and_lift(const PanelMesh& garment, const DistanceGrid& body,
-                        const Skeleton* skeleton, double hang) {
+                        const Skeleton* skeleton, double hang, const TriangleMesh* skin) {
   Placement placement;
   placement.placed = garment.placed;
   bool hangs = false;
   bool has_sleeves = false;
+  std::map<std::string, double> on_arms;
+  std::vector<std::string> part_of_point;
   if (skeleton != nullptr) {
     hangs = hangs_from_shoulders(garment, garment.placed, *skeleton);
     const std::vector<std::string> parts = panel_parts(garment, *skeleton);
     has_sleeves =
         std::ranges::any_of(parts, [](const auto& part) { return part.ends_with("_arm"); });
-    std::vector<std::string> part_of_point;
     for (const int panel : panel_of_points(garment)) part_of_point.push_back(parts[panel]);
     placement.turned = turn_sleeves(garment, part_of_point, *skeleton, placement.placed);
+    if (skin != nullptr) {
+      on_arms = centre_sleeves(garment, part_of_point, *skin, *skeleton, placement.placed);
+    }
     for (const Limb& limb : limb_directions) {
       if (std::find(parts.begin(), parts.end(), limb.part) == parts.end()) continue;
       const Vec3 direction = (skeleton->joint(limb.to) - skeleton->joint(limb.from)).normalized();
@@ -95,7 +100,10 @@ Placement draw_and_lift(const PanelMesh& garment, const DistanceGrid& body,
       }
     }
   }
-  const std::vector<double> lifted = lifted_points(garment);
+  std::vector<double> lifted = lifted_points(garment);
+  for (std::size_t p = 0; p < part_of_point.size(); ++p) {
+    if (on_arms.contains(part_of_point[p])) lifted[p] = 0;
+  }
   SeamPaths paths(garment, placement.placed, lifted, body, skeleton);
   const auto lifted_inside = [&](double lift) {
     int count = 0;
@@ -118,7 +126,8 @@ Placement draw_and_lift(const PanelMesh& garment, const DistanceGrid& body,
     placement.lift = lift;
   }
   if (placement.lift > 0) placement.lift += lift_margin;
-  const bool has_tubes = std::find(lifted.begin(), lifted.end(), 0.0) != lifted.end();
+  const bool has_tubes =
+      on_arms.empty() && std::find(lifted.begin(), lifted.end(), 0.0) != lifted.end();
   if (hangs && !has_tubes) placement.lift = std::max(placement.lift, hang);
   placement.seams_inside = paths.meeting_inside(placement.lift);
   for (std::size_t p = 0; p < placement.placed.size(); ++p) {

@@ -46,6 +46,7 @@ int points_inside(const std::vector<Vec3>& points, const DistanceGrid& body);
 ///
 /// Linear in the points, times 20 lifts; a seam point costs some queries of `body` each time.
 Placement draw_and_lift(const PanelMesh& garment, const DistanceGrid& body,
-                        const Skeleton* skeleton, double hang = 0);
+                        const Skeleton* skeleton, double hang = 0,
+                        const TriangleMesh* skin = nullptr);
 
 }  // namespace toile

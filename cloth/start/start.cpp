@@ -24,14 +24,16 @@ Placement find_start(const PanelMesh& garment, const Scene& scene, double hang) 
   Positioning positioning = position_panels(garment, distance, scene.skeleton);
   PanelMesh positioned = garment;
   positioned.placed = positioning.placed;
-  Placement placement = draw_and_lift(positioned, distance, scene.skeleton, hang);
+  Placement placement =
+      draw_and_lift(positioned, distance, scene.skeleton, hang, &scene.collider->body());
   const std::vector<Vec3> before = placement.placed;
   make_clear(garment, scene, placement);
   if (!placement.moved_clear.empty()) {
     for (std::size_t p = 0; p < before.size(); ++p) {
       positioned.placed[p] += placement.placed[p] - before[p];
     }
-    Placement again = draw_and_lift(positioned, distance, scene.skeleton, hang);
+    Placement again =
+        draw_and_lift(positioned, distance, scene.skeleton, hang, &scene.collider->body());
     again.moved_off_layers = placement.moved_off_layers;
     again.moved_clear = placement.moved_clear;
     placement = std::move(again);

@@ -155,7 +155,7 @@ class SwitchedOff : public testing::Test {
     options.friction = friction;
     std::vector<Vec3> x = model.start;
     relax(model, options, x);
-    return point_positions(model, x, 0);
+    return point_positions(model, x);
   }
 
   double changed(const Scene& other) const { return changed(garment, other); }

@@ -17,7 +17,8 @@ Json residual_json(const Residual& residual) {
   return {{"median", residual.median},
           {"rms", residual.rms},
           {"max", residual.max},
-          {"wide", residual.wide}};
+          {"wide", residual.wide},
+          {"held_nodes", residual.held}};
 }
 
 Json stages_json(const std::vector<StageReport>& stages) {

@@ -206,8 +206,7 @@ TEST(Attachments, CarryTheWeightOfASheetThatHangsFromThem) {
   options.stop_median = options.stop_rms = 0.001;
   std::vector<Vec3> x = model.start;
   EXPECT_TRUE(relax(model, options, x).converged);
-  const auto figures =
-      measure_attachments(garment, model.attachments, point_positions(model, x, 0));
+  const auto figures = measure_attachments(garment, model.attachments, point_positions(model, x));
   const double weight = width * height * scene.fabric.areal_density * 9.81;
   const Vec3 sum = figures[0].pull + figures[1].pull;
   std::cout << "pulls " << figures[0].pull.transpose() << " and " << figures[1].pull.transpose()

@@ -136,7 +136,7 @@ class ElasticTube : public testing::Test {
     options.stop_median = options.stop_rms = 0.02;
     x_ = model_.start;
     relax(model_, options, x_);
-    band_ = measure_elastics(garment_, point_positions(model_, x_, 0)).at(0);
+    band_ = measure_elastics(garment_, point_positions(model_, x_)).at(0);
   }
 
   /// N: with which cloth and elastic press on the cylinder, in all. Where the cloth presses on
@@ -179,7 +179,7 @@ TEST_F(ElasticTube, HoldsTheCylinderByItsTension) {
   // What the cloth in its folds takes off the tension is less than 0.15 N.
   EXPECT_NEAR(pressing(), 2 * pi * band_.tension, 2 * pi * 0.15);
   // Drawn up, the cloth is not crushed: 4 cm below, its own girth is there.
-  const std::vector<Vec3> points = point_positions(model_, x_, 0);
+  const std::vector<Vec3> points = point_positions(model_, x_);
   double girth_now = 0;
   for (int i = 0; i < columns; ++i) {
     const int a = (rows - 6) * (columns + 1) + i;

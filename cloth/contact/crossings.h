@@ -1,0 +1,28 @@
+// Cloth that has come through cloth, and the way back.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "geometry/types.h"
+
+namespace toile {
+
+/// An edge of the cloth that passes through one of its faces.
+struct Crossing {
+  std::array<int, 2> edge;  ///< vertices
+  Triangle face;            ///< vertices
+  std::array<double, 5> weights;  ///< of the edge's ends, then of the face's corners, at the crossing
+  /// Direction in which the edge, moved against the face, shortens the line along which the two
+  /// pieces of cloth intersect: the negative gradient of its length. It is short where both sides
+  /// of the edge pull alike.
+  Vec3 way = Vec3::Zero();
+};
+
+/// All edges of the surface that pass through its faces, by the exact test of geometry, in a fixed
+/// order [Volino & Magnenat-Thalmann 2006, Resolving Surface Collisions through Intersection
+/// Contour Minimization]. `x`: metres, one a vertex. About O(n log n) in the triangles.
+std::vector<Crossing> find_crossings(const std::vector<Vec3>& x,
+                                     const std::vector<Triangle>& triangles);
+
+}  // namespace toile

@@ -1,0 +1,121 @@
+#include "cloth/dressing/sew.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "cloth/dressing/constants.h"
+#include "cloth/dressing/stages.h"
+#include "cloth/scene/collider.h"
+#include "cloth/start/panel_parts.h"
+#include "geometry/body/bones.h"
+#include "geometry/body/raise_arms.h"
+
+namespace toile {
+
+namespace {
+
+/// A body with its arms out of the way, and a scene around it.
+struct RaisedScene {
+  RaisedScene(const Scene& standing, const ArmRaise& raise)
+      : collider(raise.raised(standing.collider->body())),
+        skeleton(raise.raised(*standing.skeleton)),
+        scene(standing) {
+    scene.collider = &collider;
+    scene.skeleton = &skeleton;
+  }
+
+  const Collider collider;
+  const Skeleton skeleton;
+  Scene scene;
+};
+
+/// Whether a panel stands before or behind an arm, or near it.
+bool arms_are_in_the_way(const PanelMesh& garment, const Skeleton& skeleton) {
+  const auto flat = [](Vec3 p) {
+    p.z() = 0;
+    return p;
+  };
+  for (const char* part : {"left_arm", "right_arm"}) {
+    Bones arm(skeleton, part);
+    if (arm.joints.empty()) continue;
+    for (Vec3& joint : arm.joints) joint = flat(joint);
+    // The hand goes on where the bones end.
+    arm.joints.push_back(arm.joints.back() + 0.2 * (arm.joints.back() - arm.joints.front()).normalized());
+    if (std::ranges::any_of(garment.placed, [&](const Vec3& p) {
+          return arm.distance(flat(p)) < arm_clearance;
+        })) {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::optional<ArmRaise> arm_raise(const PanelMesh& garment, const Scene& scene) {
+  if (scene.skeleton == nullptr || has_layers(scene) || !touches_body(scene)) return std::nullopt;
+  if (garment.seams.empty() || !arms_are_in_the_way(garment, *scene.skeleton)) return std::nullopt;
+  ArmRaise raise(*scene.skeleton, scene.collider->body());
+  return raise.any() ? std::optional(std::move(raise)) : std::nullopt;
+}
+
+/// The garment with its sleeves turned up with the arms.
+PanelMesh with_sleeves_raised(PanelMesh garment, const Skeleton& skeleton, const ArmRaise& raise) {
+  const std::vector<std::string> parts = panel_parts(garment, skeleton);
+  const std::vector<int> panel_of = panel_of_points(garment);
+  for (std::size_t p = 0; p < garment.placed.size(); ++p) {
+    garment.placed[p] = raise.turned_with(parts[panel_of[p]], garment.placed[p]);
+  }
+  return garment;
+}
+
+/// Closes the seams from where the panels start, and lets the cloth come clear of itself.
+Staged close_and_untangle(const Level& level, double care, Journal& journal) {
+  State state;
+  state.nodes = level.model.start;
+  Staged staged = close_seams(level, std::move(state), care, journal);
+  return untangle(level, std::move(staged.state), journal);
+}
+
+}  // namespace
+
+Sewn sew(const PanelMesh& mesh, int depth, const Scene& scene, double resting_offset,
+         Journal& journal) {
+  const std::optional<ArmRaise> raise = arm_raise(mesh, scene);
+  std::optional<RaisedScene> raised;
+  if (raise) raised.emplace(scene, *raise);
+  PanelMesh turned;
+  if (raise) turned = with_sleeves_raised(mesh, *scene.skeleton, *raise);
+  if (raise) journal.show_through([&](const Vec3& p) { return raise->lowered(p); });
+  Positioned positioned =
+      position(raise ? turned : mesh, depth, raised ? raised->scene : scene, resting_offset, journal);
+  Sewn sewn{std::move(positioned.placement), std::move(positioned.level), {}};
+  if (mesh.seams.empty()) {
+    sewn.state.nodes = sewn.level.model.start;
+    sewn.is_clear = is_clear_of_itself(sewn.level, sewn.state);
+    return sewn;
+  }
+  Level standing;
+  if (raise) {
+    for (Vec3& p : sewn.placement.placed) p = raise->lowered(p);
+    standing =
+        compiled_level(mesh, depth, closing_scene(scene), sewn.placement.placed, resting_offset);
+  }
+  for (int attempt = 0; attempt < max_sewing_attempts && !sewn.is_clear; ++attempt) {
+    if (attempt > 0 && sewn.level.model.nodes > max_resewn_nodes) break;
+    journal.begin_attempt(attempt + 1);
+    if (raise) journal.show_through([&](const Vec3& p) { return raise->lowered(p); });
+    Staged staged = close_and_untangle(sewn.level, std::pow(2.0, attempt), journal);
+    journal.show_through({});
+    if (raise) {
+      for (Vec3& p : staged.state.nodes) p = raise->lowered(p);
+      staged = untangle(standing, std::move(staged.state), journal);
+    }
+    sewn.is_clear = staged.report.converged;
+    sewn.state = std::move(staged.state);
+  }
+  if (raise) sewn.level = std::move(standing);
+  return sewn;
+}
+
+}  // namespace toile

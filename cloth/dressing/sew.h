@@ -1,0 +1,29 @@
+// Sewing: from flat panels around the body to a garment whose seams are closed.
+#pragma once
+
+#include "cloth/dressing/journal.h"
+#include "cloth/dressing/level.h"
+#include "cloth/start/draw_and_lift.h"
+
+namespace toile {
+
+/// A garment on its coarsest mesh, with its seams closed.
+struct Sewn {
+  Placement placement;
+  Level level;  ///< compiled for closing_scene()
+  State state;
+  bool is_clear = false;  ///< of itself
+};
+
+/// Places the panels around the scene's body and closes their seams (stages.h).
+///
+/// Where panels stand before an arm, they are sewn around a body whose arms are raised and slim
+/// (ArmRaise). Skirts and wide tops then close past the arms, and sleeves around them. The garment
+/// comes down with the arms. Over layers the arms stay.
+///
+/// Panels that tangle are sewn again, twice as carefully. Throws what find_start() and compile()
+/// throw.
+Sewn sew(const PanelMesh& mesh, int depth, const Scene& scene, double resting_offset,
+         Journal& journal);
+
+}  // namespace toile

@@ -1,0 +1,58 @@
+// A body with its arms raised, so that they are out of the way while a garment is sewn around it.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "geometry/body/skeleton.h"
+#include "geometry/types.h"
+
+namespace toile {
+
+/// Raises the arms of a standing body to about the horizontal, and lowers them again, with all of
+/// the space around them. Each arm turns about its shoulder, in the plane of front and back. The
+/// space between the arm and the trunk is stretched, the space above the arm compressed. Trunk,
+/// head and legs stay.
+///
+/// The map of space is continuous and has an inverse. So what is clear of the body and of itself
+/// stays clear of it, but for what a straight edge cuts off a bent one.
+class ArmRaise {
+ public:
+  /// The skeleton is that of the body as it stands. A body without arms, or with arms raised
+  /// already, is left as it is.
+  ArmRaise(const Skeleton& skeleton, const TriangleMesh& body);
+
+  /// Whether an arm is raised at all.
+  bool any() const { return !arms_.empty(); }
+  /// Metres: where raising the arms takes `p`.
+  Vec3 raised(const Vec3& p) const;
+  /// Metres: where lowering the arms takes `p`. The inverse of raised(), up to rounding.
+  Vec3 lowered(const Vec3& p) const;
+  /// Metres: `p` turned with the arm of the part `left_arm` or `right_arm`, as if it were rigid;
+  /// `p` itself for other parts.
+  Vec3 turned_with(const std::string& part, const Vec3& p) const;
+
+  /// The body's points, raised.
+  TriangleMesh raised(TriangleMesh body) const;
+  /// The joints, raised.
+  Skeleton raised(Skeleton skeleton) const;
+
+ private:
+  struct Arm {
+    std::string part;
+    Vec3 shoulder;
+    double side;        ///< 1: left, -1: right
+    double angle;       ///< radians above the horizontal, as the arm hangs
+    double turn;        ///< radians by which it is raised
+    std::array<Vec3, 3> joints;  ///< shoulder, elbow, wrist
+    Vec3 axis;                   ///< unit vector from shoulder to wrist, raised
+    double radius = 0;           ///< metres around the axis within which the arm lies
+  };
+  static Vec3 slimmed(const Arm& arm, const Vec3& p, bool back);
+  static double depth_of(const Arm& arm, double radius);
+  static Vec3 turned(const Arm& arm, const Vec3& p, bool back);
+
+  std::vector<Arm> arms_;
+};
+
+}  // namespace toile
