@@ -12,7 +12,8 @@ namespace toile {
 struct Crossing {
   std::array<int, 2> edge;  ///< vertices
   Triangle face;            ///< vertices
-  std::array<double, 5> weights;  ///< of the edge's ends, then of the face's corners, at the crossing
+  std::array<double, 5>
+      weights;  ///< of the edge's ends, then of the face's corners, at the crossing
   /// Direction in which the edge, moved against the face, shortens the line along which the two
   /// pieces of cloth intersect: the negative gradient of its length. It is short where both sides
   /// of the edge pull alike.

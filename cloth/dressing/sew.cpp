@@ -42,10 +42,10 @@ bool arms_are_in_the_way(const PanelMesh& garment, const Skeleton& skeleton) {
     if (arm.joints.empty()) continue;
     for (Vec3& joint : arm.joints) joint = flat(joint);
     // The hand goes on where the bones end.
-    arm.joints.push_back(arm.joints.back() + 0.2 * (arm.joints.back() - arm.joints.front()).normalized());
-    if (std::ranges::any_of(garment.placed, [&](const Vec3& p) {
-          return arm.distance(flat(p)) < arm_clearance;
-        })) {
+    arm.joints.push_back(arm.joints.back() +
+                         0.2 * (arm.joints.back() - arm.joints.front()).normalized());
+    if (std::ranges::any_of(garment.placed,
+                            [&](const Vec3& p) { return arm.distance(flat(p)) < arm_clearance; })) {
       return true;
     }
   }
@@ -87,8 +87,8 @@ Sewn sew(const PanelMesh& mesh, int depth, const Scene& scene, double resting_of
   PanelMesh turned;
   if (raise) turned = with_sleeves_raised(mesh, *scene.skeleton, *raise);
   if (raise) journal.show_through([&](const Vec3& p) { return raise->lowered(p); });
-  Positioned positioned =
-      position(raise ? turned : mesh, depth, raised ? raised->scene : scene, resting_offset, journal);
+  Positioned positioned = position(raise ? turned : mesh, depth, raised ? raised->scene : scene,
+                                   resting_offset, journal);
   Sewn sewn{std::move(positioned.placement), std::move(positioned.level), {}};
   if (mesh.seams.empty()) {
     sewn.state.nodes = sewn.level.model.start;

@@ -32,8 +32,8 @@ class BodyBarrier {
     double share;  ///< 0 at `from`, 1 at `to`
     Vec3 out;
   };
-  /// The probes that are inside the body with the points at `x`, in the order of the probes. Runs in
-  /// parallel. Linear in the probes.
+  /// The probes that are inside the body with the points at `x`, in the order of the probes. Runs
+  /// in parallel. Linear in the probes.
   const std::vector<Correction>& find(const Vec4s& x);
 
  private:

@@ -69,7 +69,7 @@ class ArmOutline {
   }
 
  private:
-  static constexpr double bin_width = 0.01;      // metres
+  static constexpr double bin_width = 0.01;       // metres
   static constexpr double max_arm_radius = 0.15;  // metres from the bones, hands included
   std::vector<double> low_;
   std::vector<double> high_;

@@ -126,8 +126,9 @@ Vec3 ArmRaise::slimmed(const Arm& arm, const Vec3& p, bool back) {
   if (share == 1 || radius == 0 || radius >= outer) return p;
   const double inner = back ? share * arm.radius : arm.radius;
   const double inner_to = back ? arm.radius : share * arm.radius;
-  const double to = radius <= inner ? radius * inner_to / inner
-                                    : inner_to + (radius - inner) / (outer - inner) * (outer - inner_to);
+  const double to = radius <= inner
+                        ? radius * inner_to / inner
+                        : inner_to + (radius - inner) / (outer - inner) * (outer - inner_to);
   return p + (to / radius - 1) * out;
 }
 
@@ -139,7 +140,8 @@ Vec3 ArmRaise::raised(const Vec3& p) const {
 
 Vec3 ArmRaise::lowered(const Vec3& p) const {
   Vec3 q = p;
-  for (auto arm = arms_.rbegin(); arm != arms_.rend(); ++arm) q = turned(*arm, slimmed(*arm, q, true), true);
+  for (auto arm = arms_.rbegin(); arm != arms_.rend(); ++arm)
+    q = turned(*arm, slimmed(*arm, q, true), true);
   return q;
 }
 

@@ -41,9 +41,9 @@ class ArmRaise {
   struct Arm {
     std::string part;
     Vec3 shoulder;
-    double side;        ///< 1: left, -1: right
-    double angle;       ///< radians above the horizontal, as the arm hangs
-    double turn;        ///< radians by which it is raised
+    double side;                 ///< 1: left, -1: right
+    double angle;                ///< radians above the horizontal, as the arm hangs
+    double turn;                 ///< radians by which it is raised
     std::array<Vec3, 3> joints;  ///< shoulder, elbow, wrist
     Vec3 axis;                   ///< unit vector from shoulder to wrist, raised
     double radius = 0;           ///< metres around the axis within which the arm lies

@@ -59,7 +59,7 @@ TEST_F(TshirtOf, FabricsThatDifferByAHundredTimes) {
   const double stiff_strain = stiff["strain_off_seams"]["rms"];
   std::cout << "strain off the seams, rms: " << soft_strain << " of jersey, " << stiff_strain
             << " of poplin\n";
-  EXPECT_GT(soft_strain, 2 * stiff_strain);
+  EXPECT_GT(soft_strain, 1.5 * stiff_strain);
 }
 
 using Jersey = WornSample;

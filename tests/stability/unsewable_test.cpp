@@ -24,19 +24,23 @@ TEST_F(Unsewable, ABandThreeSizesSmallLacksCentimetres) {
   });
   for (const std::string& method : both_methods) {
     const Ending ending = dress(mannequin(), garment, method);
-    // The relaxation closes the seams at any tension. The skin gives way to it by millimetres, so
-    // that cloth of 49 % strain meets the body in places.
+    // The relaxation closes the seams at any tension. Bounds hold most of the band off the skin,
+    // too many nodes to call the rest of them at rest.
     const bool closes = method == "relaxation";
-    EXPECT_EQ(ending.outcome, closes ? "intersecting" : "unsewable") << ending.said;
+    EXPECT_EQ(ending.outcome, closes ? "unconverged" : "unsewable") << ending.said;
+    if (closes) {
+      EXPECT_EQ(ending.report["intersections"]["body"], 0);
+    }
     const Json seams = ending.report[closes ? "tight_seams" : "unsewable_seams"];
     double missing = 0;
     for (const Json& seam : seams) {
       missing += seam["missing_cm"].get<double>();
       EXPECT_TRUE(ending.says(seam["name"].get<std::string>())) << ending.said;
     }
-    // The waist, where it comes to lie, has 21 cm more than the tube.
+    // The waist has 21 cm more than the tube, and the hips 48 cm. Where the tube comes to lie, 20
+    // to 29 cm are missing.
     EXPECT_GT(missing, 17) << seams;
-    EXPECT_LT(missing, 26) << seams;
+    EXPECT_LT(missing, 30) << seams;
     EXPECT_EQ(ending.report["fit"]["verdict"], closes ? "too_small" : "not checked");
     state("7 band three sizes small", method, ending.outcome,
           "lacks " + number(missing) + " cm in all");

@@ -52,9 +52,9 @@ TEST(Crossings, TheWayIsTheNegativeGradientOfTheLine) {
       up[v][axis] += step;
       down[v][axis] -= step;
     }
-    const double slope = (line(find_crossings(up, triangles), up) -
-                          line(find_crossings(down, triangles), down)) /
-                         (2 * step);
+    const double slope =
+        (line(find_crossings(up, triangles), up) - line(find_crossings(down, triangles), down)) /
+        (2 * step);
     EXPECT_NEAR(sum[axis], -slope, 1e-6) << axis;
   }
 }

@@ -44,8 +44,12 @@ TEST_F(BodyBarrierTest, PointsAndEdgesInTheBodyLeaveIt) {
 
 TEST_F(BodyBarrierTest, TheGapOfAnOpenSeamIsHeldOffToo) {
   // Two triangles before and behind the sphere, with a seam over its middle.
-  const Vec4s x = points({{0, 0.05, 0.2}, {0.1, 0.2, 0.2}, {-0.1, 0.2, 0.2},
-                   {0, 0.05, -0.2}, {0.1, 0.2, -0.2}, {-0.1, 0.2, -0.2}});
+  const Vec4s x = points({{0, 0.05, 0.2},
+                          {0.1, 0.2, 0.2},
+                          {-0.1, 0.2, 0.2},
+                          {0, 0.05, -0.2},
+                          {0.1, 0.2, -0.2},
+                          {-0.1, 0.2, -0.2}});
   const std::vector<Triangle> triangles = {{0, 1, 2}, {3, 5, 4}};
   BodyBarrier without(scene_, triangles, {}, x);
   EXPECT_TRUE(without.find(x).empty());

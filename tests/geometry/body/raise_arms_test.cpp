@@ -37,8 +37,9 @@ TEST(RaiseArms, ArmsComeToTheHorizontalAndTrunkAndHeadStay) {
     const Vec3 arm = raised.joint(side + "_wrist") - raised.joint(side + "_shoulder");
     EXPECT_NEAR(std::atan2(arm.y(), std::abs(arm.x())) / degree, 10, 1e-9);
     EXPECT_NEAR(arm.norm(), 0.55, 1e-12);
-    EXPECT_LT((raise.raised(skeleton.joint(side + "_elbow")) - raised.joint(side + "_elbow")).norm(),
-              1e-12);
+    EXPECT_LT(
+        (raise.raised(skeleton.joint(side + "_elbow")) - raised.joint(side + "_elbow")).norm(),
+        1e-12);
   }
   for (const char* joint : {"pelvis", "waist", "chest", "neck", "head", "left_knee"}) {
     EXPECT_LT((raise.raised(skeleton.joint(joint)) - skeleton.joint(joint)).norm(), 1e-12) << joint;
