@@ -48,8 +48,8 @@ class BodyBounds {
   double allowed_share(int vertex, const Vec3& p, const Vec3& wanted, Vec3* stopped_by = nullptr);
 
   /// Metres: where the vertex comes on its way from `p`, which is in the region, to `wanted`. It
-  /// slides along planes that stop it. Cloth that is pressed to the body could else not move along
-  /// it, and a tight cuff would stay strained on one side of the arm.
+  /// slides along planes that stop it. Else cloth that is pressed to the body could not move along
+  /// it. A tight cuff would stay strained on one side of the arm.
   Vec3 reached(int vertex, const Vec3& p, const Vec3& wanted);
 
   /// Whether the region of any triangle is due.

@@ -80,8 +80,8 @@ inline constexpr double neighbour_force_range = 3;
 
 // Crossings (crossings.h).
 
-/// Sine of the angle between an edge and the face that it passes through, at least: the way out of
-/// a flatter one would be too long.
+/// Sine of the angle between an edge and the face that it passes through, at least. A flatter edge
+/// would have a way out that is too long.
 inline constexpr double min_crossing_slant = 0.2;
 
 // The grid of spheres.

@@ -14,9 +14,9 @@ struct Crossing {
   Triangle face;            ///< vertices
   std::array<double, 5>
       weights;  ///< of the edge's ends, then of the face's corners, at the crossing
-  /// Direction in which the edge, moved against the face, shortens the line along which the two
-  /// pieces of cloth intersect: the negative gradient of its length. It is short where both sides
-  /// of the edge pull alike.
+  /// Moved this way against the face, the edge shortens the line along which two pieces of cloth
+  /// intersect. It is the negative gradient of the line's length. It is short where both sides of
+  /// the edge pull alike.
   Vec3 way = Vec3::Zero();
 };
 

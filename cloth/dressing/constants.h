@@ -40,8 +40,8 @@ inline constexpr int max_sewing_attempts = 2;
 /// Nodes of the coarsest mesh from which on panels are sewn only once: again takes minutes.
 inline constexpr int max_resewn_nodes = 3000;
 
-/// Metres between the bones of an arm and a panel's point, in the view from the front, from which
-/// on the arm is in nobody's way and stays as it is while seams close.
+/// Metres between the bones of an arm and a panel's point, in the view from the front. An arm that
+/// all points are farther from is in nobody's way, and stays as it is while seams close.
 inline constexpr double arm_clearance = 0.15;
 
 // Untangling.

@@ -84,8 +84,8 @@ inline constexpr double stall_progress = 0.98;
 inline constexpr double snap_through_ratio = 10;
 
 /// Count of stops from which on a bound counts as holding a node. A stop adds 2, a step without one
-/// takes 1 off. So a node is held that is stopped in more than a third of its steps, and no node is
-/// that is stopped now and then.
+/// takes 1 off. So a node that is stopped in more than a third of its steps is held. One that is
+/// stopped now and then is not.
 inline constexpr int held_stops = 16;
 
 /// Share of the nodes that bounds may hold at rest. Where more are held, something is caught.
@@ -122,8 +122,8 @@ inline constexpr double edge_contact_radius = 0.02;
 /// touches the body with its middle.
 inline constexpr double max_sagitta_share = 0.7;
 
-/// Metres between two places of an edge, or of the way that a seam has to close, at which the body
-/// holds off cloth while seams close.
+/// Metres between two places of an edge at which the body holds it off while seams close. The way
+/// that a seam has to close has such places, too.
 inline constexpr double barrier_spacing = 0.02;
 
 /// Such places of an edge or way, at most.

@@ -14,11 +14,11 @@ namespace toile {
 /// tapered sleeve often stands some centimetres under its arm. Its outer seam would then close
 /// through the arm.
 ///
-/// All panels of an arm move as one, in the plane of front and back: by up to 20 degrees about the
-/// armhole, and by up to 15 cm square to the arm. Of all such moves, the one wins that leaves the
-/// least of the seams nearer than 1.5 cm to the outline of the arm, and of equal ones the least.
-/// Seams count whose sides stand before and behind the arm. Panels that the skeleton positioned
-/// stay, and so does a sleeve without such seams.
+/// All panels of an arm move as one, in the plane of front and back. They turn by up to 20 degrees
+/// about the armhole, and shift by up to 15 cm square to the arm. Seams count whose sides stand
+/// before and behind the arm. They should keep 1.5 cm from the outline of the arm. The move wins
+/// that leaves the least of them nearer, and of equal ones the smallest. Panels that the skeleton
+/// positioned stay, and so does a sleeve without such seams.
 ///
 /// `skin` is the body's surface, of which `skeleton` has the joints. Returns the metres by which
 /// the middle of each sleeve moved, per arm whose sleeve did. Linear in the vertices of the skin;

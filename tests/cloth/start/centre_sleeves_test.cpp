@@ -30,8 +30,8 @@ TriangleMesh arms() {
   return mesh;
 }
 
-/// Front and back of a left sleeve, 20 cm before and 10 cm behind the arm, from y = `low` on, 12 cm
-/// wide, with a seam above and one below.
+/// Front and back of a left sleeve, 20 cm before and 10 cm behind the arm. They are 12 cm wide from
+/// y = `low` on. One seam is above, one below.
 PanelMesh sleeve(double low) {
   PanelMesh garment;
   for (const double z : {0.2, -0.1}) {
