@@ -18,7 +18,7 @@ struct Quality {
 inline constexpr std::array<Quality, 3> qualities = {{
     {"draft", 0.05, 4.05},
     {"standard", 0.0015, 0.17},
-    {"fine", 0.0005, 0.04},
+    {"fine", 0.0005, 0.13},
 }};
 inline constexpr const Quality& standard_quality = qualities[1];
 
