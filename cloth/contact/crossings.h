@@ -20,8 +20,8 @@ struct Crossing {
   Vec3 way = Vec3::Zero();
 };
 
-/// All edges of the surface that pass through its faces, by the exact test of geometry, in a fixed
-/// order [Volino & Magnenat-Thalmann 2006, Resolving Surface Collisions through Intersection
+/// All edges of the surface that pass through its faces, in a fixed order. The exact test finds
+/// them [Volino & Magnenat-Thalmann 2006, Resolving Surface Collisions through Intersection
 /// Contour Minimization]. `x`: metres, one a vertex. About O(n log n) in the triangles.
 std::vector<Crossing> find_crossings(const std::vector<Vec3>& x,
                                      const std::vector<Triangle>& triangles);

@@ -75,7 +75,7 @@ inline constexpr double slid_off_fall = 0.06;
 inline constexpr double fallen_off_drop = 0.6;
 
 /// Pairs of triangles that may still cross on the coarsest mesh for the garment to be brought to
-/// rest. Tangles of more never came clear on finer meshes, and took minutes not to.
+/// rest. What is tangled more ends `intersecting` at once.
 inline constexpr std::size_t max_hopeful_crossings = 20;
 
 /// Metres: the tightest curves of a body. They set how far nodes keep off, so that the faces

@@ -105,8 +105,8 @@ class ClothForces {
     if (seams_stand_open()) place_points();
   }
 
-  /// While seams stand open: moves nodes so that cloth leaves the body, as far as the bounds of
-  /// cloth allow. Returns the nodes that were moved.
+  /// Moves nodes so that cloth leaves the body, as far as bounds allow. Returns the nodes that were
+  /// moved; none without ForceOptions::barrier.
   const std::vector<int>& leave_body();
 
   /// Draws cloth that has come through cloth back by a small step. Returns the nodes that were
@@ -177,7 +177,7 @@ class ClothForces {
   std::unique_ptr<AttachmentForces> attachments_;
   std::unique_ptr<EdgeContacts> edge_contacts_;  // null: no edge is long enough
   std::unique_ptr<Neighbourhood> neighbourhood_;
-  std::unique_ptr<BodyBarrier> barrier_;  // null: seams are closed, or there is no body
+  std::unique_ptr<BodyBarrier> barrier_;  // null: not asked for, or there is no body
   std::vector<int> left_body_;
   std::vector<int> left_cloth_;
   std::vector<Vec3> way_out_;  // metres, per node
