@@ -34,6 +34,30 @@ Vec3 joint_of(const JsonValue& value) {
   return point;
 }
 
+BodyMove move_of(const JsonValue& value) {
+  BodyMove move;
+  const JsonValue rotation = value.get("rotation");
+  rotation.size(3, 3);
+  for (std::size_t row = 0; row < 3; ++row) {
+    rotation.item(row).size(3, 3);
+    for (std::size_t column = 0; column < 3; ++column) {
+      move.rotation(row, column) = rotation.item(row).item(column).number();
+    }
+  }
+  const Eigen::Matrix3d off = move.rotation * move.rotation.transpose();
+  if (!(off - Eigen::Matrix3d::Identity()).isZero(1e-6) || !(move.rotation.determinant() > 0)) {
+    rotation.fail("is no rotation", remedy);
+  }
+  const JsonValue translation = value.get("translation_m");
+  translation.size(3, 3);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    move.translation[static_cast<int>(axis)] = translation.item(axis).number();
+  }
+  move.metres_per_unit = value.get("metres_per_unit").number();
+  if (!(move.metres_per_unit > 0)) value.get("metres_per_unit").fail("is not positive", remedy);
+  return move;
+}
+
 bool has_segment(const Skeleton& skeleton, const Segment& wanted) {
   return std::any_of(skeleton.segments.begin(), skeleton.segments.end(),
                      [&](const Segment& segment) {
@@ -54,6 +78,17 @@ void write_skeleton(const OutputPath& path, const Skeleton& skeleton) {
   for (const Segment& segment : skeleton.segments) {
     json["segments"].push_back(
         {{"part", segment.part}, {"from", segment.from}, {"to", segment.to}});
+  }
+  if (skeleton.cleaned) {
+    const BodyMove& move = *skeleton.cleaned;
+    Json rotation = Json::array();
+    for (int row = 0; row < 3; ++row) {
+      rotation.push_back({move.rotation(row, 0), move.rotation(row, 1), move.rotation(row, 2)});
+    }
+    json["cleaned"] = {
+        {"rotation", rotation},
+        {"translation_m", {move.translation.x(), move.translation.y(), move.translation.z()}},
+        {"metres_per_unit", move.metres_per_unit}};
   }
   write_file(path, json.dump(1) + "\n");
 }
@@ -85,6 +120,9 @@ Skeleton read_skeleton(const fs::path& path) {
     if (!has_joints || has_segment(skeleton, wanted)) continue;
     segments.fail("has no segment of " + wanted.part + " from " + wanted.from + " to " + wanted.to,
                   remedy);
+  }
+  if (const auto cleaned = root.find("cleaned")) {
+    skeleton.cleaned = move_of(*cleaned);
   }
   return skeleton;
 }

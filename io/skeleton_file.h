@@ -10,13 +10,16 @@ namespace toile {
 
 /// Writes a file such as
 /// {"format": "toile-body", "version": 1, "units": "m", "up": "y",
-///  "joints": {name: [x, y, z]}, "segments": [{"part", "from", "to"}]}
+///  "joints": {name: [x, y, z]}, "segments": [{"part", "from", "to"}],
+///  "cleaned": {"rotation": rows, "translation_m": [x, y, z], "metres_per_unit": 0.01}}.
+/// `cleaned` is there where `skeleton.cleaned` is.
 void write_skeleton(const OutputPath& path, const Skeleton& skeleton);
 
 /// Reads a file that write_skeleton() wrote and skips unknown keys. It throws Error, with the file
 /// and the key, for text that is not JSON, other units or another up axis. A joint that is not
 /// three numbers within max_metres is an Error, too. So is a part that is not in body_parts, a
 /// segment without its joints, and joints of one of body_segments() without that segment.
+/// So is a `cleaned` that is no rigid move.
 Skeleton read_skeleton(const std::filesystem::path& path);
 
 /// Whether the file is meant as a skeleton file, sound or not: it has joints, or its `format` says

@@ -48,11 +48,18 @@ inline constexpr double undecided_seam_direction = 0.01;
 /// share of their mean distance from the centre.
 inline constexpr double undecided_right_side = 0.05;
 
+/// Metres: panels whose origins are nearer share one place.
+inline constexpr double same_place = 1e-3;
+
 /// Levels of subdivision that a mesh has at most.
-inline constexpr int max_subdivisions = 3;
+inline constexpr int max_subdivisions = 4;
 
 /// Metres: the edge length of the coarsest level, by which the number of subdivisions is chosen.
 inline constexpr double coarsest_edge = 0.04;
+
+/// Triangles of the coarsest level from which on another subdivision is used. Seams close on that
+/// level, which takes minutes for wide skirts of 15,000 triangles.
+inline constexpr double max_coarsest_triangles = 6000;
 
 /// A step along an outline may be longer than asked for by this share before another step is added.
 inline constexpr double outline_step_tolerance = 0.15;

@@ -31,7 +31,8 @@ namespace fs = std::filesystem;
 std::string garment_json(const PanelMesh& garment) {
   std::string text =
       "{\"garment\": 1, \"unit\": \"m\", \"edge_length\": " + Json(garment.edge_length).dump() +
-      ", \"subdivisions\": " + std::to_string(garment.subdivisions) + ",\n\"panels\": [";
+      ", \"subdivisions\": " + std::to_string(garment.subdivisions) +
+      (garment.has_places ? "" : ", \"has_places\": false") + ",\n\"panels\": [";
   const char* separator = "\n";
   for (const MeshedPanel& panel : garment.panels) {
     Json json = {{"name", panel.name},
@@ -290,6 +291,7 @@ PanelMesh read_garment(const fs::path& obj, const fs::path& json) {
   if (const auto subdivisions = root.find("subdivisions")) {
     garment.subdivisions = subdivisions->index();
   }
+  if (const auto has_places = root.find("has_places")) garment.has_places = has_places->flag();
   const JsonValue panels = root.get("panels");
   for (std::size_t i = 0; i < panels.size(); ++i) {
     garment.panels.push_back(

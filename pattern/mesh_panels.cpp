@@ -197,7 +197,8 @@ std::vector<PanelTriangulation> mesh_all(const Pattern& pattern, const Orientati
   return triangulations;
 }
 
-void check_size(const Pattern& pattern, double edge_length) {
+/// Triangles that a mesh of such edges would have, about.
+double expected_triangles(const Pattern& pattern, double edge_length) {
   double triangles = 0;
   for (const PatternPanel& panel : pattern.panels) {
     std::vector<Vec2> points;
@@ -210,6 +211,11 @@ void check_size(const Pattern& pattern, double edge_length) {
     triangles += std::abs(signed_area(points)) / (std::sqrt(3.0) / 4 * edge_length * edge_length) +
                  length / edge_length;
   }
+  return triangles;
+}
+
+void check_size(const Pattern& pattern, double edge_length) {
+  const double triangles = expected_triangles(pattern, edge_length);
   if (triangles <= max_garment_triangles) return;
   throw Error(pattern.source,
               triangles < 1e12
@@ -217,6 +223,17 @@ void check_size(const Pattern& pattern, double edge_length) {
                         " million triangles"
                   : "would need more than a million million triangles",
               "check 'units_in_meter', or ask for a longer --edge-length");
+}
+
+/// Subdivisions that keep the coarsest edges at about coarsest_edge, or its mesh small.
+int default_subdivisions(const Pattern& pattern, double edge_length) {
+  int subdivisions =
+      std::max(0, static_cast<int>(std::lround(std::log2(coarsest_edge / edge_length))));
+  while (subdivisions < max_subdivisions &&
+         expected_triangles(pattern, edge_length * (1 << subdivisions)) > max_coarsest_triangles) {
+    ++subdivisions;
+  }
+  return subdivisions;
 }
 
 std::string default_name(const Pattern& pattern, const Stitch& stitch) {
@@ -232,7 +249,8 @@ std::vector<int> share_of(const std::vector<int>& along, PanelAttachment::Share 
 }
 
 /// How GarmentCode's label of an edge says that it is held while the garment is dressed. A neckline
-/// would slide off the shoulders, and a strapless top down the chest.
+/// would slide off the shoulders, and a strapless top down the chest. The waist, `lower_interface`,
+/// is not held: of 23 skirts and trousers held there, 13 cross the body.
 std::optional<AttachedTo> held_by_label(const std::string& label) {
   if (label == "left_collar" || label == "right_collar") return AttachedTo::side;
   if (label == "strapless_top") return AttachedTo::height;
@@ -242,6 +260,9 @@ std::optional<AttachedTo> held_by_label(const std::string& label) {
 PanelMesh assemble(const Pattern& pattern, const Orientation& orientation,
                    const std::vector<PanelTriangulation>& triangulations) {
   PanelMesh garment;
+  garment.has_places = std::ranges::any_of(pattern.panels, [&](const PatternPanel& panel) {
+    return (panel.translation - pattern.panels.front().translation).norm() > same_place;
+  });
   for (std::size_t p = 0; p < triangulations.size(); ++p) {
     const PatternPanel& panel = pattern.panels[p];
     const PlanarMesh& mesh = triangulations[p].mesh;
@@ -359,11 +380,9 @@ PanelMesh mesh_panels(const Pattern& pattern, const MeshSettings& settings,
                       std::vector<Remark>& remarks) {
   check_size(pattern, settings.edge_length);
   const Orientation orientation = orient(pattern, remarks);
-  const int wanted =
-      settings.subdivisions >= 0
-          ? settings.subdivisions
-          : std::max(
-                0, static_cast<int>(std::lround(std::log2(coarsest_edge / settings.edge_length))));
+  const int wanted = settings.subdivisions >= 0
+                         ? settings.subdivisions
+                         : default_subdivisions(pattern, settings.edge_length);
   std::optional<Unmeshable> failure;
   for (int subdivisions = std::min(wanted, max_subdivisions); subdivisions >= 0; --subdivisions) {
     try {

@@ -62,6 +62,10 @@ PanelKind kind_of(const MeshedPanel& panel) {
   return by_name;
 }
 
+bool names_headwear(const std::string& name) {
+  return has_any(words_of(name), {"hood", "collar", "turtle", "lapel"});
+}
+
 int side_by_name(const std::string& name) {
   const std::vector<std::string> words = words_of(name);
   const bool left = has_any(words, {"left", "l"});

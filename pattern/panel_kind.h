@@ -23,6 +23,9 @@ enum class PanelKind : std::uint8_t {
 /// part of `torso` without such a word is `unknown`: a tube there may be a top or a skirt.
 PanelKind kind_of(const MeshedPanel& panel);
 
+/// Whether the name says that the panel is of a hood or a collar.
+bool names_headwear(const std::string& name);
+
 /// -1: the name says right, +1: left, 0: neither. The wearer's sides.
 int side_by_name(const std::string& name);
 

@@ -61,7 +61,8 @@ inline constexpr int softening_iterations = 500;
 /// break, and is strained more at rest.
 inline constexpr std::array<double, 3> soft_compression = {0.02, 0.05, 0.01};
 
-/// Iterations at most on each mesh but the last.
+/// Iterations at most in which cloth settles on the finest mesh; each coarser one has twice as
+/// many.
 inline constexpr int settling_iterations = 2000;
 
 /// Metres of fall without friction, on average, from which on cloth falls again with friction. A
@@ -109,8 +110,9 @@ inline constexpr double max_search_radius = 0.02;
 // Rest.
 
 /// Iterations in which the finest mesh gets all of its stiffness and is pushed back to its own
-/// offset. At once, that would throw it about.
-inline constexpr int stiffening_iterations = 1000;
+/// offset. At once, that would throw it about, and creases stay. With 1000, twelve garments at 15
+/// mm take 1.3 times the time.
+inline constexpr int stiffening_iterations = 300;
 
 /// Iterations without coming nearer to rest after which a run gives up.
 inline constexpr int rest_patience = 8000;

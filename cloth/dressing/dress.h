@@ -58,6 +58,9 @@ struct DressResult {
 DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptions& options,
                   const FrameWatcher& watcher = {});
 
+/// The garment as its panels are placed: nothing moves, and no stage is run.
+DressResult left_as_placed(const PanelMesh& garment, const Scene& scene);
+
 /// The material points of a garment that is dressed, to check it as the last state.
 std::vector<Vec3> material_points(const PanelMesh& garment, const DressResult& result);
 

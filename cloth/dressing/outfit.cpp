@@ -138,8 +138,10 @@ Collider Dressing::collider_of(std::size_t layers, std::size_t under, std::size_
 }
 
 void Dressing::warn_of_start(WornLayer& worn) const {
-  for (const PlacementWarning& warning : placement_warnings(worn.garment, worn.scene)) {
-    worn.warnings.push_back(text_of(warning));
+  if (!worn.lacks_places) {
+    for (const PlacementWarning& warning : placement_warnings(worn.garment, worn.scene)) {
+      worn.warnings.push_back(text_of(warning));
+    }
   }
   std::ranges::copy(softened_fabrics(worn.garment, worn.scene), std::back_inserter(worn.warnings));
   for (const std::string& line : worn.warnings) warn(line);
@@ -150,11 +152,24 @@ WornLayer Dressing::dress_layer(std::size_t layer) const {
   WornLayer worn;
   worn.garment = outfit_.layers[layer].garment;
   worn.scene = scene_of(outfit_.layers[layer]);
+  worn.lacks_places = lacks_places(worn.garment, skeleton_);
+  if (!worn.lacks_places && skeleton_ != nullptr) {
+    worn.moved = locate_layout(worn.garment, *skeleton_);
+    if (worn.moved) {
+      Vec3 middle = Vec3::Zero();
+      for (const Vec3& p : worn.garment.placed) middle += p;
+      middle /= static_cast<double>(worn.garment.placed.size());
+      worn.warnings.push_back("the pattern does not stand where the body does: all panels were " +
+                              text_of(*worn.moved, middle) + ", as one piece");
+      move_layout(*worn.moved, worn.garment);
+    }
+  }
   const std::size_t known_before = collider_.grid().computed_nodes();
   if (outfit_.certify) worn.certificate.emplace(collider_.body(), layers_below());
   {
     const FrameWatcher watcher = watcher_of(layer, worn.certificate ? &*worn.certificate : nullptr);
-    worn.result = outfit_.method.dress(worn.garment, worn.scene, watcher);
+    worn.result = worn.lacks_places ? left_as_placed(worn.garment, worn.scene)
+                                    : outfit_.method.dress(worn.garment, worn.scene, watcher);
     // Where the panels stood decides what is judged, too.
     worn.garment.placed = worn.result.placement.initial;
     watcher({worn.garment, "dressed", material_points(worn.garment, worn.result), 1});
@@ -172,7 +187,7 @@ void Dressing::write_and_judge(std::size_t layer, const TriangleMesh* others) {
   const DressResult& result = worn.result;
   DressedGarment dressed = as_dressed(worn.garment, result.nodes, result.triangles);
   if (hooks_.write) dressed = hooks_.write(layer, dressed);
-  DressingEnd end{result.converged, {}, result.tight_seams};
+  DressingEnd end{result.converged, {}, result.tight_seams, worn.lacks_places};
   if (result.release) end.stays = result.release->stays();
   worn.judgement = judge(worn.garment, dressed, collider_.body(), skeleton_, end, others);
   worn.cloth = {std::move(dressed.points), std::move(dressed.triangles)};

@@ -12,6 +12,7 @@
 #include "cloth/judge/certify.h"
 #include "cloth/judge/verdict.h"
 #include "cloth/scene/collider.h"
+#include "cloth/start/locate_layout.h"
 
 namespace toile {
 
@@ -50,8 +51,11 @@ struct Outfit {
 
 /// A layer as it is worn.
 struct WornLayer {
-  PanelMesh garment;  ///< its panels placed where they started
-  Scene scene;        ///< fabrics and options; without its collider, which layers have joined since
+  PanelMesh garment;                ///< its panels placed where they started
+  std::optional<LayoutMove> moved;  ///< of all panels, to where the body is; none: they were there
+  /// Whether the pattern places no panel on the body. Then nothing was simulated.
+  bool lacks_places = false;
+  Scene scene;  ///< fabrics and options; without its collider, which layers have joined since
   DressResult result;
   Judgement judgement;
   std::vector<std::string> warnings;       ///< of panels placed wrongly and fabrics too stiff
@@ -89,7 +93,9 @@ struct OutfitHooks {
   std::function<void(std::size_t layer, const WornLayer&)> judged;
 };
 
-/// Dresses the layers one after another. What encloses a layer is dressed over it as over a part of
+/// Dresses the layers one after another. A garment whose layout is not where the body is is moved
+/// there as one piece (locate_layout.h). One whose panels all lie in one plane is not dressed: it
+/// is `misplaced`. What encloses a layer is dressed over it as over a part of
 /// the body. Panels that lie over a later layer are left out while that one is dressed, then turned
 /// out over it. `collider` is that of the bare body; the layers join it. `skeleton` may be null:
 /// then panels start where the pattern puts them, and wraps are not measured.

@@ -69,6 +69,16 @@ PanelMesh with_sleeves_raised(PanelMesh garment, const Skeleton& skeleton, const
   return garment;
 }
 
+std::vector<Vec3> lowered(const ArmRaise& raise, std::vector<Vec3> nodes) {
+  for (Vec3& p : nodes) p = raise.lowered(p);
+  return nodes;
+}
+
+/// Whether the arms would come down into the cloth, as into a wide skirt that stands out.
+bool is_in_the_way(const Level& level, const std::vector<Vec3>& nodes, const ArmRaise& raise) {
+  return meets_body(level, {lowered(raise, nodes), {}, {}});
+}
+
 /// Closes the seams from where the panels start, and lets the cloth come clear of itself.
 Staged close_and_untangle(const Level& level, double care, Journal& journal) {
   State state;
@@ -106,9 +116,14 @@ Sewn sew(const PanelMesh& mesh, int depth, const Scene& scene, double resting_of
     journal.begin_attempt(attempt + 1);
     if (raise) journal.show_through([&](const Vec3& p) { return raise->lowered(p); });
     Staged staged = close_and_untangle(sewn.level, std::pow(2.0, attempt), journal);
+    if (raise && is_in_the_way(standing, staged.state.nodes, *raise)) {
+      const bool is_clear = staged.report.converged;
+      staged = settle(sewn.level, std::move(staged.state), is_clear, true, journal);
+    }
     journal.show_through({});
     if (raise) {
-      for (Vec3& p : staged.state.nodes) p = raise->lowered(p);
+      staged.state.nodes = lowered(*raise, std::move(staged.state.nodes));
+      staged.state.warm_start = {};
       staged = untangle(standing, std::move(staged.state), journal);
     }
     sewn.is_clear = staged.report.converged;

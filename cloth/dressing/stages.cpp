@@ -164,7 +164,7 @@ Staged settle(const Level& level, State state, bool bounded, bool friction, Jour
   options.compression = compression_of(level);
   options.friction = friction;
   options.bounded = bounded;
-  options.max_iterations = settling_iterations;
+  options.max_iterations = settling_iterations << level.depth;
   stop_when_settled(options);
   return run("settle", level, level.model, std::move(state), options, progress_when_settled(level),
              journal);

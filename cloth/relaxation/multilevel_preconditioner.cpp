@@ -99,6 +99,7 @@ void MultilevelPreconditioner::add_aggregate_level(const Aggregates& aggregates)
 void MultilevelPreconditioner::add_level(Level level) {
   const std::size_t patches = level.mass.size();
   level.blocks.assign(patches, StiffnessBlock{});
+  level.isotropic_share.assign(patches, 1);
   level.force.assign(patches, Vec4{});
   level.displacement.assign(patches, Vec4{});
   levels_.push_back(std::move(level));
@@ -115,25 +116,30 @@ void MultilevelPreconditioner::restrict_forces(const Level& level, const Vec4s& 
   });
 }
 
-void MultilevelPreconditioner::set_blocks(const std::vector<StiffnessBlock>& of_nodes) {
-  isotropic_share_ = isotropic_share_of_patches;
+void MultilevelPreconditioner::set_blocks(const std::vector<StiffnessBlock>& of_nodes,
+                                          const std::vector<double>& isotropic_share) {
   const std::vector<StiffnessBlock>* finer = &of_nodes;
+  const std::vector<double>* finer_share = &isotropic_share;
   for (Level& level : levels_) {
     parallel_for_chunks(level.blocks.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n) {
         StiffnessBlock sum{};
         double weight = 0;
+        double isotropic = 0;
         for (const Share& share : level.shares[n]) {
           weight += share.weight;
+          isotropic += share.weight * (*finer_share)[share.node];
           for (std::size_t k = 0; k < sum.size(); ++k) {
             sum[k] += share.weight * (*finer)[share.node][k];
           }
         }
         for (double& k : sum) k /= weight;
         level.blocks[n] = sum;
+        level.isotropic_share[n] = isotropic / weight;
       }
     });
     finer = &level.blocks;
+    finer_share = &level.isotropic_share;
   }
 }
 
@@ -168,7 +174,9 @@ void MultilevelPreconditioner::compute(const Vec4s& forces, double bending) {
     parallel_for_chunks(level.displacement.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n) {
         const double stiffness =
-            isotropic_share_ * level.stretch[n] + bending * level.bend[n] + level.force[n][3];
+            std::min(1.0, isotropic_share_of_patches * level.isotropic_share[n]) *
+                level.stretch[n] +
+            bending * level.bend[n] + level.force[n][3];
         Vec4 displacement = solve_block(level.blocks[n], stiffness, level.force[n]);
         if (l + 1 < levels_.size()) displacement += displacement_at(levels_[l + 1], n);
         level.displacement[n] = displacement;

@@ -33,8 +33,10 @@ class MultilevelPreconditioner {
   int nested_levels() const { return nested_; }
 
   /// Sets the stiffness of each patch to the mean of the blocks of its nodes, instead of the
-  /// isotropic bound. `of_nodes` has one block a node of the model.
-  void set_blocks(const std::vector<StiffnessBlock>& of_nodes);
+  /// isotropic bound. `of_nodes` has one block a node of the model, `isotropic_share` the share of
+  /// the isotropic bound that is added to it.
+  void set_blocks(const std::vector<StiffnessBlock>& of_nodes,
+                  const std::vector<double>& isotropic_share);
 
   /// Finds the displacements of all patches. `forces` has the force (N) on each node, and the
   /// stiffness (N/m) of its contacts as the fourth component. `bending` is a factor on the bending
@@ -61,11 +63,12 @@ class MultilevelPreconditioner {
     Adjacency<AggregateShare> patches;  // per finer node; of a level of aggregates, without parents
     Adjacency<Share> shares;            // per node, its finer nodes
     std::vector<double> stretch;        // N/m, per node: isotropic bounds
-    std::vector<StiffnessBlock> blocks;  // N/m, per node
-    std::vector<double> bend;            // N/m, per node
-    std::vector<double> mass;            // kg, per node
-    Vec4s force;                         // N, per node; stiffness of contacts (N/m) as the fourth
-    Vec4s displacement;                  // metres, per node
+    std::vector<StiffnessBlock> blocks;   // N/m, per node
+    std::vector<double> isotropic_share;  // per node, mean over its finer nodes
+    std::vector<double> bend;             // N/m, per node
+    std::vector<double> mass;             // kg, per node
+    Vec4s force;                          // N, per node; stiffness of contacts (N/m) as the fourth
+    Vec4s displacement;                   // metres, per node
   };
   [[gnu::always_inline]] static Vec4 between_parents(const Level& level, std::size_t finer) {
     const auto& [a, b] = level.parents[finer];
@@ -78,8 +81,7 @@ class MultilevelPreconditioner {
   void restrict_forces(const Level& level, const Vec4s& finer, Vec4s& force) const;
 
   int nested_ = 0;
-  double isotropic_share_ = 1;  // of the levels' stretch; 1 before blocks are set
-  std::vector<Level> levels_;   // from fine to coarse
+  std::vector<Level> levels_;  // from fine to coarse
 };
 
 }  // namespace toile

@@ -23,7 +23,7 @@ std::vector<double> approach_bounds(const GarmentModel& model) {
   for (int n = 0; n < model.nodes; ++n) {
     const double weight = model.mass[n] * model.scene.gravity.norm();
     const double bend = model.bend.empty() ? 0 : model.bend_diagonal[n];
-    const double stiffness = isotropic_share * model.stretch_diagonal[n] + bend;
+    const double stiffness = max_isotropic_share * model.stretch_diagonal[n] + bend;
     bounds.push_back(
         std::min(max_approach_bound, approach_weights * weight / std::max(stiffness, 1e-12)));
   }

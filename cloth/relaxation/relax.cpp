@@ -78,7 +78,15 @@ class Relaxation {
         node_force_(model.nodes, Vec4{}),
         x_(as_vec4(x)),
         stops_(model.nodes, 0),
-        partial_(chunks_of(model.nodes, vertex_chunk)) {}
+        isotropic_share_(model.nodes, max_isotropic_share),
+        least_share_(model.nodes, min_isotropic_share),
+        share_of_glide_(model.nodes),
+        last_glide_(model.nodes, Vec4{}),
+        partial_(chunks_of(model.nodes, vertex_chunk)) {
+    for (int n = 0; n < model.nodes; ++n) {
+      share_of_glide_[n] = max_isotropic_share / (turning_glide * model.shortest_edge[n]);
+    }
+  }
 
   RelaxReport run(const RelaxWatcher& watcher);
   std::vector<Vec3> state() const { return forces_.state(); }
@@ -91,6 +99,7 @@ class Relaxation {
   double bend_stiffness(std::size_t n) const {
     return model_.bend.empty() ? 0 : bending_ * model_.bend_diagonal[n];
   }
+  void adapt_isotropic_share(std::size_t n, const Vec4& glide);
   double step_nodes(std::size_t begin, std::size_t end, const ClothForces::Mover& move);
   /// What becomes of crossing cloth.
   enum class Crossing { goes_on, gone, stuck };
@@ -121,7 +130,12 @@ class Relaxation {
   Vec4s node_force_;        // N, stiffness of contacts (N/m) as the fourth
   Vec4s x_;                 // the iterate before momentum
   std::vector<int> stops_;  // per node: grows by 2 when a bound stops it, else falls by 1
+  std::vector<double> isotropic_share_;  // per node, min_ to max_isotropic_share
+  std::vector<double> least_share_;      // per node: more where it trembles
+  std::vector<double> share_of_glide_;   // per node, of a glide of 1 m
+  Vec4s last_glide_;                     // metres, per node: its last move
   std::vector<double> partial_;
+  double counted_force_ = std::numeric_limits<double>::infinity();  // N, see counted_force
   double bending_ = 1;
   double momentum_ = 0;
   double nearest_to_rest_ = -1;  // the smallest residual so far, in units of its goal
@@ -149,16 +163,29 @@ void Relaxation::update_blocks() {
   block_interval_ = static_cast<int>(std::clamp<double>(block_interval_ * max_block_turn / turn,
                                                         min_block_interval, max_block_interval));
   until_blocks_ = block_interval_;
-  multilevel_.set_blocks(blocks_.of_nodes());
+  multilevel_.set_blocks(blocks_.of_nodes(), isotropic_share_);
+}
+
+/// Takes the share of the isotropic bound that node n needs after a move by `glide`. A node that
+/// turns back trembles; one that a bound has stopped of late would.
+[[gnu::always_inline]] inline void Relaxation::adapt_isotropic_share(std::size_t n,
+                                                                     const Vec4& glide) {
+  const bool trembles = stops_[n] > 0 || dot(glide, last_glide_[n]) < 0;
+  least_share_[n] = trembles ? std::min(max_isotropic_share, trembling_growth * least_share_[n])
+                             : std::max(min_isotropic_share, trembling_decay * least_share_[n]);
+  const double by_glide = share_of_glide_[n] * std::sqrt(squared_length(glide));
+  isotropic_share_[n] = std::max({std::min(max_isotropic_share, by_glide),
+                                  isotropic_share_decay * isotropic_share_[n], least_share_[n]});
+  last_glide_[n] = glide;
 }
 
 TOILE_CLONES
 double Relaxation::step_nodes(std::size_t begin, std::size_t end, const ClothForces::Mover& move) {
   const double max_squared = options_.max_move * options_.max_move;
-  const double isotropic = blocks_.known() ? isotropic_share : 1;
   double power = 0;
   for (std::size_t n = begin; n < end; ++n) {
     Vec4 force = node_force_[n];
+    const double isotropic = blocks_.known() ? isotropic_share_[n] : 1;
     const double stiffness = force[3] + bend_stiffness(n) + forces_.limit_stiffness(n) +
                              isotropic * model_.stretch_diagonal[n];
     force[3] = 0;
@@ -166,9 +193,12 @@ double Relaxation::step_nodes(std::size_t begin, std::size_t end, const ClothFor
     displacement += step_factor_ * multilevel_.of_node(n);
     const double squared = squared_length(displacement);
     if (squared > max_squared) displacement *= options_.max_move / std::sqrt(squared);
-    const Vec4 next = forces_.node(n) + displacement;
+    const Vec4 before = forces_.node(n);
+    const Vec4 next = before + displacement;
     Vec4 motion = next - x_[n];
-    const double own_power = dot(force, motion);
+    // A node that is pulled much harder than most, as one that trembles, counts no more than they.
+    const double own_power =
+        dot(force, motion) / std::max(1.0, std::sqrt(squared_length(force)) / counted_force_);
     const double speed = squared_length(motion);
     if (speed > max_squared) motion *= options_.max_move / std::sqrt(speed);
     const bool moved = move(n, next + momentum_ * motion);
@@ -176,6 +206,7 @@ double Relaxation::step_nodes(std::size_t begin, std::size_t end, const ClothFor
     // A node against its bound goes nowhere, however hard it is pulled.
     if (moved) power += own_power;
     stops_[n] = std::clamp(stops_[n] + (moved ? -1 : 2), 0, 2 * held_stops);
+    adapt_isotropic_share(n, forces_.node(n) - before);
   }
   return power;
 }
@@ -260,6 +291,7 @@ Residual Relaxation::last_residual() {
     throw Error("garment", "its forces grew beyond all numbers",
                 "check the fabric's stiffness and the panels for degenerate triangles");
   }
+  counted_force_ = counted_force * r.median * model_.mean_weight;
   r.wide = multilevel_.rms_acceleration() / std::max(model_.scene.gravity.norm(), 1e-9);
   return r;
 }

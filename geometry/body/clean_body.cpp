@@ -306,6 +306,18 @@ CleanBody clean_body(const PolygonSoup& soup, const std::string& name,
   if (report.repair.self_intersections_left > 0) {
     report.crossings = crossings_of(body.mesh, body.skeleton);
   }
+  if (body.skeleton) {
+    BodyMove move{standing.turn, Vec3(0, report.lifted, 0) + report.brought,
+                  report.metres_per_unit};
+    // Joints that came with the body tell of an earlier move.
+    if (given && body.skeleton->cleaned) {
+      const BodyMove& earlier = *body.skeleton->cleaned;
+      move.translation += move.rotation * earlier.translation;
+      move.rotation = move.rotation * earlier.rotation;
+      move.metres_per_unit = earlier.metres_per_unit;
+    }
+    body.skeleton->cleaned = move;
+  }
   report.no_skeleton = std::move(standing.no_skeleton);
   return body;
 }

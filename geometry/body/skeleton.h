@@ -1,8 +1,10 @@
 // The joints of a body and the segments between them: plain data.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +21,14 @@ struct Segment {
   std::string to;
 };
 
+/// How clean-body brought a body into its frame. A point p of the file, in metres, came to
+/// rotation * p + translation.
+struct BodyMove {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  Vec3 translation = Vec3::Zero();  ///< metres
+  double metres_per_unit = 1;       ///< of the file's unit
+};
+
 /// Joints in metres, in the body's frame: y up, feet on y = 0, facing +z, the wearer's left is +x.
 ///
 /// The trunk's joints are pelvis (at crotch height), waist, chest (at armpit height), neck (its
@@ -31,6 +41,7 @@ struct Segment {
 struct Skeleton {
   std::map<std::string, Vec3> joints;  ///< by name
   std::vector<Segment> segments;
+  std::optional<BodyMove> cleaned = {};  ///< none: not known
 
   /// The joint of that name. Throws Error when there is none.
   const Vec3& joint(const std::string& name) const {

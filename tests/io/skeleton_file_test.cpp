@@ -40,7 +40,18 @@ TEST_F(SkeletonFile, ReadsBackWhatWasWritten) {
   skeleton.joints["pelvis"] = {0.1, 1.0 / 3, -1e-17};
   skeleton.segments = body_segments();
   write_skeleton(path_, skeleton);
+  EXPECT_FALSE(read_skeleton(path_).cleaned);
+  BodyMove cleaned;
+  cleaned.rotation << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+  cleaned.translation = {1e4, 1.0 / 3, -2};
+  cleaned.metres_per_unit = 0.0254;
+  skeleton.cleaned = cleaned;
+  write_skeleton(path_, skeleton);
   const Skeleton read = read_skeleton(path_);
+  ASSERT_TRUE(read.cleaned);
+  EXPECT_EQ(read.cleaned->rotation, cleaned.rotation);
+  EXPECT_EQ(read.cleaned->translation, cleaned.translation);
+  EXPECT_EQ(read.cleaned->metres_per_unit, cleaned.metres_per_unit);
   EXPECT_EQ(read.joints, skeleton.joints);
   ASSERT_EQ(read.segments.size(), skeleton.segments.size());
   EXPECT_EQ(read.segments[0].part, "torso");
@@ -52,6 +63,7 @@ TEST_F(SkeletonFile, ErrorsNameTheKey) {
   Skeleton skeleton;
   for (const std::string_view name : joint_names) skeleton.joints[std::string(name)] = {0, 1.1, 2};
   skeleton.segments = body_segments();
+  skeleton.cleaned = BodyMove{};
   write_skeleton(path_, skeleton);
   const auto sound = nlohmann::json::parse(read_file(path_));
   const auto expect = [&](const std::string& words, const auto& damage) {
@@ -74,6 +86,9 @@ TEST_F(SkeletonFile, ErrorsNameTheKey) {
   expect("joint 'c' is missing", [](auto& j) { j["segments"][0]["to"] = "c"; });
   expect("segments[0]: is not an object", [](auto& j) { j["segments"][0] = 3; });
   expect("has no segment of torso from pelvis", [](auto& j) { j["segments"].erase(0); });
+  expect("cleaned, rotation: is no rotation", [](auto& j) { j["cleaned"]["rotation"][0][0] = -1; });
+  expect("rotation[1]: has 2 entries", [](auto& j) { j["cleaned"]["rotation"][1].erase(2); });
+  expect("is not positive", [](auto& j) { j["cleaned"]["metres_per_unit"] = 0; });
   EXPECT_NE(error_of("").find(":1:1: is not JSON here"), std::string::npos);
   EXPECT_NE(error_of("[]").find("is not an object"), std::string::npos);
   EXPECT_NE(error_of(R"({"joints":{"a":[0,1e999,2]}})").find("a number is too large"),

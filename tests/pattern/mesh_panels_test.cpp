@@ -139,6 +139,17 @@ TEST(MeshPanels, ABagIsSoundAtEveryNumberOfSubdivisions) {
   }
 }
 
+TEST(MeshPanels, AWideSkirtGetsACoarserCoarsestMesh) {
+  const auto subdivisions = [](const std::string& metres) {
+    const Pattern pattern = samples::parse(
+        file(polygon("skirt", "[0,0],[" + metres + "00,0],[" + metres + "00,200],[0,200]"), ""));
+    return mesh(pattern, {0.02}).subdivisions;
+  };
+  // A metre has 2,900 triangles of 4 cm, and four have 11,500.
+  EXPECT_EQ(subdivisions("1"), 1);
+  EXPECT_EQ(subdivisions("4"), 2);
+}
+
 TEST(MeshPanels, NoBorderPointIsAddedAfterPairing) {
   const Pattern pattern = samples::parse(samples::bag);
   const PanelMesh garment = mesh(pattern, {0.01, 2});

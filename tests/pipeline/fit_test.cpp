@@ -50,11 +50,25 @@ TEST_F(ToileFit, EveryWarningIsInTheReportAndOnTheEaseMap) {
   }
 }
 
-TEST_F(ToileFit, ANegativeVerdictStillGetsItsEaseMap) {
+TEST_F(ToileFit, ALayoutThatStandsLowerIsMovedAndThatIsSaid) {
   for (auto& [name, panel] : panels().items()) {
     panel["translation"][1] = panel["translation"][1].get<double>() - 60;
   }
   const pipeline::Run done = fit();
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_NE(done.err.find("all panels were raised by"), std::string::npos) << done.err;
+  const Json said = report("dressed.json");
+  EXPECT_NEAR(said["scene"]["layout_moved"]["translation_mm"][1].get<double>(), 600, 100);
+  EXPECT_FALSE(said["scene"]["layout_moved"]["as_body"].get<bool>());
+}
+
+/// Panels without places are not simulated.
+TEST_F(ToileFit, ANegativeVerdictStillGetsItsEaseMap) {
+  for (auto& [name, panel] : panels().items()) {
+    panel["translation"] = panel["rotation"] = {0, 0, 0};
+  }
+  const pipeline::Run done = fit();
+  EXPECT_TRUE(report("dressed.json")["stages"].empty());
   EXPECT_EQ(done.exit_code, 3) << done.err;
   EXPECT_EQ(report("dressed.json")["verdict"], "misplaced");
   const std::string page = read_text(folder / "out" / "ease.html");

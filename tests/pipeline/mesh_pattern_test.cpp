@@ -94,7 +94,7 @@ TEST(MeshPattern, BadInputEndsWithOneMessageAndNoFile) {
   const auto bare = mesh(folder, samples::bag, {"--edge-length", "25"});
   EXPECT_EQ(bare.exit_code, 1);
   EXPECT_HOLDS(bare.err, "--edge-length: '25' is not a length; give a positive number with m, dm");
-  EXPECT_EQ(mesh(folder, samples::bag, {"--subdivisions", "4"}).exit_code, 1);
+  EXPECT_EQ(mesh(folder, samples::bag, {"--subdivisions", "5"}).exit_code, 1);
   EXPECT_EQ(mesh(folder, samples::bag, {"--nonsense"}).exit_code, 2);
   const auto none = run("mesh-pattern", {"-o", (folder / "g.obj").string()});
   EXPECT_EQ(none.exit_code, 2);

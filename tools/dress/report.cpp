@@ -158,6 +158,18 @@ Json start_json(const Placement& placement) {
   return json;
 }
 
+/// How all panels were moved together to where the body is.
+Json layout_moved_json(const LayoutMove& move) {
+  Json rotation = Json::array();
+  for (int row = 0; row < 3; ++row) {
+    rotation.push_back({move.rotation(row, 0), move.rotation(row, 1), move.rotation(row, 2)});
+  }
+  const Vec3& by = move.translation;
+  return {{"rotation", rotation},
+          {"translation_mm", {1000 * by.x(), 1000 * by.y(), 1000 * by.z()}},
+          {"as_body", move.as_body}};
+}
+
 /// What was simulated.
 Json scene_json(const WornLayer& layer) {
   const DressResult& result = layer.result;
@@ -175,6 +187,7 @@ Json scene_json(const WornLayer& layer) {
     json["extra_offset"] = {{"nodes", extra.nodes}, {"max_mm", 1000 * extra.max}};
   }
   json.update(start_json(result.placement));
+  if (layer.moved) json["layout_moved"] = layout_moved_json(*layer.moved);
   return json;
 }
 

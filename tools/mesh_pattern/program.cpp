@@ -17,7 +17,7 @@ CommandLineProgram mesh_pattern_program() {
   add_edge_length_option(program.options);
   program.options.add_options()(
       "subdivisions", po::value<int>()->default_value(-1),
-      "levels of the nested triangulation, 0 to 3; -1 chooses by edge length")(
+      "levels of the nested triangulation, 0 to 4; -1 chooses by edge length and size")(
       "flat", po::bool_switch(), "lay the panels out flat instead of placing them")(
       "pattern", po::value<std::string>()->required(), "the pattern (also without --pattern)");
   program.positional.add("pattern", 1);
@@ -29,7 +29,7 @@ CommandLineProgram mesh_pattern_program() {
     settings.mesh.subdivisions = given["subdivisions"].as<int>();
     if (settings.mesh.subdivisions > max_subdivisions) {
       throw Error("--subdivisions", "is more than " + std::to_string(max_subdivisions),
-                  "use 0 to 3, or -1");
+                  "use 0 to " + std::to_string(max_subdivisions) + ", or -1");
     }
     settings.flat = given["flat"].as<bool>();
     Job job;
