@@ -122,8 +122,8 @@ double Layout::turn() const {
   return -static_cast<double>(turned) * std::numbers::pi / 2;
 }
 
-/// Whether there are sleeves, a hood or a collar, or a seam that is a shoulder's: it runs sideways,
-/// above the middles of a front and a back that are not of skirts or trousers.
+/// Whether there are sleeves, a hood or a collar, or a seam that is a shoulder's. That one runs
+/// sideways, and above the middles of a front and a back. They are not of skirts or trousers.
 bool Layout::has_shoulders() const {
   for (std::size_t p = 0; p < middles_.size(); ++p) {
     if (kind(p) == PanelKind::sleeve || is_headwear(garment_.panels[p])) return true;
