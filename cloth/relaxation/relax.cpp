@@ -384,7 +384,7 @@ Residual residual_of(std::vector<double> forces) {
 RelaxReport relax(const GarmentModel& model, const RelaxOptions& options, std::vector<Vec3>& x,
                   const RelaxWatcher& watcher) {
   Relaxation relaxation(model, options, x);
-  const RelaxReport report = relaxation.run(watcher);
+  RelaxReport report = relaxation.run(watcher);
   x = relaxation.state();
   return report;
 }

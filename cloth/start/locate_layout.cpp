@@ -153,8 +153,8 @@ bool Layout::has(PanelKind wanted) const {
   return false;
 }
 
-/// Whether panels that are sewn together reach to both sides of the layout's middle, as those of two
-/// stockings do not.
+/// Whether panels that are sewn together reach to both sides of the layout's middle, as those of
+/// two stockings do not.
 bool Layout::surrounds_middle() const {
   std::vector<int> piece(middles_.size());
   std::iota(piece.begin(), piece.end(), 0);
@@ -179,8 +179,7 @@ bool Layout::surrounds_middle() const {
 std::optional<Layout::Heights> Layout::heights() const {
   const double waist = skeleton_.joint("waist").y();
   const double armpit = skeleton_.joint("chest").y();
-  const bool has_bottom =
-      has(PanelKind::skirt) || has(PanelKind::trousers) || has(PanelKind::band);
+  const bool has_bottom = has(PanelKind::skirt) || has(PanelKind::trousers) || has(PanelKind::band);
   if (has_shoulders()) return Heights{armpit - layout_slack, skeleton_.joint("neck").y()};
   if (has(PanelKind::top)) return Heights{waist - layout_slack, armpit};
   if (has(PanelKind::unknown) || !has_bottom || !surrounds_middle()) return std::nullopt;

@@ -19,10 +19,10 @@ struct LayoutMove {
   bool as_body = false;
 };
 
-/// Whether the pattern places no panel on the body: `garment.has_places` is false, or all panels lie
-/// in one upright plane through the body's axis. Without a skeleton (null) that is the y axis. Panels
-/// that the skeleton positions have places, and so have attached ones. False for a single panel or
-/// without seams. Linear.
+/// Whether the pattern places no panel on the body: `garment.has_places` is false, or all panels
+/// lie in one upright plane through the body's axis. Without a skeleton (null) that is the y axis.
+/// Panels that the skeleton positions have places, and so have attached ones. False for a single
+/// panel or without seams. Linear.
 bool lacks_places(const PanelMesh& garment, const Skeleton* skeleton);
 
 /// The move that brings the layout to where it is worn. None where it is there already, as nearly
@@ -34,7 +34,8 @@ bool lacks_places(const PanelMesh& garment, const Skeleton* skeleton);
 ///   by whole quarters of a turn. Where a garment has both, they have to agree. Sides alone do not
 ///   turn it by half a turn: some name them as the viewer sees them.
 /// - The top of what hangs from the shoulders belongs at the neck. Hoods and collars do not count.
-/// - The top of a strapless bodice belongs at the armpits, that of skirts and trousers at the waist.
+/// - The top of a strapless bodice belongs at the armpits, that of skirts and trousers at the
+/// waist.
 ///   What is not known to be one of these is not moved, nor are stockings.
 /// - The middle of the panels of the trunk belongs on the body's axis.
 ///

@@ -106,7 +106,8 @@ TEST(LocateLayout, ThePanelsFollowTheBodysOwnMove) {
 TEST(LocateLayout, SaysWhatItDid) {
   LayoutMove move = turn(90);
   move.translation = Vec3(0.3, 0.6, 0.4);
-  EXPECT_EQ(text_of(move, Vec3::Zero()), "turned by 90 degrees, raised by 60 cm, moved level by 50 cm");
+  EXPECT_EQ(text_of(move, Vec3::Zero()),
+            "turned by 90 degrees, raised by 60 cm, moved level by 50 cm");
 }
 
 TEST(LacksPlaces, PanelsInOneUprightPlaneDo) {
