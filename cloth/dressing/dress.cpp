@@ -28,13 +28,6 @@ bool is_in_place(const Level& level, const State& state) {
   return !check_worn(garment, dressed, *scene.skeleton).misplaced;
 }
 
-/// Brings the cloth out of the body where a finer mesh reaches into it, as thin wrists do through
-/// wide triangles of a coarser one.
-State out_of_body(const Level& level, State state, Journal& journal) {
-  if (!touches_body_exactly(level.model.scene) || !meets_body(level, state)) return state;
-  return untangle(level, std::move(state), journal).state;
-}
-
 /// Settles on the coarsest mesh. What slides off without friction, and stays with it, has it from
 /// here on: then `friction` is set.
 State first_settled(const Level& level, const State& sewn, bool bounded, bool& friction,
@@ -118,7 +111,6 @@ DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptio
   };
   while (level.depth > 0) {
     level = finer_level(level, meshes[level.depth - 1], scene, result.body_offset, state);
-    if (!is_lost()) state = out_of_body(level, std::move(state), journal);
     if (level.depth == 0) break;
     if (!is_lost()) state = settle(level, std::move(state), is_clear, friction, journal).state;
     is_clear = is_clear || is_clear_of_itself(level, state);
@@ -158,11 +150,10 @@ DressResult left_as_placed(const PanelMesh& garment, const Scene& scene) {
   DressResult result;
   result.body_offset = resting_offset(garment, scene);
   result.placement.placed = result.placement.initial = garment.placed;
-  const Level level = compiled_level(garment, 0, scene, garment.placed, result.body_offset);
-  result.nodes = level.model.start;
-  result.extra_offset.assign(result.nodes.size(), 0);
-  result.terms = term_counts(level.model);
-  result.triangles = level.model.node_triangles;
+  result.terms =
+      term_counts(compiled_level(garment, 0, scene, garment.placed, result.body_offset).model);
+  result.nodes = garment.placed;
+  result.triangles = garment.triangles;
   return result;
 }
 

@@ -58,7 +58,8 @@ struct DressResult {
 DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptions& options,
                   const FrameWatcher& watcher = {});
 
-/// The garment as its panels are placed: nothing moves, and no stage is run.
+/// The garment as its panels are placed, with all seams open: no stage is run, and each material
+/// point is a node of its own.
 DressResult left_as_placed(const PanelMesh& garment, const Scene& scene);
 
 /// The material points of a garment that is dressed, to check it as the last state.

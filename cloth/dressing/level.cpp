@@ -64,12 +64,6 @@ bool is_clear_of_itself(const Level& level, const State& state) {
   return crossings(level, state) == 0;
 }
 
-bool meets_body(const Level& level, const State& state) {
-  return !intersections({state.nodes, level.model.node_triangles},
-                        level.model.scene.collider->body())
-              .empty();
-}
-
 std::size_t crossings(const Level& level, const State& state) {
   return self_intersections({state.nodes, level.model.node_triangles}).size();
 }

@@ -49,9 +49,6 @@ Level finer_level(const Level& coarse, const PanelMesh& fine, const Scene& scene
 /// Whether no two triangles of the cloth intersect, by the exact test.
 bool is_clear_of_itself(const Level& level, const State& state);
 
-/// Whether the cloth intersects the body, by the exact test.
-bool meets_body(const Level& level, const State& state);
-
 /// Pairs of triangles of the cloth that intersect, by the exact test.
 std::size_t crossings(const Level& level, const State& state);
 

@@ -156,11 +156,8 @@ WornLayer Dressing::dress_layer(std::size_t layer) const {
   if (!worn.lacks_places && skeleton_ != nullptr) {
     worn.moved = locate_layout(worn.garment, *skeleton_);
     if (worn.moved) {
-      Vec3 middle = Vec3::Zero();
-      for (const Vec3& p : worn.garment.placed) middle += p;
-      middle /= static_cast<double>(worn.garment.placed.size());
       worn.warnings.push_back("the pattern does not stand where the body does: all panels were " +
-                              text_of(*worn.moved, middle) + ", as one piece");
+                              text_of(*worn.moved, worn.garment) + ", as one piece");
       move_layout(*worn.moved, worn.garment);
     }
   }

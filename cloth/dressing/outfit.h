@@ -94,12 +94,12 @@ struct OutfitHooks {
 };
 
 /// Dresses the layers one after another. A garment whose layout is not where the body is is moved
-/// there as one piece (locate_layout.h). One whose panels all lie in one plane is not dressed: it
-/// is `misplaced`. What encloses a layer is dressed over it as over a part of
-/// the body. Panels that lie over a later layer are left out while that one is dressed, then turned
-/// out over it. `collider` is that of the bare body; the layers join it. `skeleton` may be null:
-/// then panels start where the pattern puts them, and wraps are not measured.
-/// Throws Error for fabrics or panels that are named and missing, and as the method does.
+/// there as one piece (locate_layout.h). One whose panels have no places is not dressed: it is
+/// `misplaced`. What encloses a layer is dressed over it as over a part of the body. Panels that
+/// lie over a later layer are left out while that one is dressed, then turned out over it.
+/// `collider` is that of the bare body; the layers join it. `skeleton` may be null: then panels
+/// start where the pattern puts them, and wraps are not measured. Throws Error for fabrics or
+/// panels that are named and missing, and as the method does.
 WornOutfit dress_outfit(const Outfit& outfit, Collider& collider, const Skeleton* skeleton,
                         const OutfitHooks& hooks = {});
 

@@ -11,6 +11,7 @@
 #include "cloth/start/panel_parts.h"
 #include "geometry/body/bones.h"
 #include "geometry/body/raise_arms.h"
+#include "geometry/intersections.h"
 
 namespace toile {
 
@@ -76,7 +77,9 @@ std::vector<Vec3> lowered(const ArmRaise& raise, std::vector<Vec3> nodes) {
 
 /// Whether the arms would come down into the cloth, as into a wide skirt that stands out.
 bool is_in_the_way(const Level& level, const std::vector<Vec3>& nodes, const ArmRaise& raise) {
-  return meets_body(level, {lowered(raise, nodes), {}, {}});
+  return !intersections({lowered(raise, nodes), level.model.node_triangles},
+                        level.model.scene.collider->body())
+              .empty();
 }
 
 /// Closes the seams from where the panels start, and lets the cloth come clear of itself.
@@ -123,7 +126,7 @@ Sewn sew(const PanelMesh& mesh, int depth, const Scene& scene, double resting_of
     journal.show_through({});
     if (raise) {
       staged.state.nodes = lowered(*raise, std::move(staged.state.nodes));
-      staged.state.warm_start = {};
+      staged.state.warm_start = {};  // friction held it on the raised body
       staged = untangle(standing, std::move(staged.state), journal);
     }
     sewn.is_clear = staged.report.converged;

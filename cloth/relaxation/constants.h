@@ -45,7 +45,7 @@ inline constexpr double isotropic_share_decay = 0.95;
 
 /// Factors on the least share of a node that turns back, and of one that goes on. Without the
 /// first, single nodes of jersey and of fine shirts tremble for ever.
-/// With 0.998 for the second, a T-shirt of 70 % of its size never comes to rest.
+/// With 0.998 for the second, nine garments at 15 mm take 1.05 times the iterations.
 inline constexpr double trembling_growth = 1.5;
 inline constexpr double trembling_decay = 0.9995;
 
@@ -110,7 +110,11 @@ inline constexpr double snap_through_ratio = 10;
 /// stopped now and then is not.
 inline constexpr int held_stops = 16;
 
-/// Share of the nodes that bounds may hold at rest. Where more are held, something is caught.
+/// Metres beyond its offset from the skin within which a held node counts as lying on the body.
+inline constexpr double pressed_distance = 0.005;
+
+/// Share of the nodes that bounds may hold at rest, apart from those pressed to the body. Where
+/// more are held, cloth is caught in cloth.
 inline constexpr double max_held_share = 0.05;
 
 // Contact.

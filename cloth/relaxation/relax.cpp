@@ -11,6 +11,7 @@
 #include "cloth/relaxation/cloth_forces.h"
 #include "cloth/relaxation/constants.h"
 #include "cloth/relaxation/multilevel_preconditioner.h"
+#include "cloth/scene/collider.h"
 #include "geometry/error.h"
 #include "geometry/parallel.h"
 #include "geometry/statistics.h"
@@ -107,6 +108,7 @@ class Relaxation {
   Residual measure_residual();
   Residual last_residual();
   std::vector<std::size_t> held() const;
+  bool is_pressed_to_body(std::size_t n) const;
   int leave_out_held();
   void adjust_momentum(double power, bool closing);
   bool stalls(const Residual& residual, int iteration);
@@ -268,11 +270,23 @@ std::vector<std::size_t> Relaxation::held() const {
   return nodes;
 }
 
+/// Whether a node lies on the body and is pulled into it. Its bound then holds it as a contact
+/// would.
+bool Relaxation::is_pressed_to_body(std::size_t n) const {
+  if (!touches_body(model_.scene)) return false;
+  const DistanceGrid::Sample skin = model_.scene.collider->grid().at(as_vec3(forces_.node(n)));
+  const double offset = model_.body_offset + forces_.extra_offset(static_cast<int>(n));
+  return skin.distance < offset + pressed_distance &&
+         as_vec3(node_force_[n]).dot(skin.gradient) < 0;
+}
+
 /// Leaves the forces on nodes that bounds hold out of node_force_, which the next step finds anew.
-/// Returns their number; 0 where they are too many to be left out.
+/// Returns their number; 0 where too many are held by something other than the body.
 int Relaxation::leave_out_held() {
   const std::vector<std::size_t> stopped = held();
-  if (static_cast<double>(stopped.size()) > max_held_share * model_.nodes) return 0;
+  const auto caught =
+      std::ranges::count_if(stopped, [this](std::size_t n) { return !is_pressed_to_body(n); });
+  if (static_cast<double>(caught) > max_held_share * model_.nodes) return 0;
   for (const std::size_t n : stopped) node_force_[n] = Vec4{};
   if (!stopped.empty()) multilevel_.compute(node_force_, bending_);
   return static_cast<int>(stopped.size());

@@ -25,6 +25,12 @@ bool is_headwear(const MeshedPanel& panel) {
   return panel.part == "head" || names_headwear(panel.name);
 }
 
+Vec3 middle_of(const std::vector<Vec3>& points) {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& p : points) sum += p;
+  return sum / static_cast<double>(std::max<std::size_t>(points.size(), 1));
+}
+
 Vec3 middle_of(const MeshedPanel& panel, const std::vector<Vec3>& placed) {
   Vec3 sum = Vec3::Zero();
   for (int p = panel.first_point; p < panel.first_point + panel.points; ++p) sum += placed[p];
@@ -259,15 +265,14 @@ bool lacks_places(const PanelMesh& garment, const Skeleton* skeleton) {
   }
   if (!garment.has_places) return true;
   if (is_attached(garment)) return false;
-  Vec3 middle = Vec3::Zero();
-  for (const Vec3& p : garment.placed) middle += p;
-  middle /= static_cast<double>(garment.placed.size());
+  const Vec3 middle = middle_of(garment.placed);
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const Vec3& p : garment.placed) spread += (p - middle) * (p - middle).transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
   const Vec3 normal = axes.eigenvectors().col(0);
   if (std::abs(normal.y()) > max_upright_normal) return false;
-  Vec3 axis = skeleton != nullptr ? skeleton->joint("waist") : Vec3(Vec3::Zero());
+  Vec3 axis = Vec3::Zero();
+  if (skeleton != nullptr && skeleton->joints.contains("waist")) axis = skeleton->joint("waist");
   axis.y() = middle.y();
   if (std::abs((axis - middle).dot(normal)) > max_plane_offset) return false;
   return std::ranges::all_of(garment.placed, [&](const Vec3& p) {
@@ -295,9 +300,7 @@ std::optional<LayoutMove> locate_layout(const PanelMesh& garment, const Skeleton
   if (turn != 0) {
     own.rotation = Eigen::AngleAxisd(turn, Vec3::UnitY()).toRotationMatrix();
     // About the body's axis, or the layout's middle where that is far from it.
-    Vec3 axis = Vec3::Zero();
-    for (const Vec3& p : placed) axis += p;
-    axis /= static_cast<double>(placed.size());
+    Vec3 axis = middle_of(placed);
     axis.y() = skeleton.joint("waist").y();
     if ((axis - skeleton.joint("waist")).norm() < max_layout_offset) axis = skeleton.joint("waist");
     own.translation = axis - own.rotation * axis;
@@ -317,7 +320,8 @@ void move_layout(const LayoutMove& move, PanelMesh& garment) {
   garment.placed = moved(move, std::move(garment.placed));
 }
 
-std::string text_of(const LayoutMove& move, const Vec3& middle) {
+std::string text_of(const LayoutMove& move, const PanelMesh& garment) {
+  const Vec3 middle = middle_of(garment.placed);
   const auto centimetres = [](double metres) {
     return std::to_string(std::lround(100 * std::abs(metres))) + " cm";
   };

@@ -20,7 +20,7 @@ struct LayoutMove {
 };
 
 /// Whether the pattern places no panel on the body: `garment.has_places` is false, or all panels
-/// lie in one upright plane through the body's axis. Without a skeleton (null) that is the y axis.
+/// lie in one upright plane through the body's axis. Without a waist joint that is the y axis.
 /// Panels that the skeleton positions have places, and so have attached ones. False for a single
 /// panel or without seams. Linear.
 bool lacks_places(const PanelMesh& garment, const Skeleton* skeleton);
@@ -34,9 +34,8 @@ bool lacks_places(const PanelMesh& garment, const Skeleton* skeleton);
 ///   by whole quarters of a turn. Where a garment has both, they have to agree. Sides alone do not
 ///   turn it by half a turn: some name them as the viewer sees them.
 /// - The top of what hangs from the shoulders belongs at the neck. Hoods and collars do not count.
-/// - The top of a strapless bodice belongs at the armpits, that of skirts and trousers at the
-/// waist.
-///   What is not known to be one of these is not moved, nor are stockings.
+/// - The top of a strapless bodice belongs at the armpits, that of skirts and trousers at waist
+///   height. What is not known to be one of these is not moved, nor are stockings.
 /// - The middle of the panels of the trunk belongs on the body's axis.
 ///
 /// No move of a garment with panels that the skeleton positions, or with attachments to points.
@@ -46,7 +45,8 @@ std::optional<LayoutMove> locate_layout(const PanelMesh& garment, const Skeleton
 /// Moves all panels.
 void move_layout(const LayoutMove& move, PanelMesh& garment);
 
-/// Such as "turned by 90 degrees, raised by 60 cm", of a layout with its `middle` there (metres).
-std::string text_of(const LayoutMove& move, const Vec3& middle);
+/// Such as "turned by 90 degrees, raised by 60 cm". It says where the middle of all panels goes
+/// from where they stand.
+std::string text_of(const LayoutMove& move, const PanelMesh& garment);
 
 }  // namespace toile

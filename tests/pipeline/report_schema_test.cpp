@@ -211,6 +211,29 @@ TEST_F(ReportSchemaOfStarts, HoldsForGarmentsThatCannotBeSewn) {
   expect_valid("dress", "open.json", {"/unwrapped/0"});
 }
 
+TEST_F(ReportSchemaOfStarts, HoldsForLayoutsThatStandElsewhereOrNowhere) {
+  Json tshirt = Json::parse(read_text(sample("tshirt")));
+  for (auto& [name, panel] : tshirt["pattern"]["panels"].items()) {
+    panel["translation"][1] = panel["translation"][1].get<double>() - 60;
+  }
+  mesh_as("garment", tshirt);
+  EXPECT_EQ(dress("lower").exit_code, 0);
+  expect_valid("dress", "lower.json", {"/scene/layout_moved/translation_mm/1"});
+  expect_faults_found("dress", "lower.json");
+
+  for (auto& [name, panel] : tshirt["pattern"]["panels"].items()) {
+    panel["translation"] = {0, 0, 0};
+  }
+  mesh_as("garment", tshirt);
+  const pipeline::Run done = dress("nowhere");
+  EXPECT_EQ(done.exit_code, 3);
+  expect_valid("dress", "nowhere.json", {"/misplaced/should_be"});
+  // Nothing was sewn, so nothing is said of seams that resist, or of strain.
+  EXPECT_GT(report("nowhere")["seams"]["open"], 0);
+  EXPECT_EQ(done.err.find("could not be closed"), std::string::npos) << done.err;
+  EXPECT_EQ(done.err.find("is strained by"), std::string::npos) << done.err;
+}
+
 TEST_F(ReportSchemaOfStarts, HoldsForPanelsThatWereMoved) {
   body = folder / "body.ply";
   succeed("make-mannequin", {"-o", body, "--pose", "walking", "-q"});

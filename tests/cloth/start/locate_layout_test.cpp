@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <memory>
 
 #include "tests/cloth/figure.h"
 
@@ -106,7 +107,9 @@ TEST(LocateLayout, ThePanelsFollowTheBodysOwnMove) {
 TEST(LocateLayout, SaysWhatItDid) {
   LayoutMove move = turn(90);
   move.translation = Vec3(0.3, 0.6, 0.4);
-  EXPECT_EQ(text_of(move, Vec3::Zero()),
+  PanelMesh at_origin;
+  at_origin.placed = {Vec3(0.1, 0, 0), Vec3(-0.1, 0, 0)};
+  EXPECT_EQ(text_of(move, at_origin),
             "turned by 90 degrees, raised by 60 cm, moved level by 50 cm");
 }
 
@@ -122,6 +125,7 @@ TEST(LacksPlaces, PanelsInOneUprightPlaneDo) {
   const Skeleton skeleton = figure();
   EXPECT_TRUE(lacks_places(garment, nullptr));
   EXPECT_TRUE(lacks_places(garment, &skeleton));
+  EXPECT_TRUE(lacks_places(garment, std::make_unique<Skeleton>().get()));
   // An apron hangs before the body.
   for (Vec3& p : garment.placed) p.z() = 0.25;
   EXPECT_FALSE(lacks_places(garment, &skeleton));

@@ -161,6 +161,40 @@ TEST(CleanBody, GivenJointsTurnABodyToo) {
   EXPECT_LT(farthest(*body.skeleton, *straight.skeleton), 0.01);
 }
 
+/// Farthest distance from the points of `body` to those of `soup`, in metres, moved as `cleaned`
+/// says.
+double off(const CleanBody& body, const PolygonSoup& soup, double metres) {
+  const BodyMove& move = *body.skeleton->cleaned;
+  EXPECT_EQ(body.mesh.points.size(), soup.points.size());
+  double farthest = 0;
+  for (std::size_t i = 0; i < soup.points.size(); ++i) {
+    const Vec3 moved = move.rotation * (metres * soup.points[i]) + move.translation;
+    farthest = std::max(farthest, (moved - body.mesh.points[i]).norm());
+  }
+  return farthest;
+}
+
+TEST(CleanBody, SaysHowItMovedTheBody) {
+  PolygonSoup file = turned_soup(30);
+  for (Vec3& p : file.points) p = 100 * Vec3(p.x() + 20, -p.z(), p.y() - 0.8);
+  const CleanBody body = clean_body(file, "body");
+  ASSERT_TRUE(body.skeleton && body.skeleton->cleaned);
+  EXPECT_EQ(body.skeleton->cleaned->metres_per_unit, 0.01);
+  EXPECT_LT(off(body, file, 0.01), 1e-9);
+
+  // Cleaned again from elsewhere, with its joints: the move is still that from the first file.
+  PolygonSoup again = test::soup(body.mesh);
+  CleanOptions options;
+  options.skeleton = body.skeleton;
+  for (Vec3& p : again.points) p.y() -= 0.3;
+  for (auto& [name, joint] : options.skeleton->joints) joint.y() -= 0.3;
+  options.skeleton->cleaned->translation.y() -= 0.3;
+  const CleanBody twice = clean_body(again, "body", options);
+  EXPECT_EQ(twice.report.skeleton_refused, "");
+  EXPECT_EQ(twice.skeleton->cleaned->metres_per_unit, 0.01);
+  EXPECT_LT(off(twice, file, 0.01), 1e-9);
+}
+
 TEST(CleanBody, LargeHolesThatWereFilledAreNamedWithTheirPlace) {
   PolygonSoup back = mannequin_soup();
   for (Vec3& p : back.points) p = Vec3(100 * p.x(), -100 * p.z(), 100 * p.y());  // z up, cm
