@@ -119,9 +119,9 @@ Sewn sew(const PanelMesh& mesh, int depth, const Scene& scene, double resting_of
     journal.begin_attempt(attempt + 1);
     if (raise) journal.show_through([&](const Vec3& p) { return raise->lowered(p); });
     Staged staged = close_and_untangle(sewn.level, std::pow(2.0, attempt), journal);
-    if (raise && is_in_the_way(standing, staged.state.nodes, *raise)) {
-      const bool is_clear = staged.report.converged;
-      staged = settle(sewn.level, std::move(staged.state), is_clear, true, journal);
+    // A tangle that falls only gets worse.
+    if (raise && staged.report.converged && is_in_the_way(standing, staged.state.nodes, *raise)) {
+      staged = settle(sewn.level, std::move(staged.state), true, true, journal);
     }
     journal.show_through({});
     if (raise) {

@@ -11,26 +11,41 @@
 namespace toile {
 
 BodyBarrier::BodyBarrier(const Scene& scene, const std::vector<Triangle>& triangles,
-                         const std::vector<Way>& seams, const Vec4s& x)
+                         const std::vector<Pair>& seams, const Vec4s& x)
     : scene_(scene) {
-  const auto length = [&](const Way& way) {
-    return std::sqrt(squared_length(x[way.to] - x[way.from]));
-  };
+  const auto length = [&](int a, int b) { return std::sqrt(squared_length(x[b] - x[a])); };
   std::vector<char> seen(x.size(), 0);
   for (const Triangle& corners : triangles) {
     for (const int p : corners) {
-      if (seen[p]++ == 0) probes_.push_back({{p, p}, 0});
+      if (seen[p]++ == 0) probes_.push_back({{p, p, p}, {1, 0, 0}});
     }
   }
-  for (const auto& [a, b] : unique_edges(triangles)) add({a, b}, length({a, b}));
-  for (const Way& way : seams) add(way, length(way));
+  for (const auto& [a, b] : unique_edges(triangles)) add_between(a, b, length(a, b));
+  for (const Pair& seam : seams) add_between(seam.a, seam.b, length(seam.a, seam.b));
+  for (const auto& [a, b, c] : triangles) {
+    add_within({a, b, c}, std::max({length(a, b), length(b, c), length(c, a)}));
+  }
   clear_.assign(probes_.size(), Vec4{0, 0, 0, -1});
   found_.resize(chunks_of(probes_.size(), vertex_chunk));
 }
 
-void BodyBarrier::add(const Way& way, double length) {
+void BodyBarrier::add_between(int a, int b, double length) {
   const int parts = std::min(1 + static_cast<int>(length / barrier_spacing), max_barrier_parts);
-  for (int i = 1; i < parts; ++i) probes_.push_back({way, static_cast<double>(i) / parts});
+  for (int i = 1; i < parts; ++i) {
+    const double share = static_cast<double>(i) / parts;
+    probes_.push_back({{a, b, b}, {1 - share, share, 0}});
+  }
+}
+
+void BodyBarrier::add_within(const Triangle& corners, double longest) {
+  const int parts = std::min(1 + static_cast<int>(longest / barrier_spacing), max_barrier_parts);
+  for (int i = 1; i < parts; ++i) {
+    for (int k = 1; i + k < parts; ++k) {
+      const double a = static_cast<double>(i) / parts;
+      const double b = static_cast<double>(k) / parts;
+      probes_.push_back({corners, {a, b, 1 - a - b}});
+    }
+  }
 }
 
 const std::vector<BodyBarrier::Correction>& BodyBarrier::find(const Vec4s& x) {
@@ -39,8 +54,9 @@ const std::vector<BodyBarrier::Correction>& BodyBarrier::find(const Vec4s& x) {
     std::vector<Correction>& found = found_[begin / vertex_chunk];
     found.clear();
     for (std::size_t i = begin; i < end; ++i) {
-      const Probe& probe = probes_[i];
-      const Vec4 at = x[probe.way.from] + probe.share * (x[probe.way.to] - x[probe.way.from]);
+      const auto& [points, weights] = probes_[i];
+      const Vec4 at =
+          weights[0] * x[points[0]] + weights[1] * x[points[1]] + weights[2] * x[points[2]];
       Vec4 moved = at - clear_[i];
       moved[3] = 0;
       if (squared_length(moved) < clear_[i][3]) continue;
@@ -51,8 +67,8 @@ const std::vector<BodyBarrier::Correction>& BodyBarrier::find(const Vec4s& x) {
       if (sample.distance >= barrier_distance) continue;
       const double length = sample.gradient.norm();
       if (length <= 0) continue;
-      found.push_back({probe.way, probe.share,
-                       (barrier_distance - sample.distance) / length * sample.gradient});
+      found.push_back(
+          {probes_[i], (barrier_distance - sample.distance) / length * sample.gradient});
     }
   });
   all_.clear();

@@ -1,7 +1,7 @@
 // Keeps cloth on its side of the body while seams close.
 #pragma once
 
-#include <utility>
+#include <array>
 #include <vector>
 
 #include "cloth/scene/scene.h"
@@ -11,25 +11,29 @@
 namespace toile {
 
 /// Moves cloth out of the body at once, where a push would let it through: seams that close pull
-/// with any force. Probes are the cloth's points, places along its edges, and places between the
-/// points that a seam will join. So what a seam has on its two sides cannot slip through the gap
-/// that is still open.
+/// with any force. Probes are the points of the cloth, places along its edges and within its
+/// triangles, and places between the points that a seam will join. So no toe comes through a wide
+/// triangle. Nor does what stands between the two sides of an open seam slip through the gap.
 class BodyBarrier {
  public:
-  /// A way between two material points, straight; both are the same: a point.
-  struct Way {
-    int from;
-    int to;
+  /// Two material points that a seam will join.
+  struct Pair {
+    int a;
+    int b;
+  };
+  /// A place in a triangle, on an edge (one weight is 0) or at a point (two are).
+  struct Place {
+    Triangle points;  ///< material points; for an edge and for a point, some are repeated
+    std::array<double, 3> weights;  ///< barycentric: their sum is 1
   };
 
-  /// `triangles` and `seams`: of material points at `x` (metres). `seams` are pairs to be joined.
+  /// `triangles` and `seams`: of material points at `x` (metres).
   BodyBarrier(const Scene& scene, const std::vector<Triangle>& triangles,
-              const std::vector<Way>& seams, const Vec4s& x);
+              const std::vector<Pair>& seams, const Vec4s& x);
 
-  /// A displacement (metres) that takes a place between two points out of the body.
+  /// A displacement (metres) that takes a place out of the body.
   struct Correction {
-    Way way;
-    double share;  ///< 0 at `from`, 1 at `to`
+    Place place;
     Vec3 out;
   };
   /// The probes that are inside the body with the points at `x`, in the order of the probes. Runs
@@ -37,14 +41,11 @@ class BodyBarrier {
   const std::vector<Correction>& find(const Vec4s& x);
 
  private:
-  struct Probe {
-    Way way;
-    double share;
-  };
-  void add(const Way& way, double length);
+  void add_between(int a, int b, double length);
+  void add_within(const Triangle& corners, double longest);
 
   const Scene& scene_;
-  std::vector<Probe> probes_;
+  std::vector<Place> probes_;
   Vec4s clear_;  ///< metres, per probe: where it was last seen, and the square of how far it may go
   std::vector<std::vector<Correction>> found_;
   std::vector<Correction> all_;

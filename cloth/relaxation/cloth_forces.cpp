@@ -87,7 +87,7 @@ void ClothForces::use_vertices(bool points) {
       std::make_unique<Neighbourhood>(model_, options_, *vertices_, positions(), !passes_cloth_);
   barrier_.reset();
   if (options_.barrier && touches_body(model_.scene)) {
-    std::vector<BodyBarrier::Way> seams;
+    std::vector<BodyBarrier::Pair> seams;
     for (int n = 0; points && n < model_.nodes; ++n) {
       const auto& sewn = vertices_->of_node[n];
       for (std::size_t i = 1; i < sewn.size(); ++i) seams.push_back({sewn[0], sewn[i]});
@@ -160,14 +160,18 @@ const std::vector<int>& ClothForces::leave_body() {
     if (way_out_[n].isZero()) left_body_.push_back(n);
     if (way.squaredNorm() > way_out_[n].squaredNorm()) way_out_[n] = way;
   };
-  for (const auto& [way, share, out] : barrier_->find(positions())) {
-    if (node_of(way.from) == node_of(way.to)) {
-      take(way.from, out);
+  for (const auto& [place, out] : barrier_->find(positions())) {
+    const auto& [points, weights] = place;
+    // The two points that a seam will join move as one node.
+    if (points[1] == points[2] && node_of(points[0]) == node_of(points[1])) {
+      take(points[0], out);
       continue;
     }
-    const double sum = (1 - share) * (1 - share) + share * share;
-    take(way.from, (1 - share) / sum * out);
-    take(way.to, share / sum * out);
+    double squares = 0;
+    for (const double w : weights) squares += w * w;
+    for (int i = 0; i < 3; ++i) {
+      if (weights[i] > 0) take(points[i], weights[i] / squares * out);
+    }
   }
   for (const int n : left_body_) {
     move_on(n, nodes_[n] + as_vec4(way_out_[n]));

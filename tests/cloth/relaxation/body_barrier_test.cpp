@@ -15,8 +15,9 @@ class BodyBarrierTest : public testing::Test {
   BodyBarrierTest() : body_{test::sphere(0.1, 4)} { scene_.collider = &body_; }
 
   Vec3 place(const BodyBarrier::Correction& found, const Vec4s& x) const {
-    const Vec4 at = x[found.way.from] + found.share * (x[found.way.to] - x[found.way.from]);
-    return as_vec3(at);
+    Vec3 at = Vec3::Zero();
+    for (int i = 0; i < 3; ++i) at += found.place.weights[i] * as_vec3(x[found.place.points[i]]);
+    return at;
   }
 
   Collider body_;
@@ -36,9 +37,22 @@ TEST_F(BodyBarrierTest, PointsAndEdgesInTheBodyLeaveIt) {
   const auto& found = barrier.find(x);
   ASSERT_FALSE(found.empty());
   for (const auto& correction : found) {
-    EXPECT_EQ(correction.way.from + correction.way.to, 1);
+    EXPECT_TRUE(correction.place.weights[2] == 0 || correction.place.points[2] == 2);
     const Vec3 out = place(correction, x) + correction.out;
     EXPECT_NEAR(out.norm(), 0.101, 0.001) << out.transpose();
+  }
+}
+
+TEST_F(BodyBarrierTest, WhatComesThroughTheMiddleOfATriangleIsHeldOff) {
+  // A triangle of 40 cm, 2 cm below the sphere's top: its points and edges are all outside.
+  const Vec4s x = points({{0, 0.08, 0.25}, {0.22, 0.08, -0.13}, {-0.22, 0.08, -0.13}});
+  BodyBarrier barrier(scene_, {{0, 1, 2}}, {}, x);
+  const auto& found = barrier.find(x);
+  ASSERT_FALSE(found.empty());
+  for (const auto& correction : found) {
+    const Vec3 out = place(correction, x) + correction.out;
+    EXPECT_NEAR(out.norm(), 0.101, 0.001) << out.transpose();
+    EXPECT_GT(correction.place.weights[2], 0);
   }
 }
 
