@@ -9,25 +9,11 @@
 
 #include "io/bytes.h"
 #include "io/text.h"
-
-// The page's files are embedded in the program, which then needs no files where it runs.
-// TOILE_PAGE, TOILE_THREE and TOILE_CONTROLS are their paths.
-#define TOILE_EMBED(name, path)       \
-  asm(".section .rodata\n"            \
-      ".global " #name "\n" #name     \
-      ":\n"                           \
-      ".incbin \"" path               \
-      "\"\n"                          \
-      ".global " #name "_end\n" #name \
-      "_end:\n"                       \
-      ".byte 0\n"                     \
-      ".text\n");                     \
-  extern "C" const char name[];       \
-  extern "C" const char name##_end[]
+#include "io/view/embedded.h"
+#include "io/view/page_template.h"
+#include "io/view/three.h"
 
 TOILE_EMBED(toile_viewer_page_html, TOILE_PAGE);
-TOILE_EMBED(toile_three_js, TOILE_THREE);
-TOILE_EMBED(toile_orbit_controls_js, TOILE_CONTROLS);
 
 namespace toile {
 
@@ -106,12 +92,7 @@ std::string data_of(const ViewerPage& page) {
   data["high"] = page.ramp.high;
   data["below"] = bytes_of(page.ramp.below);
   for (const Colour& step : page.ramp.steps) data["steps"].push_back(bytes_of(step));
-  // "</script" in a name must not end the element that holds the data.
-  std::string text = data.dump();
-  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;) {
-    text.replace(at, 1, "\\u003c");
-  }
-  return text;
+  return json_in_html(data.dump());
 }
 
 std::string bar_of(const ViewerPage& page) {
@@ -178,22 +159,9 @@ std::string viewer_page(const ViewerPage& page) {
     if (name == "still") return still;
     if (name == "still-follows") return still.empty() ? "" : "; here it is from two sides";
     if (name == "data") return data_of(page);
-    if (name == "three") return {toile_three_js, toile_three_js_end};
-    return {toile_orbit_controls_js, toile_orbit_controls_js_end};  // "controls"
+    return three_js();  // "three"
   };
-
-  // The template is read once, so that {{...}} in user text is not replaced.
-  std::string_view rest(
-      toile_viewer_page_html,
-      static_cast<std::size_t>(toile_viewer_page_html_end - toile_viewer_page_html));
-  std::string html;
-  for (std::size_t open = 0; (open = rest.find("{{")) != std::string_view::npos;) {
-    const std::size_t close = rest.find("}}", open);
-    html += rest.substr(0, open);
-    html += content(rest.substr(open + 2, close - open - 2));
-    rest.remove_prefix(close + 2);
-  }
-  return html.append(rest);
+  return filled(toile_viewer_page_html, content);
 }
 
 }  // namespace toile

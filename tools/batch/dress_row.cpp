@@ -9,8 +9,8 @@
 #include "io/checksum.h"
 #include "io/output_file.h"
 #include "io/text.h"
-#include "tools/batch/child.h"
 #include "tools/batch/figures.h"
+#include "tools/child.h"
 #include "tools/program.h"
 
 namespace toile {

@@ -1,6 +1,6 @@
 // Boost.Process of Debian 12 waits with signals of the whole process, which threads can't share; a
 // process has a file descriptor to wait on instead.
-#include "tools/batch/child.h"
+#include "tools/child.h"
 
 #include <fcntl.h>
 #include <poll.h>

@@ -1,0 +1,123 @@
+#include "tools/edit_seams/run.h"
+
+#include <nlohmann/json.hpp>
+
+#include "geometry/error.h"
+#include "io/json_value.h"
+#include "io/output_file.h"
+#include "io/view/seam_editor_page.h"
+#include "pattern/pattern_file.h"
+#include "tools/edit_seams/server.h"
+#include "tools/edit_seams/trial.h"
+
+namespace toile {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The JSON of a file, as text. Throws Error when it is none.
+std::string json_of(const fs::path& path) {
+  std::string text = read_text(path);
+  if (!nlohmann::json::accept(text)) throw Error(path.string(), "is no JSON", "give another file");
+  return text;
+}
+
+SeamEditorPage page_of(const EditSeamsSettings& settings, const CommonSettings& common) {
+  std::vector<Remark> remarks;
+  read_pattern(settings.pattern, remarks);  // whether it is a pattern
+  SeamEditorPage page;
+  page.name =
+      settings.serve ? common.output.filename().string() : settings.pattern.filename().string();
+  page.pattern = json_of(settings.pattern);
+  if (settings.proposals) page.proposals = json_of(*settings.proposals);
+  page.served = settings.serve;
+  if (settings.body) page.body = settings.body->filename().string();
+  return page;
+}
+
+/// What the page asks of its server.
+class Service {
+ public:
+  Service(const EditSeamsSettings& settings, const CommonSettings& common)
+      : output_(common.output),
+        html_(seam_editor_page(page_of(settings, common))),
+        trial_(settings, common.threads) {}
+
+  Answer answer(const Request& request);
+
+ private:
+  Answer answer_to(const Request& request);
+  fs::path pattern_of(const Request& request) const;
+
+  fs::path output_;
+  std::string html_;
+  Trial trial_;
+};
+
+/// The pattern that the page sent, in a file. Throws Error when it is none.
+fs::path Service::pattern_of(const Request& request) const {
+  fs::path file = trial_.folder() / "pattern.json";
+  write_file(OutputPath(file), request.body);
+  std::vector<Remark> remarks;
+  read_pattern(file, remarks);
+  return file;
+}
+
+Answer Service::answer_to(const Request& request) {
+  const auto is = [&](const char* method, const char* target) {
+    return request.method == method && request.target == target;
+  };
+  if (is("GET", "")) return {200, "text/html; charset=utf-8", html_};
+  if (is("PUT", "pattern")) {
+    pattern_of(request);
+    write_file(OutputPath(output_), request.body);
+    return {200, "text/plain", "Saved as " + output_.filename().string() + "."};
+  }
+  if (is("POST", "propose")) {
+    return {200, "application/json", trial_.find_seams(pattern_of(request))};
+  }
+  if (is("POST", "dress")) {
+    trial_.start(pattern_of(request));
+    return {200, "text/plain", ""};
+  }
+  if (is("GET", "progress")) return {200, "application/json", trial_.progress()};
+  if (is("GET", "drape")) return {200, "application/json", trial_.drape()};
+  return {404, "text/plain", "There is nothing here."};
+}
+
+Answer Service::answer(const Request& request) {
+  try {
+    return answer_to(request);
+  } catch (const std::exception& problem) {
+    // The page need not know where the server keeps its files.
+    std::string text = problem.what();
+    const std::string folder = trial_.folder().string() + "/";
+    for (std::size_t at = 0; (at = text.find(folder)) != std::string::npos;) {
+      text.erase(at, folder.size());
+    }
+    return {422, "text/plain", text};
+  }
+}
+
+void serve(const EditSeamsSettings& settings, const CommonSettings& common) {
+  Service service(settings, common);
+  Server server(settings.port);
+  common.say("edit-seams: open " + server.address() + " (Ctrl+C ends it)");
+  server.run([&](const Request& request) { return service.answer(request); });
+}
+
+}  // namespace
+
+void run_edit_seams(const EditSeamsSettings& settings, const CommonSettings& common) {
+  if (settings.serve) {
+    serve(settings, common);
+    return;
+  }
+  OutputFile page(common.output);
+  page.stream() << seam_editor_page(page_of(settings, common));
+  page.commit();
+  common.say("edit-seams: open " + common.output.string() + " in a browser");
+}
+
+}  // namespace toile
