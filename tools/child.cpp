@@ -45,8 +45,17 @@ class Descriptor {
   int number_;
 };
 
+/// The program toile: this one, even when a newer one has taken its path, or the one beside it.
+std::string toile_program() {
+  const std::filesystem::path self = "/proc/self/exe";
+  const std::filesystem::path place = std::filesystem::read_symlink(self);
+  return place.filename().string().starts_with("toile") ? self.string()
+                                                        : (place.parent_path() / "toile").string();
+}
+
 /// Between fork and exec: only calls that a process of several threads may make there.
-[[noreturn]] void become_child(char** words, const ChildLimits& limits, int output, pid_t parent) {
+[[noreturn]] void become_child(const char* program, char** words, const ChildLimits& limits,
+                               int output, pid_t parent) {
   setpgid(0, 0);
   // It ends with the batch, whatever ends that, and removes its temporary files.
   prctl(PR_SET_PDEATHSIG, SIGTERM);
@@ -62,8 +71,7 @@ class Descriptor {
       dup2(output, STDERR_FILENO) < 0) {
     _exit(127);
   }
-  // The same program as this, even when a newer one has taken its path.
-  execv("/proc/self/exe", words);
+  execv(program, words);
   _exit(127);
 }
 
@@ -101,11 +109,12 @@ ChildEnd run_toile(const std::vector<std::string>& words, const ChildLimits& lim
   if (pipe2(ends.data(), O_CLOEXEC) != 0) fail("can't be listened to");
   const Descriptor from(ends[0]);
   Descriptor to(ends[1]);
+  const std::string program = toile_program();
   const auto start = Clock::now();
   const pid_t parent = getpid();
   const pid_t child = fork();
   if (child < 0) fail("can't be started");
-  if (child == 0) become_child(argv.data(), limits, to.number(), parent);
+  if (child == 0) become_child(program.c_str(), argv.data(), limits, to.number(), parent);
   setpgid(child, child);  // whichever of both is first
   to.close();
 
@@ -118,12 +127,14 @@ ChildEnd run_toile(const std::vector<std::string>& words, const ChildLimits& lim
   }
   std::optional<Clock::time_point> end = limits.end;
   for (bool is_running = true, is_heard = true; is_running;) {
-    std::array<pollfd, 2> waits = {pollfd{process.number(), POLLIN, 0},
-                                   pollfd{is_heard ? from.number() : -1, POLLIN, 0}};
+    std::array<pollfd, 3> waits = {pollfd{process.number(), POLLIN, 0},
+                                   pollfd{is_heard ? from.number() : -1, POLLIN, 0},
+                                   pollfd{ended.timed_out ? -1 : limits.stop, POLLIN, 0}};
     poll(waits.data(), waits.size(), wait_until(end));
     if (waits[1].revents != 0) is_heard = read_some(from.number(), ended.output);
     is_running = waits[0].revents == 0;
-    if (!is_running || !end || Clock::now() < *end) continue;
+    const bool is_over = waits[2].revents != 0 || (end && Clock::now() >= *end);
+    if (!is_running || !is_over) continue;
     // It may remove its temporary files first.
     kill(-child, ended.timed_out ? SIGKILL : SIGTERM);
     ended.timed_out = true;

@@ -52,7 +52,7 @@ std::string drape_json(const std::filesystem::path& garment, const std::filesyst
   for (const auto& polygon : skin.polygons) {
     if (polygon.size() == 3) facets.push_back({polygon[0], polygon[1], polygon[2]});
   }
-  const json said = json::parse(read_text(report));
+  const json said = json::parse(read_file(report));
   return json{{"garment", mesh_json(worn.points, worn.triangles)},
               {"panels", worn.panel_of_triangle},
               {"seams", std::move(seams)},

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 /// The JSON of a file, as text. Throws Error when it is none.
 std::string json_of(const fs::path& path) {
-  std::string text = read_text(path);
+  std::string text = read_file(path);
   if (!nlohmann::json::accept(text)) throw Error(path.string(), "is no JSON", "give another file");
   return text;
 }

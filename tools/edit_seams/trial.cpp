@@ -1,6 +1,8 @@
 #include "tools/edit_seams/trial.h"
 
 #include <stdlib.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -39,10 +41,15 @@ bool is_done(const ChildEnd& ended) {
 }  // namespace
 
 Trial::Trial(const EditSeamsSettings& settings, int threads)
-    : settings_(settings), threads_(threads), folder_(new_folder()) {}
+    : settings_(settings),
+      threads_(threads),
+      folder_(new_folder()),
+      stop_(eventfd(0, EFD_CLOEXEC)) {}
 
 Trial::~Trial() {
+  eventfd_write(stop_, 1);
   if (work_.joinable()) work_.join();
+  close(stop_);
   std::error_code ignored;
   fs::remove_all(folder_, ignored);
 }
@@ -51,9 +58,9 @@ std::string Trial::find_seams(const fs::path& pattern) const {
   const fs::path report = folder_ / "seams.json";
   const ChildEnd ended = run_toile({"find-seams", pattern.string(), "-q", "-o",
                                     (folder_ / "sewn.json").string(), "--report", report.string()},
-                                   {});
+                                   {{}, {}, stop_});
   if (!is_done(ended)) throw Error("find-seams", reason_of(ended), "");
-  return read_text(report);
+  return read_file(report);
 }
 
 void Trial::set(const std::string& state, const std::string& text) {
@@ -85,7 +92,7 @@ void Trial::start(const fs::path& pattern) {
 void Trial::step(const std::string& text, std::vector<std::string> words) {
   set("working", text);
   words.insert(words.end(), {"-q", "--threads", std::to_string(threads_)});
-  const ChildEnd ended = run_toile(words, {});
+  const ChildEnd ended = run_toile(words, {{}, {}, stop_});
   if (!is_done(ended)) throw Error(words.front(), reason_of(ended), "");
 }
 

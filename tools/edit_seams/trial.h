@@ -10,8 +10,8 @@
 
 namespace toile {
 
-/// Runs the programs of the chain in a folder of its own, which is gone at the end. The programs
-/// end with this one.
+/// Runs the programs of the chain in a folder of its own, which is gone at the end. What runs then
+/// is ended.
 class Trial {
  public:
   Trial(const EditSeamsSettings& settings, int threads);
@@ -41,6 +41,7 @@ class Trial {
   const EditSeamsSettings& settings_;
   int threads_;
   std::filesystem::path folder_;
+  int stop_;  // a file descriptor that can be read once the programs have to end
   bool body_is_clean_ = false;
   mutable std::mutex mutex_;  // of what follows
   std::string state_ = "idle";

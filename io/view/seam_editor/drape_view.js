@@ -68,9 +68,28 @@ const DrapeView = (function () {
       });
       shape.addAttribute('position', new THREE.BufferAttribute(points, 3));
       shape.addAttribute('color', new THREE.BufferAttribute(colours, 3));
-      shape.computeVertexNormals();
+      shape.addAttribute('normal', new THREE.BufferAttribute(this.normals(mesh, points), 3));
       return new THREE.Mesh(shape, new THREE.MeshLambertMaterial(
-        { vertexColors: THREE.VertexColors, side: THREE.DoubleSide, flatShading: !panels }));
+        { vertexColors: THREE.VertexColors, side: THREE.DoubleSide }));
+    }
+
+    // Of each corner the mean of its point's triangles, by their areas.
+    normals(mesh, points) {
+      const sums = new Float32Array(mesh.points.length);
+      for (let t = 0; t < points.length; t += 9) {
+        const [a, b, c] = [0, 3, 6].map(k => new THREE.Vector3(points[t + k], points[t + k + 1], points[t + k + 2]));
+        const square = b.sub(a).cross(c.sub(a));
+        for (let i = 0; i < 3; ++i) {
+          const corner = 3 * mesh.triangles[t / 3 + i];
+          sums[corner] += square.x; sums[corner + 1] += square.y; sums[corner + 2] += square.z;
+        }
+      }
+      const normals = new Float32Array(points.length);
+      mesh.triangles.forEach((corner, i) => {
+        const n = new THREE.Vector3(sums[3 * corner], sums[3 * corner + 1], sums[3 * corner + 2]).normalize();
+        normals.set([n.x, n.y, n.z], 3 * i);
+      });
+      return normals;
     }
 
     // Lights the seam of that name; null: none.

@@ -206,9 +206,12 @@ const PatternModel = (function () {
       if (!stitch[2] || typeof stitch[2] !== 'object') stitch[2] = reversed === null ? {} : { reversed };
       return stitch[2];
     }
-    // Joins two edges. Both panels show their right sides, so their outlines run against each other.
+    // Joins two edges. Outlines that both run counter-clockwise, seen from the right side, run
+    // against each other along a seam. GarmentCode's files keep to that, whichever side is drawn.
+    // Of others the right side is taken to be drawn.
     sew(a, b, how) {
-      const reversed = this.isCounterClockwise(a) === this.isCounterClockwise(b);
+      const normalized = !!(this.json.properties || {}).normalized_edge_loops;
+      const reversed = normalized || this.isCounterClockwise(a) === this.isCounterClockwise(b);
       this.stitches.push([{ ...a }, { ...b }, { reversed, ...how }]);
       return this.stitches[this.stitches.length - 1];
     }
