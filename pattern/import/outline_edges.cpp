@@ -147,12 +147,12 @@ void cut_round_outline(std::vector<Cut>& cuts, const Ring& ring) {
     cuts.push_back({ring.to(lowest), ring.at(lowest)});
   }
   if (cuts.size() > 1) return;
-  std::size_t farthest = 0;
+  std::size_t far_point = 0;
   for (std::size_t i = 1; i < ring.count(); ++i) {
     const auto off = [&](std::size_t k) { return (ring.at(k) - cuts[0].point).norm(); };
-    if (off(i) > off(farthest)) farthest = i;
+    if (off(i) > off(far_point)) far_point = i;
   }
-  cuts.push_back({ring.to(farthest), ring.at(farthest)});
+  cuts.push_back({ring.to(far_point), ring.at(far_point)});
 }
 
 /// The points of the outline from one cut to the next.
