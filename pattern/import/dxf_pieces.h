@@ -24,8 +24,8 @@ struct DrawingOptions {
 /// - Outlines in model space are pieces, too. What lies within them belongs to them.
 /// - Layers: 1 boundary, 2 turn points, 4 and 80 to 83 notches, 6 mirror line, 7 grain. 8 are
 ///   internal lines, 11 cut-outs, 13 drill holes, 14 the sew line. 3, 5, 9, 10, 15 and 84 to 87 are
-///   known and not used. All others are counted in `ignored`. Drawings without anything on 1 and 14 have
-///   outlines on any layer; closed lines within them are internal lines.
+///   known and not used. All others are counted in `ignored`. Drawings without anything on 1 and 14
+///   have outlines on any layer; closed lines within them are internal lines.
 /// - The sew line bounds a piece where there is one. A closed internal line that runs along the
 ///   whole boundary, within 60 mm of it, is a sew line: Valentina writes it so.
 /// - A piece is a pair if its texts say so, or if a second insert is mirrored.
