@@ -17,6 +17,9 @@ namespace {
 /// Metres: points of the outline that are nearer to the fold lie on it.
 constexpr double fold_reach = 1e-3;
 
+/// Metres: points of the outline on the fold are as near to it as others, but for this.
+constexpr double fold_noise = 5e-5;
+
 /// Metres: nearer points of an outline are one. Below, directions are noise.
 constexpr double same_outline_point = 2e-5;
 
@@ -151,6 +154,20 @@ std::optional<PieceShape> unfolded_shape(const PieceShape& half, const PieceLine
     throw Error(place, "its outline meets its mirror line in " + std::to_string(runs) + " places",
                 "draw the whole piece instead of one half");
   }
+  // A curve that leaves the fold gently is near it for a while: its points are not of the fold.
+  const double body = most > -least ? 1 : -1;
+  double nearest = fold_reach;
+  for (std::size_t i = 1; i <= run; ++i) {
+    nearest = std::min(nearest, std::abs(side(half.outline[(first_off + count - i) % count])));
+  }
+  const auto leaves = [&](std::size_t i) {
+    return body * side(half.outline[i % count]) > nearest + fold_noise;
+  };
+  while (run > 2 && leaves(first_off + count - 1)) {
+    first_off = (first_off + count - 1) % count;
+    --run;
+  }
+  while (run > 2 && leaves(first_off + count - run)) --run;
   const auto onto_fold = [&](const Vec2& point) -> Vec2 { return point - side(point) * across; };
   PieceShape whole = half;
   std::vector<Vec2> path;

@@ -114,6 +114,19 @@ TEST(ImportedPattern, AHalfIsUnfolded) {
   EXPECT_NEAR(neck, std::numbers::pi * 0.1, 2e-4);
 }
 
+TEST(ImportedPattern, ACurveThatLeavesTheFoldGentlyIsKept) {
+  // A half circle on a square of 200 mm: its start runs along the fold at first.
+  std::vector<Vec2> half = {{0, 0}, {200, 0}};
+  for (int i = 0; i <= 180; ++i) {
+    const double angle = i * std::numbers::pi / 180;
+    half.emplace_back(100 + 100 * std::cos(angle), 200 + 100 * std::sin(angle));
+  }
+  const Imported result = import_text(
+      dxf_file(dxf_block("F", dxf_polyline("1", half) + dxf_segment("6", {0, 0}, {0, 200})), ""));
+  const double expected = 2 * (0.04 + std::numbers::pi * 0.01 / 2);
+  EXPECT_NEAR(signed_area(outline_of(result.read.panels[0])), expected, 3e-4 * expected);
+}
+
 TEST(ImportedPattern, AWholePieceWithAMirrorLineStaysWhole) {
   const Imported result =
       import_text(dxf_file(dxf_block("F", square + dxf_segment("6", {150, 0}, {150, 400})), ""));
