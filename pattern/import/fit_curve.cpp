@@ -18,7 +18,7 @@ constexpr int min_fit_samples = 48;
 constexpr int max_fit_samples = 400;
 
 /// Rounds of moving parameters to the nearest points of the curve.
-constexpr int fit_rounds = 12;
+constexpr int fit_rounds = 60;
 
 Vec2 bezier(const std::array<Vec2, 4>& p, double t) {
   const double s = 1 - t;
@@ -167,6 +167,7 @@ CubicFit fit_one(const std::vector<Vec2>& points, const std::vector<Vec2>& sampl
   const double length = parameters.back();
   for (double& t : parameters) t /= length;
   std::array<Vec2, 4> p = {samples.front(), samples.front(), samples.back(), samples.back()};
+  double last_error = 1e300;
   for (int round = 0; round < fit_rounds; ++round) {
     if (!solve(samples, parameters, tangents, p)) break;
     double error = 0;
@@ -183,7 +184,12 @@ CubicFit fit_one(const std::vector<Vec2>& points, const std::vector<Vec2>& sampl
     parameters.front() = 0;
     parameters.back() = 1;
     if (error < best.error) best = {p, error, worst};
-    if (error < tolerance / 2 || error > 50 * tolerance) break;
+    if (error < tolerance / 2) break;
+    // The rounds close in by a steady share: stop where that won't do.
+    const double rate = error / last_error;
+    const double hoped = error * std::pow(rate, fit_rounds - 1 - round);
+    if (round > 3 && !(hoped < tolerance)) break;
+    last_error = error;
   }
   if (best.error > tolerance) return best;
   // The curve must not leave the polyline between the samples either.

@@ -64,8 +64,9 @@ void damage(std::string& text, const std::string& other, const std::vector<std::
       text.insert(line_at(text, below(random, text.size())).first, line);
       break;
     }
-    default: {
-      const auto [from, to] = line_at(text, at);
+    default: {  // two lines at once: formats in pairs of lines stay in step
+      const std::size_t from = line_at(text, at).first;
+      const std::size_t to = line_at(text, line_at(text, at).second).second;
       text.erase(from, to - from);
     }
   }
