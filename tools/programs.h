@@ -11,6 +11,7 @@ CommandLineProgram dress_program();
 CommandLineProgram ease_map_program();
 CommandLineProgram edit_seams_program();
 CommandLineProgram fit_program();
+CommandLineProgram import_pattern_program();
 CommandLineProgram make_mannequin_program();
 CommandLineProgram mesh_pattern_program();
 CommandLineProgram render_program();

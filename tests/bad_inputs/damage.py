@@ -224,6 +224,58 @@ def face_of_all(random, lines, points, _):
     lines.append("f " + " ".join(str(i + 1) for i in range(len(points))))
 
 
+def groups_of(path):
+    """A DXF file as a list of [code, value]."""
+    lines = path.read_text().split("\n")
+    return [[lines[i], lines[i + 1]] for i in range(0, len(lines) - 1, 2)]
+
+
+def drawing_changed(change):
+    """A damage that changes the groups of the drawing by `change`."""
+    def damage(random, folder):
+        name, words, path = take(random, folder, ("drawing.dxf",))
+        groups = groups_of(path)
+        change(random, groups)
+        path.write_text("".join(f"{code}\n{value}\n" for code, value in groups))
+        return words, [name]
+    return damage
+
+
+def coordinates(groups):
+    return [group for group in groups if group[0].strip() in ("10", "20", "40", "42")]
+
+
+def drawn_wildly(random, groups):
+    for group in random.sample(coordinates(groups), 3):
+        group[1] = random.choice(("0", "-1", "1e6", "1e300", "nan", "300.0", "299.9999", "1e-9"))
+
+
+def drawn_in_another_unit(random, groups):
+    factor = random.choice((1e-6, 1e-3, 0.1, 10, 1e3, 1e9))
+    for group in groups:
+        if group[0].strip() in ("10", "20", "11", "21", "40"):
+            group[1] = repr(factor * float(group[1]))
+
+
+def groups_shuffled(random, groups):
+    start = random.randrange(len(groups) - 20)
+    part = groups[start:start + 20]
+    random.shuffle(part)
+    groups[start:start + 20] = part
+
+
+def many_entities(random, groups):
+    at = next(i for i, group in enumerate(groups) if group[1] == "ENTITIES") + 1
+    point = [["0", "POINT"], ["8", "1"], ["10", "1.0"], ["20", "2.0"]]
+    groups[at:at] = point * random.choice((10, 5000, 400000))
+
+
+def inserted_in_itself(random, groups):
+    at = next(i for i, group in enumerate(groups) if group[1] == "LWPOLYLINE")
+    groups[at:at] = [["0", "INSERT"], ["8", "1"], ["2", "FRONT"], ["10", "0.0"], ["20", "0.0"],
+                     ["41", random.choice(("1", "-1", "0", "1e8", "x"))]]
+
+
 def panel_of(random, content):
     panels = content["pattern"]["panels"]
     name = random.choice(list(panels))
@@ -341,5 +393,10 @@ KINDS = {
     "panel dropped": pattern_changed(panel_dropped),
     "curved wildly": pattern_changed(curved_wildly),
     "unit replaced": pattern_changed(unit_replaced), "comb": pattern_changed(comb),
-    "many panels": pattern_changed(many_panels), "option": option,
+    "many panels": pattern_changed(many_panels),
+    "drawn wildly": drawing_changed(drawn_wildly),
+    "drawn in another unit": drawing_changed(drawn_in_another_unit),
+    "groups shuffled": drawing_changed(groups_shuffled),
+    "many entities": drawing_changed(many_entities),
+    "inserted in itself": drawing_changed(inserted_in_itself), "option": option,
 }

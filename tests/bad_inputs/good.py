@@ -29,6 +29,7 @@ def make(folder, tools, source):
     program("dress", "--body", "body.ply", "garment.obj", "-o", "dressed.obj")
     for name in ("tshirt", "band", "elastic_skirt", "tube_top"):
         shutil.copy(samples / f"{name}.json", folder / f"pattern_{name}.json")
+    shutil.copy(source / "tests/io/drawings/r2007.dxf", folder / "drawing.dxf")
     shutil.copy(source / "cloth/scene/fabrics/jersey.json", folder / "fabric.json")
     (folder / "scene.json").write_text(json.dumps(SCENE, indent=1))
     (folder / "pose.json").write_text(json.dumps(POSE, indent=1))
@@ -38,7 +39,7 @@ BODIES = ("body.ply", "mesh.obj", "mesh.stl", "mesh.off")
 PATTERNS = ("pattern_tshirt.json", "pattern_band.json", "pattern_elastic_skirt.json",
             "pattern_tube_top.json")
 JSONS = PATTERNS + ("garment.json", "body.json", "scene.json", "pose.json", "fabric.json")
-TEXTS = JSONS + ("mesh.obj", "mesh.off", "garment.obj", "dressed.obj")
+TEXTS = JSONS + ("mesh.obj", "mesh.off", "garment.obj", "dressed.obj", "drawing.dxf")
 ALL = TEXTS + ("body.ply", "mesh.stl")
 
 # What is beside a file that a command names, and read with it.
@@ -75,6 +76,9 @@ def commands(name):
         return [dress, ease, clean]
     if name in PATTERNS:
         return [mesh]
+    if name == "drawing.dxf":
+        return [["import-pattern", name, "-o", "out.json", "--report", "report.json"],
+                ["import-pattern", name, "-o", "out.json", "--seam-allowance", "8mm"]]
     if name == "garment.obj":
         return [dress, dress, render]
     if name == "garment.json":

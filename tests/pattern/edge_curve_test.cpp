@@ -23,6 +23,41 @@ TEST(EdgeCurve, ALineIsItsChord) {
   EXPECT_EQ(line.turning(), 0);
 }
 
+TEST(EdgeCurve, AChainIsWalkedAsOneCurve) {
+  // A quarter circle of radius 1 and a line of length 1.
+  const EdgeCurve chain = EdgeCurve::chain(
+      {EdgeCurve::arc({1, 0}, {0, 1}, 1, false, true), EdgeCurve::line({0, 1}, {-1, 1})});
+  EXPECT_NEAR(chain.length(), pi / 2 + 1, 1e-12);
+  EXPECT_TRUE(chain.at(pi / 2 / (pi / 2 + 1)).isApprox(Vec2(0, 1), 1e-9));
+  EXPECT_TRUE(
+      chain.at((pi / 4) / (pi / 2 + 1)).isApprox(Vec2(std::sqrt(0.5), std::sqrt(0.5)), 1e-9));
+  EXPECT_NEAR(chain.turning(), pi / 2, 0.05);
+  const EdgeCurve moved = chain.moved_to({10, 10}, {12, 11});
+  const double scale = std::sqrt(5.0) / (Vec2(-1, 1) - Vec2(1, 0)).norm();
+  EXPECT_NEAR(moved.length(), scale * chain.length(), 1e-9);
+  EXPECT_EQ(moved.start(), Vec2(10, 10));
+  EXPECT_EQ(moved.end(), Vec2(12, 11));
+  const EdgeCurve back = chain.reversed();
+  for (const double f : {0.0, 0.2, 0.7, 1.0}) {
+    EXPECT_TRUE(back.at(f).isApprox(chain.at(1 - f), 1e-9));
+  }
+  EXPECT_EQ(chain.straight_at_start(0.5).end(), chain.end());
+}
+
+TEST(EdgeCurve, AReversedCurveRunsBack) {
+  const std::vector<EdgeCurve> curves = {
+      EdgeCurve::line({0, 0}, {1, 2}), EdgeCurve::cubic({0, 0}, {1, 2}, {3, -1}, {2, 2}),
+      EdgeCurve::arc({0, 0}, {1, 1}, 2, true, false),
+      EdgeCurve::cubic({0, 0}, {1, 2}, {3, -1}, {2, 2}).straight_at_start(0.3)};
+  for (const EdgeCurve& curve : curves) {
+    const EdgeCurve back = curve.reversed();
+    EXPECT_NEAR(back.length(), curve.length(), 1e-12);
+    for (const double f : {0.0, 0.1, 0.5, 0.9, 1.0}) {
+      EXPECT_LT((back.at(f) - curve.at(1 - f)).norm(), 1e-9);
+    }
+  }
+}
+
 TEST(EdgeCurve, AQuadraticHasTheParabolasLength) {
   // The Bezier curve (0,0), (w/2,0), (w,a w^2) is the parabola y = a x^2.
   for (const double a : {0.1, 1.0, 25.0}) {

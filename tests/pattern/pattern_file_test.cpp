@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -70,6 +71,43 @@ TEST(PatternFile, ReadsCubicsAndCircles) {
   EXPECT_NEAR(half.length(), std::numbers::pi * 0.1, 1e-12);
   // Right of the direction from (20,20) to (0,20) is up.
   EXPECT_TRUE(half.at(0.5).isApprox(Vec2(0.1, 0.3), 1e-12));
+}
+
+TEST(PatternFile, AChainOfCubicsIsOneEdge) {
+  // Two cubics that are straight: up to (0.5, 0.3) of the edge's frame and down again.
+  const Pattern chain = samples::parse(file(curved(
+      R"({"type": "cubics", "params": [[0.1, 0.06], [0.3, 0.18], [0.5, 0.3], [0.7, 0.18], [0.9, 0.06]]})")));
+  const EdgeCurve& edge = chain.panels[0].edges[2].curve;
+  EXPECT_NEAR(edge.length(), 2 * 0.2 * std::hypot(0.5, 0.3), 1e-12);
+  EXPECT_TRUE(edge.at(0.5).isApprox(Vec2(0.1, 0.2 - 0.3 * 0.2), 1e-9));
+  EXPECT_HOLDS(
+      parse_error(file(curved(R"({"type": "cubics", "params": [[0, 0], [1, 0], [2, 0]]})"))),
+      "panel 'curved', edge 2, curvature, params: has 3 points instead of 2, 5, 8");
+}
+
+TEST(PatternFile, NotchesAndInnerLinesAreRead) {
+  const std::string marked =
+      polygon("p", "[0,0],[20,0],[20,20],[0,20]",
+              R"("notches": [{"vertex": 2, "angle": 90}], "internal_lines": [[[1, 2], [3, 4]]],
+         "cut_outs": [[[5, 5], [6, 5], [6, 6]]], "drill_holes": [[7, 8]], "material": "twill",
+         "quantity": 2)");
+  const PatternPanel panel = samples::parse(file(marked)).panels[0];
+  ASSERT_EQ(panel.notches.size(), 1u);
+  EXPECT_TRUE(panel.notches[0].at.isApprox(Vec2(0.2, 0.2)));
+  EXPECT_NEAR(panel.notches[0].angle.value(), std::numbers::pi / 2, 1e-12);
+  EXPECT_TRUE(panel.internal_lines.at(0).at(1).isApprox(Vec2(0.03, 0.04)));
+  EXPECT_EQ(panel.cut_outs.at(0).size(), 3u);
+  EXPECT_TRUE(panel.drill_holes.at(0).isApprox(Vec2(0.07, 0.08)));
+  EXPECT_EQ(panel.material, "twill");
+  EXPECT_EQ(panel.quantity, 2);
+  const std::vector<std::string> remarks = remarks_of(file(marked));
+  EXPECT_TRUE(std::any_of(remarks.begin(), remarks.end(), [](const std::string& remark) {
+    return remark.find("1 internal lines, 1 cut-outs and 1 drill holes are not meshed") !=
+           std::string::npos;
+  }));
+  EXPECT_HOLDS(
+      parse_error(file(polygon("p", "[0,0],[20,0],[20,20]", R"("notches": [{"vertex": 3}])"))),
+      "notch 0");
 }
 
 TEST(PatternFile, RotatesAboutFixedXThenYThenZ) {

@@ -142,6 +142,13 @@ TEST_F(ReportSchema, HoldsForTheBodysPrograms) {
   expect_faults_found("clean_body", "cleaning.json");
 }
 
+TEST_F(ReportSchema, HoldsForImportPattern) {
+  succeed("import-pattern", {fs::path(TOILE_SOURCE_DIR) / "tests/io/drawings/r2013.dxf", "-o",
+                             folder / "drawn.json", "--report", folder / "import.json", "-q"});
+  expect_valid("import_pattern", "import.json", {"/panels/0/grain_degrees"});
+  expect_faults_found("import_pattern", "import.json");
+}
+
 TEST_F(ReportSchema, HoldsForMeshPatternDressEaseMapAndRender) {
   succeed("mesh-pattern", {sample("tshirt"), "-o", garment, "--edge-length", "25mm", "--report",
                            folder / "mesh.json", "-q"});

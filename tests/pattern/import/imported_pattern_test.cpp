@@ -1,0 +1,264 @@
+#include "pattern/import/imported_pattern.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "geometry/polygon.h"
+#include "io/output_file.h"
+#include "pattern/import/dxf_pieces.h"
+#include "pattern/import/join_paths.h"
+#include "pattern/pattern_file.h"
+#include "tests/pattern/import/dxf_samples.h"
+#include "tests/pattern/samples.h"
+
+namespace toile {
+namespace imported_pattern_test {
+
+using namespace samples;
+
+struct Imported {
+  ImportedPattern made;
+  Pattern read;  ///< what was written, read again
+  std::string remarks;
+};
+
+Imported import_text(const std::string& text, const ImportOptions& options = {},
+                     const DrawingOptions& drawn = {}) {
+  Imported result;
+  std::vector<Remark> remarks;
+  result.made =
+      import_pieces(dxf_pieces(parse_dxf(text, "a.dxf"), "a.dxf", drawn), options, remarks);
+  for (const Remark& remark : remarks) result.remarks += remark.text + "\n";
+  std::vector<Remark> later;
+  result.read = parse_pattern(readable_json(pattern_json(result.made)), "a.json", later);
+  return result;
+}
+
+std::vector<Vec2> outline_of(const PatternPanel& panel) {
+  std::vector<Vec2> points;
+  for (const OutlineStep& step : panel.outline) {
+    std::vector<Vec2> more = panel.edges[static_cast<std::size_t>(step.edge)].curve.sample(200);
+    if (!step.forward) std::reverse(more.begin(), more.end());
+    points.insert(points.end(), more.begin(), more.end() - 1);
+  }
+  return points;
+}
+
+double farthest_from(const std::vector<Vec2>& points, const std::vector<Vec2>& loop) {
+  double most = 0;
+  for (const Vec2& point : points) {
+    double least = 1e9;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      least = std::min(least, distance_to_segment(point, loop[i], loop[(i + 1) % loop.size()]));
+    }
+    most = std::max(most, least);
+  }
+  return most;
+}
+
+const std::string square = dxf_polyline("1", rectangle(0, 0, 300, 400));
+
+TEST(ImportedPattern, ASquareIsFourStraightEdges) {
+  const Imported result = import_text(dxf_file(
+      dxf_block("FRONT", square + dxf_segment("7", {10, 10}, {20, 10 + 10 * std::sqrt(3.0)})), ""));
+  ASSERT_EQ(result.read.panels.size(), 1u);
+  const PatternPanel& panel = result.read.panels[0];
+  EXPECT_EQ(panel.name, "FRONT");
+  ASSERT_EQ(panel.edges.size(), 4u);
+  for (const PatternEdge& edge : panel.edges) EXPECT_TRUE(edge.curve.straight());
+  EXPECT_NEAR(signed_area(outline_of(panel)), 0.12, 1e-9);
+  // The line stands at 60 degrees: 30 clockwise from upright.
+  EXPECT_NEAR(panel.grain, -std::numbers::pi / 6, 1e-6);
+}
+
+TEST(ImportedPattern, NotchesCutEdgesAndAreKept) {
+  const Imported result = import_text(
+      dxf_file(dxf_block("FRONT", square + dxf_point("4", {300, 150}, "50\n180\n") +
+                                      dxf_point("4", {299, 399}) + dxf_point("4", {150, 200})),
+               ""));
+  const PatternPanel& panel = result.read.panels[0];
+  ASSERT_EQ(panel.edges.size(), 5u);
+  ASSERT_EQ(panel.notches.size(), 2u);
+  EXPECT_TRUE(panel.notches[0].at.isApprox(Vec2(0.3, 0.15), 1e-9));
+  EXPECT_NEAR(panel.notches[0].angle.value(), std::numbers::pi, 1e-6);
+  EXPECT_TRUE(panel.notches[1].at.isApprox(Vec2(0.3, 0.4), 1e-9));
+  EXPECT_HOLDS(result.remarks, "1 notches are more than 6 cm from its outline");
+}
+
+TEST(ImportedPattern, AHalfIsUnfolded) {
+  // Half a front: its neck is a quarter circle of radius 100 about (0, 600).
+  std::vector<Vec2> half = {{0, 0}, {250, 0}, {250, 600}, {100, 600}};
+  for (int i = 1; i <= 45; ++i) {
+    const double angle = -i * std::numbers::pi / 90;
+    half.emplace_back(100 * std::cos(angle), 600 + 100 * std::sin(angle));
+  }
+  const Imported result = import_text(
+      dxf_file(dxf_block("FRONT", dxf_polyline("1", half) + dxf_segment("6", {0, 0}, {0, 500}) +
+                                      dxf_point("4", {250, 300}) + dxf_point("13", {50, 50})),
+               ""));
+  const PatternPanel& panel = result.read.panels[0];
+  const double expected = 0.5 * 0.6 - std::numbers::pi * 0.01 / 2;
+  EXPECT_NEAR(signed_area(outline_of(panel)), expected, 1e-3 * expected);
+  // The neck and the hem are one edge each; each side is cut at its notch.
+  EXPECT_EQ(panel.edges.size(), 8u);
+  EXPECT_EQ(panel.notches.size(), 2u);
+  EXPECT_EQ(panel.drill_holes.size(), 2u);
+  double neck = 0;
+  for (const PatternEdge& edge : panel.edges) {
+    if (!edge.curve.straight()) neck = edge.curve.length();
+  }
+  EXPECT_NEAR(neck, std::numbers::pi * 0.1, 2e-4);
+}
+
+TEST(ImportedPattern, ACurveThatLeavesTheFoldGentlyIsKept) {
+  // A half circle on a square of 200 mm: its start runs along the fold at first.
+  std::vector<Vec2> half = {{0, 0}, {200, 0}};
+  for (int i = 0; i <= 180; ++i) {
+    const double angle = i * std::numbers::pi / 180;
+    half.emplace_back(100 + 100 * std::cos(angle), 200 + 100 * std::sin(angle));
+  }
+  const Imported result = import_text(
+      dxf_file(dxf_block("F", dxf_polyline("1", half) + dxf_segment("6", {0, 0}, {0, 200})), ""));
+  const double expected = 2 * (0.04 + std::numbers::pi * 0.01 / 2);
+  EXPECT_NEAR(signed_area(outline_of(result.read.panels[0])), expected, 3e-4 * expected);
+}
+
+TEST(ImportedPattern, AWholePieceWithAMirrorLineStaysWhole) {
+  const Imported result =
+      import_text(dxf_file(dxf_block("F", square + dxf_segment("6", {150, 0}, {150, 400})), ""));
+  EXPECT_NEAR(signed_area(outline_of(result.read.panels[0])), 0.12, 1e-9);
+  EXPECT_HOLDS(result.remarks, "lies on both sides of its mirror line");
+  EXPECT_HOLDS(
+      error_of([&] {
+        import_text(dxf_file(dxf_block("F", square + dxf_segment("6", {-50, 0}, {-50, 400})), ""));
+      }),
+      "does not run along its mirror line");
+}
+
+TEST(ImportedPattern, APairIsLeftAndRight) {
+  const std::string sleeve = dxf_polyline("1", {{0, 0}, {300, 0}, {250, 400}, {0, 400}});
+  const Imported result =
+      import_text(dxf_file(dxf_block("SLEEVE", sleeve + dxf_label("Quantity: 1,1") +
+                                                   dxf_segment("7", {100, 0}, {200, 300})),
+                           ""));
+  ASSERT_EQ(result.read.panels.size(), 2u);
+  const PatternPanel& left = result.read.panels[0];
+  const PatternPanel& right = result.read.panels[1];
+  EXPECT_EQ(left.name, "left_SLEEVE");
+  EXPECT_EQ(right.name, "right_SLEEVE");
+  EXPECT_EQ(left.quantity, 1);
+  EXPECT_NEAR(signed_area(outline_of(left)), signed_area(outline_of(right)), 1e-9);
+  EXPECT_NEAR(left.grain, -right.grain, 1e-6);
+  EXPECT_LT(left.grain, -0.1);
+}
+
+TEST(ImportedPattern, SeamAllowanceIsTakenOff) {
+  ImportOptions options;
+  options.seam_allowance = 0.01;
+  const Imported result =
+      import_text(dxf_file(dxf_block("F", square + dxf_point("4", {300, 150})), ""), options);
+  const PatternPanel& panel = result.read.panels[0];
+  EXPECT_NEAR(signed_area(outline_of(panel)), 0.28 * 0.38, 1e-9);
+  EXPECT_EQ(panel.edges.size(), 5u);
+  EXPECT_NEAR(panel.notches[0].at.x(), 0.29, 1e-9);
+  options.seam_allowance = 0.2;
+  EXPECT_HOLDS(error_of([&] { import_text(dxf_file(dxf_block("F", square), ""), options); }),
+               "nothing is left of it without its seam allowance");
+}
+
+TEST(ImportedPattern, TakesTheSizeThatIsAskedFor) {
+  std::string blocks;
+  for (const int size : {36, 38, 40}) {
+    blocks +=
+        dxf_block("F" + std::to_string(size), dxf_polyline("1", rectangle(0, 0, 5 * size, 400)) +
+                                                  dxf_label("Piece Name: F") +
+                                                  dxf_label("Size: " + std::to_string(size)));
+  }
+  const std::string text = dxf_file(blocks, dxf_label("Sample Size: 38"));
+  const Imported base = import_text(text);
+  ASSERT_EQ(base.read.panels.size(), 1u);
+  EXPECT_NEAR(signed_area(outline_of(base.read.panels[0])), 0.19 * 0.4, 1e-9);
+  EXPECT_HOLDS(base.remarks, "size '38' is taken, the base size of 36, 38, 40");
+  ImportOptions options;
+  options.size = "40";
+  EXPECT_NEAR(signed_area(outline_of(import_text(text, options).read.panels[0])), 0.2 * 0.4, 1e-9);
+  options.size = "XL";
+  EXPECT_HOLDS(error_of([&] { import_text(text, options); }),
+               "has no size 'XL'; its sizes are 36, 38, 40");
+}
+
+TEST(ImportedPattern, PanelsOfOneNameAreToldApartAndLaidOut) {
+  const Imported result =
+      import_text(dxf_file(dxf_block("D#1\\x", square) + dxf_block("D#1\\x", square), ""));
+  ASSERT_EQ(result.read.panels.size(), 2u);
+  EXPECT_EQ(result.read.panels[0].name, "D_1_x");
+  EXPECT_EQ(result.read.panels[1].name, "D_1_x_2");
+  const std::vector<Vec2> first = outline_of(result.read.panels[0]);
+  const std::vector<Vec2> second = outline_of(result.read.panels[1]);
+  double right = 0;
+  double left = 1e9;
+  for (const Vec2& point : first) right = std::max(right, point.x());
+  for (const Vec2& point : second) left = std::min(left, point.x());
+  EXPECT_GT(left, right);
+}
+
+TEST(ImportedPattern, InnerLinesAreWrittenAndRead) {
+  const Imported result = import_text(dxf_file(
+      dxf_block("F", square + dxf_segment("8", {10, 10}, {50, 60}) + dxf_point("13", {30, 40}) +
+                         dxf_polyline("11", rectangle(100, 100, 20, 30)) +
+                         dxf_label("Material: Twill") + dxf_label("Quantity: 3")),
+      ""));
+  const PatternPanel& panel = result.read.panels[0];
+  ASSERT_EQ(panel.internal_lines.size(), 1u);
+  EXPECT_TRUE(panel.internal_lines[0][1].isApprox(Vec2(0.05, 0.06), 1e-9));
+  ASSERT_EQ(panel.cut_outs.size(), 1u);
+  EXPECT_NEAR(std::abs(signed_area(panel.cut_outs[0])), 6e-4, 1e-12);
+  EXPECT_EQ(panel.drill_holes.size(), 1u);
+  EXPECT_EQ(panel.material, "Twill");
+  EXPECT_EQ(panel.quantity, 3);
+}
+
+TEST(ImportedPattern, EveryVersionOfDxfGivesThePieceThatWasDrawn) {
+  const double expected = 0.3 * 0.6 - 0.01 - std::numbers::pi * 0.01 / 4;
+  for (const char* name : {"r12.dxf", "r2000.dxf", "r2007.dxf", "r2013.dxf"}) {
+    const Imported result = import_text(
+        read_file(std::filesystem::path(TOILE_SOURCE_DIR) / "tests/io/drawings" / name));
+    ASSERT_EQ(result.read.panels.size(), 1u) << name;
+    const PatternPanel& panel = result.read.panels[0];
+    EXPECT_EQ(panel.name, "Vorderteil Gr\u00f6\u00dfe");
+    EXPECT_EQ(panel.material, "K\u00f6per");
+    EXPECT_NEAR(signed_area(outline_of(panel)), expected, 1e-3 * expected);
+    // The arc runs into the line above it without a corner.
+    EXPECT_EQ(panel.edges.size(), 6u) << "five corners and a notch";
+    // Inserted turned by 30 degrees, and its grain line is upright in the block.
+    EXPECT_NEAR(panel.grain, std::numbers::pi / 6, 1e-6);
+    EXPECT_EQ(panel.cut_outs.size(), 1u);
+  }
+}
+
+TEST(ImportedPattern, ValentinasOutlinesAreKeptToATenthOfAMillimetre) {
+  for (const char* name :
+       {"bodice_block_aama_r12.dxf", "tshirt_aama_r12_sheet.dxf", "tshirt_aama_r14_details.dxf"}) {
+    const auto path = real_pattern(std::string("../valentina/") + name);
+    if (!path) GTEST_SKIP() << name << " is not in ../shared/data or TOILE_DATA";
+    const std::string text = read_file(*path);
+    const PieceDrawing drawing = dxf_pieces(parse_dxf(text, name), name, {});
+    const Imported result = import_text(text);
+    ASSERT_EQ(result.read.panels.size(), drawing.pieces.size());
+    for (std::size_t i = 0; i < drawing.pieces.size(); ++i) {
+      std::vector<Vec2> drawn = loop_points(drawing.pieces[i].outline, 1e-6);
+      for (Vec2& point : drawn) point += result.made.panels[i].moved;
+      const std::vector<Vec2> made = outline_of(result.read.panels[i]);
+      EXPECT_LT(farthest_from(drawn, made), 1e-4) << name << " " << i;
+      EXPECT_LT(farthest_from(made, drawn), 1e-4) << name << " " << i;
+      EXPECT_NEAR(signed_area(made), std::abs(signed_area(drawn)), 1e-3 * signed_area(made));
+    }
+  }
+}
+
+}  // namespace imported_pattern_test
+}  // namespace toile
