@@ -37,8 +37,8 @@ constexpr std::array<std::string_view, 7> shape_elements = {"path", "rect",     
 constexpr std::array<std::string_view, 5> group_elements = {"g", "svg", "a", "switch", "symbol"};
 /// What has no outline of its own and takes nothing from the drawing where it is left out.
 constexpr std::array<std::string_view, 15> silent_elements = {
-    "defs",  "clipPath", "mask",     "marker",         "pattern",        "symbol", "style", "title",
-    "desc",  "metadata", "view",     "linearGradient", "radialGradient", "filter", "font"};
+    "defs", "clipPath", "mask", "marker",         "pattern",        "symbol", "style", "title",
+    "desc", "metadata", "view", "linearGradient", "radialGradient", "filter", "font"};
 
 /// "#id" as id; nothing for other references.
 std::string local_reference(std::string_view text) {
@@ -66,8 +66,8 @@ class Lines {
     }
   }
   int at(std::ptrdiff_t offset) const {
-    const auto before =
-        std::lower_bound(ends_.begin(), ends_.end(), static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)));
+    const auto before = std::lower_bound(
+        ends_.begin(), ends_.end(), static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)));
     return static_cast<int>(before - ends_.begin()) + 1;
   }
 
@@ -120,8 +120,8 @@ class Reader {
     if (text.size() > max_svg_bytes) {
       throw Error(name_, "is larger than 256 MB", "is it really a pattern?");
     }
-    const pugi::xml_parse_result done = document_.load_buffer(
-        text.data(), text.size(), pugi::parse_default | pugi::parse_doctype);
+    const pugi::xml_parse_result done =
+        document_.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_doctype);
     if (!done) {
       std::string problem = done.description();
       problem[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(problem[0])));
@@ -173,8 +173,9 @@ class Reader {
       bool for_each(pugi::xml_node& node) override {
         if (node.type() != pugi::node_element) return true;
         if (depth() > max_svg_depth) {
-          throw Error(reader->place(node), "lies more than " + std::to_string(max_svg_depth) +
-                                               " elements deep", "ungroup the drawing");
+          throw Error(reader->place(node),
+                      "lies more than " + std::to_string(max_svg_depth) + " elements deep",
+                      "ungroup the drawing");
         }
         if (++count > max_svg_elements) {
           throw Error(reader->name_, "has more than 500,000 elements", "is it really a pattern?");
@@ -204,8 +205,9 @@ class Reader {
       if (text.empty() || text == "auto" || text.find('%') != std::string_view::npos) continue;
       const double length = svg_length(text, 0, where);
       if (!(length > 0)) {
-        throw Error(where, "its " + std::string(names[static_cast<std::size_t>(k)]) +
-                               " is not above 0", "correct it");
+        throw Error(where,
+                    "its " + std::string(names[static_cast<std::size_t>(k)]) + " is not above 0",
+                    "correct it");
       }
       // One of the two gives the other by the proportions of the view box.
       if (box && !stated) pixels *= length / pixels[k];
@@ -218,8 +220,7 @@ class Reader {
     if (box) {
       const PlaneTransform view = svg_view_transform(
           box->corner, box->size, pixels, root.attribute("preserveAspectRatio").value(), where);
-      drawing_.metres_per_unit =
-          metres_per_pixel * Vec2(view.matrix()(0, 0), view.matrix()(1, 1));
+      drawing_.metres_per_unit = metres_per_pixel * Vec2(view.matrix()(0, 0), view.matrix()(1, 1));
     } else if (stated) {
       frame = pixels;
     }
@@ -256,7 +257,8 @@ class Reader {
     return node.attribute(name).value();
   }
 
-  double length(const pugi::xml_node& node, const char* name, double whole, double otherwise) const {
+  double length(const pugi::xml_node& node, const char* name, double whole,
+                double otherwise) const {
     const auto given = node.attribute(name);
     return given ? svg_length(given.value(), whole, place(node)) : otherwise;
   }
@@ -305,7 +307,8 @@ class Reader {
   /// Draws a symbol, too: what a `use` refers to.
   void draw_as(const pugi::xml_node& node, std::string_view element, State state) {
     if (++state.depth > 2 * max_svg_depth) {
-      throw Error(place(node), "lies more than 400 elements deep, uses counted", "unlink the clones");
+      throw Error(place(node), "lies more than 400 elements deep, uses counted",
+                  "unlink the clones");
     }
     if (++drawn_ > max_svg_elements) {
       throw Error(place(node), "with it more than 500,000 elements are drawn",
@@ -353,9 +356,10 @@ class Reader {
     if (!(frame.minCoeff() > 0)) return false;
     state.frame = frame;
     if (const auto box = view_box(node, place(node))) {
-      state.to_root = state.to_root * svg_view_transform(box->corner, box->size, frame,
-                                                         node.attribute("preserveAspectRatio").value(),
-                                                         place(node));
+      state.to_root =
+          state.to_root * svg_view_transform(box->corner, box->size, frame,
+                                             node.attribute("preserveAspectRatio").value(),
+                                             place(node));
       state.frame = box->size;
     }
     return true;

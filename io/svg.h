@@ -22,10 +22,10 @@ struct SvgGroup {
 
 /// A `use` of another element.
 struct SvgUse {
-  std::string target;       ///< the id that it draws
-  Vec2 at = Vec2::Zero();   ///< where the origin of what it draws comes to be
-  Vec2 up = Vec2::Zero();   ///< where the direction (0, -1) of what it draws points to
-  int group = -1;           ///< the group that it is in
+  std::string target;      ///< the id that it draws
+  Vec2 at = Vec2::Zero();  ///< where the origin of what it draws comes to be
+  Vec2 up = Vec2::Zero();  ///< where the direction (0, -1) of what it draws points to
+  int group = -1;          ///< the group that it is in
 };
 
 /// A drawn element.
@@ -45,7 +45,7 @@ struct SvgShape {
 
 /// A line of text.
 struct SvgText {
-  std::string text;       ///< blanks are single, none at the ends
+  std::string text;  ///< blanks are single, none at the ends
   Vec2 at = Vec2::Zero();
   std::string on_path;  ///< id of the element along which it runs; empty: none
   std::vector<std::string> classes;
@@ -60,7 +60,8 @@ struct SvgDrawing {
   std::vector<SvgText> texts;
   std::vector<SvgUse> uses;
   std::vector<std::string> namespaces;  ///< those that the outermost element declares
-  /// Metres of one user unit, across and down, by width, height and viewBox; pixels have 96 an inch.
+  /// Metres of one user unit, across and down, by width, height and viewBox; pixels have 96 an
+  /// inch.
   Vec2 metres_per_unit = Vec2::Zero();
   /// Whether width or height are stated in a unit of length and not in pixels.
   bool physical = false;

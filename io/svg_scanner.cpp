@@ -15,8 +15,12 @@ namespace {
 constexpr double inch = 0.0254;
 
 /// Metres of the units that are the same on every screen.
-constexpr std::array<std::pair<std::string_view, double>, 6> physical_units = {
-    {{"mm", 1e-3}, {"cm", 1e-2}, {"in", inch}, {"pt", inch / 72}, {"pc", inch / 6}, {"Q", 0.25e-3}}};
+constexpr std::array<std::pair<std::string_view, double>, 6> physical_units = {{{"mm", 1e-3},
+                                                                                {"cm", 1e-2},
+                                                                                {"in", inch},
+                                                                                {"pt", inch / 72},
+                                                                                {"pc", inch / 6},
+                                                                                {"Q", 0.25e-3}}};
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
 
@@ -27,8 +31,8 @@ std::optional<std::pair<double, std::string_view>> number_and_unit(std::string_v
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
   while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
   std::size_t end = 0;
-  while (end < text.size() && (is_digit(text[end]) || text[end] == '.' || text[end] == '-' ||
-                               text[end] == '+')) {
+  while (end < text.size() &&
+         (is_digit(text[end]) || text[end] == '.' || text[end] == '-' || text[end] == '+')) {
     ++end;
   }
   // The e of an exponent, not of em.
@@ -118,7 +122,8 @@ void SvgScanner::fail(const std::string& problem) const {
 double svg_length(std::string_view text, double whole, const std::string& place) {
   const auto parts = number_and_unit(text);
   if (!parts) {
-    throw Error(place, "'" + shown_text(text) + "' is no length", "use a number, or one with a unit");
+    throw Error(place, "'" + shown_text(text) + "' is no length",
+                "use a number, or one with a unit");
   }
   const auto& [value, unit] = *parts;
   if (unit.empty() || unit == "px") return value;

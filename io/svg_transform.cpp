@@ -27,7 +27,9 @@ PlaneTransform translation(double x, double y) { return matrix({1, 0, 0, 1, x, y
 PlaneTransform one_transform(std::string_view name, const std::vector<double>& given,
                              const SvgScanner& scanner) {
   const std::size_t count = given.size();
-  const auto value = [&](std::size_t i, double otherwise) { return i < count ? given[i] : otherwise; };
+  const auto value = [&](std::size_t i, double otherwise) {
+    return i < count ? given[i] : otherwise;
+  };
   if (name == "matrix" && count == 6) {
     return matrix({given[0], given[1], given[2], given[3], given[4], given[5]});
   }
