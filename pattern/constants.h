@@ -33,6 +33,9 @@ inline constexpr int max_panels = 1'000;
 inline constexpr int max_panel_edges = 2'000;
 inline constexpr int max_stitches = 20'000;
 
+/// Curves of one edge at most. A hand-drawn edge has some ten.
+inline constexpr int max_chain_curves = 1'000;
+
 /// N: the stiffness of an elastic whose pattern states none, estimated. A waistband's elastic takes
 /// some 10 N when it is half as long again.
 inline constexpr double usual_elastic_stiffness = 20;

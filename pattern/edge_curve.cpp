@@ -68,6 +68,41 @@ EdgeCurve EdgeCurve::arc(const Vec2& start, const Vec2& end, double radius, bool
   return curve;
 }
 
+EdgeCurve EdgeCurve::chain(std::vector<EdgeCurve> parts) {
+  if (parts.size() == 1) return parts.front();
+  EdgeCurve curve;
+  curve.kind_ = Kind::chain;
+  curve.points_ = {parts.front().start(), parts.front().start(), parts.back().end(),
+                   parts.back().end()};
+  curve.marks_.push_back({0, 0});
+  for (const EdgeCurve& part : parts) {
+    curve.length_ += part.length();
+    curve.marks_.push_back({curve.marks_.back().t + 1, curve.length_});
+  }
+  curve.parts_ = std::make_shared<const std::vector<EdgeCurve>>(std::move(parts));
+  return curve;
+}
+
+EdgeCurve EdgeCurve::reversed() const {
+  if (kind_ == Kind::line) return line(end(), start());
+  if (kind_ == Kind::bezier) return cubic(points_[3], points_[2], points_[1], points_[0]);
+  if (kind_ == Kind::straightened) {
+    return drawn_->reversed().straightened(1 - kept_to_, 1 - kept_from_);
+  }
+  if (kind_ == Kind::chain) {
+    std::vector<EdgeCurve> parts;
+    for (auto part = parts_->rbegin(); part != parts_->rend(); ++part) {
+      parts.push_back(part->reversed());
+    }
+    return chain(std::move(parts));
+  }
+  EdgeCurve arc = *this;
+  arc.points_ = {end(), end(), start(), start()};
+  arc.from_angle_ += sweep_;
+  arc.sweep_ = -sweep_;
+  return arc;
+}
+
 EdgeCurve EdgeCurve::moved_to(const Vec2& start, const Vec2& end) const {
   if (kind_ == Kind::line) return line(start, end);
   const Vec2 from = points_[3] - points_[0];
@@ -84,6 +119,15 @@ EdgeCurve EdgeCurve::moved_to(const Vec2& start, const Vec2& end) const {
     return drawn_->moved_to(start, end).straightened(kept_from_, kept_to_);
   }
   if (kind_ == Kind::bezier) return cubic(start, moved(points_[1]), moved(points_[2]), end);
+  if (kind_ == Kind::chain) {
+    std::vector<EdgeCurve> parts;
+    for (const EdgeCurve& part : *parts_) {
+      const bool last = &part == &parts_->back();
+      const Vec2 from_point = parts.empty() ? start : parts.back().end();
+      parts.push_back(part.moved_to(from_point, last ? end : moved(part.end())));
+    }
+    return chain(std::move(parts));
+  }
   EdgeCurve arc = *this;
   arc.points_ = {start, start, end, end};
   arc.centre_ = moved(centre_);
@@ -156,7 +200,7 @@ void EdgeCurve::measure(double from, double to, double whole, int depth) {
 double EdgeCurve::turning(double from, double to) const {
   if (kind_ == Kind::line) return 0;
   if (kind_ == Kind::arc) return std::abs(sweep_) * (to - from);
-  constexpr int chords = 32;
+  const int chords = kind_ == Kind::chain ? 32 * static_cast<int>(parts_->size()) : 32;
   double sum = 0;
   Vec2 previous = Vec2::Zero();
   Vec2 point = at(from);
@@ -197,6 +241,10 @@ Vec2 EdgeCurve::at(double fraction) const {
   if (after == marks_.begin()) ++after;
   if (after == marks_.end()) --after;
   const Mark before = *(after - 1);
+  if (kind_ == Kind::chain) {
+    const EdgeCurve& part = (*parts_)[static_cast<std::size_t>(before.t)];
+    return part.length() > 0 ? part.at((target - before.length) / part.length()) : part.start();
+  }
   double low = before.t;
   double high = after->t;
   const double piece = after->length - before.length;

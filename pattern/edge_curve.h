@@ -1,4 +1,5 @@
-// The curves that bound a panel: straight lines, Bezier curves, circular arcs, walked by length.
+// The curves that bound a panel: straight lines, Bezier curves, circular arcs and chains of them,
+// walked by length.
 #pragma once
 
 #include <memory>
@@ -25,6 +26,12 @@ class EdgeCurve {
   /// is taken as half the chord.
   static EdgeCurve arc(const Vec2& start, const Vec2& end, double radius, bool large, bool right);
 
+  /// Curves that follow each other as one: each starts where the one before it ends. At least one.
+  static EdgeCurve chain(std::vector<EdgeCurve> parts);
+
+  /// The same curve run from its end to its start.
+  EdgeCurve reversed() const;
+
   /// The curve turned and scaled as a whole, so that it runs from `start` to `end`. Its own ends
   /// must differ.
   EdgeCurve moved_to(const Vec2& start, const Vec2& end) const;
@@ -49,8 +56,8 @@ class EdgeCurve {
   std::vector<Vec2> sample(int segments) const;
 
  private:
-  enum class Kind { line, bezier, arc, straightened };
-  /// The length of the curve from its start to parameter `t`.
+  enum class Kind { line, bezier, arc, straightened, chain };
+  /// The length of the curve from its start to parameter `t`. Of a chain, t is the number of parts.
   struct Mark {
     double t = 0;
     double length = 0;
@@ -70,8 +77,9 @@ class EdgeCurve {
   double sweep_ = 0;  ///< angle from start to end, positive counter-clockwise
   double length_ = 0;
   std::vector<Mark> marks_;
-  std::shared_ptr<const EdgeCurve> drawn_;  ///< of a straightened curve
-  double kept_from_ = 0;                    ///< fractions of drawn_ between which it is kept
+  std::shared_ptr<const EdgeCurve> drawn_;               ///< of a straightened curve
+  std::shared_ptr<const std::vector<EdgeCurve>> parts_;  ///< of a chain
+  double kept_from_ = 0;  ///< fractions of drawn_ between which it is kept
   double kept_to_ = 1;
 };
 

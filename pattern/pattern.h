@@ -47,6 +47,13 @@ struct OutlineStep {
   bool forward = true;
 };
 
+/// A mark on the outline, at a vertex of it, to sew by.
+struct PanelNotch {
+  int vertex = 0;               ///< as the file counts the panel's vertices
+  Vec2 at = Vec2::Zero();       ///< metres: that vertex
+  std::optional<double> angle;  ///< radians from +x, counter-clockwise, if stated
+};
+
 /// A flat piece as drawn, in metres.
 struct PatternPanel {
   std::string name;
@@ -59,6 +66,13 @@ struct PatternPanel {
   /// One closed loop through all edges but those that are merged with others.
   std::vector<OutlineStep> outline;
   std::vector<PanelAttachment> attachments;
+  // What a pattern maker draws besides. None of it is meshed.
+  std::vector<PanelNotch> notches;
+  std::vector<std::vector<Vec2>> internal_lines;  ///< chords
+  std::vector<std::vector<Vec2>> cut_outs;        ///< closed, the first point not repeated
+  std::vector<Vec2> drill_holes;
+  std::string material;  ///< as the drawing has it; empty: not stated
+  int quantity = 1;      ///< how often it is cut
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< from the drawing (x, y, 0) to space
   Vec3 translation = Vec3::Zero();                         ///< metres
   PanelPlacement placement{};  ///< how the skeleton positions it; by default it does not

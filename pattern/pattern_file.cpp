@@ -147,7 +147,8 @@ class Reader {
 
   void panel(const std::string& name, const JsonValue& value) {
     unread(value, {"translation", "rotation", "vertices", "edges", "label", "placement", "grain",
-                   "fabric", "attach"});
+                   "fabric", "attach", "notches", "internal_lines", "cut_outs", "drill_holes",
+                   "material", "quantity"});
     PatternPanel panel;
     panel.name = name;
     if (const auto translation = value.find("translation")) {
@@ -185,6 +186,7 @@ class Reader {
         *panel.placement.level -= upright(panel.placement.axis, centre).y();
     }
     edges(panel, value.get("edges"), points);
+    marks(panel, value, points);
     if (const auto attach = value.find("attach")) {
       panel.attachments = read_panel_attachments(attach->called(value.place() + ", attach"),
                                                  value.get("edges"), unit_);
@@ -198,6 +200,53 @@ class Reader {
       stand_schematically(panel);
     }
     pattern_.panels.push_back(std::move(panel));
+  }
+
+  /// Notches, lines within the outline, and how the panel is cut.
+  void marks(PatternPanel& panel, const JsonValue& value, const std::vector<Vec2>& points) {
+    if (const auto notches = value.find("notches")) {
+      for (std::size_t i = 0; i < notches->size(); ++i) {
+        const JsonValue entry =
+            notches->item(i).called(value.place() + ", notch " + std::to_string(i));
+        unread(entry, {"vertex", "angle"});
+        PanelNotch notch;
+        notch.vertex = entry.get("vertex").index(static_cast<int>(points.size()));
+        notch.at = points[static_cast<std::size_t>(notch.vertex)];
+        if (const auto angle = entry.find("angle")) notch.angle = angle->number() * degree;
+        panel.notches.push_back(notch);
+      }
+    }
+    const Vec2 origin = centre_panels_ ? offset_ : Vec2::Zero();
+    const auto drawn = [&](const JsonValue& list, std::size_t least) {
+      std::vector<Vec2> line;
+      const std::size_t count = list.size(least);
+      for (std::size_t i = 0; i < count; ++i) line.push_back(metres(list.item(i)) - origin);
+      return line;
+    };
+    const auto lines = [&](const char* key, std::size_t least, std::vector<std::vector<Vec2>>& to) {
+      const auto list = value.find(key);
+      if (!list) return;
+      for (std::size_t i = 0; i < list->size(); ++i) {
+        to.push_back(drawn(
+            list->item(i).called(value.place() + ", " + key + " " + std::to_string(i)), least));
+      }
+    };
+    lines("internal_lines", 2, panel.internal_lines);
+    lines("cut_outs", 3, panel.cut_outs);
+    if (const auto holes = value.find("drill_holes")) panel.drill_holes = drawn(*holes, 0);
+    if (const auto material = value.find("material")) panel.material = material->text();
+    if (const auto quantity = value.find("quantity")) {
+      constexpr int max_quantity = 1000;
+      panel.quantity = quantity->index(max_quantity + 1);
+      if (panel.quantity < 1) quantity->fail("is no number of pieces");
+    }
+    const std::size_t unmeshed =
+        panel.internal_lines.size() + panel.cut_outs.size() + panel.drill_holes.size();
+    if (unmeshed > 0) {
+      note(value.place() + ": " + std::to_string(panel.internal_lines.size()) +
+           " internal lines, " + std::to_string(panel.cut_outs.size()) + " cut-outs and " +
+           std::to_string(panel.drill_holes.size()) + " drill holes are not meshed");
+    }
   }
 
   void edges(PatternPanel& panel, const JsonValue& list, const std::vector<Vec2>& points) {
@@ -301,8 +350,9 @@ class Reader {
       return EdgeCurve::cubic(start, control(params.item(0), start, end),
                               control(params.item(1), start, end), end);
     }
+    if (kind == "cubics") return chain(params, start, end);
     if (kind != "circle") {
-      type.fail(in_quotes(kind) + " is unknown", "use quadratic, cubic or circle");
+      type.fail(in_quotes(kind) + " is unknown", "use quadratic, cubic, cubics or circle");
     }
     params.size(3, 3);
     const double radius = params.item(0).number() * unit_;
@@ -312,6 +362,24 @@ class Reader {
       note(edge.place() + ": the circle's radius is too short to reach; half the chord is taken");
     }
     return EdgeCurve::arc(start, end, radius, params.item(1).flag(), params.item(2).flag());
+  }
+
+  /// Cubic curves that follow each other: two control points of each, and the joints between.
+  EdgeCurve chain(const JsonValue& params, const Vec2& start, const Vec2& end) const {
+    const std::size_t count = params.size(2, 3 * static_cast<std::size_t>(max_chain_curves) - 1);
+    if (count % 3 != 2) {
+      params.fail("has " + std::to_string(count) + " points instead of 2, 5, 8 and so on",
+                  "give two control points for each curve, and the joints between");
+    }
+    std::vector<EdgeCurve> parts;
+    for (std::size_t i = 0; i < count; i += 3) {
+      const Vec2 from = parts.empty() ? start : parts.back().end();
+      const Vec2 to = i + 2 < count ? control(params.item(i + 2), start, end) : end;
+      if (from == to) params.fail("has a curve that ends where it starts", "remove it");
+      parts.push_back(EdgeCurve::cubic(from, control(params.item(i), start, end),
+                                       control(params.item(i + 1), start, end), to));
+    }
+    return EdgeCurve::chain(std::move(parts));
   }
 
   /// A control point in metres. The file states it in the panel's drawing or in the frame of the
@@ -411,7 +479,7 @@ Pattern parse_pattern(const std::string& text, const std::string& name,
   if (first != std::string::npos &&
       std::string_view("<P0123456789").find(text[first]) != std::string_view::npos) {
     throw Error(name, "is no pattern that can be read",
-                "give GarmentCode JSON; SVG, DXF and others are not read");
+                "give GarmentCode JSON; import-pattern makes it from DXF and SVG");
   }
   const JsonDocument document(text, name);
   return Reader(name, remarks).read(document.root());

@@ -10,6 +10,7 @@ CommandLineProgram clean_body_program();
 CommandLineProgram dress_program();
 CommandLineProgram ease_map_program();
 CommandLineProgram fit_program();
+CommandLineProgram import_pattern_program();
 CommandLineProgram make_mannequin_program();
 CommandLineProgram mesh_pattern_program();
 CommandLineProgram render_program();

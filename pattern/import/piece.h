@@ -48,7 +48,8 @@ struct Piece {
 
 /// What a drawing holds, with the outlines that were understood.
 struct PieceDrawing {
-  std::string source;  ///< the file it came from, for messages
+  std::string source;     ///< the file it came from, for messages
+  std::string base_size;  ///< the sample size, if the file states it; else empty
   std::vector<Piece> pieces;
   std::vector<Remark> remarks;
   /// What was not understood: the name of its kind, and how many there were.

@@ -1,0 +1,75 @@
+#include "pattern/import/drawing_unit.h"
+
+#include <cmath>
+
+#include "geometry/error.h"
+#include "io/text.h"
+
+namespace toile {
+
+namespace {
+
+constexpr double inch = 0.0254;
+constexpr double shortest = 0.02;  ///< metres
+constexpr double longest = 5;      ///< metres
+constexpr double longest_asked = 100;
+constexpr const char* remedy = "say the unit: --unit mm, cm or inch";
+
+std::string unit_name(double metres) {
+  if (metres == 1e-3) return "millimetres";
+  if (metres == 1e-2) return "centimetres";
+  if (metres == inch) return "inches";
+  if (metres == 1) return "metres";
+  return "units of " + number_text(metres * 1000) + " mm";
+}
+
+std::string size_text(double metres) { return fixed_number(metres * 100, 1) + " cm"; }
+
+/// The unit that makes the largest piece one of a garment; 0: none does.
+double unit_of_size(double largest, bool english) {
+  if (largest >= 100 && largest <= longest * 1000) return 1e-3;
+  if (largest >= 25 && largest < 100) return english ? inch : 1e-2;
+  if (largest >= 8 && largest < 25) return inch;
+  if (largest >= 0.1 && largest <= longest) return 1;
+  return 0;
+}
+
+}  // namespace
+
+double drawing_unit(const UnitEvidence& evidence, const std::string& source,
+                    std::vector<Remark>& remarks) {
+  const double largest = evidence.largest;
+  if (evidence.asked) {
+    const double size = largest * *evidence.asked;
+    if (size < 1e-3 || size > longest_asked) {
+      throw Error(source,
+                  "the largest piece would be " + size_text(size) + " long in " +
+                      unit_name(*evidence.asked),
+                  "give another --unit");
+    }
+    return *evidence.asked;
+  }
+  if (evidence.stated) {
+    const double size = largest * *evidence.stated;
+    if (size < shortest || size > longest) {
+      throw Error(source,
+                  "the largest piece would be " + size_text(size) + " long in " +
+                      unit_name(*evidence.stated) + ", as " + evidence.stated_by + " says",
+                  remedy);
+    }
+    return *evidence.stated;
+  }
+  const double unit = unit_of_size(largest, evidence.english);
+  if (unit == 0) {
+    throw Error(source,
+                "states no unit, and the largest piece is " + number_text(largest) + " units long",
+                remedy);
+  }
+  const bool unsure = unit == 1e-2 || unit == inch;
+  remarks.push_back({unsure, source + ": states no unit; lengths are taken as " + unit_name(unit) +
+                                 ", so that the largest piece is " + size_text(largest * unit) +
+                                 " long" + (unsure ? "; if that is wrong, give --unit" : "")});
+  return unit;
+}
+
+}  // namespace toile

@@ -1,0 +1,39 @@
+// Pattern pieces from DXF, by the layers of AAMA and ASTM D6673.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "io/dxf.h"
+#include "pattern/import/piece.h"
+
+namespace toile {
+
+/// What the user says about a drawing.
+struct DrawingOptions {
+  std::optional<double> unit;  ///< metres
+  bool cut_line = false;       ///< whether pieces are bounded by their cut lines, if they have any
+};
+
+/// The pieces of a DXF drawing.
+///
+/// - A block with an outline is a piece, inserted or not. Where it is inserted, it stands as the
+///   first insert puts it. What a piece inserts without an outline of its own belongs to it.
+/// - A block that only inserts pieces is a sheet. One that inserts a single piece adds its own
+///   texts and marks to that.
+/// - Outlines in model space are pieces, too. What lies within them belongs to them.
+/// - Layers: 1 boundary, 2 turn points, 4 and 80 to 83 notches, 6 mirror line, 7 grain, 8 internal
+///   lines, 11 cut-outs, 13 drill holes, 14 sew line. 3, 5, 9, 10, 15 and 84 to 87 are known and
+///   not used. All others are counted in `ignored`. Drawings without anything on 1 and 14 have
+///   outlines on any layer; closed lines within them are internal lines.
+/// - The sew line bounds a piece where there is one. A closed internal line that runs along the
+///   whole boundary, within 60 mm of it, is a sew line: Valentina writes it so.
+/// - A piece is a pair if its texts say so, or if a second insert is mirrored.
+///
+/// Throws Error, naming the piece, for outlines with a gap wider than max_outline_gap, and for two
+/// outlines beside each other in one block. An outline within the other is a cut-out, with a
+/// warning. Throws it when there is no piece, and as drawing_unit() does.
+PieceDrawing dxf_pieces(const DxfDrawing& drawing, const std::string& source,
+                        const DrawingOptions& options);
+
+}  // namespace toile

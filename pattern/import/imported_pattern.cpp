@@ -1,0 +1,374 @@
+#include "pattern/import/imported_pattern.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <set>
+
+#include "geometry/error.h"
+#include "geometry/polygon.h"
+#include "io/json_words.h"
+#include "io/text.h"
+#include "pattern/constants.h"
+#include "pattern/import/join_paths.h"
+#include "pattern/import/piece_shape.h"
+
+namespace toile {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Metres between panels that are laid out.
+constexpr double layout_gap = 0.02;
+
+/// Metres: rows of the layout are about as wide.
+constexpr double layout_width = 2;
+
+/// Share of the chord error that chords in place of drawn curves may take.
+constexpr double sampling_share = 0.1;
+
+/// Metres: internal lines and cut-outs are followed by chords to this.
+constexpr double line_tolerance = 1e-4;
+
+bool same_word(const std::string& a, const std::string& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) {
+    return std::tolower(static_cast<unsigned char>(x)) ==
+           std::tolower(static_cast<unsigned char>(y));
+  });
+}
+
+/// A name that patterns, meshes and file names can have.
+std::string panel_name(const std::string& piece) {
+  std::string name = valid_utf8(piece);
+  for (char& c : name) {
+    if (static_cast<unsigned char>(c) < ' ' || c == '#' || c == '\\' || c == '/') c = '_';
+  }
+  const std::size_t first = name.find_first_not_of(' ');
+  if (first == std::string::npos) return "piece";
+  name = name.substr(first, name.find_last_not_of(' ') - first + 1);
+  constexpr std::size_t max_bytes = 80;
+  if (name.size() > max_bytes) {
+    std::size_t end = max_bytes;
+    while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80) --end;
+    name = name.substr(0, end);
+    while (!name.empty() && name.back() == ' ') name.pop_back();
+  }
+  return name;
+}
+
+struct PanelBox {
+  Vec2 low = Vec2::Constant(std::numeric_limits<double>::max());
+  Vec2 high = Vec2::Constant(std::numeric_limits<double>::lowest());
+};
+
+PanelBox panel_box(const ImportedPanel& panel) {
+  PanelBox box;
+  for (const OutlineEdge& edge : panel.outline.edges) {
+    for (const FittedCurve& curve : edge.curves) {
+      for (const Vec2& point : curve.points) {
+        box.low = box.low.cwiseMin(point);
+        box.high = box.high.cwiseMax(point);
+      }
+    }
+  }
+  return box;
+}
+
+void move(ImportedPanel& panel, const Vec2& by) {
+  const auto all = [&](std::vector<Vec2>& points) {
+    for (Vec2& point : points) point += by;
+  };
+  all(panel.outline.vertices);
+  for (OutlineEdge& edge : panel.outline.edges) {
+    for (FittedCurve& curve : edge.curves) {
+      for (Vec2& point : curve.points) point += by;
+    }
+  }
+  for (auto& line : panel.internal_lines) all(line);
+  for (auto& loop : panel.cut_outs) all(loop);
+  all(panel.drill_holes);
+  panel.moved += by;
+}
+
+/// Lays panels out in rows if any two of them overlap, or all lie too far off.
+void lay_out(std::vector<ImportedPanel>& panels) {
+  std::vector<PanelBox> boxes;
+  for (const ImportedPanel& panel : panels) boxes.push_back(panel_box(panel));
+  bool overlap = false;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    overlap = overlap || boxes[i].low.cwiseAbs().maxCoeff() > 100;  // metres
+    for (std::size_t k = 0; k < i && !overlap; ++k) {
+      overlap = (boxes[i].low.array() < boxes[k].high.array()).all() &&
+                (boxes[k].low.array() < boxes[i].high.array()).all();
+    }
+  }
+  if (!overlap) return;
+  Vec2 corner = Vec2::Zero();
+  double row_height = 0;
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const Vec2 size = boxes[i].high - boxes[i].low;
+    if (corner.x() > 0 && corner.x() + size.x() > layout_width) {
+      corner = Vec2(0, corner.y() + row_height + layout_gap);
+      row_height = 0;
+    }
+    move(panels[i], corner - boxes[i].low);
+    corner.x() += size.x() + layout_gap;
+    row_height = std::max(row_height, size.y());
+  }
+}
+
+/// The drawing's sizes in its order, each once.
+std::vector<std::string> sizes_of(const PieceDrawing& drawing) {
+  std::vector<std::string> sizes;
+  for (const Piece& piece : drawing.pieces) {
+    const bool known = std::any_of(sizes.begin(), sizes.end(), [&](const std::string& size) {
+      return same_word(size, piece.size);
+    });
+    if (!piece.size.empty() && !known) sizes.push_back(piece.size);
+  }
+  return sizes;
+}
+
+class Importer {
+ public:
+  Importer(const PieceDrawing& drawing, const ImportOptions& options, std::vector<Remark>& remarks)
+      : drawing_(drawing), options_(options), remarks_(remarks) {}
+
+  ImportedPattern import() {
+    remarks_.insert(remarks_.end(), drawing_.remarks.begin(), drawing_.remarks.end());
+    for (const auto& [what, count] : drawing_.ignored) {
+      note(drawing_.source + ": not used: " + std::to_string(count) + " x " + shown_text(what));
+    }
+    choose_size();
+    int cut_lines = 0;
+    for (const Piece& piece : drawing_.pieces) {
+      if (!piece.size.empty() && !same_word(piece.size, pattern_.size)) continue;
+      if (piece.is_cut_line && !options_.seam_allowance) ++cut_lines;
+      add(piece);
+    }
+    if (pattern_.panels.empty()) throw Error(drawing_.source, "holds no piece", "");
+    if (pattern_.panels.size() > static_cast<std::size_t>(max_panels)) {
+      throw Error(drawing_.source,
+                  "has " + std::to_string(pattern_.panels.size()) + " pieces, more than " +
+                      std::to_string(max_panels),
+                  "is it really a garment?");
+    }
+    if (cut_lines > 0) {
+      note(drawing_.source + ": " + std::to_string(cut_lines) + " of " +
+           std::to_string(pattern_.panels.size()) +
+           " panels have a boundary and no sew line; if it is a cut line, give --seam-allowance");
+    }
+    if (no_grain_ > 0) {
+      note(drawing_.source + ": " + std::to_string(no_grain_) +
+           " panels have no grain line; their warp is taken upright in the drawing");
+    }
+    lay_out(pattern_.panels);
+    return std::move(pattern_);
+  }
+
+ private:
+  void note(const std::string& text) { remarks_.push_back({false, text}); }
+
+  void choose_size() {
+    pattern_.sizes = sizes_of(drawing_);
+    const auto find = [&](const std::string& size) {
+      return std::find_if(pattern_.sizes.begin(), pattern_.sizes.end(),
+                          [&](const std::string& other) { return same_word(size, other); });
+    };
+    std::string list;
+    for (const std::string& size : pattern_.sizes)
+      list += (list.empty() ? "" : ", ") + shown_text(size);
+    if (!options_.size.empty()) {
+      const auto found = find(options_.size);
+      if (found == pattern_.sizes.end()) {
+        throw Error(
+            drawing_.source, "has no size " + in_quotes(options_.size),
+            list.empty() ? "its pieces state no size; leave --size out" : "its sizes are " + list);
+      }
+      pattern_.size = *found;
+      return;
+    }
+    if (pattern_.sizes.empty()) return;
+    const auto base = find(drawing_.base_size);
+    pattern_.size = base == pattern_.sizes.end() ? pattern_.sizes.front() : *base;
+    if (pattern_.sizes.size() == 1) return;
+    note(drawing_.source + ": size " + in_quotes(pattern_.size) + " is taken, " +
+         (base == pattern_.sizes.end() ? "the first" : "the base size") + " of " + list +
+         "; --size takes another");
+  }
+
+  std::string unique(const std::string& wanted) {
+    std::string name = wanted;
+    for (int i = 2; !names_.insert(name).second; ++i) name = wanted + "_" + std::to_string(i);
+    return name;
+  }
+
+  void add(const Piece& piece) {
+    const std::string place = drawing_.source + ": piece " + in_quotes(piece.name);
+    const bool takes_off = piece.is_cut_line && options_.seam_allowance;
+    PieceShape shape = shape_of(piece, place, options_.edges.chord_error * sampling_share);
+    if (piece.fold) {
+      if (auto whole = unfolded_shape(shape, *piece.fold, place, remarks_))
+        shape = std::move(*whole);
+    }
+    if (takes_off) shape = without_allowance(shape, *options_.seam_allowance, place);
+    if (!shape.grain) no_grain_ += piece.pair ? 2 : 1;
+    const std::string name = panel_name(piece.name);
+    if (!piece.pair) {
+      add(piece, shape, name, piece.quantity, place);
+      return;
+    }
+    add(piece, shape, "left_" + name, std::max(1, piece.quantity / 2), place);
+    add(piece, mirrored_shape(shape), "right_" + name, std::max(1, piece.quantity / 2), place);
+  }
+
+  void add(const Piece& piece, const PieceShape& shape, const std::string& name, int quantity,
+           const std::string& place) {
+    ImportedPanel panel;
+    panel.piece = piece.name;
+    panel.outline = edges_of(shape, options_.edges, place);
+    if (panel.outline.far_notches > 0) {
+      remarks_.push_back({true, place + ": " + std::to_string(panel.outline.far_notches) +
+                                    " notches are more than 6 cm from its outline; left out"});
+    }
+    panel.name = unique(name);
+    panel.internal_lines = shape.internal_lines;
+    panel.cut_outs = shape.cut_outs;
+    panel.drill_holes = shape.drill_holes;
+    panel.area = signed_area(shape.outline);
+    panel.material = piece.material;
+    panel.quantity = quantity;
+    if (shape.grain) {
+      const Vec2 warp = shape.grain->to - shape.grain->from;
+      // A grain line has no direction: 90 degrees and -90 are one.
+      double angle = std::atan2(warp.y(), warp.x()) - std::numbers::pi / 2;
+      while (angle <= -std::numbers::pi / 2 + 1e-9) angle += std::numbers::pi;
+      while (angle > std::numbers::pi / 2 + 1e-9) angle -= std::numbers::pi;
+      panel.grain = angle;
+    }
+    pattern_.panels.push_back(std::move(panel));
+  }
+
+  const PieceDrawing& drawing_;
+  const ImportOptions& options_;
+  std::vector<Remark>& remarks_;
+  ImportedPattern pattern_;
+  std::set<std::string> names_;
+  int no_grain_ = 0;
+};
+
+/// A number with so many decimals; -0 becomes 0.
+double rounded(double value, double digits) { return std::round(value * digits) / digits + 0.0; }
+
+/// Metres as centimetres, to a hundred-thousandth of a millimetre.
+Json to_centimetres(const Vec2& point) {
+  return {rounded(point.x() * 100, 1e6), rounded(point.y() * 100, 1e6)};
+}
+
+Json to_centimetres(const std::vector<Vec2>& points) {
+  Json list = Json::array();
+  for (const Vec2& point : points) list.push_back(to_centimetres(point));
+  return list;
+}
+
+Json to_degrees(double radians) { return rounded(radians * 180 / std::numbers::pi, 1e4); }
+
+Json edge_json(const EdgedOutline& outline, const OutlineEdge& edge) {
+  Json json = {{"endpoints", {edge.from, edge.to}}};
+  if (edge.curves.size() == 1 && edge.curves[0].straight) return json;
+  const Vec2& start = outline.vertices[static_cast<std::size_t>(edge.from)];
+  const Vec2 along = outline.vertices[static_cast<std::size_t>(edge.to)] - start;
+  const Vec2 left(-along.y(), along.x());
+  const auto relative = [&](const Vec2& point) -> Json {
+    const Vec2 arm = point - start;
+    return {rounded(arm.dot(along) / along.squaredNorm(), 1e9),
+            rounded(arm.dot(left) / along.squaredNorm(), 1e9)};
+  };
+  Json params = Json::array();
+  for (std::size_t i = 0; i < edge.curves.size(); ++i) {
+    const auto& points = edge.curves[i].points;
+    if (i > 0) params.push_back(relative(points[0]));
+    params.push_back(relative(points[1]));
+    params.push_back(relative(points[2]));
+  }
+  json["curvature"] = {{"type", edge.curves.size() == 1 ? "cubic" : "cubics"}, {"params", params}};
+  return json;
+}
+
+}  // namespace
+
+ImportedPattern import_pieces(const PieceDrawing& drawing, const ImportOptions& options,
+                              std::vector<Remark>& remarks) {
+  return Importer(drawing, options, remarks).import();
+}
+
+nlohmann::ordered_json pattern_json(const ImportedPattern& pattern) {
+  Json panels = Json::object();
+  Json order = Json::array();
+  for (const ImportedPanel& panel : pattern.panels) {
+    Json json;
+    json["vertices"] = to_centimetres(panel.outline.vertices);
+    json["edges"] = Json::array();
+    for (const OutlineEdge& edge : panel.outline.edges) {
+      json["edges"].push_back(edge_json(panel.outline, edge));
+    }
+    if (panel.grain) json["grain"] = to_degrees(*panel.grain);
+    if (!panel.material.empty()) json["material"] = valid_utf8(panel.material);
+    if (panel.quantity != 1) json["quantity"] = panel.quantity;
+    for (const OutlineNotch& notch : panel.outline.notches) {
+      Json entry = {{"vertex", notch.vertex}};
+      if (notch.angle) entry["angle"] = to_degrees(*notch.angle);
+      json["notches"].push_back(entry);
+    }
+    for (const auto& line : panel.internal_lines)
+      json["internal_lines"].push_back(to_centimetres(line));
+    for (const auto& loop : panel.cut_outs) json["cut_outs"].push_back(to_centimetres(loop));
+    if (!panel.drill_holes.empty()) json["drill_holes"] = to_centimetres(panel.drill_holes);
+    panels[panel.name] = std::move(json);
+    order.push_back(panel.name);
+  }
+  Json result;
+  result["pattern"] = {{"panels", std::move(panels)},
+                       {"panel_order", std::move(order)},
+                       {"stitches", Json::array()}};
+  result["properties"] = {{"curvature_coords", "relative"},
+                          {"normalize_panel_translation", false},
+                          {"normalized_edge_loops", true},
+                          {"units_in_meter", 100}};
+  return result;
+}
+
+namespace {
+
+void append_readable(std::string& text, const Json& json, std::size_t indent) {
+  constexpr std::size_t width = 96;
+  const std::string line = json.dump();
+  if (!json.is_structured() || indent + line.size() <= width || json.empty()) {
+    text += line;
+    return;
+  }
+  const std::string margin(indent + 1, ' ');
+  text += json.is_array() ? '[' : '{';
+  bool first = true;
+  for (const auto& item : json.items()) {
+    text += (first ? "\n" : ",\n") + margin;
+    first = false;
+    if (json.is_object()) text += Json(item.key()).dump() + ": ";
+    append_readable(text, item.value(), indent + 1);
+  }
+  text += "\n" + std::string(indent, ' ');
+  text += json.is_array() ? ']' : '}';
+}
+
+}  // namespace
+
+std::string readable_json(const nlohmann::ordered_json& json) {
+  std::string text;
+  append_readable(text, json, 0);
+  return text + "\n";
+}
+
+}  // namespace toile

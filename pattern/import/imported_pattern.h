@@ -1,0 +1,62 @@
+// A pattern made of the pieces of a drawing, in GarmentCode's JSON.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pattern/import/outline_edges.h"
+#include "pattern/import/piece.h"
+
+namespace toile {
+
+/// What the user says about the pieces.
+struct ImportOptions {
+  std::string size;                      ///< of a drawing with several; empty: the base size
+  std::optional<double> seam_allowance;  ///< metres: taken off cut lines; nothing: as drawn
+  EdgeOptions edges;
+};
+
+/// A panel of the pattern. Metres, y up.
+struct ImportedPanel {
+  std::string name;   ///< unique, and one that read_pattern() takes
+  std::string piece;  ///< as the drawing has it
+  EdgedOutline outline;
+  std::vector<std::vector<Vec2>> internal_lines;
+  std::vector<std::vector<Vec2>> cut_outs;  ///< closed, the first point not repeated
+  std::vector<Vec2> drill_holes;
+  std::optional<double> grain;  ///< radians counter-clockwise from +y to the warp, within a quarter
+  std::string material;
+  int quantity = 1;
+  double area = 0;            ///< square metres
+  Vec2 moved = Vec2::Zero();  ///< metres from where the drawing has it
+};
+
+/// All panels, and what was remarked on the way.
+struct ImportedPattern {
+  std::string size;                ///< the one that was taken; empty: the drawing states none
+  std::vector<std::string> sizes;  ///< all that the drawing has
+  std::vector<ImportedPanel> panels;
+};
+
+/// Makes the panels: of the size asked for, half pieces unfolded, pairs as left_NAME, as drawn, and
+/// right_NAME, mirrored.
+///
+/// Panels stay where the drawing has them, unless the boxes of two overlap. Then all are laid out
+/// side by side, upright as drawn. Remarks of the drawing and what it ignored are added to
+/// `remarks`.
+///
+/// Throws Error, naming the piece, as shape_of(), unfolded_shape() and without_allowance() do. It
+/// throws it for a size that is not there, and beyond max_panels and max_panel_edges.
+ImportedPattern import_pieces(const PieceDrawing& drawing, const ImportOptions& options,
+                              std::vector<Remark>& remarks);
+
+/// The pattern as GarmentCode's JSON: in centimetres, without stitches, places and rotations. Edges
+/// run counter-clockwise, so seams run from end to start (normalized_edge_loops).
+nlohmann::ordered_json pattern_json(const ImportedPattern& pattern);
+
+/// JSON as a person reads it: short lists and objects in one line.
+std::string readable_json(const nlohmann::ordered_json& json);
+
+}  // namespace toile

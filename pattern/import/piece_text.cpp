@@ -1,0 +1,152 @@
+#include "pattern/import/piece_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <regex>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+namespace toile {
+
+namespace {
+
+constexpr int max_quantity = 1000;
+
+/// Longer texts are no labels of pieces, and regular expressions take long for them.
+constexpr std::size_t max_label = 200;
+
+std::string without_blanks(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\r");
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+std::string in_small_letters(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+/// Without capitals, blanks and underscores.
+std::string folded_word(const std::string& text) {
+  std::string word;
+  for (const char c : in_small_letters(text)) {
+    if (c != ' ' && c != '_') word += c;
+  }
+  return word;
+}
+
+/// The keys of ASTM D6673, and those that pattern programs write beside them.
+constexpr std::array<std::string_view, 24> known_keys = {"piece name",
+                                                         "size",
+                                                         "quantity",
+                                                         "material",
+                                                         "annotation",
+                                                         "category",
+                                                         "style name",
+                                                         "sample size",
+                                                         "units",
+                                                         "author",
+                                                         "creation date",
+                                                         "product",
+                                                         "creation time",
+                                                         "version",
+                                                         "grade rule table",
+                                                         "size range",
+                                                         "description",
+                                                         "grading rule table",
+                                                         "rule table",
+                                                         "fabric",
+                                                         "customer",
+                                                         "base size",
+                                                         "asme/astm version",
+                                                         "aama/astm version"};
+
+}  // namespace
+
+std::optional<PieceQuantity> read_quantity(const std::string& given) {
+  const std::string text = in_small_letters(given.substr(0, max_label));
+  std::vector<int> numbers;
+  for (std::size_t i = 0; i < text.size();) {
+    if (std::isdigit(static_cast<unsigned char>(text[i])) == 0) {
+      ++i;
+      continue;
+    }
+    int number = 0;
+    for (; i < text.size() && std::isdigit(static_cast<unsigned char>(text[i])) != 0; ++i) {
+      number = std::min(max_quantity, number * 10 + (text[i] - '0'));
+    }
+    numbers.push_back(number);
+  }
+  const auto says = [&](std::string_view word) { return text.find(word) != std::string::npos; };
+  const bool pairs = says("pair") || says("paar") || says("paire");
+  const bool mirrored = says("mirror") || says("spiegel") || says("gegengleich") ||
+                        (says("left") && says("right")) || (says("links") && says("rechts"));
+  PieceQuantity quantity;
+  if (numbers.size() >= 2) {
+    quantity.count = numbers[0] + numbers[1];
+    quantity.pair = numbers[0] > 0 && numbers[1] > 0;
+  } else if (numbers.size() == 1) {
+    quantity.count = pairs ? 2 * numbers[0] : numbers[0];
+    quantity.pair = (pairs || mirrored) && quantity.count > 1;
+  } else if (pairs || mirrored) {
+    quantity = {2, true};
+  } else {
+    return std::nullopt;
+  }
+  quantity.count = std::clamp(quantity.count, 1, max_quantity);
+  return quantity;
+}
+
+void PieceTexts::add(const std::string& text) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    line = without_blanks(line);
+    if (line.empty()) continue;
+    const std::size_t colon = line.find(':');
+    if (colon != std::string::npos) {
+      const std::string key = without_blanks(in_small_letters(line.substr(0, colon)));
+      if (std::find(known_keys.begin(), known_keys.end(), key) != known_keys.end()) {
+        values_.emplace(key, without_blanks(line.substr(colon + 1)));
+        continue;
+      }
+    }
+    // "Fabric, Cut 2", "Cut 1 on fold", as Valentina's labels have it.
+    static const std::regex cut("(.*?)[,;]?\\s*\\bcut\\s+(\\d+)(.*)", std::regex::icase);
+    std::smatch match;
+    if (line.size() <= max_label && std::regex_match(line, match, cut)) {
+      const std::string rest = match[3];
+      cut_quantity_ = read_quantity(match[2].str() + rest);
+      if (cut_material_.empty()) cut_material_ = without_blanks(match[1]);
+      continue;
+    }
+    plain_.push_back(line);
+    ++others_;
+  }
+}
+
+std::string PieceTexts::value(const std::string& key) const {
+  const auto found = values_.find(key);
+  return found == values_.end() ? "" : found->second;
+}
+
+std::optional<PieceQuantity> PieceTexts::quantity() const {
+  const std::string stated = value("quantity");
+  if (!stated.empty()) return read_quantity(stated);
+  return cut_quantity_;
+}
+
+std::string PieceTexts::material() const {
+  if (!value("material").empty()) return value("material");
+  return value("fabric").empty() ? cut_material_ : value("fabric");
+}
+
+std::string PieceTexts::spelling_of(const std::string& name) const {
+  const auto found = std::find_if(plain_.begin(), plain_.end(), [&](const std::string& line) {
+    return folded_word(line) == folded_word(name);
+  });
+  return found == plain_.end() ? "" : *found;
+}
+
+}  // namespace toile

@@ -1,0 +1,90 @@
+// import-pattern: from a pattern maker's drawing to a pattern in JSON.
+#include <numbers>
+
+#include "geometry/error.h"
+#include "io/text.h"
+#include "tools/import_pattern/run.h"
+#include "tools/programs.h"
+
+namespace toile {
+
+namespace po = boost::program_options;
+
+namespace {
+
+double read_unit(const std::string& word) {
+  if (word == "mm") return 1e-3;
+  if (word == "cm") return 1e-2;
+  if (word == "inch" || word == "in") return 0.0254;
+  throw Error("--unit", "'" + shown_text(word) + "' is unknown", "use mm, cm or inch");
+}
+
+double read_chord_error(const std::string& text) {
+  const double error = parse_length(text, "--chord-error");
+  if (error < 1e-6 || error > 5e-3) {
+    throw Error("--chord-error", "'" + shown_text(text) + "' is out of range",
+                "use 0.001mm to 5mm");
+  }
+  return error;
+}
+
+double read_allowance(const std::string& text) {
+  const double allowance = parse_length(text, "--seam-allowance");
+  if (allowance > 0.1) {
+    throw Error("--seam-allowance", "'" + shown_text(text) + "' is more than 10 cm",
+                "use 10mm, say");
+  }
+  return allowance;
+}
+
+double read_corner_angle(double degrees) {
+  if (!(degrees >= 5 && degrees <= 90)) {
+    throw Error("--corner-angle", "is not between 5 and 90 degrees", "the default is 25");
+  }
+  return degrees * std::numbers::pi / 180;
+}
+
+}  // namespace
+
+CommandLineProgram import_pattern_program() {
+  CommandLineProgram program;
+  program.name = "import-pattern";
+  program.summary = "makes a pattern of the pieces in a DXF (AAMA/ASTM) drawing";
+  program.usage = "DRAWING -o pattern.json [--seam-allowance 10mm]";
+  program.options.add_options()("unit", po::value<std::string>(),
+                                "of the drawing: mm, cm or inch; else as the file says")(
+      "size", po::value<std::string>(), "the size to take of a drawing with several")(
+      "seam-allowance", po::value<std::string>(),
+      "taken off pieces that have a cut line only, such as 10mm")(
+      "cut-line", po::bool_switch(), "bound pieces by their cut lines, not by their sew lines")(
+      "chord-error", po::value<std::string>()->default_value("0.1mm"),
+      "from the drawn outline to the pattern's curves at most")(
+      "corner-angle", po::value<double>()->default_value(25),
+      "degrees: an outline that turns by more has a corner")(
+      "drawing", po::value<std::string>()->required(), "the drawing (also without --drawing)");
+  program.positional.add("drawing", 1);
+  program.output_extensions = {".json"};
+  program.prepare = [](const po::variables_map& given, const CommonSettings& common) {
+    ImportPatternSettings settings;
+    settings.drawing = given["drawing"].as<std::string>();
+    if (given.count("unit") > 0) settings.drawn.unit = read_unit(given["unit"].as<std::string>());
+    if (given.count("size") > 0) settings.pieces.size = given["size"].as<std::string>();
+    if (given.count("seam-allowance") > 0) {
+      settings.pieces.seam_allowance = read_allowance(given["seam-allowance"].as<std::string>());
+    }
+    settings.drawn.cut_line = given["cut-line"].as<bool>();
+    settings.pieces.edges.chord_error = read_chord_error(given["chord-error"].as<std::string>());
+    settings.pieces.edges.corner_angle = read_corner_angle(given["corner-angle"].as<double>());
+    Job job;
+    job.files.reads = {settings.drawing};
+    job.files.writes = {common.output};
+    job.work = [settings, &common] {
+      run_import_pattern(settings, common);
+      return exit_done;
+    };
+    return job;
+  };
+  return program;
+}
+
+}  // namespace toile

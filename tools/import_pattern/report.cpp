@@ -1,0 +1,50 @@
+#include "tools/import_pattern/report.h"
+
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "io/text.h"
+
+namespace toile {
+
+nlohmann::ordered_json import_pattern_json(const std::string& file, const std::string& format,
+                                           const PieceDrawing& drawing,
+                                           const ImportedPattern& pattern,
+                                           const std::vector<Remark>& remarks, double seconds) {
+  using Json = nlohmann::ordered_json;
+  Json report;
+  report["program"] = "import-pattern";
+  report["drawing"] = file;
+  report["format"] = format;
+  report["seconds"] = seconds;
+  report["pieces"] = drawing.pieces.size();
+  report["size"] = valid_utf8(pattern.size);
+  report["sizes"] = Json::array();
+  for (const std::string& size : pattern.sizes) report["sizes"].push_back(valid_utf8(size));
+  report["panels"] = Json::array();
+  for (const ImportedPanel& panel : pattern.panels) {
+    Json entry = {{"name", panel.name},
+                  {"piece", valid_utf8(panel.piece)},
+                  {"area", panel.area},
+                  {"edges", panel.outline.edges.size()},
+                  {"notches", panel.outline.notches.size()},
+                  {"internal_lines", panel.internal_lines.size()},
+                  {"cut_outs", panel.cut_outs.size()},
+                  {"drill_holes", panel.drill_holes.size()},
+                  {"quantity", panel.quantity},
+                  {"material", valid_utf8(panel.material)},
+                  {"moved", {panel.moved.x(), panel.moved.y()}}};
+    if (panel.grain) entry["grain_degrees"] = *panel.grain * 180 / std::numbers::pi;
+    report["panels"].push_back(std::move(entry));
+  }
+  report["ignored"] = Json::object();
+  for (const auto& [what, count] : drawing.ignored) report["ignored"][valid_utf8(what)] = count;
+  report["notes"] = Json::array();
+  report["warnings"] = Json::array();
+  for (const Remark& remark : remarks) {
+    report[remark.warning ? "warnings" : "notes"].push_back(remark.text);
+  }
+  return report;
+}
+
+}  // namespace toile

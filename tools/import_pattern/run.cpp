@@ -1,0 +1,93 @@
+#include "tools/import_pattern/run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "geometry/error.h"
+#include "io/output_file.h"
+#include "io/text.h"
+#include "pattern/import/drawing_format.h"
+#include "pattern/pattern_file.h"
+#include "tools/import_pattern/report.h"
+
+namespace toile {
+
+namespace {
+
+void say_remarks(const std::vector<Remark>& remarks, const CommonSettings& common) {
+  for (const Remark& remark : remarks) {
+    if (remark.warning) {
+      CommonSettings::warn(remark.text);
+    } else {
+      common.say("note: " + remark.text);
+    }
+  }
+}
+
+void say_panels(const ImportedPattern& pattern, const CommonSettings& common) {
+  for (const ImportedPanel& panel : pattern.panels) {
+    char figures[120];
+    std::snprintf(figures, sizeof figures, "%3zu edges %3zu notches  %7.1f cm2  ",
+                  panel.outline.edges.size(), panel.outline.notches.size(), panel.area * 1e4);
+    std::string line = "  panel " + panel.name;
+    line.resize(std::max<std::size_t>(line.size() + 1, 30), ' ');
+    line += figures;
+    line += panel.grain ? "grain " + fixed_number(*panel.grain * 180 / 3.14159265358979, 1) + " deg"
+                        : "no grain";
+    if (panel.quantity > 1) line += ", cut " + std::to_string(panel.quantity);
+    common.say(line);
+  }
+}
+
+/// The pieces of a drawing that is no JSON.
+PieceDrawing read_drawing(DrawingFormat format, const std::string& text, const std::string& name,
+                          const DrawingOptions& options) {
+  if (format == DrawingFormat::dxf) return dxf_pieces(parse_dxf(text, name), name, options);
+  // SVG comes here: svg_pieces(text, name, options) of pattern/import/svg_pieces.h.
+  throw Error(name, "is an SVG, which is not read yet", "export the pieces as DXF");
+}
+
+}  // namespace
+
+void run_import_pattern(const ImportPatternSettings& settings, const CommonSettings& common) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::string name = settings.drawing.string();
+  const std::string text = read_file(settings.drawing);
+  const DrawingFormat format = drawing_format(text, name);
+  std::vector<Remark> remarks;
+  PieceDrawing drawing;
+  ImportedPattern imported;
+  std::string content = text;
+  std::size_t panels = 0;
+  if (format == DrawingFormat::json) {
+    panels = parse_pattern(text, name, remarks).panels.size();
+    remarks.push_back({false, name + ": is a pattern already; it is written as it is"});
+  } else {
+    drawing = read_drawing(format, text, name, settings.drawn);
+    imported = import_pieces(drawing, settings.pieces, remarks);
+    content = readable_json(pattern_json(imported));
+    panels = imported.panels.size();
+    // What is written has to be a pattern, with remarks that are for mesh-pattern to make.
+    std::vector<Remark> later;
+    parse_pattern(content, common.output.string(), later);
+  }
+  say_remarks(remarks, common);
+  say_panels(imported, common);
+  common.say(std::to_string(panels) + " panels");
+  OutputFiles files;
+  write_file(files.at(common.output), content);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  if (common.report) {
+    const char* formats[] = {"dxf", "svg", "json"};
+    write_file(files.at(*common.report),
+               import_pattern_json(name, formats[static_cast<int>(format)], drawing, imported,
+                                   remarks, seconds.count())
+                       .dump(2) +
+                   "\n");
+  }
+  files.commit();
+}
+
+}  // namespace toile

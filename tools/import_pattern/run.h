@@ -1,0 +1,22 @@
+// What import-pattern does once it knows what is asked.
+#pragma once
+
+#include <filesystem>
+
+#include "pattern/import/dxf_pieces.h"
+#include "pattern/import/imported_pattern.h"
+#include "tools/program.h"
+
+namespace toile {
+
+struct ImportPatternSettings {
+  std::filesystem::path drawing;
+  DrawingOptions drawn;
+  ImportOptions pieces;
+};
+
+/// Reads the drawing and writes the pattern. A GarmentCode JSON is checked and written as it is.
+/// Throws Error for what can't be read or made a pattern.
+void run_import_pattern(const ImportPatternSettings& settings, const CommonSettings& common);
+
+}  // namespace toile
