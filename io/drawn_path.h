@@ -32,4 +32,8 @@ inline const Vec2& end_of(const DrawnPath& path) {
   return path.segments.empty() ? path.start : path.segments.back().end;
 }
 
+/// Points along a path, both ends included. Chords between them leave its curves by at most
+/// `tolerance`.
+std::vector<Vec2> path_vertices(const DrawnPath& path, double tolerance);
+
 }  // namespace toile

@@ -514,7 +514,8 @@ class DxfReader {
     if (groups_.is(0, "SEQEND")) record();
   }
 
-  void insert(const DxfRecord& record, DxfEntity entity, bool behind, std::vector<DxfEntity>& list) {
+  void insert(const DxfRecord& record, DxfEntity entity, bool behind,
+              std::vector<DxfEntity>& list) {
     entity.kind = DxfEntity::Kind::insert;
     Vec2 scale(1, 1);
     Vec2 step(0, 0);

@@ -9,6 +9,7 @@ CommandLineProgram batch_program();
 CommandLineProgram clean_body_program();
 CommandLineProgram dress_program();
 CommandLineProgram ease_map_program();
+CommandLineProgram export_pattern_program();
 CommandLineProgram fit_program();
 CommandLineProgram import_pattern_program();
 CommandLineProgram make_mannequin_program();

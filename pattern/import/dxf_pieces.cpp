@@ -501,8 +501,9 @@ class Builder {
     for (std::size_t i = 1; i < boundaries.size(); ++i) {
       const std::vector<Vec2> points = loop_points(boundaries[i], rough);
       if (!inside(boundary, points.front())) {
-        fail("has two outlines beside each other, the second at " + millimetres_text(points.front()),
-             "give each piece a block of its own");
+        fail(
+            "has two outlines beside each other, the second at " + millimetres_text(points.front()),
+            "give each piece a block of its own");
       }
       if (!layered_) {
         inner_lines.push_back(boundaries[i]);

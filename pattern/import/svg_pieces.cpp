@@ -12,6 +12,7 @@
 #include "io/limits.h"
 #include "io/svg.h"
 #include "pattern/constants.h"
+#include "pattern/import/drawing_unit.h"
 #include "pattern/import/join_paths.h"
 #include "pattern/import/svg_roles.h"
 
@@ -48,16 +49,16 @@ struct Outline {
   double area = 0;
   int shape = 0;  ///< index into SvgDrawing::shapes of its first curve
   SvgMeaning meaning;
-  int part = -1;      ///< FreeSewing's part
-  int around = -1;    ///< index of the smallest outline that it lies in; -1: none
+  int part = -1;          ///< FreeSewing's part
+  int around = -1;        ///< index of the smallest outline that it lies in; -1: none
   bool of_piece = false;  ///< the seam line of a piece, or its cut line
 };
 
 double distance_to_polygon(const std::vector<Vec2>& polygon, const Vec2& point) {
   double least = std::numeric_limits<double>::max();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    least = std::min(least, distance_to_segment(point, polygon[i],
-                                                polygon[(i + 1) % polygon.size()]));
+    least =
+        std::min(least, distance_to_segment(point, polygon[i], polygon[(i + 1) % polygon.size()]));
   }
   return least;
 }
@@ -88,13 +89,13 @@ bool is_small_circle(const Outline& outline) {
 
 class Finder {
  public:
-  Finder(std::string_view text, const std::string& source, const SvgPieceOptions& options)
-      : drawing_(parse_svg(text, source)) {
+  Finder(std::string_view text, const std::string& source, const DrawingOptions& options)
+      : drawing_(parse_svg(text, source)), options_(options) {
     pieces_.source = source;
     pieces_.ignored = drawing_.ignored;
     scale_ = drawing_.metres_per_unit;
-    if (options.metres_per_unit) {
-      scale_.setConstant(*options.metres_per_unit);
+    if (options.unit) {
+      scale_.setConstant(*options.unit);
     } else if (!drawing_.physical) {
       note("states no unit of length; 96 of its units are taken as an inch");
     }
@@ -141,8 +142,8 @@ class Finder {
   }
 
   std::string where(const Vec2& point) const {
-    return "(" + number_text(point.x() / scale_.x()) + ", " +
-           number_text(-point.y() / scale_.y()) + ")";
+    return "(" + number_text(point.x() / scale_.x()) + ", " + number_text(-point.y() / scale_.y()) +
+           ")";
   }
 
   /// Sorts all shapes by what they are. Loose lines are joined.
@@ -290,14 +291,16 @@ class Finder {
       if (one.area < min_piece_area) continue;
       const bool is_outermost = one.around < 0;
       if (role == SvgRole::outline) {
-        // A seam line lies in its cut line; one of another material is another piece.
+        // What lies in a piece of another material is a piece of its own.
         const bool within = !is_outermost && inside_same_material(one);
         if (!within) choose_outline(index, false);
       } else if (role == SvgRole::allowance) {
-        if (is_outermost && !has_seam_line(index)) choose_outline(index, true);
+        if (is_outermost && (options_.cut_line || !has_seam_line(index))) {
+          choose_outline(index, true);
+        }
       } else if (!classed_ && is_outermost) {
         const int seam_line = seam_line_within(index);
-        if (seam_line >= 0) {
+        if (seam_line >= 0 && !options_.cut_line) {
           note("the paths at " + where(one.polygon[0]) +
                " run along each other: the inner one is taken as the seam line");
           choose_outline(seam_line, false);
@@ -376,7 +379,8 @@ class Finder {
     const Outline& cut = outline(index);
     for (const int i : order_) {
       const Outline& inner = outline(i);
-      if (inner.around != index || inner.area < 0.5 * cut.area || inner.shape == cut.shape) continue;
+      if (inner.around != index || inner.area < 0.5 * cut.area || inner.shape == cut.shape)
+        continue;
       std::vector<double> distances;
       for (const Vec2& point : some_points(inner.polygon, 60)) {
         distances.push_back(distance_to_polygon(cut.polygon, point));
@@ -402,9 +406,7 @@ class Finder {
     outline(index).of_piece = true;
   }
 
-  const Outline& outline_of(std::size_t piece) {
-    return outline(chosen_[piece].outline);
-  }
+  const Outline& outline_of(std::size_t piece) { return outline(chosen_[piece].outline); }
 
   /// What lies in the pieces, and what lies nowhere.
   void inner_paths() {
@@ -458,11 +460,11 @@ class Finder {
     if (points.size() < 3 || std::abs(signed_area(points)) < min_piece_area) return;
     if (meaning.role != SvgRole::outline && gap > 0.2 * length) return;
     const SvgShape& shape = drawing_.shapes[static_cast<std::size_t>(open.shape)];
-    throw Error(pieces_.source + ":" + std::to_string(shape.line) + ": " + shape.element +
-                    (shape.id.empty() ? "" : " " + in_quotes(shape.id)),
-                "the outline has a gap of " + number_text(gap * 1000) + " mm at " +
-                    where((from + to) / 2),
-                "close it; gaps under 0.5 mm are closed by themselves");
+    throw Error(
+        pieces_.source + ":" + std::to_string(shape.line) + ": " + shape.element +
+            (shape.id.empty() ? "" : " " + in_quotes(shape.id)),
+        "the outline has a gap of " + number_text(gap * 1000) + " mm at " + where((from + to) / 2),
+        "close it; gaps under 0.5 mm are closed by themselves");
   }
 
   /// The smallest piece that the points lie in; -1: none.
@@ -497,8 +499,7 @@ class Finder {
       const SvgShape& shape = drawing_.shapes[static_cast<std::size_t>(s)];
       const PieceLine line{metres(shape.paths.front().start), metres(end_of(shape.paths.back()))};
       const bool fold = meanings_[static_cast<std::size_t>(s)].role == SvgRole::fold;
-      const auto found =
-          pieces_at((line.from + line.to) / 2, part_of(shape.group), false);
+      const auto found = pieces_at((line.from + line.to) / 2, part_of(shape.group), false);
       if (found.empty() || (line.to - line.from).norm() < max_outline_gap) {
         ignore(fold ? "fold mark outside of the pieces" : "grain line outside of the pieces");
       }
@@ -539,7 +540,8 @@ class Finder {
     }
     const bool is_notch = role == SvgRole::notch;
     const auto found = pieces_at(notch.at, part_of(shape.group), is_notch);
-    if (found.empty()) ignore(is_notch ? "notch away from the pieces" : "drill hole outside of the pieces");
+    if (found.empty())
+      ignore(is_notch ? "notch away from the pieces" : "drill hole outside of the pieces");
     for (const int p : found) {
       Piece& piece = pieces_.pieces[static_cast<std::size_t>(p)];
       if (is_notch) {
@@ -571,9 +573,9 @@ class Finder {
         const auto index = static_cast<std::size_t>(p);
         Piece& piece = pieces_.pieces[index];
         texts_[index].add(text.text);
-        const bool has_letter = std::any_of(text.text.begin(), text.text.end(), [](unsigned char c) {
-          return std::isalpha(c) != 0 || c >= 0x80;
-        });
+        const bool has_letter =
+            std::any_of(text.text.begin(), text.text.end(),
+                        [](unsigned char c) { return std::isalpha(c) != 0 || c >= 0x80; });
         if (has_letter && first_text_[index].empty()) first_text_[index] = text.text;
         if (!cutting) continue;
         // A part may say how often its fabric and how often its lining is cut.
@@ -655,10 +657,12 @@ class Finder {
     for (std::size_t p = 0; p < pieces_.pieces.size(); ++p) {
       largest = std::max(largest, outline_of(p).box.sizes().maxCoeff());
     }
-    if (largest < 0.08 || largest > 5) {
-      note("the largest piece is " + number_text(largest * 100, 3) + " cm long: is the unit right?",
-           true);
-    }
+    UnitEvidence evidence;
+    // What is measured is in metres already.
+    (options_.unit ? evidence.asked : evidence.stated) = 1;
+    evidence.stated_by = drawing_.physical ? "its width and viewBox" : "96 units an inch";
+    evidence.largest = largest;
+    drawing_unit(evidence, pieces_.source, pieces_.remarks);
   }
 
   /// An outline that is a piece.
@@ -672,12 +676,13 @@ class Finder {
   };
 
   SvgDrawing drawing_;
+  DrawingOptions options_;
   PieceDrawing pieces_;
   Vec2 scale_ = Vec2::Zero();
   std::vector<SvgMeaning> meanings_;  ///< of each shape
   bool classed_ = false;              ///< outlines are told by their classes
   std::vector<Outline> outlines_;
-  std::vector<int> order_;  ///< of outlines_, the largest first
+  std::vector<int> order_;      ///< of outlines_, the largest first
   std::vector<Chosen> chosen_;  ///< of each piece
   std::vector<OpenPath> open_;
   std::vector<int> lines_;   ///< shapes that are a grain or a fold
@@ -689,7 +694,7 @@ class Finder {
 }  // namespace
 
 PieceDrawing svg_pieces(std::string_view text, const std::string& source,
-                        const SvgPieceOptions& options) {
+                        const DrawingOptions& options) {
   return Finder(text, source, options).find();
 }
 

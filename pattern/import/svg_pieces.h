@@ -1,18 +1,13 @@
 // Reads the pieces of a pattern from an SVG drawing.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 
+#include "pattern/import/drawing_options.h"
 #include "pattern/import/piece.h"
 
 namespace toile {
-
-struct SvgPieceOptions {
-  /// Metres of one user unit of the drawing; nothing: by its width, height and viewBox.
-  std::optional<double> metres_per_unit;
-};
 
 /// Reads an SVG drawing as a pattern.
 ///
@@ -21,9 +16,9 @@ struct SvgPieceOptions {
 /// along, the outline of a piece only where that has no seam line. Cut-on-fold marks, grain arrows,
 /// notches, names and numbers to cut are read. A piece on the fold is half and has `fold`.
 ///
-/// In a drawing without such classes, every closed path is a piece, unless it lies inside of another
-/// one. Names come from labels, titles, ids, the group or the text inside, the first that there is.
-/// Loose lines are joined within max_outline_gap. What lies inside of an outline:
+/// In a drawing without such classes, every closed path is a piece, unless it lies inside of
+/// another one. Names come from labels, titles, ids, the group or the text inside, the first that
+/// there is. Loose lines are joined within max_outline_gap. What lies inside of an outline:
 ///
 /// - a closed path that belongs to the same element, or that is named a cut-out, is a cut-out;
 /// - a circle of at most 10 mm is a drill hole;
@@ -31,11 +26,13 @@ struct SvgPieceOptions {
 ///   cut line;
 /// - any other path is an internal line, closed or open.
 ///
-/// A drawing that states no unit of length has 96 pixels an inch, with a remark.
+/// A drawing that states no unit of length has 96 pixels an inch, with a remark. The user's unit is
+/// that of the numbers in the drawing, whatever its width and viewBox say.
 ///
-/// Throws Error as parse_svg() does, when no outline is closed, and when one has a gap: it names the
-/// size and the place of the gap. Throws it beyond max_panels outlines.
+/// Throws Error as parse_svg() does, when no outline is closed, and when one has a gap: it names
+/// the size and the place of the gap, in the drawing's numbers. Throws it beyond max_panels
+/// outlines, and as drawing_unit() does.
 PieceDrawing svg_pieces(std::string_view text, const std::string& source,
-                        const SvgPieceOptions& options = {});
+                        const DrawingOptions& options);
 
 }  // namespace toile

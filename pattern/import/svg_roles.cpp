@@ -15,18 +15,18 @@ namespace {
 constexpr std::array<std::string_view, 4> materials = {"fabric", "lining", "interfacing", "canvas"};
 
 // Words in names, in English, German, French, Spanish, Italian and Dutch.
-constexpr std::array<std::string_view, 8> grain_words = {
-    "grain", "fadenlauf", "droit fil", "droit-fil", "droitfil", "recto hilo", "drittofilo",
-    "draadrichting"};
+constexpr std::array<std::string_view, 8> grain_words = {"grain",      "fadenlauf",    "droit fil",
+                                                         "droit-fil",  "droitfil",     "recto hilo",
+                                                         "drittofilo", "draadrichting"};
 constexpr std::array<std::string_view, 7> fold_words = {
     "fold", "stoffbruch", "im bruch", "pliure", "doblez", "piega", "stofvouw"};
-constexpr std::array<std::string_view, 6> notch_words = {"notch",   "knips",   "passzeichen",
+constexpr std::array<std::string_view, 6> notch_words = {"notch",   "knips", "passzeichen",
                                                          "piquete", "tacca", "cran de"};
 constexpr std::array<std::string_view, 3> cut_out_words = {"cut-out", "cutout", "cut out"};
 constexpr std::array<std::string_view, 3> drill_words = {"drill", "bohrloch", "punch"};
-constexpr std::array<std::string_view, 6> allowance_words = {
-    "seam allowance", "seam-allowance", "seam_allowance", "seamallowance", "nahtzugabe",
-    "marge de couture"};
+constexpr std::array<std::string_view, 6> allowance_words = {"seam allowance", "seam-allowance",
+                                                             "seam_allowance", "seamallowance",
+                                                             "nahtzugabe",     "marge de couture"};
 
 std::string in_small_letters(std::string_view text) {
   std::string small(text);
@@ -36,9 +36,8 @@ std::string in_small_letters(std::string_view text) {
 
 template <class Words>
 bool has_word(const std::string& text, const Words& words) {
-  return std::any_of(words.begin(), words.end(), [&](std::string_view word) {
-    return text.find(word) != std::string::npos;
-  });
+  return std::any_of(words.begin(), words.end(),
+                     [&](std::string_view word) { return text.find(word) != std::string::npos; });
 }
 
 bool has(const std::vector<std::string>& classes, std::string_view name) {

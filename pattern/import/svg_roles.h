@@ -1,5 +1,5 @@
-// What the shapes and texts of an SVG mean on a pattern: by FreeSewing's classes and markers, and by
-// words in names.
+// What the shapes and texts of an SVG mean on a pattern: by FreeSewing's classes and markers, and
+// by words in names.
 #pragma once
 
 #include <optional>
@@ -20,8 +20,8 @@ enum class SvgRole {
   notch,
   drill_hole,
   cut_out,
-  remark,   ///< drawn for people: dimensions, scale boxes, help lines
-  unseen,   ///< FreeSewing's own style sheet hides it
+  remark,  ///< drawn for people: dimensions, scale boxes, help lines
+  unseen,  ///< FreeSewing's own style sheet hides it
 };
 
 struct SvgMeaning {
