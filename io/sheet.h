@@ -59,6 +59,7 @@ struct Sheet {
   Vec2 size = Vec2::Zero();
   std::vector<SheetStyle> styles;
   std::vector<SheetPart> parts;
+  std::vector<std::string> facts;  ///< of the whole drawing: texts for programs, in DXF
   /// Where a line of 10 cm starts by which prints are checked; nothing: there is none.
   std::optional<Vec2> scale_bar;
 };

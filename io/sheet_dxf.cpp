@@ -42,9 +42,9 @@ std::string in_ascii(const std::string& text) {
   return ascii;
 }
 
-class Writer {
+class DxfWriter {
  public:
-  explicit Writer(const Sheet& sheet) : sheet_(sheet) {}
+  explicit DxfWriter(const Sheet& sheet) : sheet_(sheet) {}
 
   std::string write() {
     const std::vector<std::string> names = block_names();
@@ -58,6 +58,9 @@ class Writer {
       entity("INSERT", 1);
       code(2, name);
       point({0, 0});
+    }
+    for (std::size_t i = 0; i < sheet_.facts.size(); ++i) {
+      text({sheet_.facts[i], Vec2(4e-3, 4e-3 + 6e-3 * static_cast<double>(i)), 4e-3, 0}, 1, false);
     }
     code(0, "ENDSEC");
     code(0, "EOF");
@@ -229,6 +232,6 @@ class Writer {
 
 }  // namespace
 
-std::string sheet_dxf(const Sheet& sheet) { return Writer(sheet).write(); }
+std::string sheet_dxf(const Sheet& sheet) { return DxfWriter(sheet).write(); }
 
 }  // namespace toile

@@ -18,9 +18,9 @@ std::string millimetres(double metres) {
   return text;
 }
 
-class Writer {
+class SvgWriter {
  public:
-  explicit Writer(const Sheet& sheet) : sheet_(sheet) {}
+  explicit SvgWriter(const Sheet& sheet) : sheet_(sheet) {}
 
   std::string write() {
     head();
@@ -137,6 +137,6 @@ class Writer {
 
 }  // namespace
 
-std::string sheet_svg(const Sheet& sheet) { return Writer(sheet).write(); }
+std::string sheet_svg(const Sheet& sheet) { return SvgWriter(sheet).write(); }
 
 }  // namespace toile

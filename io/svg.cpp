@@ -75,9 +75,11 @@ class Lines {
   std::vector<std::size_t> ends_;
 };
 
-class Reader {
+class SvgReader {
  public:
-  Reader(std::string_view text, const std::string& name) : name_(name), lines_(text) { load(text); }
+  SvgReader(std::string_view text, const std::string& name) : name_(name), lines_(text) {
+    load(text);
+  }
 
   SvgDrawing read() {
     const pugi::xml_node root = document_.document_element();
@@ -168,7 +170,7 @@ class Reader {
   /// Ids, style sheets, and how deep elements lie: before anything recurses.
   void survey() {
     struct Survey : pugi::xml_tree_walker {
-      Reader* reader = nullptr;
+      SvgReader* reader = nullptr;
       int count = 0;
       bool for_each(pugi::xml_node& node) override {
         if (node.type() != pugi::node_element) return true;
@@ -389,7 +391,7 @@ class Reader {
     state.to_root = state.to_root * Eigen::Translation2d(point(node, "x", "y", state));
     if (state.use < 0) {
       drawing_.uses.push_back({valid_utf8(target), checked(state.to_root * Vec2(0, 0), node),
-                               -state.to_root.linear().col(1), state.group});
+                               state.to_root.linear().col(0), state.group});
       state.use = static_cast<int>(drawing_.uses.size()) - 1;
     }
     const std::string_view element = local_name(drawn);
@@ -528,7 +530,7 @@ class Reader {
 }  // namespace
 
 SvgDrawing parse_svg(std::string_view text, const std::string& name) {
-  return Reader(text, name).read();
+  return SvgReader(text, name).read();
 }
 
 }  // namespace toile

@@ -22,10 +22,10 @@ struct SvgGroup {
 
 /// A `use` of another element.
 struct SvgUse {
-  std::string target;      ///< the id that it draws
-  Vec2 at = Vec2::Zero();  ///< where the origin of what it draws comes to be
-  Vec2 up = Vec2::Zero();  ///< where the direction (0, -1) of what it draws points to
-  int group = -1;          ///< the group that it is in
+  std::string target;         ///< the id that it draws
+  Vec2 at = Vec2::Zero();     ///< where the origin of what it draws comes to be
+  Vec2 right = Vec2::Zero();  ///< where the direction (1, 0) of what it draws points to
+  int group = -1;             ///< the group that it is in
 };
 
 /// A drawn element.

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Radians: a cubic follows an arc of this angle to 4.2e-6 of its radius, one of 90 degrees only to
-/// 2.7e-4, which is a quarter of a millimetre on a full skirt.
+/// Radians: a cubic follows an arc of this angle to 4.2e-6 of its radius. One of 90 degrees does to
+/// 2.7e-4 only, a quarter of a millimetre on a full skirt.
 constexpr double max_arc_piece = pi / 4;
 
 /// An arc of an ellipse, as SVG 1.1 describes it by its centre (appendix F.6).

@@ -34,8 +34,9 @@ constexpr std::array<double, 4> name_texts = {14e-3, 9e-3, 6e-3, 4e-3};
 /// Width of a letter over the height of its font, as a bound.
 constexpr double letter_width = 0.62;
 
-/// FreeSewing's classes of materials. All others are `fabric`.
-constexpr std::array<const char*, 4> materials = {"fabric", "lining", "interfacing", "canvas"};
+/// FreeSewing's classes of material_classes. All others are `fabric`.
+constexpr std::array<const char*, 4> material_classes = {"fabric", "lining", "interfacing",
+                                                         "canvas"};
 
 /// Index into Sheet::styles: these, then a seam line and a cut line for each material.
 enum Style : int { dxf_boundary, internal_line, cut_out, grain, first_material };
@@ -45,7 +46,7 @@ std::vector<SheetStyle> all_styles() {
                                     {"mark", 8, 0.3e-3, false, false},
                                     {"cut-out", 11, 0.5e-3, false, false},
                                     {"note", 7, 0.3e-3, false, true}};
-  for (const std::string material : materials) {
+  for (const std::string material : material_classes) {
     styles.push_back({material, 14, 0.5e-3, false, false});
     styles.push_back({material + " sa", 1, 0.3e-3, true, false});
   }
@@ -53,8 +54,8 @@ std::vector<SheetStyle> all_styles() {
 }
 
 int seam_line(const std::string& material) {
-  const auto found = std::find(materials.begin(), materials.end(), material);
-  const auto index = found == materials.end() ? 0 : found - materials.begin();
+  const auto found = std::find(material_classes.begin(), material_classes.end(), material);
+  const auto index = found == material_classes.end() ? 0 : found - material_classes.begin();
   return first_material + 2 * static_cast<int>(index);
 }
 int cut_line(const std::string& material) { return seam_line(material) + 1; }
@@ -299,6 +300,8 @@ Sheet pattern_sheet(const Pattern& pattern, const PatternSheetOptions& options) 
   Sheet sheet;
   sheet.styles = all_styles();
   sheet.title = std::filesystem::path(pattern.source).stem().string();
+  // What AAMA calls metric is in millimetres.
+  sheet.facts = {"Style Name: " + sheet.title, "Units: METRIC"};
   std::vector<PanelPart> parts;
   std::vector<Vec2> sizes;
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {

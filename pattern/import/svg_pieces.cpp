@@ -35,8 +35,8 @@ constexpr double max_drill_width = 0.0101;
 constexpr double max_mark_distance = 0.02;
 
 /// Metres: how far inside of its cut line a seam line runs.
-constexpr double min_allowance = 3e-3;
-constexpr double max_allowance = 40e-3;
+constexpr double least_allowance = 3e-3;
+constexpr double widest_allowance = 40e-3;
 
 /// Closed paths of a drawing at most: they are compared with each other.
 constexpr std::size_t max_closed_paths = 20'000;
@@ -283,31 +283,23 @@ class Finder {
 
   Outline& outline(int index) { return outlines_[static_cast<std::size_t>(index)]; }
 
-  /// Which outlines are pieces.
+  /// Which outlines are pieces. The larger ones come first, so what is around one is decided.
   void choose() {
     for (const int index : order_) {
       Outline& one = outline(index);
-      const SvgRole role = one.meaning.role;
       if (one.area < min_piece_area) continue;
-      const bool is_outermost = one.around < 0;
-      if (role == SvgRole::outline) {
-        // What lies in a piece of another material is a piece of its own.
-        const bool within = !is_outermost && inside_same_material(one);
-        if (!within) choose_outline(index, false);
-      } else if (role == SvgRole::allowance) {
-        if (is_outermost && (options_.cut_line || !has_seam_line(index))) {
-          choose_outline(index, true);
-        }
-      } else if (!classed_ && is_outermost) {
-        const int seam_line = seam_line_within(index);
-        if (seam_line >= 0 && !options_.cut_line) {
-          note("the paths at " + where(one.polygon[0]) +
-               " run along each other: the inner one is taken as the seam line");
-          choose_outline(seam_line, false);
-          one.of_piece = true;
-        } else {
-          choose_outline(index, false);
-        }
+      switch (one.meaning.role) {
+        case SvgRole::outline:
+          // What lies in a piece of another material is a piece of its own.
+          if (!lies_in_piece(one, true)) choose_outline(index, false);
+          break;
+        case SvgRole::allowance:
+          if (!lies_in_piece(one, false) && (options_.cut_line || !has_seam_line(index))) {
+            choose_outline(index, true);
+          }
+          break;
+        default:
+          if (!classed_ && !lies_in_piece(one, false)) choose_plain(index);
       }
     }
     make_pieces();
@@ -319,6 +311,19 @@ class Finder {
                                    number_text(gap.size * 1000) + " mm at " + where(gap.at)
                              : "holds no closed outline",
                 remedy);
+  }
+
+  /// An outline without a class: with a line all along inside of it, it is the line to cut along.
+  void choose_plain(int index) {
+    const int seam = options_.cut_line ? -1 : seam_line_within(index);
+    if (seam < 0) {
+      choose_outline(index, false);
+      return;
+    }
+    note("the paths at " + where(outline(index).polygon[0]) +
+         " run along each other: the inner one is taken as the seam line");
+    choose_outline(seam, false);
+    outline(index).of_piece = true;
   }
 
   /// Makes the pieces, in the order of the file.
@@ -356,9 +361,12 @@ class Finder {
     return length;
   }
 
-  bool inside_same_material(const Outline& one) {
+  bool lies_in_piece(const Outline& one, bool of_same_material) {
     for (int at = one.around; at >= 0; at = outline(at).around) {
-      if (outline(at).of_piece && outline(at).meaning.material == one.meaning.material) return true;
+      if (outline(at).of_piece &&
+          (!of_same_material || outline(at).meaning.material == one.meaning.material)) {
+        return true;
+      }
     }
     return false;
   }
@@ -387,7 +395,7 @@ class Finder {
       }
       std::sort(distances.begin(), distances.end());
       const double middle = distances[distances.size() / 2];
-      if (middle < min_allowance || middle > max_allowance) continue;
+      if (middle < least_allowance || middle > widest_allowance) continue;
       const auto even = std::count_if(distances.begin(), distances.end(), [&](double distance) {
         return std::abs(distance - middle) < 0.1 * middle;
       });
@@ -430,6 +438,8 @@ class Finder {
         piece.cut_outs.push_back(one.path);
       } else if (one.area < min_inner_area) {
         ignore("small closed path");
+      } else if (one.area > 0.995 * outline_of(static_cast<std::size_t>(at)).area) {
+        ignore("outline drawn twice");
       } else {
         piece.internal_lines.push_back(one.path);
       }
@@ -533,7 +543,12 @@ class Finder {
     }
     PieceNotch notch{box.center(), std::nullopt};
     if (shape.use >= 0) {
-      notch.at = metres(drawing_.uses[static_cast<std::size_t>(shape.use)].at);
+      const SvgUse& use = drawing_.uses[static_cast<std::size_t>(shape.use)];
+      notch.at = metres(use.at);
+      // A sign that is not turned says nothing about a direction.
+      if (std::abs(use.right.y()) > 1e-9 || use.right.x() < 0) {
+        notch.angle = std::atan2(-use.right.y(), use.right.x());
+      }
     } else if (shape.element == "line") {
       const Vec2 run = metres(end_of(shape.paths[0])) - metres(shape.paths[0].start);
       notch.angle = std::atan2(run.y(), run.x());
@@ -585,7 +600,8 @@ class Finder {
         }
         piece.quantity = cutting->quantity.count;
         piece.pair = cutting->quantity.pair;
-        if (piece.material.empty()) piece.material = cutting->material;
+        const bool other = piece.material.empty() || piece.material == "fabric";
+        if (other && !cutting->material.empty()) piece.material = cutting->material;
         if (cutting->on_fold && !piece.fold) {
           note("piece at " + where(outline_of(index).polygon[0]) +
                    " is said to be cut on the fold, but has no fold line: it is taken as whole",

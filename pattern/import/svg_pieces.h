@@ -29,9 +29,9 @@ namespace toile {
 /// A drawing that states no unit of length has 96 pixels an inch, with a remark. The user's unit is
 /// that of the numbers in the drawing, whatever its width and viewBox say.
 ///
-/// Throws Error as parse_svg() does, when no outline is closed, and when one has a gap: it names
-/// the size and the place of the gap, in the drawing's numbers. Throws it beyond max_panels
-/// outlines, and as drawing_unit() does.
+/// Throws Error as parse_svg() and drawing_unit() do, and beyond max_panels outlines. Throws it
+/// when no outline is closed. Throws it when one has a gap, and names its size, and its place in
+/// the drawing's numbers.
 PieceDrawing svg_pieces(std::string_view text, const std::string& source,
                         const DrawingOptions& options);
 

@@ -64,6 +64,7 @@ std::optional<SvgMeaning> meaning_by_class(const SvgDrawing& drawing, const SvgS
   if (is_freesewing(drawing) && has(classes, "hidden")) return SvgMeaning{SvgRole::unseen, "", ""};
   if (has(classes, "scalebox")) return SvgMeaning{SvgRole::remark, "scale box", ""};
   if (has(classes, "help")) return SvgMeaning{SvgRole::remark, "help line", ""};
+  if (has(classes, "cut-out")) return SvgMeaning{SvgRole::cut_out, "", ""};
   std::string material;
   for (const std::string_view name : materials) {
     if (has(classes, name)) material = std::string(name);
@@ -90,6 +91,19 @@ std::vector<std::string> plain_words(const std::string& text) {
   }
   std::replace(plain.begin(), plain.end(), ',', ' ');
   return split_words(in_small_letters(plain));
+}
+
+/// "Denim" of "Cut 2 from Denim"; a key without its colon and in small letters.
+std::string material_after_from(const std::string& text) {
+  const bool is_key = text.find(':') != std::string::npos;
+  std::string material;
+  bool after = false;
+  for (const std::string& word : is_key ? plain_words(text) : split_words(text)) {
+    if (after) material += (material.empty() ? "" : " ") + word;
+    after = after || in_small_letters(word) == "from";
+  }
+  // FreeSewing's name for what its class calls fabric.
+  return in_small_letters(material) == "main fabric" ? "fabric" : material;
 }
 
 }  // namespace
@@ -163,20 +177,14 @@ std::optional<CuttingText> read_cutting(const std::string& text) {
       cutting.quantity.count = std::stoi(number);
       found = cutting.quantity.count > 0;
     }
-    if (words[i] == "from" && cutting.material.empty()) {
-      for (std::size_t k = i + 1; k < words.size(); ++k) {
-        cutting.material += (cutting.material.empty() ? "" : " ") + words[k];
-      }
-    }
   }
   if (!found) return std::nullopt;
+  cutting.material = material_after_from(text);
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (words[i] == "mirrored") cutting.quantity.pair = true;
     const bool before = i > 0 && (words[i - 1] == "on" || words[i - 1] == "the");
     if (words[i] == "fold" && before) cutting.on_fold = true;
   }
-  // "Main fabric" is FreeSewing's name for what the class calls fabric.
-  if (cutting.material == "main fabric") cutting.material = "fabric";
   return cutting;
 }
 

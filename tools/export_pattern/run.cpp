@@ -7,7 +7,6 @@
 
 #include "io/output_file.h"
 #include "io/text.h"
-#include "pattern/check_pattern.h"
 #include "pattern/pattern_file.h"
 
 namespace toile {
@@ -64,7 +63,6 @@ void run_export_pattern(const ExportPatternSettings& settings, const CommonSetti
   const auto start = std::chrono::steady_clock::now();
   std::vector<Remark> remarks;
   const Pattern pattern = read_pattern(settings.pattern, remarks);
-  check_pattern(pattern, remarks);
   for (const Remark& remark : remarks) {
     if (remark.warning) {
       CommonSettings::warn(remark.text);
