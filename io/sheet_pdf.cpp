@@ -22,7 +22,7 @@ constexpr double max_page = 14'400 / points_per_metre;
 constexpr double head_length = 7e-3;
 constexpr double thin_line = 0.3e-3;
 
-cairo_status_t append(void* target, const unsigned char* data, unsigned length) {
+cairo_status_t append_bytes(void* target, const unsigned char* data, unsigned length) {
   static_cast<std::string*>(target)->append(reinterpret_cast<const char*>(data), length);
   return CAIRO_STATUS_SUCCESS;
 }
@@ -32,7 +32,7 @@ class Page {
  public:
   explicit Page(const Sheet& sheet)
       : surface_(cairo_pdf_surface_create_for_stream(
-            append, &bytes_, sheet.size.x() * points_per_metre, sheet.size.y() * points_per_metre)),
+            append_bytes, &bytes_, sheet.size.x() * points_per_metre, sheet.size.y() * points_per_metre)),
         context_(cairo_create(surface_.get())) {
     cairo_pdf_surface_set_metadata(surface_.get(), CAIRO_PDF_METADATA_TITLE,
                                    valid_utf8(sheet.title).c_str());

@@ -10,7 +10,7 @@ constexpr std::size_t max_rules = 1000;
 
 constexpr std::string_view blanks = " \t\r\n\f";
 
-std::string_view trimmed(std::string_view text) {
+std::string_view without_blanks(std::string_view text) {
   const std::size_t first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
@@ -60,8 +60,9 @@ std::optional<std::string> declared(std::string_view declarations, std::string_v
     const std::string_view one = declarations.substr(0, end);
     declarations.remove_prefix(std::min(end + 1, declarations.size()));
     const std::size_t colon = one.find(':');
-    if (colon == std::string_view::npos || trimmed(one.substr(0, colon)) != property) continue;
-    value = std::string(trimmed(one.substr(colon + 1, one.find('!') - colon - 1)));
+    if (colon == std::string_view::npos || without_blanks(one.substr(0, colon)) != property)
+      continue;
+    value = std::string(without_blanks(one.substr(colon + 1, one.find('!') - colon - 1)));
   }
   return value;
 }
@@ -75,13 +76,13 @@ void SvgStyleSheet::add(std::string_view given) {
     const std::size_t end = block_end(sheet, open);
     std::string_view selectors = sheet.substr(0, open);
     // A statement such as @import ends with a semicolon.
-    selectors = trimmed(selectors.substr(selectors.rfind(';') + 1));
+    selectors = without_blanks(selectors.substr(selectors.rfind(';') + 1));
     const std::string_view body = sheet.substr(open + 1, end - open - 1);
     sheet.remove_prefix(std::min(end + 1, sheet.size()));
     if (selectors.starts_with('@')) continue;
     while (!selectors.empty()) {
       const std::size_t comma = std::min(selectors.find(','), selectors.size());
-      add_rule(trimmed(selectors.substr(0, comma)), body);
+      add_rule(without_blanks(selectors.substr(0, comma)), body);
       selectors.remove_prefix(std::min(comma + 1, selectors.size()));
     }
   }

@@ -13,7 +13,7 @@ namespace {
 constexpr int line_count = 41;
 constexpr int grid_count = 48;
 
-Eigen::AlignedBox2d box_of(const std::vector<Vec2>& points) {
+Eigen::AlignedBox2d bounds_of(const std::vector<Vec2>& points) {
   Eigen::AlignedBox2d box;
   for (const Vec2& point : points) box.extend(point);
   return box;
@@ -78,7 +78,7 @@ PieceLine longest_line_inside(const std::vector<Vec2>& polygon, const Vec2& alon
 
 std::optional<Vec2> room_for(const Vec2& size, const std::vector<Vec2>& polygon,
                              const std::vector<PieceLine>& lines) {
-  const Eigen::AlignedBox2d whole = box_of(polygon);
+  const Eigen::AlignedBox2d whole = bounds_of(polygon);
   std::optional<Vec2> best;
   double least = std::numeric_limits<double>::max();
   for (int i = 1; i < grid_count; ++i) {

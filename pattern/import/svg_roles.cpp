@@ -28,7 +28,7 @@ constexpr std::array<std::string_view, 6> allowance_words = {"seam allowance", "
                                                              "seam_allowance", "seamallowance",
                                                              "nahtzugabe",     "marge de couture"};
 
-std::string in_small_letters(std::string_view text) {
+std::string lower_case(std::string_view text) {
   std::string small(text);
   for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return small;
@@ -51,7 +51,7 @@ bool is_straight(const SvgShape& shape) {
 
 /// What the element says that a `use` draws.
 SvgMeaning meaning_of_use(const SvgDrawing& drawing, const std::string& target) {
-  const std::string name = in_small_letters(target);
+  const std::string name = lower_case(target);
   if (has_word(name, notch_words)) return {SvgRole::notch, "", ""};
   if (has_word(name, drill_words)) return {SvgRole::drill_hole, "", ""};
   // FreeSewing draws buttons, snaps and its logo by use, and never a piece.
@@ -90,7 +90,7 @@ std::vector<std::string> plain_words(const std::string& text) {
     }
   }
   std::replace(plain.begin(), plain.end(), ',', ' ');
-  return split_words(in_small_letters(plain));
+  return split_words(lower_case(plain));
 }
 
 /// "Denim" of "Cut 2 from Denim"; a key without its colon and in small letters.
@@ -100,10 +100,10 @@ std::string material_after_from(const std::string& text) {
   bool after = false;
   for (const std::string& word : is_key ? plain_words(text) : split_words(text)) {
     if (after) material += (material.empty() ? "" : " ") + word;
-    after = after || in_small_letters(word) == "from";
+    after = after || lower_case(word) == "from";
   }
   // FreeSewing's name for what its class calls fabric.
-  return in_small_letters(material) == "main fabric" ? "fabric" : material;
+  return lower_case(material) == "main fabric" ? "fabric" : material;
 }
 
 }  // namespace
@@ -136,7 +136,7 @@ SvgMeaning meaning_of(const SvgDrawing& drawing, const SvgShape& shape) {
     if (meaning.role != SvgRole::unknown) return meaning;
   }
   if (const auto meaning = meaning_by_class(drawing, shape)) return *meaning;
-  const std::string markers = in_small_letters(shape.marker_start + " " + shape.marker_end);
+  const std::string markers = lower_case(shape.marker_start + " " + shape.marker_end);
   if (markers.find("cutonfold") != std::string::npos) return {SvgRole::fold, "", ""};
   if (markers.find("grain") != std::string::npos) return {SvgRole::grain, "", ""};
   if (markers.find("dimension") != std::string::npos) return {SvgRole::remark, "dimension", ""};
@@ -152,7 +152,7 @@ SvgMeaning meaning_of(const SvgDrawing& drawing, const SvgShape& shape) {
     const SvgGroup& group = drawing.groups[static_cast<std::size_t>(shape.group)];
     own += " " + group.label + " " + group.title;
   }
-  own = in_small_letters(own);
+  own = lower_case(own);
   if (has_word(own, notch_words)) return {SvgRole::notch, "", ""};
   if (closed) {
     if (has_word(own, drill_words)) return {SvgRole::drill_hole, "", ""};
@@ -192,7 +192,7 @@ bool is_automatic_id(const std::string& id) {
   static constexpr std::array<std::string_view, 13> stems = {
       "path", "rect", "circle", "ellipse", "line", "polyline", "polygon",
       "g",    "use",  "layer",  "shape",   "svg",  "fs-"};
-  const std::string small = in_small_letters(id);
+  const std::string small = lower_case(id);
   return small.empty() || std::any_of(stems.begin(), stems.end(), [&](std::string_view stem) {
            return small.starts_with(stem) &&
                   small.find_first_not_of("0123456789-_", stem.size()) == std::string::npos;

@@ -25,10 +25,10 @@ std::string content_of(const Sheet& sheet, const std::string& extension) {
   return extension == ".dxf" ? sheet_dxf(sheet) : sheet_pdf(sheet);
 }
 
-nlohmann::ordered_json report_json(const std::string& pattern, const std::string& format,
-                                   const Pattern& content, const Sheet& sheet,
-                                   double seam_allowance, const std::vector<Remark>& remarks,
-                                   double seconds) {
+nlohmann::ordered_json export_pattern_json(const std::string& pattern, const std::string& format,
+                                           const Pattern& content, const Sheet& sheet,
+                                           double seam_allowance,
+                                           const std::vector<Remark>& remarks, double seconds) {
   using Json = nlohmann::ordered_json;
   Json report;
   report["program"] = "export-pattern";
@@ -81,8 +81,8 @@ void run_export_pattern(const ExportPatternSettings& settings, const CommonSetti
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   if (common.report) {
     write_file(files.at(*common.report),
-               report_json(settings.pattern.string(), extension.substr(1), pattern, sheet,
-                           settings.sheet.seam_allowance, remarks, seconds.count())
+               export_pattern_json(settings.pattern.string(), extension.substr(1), pattern, sheet,
+                                   settings.sheet.seam_allowance, remarks, seconds.count())
                        .dump(2) +
                    "\n");
   }
