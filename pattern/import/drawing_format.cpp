@@ -10,10 +10,10 @@ namespace toile {
 
 namespace {
 
-constexpr const char* remedy = "give a DXF, an SVG or a GarmentCode JSON";
+constexpr const char* format_remedy = "give a DXF, an SVG or a GarmentCode JSON";
 
 /// Beginnings of files that people try.
-constexpr std::array<std::pair<std::string_view, const char*>, 7> others = {{
+constexpr std::array<std::pair<std::string_view, const char*>, 7> known_beginnings = {{
     {"AC1", "a DWG file; save it as DXF"},
     {"%PDF", "a PDF; export SVG or DXF from the program that made it"},
     {"PK\x03\x04", "a zip archive; unpack it"},
@@ -27,7 +27,7 @@ constexpr std::array<std::pair<std::string_view, const char*>, 7> others = {{
 
 DrawingFormat drawing_format(std::string_view text, const std::string& name) {
   if (looks_like_dxf(text)) return DrawingFormat::dxf;
-  for (const auto& [beginning, what] : others) {
+  for (const auto& [beginning, what] : known_beginnings) {
     if (text.substr(0, beginning.size()) == beginning) {
       throw Error(name, std::string("is ") + what, "");
     }
@@ -35,10 +35,10 @@ DrawingFormat drawing_format(std::string_view text, const std::string& name) {
   std::string_view rest = text;
   if (rest.substr(0, 3) == "\xEF\xBB\xBF") rest.remove_prefix(3);
   const std::size_t first = rest.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos) throw Error(name, "is empty", remedy);
+  if (first == std::string_view::npos) throw Error(name, "is empty", format_remedy);
   rest.remove_prefix(first);
   if (rest[0] == '{' || rest[0] == '[') return DrawingFormat::json;
-  if (rest[0] != '<') throw Error(name, "is neither DXF, SVG nor JSON", remedy);
+  if (rest[0] != '<') throw Error(name, "is neither DXF, SVG nor JSON", format_remedy);
   // Where the root element begins depends on comments and declarations: the name is enough here.
   if (rest.find("<svg") != std::string_view::npos || rest.find(":svg") != std::string_view::npos) {
     return DrawingFormat::svg;
@@ -47,7 +47,7 @@ DrawingFormat drawing_format(std::string_view text, const std::string& name) {
     throw Error(name, "is a pattern of Valentina or Seamly2D",
                 "open it there and export its layout as DXF (AAMA) or SVG");
   }
-  throw Error(name, "is XML, but no SVG", remedy);
+  throw Error(name, "is XML, but no SVG", format_remedy);
 }
 
 }  // namespace toile

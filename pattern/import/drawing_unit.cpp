@@ -9,16 +9,16 @@ namespace toile {
 
 namespace {
 
-constexpr double inch = 0.0254;
-constexpr double shortest = 0.02;  ///< metres
-constexpr double longest = 5;      ///< metres
-constexpr double longest_asked = 100;
-constexpr const char* remedy = "say the unit: --unit mm, cm or inch";
+constexpr double metres_in_inch = 0.0254;
+constexpr double min_piece_length = 0.02;  ///< metres
+constexpr double max_piece_length = 5;     ///< metres
+constexpr double max_asked_length = 100;
+constexpr const char* unit_remedy = "say the unit: --unit mm, cm or inch";
 
 std::string unit_name(double metres) {
   if (metres == 1e-3) return "millimetres";
   if (metres == 1e-2) return "centimetres";
-  if (metres == inch) return "inches";
+  if (metres == metres_in_inch) return "inches";
   if (metres == 1) return "metres";
   return "units of " + number_text(metres * 1000) + " mm";
 }
@@ -27,10 +27,10 @@ std::string size_text(double metres) { return fixed_number(metres * 100, 1) + " 
 
 /// The unit that makes the largest piece one of a garment; 0: none does.
 double unit_of_size(double largest, bool english) {
-  if (largest >= 100 && largest <= longest * 1000) return 1e-3;
-  if (largest >= 25 && largest < 100) return english ? inch : 1e-2;
-  if (largest >= 8 && largest < 25) return inch;
-  if (largest >= 0.1 && largest <= longest) return 1;
+  if (largest >= 100 && largest <= max_piece_length * 1000) return 1e-3;
+  if (largest >= 25 && largest < 100) return english ? metres_in_inch : 1e-2;
+  if (largest >= 8 && largest < 25) return metres_in_inch;
+  if (largest >= 0.1 && largest <= max_piece_length) return 1;
   return 0;
 }
 
@@ -41,7 +41,7 @@ double drawing_unit(const UnitEvidence& evidence, const std::string& source,
   const double largest = evidence.largest;
   if (evidence.asked) {
     const double size = largest * *evidence.asked;
-    if (size < 1e-3 || size > longest_asked) {
+    if (size < 1e-3 || size > max_asked_length) {
       throw Error(source,
                   "the largest piece would be " + size_text(size) + " long in " +
                       unit_name(*evidence.asked),
@@ -51,11 +51,11 @@ double drawing_unit(const UnitEvidence& evidence, const std::string& source,
   }
   if (evidence.stated) {
     const double size = largest * *evidence.stated;
-    if (size < shortest || size > longest) {
+    if (size < min_piece_length || size > max_piece_length) {
       throw Error(source,
                   "the largest piece would be " + size_text(size) + " long in " +
                       unit_name(*evidence.stated) + ", as " + evidence.stated_by + " says",
-                  remedy);
+                  unit_remedy);
     }
     return *evidence.stated;
   }
@@ -63,9 +63,9 @@ double drawing_unit(const UnitEvidence& evidence, const std::string& source,
   if (unit == 0) {
     throw Error(source,
                 "states no unit, and the largest piece is " + number_text(largest) + " units long",
-                remedy);
+                unit_remedy);
   }
-  const bool unsure = unit == 1e-2 || unit == inch;
+  const bool unsure = unit == 1e-2 || unit == metres_in_inch;
   remarks.push_back({unsure, source + ": states no unit; lengths are taken as " + unit_name(unit) +
                                  ", so that the largest piece is " + size_text(largest * unit) +
                                  " long" + (unsure ? "; if that is wrong, give --unit" : "")});

@@ -2,333 +2,39 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <functional>
 
 #include "geometry/error.h"
 #include "geometry/polygon.h"
 #include "io/json_words.h"
 #include "io/text.h"
 #include "pattern/import/drawing_unit.h"
+#include "pattern/import/dxf_blocks.h"
+#include "pattern/import/dxf_layers.h"
+#include "pattern/import/dxf_loose_pieces.h"
 #include "pattern/import/join_paths.h"
+#include "pattern/import/piece_shape.h"
 #include "pattern/import/piece_text.h"
+#include "pattern/import/sew_line.h"
 
 namespace toile {
 
 namespace {
 
-/// Inserts within inserts.
-constexpr int max_insert_depth = 16;
-
-/// Entities of all pieces, nested inserts included.
-constexpr std::size_t max_piece_entities = 500'000;
-
-/// Metres: a seam allowance is between these.
-constexpr double min_allowance = 1e-3;
-constexpr double max_allowance = 0.06;
-
 /// Metres: chords that are good enough to compare outlines.
-constexpr double rough = 1e-4;
+constexpr double outline_chords = 1e-4;
 
-constexpr int boundary_layer = 1;
-constexpr int turn_layer = 2;
-constexpr int mirror_layer = 6;
-constexpr int grain_layer = 7;
-constexpr int internal_layer = 8;
-constexpr int cut_out_layer = 11;
-constexpr int drill_layer = 13;
-constexpr int sew_layer = 14;
-constexpr int any_layer = -1;
-
-/// The number that names a layer; any_layer: it has another name.
-int layer_number(const DxfEntity& entity) {
-  const std::string& name = entity.layer;
-  if (name.empty() || name.size() > 3) return any_layer;
-  int number = 0;
-  for (const char c : name) {
-    if (c < '0' || c > '9') return any_layer;
-    number = number * 10 + (c - '0');
-  }
-  return number;
-}
-
-bool is_notch_layer(int layer) { return layer == 4 || (layer >= 80 && layer <= 83); }
-
-/// Layers of ASTM D6673 that nothing here is made of.
-std::string unused_layer(int layer) {
-  switch (layer) {
-    case 3:
-      return "curve points (layer 3)";
-    case 5:
-      return "grade reference lines (layer 5)";
-    case 9:
-      return "stripe lines (layer 9)";
-    case 10:
-      return "plaid lines (layer 10)";
-    case 15:
-      return "annotations (layer 15)";
-    default:
-      return layer >= 84 && layer <= 87 ? "curves to check by (layer " + std::to_string(layer) + ")"
-                                        : "";
-  }
-}
-
-/// The entities of one piece, in the drawing's unit.
-struct Drawn {
-  std::string name;
-  std::vector<DxfEntity> entities;
-  bool mirrored_twin = false;  ///< the block is inserted as drawn and mirrored
-};
-
-struct Box {
-  Vec2 low = Vec2::Constant(std::numeric_limits<double>::max());
-  Vec2 high = Vec2::Constant(std::numeric_limits<double>::lowest());
-  void add(const Vec2& point) {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
-  double size() const { return low.x() > high.x() ? 0 : (high - low).maxCoeff(); }
-};
-
-/// Finds the pieces among blocks and inserts.
-class Collector {
- public:
-  Collector(const DxfDrawing& drawing, const std::string& source, PieceDrawing& result)
-      : drawing_(drawing), source_(source), result_(result) {
-    const auto on_outline_layer = [](const std::vector<DxfEntity>& list) {
-      return std::any_of(list.begin(), list.end(), [](const DxfEntity& entity) {
-        const int layer = layer_number(entity);
-        return entity.kind == DxfEntity::Kind::curves &&
-               (layer == boundary_layer || layer == sew_layer);
-      });
-    };
-    layered_ = on_outline_layer(drawing.entities);
-    for (const DxfBlock& block : drawing.blocks) {
-      layered_ = layered_ || on_outline_layer(block.entities);
-    }
-    carried_.assign(drawing.blocks.size(), unknown);
-    for (std::size_t i = 0; i < drawing.blocks.size(); ++i) carried(static_cast<int>(i), 0);
-    uses_.resize(drawing.blocks.size());
-  }
-
-  /// Whether outlines have layers of their own.
-  bool layered() const { return layered_; }
-
-  bool is_outline(const DxfEntity& entity) const {
-    if (entity.kind != DxfEntity::Kind::curves) return false;
-    const int layer = layer_number(entity);
-    return !layered_ || layer == boundary_layer || layer == sew_layer;
-  }
-
-  std::vector<Drawn> pieces() {
-    visit_inserts(drawing_.entities, Eigen::Affine2d::Identity(), 0);
-    for (std::size_t i = 0; i < uses_.size(); ++i) {
-      const std::string& name = drawing_.blocks[i].name;
-      // Without layers, arrow heads and dimensions look like pieces.
-      const bool helper = !layered_ && !name.empty() && (name[0] == '*' || name[0] == '_');
-      if (!uses_[i].used && !uses_[i].part && !helper && is_piece(static_cast<int>(i))) {
-        visit(static_cast<int>(i), Eigen::Affine2d::Identity(), 0);
-      }
-    }
-    std::vector<Drawn> pieces;
-    for (std::size_t i = 0; i < uses_.size(); ++i) {
-      if (!uses_[i].used || !is_piece(static_cast<int>(i))) continue;
-      Drawn drawn;
-      drawn.name = drawing_.blocks[i].name;
-      drawn.mirrored_twin = uses_[i].mirrored_twin;
-      gather(static_cast<int>(i), uses_[i].placed, 0, drawn);
-      if (uses_[i].more > 0 && !uses_[i].mirrored_twin) {
-        result_.remarks.push_back({false, source_ + ": block " + in_quotes(drawn.name) +
-                                              " is inserted " + std::to_string(uses_[i].more + 1) +
-                                              " times; it is one piece"});
-      }
-      pieces.push_back(std::move(drawn));
-    }
-    return pieces;
-  }
-
- private:
-  static constexpr int unknown = -1;
-  static constexpr int several = 2;
-
-  /// How a block is used.
-  struct Use {
-    bool used = false;
-    bool part = false;  ///< of another piece
-    int more = 0;       ///< inserts after the first
-    bool mirrored_twin = false;
-    Eigen::Affine2d placed = Eigen::Affine2d::Identity();
-  };
-
-  const DxfBlock& block(int index) const {
-    return drawing_.blocks[static_cast<std::size_t>(index)];
-  }
-
-  [[noreturn]] void too_deep(int index) const {
-    throw Error(source_ + ":" + std::to_string(block(index).line),
-                "block " + in_quotes(block(index).name) +
-                    " inserts itself, or blocks are nested deeper than " +
-                    std::to_string(max_insert_depth),
-                "explode the inserts in the CAD program");
-  }
-
-  /// Outlines in a block: 0, 1 or several. An outline of its own hides those of its inserts.
-  int carried(int index, int depth) {
-    int& known = carried_[static_cast<std::size_t>(index)];
-    if (known != unknown) return known;
-    if (depth > max_insert_depth) too_deep(index);
-    int count = 0;
-    bool own = false;
-    for (const DxfEntity& entity : block(index).entities) {
-      own = own || is_outline(entity);
-      if (entity.kind == DxfEntity::Kind::insert) count += carried(entity.block, depth + 1);
-      count = std::min(count, several);
-    }
-    return carried_[static_cast<std::size_t>(index)] = own ? 1 : count;
-  }
-
-  bool is_piece(int index) const { return carried_[static_cast<std::size_t>(index)] == 1; }
-
-  bool own_outline(int index) const {
-    const auto& entities = block(index).entities;
-    return std::any_of(entities.begin(), entities.end(),
-                       [&](const DxfEntity& entity) { return is_outline(entity); });
-  }
-
-  void visit_inserts(const std::vector<DxfEntity>& list, const Eigen::Affine2d& placed, int depth) {
-    for (const DxfEntity& entity : list) {
-      if (entity.kind != DxfEntity::Kind::insert) continue;
-      if (carried_[static_cast<std::size_t>(entity.block)] == 0) continue;
-      visit(entity.block, placed * entity.placed, depth + 1);
-    }
-  }
-
-  void visit(int index, const Eigen::Affine2d& placed, int depth) {
-    if (depth > max_insert_depth) too_deep(index);
-    if (++visits_ > max_piece_entities) {
-      throw Error(source_, "has more than " + std::to_string(max_piece_entities) + " inserts",
-                  "is it really a pattern? keep the layers of the pieces only");
-    }
-    if (!placed.matrix().allFinite()) {
-      throw Error(source_, "block " + in_quotes(block(index).name) + " is inserted too far away",
-                  "");
-    }
-    if (!is_piece(index)) {
-      visit_inserts(block(index).entities, placed, depth);
-      return;
-    }
-    Use& use = uses_[static_cast<std::size_t>(index)];
-    if (use.used) {
-      ++use.more;
-      const bool turned =
-          (use.placed.linear().determinant() < 0) != (placed.linear().determinant() < 0);
-      use.mirrored_twin = use.mirrored_twin || turned;
-      return;
-    }
-    use.used = true;
-    use.placed = placed;
-    if (own_outline(index))
-      visit_inserts(block(index).entities, placed, depth);
-    else
-      mark_parts(index);
-  }
-
-  /// What a block without an outline of its own inserts is part of it.
-  void mark_parts(int index) {
-    for (const DxfEntity& entity : block(index).entities) {
-      if (entity.kind != DxfEntity::Kind::insert) continue;
-      Use& use = uses_[static_cast<std::size_t>(entity.block)];
-      if (use.part || carried_[static_cast<std::size_t>(entity.block)] == 0) continue;
-      use.part = true;
-      mark_parts(entity.block);
-    }
-  }
-
-  void gather(int index, const Eigen::Affine2d& placed, int depth, Drawn& drawn) {
-    if (depth > max_insert_depth) too_deep(index);
-    const bool own = own_outline(index);
-    for (const DxfEntity& entity : block(index).entities) {
-      if (entity.kind == DxfEntity::Kind::insert) {
-        // An inserted outline is a piece of its own, beside one of this block.
-        const bool apart = own && carried_[static_cast<std::size_t>(entity.block)] > 0;
-        if (!apart) gather(entity.block, placed * entity.placed, depth + 1, drawn);
-        continue;
-      }
-      if (++gathered_ > max_piece_entities) {
-        throw Error(source_,
-                    "its pieces have more than " + std::to_string(max_piece_entities) +
-                        " entities, inserts included",
-                    "is it really a pattern? keep the layers of the pieces only");
-      }
-      drawn.entities.push_back(transformed(entity, placed));
-    }
-  }
-
-  const DxfDrawing& drawing_;
-  const std::string& source_;
-  PieceDrawing& result_;
-  bool layered_ = false;
-  std::vector<int> carried_;
-  std::vector<Use> uses_;
-  std::size_t gathered_ = 0;
-  std::size_t visits_ = 0;
-};
-
-PiecePath path_of(const DxfEntity& entity, double unit) {
-  PiecePath path;
-  for (const DxfCurve& curve : entity.curves) {
-    const auto& p = curve.points;
-    path.push_back(curve.straight
-                       ? EdgeCurve::line(p[0] * unit, p[3] * unit)
-                       : EdgeCurve::cubic(p[0] * unit, p[1] * unit, p[2] * unit, p[3] * unit));
-  }
-  return path;
-}
-
-double path_length(const PiecePath& path) {
-  double length = 0;
-  for (const EdgeCurve& curve : path) length += curve.length();
-  return length;
-}
-
-double distance_to_loop(const std::vector<Vec2>& loop, const Vec2& point) {
-  double least = std::numeric_limits<double>::max();
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    least = std::min(least, distance_to_segment(point, loop[i], loop[(i + 1) % loop.size()]));
-  }
-  return least;
-}
-
-/// At most some hundred of the points: comparisons take time with their square.
-std::vector<Vec2> thinned(const std::vector<Vec2>& points) {
-  constexpr std::size_t max_points = 400;
-  const std::size_t step = points.size() / max_points + 1;
-  std::vector<Vec2> kept;
-  for (std::size_t i = 0; i < points.size(); i += step) kept.push_back(points[i]);
-  return kept;
-}
-
-/// Whether the closed path runs within the boundary, along all of it, as a seam line does.
-bool runs_along(const std::vector<Vec2>& boundary, const PiecePath& path) {
-  const std::vector<Vec2> inner = loop_points(path, rough);
-  if (inner.size() < 3 || std::abs(signed_area(inner)) < std::abs(signed_area(boundary)) / 5) {
-    return false;
-  }
-  for (const Vec2& point : thinned(inner)) {
-    if (!inside(boundary, point) || distance_to_loop(boundary, point) < min_allowance) return false;
-  }
-  const std::vector<Vec2> outer = thinned(boundary);
-  return std::all_of(outer.begin(), outer.end(), [&](const Vec2& point) {
-    return distance_to_loop(inner, point) <= max_allowance;
-  });
-}
+/// Closed lines on one layer of a piece at most: they are compared with each other.
+constexpr std::size_t max_loops = 500;
 
 /// Makes pieces of what was drawn.
-class Builder {
+class PieceBuilder {
  public:
-  Builder(const std::string& source, double unit, bool layered, bool cut_line, PieceDrawing& result)
+  PieceBuilder(const std::string& source, double unit, bool layered, bool cut_line,
+               PieceDrawing& result)
       : source_(source), unit_(unit), layered_(layered), cut_line_(cut_line), result_(result) {}
 
-  void add(const Drawn& drawn) {
+  void add(const DrawnPiece& drawn) {
     Piece piece;
     PieceTexts texts;
     sort(drawn, piece, texts);
@@ -353,7 +59,7 @@ class Builder {
  private:
   void ignore(const std::string& what) { ++result_.ignored[what]; }
 
-  void sort(const Drawn& drawn, Piece& piece, PieceTexts& texts) {
+  void sort(const DrawnPiece& drawn, Piece& piece, PieceTexts& texts) {
     boundary_.clear();
     sew_.clear();
     internal_.clear();
@@ -397,13 +103,13 @@ class Builder {
         ignore_layer(entity, layer);
         return;
       }
-      boundary_.push_back(path_of(entity, unit_));
+      boundary_.push_back(dxf_path(entity, unit_));
     } else if (layer == sew_layer) {
-      sew_.push_back(path_of(entity, unit_));
+      sew_.push_back(dxf_path(entity, unit_));
     } else if (layer == internal_layer) {
-      internal_.push_back(path_of(entity, unit_));
+      internal_.push_back(dxf_path(entity, unit_));
     } else if (layer == cut_out_layer) {
-      cut_outs_.push_back(path_of(entity, unit_));
+      cut_outs_.push_back(dxf_path(entity, unit_));
     } else if (layer == drill_layer && entity.type == "CIRCLE") {
       piece.drill_holes.push_back(entity.at * unit_);
     } else if (line_layer) {
@@ -440,15 +146,20 @@ class Builder {
     const JoinedPaths joined = join_paths(paths);
     std::vector<PiecePath> closed;
     std::vector<double> areas;
+    if (joined.closed.size() > max_loops) {
+      fail("has more than " + std::to_string(max_loops) + " closed lines on the layer of its " +
+               what,
+           "is it really a piece?");
+    }
     for (const PiecePath& path : joined.closed) {
-      const std::vector<Vec2> points = loop_points(path, rough);
+      const std::vector<Vec2> points = loop_points(path, outline_chords);
       const double area = points.size() < 3 ? 0 : std::abs(signed_area(points));
       if (area < 1e-6) continue;
       const bool twin = std::any_of(closed.begin(), closed.end(), [&](const PiecePath& other) {
-        const std::vector<Vec2> others = loop_points(other, rough);
+        const std::vector<Vec2> others = loop_points(other, outline_chords);
         return std::abs(std::abs(signed_area(others)) - area) < 1e-6 * area &&
-               distance_to_loop(others, points.front()) < max_outline_gap &&
-               distance_to_loop(points, others.front()) < max_outline_gap;
+               nearest_place(others, points.front()).distance < max_outline_gap &&
+               nearest_place(points, others.front()).distance < max_outline_gap;
       });
       if (twin) {
         ignore("outlines that are drawn twice");
@@ -494,12 +205,12 @@ class Builder {
     }
     std::vector<Vec2> boundary;
     if (!boundaries.empty()) {
-      boundary = loop_points(boundaries.front(), rough);
+      boundary = loop_points(boundaries.front(), outline_chords);
       piece.outline = boundaries.front();
       piece.is_cut_line = true;
     }
     for (std::size_t i = 1; i < boundaries.size(); ++i) {
-      const std::vector<Vec2> points = loop_points(boundaries[i], rough);
+      const std::vector<Vec2> points = loop_points(boundaries[i], outline_chords);
       if (!inside(boundary, points.front())) {
         fail(
             "has two outlines beside each other, the second at " + millimetres_text(points.front()),
@@ -526,7 +237,6 @@ class Builder {
     }
     piece.internal_lines = std::move(inner_lines);
     for (PiecePath& path : loops(cut_outs_, "cut-out")) piece.cut_outs.push_back(std::move(path));
-    move_notches_out(piece);
   }
 
   /// Takes the sew line from among the internal lines, if it is there.
@@ -548,16 +258,6 @@ class Builder {
     }
   }
 
-  /// A notch that is drawn as a line begins where the line is nearest to the outline.
-  void move_notches_out(Piece& piece) const {
-    if (piece.notches.empty()) return;
-    for (std::size_t i = 0; i < piece.notches.size(); ++i) {
-      const PieceNotch& notch = piece.notches[i];
-      if (!notch.at.allFinite())
-        piece.notches.erase(piece.notches.begin() + static_cast<long>(i--));
-    }
-  }
-
   const std::string& source_;
   double unit_;
   bool layered_;
@@ -571,95 +271,6 @@ class Builder {
   int sew_lines_found_ = 0;
 };
 
-Box box_of(const std::vector<DxfEntity>& entities, const Collector& collector) {
-  Box box;
-  for (const DxfEntity& entity : entities) {
-    if (!collector.is_outline(entity)) continue;
-    for (const DxfCurve& curve : entity.curves) {
-      box.add(curve.points[0]);
-      box.add(curve.points[3]);
-    }
-  }
-  return box;
-}
-
-/// The pieces that are drawn in model space: an outline, and what lies within.
-std::vector<Drawn> loose_pieces(const DxfDrawing& drawing, const Collector& collector, double unit,
-                                const std::string& source, PieceDrawing& result) {
-  // Which entities each closed outline is made of is found again by where they lie.
-  std::vector<PiecePath> paths;
-  const auto is_boundary = [&](const DxfEntity& entity) {
-    return collector.is_outline(entity) &&
-           (!collector.layered() || layer_number(entity) == boundary_layer);
-  };
-  for (const DxfEntity& entity : drawing.entities) {
-    if (is_boundary(entity)) paths.push_back(path_of(entity, unit));
-  }
-  if (paths.empty()) return {};
-  const JoinedPaths joined = join_paths(paths);
-  std::vector<std::vector<Vec2>> outlines;
-  for (const PiecePath& path : joined.closed) {
-    std::vector<Vec2> points = loop_points(path, rough);
-    if (points.size() >= 3 && std::abs(signed_area(points)) > 1e-6) {
-      outlines.push_back(std::move(points));
-    }
-  }
-  double longest_loop = 0;
-  for (const PiecePath& path : joined.closed)
-    longest_loop = std::max(longest_loop, path_length(path));
-  for (std::size_t i = 0; i < joined.open.size() && i < joined.gaps.size(); ++i) {
-    if (path_length(joined.open[i]) < longest_loop / 4) continue;
-    throw Error(source + ": model space",
-                "an outline is open: a gap of " + number_text(joined.gaps[i].size * 1000) +
-                    " mm at " + millimetres_text(joined.gaps[i].at),
-                "close it in the CAD program; gaps up to 0.5 mm are closed here");
-  }
-  std::sort(outlines.begin(), outlines.end(), [](const auto& a, const auto& b) {
-    return std::abs(signed_area(a)) > std::abs(signed_area(b));
-  });
-  std::vector<std::vector<Vec2>> outer;
-  for (auto& outline : outlines) {
-    const bool within = std::any_of(outer.begin(), outer.end(), [&](const auto& other) {
-      return inside(other, outline.front());
-    });
-    if (!within) outer.push_back(std::move(outline));
-    if (outer.size() > 2000) {
-      throw Error(source, "has more than 2,000 outlines in model space", "is it really a pattern?");
-    }
-  }
-  std::vector<Drawn> pieces(outer.size());
-  for (const DxfEntity& entity : drawing.entities) {
-    if (entity.kind == DxfEntity::Kind::insert) continue;
-    // The middle of the first curve: its ends may be shared with a neighbour.
-    Vec2 point = entity.at;
-    if (!entity.curves.empty()) {
-      const auto& p = entity.curves.front().points;
-      point = (p[0] + 3 * p[1] + 3 * p[2] + p[3]) / 8;
-    }
-    point *= unit;
-    std::size_t owner = outer.size();
-    double least = 2e-3;  // metres: notches stand on the outline, or a little outside
-    for (std::size_t i = 0; i < outer.size(); ++i) {
-      if (inside(outer[i], point)) {
-        owner = i;
-        break;
-      }
-      const double distance = distance_to_loop(outer[i], point);
-      if (distance < least) {
-        least = distance;
-        owner = i;
-      }
-    }
-    if (owner < outer.size()) {
-      pieces[owner].entities.push_back(entity);
-    } else if (entity.kind != DxfEntity::Kind::text) {
-      ++result.ignored[entity.type + " outside of all pieces"];
-    }
-  }
-  for (std::size_t i = 0; i < pieces.size(); ++i) pieces[i].name = "piece" + std::to_string(i + 1);
-  return pieces;
-}
-
 }  // namespace
 
 PieceDrawing dxf_pieces(const DxfDrawing& drawing, const std::string& source,
@@ -667,8 +278,8 @@ PieceDrawing dxf_pieces(const DxfDrawing& drawing, const std::string& source,
   PieceDrawing result;
   result.source = source;
   result.ignored = drawing.ignored;
-  Collector collector(drawing, source, result);
-  std::vector<Drawn> pieces = collector.pieces();
+  const bool layered = has_layers(drawing);
+  std::vector<DrawnPiece> pieces = pieces_in_blocks(drawing, layered, source, result.remarks);
 
   PieceTexts style;
   for (const DxfEntity& entity : drawing.entities) {
@@ -679,16 +290,16 @@ PieceDrawing dxf_pieces(const DxfDrawing& drawing, const std::string& source,
 
   UnitEvidence evidence;
   evidence.asked = options.unit;
-  for (const Drawn& drawn : pieces) {
-    evidence.largest = std::max(evidence.largest, box_of(drawn.entities, collector).size());
+  for (const DrawnPiece& drawn : pieces) {
+    evidence.largest = std::max(evidence.largest, outline_size(drawn.entities, layered));
   }
-  if (pieces.empty()) evidence.largest = box_of(drawing.entities, collector).size();
+  if (pieces.empty()) evidence.largest = outline_size(drawing.entities, layered);
   if (!(evidence.largest > 0)) {
     throw Error(source, "holds no outline of a piece",
                 "export the pieces as AAMA or ASTM DXF: outlines on layer 1, a block for each");
   }
   std::string units = style.value("units");
-  for (const Drawn& drawn : pieces) {
+  for (const DrawnPiece& drawn : pieces) {
     PieceTexts texts;
     for (const DxfEntity& entity : drawn.entities) {
       if (entity.kind == DxfEntity::Kind::text) texts.add(entity.text);
@@ -714,11 +325,11 @@ PieceDrawing dxf_pieces(const DxfDrawing& drawing, const std::string& source,
   evidence.english = drawing.measurement == DxfMeasurement::english;
   const double unit = drawing_unit(evidence, source, result.remarks);
 
-  for (Drawn& drawn : loose_pieces(drawing, collector, unit, source, result)) {
+  for (DrawnPiece& drawn : loose_pieces(drawing, layered, unit, source, result.ignored)) {
     pieces.push_back(std::move(drawn));
   }
-  Builder builder(source, unit, collector.layered(), options.cut_line, result);
-  for (const Drawn& drawn : pieces) builder.add(drawn);
+  PieceBuilder builder(source, unit, layered, options.cut_line, result);
+  for (const DrawnPiece& drawn : pieces) builder.add(drawn);
   return result;
 }
 

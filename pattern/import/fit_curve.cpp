@@ -12,13 +12,13 @@ namespace toile {
 namespace {
 
 /// Points that a curve is fitted to, at least. Long chords get points in between.
-constexpr int min_samples = 48;
+constexpr int min_fit_samples = 48;
 
 /// Points that a curve is fitted to, at most. More cost time and change nothing.
-constexpr int max_samples = 400;
+constexpr int max_fit_samples = 400;
 
 /// Rounds of moving parameters to the nearest points of the curve.
-constexpr int rounds = 12;
+constexpr int fit_rounds = 12;
 
 Vec2 bezier(const std::array<Vec2, 4>& p, double t) {
   const double s = 1 - t;
@@ -26,9 +26,9 @@ Vec2 bezier(const std::array<Vec2, 4>& p, double t) {
 }
 
 /// A polyline that is walked by length.
-class Walk {
+class PolylineWalk {
  public:
-  explicit Walk(const std::vector<Vec2>& points) : points_(points), lengths_(1, 0) {
+  explicit PolylineWalk(const std::vector<Vec2>& points) : points_(points), lengths_(1, 0) {
     for (std::size_t i = 1; i < points.size(); ++i) {
       lengths_.push_back(lengths_.back() + (points[i] - points[i - 1]).norm());
     }
@@ -49,12 +49,13 @@ class Walk {
 };
 
 /// The polyline in steps of nearly equal length, and its own points where they are few.
-std::vector<Vec2> samples_of(const std::vector<Vec2>& points, const Walk& walk) {
+std::vector<Vec2> samples_of(const std::vector<Vec2>& points, const PolylineWalk& walk) {
   std::vector<double> places;
-  if (points.size() <= static_cast<std::size_t>(max_samples) / 2) {
+  if (points.size() <= static_cast<std::size_t>(max_fit_samples) / 2) {
     for (std::size_t i = 0; i < points.size(); ++i) places.push_back(walk.length_to(i));
   }
-  const int steps = std::clamp(static_cast<int>(points.size()), min_samples, max_samples / 2);
+  const int steps =
+      std::clamp(static_cast<int>(points.size()), min_fit_samples, max_fit_samples / 2);
   for (int i = 0; i <= steps; ++i) places.push_back(walk.length() * i / steps);
   std::sort(places.begin(), places.end());
   std::vector<Vec2> samples;
@@ -85,12 +86,12 @@ double distance_to_polyline(const std::vector<Vec2>& points, const Vec2& point, 
 }
 
 /// The direction in which the polyline leaves its point at `length`.
-struct Tangents {
+struct EndTangents {
   std::optional<Vec2> start;
   std::optional<Vec2> end;  ///< backwards, into the curve
 };
 
-struct Fit {
+struct CubicFit {
   std::array<Vec2, 4> points;
   double error = 1e300;
   std::size_t worst = 0;  ///< the sample that is farthest off
@@ -98,7 +99,7 @@ struct Fit {
 
 /// The best curve for the samples at the parameters. Ends with a tangent keep it.
 bool solve(const std::vector<Vec2>& samples, const std::vector<double>& parameters,
-           const Tangents& tangents, std::array<Vec2, 4>& p) {
+           const EndTangents& tangents, std::array<Vec2, 4>& p) {
   const int first = tangents.start ? 1 : 2;
   const int second = tangents.end ? 1 : 2;
   const auto rows = static_cast<Eigen::Index>(2 * samples.size());
@@ -155,9 +156,9 @@ double nearer(const std::array<Vec2, 4>& p, const Vec2& sample, double t) {
   return std::clamp(t - gradient / change, 0.0, 1.0);
 }
 
-Fit fit_one(const std::vector<Vec2>& points, const std::vector<Vec2>& samples,
-            const Tangents& tangents, double tolerance) {
-  Fit best;
+CubicFit fit_one(const std::vector<Vec2>& points, const std::vector<Vec2>& samples,
+                 const EndTangents& tangents, double tolerance) {
+  CubicFit best;
   best.worst = samples.size() / 2;
   std::vector<double> parameters(1, 0);
   for (std::size_t i = 1; i < samples.size(); ++i) {
@@ -166,7 +167,7 @@ Fit fit_one(const std::vector<Vec2>& points, const std::vector<Vec2>& samples,
   const double length = parameters.back();
   for (double& t : parameters) t /= length;
   std::array<Vec2, 4> p = {samples.front(), samples.front(), samples.back(), samples.back()};
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < fit_rounds; ++round) {
     if (!solve(samples, parameters, tangents, p)) break;
     double error = 0;
     std::size_t worst = 0;
@@ -208,7 +209,8 @@ bool is_line(const std::vector<Vec2>& points, double tolerance) {
 }
 
 /// The direction of the polyline around its point `i`, by what lies within `reach` of it.
-Vec2 direction_at(const std::vector<Vec2>& points, const Walk& walk, std::size_t i, double reach) {
+Vec2 direction_at(const std::vector<Vec2>& points, const PolylineWalk& walk, std::size_t i,
+                  double reach) {
   const double place = walk.length_to(i);
   const Vec2 along =
       walk.at(std::min(walk.length(), place + reach)) - walk.at(std::max(0.0, place - reach));
@@ -216,7 +218,7 @@ Vec2 direction_at(const std::vector<Vec2>& points, const Walk& walk, std::size_t
   return (along.squaredNorm() > 0 ? along : own).normalized();
 }
 
-void fit(const std::vector<Vec2>& points, const Tangents& tangents, double tolerance,
+void fit(const std::vector<Vec2>& points, const EndTangents& tangents, double tolerance,
          std::vector<FittedCurve>& curves, int depth) {
   const Vec2& start = points.front();
   const Vec2& end = points.back();
@@ -232,9 +234,9 @@ void fit(const std::vector<Vec2>& points, const Tangents& tangents, double toler
     line();
     return;
   }
-  const Walk walk(points);
+  const PolylineWalk walk(points);
   const std::vector<Vec2> samples = samples_of(points, walk);
-  const Fit one = fit_one(points, samples, tangents, tolerance);
+  const CubicFit one = fit_one(points, samples, tangents, tolerance);
   if (one.error <= tolerance) {
     curves.push_back({one.points, false});
     return;
@@ -255,8 +257,8 @@ void fit(const std::vector<Vec2>& points, const Tangents& tangents, double toler
   const auto middle = points.begin() + static_cast<std::ptrdiff_t>(cut);
   const std::vector<Vec2> first(points.begin(), middle + 1);
   const std::vector<Vec2> second(middle, points.end());
-  Tangents before{tangents.start, std::nullopt};
-  Tangents after{std::nullopt, tangents.end};
+  EndTangents before{tangents.start, std::nullopt};
+  EndTangents after{std::nullopt, tangents.end};
   constexpr int max_smooth_depth = 12;
   if (depth < max_smooth_depth) {
     const double reach = std::min({walk.length_to(cut), walk.length() - walk.length_to(cut),

@@ -30,9 +30,6 @@ constexpr double layout_width = 2;
 /// Share of the chord error that chords in place of drawn curves may take.
 constexpr double sampling_share = 0.1;
 
-/// Metres: internal lines and cut-outs are followed by chords to this.
-constexpr double line_tolerance = 1e-4;
-
 bool same_word(const std::string& a, const std::string& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) {
     return std::tolower(static_cast<unsigned char>(x)) ==

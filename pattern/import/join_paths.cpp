@@ -13,7 +13,7 @@ namespace toile {
 namespace {
 
 /// Metres: shorter curves are points.
-constexpr double min_curve = 1e-6;
+constexpr double min_curve_length = 1e-6;
 
 /// Steps along one curve at most.
 constexpr int max_curve_steps = 1000;
@@ -86,6 +86,12 @@ void append_path(PiecePath& path, const PiecePath& more) {
 
 }  // namespace
 
+double path_length(const PiecePath& path) {
+  double length = 0;
+  for (const EdgeCurve& curve : path) length += curve.length();
+  return length;
+}
+
 std::string millimetres_text(const Vec2& metres) {
   return "(" + fixed_number(metres.x() * 1000, 1) + ", " + fixed_number(metres.y() * 1000, 1) +
          ") mm";
@@ -118,7 +124,7 @@ std::vector<Vec2> path_points(const PiecePath& path, double tolerance) {
 
 std::vector<Vec2> loop_points(const PiecePath& path, double tolerance) {
   std::vector<Vec2> points = path_points(path, tolerance);
-  while (points.size() > 1 && (points.back() - points.front()).norm() < min_curve) {
+  while (points.size() > 1 && (points.back() - points.front()).norm() < min_curve_length) {
     points.pop_back();
   }
   return points;
@@ -129,7 +135,7 @@ JoinedPaths join_paths(const std::vector<PiecePath>& given) {
   for (const PiecePath& path : given) {
     PiecePath kept;
     for (const EdgeCurve& curve : path) {
-      if (curve.length() >= min_curve) kept.push_back(curve);
+      if (curve.length() >= min_curve_length) kept.push_back(curve);
     }
     if (!kept.empty()) paths.push_back(std::move(kept));
   }

@@ -37,6 +37,9 @@ JoinedPaths join_paths(const std::vector<PiecePath>& paths);
 /// The path run the other way.
 PiecePath reversed_path(const PiecePath& path);
 
+/// Metres.
+double path_length(const PiecePath& path);
+
 /// Points along a path, both ends included: chords leave its curves by at most `tolerance` metres.
 std::vector<Vec2> path_points(const PiecePath& path, double tolerance);
 

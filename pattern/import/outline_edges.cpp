@@ -27,10 +27,10 @@ constexpr double notch_at_corner = 3e-3;
 constexpr double notch_reach = 0.06;
 
 /// Radians: sharper points are corners, however their neighbours turn.
-constexpr double sharp = 50 * std::numbers::pi / 180;
+constexpr double sharp_turn = 50 * std::numbers::pi / 180;
 
 /// Radians: sharper points are corners, even if the file declares others.
-constexpr double undeclared = 60 * std::numbers::pi / 180;
+constexpr double undeclared_turn = 60 * std::numbers::pi / 180;
 
 /// Metres: chords of a rounding are shorter.
 constexpr double rounding_chord = 0.02;
@@ -119,11 +119,12 @@ std::vector<Cut> corners_of(const PieceShape& shape, const Ring& ring, double co
     declared.push_back(
         {ring.to(place.segment) + (place.at - ring.at(place.segment)).norm(), place.at});
   }
-  const double angle = declared.size() >= 2 ? std::max(corner_angle, undeclared) : corner_angle;
+  const double angle =
+      declared.size() >= 2 ? std::max(corner_angle, undeclared_turn) : corner_angle;
   std::vector<std::size_t> turned;
   for (std::size_t i = 0; i < ring.count(); ++i) {
     if (std::abs(turns[i]) < angle) continue;
-    if (std::abs(turns[i]) < sharp && in_rounding(ring, turns, i)) continue;
+    if (std::abs(turns[i]) < sharp_turn && in_rounding(ring, turns, i)) continue;
     turned.push_back(i);
   }
   refuse_more(turned.size() + shape.corners.size() + shape.notches.size(), place_name);

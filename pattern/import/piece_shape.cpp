@@ -15,21 +15,22 @@ namespace toile {
 namespace {
 
 /// Metres: points of the outline that are nearer to the fold lie on it.
-constexpr double on_fold = 1e-3;
+constexpr double fold_reach = 1e-3;
 
 /// Metres: nearer points of an outline are one. Below, directions are noise.
-constexpr double same_point = 2e-5;
+constexpr double same_outline_point = 2e-5;
 
 /// Square metres: a smaller piece is a drawing error.
-constexpr double min_area = 1e-5;
+constexpr double min_piece_area = 1e-5;
 
 /// Without points that repeat the one before them, and without spikes that go back on themselves.
 std::vector<Vec2> cleaned(const std::vector<Vec2>& loop) {
   std::vector<Vec2> kept;
   for (const Vec2& point : loop) {
-    if (kept.empty() || (point - kept.back()).norm() > same_point) kept.push_back(point);
+    if (kept.empty() || (point - kept.back()).norm() > same_outline_point) kept.push_back(point);
   }
-  while (kept.size() > 1 && (kept.back() - kept.front()).norm() <= same_point) kept.pop_back();
+  while (kept.size() > 1 && (kept.back() - kept.front()).norm() <= same_outline_point)
+    kept.pop_back();
   return kept;
 }
 
@@ -74,7 +75,7 @@ OutlinePlace nearest_place(const std::vector<Vec2>& outline, const Vec2& point) 
 PieceShape shape_of(const Piece& piece, const std::string& place, double tolerance) {
   PieceShape shape;
   shape.outline = cleaned(loop_points(piece.outline, tolerance));
-  if (shape.outline.size() < 3 || std::abs(signed_area(shape.outline)) < min_area) {
+  if (shape.outline.size() < 3 || std::abs(signed_area(shape.outline)) < min_piece_area) {
     throw Error(place, "has no area", "remove it from the drawing, or draw its outline");
   }
   if (signed_area(shape.outline) < 0) std::reverse(shape.outline.begin(), shape.outline.end());
@@ -121,13 +122,15 @@ std::optional<PieceShape> unfolded_shape(const PieceShape& half, const PieceLine
     least = std::min(least, side(point));
     most = std::max(most, side(point));
   }
-  if (least < -on_fold && most > on_fold) {
+  if (least < -fold_reach && most > fold_reach) {
     remarks.push_back(
         {true, place + ": lies on both sides of its mirror line; it is taken as whole"});
     return std::nullopt;
   }
   // The runs of points on the fold: there has to be one, of two points or more.
-  const auto on = [&](std::size_t i) { return std::abs(side(half.outline[i % count])) <= on_fold; };
+  const auto on = [&](std::size_t i) {
+    return std::abs(side(half.outline[i % count])) <= fold_reach;
+  };
   std::size_t runs = 0;
   std::size_t first_off = 0;  // the first point behind the run
   for (std::size_t i = 0; i < count; ++i) {
@@ -165,7 +168,7 @@ std::optional<PieceShape> unfolded_shape(const PieceShape& half, const PieceLine
   const auto both = [&](std::vector<Vec2>& points, bool keep_on_fold) {
     std::vector<Vec2> all;
     for (const Vec2& point : points) {
-      if (std::abs(side(point)) <= on_fold) {
+      if (std::abs(side(point)) <= fold_reach) {
         if (keep_on_fold) all.push_back(point);
         continue;
       }
@@ -179,7 +182,7 @@ std::optional<PieceShape> unfolded_shape(const PieceShape& half, const PieceLine
   whole.notches.clear();
   for (const PieceNotch& notch : half.notches) {
     whole.notches.push_back(notch);
-    if (std::abs(side(notch.at)) <= on_fold) continue;
+    if (std::abs(side(notch.at)) <= fold_reach) continue;
     PieceNotch twin = notch;
     twin.at = mirror(notch.at);
     if (notch.angle) {
@@ -192,7 +195,7 @@ std::optional<PieceShape> unfolded_shape(const PieceShape& half, const PieceLine
     std::vector<std::vector<Vec2>> all;
     for (const std::vector<Vec2>& line : lines) {
       const bool lies_on_fold = std::all_of(line.begin(), line.end(), [&](const Vec2& point) {
-        return std::abs(side(point)) <= on_fold;
+        return std::abs(side(point)) <= fold_reach;
       });
       all.push_back(line);
       if (lies_on_fold) continue;

@@ -38,30 +38,30 @@ std::string folded_word(const std::string& text) {
 }
 
 /// The keys of ASTM D6673, and those that pattern programs write beside them.
-constexpr std::array<std::string_view, 24> known_keys = {"piece name",
-                                                         "size",
-                                                         "quantity",
-                                                         "material",
-                                                         "annotation",
-                                                         "category",
-                                                         "style name",
-                                                         "sample size",
-                                                         "units",
-                                                         "author",
-                                                         "creation date",
-                                                         "product",
-                                                         "creation time",
-                                                         "version",
-                                                         "grade rule table",
-                                                         "size range",
-                                                         "description",
-                                                         "grading rule table",
-                                                         "rule table",
-                                                         "fabric",
-                                                         "customer",
-                                                         "base size",
-                                                         "asme/astm version",
-                                                         "aama/astm version"};
+constexpr std::array<std::string_view, 24> known_text_keys = {"piece name",
+                                                              "size",
+                                                              "quantity",
+                                                              "material",
+                                                              "annotation",
+                                                              "category",
+                                                              "style name",
+                                                              "sample size",
+                                                              "units",
+                                                              "author",
+                                                              "creation date",
+                                                              "product",
+                                                              "creation time",
+                                                              "version",
+                                                              "grade rule table",
+                                                              "size range",
+                                                              "description",
+                                                              "grading rule table",
+                                                              "rule table",
+                                                              "fabric",
+                                                              "customer",
+                                                              "base size",
+                                                              "asme/astm version",
+                                                              "aama/astm version"};
 
 }  // namespace
 
@@ -107,7 +107,7 @@ void PieceTexts::add(const std::string& text) {
     const std::size_t colon = line.find(':');
     if (colon != std::string::npos) {
       const std::string key = without_blanks(in_small_letters(line.substr(0, colon)));
-      if (std::find(known_keys.begin(), known_keys.end(), key) != known_keys.end()) {
+      if (std::find(known_text_keys.begin(), known_text_keys.end(), key) != known_text_keys.end()) {
         values_.emplace(key, without_blanks(line.substr(colon + 1)));
         continue;
       }
