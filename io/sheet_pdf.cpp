@@ -31,8 +31,9 @@ cairo_status_t append_bytes(void* target, const unsigned char* data, unsigned le
 class Page {
  public:
   explicit Page(const Sheet& sheet)
-      : surface_(cairo_pdf_surface_create_for_stream(
-            append_bytes, &bytes_, sheet.size.x() * points_per_metre, sheet.size.y() * points_per_metre)),
+      : surface_(cairo_pdf_surface_create_for_stream(append_bytes, &bytes_,
+                                                     sheet.size.x() * points_per_metre,
+                                                     sheet.size.y() * points_per_metre)),
         context_(cairo_create(surface_.get())) {
     cairo_pdf_surface_set_metadata(surface_.get(), CAIRO_PDF_METADATA_TITLE,
                                    valid_utf8(sheet.title).c_str());

@@ -14,6 +14,7 @@
 #include "pattern/constants.h"
 #include "pattern/import/drawing_unit.h"
 #include "pattern/import/join_paths.h"
+#include "pattern/import/sew_line.h"
 #include "pattern/import/svg_roles.h"
 
 namespace toile {
@@ -33,10 +34,6 @@ constexpr double max_drill_width = 0.0101;
 
 /// Metres from an outline within which a notch, a grain or a fold belongs to it.
 constexpr double max_mark_distance = 0.02;
-
-/// Metres: how far inside of its cut line a seam line runs.
-constexpr double least_allowance = 3e-3;
-constexpr double widest_allowance = 40e-3;
 
 /// Closed paths of a drawing at most: they are compared with each other.
 constexpr std::size_t max_closed_paths = 20'000;
@@ -63,11 +60,22 @@ double distance_to_polygon(const std::vector<Vec2>& polygon, const Vec2& point) 
   return least;
 }
 
-/// Points of a polygon, evenly counted.
-std::vector<Vec2> some_points(const std::vector<Vec2>& polygon, std::size_t count) {
-  std::vector<Vec2> points;
-  const std::size_t step = std::max<std::size_t>(1, polygon.size() / count);
-  for (std::size_t i = 0; i < polygon.size(); i += step) points.push_back(polygon[i]);
+/// `count` points at equal steps along chords, a closed path's with the one back to its start.
+std::vector<Vec2> spread_points(std::vector<Vec2> chords, int count, bool closed) {
+  if (closed) chords.push_back(chords.front());
+  double length = 0;
+  for (std::size_t i = 1; i < chords.size(); ++i) length += (chords[i] - chords[i - 1]).norm();
+  const double step = length / count;
+  std::vector<Vec2> points = {chords.front()};
+  double next = step;
+  for (std::size_t i = 1; i < chords.size() && step > 0; ++i) {
+    const double chord = (chords[i] - chords[i - 1]).norm();
+    for (; next <= chord; next += step) {
+      points.push_back(chords[i - 1] + next / chord * (chords[i] - chords[i - 1]));
+    }
+    next -= chord;
+  }
+  points.push_back(chords.back());
   return points;
 }
 
@@ -269,7 +277,7 @@ class Finder {
                      [&](int a, int b) { return outline(a).area > outline(b).area; });
     for (std::size_t i = 0; i < by_area.size(); ++i) {
       Outline& one = outline(by_area[i]);
-      const std::vector<Vec2> points = some_points(one.polygon, 24);
+      const std::vector<Vec2> points = spread_points(one.polygon, 40, true);
       for (std::size_t k = i; k-- > 0 && one.around < 0;) {
         const Outline& other = outline(by_area[k]);
         // Parts of FreeSewing may lie on each other.
@@ -382,26 +390,15 @@ class Finder {
     });
   }
 
-  /// The outline all along inside of another one, at an even distance; -1: none.
+  /// The outline that runs along the inside of another one; -1: none.
   int seam_line_within(int index) {
     const Outline& cut = outline(index);
-    for (const int i : order_) {
+    const auto found = std::find_if(order_.begin(), order_.end(), [&](int i) {
       const Outline& inner = outline(i);
-      if (inner.around != index || inner.area < 0.5 * cut.area || inner.shape == cut.shape)
-        continue;
-      std::vector<double> distances;
-      for (const Vec2& point : some_points(inner.polygon, 60)) {
-        distances.push_back(distance_to_polygon(cut.polygon, point));
-      }
-      std::sort(distances.begin(), distances.end());
-      const double middle = distances[distances.size() / 2];
-      if (middle < least_allowance || middle > widest_allowance) continue;
-      const auto even = std::count_if(distances.begin(), distances.end(), [&](double distance) {
-        return std::abs(distance - middle) < 0.1 * middle;
-      });
-      if (even * 10 >= static_cast<std::ptrdiff_t>(distances.size()) * 7) return i;
-    }
-    return -1;
+      return inner.around == index && inner.shape != cut.shape &&
+             runs_along(cut.polygon, inner.path);
+    });
+    return found == order_.end() ? -1 : *found;
   }
 
   void choose_outline(int index, bool is_cut_line) {
@@ -421,7 +418,7 @@ class Finder {
     for (std::size_t i = 0; i < outlines_.size(); ++i) {
       Outline& one = outlines_[i];
       if (one.of_piece || one.meaning.role == SvgRole::allowance) continue;
-      const int at = piece_around(some_points(one.polygon, 24), one.part);
+      const int at = piece_around(spread_points(one.polygon, 40, true), one.part);
       if (at < 0) {
         if (is_small_circle(one) || one.area < min_piece_area) {
           ignore("small closed path outside of the pieces");
@@ -450,7 +447,7 @@ class Finder {
       if (meaning.role == SvgRole::allowance) continue;  // on the fold it is drawn open
       const int part = part_of(shape.group);
       const std::vector<Vec2> points = path_points(open.path, place_tolerance);
-      const int at = piece_around(some_points(points, 60), part);
+      const int at = piece_around(spread_points(points, 60, false), part);
       if (at >= 0) {
         pieces_.pieces[static_cast<std::size_t>(at)].internal_lines.push_back(open.path);
         continue;
@@ -571,6 +568,7 @@ class Finder {
   void texts() {
     texts_.resize(pieces_.pieces.size());
     first_text_.resize(pieces_.pieces.size());
+    said_.resize(pieces_.pieces.size(), false);
     for (const SvgText& text : drawing_.texts) {
       if (!text.on_path.empty()) continue;  // it says what a line is
       const int part = part_of(text.group);
@@ -598,6 +596,7 @@ class Finder {
             cutting->material != piece.material && found.size() > 1) {
           continue;
         }
+        said_[index] = true;
         piece.quantity = cutting->quantity.count;
         piece.pair = cutting->quantity.pair;
         const bool other = piece.material.empty() || piece.material == "fabric";
@@ -611,7 +610,8 @@ class Finder {
     }
     for (std::size_t p = 0; p < pieces_.pieces.size(); ++p) {
       Piece& piece = pieces_.pieces[p];
-      if (const auto quantity = texts_[p].quantity()) {
+      const auto quantity = texts_[p].quantity();
+      if (quantity && !said_[p]) {
         piece.quantity = quantity->count;
         piece.pair = quantity->pair;
       }
@@ -705,6 +705,7 @@ class Finder {
   std::vector<int> points_;  ///< shapes that are notches or drill holes
   std::vector<PieceTexts> texts_;
   std::vector<std::string> first_text_;
+  std::vector<bool> said_;  ///< whether a text says how often a piece is cut
 };
 
 }  // namespace

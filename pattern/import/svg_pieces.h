@@ -22,8 +22,8 @@ namespace toile {
 ///
 /// - a closed path that belongs to the same element, or that is named a cut-out, is a cut-out;
 /// - a circle of at most 10 mm is a drill hole;
-/// - a closed path all along the outline at an even distance is the seam line, the outline is the
-///   cut line;
+/// - a closed path that runs along all of the outline, see runs_along(), is the seam line, and the
+///   outline is the cut line;
 /// - any other path is an internal line, closed or open.
 ///
 /// A drawing that states no unit of length has 96 pixels an inch, with a remark. The user's unit is

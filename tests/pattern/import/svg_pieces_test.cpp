@@ -170,7 +170,7 @@ TEST(SvgPieces, PlainDrawingsHaveOnePieceForEachOutermostPath) {
   EXPECT_EQ(drawing.ignored.at("line outside of the pieces"), 1);
 }
 
-TEST(SvgPieces, LinesAtAnEvenDistanceAreSeamAndCutLine) {
+TEST(SvgPieces, LinesAlongEachOtherAreSeamAndCutLine) {
   const PieceDrawing drawing =
       read("<path d='M0 0h320v220h-320z'/><path id='yoke' d='M10 10h300v200h-300z'/>");
   ASSERT_EQ(drawing.pieces.size(), 1u);
@@ -178,7 +178,7 @@ TEST(SvgPieces, LinesAtAnEvenDistanceAreSeamAndCutLine) {
   EXPECT_NE(all_remarks(drawing).find("seam line"), std::string::npos);
   // A pocket near one corner is none.
   const PieceDrawing pocket =
-      read("<path d='M0 0h320v220h-320z'/><path d='M10 10h250v200h-250z'/>");
+      read("<path d='M0 0h320v220h-320z'/><path d='M10 10h190v200h-190z'/>");
   EXPECT_NEAR(area_cm2(pocket.pieces[0].outline), 704, 1e-9);
   EXPECT_EQ(pocket.pieces[0].internal_lines.size(), 1u);
 }
