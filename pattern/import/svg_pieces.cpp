@@ -25,9 +25,9 @@ namespace {
 constexpr double place_tolerance = 1e-4;
 
 /// Square metres: no piece of a garment is smaller than 2 cm by 2 cm.
-constexpr double min_piece_area = 4e-4;
+constexpr double smallest_piece = 4e-4;
 /// Square metres: a smaller closed path inside of a piece is a mark, such as the head of an arrow.
-constexpr double min_inner_area = 1e-4;
+constexpr double smallest_inner_path = 1e-4;
 
 /// Metres: a circle inside of a piece that is no wider is a drill hole.
 constexpr double max_drill_width = 0.0101;
@@ -217,7 +217,7 @@ class Finder {
       box.extend(metres(path.start));
       for (const DrawnSegment& segment : path.segments) box.extend(metres(segment.end));
     }
-    return box.sizes().prod() < min_piece_area;
+    return box.sizes().prod() < smallest_piece;
   }
 
   void add_closed(PiecePath path, int shape) {
@@ -295,7 +295,7 @@ class Finder {
   void choose() {
     for (const int index : order_) {
       Outline& one = outline(index);
-      if (one.area < min_piece_area) continue;
+      if (one.area < smallest_piece) continue;
       switch (one.meaning.role) {
         case SvgRole::outline:
           // What lies in a piece of another material is a piece of its own.
@@ -385,7 +385,7 @@ class Finder {
     return std::any_of(outlines_.begin(), outlines_.end(), [&](const Outline& other) {
       if (other.meaning.role == SvgRole::allowance || other.part != cut.part) return false;
       if (classed_ && other.meaning.material != cut.meaning.material) return false;
-      return &other != &cut && other.area >= min_piece_area &&
+      return &other != &cut && other.area >= smallest_piece &&
              (cut.part >= 0 || other.around == index);
     });
   }
@@ -420,7 +420,7 @@ class Finder {
       if (one.of_piece || one.meaning.role == SvgRole::allowance) continue;
       const int at = piece_around(spread_points(one.polygon, 40, true), one.part);
       if (at < 0) {
-        if (is_small_circle(one) || one.area < min_piece_area) {
+        if (is_small_circle(one) || one.area < smallest_piece) {
           ignore("small closed path outside of the pieces");
         } else {
           ignore("closed path without a material");
@@ -433,7 +433,7 @@ class Finder {
         piece.drill_holes.push_back(one.box.center());
       } else if (same_shape || one.meaning.role == SvgRole::cut_out) {
         piece.cut_outs.push_back(one.path);
-      } else if (one.area < min_inner_area) {
+      } else if (one.area < smallest_inner_path) {
         ignore("small closed path");
       } else if (one.area > 0.995 * outline_of(static_cast<std::size_t>(at)).area) {
         ignore("outline drawn twice");
@@ -464,7 +464,7 @@ class Finder {
     const double gap = (to - from).norm();
     const double length = length_of(open.path);
     const std::vector<Vec2> points = path_points(open.path, place_tolerance);
-    if (points.size() < 3 || std::abs(signed_area(points)) < min_piece_area) return;
+    if (points.size() < 3 || std::abs(signed_area(points)) < smallest_piece) return;
     if (meaning.role != SvgRole::outline && gap > 0.2 * length) return;
     const SvgShape& shape = drawing_.shapes[static_cast<std::size_t>(open.shape)];
     throw Error(
