@@ -261,6 +261,47 @@ Vec2 EdgeCurve::at(double fraction) const {
   return bezier_point(t);
 }
 
+std::vector<std::array<Vec2, 4>> EdgeCurve::cubics() const {
+  std::vector<std::array<Vec2, 4>> pieces;
+  const auto add_chord = [&](const Vec2& from, const Vec2& to) {
+    pieces.push_back({from, from + (to - from) / 3, to - (to - from) / 3, to});
+  };
+  switch (kind_) {
+    case Kind::line:
+      add_chord(start(), end());
+      break;
+    case Kind::bezier:
+      pieces.push_back(points_);
+      break;
+    case Kind::arc: {
+      const int count =
+          std::max(1, static_cast<int>(std::ceil(std::abs(sweep_) * 4 / std::numbers::pi)));
+      const double step = sweep_ / count;
+      const double reach = 4.0 / 3 * std::tan(step / 4) * radius_;
+      for (int i = 0; i < count; ++i) {
+        const double a = from_angle_ + i * step;
+        const double b = a + step;
+        const Vec2 from = at(static_cast<double>(i) / count);
+        const Vec2 to = at(static_cast<double>(i + 1) / count);
+        pieces.push_back({from, from + reach * Vec2(-std::sin(a), std::cos(a)),
+                          to - reach * Vec2(-std::sin(b), std::cos(b)), to});
+      }
+      break;
+    }
+    case Kind::chain:
+      for (const EdgeCurve& part : *parts_) {
+        for (const auto& piece : part.cubics()) pieces.push_back(piece);
+      }
+      break;
+    case Kind::straightened: {
+      const std::vector<Vec2> points = sample(64);
+      for (std::size_t i = 0; i + 1 < points.size(); ++i) add_chord(points[i], points[i + 1]);
+      break;
+    }
+  }
+  return pieces;
+}
+
 std::vector<Vec2> EdgeCurve::sample(int segments) const {
   std::vector<Vec2> points;
   points.reserve(static_cast<std::size_t>(segments) + 1);

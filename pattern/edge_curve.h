@@ -2,6 +2,7 @@
 // walked by length.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -51,6 +52,10 @@ class EdgeCurve {
 
   /// The point at `fraction` in [0, 1] of the length; the end points exactly.
   Vec2 at(double fraction) const;
+
+  /// The curve as cubic Bezier curves, each of four points, that follow each other. Bezier curves
+  /// are exact, arcs are within 4.2e-6 of their radius. Others have up to 64 chords instead.
+  std::vector<std::array<Vec2, 4>> cubics() const;
 
   /// `segments` + 1 points at equal steps of length, both end points included.
   std::vector<Vec2> sample(int segments) const;

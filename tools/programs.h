@@ -10,6 +10,8 @@ CommandLineProgram clean_body_program();
 CommandLineProgram dress_program();
 CommandLineProgram ease_map_program();
 CommandLineProgram edit_seams_program();
+CommandLineProgram export_pattern_program();
+CommandLineProgram find_seams_program();
 CommandLineProgram fit_program();
 CommandLineProgram import_pattern_program();
 CommandLineProgram make_mannequin_program();

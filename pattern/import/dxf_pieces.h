@@ -1,19 +1,13 @@
 // Pattern pieces from DXF, by the layers of AAMA and ASTM D6673.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "io/dxf.h"
+#include "pattern/import/drawing_options.h"
 #include "pattern/import/piece.h"
 
 namespace toile {
-
-/// What the user says about a drawing.
-struct DrawingOptions {
-  std::optional<double> unit;  ///< metres
-  bool cut_line = false;       ///< whether pieces are bounded by their cut lines, if they have any
-};
 
 /// The pieces of a DXF drawing.
 ///

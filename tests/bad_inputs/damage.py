@@ -356,14 +356,47 @@ def pattern_changed(change):
     return damage
 
 
+def svg_changed(random, folder):
+    name, words, path = take(random, folder, good.SVGS)
+    text = path.read_text()
+    start = text.index("<svg")
+    inner = text.index(">", start) + 1
+    bomb = "".join(f'<!ENTITY e{i + 1} "{f"&e{i};" * 10}">' for i in range(10))
+    copies = "".join(f'<g id="c{i + 1}">{f"""<use xlink:href="#c{i}"/>""" * 10}</g>'
+                     for i in range(12))
+    change = random.choice((
+        lambda: text[:start] + f'<!DOCTYPE svg [<!ENTITY e0 "ha">{bomb}]>' + text[start:inner] +
+        "<text>&e10;</text>" + text[inner:],
+        lambda: text[:start] + '<!DOCTYPE svg [<!ENTITY e SYSTEM "file:///etc/passwd">]>' +
+        text[start:inner] + "<title>&e;</title>" + text[inner:],
+        lambda: text[:inner] + "<script>alert(1)</script>" + text[inner:],
+        lambda: text[:inner] + "<g>" * (deep := random.choice((50, 300, 100000))) + "</g>" * deep +
+        text[inner:],
+        lambda: text[:inner] + '<g id="ring"><use xlink:href="#ring"/></g>' + text[inner:],
+        lambda: text[:inner] + f'<defs><path id="c0" d="M0 0h9v9z"/>{copies}</defs>'
+        '<use xlink:href="#c12"/>' + text[inner:],
+        lambda: text[:inner] + '<path d="M0 0' + "h1v1" * random.choice((10, 100000)) + 'z"/>' +
+        text[inner:],
+        lambda: text[:inner] + '<rect width="9" height="9"/>' * 30000 + text[inner:],
+        lambda: text[:inner] + f'<g transform="scale({random.choice(NUMBERS)})">' + text[inner:].replace(
+            "</svg>", "</g></svg>"),
+        lambda: text.replace(" z\"", "\""), lambda: text.replace("mm\"", random.choice(
+            ("px", "%", "in", "", "furlong", "em")) + "\""),
+        lambda: text.replace("viewBox=\"0 0", "viewBox=\"" + random.choice(NUMBERS) + " 0"),
+        lambda: text.replace("class=\"fabric\"", "class=\"fabric sa\"")))
+    path.write_text(change())
+    return words, [name]
+
+
 def option(random, folder):
     dress = ["dress", "--body", "body.ply", "garment.obj", "-o", "out.obj"]
     mesh = ["mesh-pattern", "pattern_band.json", "-o", "out.obj"]
     render = ["render", "garment.obj", "-o", "out.png"]
     ease = ["ease-map", "--body", "body.ply", "dressed.obj", "-o", "out.html"]
     mannequin = ["make-mannequin", "-o", "out.ply"]
+    export = ["export-pattern", "pattern_band.json", "-o", "out.svg"]
     words, flag = random.choice((
-        (dress, "--strain-limit"), (dress, "--shear-limit"), (dress, "--residual"),
+        (export, "--seam-allowance"), (dress, "--strain-limit"), (dress, "--shear-limit"), (dress, "--residual"),
         (dress, "--release"), (dress, "--gravity"), (dress, "--quality"), (dress, "--method"),
         (dress, "--fabric"), (dress, "--threads"), (dress + ["--method", "paper"], "--time-step"),
         (dress + ["--method", "paper"], "--restitution"),
@@ -398,5 +431,6 @@ KINDS = {
     "drawn in another unit": drawing_changed(drawn_in_another_unit),
     "groups shuffled": drawing_changed(groups_shuffled),
     "many entities": drawing_changed(many_entities),
-    "inserted in itself": drawing_changed(inserted_in_itself), "option": option,
+    "inserted in itself": drawing_changed(inserted_in_itself),
+    "SVG changed": svg_changed, "option": option,
 }

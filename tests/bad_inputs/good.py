@@ -6,6 +6,21 @@ import subprocess
 
 POSE = {"format": "toile-pose", "version": 1, "units": "degrees",
         "joints": {"left_hip": {"flexion": 22, "abduction": 3}, "right_knee": {"flexion": 20}}}
+SVG = """<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"
+  width="400mm" height="300mm" viewBox="0 0 400 300">
+<style>.gone { display: none }</style>
+<defs><g id="notch"><circle r="1.5"/></g></defs>
+<g id="yoke" transform="translate(10, 20) rotate(5)">
+<path class="fabric" d="M 0,0 L 150,0 C 150,40 140,80 120,100 Q 60,120 0,100 z"/>
+<path id="grainline" d="M 40,20 L 40,80"/>
+<use xlink:href="#notch" x="150" y="0"/>
+<text x="50" y="50"><tspan>yoke</tspan><tspan>cut 2 mirrored</tspan></text>
+</g>
+<rect class="fabric" x="200" y="20" width="100" height="120" rx="10"/>
+<path class="fabric" d="M 200,200 l 40,0 M 240,200 v 40 h -40 v -40"/>
+<path class="gone" d="M 0,0 L 5,5"/>
+</svg>
+"""
 SCENE = {"body": "body.ply", "gravity": [0, -9.81, 0],
          "layers": [{"name": "band", "garment": "garment.obj", "fabric": "jersey"}]}
 
@@ -31,6 +46,8 @@ def make(folder, tools, source):
         shutil.copy(samples / f"{name}.json", folder / f"pattern_{name}.json")
     shutil.copy(source / "tests/io/drawings/r2007.dxf", folder / "drawing.dxf")
     shutil.copy(source / "cloth/scene/fabrics/jersey.json", folder / "fabric.json")
+    program("export-pattern", samples / "tshirt.json", "-o", "drawing.svg")
+    (folder / "plain.svg").write_text(SVG)
     (folder / "scene.json").write_text(json.dumps(SCENE, indent=1))
     (folder / "pose.json").write_text(json.dumps(POSE, indent=1))
 
@@ -39,7 +56,8 @@ BODIES = ("body.ply", "mesh.obj", "mesh.stl", "mesh.off")
 PATTERNS = ("pattern_tshirt.json", "pattern_band.json", "pattern_elastic_skirt.json",
             "pattern_tube_top.json")
 JSONS = PATTERNS + ("garment.json", "body.json", "scene.json", "pose.json", "fabric.json")
-TEXTS = JSONS + ("mesh.obj", "mesh.off", "garment.obj", "dressed.obj", "drawing.dxf")
+SVGS = ("drawing.svg", "plain.svg")
+TEXTS = JSONS + SVGS + ("mesh.obj", "mesh.off", "garment.obj", "dressed.obj", "drawing.dxf")
 ALL = TEXTS + ("body.ply", "mesh.stl")
 
 # What is beside a file that a command names, and read with it.
@@ -75,10 +93,14 @@ def commands(name):
     if name == "body.json":
         return [dress, ease, clean]
     if name in PATTERNS:
-        return [mesh]
+        return [mesh, mesh, ["export-pattern", name, "-o", "out.svg", "--report", "report.json"],
+                ["export-pattern", name, "--seam-allowance", "10mm", "-o", "out.dxf"],
+                ["export-pattern", name, "-o", "out.pdf"]]
     if name == "drawing.dxf":
         return [["import-pattern", name, "-o", "out.json", "--report", "report.json"],
                 ["import-pattern", name, "-o", "out.json", "--seam-allowance", "8mm"]]
+    if name in SVGS:
+        return [["import-pattern", name, "-o", "out.json", "--report", "report.json"]]
     if name == "garment.obj":
         return [dress, dress, render]
     if name == "garment.json":

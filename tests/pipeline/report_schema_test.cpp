@@ -157,6 +157,10 @@ TEST_F(ReportSchema, HoldsForMeshPatternDressEaseMapAndRender) {
                        folder / "ease.json", "--report", folder / "ease-report.json", "-q"});
   succeed("render", {"--body", body, folder / "dressed.obj", "-o", folder / "drape.png", "--report",
                      folder / "render.json", "-q"});
+  succeed("export-pattern",
+          {sample("tshirt"), "-o", folder / "shirt.svg", "--report", folder / "export.json", "-q"});
+  expect_valid("export_pattern", "export.json", {"/panels/0/name"});
+  expect_faults_found("export_pattern", "export.json");
   expect_valid("mesh_pattern", "mesh.json");
   expect_valid("dress", "dressed.json", {"/certified/frames/0", "/quality", "/wraps/0"});
   expect_valid("ease_map", "ease.json", {"/girths/1/level"});

@@ -5,10 +5,10 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "geometry/error.h"
 #include "io/output_file.h"
 #include "io/text.h"
 #include "pattern/import/drawing_format.h"
+#include "pattern/import/svg_pieces.h"
 #include "pattern/pattern_file.h"
 #include "tools/import_pattern/report.h"
 
@@ -45,8 +45,7 @@ void say_panels(const ImportedPattern& pattern, const CommonSettings& common) {
 PieceDrawing read_drawing(DrawingFormat format, const std::string& text, const std::string& name,
                           const DrawingOptions& options) {
   if (format == DrawingFormat::dxf) return dxf_pieces(parse_dxf(text, name), name, options);
-  // SVG comes here: svg_pieces(text, name, options) of pattern/import/svg_pieces.h.
-  throw Error(name, "is an SVG, which is not read yet", "export the pieces as DXF");
+  return svg_pieces(text, name, options);
 }
 
 }  // namespace

@@ -1,0 +1,536 @@
+#include "io/svg.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <pugixml.hpp>
+#include <unordered_map>
+
+#include "geometry/error.h"
+#include "io/limits.h"
+#include "io/svg_path_data.h"
+#include "io/svg_scanner.h"
+#include "io/svg_style.h"
+#include "io/svg_transform.h"
+#include "io/text.h"
+
+namespace toile {
+
+namespace {
+
+/// User units: the frame of a drawing that states no size, as browsers have it.
+const Vec2 default_frame(300, 150);
+
+constexpr double metres_per_pixel = 0.0254 / 96;
+
+/// Of segments of all paths, copies by `use` counted.
+constexpr std::size_t max_segments = 4'000'000;
+
+template <class Names>
+bool is_one_of(std::string_view name, const Names& names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+constexpr std::array<std::string_view, 7> shape_elements = {"path", "rect",     "circle", "ellipse",
+                                                            "line", "polyline", "polygon"};
+constexpr std::array<std::string_view, 5> group_elements = {"g", "svg", "a", "switch", "symbol"};
+/// What has no outline of its own and takes nothing from the drawing where it is left out.
+constexpr std::array<std::string_view, 15> silent_elements = {
+    "defs", "clipPath", "mask", "marker",         "pattern",        "symbol", "style", "title",
+    "desc", "metadata", "view", "linearGradient", "radialGradient", "filter", "font"};
+
+/// "#id" as id; nothing for other references.
+std::string local_reference(std::string_view text) {
+  const std::size_t hash = text.find('#');
+  if (hash != 0 || text.size() < 2) return "";
+  return std::string(text.substr(1));
+}
+
+/// The id in "url(#id)"; empty for others.
+std::string url_reference(std::string_view text) {
+  const std::size_t start = text.find("url(");
+  if (start == std::string_view::npos) return "";
+  text.remove_prefix(start + 4);
+  std::string inner(text.substr(0, text.find(')')));
+  std::erase_if(inner, [](char c) { return c == '\'' || c == '"' || c == ' '; });
+  return local_reference(inner);
+}
+
+/// Numbers lines by their offsets in the text.
+class Lines {
+ public:
+  explicit Lines(std::string_view text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      if (text[i] == '\n') ends_.push_back(i);
+    }
+  }
+  int at(std::ptrdiff_t offset) const {
+    const auto before = std::lower_bound(
+        ends_.begin(), ends_.end(), static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)));
+    return static_cast<int>(before - ends_.begin()) + 1;
+  }
+
+ private:
+  std::vector<std::size_t> ends_;
+};
+
+class SvgReader {
+ public:
+  SvgReader(std::string_view text, const std::string& name) : name_(name), lines_(text) {
+    load(text);
+  }
+
+  SvgDrawing read() {
+    const pugi::xml_node root = document_.document_element();
+    const std::string_view tag = root.name();
+    const std::size_t colon = tag.find(':');
+    if (colon != std::string_view::npos) prefix_ = std::string(tag.substr(0, colon + 1));
+    if (local_name(root) != "svg") {
+      throw Error(name_, "is no SVG: its outermost element is '" + shown_text(tag) + "'",
+                  "export the drawing as SVG");
+    }
+    survey();
+    for (const pugi::xml_attribute attribute : root.attributes()) {
+      if (std::string_view(attribute.name()).starts_with("xmlns")) {
+        drawing_.namespaces.emplace_back(attribute.value());
+      }
+    }
+    State state;
+    state.frame = read_size(root);
+    const auto hidden = property(root, "display", split_words(root.attribute("class").value()));
+    if (hidden != "none") {
+      if (const auto given = root.attribute("transform")) {
+        state.to_root = svg_transform(given.value(), place(root));
+      }
+      for (const pugi::xml_node child : root.children()) draw(child, state);
+    }
+    return std::move(drawing_);
+  }
+
+ private:
+  struct State {
+    PlaneTransform to_root = PlaneTransform::Identity();
+    Vec2 frame = default_frame;  ///< what percentages are of
+    bool visible = true;
+    int group = -1;
+    int use = -1;
+    int depth = 0;
+  };
+
+  void load(std::string_view text) {
+    if (text.size() > max_svg_bytes) {
+      throw Error(name_, "is larger than 256 MB", "is it really a pattern?");
+    }
+    const pugi::xml_parse_result done =
+        document_.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_doctype);
+    if (!done) {
+      std::string problem = done.description();
+      problem[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(problem[0])));
+      throw Error(name_ + ":" + std::to_string(lines_.at(done.offset)), "is no XML: " + problem,
+                  "save the drawing again");
+    }
+    for (const pugi::xml_node child : document_.children()) {
+      if (child.type() == pugi::node_doctype) refuse_entities(child.value());
+    }
+  }
+
+  /// No entity is ever replaced. Plain ones, as Illustrator declares them, do no harm then; a file
+  /// with others means something else than what would be read.
+  void refuse_entities(std::string_view doctype) const {
+    std::size_t at = 0;
+    while ((at = doctype.find("<!ENTITY", at)) != std::string_view::npos) {
+      const std::size_t end = std::min(doctype.find('>', at), doctype.size());
+      const std::string_view entity = doctype.substr(at, end - at);
+      if (entity.find_first_of("&%") != std::string_view::npos ||
+          entity.find("SYSTEM") != std::string_view::npos ||
+          entity.find("PUBLIC") != std::string_view::npos) {
+        throw Error(name_, "declares entities that are made of others or lie outside of the file",
+                    "save the drawing as plain SVG");
+      }
+      at = end;
+    }
+  }
+
+  /// The name of an SVG element without its prefix; empty for elements of other kinds.
+  std::string_view local_name(const pugi::xml_node& node) const {
+    std::string_view tag = node.name();
+    if (!prefix_.empty() && tag.starts_with(prefix_)) return tag.substr(prefix_.size());
+    if (tag.starts_with("svg:")) return tag.substr(4);
+    return tag.find(':') == std::string_view::npos && prefix_.empty() ? tag : std::string_view();
+  }
+
+  std::string place(const pugi::xml_node& node) const {
+    std::string text =
+        name_ + ":" + std::to_string(lines_.at(node.offset_debug())) + ": " + node.name();
+    if (const auto id = node.attribute("id")) text += " '" + shown_text(id.value()) + "'";
+    return text;
+  }
+
+  /// Ids, style sheets, and how deep elements lie: before anything recurses.
+  void survey() {
+    struct Survey : pugi::xml_tree_walker {
+      SvgReader* reader = nullptr;
+      int count = 0;
+      bool for_each(pugi::xml_node& node) override {
+        if (node.type() != pugi::node_element) return true;
+        if (depth() > max_svg_depth) {
+          throw Error(reader->place(node),
+                      "lies more than " + std::to_string(max_svg_depth) + " elements deep",
+                      "ungroup the drawing");
+        }
+        if (++count > max_svg_elements) {
+          throw Error(reader->name_, "has more than 500,000 elements", "is it really a pattern?");
+        }
+        if (const auto id = node.attribute("id")) reader->by_id_.try_emplace(id.value(), node);
+        if (reader->local_name(node) == "style") {
+          for (const pugi::xml_node part : node.children()) reader->sheet_.add(part.value());
+        }
+        return true;
+      }
+    } survey;
+    survey.reader = this;
+    document_.traverse(survey);
+  }
+
+  /// Sets the size of a unit. Returns the frame that percentages are of.
+  Vec2 read_size(const pugi::xml_node& root) {
+    const std::string where = place(root);
+    const auto box = view_box(root, where);
+    Vec2 frame = box ? box->size : default_frame;
+    Vec2 pixels = frame;
+    bool stated = false;
+    const std::array<const char*, 2> names = {"width", "height"};
+    for (int k = 0; k < 2; ++k) {
+      const std::string_view text = root.attribute(names[static_cast<std::size_t>(k)]).value();
+      // A share of the window is no size.
+      if (text.empty() || text == "auto" || text.find('%') != std::string_view::npos) continue;
+      const double length = svg_length(text, 0, where);
+      if (!(length > 0)) {
+        throw Error(where,
+                    "its " + std::string(names[static_cast<std::size_t>(k)]) + " is not above 0",
+                    "correct it");
+      }
+      // One of the two gives the other by the proportions of the view box.
+      if (box && !stated) pixels *= length / pixels[k];
+      pixels[k] = length;
+      if (!box && !stated) pixels[1 - k] = length;
+      stated = true;
+      if (svg_physical_length(text)) drawing_.physical = true;
+    }
+    drawing_.metres_per_unit = Vec2(metres_per_pixel, metres_per_pixel);
+    if (box) {
+      const PlaneTransform view = svg_view_transform(
+          box->corner, box->size, pixels, root.attribute("preserveAspectRatio").value(), where);
+      drawing_.metres_per_unit = metres_per_pixel * Vec2(view.matrix()(0, 0), view.matrix()(1, 1));
+    } else if (stated) {
+      frame = pixels;
+    }
+    return frame;
+  }
+
+  struct Box {
+    Vec2 corner;
+    Vec2 size;
+  };
+  static std::optional<Box> view_box(const pugi::xml_node& node, const std::string& where) {
+    const auto given = node.attribute("viewBox");
+    if (!given) return std::nullopt;
+    SvgScanner scanner(given.value(), where);
+    std::array<double, 4> values{};
+    for (double& value : values) value = scanner.number();
+    if (!(values[2] > 0) || !(values[3] > 0) || !scanner.at_end()) {
+      throw Error(where, "its viewBox '" + shown_text(given.value()) + "' has no size",
+                  "give it four numbers, the last two above 0");
+    }
+    return Box{{values[0], values[1]}, {values[2], values[3]}};
+  }
+
+  /// What the style of an element says, else a style sheet, else an attribute; empty: nothing.
+  std::string property(const pugi::xml_node& node, const char* name,
+                       const std::vector<std::string>& classes) const {
+    if (const auto style = node.attribute("style")) {
+      if (const auto value = declared(style.value(), name)) return *value;
+    }
+    if (const auto value =
+            sheet_.find(name, local_name(node), node.attribute("id").value(), classes)) {
+      return *value;
+    }
+    return node.attribute(name).value();
+  }
+
+  double length(const pugi::xml_node& node, const char* name, double whole,
+                double otherwise) const {
+    const auto given = node.attribute(name);
+    return given ? svg_length(given.value(), whole, place(node)) : otherwise;
+  }
+  Vec2 point(const pugi::xml_node& node, const char* x, const char* y, const State& state) const {
+    return {length(node, x, state.frame.x(), 0), length(node, y, state.frame.y(), 0)};
+  }
+
+  static std::string label_of(const pugi::xml_node& node) {
+    return valid_utf8(node.attribute("inkscape:label").value());
+  }
+
+  std::string title_of(const pugi::xml_node& node) const {
+    for (const pugi::xml_node child : node.children()) {
+      if (local_name(child) == "title") return text_of(child);
+    }
+    return "";
+  }
+
+  void append_text(std::string& text, const pugi::xml_node& node) const {
+    for (const pugi::xml_node child : node.children()) {
+      if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata) {
+        text += child.value();
+      } else if (local_name(child) == "tspan" || local_name(child) == "textPath" ||
+                 local_name(child) == "a") {
+        append_text(text, child);
+        text += ' ';
+      }
+    }
+  }
+
+  std::string text_of(const pugi::xml_node& node) const {
+    std::string all;
+    append_text(all, node);
+    std::string text;
+    for (const std::string& word : split_words(all)) text += (text.empty() ? "" : " ") + word;
+    return valid_utf8(text);
+  }
+
+  void draw(const pugi::xml_node& node, State state) {
+    if (node.type() != pugi::node_element) return;
+    const std::string_view element = local_name(node);
+    if (element.empty() || is_one_of(element, silent_elements)) return;
+    draw_as(node, element, state);
+  }
+
+  /// Draws a symbol, too: what a `use` refers to.
+  void draw_as(const pugi::xml_node& node, std::string_view element, State state) {
+    if (++state.depth > 2 * max_svg_depth) {
+      throw Error(place(node), "lies more than 400 elements deep, uses counted",
+                  "unlink the clones");
+    }
+    if (++drawn_ > max_svg_elements) {
+      throw Error(place(node), "with it more than 500,000 elements are drawn",
+                  "does a <use> draw copies of copies?");
+    }
+    std::vector<std::string> classes = split_words(node.attribute("class").value());
+    if (property(node, "display", classes) == "none") return;
+    const std::string visibility = property(node, "visibility", classes);
+    if (!visibility.empty() && visibility != "inherit") state.visible = visibility == "visible";
+    if (const auto given = node.attribute("transform")) {
+      state.to_root = state.to_root * svg_transform(given.value(), place(node));
+    }
+    for (std::string& name : classes) name = valid_utf8(name);
+    if (is_one_of(element, group_elements)) {
+      group(node, element, std::move(classes), state);
+    } else if (element == "use") {
+      use(node, state);
+    } else if (!state.visible) {
+      return;
+    } else if (is_one_of(element, shape_elements)) {
+      shape(node, element, std::move(classes), state);
+    } else if (element == "text") {
+      text(node, std::move(classes), state);
+    } else {
+      ++drawing_.ignored[shown_text(element)];
+    }
+  }
+
+  void group(const pugi::xml_node& node, std::string_view element, std::vector<std::string> classes,
+             State state) {
+    if (element == "svg") {
+      state.to_root = state.to_root * Eigen::Translation2d(point(node, "x", "y", state));
+      const Vec2 frame(length(node, "width", state.frame.x(), state.frame.x()),
+                       length(node, "height", state.frame.y(), state.frame.y()));
+      if (!enter_view(node, frame, state)) return;
+    }
+    drawing_.groups.push_back({state.group, valid_utf8(node.attribute("id").value()),
+                               label_of(node), title_of(node), std::move(classes)});
+    state.group = static_cast<int>(drawing_.groups.size()) - 1;
+    for (const pugi::xml_node child : node.children()) draw(child, state);
+  }
+
+  /// False for a frame without a size: nothing is drawn in it.
+  bool enter_view(const pugi::xml_node& node, const Vec2& frame, State& state) const {
+    if (!(frame.minCoeff() > 0)) return false;
+    state.frame = frame;
+    if (const auto box = view_box(node, place(node))) {
+      state.to_root =
+          state.to_root * svg_view_transform(box->corner, box->size, frame,
+                                             node.attribute("preserveAspectRatio").value(),
+                                             place(node));
+      state.frame = box->size;
+    }
+    return true;
+  }
+
+  static std::string_view href_of(const pugi::xml_node& node) {
+    for (const pugi::xml_attribute attribute : node.attributes()) {
+      const std::string_view name = attribute.name();
+      if (name == "href" || name.ends_with(":href")) return attribute.value();
+    }
+    return "";
+  }
+
+  void use(const pugi::xml_node& node, State state) {
+    const std::string target = local_reference(href_of(node));
+    const auto found = by_id_.find(target);
+    if (found == by_id_.end()) {
+      ++drawing_.ignored["use of what is not in the file"];
+      return;
+    }
+    const pugi::xml_node drawn = found->second;
+    if (std::find(in_use_.begin(), in_use_.end(), drawn) != in_use_.end() ||
+        is_within(node, drawn)) {
+      throw Error(place(node), "draws '" + shown_text(target) + "', which draws itself by it",
+                  "remove the <use>");
+    }
+    state.to_root = state.to_root * Eigen::Translation2d(point(node, "x", "y", state));
+    if (state.use < 0) {
+      drawing_.uses.push_back({valid_utf8(target), checked(state.to_root * Vec2(0, 0), node),
+                               state.to_root.linear().col(0), state.group});
+      state.use = static_cast<int>(drawing_.uses.size()) - 1;
+    }
+    const std::string_view element = local_name(drawn);
+    if (element == "symbol") {
+      const Vec2 frame(length(node, "width", state.frame.x(), state.frame.x()),
+                       length(node, "height", state.frame.y(), state.frame.y()));
+      if (!enter_view(drawn, frame, state)) return;
+    }
+    in_use_.push_back(drawn);
+    if (element == "symbol") {
+      draw_as(drawn, element, state);
+    } else {
+      draw(drawn, state);
+    }
+    in_use_.pop_back();
+  }
+
+  static bool is_within(pugi::xml_node node, const pugi::xml_node& ancestor) {
+    for (; node; node = node.parent()) {
+      if (node == ancestor) return true;
+    }
+    return false;
+  }
+
+  std::vector<DrawnPath> paths_of(const pugi::xml_node& node, std::string_view element,
+                                  const State& state) const {
+    const std::string where = place(node);
+    if (element == "path") return svg_path_data(node.attribute("d").value(), where);
+    if (element == "polyline" || element == "polygon") {
+      return svg_polygon(node.attribute("points").value(), element == "polygon", where);
+    }
+    if (element == "line") {
+      DrawnPath path;
+      path.start = point(node, "x1", "y1", state);
+      path.segments = {DrawnSegment::line(point(node, "x2", "y2", state))};
+      return {path};
+    }
+    const double diagonal = state.frame.norm() / std::sqrt(2.0);
+    if (element == "circle") {
+      const double radius = length(node, "r", diagonal, 0);
+      if (!(radius > 0)) return {};
+      return {svg_ellipse(point(node, "cx", "cy", state), {radius, radius})};
+    }
+    const bool rectangle = element == "rect";
+    const double rx = length(node, "rx", state.frame.x(), -1);
+    const double ry = length(node, "ry", state.frame.y(), -1);
+    Vec2 radii(rx < 0 ? ry : rx, ry < 0 ? rx : ry);
+    if (rectangle) {
+      const Vec2 size = point(node, "width", "height", state);
+      if (!(size.minCoeff() > 0)) return {};
+      return {svg_rectangle(point(node, "x", "y", state), size, radii)};
+    }
+    if (!(radii.minCoeff() > 0)) return {};
+    return {svg_ellipse(point(node, "cx", "cy", state), radii)};
+  }
+
+  Vec2 checked(const Vec2& point, const pugi::xml_node& node) const {
+    for (const double value : {point.x(), point.y()}) {
+      const std::string problem = coordinate_problem(value);
+      if (!problem.empty()) throw Error(place(node), problem, coordinate_remedy);
+    }
+    return point;
+  }
+
+  std::string marker(const pugi::xml_node& node, const char* name) const {
+    if (const auto style = node.attribute("style")) {
+      if (const auto value = declared(style.value(), name)) return url_reference(*value);
+    }
+    return url_reference(node.attribute(name).value());
+  }
+
+  void shape(const pugi::xml_node& node, std::string_view element, std::vector<std::string> classes,
+             const State& state) {
+    SvgShape shape;
+    shape.element = std::string(element);
+    for (const DrawnPath& path : paths_of(node, element, state)) {
+      shape.paths.push_back(transformed(path, state.to_root));
+      const DrawnPath& moved = shape.paths.back();
+      checked(moved.start, node);
+      for (const DrawnSegment& segment : moved.segments) {
+        checked(segment.control1, node);
+        checked(segment.control2, node);
+        checked(segment.end, node);
+      }
+      segments_ += moved.segments.size();
+      if (segments_ > max_segments) {
+        throw Error(place(node), "with it the drawing has more than 4,000,000 segments",
+                    "does a <use> draw copies of copies?");
+      }
+    }
+    if (shape.paths.empty()) return;
+    shape.id = valid_utf8(node.attribute("id").value());
+    shape.label = label_of(node);
+    shape.title = title_of(node);
+    shape.classes = std::move(classes);
+    shape.marker_start = marker(node, "marker-start");
+    shape.marker_end = marker(node, "marker-end");
+    shape.group = state.group;
+    shape.use = state.use;
+    shape.line = lines_.at(node.offset_debug());
+    drawing_.shapes.push_back(std::move(shape));
+  }
+
+  void text(const pugi::xml_node& node, std::vector<std::string> classes, const State& state) {
+    SvgText text;
+    text.text = text_of(node);
+    if (text.text.empty()) return;
+    pugi::xml_node placed = node;
+    for (const pugi::xml_node child : node.children()) {
+      if (local_name(child) == "textPath") text.on_path = local_reference(href_of(child));
+      if (local_name(child) == "tspan" && !placed.attribute("x")) placed = child;
+    }
+    // x and y may list a place for each letter: the first counts.
+    const auto first = [&](const char* name) {
+      SvgScanner scanner(placed.attribute(name).value(), place(placed));
+      return scanner.at_number() ? scanner.number() : 0.0;
+    };
+    text.at = checked(state.to_root * Vec2(first("x"), first("y")), node);
+    text.classes = std::move(classes);
+    text.group = state.group;
+    drawing_.texts.push_back(std::move(text));
+  }
+
+  const std::string& name_;
+  Lines lines_;
+  pugi::xml_document document_;
+  std::string prefix_;  ///< of the file's SVG elements, with its colon; empty: none
+  std::unordered_map<std::string, pugi::xml_node> by_id_;
+  SvgStyleSheet sheet_;
+  SvgDrawing drawing_;
+  std::vector<pugi::xml_node> in_use_;
+  int drawn_ = 0;
+  std::size_t segments_ = 0;
+};
+
+}  // namespace
+
+SvgDrawing parse_svg(std::string_view text, const std::string& name) {
+  return SvgReader(text, name).read();
+}
+
+}  // namespace toile

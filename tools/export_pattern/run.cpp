@@ -1,0 +1,92 @@
+#include "tools/export_pattern/run.h"
+
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "io/output_file.h"
+#include "io/text.h"
+#include "pattern/pattern_file.h"
+
+namespace toile {
+
+namespace {
+
+/// The output's extension in small letters, with its dot.
+std::string extension_of(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+std::string content_of(const Sheet& sheet, const std::string& extension) {
+  if (extension == ".svg") return sheet_svg(sheet);
+  return extension == ".dxf" ? sheet_dxf(sheet) : sheet_pdf(sheet);
+}
+
+nlohmann::ordered_json export_pattern_json(const std::string& pattern, const std::string& format,
+                                           const Pattern& content, const Sheet& sheet,
+                                           double seam_allowance,
+                                           const std::vector<Remark>& remarks, double seconds) {
+  using Json = nlohmann::ordered_json;
+  Json report;
+  report["program"] = "export-pattern";
+  report["pattern"] = pattern;
+  report["format"] = format;
+  report["seconds"] = seconds;
+  report["seam_allowance"] = seam_allowance;
+  report["sheet"] = {{"width", sheet.size.x()}, {"height", sheet.size.y()}};
+  report["panels"] = Json::array();
+  for (const PatternPanel& panel : content.panels) {
+    report["panels"].push_back({{"name", panel.name},
+                                {"edges", panel.outline.size()},
+                                {"notches", panel.notches.size()},
+                                {"internal_lines", panel.internal_lines.size()},
+                                {"cut_outs", panel.cut_outs.size()},
+                                {"drill_holes", panel.drill_holes.size()},
+                                {"quantity", panel.quantity},
+                                {"material", valid_utf8(panel.material)}});
+  }
+  report["seams"] = content.stitches.size();
+  report["notes"] = Json::array();
+  report["warnings"] = Json::array();
+  for (const Remark& remark : remarks) {
+    report[remark.warning ? "warnings" : "notes"].push_back(remark.text);
+  }
+  return report;
+}
+
+}  // namespace
+
+void run_export_pattern(const ExportPatternSettings& settings, const CommonSettings& common) {
+  const auto start = std::chrono::steady_clock::now();
+  std::vector<Remark> remarks;
+  const Pattern pattern = read_pattern(settings.pattern, remarks);
+  for (const Remark& remark : remarks) {
+    if (remark.warning) {
+      CommonSettings::warn(remark.text);
+    } else {
+      common.say("note: " + remark.text);
+    }
+  }
+  const Sheet sheet = pattern_sheet(pattern, settings.sheet);
+  const std::string extension = extension_of(common.output);
+  OutputFiles files;
+  write_file(files.at(common.output), content_of(sheet, extension));
+  common.say(std::to_string(pattern.panels.size()) + " panels and " +
+             std::to_string(pattern.stitches.size()) + " seams on " +
+             fixed_number(sheet.size.x() * 100, 1) + " cm by " +
+             fixed_number(sheet.size.y() * 100, 1) + " cm, scale 1:1");
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  if (common.report) {
+    write_file(files.at(*common.report),
+               export_pattern_json(settings.pattern.string(), extension.substr(1), pattern, sheet,
+                                   settings.sheet.seam_allowance, remarks, seconds.count())
+                       .dump(2) +
+                   "\n");
+  }
+  files.commit();
+}
+
+}  // namespace toile
