@@ -11,6 +11,7 @@ CommandLineProgram dress_program();
 CommandLineProgram ease_map_program();
 CommandLineProgram fit_program();
 CommandLineProgram make_mannequin_program();
+CommandLineProgram find_seams_program();
 CommandLineProgram mesh_pattern_program();
 CommandLineProgram render_program();
 
