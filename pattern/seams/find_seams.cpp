@@ -15,6 +15,9 @@ namespace {
 /// Worth at which a seam is as likely to be right as 63 in a hundred.
 constexpr double margin_scale = 1;
 
+/// Worth by which a garment has to be better that does not heed the names of left and right.
+constexpr double turned_panels = 2;
+
 class Search {
  public:
   Search(const Pattern& pattern, const FindSeamsOptions& options)
@@ -29,10 +32,11 @@ class Search {
     }
   }
 
-  FoundSeams run() {
-    std::vector<SeamCandidate> candidates = seam_candidates(evidence_, options_.weights);
+  FoundSeams run(const SeamMeasures& weights) {
+    turned_.clear();
+    std::vector<SeamCandidate> candidates = seam_candidates(evidence_, weights);
     const KnownSeams known = take_given(candidates);
-    const std::vector<CornerGroup> groups = corner_groups(evidence_, candidates, options_.weights);
+    const std::vector<CornerGroup> groups = corner_groups(evidence_, candidates, weights);
     const SeamAssignment assigned = assign_seams(evidence_, candidates, groups, known);
 
     std::vector<EdgeSeam> seams;
@@ -45,6 +49,7 @@ class Search {
     }
     FoundSeams found;
     found.proved = assigned.proved;
+    found.worth = assigned.worth;
     found.candidates = static_cast<int>(candidates.size());
     found.groups = static_cast<int>(groups.size());
     for (std::size_t i = 0; i < seams.size(); ++i) {
@@ -65,6 +70,11 @@ class Search {
       found.seams.back().confidence = 1;
     }
     return found;
+  }
+
+  bool names_sides() const {
+    return std::any_of(evidence_.words.begin(), evidence_.words.end(),
+                       [](const PanelWords& words) { return words.side != 0; });
   }
 
  private:
@@ -122,7 +132,15 @@ class Search {
 }  // namespace
 
 FoundSeams find_seams(const Pattern& pattern, const FindSeamsOptions& options) {
-  return Search(pattern, options).run();
+  Search search(pattern, options);
+  FoundSeams found = search.run(options.weights);
+  if (!search.names_sides()) return found;
+  // Where drawings show the wrong side, left and right change places: then a garment that does not
+  // heed them is worth much more.
+  SeamMeasures sideless = options.weights;
+  sideless[static_cast<int>(SeamMeasure::sides_differ)] = 0;
+  FoundSeams other = search.run(sideless);
+  return other.worth > found.worth + turned_panels ? other : found;
 }
 
 }  // namespace toile

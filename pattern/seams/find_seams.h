@@ -36,6 +36,7 @@ struct FoundSeam {
 struct FoundSeams {
   std::vector<FoundSeam> seams;
   bool proved = false;  ///< no other choice of seams is worth more
+  double worth = 0;
   int candidates = 0;
   int groups = 0;
 };

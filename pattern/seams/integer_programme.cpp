@@ -65,6 +65,29 @@ void IntegerProgramme::fix(int variable, bool value) {
   solver_->low[variable] = solver_->high[variable] = value ? 1 : 0;
 }
 
+/// A good answer in whole numbers: what the relaxed answer chooses most clearly is chosen, again and
+/// again. Empty: none was found.
+template <class Solver>
+std::vector<double> dive(const Solver& solver) {
+  OsiClpSolverInterface relaxed(solver.relaxed);
+  const int count = relaxed.getNumCols();
+  for (int round = 0; round < count; ++round) {
+    const double* values = relaxed.getColSolution();
+    int most = -1;
+    for (int i = 0; i < count; ++i) {
+      if (solver.implied[i]) continue;
+      if (values[i] > 0.99 && relaxed.getColLower()[i] == 0) relaxed.setColLower(i, 1);
+      if (values[i] < 1e-6 || values[i] > 1 - 1e-6) continue;
+      if (most < 0 || values[i] > values[most] + 1e-9) most = i;
+    }
+    if (most < 0) return {values, values + count};
+    relaxed.setColLower(most, 1);
+    relaxed.resolve();
+    if (!relaxed.isProvenOptimal()) return {};
+  }
+  return {};
+}
+
 std::optional<IntegerProgramme::Answer> IntegerProgramme::solve(int max_nodes) {
   solver_->load();
   OsiClpSolverInterface& relaxed = solver_->relaxed;
@@ -96,6 +119,7 @@ std::optional<IntegerProgramme::Answer> IntegerProgramme::solve(int max_nodes) {
     answer.proved = true;
     return answer;
   }
+  const std::vector<double> dived = dive(*solver_);
   CbcModel model(relaxed);
   model.setLogLevel(0);
   model.messageHandler()->setLogLevel(0);
@@ -106,6 +130,11 @@ std::optional<IntegerProgramme::Answer> IntegerProgramme::solve(int max_nodes) {
   model.addCutGenerator(&clique, -1, "clique");
   CbcRounding rounding(model);
   model.addHeuristic(&rounding);
+  if (!dived.empty()) {
+    double worth = 0;
+    for (std::size_t i = 0; i < dived.size(); ++i) worth += dived[i] * solver_->worths[i];
+    model.setBestSolution(dived.data(), static_cast<int>(dived.size()), -worth, true);
+  }
   model.branchAndBound();
   if (model.bestSolution() == nullptr) return std::nullopt;
   take(model.bestSolution());

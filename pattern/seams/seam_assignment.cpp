@@ -12,10 +12,10 @@ namespace toile {
 namespace {
 
 /// Nodes of the search at most. A garment takes one to some hundred.
-constexpr int max_nodes = 10;
+constexpr int max_nodes = 4;
 
 /// Times that the programme is solved again because parts of the garment are sewn to nothing else.
-constexpr int max_rounds = 4;
+constexpr int max_rounds = 3;
 
 class Assigner {
  public:

@@ -108,7 +108,13 @@ class Finder {
     const PanelWords& first = words_[edges_[a].ref.panel];
     const PanelWords& second = words_[edges_[b].ref.panel];
     if (!may_meet(first.role, second.role)) return false;
-    if (first.side * second.side < 0 && first.stem != second.stem) return false;
+    const bool sides_count = w_[static_cast<int>(SeamMeasure::sides_differ)] != 0;
+    if (sides_count && first.side * second.side < 0 && first.stem != second.stem) return false;
+    const bool arms = first.role == PanelRole::sleeve || first.role == PanelRole::cuff;
+    if (arms && first.side * second.side < 0) return false;
+    // Neighbours on an outline are sewn as darts alone.
+    if (edges_[a].next == b && edges_[b].corner < sharpest_dart_tip) return false;
+    if (edges_[b].next == a && edges_[a].corner < sharpest_dart_tip) return false;
     const double ratio = edges_[a].length / edges_[b].length;
     return ratio < max_fullness && ratio > 1 / max_fullness;
   }
@@ -137,8 +143,8 @@ class Finder {
     at(seam) = 1;
     const double ratio = std::max(first.length, second.length) /
                          std::min(first.length, second.length);
-    const double inwards = std::max(0.0, -turning(first)) + std::max(0.0, -turning(second));
-    at(concave) = std::min(inwards, std::numbers::pi);
+    const bool are_halves = mirror_[a] == b && first.ref.panel != second.ref.panel;
+    if (!are_halves) at(concave) = std::max(0.0, std::min(-turning(first), -turning(second)));
     const bool tip = (first.next == b && edges_[b].corner > sharpest_dart_tip) ||
                      (second.next == a && edges_[a].corner > sharpest_dart_tip);
     if (tip && ratio < 1.05) {
@@ -150,7 +156,7 @@ class Finder {
       at(coincide) = 1;
       at(coincide_curved) =
           std::min(std::abs(turning(first)) + std::abs(turning(second)), std::numbers::pi);
-      at(halves) = mirror_[a] == b && first.ref.panel != second.ref.panel ? 1 : 0;
+      if (are_halves) at(halves) = first.length / longest_of_panel(a);
       return;
     }
     if (std::abs(first.length - second.length) < 1e-4) {
@@ -165,6 +171,14 @@ class Finder {
 
   static double turning(const OutlineEdge& edge) {
     return edge.turning[0] + edge.turning[1] + edge.turning[2] + edge.turning[3];
+  }
+
+  double longest_of_panel(int edge) const {
+    double longest = edges_[edge].length;
+    for (int e = edges_[edge].next; e != edge; e = edges_[e].next) {
+      longest = std::max(longest, edges_[e].length);
+    }
+    return longest;
   }
 
   /// Whether all edges of this length have the shape of one of the two.
@@ -185,7 +199,8 @@ class Finder {
     using enum SeamMeasure;
     const PanelWords& first = words_[edges_[a].ref.panel];
     const PanelWords& second = words_[edges_[b].ref.panel];
-    if (first.role != PanelRole::unknown && second.role != PanelRole::unknown) at(roles_agree) = 1;
+    const bool named = first.role != PanelRole::unknown && second.role != PanelRole::unknown;
+    if (named && first.role != second.role) at(roles_agree) = 1;
     if (first.side * second.side < 0 && mirror_[a] != b) at(sides_differ) = 1;
     if (first.stem != second.stem) {
       if (first.face * second.face < 0) at(faces_differ) = 1;

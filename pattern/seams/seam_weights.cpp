@@ -10,17 +10,17 @@ struct Row {
 };
 
 constexpr Row rows[] = {
-    {"seam", -0.1},           {"equal_length", 0.6},    {"rare_length", 0.3},
-    {"close_length", 0.3},    {"near_length", 0.3},     {"log_ratio", -0.6},
-    {"curve", 0.3},           {"coincide", -0.1},       {"coincide_curved", -0.5},
-    {"halves", 0.1},          {"same_panel", 0},        {"dart", 1},
-    {"concave", -0.2},        {"roles_agree", 0.2},     
-    {"sides_differ", -1},     {"faces_agree", 0.2},     {"faces_differ", -0.4},
+    {"seam", -0.1},           {"equal_length", 0.5},    {"rare_length", 0.2},
+    {"close_length", 0.3},    {"near_length", 0.3},     {"log_ratio", -1.0},
+    {"curve", 0.15},           {"coincide", -0.15},       {"coincide_curved", -0.4},
+    {"halves", 0.7},          {"same_panel", -0.2},        {"dart", 1},
+    {"concave", -1.5},        {"roles_agree", 0.2},     
+    {"sides_differ", -1.2},     {"faces_agree", 0.2},     {"faces_differ", -0.4},
     {"numbers_follow", 0.4},  {"numbers_apart", -0.4},  {"dart_tip", 0.6},
     {"two_inside", 1.0},      {"two_inside_off", -1},   {"three_inside", 1.5},
-    {"three_inside_off", -1}, {"four_inside", 2.0},     {"four_inside_off", -1},
+    {"three_inside_off", -1}, {"four_inside", 2.2},     {"four_inside_off", -1},
     {"junction_off", -0.5},   {"smooth_border", 0.4},   {"lone_corner", 0.1},
-    {"two_at_border", 1.1},   {"two_at_border_off", -0.6}, {"more_at_border", 1},
+    {"two_at_border", 1.3},   {"two_at_border_off", -0.6}, {"more_at_border", 1.3},
     {"more_at_border_off", -1}, {"unlike", -0.5}, {"jump", -0.5},
 };
 static_assert(std::size(rows) == seam_measures);

@@ -18,11 +18,11 @@ enum class SeamMeasure {
   curve,            ///< 1: curved alike or into each other; -1: the contrary; 0: straight
   coincide,         ///< 1: the edges coincide
   coincide_curved,  ///< radians that edges turn which coincide, both added up, at most pi
-  halves,           ///< 1: the edges are mirror partners on two panels
+  halves,           ///< the edges are mirror partners on two panels: their length over the longest edge
   same_panel,       ///< 1: both edges are of one panel, not the legs of a dart
   dart,             ///< 1: the legs of a dart
-  concave,          ///< radians by which the edges turn inwards, both added up, at most pi
-  roles_agree,      ///< 1: such pieces are sewn together, by their names
+  concave,          ///< radians by which the edge turns inwards that does so less; 0 if one does not
+  roles_agree,      ///< 1: pieces of two such kinds are sewn together, by their names
   sides_differ,     ///< 1: left and right, and not mirror partners
   faces_agree,      ///< 1: front and front, or back and back, of different pieces
   faces_differ,     ///< 1: front and back of different pieces
