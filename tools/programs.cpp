@@ -7,8 +7,9 @@ std::string toile_summary() {
 }
 
 std::vector<CommandLineProgram> all_programs() {
-  return {fit_program(),   batch_program(),    clean_body_program(), find_seams_program(), mesh_pattern_program(),
-          dress_program(), ease_map_program(), render_program(),     make_mannequin_program()};
+  return {fit_program(),        batch_program(),        clean_body_program(),
+          find_seams_program(), mesh_pattern_program(), dress_program(),
+          ease_map_program(),   render_program(),       make_mannequin_program()};
 }
 
 }  // namespace toile

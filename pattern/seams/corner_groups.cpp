@@ -10,8 +10,8 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// Radians by which groups of one, two, three, four corners may miss what closes flat. GarmentCode's
-/// garments give these: a twentieth of them lie outside.
+/// Radians by which groups of one, two, three, four corners may miss what closes flat.
+/// GarmentCode's garments give these: a twentieth of them lie outside.
 constexpr std::array<double, 5> inner_tolerance = {0, 75 * degree, 80 * degree, 75 * degree,
                                                    110 * degree};
 constexpr std::array<double, 5> border_tolerance = {0, 180 * degree, 130 * degree, 60 * degree,
@@ -284,9 +284,8 @@ std::vector<CornerGroup> best_at_each_end(const SeamEvidence& evidence,
     for (const SeamEnd& seam : group.seams) sum += candidates[seam.candidate].worth / 2;
     return sum;
   };
-  std::stable_sort(groups.begin(), groups.end(), [&](const CornerGroup& a, const CornerGroup& b) {
-    return whole(a) > whole(b);
-  });
+  std::stable_sort(groups.begin(), groups.end(),
+                   [&](const CornerGroup& a, const CornerGroup& b) { return whole(a) > whole(b); });
   std::vector<std::array<int, 2>> at_seam(candidates.size());
   std::vector<std::array<int, 2>> at_open(evidence.edges.size());
   std::vector<CornerGroup> kept;

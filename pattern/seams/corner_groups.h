@@ -29,9 +29,9 @@ struct CornerGroup {
   double worth = 0;
 };
 
-/// The groups of up to four corners that close about flat: to 360 degrees inside the garment, to 180
-/// on its border, or on the tip of a dart. Cost grows with the fourth power of the candidates that
-/// an edge has.
+/// The groups of up to four corners that close about flat: to 360 degrees inside the garment, to
+/// 180 on its border. A dart's tip is a group of its own. Cost grows with the fourth power of the
+/// candidates that an edge has.
 std::vector<CornerGroup> corner_groups(const SeamEvidence& evidence,
                                        const std::vector<SeamCandidate>& candidates,
                                        const SeamMeasures& weights);

@@ -24,10 +24,10 @@ struct FindSeamsOptions {
 struct FoundSeam {
   EdgeRef a;
   EdgeRef b;
-  bool reversed = true;     ///< the start of one meets the end of the other, as drawn
-  double length_a = 0;      ///< metres
-  double length_b = 0;      ///< metres
-  double confidence = 0;    ///< 0 to 1; 1 for a seam that was given
+  bool reversed = true;   ///< the start of one meets the end of the other, as drawn
+  double length_a = 0;    ///< metres
+  double length_b = 0;    ///< metres
+  double confidence = 0;  ///< 0 to 1; 1 for a seam that was given
   bool given = false;
   /// The best other seam of one of the two edges. Nothing: that edge stays open.
   std::optional<std::array<EdgeRef, 2>> alternative;
@@ -41,8 +41,8 @@ struct FoundSeams {
   int groups = 0;
 };
 
-/// The seams of the whole garment, as one choice. Stitches of the pattern are not looked at; nor are
-/// placement, rotation and translation, unless `by_place`.
+/// The seams of the whole garment, as one choice. Stitches of the pattern are not looked at; nor
+/// are placement, rotation and translation, unless `by_place`.
 ///
 /// Throws Error for given seams that share an edge.
 FoundSeams find_seams(const Pattern& pattern, const FindSeamsOptions& options);

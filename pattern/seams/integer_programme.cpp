@@ -4,10 +4,10 @@
 #include <coin/CbcModel.hpp>
 #include <coin/CglClique.hpp>
 #include <coin/CglProbing.hpp>
-#include <coin/CoinPackedMatrix.hpp>
-#include <coin/OsiClpSolverInterface.hpp>
 #include <coin/ClpSimplex.hpp>
 #include <coin/ClpSolve.hpp>
+#include <coin/CoinPackedMatrix.hpp>
+#include <coin/OsiClpSolverInterface.hpp>
 #include <limits>
 
 namespace toile {
@@ -65,8 +65,8 @@ void IntegerProgramme::fix(int variable, bool value) {
   solver_->low[variable] = solver_->high[variable] = value ? 1 : 0;
 }
 
-/// A good answer in whole numbers: what the relaxed answer chooses most clearly is chosen, again and
-/// again. Empty: none was found.
+/// A good answer in whole numbers: what the relaxed answer chooses most clearly is chosen, again
+/// and again. Empty: none was found.
 template <class Solver>
 std::vector<double> dive(const Solver& solver) {
   OsiClpSolverInterface relaxed(solver.relaxed);
@@ -153,8 +153,7 @@ IntegerProgramme::Relaxed IntegerProgramme::relaxed_without(const std::vector<in
   relaxed.resolve();
   if (relaxed.isProvenOptimal()) {
     result.worth = relaxed.getObjValue();
-    result.values.assign(relaxed.getColSolution(),
-                         relaxed.getColSolution() + relaxed.getNumCols());
+    result.values.assign(relaxed.getColSolution(), relaxed.getColSolution() + relaxed.getNumCols());
   }
   for (const int variable : variables) relaxed.setColUpper(variable, solver_->high[variable]);
   return result;

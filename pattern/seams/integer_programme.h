@@ -23,7 +23,8 @@ class IntegerProgramme {
   IntegerProgramme(const IntegerProgramme&) = delete;
   IntegerProgramme& operator=(const IntegerProgramme&) = delete;
 
-  /// The number of the new variable, from 0. `implied`: it is 0 or 1 of itself where the others are.
+  /// The number of the new variable, from 0. `implied`: it is 0 or 1 of itself where the others
+  /// are.
   int add_variable(double worth, bool implied = false);
   /// The sum of the terms is at most `bound`.
   void add_at_most(const std::vector<LinearTerm>& terms, double bound);

@@ -39,6 +39,8 @@ std::vector<std::vector<Vec2>> walked(const PatternPanel& panel, bool drawn_walk
   return steps;
 }
 
+const EdgeCurve& curve_of(const PatternPanel& panel, int edge) { return panel.edges[edge].curve; }
+
 }  // namespace
 
 std::vector<OutlineEdge> outline_edges(const Pattern& pattern, bool drawn_walk) {
@@ -49,7 +51,7 @@ std::vector<OutlineEdge> outline_edges(const Pattern& pattern, bool drawn_walk) 
     const std::size_t count = steps.size();
     // The walk is turned about where its first step runs against the outline's.
     const bool turned = steps.front().front() != panel.edges[panel.outline.front().edge].curve.at(
-                            panel.outline.front().forward ? 0 : 1) &&
+                                                     panel.outline.front().forward ? 0 : 1) &&
                         !drawn_walk;
     const int first = static_cast<int>(edges.size());
     for (std::size_t i = 0; i < count; ++i) {
@@ -68,8 +70,12 @@ std::vector<OutlineEdge> outline_edges(const Pattern& pattern, bool drawn_walk) 
         edge.turning[(k - 1) * 4 / chords] += turn / 2;
         edge.turning[k * 4 / chords] += turn / 2;
       }
-      edge.corner = std::numbers::pi - angle_between(before[chords] - before[chords - 1],
-                                                     points[1] - points[0]);
+      edge.corner = std::numbers::pi -
+                    angle_between(before[chords] - before[chords - 1], points[1] - points[0]);
+      const Vec2 chord = (curve_of(panel, step.edge).end() - curve_of(panel, step.edge).start());
+      const Vec2 warp(-std::sin(panel.grain), std::cos(panel.grain));
+      const double across = std::abs(chord.x() * warp.y() - chord.y() * warp.x());
+      edge.across_grain = across / std::max(chord.norm(), 1e-9);
       edge.points = points;
       edges.push_back(edge);
     }

@@ -18,7 +18,8 @@ struct OutlineEdge {
   double length = 0;    ///< metres
   /// Radians by which the tangent turns in each quarter of the length, left is positive.
   std::array<double, 4> turning{};
-  double corner = 0;  ///< radians: the panel's inner angle where this edge starts
+  double across_grain = 0;  ///< sine of the angle between the edge's chord and the warp
+  double corner = 0;        ///< radians: the panel's inner angle where this edge starts
   /// Points at equal steps of length, from the walk's first to its last. Metres.
   std::vector<Vec2> points;
 };

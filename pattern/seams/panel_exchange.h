@@ -18,9 +18,9 @@ struct EdgeSeam {
   bool along = false;
 };
 
-/// Lets panels that coincide change places, and turns over panels that are their own mirror images,
-/// as long as fewer seams join left to right by the panels' names. Where the panels are placed, as
-/// long as the placed ends of the seams come nearer too. Every such garment is the same cloth.
+/// Lets panels that coincide change places, and turns over panels that are their own mirror images.
+/// Each such garment is the same cloth. Fewer seams join left to right by the panels' names
+/// afterwards. With `by_place`, the placed ends of seams come nearer too.
 void exchange_panels(const Pattern& pattern, const std::vector<OutlineEdge>& edges,
                      const std::vector<PanelFit>& fits, const std::vector<PanelWords>& words,
                      bool by_place, std::vector<EdgeSeam>& seams);

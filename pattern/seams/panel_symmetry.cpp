@@ -9,9 +9,9 @@ namespace toile {
 
 namespace {
 
-constexpr double max_distance = 2e-3;  // metres, of outlines that coincide
+constexpr double max_distance = 2e-3;                     // metres, of outlines that coincide
 constexpr double max_angle = 3 * std::numbers::pi / 180;  // of corners that coincide
-constexpr int samples = 48;            // points of an outline that are compared
+constexpr int samples = 48;                               // points of an outline that are compared
 
 /// First edge and number of edges of each panel.
 std::vector<std::array<int, 2>> panels_of(const std::vector<OutlineEdge>& edges) {
@@ -26,7 +26,8 @@ std::vector<std::array<int, 2>> panels_of(const std::vector<OutlineEdge>& edges)
 /// The outline of a panel by its length.
 class Outline {
  public:
-  Outline(const std::vector<OutlineEdge>& edges, int first, int count) : edges_(edges), first_(first) {
+  Outline(const std::vector<OutlineEdge>& edges, int first, int count)
+      : edges_(edges), first_(first) {
     for (int i = 0; i < count; ++i) {
       starts_.push_back(length_);
       length_ += edges[first + i].length;
@@ -79,7 +80,8 @@ bool coincide(const Outline& p, double from_p, const Outline& q, double from_q, 
     b.push_back(q.at(mirrored ? from_q - along : from_q + along));
     for (const int anchor : {0, samples / 3, 2 * samples / 3}) {
       if (anchor > i) break;
-      if (std::abs((a[i] - a[anchor]).norm() - (b[i] - b[anchor]).norm()) > max_distance) return false;
+      if (std::abs((a[i] - a[anchor]).norm() - (b[i] - b[anchor]).norm()) > max_distance)
+        return false;
     }
   }
   return true;
@@ -102,8 +104,7 @@ std::vector<PanelFit> panel_fits(const std::vector<OutlineEdge>& edges) {
         if (std::abs(own.corner(corner) - other.corner(start)) > max_angle) continue;
         for (const bool mirrored : {false, true}) {
           const bool itself = p == q && start == corner && !mirrored;
-          if (!itself &&
-              !coincide(own, own.start(corner), other, other.start(start), mirrored)) {
+          if (!itself && !coincide(own, own.start(corner), other, other.start(start), mirrored)) {
             continue;
           }
           PanelFit fit{p, q, mirrored, {}};

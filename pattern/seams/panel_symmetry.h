@@ -13,8 +13,8 @@ struct PanelFit {
   int from = 0;  ///< panel
   int to = 0;    ///< panel
   bool mirrored = false;
-  /// Of each edge of `from`, in the order of its outline: the edge that it lies on; -1 where the other
-  /// panel's outline is split elsewhere.
+  /// Per edge of `from`, in the order of its outline: the edge that it lies on. -1: the other
+  /// outline is split elsewhere.
   std::vector<int> image;
 };
 

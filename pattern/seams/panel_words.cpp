@@ -30,25 +30,25 @@ const RoleWords role_words[] = {
     {PanelRole::trousers,
      {"trouser", "pant", "jean", "short", "leg", "hose", "bein", "pantalon", "jambe", "pierna",
       "calzon", "gamba"}},
-    {PanelRole::bodice,
-     {"torso", "ftorso", "btorso", "bodice", "top", "shirt", "blouse", "oberteil", "mieder", "leib",
-      "hemd", "corsage", "buste", "cuerpo", "corpino", "busto", "corpetto", "chemise", "camisa",
-      "camicia"}},
+    {PanelRole::bodice, {"torso",    "ftorso", "btorso",   "bodice",  "top",     "shirt",  "blouse",
+                         "oberteil", "mieder", "leib",     "hemd",    "corsage", "buste",  "cuerpo",
+                         "corpino",  "busto",  "corpetto", "chemise", "camisa",  "camicia"}},
 };
 
 const std::initializer_list<std::string_view> left_words = {
-    "left", "links", "linke", "linker", "linkes", "gauche", "izquierda", "izquierdo", "izq",
-    "sinistra", "sinistro", "sx", "l"};
+    "left",      "links", "linke",    "linker",   "linkes", "gauche", "izquierda",
+    "izquierdo", "izq",   "sinistra", "sinistro", "sx",     "l"};
 const std::initializer_list<std::string_view> right_words = {
-    "right", "rechts", "rechte", "rechter", "rechtes", "droit", "droite", "derecha", "derecho",
-    "der", "destra", "destro", "dx", "r"};
+    "right",   "rechts",  "rechte", "rechter", "rechtes", "droit", "droite",
+    "derecha", "derecho", "der",    "destra",  "destro",  "dx",    "r"};
 const std::initializer_list<std::string_view> front_words = {
-    "front", "ftorso", "vorne",   "vorder", "vorderteil", "vorderhose", "vorderrock", "devant",
-    "avant", "delantero", "delantera", "delante", "davanti", "anteriore", "f", "fr"};
+    "front",      "ftorso",    "vorne", "vorder",    "vorderteil", "vorderhose",
+    "vorderrock", "devant",    "avant", "delantero", "delantera",  "delante",
+    "davanti",    "anteriore", "f",     "fr"};
 const std::initializer_list<std::string_view> back_words = {
-    "back", "btorso", "hinten", "hinter", "hinterteil", "ruckenteil", "rucken", "rueckenteil",
-    "hinterhose", "hinterrock", "dos", "arriere", "espalda", "trasero", "trasera", "detras",
-    "dietro", "posteriore", "schiena", "b", "bk"};
+    "back",        "btorso",     "hinten",     "hinter",     "hinterteil", "ruckenteil", "rucken",
+    "rueckenteil", "hinterhose", "hinterrock", "dos",        "arriere",    "espalda",    "trasero",
+    "trasera",     "detras",     "dietro",     "posteriore", "schiena",    "b",          "bk"};
 
 /// The letter without its accent, of the two-byte letters of UTF-8 that begin with C3.
 char plain_letter(unsigned char second) {
@@ -100,10 +100,10 @@ PanelRole role_by(const std::vector<Word>& words) {
     for (const Word& word : words) {
       for (const std::string_view beginning : entry.beginnings) {
         // German joins words: Vorderhose, Hemdkragen. Short beginnings would be found anywhere.
-        const bool fits = beginning.size() < 4   ? word.text == beginning
-                          : beginning.size() < 5 ? word.text.starts_with(beginning) ||
-                                                       word.text.ends_with(beginning)
-                                                 : word.text.find(beginning) != std::string::npos;
+        const bool fits = beginning.size() < 4 ? word.text == beginning
+                          : beginning.size() < 5
+                              ? word.text.starts_with(beginning) || word.text.ends_with(beginning)
+                              : word.text.find(beginning) != std::string::npos;
         if (fits) return entry.role;
       }
     }

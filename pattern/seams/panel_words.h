@@ -33,8 +33,8 @@ struct PanelWords {
   int number = -1;    ///< the last number in the name; -1: none
 };
 
-/// Reads names in English, German, French, Spanish and Italian, and the panel's part and label where
-/// its name says no role. GarmentCode's shorthand counts: `ftorso`, `wb`, `_b`, `_l`.
+/// Reads names in English, German, French, Spanish and Italian, and the panel's part and label
+/// where its name says no role. GarmentCode's shorthand counts: `ftorso`, `wb`, `_b`, `_l`.
 PanelWords words_of(const PatternPanel& panel);
 
 }  // namespace toile

@@ -14,14 +14,16 @@ namespace {
 /// Nodes of the search at most. A garment takes one to some hundred.
 constexpr int max_nodes = 4;
 
-/// Times that the programme is solved again because parts of the garment are sewn to nothing else.
-constexpr int max_rounds = 3;
+/// Times that the programme is solved again because parts of the garment are sewn to nothing else,
+/// or because the garment has a handle.
+constexpr int max_rounds = 12;
 
 class Assigner {
  public:
   Assigner(const SeamEvidence& evidence, const std::vector<SeamCandidate>& candidates,
            const std::vector<CornerGroup>& groups, const KnownSeams& known)
-      : known_(known), edges_(evidence.edges),
+      : known_(known),
+        edges_(evidence.edges),
         mirror_(evidence.mirror),
         shapes_(evidence.shapes),
         candidates_(candidates),
@@ -44,7 +46,14 @@ class Assigner {
         const int variable = variable_[lead_[c]];
         if (variable >= 0 && answer->values[variable]) chosen.push_back(c);
       }
-      if (!ask_to_join(chosen)) break;
+      if (ask_to_join(chosen)) continue;
+      if (handles(chosen) == 0) break;
+      // A garment is a sheet with holes: it has no handle, as a twisted sleeve would make.
+      std::set<int> variables;
+      for (const int c : chosen) variables.insert(variable_[lead_[c]]);
+      std::vector<LinearTerm> terms;
+      for (const int variable : variables) terms.push_back({variable, 1});
+      programme_.add_at_most(terms, static_cast<double>(variables.size()) - 1);
     }
     weigh(chosen, result);
     return result;
@@ -180,6 +189,41 @@ class Assigner {
     return added;
   }
 
+  /// Handles of the surface that these seams make, by its Euler characteristic.
+  int handles(const std::vector<int>& chosen) const {
+    const int edges = static_cast<int>(edges_.size());
+    const int panels = edges_.back().ref.panel + 1;
+    DisjointSets corners(edges_.size());
+    DisjointSets parts(static_cast<std::size_t>(panels));
+    std::vector<int> partner(edges_.size(), -1);
+    for (const int c : chosen) {
+      const int a = candidates_[c].a.first;
+      const int b = candidates_[c].b.first;
+      partner[a] = b;
+      partner[b] = a;
+      corners.join(a, edges_[b].next);
+      corners.join(edges_[a].next, b);
+      parts.join(edges_[a].ref.panel, edges_[b].ref.panel);
+    }
+    int points = 0;
+    int borders = 0;
+    int pieces = 0;
+    std::vector<bool> walked(edges_.size(), false);
+    for (int e = 0; e < edges; ++e) {
+      if (corners.of(e) == e) ++points;
+      if (partner[e] >= 0 || walked[e]) continue;
+      ++borders;
+      for (int at = e; !walked[at];) {
+        walked[at] = true;
+        at = edges_[at].next;
+        while (partner[at] >= 0) at = edges_[partner[at]].next;
+      }
+    }
+    for (int p = 0; p < panels; ++p) pieces += parts.of(p) == p ? 1 : 0;
+    const int lines = edges - static_cast<int>(chosen.size());
+    return (2 * pieces - borders - (points - lines + panels)) / 2;
+  }
+
   /// What seams have in common that differ in which of equal pieces they join.
   std::array<int, 3> kind(const SeamCandidate& c) const {
     const std::array<int, 2> shapes = {shapes_.shape[c.a.first], shapes_.shape[c.b.first]};
@@ -258,8 +302,8 @@ class Assigner {
   std::vector<int> image_;
   std::vector<bool> swapped_;
   std::set<int> dropped_;
-  std::vector<int> variable_;             // of leading candidates; -1: none
-  std::vector<std::vector<int>> uses_;    // per edge: variables
+  std::vector<int> variable_;           // of leading candidates; -1: none
+  std::vector<std::vector<int>> uses_;  // per edge: variables
 };
 
 }  // namespace

@@ -9,8 +9,8 @@ namespace toile {
 
 struct ChosenSeam {
   int candidate = 0;
-  /// By how much the garment is worth less without this seam, at least. Seams that differ in which of
-  /// equal pieces they join count as this seam.
+  /// By how much the garment is worth less without this seam, at least. Seams that differ in which
+  /// of equal pieces they join count as this seam.
   double margin = 0;
   int alternative = -1;  ///< the best other candidate for one of its edges; -1: none, it stays open
 };
@@ -27,8 +27,9 @@ struct KnownSeams {
   std::vector<int> taken;   ///< edges that no candidate may use
 };
 
-/// The integer programme: each edge is in one seam at most; both halves of the garment have the same
-/// seams where mirror partners are known; a group of corners counts where all its seams are chosen.
+/// The integer programme. Each edge is in one seam at most. Both halves of the garment have the
+/// same seams where mirror partners are known. A group of corners counts where all its seams are
+/// chosen. Parts that are sewn to nothing cost something, and the garment has no handle.
 SeamAssignment assign_seams(const SeamEvidence& evidence,
                             const std::vector<SeamCandidate>& candidates,
                             const std::vector<CornerGroup>& groups, const KnownSeams& known);

@@ -12,8 +12,10 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// Candidates that each edge keeps.
-constexpr int kept_candidates = 10;
+/// Candidates of the whole garment, about, and of an edge at least and at most.
+constexpr std::size_t all_candidates = 900;
+constexpr std::size_t fewest_candidates = 9;
+constexpr std::size_t most_candidates = 20;
 
 /// Longer over shorter side: no seam is gathered more.
 constexpr double max_fullness = 4;
@@ -59,7 +61,11 @@ bool may_meet(PanelRole a, PanelRole b) {
 class Finder {
  public:
   Finder(const SeamEvidence& evidence, const SeamMeasures& weights)
-      : edges_(evidence.edges), words_(evidence.words), mirror_(evidence.mirror), shape_(evidence.shapes.shape), w_(weights) {}
+      : edges_(evidence.edges),
+        words_(evidence.words),
+        mirror_(evidence.mirror),
+        shape_(evidence.shapes.shape),
+        w_(weights) {}
 
   std::vector<SeamCandidate> find() {
     const int count = static_cast<int>(edges_.size());
@@ -73,10 +79,11 @@ class Finder {
       }
     }
     for (auto& list : of_edge) {
-      std::stable_sort(list.begin(), list.end(), [](const auto& x, const auto& y) {
-        return x.worth > y.worth;
-      });
-      if (list.size() > kept_candidates) list.resize(kept_candidates);
+      std::stable_sort(list.begin(), list.end(),
+                       [](const auto& x, const auto& y) { return x.worth > y.worth; });
+      const std::size_t kept =
+          std::clamp(all_candidates / of_edge.size(), fewest_candidates, most_candidates);
+      if (list.size() > kept) list.resize(kept);
       for (const SeamCandidate& pair : list) add(pair.a.first, pair.b.first);
     }
     // What continues a good candidate at a corner on both outlines.
@@ -141,8 +148,8 @@ class Finder {
     const OutlineEdge& first = edges_[a];
     const OutlineEdge& second = edges_[b];
     at(seam) = 1;
-    const double ratio = std::max(first.length, second.length) /
-                         std::min(first.length, second.length);
+    const double ratio =
+        std::max(first.length, second.length) / std::min(first.length, second.length);
     const bool are_halves = mirror_[a] == b && first.ref.panel != second.ref.panel;
     if (!are_halves) at(concave) = std::max(0.0, std::min(-turning(first), -turning(second)));
     const bool tip = (first.next == b && edges_[b].corner > sharpest_dart_tip) ||
@@ -156,6 +163,7 @@ class Finder {
       at(coincide) = 1;
       at(coincide_curved) =
           std::min(std::abs(turning(first)) + std::abs(turning(second)), std::numbers::pi);
+      at(across_grain) = first.across_grain;
       if (are_halves) at(halves) = first.length / longest_of_panel(a);
       return;
     }

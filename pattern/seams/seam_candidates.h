@@ -16,8 +16,8 @@ struct SeamSide {
   int count = 1;
 };
 
-/// Two sides that may be sewn, right side to right side: the start of one meets the end of the
-/// other, both walked as outline_edges() walks them. One of the two is a single edge at least.
+/// Two sides that may be sewn, right side to right side. The start of one meets the end of the
+/// other, both walked as outline_edges() walks them.
 struct SeamCandidate {
   SeamSide a;
   SeamSide b;
@@ -35,7 +35,8 @@ struct SeamEvidence {
 
 /// The best candidates of each edge, and those that continue a good one along the outlines.
 /// O(edges^2 log(edges)).
-std::vector<SeamCandidate> seam_candidates(const SeamEvidence& evidence, const SeamMeasures& weights);
+std::vector<SeamCandidate> seam_candidates(const SeamEvidence& evidence,
+                                           const SeamMeasures& weights);
 
 /// The edges of a side, in the order of the walk.
 std::vector<int> edges_of(const std::vector<OutlineEdge>& edges, const SeamSide& side);

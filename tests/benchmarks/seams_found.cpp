@@ -3,13 +3,13 @@
 //   cmake --build build/release --target bench_seams_found
 //   build/release/tests/bench_seams_found samples ../shared/data/patterns/garmentcode
 //
-// Each argument is a row: a folder of pattern files, or a file. `--half A` and `--half B` take every
-// pattern whose name's checksum is even, or odd: weights were chosen on half A alone.
+// Each argument is a row: a folder of pattern files, or a file. `--half A` and `--half B` take
+// every pattern whose name's checksum is even, or odd: weights were chosen on half A alone.
 //
-// Seams, translations, rotations, placements and labels are taken out of each pattern before its
-// seams are looked for; once the names stay, once they become piece1, piece2 and so on. A seam is
-// right where it joins the same two edges in the same direction. Panels that coincide count as one
-// another where names are gone; with names, a panel that is its own mirror image may be turned over.
+// Seams, translations, rotations, placements and labels are taken out of each pattern first. Names
+// stay in one row and become piece1, piece2 and so on in the next. A seam is right where it joins
+// the same two edges in the same direction. Panels that coincide count as one another where names
+// are gone; with names, a panel that is its own mirror image may be turned over.
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -69,7 +69,8 @@ bool in_half(const std::filesystem::path& file, char half) {
 
 int main(int argc, char** argv) {
   char half = ' ';
-  std::printf("| patterns | names | garments | wholly right | precision | recall | seconds each |\n");
+  std::printf(
+      "| patterns | names | garments | wholly right | precision | recall | seconds each |\n");
   std::printf("|---|---|---|---|---|---|---|\n");
   try {
     for (int i = 1; i < argc; ++i) {

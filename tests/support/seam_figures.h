@@ -66,9 +66,9 @@ struct SeamFigures {
   bool whole() const { return stated == found && found == right; }
 };
 
-/// Counts a seam as right where it is a stated one after panels have changed places with panels that
-/// they coincide with. `all`: with any such panel. Otherwise a panel coincides with itself alone,
-/// turned over: then the two sides of a band may change places.
+/// Counts a seam as right where it is a stated one after panels have changed places with panels
+/// that they coincide with. `all`: with any such panel. Otherwise a panel coincides with itself
+/// alone, turned over: then the two sides of a band may change places.
 class SeamComparison {
  public:
   SeamComparison(const Pattern& pattern, bool drawn_walk, bool all)

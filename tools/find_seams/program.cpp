@@ -31,7 +31,7 @@ CommandLineProgram find_seams_program() {
     settings.by_place = given["use-places"].as<bool>();
     settings.min_confidence = given["min-confidence"].as<double>();
     if (!(settings.min_confidence >= 0 && settings.min_confidence <= 1)) {
-      throw Error("--min-confidence", "is not between 0 and 1");
+      throw Error("--min-confidence", "is not between 0 and 1", "0.3 is the default");
     }
     if (given.count("sew") > 0) settings.sewn = given["sew"].as<std::vector<std::string>>();
     Job job;

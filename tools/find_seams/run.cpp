@@ -32,10 +32,13 @@ EdgeRef side_of(const Pattern& pattern, const std::string& text, const std::stri
     const EdgeRef ref{static_cast<int>(p), std::stoi(number)};
     const std::size_t edges = pattern.panels[p].edges.size();
     if (static_cast<std::size_t>(ref.edge) < edges) return ref;
-    throw Error(place, "names edge " + number + " of panel " + in_quotes(name) +
-                           ", which has edges 0 to " + std::to_string(edges - 1));
+    throw Error(place,
+                "names edge " + number + " of panel " + in_quotes(name) +
+                    ", which has edges 0 to " + std::to_string(edges - 1),
+                "edges count from 0");
   }
-  throw Error(place, "names panel " + in_quotes(name) + ", which the pattern does not have");
+  throw Error(place, "names panel " + in_quotes(name) + ", which the pattern does not have",
+              "correct the name");
 }
 
 /// The two sides end with a number each, so names may hold spaces.
@@ -48,7 +51,7 @@ Stitch stitch_of(const Pattern& pattern, const std::string& text) {
     stitch.a = side_of(pattern, text.substr(0, at), text);
     stitch.b = side_of(pattern, text.substr(at + 1), text);
     if (stitch.a.panel == stitch.b.panel && stitch.a.edge == stitch.b.edge) {
-      throw Error("--sew " + in_quotes(text), "sews an edge to itself");
+      throw Error("--sew " + in_quotes(text), "sews an edge to itself", "name two edges");
     }
     return stitch;
   }
@@ -90,9 +93,11 @@ int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& comm
     if (!sure) ++undecided;
     char line[512];
     std::snprintf(line, sizeof line, "  %-10s %4.2f  %-32s %-32s %6.2f cm to %6.2f cm",
-                  seam.given ? "given" : sure ? "sewn" : "undecided", seam.confidence,
-                  side_name(pattern, seam.a).c_str(), side_name(pattern, seam.b).c_str(),
-                  seam.length_a * 100, seam.length_b * 100);
+                  seam.given ? "given"
+                  : sure     ? "sewn"
+                             : "undecided",
+                  seam.confidence, side_name(pattern, seam.a).c_str(),
+                  side_name(pattern, seam.b).c_str(), seam.length_a * 100, seam.length_b * 100);
     common.say(line);
   }
   common.say(std::to_string(decided.size()) + " seams sewn, " + std::to_string(undecided) +
@@ -101,11 +106,11 @@ int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& comm
   write_file(files.at(common.output), with_stitches(text, pattern, decided, options.drawn_walk));
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   if (common.report) {
-    write_file(files.at(*common.report), find_seams_json(name, pattern, found,
-                                                         settings.min_confidence, remarks,
-                                                         seconds.count())
-                                                 .dump(2) +
-                                             "\n");
+    write_file(
+        files.at(*common.report),
+        find_seams_json(name, pattern, found, settings.min_confidence, remarks, seconds.count())
+                .dump(2) +
+            "\n");
   }
   files.commit();
   return undecided == 0 ? exit_done : exit_negative;

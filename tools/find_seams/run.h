@@ -17,8 +17,8 @@ struct FindSeamsSettings {
   std::vector<std::string> sewn;  ///< "front:3 back:1", given on the command line
 };
 
-/// Returns exit_negative when a seam is undecided; the file is written nevertheless. Throws Error for
-/// bad input.
+/// Returns exit_negative when a seam is undecided; the file is written nevertheless. Throws Error
+/// for bad input.
 int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& common);
 
 }  // namespace toile

@@ -5,7 +5,8 @@
 namespace toile {
 namespace integer_programme_test {
 
-// Three that exclude each other in pairs: in fractions each is half chosen, in whole numbers one is.
+// Three that exclude each other in pairs: in fractions each is half chosen, in whole numbers one
+// is.
 TEST(IntegerProgramme, ChoosesWholeVariables) {
   IntegerProgramme programme;
   const int a = programme.add_variable(1);
