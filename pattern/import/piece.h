@@ -1,5 +1,5 @@
-// The pieces of a pattern as a drawing has them: what the readers of DXF and SVG make, before
-// edges, seams and places are known.
+// The pieces of a pattern as a drawing has them: what the readers of DXF and SVG make, before edges,
+// seams and places are known.
 #pragma once
 
 #include <map>
@@ -30,20 +30,20 @@ struct PieceNotch {
 
 /// One piece as drawn. Metres, y up.
 struct Piece {
-  std::string name;           ///< as the file has it; may be empty, and need not be unique
-  std::string size;           ///< empty: not stated
-  std::string material;       ///< empty: not stated
-  int quantity = 1;           ///< how often it is cut
-  bool pair = false;          ///< whether half of `quantity` is cut mirrored
-  PiecePath outline;          ///< closed: the seam line, or the cut line if that is all there is
-  bool is_cut_line = false;   ///< whether `outline` still has the seam allowance
-  std::vector<Vec2> corners;  ///< points that the file declares to be corners
+  std::string name;              ///< as the file has it; may be empty, and need not be unique
+  std::string size;              ///< empty: not stated
+  std::string material;          ///< empty: not stated
+  int quantity = 1;              ///< how often it is cut
+  bool pair = false;             ///< whether half of `quantity` is cut mirrored
+  PiecePath outline;             ///< closed: the seam line, or the cut line if that is all there is
+  bool is_cut_line = false;      ///< whether `outline` still has the seam allowance
+  std::vector<Vec2> corners;     ///< points that the file declares to be corners
   std::vector<PieceNotch> notches;
   std::vector<PiecePath> internal_lines;
   std::vector<PiecePath> cut_outs;  ///< closed
   std::vector<Vec2> drill_holes;
-  std::optional<PieceLine> grain;  ///< along the warp
-  std::optional<PieceLine> fold;   ///< the piece is half of one that is mirrored about this line
+  std::optional<PieceLine> grain;   ///< along the warp
+  std::optional<PieceLine> fold;    ///< the piece is half of one that is mirrored about this line
 };
 
 /// What a drawing holds, with the outlines that were understood.
