@@ -58,9 +58,6 @@ class Reader {
         stitch(stitches->item(i).called(pattern_.source + ": stitch " + std::to_string(i)));
       }
     }
-    leave_out_crossed_stitches(pattern_, remarks_);
-    merge_short_edges(pattern_, remarks_);
-    open_sharp_corners(pattern_, remarks_);
     return std::move(pattern_);
   }
 
@@ -472,8 +469,8 @@ std::string edge_name(const Pattern& pattern, const EdgeRef& ref) {
          ", edge " + std::to_string(ref.edge);
 }
 
-Pattern parse_pattern(const std::string& text, const std::string& name,
-                      std::vector<Remark>& remarks) {
+Pattern parse_drawn_pattern(const std::string& text, const std::string& name,
+                            std::vector<Remark>& remarks) {
   // XML, a zip archive and, with a group code, DXF begin with one of these.
   const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   if (first != std::string::npos &&
@@ -483,6 +480,15 @@ Pattern parse_pattern(const std::string& text, const std::string& name,
   }
   const JsonDocument document(text, name);
   return Reader(name, remarks).read(document.root());
+}
+
+Pattern parse_pattern(const std::string& text, const std::string& name,
+                      std::vector<Remark>& remarks) {
+  Pattern pattern = parse_drawn_pattern(text, name, remarks);
+  leave_out_crossed_stitches(pattern, remarks);
+  merge_short_edges(pattern, remarks);
+  open_sharp_corners(pattern, remarks);
+  return pattern;
 }
 
 Pattern read_pattern(const std::filesystem::path& path, std::vector<Remark>& remarks) {

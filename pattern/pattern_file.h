@@ -27,4 +27,8 @@ Pattern read_pattern(const std::filesystem::path& path, std::vector<Remark>& rem
 Pattern parse_pattern(const std::string& text, const std::string& name,
                       std::vector<Remark>& remarks);
 
+/// The same without mending: every edge is as drawn, and every stitch as the file has it.
+Pattern parse_drawn_pattern(const std::string& text, const std::string& name,
+                            std::vector<Remark>& remarks);
+
 }  // namespace toile

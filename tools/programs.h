@@ -15,6 +15,7 @@ CommandLineProgram find_seams_program();
 CommandLineProgram fit_program();
 CommandLineProgram import_pattern_program();
 CommandLineProgram make_mannequin_program();
+CommandLineProgram find_seams_program();
 CommandLineProgram mesh_pattern_program();
 CommandLineProgram render_program();
 

@@ -1,0 +1,53 @@
+// Finds which edges of a pattern are sewn together.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "pattern/pattern.h"
+#include "pattern/seams/seam_weights.h"
+
+namespace toile {
+
+struct FindSeamsOptions {
+  /// Outlines run counter-clockwise as seen from the right side, see outline_edges().
+  bool drawn_walk = false;
+  /// The placed panels decide between garments that are the same but for which of equal panels is
+  /// sewn where, see exchange_panels().
+  bool by_place = false;
+  std::vector<Stitch> given;  ///< seams that are known; a direction by position is right to right
+  SeamMeasures weights = seam_weights;
+};
+
+/// Two edges that are sewn together.
+struct FoundSeam {
+  EdgeRef a;
+  EdgeRef b;
+  bool reversed = true;   ///< the start of one meets the end of the other, as drawn
+  double length_a = 0;    ///< metres
+  double length_b = 0;    ///< metres
+  double confidence = 0;  ///< 0 to 1; 1 for a seam that was given
+  bool given = false;
+  /// The best other seam of one of the two edges. Nothing: that edge stays open.
+  std::optional<std::array<EdgeRef, 2>> alternative;
+};
+
+struct FoundSeams {
+  std::vector<FoundSeam> seams;
+  bool proved = false;  ///< no other choice of seams is worth more
+  double worth = 0;
+  int candidates = 0;
+  int groups = 0;
+};
+
+/// The seams of the whole garment, as one choice. Stitches of the pattern are not looked at; nor
+/// are placement, rotation and translation, unless `by_place`.
+///
+/// Throws Error for given seams that share an edge.
+FoundSeams find_seams(const Pattern& pattern, const FindSeamsOptions& options);
+
+/// Confidence from which on a seam is decided.
+inline constexpr double decided_confidence = 0.3;
+
+}  // namespace toile

@@ -1,0 +1,86 @@
+#include "pattern/seams/outline_edges.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "geometry/polygon.h"
+
+namespace toile {
+
+namespace {
+
+/// Chords of an edge: enough for the tangents at its ends and the turning of its quarters.
+constexpr int chords = 32;
+static_assert(chords % 4 == 0);
+
+double angle_between(const Vec2& from, const Vec2& to) {
+  return std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
+}
+
+/// Points along the steps of an outline, each step walked from its first to its last point.
+std::vector<std::vector<Vec2>> walked(const PatternPanel& panel, bool drawn_walk) {
+  std::vector<std::vector<Vec2>> steps;
+  std::vector<Vec2> outline;
+  for (const OutlineStep& step : panel.outline) {
+    std::vector<Vec2> points = panel.edges[step.edge].curve.sample(chords);
+    if (!step.forward) std::reverse(points.begin(), points.end());
+    outline.insert(outline.end(), points.begin(), points.end() - 1);
+    steps.push_back(std::move(points));
+  }
+  if (signed_area(outline) >= 0) return steps;
+  if (drawn_walk) {
+    for (std::vector<Vec2>& points : steps) {
+      for (Vec2& point : points) point.x() = -point.x();
+    }
+    return steps;
+  }
+  std::reverse(steps.begin(), steps.end());
+  for (std::vector<Vec2>& points : steps) std::reverse(points.begin(), points.end());
+  return steps;
+}
+
+const EdgeCurve& curve_of(const PatternPanel& panel, int edge) { return panel.edges[edge].curve; }
+
+}  // namespace
+
+std::vector<OutlineEdge> outline_edges(const Pattern& pattern, bool drawn_walk) {
+  std::vector<OutlineEdge> edges;
+  for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+    const PatternPanel& panel = pattern.panels[p];
+    const std::vector<std::vector<Vec2>> steps = walked(panel, drawn_walk);
+    const std::size_t count = steps.size();
+    // The walk is turned about where its first step runs against the outline's.
+    const bool turned = steps.front().front() != panel.edges[panel.outline.front().edge].curve.at(
+                                                     panel.outline.front().forward ? 0 : 1) &&
+                        !drawn_walk;
+    const int first = static_cast<int>(edges.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      const OutlineStep& step = panel.outline[turned ? count - 1 - i : i];
+      const std::vector<Vec2>& points = steps[i];
+      const std::vector<Vec2>& before = steps[(i + count - 1) % count];
+      OutlineEdge edge;
+      edge.ref = {static_cast<int>(p), step.edge};
+      edge.next = first + static_cast<int>((i + 1) % count);
+      edge.previous = first + static_cast<int>((i + count - 1) % count);
+      edge.forward = step.forward != turned;
+      edge.length = panel.edges[step.edge].curve.length();
+      for (int k = 1; k < chords; ++k) {
+        const double turn = angle_between(points[k] - points[k - 1], points[k + 1] - points[k]);
+        // A point between two quarters belongs to both.
+        edge.turning[(k - 1) * 4 / chords] += turn / 2;
+        edge.turning[k * 4 / chords] += turn / 2;
+      }
+      edge.corner = std::numbers::pi -
+                    angle_between(before[chords] - before[chords - 1], points[1] - points[0]);
+      const Vec2 chord = (curve_of(panel, step.edge).end() - curve_of(panel, step.edge).start());
+      const Vec2 warp(-std::sin(panel.grain), std::cos(panel.grain));
+      const double across = std::abs(chord.x() * warp.y() - chord.y() * warp.x());
+      edge.across_grain = across / std::max(chord.norm(), 1e-9);
+      edge.points = points;
+      edges.push_back(edge);
+    }
+  }
+  return edges;
+}
+
+}  // namespace toile

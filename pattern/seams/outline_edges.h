@@ -1,0 +1,32 @@
+// The edges of all panels in a row, with what a seam can be told by.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "pattern/pattern.h"
+
+namespace toile {
+
+/// An edge as it lies on the outline of its panel, seen from the panel's right side and walked
+/// counter-clockwise.
+struct OutlineEdge {
+  EdgeRef ref;
+  int next = 0;         ///< index of the edge that follows on the outline
+  int previous = 0;     ///< index of the edge before
+  bool forward = true;  ///< whether the walk runs from the edge's start to its end, as drawn
+  double length = 0;    ///< metres
+  /// Radians by which the tangent turns in each quarter of the length, left is positive.
+  std::array<double, 4> turning{};
+  double across_grain = 0;  ///< sine of the angle between the edge's chord and the warp
+  double corner = 0;        ///< radians: the panel's inner angle where this edge starts
+  /// Points at equal steps of length, from the walk's first to its last. Metres.
+  std::vector<Vec2> points;
+};
+
+/// The edges of all panels, those of a panel in a row from the first step of its outline.
+/// `drawn_walk`: outlines run counter-clockwise as seen from the right side, whichever way they are
+/// drawn, which is GarmentCode's convention. Otherwise each drawing shows its right side.
+std::vector<OutlineEdge> outline_edges(const Pattern& pattern, bool drawn_walk);
+
+}  // namespace toile

@@ -1,0 +1,28 @@
+// Chooses among garments that are the same but for which of several equal panels is sewn where.
+#pragma once
+
+#include <vector>
+
+#include "pattern/pattern.h"
+#include "pattern/seams/outline_edges.h"
+#include "pattern/seams/panel_symmetry.h"
+#include "pattern/seams/panel_words.h"
+
+namespace toile {
+
+/// A seam between two edges. `along`: both are walked the same way, so that one of the panels is
+/// turned over.
+struct EdgeSeam {
+  int a = 0;
+  int b = 0;
+  bool along = false;
+};
+
+/// Lets panels that coincide change places, and turns over panels that are their own mirror images.
+/// Each such garment is the same cloth. Fewer seams join left to right by the panels' names
+/// afterwards. With `by_place`, the placed ends of seams come nearer too.
+void exchange_panels(const Pattern& pattern, const std::vector<OutlineEdge>& edges,
+                     const std::vector<PanelFit>& fits, const std::vector<PanelWords>& words,
+                     bool by_place, std::vector<EdgeSeam>& seams);
+
+}  // namespace toile

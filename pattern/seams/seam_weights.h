@@ -1,0 +1,67 @@
+// What speaks for and against a seam, and how much.
+#pragma once
+
+#include <array>
+
+namespace toile {
+
+/// What is measured of a seam, or of corners that meet. A worth is the sum of each measure times
+/// its weight; only ratios of weights matter. The measures of lengths are 0 where the two edges
+/// coincide: such edges are equally long without being meant for each other.
+enum class SeamMeasure {
+  seam,             ///< 1 for each seam
+  equal_length,     ///< 1: lengths agree to 0.1 mm
+  rare_length,      ///< 1: they do, and no edge of a third shape is that long
+  close_length,     ///< 1, falling by e for each 0.5 % of difference
+  near_length,      ///< 1, falling by e for each 3 % of difference
+  log_ratio,        ///< logarithm of the longer over the shorter
+  curve,            ///< 1: curved alike or into each other; -1: the contrary; 0: straight
+  coincide,         ///< 1: the edges coincide
+  coincide_curved,  ///< radians that edges turn which coincide, both added up, at most pi
+  halves,  ///< the edges are mirror partners on two panels: their length over the longest edge
+  across_grain,    ///< the edges coincide: the sine of their chord's angle to the warp
+  same_panel,      ///< 1: both edges are of one panel, not the legs of a dart
+  dart,            ///< 1: the legs of a dart
+  concave,         ///< radians by which the edge turns inwards that does so less; 0 if one does not
+  roles_agree,     ///< 1: pieces of two such kinds are sewn together, by their names
+  sides_differ,    ///< 1: left and right, and not mirror partners
+  faces_agree,     ///< 1: front and front, or back and back, of different pieces
+  faces_differ,    ///< 1: front and back of different pieces
+  numbers_follow,  ///< 1: pieces of one name, numbered one after the other
+  numbers_apart,   ///< 1: of one name, with numbers between them
+  dart_tip,        ///< 1: a corner closes on itself, as the tip of a dart
+  two_inside,      ///< 1: two corners meet inside the garment
+  two_inside_off,  ///< by how much they miss 360 degrees, in units of 90 degrees
+  three_inside,    ///< the same of three corners
+  three_inside_off,
+  four_inside,  ///< the same of four corners
+  four_inside_off,
+  junction_off,   ///< of three or four: by how much the flattest corner or pair misses 180 degrees
+  smooth_border,  ///< 1: one corner on the border within 20 degrees of 180
+  lone_corner,    ///< 1: another corner between two open edges
+  two_at_border,  ///< 1: two corners meet at the border
+  two_at_border_off,  ///< by how much they miss 180 degrees, in units of 90 degrees
+  more_at_border,     ///< the same of three and four corners
+  more_at_border_off,
+  unlike,  ///< radians by which two edges turn differently that continue each other over a seam
+  jump,    ///< change of the fullness along a seam that runs on straight, 1 is 20 % or more
+  count
+};
+
+inline constexpr int seam_measures = static_cast<int>(SeamMeasure::count);
+
+using SeamMeasures = std::array<double, seam_measures>;
+
+double worth_of(const SeamMeasures& measures, const SeamMeasures& weights);
+
+/// The weights in use. They were set by hand on ten small random GarmentCode garments, the samples
+/// and two more GarmentCode files.
+extern const SeamMeasures seam_weights;
+
+/// Name of a measure, for tables.
+const char* to_string(SeamMeasure measure);
+
+/// Taken off where a part of the garment is sewn to nothing else.
+inline constexpr double part_left_over = 6;
+
+}  // namespace toile

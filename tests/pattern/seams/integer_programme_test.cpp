@@ -1,0 +1,56 @@
+#include "pattern/seams/integer_programme.h"
+
+#include <gtest/gtest.h>
+
+namespace toile {
+namespace integer_programme_test {
+
+// Three that exclude each other in pairs: in fractions each is half chosen, in whole numbers one
+// is.
+TEST(IntegerProgramme, ChoosesWholeVariables) {
+  IntegerProgramme programme;
+  const int a = programme.add_variable(1);
+  const int b = programme.add_variable(1.1);
+  const int c = programme.add_variable(1);
+  programme.add_at_most({{a, 1}, {b, 1}}, 1);
+  programme.add_at_most({{b, 1}, {c, 1}}, 1);
+  programme.add_at_most({{a, 1}, {c, 1}}, 1);
+  const auto answer = programme.solve(10);
+  ASSERT_TRUE(answer);
+  EXPECT_TRUE(answer->proved);
+  EXPECT_NEAR(answer->worth, 1.1, 1e-9);
+  EXPECT_EQ(answer->values, (std::vector<bool>{false, true, false}));
+}
+
+TEST(IntegerProgramme, FixedVariablesStay) {
+  IntegerProgramme programme;
+  const int a = programme.add_variable(1);
+  const int b = programme.add_variable(3);
+  programme.add_at_most({{a, 1}, {b, 1}}, 1);
+  programme.fix(a, true);
+  const auto answer = programme.solve(10);
+  ASSERT_TRUE(answer);
+  EXPECT_NEAR(answer->worth, 1, 1e-9);
+}
+
+TEST(IntegerProgramme, RelaxedAnswerWithoutAVariableBoundsTheRest) {
+  IntegerProgramme programme;
+  const int a = programme.add_variable(3);
+  const int b = programme.add_variable(2);
+  programme.add_at_most({{a, 1}, {b, 1}}, 1);
+  const auto answer = programme.solve(10);
+  ASSERT_TRUE(answer);
+  EXPECT_NEAR(answer->worth, 3, 1e-9);
+  EXPECT_NEAR(programme.relaxed_without({a}).worth, 2, 1e-9);
+  EXPECT_NEAR(programme.relaxed_without({b}).worth, 3, 1e-9);
+}
+
+TEST(IntegerProgramme, SaysThatNothingMeetsTheConstraints) {
+  IntegerProgramme programme;
+  const int a = programme.add_variable(1);
+  programme.add_at_most({{a, -1}}, -2);
+  EXPECT_FALSE(programme.solve(10));
+}
+
+}  // namespace integer_programme_test
+}  // namespace toile

@@ -1,0 +1,46 @@
+// find-seams: from panels without seams to a pattern that is sewn together.
+#include "geometry/error.h"
+#include "pattern/seams/find_seams.h"
+#include "tools/find_seams/run.h"
+#include "tools/programs.h"
+
+namespace toile {
+
+namespace po = boost::program_options;
+
+CommandLineProgram find_seams_program() {
+  CommandLineProgram program;
+  program.name = "find-seams";
+  program.summary = "finds which edges of a pattern's panels are sewn together";
+  program.usage = "PATTERN.json -o sewn.json [--report seams.json] [--sew \"front:3 back:1\"]";
+  program.options.add_options()("keep", po::bool_switch(),
+                                "keep the stitches that the pattern has, and find the others")(
+      "sew", po::value<std::vector<std::string>>()->composing(),
+      "sew these two edges, \"PANEL:EDGE PANEL:EDGE\"; may be given again")(
+      "use-places", po::bool_switch(),
+      "let the placed panels decide which of equal panels is sewn where")(
+      "min-confidence", po::value<double>()->default_value(decided_confidence, "0.3"),
+      "0 to 1: a less certain seam is listed as undecided and not sewn")(
+      "pattern", po::value<std::string>()->required(), "the pattern (also without --pattern)");
+  program.positional.add("pattern", 1);
+  program.output_extensions = {".json"};
+  program.prepare = [](const po::variables_map& given, const CommonSettings& common) {
+    FindSeamsSettings settings;
+    settings.pattern = given["pattern"].as<std::string>();
+    settings.keep = given["keep"].as<bool>();
+    settings.by_place = given["use-places"].as<bool>();
+    settings.min_confidence = given["min-confidence"].as<double>();
+    if (!(settings.min_confidence >= 0 && settings.min_confidence <= 1)) {
+      throw Error("--min-confidence", "is not between 0 and 1", "0.3 is the default");
+    }
+    if (given.count("sew") > 0) settings.sewn = given["sew"].as<std::vector<std::string>>();
+    Job job;
+    job.files.reads = {settings.pattern};
+    job.files.writes = {common.output};
+    job.work = [settings, &common] { return run_find_seams(settings, common); };
+    return job;
+  };
+  return program;
+}
+
+}  // namespace toile

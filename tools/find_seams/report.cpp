@@ -1,0 +1,81 @@
+#include "tools/find_seams/report.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+namespace toile {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json side_json(const Pattern& pattern, const EdgeRef& side) {
+  return {{"panel", pattern.panels[side.panel].name}, {"edge", side.edge}};
+}
+
+/// How the fullness of a seam is called.
+std::string kind_of(const FoundSeam& seam) {
+  const double fullness = std::max(seam.length_a, seam.length_b) /
+                          std::max(1e-9, std::min(seam.length_a, seam.length_b));
+  if (fullness < 1.002) return "plain";
+  return fullness < 1.2 ? "eased" : "gathered";
+}
+
+Json seam_json(const Pattern& pattern, const FoundSeam& seam) {
+  Json json;
+  json["a"] = side_json(pattern, seam.a);
+  json["b"] = side_json(pattern, seam.b);
+  json["reversed"] = seam.reversed;
+  json["length_a"] = seam.length_a;
+  json["length_b"] = seam.length_b;
+  json["kind"] = kind_of(seam);
+  json["given"] = seam.given;
+  json["confidence"] = seam.confidence;
+  if (seam.alternative) {
+    json["alternative"] = {{"a", side_json(pattern, (*seam.alternative)[0])},
+                           {"b", side_json(pattern, (*seam.alternative)[1])}};
+  } else {
+    json["alternative"] = nullptr;
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string side_name(const Pattern& pattern, const EdgeRef& side) {
+  return pattern.panels[side.panel].name + ":" + std::to_string(side.edge);
+}
+
+Json find_seams_json(const std::string& file, const Pattern& pattern, const FoundSeams& found,
+                     double min_confidence, const std::vector<Remark>& remarks, double seconds) {
+  Json report;
+  report["program"] = "find-seams";
+  report["pattern"] = file;
+  report["min_confidence"] = min_confidence;
+  report["proved_best"] = found.proved;
+  report["seconds"] = seconds;
+  report["seams"] = Json::array();
+  report["undecided"] = Json::array();
+  std::set<std::array<int, 2>> sewn;
+  for (const FoundSeam& seam : found.seams) {
+    report[seam.confidence >= min_confidence ? "seams" : "undecided"].push_back(
+        seam_json(pattern, seam));
+    for (const EdgeRef& side : {seam.a, seam.b}) sewn.insert({side.panel, side.edge});
+  }
+  report["edges_open"] = Json::array();
+  for (int p = 0; p < static_cast<int>(pattern.panels.size()); ++p) {
+    for (int e = 0; e < static_cast<int>(pattern.panels[p].edges.size()); ++e) {
+      if (!sewn.contains({p, e})) report["edges_open"].push_back(side_json(pattern, {p, e}));
+    }
+  }
+  report["edges_split"] = Json::array();
+  report["notes"] = Json::array();
+  report["warnings"] = Json::array();
+  for (const Remark& remark : remarks) {
+    report[remark.warning ? "warnings" : "notes"].push_back(remark.text);
+  }
+  return report;
+}
+
+}  // namespace toile

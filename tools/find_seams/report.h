@@ -1,0 +1,21 @@
+// What find-seams reports.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "pattern/pattern.h"
+#include "pattern/seams/find_seams.h"
+
+namespace toile {
+
+/// "front:3", as --sew takes it.
+std::string side_name(const Pattern& pattern, const EdgeRef& side);
+
+/// The report, in metres. `edges_open` are those in no decided and no undecided seam.
+nlohmann::ordered_json find_seams_json(const std::string& file, const Pattern& pattern,
+                                       const FoundSeams& found, double min_confidence,
+                                       const std::vector<Remark>& remarks, double seconds);
+
+}  // namespace toile
