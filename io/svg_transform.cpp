@@ -81,7 +81,7 @@ PlaneTransform svg_view_transform(const Vec2& corner, const Vec2& size, const Ve
     if (part == "Min") return 0.0;
     if (part == "Mid") return 0.5;
     if (part == "Max") return 1.0;
-    scanner.fail("'" + shown_text(aspect) + "' is no value of preserveAspectRatio");
+    scanner.fail("preserveAspectRatio has no value '" + shown_text(aspect) + "'");
   };
   Vec2 shift = Vec2::Zero();
   if (align != "none") {

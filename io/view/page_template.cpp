@@ -14,11 +14,16 @@ std::string filled(std::string_view page,
   return html.append(page);
 }
 
-std::string json_in_html(std::string json) {
-  for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;) {
-    json.replace(at, 1, "\\u003c");
+std::string json_in_html(std::string_view json) {
+  std::string text;
+  for (const char c : json) {
+    if (c == '<') {
+      text += "\\u003c";
+    } else {
+      text += c;
+    }
   }
-  return json;
+  return text;
 }
 
 }  // namespace toile

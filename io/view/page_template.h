@@ -13,6 +13,6 @@ std::string filled(std::string_view page,
                    const std::function<std::string(std::string_view)>& content);
 
 /// JSON for an element of a page: no text in it can end the element.
-std::string json_in_html(std::string json);
+std::string json_in_html(std::string_view json);
 
 }  // namespace toile

@@ -18,9 +18,9 @@ constexpr double margin_scale = 1;
 /// Worth by which a garment has to be better that does not heed the names of left and right.
 constexpr double turned_panels = 2;
 
-class Search {
+class SeamSearch {
  public:
-  Search(const Pattern& pattern, const FindSeamsOptions& options)
+  SeamSearch(const Pattern& pattern, const FindSeamsOptions& options)
       : pattern_(pattern), options_(options) {
     evidence_.edges = outline_edges(pattern, options.drawn_walk);
     for (const PatternPanel& panel : pattern.panels) evidence_.words.push_back(words_of(panel));
@@ -132,7 +132,7 @@ class Search {
 }  // namespace
 
 FoundSeams find_seams(const Pattern& pattern, const FindSeamsOptions& options) {
-  Search search(pattern, options);
+  SeamSearch search(pattern, options);
   FoundSeams found = search.run(options.weights);
   if (!search.names_sides()) return found;
   // Where drawings show the wrong side, left and right change places: then a garment that does not
