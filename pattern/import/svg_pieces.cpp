@@ -353,7 +353,7 @@ class Finder {
     PathGap gap;
     double longest = 0;
     for (const OpenPath& open : open_) {
-      const double length = length_of(open.path);
+      const double length = path_length(open.path);
       if (length <= longest) continue;
       longest = length;
       const Vec2& from = open.path.front().start();
@@ -361,12 +361,6 @@ class Finder {
       gap = {(to - from).norm(), (from + to) / 2};
     }
     return gap;
-  }
-
-  static double length_of(const PiecePath& path) {
-    double length = 0;
-    for (const EdgeCurve& curve : path) length += curve.length();
-    return length;
   }
 
   bool lies_in_piece(const Outline& one, bool of_same_material) {
@@ -462,7 +456,7 @@ class Finder {
     const Vec2& from = open.path.front().start();
     const Vec2& to = open.path.back().end();
     const double gap = (to - from).norm();
-    const double length = length_of(open.path);
+    const double length = path_length(open.path);
     const std::vector<Vec2> points = path_points(open.path, place_tolerance);
     if (points.size() < 3 || std::abs(signed_area(points)) < smallest_piece) return;
     if (meaning.role != SvgRole::outline && gap > 0.2 * length) return;
