@@ -7,6 +7,8 @@
 
 #include "cloth/dressing/panels_over.h"
 #include "cloth/start/placement_warnings.h"
+#include "cloth/start/places_fit.h"
+#include "cloth/start/positioning.h"
 #include "geometry/error.h"
 
 namespace toile {
@@ -169,6 +171,19 @@ void Dressing::put_in_place(const AskedPlaces& asked, WornLayer& worn) const {
                               text_of(*worn.moved, garment) + ", as one piece");
       move_layout(*worn.moved, garment);
     }
+    if (asks_for_skeleton(garment)) return;
+    PanelMesh anew = garment;
+    std::vector<FoundPlace> places;
+    try {
+      places = find_places(collider_.body(), *skeleton_, {}, anew);
+    } catch (const Error&) {
+      return;  // Nothing tells more than the pattern does.
+    }
+    const std::string unfit = unfit_place(garment, anew, places);
+    if (unfit.empty()) return;
+    worn.places = std::move(places);
+    worn.place_reason = "the pattern's places do not fit the body: " + unfit;
+    garment = std::move(anew);
     return;
   }
   worn.places = find_places(collider_.body(), *skeleton_, asked, garment);

@@ -74,6 +74,12 @@ inline constexpr double sheet_side_gap = 0.06;
 /// Metres: square metres that lie upon others in a sheet, times this, count as misfit.
 inline constexpr double sheet_overlap_weight = 0.03;
 
+/// Metres: the square of the sheets' difference in area, over their sum, counts as misfit with this.
+inline constexpr double sheet_balance_weight = 0.01;
+
+/// Pairs of panels of unknown sheets that are sewn together, up to which arcs change sheets.
+inline constexpr std::size_t max_arc_seams = 40;
+
 /// Share of a panel that lies upon another one of its sheet, from which on it stands before that.
 inline constexpr double min_share_upon = 0.1;
 
@@ -112,6 +118,20 @@ inline constexpr double min_neck_difference = 0.01;
 /// Metres from the middle plane to the side of a hood, as a share of that to the shoulder joint.
 inline constexpr double hood_distance = 0.65;
 
+/// Metres below the waist joint at which skirts and trousers begin.
+inline constexpr double waist_border_depth = 0.02;
+
+/// Metres above the body's crotch up to which that of trousers starts.
+inline constexpr double crotch_slack = 0.02;
+
+/// Metres by which the opening of a leg may reach beyond the middle.
+inline constexpr double leg_overlap = 0.03;
+
+/// A tube of a pattern without names that is wider than the waist by this ratio, and shorter than
+/// this many metres, is a top.
+inline constexpr double wide_tube_ratio = 1.15;
+inline constexpr double short_tube_height = 0.45;
+
 /// Metres that shoulder seams start above the shoulders.
 inline constexpr double shoulder_seam_gap = 0.015;
 
@@ -123,6 +143,18 @@ inline constexpr double sleeve_sheet_distance = 0.15;
 
 /// Metres by which a panel stands before one of its sheet that it lies upon.
 inline constexpr double sheet_layer_distance = 0.04;
+
+// Places that a pattern states, against those that its seams tell (places_fit.h).
+
+/// Share of the largest panel's area from which on the place of a panel tells.
+inline constexpr double min_telling_area = 0.2;
+
+/// Degrees that a panel may be off the upright.
+inline constexpr double max_panel_lean = 12;
+
+/// Metres that the middle of a panel may stand off its place by the seams. A skirt of many gores
+/// stands around the body, and by the seams before and behind it.
+inline constexpr double max_place_distance = 1.5;
 
 // The layout as a whole (locate_layout.h).
 

@@ -71,16 +71,10 @@ class BodySizes {
     return std::isfinite(top) ? top : neck;
   }
 
-  /// Metres: the highest level from the waist down to the crotch that has this girth; the waist if
-  /// there is none.
-  double level_of_girth(double girth) const {
-    const double waist = skeleton_.joint("waist").y();
-    const double crotch = skeleton_.joint("pelvis").y();
-    for (double y = waist; y > crotch + 0.02; y -= 0.01) {
-      const std::optional<Section> section = torso_section(body_, y);
-      if (section && section->girth >= girth) return y;
-    }
-    return waist;
+  /// Metres around the waist.
+  double waist_girth() const {
+    const std::optional<Section> section = torso_section(body_, skeleton_.joint("waist").y());
+    return section ? section->girth : 0;
   }
 
  private:
@@ -102,7 +96,8 @@ class Piece {
         panels_(std::move(panels)),
         panel_of_(panel_of_points(garment)) {}
 
-  void place(std::vector<Vec3>& placed, std::vector<FoundPlace>& found,
+  /// Places the panels. Returns whether the piece has an opening for each leg.
+  bool place(std::vector<Vec3>& placed, std::vector<FoundPlace>& found,
              std::vector<MeshedPanel>& meshed);
 
  private:
@@ -124,6 +119,9 @@ class Piece {
   void lay_sheets();
   void choose_front();
   bool hangs() const;
+  bool is_strapless(const SheetOpening& top) const;
+  std::optional<double> crotch_height() const;
+  Vec2 centre(std::size_t i) const;
   double height() const;
   double middle() const;
   void stand_sheets(std::vector<Vec3>& placed);
@@ -265,7 +263,7 @@ void Piece::choose_front() {
     const double back = sheet_top(garment_, layout_, true, x);
     if (std::abs(front - back) > min_neck_difference) {
       if (front > back) layout_.change_faces();
-    } 
+    }
   } else {
     std::array<double, 2> areas{};
     for (std::size_t i = 0; i < flat_.size(); ++i) {
@@ -279,7 +277,6 @@ void Piece::choose_front() {
     }
     if (areas[0] > areas[1]) layout_.change_faces();
   }
-  for (Vec2& p : shoulders_) p = p;
   openings_ = sheet_openings(garment_, layout_);
   shoulders_ = shoulder_points(garment_, layout_);
 }
@@ -314,8 +311,61 @@ double Piece::height() const {
     for (const SheetOpening& opening : openings_) top = std::max(top, opening.high);
     return skeleton_.joint("waist").y() - (std::isfinite(top) ? top : 0);
   }
-  if (has(PanelKind::top)) return skeleton_.joint("chest").y() - around->mean_height;
-  return sizes_.level_of_girth(around->length) - around->mean_height;
+  if (is_strapless(*around)) return skeleton_.joint("chest").y() - around->mean_height;
+  const double rise = skeleton_.joint("waist").y() - waist_border_depth - around->mean_height;
+  const std::optional<double> crotch = crotch_height();
+  if (!crotch) return rise;
+  return std::min(rise, skeleton_.joint("pelvis").y() + crotch_slack - *crotch);
+}
+
+/// Whether the piece, which does not hang from the shoulders, is worn about the chest.
+bool Piece::is_strapless(const SheetOpening& top) const {
+  if (has(PanelKind::top)) return true;
+  if (has(PanelKind::skirt) || has(PanelKind::trousers) || has(PanelKind::band)) return false;
+  const bool has_elastic = std::ranges::any_of(garment_.elastics, [&](const MeshedElastic& elastic) {
+    return std::ranges::find(panels_, panel_of_[elastic.points.front()]) != panels_.end();
+  });
+  if (has_elastic || openings_.size() != 2) return false;
+  return top.length > wide_tube_ratio * sizes_.waist_girth() &&
+         top.mean_height - openings_.back().mean_height < short_tube_height;
+}
+
+/// Metres, in the picture: the lowest point of the seams that join a left half to a right one, if
+/// an opening for each leg lies below.
+std::optional<double> Piece::crotch_height() const {
+  const double x = middle();
+  bool left_leg = false;
+  bool right_leg = false;
+  for (const SheetOpening& opening : openings_) {
+    left_leg = left_leg || opening.left > x - leg_overlap;
+    right_leg = right_leg || opening.right < x + leg_overlap;
+  }
+  if (!left_leg || !right_leg) return std::nullopt;
+  std::optional<double> lowest;
+  for (const MeshedSeam& seam : garment_.seams) {
+    const auto a = std::ranges::find(flat_, panel_of_[seam.a[1]]);
+    const auto b = std::ranges::find(flat_, panel_of_[seam.b[1]]);
+    if (a == flat_.end() || b == flat_.end() || a == b) continue;
+    const auto i = static_cast<std::size_t>(a - flat_.begin());
+    const auto j = static_cast<std::size_t>(b - flat_.begin());
+    if (layout_.back[i] != layout_.back[j]) continue;
+    if ((centre(i).x() > x) == (centre(j).x() > x)) continue;
+    for (const int p : seam.a) {
+      const double y = layout_.picture(i, garment_.flat[p]).y();
+      if (!lowest || y < *lowest) lowest = y;
+    }
+  }
+  return lowest;
+}
+
+/// Metres, in the picture: the mean of a panel's points.
+Vec2 Piece::centre(std::size_t i) const {
+  const MeshedPanel& of = panel(flat_[i]);
+  Vec2 sum = Vec2::Zero();
+  for (int p = of.first_point; p < of.first_point + of.points; ++p) {
+    sum += layout_.picture(i, garment_.flat[p]);
+  }
+  return sum / of.points;
 }
 
 void Piece::stand_sheets(std::vector<Vec3>& placed) {
@@ -340,15 +390,14 @@ void Piece::stand_sheets(std::vector<Vec3>& placed) {
     const double outward = layout_.back[i] ? -1 : 1;
     double depth = layout_.back[i] ? rear - sheet_distance : fore + sheet_distance;
     // A sleeve stands nearer to its arm than the front does.
-    Vec2 centre = Vec2::Zero();
-    each(i, [&](int, const Vec2& at) { centre += at / panel(flat_[i]).points; });
-    const std::string arm = centre.x() > sizes_.middle() ? "left_arm" : "right_arm";
+    const Vec2 at_centre = centre(i);
+    const std::string arm = at_centre.x() > sizes_.middle() ? "left_arm" : "right_arm";
     const Bones bones(skeleton_, arm);
     const AskedPlace* place = asked(flat_[i]);
     const bool is_sleeve =
         kind(flat_[i]) == PanelKind::sleeve || (place != nullptr && place->part.ends_with("_arm"));
     if (is_sleeve) {
-      const Vec3 bone = bones.at(bones.foot({centre.x(), centre.y(), bones.joints.front().z()})).first;
+      const Vec3 bone = bones.at(bones.foot({at_centre.x(), at_centre.y(), bones.joints.front().z()})).first;
       depth = bone.z() + outward * sleeve_sheet_distance;
     }
     depth += outward * layout_.layer[i] * sheet_layer_distance;
@@ -363,12 +412,21 @@ void Piece::stand_hood(int p, std::vector<Vec3>& placed) const {
   double x = 0;
   double y = 0;
   int count = 0;
+  // The back of the neck tells the height: a front may be cut low.
+  bool at_back = false;
   for (const MeshedSeam& seam : garment_.seams) {
     for (std::size_t i = 0; i < seam.a.size(); ++i) {
       for (const auto& [mine, other] :
            {std::pair(seam.a[i], seam.b[i]), std::pair(seam.b[i], seam.a[i])}) {
-        const int partner = panel_of_[other];
-        if (panel_of_[mine] != p || std::ranges::find(flat_, partner) == flat_.end()) continue;
+        const auto partner = std::ranges::find(flat_, panel_of_[other]);
+        if (panel_of_[mine] != p || partner == flat_.end()) continue;
+        const bool is_back = layout_.back[static_cast<std::size_t>(partner - flat_.begin())] != 0;
+        if (at_back && !is_back) continue;
+        if (is_back && !at_back) {
+          sewn = Vec2::Zero();
+          x = y = count = 0;
+          at_back = true;
+        }
         sewn += garment_.flat[mine];
         x += placed[other].x();
         y += placed[other].y();
@@ -471,7 +529,7 @@ void Piece::roll(int p, MeshedPanel& meshed) const {
   if (!is_arm) meshed.placement.at = "waist";
 }
 
-void Piece::place(std::vector<Vec3>& placed, std::vector<FoundPlace>& found,
+bool Piece::place(std::vector<Vec3>& placed, std::vector<FoundPlace>& found,
                   std::vector<MeshedPanel>& meshed) {
   sort_panels();
   const auto groups = connected(flat_);
@@ -502,10 +560,11 @@ void Piece::place(std::vector<Vec3>& placed, std::vector<FoundPlace>& found,
     found[p].around = true;
     found[p].side = side_or_default(meshed[p].placement, meshed[p].part);
   }
+  return !flat_.empty() && crotch_height().has_value();
 }
 
-/// The part of a panel that stands in a sheet, for people.
-std::string part_of(const PanelMesh& garment, int p, const std::string& nearest) {
+/// The part of a panel that stands in a sheet. `nearest`: the one with the nearest bones.
+std::string part_of(const PanelMesh& garment, int p, const std::string& nearest, bool has_legs) {
   const MeshedPanel& panel = garment.panels[p];
   double x = 0;
   for (int i = panel.first_point; i < panel.first_point + panel.points; ++i) {
@@ -513,9 +572,16 @@ std::string part_of(const PanelMesh& garment, int p, const std::string& nearest)
   }
   const std::string side = x > 0 ? "left_" : "right_";
   if (names_hood(panel.name)) return "head";
-  if (kind_of(panel) == PanelKind::sleeve) return side + "arm";
-  if (kind_of(panel) == PanelKind::trousers) return side + "leg";
-  return nearest;
+  switch (kind_of(panel)) {
+    case PanelKind::sleeve:
+      return side + "arm";
+    case PanelKind::trousers:
+      return side + "leg";
+    case PanelKind::unknown:
+      return nearest.ends_with("_leg") && !has_legs ? "torso" : nearest;
+    default:
+      return "torso";
+  }
 }
 
 }  // namespace
@@ -585,11 +651,13 @@ std::vector<FoundPlace> find_places(const TriangleMesh& body, const Skeleton& sk
     found[p].asked = asked.contains(garment.panels[p].name);
     pieces[sewn.of(static_cast<int>(p))].push_back(static_cast<int>(p));
   }
+  std::vector<char> has_legs(garment.panels.size(), 0);  // per panel: its piece has
   std::vector<Vec3> placed = garment.placed;
   std::vector<MeshedPanel> meshed = garment.panels;
   for (MeshedPanel& panel : meshed) panel.placement = {};
   for (const auto& [lowest, panels] : pieces) {
-    Piece(garment, skeleton, sizes, asked, panels).place(placed, found, meshed);
+    const bool legs = Piece(garment, skeleton, sizes, asked, panels).place(placed, found, meshed);
+    for (const int p : panels) has_legs[p] = legs;
   }
   garment.placed = std::move(placed);
   garment.panels = std::move(meshed);
@@ -599,7 +667,13 @@ std::vector<FoundPlace> find_places(const TriangleMesh& body, const Skeleton& sk
     MeshedPanel& panel = garment.panels[p];
     const auto place = asked.find(panel.name);
     if (place != asked.end() && !place->second.part.empty()) panel.part = place->second.part;
-    found[p].part = panel.part.empty() ? part_of(garment, static_cast<int>(p), parts[p]) : panel.part;
+    if (panel.part.empty()) {
+      found[p].part = part_of(garment, static_cast<int>(p), parts[p], has_legs[p] != 0);
+      // What a garment wraps, and whether it is worn where it belongs, goes by parts.
+      if (found[p].part != "head") panel.part = found[p].part;
+    } else {
+      found[p].part = panel.part;
+    }
   }
   return found;
 }

@@ -5,9 +5,11 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 
 #include "cloth/start/constants.h"
 #include "geometry/border_loops.h"
+#include "geometry/disjoint_sets.h"
 #include "geometry/polygon.h"
 
 namespace toile {
@@ -199,6 +201,17 @@ class SheetLayer {
     return sum;
   }
 
+  /// A round skirt of many panels lies well in one sheet, as a plate, and is worn in two.
+  double imbalance(const SheetLayout& layout) const {
+    double all = 0;
+    double difference = 0;
+    for (std::size_t i = 0; i < count(); ++i) {
+      all += shapes_[i].area;
+      difference += layout.back[i] ? -shapes_[i].area : shapes_[i].area;
+    }
+    return sheet_balance_weight * difference * difference / all;
+  }
+
   double overlap(const SheetLayout& layout) const {
     double sum = 0;
     for (std::size_t i = 0; i < count(); ++i) {
@@ -245,6 +258,7 @@ class SheetLayer {
     align(layout, true, sheet_trial_sweeps);
     layout.misfit = misfit(layout);
     const double bound = best_.back.empty() ? std::numeric_limits<double>::infinity() : best_.misfit;
+    layout.misfit += imbalance(layout);
     if (layout.misfit >= bound) return false;
     layout.misfit += sheet_overlap_weight * overlap(layout);
     if (layout.misfit >= bound - 1e-12) return false;
@@ -327,6 +341,31 @@ class SheetLayer {
     return sum;
   }
 
+  /// Two cuts between free panels take an arc out of a ring, as half of a skirt's gores.
+  void add_arcs(const std::vector<char>& is_free,
+                std::vector<std::vector<std::size_t>>& flips) const {
+    std::set<std::pair<int, int>> pairs;
+    for (const SheetSeam& seam : seams_) {
+      if (is_free[seam.a] && is_free[seam.b]) pairs.insert(std::minmax(seam.a, seam.b));
+    }
+    if (pairs.size() > max_arc_seams) return;
+    for (auto first = pairs.begin(); first != pairs.end(); ++first) {
+      for (auto second = std::next(first); second != pairs.end(); ++second) {
+        DisjointSets arcs(count());
+        for (auto pair = pairs.begin(); pair != pairs.end(); ++pair) {
+          if (pair != first && pair != second) arcs.join(pair->first, pair->second);
+        }
+        if (arcs.of(first->first) == arcs.of(first->second)) continue;
+        if (arcs.of(second->first) == arcs.of(second->second)) continue;
+        std::vector<std::size_t> arc;
+        for (std::size_t p = 0; p < count(); ++p) {
+          if (is_free[p] && arcs.of(static_cast<int>(p)) == arcs.of(first->first)) arc.push_back(p);
+        }
+        if (arc.size() > 1) flips.push_back(std::move(arc));
+      }
+    }
+  }
+
   void improve(const std::vector<std::size_t>& free) {
     std::vector<std::vector<std::size_t>> flips;
     std::vector<char> is_free(count(), 0);
@@ -359,6 +398,7 @@ class SheetLayer {
       }
       if (branch.size() > 1) flips.push_back(branch);
     }
+    add_arcs(is_free, flips);
     for (int round = 0; round < max_sheet_rounds; ++round) {
       bool better = false;
       for (const auto& flip : flips) {
