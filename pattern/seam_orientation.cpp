@@ -14,11 +14,11 @@ namespace {
 
 /// A panel as orientation needs it.
 struct PanelFace {
-  double area = 0;              ///< m², as drawn; positive when counter-clockwise
+  double area = 0;                   ///< m², as drawn; positive when counter-clockwise
   Vec2 drawn_centre = Vec2::Zero();  ///< metres, of its outline as drawn
-  Vec3 centre = Vec3::Zero();   ///< metres, of its outline as placed
-  Vec3 normal = Vec3::UnitZ();  ///< of the drawing's front as placed
-  std::vector<bool> forward;    ///< per edge: whether the outline runs along it
+  Vec3 centre = Vec3::Zero();        ///< metres, of its outline as placed
+  Vec3 normal = Vec3::UnitZ();       ///< of the drawing's front as placed
+  std::vector<bool> forward;         ///< per edge: whether the outline runs along it
 };
 
 PanelFace face_of(const PatternPanel& panel) {
@@ -153,9 +153,10 @@ void bring_nearer(const Pattern& pattern, const FaceGroups& held, std::vector<Se
   }
 }
 
-/// Positive: the names of left and right halves say that the panels of a group, mirrored so, show
-/// their wrong sides; negative: their right sides; 0: nothing. Of a front that is seen from outside
-/// the left half lies to the right of the seam to the right half. Drawings are taken as upright.
+/// What the names of left and right halves say of a group of panels, mirrored as given. Positive:
+/// they show their wrong sides; negative: their right sides; 0: nothing. Of a front that is seen
+/// from outside, the left half lies to the right of the seam to the right half. Drawings are taken
+/// as upright.
 double inside_out_by_names(const Pattern& pattern, const std::vector<PanelFace>& faces,
                            const std::vector<bool>& mirrored, const std::vector<int>& group) {
   double sum = 0;

@@ -55,8 +55,8 @@ struct Outfit {
 struct WornLayer {
   PanelMesh garment;                ///< its panels placed where they started
   std::optional<LayoutMove> moved;  ///< of all panels, to where the body is; none: they were there
-  std::vector<FoundPlace> places;  ///< of the panels, where they were found; empty: they were not
-  std::string place_reason;        ///< why they were found, in words
+  std::vector<FoundPlace> places;   ///< of the panels, where they were found; empty: they were not
+  std::string place_reason;         ///< why they were found, in words
   Scene scene;  ///< fabrics and options; without its collider, which layers have joined since
   DressResult result;
   Judgement judgement;
@@ -96,12 +96,13 @@ struct OutfitHooks {
 };
 
 /// Dresses the layers one after another. A garment whose layout is not where the body is is moved
-/// there as one piece (locate_layout.h). Panels without places, or whose places do not fit the body,
-/// get them from the seams (find_places.h). What encloses a layer is dressed over it as over a part of the body. Panels that
-/// lie over a later layer are left out while that one is dressed, then turned out over it.
-/// `collider` is that of the bare body; the layers join it. `skeleton` may be null: then panels
-/// start where the pattern puts them, and wraps are not measured. Throws Error for fabrics or
-/// panels that are named and missing, for places that can't be found, and as the method does.
+/// there as one piece (locate_layout.h). Panels without places, or whose places do not fit the
+/// body, get them from the seams (find_places.h). What encloses a layer is dressed over it as over
+/// a part of the body. Panels that lie over a later layer are left out while that one is dressed,
+/// then turned out over it. `collider` is that of the bare body; the layers join it. `skeleton` may
+/// be null: then panels start where the pattern puts them, and wraps are not measured. Throws Error
+/// for fabrics or panels that are named and missing, for places that can't be found, and as the
+/// method does.
 WornOutfit dress_outfit(const Outfit& outfit, Collider& collider, const Skeleton* skeleton,
                         const OutfitHooks& hooks = {});
 

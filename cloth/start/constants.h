@@ -74,7 +74,8 @@ inline constexpr double sheet_side_gap = 0.06;
 /// Metres: square metres that lie upon others in a sheet, times this, count as misfit.
 inline constexpr double sheet_overlap_weight = 0.03;
 
-/// Metres: the square of the sheets' difference in area, over their sum, counts as misfit with this.
+/// Metres: the square of the sheets' difference in area, over their sum, counts as misfit with
+/// this.
 inline constexpr double sheet_balance_weight = 0.01;
 
 /// Pairs of panels of unknown sheets that are sewn together, up to which arcs change sheets.
@@ -127,10 +128,19 @@ inline constexpr double crotch_slack = 0.02;
 /// Metres by which the opening of a leg may reach beyond the middle.
 inline constexpr double leg_overlap = 0.03;
 
+/// Metres above and below the crotch, where the width of a leg is measured.
+inline constexpr double crotch_strip = 0.03;
+
+/// Share of a garment's height below its highest opening in which shoulder seams lie.
+inline constexpr double max_shoulder_drop = 0.35;
+
 /// A tube of a pattern without names that is wider than the waist by this ratio, and shorter than
 /// this many metres, is a top.
 inline constexpr double wide_tube_ratio = 1.15;
 inline constexpr double short_tube_height = 0.45;
+
+/// Metres to either side of a point of the shoulder, within which its height is measured.
+inline constexpr double shoulder_strip = 0.015;
 
 /// Metres that shoulder seams start above the shoulders.
 inline constexpr double shoulder_seam_gap = 0.015;

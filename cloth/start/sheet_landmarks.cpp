@@ -18,8 +18,8 @@ namespace {
 struct Picture {
   const PanelMesh& garment;
   const SheetLayout& layout;
-  std::vector<int> number;    ///< per material point, of its panel in the layout; -1: in none
-  std::vector<Vec2> at;       ///< per material point
+  std::vector<int> number;  ///< per material point, of its panel in the layout; -1: in none
+  std::vector<Vec2> at;     ///< per material point
   std::vector<std::vector<Vec2>> outlines;  ///< per panel of the layout
 
   Picture(const PanelMesh& of, const SheetLayout& in) : garment(of), layout(in) {

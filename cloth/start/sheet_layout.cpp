@@ -48,9 +48,9 @@ struct Shape {
   double area = 0;
 
   Shape(const PanelMesh& garment, const MeshedPanel& panel) {
-    std::vector<Triangle> triangles(garment.triangles.begin() + panel.first_triangle,
-                                    garment.triangles.begin() + panel.first_triangle +
-                                        panel.triangles);
+    std::vector<Triangle> triangles(
+        garment.triangles.begin() + panel.first_triangle,
+        garment.triangles.begin() + panel.first_triangle + panel.triangles);
     std::size_t longest = 0;
     const auto loops = border_loops(triangles, garment.flat.size());
     for (std::size_t l = 1; l < loops.size(); ++l) {
@@ -216,7 +216,8 @@ class SheetLayer {
     double sum = 0;
     for (std::size_t i = 0; i < count(); ++i) {
       for (std::size_t j = 0; j < count(); ++j) {
-        if (i == j || layout.back[i] != layout.back[j] || shapes_[i].area > shapes_[j].area) continue;
+        if (i == j || layout.back[i] != layout.back[j] || shapes_[i].area > shapes_[j].area)
+          continue;
         sum += shapes_[i].area * upon(layout, i, j);
       }
     }
@@ -257,7 +258,8 @@ class SheetLayer {
     layout.back = back;
     align(layout, true, sheet_trial_sweeps);
     layout.misfit = misfit(layout);
-    const double bound = best_.back.empty() ? std::numeric_limits<double>::infinity() : best_.misfit;
+    const double bound =
+        best_.back.empty() ? std::numeric_limits<double>::infinity() : best_.misfit;
     layout.misfit += imbalance(layout);
     if (layout.misfit >= bound) return false;
     layout.misfit += sheet_overlap_weight * overlap(layout);
@@ -329,10 +331,9 @@ class SheetLayer {
         gaps += std::norm(placed(layout, seam.a, seam.side_a[i]) -
                           placed(layout, seam.b, seam.side_b[i]));
       }
-      sum += seam.length * (gaps / sheet_seam_samples +
-                            (layout.back[seam.a] != layout.back[seam.b] ? sheet_side_gap *
-                                                                              sheet_side_gap
-                                                                        : 0));
+      sum += seam.length *
+             (gaps / sheet_seam_samples +
+              (layout.back[seam.a] != layout.back[seam.b] ? sheet_side_gap * sheet_side_gap : 0));
     }
     for (std::size_t j = 0; j < count(); ++j) {
       if (j == p || !counts[j] || layout.back[j] != layout.back[p]) continue;

@@ -15,11 +15,12 @@ namespace toile {
 struct SheetLayout {
   std::vector<int> panels;  ///< indices into PanelMesh::panels
   std::vector<char> back;   ///< per panel of `panels`: whether it lies in the back sheet
-  /// Per panel of `panels`: its place in the picture is turn * flat + at, and turn * -conj(flat) +
-  /// at in the back sheet, flat points as complex numbers. |turn| = 1.
+  /// Per panel of `panels`: its place in the picture is turn * flat + at, flat points as complex
+  /// numbers. In the back sheet it is turn * -conj(flat) + at. |turn| = 1.
   std::vector<std::complex<double>> turn;
   std::vector<std::complex<double>> at;
-  /// Per panel of `panels`: 0, or how many panels of its sheet it lies upon, as insets and collars do.
+  /// Per panel of `panels`: 0, or how many panels of its sheet it lies upon, as insets and collars
+  /// do.
   std::vector<int> layer;
   double misfit = 0;  ///< m^3: squared gaps of the seams times their lengths, and what it counts as
 
@@ -37,9 +38,9 @@ struct SheetLayout {
 };
 
 /// Lays `panels`, which seams connect, in sheets. `is_back` says the sheet of those that it has one
-/// for; the others lie where the seams fit best, the fewest of them run around the sides, and
-/// panels do not lie upon each other. Up to eleven free panels all choices are tried; more of them
-/// are changed one by one, two by two and branch by branch.
+/// for. The others are chosen: seams should fit, few of them should run around the sides, and
+/// panels should not lie upon each other. Up to eleven free panels all choices are tried. More are
+/// changed one by one, by pairs, branches and arcs.
 ///
 /// Panels turn and move in the plane until the squared distances of sewn points are least. The
 /// longer side of a gathered seam counts as gathered to its middle. The mean direction of drawings'

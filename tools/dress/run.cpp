@@ -83,8 +83,8 @@ Outfit DressRun::read_outfit() {
   outfit.fabrics = panel_fabrics(garments, settings_.fabrics);
   for (std::size_t i = 0; i < garments.size(); ++i) {
     const LayerFiles& layer = settings_.layers[i];
-    outfit.layers.push_back({layer.name, std::move(garments[i]), layer.fabric, layer.panels_over,
-                              layer.places});
+    outfit.layers.push_back(
+        {layer.name, std::move(garments[i]), layer.fabric, layer.panels_over, layer.places});
   }
   outfit.gravity = settings_.gravity;
   outfit.strain_limit = settings_.strain_limit;
