@@ -171,7 +171,7 @@ void Dressing::put_in_place(const AskedPlaces& asked, WornLayer& worn) const {
                               text_of(*worn.moved, garment) + ", as one piece");
       move_layout(*worn.moved, garment);
     }
-    if (asks_for_skeleton(garment)) return;
+    if (asks_for_skeleton(garment) || stands_as_drawn(garment)) return;
     PanelMesh anew = garment;
     std::vector<FoundPlace> places;
     try {

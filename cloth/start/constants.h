@@ -122,8 +122,8 @@ inline constexpr double hood_distance = 0.65;
 /// Metres below the waist joint at which skirts and trousers begin.
 inline constexpr double waist_border_depth = 0.02;
 
-/// Metres above the body's crotch up to which that of trousers starts.
-inline constexpr double crotch_slack = 0.02;
+/// Metres below the body's crotch, at least, at which that of trousers starts.
+inline constexpr double crotch_depth = 0.03;
 
 /// Metres by which the opening of a leg may reach beyond the middle.
 inline constexpr double leg_overlap = 0.03;
@@ -161,10 +161,6 @@ inline constexpr double min_telling_area = 0.2;
 
 /// Degrees that a panel may be off the upright.
 inline constexpr double max_panel_lean = 12;
-
-/// Metres that the middle of a panel may stand off its place by the seams. A skirt of many gores
-/// stands around the body, and by the seams before and behind it.
-inline constexpr double max_place_distance = 1.5;
 
 // The layout as a whole (locate_layout.h).
 

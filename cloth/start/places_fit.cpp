@@ -50,34 +50,47 @@ double lean_of(const Vec3& direction) {
   return std::acos(std::clamp(direction.normalized().y(), -1.0, 1.0)) * 180 / std::numbers::pi;
 }
 
+/// Indices of the panels whose places tell. `places` may be empty.
+std::vector<std::size_t> telling_panels(const PanelMesh& garment,
+                                        const std::vector<FoundPlace>& places) {
+  std::vector<std::size_t> panels;
+  double largest = 0;
+  for (std::size_t p = 0; p < garment.panels.size(); ++p) {
+    const MeshedPanel& panel = garment.panels[p];
+    if (panel.placement.by_part() || kind_of(panel) == PanelKind::sleeve) continue;
+    if (names_headwear(panel.name)) continue;
+    if (!places.empty()) {
+      const FoundPlace& place = places[p];
+      if (place.around || place.part.ends_with("_arm") || place.part == "head") continue;
+    }
+    panels.push_back(p);
+    largest = std::max(largest, area_of(garment, panel));
+  }
+  std::erase_if(panels, [&](std::size_t p) {
+    return area_of(garment, garment.panels[p]) < min_telling_area * largest;
+  });
+  return panels;
+}
+
 }  // namespace
+
+bool stands_as_drawn(const PanelMesh& garment) {
+  return std::ranges::all_of(telling_panels(garment, {}), [&](std::size_t p) {
+    return lean_of(Stand(garment, garment.panels[p]).axes.col(1)) <= max_panel_lean;
+  });
+}
 
 std::string unfit_place(const PanelMesh& given, const PanelMesh& found,
                         const std::vector<FoundPlace>& places) {
-  std::vector<std::size_t> counted;
-  double largest = 0;
-  for (std::size_t p = 0; p < places.size(); ++p) {
-    const MeshedPanel& panel = given.panels[p];
-    if (places[p].around || places[p].part.ends_with("_arm") || places[p].part == "head") continue;
-    if (kind_of(panel) == PanelKind::sleeve || names_headwear(panel.name)) continue;
-    counted.push_back(p);
-    largest = std::max(largest, area_of(given, panel));
-  }
-  for (const std::size_t p : counted) {
-    const MeshedPanel& panel = given.panels[p];
-    if (area_of(given, panel) < min_telling_area * largest) continue;
-    const Stand here(given, panel);
+  for (const std::size_t p : telling_panels(given, places)) {
+    const Stand here(given, given.panels[p]);
     const Stand there(found, found.panels[p]);
     // A gore of a round skirt is drawn upright, and lies aslant in its sheet.
     const Vec2 by_seams = there.axes.transpose() * Vec3::UnitY();
     const double lean = std::min(lean_of(here.axes * by_seams), lean_of(here.axes.col(1)));
-    const std::string name = "panel '" + panel.name + "'";
     if (!(lean <= max_panel_lean)) {
-      return name + " leans by " + std::to_string(std::lround(lean)) + " degrees";
-    }
-    const double off = (here.middle - there.middle).norm();
-    if (off > max_place_distance) {
-      return name + " stands " + std::to_string(std::lround(100 * off)) + " cm off";
+      return "panel '" + given.panels[p].name + "' leans by " + std::to_string(std::lround(lean)) +
+             " degrees";
     }
   }
   return "";

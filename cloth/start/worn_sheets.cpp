@@ -136,7 +136,7 @@ double WornSheets::rise(const BodySizes& sizes, const Skeleton& skeleton) const 
   const double rise = skeleton.joint("waist").y() - waist_border_depth - around->mean_height;
   const std::optional<double> crotch = crotch_height();
   if (!crotch) return rise;
-  return std::min(rise, skeleton.joint("pelvis").y() + crotch_slack - *crotch);
+  return std::min(rise, skeleton.joint("pelvis").y() - crotch_depth - *crotch);
 }
 
 /// Whether the piece, which does not hang from the shoulders, is worn about the chest.
