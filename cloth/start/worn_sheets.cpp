@@ -206,7 +206,9 @@ void WornSheets::straighten_legs(const Skeleton& skeleton) {
           outer = std::max(outer, aside);
         }
       }
-      if (low < *crotch - crotch_strip && across < leg_overlap) leg.push_back(i);
+      // A back reaches across the middle with the tip of its crotch.
+      const double aside = left ? centre(i).x() - x : x - centre(i).x();
+      if (low < *crotch - crotch_strip && across < aside) leg.push_back(i);
     }
     if (leg.empty() || !(inner < outer)) continue;
     const double aside = 0.5 * (inner + outer);

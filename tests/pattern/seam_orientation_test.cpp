@@ -122,17 +122,16 @@ TEST(Orient, NamesOfHalvesTellTheRightSideWithoutPlaces) {
 TEST(Orient, WithoutPlacesEdgesRunEndToStart) {
   std::vector<Remark> remarks;
   // As drawn, one upon the other, edge 1 would lie start to start.
-  const Orientation without =
-      orientation_of(squares(R"("grain": 0)",
-                             R"([{"panel":"front","edge":1},{"panel":"back","edge":1}])"),
-                     remarks);
+  const Orientation without = orientation_of(
+      squares(R"("grain": 0)", R"([{"panel":"front","edge":1},{"panel":"back","edge":1}])"),
+      remarks);
   // The front states a translation, the back none: these are places.
   EXPECT_FALSE(without.reversed[0]);
-  const Orientation neither = orientation_of(
-      file(polygon("front", "[0,0],[20,0],[20,20],[0,20]", R"("grain": 0)") + "," +
-               polygon("back", "[0,0],[20,0],[20,20],[0,20]", R"("grain": 0)"),
-           R"([{"panel":"front","edge":1},{"panel":"back","edge":1}])"),
-      remarks);
+  const Orientation neither =
+      orientation_of(file(polygon("front", "[0,0],[20,0],[20,20],[0,20]", R"("grain": 0)") + "," +
+                              polygon("back", "[0,0],[20,0],[20,20],[0,20]", R"("grain": 0)"),
+                          R"([{"panel":"front","edge":1},{"panel":"back","edge":1}])"),
+                     remarks);
   EXPECT_TRUE(neither.reversed[0]);
 }
 

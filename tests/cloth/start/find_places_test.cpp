@@ -43,9 +43,8 @@ std::map<std::string, std::string> rename(Json& pattern) {
   Json& panels = pattern["pattern"]["panels"];
   std::vector<std::string> names;
   for (const auto& [name, panel] : panels.items()) names.push_back(name);
-  std::ranges::sort(names, {}, [](const std::string& name) {
-    return std::string(name.rbegin(), name.rend());
-  });
+  std::ranges::sort(
+      names, {}, [](const std::string& name) { return std::string(name.rbegin(), name.rend()); });
   std::map<std::string, std::string> renamed;
   Json anew = Json::object();
   for (std::size_t i = 0; i < names.size(); ++i) {

@@ -50,9 +50,9 @@ PanelMesh gores(int count, double top, double bottom, double height) {
                     [](const Vec2& p) { return Vec3(p.x(), p.y(), 0); });
   }
   for (int g = 0; g < count; ++g) {
-    MeshedSeam sewn = test::seam("s" + std::to_string(g),
-                                 test::side(garment.panels[g], columns, rows, true),
-                                 test::side(garment.panels[(g + 1) % count], columns, rows, false));
+    MeshedSeam sewn =
+        test::seam("s" + std::to_string(g), test::side(garment.panels[g], columns, rows, true),
+                   test::side(garment.panels[(g + 1) % count], columns, rows, false));
     sewn.length_a = sewn.length_b = std::hypot(height, (bottom - top) / 2);
     garment.seams.push_back(sewn);
   }
