@@ -41,9 +41,9 @@ class Piece {
         panels_(std::move(panels)),
         panel_of_(panel_of_points(garment)) {}
 
-  /// Places the panels. Returns whether the piece has an opening for each leg.
-  bool place(std::vector<Vec3>& placed, std::vector<FoundPlace>& found,
-             std::vector<MeshedPanel>& meshed);
+  /// Places the panels. Returns those of the legs of trousers.
+  std::vector<int> place(std::vector<Vec3>& placed, std::vector<FoundPlace>& found,
+                         std::vector<MeshedPanel>& meshed);
 
  private:
   const MeshedPanel& panel(int p) const { return garment_.panels[p]; }
@@ -274,8 +274,8 @@ void Piece::roll(int p, MeshedPanel& meshed) const {
   if (!is_arm) meshed.placement.at = "waist";
 }
 
-bool Piece::place(std::vector<Vec3>& placed, std::vector<FoundPlace>& found,
-                  std::vector<MeshedPanel>& meshed) {
+std::vector<int> Piece::place(std::vector<Vec3>& placed, std::vector<FoundPlace>& found,
+                              std::vector<MeshedPanel>& meshed) {
   sort_panels();
   if (!flat_.empty()) {
     check_sheets();
@@ -295,11 +295,17 @@ bool Piece::place(std::vector<Vec3>& placed, std::vector<FoundPlace>& found,
     found[p].around = true;
     found[p].side = side_or_default(meshed[p].placement, meshed[p].part);
   }
-  return sheets_ && sheets_->crotch_height();
+  std::vector<int> legs;
+  for (const bool left : {true, false}) {
+    if (!sheets_) continue;
+    for (const std::size_t i : sheets_->leg_panels(left)) legs.push_back(flat_[i]);
+  }
+  return legs;
 }
 
 /// The part of a panel that stands in a sheet. `nearest`: the one with the nearest bones.
-std::string part_of(const PanelMesh& garment, int p, const std::string& nearest, bool has_legs) {
+/// `is_leg`: it reaches below the crotch.
+std::string part_of(const PanelMesh& garment, int p, const std::string& nearest, bool is_leg) {
   const MeshedPanel& panel = garment.panels[p];
   double x = 0;
   for (int i = panel.first_point; i < panel.first_point + panel.points; ++i) {
@@ -313,7 +319,8 @@ std::string part_of(const PanelMesh& garment, int p, const std::string& nearest,
     case PanelKind::trousers:
       return side + "leg";
     case PanelKind::unknown:
-      return nearest.ends_with("_leg") && !has_legs ? "torso" : nearest;
+      if (is_leg) return side + "leg";
+      return nearest.ends_with("_leg") ? "torso" : nearest;
     default:
       return "torso";
   }
@@ -345,13 +352,15 @@ std::vector<FoundPlace> find_places(const TriangleMesh& body, const Skeleton& sk
     found[p].asked = asked.contains(garment.panels[p].name);
     pieces[sewn.of(static_cast<int>(p))].push_back(static_cast<int>(p));
   }
-  std::vector<char> has_legs(garment.panels.size(), 0);  // per panel: its piece has
+  std::vector<char> is_leg(garment.panels.size(), 0);
   std::vector<Vec3> placed = garment.placed;
   std::vector<MeshedPanel> meshed = garment.panels;
   for (MeshedPanel& panel : meshed) panel.placement = {};
   for (const auto& [lowest, panels] : pieces) {
-    const bool legs = Piece(garment, skeleton, sizes, asked, panels).place(placed, found, meshed);
-    for (const int p : panels) has_legs[p] = legs;
+    for (const int p :
+         Piece(garment, skeleton, sizes, asked, panels).place(placed, found, meshed)) {
+      is_leg[p] = 1;
+    }
   }
   garment.placed = std::move(placed);
   garment.panels = std::move(meshed);
@@ -362,7 +371,7 @@ std::vector<FoundPlace> find_places(const TriangleMesh& body, const Skeleton& sk
     const auto place = asked.find(panel.name);
     if (place != asked.end() && !place->second.part.empty()) panel.part = place->second.part;
     if (panel.part.empty()) {
-      found[p].part = part_of(garment, static_cast<int>(p), parts[p], has_legs[p] != 0);
+      found[p].part = part_of(garment, static_cast<int>(p), parts[p], is_leg[p] != 0);
       // What a garment wraps, and whether it is worn where it belongs, goes by parts.
       if (found[p].part != "head") panel.part = found[p].part;
     } else {

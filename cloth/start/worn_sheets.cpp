@@ -183,35 +183,48 @@ const SheetOpening* WornSheets::leg_opening(double crotch, bool left) const {
   return found == openings_.end() ? nullptr : &*found;
 }
 
+std::vector<std::size_t> WornSheets::leg_panels(bool left) const {
+  std::vector<std::size_t> leg;
+  const std::optional<double> crotch = crotch_height();
+  if (!crotch) return leg;
+  const double x = middle();
+  for (std::size_t i = 0; i < layout_.panels.size(); ++i) {
+    const MeshedPanel& of = panel(layout_.panels[i]);
+    double low = infinity;
+    double across = -infinity;  // how far it reaches beyond the middle
+    for (int p = of.first_point; p < of.first_point + of.points; ++p) {
+      const Vec2 at = layout_.picture(i, garment_.flat[p]);
+      low = std::min(low, at.y());
+      across = std::max(across, left ? x - at.x() : at.x() - x);
+    }
+    // A back reaches across the middle with the tip of its crotch.
+    const double aside = left ? centre(i).x() - x : x - centre(i).x();
+    if (low < *crotch - crotch_strip && across < aside) leg.push_back(i);
+  }
+  return leg;
+}
+
 void WornSheets::straighten_legs(const Skeleton& skeleton) {
   const std::optional<double> crotch = crotch_height();
   if (!crotch) return;
   const double x = middle();
   for (const bool left : {true, false}) {
-    const SheetOpening* opening = leg_opening(*crotch, left);
-    std::vector<std::size_t> leg;
+    const std::vector<std::size_t> leg = leg_panels(left);
     double inner = infinity;
     double outer = -infinity;
-    for (std::size_t i = 0; i < layout_.panels.size(); ++i) {
+    for (const std::size_t i : leg) {
       const MeshedPanel& of = panel(layout_.panels[i]);
-      double low = infinity;
-      double across = -infinity;  // how far it reaches beyond the middle
       for (int p = of.first_point; p < of.first_point + of.points; ++p) {
         const Vec2 at = layout_.picture(i, garment_.flat[p]);
         const double aside = left ? at.x() - x : x - at.x();
-        low = std::min(low, at.y());
-        across = std::max(across, -aside);
-        if (std::abs(at.y() - *crotch) < crotch_strip && aside > 0) {
-          inner = std::min(inner, aside);
-          outer = std::max(outer, aside);
-        }
+        if (std::abs(at.y() - *crotch) > crotch_strip || aside < 0) continue;
+        inner = std::min(inner, aside);
+        outer = std::max(outer, aside);
       }
-      // A back reaches across the middle with the tip of its crotch.
-      const double aside = left ? centre(i).x() - x : x - centre(i).x();
-      if (low < *crotch - crotch_strip && across < aside) leg.push_back(i);
     }
-    if (leg.empty() || !(inner < outer)) continue;
+    if (!(inner < outer)) continue;
     const double aside = 0.5 * (inner + outer);
+    const SheetOpening* opening = leg_opening(*crotch, left);
     const std::complex<double> top(x + (left ? aside : -aside), *crotch);
     const std::complex<double> end(0.5 * (opening->left + opening->right), opening->mean_height);
     const std::string side = left ? "left_" : "right_";

@@ -37,6 +37,10 @@ class WornSheets {
   /// far as their crotch allows.
   double rise(const BodySizes& sizes, const Skeleton& skeleton) const;
 
+  /// The numbers in layout().panels of those that reach below the crotch on one side. Empty where
+  /// there is no crotch.
+  std::vector<std::size_t> leg_panels(bool left) const;
+
   /// Turns the legs of trousers to run down the legs of the body. Pressed flat, with the seam
   /// between them straight, they spread.
   void straighten_legs(const Skeleton& skeleton);
