@@ -125,8 +125,8 @@ inline constexpr double waist_border_depth = 0.02;
 /// Metres below the body's crotch, at least, at which that of trousers starts.
 inline constexpr double crotch_depth = 0.03;
 
-/// Metres by which the opening of a leg may reach beyond the middle.
-inline constexpr double leg_overlap = 0.03;
+/// Metres from the middle to that of the opening of a leg, at least.
+inline constexpr double min_leg_offset = 0.03;
 
 /// Metres above and below the crotch, where the width of a leg is measured.
 inline constexpr double crotch_strip = 0.03;

@@ -177,8 +177,8 @@ std::optional<double> WornSheets::crotch_height() const {
 const SheetOpening* WornSheets::leg_opening(double crotch, bool left) const {
   const double x = middle();
   const auto found = std::ranges::find_if(openings_, [&](const SheetOpening& opening) {
-    return opening.high < crotch &&
-           (left ? opening.left > x - leg_overlap : opening.right < x + leg_overlap);
+    const double aside = 0.5 * (opening.left + opening.right) - x;
+    return opening.high < crotch && (left ? aside > min_leg_offset : aside < -min_leg_offset);
   });
   return found == openings_.end() ? nullptr : &*found;
 }
