@@ -113,6 +113,9 @@ inline constexpr double min_around_gap = 0.5;
 inline constexpr double inner_shoulder = 0.35;
 inline constexpr double outer_shoulder = 1.0;
 
+/// Distances from the middle plane to the shoulder joint, beyond which a cuff lies.
+inline constexpr double cuff_shoulders = 1.5;
+
 /// Metres between the necklines of front and back that tell them apart.
 inline constexpr double min_neck_difference = 0.01;
 

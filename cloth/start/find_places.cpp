@@ -9,7 +9,6 @@
 #include "cloth/start/around_panels.h"
 #include "cloth/start/body_sizes.h"
 #include "cloth/start/constants.h"
-#include "cloth/start/panel_parts.h"
 #include "cloth/start/sheet_layout.h"
 #include "cloth/start/worn_sheets.h"
 #include "geometry/body/bones.h"
@@ -303,14 +302,19 @@ std::vector<int> Piece::place(std::vector<Vec3>& placed, std::vector<FoundPlace>
   return legs;
 }
 
-/// The part of a panel that stands in a sheet. `nearest`: the one with the nearest bones.
-/// `is_leg`: it reaches below the crotch.
-std::string part_of(const PanelMesh& garment, int p, const std::string& nearest, bool is_leg) {
-  const MeshedPanel& panel = garment.panels[p];
-  double x = 0;
+/// The part of a panel that stands in a sheet. `is_leg`: it reaches below the crotch. Where its
+/// name does not tell, what lies beyond the shoulder is a sleeve.
+std::string part_of(const PanelMesh& garment, const MeshedPanel& panel, const BodySizes& sizes,
+                    const Skeleton& skeleton, bool is_leg) {
+  Vec3 centre = Vec3::Zero();
+  double innermost = infinity;
+  double highest = -infinity;
   for (int i = panel.first_point; i < panel.first_point + panel.points; ++i) {
-    x += garment.placed[i].x();
+    centre += garment.placed[i] / panel.points;
+    innermost = std::min(innermost, std::abs(garment.placed[i].x() - sizes.middle()));
+    highest = std::max(highest, garment.placed[i].y());
   }
+  const double x = centre.x() - sizes.middle();
   const std::string side = x > 0 ? "left_" : "right_";
   if (names_hood(panel.name)) return "head";
   switch (kind_of(panel)) {
@@ -318,9 +322,15 @@ std::string part_of(const PanelMesh& garment, int p, const std::string& nearest,
       return side + "arm";
     case PanelKind::trousers:
       return side + "leg";
-    case PanelKind::unknown:
+    case PanelKind::unknown: {
       if (is_leg) return side + "leg";
-      return nearest.ends_with("_leg") ? "torso" : nearest;
+      // A cuff lies far out; a gore at the waist neither begins at the armhole nor lies so far out.
+      const bool is_arm =
+          std::abs(x) > sizes.shoulder() && centre.y() > skeleton.joint("pelvis").y() &&
+          innermost > (highest > skeleton.joint("chest").y() ? inner_shoulder : cuff_shoulders) *
+                          sizes.shoulder();
+      return is_arm ? side + "arm" : "torso";
+    }
     default:
       return "torso";
   }
@@ -365,13 +375,12 @@ std::vector<FoundPlace> find_places(const TriangleMesh& body, const Skeleton& sk
   garment.placed = std::move(placed);
   garment.panels = std::move(meshed);
   garment.has_places = true;
-  const std::vector<std::string> parts = panel_parts(garment, skeleton);
   for (std::size_t p = 0; p < found.size(); ++p) {
     MeshedPanel& panel = garment.panels[p];
     const auto place = asked.find(panel.name);
     if (place != asked.end() && !place->second.part.empty()) panel.part = place->second.part;
     if (panel.part.empty()) {
-      found[p].part = part_of(garment, static_cast<int>(p), parts[p], is_leg[p] != 0);
+      found[p].part = part_of(garment, panel, sizes, skeleton, is_leg[p] != 0);
       // What a garment wraps, and whether it is worn where it belongs, goes by parts.
       if (found[p].part != "head") panel.part = found[p].part;
     } else {
