@@ -51,6 +51,10 @@ inline constexpr double undecided_seam_direction = 0.01;
 /// share of their mean distance from the centre.
 inline constexpr double undecided_right_side = 0.05;
 
+/// Square metres: a seam between a left and a right half times the distance of a half's middle from
+/// it. Less says nothing of the right side.
+inline constexpr double undecided_halves = 1e-3;
+
 /// Metres: panels whose origins are nearer share one place.
 inline constexpr double same_place = 1e-3;
 

@@ -260,9 +260,7 @@ std::optional<AttachedTo> held_by_label(const std::string& label) {
 PanelMesh assemble(const Pattern& pattern, const Orientation& orientation,
                    const std::vector<PanelTriangulation>& triangulations) {
   PanelMesh garment;
-  garment.has_places = std::ranges::any_of(pattern.panels, [&](const PatternPanel& panel) {
-    return (panel.translation - pattern.panels.front().translation).norm() > same_place;
-  });
+  garment.has_places = has_places(pattern);
   for (std::size_t p = 0; p < triangulations.size(); ++p) {
     const PatternPanel& panel = pattern.panels[p];
     const PlanarMesh& mesh = triangulations[p].mesh;

@@ -63,7 +63,8 @@ struct PanelMesh {
   std::vector<MeshedElastic> elastics;
   std::vector<MeshedAttachment> attachments;
   int subdivisions = 0;
-  /// False: all panels of the pattern share one origin, as in files that state no places.
+  /// False: all panels of the pattern share one origin, as in files that state no places. Those
+  /// that the skeleton positions do not count.
   bool has_places = true;
   double edge_length = 0;  ///< metres, the triangle edges that were asked for; 0: not known
 };

@@ -75,6 +75,7 @@ struct PatternPanel {
   int quantity = 1;      ///< how often it is cut
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< from the drawing (x, y, 0) to space
   Vec3 translation = Vec3::Zero();                         ///< metres
+  Vec3 origin = Vec3::Zero();  ///< metres: the translation as the file states it; zero: it does not
   PanelPlacement placement{};  ///< how the skeleton positions it; by default it does not
 
   /// A point of the drawing in space, by rotation and translation. Metres.
@@ -112,6 +113,9 @@ struct Pattern {
   std::vector<PatternPanel> panels;
   std::vector<Stitch> stitches;
 };
+
+/// Whether the pattern says where its panels stand: by a `placement`, or by origins that differ.
+bool has_places(const Pattern& pattern);
 
 /// "panel 'skirt_front', edge 3", for messages. Edges count from 0, as in the file.
 std::string edge_name(const Pattern& pattern, const EdgeRef& ref);

@@ -153,6 +153,7 @@ class Reader {
       if (panel.translation.cwiseAbs().maxCoeff() > max_metres) {
         translation->fail("is more than a kilometre", "check 'units_in_meter'");
       }
+      panel.origin = panel.translation;
     }
     if (const auto rotation = value.find("rotation")) {
       const Vec3 angles = triple(*rotation) * degree;
@@ -463,6 +464,18 @@ class Reader {
 };
 
 }  // namespace
+
+bool has_places(const Pattern& pattern) {
+  const PatternPanel* first = nullptr;
+  int count = 0;
+  for (const PatternPanel& panel : pattern.panels) {
+    if (panel.placement.by_part()) continue;
+    if (first == nullptr) first = &panel;
+    if ((panel.origin - first->origin).norm() > same_place) return true;
+    ++count;
+  }
+  return count < 2 && static_cast<std::size_t>(count) < pattern.panels.size();
+}
 
 std::string edge_name(const Pattern& pattern, const EdgeRef& ref) {
   return "panel " + in_quotes(pattern.panels.at(static_cast<std::size_t>(ref.panel)).name) +

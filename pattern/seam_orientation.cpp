@@ -6,6 +6,7 @@
 
 #include "geometry/polygon.h"
 #include "pattern/constants.h"
+#include "pattern/panel_kind.h"
 
 namespace toile {
 
@@ -13,10 +14,11 @@ namespace {
 
 /// A panel as orientation needs it.
 struct PanelFace {
-  double area = 0;              ///< m², as drawn; positive when counter-clockwise
-  Vec3 centre = Vec3::Zero();   ///< metres, of its outline as placed
-  Vec3 normal = Vec3::UnitZ();  ///< of the drawing's front as placed
-  std::vector<bool> forward;    ///< per edge: whether the outline runs along it
+  double area = 0;                   ///< m², as drawn; positive when counter-clockwise
+  Vec2 drawn_centre = Vec2::Zero();  ///< metres, of its outline as drawn
+  Vec3 centre = Vec3::Zero();        ///< metres, of its outline as placed
+  Vec3 normal = Vec3::UnitZ();       ///< of the drawing's front as placed
+  std::vector<bool> forward;         ///< per edge: whether the outline runs along it
 };
 
 PanelFace face_of(const PatternPanel& panel) {
@@ -30,9 +32,11 @@ PanelFace face_of(const PatternPanel& panel) {
     for (int i = 0; i < segments; ++i) {
       const double fraction = static_cast<double>(i) / segments;
       outline.push_back(curve.at(step.forward ? fraction : 1 - fraction));
+      face.drawn_centre += outline.back();
       face.centre += panel.place(outline.back());
     }
   }
+  face.drawn_centre /= static_cast<double>(outline.size());
   face.centre /= static_cast<double>(outline.size());
   face.area = signed_area(outline);
   face.normal = panel.rotation.col(2);
@@ -149,13 +153,44 @@ void bring_nearer(const Pattern& pattern, const FaceGroups& held, std::vector<Se
   }
 }
 
+/// What the names of left and right halves say of a group of panels, mirrored as given. Positive:
+/// they show their wrong sides; negative: their right sides; 0: nothing. Of a front that is seen
+/// from outside, the left half lies to the right of the seam to the right half. Drawings are taken
+/// as upright.
+double inside_out_by_names(const Pattern& pattern, const std::vector<PanelFace>& faces,
+                           const std::vector<bool>& mirrored, const std::vector<int>& group) {
+  double sum = 0;
+  const auto name = [&](int p) { return pattern.panels[p].name; };
+  for (const Stitch& stitch : pattern.stitches) {
+    if (std::ranges::find(group, stitch.a.panel) == group.end()) continue;
+    const int face = face_by_name(name(stitch.a.panel));
+    if (face == 0 || face != face_by_name(name(stitch.b.panel))) continue;
+    const int side = side_by_name(name(stitch.a.panel));
+    if (side == 0 || side != -side_by_name(name(stitch.b.panel))) continue;
+    for (const auto& [ref, own] : {std::pair(stitch.a, side), std::pair(stitch.b, -side)}) {
+      const EdgeCurve& edge = pattern.panels[ref.panel].edges[ref.edge].curve;
+      const double aside = faces[ref.panel].drawn_centre.x() - edge.at(0.5).x();
+      sum -= own * face * (mirrored[ref.panel] ? -aside : aside) * edge.length();
+    }
+  }
+  return std::abs(sum) > undecided_halves ? sum : 0;
+}
+
 }  // namespace
 
 Orientation orient(const Pattern& pattern, std::vector<Remark>& remarks) {
   std::vector<PanelFace> faces;
   for (const PatternPanel& panel : pattern.panels) faces.push_back(face_of(panel));
   std::vector<SeamRun> runs;
-  for (const Stitch& stitch : pattern.stitches) runs.push_back(run_of(pattern, stitch, faces));
+  const bool placed = has_places(pattern);
+  for (const Stitch& stitch : pattern.stitches) {
+    runs.push_back(run_of(pattern, stitch, faces));
+    // Drawings that lie upon each other are near to each other by chance.
+    if (!placed && !runs.back().stated) {
+      runs.back().reversed = true;
+      runs.back().nearer = 0;
+    }
+  }
 
   FaceGroups groups(pattern.panels.size());
   FaceGroups held(pattern.panels.size());
@@ -215,7 +250,11 @@ Orientation orient(const Pattern& pattern, std::vector<Remark>& remarks) {
       scale += std::abs(face.area) * (face.centre - centre).norm();
       drawn += sign * face.area;
     }
-    const bool flip = std::abs(outward) > undecided_right_side * scale ? outward < 0 : drawn < 0;
+    bool flip = outward < 0;
+    if (!(std::abs(outward) > undecided_right_side * scale)) {
+      const double named = inside_out_by_names(pattern, faces, result.mirrored, group);
+      flip = named != 0 ? named > 0 : drawn < 0;
+    }
     for (const int p : group) {
       if (one_sided) {
         result.mirrored[p] = faces[p].area < 0;

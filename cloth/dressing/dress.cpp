@@ -146,17 +146,6 @@ DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptio
   return result;
 }
 
-DressResult left_as_placed(const PanelMesh& garment, const Scene& scene) {
-  DressResult result;
-  result.body_offset = resting_offset(garment, scene);
-  result.placement.placed = result.placement.initial = garment.placed;
-  result.terms =
-      term_counts(compiled_level(garment, 0, scene, garment.placed, result.body_offset).model);
-  result.nodes = garment.placed;
-  result.triangles = garment.triangles;
-  return result;
-}
-
 std::vector<Vec3> material_points(const PanelMesh& garment, const DressResult& result) {
   std::vector<Vec3> points(garment.flat.size(), Vec3::Zero());
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {

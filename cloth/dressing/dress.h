@@ -58,10 +58,6 @@ struct DressResult {
 DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptions& options,
                   const FrameWatcher& watcher = {});
 
-/// The garment as its panels are placed, with all seams open: no stage is run, and each material
-/// point is a node of its own.
-DressResult left_as_placed(const PanelMesh& garment, const Scene& scene);
-
 /// The material points of a garment that is dressed, to check it as the last state.
 std::vector<Vec3> material_points(const PanelMesh& garment, const DressResult& result);
 

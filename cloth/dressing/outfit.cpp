@@ -7,6 +7,9 @@
 
 #include "cloth/dressing/panels_over.h"
 #include "cloth/start/placement_warnings.h"
+#include "cloth/start/places_fit.h"
+#include "cloth/start/positioning.h"
+#include "geometry/error.h"
 
 namespace toile {
 
@@ -72,6 +75,7 @@ class Dressing {
   bool is_below_panels(std::size_t layer) const;
   Collider collider_of(std::size_t layers, std::size_t under, std::size_t without) const;
   void warn_of_start(WornLayer& worn) const;
+  void put_in_place(const AskedPlaces& asked, WornLayer& worn) const;
   WornLayer dress_layer(std::size_t layer) const;
   void write_and_judge(std::size_t layer, const TriangleMesh* others);
   bool turn_panels_out(std::size_t over);
@@ -138,13 +142,52 @@ Collider Dressing::collider_of(std::size_t layers, std::size_t under, std::size_
 }
 
 void Dressing::warn_of_start(WornLayer& worn) const {
-  if (!worn.lacks_places) {
-    for (const PlacementWarning& warning : placement_warnings(worn.garment, worn.scene)) {
-      worn.warnings.push_back(text_of(warning));
-    }
+  for (const PlacementWarning& warning : placement_warnings(worn.garment, worn.scene)) {
+    worn.warnings.push_back(text_of(warning));
   }
   std::ranges::copy(softened_fabrics(worn.garment, worn.scene), std::back_inserter(worn.warnings));
   for (const std::string& line : worn.warnings) warn(line);
+}
+
+/// Brings the panels to where the body is: all as one piece, or each to a place that is found.
+void Dressing::put_in_place(const AskedPlaces& asked, WornLayer& worn) const {
+  PanelMesh& garment = worn.garment;
+  const bool lacks = lacks_places(garment, skeleton_);
+  if (skeleton_ == nullptr) {
+    if (!lacks && asked.empty()) return;
+    throw Error("panel '" + garment.panels.front().name + "'",
+                "has no place in the pattern, and there is no skeleton that tells one",
+                "let clean-body write the body's joints beside it");
+  }
+  std::string reason;
+  if (!asked.empty()) {
+    reason = "panels are placed as --place asks";
+  } else if (lacks) {
+    reason = "the pattern places no panel on the body";
+  } else {
+    worn.moved = locate_layout(garment, *skeleton_);
+    if (worn.moved) {
+      worn.warnings.push_back("the pattern does not stand where the body does: all panels were " +
+                              text_of(*worn.moved, garment) + ", as one piece");
+      move_layout(*worn.moved, garment);
+    }
+    if (asks_for_skeleton(garment) || stands_as_drawn(garment)) return;
+    PanelMesh anew = garment;
+    std::vector<FoundPlace> places;
+    try {
+      places = find_places(collider_.body(), *skeleton_, {}, anew);
+    } catch (const Error&) {
+      return;  // Nothing tells more than the pattern does.
+    }
+    const std::string unfit = unfit_place(garment, anew, places);
+    if (unfit.empty()) return;
+    worn.places = std::move(places);
+    worn.place_reason = "the pattern's places do not fit the body: " + unfit;
+    garment = std::move(anew);
+    return;
+  }
+  worn.places = find_places(collider_.body(), *skeleton_, asked, garment);
+  worn.place_reason = reason;
 }
 
 WornLayer Dressing::dress_layer(std::size_t layer) const {
@@ -152,21 +195,12 @@ WornLayer Dressing::dress_layer(std::size_t layer) const {
   WornLayer worn;
   worn.garment = outfit_.layers[layer].garment;
   worn.scene = scene_of(outfit_.layers[layer]);
-  worn.lacks_places = lacks_places(worn.garment, skeleton_);
-  if (!worn.lacks_places && skeleton_ != nullptr) {
-    worn.moved = locate_layout(worn.garment, *skeleton_);
-    if (worn.moved) {
-      worn.warnings.push_back("the pattern does not stand where the body does: all panels were " +
-                              text_of(*worn.moved, worn.garment) + ", as one piece");
-      move_layout(*worn.moved, worn.garment);
-    }
-  }
+  put_in_place(outfit_.layers[layer].places, worn);
   const std::size_t known_before = collider_.grid().computed_nodes();
   if (outfit_.certify) worn.certificate.emplace(collider_.body(), layers_below());
   {
     const FrameWatcher watcher = watcher_of(layer, worn.certificate ? &*worn.certificate : nullptr);
-    worn.result = worn.lacks_places ? left_as_placed(worn.garment, worn.scene)
-                                    : outfit_.method.dress(worn.garment, worn.scene, watcher);
+    worn.result = outfit_.method.dress(worn.garment, worn.scene, watcher);
     // Where the panels stood decides what is judged, too.
     worn.garment.placed = worn.result.placement.initial;
     watcher({worn.garment, "dressed", material_points(worn.garment, worn.result), 1});
@@ -184,7 +218,7 @@ void Dressing::write_and_judge(std::size_t layer, const TriangleMesh* others) {
   const DressResult& result = worn.result;
   DressedGarment dressed = as_dressed(worn.garment, result.nodes, result.triangles);
   if (hooks_.write) dressed = hooks_.write(layer, dressed);
-  DressingEnd end{result.converged, {}, result.tight_seams, worn.lacks_places};
+  DressingEnd end{result.converged, {}, result.tight_seams};
   if (result.release) end.stays = result.release->stays();
   worn.judgement = judge(worn.garment, dressed, collider_.body(), skeleton_, end, others);
   worn.cloth = {std::move(dressed.points), std::move(dressed.triangles)};

@@ -12,6 +12,7 @@
 #include "cloth/judge/certify.h"
 #include "cloth/judge/verdict.h"
 #include "cloth/scene/collider.h"
+#include "cloth/start/find_places.h"
 #include "cloth/start/locate_layout.h"
 
 namespace toile {
@@ -37,6 +38,7 @@ struct OutfitLayer {
   /// By the names of later layers: patterns of the names of this garment's panels that lie over
   /// those, `*` for any letters. Needs a method that relaxes coupled layers.
   std::map<std::string, std::vector<std::string>> panels_over = {};
+  AskedPlaces places = {};  ///< of panels, in place of what the pattern says
 };
 
 struct Outfit {
@@ -53,8 +55,8 @@ struct Outfit {
 struct WornLayer {
   PanelMesh garment;                ///< its panels placed where they started
   std::optional<LayoutMove> moved;  ///< of all panels, to where the body is; none: they were there
-  /// Whether the pattern places no panel on the body. Then nothing was simulated.
-  bool lacks_places = false;
+  std::vector<FoundPlace> places;   ///< of the panels, where they were found; empty: they were not
+  std::string place_reason;         ///< why they were found, in words
   Scene scene;  ///< fabrics and options; without its collider, which layers have joined since
   DressResult result;
   Judgement judgement;
@@ -94,12 +96,13 @@ struct OutfitHooks {
 };
 
 /// Dresses the layers one after another. A garment whose layout is not where the body is is moved
-/// there as one piece (locate_layout.h). One whose panels have no places is not dressed: it is
-/// `misplaced`. What encloses a layer is dressed over it as over a part of the body. Panels that
-/// lie over a later layer are left out while that one is dressed, then turned out over it.
-/// `collider` is that of the bare body; the layers join it. `skeleton` may be null: then panels
-/// start where the pattern puts them, and wraps are not measured. Throws Error for fabrics or
-/// panels that are named and missing, and as the method does.
+/// there as one piece (locate_layout.h). Panels without places, or whose places do not fit the
+/// body, get them from the seams (find_places.h). What encloses a layer is dressed over it as over
+/// a part of the body. Panels that lie over a later layer are left out while that one is dressed,
+/// then turned out over it. `collider` is that of the bare body; the layers join it. `skeleton` may
+/// be null: then panels start where the pattern puts them, and wraps are not measured. Throws Error
+/// for fabrics or panels that are named and missing, for places that can't be found, and as the
+/// method does.
 WornOutfit dress_outfit(const Outfit& outfit, Collider& collider, const Skeleton* skeleton,
                         const OutfitHooks& hooks = {});
 

@@ -43,7 +43,7 @@ Judgement judge(const PanelMesh& pattern, const DressedGarment& dressed, const T
                 const Skeleton* skeleton, const DressingEnd& end, const TriangleMesh* layers) {
   Judgement judgement;
   judgement.garment = measure_garment(pattern, dressed);
-  if (skeleton != nullptr && !end.lacks_places) {
+  if (skeleton != nullptr) {
     judgement.wraps = measure_wraps(pattern, dressed, *skeleton);
     judgement.worn = check_worn(pattern, dressed, *skeleton);
     judgement.fit = measure_fit(pattern, dressed, body, *skeleton);
@@ -56,12 +56,7 @@ Judgement judge(const PanelMesh& pattern, const DressedGarment& dressed, const T
   }
   const int all_intersections =
       judgement.body_intersections + judgement.self_intersections + judgement.layer_intersections;
-  if (end.lacks_places) {
-    judgement.worn.is_checked = true;
-    judgement.worn.misplaced =
-        Misplaced{"torso", "all panels in one upright plane", "each panel at its part of the body"};
-    judgement.verdict = Verdict::misplaced;
-  } else if (judgement.garment.seams.open > 0) {
+  if (judgement.garment.seams.open > 0) {
     judgement.verdict = Verdict::unsewable;
   } else if (all_intersections > 0) {
     judgement.verdict = Verdict::intersecting;

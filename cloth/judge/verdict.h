@@ -19,7 +19,7 @@ namespace toile {
 enum class Verdict : std::uint8_t {
   unsewable,     ///< a seam stands open
   intersecting,  ///< the cloth meets the body, a lower layer or itself
-  misplaced,     ///< worn where it does not belong, or its panels have no places to start from
+  misplaced,     ///< worn where it does not belong
   unwrapped,     ///< it does not go around a body part at which it lies
   unconverged,   ///< the garment did not come to rest
   unstable,      ///< it came to rest, and did not stay when it was let go
@@ -46,8 +46,6 @@ struct DressingEnd {
   bool converged = true;                    ///< by the static criterion
   std::optional<bool> stays = {};           ///< when let go; none: not asked for
   std::vector<TightSeam> tight_seams = {};  ///< closed against more than a hand's pull
-  /// The pattern places no panel: `misplaced`, whatever else holds. Neither wraps nor fit count.
-  bool lacks_places = false;
 };
 
 /// Measures the dressed garment against its pattern and the body, with exact predicates for

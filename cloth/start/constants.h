@@ -56,6 +56,115 @@ inline constexpr double innermost_sleeve = 0.03;
 /// lies in front of both legs, and belongs to the torso.
 inline constexpr double both_sides_share = 0.15;
 
+// Panels laid in two sheets (sheet_layout.h).
+
+/// Points at which a seam between two panels is compared.
+inline constexpr int sheet_seam_samples = 9;
+
+/// Points of a panel, about, that tell how much of it lies upon another one.
+inline constexpr int sheet_overlap_samples = 24;
+
+/// Ratio of a seam's sides from which on the longer one counts as gathered.
+inline constexpr double min_gather = 1.15;
+
+/// Metres: a seam around the side, from front to back, counts like one with this gap. It keeps the
+/// sheets whole.
+inline constexpr double sheet_side_gap = 0.06;
+
+/// Metres: square metres that lie upon others in a sheet, times this, count as misfit.
+inline constexpr double sheet_overlap_weight = 0.03;
+
+/// Metres: the square of the sheets' difference in area, over their sum, counts as misfit with
+/// this.
+inline constexpr double sheet_balance_weight = 0.01;
+
+/// Pairs of panels of unknown sheets that are sewn together, up to which arcs change sheets.
+inline constexpr std::size_t max_arc_seams = 40;
+
+/// Share of a panel that lies upon another one of its sheet, from which on it stands before that.
+inline constexpr double min_share_upon = 0.1;
+
+/// Sweeps over all panels to compare two choices of sheets, and for the layout that is kept.
+inline constexpr int sheet_trial_sweeps = 30;
+inline constexpr int sheet_final_sweeps = 1000;
+
+/// Panels of unknown sheets up to which all choices are tried.
+inline constexpr std::size_t max_tried_sheets = 11;
+
+/// Rounds in which sheets of single panels are changed.
+inline constexpr int max_sheet_rounds = 20;
+
+// Landmarks of a garment in sheets (sheet_landmarks.h), and its place (find_places.h).
+
+/// Metres along the border of a hole that counts as an opening.
+inline constexpr double min_sheet_opening = 0.15;
+
+/// Metres above and below a seam at which it has cloth or has none.
+inline constexpr double shoulder_probe = 0.03;
+
+/// Metres to either side of the middle where the top of a sheet is measured.
+inline constexpr double sheet_top_width = 0.03;
+
+/// Share of a panel's size that its two sewn edges are apart, when it closes around its part and
+/// the seam is no dart.
+inline constexpr double min_around_gap = 0.5;
+
+/// Metres from the middle plane to the shoulder joint, as shares, between which shoulder seams lie.
+inline constexpr double inner_shoulder = 0.35;
+inline constexpr double outer_shoulder = 1.0;
+
+/// Distances from the middle plane to the shoulder joint, beyond which a cuff lies.
+inline constexpr double cuff_shoulders = 1.5;
+
+/// Metres between the necklines of front and back that tell them apart.
+inline constexpr double min_neck_difference = 0.01;
+
+/// Metres from the middle plane to the side of a hood, as a share of that to the shoulder joint.
+inline constexpr double hood_distance = 0.65;
+
+/// Metres below the waist joint at which skirts and trousers begin.
+inline constexpr double waist_border_depth = 0.02;
+
+/// Metres below the body's crotch, at least, at which that of trousers starts.
+inline constexpr double crotch_depth = 0.03;
+
+/// Metres from the middle to that of the opening of a leg, at least.
+inline constexpr double min_leg_offset = 0.03;
+
+/// Metres above and below the crotch, where the width of a leg is measured.
+inline constexpr double crotch_strip = 0.03;
+
+/// Share of a garment's height below its highest opening in which shoulder seams lie.
+inline constexpr double max_shoulder_drop = 0.35;
+
+/// A tube of a pattern without names that is wider than the waist by this ratio, and shorter than
+/// this many metres, is a top.
+inline constexpr double wide_tube_ratio = 1.15;
+inline constexpr double short_tube_height = 0.45;
+
+/// Metres to either side of a point of the shoulder, within which its height is measured.
+inline constexpr double shoulder_strip = 0.015;
+
+/// Metres that shoulder seams start above the shoulders.
+inline constexpr double shoulder_seam_gap = 0.015;
+
+/// Metres from the skin, in front and at the back, to the sheets.
+inline constexpr double sheet_distance = 0.1;
+
+/// Metres from the bones of an arm to the sheets of its sleeve.
+inline constexpr double sleeve_sheet_distance = 0.15;
+
+/// Metres by which a panel stands before one of its sheet that it lies upon.
+inline constexpr double sheet_layer_distance = 0.04;
+
+// Places that a pattern states, against those that its seams tell (places_fit.h).
+
+/// Share of the largest panel's area from which on the place of a panel tells.
+inline constexpr double min_telling_area = 0.2;
+
+/// Degrees that a panel may be off the upright.
+inline constexpr double max_panel_lean = 12;
+
 // The layout as a whole (locate_layout.h).
 
 /// Metres: a layout of less depth has no front and no back, and lies in one plane.

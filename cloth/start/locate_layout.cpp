@@ -260,10 +260,9 @@ std::vector<Vec3> moved(const LayoutMove& move, std::vector<Vec3> points) {
 }  // namespace
 
 bool lacks_places(const PanelMesh& garment, const Skeleton* skeleton) {
-  if (garment.panels.size() < 2 || garment.seams.empty() || asks_for_skeleton(garment)) {
-    return false;
-  }
+  if (garment.panels.size() < 2) return false;
   if (!garment.has_places) return true;
+  if (garment.seams.empty() || asks_for_skeleton(garment)) return false;
   if (is_attached(garment)) return false;
   const Vec3 middle = middle_of(garment.placed);
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();

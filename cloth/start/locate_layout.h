@@ -21,8 +21,8 @@ struct LayoutMove {
 
 /// Whether the pattern places no panel on the body: `garment.has_places` is false, or all panels
 /// lie in one upright plane through the body's axis. Without a waist joint that is the y axis.
-/// Panels that the skeleton positions have places, and so have attached ones. False for a single
-/// panel or without seams. Linear.
+/// Panels that the skeleton positions have places, and so have attached ones, unless
+/// `garment.has_places` is false. False for a single panel. Linear.
 bool lacks_places(const PanelMesh& garment, const Skeleton* skeleton);
 
 /// The move that brings the layout to where it is worn. None where it is there already, as nearly

@@ -95,6 +95,46 @@ TEST(Orient, WherePlacementDoesNotTellTheDrawingDoes) {
 }
 
 // Both squares are drawn alike, the back behind the front: by distance edge 1 runs start to start.
+/// Two halves of a front, sewn along the middle, without places. `left` and `right`: where the
+/// middle of each half lies beside that seam, as drawn.
+std::string halves(const std::string& left, const std::string& right, const std::string& face) {
+  return file(polygon("left_" + face, left, R"("grain": 0)") + "," +
+                  polygon("right_" + face, right, R"("grain": 0)"),
+              "[{\"panel\":\"left_" + face + "\",\"edge\":3},{\"panel\":\"right_" + face +
+                  "\",\"edge\":1}]");
+}
+
+TEST(Orient, NamesOfHalvesTellTheRightSideWithoutPlaces) {
+  std::vector<Remark> remarks;
+  const std::string right_of_seam = "[0,0],[20,0],[20,30],[0,30]";
+  const std::string left_of_seam = "[-20,0],[0,0],[0,30],[-20,30]";
+  // Seen from outside, the left half of a front lies to the right, that of a back to the left.
+  const Orientation front = orientation_of(halves(right_of_seam, left_of_seam, "front"), remarks);
+  EXPECT_FALSE(front.mirrored[0]);
+  EXPECT_FALSE(front.mirrored[1]);
+  const Orientation back = orientation_of(halves(right_of_seam, left_of_seam, "back"), remarks);
+  EXPECT_TRUE(back.mirrored[0]);
+  EXPECT_TRUE(back.mirrored[1]);
+  EXPECT_TRUE(front.reversed[0]);
+  EXPECT_TRUE(remarks.empty());
+}
+
+TEST(Orient, WithoutPlacesEdgesRunEndToStart) {
+  std::vector<Remark> remarks;
+  // As drawn, one upon the other, edge 1 would lie start to start.
+  const Orientation without = orientation_of(
+      squares(R"("grain": 0)", R"([{"panel":"front","edge":1},{"panel":"back","edge":1}])"),
+      remarks);
+  // The front states a translation, the back none: these are places.
+  EXPECT_FALSE(without.reversed[0]);
+  const Orientation neither =
+      orientation_of(file(polygon("front", "[0,0],[20,0],[20,20],[0,20]", R"("grain": 0)") + "," +
+                              polygon("back", "[0,0],[20,0],[20,20],[0,20]", R"("grain": 0)"),
+                          R"([{"panel":"front","edge":1},{"panel":"back","edge":1}])"),
+                     remarks);
+  EXPECT_TRUE(neither.reversed[0]);
+}
+
 TEST(Orient, GarmentCodesConventionComesBeforeThePlacement) {
   const auto reversed = [](const std::string& how, const std::string& properties) -> bool {
     std::vector<Remark> remarks;

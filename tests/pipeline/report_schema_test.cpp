@@ -237,12 +237,22 @@ TEST_F(ReportSchemaOfStarts, HoldsForLayoutsThatStandElsewhereOrNowhere) {
   }
   mesh_as("garment", tshirt);
   const pipeline::Run done = dress("nowhere");
-  EXPECT_EQ(done.exit_code, 3);
-  expect_valid("dress", "nowhere.json", {"/misplaced/should_be"});
-  // Nothing was sewn, so nothing is said of seams that resist, or of strain.
-  EXPECT_GT(report("nowhere")["seams"]["open"], 0);
-  EXPECT_EQ(done.err.find("could not be closed"), std::string::npos) << done.err;
-  EXPECT_EQ(done.err.find("is strained by"), std::string::npos) << done.err;
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  expect_valid("dress", "nowhere.json", {"/scene/placed_by_seams/panels/0/side"});
+  for (const Json& place : report("nowhere")["scene"]["placed_by_seams"]["panels"]) {
+    const std::string name = place["panel"];
+    const bool is_front = name.ends_with("_front") || name.ends_with("_f");
+    EXPECT_EQ(place["side"], is_front ? "front" : "back") << name;
+    const bool is_sleeve = name.find("sleeve") != std::string::npos;
+    const std::string side = name.starts_with("left") ? "left" : "right";
+    EXPECT_EQ(place["part"], is_sleeve ? side + "_arm" : "torso") << name;
+  }
+
+  // Places are asked of panels that are there.
+  const pipeline::Run asked =
+      dress("asked", {"--place", "left_sleeve_f=left_arm:front", "--place", "nobody=torso"});
+  EXPECT_EQ(asked.exit_code, 1);
+  EXPECT_NE(asked.err.find("nobody"), std::string::npos) << asked.err;
 }
 
 TEST_F(ReportSchemaOfStarts, HoldsForPanelsThatWereMoved) {

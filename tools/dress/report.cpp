@@ -170,6 +170,19 @@ Json layout_moved_json(const LayoutMove& move) {
           {"as_body", move.as_body}};
 }
 
+/// Where panels were placed whose pattern did not tell.
+Json places_json(const WornLayer& layer) {
+  Json panels = Json::array();
+  for (const FoundPlace& place : layer.places) {
+    panels.push_back({{"panel", place.panel},
+                      {"part", place.part},
+                      {"side", side_name(place.side)},
+                      {"around", place.around},
+                      {"asked", place.asked}});
+  }
+  return {{"reason", layer.place_reason}, {"panels", panels}};
+}
+
 /// What was simulated.
 Json scene_json(const WornLayer& layer) {
   const DressResult& result = layer.result;
@@ -187,6 +200,7 @@ Json scene_json(const WornLayer& layer) {
     json["extra_offset"] = {{"nodes", extra.nodes}, {"max_mm", 1000 * extra.max}};
   }
   json.update(start_json(result.placement));
+  if (!layer.places.empty()) json["placed_by_seams"] = places_json(layer);
   if (layer.moved) json["layout_moved"] = layout_moved_json(*layer.moved);
   return json;
 }

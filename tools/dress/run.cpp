@@ -83,7 +83,8 @@ Outfit DressRun::read_outfit() {
   outfit.fabrics = panel_fabrics(garments, settings_.fabrics);
   for (std::size_t i = 0; i < garments.size(); ++i) {
     const LayerFiles& layer = settings_.layers[i];
-    outfit.layers.push_back({layer.name, std::move(garments[i]), layer.fabric, layer.panels_over});
+    outfit.layers.push_back(
+        {layer.name, std::move(garments[i]), layer.fabric, layer.panels_over, layer.places});
   }
   outfit.gravity = settings_.gravity;
   outfit.strain_limit = settings_.strain_limit;
@@ -119,6 +120,7 @@ FrameWatcher DressRun::watch(std::size_t layer) const {
 }
 
 void DressRun::say_dressed(std::size_t layer, const WornLayer& worn) {
+  say_places(worn, log_);
   say_positions(worn.result.placement, log_);
   say_terms(worn.result, log_);
   if (layer == 0) keep_distances(worn.distances_computed);

@@ -155,6 +155,12 @@ void say_certificate(const Certificate& certificate, DressLog& log) {
            " pieces inside the body");
 }
 
+void say_places(const WornLayer& worn, DressLog& log) {
+  if (worn.places.empty()) return;
+  log.say(worn.place_reason + "; they stand by their seams, change it with --place:");
+  for (const FoundPlace& place : worn.places) log.say("  " + text_of(place));
+}
+
 void say_positions(const Placement& placement, DressLog& log) {
   for (const PositionedPanel& panel : placement.positioned) {
     std::ostringstream line;

@@ -26,6 +26,9 @@ class DressLog {
 /// When the dressing became free of intersections; a warning when it did not stay so.
 void say_certificate(const Certificate& certificate, DressLog& log);
 
+/// Where panels were placed whose pattern did not tell, and why.
+void say_places(const WornLayer& worn, DressLog& log);
+
 /// Where the skeleton positioned the panels, for those that asked for it.
 void say_positions(const Placement& placement, DressLog& log);
 

@@ -14,6 +14,16 @@ namespace {
 namespace po = boost::program_options;
 namespace fs = std::filesystem;
 
+/// What --place asks for.
+AskedPlaces read_places(const po::variables_map& given) {
+  AskedPlaces places;
+  if (given.count("place") == 0) return places;
+  for (const std::string& text : given["place"].as<std::vector<std::string>>()) {
+    places.insert(parse_asked_place(text));
+  }
+  return places;
+}
+
 /// The garment or the scene that the command line names, with the files to write for it.
 void read_layers(const po::variables_map& given, const fs::path& output, DressSettings& settings) {
   settings.fabrics = read_fabrics(given);
@@ -24,6 +34,7 @@ void read_layers(const po::variables_map& given, const fs::path& output, DressSe
     if (given.count("garment-json")) only.garment_json = given["garment-json"].as<std::string>();
     only.fabric = find_fabric(fabric);
     only.output = output;
+    only.places = read_places(given);
     settings.body = given["body"].as<std::string>();
     settings.layers.push_back(only);
   } else {
@@ -86,6 +97,9 @@ void add_dress_options(po::options_description& options) {
       "instead of these: a body and its layers of garments, the innermost first; -o outfit.obj "
       "then gives outfit-NAME.obj for each")(
       "skeleton", value<string>(), "the body's joints; default: body.json beside the body")(
+      "place", value<std::vector<string>>(),
+      "PANEL=PART:SIDE, as in front=torso:front or sleeve=left_arm:around: where a panel stands; "
+      "all others are found anew, whatever places the pattern states; may be repeated")(
       "gravity", value<string>(),
       "x,y,z in m/s²; default: the scene's, or 0,-9.81,0; write --gravity=-9.81,0,0")(
       "frames", value<string>(), "write the states on the way as OBJ files into this folder")(
@@ -111,6 +125,9 @@ void check_dress_options(const po::variables_map& given) {
     if (!has_scene && !is_given && name != std::string("garment-json")) {
       throw po::required_option(name);
     }
+  }
+  if (has_scene && given.count("place") != 0) {
+    throw po::error("--place is for one garment: dress the garments of a scene without it");
   }
   check_method_options(given);
 }

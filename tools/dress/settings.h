@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cloth/scene/scene.h"
+#include "cloth/start/find_places.h"
 #include "tools/dress/fabrics.h"
 #include "tools/dress/method.h"
 #include "tools/program_files.h"
@@ -24,6 +25,7 @@ struct LayerFiles {
   std::filesystem::path output;
   /// See OutfitLayer.
   std::map<std::string, std::vector<std::string>> panels_over = {};
+  AskedPlaces places = {};  ///< see OutfitLayer
 };
 
 struct DressSettings {

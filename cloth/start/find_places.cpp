@@ -1,0 +1,393 @@
+#include "cloth/start/find_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "cloth/start/around_panels.h"
+#include "cloth/start/body_sizes.h"
+#include "cloth/start/constants.h"
+#include "cloth/start/sheet_layout.h"
+#include "cloth/start/worn_sheets.h"
+#include "geometry/body/bones.h"
+#include "geometry/body/limbs_through.h"
+#include "geometry/disjoint_sets.h"
+#include "geometry/error.h"
+#include "pattern/panel_kind.h"
+
+namespace toile {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+bool names_hood(const std::string& name) {
+  return names_headwear(name) &&
+         (name.find("hood") != std::string::npos || name.find("Hood") != std::string::npos);
+}
+
+/// Panels that are sewn together, directly or through others.
+class Piece {
+ public:
+  Piece(const PanelMesh& garment, const Skeleton& skeleton, const BodySizes& sizes,
+        const AskedPlaces& asked, std::vector<int> panels)
+      : garment_(garment),
+        skeleton_(skeleton),
+        sizes_(sizes),
+        asked_(asked),
+        panels_(std::move(panels)),
+        panel_of_(panel_of_points(garment)) {}
+
+  /// Places the panels. Returns those of the legs of trousers.
+  std::vector<int> place(std::vector<Vec3>& placed, std::vector<FoundPlace>& found,
+                         std::vector<MeshedPanel>& meshed);
+
+ private:
+  const MeshedPanel& panel(int p) const { return garment_.panels[p]; }
+  PanelKind kind(int p) const { return kind_of(panel(p)); }
+  const AskedPlace* asked(int p) const {
+    const auto it = asked_.find(panel(p).name);
+    return it == asked_.end() ? nullptr : &it->second;
+  }
+  /// The number of a panel in the sheets; none: it is not there.
+  std::optional<std::size_t> in_sheets(int p) const {
+    const auto found = std::ranges::find(flat_, p);
+    if (found == flat_.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - flat_.begin());
+  }
+  std::optional<bool> named_back(int p) const;
+  void sort_panels();
+  void check_sheets() const;
+  void lay_sheets();
+  void stand_sheets(std::vector<Vec3>& placed);
+  double sheet_depth(std::size_t i, const std::pair<double, double>& trunk) const;
+  void stand_hood(int p, std::vector<Vec3>& placed) const;
+  void roll(int p, MeshedPanel& meshed) const;
+  std::string rolled_part(int p) const;
+  /// Calls use(point of p, point of another panel) for each pair of sewn points.
+  void each_partner(int p, const auto& use) const {
+    for (const MeshedSeam& seam : garment_.seams) {
+      for (std::size_t i = 0; i < seam.a.size(); ++i) {
+        if (panel_of_[seam.a[i]] == p) use(seam.a[i], seam.b[i]);
+        if (panel_of_[seam.b[i]] == p) use(seam.b[i], seam.a[i]);
+      }
+    }
+  }
+  Error refused(int p, const std::string& problem) const {
+    return {"panel '" + panel(p).name + "'", problem,
+            "say its place, as in --place \"" + panel(p).name + "=torso:front\""};
+  }
+
+  const PanelMesh& garment_;
+  const Skeleton& skeleton_;
+  const BodySizes& sizes_;
+  const AskedPlaces& asked_;
+  std::vector<int> panels_;
+  std::vector<int> panel_of_;
+  std::vector<int> flat_;  ///< that lie in sheets
+  std::vector<int> hoods_;
+  std::vector<int> around_;
+  std::optional<WornSheets> sheets_;
+};
+
+std::optional<bool> Piece::named_back(int p) const {
+  if (const AskedPlace* place = asked(p)) {
+    if (place->side == PlacementSide::front) return false;
+    if (place->side == PlacementSide::back) return true;
+  }
+  const std::string& name = panel(p).name;
+  const int face = name.size() > 2 ? face_by_name(name) : 0;
+  return face == 0 ? std::nullopt : std::optional(face < 0);
+}
+
+void Piece::sort_panels() {
+  for (const int p : panels_) {
+    const AskedPlace* place = asked(p);
+    const PlacementSide side = place == nullptr ? PlacementSide::none : place->side;
+    const bool is_around = place != nullptr && place->around;
+    const bool is_asked = is_around || side != PlacementSide::none;
+    if (is_asked ? is_around : closes_around(garment_, p)) {
+      around_.push_back(p);
+    } else if (is_asked ? side == PlacementSide::left || side == PlacementSide::right
+                        : names_hood(panel(p).name)) {
+      hoods_.push_back(p);
+    } else {
+      flat_.push_back(p);
+    }
+  }
+}
+
+/// Throws Error when seams do not tell where the flat panels belong.
+void Piece::check_sheets() const {
+  if (flat_.size() == 1 && panels_.size() == 1 && asked(flat_.front()) == nullptr) {
+    throw refused(flat_.front(), "is sewn to no other panel, so nothing tells its place");
+  }
+  DisjointSets sets(garment_.panels.size());
+  for (const MeshedSeam& seam : garment_.seams) {
+    const int a = panel_of_[seam.a[1]];
+    const int b = panel_of_[seam.b[1]];
+    if (in_sheets(a) && in_sheets(b)) sets.join(a, b);
+  }
+  for (const int p : flat_) {
+    if (sets.of(p) == sets.of(flat_.front())) continue;
+    throw refused(p, "is sewn to '" + panel(flat_.front()).name +
+                         "' only through panels that go around a part");
+  }
+}
+
+void Piece::lay_sheets() {
+  std::vector<std::optional<bool>> back;
+  bool faces[2] = {false, false};
+  bool is_asked = false;
+  for (const int p : flat_) {
+    back.push_back(named_back(p));
+    if (back.back()) faces[*back.back() ? 1 : 0] = true;
+    is_asked = is_asked || (asked(p) != nullptr && asked(p)->side != PlacementSide::none);
+  }
+  // One face alone is no name of a face, as in panels named a, b and c.
+  const bool are_named = (faces[0] && faces[1]) || is_asked;
+  if (!are_named) back.assign(flat_.size(), std::nullopt);
+  sheets_.emplace(garment_, lay_in_sheets(garment_, flat_, back), around_.size());
+  if (!are_named) sheets_->choose_front();
+  sheets_->straighten_legs(skeleton_);
+}
+
+/// Metres: z of a panel. `trunk`: z of the skin of the trunk behind and in front.
+double Piece::sheet_depth(std::size_t i, const std::pair<double, double>& trunk) const {
+  const double outward = sheets_->layout().back[i] ? -1 : 1;
+  const AskedPlace* place = asked(flat_[i]);
+  const bool is_sleeve = place != nullptr && !place->part.empty()
+                             ? place->part.ends_with("_arm")
+                             : kind(flat_[i]) == PanelKind::sleeve;
+  double depth = outward > 0 ? trunk.second + sheet_distance : trunk.first - sheet_distance;
+  if (is_sleeve) {
+    // Nearer to its arm than the front is.
+    const Vec2 centre = sheets_->centre(i);
+    const Bones bones(skeleton_, centre.x() > sizes_.middle() ? "left_arm" : "right_arm");
+    const double arc = bones.foot({centre.x(), centre.y(), bones.joints.front().z()});
+    depth = bones.at(arc).first.z() + outward * sleeve_sheet_distance;
+  }
+  return depth + outward * sheets_->layout().layer[i] * sheet_layer_distance;
+}
+
+void Piece::stand_sheets(std::vector<Vec3>& placed) {
+  sheets_->shift({sizes_.middle() - sheets_->middle(), sheets_->rise(sizes_, skeleton_)});
+  double low = infinity;
+  double high = -infinity;
+  for (std::size_t i = 0; i < flat_.size(); ++i) {
+    const MeshedPanel& of = panel(flat_[i]);
+    for (int p = of.first_point; p < of.first_point + of.points; ++p) {
+      const Vec2 at = sheets_->layout().picture(i, garment_.flat[p]);
+      placed[p] = {at.x(), at.y(), 0};
+      if (kind(flat_[i]) == PanelKind::sleeve) continue;
+      low = std::min(low, at.y());
+      high = std::max(high, at.y());
+    }
+  }
+  const auto trunk = sizes_.depth(low, std::min(high, skeleton_.joint("neck").y()));
+  for (std::size_t i = 0; i < flat_.size(); ++i) {
+    const MeshedPanel& of = panel(flat_[i]);
+    const double depth = sheet_depth(i, trunk);
+    for (int p = of.first_point; p < of.first_point + of.points; ++p) placed[p].z() = depth;
+  }
+}
+
+/// A hood's half stands beside the head, its seams to the rest at the height of the neck.
+void Piece::stand_hood(int p, std::vector<Vec3>& placed) const {
+  const MeshedPanel& of = panel(p);
+  Vec2 sewn = Vec2::Zero();
+  Vec2 there = Vec2::Zero();
+  int count = 0;
+  // The back of the neck tells the height, for a front may be cut low.
+  bool at_back = false;
+  each_partner(p, [&](int mine, int other) {
+    const auto partner = in_sheets(panel_of_[other]);
+    if (!partner) return;
+    const bool is_back = sheets_->layout().back[*partner] != 0;
+    if (at_back && !is_back) return;
+    if (is_back && !at_back) {
+      sewn = there = Vec2::Zero();
+      count = 0;
+      at_back = true;
+    }
+    sewn += garment_.flat[mine];
+    there += placed[other].head<2>();
+    ++count;
+  });
+  if (count == 0) throw refused(p, "is a hood's and sewn to no front or back");
+  sewn /= count;
+  there /= count;
+  const AskedPlace* place = asked(p);
+  const bool is_asked = place != nullptr && place->side != PlacementSide::none;
+  const bool left = is_asked ? place->side == PlacementSide::left : there.x() > sizes_.middle();
+  const auto [rear, fore] = sizes_.depth(skeleton_.joint("neck").y(), skeleton_.joint("head").y());
+  const double aside = sizes_.shoulder() * hood_distance;
+  Vec2 centre = Vec2::Zero();
+  for (int i = of.first_point; i < of.first_point + of.points; ++i) {
+    centre += garment_.flat[i] / of.points;
+  }
+  for (int i = of.first_point; i < of.first_point + of.points; ++i) {
+    // Seen from the left, the wearer's back is to the right.
+    const Vec2 at = garment_.flat[i] - Vec2(centre.x(), sewn.y());
+    placed[i] = {sizes_.middle() + (left ? aside : -aside), there.y() + at.y(),
+                 0.5 * (rear + fore) + (left ? -at.x() : at.x())};
+  }
+}
+
+/// The part that a panel goes around: an arm beside what it is sewn to, a leg beside its twin, or
+/// the torso.
+std::string Piece::rolled_part(int p) const {
+  const AskedPlace* place = asked(p);
+  if (place != nullptr && !place->part.empty()) return place->part;
+  if (!panel(p).part.empty()) return panel(p).part;
+  if (flat_.empty() && around_.size() == 1) return "torso";
+  const int named = side_by_name(panel(p).name);
+  if (flat_.empty() && around_.size() == 2) {
+    return (named != 0 ? named > 0 : p == around_.back()) ? "left_leg" : "right_leg";
+  }
+  double x = 0;
+  int count = 0;
+  each_partner(p, [&](int, int other) {
+    const auto partner = in_sheets(panel_of_[other]);
+    if (!partner) return;
+    x += sheets_->layout().picture(*partner, garment_.flat[other]).x();
+    ++count;
+  });
+  if (count == 0) throw refused(p, "goes around a part that its seams do not tell");
+  const double aside = x / count - sizes_.middle();
+  // A skirt of one panel under a bodice goes around the torso.
+  if (kind(p) != PanelKind::sleeve && std::abs(aside) < inner_shoulder * sizes_.shoulder()) {
+    return "torso";
+  }
+  return aside > 0 ? "left_arm" : "right_arm";
+}
+
+void Piece::roll(int p, MeshedPanel& meshed) const {
+  meshed.part = rolled_part(p);
+  const bool is_arm = meshed.part.ends_with("_arm");
+  meshed.placement = {};
+  meshed.placement.around = 1;
+  meshed.placement.axis = up_axis(garment_, p, is_arm);
+  if (!is_arm) meshed.placement.at = "waist";
+}
+
+std::vector<int> Piece::place(std::vector<Vec3>& placed, std::vector<FoundPlace>& found,
+                              std::vector<MeshedPanel>& meshed) {
+  sort_panels();
+  if (!flat_.empty()) {
+    check_sheets();
+    lay_sheets();
+    stand_sheets(placed);
+  }
+  for (const int p : hoods_) stand_hood(p, placed);
+  for (const int p : around_) roll(p, meshed[p]);
+  for (std::size_t i = 0; i < flat_.size(); ++i) {
+    found[flat_[i]].side = sheets_->layout().back[i] ? PlacementSide::back : PlacementSide::front;
+  }
+  for (const int p : hoods_) {
+    const double x = placed[panel(p).first_point].x();
+    found[p].side = x > sizes_.middle() ? PlacementSide::left : PlacementSide::right;
+  }
+  for (const int p : around_) {
+    found[p].around = true;
+    found[p].side = side_or_default(meshed[p].placement, meshed[p].part);
+  }
+  std::vector<int> legs;
+  for (const bool left : {true, false}) {
+    if (!sheets_) continue;
+    for (const std::size_t i : sheets_->leg_panels(left)) legs.push_back(flat_[i]);
+  }
+  return legs;
+}
+
+/// The part of a panel that stands in a sheet. `is_leg`: it reaches below the crotch. Where its
+/// name does not tell, what lies beyond the shoulder is a sleeve.
+std::string part_of(const PanelMesh& garment, const MeshedPanel& panel, const BodySizes& sizes,
+                    const Skeleton& skeleton, bool is_leg) {
+  Vec3 centre = Vec3::Zero();
+  double innermost = infinity;
+  double highest = -infinity;
+  for (int i = panel.first_point; i < panel.first_point + panel.points; ++i) {
+    centre += garment.placed[i] / panel.points;
+    innermost = std::min(innermost, std::abs(garment.placed[i].x() - sizes.middle()));
+    highest = std::max(highest, garment.placed[i].y());
+  }
+  const double x = centre.x() - sizes.middle();
+  const std::string side = x > 0 ? "left_" : "right_";
+  if (names_hood(panel.name)) return "head";
+  switch (kind_of(panel)) {
+    case PanelKind::sleeve:
+      return side + "arm";
+    case PanelKind::trousers:
+      return side + "leg";
+    case PanelKind::unknown: {
+      if (is_leg) return side + "leg";
+      // A cuff lies far out; a gore at the waist neither begins at the armhole nor lies so far out.
+      const bool is_arm =
+          std::abs(x) > sizes.shoulder() && centre.y() > skeleton.joint("pelvis").y() &&
+          innermost > (highest > skeleton.joint("chest").y() ? inner_shoulder : cuff_shoulders) *
+                          sizes.shoulder();
+      return is_arm ? side + "arm" : "torso";
+    }
+    default:
+      return "torso";
+  }
+}
+
+}  // namespace
+
+std::vector<FoundPlace> find_places(const TriangleMesh& body, const Skeleton& skeleton,
+                                    const AskedPlaces& asked, PanelMesh& garment) {
+  for (const auto& [name, place] : asked) {
+    if (std::ranges::find(garment.panels, name, &MeshedPanel::name) == garment.panels.end()) {
+      throw Error("--place", "there is no panel '" + name + "'",
+                  "the garment's file names its panels");
+    }
+  }
+  if (!has_all_limbs(skeleton)) {
+    throw Error("panel '" + garment.panels.front().name + "'",
+                "states no place, and the skeleton lacks joints that would tell it",
+                "let clean-body write the skeleton, or place the panels in the pattern");
+  }
+  const BodySizes sizes(body, skeleton);
+  const std::vector<int> panel_of = panel_of_points(garment);
+  DisjointSets sewn(garment.panels.size());
+  for (const MeshedSeam& seam : garment.seams) sewn.join(panel_of[seam.a[1]], panel_of[seam.b[1]]);
+  std::vector<FoundPlace> found(garment.panels.size());
+  std::map<int, std::vector<int>> pieces;
+  for (std::size_t p = 0; p < garment.panels.size(); ++p) {
+    found[p].panel = garment.panels[p].name;
+    found[p].asked = asked.contains(garment.panels[p].name);
+    pieces[sewn.of(static_cast<int>(p))].push_back(static_cast<int>(p));
+  }
+  std::vector<char> is_leg(garment.panels.size(), 0);
+  std::vector<Vec3> placed = garment.placed;
+  std::vector<MeshedPanel> meshed = garment.panels;
+  for (MeshedPanel& panel : meshed) panel.placement = {};
+  for (const auto& [lowest, panels] : pieces) {
+    for (const int p :
+         Piece(garment, skeleton, sizes, asked, panels).place(placed, found, meshed)) {
+      is_leg[p] = 1;
+    }
+  }
+  garment.placed = std::move(placed);
+  garment.panels = std::move(meshed);
+  garment.has_places = true;
+  for (std::size_t p = 0; p < found.size(); ++p) {
+    MeshedPanel& panel = garment.panels[p];
+    const auto place = asked.find(panel.name);
+    if (place != asked.end() && !place->second.part.empty()) panel.part = place->second.part;
+    if (panel.part.empty()) {
+      found[p].part = part_of(garment, panel, sizes, skeleton, is_leg[p] != 0);
+      // What a garment wraps, and whether it is worn where it belongs, goes by parts.
+      if (found[p].part != "head") panel.part = found[p].part;
+    } else {
+      found[p].part = panel.part;
+    }
+  }
+  return found;
+}
+
+}  // namespace toile

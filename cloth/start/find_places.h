@@ -1,0 +1,27 @@
+// Places on the body for a pattern that states none: found from its seams, names and sizes.
+#pragma once
+
+#include <vector>
+
+#include "cloth/start/panel_places.h"
+#include "geometry/body/skeleton.h"
+#include "pattern/panel_mesh.h"
+
+namespace toile {
+
+/// Places all panels, whatever places they have. Sets `garment.placed`, and the `placement` of
+/// panels that are to be rolled around their part.
+///
+/// - A panel that is sewn to itself across its width goes around its part. That is an arm or the
+///   torso, and of two without others each a leg. A panel that is asked to goes around, too.
+/// - All others lie in two sheets (sheet_layout.h), by their names (face_by_name()) or by what
+/// fits.
+///   The sheets stand before and behind the body. Panels named as hoods stand at the head's sides.
+/// - Which sheet is the front, and their height on the body: see worn_sheets.h.
+///
+/// Throws Error, naming a panel, where the skeleton lacks joints, where panels are not sewn to
+/// others, and for asked panels that are not there. `body` has the skeleton's joints.
+std::vector<FoundPlace> find_places(const TriangleMesh& body, const Skeleton& skeleton,
+                                    const AskedPlaces& asked, PanelMesh& garment);
+
+}  // namespace toile

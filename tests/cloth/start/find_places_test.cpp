@@ -1,0 +1,227 @@
+// Sample patterns without any place in them, put on the mannequin.
+#include "cloth/start/find_places.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cloth/start/places_fit.h"
+#include "geometry/body/mannequin/mannequin.h"
+#include "geometry/error.h"
+#include "io/output_file.h"
+#include "tests/cloth/panels.h"
+#include "tests/pattern/samples.h"
+
+namespace toile {
+namespace find_places_test {
+
+using Json = nlohmann::ordered_json;
+
+const Mannequin& body() {
+  MannequinOptions coarse;
+  coarse.edge_length = 0.015;
+  static const Mannequin mannequin = make_mannequin(coarse);
+  return mannequin;
+}
+
+Json sample(const std::string& name) {
+  return Json::parse(read_file(std::string(TOILE_SOURCE_DIR) + "/samples/" + name + ".json"));
+}
+
+void strip(Json& pattern) {
+  for (auto& [name, panel] : pattern["pattern"]["panels"].items()) {
+    for (const char* key : {"translation", "rotation", "placement"}) panel.erase(key);
+  }
+}
+
+/// The panels renamed to p0, p1 ... in the order of their reversed names, so that no name tells.
+std::map<std::string, std::string> rename(Json& pattern) {
+  Json& panels = pattern["pattern"]["panels"];
+  std::vector<std::string> names;
+  for (const auto& [name, panel] : panels.items()) names.push_back(name);
+  std::ranges::sort(
+      names, {}, [](const std::string& name) { return std::string(name.rbegin(), name.rend()); });
+  std::map<std::string, std::string> renamed;
+  Json anew = Json::object();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    renamed[names[i]] = "p" + std::to_string(i);
+    anew[renamed[names[i]]] = panels[names[i]];
+  }
+  panels = anew;
+  pattern["pattern"].erase("panel_order");
+  for (Json& stitch : pattern["pattern"]["stitches"]) {
+    for (Json& side : stitch) {
+      if (side.is_object() && side.contains("panel")) side["panel"] = renamed[side["panel"]];
+    }
+  }
+  return renamed;
+}
+
+PanelMesh meshed(const Json& pattern) {
+  std::vector<Remark> remarks;
+  MeshSettings coarse;
+  coarse.edge_length = 0.03;
+  return mesh_panels(parse_pattern(pattern.dump(), "test.json", remarks), coarse, remarks);
+}
+
+std::map<std::string, FoundPlace> by_name(const std::vector<FoundPlace>& places) {
+  std::map<std::string, FoundPlace> named;
+  for (const FoundPlace& place : places) named[place.panel] = place;
+  return named;
+}
+
+Vec3 middle(const PanelMesh& garment, const std::string& name) {
+  const auto panel = std::ranges::find(garment.panels, name, &MeshedPanel::name);
+  Vec3 sum = Vec3::Zero();
+  for (int p = panel->first_point; p < panel->first_point + panel->points; ++p) {
+    sum += garment.placed[p];
+  }
+  return sum / panel->points;
+}
+
+std::vector<FoundPlace> place(PanelMesh& garment, const AskedPlaces& asked = {}) {
+  return find_places(body().surface, body().skeleton, asked, garment);
+}
+
+TEST(FindPlaces, ATshirtStandsWhereItsSampleDoes) {
+  Json pattern = sample("tshirt");
+  const PanelMesh stated = meshed(pattern);
+  strip(pattern);
+  PanelMesh garment = meshed(pattern);
+  EXPECT_FALSE(garment.has_places);
+  const auto places = by_name(place(garment));
+  EXPECT_EQ(text_of(places.at("left_front")), "left_front: torso, front");
+  EXPECT_EQ(text_of(places.at("right_back")), "right_back: torso, back");
+  EXPECT_EQ(text_of(places.at("left_sleeve_f")), "left_sleeve_f: left arm, front");
+  EXPECT_EQ(text_of(places.at("right_sleeve_b")), "right_sleeve_b: right arm, back");
+  for (const MeshedPanel& panel : garment.panels) {
+    const Vec3 here = middle(garment, panel.name);
+    const Vec3 there = middle(stated, panel.name);
+    EXPECT_LT((here - there).head<2>().norm(), 0.14) << panel.name;
+    EXPECT_GT(here.z() * there.z(), 0) << panel.name;
+  }
+  // Left and right are mirror images.
+  const Vec3 left = middle(garment, "left_front");
+  const Vec3 right = middle(garment, "right_front");
+  EXPECT_NEAR(left.x(), -right.x(), 0.005);
+  EXPECT_NEAR(left.y(), right.y(), 0.005);
+}
+
+TEST(FindPlaces, WithoutNamesTheSameParts) {
+  for (const std::string name : {"tshirt", "trousers", "jacket", "bodice_dress"}) {
+    Json pattern = sample(name);
+    strip(pattern);
+    PanelMesh named = meshed(pattern);
+    const auto with = by_name(place(named));
+    const auto renamed = rename(pattern);
+    PanelMesh nameless = meshed(pattern);
+    const auto without = by_name(place(nameless));
+    for (const auto& [old, now] : renamed) {
+      const FoundPlace& a = with.at(old);
+      const FoundPlace& b = without.at(now);
+      EXPECT_EQ(a.part.substr(a.part.find('_') + 1), b.part.substr(b.part.find('_') + 1))
+          << name << " " << old;
+      EXPECT_EQ(a.around, b.around) << name << " " << old;
+    }
+  }
+}
+
+TEST(FindPlaces, ShouldersStandOnTheBodys) {
+  Json pattern = sample("tshirt");
+  strip(pattern);
+  PanelMesh garment = meshed(pattern);
+  place(garment);
+  const double neck = body().skeleton.joint("neck").y();
+  const double shoulder = body().skeleton.joint("left_shoulder").y();
+  double highest = 0;
+  for (const Vec3& p : garment.placed) highest = std::max(highest, p.y());
+  EXPECT_GT(highest, shoulder);
+  EXPECT_LT(highest, neck + 0.08);
+}
+
+TEST(FindPlaces, ASleeveOfOnePieceIsRolledAroundItsArm) {
+  Json pattern = sample("jacket");
+  strip(pattern);
+  PanelMesh garment = meshed(pattern);
+  const auto places = by_name(place(garment));
+  EXPECT_EQ(text_of(places.at("left_sleeve")), "left_sleeve: left arm, around");
+  const auto sleeve = std::ranges::find(garment.panels, "left_sleeve", &MeshedPanel::name);
+  EXPECT_EQ(sleeve->part, "left_arm");
+  EXPECT_EQ(sleeve->placement.around, 1);
+}
+
+TEST(FindPlaces, TrousersRunDownTheLegsBelowTheCrotch) {
+  Json pattern = sample("trousers");
+  strip(pattern);
+  PanelMesh garment = meshed(pattern);
+  const auto places = by_name(place(garment));
+  EXPECT_EQ(places.at("left_front").part, "left_leg");
+  EXPECT_EQ(places.at("right_back").part, "right_leg");
+  double highest = 0;
+  for (const Vec3& p : garment.placed) highest = std::max(highest, p.y());
+  EXPECT_LT(highest, body().skeleton.joint("waist").y() + 0.05);
+  // Both ends of a leg stand on its own side.
+  const auto leg = std::ranges::find(garment.panels, "left_front", &MeshedPanel::name);
+  Vec3 lowest(0, 9, 0);
+  for (int p = leg->first_point; p < leg->first_point + leg->points; ++p) {
+    if (garment.placed[p].y() < lowest.y()) lowest = garment.placed[p];
+  }
+  EXPECT_GT(lowest.x(), 0);
+  EXPECT_LT(lowest.x(), 0.25);
+}
+
+TEST(FindPlaces, WhatIsAskedIsDone) {
+  Json pattern = sample("tshirt");
+  strip(pattern);
+  PanelMesh garment = meshed(pattern);
+  AskedPlaces asked;
+  for (const std::string side : {"left", "right"}) {
+    asked[side + "_front"].side = PlacementSide::back;
+    asked[side + "_back"].side = PlacementSide::front;
+  }
+  const auto places = by_name(place(garment, asked));
+  EXPECT_EQ(text_of(places.at("left_front")), "left_front: torso, back (as asked)");
+  EXPECT_LT(middle(garment, "left_front").z(), 0);
+  EXPECT_GT(middle(garment, "left_back").z(), 0);
+}
+
+TEST(FindPlaces, RefusesWhatNothingTells) {
+  const auto refusal = [](PanelMesh garment, const Skeleton& skeleton, const AskedPlaces& asked) {
+    try {
+      find_places(body().surface, skeleton, asked, garment);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  Json pattern = sample("band");
+  strip(pattern);
+  const PanelMesh sewn = meshed(pattern);
+  EXPECT_EQ(refusal(sewn, body().skeleton, {}), "");
+  EXPECT_NE(refusal(sewn, {}, {}).find("'front'"), std::string::npos);
+  EXPECT_NE(refusal(sewn, body().skeleton, {{"nobody", {}}}).find("'nobody'"), std::string::npos);
+  pattern["pattern"]["stitches"] = Json::array();
+  const std::string heap = refusal(meshed(pattern), body().skeleton, {});
+  EXPECT_NE(heap.find("'front'"), std::string::npos) << heap;
+  EXPECT_NE(heap.find("--place"), std::string::npos) << heap;
+}
+
+TEST(PlacesFit, OnlyWhatLeansDoesNot) {
+  Json pattern = sample("tshirt");
+  const PanelMesh stated = meshed(pattern);
+  EXPECT_TRUE(stands_as_drawn(stated));
+  pattern["pattern"]["panels"]["left_back"]["rotation"] = {20, 0, 0};
+  const PanelMesh leaning = meshed(pattern);
+  EXPECT_FALSE(stands_as_drawn(leaning));
+  PanelMesh found = leaning;
+  const auto places = place(found);
+  EXPECT_EQ(unfit_place(leaning, found, places), "panel 'left_back' leans by 20 degrees");
+  EXPECT_EQ(unfit_place(stated, found, places), "");
+}
+
+}  // namespace find_places_test
+}  // namespace toile
