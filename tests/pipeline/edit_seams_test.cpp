@@ -24,7 +24,7 @@ Run edit(const ScratchFolder& folder, const std::string& pattern,
 
 TEST(EditSeams, WritesThePageInOneFile) {
   const ScratchFolder folder;
-  const Run done = edit(folder, samples::bag, {"-o", (folder / "page.html").string()});
+  const auto done = edit(folder, samples::bag, {"-o", (folder / "page.html").string()});
   ASSERT_EQ(done.exit_code, 0) << done.err;
   EXPECT_EQ(done.out, "");
   EXPECT_HOLDS(read_text(folder / "page.html"), "<title>bag.json</title>");
@@ -33,7 +33,7 @@ TEST(EditSeams, WritesThePageInOneFile) {
 
 TEST(EditSeams, RefusesWhatIsNoPattern) {
   const ScratchFolder folder;
-  const Run done = edit(folder, "{\"pattern\": 3}", {"-o", (folder / "page.html").string()});
+  const auto done = edit(folder, "{\"pattern\": 3}", {"-o", (folder / "page.html").string()});
   EXPECT_EQ(done.exit_code, 1);
   EXPECT_HOLDS(done.err, "bag.json");
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"bag.json"}));
@@ -48,7 +48,7 @@ TEST(EditSeams, OptionsThatNeedTheServerSaySo) {
         {"-o", (folder / "sewn.json").string(), "--serve", "--port", "80"}}) {
     EXPECT_EQ(edit(folder, samples::bag, options).exit_code, 2);
   }
-  const Run named = edit(folder, samples::bag, {"-o", page, "--serve"});
+  const auto named = edit(folder, samples::bag, {"-o", page, "--serve"});
   EXPECT_EQ(named.exit_code, 1);
   EXPECT_HOLDS(named.err, "does not end in .json");
 }

@@ -20,11 +20,11 @@ const std::string source = TOILE_SOURCE_DIR;
 TEST(ImportPattern, WhatItWritesIsMeshed) {
   const ScratchFolder folder;
   const std::string pattern = (folder / "p.json").string();
-  const Run made =
+  const auto made =
       run("import-pattern", {source + "/tests/io/drawings/r12.dxf", "-o", pattern}, 60);
   ASSERT_EQ(made.exit_code, 0) << made.err;
   EXPECT_EQ(made.out, "");
-  const Run meshed =
+  const auto meshed =
       run("mesh-pattern", {pattern, "-o", (folder / "p.obj").string(), "--flat"}, 60);
   EXPECT_EQ(meshed.exit_code, 0) << meshed.err;
   EXPECT_HOLDS(meshed.err, "1 cut-outs and 1 drill holes are not meshed");
@@ -33,7 +33,7 @@ TEST(ImportPattern, WhatItWritesIsMeshed) {
 TEST(ImportPattern, APatternIsWrittenAsItIs) {
   const ScratchFolder folder;
   const std::string sample = source + "/samples/tshirt.json";
-  const Run done = run("import-pattern", {sample, "-o", (folder / "p.json").string()}, 60);
+  const auto done = run("import-pattern", {sample, "-o", (folder / "p.json").string()}, 60);
   EXPECT_EQ(done.exit_code, 0) << done.err;
   EXPECT_HOLDS(done.err, "is a pattern already");
   EXPECT_EQ(read_text(folder / "p.json"), read_text(sample));
@@ -44,8 +44,8 @@ TEST(ImportPattern, WhatIsNoPatternIsRefusedInOneLine) {
   for (const std::string content : {"AutoCAD Binary DXF\r\n\x1a", "%PDF-1.4", "hello", "",
                                     "{\"a\": 1}", "<html></html>", "  0\nSECTION\n  2\nHEADER\n"}) {
     write_text(folder / "d.dxf", content);
-    const Run refused = run("import-pattern",
-                            {(folder / "d.dxf").string(), "-o", (folder / "p.json").string()}, 60);
+    const auto refused = run("import-pattern",
+                             {(folder / "d.dxf").string(), "-o", (folder / "p.json").string()}, 60);
     EXPECT_EQ(refused.exit_code, 1) << content;
     EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
     EXPECT_HOLDS(refused.err, "d.dxf");

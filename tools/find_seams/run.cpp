@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
 
 #include "geometry/error.h"
 #include "io/json_words.h"
@@ -58,6 +60,24 @@ Stitch stitch_of(const Pattern& pattern, const std::string& text) {
   throw Error("--sew " + in_quotes(text), "names no two edges", "write it as \"front:3 back:1\"");
 }
 
+/// What is in no seam, hems and necklines among it.
+void say_open(const Pattern& pattern, const FoundSeams& found, const CommonSettings& common) {
+  std::set<std::pair<int, int>> used;
+  for (const FoundSeam& seam : found.seams) {
+    used.insert({seam.a.panel, seam.a.edge});
+    used.insert({seam.b.panel, seam.b.edge});
+  }
+  std::string open;
+  for (int p = 0; p < static_cast<int>(pattern.panels.size()); ++p) {
+    for (int e = 0; e < static_cast<int>(pattern.panels[p].edges.size()); ++e) {
+      if (used.contains({p, e})) continue;
+      open += ' ';
+      open += side_name(pattern, {p, e});
+    }
+  }
+  if (!open.empty()) common.say("left open:" + open);
+}
+
 }  // namespace
 
 int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& common) {
@@ -102,6 +122,7 @@ int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& comm
   }
   common.say(std::to_string(decided.size()) + " seams sewn, " + std::to_string(undecided) +
              " undecided");
+  say_open(pattern, found, common);
   OutputFiles files;
   write_file(files.at(common.output), with_stitches(text, pattern, decided, options.drawn_walk));
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

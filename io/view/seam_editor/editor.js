@@ -122,7 +122,8 @@
   // Proposals.
 
   function take_proposals(report) {
-    proposals = (report.seams || []).map(seam => ({ ...seam, state: 'open' }))
+    const all = decided => seam => ({ ...seam, decided, state: 'open' });
+    proposals = [...(report.seams || []).map(all(true)), ...(report.undecided || []).map(all(false))]
       .filter(p => p.a && p.b && !model.seamsOf(p.a).some(s => PatternModel.same(s[0], p.b) || PatternModel.same(s[1], p.b)));
     proposals.sort((a, b) => a.confidence - b.confidence);
     proposal = proposals.length > 0 ? 0 : -1;
