@@ -153,7 +153,8 @@ TEST(Check, OfALongLineTheMostUnequalSeamIsNamed) {
   check_pattern(
       samples::parse(file(
           polygon("a", "[0,0],[10,0],[20,0],[30,0],[40,0],[50,0],[60,0],[60,20],[0,20]") + "," +
-              polygon("b", "[0,0],[5,0],[10,0],[15,0],[17,0],[22,0],[27,0],[27,-20],[0,-20]"),
+              polygon("b", "[0,0],[5,0],[10,0],[15,0],[17,0],[22,0],[27,0],[27,-20],[0,-20]",
+                      R"("translation": [0,-1,0])"),
           stitches)),
       said);
   ASSERT_EQ(said.size(), 1u);

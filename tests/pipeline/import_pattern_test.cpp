@@ -25,7 +25,7 @@ TEST(ImportPattern, WhatItWritesIsMeshed) {
   ASSERT_EQ(made.exit_code, 0) << made.err;
   EXPECT_EQ(made.out, "");
   const auto meshed =
-      run("mesh-pattern", {pattern, "-o", (folder / "p.obj").string(), "--flat"}, 60);
+      run("mesh-pattern", {pattern, "-o", (folder / "garment.obj").string(), "--flat"}, 60);
   EXPECT_EQ(meshed.exit_code, 0) << meshed.err;
   EXPECT_HOLDS(meshed.err, "1 cut-outs and 1 drill holes are not meshed");
 }
