@@ -218,8 +218,10 @@ class Importer {
       add(piece, shape, name, piece.quantity, place);
       return;
     }
-    add(piece, shape, "left_" + name, std::max(1, piece.quantity / 2), place);
-    add(piece, mirrored_shape(shape), "right_" + name, std::max(1, piece.quantity / 2), place);
+    const int of_each = std::max(1, piece.quantity / 2);
+    add(piece, shape, (piece.is_right_one ? "right_" : "left_") + name, of_each, place);
+    add(piece, mirrored_shape(shape), (piece.is_right_one ? "left_" : "right_") + name, of_each,
+        place);
   }
 
   void add(const Piece& piece, const PieceShape& shape, const std::string& name, int quantity,

@@ -41,7 +41,7 @@ struct ImportedPattern {
 };
 
 /// Makes the panels: of the size asked for, half pieces unfolded, pairs as left_NAME, as drawn, and
-/// right_NAME, mirrored.
+/// right_NAME, mirrored, or the other way round (Piece::is_right_one).
 ///
 /// Panels stay where the drawing has them, unless the boxes of two overlap. Then all are laid out
 /// side by side, upright as drawn. Remarks of the drawing and what it ignored are added to

@@ -35,6 +35,7 @@ struct Piece {
   std::string material;       ///< empty: not stated
   int quantity = 1;           ///< how often it is cut
   bool pair = false;          ///< whether half of `quantity` is cut mirrored
+  bool is_right_one = false;  ///< of a pair: the right one is drawn, not the left one
   PiecePath outline;          ///< closed: the seam line, or the cut line if that is all there is
   bool is_cut_line = false;   ///< whether `outline` still has the seam allowance
   std::vector<Vec2> corners;  ///< points that the file declares to be corners

@@ -644,7 +644,12 @@ class Finder {
 
   std::string name_of(std::size_t p, const std::map<int, int>& pieces_in_group) {
     const int part = outline_of(p).part;
-    if (part >= 0) return freesewing_part_name(drawing_.groups[static_cast<std::size_t>(part)]);
+    if (part >= 0) {
+      std::string name = freesewing_part_name(drawing_.groups[static_cast<std::size_t>(part)]);
+      // Its sleeves are drawn with the front on the right side: seen from outside, the right one.
+      pieces_.pieces[p].is_right_one = name.find("sleeve") != std::string::npos;
+      return name;
+    }
     if (const std::string named = texts_[p].value("piece name"); !named.empty()) return named;
     const SvgShape& shape = shape_of(p);
     if (!shape.label.empty()) return shape.label;

@@ -296,7 +296,7 @@ const PatternModel = (function () {
         return;
       }
       const start = first.points[0], end = last.points[last.points.length - 1];
-      const inner = parts.flatMap((part, i) => part.points.slice(i > 0 ? 0 : 1)).slice(0, -1);
+      const inner = parts.flatMap(part => part.points.slice(1)).slice(0, -1);
       if (inner.length === 0) return;
       const type = inner.length === 1 ? 'quadratic' : inner.length === 2 ? 'cubic' : 'cubics';
       const params = inner.map(p => this.relative ? toFrame(p, start, end) : p.map(x => x / this.scale));

@@ -81,6 +81,8 @@ TEST(SvgPieces, FreeSewingsTshirt) {
   EXPECT_NEAR((sleeve.grain->to - sleeve.grain->from).norm(), 0.19423, 1e-9);
   EXPECT_EQ(sleeve.quantity, 2);
   EXPECT_TRUE(sleeve.pair);
+  // Its front half, with one notch, is drawn on the right.
+  EXPECT_TRUE(sleeve.is_right_one);
   EXPECT_EQ(sleeve.notches.size(), 2u);
   for (const Piece& piece : drawing.pieces) {
     EXPECT_EQ(piece.material, "fabric");
