@@ -48,6 +48,6 @@ struct FoundSeams {
 FoundSeams find_seams(const Pattern& pattern, const FindSeamsOptions& options);
 
 /// Confidence from which on a seam is decided.
-inline constexpr double decided_confidence = 0.3;
+inline constexpr double decided_confidence = 0.5;
 
 }  // namespace toile
