@@ -259,10 +259,10 @@ class Search {
     double whole = worth;
     for (const SeamEnd& seam : seams_) whole += candidates_[seam.candidate].worth / 2;
     if (whole < least_with_seams) return;
-    groups_.push_back({seams_, std::move(open), measures, worth});
+    groups_.push_back({seams_, std::move(open), worth});
   }
 
-  const std::vector<OutlineEdge>& edges_;
+  const std::vector<WalkedEdge>& edges_;
   const std::vector<SeamCandidate>& candidates_;
   const SeamMeasures& w_;
   std::vector<std::array<std::vector<Crossing>, 2>> across_;

@@ -25,7 +25,6 @@ struct EdgeEnd {
 struct CornerGroup {
   std::vector<SeamEnd> seams;
   std::vector<EdgeEnd> open;
-  SeamMeasures measures{};
   double worth = 0;
 };
 

@@ -22,7 +22,7 @@ class SeamSearch {
  public:
   SeamSearch(const Pattern& pattern, const FindSeamsOptions& options)
       : pattern_(pattern), options_(options) {
-    evidence_.edges = outline_edges(pattern, options.drawn_walk);
+    evidence_.edges = walked_edges(pattern, options.drawn_walk);
     for (const PatternPanel& panel : pattern.panels) evidence_.words.push_back(words_of(panel));
     fits_ = panel_fits(evidence_.edges);
     evidence_.shapes = edge_shapes(evidence_.edges, fits_);
@@ -44,21 +44,22 @@ class SeamSearch {
       const SeamCandidate& candidate = candidates[chosen.candidate];
       seams.push_back({candidate.a.first, candidate.b.first, false});
     }
+    const std::vector<EdgeSeam> before = seams;
     if (options_.given.empty()) {
       exchange_panels(pattern_, evidence_.edges, fits_, evidence_.words, options_.by_place, seams);
     }
     FoundSeams found;
     found.proved = assigned.proved;
     found.worth = assigned.worth;
-    found.candidates = static_cast<int>(candidates.size());
-    found.groups = static_cast<int>(groups.size());
     for (std::size_t i = 0; i < seams.size(); ++i) {
       const ChosenSeam& chosen = assigned.chosen[i];
       FoundSeam seam = made(seams[i]);
       seam.given = std::find(known.chosen.begin(), known.chosen.end(), chosen.candidate) !=
                    known.chosen.end();
       seam.confidence = seam.given ? 1 : std::max(0.0, 1 - std::exp(-chosen.margin / margin_scale));
-      if (chosen.alternative >= 0) {
+      // The alternative is of the panels that were chosen before equal ones changed places.
+      const bool stayed = seams[i].a == before[i].a && seams[i].b == before[i].b;
+      if (chosen.alternative >= 0 && stayed) {
         const SeamCandidate& other = candidates[chosen.alternative];
         seam.alternative = {evidence_.edges[other.a.first].ref, evidence_.edges[other.b.first].ref};
       }
@@ -79,8 +80,8 @@ class SeamSearch {
 
  private:
   FoundSeam made(const EdgeSeam& seam) const {
-    const OutlineEdge& a = evidence_.edges[seam.a];
-    const OutlineEdge& b = evidence_.edges[seam.b];
+    const WalkedEdge& a = evidence_.edges[seam.a];
+    const WalkedEdge& b = evidence_.edges[seam.b];
     FoundSeam made;
     made.a = a.ref;
     made.b = b.ref;
@@ -116,7 +117,7 @@ class SeamSearch {
         return c.a.first == a && c.b.first == b;
       });
       known.chosen.push_back(static_cast<int>(found - candidates.begin()));
-      if (found == candidates.end()) candidates.push_back({{a, 1}, {b, 1}, {}, 0});
+      if (found == candidates.end()) candidates.push_back({{a, 1}, {b, 1}, 0});
     }
     return known;
   }
@@ -133,11 +134,11 @@ class SeamSearch {
 
 FoundSeams find_seams(const Pattern& pattern, const FindSeamsOptions& options) {
   SeamSearch search(pattern, options);
-  FoundSeams found = search.run(options.weights);
+  FoundSeams found = search.run(seam_weights);
   if (!search.names_sides()) return found;
   // Where drawings show the wrong side, left and right change places: then a garment that does not
   // heed them is worth much more.
-  SeamMeasures sideless = options.weights;
+  SeamMeasures sideless = seam_weights;
   sideless[static_cast<int>(SeamMeasure::sides_differ)] = 0;
   FoundSeams other = search.run(sideless);
   return other.worth > found.worth + turned_panels ? other : found;

@@ -11,13 +11,12 @@
 namespace toile {
 
 struct FindSeamsOptions {
-  /// Outlines run counter-clockwise as seen from the right side, see outline_edges().
+  /// Outlines run counter-clockwise as seen from the right side, see walked_edges().
   bool drawn_walk = false;
   /// The placed panels decide between garments that are the same but for which of equal panels is
-  /// sewn where, see exchange_panels().
+  /// sewn where, see exchange_panels(). Given seams keep panels where they are.
   bool by_place = false;
   std::vector<Stitch> given;  ///< seams that are known; a direction by position is right to right
-  SeamMeasures weights = seam_weights;
 };
 
 /// Two edges that are sewn together.
@@ -29,16 +28,15 @@ struct FoundSeam {
   double length_b = 0;    ///< metres
   double confidence = 0;  ///< 0 to 1; 1 for a seam that was given
   bool given = false;
-  /// The best other seam of one of the two edges. Nothing: that edge stays open.
+  /// The best other seam of one of the two edges. Nothing: that edge stays open, or the seam is one
+  /// of equal panels that changed places.
   std::optional<std::array<EdgeRef, 2>> alternative;
 };
 
 struct FoundSeams {
   std::vector<FoundSeam> seams;
   bool proved = false;  ///< no other choice of seams is worth more
-  double worth = 0;
-  int candidates = 0;
-  int groups = 0;
+  double worth = 0;     ///< of the garment, see seam_weights.h
 };
 
 /// The seams of the whole garment, as one choice. Stitches of the pattern are not looked at; nor

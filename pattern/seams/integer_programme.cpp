@@ -12,6 +12,13 @@
 
 namespace toile {
 
+namespace {
+
+/// Times that cuts are added at the first node, at most.
+constexpr int max_cut_passes = 5;
+
+}  // namespace
+
 struct IntegerProgramme::Solver {
   struct Row {
     std::vector<LinearTerm> terms;
@@ -23,6 +30,16 @@ struct IntegerProgramme::Solver {
   std::vector<bool> implied;
   std::vector<Row> rows;
   OsiClpSolverInterface relaxed;
+  int iterations_left = 0;
+
+  /// Solves what was changed since. False: the iterations are used up.
+  bool resolve(OsiClpSolverInterface& problem) {
+    if (iterations_left <= 0) return false;
+    problem.getModelPtr()->setMaximumIterations(iterations_left);
+    problem.resolve();
+    iterations_left -= problem.getIterationCount();
+    return iterations_left > 0;
+  }
 
   void load() {
     relaxed.reset();
@@ -46,7 +63,9 @@ struct IntegerProgramme::Solver {
   }
 };
 
-IntegerProgramme::IntegerProgramme() : solver_(std::make_unique<Solver>()) {}
+IntegerProgramme::IntegerProgramme(int max_iterations) : solver_(std::make_unique<Solver>()) {
+  solver_->iterations_left = max_iterations;
+}
 IntegerProgramme::~IntegerProgramme() = default;
 
 int IntegerProgramme::add_variable(double worth, bool implied) {
@@ -68,7 +87,7 @@ void IntegerProgramme::fix(int variable, bool value) {
 /// A good answer in whole numbers: what the relaxed answer chooses most clearly is chosen, again
 /// and again. Empty: none was found.
 template <class Solver>
-std::vector<double> dive(const Solver& solver) {
+std::vector<double> dive(Solver& solver) {
   OsiClpSolverInterface relaxed(solver.relaxed);
   const int count = relaxed.getNumCols();
   for (int round = 0; round < count; ++round) {
@@ -82,8 +101,7 @@ std::vector<double> dive(const Solver& solver) {
     }
     if (most < 0) return {values, values + count};
     relaxed.setColLower(most, 1);
-    relaxed.resolve();
-    if (!relaxed.isProvenOptimal()) return {};
+    if (!solver.resolve(relaxed) || !relaxed.isProvenOptimal()) return {};
   }
   return {};
 }
@@ -95,11 +113,13 @@ std::optional<IntegerProgramme::Answer> IntegerProgramme::solve(int max_nodes) {
   ClpSolve how;
   how.setSolveType(ClpSolve::useDual);
   how.setPresolveType(ClpSolve::presolveOn);
+  if (solver_->iterations_left <= 0) return std::nullopt;
   relaxed.getModelPtr()->setPerturbation(50);
+  relaxed.getModelPtr()->setMaximumIterations(solver_->iterations_left);
   relaxed.getModelPtr()->initialSolve(how);
+  solver_->iterations_left -= relaxed.getModelPtr()->numberIterations();
   relaxed.setWarmStart(nullptr);
-  relaxed.resolve();
-  if (!relaxed.isProvenOptimal()) return std::nullopt;
+  if (!solver_->resolve(relaxed) || !relaxed.isProvenOptimal()) return std::nullopt;
   Answer answer;
   const auto take = [&](const double* solution) {
     answer.values.resize(solver_->worths.size());
@@ -114,7 +134,7 @@ std::optional<IntegerProgramme::Answer> IntegerProgramme::solve(int max_nodes) {
     const double value = relaxed.getColSolution()[i];
     whole = solver_->implied[i] || std::min(value, 1 - value) < 1e-7;
   }
-  if (whole || max_nodes == 0) {
+  if (whole) {
     take(relaxed.getColSolution());
     answer.proved = true;
     return answer;
@@ -124,6 +144,8 @@ std::optional<IntegerProgramme::Answer> IntegerProgramme::solve(int max_nodes) {
   model.setLogLevel(0);
   model.messageHandler()->setLogLevel(0);
   model.setMaximumNodes(max_nodes);
+  model.setMaximumNumberIterations(std::max(solver_->iterations_left, 1));
+  model.setMaximumCutPassesAtRoot(max_cut_passes);
   CglClique clique;
   clique.setStarCliqueReport(false);
   clique.setRowCliqueReport(false);
@@ -136,6 +158,7 @@ std::optional<IntegerProgramme::Answer> IntegerProgramme::solve(int max_nodes) {
     model.setBestSolution(dived.data(), static_cast<int>(dived.size()), -worth, true);
   }
   model.branchAndBound();
+  solver_->iterations_left -= model.getIterationCount();
   if (model.bestSolution() == nullptr) return std::nullopt;
   take(model.bestSolution());
   answer.proved = model.isProvenOptimal();
@@ -150,8 +173,9 @@ IntegerProgramme::Relaxed IntegerProgramme::relaxed_without(const std::vector<in
     if (solver_->low[variable] > 0) return result;
   }
   for (const int variable : variables) relaxed.setColUpper(variable, 0);
-  relaxed.resolve();
-  if (relaxed.isProvenOptimal()) {
+  if (!solver_->resolve(relaxed)) {
+    result.worth = std::numeric_limits<double>::infinity();
+  } else if (relaxed.isProvenOptimal()) {
     result.worth = relaxed.getObjValue();
     result.values.assign(relaxed.getColSolution(), relaxed.getColSolution() + relaxed.getNumCols());
   }

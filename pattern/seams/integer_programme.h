@@ -14,11 +14,12 @@ struct LinearTerm {
 };
 
 /// Maximizes a sum of worths over variables that are 0 or 1, under linear constraints. One thread;
-/// the same programme gives the same answer. Exponential time at worst; bounded by a number of
-/// nodes, not by a clock.
+/// the same programme gives the same answer. The work is bounded by iterations of the simplex
+/// method over the life of the programme, not by a clock.
 class IntegerProgramme {
  public:
-  IntegerProgramme();
+  /// `max_iterations`: of all calls together.
+  explicit IntegerProgramme(int max_iterations);
   ~IntegerProgramme();
   IntegerProgramme(const IntegerProgramme&) = delete;
   IntegerProgramme& operator=(const IntegerProgramme&) = delete;
@@ -36,14 +37,15 @@ class IntegerProgramme {
     std::vector<bool> values;
     bool proved = false;  ///< no answer is worth more
   };
-  /// Nothing when no answer meets the constraints. At most `max_nodes` nodes are searched.
+  /// Nothing when no answer meets the constraints, or the iterations are used up before one is
+  /// found. At most `max_nodes` nodes are searched, at least one.
   std::optional<Answer> solve(int max_nodes);
   struct Relaxed {
-    double worth = 0;            ///< minus infinity: no answer meets the constraints
+    double worth = 0;  ///< minus infinity: no answer meets the constraints; infinity: not known
     std::vector<double> values;  ///< 0 to 1
   };
   /// The best answer in fractions with these variables at 0: no answer in whole numbers is worth
-  /// more. Call it after solve().
+  /// more. Not known once the iterations are used up. Call it after solve().
   Relaxed relaxed_without(const std::vector<int>& variables);
 
  private:

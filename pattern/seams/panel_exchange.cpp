@@ -15,7 +15,7 @@ constexpr double worth_it = 0.01;
 
 class Exchange {
  public:
-  Exchange(const Pattern& pattern, const std::vector<OutlineEdge>& edges,
+  Exchange(const Pattern& pattern, const std::vector<WalkedEdge>& edges,
            const std::vector<PanelFit>& fits, const std::vector<PanelWords>& words, bool by_place)
       : pattern_(pattern), edges_(edges), fits_(fits), words_(words), by_place_(by_place) {
     first_.assign(pattern.panels.size(), -1);
@@ -80,7 +80,7 @@ class Exchange {
 
   double distance(const EdgeSeam& seam) const {
     const auto ends = [&](int e) {
-      const OutlineEdge& edge = edges_[e];
+      const WalkedEdge& edge = edges_[e];
       const PatternPanel& owner = pattern_.panels[edge.ref.panel];
       const EdgeCurve& curve = owner.edges[edge.ref.edge].curve;
       return std::array{owner.place(edge.forward ? curve.start() : curve.end()),
@@ -93,7 +93,7 @@ class Exchange {
   }
 
   const Pattern& pattern_;
-  const std::vector<OutlineEdge>& edges_;
+  const std::vector<WalkedEdge>& edges_;
   const std::vector<PanelFit>& fits_;
   const std::vector<PanelWords>& words_;
   bool by_place_ = false;
@@ -102,7 +102,7 @@ class Exchange {
 
 }  // namespace
 
-void exchange_panels(const Pattern& pattern, const std::vector<OutlineEdge>& edges,
+void exchange_panels(const Pattern& pattern, const std::vector<WalkedEdge>& edges,
                      const std::vector<PanelFit>& fits, const std::vector<PanelWords>& words,
                      bool by_place, std::vector<EdgeSeam>& seams) {
   Exchange(pattern, edges, fits, words, by_place).run(seams);

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "pattern/pattern.h"
-#include "pattern/seams/outline_edges.h"
 #include "pattern/seams/panel_symmetry.h"
 #include "pattern/seams/panel_words.h"
+#include "pattern/seams/walked_edges.h"
 
 namespace toile {
 
@@ -21,7 +21,7 @@ struct EdgeSeam {
 /// Lets panels that coincide change places, and turns over panels that are their own mirror images.
 /// Each such garment is the same cloth. Fewer seams join left to right by the panels' names
 /// afterwards. With `by_place`, the placed ends of seams come nearer too.
-void exchange_panels(const Pattern& pattern, const std::vector<OutlineEdge>& edges,
+void exchange_panels(const Pattern& pattern, const std::vector<WalkedEdge>& edges,
                      const std::vector<PanelFit>& fits, const std::vector<PanelWords>& words,
                      bool by_place, std::vector<EdgeSeam>& seams);
 

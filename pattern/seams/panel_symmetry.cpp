@@ -14,7 +14,7 @@ constexpr double max_angle = 3 * std::numbers::pi / 180;  // of corners that coi
 constexpr int samples = 48;                               // points of an outline that are compared
 
 /// First edge and number of edges of each panel.
-std::vector<std::array<int, 2>> panels_of(const std::vector<OutlineEdge>& edges) {
+std::vector<std::array<int, 2>> panels_of(const std::vector<WalkedEdge>& edges) {
   std::vector<std::array<int, 2>> panels;
   for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
     if (edges[e].ref.panel == static_cast<int>(panels.size())) panels.push_back({e, 0});
@@ -26,7 +26,7 @@ std::vector<std::array<int, 2>> panels_of(const std::vector<OutlineEdge>& edges)
 /// The outline of a panel by its length.
 class Outline {
  public:
-  Outline(const std::vector<OutlineEdge>& edges, int first, int count)
+  Outline(const std::vector<WalkedEdge>& edges, int first, int count)
       : edges_(edges), first_(first) {
     for (int i = 0; i < count; ++i) {
       starts_.push_back(length_);
@@ -54,7 +54,7 @@ class Outline {
     where = std::fmod(std::fmod(where, length_) + length_, length_);
     const auto next = std::upper_bound(starts_.begin(), starts_.end(), where);
     const auto i = static_cast<int>(next - starts_.begin()) - 1;
-    const OutlineEdge& edge = edges_[first_ + i];
+    const WalkedEdge& edge = edges_[first_ + i];
     const double step = static_cast<double>(edge.points.size() - 1);
     const double place = std::clamp((where - starts_[i]) / edge.length, 0.0, 1.0) * step;
     const auto k = std::min(static_cast<std::size_t>(place), edge.points.size() - 2);
@@ -63,7 +63,7 @@ class Outline {
   }
 
  private:
-  const std::vector<OutlineEdge>& edges_;
+  const std::vector<WalkedEdge>& edges_;
   int first_ = 0;
   std::vector<double> starts_;
   double length_ = 0;
@@ -89,7 +89,7 @@ bool coincide(const Outline& p, double from_p, const Outline& q, double from_q, 
 
 }  // namespace
 
-std::vector<PanelFit> panel_fits(const std::vector<OutlineEdge>& edges) {
+std::vector<PanelFit> panel_fits(const std::vector<WalkedEdge>& edges) {
   const auto panels = panels_of(edges);
   std::vector<Outline> outlines;
   for (const auto& [first, count] : panels) outlines.emplace_back(edges, first, count);
@@ -131,7 +131,7 @@ std::vector<PanelFit> panel_fits(const std::vector<OutlineEdge>& edges) {
   return fits;
 }
 
-EdgeShapes edge_shapes(const std::vector<OutlineEdge>& edges, const std::vector<PanelFit>& fits) {
+EdgeShapes edge_shapes(const std::vector<WalkedEdge>& edges, const std::vector<PanelFit>& fits) {
   const auto panels = panels_of(edges);
   EdgeShapes shapes;
   shapes.shape.resize(edges.size());
@@ -157,7 +157,7 @@ EdgeShapes edge_shapes(const std::vector<OutlineEdge>& edges, const std::vector<
   return shapes;
 }
 
-std::vector<int> mirror_partners(const std::vector<OutlineEdge>& edges,
+std::vector<int> mirror_partners(const std::vector<WalkedEdge>& edges,
                                  const std::vector<PanelFit>& fits,
                                  const std::vector<PanelWords>& words) {
   const auto panels = panels_of(edges);

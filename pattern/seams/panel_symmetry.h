@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "pattern/seams/outline_edges.h"
 #include "pattern/seams/panel_words.h"
+#include "pattern/seams/walked_edges.h"
 
 namespace toile {
 
@@ -20,7 +20,7 @@ struct PanelFit {
 
 /// All ways to lay panels onto panels. Outlines lie within two millimetres of each other, wherever
 /// they are split into edges. A panel lies on itself in one way at least. O(edges^2).
-std::vector<PanelFit> panel_fits(const std::vector<OutlineEdge>& edges);
+std::vector<PanelFit> panel_fits(const std::vector<WalkedEdge>& edges);
 
 /// What the fits say of single edges.
 struct EdgeShapes {
@@ -30,12 +30,12 @@ struct EdgeShapes {
   /// Per edge: +1 or -1, whether it lies on the edge `shape` as drawn or mirrored; 0: both.
   std::vector<int> hand;
 };
-EdgeShapes edge_shapes(const std::vector<OutlineEdge>& edges, const std::vector<PanelFit>& fits);
+EdgeShapes edge_shapes(const std::vector<WalkedEdge>& edges, const std::vector<PanelFit>& fits);
 
 /// Per edge: its partner on the other half of the garment, the edge itself included; -1: not known.
 /// Pairs are told by the names of left and right, or where two panels alone are mirror images. A
 /// panel that names no side lies on itself where it is its own mirror image.
-std::vector<int> mirror_partners(const std::vector<OutlineEdge>& edges,
+std::vector<int> mirror_partners(const std::vector<WalkedEdge>& edges,
                                  const std::vector<PanelFit>& fits,
                                  const std::vector<PanelWords>& words);
 

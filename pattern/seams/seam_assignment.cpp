@@ -11,8 +11,11 @@ namespace toile {
 
 namespace {
 
-/// Nodes of the search at most. A garment takes one to some hundred.
+/// Nodes of each search at most. Where the first node does not do, hundreds seldom do.
 constexpr int max_nodes = 4;
+
+/// Iterations of the simplex method for one garment, at most.
+constexpr int max_iterations = 100000;
 
 /// Times that the programme is solved again because parts of the garment are sewn to nothing else,
 /// or because the garment has a handle.
@@ -36,9 +39,13 @@ class Assigner {
     for (const int c : known_.chosen) programme_.fix(variable_[c], true);
     SeamAssignment result;
     std::vector<int> chosen;
-    for (int round = 0; round < max_rounds; ++round) {
+    for (int round = 0;; ++round) {
       const auto answer = programme_.solve(max_nodes);
-      if (!answer) return result;
+      // What came before it hangs not together, or has a handle; it is better than nothing.
+      if (!answer || round == max_rounds) {
+        result.proved = false;
+        break;
+      }
       result.worth = answer->worth;
       result.proved = answer->proved;
       chosen.clear();
@@ -233,8 +240,14 @@ class Assigner {
 
   void weigh(const std::vector<int>& chosen, SeamAssignment& result) {
     std::map<std::array<int, 3>, std::vector<int>> of_kind;
+    // A seam that was given says nothing of others of its kind.
+    std::set<int> given;
+    for (const int c : known_.chosen) given.insert(variable_[lead_[c]]);
     for (int c = 0; c < count(); ++c) {
-      if (variable_[lead_[c]] >= 0) of_kind[kind(candidates_[c])].push_back(variable_[lead_[c]]);
+      const int variable = variable_[lead_[c]];
+      if (variable >= 0 && !given.contains(variable)) {
+        of_kind[kind(candidates_[c])].push_back(variable);
+      }
     }
     std::map<std::array<int, 3>, IntegerProgramme::Relaxed> without;
     for (const int c : chosen) {
@@ -291,12 +304,12 @@ class Assigner {
   }
 
   const KnownSeams& known_;
-  const std::vector<OutlineEdge>& edges_;
+  const std::vector<WalkedEdge>& edges_;
   const std::vector<int>& mirror_;
   const EdgeShapes& shapes_;
   const std::vector<SeamCandidate>& candidates_;
   const std::vector<CornerGroup>& groups_;
-  IntegerProgramme programme_;
+  IntegerProgramme programme_{max_iterations};
   std::set<std::vector<int>> joined_;  ///< parts that ask_to_join() knows
   std::vector<int> lead_;
   std::vector<int> image_;

@@ -133,10 +133,11 @@ class Finder {
   }
 
   SeamCandidate candidate(int a, int b) const {
-    SeamCandidate made{{a, 1}, {b, 1}, {}, 0};
-    measure(a, b, made.measures);
-    if (edges_[a].ref.panel != edges_[b].ref.panel) measure_names(a, b, made.measures);
-    made.worth = worth_of(made.measures, w_);
+    SeamCandidate made{{a, 1}, {b, 1}, 0};
+    SeamMeasures measures{};
+    measure(a, b, measures);
+    if (edges_[a].ref.panel != edges_[b].ref.panel) measure_names(a, b, measures);
+    made.worth = worth_of(measures, w_);
     return made;
   }
 
@@ -145,8 +146,8 @@ class Finder {
       return measures[static_cast<int>(measure)];
     };
     using enum SeamMeasure;
-    const OutlineEdge& first = edges_[a];
-    const OutlineEdge& second = edges_[b];
+    const WalkedEdge& first = edges_[a];
+    const WalkedEdge& second = edges_[b];
     at(seam) = 1;
     const double ratio =
         std::max(first.length, second.length) / std::min(first.length, second.length);
@@ -177,7 +178,7 @@ class Finder {
     if (ratio < 1.3) at(curve) = curve_match(first.turning, second.turning);
   }
 
-  static double turning(const OutlineEdge& edge) {
+  static double turning(const WalkedEdge& edge) {
     return edge.turning[0] + edge.turning[1] + edge.turning[2] + edge.turning[3];
   }
 
@@ -220,7 +221,7 @@ class Finder {
     }
   }
 
-  const std::vector<OutlineEdge>& edges_;
+  const std::vector<WalkedEdge>& edges_;
   const std::vector<PanelWords>& words_;
   const std::vector<int>& mirror_;
   const std::vector<int>& shape_;
@@ -235,7 +236,7 @@ std::vector<SeamCandidate> seam_candidates(const SeamEvidence& evidence,
   return Finder(evidence, weights).find();
 }
 
-std::vector<int> edges_of(const std::vector<OutlineEdge>& edges, const SeamSide& side) {
+std::vector<int> edges_of(const std::vector<WalkedEdge>& edges, const SeamSide& side) {
   std::vector<int> list;
   for (int i = 0, e = side.first; i < side.count; ++i, e = edges[e].next) list.push_back(e);
   return list;

@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "pattern/seams/outline_edges.h"
 #include "pattern/seams/panel_symmetry.h"
 #include "pattern/seams/panel_words.h"
 #include "pattern/seams/seam_weights.h"
+#include "pattern/seams/walked_edges.h"
 
 namespace toile {
 
@@ -17,28 +17,27 @@ struct SeamSide {
 };
 
 /// Two sides that may be sewn, right side to right side. The start of one meets the end of the
-/// other, both walked as outline_edges() walks them.
+/// other, both walked as walked_edges() walks them.
 struct SeamCandidate {
   SeamSide a;
   SeamSide b;
-  SeamMeasures measures{};  ///< of its sides alone
-  double worth = 0;         ///< by those
+  double worth = 0;  ///< of its sides alone
 };
 
 /// What seams are found from.
 struct SeamEvidence {
-  std::vector<OutlineEdge> edges;
+  std::vector<WalkedEdge> edges;
   std::vector<PanelWords> words;  ///< per panel
   std::vector<int> mirror;        ///< per edge, see mirror_partners()
   EdgeShapes shapes;
 };
 
 /// The best candidates of each edge, and those that continue a good one along the outlines.
-/// O(edges^2 log(edges)).
+/// O(edges^2 log(edges)), and O(edges^3) where most edges are equally long.
 std::vector<SeamCandidate> seam_candidates(const SeamEvidence& evidence,
                                            const SeamMeasures& weights);
 
 /// The edges of a side, in the order of the walk.
-std::vector<int> edges_of(const std::vector<OutlineEdge>& edges, const SeamSide& side);
+std::vector<int> edges_of(const std::vector<WalkedEdge>& edges, const SeamSide& side);
 
 }  // namespace toile

@@ -5,7 +5,7 @@ namespace toile {
 namespace {
 
 struct Row {
-  const char* name;
+  const char* name;  // of the measure, for the reader
   double weight;
 };
 
@@ -64,7 +64,5 @@ double worth_of(const SeamMeasures& measures, const SeamMeasures& weights) {
   for (int i = 0; i < seam_measures; ++i) sum += measures[i] * weights[i];
   return sum;
 }
-
-const char* to_string(SeamMeasure measure) { return rows[static_cast<int>(measure)].name; }
 
 }  // namespace toile

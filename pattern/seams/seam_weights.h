@@ -58,9 +58,6 @@ double worth_of(const SeamMeasures& measures, const SeamMeasures& weights);
 /// and two more GarmentCode files.
 extern const SeamMeasures seam_weights;
 
-/// Name of a measure, for tables.
-const char* to_string(SeamMeasure measure);
-
 /// Taken off where a part of the garment is sewn to nothing else.
 inline constexpr double part_left_over = 6;
 

@@ -8,6 +8,22 @@ namespace toile {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
+/// The file's own stitch of the same two edges; null: there is none.
+const Json* stitch_of(const Json& stitches, const Pattern& pattern, const FoundSeam& seam) {
+  const auto is = [&](const Json& side, const EdgeRef& ref) {
+    return side["panel"] == pattern.panels[ref.panel].name && side["edge"] == ref.edge;
+  };
+  for (const Json& stitch : stitches) {
+    if ((is(stitch[0], seam.a) && is(stitch[1], seam.b)) ||
+        (is(stitch[0], seam.b) && is(stitch[1], seam.a))) {
+      return &stitch;
+    }
+  }
+  return nullptr;
+}
+
 /// Spaces by which the text is indented; -1: it is all in one line.
 int indent_of(const std::string& text) {
   const std::size_t line = text.find('\n', text.find('{'));
@@ -29,10 +45,15 @@ bool has_drawn_walk(const std::string& text, const std::string& name) {
 
 std::string with_stitches(const std::string& text, const Pattern& pattern,
                           const std::vector<FoundSeam>& seams, bool drawn_walk) {
-  using Json = nlohmann::ordered_json;
   Json file = Json::parse(text);
   Json stitches = Json::array();
+  const Json drawn = file["pattern"].value("stitches", Json::array());
   for (const FoundSeam& seam : seams) {
+    // A seam that was kept keeps its name, its gathers and its direction.
+    if (const Json* own = seam.given ? stitch_of(drawn, pattern, seam) : nullptr) {
+      stitches.push_back(*own);
+      continue;
+    }
     Json stitch = Json::array();
     for (const EdgeRef& side : {seam.a, seam.b}) {
       stitch.push_back({{"panel", pattern.panels[side.panel].name}, {"edge", side.edge}});

@@ -62,6 +62,18 @@ TEST_F(ToileFit, ALayoutThatStandsLowerIsMovedAndThatIsSaid) {
   EXPECT_FALSE(said["scene"]["layout_moved"]["as_body"].get<bool>());
 }
 
+/// Its waist is half as wide again as the body's hips.
+TEST_F(ToileFit, AMisplacedGarmentSaysWhereItBelongs) {
+  pattern = Json::parse(read_text(fs::path(TOILE_SOURCE_DIR) / "samples" / "gathered_skirt.json"));
+  pattern["properties"]["units_in_meter"] = 60;
+  const pipeline::Run done = fit();
+  EXPECT_EQ(done.exit_code, 3) << done.err;
+  EXPECT_EQ(report("dressed.json")["verdict"], "misplaced");
+  const std::string page = read_text(folder / "out" / "ease.html");
+  EXPECT_NE(page.find("misplaced"), std::string::npos);
+  EXPECT_NE(page.find("is not worn where it belongs"), std::string::npos);
+}
+
 /// Fronts and backs on one side of the body, which the sleeves go around.
 TEST_F(ToileFit, ANegativeVerdictStillGetsItsEaseMap) {
   for (const std::string side : {"left", "right"}) {

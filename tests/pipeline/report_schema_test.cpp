@@ -149,6 +149,18 @@ TEST_F(ReportSchema, HoldsForImportPattern) {
   expect_faults_found("import_pattern", "import.json");
 }
 
+TEST_F(ReportSchema, HoldsForFindSeamsAndEditSeams) {
+  const auto found = run("find-seams", {sample("tshirt"), "-o", folder / "sewn.json", "--report",
+                                        folder / "seams.json", "--min-confidence", "0.99", "-q"});
+  EXPECT_EQ(found.exit_code, 3) << found.err;
+  expect_valid("find_seams", "seams.json", {"/undecided/0/alternative", "/edges_open/0/edge"});
+  expect_faults_found("find_seams", "seams.json");
+  succeed("edit-seams",
+          {sample("tshirt"), "-o", folder / "page.html", "--report", folder / "edit.json", "-q"});
+  expect_valid("edit_seams", "edit.json");
+  expect_faults_found("edit_seams", "edit.json");
+}
+
 TEST_F(ReportSchema, HoldsForMeshPatternDressEaseMapAndRender) {
   succeed("mesh-pattern", {sample("tshirt"), "-o", garment, "--edge-length", "25mm", "--report",
                            folder / "mesh.json", "-q"});

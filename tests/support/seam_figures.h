@@ -9,8 +9,8 @@
 
 #include "pattern/seam_orientation.h"
 #include "pattern/seams/find_seams.h"
-#include "pattern/seams/outline_edges.h"
 #include "pattern/seams/panel_symmetry.h"
+#include "pattern/seams/walked_edges.h"
 
 namespace toile {
 
@@ -72,7 +72,7 @@ struct SeamFigures {
 class SeamComparison {
  public:
   SeamComparison(const Pattern& pattern, bool drawn_walk, bool all)
-      : edges_(outline_edges(pattern, drawn_walk)) {
+      : edges_(walked_edges(pattern, drawn_walk)) {
     for (PanelFit& fit : panel_fits(edges_)) {
       if (all || fit.from == fit.to) fits_.push_back(std::move(fit));
     }
@@ -196,7 +196,7 @@ class SeamComparison {
     return right;
   }
 
-  std::vector<OutlineEdge> edges_;
+  std::vector<WalkedEdge> edges_;
   std::vector<PanelFit> fits_;
   int panels_ = 0;
   std::vector<int> first_;

@@ -86,8 +86,7 @@ void warn_of_verdict(const DressResult& result, const Judgement& judgement, Dres
     line << separator << seam.name << " (" << seam.missing_cm << " cm)";
     separator = ", ";
   }
-  const bool was_tried = !result.stages.empty();
-  if (was_tried && !line.str().empty()) {
+  if (!line.str().empty()) {
     log.warn("these seams could not be closed; how far they stand open: " + line.str());
   }
   std::ostringstream tight;

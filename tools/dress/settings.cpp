@@ -19,7 +19,11 @@ AskedPlaces read_places(const po::variables_map& given) {
   AskedPlaces places;
   if (given.count("place") == 0) return places;
   for (const std::string& text : given["place"].as<std::vector<std::string>>()) {
-    places.insert(parse_asked_place(text));
+    const auto asked = parse_asked_place(text);
+    if (!places.insert(asked).second) {
+      throw Error("--place '" + text + "'", "is the second place for panel '" + asked.first + "'",
+                  "say one place for each panel");
+    }
   }
   return places;
 }

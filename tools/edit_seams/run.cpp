@@ -3,12 +3,12 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/error.h"
-#include "io/json_value.h"
 #include "io/output_file.h"
 #include "io/view/seam_editor_page.h"
 #include "pattern/pattern_file.h"
 #include "tools/edit_seams/server.h"
 #include "tools/edit_seams/trial.h"
+#include "tools/remarks.h"
 
 namespace toile {
 
@@ -23,9 +23,22 @@ std::string json_of(const fs::path& path) {
   return text;
 }
 
-SeamEditorPage page_of(const EditSeamsSettings& settings, const CommonSettings& common) {
+/// Says what is remarkable in the pattern, and reports it. Throws Error when it is none.
+void check_and_report(const EditSeamsSettings& settings, const CommonSettings& common) {
   std::vector<Remark> remarks;
-  read_pattern(settings.pattern, remarks);  // whether it is a pattern
+  const Pattern pattern = read_pattern(settings.pattern, remarks);
+  say_remarks(remarks, common);
+  if (!common.report) return;
+  nlohmann::ordered_json report = {{"program", "edit-seams"},
+                                   {"pattern", settings.pattern.string()},
+                                   {"served", settings.serve},
+                                   {"panels", pattern.panels.size()},
+                                   {"seams", pattern.stitches.size()}};
+  add_remarks(remarks, report);
+  write_file(*common.report, report.dump(2) + "\n");
+}
+
+SeamEditorPage page_of(const EditSeamsSettings& settings, const CommonSettings& common) {
   SeamEditorPage page;
   page.name =
       settings.serve ? common.output.filename().string() : settings.pattern.filename().string();
@@ -110,6 +123,7 @@ void serve(const EditSeamsSettings& settings, const CommonSettings& common) {
 }  // namespace
 
 void run_edit_seams(const EditSeamsSettings& settings, const CommonSettings& common) {
+  check_and_report(settings, common);
   if (settings.serve) {
     serve(settings, common);
     return;

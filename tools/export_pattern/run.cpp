@@ -8,6 +8,7 @@
 #include "io/output_file.h"
 #include "io/text.h"
 #include "pattern/pattern_file.h"
+#include "tools/remarks.h"
 
 namespace toile {
 
@@ -49,11 +50,7 @@ nlohmann::ordered_json export_pattern_json(const std::string& pattern, const std
                                 {"material", valid_utf8(panel.material)}});
   }
   report["seams"] = content.stitches.size();
-  report["notes"] = Json::array();
-  report["warnings"] = Json::array();
-  for (const Remark& remark : remarks) {
-    report[remark.warning ? "warnings" : "notes"].push_back(remark.text);
-  }
+  add_remarks(remarks, report);
   return report;
 }
 
@@ -63,13 +60,7 @@ void run_export_pattern(const ExportPatternSettings& settings, const CommonSetti
   const auto start = std::chrono::steady_clock::now();
   std::vector<Remark> remarks;
   const Pattern pattern = read_pattern(settings.pattern, remarks);
-  for (const Remark& remark : remarks) {
-    if (remark.warning) {
-      CommonSettings::warn(remark.text);
-    } else {
-      common.say("note: " + remark.text);
-    }
-  }
+  say_remarks(remarks, common);
   const Sheet sheet = pattern_sheet(pattern, settings.sheet);
   const std::string extension = extension_of(common.output);
   OutputFiles files;

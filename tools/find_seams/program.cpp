@@ -24,6 +24,11 @@ CommandLineProgram find_seams_program() {
       "pattern", po::value<std::string>()->required(), "the pattern (also without --pattern)");
   program.positional.add("pattern", 1);
   program.output_extensions = {".json"};
+  program.check = [](const po::variables_map& given) {
+    if (given["use-places"].as<bool>() && (given["keep"].as<bool>() || given.count("sew") != 0)) {
+      throw po::error("--use-places has nothing to decide where seams are given: --keep, --sew");
+    }
+  };
   program.prepare = [](const po::variables_map& given, const CommonSettings& common) {
     FindSeamsSettings settings;
     settings.pattern = given["pattern"].as<std::string>();

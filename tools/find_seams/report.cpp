@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "tools/remarks.h"
+
 namespace toile {
 
 namespace {
@@ -47,6 +49,20 @@ std::string side_name(const Pattern& pattern, const EdgeRef& side) {
   return pattern.panels[side.panel].name + ":" + std::to_string(side.edge);
 }
 
+std::vector<EdgeRef> open_edges(const Pattern& pattern, const FoundSeams& found) {
+  std::set<std::array<int, 2>> used;
+  for (const FoundSeam& seam : found.seams) {
+    for (const EdgeRef& side : {seam.a, seam.b}) used.insert({side.panel, side.edge});
+  }
+  std::vector<EdgeRef> open;
+  for (int p = 0; p < static_cast<int>(pattern.panels.size()); ++p) {
+    for (int e = 0; e < static_cast<int>(pattern.panels[p].edges.size()); ++e) {
+      if (!used.contains({p, e})) open.push_back({p, e});
+    }
+  }
+  return open;
+}
+
 Json find_seams_json(const std::string& file, const Pattern& pattern, const FoundSeams& found,
                      double min_confidence, const std::vector<Remark>& remarks, double seconds) {
   Json report;
@@ -57,24 +73,15 @@ Json find_seams_json(const std::string& file, const Pattern& pattern, const Foun
   report["seconds"] = seconds;
   report["seams"] = Json::array();
   report["undecided"] = Json::array();
-  std::set<std::array<int, 2>> sewn;
   for (const FoundSeam& seam : found.seams) {
     report[seam.confidence >= min_confidence ? "seams" : "undecided"].push_back(
         seam_json(pattern, seam));
-    for (const EdgeRef& side : {seam.a, seam.b}) sewn.insert({side.panel, side.edge});
   }
   report["edges_open"] = Json::array();
-  for (int p = 0; p < static_cast<int>(pattern.panels.size()); ++p) {
-    for (int e = 0; e < static_cast<int>(pattern.panels[p].edges.size()); ++e) {
-      if (!sewn.contains({p, e})) report["edges_open"].push_back(side_json(pattern, {p, e}));
-    }
+  for (const EdgeRef& edge : open_edges(pattern, found)) {
+    report["edges_open"].push_back(side_json(pattern, edge));
   }
-  report["edges_split"] = Json::array();
-  report["notes"] = Json::array();
-  report["warnings"] = Json::array();
-  for (const Remark& remark : remarks) {
-    report[remark.warning ? "warnings" : "notes"].push_back(remark.text);
-  }
+  add_remarks(remarks, report);
   return report;
 }
 

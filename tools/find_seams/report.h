@@ -13,7 +13,10 @@ namespace toile {
 /// "front:3", as --sew takes it.
 std::string side_name(const Pattern& pattern, const EdgeRef& side);
 
-/// The report, in metres. `edges_open` are those in no decided and no undecided seam.
+/// The edges in no seam, decided or not: hems, necklines and cuffs among them.
+std::vector<EdgeRef> open_edges(const Pattern& pattern, const FoundSeams& found);
+
+/// The report, in metres.
 nlohmann::ordered_json find_seams_json(const std::string& file, const Pattern& pattern,
                                        const FoundSeams& found, double min_confidence,
                                        const std::vector<Remark>& remarks, double seconds);

@@ -4,8 +4,6 @@
 #include <chrono>
 #include <cstdio>
 #include <nlohmann/json.hpp>
-#include <set>
-#include <utility>
 
 #include "geometry/error.h"
 #include "io/json_words.h"
@@ -14,6 +12,7 @@
 #include "pattern/seams/find_seams.h"
 #include "pattern/seams/sewn_file.h"
 #include "tools/find_seams/report.h"
+#include "tools/remarks.h"
 
 namespace toile {
 
@@ -60,24 +59,6 @@ Stitch stitch_of(const Pattern& pattern, const std::string& text) {
   throw Error("--sew " + in_quotes(text), "names no two edges", "write it as \"front:3 back:1\"");
 }
 
-/// What is in no seam, hems and necklines among it.
-void say_open(const Pattern& pattern, const FoundSeams& found, const CommonSettings& common) {
-  std::set<std::pair<int, int>> used;
-  for (const FoundSeam& seam : found.seams) {
-    used.insert({seam.a.panel, seam.a.edge});
-    used.insert({seam.b.panel, seam.b.edge});
-  }
-  std::string open;
-  for (int p = 0; p < static_cast<int>(pattern.panels.size()); ++p) {
-    for (int e = 0; e < static_cast<int>(pattern.panels[p].edges.size()); ++e) {
-      if (used.contains({p, e})) continue;
-      open += ' ';
-      open += side_name(pattern, {p, e});
-    }
-  }
-  if (!open.empty()) common.say("left open:" + open);
-}
-
 }  // namespace
 
 int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& common) {
@@ -98,13 +79,11 @@ int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& comm
                                   " stitches are replaced; --keep keeps them"});
   }
   const FoundSeams found = find_seams(pattern, options);
-  for (const Remark& remark : remarks) {
-    if (remark.warning) {
-      CommonSettings::warn(remark.text);
-    } else {
-      common.say("note: " + remark.text);
-    }
+  if (!found.proved) {
+    remarks.push_back({true, name + ": the search for seams ended before it was done; look at all "
+                                    "of them, or sew some by --sew and keep what is right"});
   }
+  say_remarks(remarks, common);
   std::vector<FoundSeam> decided;
   int undecided = 0;
   for (const FoundSeam& seam : found.seams) {
@@ -122,7 +101,10 @@ int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& comm
   }
   common.say(std::to_string(decided.size()) + " seams sewn, " + std::to_string(undecided) +
              " undecided");
-  say_open(pattern, found, common);
+  std::string open;
+  for (const EdgeRef& edge : open_edges(pattern, found))
+    open.append(" ").append(side_name(pattern, edge));
+  if (!open.empty()) common.say("left open:" + open);
   OutputFiles files;
   write_file(files.at(common.output), with_stitches(text, pattern, decided, options.drawn_walk));
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

@@ -49,7 +49,7 @@ double read_corner_angle(double degrees) {
 CommandLineProgram import_pattern_program() {
   CommandLineProgram program;
   program.name = "import-pattern";
-  program.summary = "makes a pattern of the pieces in a DXF (AAMA/ASTM) drawing";
+  program.summary = "makes a pattern of the pieces in a DXF (AAMA/ASTM) or SVG drawing";
   program.usage = "DRAWING -o pattern.json [--seam-allowance 10mm]";
   program.options.add_options()("unit", po::value<std::string>(),
                                 "of the drawing: mm, cm or inch; else as the file says")(

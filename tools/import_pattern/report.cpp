@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "io/text.h"
+#include "tools/remarks.h"
 
 namespace toile {
 
@@ -39,11 +40,7 @@ nlohmann::ordered_json import_pattern_json(const std::string& file, const std::s
   }
   report["ignored"] = Json::object();
   for (const auto& [what, count] : drawing.ignored) report["ignored"][valid_utf8(what)] = count;
-  report["notes"] = Json::array();
-  report["warnings"] = Json::array();
-  for (const Remark& remark : remarks) {
-    report[remark.warning ? "warnings" : "notes"].push_back(remark.text);
-  }
+  add_remarks(remarks, report);
   return report;
 }
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "io/output_file.h"
 #include "io/text.h"
@@ -11,20 +12,11 @@
 #include "pattern/import/svg_pieces.h"
 #include "pattern/pattern_file.h"
 #include "tools/import_pattern/report.h"
+#include "tools/remarks.h"
 
 namespace toile {
 
 namespace {
-
-void say_remarks(const std::vector<Remark>& remarks, const CommonSettings& common) {
-  for (const Remark& remark : remarks) {
-    if (remark.warning) {
-      CommonSettings::warn(remark.text);
-    } else {
-      common.say("note: " + remark.text);
-    }
-  }
-}
 
 void say_panels(const ImportedPattern& pattern, const CommonSettings& common) {
   for (const ImportedPanel& panel : pattern.panels) {
@@ -34,7 +26,7 @@ void say_panels(const ImportedPattern& pattern, const CommonSettings& common) {
     std::string line = "  panel " + panel.name;
     line.resize(std::max<std::size_t>(line.size() + 1, 30), ' ');
     line += figures;
-    line += panel.grain ? "grain " + fixed_number(*panel.grain * 180 / 3.14159265358979, 1) + " deg"
+    line += panel.grain ? "grain " + fixed_number(*panel.grain * 180 / std::numbers::pi, 1) + " deg"
                         : "no grain";
     if (panel.quantity > 1) line += ", cut " + std::to_string(panel.quantity);
     common.say(line);

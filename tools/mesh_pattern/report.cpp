@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "geometry/triangulate.h"
+#include "tools/remarks.h"
 
 namespace toile {
 
@@ -63,11 +64,7 @@ nlohmann::ordered_json mesh_pattern_json(const std::string& pattern, const Panel
                                {"length_a", seam.length_a},
                                {"length_b", seam.length_b}});
   }
-  report["notes"] = Json::array();
-  report["warnings"] = Json::array();
-  for (const Remark& remark : remarks) {
-    report[remark.warning ? "warnings" : "notes"].push_back(remark.text);
-  }
+  add_remarks(remarks, report);
   return report;
 }
 

@@ -12,6 +12,7 @@
 #include "pattern/garment_file.h"
 #include "pattern/pattern_file.h"
 #include "tools/mesh_pattern/report.h"
+#include "tools/remarks.h"
 
 namespace toile {
 
@@ -87,13 +88,7 @@ void run_mesh_pattern(const MeshPatternSettings& settings, const CommonSettings&
   const Pattern pattern = read_pattern(settings.pattern, remarks);
   check_pattern(pattern, remarks);
   PanelMesh garment = mesh_panels(pattern, settings.mesh, remarks);
-  for (const Remark& remark : remarks) {
-    if (remark.warning) {
-      CommonSettings::warn(remark.text);
-    } else {
-      common.say("note: " + remark.text);
-    }
-  }
+  say_remarks(remarks, common);
   std::vector<PanelFigures> figures;
   for (const MeshedPanel& panel : garment.panels) figures.push_back(figures_of(garment, panel));
   say_all(garment, figures, common);

@@ -45,7 +45,7 @@
     const colours = new Map();
     proposals.forEach((p, i) => {
       if (p.state !== 'open') return;
-      const stitch = [p.a, p.b, { reversed: p.reversed }];
+      const stitch = [p.a, p.b, { reversed: p.reversed !== false }];
       markSide(colours, p.a, stitch, model.stitches.length + i, false, true);
       markSide(colours, p.b, stitch, model.stitches.length + i, true, true);
     });
@@ -121,33 +121,31 @@
 
   // Proposals.
 
-  function take_proposals(report) {
-    const all = decided => seam => ({ ...seam, decided, state: 'open' });
-    proposals = [...(report.seams || []).map(all(true)), ...(report.undecided || []).map(all(false))]
+  function takeProposals(report) {
+    const open = decided => seam => ({ ...seam, decided, state: 'open' });
+    proposals = [...(report.seams || []).map(open(true)), ...(report.undecided || []).map(open(false))]
       .filter(p => p.a && p.b && !model.seamsOf(p.a).some(s => PatternModel.same(s[0], p.b) || PatternModel.same(s[1], p.b)));
     proposals.sort((a, b) => a.confidence - b.confidence);
     proposal = proposals.length > 0 ? 0 : -1;
     show();
   }
+  // Sews what is proposed instead of what was there. Without a stated direction it runs as usual.
+  function sewProposal(p) {
+    [...model.seamsOf(p.a), ...model.seamsOf(p.b)].forEach(s => model.unsew(s));
+    model.sew(p.a, p.b, p.reversed === undefined ? {} : { reversed: p.reversed });
+    p.state = 'accepted';
+  }
   function decide(state) {
     const p = proposals[proposal];
     if (!p || p.state !== 'open') return;
-    if (state === 'accepted') {
-      model.act(() => {
-        [...model.seamsOf(p.a), ...model.seamsOf(p.b)].forEach(s => model.unsew(s));
-        model.sew(p.a, p.b, { reversed: p.reversed });
-      });
-    }
+    if (state === 'accepted') model.act(() => sewProposal(p));
     p.state = state;
     nextProposal(1);
   }
   function acceptAll() {
     model.act(() => {
       for (const p of proposals) {
-        if (p.state !== 'open' || !p.decided) continue;
-        [...model.seamsOf(p.a), ...model.seamsOf(p.b)].forEach(s => model.unsew(s));
-        model.sew(p.a, p.b, { reversed: p.reversed });
-        p.state = 'accepted';
+        if (p.state === 'open' && p.decided) sewProposal(p);
       }
     });
     nextProposal(1);
@@ -304,7 +302,7 @@
   async function propose() {
     say('Finding seams …');
     try {
-      take_proposals(JSON.parse(await ask('POST', 'propose', text())));
+      takeProposals(JSON.parse(await ask('POST', 'propose', text())));
       say(`${proposals.length} seams proposed.`);
     } catch (failed) { say(failed.message); }
   }
@@ -389,7 +387,7 @@
   find('sides').querySelector('[data-part]').addEventListener('click', () => setPart(''));
 
   sheet.layOut(model);
-  if (data.proposals) take_proposals(data.proposals);
+  if (data.proposals) takeProposals(data.proposals);
   show();
   document.documentElement.dataset.state = 'ready';
 })();

@@ -2,13 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <memory>
+
 namespace toile {
 namespace integer_programme_test {
 
 // Three that exclude each other in pairs: in fractions each is half chosen, in whole numbers one
 // is.
 TEST(IntegerProgramme, ChoosesWholeVariables) {
-  IntegerProgramme programme;
+  IntegerProgramme programme(1000);
   const int a = programme.add_variable(1);
   const int b = programme.add_variable(1.1);
   const int c = programme.add_variable(1);
@@ -23,7 +26,7 @@ TEST(IntegerProgramme, ChoosesWholeVariables) {
 }
 
 TEST(IntegerProgramme, FixedVariablesStay) {
-  IntegerProgramme programme;
+  IntegerProgramme programme(1000);
   const int a = programme.add_variable(1);
   const int b = programme.add_variable(3);
   programme.add_at_most({{a, 1}, {b, 1}}, 1);
@@ -34,7 +37,7 @@ TEST(IntegerProgramme, FixedVariablesStay) {
 }
 
 TEST(IntegerProgramme, RelaxedAnswerWithoutAVariableBoundsTheRest) {
-  IntegerProgramme programme;
+  IntegerProgramme programme(1000);
   const int a = programme.add_variable(3);
   const int b = programme.add_variable(2);
   programme.add_at_most({{a, 1}, {b, 1}}, 1);
@@ -46,10 +49,24 @@ TEST(IntegerProgramme, RelaxedAnswerWithoutAVariableBoundsTheRest) {
 }
 
 TEST(IntegerProgramme, SaysThatNothingMeetsTheConstraints) {
-  IntegerProgramme programme;
+  IntegerProgramme programme(1000);
   const int a = programme.add_variable(1);
   programme.add_at_most({{a, -1}}, -2);
   EXPECT_FALSE(programme.solve(10));
+}
+
+TEST(IntegerProgramme, EndsWhenItsIterationsAreUsedUp) {
+  // Pairs of a ring of eleven exclude each other.
+  const auto ring = [](int max_iterations) {
+    auto programme = std::make_unique<IntegerProgramme>(max_iterations);
+    for (int i = 0; i < 11; ++i) programme->add_variable(1 + 0.01 * i);
+    for (int i = 0; i < 11; ++i) programme->add_at_most({{i, 1}, {(i + 1) % 11, 1}}, 1);
+    return programme;
+  };
+  ASSERT_TRUE(ring(1000)->solve(10));
+  const auto cut_off = ring(3);
+  EXPECT_FALSE(cut_off->solve(10));
+  EXPECT_EQ(cut_off->relaxed_without({0}).worth, std::numeric_limits<double>::infinity());
 }
 
 }  // namespace integer_programme_test

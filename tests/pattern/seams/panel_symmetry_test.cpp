@@ -5,9 +5,9 @@
 namespace toile {
 namespace panel_symmetry_test {
 
-std::vector<OutlineEdge> edges_of(const std::string& panels) {
+std::vector<WalkedEdge> edges_of(const std::string& panels) {
   std::vector<Remark> remarks;
-  return outline_edges(parse_drawn_pattern(samples::file(panels), "test", remarks), false);
+  return walked_edges(parse_drawn_pattern(samples::file(panels), "test", remarks), false);
 }
 
 TEST(PanelSymmetry, ARectangleLiesOnItselfInFourWays) {

@@ -10,7 +10,7 @@ namespace toile {
 
 /// An edge as it lies on the outline of its panel, seen from the panel's right side and walked
 /// counter-clockwise.
-struct OutlineEdge {
+struct WalkedEdge {
   EdgeRef ref;
   int next = 0;         ///< index of the edge that follows on the outline
   int previous = 0;     ///< index of the edge before
@@ -27,6 +27,6 @@ struct OutlineEdge {
 /// The edges of all panels, those of a panel in a row from the first step of its outline.
 /// `drawn_walk`: outlines run counter-clockwise as seen from the right side, whichever way they are
 /// drawn, which is GarmentCode's convention. Otherwise each drawing shows its right side.
-std::vector<OutlineEdge> outline_edges(const Pattern& pattern, bool drawn_walk);
+std::vector<WalkedEdge> walked_edges(const Pattern& pattern, bool drawn_walk);
 
 }  // namespace toile

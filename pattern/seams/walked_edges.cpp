@@ -1,4 +1,4 @@
-#include "pattern/seams/outline_edges.h"
+#include "pattern/seams/walked_edges.h"
 
 #include <cmath>
 #include <numbers>
@@ -43,8 +43,8 @@ const EdgeCurve& curve_of(const PatternPanel& panel, int edge) { return panel.ed
 
 }  // namespace
 
-std::vector<OutlineEdge> outline_edges(const Pattern& pattern, bool drawn_walk) {
-  std::vector<OutlineEdge> edges;
+std::vector<WalkedEdge> walked_edges(const Pattern& pattern, bool drawn_walk) {
+  std::vector<WalkedEdge> edges;
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
     const PatternPanel& panel = pattern.panels[p];
     const std::vector<std::vector<Vec2>> steps = walked(panel, drawn_walk);
@@ -58,7 +58,7 @@ std::vector<OutlineEdge> outline_edges(const Pattern& pattern, bool drawn_walk) 
       const OutlineStep& step = panel.outline[turned ? count - 1 - i : i];
       const std::vector<Vec2>& points = steps[i];
       const std::vector<Vec2>& before = steps[(i + count - 1) % count];
-      OutlineEdge edge;
+      WalkedEdge edge;
       edge.ref = {static_cast<int>(p), step.edge};
       edge.next = first + static_cast<int>((i + 1) % count);
       edge.previous = first + static_cast<int>((i + count - 1) % count);

@@ -1,0 +1,96 @@
+// The program find-seams, from a pattern without seams to one that has them.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "tests/support/run_program.h"
+
+namespace toile {
+namespace find_seams_test {
+
+using pipeline::read_text;
+using pipeline::run;
+using pipeline::ScratchFolder;
+using pipeline::write_text;
+using Json = nlohmann::ordered_json;
+
+using Edges = std::set<std::pair<std::string, int>>;
+
+std::set<Edges> seams_of(const Json& pattern) {
+  std::set<Edges> seams;
+  for (const Json& stitch : pattern["pattern"]["stitches"]) {
+    Edges edges;
+    for (int i = 0; i < 2; ++i) {
+      edges.emplace(stitch[i]["panel"].get<std::string>(), stitch[i]["edge"].get<int>());
+    }
+    seams.insert(edges);
+  }
+  return seams;
+}
+
+/// The sample T-shirt with its seams, and a file of it without them.
+class FindSeams : public testing::Test {
+ protected:
+  FindSeams() {
+    Json bare = whole;
+    bare["pattern"]["stitches"] = Json::array();
+    write_text(folder / "bare.json", bare.dump());
+  }
+
+  pipeline::Run find(const std::string& pattern, const std::vector<std::string>& options) {
+    std::vector<std::string> words = {(folder / pattern).string(), "-o",
+                                      (folder / "sewn.json").string()};
+    words.insert(words.end(), options.begin(), options.end());
+    return run("find-seams", words, 60);
+  }
+
+  Json sewn() const { return Json::parse(read_text(folder / "sewn.json")); }
+
+  const ScratchFolder folder;
+  const Json whole = Json::parse(read_text(std::string(TOILE_SOURCE_DIR) + "/samples/tshirt.json"));
+};
+
+TEST_F(FindSeams, FindsThoseOfTheSampleAgain) {
+  const auto done = find("bare.json", {"--min-confidence", "0"});
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_EQ(done.out, "");
+  EXPECT_EQ(seams_of(sewn()), seams_of(whole));
+  EXPECT_HOLDS(done.err, "left open:");
+  // All but the stitches is as it was, the order of the keys included.
+  Json other = sewn();
+  other["pattern"]["stitches"] = Json::array();
+  EXPECT_EQ(other.dump(), Json::parse(read_text(folder / "bare.json")).dump());
+}
+
+TEST_F(FindSeams, WhatIsUncertainIsListedNotSewn) {
+  const auto done = find("bare.json", {"--min-confidence", "1"});
+  EXPECT_EQ(done.exit_code, 3) << done.err;
+  EXPECT_HOLDS(done.err, "0 seams sewn, 14 undecided");
+  EXPECT_TRUE(sewn()["pattern"]["stitches"].empty());
+}
+
+TEST_F(FindSeams, SeamsThatAreAskedForAreSewn) {
+  Json one = whole;
+  one["pattern"]["stitches"] = Json::array({whole["pattern"]["stitches"][0]});
+  write_text(folder / "one.json", one.dump());
+  const auto done = find("one.json", {"--keep", "--sew", "left_front:0 left_back:5", "--report",
+                                      (folder / "seams.json").string()});
+  EXPECT_NE(done.exit_code, 1) << done.err;
+  const std::set<Edges> seams = seams_of(sewn());
+  EXPECT_TRUE(seams.contains({{"left_front", 0}, {"left_back", 5}}));
+  EXPECT_TRUE(seams.contains(*seams_of(one).begin()));
+}
+
+TEST_F(FindSeams, NamesWhatCannotBeSewn) {
+  const auto panel = find("bare.json", {"--sew", "front:0 left_back:5"});
+  EXPECT_EQ(panel.exit_code, 1);
+  EXPECT_HOLDS(panel.err, "names panel 'front'");
+  const auto edge = find("bare.json", {"--sew", "left_front:9 left_back:5"});
+  EXPECT_EQ(edge.exit_code, 1);
+  EXPECT_HOLDS(edge.err, "has edges 0 to 5");
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"bare.json"}));
+}
+
+}  // namespace find_seams_test
+}  // namespace toile

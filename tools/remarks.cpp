@@ -1,0 +1,25 @@
+#include "tools/remarks.h"
+
+#include <nlohmann/json.hpp>
+
+namespace toile {
+
+void say_remarks(const std::vector<Remark>& remarks, const CommonSettings& common) {
+  for (const Remark& remark : remarks) {
+    if (remark.warning) {
+      CommonSettings::warn(remark.text);
+    } else {
+      common.say("note: " + remark.text);
+    }
+  }
+}
+
+void add_remarks(const std::vector<Remark>& remarks, nlohmann::ordered_json& report) {
+  report["notes"] = nlohmann::ordered_json::array();
+  report["warnings"] = nlohmann::ordered_json::array();
+  for (const Remark& remark : remarks) {
+    report[remark.warning ? "warnings" : "notes"].push_back(remark.text);
+  }
+}
+
+}  // namespace toile
