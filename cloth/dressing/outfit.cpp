@@ -155,6 +155,10 @@ void Dressing::put_in_place(const AskedPlaces& asked, WornLayer& worn) const {
   const bool lacks = lacks_places(garment, skeleton_);
   if (skeleton_ == nullptr) {
     if (!lacks && asked.empty()) return;
+    if (!asked.empty()) {
+      throw Error("--place", "needs the body's joints, and there is no skeleton",
+                  "let clean-body write the joints beside the body");
+    }
     throw Error("panel '" + garment.panels.front().name + "'",
                 "has no place in the pattern, and there is no skeleton that tells one",
                 "let clean-body write the body's joints beside it");
@@ -183,6 +187,9 @@ void Dressing::put_in_place(const AskedPlaces& asked, WornLayer& worn) const {
     if (unfit.empty()) return;
     worn.places = std::move(places);
     worn.place_reason = "the pattern's places do not fit the body: " + unfit;
+    // The move of the whole layout does not count any more.
+    if (worn.moved) worn.warnings.pop_back();
+    worn.moved.reset();
     garment = std::move(anew);
     return;
   }

@@ -108,10 +108,15 @@ void Piece::sort_panels() {
     const PlacementSide side = place == nullptr ? PlacementSide::none : place->side;
     const bool is_around = place != nullptr && place->around;
     const bool is_asked = is_around || side != PlacementSide::none;
+    const bool is_aside = side == PlacementSide::left || side == PlacementSide::right;
+    if (is_aside && !is_around && place->part != "head" && !names_hood(panel(p).name)) {
+      throw Error("--place, panel '" + panel(p).name + "'",
+                  "left and right are sides of the head only, where hoods stand",
+                  "say front, back or around");
+    }
     if (is_asked ? is_around : closes_around(garment_, p)) {
       around_.push_back(p);
-    } else if (is_asked ? side == PlacementSide::left || side == PlacementSide::right
-                        : names_hood(panel(p).name)) {
+    } else if (is_asked ? is_aside : names_hood(panel(p).name)) {
       hoods_.push_back(p);
     } else {
       flat_.push_back(p);
@@ -342,8 +347,12 @@ std::vector<FoundPlace> find_places(const TriangleMesh& body, const Skeleton& sk
                                     const AskedPlaces& asked, PanelMesh& garment) {
   for (const auto& [name, place] : asked) {
     if (std::ranges::find(garment.panels, name, &MeshedPanel::name) == garment.panels.end()) {
-      throw Error("--place", "there is no panel '" + name + "'",
-                  "the garment's file names its panels");
+      std::string names;
+      for (const MeshedPanel& panel : garment.panels) {
+        names += names.empty() ? "" : ", ";
+        names += panel.name;
+      }
+      throw Error("--place", "there is no panel '" + name + "'", "the panels are: " + names);
     }
   }
   if (!has_all_limbs(skeleton)) {

@@ -28,7 +28,7 @@ std::pair<std::string, AskedPlace> parse_asked_place(const std::string& text) {
   if (equals == std::string::npos || equals == 0) throw refuse("names no panel");
   AskedPlace place;
   std::string rest = text.substr(equals + 1);
-  if (rest.empty()) throw refuse("says no place");
+  if (rest.empty() || rest.back() == ':') throw refuse("says no place, or no side after the colon");
   while (!rest.empty()) {
     const std::size_t colon = rest.find(':');
     const std::string word = rest.substr(0, colon);
@@ -36,12 +36,12 @@ std::pair<std::string, AskedPlace> parse_asked_place(const std::string& text) {
     const auto side = std::ranges::find(sides, word, [](const auto& s) { return s.first; });
     if (std::ranges::find(body_parts, word) != body_parts.end() && place.part.empty()) {
       place.part = word;
-    } else if (word == "around") {
+    } else if (word == "around" && place.side == PlacementSide::none && !place.around) {
       place.around = true;
-    } else if (side != sides.end() && place.side == PlacementSide::none) {
+    } else if (side != sides.end() && place.side == PlacementSide::none && !place.around) {
       place.side = side->second;
     } else {
-      throw refuse("has an unknown word '" + word + "'");
+      throw refuse("has '" + word + "', which is unknown or one word too many");
     }
   }
   return {text.substr(0, equals), place};

@@ -94,7 +94,6 @@ TEST(Orient, WherePlacementDoesNotTellTheDrawingDoes) {
   EXPECT_TRUE(orientation_of(file(polygon("p", "[0,0],[9,9],[9,0]")), remarks).mirrored[0]);
 }
 
-// Both squares are drawn alike, the back behind the front: by distance edge 1 runs start to start.
 /// Two halves of a front, sewn along the middle, without places. `left` and `right`: where the
 /// middle of each half lies beside that seam, as drawn.
 std::string halves(const std::string& left, const std::string& right, const std::string& face) {
@@ -135,6 +134,7 @@ TEST(Orient, WithoutPlacesEdgesRunEndToStart) {
   EXPECT_TRUE(neither.reversed[0]);
 }
 
+// Both squares are drawn alike, the back behind the front: by distance edge 1 runs start to start.
 TEST(Orient, GarmentCodesConventionComesBeforeThePlacement) {
   const auto reversed = [](const std::string& how, const std::string& properties) -> bool {
     std::vector<Remark> remarks;

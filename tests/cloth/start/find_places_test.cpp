@@ -126,6 +126,8 @@ TEST(FindPlaces, WithoutNamesTheSameParts) {
       EXPECT_EQ(a.part.substr(a.part.find('_') + 1), b.part.substr(b.part.find('_') + 1))
           << name << " " << old;
       EXPECT_EQ(a.around, b.around) << name << " " << old;
+      // The deeper neckline, the lower rise are in front. Limbs may change sides.
+      EXPECT_TRUE(a.part != "torso" || a.side == b.side) << name << " " << old;
     }
   }
 }
@@ -204,6 +206,9 @@ TEST(FindPlaces, RefusesWhatNothingTells) {
   EXPECT_EQ(refusal(sewn, body().skeleton, {}), "");
   EXPECT_NE(refusal(sewn, {}, {}).find("'front'"), std::string::npos);
   EXPECT_NE(refusal(sewn, body().skeleton, {{"nobody", {}}}).find("'nobody'"), std::string::npos);
+  const AskedPlaces aside = {{"front", {"torso", PlacementSide::left, false}}};
+  EXPECT_NE(refusal(sewn, body().skeleton, aside).find("sides of the head only"),
+            std::string::npos);
   pattern["pattern"]["stitches"] = Json::array();
   const std::string heap = refusal(meshed(pattern), body().skeleton, {});
   EXPECT_NE(heap.find("'front'"), std::string::npos) << heap;

@@ -23,8 +23,9 @@ TEST(AskedPlace, IsReadFromText) {
 }
 
 TEST(AskedPlace, WhatIsNoPlaceIsRefused) {
-  for (const std::string text : {"front", "=torso", "front=", "front=chest", "front=torso:front:up",
-                                 "front=torso:left_arm", "front=front:back"}) {
+  for (const std::string text :
+       {"front", "=torso", "front=", "front=chest", "front=torso:front:up", "front=torso:left_arm",
+        "front=front:back", "front=torso:front:around", "front=torso:", "front=around:around"}) {
     try {
       parse_asked_place(text);
       FAIL() << text;
