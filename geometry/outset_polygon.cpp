@@ -24,7 +24,7 @@ std::vector<Vec2> outset_polygon(const std::vector<Vec2>& outline, double distan
       std::max_element(grown.begin(), grown.end(), [](const Polygon& a, const Polygon& b) {
         return std::abs(bg::area(a)) < std::abs(bg::area(b));
       });
-  if (largest == grown.end()) return outline;
+  if (largest == grown.end()) return {};
   for (const auto& point : largest->outer()) points.emplace_back(point.x(), point.y());
   if (points.size() > 1 && points.front() == points.back()) points.pop_back();
   return points;

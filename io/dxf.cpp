@@ -4,7 +4,6 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
-#include <set>
 
 #include "geometry/error.h"
 #include "io/dxf_curves.h"
@@ -233,7 +232,7 @@ class DxfReader {
       std::string upper = block.name;
       for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
       if (upper == "*MODEL_SPACE" || upper == "$MODEL_SPACE") {
-        drawing_.entities.insert(drawing_.entities.begin(), block.entities.begin(),
+        drawing_.entities.insert(drawing_.entities.end(), block.entities.begin(),
                                  block.entities.end());
       } else if (upper.rfind("*PAPER_SPACE", 0) != 0 && upper.rfind("$PAPER_SPACE", 0) != 0) {
         drawing_.blocks.push_back(std::move(block));
@@ -306,7 +305,7 @@ class DxfReader {
       mark(record, entity);
     } else if (type == "INSERT") {
       if (known) insert(record, entity, behind, list);
-      skip_attributes(record, list);
+      attributes(record, list);
       if (known) return;
     } else {
       known = false;
@@ -505,7 +504,7 @@ class DxfReader {
   }
 
   /// The attributes behind an insert are texts.
-  void skip_attributes(const DxfRecord& head, std::vector<DxfEntity>& list) {
+  void attributes(const DxfRecord& head, std::vector<DxfEntity>& list) {
     bool follow = false;
     for (const DxfGroup& group : head.groups)
       follow = follow || (group.code == 66 && integer(group) == 1);

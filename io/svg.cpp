@@ -416,12 +416,24 @@ class SvgReader {
     return false;
   }
 
+  /// Counts bytes that are read, each time that a `use` has them read again.
+  std::string_view counted(const char* text, const pugi::xml_node& node) {
+    const std::string_view bytes = text;
+    read_ += bytes.size();
+    if (read_ > max_svg_bytes) {
+      throw Error(place(node), "with it more than 256 MiB are drawn",
+                  "does a <use> draw copies of copies?");
+    }
+    return bytes;
+  }
+
   std::vector<DrawnPath> paths_of(const pugi::xml_node& node, std::string_view element,
-                                  const State& state) const {
+                                  const State& state) {
     const std::string where = place(node);
-    if (element == "path") return svg_path_data(node.attribute("d").value(), where);
+    if (element == "path") return svg_path_data(counted(node.attribute("d").value(), node), where);
     if (element == "polyline" || element == "polygon") {
-      return svg_polygon(node.attribute("points").value(), element == "polygon", where);
+      return svg_polygon(counted(node.attribute("points").value(), node), element == "polygon",
+                         where);
     }
     if (element == "line") {
       DrawnPath path;
@@ -499,6 +511,7 @@ class SvgReader {
     SvgText text;
     text.text = text_of(node);
     if (text.text.empty()) return;
+    counted(text.text.c_str(), node);
     pugi::xml_node placed = node;
     for (const pugi::xml_node child : node.children()) {
       if (local_name(child) == "textPath") text.on_path = local_reference(href_of(child));
@@ -525,6 +538,7 @@ class SvgReader {
   std::vector<pugi::xml_node> in_use_;
   int drawn_ = 0;
   std::size_t segments_ = 0;
+  std::size_t read_ = 0;  // bytes of paths and texts, copies counted
 };
 
 }  // namespace

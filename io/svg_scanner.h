@@ -26,7 +26,6 @@ class SvgScanner {
   /// The letters of a name that follows; may be empty.
   std::string_view word();
   /// What is left, unread.
-  std::string_view rest() const { return text_.substr(at_); }
 
   /// Throws Error, with the column where the value can't be read.
   [[noreturn]] void fail(const std::string& problem) const;

@@ -111,6 +111,10 @@ class PanelPart {
     border_ = polygon_;
     if (allowance > 0) {
       border_ = outset_polygon(distinct_points(), allowance);
+      if (border_.empty()) {
+        throw Error(pattern.source + ": panel '" + panel_.name + "'",
+                    "no seam allowance can be drawn around it", "give a smaller --seam-allowance");
+      }
       add(cut_line(panel_.material), polyline(border_, true));
     } else {
       add(dxf_boundary, path);

@@ -38,9 +38,13 @@ RowLayout lay_out_rows(const std::vector<Vec2>& sizes, double gap, double width,
     return sizes[a].y() > sizes[b].y() + 1e-6;
   });
   double longest = width;
-  for (const Vec2& size : sizes) longest = std::max(longest, size.x() + 2 * gap);
+  double all = gap;  // the width with which there is one row
+  for (const Vec2& size : sizes) {
+    longest = std::max(longest, size.x() + 2 * gap);
+    all += size.x() + gap;
+  }
   RowLayout layout = rows_of(sizes, order, gap, longest);
-  while (layout.size.y() > max_height && layout.size.x() < layout.size.y()) {
+  while (layout.size.y() > max_height && layout.size.x() < layout.size.y() && longest < all) {
     longest *= 1.25;
     layout = rows_of(sizes, order, gap, longest);
   }

@@ -54,7 +54,7 @@ double drawing_unit(const UnitEvidence& evidence, const std::string& source,
     if (size < min_piece_length || size > max_piece_length) {
       throw Error(source,
                   "the largest piece would be " + size_text(size) + " long in " +
-                      unit_name(*evidence.stated) + ", as " + evidence.stated_by + " says",
+                      unit_name(*evidence.stated) + ", by " + evidence.stated_by,
                   unit_remedy);
     }
     return *evidence.stated;

@@ -164,10 +164,11 @@ class BlockPieces {
         if (!apart) gather(entity.block, placed * entity.placed, depth + 1, drawn);
         continue;
       }
-      if (++gathered_ > max_piece_entities) {
+      gathered_ += std::max<std::size_t>(1, entity.curves.size());
+      if (gathered_ > max_piece_entities) {
         throw Error(source_,
                     "its pieces have more than " + std::to_string(max_piece_entities) +
-                        " entities, inserts included",
+                        " entities or lines, inserts included",
                     "is it really a pattern? keep the layers of the pieces only");
       }
       drawn.entities.push_back(transformed(entity, placed));

@@ -85,7 +85,7 @@ double distance_to_polyline(const std::vector<Vec2>& points, const Vec2& point, 
   return least;
 }
 
-/// The direction in which the polyline leaves its point at `length`.
+/// Unit vectors along which a curve has to leave its ends; none: it is free.
 struct EndTangents {
   std::optional<Vec2> start;
   std::optional<Vec2> end;  ///< backwards, into the curve
@@ -192,17 +192,21 @@ CubicFit fit_one(const std::vector<Vec2>& points, const std::vector<Vec2>& sampl
     last_error = error;
   }
   if (best.error > tolerance) return best;
-  // The curve must not leave the polyline between the samples either.
-  std::size_t near = 0;
-  constexpr int checks = 200;
-  double walked = 0;
-  Vec2 last = best.points[0];
+  // Neither the curve nor the polyline must leave the other between the samples.
+  const int checks = std::clamp(static_cast<int>(points.size()), 200, 20000);
+  std::vector<Vec2> chords;
   for (int i = 0; i <= checks; ++i) {
-    const Vec2 point = bezier(best.points, static_cast<double>(i) / checks);
-    walked += (point - last).norm();
-    last = point;
-    const double off = distance_to_polyline(points, point, near);
-    if (off > best.error) best.error = off;
+    chords.push_back(bezier(best.points, static_cast<double>(i) / checks));
+  }
+  double walked = 0;
+  std::size_t near = 0;
+  for (std::size_t i = 0; i < chords.size(); ++i) {
+    if (i > 0) walked += (chords[i] - chords[i - 1]).norm();
+    best.error = std::max(best.error, distance_to_polyline(points, chords[i], near));
+  }
+  near = 0;
+  for (const Vec2& point : points) {
+    best.error = std::max(best.error, distance_to_polyline(chords, point, near));
   }
   if (walked > 1.1 * length + tolerance) best.error = 1e300;  // it loops
   return best;

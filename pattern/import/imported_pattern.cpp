@@ -146,7 +146,10 @@ class Importer {
       if (piece.is_cut_line && !options_.seam_allowance) ++cut_lines;
       add(piece);
     }
-    if (pattern_.panels.empty()) throw Error(drawing_.source, "holds no piece", "");
+    if (pattern_.panels.empty()) {
+      throw Error(drawing_.source, "holds no piece: no closed outline was found in it",
+                  "draw each piece as a closed line; the notes name what was not used");
+    }
     if (pattern_.panels.size() > static_cast<std::size_t>(max_panels)) {
       throw Error(drawing_.source,
                   "has " + std::to_string(pattern_.panels.size()) + " pieces, more than " +
@@ -218,9 +221,11 @@ class Importer {
       add(piece, shape, name, piece.quantity, place);
       return;
     }
-    const int of_each = std::max(1, piece.quantity / 2);
-    add(piece, shape, (piece.is_right_one ? "right_" : "left_") + name, of_each, place);
-    add(piece, mirrored_shape(shape), (piece.is_right_one ? "left_" : "right_") + name, of_each,
+    // Of an uneven count, the one that is drawn is cut once more.
+    const int mirrored = std::max(1, piece.quantity / 2);
+    add(piece, shape, (piece.is_right_one ? "right_" : "left_") + name,
+        std::max(1, piece.quantity - mirrored), place);
+    add(piece, mirrored_shape(shape), (piece.is_right_one ? "left_" : "right_") + name, mirrored,
         place);
   }
 

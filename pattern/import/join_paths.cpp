@@ -62,11 +62,14 @@ class FreeEnds {
   static std::int64_t cell(double x) {
     return static_cast<std::int64_t>(std::floor(x / max_outline_gap));
   }
-  static std::int64_t key(std::int64_t x, std::int64_t y) { return x * 2'147'483'647 + y; }
+  // Unsigned: far cells wrap around, and two that share a key are told apart by distance.
+  static std::uint64_t key(std::int64_t x, std::int64_t y) {
+    return static_cast<std::uint64_t>(x) * 2'147'483'647U + static_cast<std::uint64_t>(y);
+  }
 
   std::vector<Vec2> points_;
   std::vector<bool> free_;
-  std::unordered_map<std::int64_t, std::vector<int>> cells_;
+  std::unordered_map<std::uint64_t, std::vector<int>> cells_;
 };
 
 /// The curve with other ends that are near its own.

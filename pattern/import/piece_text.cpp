@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <regex>
 #include <sstream>
 #include <string_view>
 #include <vector>
@@ -14,7 +13,7 @@ namespace {
 
 constexpr int max_quantity = 1000;
 
-/// Longer texts are no labels of pieces, and regular expressions take long for them.
+/// Bytes: longer texts are no labels of pieces.
 constexpr std::size_t max_label = 200;
 
 std::string without_blanks(const std::string& text) {
@@ -99,6 +98,26 @@ std::optional<PieceQuantity> read_quantity(const std::string& given) {
   return quantity;
 }
 
+namespace {
+
+/// Where the word "cut" stands with a number behind it; npos: nowhere.
+std::size_t cut_label(const std::string& line) {
+  if (line.size() > max_label) return std::string::npos;
+  const std::string small = in_small_letters(line);
+  const auto is_word = [&](std::size_t at) {
+    return std::isalnum(static_cast<unsigned char>(small[at])) != 0 || small[at] == '_';
+  };
+  for (std::size_t at = 0; (at = small.find("cut", at)) != std::string::npos; at += 3) {
+    if (at > 0 && is_word(at - 1)) continue;
+    const std::size_t behind = small.find_first_not_of(" \t", at + 3);
+    if (behind == std::string::npos || behind == at + 3) continue;
+    if (std::isdigit(static_cast<unsigned char>(small[behind])) != 0) return at;
+  }
+  return std::string::npos;
+}
+
+}  // namespace
+
 void PieceTexts::add(const std::string& text) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
@@ -113,12 +132,13 @@ void PieceTexts::add(const std::string& text) {
       }
     }
     // "Fabric, Cut 2", "Cut 1 on fold", as Valentina's labels have it.
-    static const std::regex cut("(.*?)[,;]?\\s*\\bcut\\s+(\\d+)(.*)", std::regex::icase);
-    std::smatch match;
-    if (line.size() <= max_label && std::regex_match(line, match, cut)) {
-      const std::string rest = match[3];
-      cut_quantity_ = read_quantity(match[2].str() + rest);
-      if (cut_material_.empty()) cut_material_ = without_blanks(match[1]);
+    if (const std::size_t cut = cut_label(line); cut != std::string::npos) {
+      cut_quantity_ = read_quantity(line.substr(line.find_first_of("0123456789", cut)));
+      std::string material = without_blanks(line.substr(0, cut));
+      if (!material.empty() && (material.back() == ',' || material.back() == ';')) {
+        material = without_blanks(material.substr(0, material.size() - 1));
+      }
+      if (cut_material_.empty()) cut_material_ = material;
       continue;
     }
     plain_.push_back(line);

@@ -501,7 +501,11 @@ class Finder {
       const PieceLine line{metres(shape.paths.front().start), metres(end_of(shape.paths.back()))};
       const bool fold = meanings_[static_cast<std::size_t>(s)].role == SvgRole::fold;
       const auto found = pieces_at((line.from + line.to) / 2, part_of(shape.group), false);
-      if (found.empty() || (line.to - line.from).norm() < max_outline_gap) {
+      if ((line.to - line.from).norm() < max_outline_gap) {
+        ignore(fold ? "fold mark without a length" : "grain line without a length");
+        continue;
+      }
+      if (found.empty()) {
         ignore(fold ? "fold mark outside of the pieces" : "grain line outside of the pieces");
       }
       for (const int p : found) {
@@ -673,10 +677,10 @@ class Finder {
       largest = std::max(largest, outline_of(p).box.sizes().maxCoeff());
     }
     UnitEvidence evidence;
-    // What is measured is in metres already.
-    (options_.unit ? evidence.asked : evidence.stated) = 1;
+    const double unit = options_.unit.value_or(scale_.x());
+    (options_.unit ? evidence.asked : evidence.stated) = unit;
     evidence.stated_by = drawing_.physical ? "its width and viewBox" : "96 units an inch";
-    evidence.largest = largest;
+    evidence.largest = largest / unit;
     drawing_unit(evidence, pieces_.source, pieces_.remarks);
   }
 

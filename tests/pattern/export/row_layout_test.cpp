@@ -29,6 +29,9 @@ TEST(RowLayout, RowsGrowWhereTheSheetWouldBeTooHigh) {
   EXPECT_GT(lay_out_rows(sizes, 0.02, 1.5, 100).size.y(), 20);
   const RowLayout layout = lay_out_rows(sizes, 0.02, 1.5, 5);
   EXPECT_LE(layout.size.y(), layout.size.x());
+  // One tall box and one row are as they are.
+  EXPECT_NEAR(lay_out_rows({{1, 6}}, 0.02, 1.5, 5).size.y(), 6.04, 1e-12);
+  EXPECT_NEAR(lay_out_rows({{1, 9}, {1, 8}}, 0.02, 1.5, 5).size.y(), 9.04, 1e-12);
   // A box that is wider than a row makes the row.
   EXPECT_NEAR(lay_out_rows({{3, 1}}, 0.02, 1.5, 5).size.x(), 3.04, 1e-12);
 }

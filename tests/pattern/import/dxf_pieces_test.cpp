@@ -182,7 +182,7 @@ TEST(DxfPieces, TheUnitIsTheUsersTheFilesOrTold) {
   asked.unit = 1e-3;
   EXPECT_NEAR(height("9\n$INSUNITS\n70\n1\n", "", asked), 0.03, 1e-9);
   EXPECT_HOLDS(pieces_error(dxf_file(dxf_block("P", square), "", "9\n$INSUNITS\n70\n6\n")),
-               "would be 40000.0 cm long in metres, as $INSUNITS says; say the unit: --unit");
+               "would be 40000.0 cm long in metres, by $INSUNITS; say the unit: --unit");
 }
 
 TEST(DxfPieces, RefusesWhatHoldsNoPiece) {
