@@ -125,6 +125,20 @@ inline constexpr double releasable_residual = 0.0007;
 /// Times at most that a garment that moves off when released is brought to rest again.
 inline constexpr int max_returns = 3;
 
+// Going on from an earlier drape.
+
+/// Metres beyond the earlier panel that a garment may reach: its drape tells nothing of what lies
+/// farther out.
+inline constexpr double max_carried_outside = 0.05;
+
+/// Metres: seams that are nearer to where they were have not moved. The points of a curve on two
+/// meshes are a tenth of that apart.
+inline constexpr double min_carried_shift = 0.001;
+
+/// Metres: where the two sides of a seam stand farther apart, the earlier garment had not that
+/// seam.
+inline constexpr double max_carried_gap = 0.15;
+
 // Layers.
 
 /// Gaps within which two garments touch. Nodes press at one gap. Beside them nodes stand off by the

@@ -1,9 +1,11 @@
 #include "cloth/dressing/dress.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
 
+#include "cloth/dressing/carry_drape.h"
 #include "cloth/dressing/constants.h"
 #include "cloth/dressing/level.h"
 #include "cloth/dressing/sew.h"
@@ -12,7 +14,10 @@
 #include "cloth/judge/worn.h"
 #include "cloth/model/nested_meshes.h"
 #include "cloth/relaxation/release.h"
+#include "cloth/scene/collider.h"
+#include "cloth/start/positioning.h"
 #include "geometry/error.h"
+#include "geometry/intersections.h"
 
 namespace toile {
 
@@ -81,11 +86,44 @@ ReleaseReport release_for_a_while(const Level& level, Staged& staged, bool bound
   });
 }
 
+/// Where pattern and skeleton put the garment's points, metres, found on the coarsest mesh.
+std::vector<Vec3> positioned_points(const std::vector<PanelMesh>& meshes, const Scene& scene) {
+  std::vector<Vec3> points =
+      position_panels(meshes.back(), scene.collider->grid(), scene.skeleton).placed;
+  for (std::size_t depth = meshes.size() - 1; depth > 0; --depth) {
+    points = refine_placed(meshes[depth], points, meshes[depth - 1]);
+  }
+  return points;
+}
+
+/// Takes the last state of the finest mesh.
+void take_end(const PanelMesh& garment, const Level& level, State state, const Journal& journal,
+              DressResult& result) {
+  measure_lasting(garment, level.model.attachments, points_of(level, state), result.attachments);
+  result.attached = level.model.attachments;
+  result.terms = term_counts(level.model);
+  result.triangles = level.model.node_triangles;
+  result.tight_seams = tight_seams(garment, level.model, state.nodes, state.warm_start.multipliers);
+  if (level.model.scene.strain_limit) {
+    result.tight_regions =
+        tight_regions(garment, level.model, state.nodes, state.warm_start.multipliers);
+  }
+  result.nodes = std::move(state.nodes);
+  result.warm_start = std::move(state.warm_start);
+  result.extra_offset = std::move(state.extra_offset);
+  result.stages = journal.stages();
+  result.during = journal.during();
+}
+
+void check_body(const Scene& scene) {
+  if (scene.collider == nullptr) throw Error("scene", "has no body", "give one to dress");
+}
+
 }  // namespace
 
 DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptions& options,
                   const FrameWatcher& watcher) {
-  if (scene.collider == nullptr) throw Error("scene", "has no body", "give one to dress");
+  check_body(scene);
   const std::vector<PanelMesh> meshes = nested_meshes(garment);
   const int coarsest = static_cast<int>(meshes.size()) - 1;
   Journal journal(watcher);
@@ -129,21 +167,65 @@ DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptio
   }
   detach(level, state, result.attachments);
 
-  measure_lasting(garment, level.model.attachments, points_of(level, state), result.attachments);
-  result.attached = level.model.attachments;
-  result.terms = term_counts(level.model);
-  result.triangles = level.model.node_triangles;
-  result.tight_seams = tight_seams(garment, level.model, state.nodes, state.warm_start.multipliers);
-  if (scene.strain_limit) {
-    result.tight_regions =
-        tight_regions(garment, level.model, state.nodes, state.warm_start.multipliers);
-  }
-  result.nodes = std::move(state.nodes);
-  result.warm_start = std::move(state.warm_start);
-  result.extra_offset = std::move(state.extra_offset);
-  result.stages = journal.stages();
-  result.during = journal.during();
+  take_end(garment, level, std::move(state), journal, result);
   return result;
+}
+
+ContinuedDress continue_dress(const PanelMesh& garment, const Scene& scene,
+                              const DressOptions& options, const DressedGarment& earlier,
+                              const FrameWatcher& watcher) {
+  check_body(scene);
+  ContinuedDress continued;
+  CarriedDrape carried = carry_drape(earlier, garment);
+  continued.outside = carried.outside;
+  continued.refusal = std::move(carried.refusal);
+  if (!continued.refusal.empty()) return continued;
+  const std::vector<PanelMesh> meshes = nested_meshes(garment);
+  Journal journal(watcher);
+  DressResult result;
+  result.body_offset = resting_offset(garment, scene);
+  result.placement.initial = positioned_points(meshes, scene);
+  result.placement.placed = carried.points;
+  Level level = compiled_level(meshes.front(), 0, scene, carried.points, result.body_offset);
+  level.model.body_offset = result.body_offset;
+  if (!lasting(level.model.attachments).empty()) {
+    continued.refusal = "what is attached for good is placed with the panels";
+    return continued;
+  }
+  level.model.attachments.clear();
+
+  State state;
+  state.nodes = level.model.start;
+  const bool crosses_at_first = !is_clear_of_itself(level, state);
+  if (crosses_at_first) {
+    Staged untangled = untangle_worn(level, std::move(state), journal);
+    if (!untangled.report.converged) {
+      continued.refusal = "it crosses itself from there";
+      return continued;
+    }
+    state = std::move(untangled.state);
+  }
+  // Cloth that has to go elsewhere gives way to compression first, or it stands on creases.
+  const bool stiffens =
+      crosses_at_first || std::max(carried.outside, carried.shifted) > min_carried_shift;
+  Staged staged = rest(level, std::move(state), true, stiffens, options, journal);
+  if (options.release_seconds > 0) {
+    result.release = release_for_a_while(level, staged, true, options, journal);
+  }
+  result.residual = staged.report.residual;
+  result.converged = is_at_rest(staged.report, options);
+  const TriangleMesh drape{staged.state.nodes, level.model.node_triangles};
+  if (!result.converged) {
+    continued.refusal = "it does not come to rest from there";
+  } else if (!self_intersections(drape).empty()) {
+    continued.refusal = "it crosses itself from there";
+  } else if (!intersections(drape, scene.collider->body()).empty()) {
+    continued.refusal = "it crosses the body from there";
+  }
+  if (!continued.refusal.empty()) return continued;
+  take_end(garment, level, std::move(staged.state), journal, result);
+  continued.result = std::move(result);
+  return continued;
 }
 
 std::vector<Vec3> material_points(const PanelMesh& garment, const DressResult& result) {

@@ -58,6 +58,25 @@ struct DressResult {
 DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptions& options,
                   const FrameWatcher& watcher = {});
 
+/// A garment that went on from an earlier drape.
+struct ContinuedDress {
+  std::optional<DressResult> result;  ///< none: `refusal` says why it has to start from its panels
+  std::string refusal;
+  double outside = 0;  ///< metres: CarriedDrape's
+};
+
+/// Brings a garment to rest from where an earlier drape of it lay (carry_drape.h). Only its own
+/// mesh is relaxed. What crosses at first falls unbounded, to come clear of itself (`settle`). Then
+/// the garment comes to `rest` with friction. Attachments that hold it only while it is dressed are
+/// left out.
+///
+/// Refused are garments that carry_drape() refuses, and garments with attachments for good. So are
+/// drapes that do not end at rest, clear of themselves and of the body. The same bits for any
+/// number of threads. Throws Error as dress() does.
+ContinuedDress continue_dress(const PanelMesh& garment, const Scene& scene,
+                              const DressOptions& options, const DressedGarment& earlier,
+                              const FrameWatcher& watcher = {});
+
 /// The material points of a garment that is dressed, to check it as the last state.
 std::vector<Vec3> material_points(const PanelMesh& garment, const DressResult& result);
 

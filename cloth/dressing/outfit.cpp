@@ -76,6 +76,7 @@ class Dressing {
   Collider collider_of(std::size_t layers, std::size_t under, std::size_t without) const;
   void warn_of_start(WornLayer& worn) const;
   void put_in_place(const AskedPlaces& asked, WornLayer& worn) const;
+  void go_on(const DressedGarment& earlier, const FrameWatcher& watcher, WornLayer& worn) const;
   WornLayer dress_layer(std::size_t layer) const;
   void write_and_judge(std::size_t layer, const TriangleMesh* others);
   bool turn_panels_out(std::size_t over);
@@ -197,6 +198,19 @@ void Dressing::put_in_place(const AskedPlaces& asked, WornLayer& worn) const {
   worn.place_reason = reason;
 }
 
+/// Dresses the garment from its earlier drape, as far as that goes.
+void Dressing::go_on(const DressedGarment& earlier, const FrameWatcher& watcher,
+                     WornLayer& worn) const {
+  if (!outfit_.method.continue_dress) throw Error("method", "starts from flat panels only", "");
+  worn.continued = outfit_.method.continue_dress(worn.garment, worn.scene, earlier, watcher);
+  if (worn.continued->result) worn.result = std::move(*worn.continued->result);
+  worn.continued->result.reset();
+  if (!worn.continued->refusal.empty()) {
+    worn.warnings.push_back("dressed from flat panels, not from the earlier drape: " +
+                            worn.continued->refusal);
+  }
+}
+
 WornLayer Dressing::dress_layer(std::size_t layer) const {
   const auto start = Clock::now();
   WornLayer worn;
@@ -207,7 +221,10 @@ WornLayer Dressing::dress_layer(std::size_t layer) const {
   if (outfit_.certify) worn.certificate.emplace(collider_.body(), layers_below());
   {
     const FrameWatcher watcher = watcher_of(layer, worn.certificate ? &*worn.certificate : nullptr);
-    worn.result = outfit_.method.dress(worn.garment, worn.scene, watcher);
+    if (outfit_.layers[layer].earlier) go_on(*outfit_.layers[layer].earlier, watcher, worn);
+    if (!worn.continued || !worn.continued->refusal.empty()) {
+      worn.result = outfit_.method.dress(worn.garment, worn.scene, watcher);
+    }
     // Where the panels stood decides what is judged, too.
     worn.garment.placed = worn.result.placement.initial;
     watcher({worn.garment, "dressed", material_points(worn.garment, worn.result), 1});
@@ -349,6 +366,10 @@ OutfitMethod relaxation_method(const DressOptions& options, bool coupled) {
   method.dress = [of_one](const PanelMesh& garment, const Scene& scene,
                           const FrameWatcher& watcher) {
     return dress(garment, scene, of_one, watcher);
+  };
+  method.continue_dress = [of_one](const PanelMesh& garment, const Scene& scene,
+                                   const DressedGarment& earlier, const FrameWatcher& watcher) {
+    return continue_dress(garment, scene, of_one, earlier, watcher);
   };
   if (!coupled) return method;
   method.relax_coupled = [options](const std::vector<WornGarment>& garments, const Scene& scene,

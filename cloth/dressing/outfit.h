@@ -21,6 +21,10 @@ namespace toile {
 struct OutfitMethod {
   /// Dresses one garment over the layers below; says in `placement.initial` where its panels stood.
   std::function<DressResult(const PanelMesh&, const Scene&, const FrameWatcher&)> dress;
+  /// Goes on from an earlier drape of the garment. Empty: the method can't.
+  std::function<ContinuedDress(const PanelMesh&, const Scene&, const DressedGarment& earlier,
+                               const FrameWatcher&)>
+      continue_dress = {};
   /// Relaxes all garments as one, once each is dressed. Empty: the layers stay frozen where they
   /// were dressed.
   std::function<CoupledResult(const std::vector<WornGarment>&, const Scene&, const FrameWatcher&)>
@@ -39,6 +43,9 @@ struct OutfitLayer {
   /// those, `*` for any letters. Needs a method that relaxes coupled layers.
   std::map<std::string, std::vector<std::string>> panels_over = {};
   AskedPlaces places = {};  ///< of panels, in place of what the pattern says
+  /// An earlier drape of the garment, to go on from; none: from flat panels. Where the method can't
+  /// go on from it, the garment is dressed from flat panels.
+  std::optional<DressedGarment> earlier = {};
 };
 
 struct Outfit {
@@ -57,6 +64,8 @@ struct WornLayer {
   std::optional<LayoutMove> moved;  ///< of all panels, to where the body is; none: they were there
   std::vector<FoundPlace> places;   ///< of the panels, where they were found; empty: they were not
   std::string place_reason;         ///< why they were found, in words
+  /// How it went on from an earlier drape, without its result; none: there was none to go on from.
+  std::optional<ContinuedDress> continued;
   Scene scene;  ///< fabrics and options; without its collider, which layers have joined since
   DressResult result;
   Judgement judgement;

@@ -159,6 +159,16 @@ Staged untangle(const Level& level, State state, Journal& journal) {
   return staged;
 }
 
+Staged untangle_worn(const Level& level, State state, Journal& journal) {
+  RelaxOptions options = level_options(level);
+  options.compression = compression_of(level);
+  options.max_iterations = untangling_iterations;
+  options.untangles = true;
+  options.bounded_by_body = true;
+  return run("untangle", level, level.model, std::move(state), options, journal.progress(),
+             journal);
+}
+
 Staged settle(const Level& level, State state, bool bounded, bool friction, Journal& journal) {
   RelaxOptions options = level_options(level);
   options.compression = compression_of(level);

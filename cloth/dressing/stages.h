@@ -39,6 +39,10 @@ Staged close_seams(const Level& level, State state, double care, Journal& journa
 /// bending stiffness. The report's `converged` says whether the cloth is clear of itself.
 Staged untangle(const Level& level, State state, Journal& journal);
 
+/// `untangle` of a garment that hangs as it is worn: crossing cloth is drawn apart under its
+/// weight. The report's `converged` says whether the cloth is clear of itself.
+Staged untangle_worn(const Level& level, State state, Journal& journal);
+
 /// `settle`: lets the cloth fall until it may go on to the next mesh; it gives way to compression.
 /// `bounded`: the cloth is clear of itself, and stays so. Without `friction` it finds its way down.
 Staged settle(const Level& level, State state, bool bounded, bool friction, Journal& journal);

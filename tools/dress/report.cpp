@@ -183,6 +183,12 @@ Json places_json(const WornLayer& layer) {
   return {{"reason", layer.place_reason}, {"panels", panels}};
 }
 
+/// How far a garment went on from an earlier drape.
+Json continued_json(const ContinuedDress& continued) {
+  if (!continued.refusal.empty()) return {{"from_flat_panels", continued.refusal}};
+  return {{"outside_mm", 1000 * continued.outside}};
+}
+
 /// What was simulated.
 Json scene_json(const WornLayer& layer) {
   const DressResult& result = layer.result;
@@ -201,6 +207,7 @@ Json scene_json(const WornLayer& layer) {
   }
   json.update(start_json(result.placement));
   if (!layer.places.empty()) json["placed_by_seams"] = places_json(layer);
+  if (layer.continued) json["continued"] = continued_json(*layer.continued);
   if (layer.moved) json["layout_moved"] = layout_moved_json(*layer.moved);
   return json;
 }
@@ -323,6 +330,7 @@ nlohmann::ordered_json layer_json(const WornLayer& layer, const DressMethod& met
   const GarmentFigures& figures = judgement.garment;
   Json report;
   report["inputs"] = {{"body", notes.body}, {"garment", notes.garment}};
+  if (!notes.earlier.empty()) report["inputs"]["continue"] = notes.earlier;
   report["garment"] = garment_json(layer);
   report["panels"] = panels_json(layer.garment);
   report["scene"] = scene_json(layer);

@@ -15,6 +15,7 @@ namespace toile {
 struct LayerNotes {
   std::string body;     ///< the file
   std::string garment;  ///< the file
+  std::string earlier;  ///< the file of the drape to go on from; empty: none
   std::vector<std::string> warnings;
   double seconds = 0;  ///< all that the layer took
   /// What took them besides the dressing, in the order in which it was done.

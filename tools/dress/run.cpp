@@ -85,6 +85,7 @@ Outfit DressRun::read_outfit() {
     const LayerFiles& layer = settings_.layers[i];
     outfit.layers.push_back(
         {layer.name, std::move(garments[i]), layer.fabric, layer.panels_over, layer.places});
+    if (layer.earlier) outfit.layers.back().earlier = read_dressed(*layer.earlier);
   }
   outfit.gravity = settings_.gravity;
   outfit.strain_limit = settings_.strain_limit;
@@ -178,6 +179,7 @@ Json DressRun::layer_report(const WornOutfit& worn, std::size_t layer) const {
   LayerNotes notes;
   notes.body = settings_.body.string();
   notes.garment = settings_.layers[layer].garment.string();
+  if (settings_.layers[layer].earlier) notes.earlier = settings_.layers[layer].earlier->string();
   notes.warnings = layer_warnings_[layer];
   if (!settings_.scene) {
     notes.warnings.insert(notes.warnings.begin(), warnings_.begin(), warnings_.end());

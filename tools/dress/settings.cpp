@@ -39,6 +39,7 @@ void read_layers(const po::variables_map& given, const fs::path& output, DressSe
     only.fabric = find_fabric(fabric);
     only.output = output;
     only.places = read_places(given);
+    if (given.count("continue")) only.earlier = given["continue"].as<std::string>();
     settings.body = given["body"].as<std::string>();
     settings.layers.push_back(only);
   } else {
@@ -104,6 +105,9 @@ void add_dress_options(po::options_description& options) {
       "place", value<std::vector<string>>(),
       "PANEL=PART:SIDE, as in front=torso:front or sleeve=left_arm:around: where a panel stands; "
       "all others are found anew, whatever places the pattern states; may be repeated")(
+      "continue", value<string>(),
+      "an earlier dressed.obj of this garment, before its pattern was changed a little: go on from "
+      "there, and not from flat panels")(
       "gravity", value<string>(),
       "x,y,z in m/s²; default: the scene's, or 0,-9.81,0; write --gravity=-9.81,0,0")(
       "frames", value<string>(), "write the states on the way as OBJ files into this folder")(
@@ -133,6 +137,12 @@ void check_dress_options(const po::variables_map& given) {
   if (has_scene && given.count("place") != 0) {
     throw po::error("--place is for one garment: dress the garments of a scene without it");
   }
+  if (has_scene && given.count("continue") != 0) {
+    throw po::error("--continue is for one garment: dress the garments of a scene without it");
+  }
+  if (given.count("continue") != 0 && given["method"].as<std::string>() == "paper") {
+    throw po::error("--continue: the paper's method starts from flat panels only");
+  }
   check_method_options(given);
 }
 
@@ -160,6 +170,7 @@ ProgramFiles files_of(const DressSettings& settings) {
     files.reads.push_back(layer.garment);
     files.reads.push_back(layer.garment_json.empty() ? garment_json_path(layer.garment)
                                                      : layer.garment_json);
+    if (layer.earlier) files.reads.push_back(*layer.earlier);
     files.writes.push_back(layer.output);
     if (settings.frames && settings.scene) files.folders.push_back(*settings.frames / layer.name);
   }

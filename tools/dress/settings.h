@@ -26,6 +26,8 @@ struct LayerFiles {
   /// See OutfitLayer.
   std::map<std::string, std::vector<std::string>> panels_over = {};
   AskedPlaces places = {};  ///< see OutfitLayer
+  /// A drape that dress wrote before, to go on from; none: from flat panels.
+  std::optional<std::filesystem::path> earlier = {};
 };
 
 struct DressSettings {
