@@ -14,9 +14,9 @@ namespace {
 
 // Share of the height: 5 mm at 1.70 m. At half or double of it no level moves by 1 mm.
 constexpr double step_share = 0.003;
-// Share of the height, 25 mm at 1.70 m: the parabolas' reach. At half of it, noise of 1 mm moves
+// Share of the height, 20 mm at 1.70 m: the parabolas' reach. At half of it, noise of 1 mm moves
 // the seat by 6 mm; at double, the bust of a child joins the belly.
-constexpr double reach_share = 0.015;
+constexpr double reach_share = 0.012;
 // Girth at the lower edge of the waist's hollow, as a share above the least. A tape slides down to
 // there. It is 5 mm below the least girth on an average body.
 constexpr double hollow_edge = 0.0005;
@@ -228,16 +228,23 @@ class Finder {
       return;
     }
     Extreme foremost = greatest(front, reach_);
-    if (foremost.is_end && foremost.at < (low + levels_.high) / 2) {
-      // A belly stands out farther: the bust is above the hollow between them.
-      auto hollow = front;
-      for (Vec2& sample : hollow) sample.y() *= -1;
-      const double crease = greatest(hollow, reach_).at;
-      std::vector<Vec2> above;
-      for (const Vec2& sample : front) {
-        if (sample.x() > crease) above.push_back(sample);
+    if (foremost.is_end) {
+      // A belly, or the shoulders, stand out farther: the highest summit between them counts.
+      std::vector<Vec2> summit;
+      for (std::size_t i = 1; i + 1 < front.size(); ++i) {
+        std::vector<Vec2> near;
+        for (const Vec2& sample : front) {
+          if (std::abs(sample.x() - front[i].x()) <= reach_) near.push_back(sample);
+        }
+        const bool is_summit = std::all_of(near.begin(), near.end(), [&](const Vec2& sample) {
+          return sample.y() <= front[i].y();
+        });
+        if (is_summit && near.front().x() < front[i].x() && near.back().x() > front[i].x() &&
+            (summit.empty() || greatest(summit, reach_).value < front[i].y())) {
+          summit = near;
+        }
       }
-      if (above.size() >= 5) foremost = greatest(above, reach_);
+      if (summit.size() >= 5) foremost = greatest(summit, reach_);
     }
     levels_.bust = {foremost.at, 0.9, ""};
     if (!foremost.is_end) return;
