@@ -74,6 +74,11 @@ constexpr std::array names = {
     body("crotch_height"),
     side("knee_height"),
     body("cervicale_height"),
+    body("shoulder_width"),
+    body("seat_span"),
+    side("armscye_depth"),
+    MeasureName{"arm_angle", MeasureUnit::degrees, true},
+    MeasureName{"hip_angle", MeasureUnit::degrees, true},
 };
 
 // SeamlyMe's neck_circ lies at the neck's base, neck_mid_circ half-way up, where ISO 8559-1
@@ -185,7 +190,10 @@ std::vector<ForeignMeasure> freesewing() {
 std::vector<ForeignMeasure> garmentcode() {
   return {
       {"arm_length", {{"arm_length"}}},
+      {"arm_pose_angle", {{"arm_angle"}}},
+      {"armscye_depth", {{"armscye_depth"}}},
       {"back_width", {{"back_arc", 2}}},
+      {"bum_points", {{"seat_span"}}},
       {"bust", {{"bust"}}},
       {"bust_line", {{"bust_depth"}}},
       {"bust_points", {{"bust_span"}}},
@@ -193,10 +201,13 @@ std::vector<ForeignMeasure> garmentcode() {
       {"head_l", {{"height", 1}, {"cervicale_height", -1}}},
       {"height", {{"height"}}},
       {"hip_back_width", {{"back_hip_arc", 2}}},
+      {"hip_inclination", {{"hip_angle"}}},
       {"hips", {{"hip"}}},
       {"hips_line", {{"waist_to_hip"}}},
       {"leg_circ", {{"upper_thigh"}}},
+      {"neck_w", {{"back_neck", 2}}},
       {"shoulder_incl", {{"shoulder_angle"}}},
+      {"shoulder_w", {{"shoulder_width"}}},
       {"underbust", {{"underbust"}}},
       {"vert_bust_line", {{"cervicale_height", 1}, {"bust_height", -1}}},
       {"waist", {{"waist"}}},
