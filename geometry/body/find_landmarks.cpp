@@ -34,8 +34,7 @@ Vec3 farthest(const std::vector<Vec3>& points, const Vec3& direction) {
 }
 
 double width_of(const Section& section) {
-  return farthest(section.points, Vec3::UnitX()).x() -
-         farthest(section.points, -Vec3::UnitX()).x();
+  return farthest(section.points, Vec3::UnitX()).x() - farthest(section.points, -Vec3::UnitX()).x();
 }
 
 /// Where a curve lies farthest on the side `toward` of the straight line between its ends. Points
@@ -74,9 +73,8 @@ class Finder {
         absent(name, no_joints());
       }
       for (const int side : {1, -1}) {
-        for (const char* name :
-             {"side_neck", "shoulder", "armpit", "armpit_front", "armpit_back", "gluteal_fold",
-              "knee", "calf", "ankle", "elbow", "wrist"}) {
+        for (const char* name : {"side_neck", "shoulder", "armpit", "armpit_front", "armpit_back",
+                                 "gluteal_fold", "knee", "calf", "ankle", "elbow", "wrist"}) {
           absent(prefix(side) + name, no_joints());
         }
       }

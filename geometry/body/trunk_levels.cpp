@@ -67,9 +67,9 @@ Profile longest_run(const std::vector<std::optional<Level>>& levels) {
   Profile longest;
   Profile run;
   for (std::size_t i = 0; i <= levels.size(); ++i) {
-    const bool goes_on = i < levels.size() && levels[i] &&
-                         (run.empty() || std::abs(levels[i]->girth - run.back().girth) <
-                                             jump * run.back().girth);
+    const bool goes_on =
+        i < levels.size() && levels[i] &&
+        (run.empty() || std::abs(levels[i]->girth - run.back().girth) < jump * run.back().girth);
     if (!goes_on) {
       if (run.size() > longest.size()) longest = run;
       run.clear();
@@ -133,9 +133,8 @@ class Finder {
     }
     const auto above = std::find_if(profile_.begin(), profile_.end(),
                                     [least](const Level& l) { return l.y > least; });
-    const auto widest =
-        std::max_element(above, profile_.end(),
-                         [](const Level& a, const Level& b) { return a.girth < b.girth; });
+    const auto widest = std::max_element(
+        above, profile_.end(), [](const Level& a, const Level& b) { return a.girth < b.girth; });
     profile_.erase(widest == profile_.end() ? widest : widest + 1, profile_.end());
   }
 
@@ -183,9 +182,8 @@ class Finder {
 
   void find_hip() {
     const double top = levels_.low + 0.75 * (*levels_.waist.height - levels_.low);
-    const auto seat = curve(profile_, levels_.low, top, [this](const Level& l) {
-      return levels_.lean * l.y - l.back;
-    });
+    const auto seat = curve(profile_, levels_.low, top,
+                            [this](const Level& l) { return levels_.lean * l.y - l.back; });
     if (seat.size() < 5) {
       levels_.hip = absent("the trunk is too short for a hip");
       return;
@@ -220,9 +218,8 @@ class Finder {
   void find_bust() {
     const double waist = *levels_.waist.height;
     const double low = waist + (levels_.high - waist) / 3;
-    const auto front = curve(profile_, low, levels_.high, [this](const Level& l) {
-      return l.front - levels_.lean * l.y;
-    });
+    const auto front = curve(profile_, low, levels_.high,
+                             [this](const Level& l) { return l.front - levels_.lean * l.y; });
     if (front.size() < 5) {
       levels_.bust = absent("the trunk ends too soon above the waist");
       return;
@@ -267,10 +264,9 @@ class Finder {
     const double below = bust - underbust_share * body_.height;
     // The crease: farthest behind the straight line from bust to waist.
     const auto at = [this](double y) {
-      return *std::min_element(profile_.begin(), profile_.end(),
-                               [y](const Level& a, const Level& b) {
-                                 return std::abs(a.y - y) < std::abs(b.y - y);
-                               });
+      return *std::min_element(
+          profile_.begin(), profile_.end(),
+          [y](const Level& a, const Level& b) { return std::abs(a.y - y) < std::abs(b.y - y); });
     };
     const double slope = (at(bust).front - at(waist).front) / (bust - waist);
     const auto behind = curve(profile_, waist, bust, [&](const Level& l) {
@@ -295,9 +291,8 @@ class Finder {
 }  // namespace
 
 Extreme greatest(const std::vector<Vec2>& samples, double reach) {
-  const auto most =
-      std::max_element(samples.begin(), samples.end(),
-                       [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
+  const auto most = std::max_element(samples.begin(), samples.end(),
+                                     [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
   Extreme extreme{most->x(), most->y(), 0, false};
   const double low = samples.front().x();
   const double high = samples.back().x();

@@ -21,6 +21,7 @@ using Eigen::VectorXd;
 struct Moved {
   const char* name;
   std::vector<std::pair<Part, double>> parts;
+  double weight = 1;  ///< of lengths along the skin, which also hang on the trunk's form: less
 };
 
 const std::vector<Moved>& moved_measures() {
@@ -40,6 +41,17 @@ const std::vector<Moved>& moved_measures() {
       {"waist_to_knee", {{Part::waist_height, 1.8}, {Part::knee_height, -0.8}}},
       {"crotch_depth", {{Part::waist_height, 3.7}, {Part::crotch_height, -2.7}}},
       {"back_centre_length", {{Part::cervicale_height, 3.6}, {Part::waist_height, -2.6}}},
+      {"front_centre_length", {{Part::cervicale_height, 4.2}, {Part::waist_height, -3.2}}, 0.3},
+      {"back_full_length", {{Part::cervicale_height, 3.4}, {Part::waist_height, -2.4}}, 0.3},
+      {"front_full_length", {{Part::cervicale_height, 3.4}, {Part::waist_height, -2.4}}, 0.3},
+      {"bust_depth", {{Part::cervicale_height, 5.4}, {Part::bust_height, -4.4}}, 0.3},
+      {"side_hip_depth", {{Part::waist_height, 5.5}, {Part::hip_height, -4.5}}, 0.3},
+      {"front_hip_depth", {{Part::waist_height, 5.5}, {Part::hip_height, -4.5}}, 0.3},
+      {"back_hip_depth", {{Part::waist_height, 5.5}, {Part::hip_height, -4.5}}, 0.3},
+      {"shoulder_length", {{Part::shoulder_width, 1.3}}},
+      {"back_across_shoulder", {{Part::shoulder_width, 1}}},
+      {"front_across_shoulder", {{Part::shoulder_width, 1}}, 0.3},
+      {"shoulder_width", {{Part::shoulder_width, 1}}},
       {"head", {{Part::head, 1}}},
       {"neck", {{Part::neck, 1}}},
       {"bust", {{Part::chest, 0.8}, {Part::breast, 0.3}}},
@@ -141,14 +153,14 @@ class Problem {
     MatrixXd left = MatrixXd::Zero(size() + holds, build_parts);
     VectorXd right = VectorXd::Zero(size() + holds);
     for (int row = 0; row < size(); ++row) {
-      const double weight =
-          rows_[row].wanted / (rows_[row].is_given ? given_tolerance : filled_tolerance);
+      const double weight = rows_[row].measure->weight * rows_[row].wanted /
+                            (rows_[row].is_given ? given_tolerance : filled_tolerance);
       left.row(row) = weight * jacobian.row(row);
       right[row] = -weight * off[row];
     }
     for (int part = 0; part < build_parts; ++part) {
       const int row = size() + part;
-      double weight = 1 / 0.25;
+      double weight = 1 / 0.03;
       if (part == column(Part::breast)) weight = 1 / 0.01;
       if (part == column(Part::shoulder_width)) weight = 1 / 0.01;
       left(row, part) = weight;
@@ -168,11 +180,14 @@ class Problem {
     return step;
   }
 
-  /// No factor leaves the start by more than 1.4, so that a body stays one.
-  VectorXd bounded(const VectorXd& factors) const {
-    constexpr double reach = 0.35;
-    return factors.cwiseMax((start_.array() - reach).matrix())
-        .cwiseMin((start_.array() + reach).matrix());
+  /// No girth leaves the start by a factor of more than 1.4, no height by more than 1.08, so that
+  /// a body stays one.
+  VectorXd bounded(VectorXd factors) const {
+    for (int part = 0; part < build_parts; ++part) {
+      const double reach = sample_height(static_cast<Part>(part)) > 0 ? 0.08 : 0.35;
+      factors[part] = std::clamp(factors[part], start_[part] - reach, start_[part] + reach);
+    }
+    return factors;
   }
 
   /// Corrects how parts move their own measures, by what the last step did [Schubert 1970]. Other

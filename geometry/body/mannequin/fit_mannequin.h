@@ -25,12 +25,14 @@ struct FittedMannequin {
   int rounds = 0;                       ///< bodies that were made
 };
 
-/// Finds the build whose mesh, standing, has the measures `given`, those of `filled` about, and
-/// returns it in the pose of the options. Each round makes a mesh and measures it. The logarithms
-/// of the build's factors are the unknowns of a least-squares problem: given measures weigh some
-/// forty times as much as filled ones, and all factors are held a little. Its Jacobian starts as
-/// each part moves its own measure, and is corrected by what the rounds show [Broyden 1965]. It
-/// ends when each given measure is within 1 mm, or after 12 rounds with the best one.
+/// Finds the build whose mesh, standing, has the measures `given`, and those of `filled` about. It
+/// returns that body in the pose of the options. Each round makes a mesh and measures it.
+///
+/// The unknowns are the logarithms of the build's factors, by least squares. Given measures weigh
+/// some forty times as much as filled ones. All factors are held a little. In the first Jacobian
+/// each part moves its own measure alone. What the rounds show corrects it [Schubert 1970]. It ends
+/// when each given measure is within 1 mm, or after 12 rounds with the best one. Throws Error where
+/// levels of the body would not rise, and as mesh_mannequin() does.
 FittedMannequin fit_mannequin(const BodyMeasures& given, const BodyMeasures& filled, Figure figure,
                               const MannequinOptions& options);
 

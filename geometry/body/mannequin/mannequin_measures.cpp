@@ -5,7 +5,9 @@
 #include <cmath>
 #include <functional>
 
+#include "geometry/body/find_landmarks.h"
 #include "geometry/body/landmarks.h"
+#include "geometry/body/measures.h"
 #include "geometry/slice.h"
 
 namespace toile {
@@ -72,6 +74,23 @@ double back_length(const TriangleMesh& body, double waist, double cervicale) {
   return length;
 }
 
+/// What measure_body() takes, both sides as one.
+BodyMeasures tape_measures(const TriangleMesh& body) {
+  BodyMeasures sums;
+  std::map<std::string, int> counts;
+  for (const Measure& measure : measure_body(find_landmarks(body, "mannequin"))) {
+    if (!measure.value) continue;
+    std::string name = measure.name;
+    for (const char* side : {"left_", "right_"}) {
+      if (name.starts_with(side)) name.erase(0, std::string(side).size());
+    }
+    sums[name] += *measure.value;
+    ++counts[name];
+  }
+  for (auto& [name, sum] : sums) sum /= counts[name];
+  return sums;
+}
+
 }  // namespace
 
 std::string measure_of(const MannequinGirth& girth) {
@@ -133,6 +152,13 @@ BodyMeasures mannequin_measures(const Mannequin& mannequin) {
     head = std::max(head, girth(y));
   }
   measures["head"] = head;
+  for (const auto& [name, value] : tape_measures(body)) {
+    // Where landmarks were taken for others, the place that is known here is the right one.
+    constexpr double alike = 0.12;
+    const auto own = measures.find(name);
+    if (own != measures.end() && std::abs(value / own->second - 1) > alike) continue;
+    measures[name] = value;
+  }
   return measures;
 }
 

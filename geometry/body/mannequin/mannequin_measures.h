@@ -6,9 +6,9 @@
 
 namespace toile {
 
-/// What a tape reads on the mesh of a standing mannequin: height, bust, waist and hip where the
-/// surface has them, with their heights; crotch height; girths of the limbs, neck, head, underbust
-/// and abdomen. Cervicale, knee, and arm length are those of the joints. It costs some 150 slices.
+/// What a tape reads on the mesh of a standing mannequin, both sides as one. It is what
+/// measure_body() finds. Where that finds nothing, it is read at the mannequin's own places: girths
+/// of trunk and limbs, heights, and lengths between joints. Costs measure_body() and 150 slices.
 BodyMeasures mannequin_measures(const Mannequin& mannequin);
 
 /// The name of a girth as a measure: "upper thigh" is upper_thigh.
