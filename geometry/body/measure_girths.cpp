@@ -29,7 +29,7 @@ void MeasureTaker::take_girths() {
                "level, around the trunk in the hollow of the waist", "5.3.10");
   around_trunk("abdomen", shape_.levels.abdomen,
                "level, around the trunk where the belly stands out the most");
-  around_trunk("hip", shape_.levels.hip, "level, around the trunk where the seat stands out the most",
+  around_trunk("hip", shape_.levels.hip, "level, around the trunk where the seat is fullest",
                "5.3.13");
 
   Needs needs;
@@ -178,7 +178,7 @@ void MeasureTaker::take_limb_girths(int side) {
   const Vec3 crotch = point("crotch", needs);
   // Directly below the crotch the two legs may still be one section.
   Vec3 thigh = Vec3::Zero();
-  double below = 0.004 * h;
+  double below = 0.002 * h;
   for (; needs.missing.empty() && below < 0.05 * h; below += 0.002 * h) {
     thigh = leg_middle(crotch.y() - below);
     const Line line = girth_line(thigh, Vec3::UnitY());

@@ -306,10 +306,10 @@ void MeasureTaker::take_side_lengths(int side) {
             "from the shoulder point over the elbow to the wrist, on the skin", "5.4.14 and 5.4.15");
   Vec3 bone = Vec3::UnitX();
   if (skeleton() != nullptr) {
-    bone = skeleton()->joint(which + "wrist") - skeleton()->joint(which + "shoulder");
+    bone = skeleton()->joint(which + "elbow") - skeleton()->joint(which + "shoulder");
   }
   add_angle(which + "arm_angle", arm, degrees * std::atan2(-bone.y(), side * bone.x()),
-            {top, wrist}, "of the arm below level, as the body stands");
+            {top, elbow}, "of the upper arm below level, as the body stands");
 }
 
 }  // namespace toile
