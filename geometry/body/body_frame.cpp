@@ -114,7 +114,8 @@ BodyFrame body_frame(const TriangleMesh& body, const std::string& name) {
   const BodyFrame before = frame;
   turn(frame, turn_to_x(level) + (backward ? std::numbers::pi : 0), name);
   if (!frame.skeleton) frame = before;
-  const Vec3 middle = (between(*frame.skeleton, "shoulder") + between(*frame.skeleton, "hip")) / 2;
+  const Vec3 middle =
+      (between(*frame.skeleton, "shoulder") + between(*frame.skeleton, "hip")) / 2;
   move(frame, Vec3(-middle.x(), 0, 0));
   return frame;
 }

@@ -22,6 +22,9 @@ constexpr double reach_share = 0.012;
 constexpr double hollow_edge = 0.0005;
 // Share of the way from crotch to armpits at which the waist is where no hollow shows it.
 constexpr double waist_share = 0.64;
+// Share of the trunk's lean that a bust's direction has. At 0 the bust of an average woman is found
+// 6 mm lower and its girth 6 mm less, at 1 that of a man 2 mm higher and 1 mm more.
+constexpr double bust_lean = 0.85;
 // Share of the height from the bust points down to the underbust, where no crease is lower.
 constexpr double underbust_share = 0.044;
 
@@ -67,9 +70,9 @@ Profile longest_run(const std::vector<std::optional<Level>>& levels) {
   Profile longest;
   Profile run;
   for (std::size_t i = 0; i <= levels.size(); ++i) {
-    const bool goes_on =
-        i < levels.size() && levels[i] &&
-        (run.empty() || std::abs(levels[i]->girth - run.back().girth) < jump * run.back().girth);
+    const bool goes_on = i < levels.size() && levels[i] &&
+                         (run.empty() || std::abs(levels[i]->girth - run.back().girth) <
+                                             jump * run.back().girth);
     if (!goes_on) {
       if (run.size() > longest.size()) longest = run;
       run.clear();
@@ -133,8 +136,9 @@ class Finder {
     }
     const auto above = std::find_if(profile_.begin(), profile_.end(),
                                     [least](const Level& l) { return l.y > least; });
-    const auto widest = std::max_element(
-        above, profile_.end(), [](const Level& a, const Level& b) { return a.girth < b.girth; });
+    const auto widest =
+        std::max_element(above, profile_.end(),
+                         [](const Level& a, const Level& b) { return a.girth < b.girth; });
     profile_.erase(widest == profile_.end() ? widest : widest + 1, profile_.end());
   }
 
@@ -182,18 +186,22 @@ class Finder {
 
   void find_hip() {
     const double top = levels_.low + 0.75 * (*levels_.waist.height - levels_.low);
-    const auto seat = curve(profile_, levels_.low, top,
-                            [this](const Level& l) { return levels_.lean * l.y - l.back; });
+    const auto seat =
+        curve(profile_, levels_.low, top, [](const Level& l) { return -l.back; });
+    const auto girths =
+        curve(profile_, levels_.low, top, [](const Level& l) { return l.girth; });
     if (seat.size() < 5) {
       levels_.hip = absent("the trunk is too short for a hip");
       return;
     }
     const Extreme rearmost = greatest(seat, reach_);
-    levels_.hip = {rearmost.at, 0.9, ""};
-    if (rearmost.is_end) {
-      levels_.hip.confidence = 0.4;
-      levels_.hip.reason = "the seat stands out the most at the trunk's end";
-    }
+    const Extreme fullest = greatest(girths, reach_);
+    levels_.hip = {(rearmost.at + fullest.at) / 2, 0.9, ""};
+    if (!rearmost.is_end && !fullest.is_end) return;
+    // Thighs may be fuller than the hip, and a flat seat may stand out nowhere.
+    levels_.hip = {(fullest.is_end ? rearmost : fullest).at, rearmost.is_end ? 0.5 : 0.7,
+                   rearmost.is_end ? "the seat stands out nowhere"
+                                   : "the trunk is fullest at its end"};
   }
 
   void find_abdomen() {
@@ -218,13 +226,16 @@ class Finder {
   void find_bust() {
     const double waist = *levels_.waist.height;
     const double low = waist + (levels_.high - waist) / 3;
-    const auto front = curve(profile_, low, levels_.high,
-                             [this](const Level& l) { return l.front - levels_.lean * l.y; });
+    const auto front = curve(profile_, low, levels_.high, [this](const Level& l) {
+      return l.front - bust_lean * levels_.lean * l.y;
+    });
+    // A breast is rounder above than below: a longer reach finds it too high.
+    const double bust_reach = 0.67 * reach_;
     if (front.size() < 5) {
       levels_.bust = absent("the trunk ends too soon above the waist");
       return;
     }
-    Extreme foremost = greatest(front, reach_);
+    Extreme foremost = greatest(front, bust_reach);
     if (foremost.is_end) {
       // A belly, or the shoulders, stand out farther: the highest summit between them counts.
       std::vector<Vec2> summit;
@@ -237,11 +248,11 @@ class Finder {
           return sample.y() <= front[i].y();
         });
         if (is_summit && near.front().x() < front[i].x() && near.back().x() > front[i].x() &&
-            (summit.empty() || greatest(summit, reach_).value < front[i].y())) {
+            (summit.empty() || greatest(summit, bust_reach).value < front[i].y())) {
           summit = near;
         }
       }
-      if (summit.size() >= 5) foremost = greatest(summit, reach_);
+      if (summit.size() >= 5) foremost = greatest(summit, bust_reach);
     }
     levels_.bust = {foremost.at, 0.9, ""};
     if (!foremost.is_end) return;
@@ -264,9 +275,10 @@ class Finder {
     const double below = bust - underbust_share * body_.height;
     // The crease: farthest behind the straight line from bust to waist.
     const auto at = [this](double y) {
-      return *std::min_element(
-          profile_.begin(), profile_.end(),
-          [y](const Level& a, const Level& b) { return std::abs(a.y - y) < std::abs(b.y - y); });
+      return *std::min_element(profile_.begin(), profile_.end(),
+                               [y](const Level& a, const Level& b) {
+                                 return std::abs(a.y - y) < std::abs(b.y - y);
+                               });
     };
     const double slope = (at(bust).front - at(waist).front) / (bust - waist);
     const auto behind = curve(profile_, waist, bust, [&](const Level& l) {
@@ -291,8 +303,9 @@ class Finder {
 }  // namespace
 
 Extreme greatest(const std::vector<Vec2>& samples, double reach) {
-  const auto most = std::max_element(samples.begin(), samples.end(),
-                                     [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
+  const auto most =
+      std::max_element(samples.begin(), samples.end(),
+                       [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
   Extreme extreme{most->x(), most->y(), 0, false};
   const double low = samples.front().x();
   const double high = samples.back().x();

@@ -17,9 +17,12 @@ struct TrunkLevel {
   std::string reason;            ///< why there is none, or why the confidence is low
 };
 
-/// Levels of the trunk. Bust and hip stand out the most square to the trunk's own line, which leads
-/// from the waist to the neck and leans back on most people. The waist is where a tape rests in the
-/// hollow, next to the least girth. Without a hollow, proportion places it.
+/// Levels of the trunk.
+/// - The bust stands out the most square to the line from the waist to the neck, which leans back on
+///   most people.
+/// - The hip is half-way between where the seat stands out the most and where the girth is greatest.
+/// - The waist is where a tape rests in the hollow, next to the least girth. Without a hollow,
+///   proportion places it.
 struct TrunkLevels {
   TrunkLevel bust;       ///< the bust points' level
   TrunkLevel underbust;  ///< below the breasts

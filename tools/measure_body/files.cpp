@@ -166,8 +166,9 @@ std::string measures_csv(const BodyMeasures& all) {
     for (const Measure& measure : *list) {
       csv += csv_line({valid_utf8(measure.name),
                        measure.value ? fixed_number(all.shown(measure), 2) : "",
-                       measure.is_angle ? "degrees" : all.unit, fixed_number(measure.confidence, 2),
-                       measure.iso, measure.definition, measure.reason});
+                       measure.is_angle ? "degrees" : all.unit,
+                       fixed_number(measure.confidence, 2), measure.iso, measure.definition,
+                       measure.reason});
     }
   }
   return csv;

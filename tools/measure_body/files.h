@@ -40,9 +40,9 @@ std::string measures_csv(const BodyMeasures& measures);
 std::string foreign_file(const BodyMeasures& measures, DraftingProgram program,
                          std::vector<std::string>& missing);
 
-/// The values of a file of measures_json() or of a CSV with the columns name and value, in metres
-/// or degrees, by name. A CSV's column unit, or `unit`, says what lengths are in. Throws Error with
-/// the file's name and line or key.
+/// The values of a file of measures_json() or of a CSV with the columns name and value, in metres or
+/// degrees, by name. A CSV's column unit, or `unit`, says what lengths are in. Throws Error with the
+/// file's name and line or key.
 std::map<std::string, double> read_measures(const std::string& text, const std::string& name,
                                             const std::string& unit);
 

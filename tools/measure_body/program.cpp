@@ -50,8 +50,7 @@ CommandLineProgram measure_body_program() {
       "against", po::value<std::string>(),
       "measures taken before (.json or .csv), to compare with, line by line")(
       "as", po::value<Texts>()->default_value({}, ""),
-      "vit=FILE, freesewing=FILE or garmentcode=FILE: the measures under the names of that "
-      "program; "
+      "vit=FILE, freesewing=FILE or garmentcode=FILE: the measures under the names of that program; "
       "any number of times")("html", po::value<std::string>(),
                              "write a page that shows each measure on the body")(
       "png", po::value<std::string>(), "write a picture of measures and landmarks on the body")(

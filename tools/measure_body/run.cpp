@@ -96,7 +96,8 @@ int run_measure_body(const MeasureBodySettings& settings, const CommonSettings& 
 
   OutputFiles files;
   const bool is_csv = common.output.extension() == ".csv" || common.output.extension() == ".CSV";
-  write_file(files.at(common.output), is_csv ? measures_csv(all) : measures_json(all, differences));
+  write_file(files.at(common.output),
+             is_csv ? measures_csv(all) : measures_json(all, differences));
   if (common.report) write_file(files.at(*common.report), measures_json(all, differences));
   for (const auto& [program, path] : settings.others) {
     std::vector<std::string> missing;
