@@ -56,10 +56,10 @@ TEST_F(MeasuresFile, OwnJsonHasUnitsAndNulls) {
 }
 
 TEST_F(MeasuresFile, SeamlyMeInItsUnit) {
-  const std::string body = R"(<personal><gender>male</gender></personal><body-measurements>
+  const std::string body = R"xml(<personal><gender>male</gender></personal><body-measurements>
     <m name="height" value="70"/><m name="bust_circ" value="40"/><m name="hip_circ" value="39.5"/>
     <m name="bust_arc_f" value="21"/><m name="bust_arc_b" value="(bust_circ - bust_arc_f)"/>
-    <m name="rib_circ" value="0"/><m name="knee_of_a_dog" value="9"/></body-measurements>)";
+    <m name="rib_circ" value="0"/><m name="knee_of_a_dog" value="9"/></body-measurements>)xml";
   for (const std::string end : {"vit", "smis"}) {
     const MeasureSet set = read("a." + end, "<?xml version=\"1.0\"?><" + end +
                                                 "><unit>inch</unit>" + body + "</" + end + ">");

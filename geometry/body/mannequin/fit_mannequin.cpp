@@ -128,8 +128,6 @@ class Problem {
       const auto found = measured.find(rows_[row].measure->name);
       if (found == measured.end() || !(found->second > 0)) continue;
       result[row] = std::log(found->second / rows_[row].wanted);
-      // A filled measure that is far off was read at another place, or is no mean of this body.
-      if (!rows_[row].is_given) result[row] = std::clamp(result[row], -0.05, 0.05);
     }
     return result;
   }
@@ -146,15 +144,15 @@ class Problem {
 
   /// The step of the factors that takes `off` away, as far as the holding rows let it.
   VectorXd step(const VectorXd& factors, const VectorXd& off) const {
-    // Metres: differences that weigh the same. A filled measure is a mean, so it gives way.
-    constexpr double given_tolerance = 0.0003;
-    constexpr double filled_tolerance = 0.012;
+    constexpr double tolerance = 0.0003;  // metres
     const int holds = build_parts + 1;
     MatrixXd left = MatrixXd::Zero(size() + holds, build_parts);
     VectorXd right = VectorXd::Zero(size() + holds);
     for (int row = 0; row < size(); ++row) {
-      const double weight = rows_[row].measure->weight * rows_[row].wanted /
-                            (rows_[row].is_given ? given_tolerance : filled_tolerance);
+      // What was filled in set the start. It is no aim: where a body lacks a level that a
+      // proportion has, what is read there says nothing of the part.
+      if (!rows_[row].is_given) continue;
+      const double weight = rows_[row].measure->weight * rows_[row].wanted / tolerance;
       left.row(row) = weight * jacobian.row(row);
       right[row] = -weight * off[row];
     }

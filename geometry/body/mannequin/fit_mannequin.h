@@ -28,8 +28,8 @@ struct FittedMannequin {
 /// Finds the build whose mesh, standing, has the measures `given`, and those of `filled` about. It
 /// returns that body in the pose of the options. Each round makes a mesh and measures it.
 ///
-/// The unknowns are the logarithms of the build's factors, by least squares. Given measures weigh
-/// some forty times as much as filled ones. All factors are held a little. In the first Jacobian
+/// The unknowns are the logarithms of the build's factors, by least squares. Filled measures set
+/// their start, at which the factors are held a little. In the first Jacobian
 /// each part moves its own measure alone. What the rounds show corrects it [Schubert 1970]. It ends
 /// when each given measure is within 1 mm, or after 12 rounds with the best one. Throws Error where
 /// levels of the body would not rise, and as mesh_mannequin() does.
