@@ -27,9 +27,9 @@ constexpr std::array shares = {
 
 class Filling {
  public:
-  Filling(const BodyMeasures& given, Figure figure) : given_(given), figure_(figure) {}
+  Filling(const MeasureValues& given, Figure figure) : given_(given), figure_(figure) {}
 
-  BodyMeasures run() {
+  MeasureValues run() {
     // Heights that follow from others that were taken.
     derive("crotch_height", "inside_leg");
     derive("waist_height", "waist_to_floor");
@@ -100,7 +100,10 @@ class Filling {
       set("waist", mean * std::clamp(0.780 + 0.31 * (mean - 0.925), 0.70, 1.00));
     }
     const double waist = of("waist");
-    set("underbust", child ? 0.975 * bust : man ? 0.945 * bust : bust - 0.160 * bust / 0.92);
+    // A woman's is that of a cup B. Without a hollow below it, no waist would be found.
+    set("underbust", child ? 0.975 * bust
+                     : man ? 0.945 * bust
+                           : std::max(bust - 0.15 * std::min(bust / 0.90, 1.0), waist + 0.02));
     set("abdomen", waist + (man ? 0.50 : 0.56) * (hip - waist));
     set("neck", child ? 0.265 + 0.28 * (bust - 0.56)
                 : man ? 0.370 + 0.25 * (bust - 0.88)
@@ -123,14 +126,14 @@ class Filling {
     set("ankle", child ? 0.26 * hip : 0.120 + 0.115 * hip);
   }
 
-  const BodyMeasures& given_;
+  const MeasureValues& given_;
   Figure figure_;
-  BodyMeasures filled_;
+  MeasureValues filled_;
 };
 
 }  // namespace
 
-BodyMeasures filled_measures(const BodyMeasures& given, Figure figure) {
+MeasureValues filled_measures(const MeasureValues& given, Figure figure) {
   return Filling(given, figure).run();
 }
 

@@ -94,7 +94,7 @@ std::string with_value(const std::string& name, double value) {
 
 }  // namespace
 
-std::vector<std::string> contradictions(const BodyMeasures& measures) {
+std::vector<std::string> contradictions(const MeasureValues& measures) {
   std::vector<std::string> found;
   const auto value = [&measures](const char* name) {
     const auto at = measures.find(name);

@@ -23,14 +23,14 @@ constexpr double girth_bound = 0.002;
 constexpr double length_bound = 0.003;
 
 struct Asked {
-  BodyMeasures measures;
+  MeasureValues measures;
   std::string gender;
   std::vector<std::string> left_out;
 };
 
 /// Left and right as one: a mannequin has two sides alike.
-BodyMeasures without_sides(const std::map<std::string, double>& values) {
-  BodyMeasures whole;
+MeasureValues without_sides(const std::map<std::string, double>& values) {
+  MeasureValues whole;
   for (const auto& [name, value] : values) {
     if (!name.starts_with("left_") && !name.starts_with("right_")) {
       whole[name] = value;
@@ -84,7 +84,7 @@ const char* name_of(Figure figure) {
   return figure == Figure::woman ? "woman" : figure == Figure::man ? "man" : "child";
 }
 
-std::string joined(const std::vector<std::string>& words, const char* between) {
+std::string joined_words(const std::vector<std::string>& words, const char* between) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
   return text;
@@ -144,9 +144,10 @@ Json table(const FittedMannequin& fitted, const CommonSettings& common, Remarks&
     }
   }
   if (!unread.empty()) {
-    remarks.note("not fitted, for a mannequin has no control for it: " + joined(unread, ", "));
+    remarks.note("not fitted, for a mannequin has no control for it: " +
+                 joined_words(unread, ", "));
   }
-  if (!missed.empty()) remarks.warn("the mannequin misses " + joined(missed, ", "));
+  if (!missed.empty()) remarks.warn("the mannequin misses " + joined_words(missed, ", "));
   return measures;
 }
 
@@ -166,11 +167,11 @@ Mannequin mannequin_by_measures(const MeasureSettings& settings, MannequinOption
   }
   const std::vector<std::string> wrong = contradictions(asked.measures);
   if (!wrong.empty()) {
-    throw Error("measures", joined(wrong, "; "), "measure these again, and look at the unit");
+    throw Error("measures", joined_words(wrong, "; "), "measure these again, and look at the unit");
   }
   Remarks remarks{.common = common};
-  BodyMeasures filled = filled_measures(asked.measures, figure);
-  BodyMeasures all = asked.measures;
+  MeasureValues filled = filled_measures(asked.measures, figure);
+  MeasureValues all = asked.measures;
   all.insert(filled.begin(), filled.end());
   if (settings.scales_edges) {
     // The same number of triangles for a child.
@@ -183,9 +184,10 @@ Mannequin mannequin_by_measures(const MeasureSettings& settings, MannequinOption
   report["measures"] = table(fitted, common, remarks);
   std::vector<std::string> names;
   for (const auto& [name, value] : filled) names.push_back(name);
-  if (!names.empty()) remarks.note("filled from proportions: " + joined(names, ", "));
+  if (!names.empty()) remarks.note("filled from proportions: " + joined_words(names, ", "));
   if (!asked.left_out.empty()) {
-    remarks.note("left out, without number or not known here: " + joined(asked.left_out, ", "));
+    remarks.note("left out, without number or not known here: " +
+                 joined_words(asked.left_out, ", "));
   }
   report["notes"] = remarks.notes;
   report["warnings"] = remarks.warnings;

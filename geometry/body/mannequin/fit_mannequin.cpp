@@ -83,7 +83,7 @@ int column(Part part) { return static_cast<int>(part); }
 /// What a round has to solve: rows of measures, then rows that hold the factors.
 class Problem {
  public:
-  Problem(const BodyMeasures& given, const BodyMeasures& filled, const BodyMeasures& sample,
+  Problem(const MeasureValues& given, const MeasureValues& filled, const MeasureValues& sample,
           Figure figure) {
     for (const Moved& measure : moved_measures()) {
       const bool is_given = given.contains(measure.name);
@@ -122,7 +122,7 @@ class Problem {
   const VectorXd& start() const { return start_; }
 
   /// The logarithms of measured by wanted.
-  VectorXd off(const BodyMeasures& measured) const {
+  VectorXd off(const MeasureValues& measured) const {
     VectorXd result = VectorXd::Zero(size());
     for (int row = 0; row < size(); ++row) {
       const auto found = measured.find(rows_[row].measure->name);
@@ -209,10 +209,10 @@ class Problem {
     }
   }
 
-  std::vector<FittedMeasure> compared(const BodyMeasures& measured, const BodyMeasures& given,
-                                      const BodyMeasures& filled) const {
+  std::vector<FittedMeasure> compared(const MeasureValues& measured, const MeasureValues& given,
+                                      const MeasureValues& filled) const {
     std::vector<FittedMeasure> all;
-    const auto add = [&](const BodyMeasures& wanted, bool is_given) {
+    const auto add = [&](const MeasureValues& wanted, bool is_given) {
       for (const auto& [name, value] : wanted) {
         const auto found = measured.find(name);
         const double is =
@@ -235,8 +235,8 @@ class Problem {
   static constexpr double flat_breast = 0.5;
 
   /// By how much the bust is larger than the underbust, against the sample of the same size.
-  static double breast_factor(const BodyMeasures& sample, const BodyMeasures& given,
-                              const BodyMeasures& filled) {
+  static double breast_factor(const MeasureValues& sample, const MeasureValues& given,
+                              const MeasureValues& filled) {
     const auto wanted = [&](const char* name) {
       return given.contains(name) ? given.at(name) : filled.at(name);
     };
@@ -253,11 +253,11 @@ class Problem {
 
 }  // namespace
 
-FittedMannequin fit_mannequin(const BodyMeasures& given, const BodyMeasures& filled, Figure figure,
-                              const MannequinOptions& options) {
+FittedMannequin fit_mannequin(const MeasureValues& given, const MeasureValues& filled,
+                              Figure figure, const MannequinOptions& options) {
   MannequinOptions trial = options;
   trial.pose = standing_pose();
-  static const BodyMeasures sample = [] {
+  static const MeasureValues sample = [] {
     MannequinOptions coarse;
     coarse.edge_length = 0.015;
     return mannequin_measures(mesh_mannequin(built_mannequin({}), coarse));
@@ -281,7 +281,7 @@ FittedMannequin fit_mannequin(const BodyMeasures& given, const BodyMeasures& fil
   for (int round = 1; round <= max_rounds; ++round) {
     const MannequinBuild build = build_of(factors);
     Mannequin made = mesh_mannequin(built_mannequin(build), trial);
-    const BodyMeasures measured = mannequin_measures(made);
+    const MeasureValues measured = mannequin_measures(made);
     const VectorXd off = problem.off(measured);
     const double worst = problem.worst(off);
     if (step.size() > 0) problem.correct(step, off - before);

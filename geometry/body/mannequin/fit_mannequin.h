@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "geometry/body/body_measures.h"
 #include "geometry/body/mannequin/mannequin.h"
 #include "geometry/body/mannequin/mannequin_build.h"
+#include "geometry/body/measure_values.h"
 
 namespace toile {
 
@@ -33,7 +33,7 @@ struct FittedMannequin {
 /// each part moves its own measure alone. What the rounds show corrects it [Schubert 1970]. It ends
 /// when each given measure is within 1 mm, or after 12 rounds with the best one. Throws Error where
 /// levels of the body would not rise, and as mesh_mannequin() does.
-FittedMannequin fit_mannequin(const BodyMeasures& given, const BodyMeasures& filled, Figure figure,
-                              const MannequinOptions& options);
+FittedMannequin fit_mannequin(const MeasureValues& given, const MeasureValues& filled,
+                              Figure figure, const MannequinOptions& options);
 
 }  // namespace toile

@@ -75,8 +75,8 @@ double back_length(const TriangleMesh& body, double waist, double cervicale) {
 }
 
 /// What measure_body() takes, both sides as one.
-BodyMeasures tape_measures(const TriangleMesh& body) {
-  BodyMeasures sums;
+MeasureValues tape_measures(const TriangleMesh& body) {
+  MeasureValues sums;
   std::map<std::string, int> counts;
   for (const Measure& measure : measure_body(find_landmarks(body, "mannequin"))) {
     if (!measure.value) continue;
@@ -100,10 +100,10 @@ std::string measure_of(const MannequinGirth& girth) {
   return name;
 }
 
-BodyMeasures mannequin_measures(const Mannequin& mannequin) {
+MeasureValues mannequin_measures(const Mannequin& mannequin) {
   const TriangleMesh& body = mannequin.surface;
   const Skeleton& joints = mannequin.skeleton;
-  BodyMeasures measures;
+  MeasureValues measures;
   double height = 0;
   for (const Vec3& point : body.points) height = std::max(height, point.y());
   measures["height"] = height;

@@ -39,8 +39,8 @@ TEST(MeasureChecks, FilledMeasuresAgree) {
        {Person{Figure::child, 0.98, 0.55, 0.57}, Person{Figure::child, 1.4, 0.7, 0.75},
         Person{Figure::woman, 1.5, 0.76, 0.84}, Person{Figure::woman, 1.8, 1.4, 1.45},
         Person{Figure::man, 1.6, 0.84, 0.88}, Person{Figure::man, 2.0, 1.4, 1.35}}) {
-    BodyMeasures given = {{"height", p.height}, {"bust", p.bust}, {"hip", p.hip}};
-    const BodyMeasures filled = filled_measures(given, p.figure);
+    MeasureValues given = {{"height", p.height}, {"bust", p.bust}, {"hip", p.hip}};
+    const MeasureValues filled = filled_measures(given, p.figure);
     given.insert(filled.begin(), filled.end());
     for (const std::string& line : contradictions(given)) ADD_FAILURE() << p.height << ": " << line;
     EXPECT_GT(filled.at("waist"), 0.4 * p.hip);
@@ -51,7 +51,7 @@ TEST(BodyProportions, NeedThreeMeasuresAndTakeCups) {
   EXPECT_THROW(filled_measures({{"height", 1.7}, {"bust", 0.9}}, Figure::woman), Error);
   EXPECT_THROW(filled_measures({{"bust", 0.9}, {"hip", 0.9}}, Figure::woman), Error);
   // FreeSewing has no height: the waist's stands for it.
-  const BodyMeasures by_waist =
+  const MeasureValues by_waist =
       filled_measures({{"waist_to_floor", 1.054}, {"bust", 0.9}, {"hip", 0.95}}, Figure::woman);
   EXPECT_NEAR(by_waist.at("height"), 1.70, 1e-9);
   EXPECT_NEAR(underbust_of_cup(0.92, "B"), 0.77, 1e-12);

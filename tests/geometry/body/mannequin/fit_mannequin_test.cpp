@@ -9,7 +9,7 @@
 namespace toile {
 namespace fit_mannequin_test {
 
-FittedMannequin fitted(const BodyMeasures& given, Figure figure) {
+FittedMannequin fitted(const MeasureValues& given, Figure figure) {
   MannequinOptions options;
   options.edge_length = 0.014;
   return fit_mannequin(given, filled_measures(given, figure), figure, options);
@@ -26,8 +26,8 @@ double girth_near(const TriangleMesh& mesh, double height, bool largest) {
 }
 
 TEST(FitMannequin, ALargerWomanHasTheMeasuresThatWereGiven) {
-  const BodyMeasures given = {{"height", 1.64}, {"bust", 1.10}, {"waist", 0.94},    {"hip", 1.17},
-                              {"neck", 0.39},   {"knee", 0.42}, {"upper_arm", 0.35}};
+  const MeasureValues given = {{"height", 1.64}, {"bust", 1.10}, {"waist", 0.94},    {"hip", 1.17},
+                               {"neck", 0.39},   {"knee", 0.42}, {"upper_arm", 0.35}};
   const FittedMannequin made = fitted(given, Figure::woman);
   double top = 0;
   for (const Vec3& p : made.mannequin.surface.points) top = std::max(top, p.y());
@@ -52,8 +52,8 @@ TEST(FitMannequin, ALargerWomanHasTheMeasuresThatWereGiven) {
 }
 
 TEST(FitMannequin, AChildIsOneSurfaceAndPosesKeepItsBones) {
-  const BodyMeasures given = {{"height", 1.16}, {"bust", 0.59}, {"hip", 0.63}};
-  const BodyMeasures filled = filled_measures(given, Figure::child);
+  const MeasureValues given = {{"height", 1.16}, {"bust", 0.59}, {"hip", 0.63}};
+  const MeasureValues filled = filled_measures(given, Figure::child);
   MannequinOptions options;
   options.edge_length = 0.009;
   options.pose = walking_pose();

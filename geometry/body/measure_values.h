@@ -7,7 +7,7 @@
 namespace toile {
 
 /// Metres by the names of measures, and degrees where the measure is an angle.
-using BodyMeasures = std::map<std::string, double>;
+using MeasureValues = std::map<std::string, double>;
 
 /// What a body is by its proportions.
 enum class Figure { woman, man, child };
