@@ -16,6 +16,7 @@ CommandLineProgram fit_program();
 CommandLineProgram import_pattern_program();
 CommandLineProgram make_mannequin_program();
 CommandLineProgram find_seams_program();
+CommandLineProgram measure_body_program();
 CommandLineProgram mesh_pattern_program();
 CommandLineProgram render_program();
 

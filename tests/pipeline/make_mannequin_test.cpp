@@ -122,5 +122,44 @@ TEST(MakeMannequinProgram, PosesFromFilesAndWrongOnes) {
   EXPECT_FALSE(fs::exists(folder / "b.ply"));
 }
 
+TEST(MakeMannequinProgram, MakesABodyToMeasures) {
+  const ScratchFolder folder;
+  write_text(folder / "me.vit",
+             R"xml(<vit><unit>cm</unit><body-measurements><m name="height" value="168"/>
+             <m name="bust_circ" value="92"/><m name="hip_circ" value="90"/></body-measurements></vit>)xml");
+  // The command line wins over the file.
+  const pipeline::Run made = run(
+      "make-mannequin", {"--measures", folder / "me.vit", "--measures", "hip=99", "--edge-length",
+                         "15mm", "-o", folder / "me.ply", "--report", folder / "me.txt"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const Json report = Json::parse(read_text(folder / "me.txt"));
+  EXPECT_NEAR(report["body"]["height_m"].get<double>(), 1.68, 0.003);
+  EXPECT_EQ(report["measures"]["hip"]["source"], "given");
+  EXPECT_NEAR(report["measures"]["hip"]["measured_cm"].get<double>(), 99, 0.2);
+  EXPECT_EQ(report["measures"]["waist"]["source"], "filled");
+  EXPECT_TRUE(says(made, "filled from proportions")) << made.err;
+  EXPECT_TRUE(fs::exists(folder / "me.json"));
+}
+
+TEST(MakeMannequinProgram, NamesMeasuresThatContradict) {
+  const ScratchFolder folder;
+  const auto refused = [&](const std::vector<std::string>& measures) {
+    std::vector<std::string> words = {"-o", folder / "no.ply"};
+    for (const std::string& measure : measures) {
+      words.insert(words.end(), {"--measures", measure});
+    }
+    const pipeline::Run ended = run("make-mannequin", words);
+    EXPECT_EQ(ended.exit_code, 1) << ended.err;
+    EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+    EXPECT_FALSE(fs::exists(folder / "no.ply"));
+    return ended;
+  };
+  EXPECT_TRUE(says(refused({"height=170", "bust=20", "hip=98"}), "bust 20 cm"));
+  EXPECT_TRUE(
+      says(refused({"height=170", "bust=94", "hip=98", "waist=140"}), "waist 140 cm and hip 98"));
+  EXPECT_TRUE(says(refused({"height=170", "bust=94"}), "there is no hip"));
+  EXPECT_TRUE(says(refused({"height=170", "wings=94"}), "wings"));
+}
+
 }  // namespace make_mannequin_test
 }  // namespace toile::pipeline

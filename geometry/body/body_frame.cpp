@@ -1,0 +1,123 @@
+#include "geometry/body/body_frame.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/body/find_skeleton.h"
+#include "geometry/error.h"
+
+namespace toile {
+
+namespace {
+
+Eigen::Matrix3d about_y(double angle) {
+  return Eigen::AngleAxisd(angle, Vec3::UnitY()).toRotationMatrix();
+}
+
+/// Radians of the turn about y that brings the direction to +x.
+double turn_to_x(const Vec3& across) { return std::atan2(across.z(), across.x()); }
+
+/// The area-weighted middle of the surface, and the radians of the turn that brings its widest
+/// level direction to the x axis, within a quarter turn.
+struct Spread {
+  Vec3 middle = Vec3::Zero();
+  double turn = 0;
+};
+
+Spread spread_of(const TriangleMesh& mesh) {
+  Spread spread;
+  double area = 0;
+  const auto each = [&mesh](const auto& take) {
+    for (const Triangle& t : mesh.triangles) {
+      const Vec3& a = mesh.points[t[0]];
+      const Vec3& b = mesh.points[t[1]];
+      const Vec3& c = mesh.points[t[2]];
+      take((b - a).cross(c - a).norm() / 2, Vec3((a + b + c) / 3));
+    }
+  };
+  each([&](double part, const Vec3& at) {
+    area += part;
+    spread.middle += part * at;
+  });
+  if (area > 0) spread.middle /= area;
+  double xx = 0;
+  double xz = 0;
+  double zz = 0;
+  each([&](double part, const Vec3& at) {
+    const Vec3 d = at - spread.middle;
+    xx += part * d.x() * d.x();
+    xz += part * d.x() * d.z();
+    zz += part * d.z() * d.z();
+  });
+  spread.turn = std::atan2(2 * xz, xx - zz) / 2;
+  return spread;
+}
+
+/// Turns the frame, whose skeleton is looked for anew.
+void turn(BodyFrame& frame, double angle, const std::string& name) {
+  const Eigen::Matrix3d rotation = about_y(angle);
+  for (Vec3& p : frame.mesh.points) p = rotation * p;
+  frame.rotation = rotation * frame.rotation;
+  frame.translation = rotation * frame.translation;
+  frame.skeleton.reset();
+  try {
+    frame.skeleton = find_skeleton(frame.mesh, name);
+    frame.no_skeleton.clear();
+  } catch (const Error& error) {
+    if (frame.no_skeleton.empty()) frame.no_skeleton = error.what();
+  }
+}
+
+Vec3 between(const Skeleton& skeleton, const std::string& joint) {
+  return (skeleton.joint("left_" + joint) + skeleton.joint("right_" + joint)) / 2;
+}
+
+Vec3 across(const Skeleton& skeleton, const std::string& joint) {
+  return (skeleton.joint("left_" + joint) - skeleton.joint("right_" + joint)).normalized();
+}
+
+void move(BodyFrame& frame, const Vec3& by) {
+  for (Vec3& p : frame.mesh.points) p += by;
+  frame.translation += by;
+  if (!frame.skeleton) return;
+  for (auto& [name, joint] : frame.skeleton->joints) joint += by;
+}
+
+}  // namespace
+
+BodyFrame body_frame(const TriangleMesh& body, const std::string& name) {
+  if (body.triangles.empty()) throw Error(name, "has no surface", "give a closed body");
+  BodyFrame frame;
+  frame.mesh = body;
+  const Spread spread = spread_of(body);
+  double low = body.points[body.triangles.front()[0]].y();
+  double high = low;
+  for (const Vec3& p : body.points) {
+    low = std::min(low, p.y());
+    high = std::max(high, p.y());
+  }
+  frame.height = high - low;
+  move(frame, -Vec3(spread.middle.x(), low, spread.middle.z()));
+
+  // Arms that reach forward may make a body deeper than wide.
+  turn(frame, spread.turn, name);
+  if (!frame.skeleton) {
+    turn(frame, std::numbers::pi / 2, name);
+    if (!frame.skeleton) turn(frame, -std::numbers::pi / 2, name);
+  }
+  if (!frame.skeleton) return frame;
+  // What is found askew is less true: once more, in the frame that it gives.
+  const Vec3 level = across(*frame.skeleton, "shoulder") + across(*frame.skeleton, "hip");
+  const bool backward = toes_forward(frame.mesh, *frame.skeleton) < -0.01;
+  const BodyFrame before = frame;
+  turn(frame, turn_to_x(level) + (backward ? std::numbers::pi : 0), name);
+  if (!frame.skeleton) frame = before;
+  const Vec3 middle =
+      (between(*frame.skeleton, "shoulder") + between(*frame.skeleton, "hip")) / 2;
+  move(frame, Vec3(-middle.x(), 0, 0));
+  return frame;
+}
+
+}  // namespace toile

@@ -1,0 +1,33 @@
+// The measures of a body that tailors take: 33 lines of Zhong & Xu 2009, Fig. 12, and their parts.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/body/find_landmarks.h"
+
+namespace toile {
+
+/// One measure of a body, or the reason why it is not taken.
+struct Measure {
+  std::string name;             ///< as io/measure_names.h has it, with its side
+  std::optional<double> value;  ///< metres, or degrees
+  bool is_angle = false;
+  std::string definition;           ///< how the tape lies, in a sentence
+  std::string iso;                  ///< number in ISO 8559-1:2017; empty: none, or not known
+  double confidence = 0;            ///< 0 to 1: the least of its landmarks'
+  std::string reason;               ///< why there is no value; empty: there is one
+  std::vector<std::vector<Vec3>> lines;  ///< metres, in the given body's frame: where it is taken
+};
+
+/// Takes all measures. Girths are of the convex hull of a section, as a tape lies. Lengths on the
+/// trunk are taut in the plane through their ends, over what is hollow. Along arms and shoulders
+/// they are geodesics. Where a landmark is missing, so is the measure. Costs some 120 slices and
+/// six geodesic().
+std::vector<Measure> measure_body(const BodyShape& shape);
+
+/// The measure of that name; null where there is none.
+const Measure* find_measure(const std::vector<Measure>& measures, const std::string& name);
+
+}  // namespace toile

@@ -1,0 +1,343 @@
+#include "geometry/body/trunk_levels.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "geometry/body/landmarks.h"
+
+namespace toile {
+
+namespace {
+
+// Share of the height: 5 mm at 1.70 m. At half or double of it no level moves by 1 mm.
+constexpr double step_share = 0.003;
+// Share of the height, 20 mm at 1.70 m: the parabolas' reach. At half of it, noise of 1 mm moves
+// the seat by 6 mm; at double, the bust of a child joins the belly.
+constexpr double reach_share = 0.012;
+// Girth at the lower edge of the waist's hollow, as a share above the least. A tape slides down to
+// there. It is 5 mm below the least girth on an average body.
+constexpr double hollow_edge = 0.0005;
+// Share of the way from crotch to armpits at which the waist is where no hollow shows it.
+constexpr double waist_share = 0.64;
+// Share of the trunk's lean that a bust's direction has. At 0 the bust of an average woman is found
+// 6 mm lower and its girth 6 mm less, at 1 that of a man 2 mm higher and 1 mm more.
+constexpr double bust_lean = 0.85;
+// Share of the height from the bust points down to the underbust, where no crease is lower.
+constexpr double underbust_share = 0.044;
+
+/// What one level plane cuts of the trunk.
+struct Level {
+  double y = 0;
+  double girth = 0;
+  double front = 0;  // foremost z
+  double back = 0;   // rearmost z
+};
+
+std::optional<Level> level_at(const TriangleMesh& mesh, double y, double min_share) {
+  const std::vector<Section> sections = slice(mesh, {0, y, 0}, Vec3::UnitY());
+  if (sections.empty() || !sections.front().closed) return std::nullopt;
+  double whole = 0;
+  for (const Section& section : sections) whole += std::max(0.0, section.area);
+  const Section& trunk = sections.front();
+  if (trunk.area < min_share * whole) return std::nullopt;
+  Level level{y, trunk.girth, trunk.points.front().z(), trunk.points.front().z()};
+  for (const Vec3& p : trunk.points) {
+    level.front = std::max(level.front, p.z());
+    level.back = std::min(level.back, p.z());
+  }
+  return level;
+}
+
+using Profile = std::vector<Level>;
+
+template <class Value>
+std::vector<Vec2> curve(const Profile& profile, double low, double high, const Value& value) {
+  std::vector<Vec2> samples;
+  for (const Level& level : profile) {
+    if (level.y >= low && level.y <= high) samples.emplace_back(level.y, value(level));
+  }
+  return samples;
+}
+
+TrunkLevel absent(const std::string& reason) { return {std::nullopt, 0, reason}; }
+
+/// The longest run of levels without a jump of the girth, as where arms join.
+Profile longest_run(const std::vector<std::optional<Level>>& levels) {
+  constexpr double jump = 0.12;  // of the girth from level to level
+  Profile longest;
+  Profile run;
+  for (std::size_t i = 0; i <= levels.size(); ++i) {
+    const bool goes_on = i < levels.size() && levels[i] &&
+                         (run.empty() || std::abs(levels[i]->girth - run.back().girth) <
+                                             jump * run.back().girth);
+    if (!goes_on) {
+      if (run.size() > longest.size()) longest = run;
+      run.clear();
+    }
+    if (i < levels.size() && levels[i]) run.push_back(*levels[i]);
+  }
+  return longest;
+}
+
+class Finder {
+ public:
+  explicit Finder(const BodyFrame& body) : body_(body), reach_(reach_share * body.height) {}
+
+  TrunkLevels find() {
+    body_.skeleton ? profile_of_body() : profile_of_form();
+    if (profile_.size() < 12) return none("there is no trunk that one section goes around");
+    levels_.low = profile_.front().y;
+    levels_.high = profile_.back().y;
+    find_waist();
+    if (!levels_.waist.height) return none(levels_.waist.reason);
+    if (body_.skeleton) {
+      const Vec3 axis = body_.skeleton->joint("neck") - body_.skeleton->joint("waist");
+      levels_.lean = std::clamp(axis.z() / axis.y(), -0.25, 0.25);
+    }
+    find_hip();
+    find_abdomen();
+    find_bust();
+    find_underbust();
+    return levels_;
+  }
+
+ private:
+  TrunkLevels none(const std::string& reason) {
+    levels_.bust = levels_.underbust = levels_.waist = levels_.abdomen = levels_.hip =
+        absent(reason);
+    return levels_;
+  }
+
+  double step() const { return step_share * body_.height; }
+
+  void profile_of_body() {
+    const double crotch = body_.skeleton->joint("pelvis").y();
+    const double armpit = body_.skeleton->joint("chest").y();
+    for (double y = crotch + step() / 2; y < armpit; y += step()) {
+      if (const auto level = level_at(body_.mesh, y, 0)) profile_.push_back(*level);
+    }
+  }
+
+  void profile_of_form() {
+    std::vector<std::optional<Level>> levels;
+    for (double y = 2 * step(); y < body_.height; y += step()) {
+      levels.push_back(level_at(body_.mesh, y, 0.85));
+    }
+    profile_ = longest_run(levels);
+    // A form's neck is no trunk: the trunk ends where the girth above the waist is greatest.
+    if (profile_.size() < 12) return;
+    const double least = least_inside();
+    if (least == 0) {
+      profile_.clear();
+      return;
+    }
+    const auto above = std::find_if(profile_.begin(), profile_.end(),
+                                    [least](const Level& l) { return l.y > least; });
+    const auto widest =
+        std::max_element(above, profile_.end(),
+                         [](const Level& a, const Level& b) { return a.girth < b.girth; });
+    profile_.erase(widest == profile_.end() ? widest : widest + 1, profile_.end());
+  }
+
+  /// The level of least girth that has levels 4 % wider both above and below; 0 if there is none.
+  double least_inside() const {
+    double best = 0;
+    double girth = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i + 1 < profile_.size(); ++i) {
+      const auto widest = [&](std::size_t from, std::size_t to) {
+        double most = 0;
+        for (std::size_t k = from; k < to; ++k) most = std::max(most, profile_[k].girth);
+        return most;
+      };
+      const double here = profile_[i].girth;
+      if (here >= girth || here < 0.2 || here > 2.5) continue;
+      const bool is_hollow = widest(0, i) > 1.04 * here &&
+                             widest(i + 1, profile_.size()) > 1.04 * here &&
+                             here <= profile_[i - 1].girth && here <= profile_[i + 1].girth;
+      if (!is_hollow) continue;
+      girth = here;
+      best = profile_[i].y;
+    }
+    return best;
+  }
+
+  void find_waist() {
+    const double span = levels_.high - levels_.low;
+    // A body's waist is looked for where joints have it; a form may be cut anywhere.
+    const double low = body_.skeleton ? levels_.low + 0.3 * span : levels_.low;
+    const double high = body_.skeleton ? levels_.low + 0.88 * span : levels_.high;
+    const auto girths = curve(profile_, low, high, [](const Level& l) { return -l.girth; });
+    if (girths.size() < 5) {
+      levels_.waist = absent("the trunk is too short for a waist");
+      return;
+    }
+    const Extreme least = greatest(girths, reach_);
+    if (least.is_end || !(least.curvature < 0)) {
+      levels_.waist = {levels_.low + waist_share * span, 0.3,
+                       "no hollow shows the waist; proportion places it"};
+      return;
+    }
+    const double down = std::sqrt(2 * hollow_edge * least.value / least.curvature);
+    levels_.waist = {least.at - std::min(down, 0.5 * reach_), 0.9, ""};
+  }
+
+  void find_hip() {
+    const double top = levels_.low + 0.75 * (*levels_.waist.height - levels_.low);
+    const auto seat =
+        curve(profile_, levels_.low, top, [](const Level& l) { return -l.back; });
+    const auto girths =
+        curve(profile_, levels_.low, top, [](const Level& l) { return l.girth; });
+    if (seat.size() < 5) {
+      levels_.hip = absent("the trunk is too short for a hip");
+      return;
+    }
+    const Extreme rearmost = greatest(seat, reach_);
+    const Extreme fullest = greatest(girths, reach_);
+    levels_.hip = {(rearmost.at + fullest.at) / 2, 0.9, ""};
+    if (!rearmost.is_end && !fullest.is_end) return;
+    // Thighs may be fuller than the hip, and a flat seat may stand out nowhere.
+    levels_.hip = {(fullest.is_end ? rearmost : fullest).at, rearmost.is_end ? 0.5 : 0.7,
+                   rearmost.is_end ? "the seat stands out nowhere"
+                                   : "the trunk is fullest at its end"};
+  }
+
+  void find_abdomen() {
+    if (!levels_.hip.height) {
+      levels_.abdomen = absent(levels_.hip.reason);
+      return;
+    }
+    const auto front = curve(profile_, *levels_.hip.height, *levels_.waist.height,
+                             [](const Level& l) { return l.front; });
+    if (front.size() < 5) {
+      levels_.abdomen = absent("hip and waist are too near to each other");
+      return;
+    }
+    const Extreme foremost = greatest(front, reach_);
+    levels_.abdomen = {foremost.at, 0.8, ""};
+    if (foremost.is_end) {
+      levels_.abdomen = {(*levels_.hip.height + *levels_.waist.height) / 2, 0.3,
+                         "no belly stands out; it is half-way from waist to hip"};
+    }
+  }
+
+  void find_bust() {
+    const double waist = *levels_.waist.height;
+    const double low = waist + (levels_.high - waist) / 3;
+    const auto front = curve(profile_, low, levels_.high, [this](const Level& l) {
+      return l.front - bust_lean * levels_.lean * l.y;
+    });
+    // A breast is rounder above than below: a longer reach finds it too high.
+    const double bust_reach = 0.67 * reach_;
+    if (front.size() < 5) {
+      levels_.bust = absent("the trunk ends too soon above the waist");
+      return;
+    }
+    Extreme foremost = greatest(front, bust_reach);
+    if (foremost.is_end) {
+      // A belly, or the shoulders, stand out farther: the highest summit between them counts.
+      std::vector<Vec2> summit;
+      for (std::size_t i = 1; i + 1 < front.size(); ++i) {
+        std::vector<Vec2> near;
+        for (const Vec2& sample : front) {
+          if (std::abs(sample.x() - front[i].x()) <= reach_) near.push_back(sample);
+        }
+        const bool is_summit = std::all_of(near.begin(), near.end(), [&](const Vec2& sample) {
+          return sample.y() <= front[i].y();
+        });
+        if (is_summit && near.front().x() < front[i].x() && near.back().x() > front[i].x() &&
+            (summit.empty() || greatest(summit, bust_reach).value < front[i].y())) {
+          summit = near;
+        }
+      }
+      if (summit.size() >= 5) foremost = greatest(summit, bust_reach);
+    }
+    levels_.bust = {foremost.at, 0.9, ""};
+    if (!foremost.is_end) return;
+    // A belly that stands out farther, or a chest that is nowhere rounded.
+    levels_.bust = {levels_.high - step(), 0.3, "no bust stands out; it is under the armpits"};
+    if (!body_.skeleton) return;
+    for (const TorsoLevel& level : torso_levels(body_.mesh, *body_.skeleton)) {
+      if (level.name == "bust") levels_.bust.height = level.height;
+    }
+    levels_.bust.reason = "the chest stands out little";
+  }
+
+  void find_underbust() {
+    if (!levels_.bust.height) {
+      levels_.underbust = absent(levels_.bust.reason);
+      return;
+    }
+    const double bust = *levels_.bust.height;
+    const double waist = *levels_.waist.height;
+    const double below = bust - underbust_share * body_.height;
+    // The crease: farthest behind the straight line from bust to waist.
+    const auto at = [this](double y) {
+      return *std::min_element(profile_.begin(), profile_.end(),
+                               [y](const Level& a, const Level& b) {
+                                 return std::abs(a.y - y) < std::abs(b.y - y);
+                               });
+    };
+    const double slope = (at(bust).front - at(waist).front) / (bust - waist);
+    const auto behind = curve(profile_, waist, bust, [&](const Level& l) {
+      return at(waist).front + slope * (l.y - waist) - l.front;
+    });
+    levels_.underbust = {below, levels_.bust.confidence * 0.8, levels_.bust.reason};
+    if (behind.size() >= 5) {
+      const Extreme crease = greatest(behind, reach_);
+      if (!crease.is_end && crease.at < below) levels_.underbust.height = crease.at;
+    }
+    if (*levels_.underbust.height < waist) {
+      levels_.underbust = absent("the bust is too near to the waist");
+    }
+  }
+
+  const BodyFrame& body_;
+  double reach_;
+  Profile profile_;
+  TrunkLevels levels_;
+};
+
+}  // namespace
+
+Extreme greatest(const std::vector<Vec2>& samples, double reach) {
+  const auto most =
+      std::max_element(samples.begin(), samples.end(),
+                       [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
+  Extreme extreme{most->x(), most->y(), 0, false};
+  const double low = samples.front().x();
+  const double high = samples.back().x();
+  // An end, unless the samples rise and fall: 2 of 5 within the reach have to be on either side.
+  const double margin = 0.4 * reach;
+  if (extreme.at - low < margin || high - extreme.at < margin) {
+    extreme.is_end = true;
+    return extreme;
+  }
+  for (int round = 0; round < 2; ++round) {
+    Eigen::Matrix3d sums = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    int n = 0;
+    for (const Vec2& sample : samples) {
+      const double t = (sample.x() - extreme.at) / reach;
+      if (std::abs(t) > 1) continue;
+      const Eigen::Vector3d powers(1, t, t * t);
+      sums += powers * powers.transpose();
+      right += sample.y() * powers;
+      ++n;
+    }
+    if (n < 4) return extreme;
+    const Eigen::Vector3d fit = sums.ldlt().solve(right);
+    if (!(fit[2] < 0)) return extreme;
+    const double t = std::clamp(-fit[1] / (2 * fit[2]), -1.0, 1.0);
+    extreme.value = fit[0] + t * (fit[1] + t * fit[2]);
+    extreme.curvature = 2 * fit[2] / (reach * reach);
+    extreme.at = std::clamp(extreme.at + t * reach, low, high);
+  }
+  return extreme;
+}
+
+TrunkLevels trunk_levels(const BodyFrame& body) { return Finder(body).find(); }
+
+}  // namespace toile

@@ -1,0 +1,55 @@
+// The levels of the trunk that tailors measure at, to a millimetre.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/body/body_frame.h"
+#include "geometry/slice.h"
+
+namespace toile {
+
+/// A level, or the reason why the trunk does not show it.
+struct TrunkLevel {
+  std::optional<double> height;  ///< metres above the floor
+  double confidence = 0;         ///< 0 to 1
+  std::string reason;            ///< why there is none, or why the confidence is low
+};
+
+/// Levels of the trunk.
+/// - The bust stands out the most square to the line from the waist to the neck, which leans back on
+///   most people.
+/// - The hip is half-way between where the seat stands out the most and where the girth is greatest.
+/// - The waist is where a tape rests in the hollow, next to the least girth. Without a hollow,
+///   proportion places it.
+struct TrunkLevels {
+  TrunkLevel bust;       ///< the bust points' level
+  TrunkLevel underbust;  ///< below the breasts
+  TrunkLevel waist;
+  TrunkLevel abdomen;  ///< the front's foremost level between hip and waist
+  TrunkLevel hip;      ///< the seat's level
+  double lean = 0;     ///< metres forward a metre up, of the line from waist to neck
+  double low = 0;      ///< metres: the trunk's lower end, the crotch of a body with legs
+  double high = 0;     ///< metres: its upper end, the armpits of a body with arms
+};
+
+/// Finds the levels of the body in its frame. Without a skeleton, the trunk is where one section
+/// holds nearly all that a level plane cuts, and it has to have a waist between two wider levels.
+/// Costs some 100 slices.
+TrunkLevels trunk_levels(const BodyFrame& body);
+
+/// The extreme of a curve through noisy samples, by a parabola through those near it.
+struct Extreme {
+  double at = 0;         ///< the argument
+  double value = 0;      ///< there
+  double curvature = 0;  ///< second derivative
+  bool is_end = false;   ///< it lies at an end of the samples
+};
+
+/// The greatest value. `samples` are arguments, rising, and values, at least one. The parabola is
+/// fitted by least squares within `reach` of the greatest sample, which then moves to the
+/// parabola's summit once. O(n).
+Extreme greatest(const std::vector<Vec2>& samples, double reach);
+
+}  // namespace toile

@@ -1,0 +1,254 @@
+#include "tools/measure_body/files.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <pugixml.hpp>
+#include <sstream>
+
+#include "geometry/error.h"
+#include "io/csv.h"
+#include "io/json_value.h"
+#include "io/json_words.h"
+#include "io/text.h"
+
+namespace toile {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Tenths of a millimetre, hundredths of a degree: more digits mean nothing.
+double rounded(double value) { return std::stod(fixed_number(value, 2)); }
+
+Json measure_json(const BodyMeasures& all, const Measure& measure) {
+  Json json;
+  json["value"] = measure.value ? Json(rounded(all.shown(measure))) : Json(nullptr);
+  if (measure.is_angle) json["unit"] = "degrees";
+  json["definition"] = measure.definition;
+  if (!measure.iso.empty()) json["iso"] = measure.iso;
+  json["confidence"] = measure.confidence;
+  if (!measure.value) json["reason"] = measure.reason;
+  return json;
+}
+
+/// The mean of both sides, metres or degrees, of a measure without a side.
+std::optional<double> value_of(const std::vector<Measure>& measures, const std::string& name) {
+  double sum = 0;
+  int count = 0;
+  for (const std::string side : {"", "left_", "right_"}) {
+    const Measure* measure = find_measure(measures, side + name);
+    if (measure == nullptr) continue;
+    if (!measure->value) return std::nullopt;
+    sum += *measure->value;
+    ++count;
+  }
+  if (count == 0) return std::nullopt;
+  return sum / count;
+}
+
+struct Foreign {
+  std::string name;
+  double value;  // metres or degrees
+  bool is_angle;
+};
+
+std::vector<Foreign> foreign_values(const BodyMeasures& all, DraftingProgram program,
+                                    std::vector<std::string>& missing) {
+  std::vector<Foreign> values;
+  for (const ForeignMeasure& foreign : foreign_measures(program)) {
+    std::optional<double> sum = 0.0;
+    bool is_angle = false;
+    for (const MeasureTerm& term : foreign.terms) {
+      const auto value = value_of(all.measures, std::string(term.name));
+      if (!value) {
+        sum.reset();
+        break;
+      }
+      const MeasureName* known = find_measure_name(term.name);
+      is_angle = known != nullptr && known->unit == MeasureUnit::degrees;
+      *sum += term.factor * *value;
+    }
+    if (sum) {
+      values.push_back({std::string(foreign.name), *sum, is_angle});
+    } else {
+      missing.emplace_back(foreign.name);
+    }
+  }
+  return values;
+}
+
+std::string vit_file(const BodyMeasures& all, const std::vector<Foreign>& values) {
+  pugi::xml_document document;
+  pugi::xml_node vit = document.append_child("vit");
+  const auto text = [](pugi::xml_node parent, const char* name, const char* content) {
+    parent.append_child(name).text().set(content);
+  };
+  text(vit, "version", "0.3.3");
+  text(vit, "read-only", "false");
+  vit.append_child("notes").text().set(valid_utf8("measured on " + all.body_name).c_str());
+  text(vit, "unit", all.unit == "inch" ? "inch" : "cm");
+  text(vit, "pm_system", "998");
+  pugi::xml_node personal = vit.append_child("personal");
+  text(personal, "family-name", "");
+  text(personal, "given-name", "");
+  text(personal, "birth-date", "1800-01-01");
+  text(personal, "gender", "unknown");
+  text(personal, "email", "");
+  pugi::xml_node list = vit.append_child("body-measurements");
+  for (const Foreign& foreign : values) {
+    pugi::xml_node m = list.append_child("m");
+    m.append_attribute("name").set_value(foreign.name.c_str());
+    const double value = foreign.is_angle ? foreign.value : foreign.value / metres_in(all.unit);
+    m.append_attribute("value").set_value(fixed_number(value, 2).c_str());
+  }
+  std::ostringstream stream;
+  document.save(stream, "  ", pugi::format_default, pugi::encoding_utf8);
+  return stream.str();
+}
+
+}  // namespace
+
+double BodyMeasures::shown(const Measure& measure) const {
+  return measure.is_angle ? *measure.value : *measure.value / metres_in(unit);
+}
+
+double metres_in(const std::string& unit) {
+  if (unit == "cm") return 0.01;
+  if (unit == "inch") return 0.0254;
+  if (unit == "mm") return 0.001;
+  if (unit == "m") return 1;
+  return 0;
+}
+
+std::string measures_json(const BodyMeasures& all,
+                          const std::vector<MeasureDifference>& differences) {
+  Json json = {{"format", "toile-measures"},
+               {"version", 1},
+               {"body", valid_utf8(all.body_name)},
+               {"unit", all.unit}};
+  json["measures"] = Json::object();
+  for (const Measure& measure : all.measures) {
+    json["measures"][measure.name] = measure_json(all, measure);
+  }
+  json["freehand"] = Json::object();
+  for (const Measure& measure : all.freehand) {
+    json["freehand"][valid_utf8(measure.name)] = measure_json(all, measure);
+  }
+  json["landmarks"] = Json::object();
+  for (const Landmark& landmark : all.landmarks) {
+    Json entry;
+    entry["place_m"] = nullptr;
+    if (landmark.place) {
+      entry["place_m"] = {landmark.place->x(), landmark.place->y(), landmark.place->z()};
+    }
+    entry["confidence"] = landmark.confidence;
+    if (!landmark.reason.empty()) entry["reason"] = landmark.reason;
+    json["landmarks"][landmark.name] = entry;
+  }
+  if (!differences.empty()) {
+    json["against"] = Json::object();
+    for (const MeasureDifference& difference : differences) {
+      json["against"][valid_utf8(difference.name)] = {
+          {"before", rounded(difference.before)},
+          {"now", rounded(difference.now)},
+          {"difference", rounded(difference.now - difference.before)}};
+    }
+  }
+  if (!all.no_joints.empty()) json["no_joints"] = valid_utf8(all.no_joints);
+  return json.dump(1) + "\n";
+}
+
+std::string measures_csv(const BodyMeasures& all) {
+  std::string csv =
+      csv_line({"name", "value", "unit", "confidence", "iso", "definition", "reason"});
+  for (const std::vector<Measure>* list : {&all.measures, &all.freehand}) {
+    for (const Measure& measure : *list) {
+      csv += csv_line({valid_utf8(measure.name),
+                       measure.value ? fixed_number(all.shown(measure), 2) : "",
+                       measure.is_angle ? "degrees" : all.unit,
+                       fixed_number(measure.confidence, 2), measure.iso, measure.definition,
+                       measure.reason});
+    }
+  }
+  return csv;
+}
+
+std::string foreign_file(const BodyMeasures& all, DraftingProgram program,
+                         std::vector<std::string>& missing) {
+  const std::vector<Foreign> values = foreign_values(all, program, missing);
+  if (program == DraftingProgram::valentina) return vit_file(all, values);
+  if (program == DraftingProgram::freesewing) {
+    Json json = {{"name", valid_utf8(all.body_name)}, {"units", "metric"}};
+    json["measurements"] = Json::object();
+    for (const Foreign& foreign : values) {
+      json["measurements"][foreign.name] =
+          rounded(foreign.is_angle ? foreign.value : 1000 * foreign.value);
+    }
+    return json.dump(1) + "\n";
+  }
+  std::string yaml = "body:\n";
+  for (const Foreign& foreign : values) {
+    yaml += "  " + foreign.name + ": " +
+            fixed_number(foreign.is_angle ? foreign.value : 100 * foreign.value, 4) + "\n";
+  }
+  return yaml;
+}
+
+std::map<std::string, double> read_measures(const std::string& text, const std::string& name,
+                                            const std::string& unit) {
+  std::map<std::string, double> values;
+  const auto factor_of = [](const std::string& given) {
+    return given == "degrees" ? 1 : metres_in(given);
+  };
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first != std::string::npos && text[first] == '{') {
+    const JsonDocument document(text, name);
+    const JsonValue root = document.root();
+    const auto stated = root.find("unit");
+    const double metres = metres_in(stated ? stated->text() : unit);
+    if (metres == 0) root.get("unit").fail("is no unit", "use cm, inch, mm or m");
+    for (const char* list : {"measures", "freehand"}) {
+      const auto measures = root.find(list);
+      if (!measures) continue;
+      for (const std::string& key : measures->keys()) {
+        const JsonValue entry = measures->get(key);
+        const auto value = entry.is_object() ? entry.find("value") : std::optional(entry);
+        if (!value) continue;
+        const bool is_angle = entry.is_object() && entry.find("unit").has_value();
+        values[key] = value->number() * (is_angle ? 1 : metres);
+      }
+    }
+    return values;
+  }
+  const std::vector<CsvRow> rows = parse_csv(text, name);
+  if (rows.empty()) throw Error(name, "holds no measures", "give name and value in each row");
+  const auto column = [&rows](const std::string& wanted) {
+    const auto& head = rows.front().fields;
+    const auto found = std::find(head.begin(), head.end(), wanted);
+    return found == head.end() ? -1 : static_cast<int>(found - head.begin());
+  };
+  const int names = column("name");
+  const int numbers = column("value");
+  const int units = column("unit");
+  if (names < 0 || numbers < 0) {
+    throw Error(name + ":1", "has no columns name and value", "write them in the first row");
+  }
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const auto field = [&](int at) {
+      return at >= 0 && at < static_cast<int>(rows[i].fields.size()) ? rows[i].fields[at] : "";
+    };
+    if (field(numbers).empty()) continue;
+    const std::string place = name + ":" + std::to_string(rows[i].line);
+    const auto value = parse_number(field(numbers));
+    if (!value) throw Error(place, in_quotes(field(numbers)) + " is no number", "");
+    const double factor = factor_of(field(units).empty() ? unit : field(units));
+    if (factor == 0) {
+      throw Error(place, in_quotes(field(units)) + " is no unit", "use cm, inch, mm or degrees");
+    }
+    values[field(names)] = *value * factor;
+  }
+  return values;
+}
+
+}  // namespace toile

@@ -1,0 +1,52 @@
+// Measures as files: JSON, CSV, and those of other programs.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "geometry/body/measures.h"
+#include "io/measure_names.h"
+
+namespace toile {
+
+/// All that the files say.
+struct BodyMeasures {
+  std::string body_name;
+  std::vector<Measure> measures;
+  std::vector<Measure> freehand;
+  Landmarks landmarks;  ///< in the body's coordinates
+  std::string unit = "cm";
+  std::string no_joints;  ///< why; empty: there are joints
+
+  /// The value in the unit of the files, or in degrees.
+  double shown(const Measure& measure) const;
+};
+
+/// A difference to a measure that was taken before, in the unit of the files.
+struct MeasureDifference {
+  std::string name;
+  double before = 0;
+  double now = 0;
+};
+
+std::string measures_json(const BodyMeasures& measures,
+                          const std::vector<MeasureDifference>& differences);
+
+/// Columns: name, value, unit, confidence, iso, definition, reason.
+std::string measures_csv(const BodyMeasures& measures);
+
+/// The file of another program, and in `missing` its names for which there is no value.
+std::string foreign_file(const BodyMeasures& measures, DraftingProgram program,
+                         std::vector<std::string>& missing);
+
+/// The values of a file of measures_json() or of a CSV with the columns name and value, in metres or
+/// degrees, by name. A CSV's column unit, or `unit`, says what lengths are in. Throws Error with the
+/// file's name and line or key.
+std::map<std::string, double> read_measures(const std::string& text, const std::string& name,
+                                            const std::string& unit);
+
+/// Metres in the unit "cm", "inch", "mm" or "m"; 0: it is none of these.
+double metres_in(const std::string& unit);
+
+}  // namespace toile

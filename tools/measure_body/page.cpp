@@ -1,0 +1,137 @@
+#include "tools/measure_body/page.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "io/text.h"
+#include "io/view/picture.h"
+#include "io/view/viewer_page.h"
+
+namespace toile {
+
+namespace {
+
+constexpr Colour skin{0.80, 0.76, 0.73};
+constexpr double line_radius = 0.0022;  // metres
+constexpr double dot_radius = 0.006;    // metres
+
+/// A tube of six sides around a polyline.
+void add_tube(TriangleMesh& mesh, const std::vector<Vec3>& line) {
+  constexpr int sides = 6;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const Vec3 along = line[i + 1] - line[i];
+    if (along.norm() < 1e-9) continue;
+    const Vec3 u = along.unitOrthogonal();
+    const Vec3 v = along.normalized().cross(u);
+    const int first = static_cast<int>(mesh.points.size());
+    for (const Vec3& end : {line[i], line[i + 1]}) {
+      for (int k = 0; k < sides; ++k) {
+        const double angle = 2 * 3.14159265358979 * k / sides;
+        mesh.points.push_back(end + line_radius * (std::cos(angle) * u + std::sin(angle) * v));
+      }
+    }
+    for (int k = 0; k < sides; ++k) {
+      const int next = (k + 1) % sides;
+      mesh.triangles.push_back({first + k, first + next, first + sides + k});
+      mesh.triangles.push_back({first + next, first + sides + next, first + sides + k});
+    }
+  }
+}
+
+/// A dot of eight triangles.
+void add_dot(TriangleMesh& mesh, const Vec3& at) {
+  const int first = static_cast<int>(mesh.points.size());
+  for (const double sign : {1.0, -1.0}) {
+    for (const Vec3& axis : {Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY()), Vec3(Vec3::UnitZ())}) {
+      mesh.points.push_back(at + sign * dot_radius * axis);
+    }
+  }
+  for (int corner = 0; corner < 8; ++corner) {
+    const int x = first + ((corner & 1) != 0 ? 3 : 0);
+    const int y = first + ((corner & 2) != 0 ? 4 : 1);
+    const int z = first + ((corner & 4) != 0 ? 5 : 2);
+    const bool odd = ((corner & 1) + ((corner >> 1) & 1) + ((corner >> 2) & 1)) % 2 != 0;
+    mesh.triangles.push_back(odd ? Triangle{x, z, y} : Triangle{x, y, z});
+  }
+}
+
+std::string spaced(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+std::vector<const Measure*> all_of(const BodyMeasures& measures) {
+  std::vector<const Measure*> all;
+  for (const Measure& measure : measures.measures) all.push_back(&measure);
+  for (const Measure& measure : measures.freehand) all.push_back(&measure);
+  return all;
+}
+
+}  // namespace
+
+std::string measures_page(const TriangleMesh& body, const BodyMeasures& measures) {
+  ViewerPage page;
+  page.title = "Measures of " + measures.body_name;
+  page.paragraphs = {
+      "Click a row, and its measure lights on the body. Girths are taken as a tape lies, over what "
+      "is hollow."};
+  page.setting = body;
+  page.setting_name = "body";
+  page.quantity = "Length";
+  page.unit = measures.unit;
+  PageTable table{"Measures", {"measure", measures.unit, "ISO 8559-1", "how it is taken"}, {}, {}, ""};
+  PageTable missing{"Not taken", {"measure", "why"}, {}, {}, ""};
+  double longest = 1;
+  for (const Measure* measure : all_of(measures)) {
+    if (!measure->value) {
+      missing.rows.push_back({spaced(measure->name), measure->reason});
+      continue;
+    }
+    const double value = measures.shown(*measure);
+    if (!measure->is_angle) longest = std::max(longest, value);
+    const std::size_t before = page.surface.triangles.size();
+    for (const std::vector<Vec3>& line : measure->lines) add_tube(page.surface, line);
+    page.values.resize(page.surface.points.size(), value);
+    const int region = static_cast<int>(page.regions.size());
+    page.region_of_triangle.insert(page.region_of_triangle.end(),
+                                   page.surface.triangles.size() - before, region);
+    page.regions.push_back(spaced(measure->name));
+    table.rows.push_back({spaced(measure->name),
+                          fixed_number(value, 1) + (measure->is_angle ? " deg" : ""), measure->iso,
+                          measure->definition});
+    table.regions.push_back(region);
+  }
+  page.ramp = magnitude_ramp(0, round_up(longest));
+  page.tables.push_back(table);
+  if (!missing.rows.empty()) page.tables.push_back(missing);
+  page.still_png = measures_picture(body, measures);
+  return viewer_page(page);
+}
+
+std::string measures_picture(const TriangleMesh& body, const BodyMeasures& measures) {
+  PictureMesh skin_mesh;
+  skin_mesh.mesh = body;
+  skin_mesh.colour = skin;
+  PictureMesh lines;
+  lines.colour = Colour{0.10, 0.25, 0.55};
+  for (const Measure* measure : all_of(measures)) {
+    for (const std::vector<Vec3>& line : measure->lines) add_tube(lines.mesh, line);
+  }
+  PictureMesh dots;
+  dots.colour = Colour{0.80, 0.15, 0.12};
+  for (const Landmark& landmark : measures.landmarks) {
+    if (landmark.place) add_dot(dots.mesh, *landmark.place);
+  }
+  Picture picture;
+  picture.views = {View::front, View::left, View::back};
+  picture.view_width = 700;
+  picture.title = "Measures and landmarks of " + measures.body_name;
+  picture.legend = {{lines.colour, "measures"}, {dots.colour, "landmarks"}};
+  std::vector<PictureMesh> meshes = {std::move(skin_mesh)};
+  for (PictureMesh* mesh : {&lines, &dots}) {
+    if (!mesh->mesh.triangles.empty()) meshes.push_back(std::move(*mesh));
+  }
+  return picture_png(std::move(meshes), picture);
+}
+
+}  // namespace toile

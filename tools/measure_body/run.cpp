@@ -1,0 +1,118 @@
+#include "tools/measure_body/run.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <sstream>
+
+#include "geometry/body/measures.h"
+#include "geometry/error.h"
+#include "io/json_words.h"
+#include "io/mesh_file.h"
+#include "io/output_file.h"
+#include "io/text.h"
+#include "tools/measure_body/files.h"
+#include "tools/measure_body/freehand.h"
+#include "tools/measure_body/page.h"
+
+namespace toile {
+
+namespace {
+
+void take_all_freehand(const BodyShape& shape, const MeasureBodySettings& settings,
+                       BodyMeasures& all) {
+  for (const std::string& expression : settings.freehand) {
+    all.freehand.push_back(take_freehand(shape, expression, "--at"));
+  }
+  if (!settings.freehand_file) return;
+  std::istringstream lines(read_file(*settings.freehand_file));
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    const std::size_t first = line.find_first_not_of(" \t\r");
+    if (first == std::string::npos || line[first] == '#') continue;
+    while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
+    all.freehand.push_back(take_freehand(
+        shape, line, settings.freehand_file->string() + ":" + std::to_string(number)));
+  }
+}
+
+std::vector<MeasureDifference> differences_to(const std::filesystem::path& file,
+                                              const BodyMeasures& all,
+                                              const CommonSettings& common) {
+  std::vector<MeasureDifference> differences;
+  for (const auto& [name, before] : read_measures(read_file(file), file.string(), all.unit)) {
+    const Measure* now = find_measure(all.measures, name);
+    if (now == nullptr) now = find_measure(all.freehand, name);
+    if (now == nullptr || !now->value) {
+      common.say(shown_text(name) + ": not measured now");
+      continue;
+    }
+    const double metres = now->is_angle ? 1 : metres_in(all.unit);
+    differences.push_back({name, before / metres, all.shown(*now)});
+    common.say(shown_text(name) + ": " + fixed_number(differences.back().before, 2) + " before, " +
+               fixed_number(differences.back().now, 2) + " now, difference " +
+               fixed_number(differences.back().now - differences.back().before, 2));
+  }
+  return differences;
+}
+
+void say_summary(const BodyMeasures& all, const CommonSettings& common) {
+  std::size_t taken = 0;
+  for (const Measure& measure : all.measures) taken += measure.value ? 1 : 0;
+  for (const char* name : {"height", "bust", "underbust", "waist", "hip", "inside_leg"}) {
+    const Measure* measure = find_measure(all.measures, name);
+    if (measure == nullptr || !measure->value) continue;
+    common.say(std::string(name) + " " + fixed_number(all.shown(*measure), 1) + " " + all.unit);
+  }
+  for (const Measure& measure : all.freehand) {
+    common.say(shown_text(measure.name) + ": " +
+               (measure.value ? fixed_number(all.shown(measure), 2) +
+                                    (measure.is_angle ? " degrees" : " " + all.unit)
+                              : measure.reason));
+  }
+  common.say(std::to_string(taken) + " of " + std::to_string(all.measures.size()) +
+             " measures taken");
+}
+
+}  // namespace
+
+int run_measure_body(const MeasureBodySettings& settings, const CommonSettings& common) {
+  const std::string name = settings.body.string();
+  const TriangleMesh body = fan_triangles(read_mesh(settings.body));
+  const BodyShape shape = find_landmarks(body, name);
+  BodyMeasures all;
+  all.body_name = settings.body.filename().string();
+  all.unit = settings.unit;
+  all.measures = measure_body(shape);
+  all.landmarks = given_landmarks(shape);
+  all.no_joints = shape.frame.no_skeleton;
+  take_all_freehand(shape, settings, all);
+  std::vector<MeasureDifference> differences;
+  if (settings.against) differences = differences_to(*settings.against, all, common);
+  if (!all.no_joints.empty()) CommonSettings::warn(all.no_joints);
+  const bool nothing = std::none_of(all.measures.begin(), all.measures.end(),
+                                    [](const Measure& measure) { return measure.value; });
+  if (nothing) CommonSettings::warn(name + ": nothing can be measured on it");
+
+  OutputFiles files;
+  const bool is_csv = common.output.extension() == ".csv" || common.output.extension() == ".CSV";
+  write_file(files.at(common.output),
+             is_csv ? measures_csv(all) : measures_json(all, differences));
+  if (common.report) write_file(files.at(*common.report), measures_json(all, differences));
+  for (const auto& [program, path] : settings.others) {
+    std::vector<std::string> missing;
+    write_file(files.at(path), foreign_file(all, program, missing));
+    if (!missing.empty()) {
+      common.say(path.string() + " lacks " + std::to_string(missing.size()) + ": " +
+                 listed(missing));
+    }
+  }
+  if (settings.html) write_file(files.at(*settings.html), measures_page(body, all));
+  if (settings.png) write_file(files.at(*settings.png), measures_picture(body, all));
+  files.commit();
+  say_summary(all, common);
+  common.say("wrote " + common.output.string());
+  return nothing ? exit_negative : exit_done;
+}
+
+}  // namespace toile
