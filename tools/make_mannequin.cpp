@@ -6,8 +6,8 @@
 #include "geometry/error.h"
 #include "io/mesh_file.h"
 #include "io/output_file.h"
-#include "io/pose_file.h"
 #include "io/skeleton_file.h"
+#include "tools/pose_option.h"
 #include "tools/programs.h"
 
 namespace toile {
@@ -35,20 +35,8 @@ Json report_json(const Mannequin& mannequin) {
           {"girths", girths}};
 }
 
-/// Whether --pose gives a file, not a name.
-bool is_file(const std::string& pose) { return pose.find_first_of("./") != std::string::npos; }
-
-Pose pose_of(const std::string& given) {
-  if (given == "standing") return standing_pose();
-  if (given == "walking") return walking_pose();
-  if (!is_file(given)) {
-    throw Error("--pose", "'" + given + "' is no pose", "give standing, walking or a file");
-  }
-  return read_pose(given);
-}
-
 void write_mannequin(MannequinOptions options, const CommonSettings& common) {
-  options.pose = pose_of(options.pose_name);
+  options.pose = pose_of(options.pose_name, PosedFigure::mannequin);
   const Mannequin mannequin = make_mannequin(options);
   for (const MannequinGirth& girth : mannequin.girths) {
     char line[80];
@@ -70,7 +58,7 @@ Job prepare(const po::variables_map& given, const CommonSettings& common) {
   options.pose_name = given["pose"].as<std::string>();
   check_mesh_extension(common.output);
   Job job;
-  if (is_file(options.pose_name)) job.files.reads = {options.pose_name};
+  if (is_pose_file(options.pose_name)) job.files.reads = {options.pose_name};
   job.files.writes = {common.output, skeleton_path(common.output)};
   job.work = [options, &common] {
     write_mannequin(options, common);

@@ -18,7 +18,8 @@ std::vector<CommandLineProgram> all_programs() {
           dress_program(),
           ease_map_program(),
           render_program(),
-          make_mannequin_program()};
+          make_mannequin_program(),
+          pose_body_program()};
 }
 
 }  // namespace toile

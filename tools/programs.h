@@ -17,6 +17,7 @@ CommandLineProgram import_pattern_program();
 CommandLineProgram make_mannequin_program();
 CommandLineProgram find_seams_program();
 CommandLineProgram mesh_pattern_program();
+CommandLineProgram pose_body_program();
 CommandLineProgram render_program();
 
 /// What `toile` is.
