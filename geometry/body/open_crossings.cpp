@@ -12,10 +12,11 @@ namespace toile {
 
 namespace {
 
-/// The bodies tried need up to 8 rounds. With more, max_crease_move ends the search first.
-constexpr int max_rounds = 30;
-constexpr int first_rings = 3;
-constexpr int steps_of_round = 4;
+/// max_crease_move ends the search before, where the smoothed part is small.
+constexpr int max_rounds = 60;
+constexpr int first_rings = 2;
+constexpr int rounds_of_ring = 4;
+constexpr int steps_of_round = 1;
 
 }  // namespace
 
@@ -47,7 +48,7 @@ OpenedCrossings open_crossings(TriangleMesh& mesh) {
         for (const int corner : mesh.triangles[triangle]) mark(corner);
       }
     }
-    const int rings = round == 0 ? first_rings : round % 2;
+    const int rings = round == 0 ? first_rings : (round % rounds_of_ring == 0 ? 1 : 0);
     for (int ring = 0; ring < rings; ++ring) {
       const std::size_t count = marked.size();
       for (std::size_t k = 0; k < count; ++k) {

@@ -21,8 +21,9 @@ using SkinWeights = Eigen::Matrix<double, Eigen::Dynamic, bone_count, Eigen::Row
 /// triangles that cross.
 /// - these weights: 2.6 %, 50 pairs;
 /// - harmonic without the last step: 7.3 %, none;
-/// - biharmonic, bounded to [0, 1]: 3.7 %, 11 pairs;
-/// - by geodesic distances: GEO.
+/// - biharmonic, bounded to [0, 1]: 3.7 %, 11 pairs.
+///
+/// Geodesic distances crossed at knees where these do not, in an earlier round.
 /// open_crossings() opens all of these pairs. The girths stay as they are.
 ///
 /// Each core has a point at least. `cores` has an entry for each point of `body`, a closed surface.
