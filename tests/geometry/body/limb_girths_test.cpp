@@ -17,8 +17,12 @@ TEST(LimbGirths, GrowWithTheBodyAndAreTheMannequins) {
   ASSERT_EQ(girths.size(), 28u);
   for (const LimbGirth& girth : girths) {
     EXPECT_NEAR(girth.posed / girth.standing, 1.1, 1e-9) << girth.name;
-    if (girth.name == "left knee") EXPECT_NEAR(girth.standing, 0.353, 0.006);
-    if (girth.name == "right elbow") EXPECT_NEAR(girth.standing, 0.25, 0.01);
+    if (girth.name == "left knee") {
+      EXPECT_NEAR(girth.standing, 0.353, 0.006);
+    }
+    if (girth.name == "right elbow") {
+      EXPECT_NEAR(girth.standing, 0.25, 0.01);
+    }
   }
 }
 

@@ -29,7 +29,9 @@ TEST(OpenCrossings, ACreaseIsOpenedAndTheRestStays) {
   EXPECT_LE(opened.largest_move, max_crease_move);
   EXPECT_GT(opened.largest_move, 0.001);
   for (std::size_t i = 0; i < ball.points.size(); ++i) {
-    if (before.points[i].y() < 0) EXPECT_EQ(ball.points[i], before.points[i]);
+    if (before.points[i].y() < 0) {
+      EXPECT_EQ(ball.points[i], before.points[i]);
+    }
   }
 }
 
