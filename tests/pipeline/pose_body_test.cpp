@@ -30,8 +30,9 @@ TEST(PoseBodyProgram, SitsWithItsJointsBesideIt) {
   const ScratchFolder folder;
   ASSERT_EQ(run("make-mannequin", {"-o", folder / "body.ply", "--edge-length", "12mm"}).exit_code,
             0);
-  const Run ended = run("pose-body", {folder / "body.ply", "--pose", "sitting", "-o",
-                                      folder / "sits.ply", "--report", folder / "report.txt"});
+  const pipeline::Run ended =
+      run("pose-body", {folder / "body.ply", "--pose", "sitting", "-o", folder / "sits.ply",
+                        "--report", folder / "report.txt"});
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_EQ(ended.out, "");
   const Json report = Json::parse(read_text(folder / "report.txt"));
@@ -48,7 +49,8 @@ TEST(PoseBodyProgram, WrongInputsEndInOneMessage) {
             0);
   const auto refused = [&](const std::string& body, const std::string& pose,
                            const std::string& words) {
-    const Run ended = run("pose-body", {folder / body, "--pose", pose, "-o", folder / "out.ply"});
+    const pipeline::Run ended =
+        run("pose-body", {folder / body, "--pose", pose, "-o", folder / "out.ply"});
     EXPECT_EQ(ended.exit_code, 1) << pose;
     EXPECT_TRUE(says(ended, words)) << ended.err;
     EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
@@ -71,8 +73,9 @@ TEST(PoseBodyProgram, WrongInputsEndInOneMessage) {
 
   // An arm through the trunk is written, with a warning.
   write_text(folder / "through.json", R"({"joints": {"left_shoulder": {"abduction": -30}}})");
-  const Run through = run("pose-body", {folder / "body.ply", "--pose", folder / "through.json",
-                                        "-o", folder / "out.ply"});
+  const pipeline::Run through =
+      run("pose-body",
+          {folder / "body.ply", "--pose", folder / "through.json", "-o", folder / "out.ply"});
   EXPECT_EQ(through.exit_code, 3) << through.err;
   EXPECT_TRUE(says(through, "folds the body into itself")) << through.err;
   EXPECT_TRUE(fs::exists(folder / "out.json"));
@@ -83,8 +86,9 @@ TEST(PoseBodyProgram, MeanAllWalksSitsAndReaches) {
   const ScratchFolder folder;
   ASSERT_EQ(run("clean-body", {data, "-o", folder / "body.ply", "-q"}).exit_code, 0);
   for (const std::string pose : {"walking", "sitting", "reaching"}) {
-    const Run ended = run("pose-body", {folder / "body.ply", "--pose", pose, "-o",
-                                        folder / "posed.ply", "--report", folder / "report.txt"});
+    const pipeline::Run ended =
+        run("pose-body", {folder / "body.ply", "--pose", pose, "-o", folder / "posed.ply",
+                          "--report", folder / "report.txt"});
     EXPECT_EQ(ended.exit_code, 0) << pose << ": " << ended.err;
     const Json report = Json::parse(read_text(folder / "report.txt"));
     EXPECT_EQ(report["self_intersections"]["left"], 0) << pose;
