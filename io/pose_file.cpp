@@ -25,7 +25,7 @@ void read_joint(const std::string& joint, const JsonValue& motions, SidePose& si
   for (const JointMotion& motion : joint_motions) {
     if (motion.joint == joint) known.push_back(motion.motion);
   }
-  if (known.empty()) motions.fail("is no joint of the mannequin", "use " + known_joints());
+  if (known.empty()) motions.fail("is no joint of a pose", "use " + known_joints());
   refuse_other_keys(motions, known);
   for (const JointMotion& motion : joint_motions) {
     if (motion.joint != joint) continue;
@@ -36,7 +36,7 @@ void read_joint(const std::string& joint, const JsonValue& motions, SidePose& si
 
 }  // namespace
 
-Pose read_pose(const std::filesystem::path& path) {
+Pose read_pose(const std::filesystem::path& path, PosedFigure figure) {
   const std::string name = path.string();
   const JsonDocument document(read_file(path), name);
   const JsonValue root = document.root();
@@ -59,10 +59,10 @@ Pose read_pose(const std::filesystem::path& path) {
     } else if (key.starts_with("right_")) {
       read_joint(key.substr(6), motions, pose.right);
     } else {
-      motions.fail("is no joint of the mannequin", "use " + known_joints());
+      motions.fail("is no joint of a pose", "use " + known_joints());
     }
   }
-  check_pose(pose, name);
+  check_pose(pose, name, figure);
   return pose;
 }
 

@@ -19,7 +19,8 @@ std::vector<CommandLineProgram> all_programs() {
           ease_map_program(),
           render_program(),
           make_mannequin_program(),
-          measure_body_program()};
+          measure_body_program(),
+          pose_body_program()};
 }
 
 }  // namespace toile

@@ -18,6 +18,7 @@ CommandLineProgram make_mannequin_program();
 CommandLineProgram find_seams_program();
 CommandLineProgram measure_body_program();
 CommandLineProgram mesh_pattern_program();
+CommandLineProgram pose_body_program();
 CommandLineProgram render_program();
 
 /// What `toile` is.

@@ -25,18 +25,39 @@ Pose walking_pose() {
   return pose;
 }
 
+Pose sitting_pose() {
+  Pose pose;
+  for (SidePose* side : {&pose.left, &pose.right}) {
+    side->hip_flexion = 90;
+    side->knee_flexion = 90;
+    side->shoulder_abduction = 30;
+  }
+  return pose;
+}
+
+Pose reaching_pose() {
+  Pose pose;
+  pose.left.shoulder_abduction = 30;
+  pose.right.shoulder_flexion = 150;
+  pose.right.shoulder_abduction = 15;
+  return pose;
+}
+
 Pose mirrored(const Pose& pose) { return {pose.right, pose.left}; }
 
-void check_pose(const Pose& pose, const std::string& name) {
+void check_pose(const Pose& pose, const std::string& name, PosedFigure figure) {
   for (const bool left : {true, false}) {
     const SidePose& side = left ? pose.left : pose.right;
     for (const JointMotion& motion : joint_motions) {
       const double angle = side.*motion.angle;
-      if (angle >= motion.min && angle <= motion.max) continue;
+      const bool of_body = figure == PosedFigure::body;
+      const double min = of_body ? motion.body_min : motion.min;
+      const double max = of_body ? motion.body_max : motion.max;
+      if (angle >= min && angle <= max) continue;
       throw Error(name + ": " + (left ? "left_" : "right_") + std::string(motion.joint),
                   number_text(angle) + " degrees of " + std::string(motion.motion) +
                       " are beyond what the joint does",
-                  "give " + number_text(motion.min) + " to " + number_text(motion.max));
+                  "give " + number_text(min) + " to " + number_text(max));
     }
   }
 }

@@ -32,28 +32,32 @@ struct Pose {
   bool operator==(const Pose&) const = default;
 };
 
-/// One motion of a joint and its range. Beyond the range the mannequin's sections would fold or its
-/// limbs meet.
+/// One motion of a joint and its ranges, degrees.
 struct JointMotion {
   std::string_view joint;   ///< name in files, without left_ or right_
   std::string_view motion;  ///< name in files
   double SidePose::*angle;
-  double min;  ///< degrees
-  double max;  ///< degrees
+  double min;  ///< beyond [min, max] the mannequin's sections would fold or its limbs meet
+  double max;
+  double body_min;  ///< beyond [body_min, body_max] few people's joints go
+  double body_max;
 };
 
 inline constexpr std::array<JointMotion, 10> joint_motions = {{
-    {"hip", "flexion", &SidePose::hip_flexion, -30, 60},
-    {"hip", "abduction", &SidePose::hip_abduction, -3, 40},
-    {"hip", "rotation", &SidePose::hip_rotation, -30, 45},
-    {"knee", "flexion", &SidePose::knee_flexion, 0, 80},
-    {"ankle", "flexion", &SidePose::ankle_flexion, -25, 45},
-    {"toes", "extension", &SidePose::toes_extension, 0, 45},
-    {"shoulder", "flexion", &SidePose::shoulder_flexion, -45, 90},
-    {"shoulder", "abduction", &SidePose::shoulder_abduction, 25, 80},
-    {"shoulder", "rotation", &SidePose::shoulder_rotation, -60, 60},
-    {"elbow", "flexion", &SidePose::elbow_flexion, 0, 90},
+    {"hip", "flexion", &SidePose::hip_flexion, -30, 60, -30, 120},
+    {"hip", "abduction", &SidePose::hip_abduction, -3, 40, -20, 45},
+    {"hip", "rotation", &SidePose::hip_rotation, -30, 45, -45, 45},
+    {"knee", "flexion", &SidePose::knee_flexion, 0, 80, 0, 130},
+    {"ankle", "flexion", &SidePose::ankle_flexion, -25, 45, -25, 45},
+    {"toes", "extension", &SidePose::toes_extension, 0, 45, 0, 45},
+    {"shoulder", "flexion", &SidePose::shoulder_flexion, -45, 90, -50, 170},
+    {"shoulder", "abduction", &SidePose::shoulder_abduction, 25, 80, -30, 150},
+    {"shoulder", "rotation", &SidePose::shoulder_rotation, -60, 60, -80, 80},
+    {"elbow", "flexion", &SidePose::elbow_flexion, 0, 90, 0, 140},
 }};
+
+/// Whose joints a pose has to suit: the mannequin's, or those of any body that pose_body() poses.
+enum class PosedFigure { mannequin, body };
 
 /// The body upright, arms out at 45 degrees.
 Pose standing_pose();
@@ -62,11 +66,20 @@ Pose standing_pose();
 /// heel off the floor. The arms swing against the legs, 30 degrees away from the trunk.
 Pose walking_pose();
 
+/// On a chair: hips and knees bent by 90 degrees, the arms 30 degrees away from the trunk. It is
+/// beyond the mannequin's ranges.
+Pose sitting_pose();
+
+/// The right arm reaches up and forward, 150 degrees from hanging. The left one hangs, 30 degrees
+/// away from the trunk. It is beyond the mannequin's ranges.
+Pose reaching_pose();
+
 /// The pose with left and right exchanged.
 Pose mirrored(const Pose& pose);
 
-/// Throws Error, with the place `name`, for an angle that is not finite or outside its joint's
-/// range.
-void check_pose(const Pose& pose, const std::string& name);
+/// Throws Error, with the place `name`, for an angle that is not finite or outside the range that
+/// its joint has in the figure.
+void check_pose(const Pose& pose, const std::string& name,
+                PosedFigure figure = PosedFigure::mannequin);
 
 }  // namespace toile

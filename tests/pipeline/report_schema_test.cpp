@@ -140,6 +140,10 @@ TEST_F(ReportSchema, HoldsForTheBodysPrograms) {
   expect_valid("clean_body", "cleaning.json");
   expect_faults_found("make_mannequin", "mannequin.json");
   expect_faults_found("clean_body", "cleaning.json");
+  succeed("pose-body", {folder / "raw.ply", "--pose", "sitting", "-o", folder / "posed.ply",
+                        "--report", folder / "posing.json", "-q"});
+  expect_valid("pose_body", "posing.json");
+  expect_faults_found("pose_body", "posing.json");
 }
 
 TEST_F(ReportSchema, HoldsForImportPattern) {

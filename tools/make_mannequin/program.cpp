@@ -6,9 +6,9 @@
 #include "geometry/error.h"
 #include "io/mesh_file.h"
 #include "io/output_file.h"
-#include "io/pose_file.h"
 #include "io/skeleton_file.h"
 #include "tools/make_mannequin/by_measures.h"
+#include "tools/pose_option.h"
 #include "tools/programs.h"
 
 namespace toile {
@@ -36,18 +36,6 @@ Json report_json(const Mannequin& mannequin) {
           {"girths", girths}};
 }
 
-/// Whether --pose gives a file, not a name.
-bool is_file(const std::string& pose) { return pose.find_first_of("./") != std::string::npos; }
-
-Pose pose_of(const std::string& given) {
-  if (given == "standing") return standing_pose();
-  if (given == "walking") return walking_pose();
-  if (!is_file(given)) {
-    throw Error("--pose", "'" + given + "' is no pose", "give standing, walking or a file");
-  }
-  return read_pose(given);
-}
-
 Mannequin sample_mannequin(const MannequinOptions& options, const CommonSettings& common) {
   Mannequin mannequin = make_mannequin(options);
   for (const MannequinGirth& girth : mannequin.girths) {
@@ -67,7 +55,7 @@ struct Settings {
 
 void write_mannequin(const Settings& settings, const CommonSettings& common) {
   MannequinOptions options = settings.mannequin;
-  options.pose = pose_of(options.pose_name);
+  options.pose = pose_of(options.pose_name, PosedFigure::mannequin);
   if (settings.arms) {
     options.pose.left.shoulder_abduction = *settings.arms;
     options.pose.right.shoulder_abduction = *settings.arms;
@@ -125,7 +113,7 @@ Job prepare(const po::variables_map& given, const CommonSettings& common) {
   settings.measures = measures_of(given);
   check_mesh_extension(common.output);
   Job job;
-  if (is_file(settings.mannequin.pose_name)) job.files.reads = {settings.mannequin.pose_name};
+  if (is_pose_file(settings.mannequin.pose_name)) job.files.reads = {settings.mannequin.pose_name};
   if (settings.measures) {
     for (const auto& file : settings.measures->files) job.files.reads.push_back(file);
   }

@@ -21,6 +21,10 @@ std::string error_of(const Pose& pose) {
 TEST(Pose, NamedPosesAreWithinTheJointsRanges) {
   EXPECT_EQ(error_of(standing_pose()), "");
   EXPECT_EQ(error_of(walking_pose()), "");
+  for (const Pose& pose : {sitting_pose(), reaching_pose()}) {
+    EXPECT_NO_THROW(check_pose(pose, "pose", PosedFigure::body));
+    EXPECT_NE(error_of(pose), "");
+  }
   EXPECT_EQ(standing_pose(), Pose{});
   EXPECT_FALSE(walking_pose() == standing_pose());
 }
