@@ -45,6 +45,7 @@ Mesh patch_around(const TriangleMesh& mesh, const Vec3& a, const Vec3& b) {
 }  // namespace
 
 std::vector<Vec3> geodesic(const TriangleMesh& mesh, const Vec3& a, const Vec3& b) {
+  if ((b - a).norm() < 1e-9) return {};
   Mesh patch = patch_around(mesh, a, b);
   if (patch.number_of_faces() == 0) return {};
   ShortestPath paths(patch);

@@ -209,18 +209,20 @@ class Finder {
       levels_.abdomen = absent(levels_.hip.reason);
       return;
     }
-    const auto front = curve(profile_, *levels_.hip.height, *levels_.waist.height,
+    // A large belly stands out the most at the waist or above: its samples go on there.
+    const double above = *levels_.waist.height + 0.15 * (levels_.high - levels_.low);
+    const auto front = curve(profile_, *levels_.hip.height, above,
                              [](const Level& l) { return l.front; });
     if (front.size() < 5) {
       levels_.abdomen = absent("hip and waist are too near to each other");
       return;
     }
-    const Extreme foremost = greatest(front, reach_);
-    levels_.abdomen = {foremost.at, 0.8, ""};
-    if (foremost.is_end) {
-      levels_.abdomen = {(*levels_.hip.height + *levels_.waist.height) / 2, 0.3,
-                         "no belly stands out; it is half-way from waist to hip"};
-    }
+    // A belly is flat: noise moves it by centimetres with a shorter reach.
+    const Extreme foremost = greatest(front, 3 * reach_);
+    levels_.abdomen = {std::min(foremost.at, *levels_.waist.height), 0.7, ""};
+    if (!foremost.is_end && foremost.at <= *levels_.waist.height) return;
+    levels_.abdomen.confidence = 0.4;
+    levels_.abdomen.reason = "no belly stands out between hip and waist";
   }
 
   void find_bust() {
