@@ -47,6 +47,7 @@ class Loft {
 
   const std::vector<LoftRow>& rows() const { return rows_; }
   const LoftFrame& frame() const { return frame_; }
+  double rounding() const { return rounding_; }  ///< metres
   /// The centre line's point at height t.
   Vec3 centre(double t) const;
 

@@ -31,21 +31,24 @@ double girth_around(const TriangleMesh& surface, const Vec3& centre, const Vec3&
 }
 
 Mannequin make_mannequin(const MannequinOptions& options) {
+  MannequinShape shape;
+  constexpr double tolerance = 2e-4;  // metres
+  shape.carve(tolerance);
+  return mesh_mannequin(shape, options);
+}
+
+Mannequin mesh_mannequin(const MannequinShape& shape, const MannequinOptions& options) {
   if (!(options.edge_length >= 0.004 && options.edge_length <= 0.015)) {
     throw Error("edge length", "is not between 4 mm and 15 mm", "9 mm is usual");
   }
   check_pose(options.pose, "pose");
-  MannequinShape shape;
-  constexpr double tolerance = 2e-4;  // metres
-  shape.carve(tolerance);
-
   ImplicitMeshOptions meshing;
-  meshing.low = Vec3(-0.75, -0.01, -0.25);
-  meshing.high = Vec3(0.75, 1.72, 0.25);
   meshing.spacing = options.edge_length / 0.9;
   Mannequin mannequin;
   const PosedMannequin posed(shape, options.pose);
   if (options.pose == standing_pose()) {
+    meshing.low = shape.bones().low;
+    meshing.high = shape.bones().high;
     mannequin.surface =
         mesh_implicit([&shape](const Vec3& point) { return shape.distance(point); }, meshing);
   } else {
@@ -64,7 +67,7 @@ Mannequin make_mannequin(const MannequinOptions& options) {
   mannequin.skeleton = posed.skeleton();
   for (auto& [name, joint] : mannequin.skeleton.joints) joint.y() -= floor;
 
-  for (const GirthTarget& target : girth_targets()) {
+  for (const GirthTarget& target : shape.girths()) {
     MannequinGirth girth;
     girth.name = target.name;
     girth.centre = posed.centre(target) - floor * Vec3::UnitY();

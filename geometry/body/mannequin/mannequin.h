@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/body/mannequin/mannequin_shape.h"
 #include "geometry/body/pose.h"
 #include "geometry/body/skeleton.h"
 #include "geometry/types.h"
@@ -46,6 +47,10 @@ struct Mannequin {
 /// Error for an edge length outside 4 mm to 15 mm, as check_pose() does, and where the pose makes
 /// parts touch.
 Mannequin make_mannequin(const MannequinOptions& options = {});
+
+/// The mesh of a shape, as make_mannequin() describes it. The girths' targets are those of the
+/// shape. Throws as make_mannequin() does.
+Mannequin mesh_mannequin(const MannequinShape& shape, const MannequinOptions& options);
 
 /// Metres: the girth of the section of `surface` with the plane through `centre` square to
 /// `normal`. Of several outlines it measures the one whose centroid is closest to `centre`. It

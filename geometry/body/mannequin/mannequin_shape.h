@@ -1,17 +1,14 @@
 // The mannequin as a solid of lofted and joined tailoring cross-sections.
 #pragma once
 
-#include <array>
 #include <string_view>
 #include <vector>
 
-#include "geometry/body/mannequin/loft.h"
+#include "geometry/body/mannequin/mannequin_bones.h"
+#include "geometry/body/mannequin/mannequin_solids.h"
 #include "geometry/types.h"
 
 namespace toile {
-
-/// The main lofts of the mannequin. Arm and leg stand for both sides.
-enum class MannequinPart { torso, neck, arm, leg };
 
 /// A girth that the mannequin is scaled to. It goes around the centre line of `part` at a row of
 /// the loft, square to the part's axis. It goes around one limb, not around both.
@@ -32,6 +29,7 @@ class MannequinShape {
  public:
   /// The shape from the tables, not yet scaled to the girths.
   MannequinShape();
+  MannequinShape(MannequinSolids solids, MannequinBones bones, std::vector<GirthTarget> girths);
 
   /// About the distance to the skin, negative inside. It is symmetric in x to the last bit.
   double distance(const Vec3& point) const;
@@ -57,14 +55,15 @@ class MannequinShape {
   /// greatest difference left. It throws Error when 30 rounds are not enough.
   double carve(double tolerance);
 
- private:
-  const Loft& part(MannequinPart which) const;
-  Loft& part(MannequinPart which);
+  const MannequinSolids& solids() const { return solids_; }
+  const MannequinBones& bones() const { return bones_; }
+  /// Where it has the girths of girth_targets(), in their order.
+  const std::vector<GirthTarget>& girths() const { return girths_; }
 
-  std::array<Loft, 4> parts_;  // in the order of MannequinPart
-  Loft yoke_;
-  Loft thumb_;
-  Loft foot_;
+ private:
+  MannequinSolids solids_;
+  MannequinBones bones_;
+  std::vector<GirthTarget> girths_;
 };
 
 }  // namespace toile

@@ -4,19 +4,17 @@
 #include <utility>
 
 #include "geometry/body/mannequin/bend.h"
+#include "geometry/body/mannequin/mannequin_bones.h"
 #include "geometry/body/mannequin/mannequin_shape.h"
 #include "geometry/body/pose.h"
 #include "geometry/body/skeleton.h"
 
 namespace toile {
 
-/// The joints of the standing mannequin, metres, with the soles on y = 0.
-const Skeleton& standing_joints();
-
 /// The motion of the left side's arm and leg. The right side is its mirror image.
 class PosedSide {
  public:
-  explicit PosedSide(const SidePose& pose);
+  PosedSide(const SidePose& pose, const MannequinBones& bones);
 
   /// The posed place of a point of a part at rest.
   Vec3 leg(const Vec3& rest) const { return hip_.posed(knee_.posed(rest)); }

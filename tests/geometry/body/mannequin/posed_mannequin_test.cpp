@@ -87,7 +87,7 @@ TEST(PosedMannequin, BothFeetOfAStepAreOnTheFloor) {
 }
 
 TEST(PosedMannequin, BonesKeepTheirLengthsAndPointAsThePoseSays) {
-  const Skeleton& at_rest = standing_joints();
+  const Skeleton& at_rest = sample_bones().joints;
   for (const Pose& pose : {walking_pose(), leap()}) {
     const MannequinShape shape;
     const Skeleton posed = PosedMannequin(shape, pose).skeleton();
@@ -203,7 +203,7 @@ TEST(PosedMannequin, ItsJointsAreInsideAndFoundAgain) {
 // The joints at rest are those that find_skeleton finds on the standing mannequin.
 TEST(PosedMannequin, StandingJointsAreThoseThatAreFound) {
   const Skeleton found = find_skeleton(standing().surface, "standing");
-  for (const auto& [name, joint] : standing_joints().joints) {
+  for (const auto& [name, joint] : sample_bones().joints.joints) {
     EXPECT_LT((found.joint(name) - joint).norm(), 0.012) << name;
   }
 }

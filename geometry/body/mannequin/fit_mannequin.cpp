@@ -1,0 +1,314 @@
+#include "geometry/body/mannequin/fit_mannequin.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "geometry/body/mannequin/mannequin_measures.h"
+
+namespace toile {
+
+namespace {
+
+using Part = BuildPart;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// A measure and the parts that move it, with their shares: a factor's logarithm moves the
+/// measure's by so much.
+struct Moved {
+  const char* name;
+  std::vector<std::pair<Part, double>> parts;
+  double weight = 1;  ///< of lengths along the skin, which also hang on the trunk's form: less
+};
+
+const std::vector<Moved>& moved_measures() {
+  // The shares of sums are those of the sample: waist 1.05 m, hip 0.86, crotch 0.763 and so on.
+  static const std::vector<Moved> all = {
+      {"height", {{Part::height, 1}}},
+      {"cervicale_height", {{Part::cervicale_height, 1}}},
+      {"bust_height", {{Part::bust_height, 1}}},
+      {"waist_height", {{Part::waist_height, 1}}},
+      {"hip_height", {{Part::hip_height, 1}}},
+      {"crotch_height", {{Part::crotch_height, 1}}},
+      {"inside_leg", {{Part::crotch_height, 1}}},
+      {"knee_height", {{Part::knee_height, 1}}},
+      {"arm_length", {{Part::arm_length, 1}}},
+      {"waist_to_floor", {{Part::waist_height, 1}}},
+      {"waist_to_hip", {{Part::waist_height, 5.5}, {Part::hip_height, -4.5}}},
+      {"waist_to_knee", {{Part::waist_height, 1.8}, {Part::knee_height, -0.8}}},
+      {"crotch_depth", {{Part::waist_height, 3.7}, {Part::crotch_height, -2.7}}},
+      {"back_centre_length", {{Part::cervicale_height, 3.6}, {Part::waist_height, -2.6}}},
+      {"front_centre_length", {{Part::cervicale_height, 4.2}, {Part::waist_height, -3.2}}, 0.3},
+      {"back_full_length", {{Part::cervicale_height, 3.4}, {Part::waist_height, -2.4}}, 0.3},
+      {"front_full_length", {{Part::cervicale_height, 3.4}, {Part::waist_height, -2.4}}, 0.3},
+      {"bust_depth", {{Part::cervicale_height, 5.4}, {Part::bust_height, -4.4}}, 0.3},
+      {"side_hip_depth", {{Part::waist_height, 5.5}, {Part::hip_height, -4.5}}, 0.3},
+      {"front_hip_depth", {{Part::waist_height, 5.5}, {Part::hip_height, -4.5}}, 0.3},
+      {"back_hip_depth", {{Part::waist_height, 5.5}, {Part::hip_height, -4.5}}, 0.3},
+      {"shoulder_length", {{Part::shoulder_width, 1.3}}},
+      {"back_across_shoulder", {{Part::shoulder_width, 1}}},
+      {"front_across_shoulder", {{Part::shoulder_width, 1}}, 0.3},
+      {"shoulder_width", {{Part::shoulder_width, 1}}},
+      {"head", {{Part::head, 1}}},
+      {"neck", {{Part::neck, 1}}},
+      {"bust", {{Part::chest, 0.8}, {Part::breast, 0.3}}},
+      {"underbust", {{Part::underbust, 1}}},
+      {"waist", {{Part::waist, 1}}},
+      {"abdomen", {{Part::abdomen, 1}}},
+      {"hip", {{Part::hip, 1}}},
+      {"upper_thigh", {{Part::upper_thigh, 1}}},
+      {"mid_thigh", {{Part::mid_thigh, 1}}},
+      {"knee", {{Part::knee, 1}}},
+      {"calf", {{Part::calf, 1}}},
+      {"ankle", {{Part::ankle, 1}}},
+      {"upper_arm", {{Part::upper_arm, 1}}},
+      {"elbow", {{Part::elbow, 1}}},
+      {"wrist", {{Part::wrist, 1}}},
+      {"bust_span", {{Part::bust_span, 1}}},
+  };
+  return all;
+}
+
+MannequinBuild build_of(const VectorXd& factors) {
+  MannequinBuild build;
+  for (int i = 0; i < build_parts; ++i) build[static_cast<Part>(i)] = std::exp(factors[i]);
+  return build;
+}
+
+int column(Part part) { return static_cast<int>(part); }
+
+/// What a round has to solve: rows of measures, then rows that hold the factors.
+class Problem {
+ public:
+  Problem(const BodyMeasures& given, const BodyMeasures& filled, const BodyMeasures& sample,
+          Figure figure) {
+    for (const Moved& measure : moved_measures()) {
+      const bool is_given = given.contains(measure.name);
+      if (!is_given && !filled.contains(measure.name)) continue;
+      if (!sample.contains(measure.name)) continue;
+      rows_.push_back({&measure, (is_given ? given : filled).at(measure.name), is_given});
+    }
+    jacobian = MatrixXd::Zero(size(), build_parts);
+    for (int row = 0; row < size(); ++row) {
+      for (const auto& [part, share] : rows_[row].measure->parts) {
+        jacobian(row, column(part)) = share;
+      }
+    }
+    start_ = VectorXd::Zero(build_parts);
+    double girths = 0;
+    int counted = 0;
+    for (const Row& row : rows_) {
+      const double factor = std::log(row.wanted / sample.at(row.measure->name));
+      for (const auto& [part, share] : row.measure->parts) {
+        if (row.measure->parts.size() == 1) start_[column(part)] = factor;
+      }
+      const std::string name = row.measure->name;
+      if (name == "bust" || name == "height") {
+        girths += factor;
+        ++counted;
+      }
+    }
+    start_[column(Part::chest)] = start_[column(Part::underbust)];
+    start_[column(Part::breast)] =
+        std::log(figure == Figure::woman ? breast_factor(sample, given, filled) : flat_breast);
+    start_[column(Part::shoulder_width)] =
+        girths / std::max(counted, 1) + (figure == Figure::man ? std::log(1.06) : 0);
+  }
+
+  int size() const { return static_cast<int>(rows_.size()); }
+  const VectorXd& start() const { return start_; }
+
+  /// The logarithms of measured by wanted.
+  VectorXd off(const BodyMeasures& measured) const {
+    VectorXd result = VectorXd::Zero(size());
+    for (int row = 0; row < size(); ++row) {
+      const auto found = measured.find(rows_[row].measure->name);
+      if (found == measured.end() || !(found->second > 0)) continue;
+      result[row] = std::log(found->second / rows_[row].wanted);
+      // A filled measure that is far off was read at another place, or is no mean of this body.
+      if (!rows_[row].is_given) result[row] = std::clamp(result[row], -0.05, 0.05);
+    }
+    return result;
+  }
+
+  /// The largest difference of a given measure, metres.
+  double worst(const VectorXd& off) const {
+    double most = 0;
+    for (int row = 0; row < size(); ++row) {
+      if (!rows_[row].is_given) continue;
+      most = std::max(most, rows_[row].wanted * std::abs(std::expm1(off[row])));
+    }
+    return most;
+  }
+
+  /// The step of the factors that takes `off` away, as far as the holding rows let it.
+  VectorXd step(const VectorXd& factors, const VectorXd& off) const {
+    // Metres: differences that weigh the same. A filled measure is a mean, so it gives way.
+    constexpr double given_tolerance = 0.0003;
+    constexpr double filled_tolerance = 0.012;
+    const int holds = build_parts + 1;
+    MatrixXd left = MatrixXd::Zero(size() + holds, build_parts);
+    VectorXd right = VectorXd::Zero(size() + holds);
+    for (int row = 0; row < size(); ++row) {
+      const double weight = rows_[row].measure->weight * rows_[row].wanted /
+                            (rows_[row].is_given ? given_tolerance : filled_tolerance);
+      left.row(row) = weight * jacobian.row(row);
+      right[row] = -weight * off[row];
+    }
+    for (int part = 0; part < build_parts; ++part) {
+      const int row = size() + part;
+      double weight = 1 / 0.03;
+      if (part == column(Part::breast)) weight = 1 / 0.01;
+      if (part == column(Part::shoulder_width)) weight = 1 / 0.01;
+      left(row, part) = weight;
+      right[row] = weight * (start_[part] - factors[part]);
+    }
+    // The trunk at the bust goes with that below it.
+    const int last = size() + build_parts;
+    constexpr double tied = 1 / 0.1;
+    left(last, column(Part::chest)) = tied;
+    left(last, column(Part::underbust)) = -tied;
+    right[last] = tied * (factors[column(Part::underbust)] - factors[column(Part::chest)]);
+    VectorXd step = left.colPivHouseholderQr().solve(right);
+    // A factor of 1.35 a round at most.
+    constexpr double longest = 0.3;
+    const double most = step.cwiseAbs().maxCoeff();
+    if (most > longest) step *= longest / most;
+    return step;
+  }
+
+  /// No girth leaves the start by a factor of more than 1.4, no height by more than 1.08, so that
+  /// a body stays one.
+  VectorXd bounded(VectorXd factors) const {
+    for (int part = 0; part < build_parts; ++part) {
+      const double reach = sample_height(static_cast<Part>(part)) > 0 ? 0.08 : 0.35;
+      factors[part] = std::clamp(factors[part], start_[part] - reach, start_[part] + reach);
+    }
+    return factors;
+  }
+
+  /// Corrects how parts move their own measures, by what the last step did [Schubert 1970]. Other
+  /// entries stay 0: a few rounds can't tell some hundred of them.
+  void correct(const VectorXd& step, const VectorXd& change) {
+    for (int row = 0; row < size(); ++row) {
+      double predicted = 0;
+      double square = 0;
+      for (const auto& [part, share] : rows_[row].measure->parts) {
+        predicted += jacobian(row, column(part)) * step[column(part)];
+        square += step[column(part)] * step[column(part)];
+      }
+      // A step of less than 0.2 % shows what other parts do.
+      if (square < 4e-6) continue;
+      for (const auto& [part, share] : rows_[row].measure->parts) {
+        double& entry = jacobian(row, column(part));
+        entry += (change[row] - predicted) * step[column(part)] / square;
+        const double bound = entry * share > 0 ? std::abs(entry / share) : 0;
+        entry = share * std::clamp(bound, 0.6, 1.8);
+      }
+    }
+  }
+
+  std::vector<FittedMeasure> compared(const BodyMeasures& measured, const BodyMeasures& given,
+                                      const BodyMeasures& filled) const {
+    std::vector<FittedMeasure> all;
+    const auto add = [&](const BodyMeasures& wanted, bool is_given) {
+      for (const auto& [name, value] : wanted) {
+        const auto found = measured.find(name);
+        const double is =
+            found == measured.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+        all.push_back({name, value, is, is_given});
+      }
+    };
+    add(given, true);
+    add(filled, false);
+    std::ranges::sort(all, {}, &FittedMeasure::name);
+    return all;
+  }
+
+ private:
+  struct Row {
+    const Moved* measure;
+    double wanted;
+    bool is_given;
+  };
+  static constexpr double flat_breast = 0.5;
+
+  /// By how much the bust is larger than the underbust, against the sample of the same size.
+  static double breast_factor(const BodyMeasures& sample, const BodyMeasures& given,
+                              const BodyMeasures& filled) {
+    const auto wanted = [&](const char* name) {
+      return given.contains(name) ? given.at(name) : filled.at(name);
+    };
+    const auto share = [](double bust, double underbust) { return (bust - underbust) / bust; };
+    const double more = share(wanted("bust"), wanted("underbust")) -
+                        share(sample.at("bust"), sample.at("underbust"));
+    return std::clamp(1 + 4 * more, 0.6, 1.5);
+  }
+
+  std::vector<Row> rows_;
+  VectorXd start_;
+  MatrixXd jacobian;
+};
+
+}  // namespace
+
+FittedMannequin fit_mannequin(const BodyMeasures& given, const BodyMeasures& filled, Figure figure,
+                              const MannequinOptions& options) {
+  MannequinOptions trial = options;
+  trial.pose = standing_pose();
+  static const BodyMeasures sample = [] {
+    MannequinOptions coarse;
+    coarse.edge_length = 0.015;
+    return mannequin_measures(mesh_mannequin(built_mannequin({}), coarse));
+  }();
+  Problem problem(given, filled, sample, figure);
+
+  // Coarse meshes read the girths some 0.3 mm too small, so the last rounds are as fine as asked.
+  constexpr int max_rounds = 12;
+  constexpr double enough = 0.001;         // metres
+  constexpr double enough_coarse = 0.002;  // metres
+  // Metres: a mesh has to part the thighs.
+  const double coarse =
+      std::clamp(0.012 * std::exp(problem.start()[column(Part::height)]), 0.006, 0.014);
+  FittedMannequin best;
+  double least = std::numeric_limits<double>::infinity();
+  VectorXd factors = problem.start();
+  VectorXd before;
+  VectorXd step;
+  bool is_fine = options.edge_length >= coarse;
+  trial.edge_length = is_fine ? options.edge_length : coarse;
+  for (int round = 1; round <= max_rounds; ++round) {
+    const MannequinBuild build = build_of(factors);
+    Mannequin made = mesh_mannequin(built_mannequin(build), trial);
+    const BodyMeasures measured = mannequin_measures(made);
+    const VectorXd off = problem.off(measured);
+    const double worst = problem.worst(off);
+    if (step.size() > 0) problem.correct(step, off - before);
+    if (is_fine && worst < least) {
+      least = worst;
+      best = {std::move(made), build, problem.compared(measured, given, filled), round};
+    }
+    if (is_fine && worst < enough) break;
+    if (!is_fine && (worst < enough_coarse || round >= max_rounds - 4)) {
+      is_fine = true;
+      trial.edge_length = options.edge_length;
+    }
+    const VectorXd next = problem.bounded(factors + problem.step(factors, off));
+    step = next - factors;
+    factors = next;
+    before = off;
+  }
+  if (!(options.pose == standing_pose())) {
+    best.mannequin = mesh_mannequin(built_mannequin(best.build), options);
+  }
+  for (MannequinGirth& girth : best.mannequin.girths) {
+    const auto found = std::ranges::find(best.measures, measure_of(girth), &FittedMeasure::name);
+    girth.target = found == best.measures.end() ? girth.measured : found->wanted;
+  }
+  return best;
+}
+
+}  // namespace toile

@@ -1,0 +1,39 @@
+// A mannequin by measures.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/body/body_measures.h"
+#include "geometry/body/mannequin/mannequin.h"
+#include "geometry/body/mannequin/mannequin_build.h"
+
+namespace toile {
+
+/// A measure that was asked for and what the mannequin has.
+struct FittedMeasure {
+  std::string name;
+  double wanted = 0;      ///< metres
+  double measured = 0;    ///< metres; NaN: nothing reads this measure on a mannequin
+  bool is_given = false;  ///< else filled in
+};
+
+struct FittedMannequin {
+  Mannequin mannequin;
+  MannequinBuild build;
+  std::vector<FittedMeasure> measures;  ///< in the order of their names
+  int rounds = 0;                       ///< bodies that were made
+};
+
+/// Finds the build whose mesh, standing, has the measures `given`, and those of `filled` about. It
+/// returns that body in the pose of the options. Each round makes a mesh and measures it.
+///
+/// The unknowns are the logarithms of the build's factors, by least squares. Given measures weigh
+/// some forty times as much as filled ones. All factors are held a little. In the first Jacobian
+/// each part moves its own measure alone. What the rounds show corrects it [Schubert 1970]. It ends
+/// when each given measure is within 1 mm, or after 12 rounds with the best one. Throws Error where
+/// levels of the body would not rise, and as mesh_mannequin() does.
+FittedMannequin fit_mannequin(const BodyMeasures& given, const BodyMeasures& filled, Figure figure,
+                              const MannequinOptions& options);
+
+}  // namespace toile

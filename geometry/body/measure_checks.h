@@ -1,0 +1,15 @@
+// Whether measures can be those of one body.
+#pragma once
+
+#include <vector>
+
+#include "geometry/body/body_measures.h"
+
+namespace toile {
+
+/// What no body can have, one sentence a contradiction, with the measures that disagree and their
+/// values in cm. Only measures that are there are looked at. The bounds are wide: they hold for the
+/// smallest child of 0.6 m and the largest adults.
+std::vector<std::string> contradictions(const BodyMeasures& measures);
+
+}  // namespace toile
