@@ -70,8 +70,7 @@ Vec3 corner_of(const std::vector<Vec3>& outline, const Vec3& direction, double r
 }
 
 double width_of(const Section& section) {
-  return farthest(section.points, Vec3::UnitX()).x() -
-         farthest(section.points, -Vec3::UnitX()).x();
+  return farthest(section.points, Vec3::UnitX()).x() - farthest(section.points, -Vec3::UnitX()).x();
 }
 
 /// Where a curve lies farthest on the side `toward` of the straight line between its ends. Points
@@ -110,9 +109,8 @@ class Finder {
         absent(name, no_joints());
       }
       for (const int side : {1, -1}) {
-        for (const char* name :
-             {"side_neck", "shoulder", "armpit", "armpit_front", "armpit_back", "gluteal_fold",
-              "knee", "calf", "ankle", "elbow", "wrist"}) {
+        for (const char* name : {"side_neck", "shoulder", "armpit", "armpit_front", "armpit_back",
+                                 "gluteal_fold", "knee", "calf", "ankle", "elbow", "wrist"}) {
           absent(prefix(side) + name, no_joints());
         }
       }
@@ -200,8 +198,8 @@ class Finder {
     add(prefix(side) + name, place, found.confidence);
   }
 
-  /// The point of one side of the trunk around a level that stands out the most, to the front
-  /// (facing 1) or the back (-1), and `outward` to its side. Nothing where the middle does.
+  /// The point of one side of the trunk at a level that stands out the most. `facing` is 1 to the
+  /// front, -1 to the back; `outward` is the share to its side. Nothing where the middle does.
   std::optional<Vec3> summit(double height, int side, double facing, double outward) const {
     // The mean contour over a centimetre up and down: noise and edges of one section cancel. On a
     // small waist with a wide hip the contour ends sooner.
@@ -353,8 +351,8 @@ class Finder {
     }
   }
 
-  /// Where the outline from neck to shoulder, seen from the front, turns the most: farthest from
-  /// the straight line between the thinnest neck and the shoulder.
+  /// Where the outline from neck to shoulder turns the most, seen from the front. It is farthest
+  /// there from the straight line between the thinnest neck and the shoulder.
   void find_side_neck(int side, const std::vector<Neck>& neck) {
     const std::string name = prefix(side) + "side_neck";
     const auto shoulder = place_of(shape_.landmarks, prefix(side) + "shoulder");
@@ -422,8 +420,7 @@ class Finder {
     find_gluteal_fold(side, crotch, knee);
     const auto kneecap = leg_at(knee, side);
     add(which + "knee",
-        kneecap ? std::optional(
-                      on_ray(*kneecap, kneecap->centroid, Vec3::UnitZ(), Vec3::UnitY()))
+        kneecap ? std::optional(on_ray(*kneecap, kneecap->centroid, Vec3::UnitZ(), Vec3::UnitY()))
                 : std::nullopt,
         0.5, "proportion and the leg's thin place above the calf show the knee");
     std::vector<Vec2> calf;

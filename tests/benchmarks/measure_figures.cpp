@@ -28,7 +28,8 @@ using namespace toile;
 double seconds_used() {
   rusage used = {};
   getrusage(RUSAGE_SELF, &used);
-  return static_cast<double>(used.ru_utime.tv_sec) + 1e-6 * static_cast<double>(used.ru_utime.tv_usec);
+  return static_cast<double>(used.ru_utime.tv_sec) +
+         1e-6 * static_cast<double>(used.ru_utime.tv_usec);
 }
 
 /// Each triangle as four.
@@ -61,7 +62,8 @@ TriangleMesh turned(TriangleMesh mesh, double degrees) {
 TriangleMesh noisy(TriangleMesh mesh, unsigned seed) {
   std::vector<Vec3> normals(mesh.points.size(), Vec3::Zero());
   for (const Triangle& t : mesh.triangles) {
-    const Vec3 n = (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]);
+    const Vec3 n =
+        (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]);
     for (const int i : t) normals[i] += n;
   }
   std::mt19937 random(seed);
@@ -95,10 +97,11 @@ void print_steadiness(const std::string& name, const TriangleMesh& body) {
   std::printf("\nLandmarks of %s: the five that move most, mm\n", name.c_str());
   const auto same = [](const Vec3& p) { return p; };
   for (const double degrees : {7.0, 33.0, 120.0, 180.0}) {
-    print_moves("turned by " + std::to_string(static_cast<int>(degrees)), before,
-                turned(body, degrees), [degrees](const Vec3& p) {
-                  return Vec3(Eigen::AngleAxisd(-degrees * std::numbers::pi / 180, Vec3::UnitY()) * p);
-                });
+    print_moves(
+        "turned by " + std::to_string(static_cast<int>(degrees)), before, turned(body, degrees),
+        [degrees](const Vec3& p) {
+          return Vec3(Eigen::AngleAxisd(-degrees * std::numbers::pi / 180, Vec3::UnitY()) * p);
+        });
   }
   print_moves("half the triangles", before, decimate(body, body.triangles.size() / 2), same);
   print_moves("split triangles", before, split(body), same);

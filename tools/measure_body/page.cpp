@@ -79,7 +79,8 @@ std::string measures_page(const TriangleMesh& body, const BodyMeasures& measures
   page.setting_name = "body";
   page.quantity = "Length";
   page.unit = measures.unit;
-  PageTable table{"Measures", {"measure", measures.unit, "ISO 8559-1", "how it is taken"}, {}, {}, ""};
+  PageTable table{
+      "Measures", {"measure", measures.unit, "ISO 8559-1", "how it is taken"}, {}, {}, ""};
   PageTable missing{"Not taken", {"measure", "why"}, {}, {}, ""};
   double longest = 1;
   for (const Measure* measure : all_of(measures)) {
