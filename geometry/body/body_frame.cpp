@@ -19,8 +19,8 @@ Eigen::Matrix3d about_y(double angle) {
 /// Radians of the turn about y that brings the direction to +x.
 double turn_to_x(const Vec3& across) { return std::atan2(across.z(), across.x()); }
 
-/// The area-weighted middle of the surface. `turn` is the radians of the turn that brings its widest
-/// level direction to the x axis, within a quarter turn.
+/// The area-weighted middle of the surface. `turn` is the radians of the turn that brings its
+/// widest level direction to the x axis, within a quarter turn.
 struct Spread {
   Vec3 middle = Vec3::Zero();
   double turn = 0;
