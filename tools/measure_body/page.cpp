@@ -17,7 +17,7 @@ constexpr Colour skin{0.80, 0.76, 0.73};
 // Metres. In the page thinner lines vanish beside the body.
 constexpr double picture_line = 0.0022;
 constexpr double page_line = 0.004;
-constexpr double dot_radius = 0.006;    // metres
+constexpr double dot_radius = 0.006;  // metres
 
 /// A tube of six sides around a polyline.
 void add_tube(TriangleMesh& mesh, const std::vector<Vec3>& line, double radius) {
