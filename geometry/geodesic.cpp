@@ -22,18 +22,17 @@ using TreeTraits = CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_prim
 
 Kernel::Point_3 point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
-/// The triangles of `mesh` with a corner within the ellipsoid.
+/// The triangles of `mesh` that may reach into the ellipsoid.
 Mesh patch_around(const TriangleMesh& mesh, const Vec3& a, const Vec3& b) {
   // No line that is a quarter longer than the straight one leaves it. Shoulders and arms bend less.
   const double reach = 1.25 * (b - a).norm() + 0.02;
-  std::vector<char> is_near(mesh.points.size());
-  for (std::size_t i = 0; i < is_near.size(); ++i) {
-    is_near[i] = (mesh.points[i] - a).norm() + (mesh.points[i] - b).norm() < reach ? 1 : 0;
-  }
   Mesh patch;
   std::vector<Mesh::Vertex_index> vertices(mesh.points.size());
   for (const Triangle& t : mesh.triangles) {
-    if (!is_near[t[0]] && !is_near[t[1]] && !is_near[t[2]]) continue;
+    const Vec3 middle = (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3;
+    double radius = 0;
+    for (const int i : t) radius = std::max(radius, (mesh.points[i] - middle).norm());
+    if ((middle - a).norm() + (middle - b).norm() - 2 * radius > reach) continue;
     for (const int i : t) {
       if (!vertices[i].is_valid()) vertices[i] = patch.add_vertex(point(mesh.points[i]));
     }
@@ -45,6 +44,7 @@ Mesh patch_around(const TriangleMesh& mesh, const Vec3& a, const Vec3& b) {
 }  // namespace
 
 std::vector<Vec3> geodesic(const TriangleMesh& mesh, const Vec3& a, const Vec3& b) {
+  if ((b - a).norm() < 1e-9) return {};
   Mesh patch = patch_around(mesh, a, b);
   if (patch.number_of_faces() == 0) return {};
   ShortestPath paths(patch);

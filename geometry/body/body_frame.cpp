@@ -19,8 +19,8 @@ Eigen::Matrix3d about_y(double angle) {
 /// Radians of the turn about y that brings the direction to +x.
 double turn_to_x(const Vec3& across) { return std::atan2(across.z(), across.x()); }
 
-/// The area-weighted middle of the surface, and the radians of the turn that brings its widest
-/// level direction to the x axis, within a quarter turn.
+/// The area-weighted middle of the surface. `turn` is the radians of the turn that brings its
+/// widest level direction to the x axis, within a quarter turn.
 struct Spread {
   Vec3 middle = Vec3::Zero();
   double turn = 0;
@@ -114,8 +114,7 @@ BodyFrame body_frame(const TriangleMesh& body, const std::string& name) {
   const BodyFrame before = frame;
   turn(frame, turn_to_x(level) + (backward ? std::numbers::pi : 0), name);
   if (!frame.skeleton) frame = before;
-  const Vec3 middle =
-      (between(*frame.skeleton, "shoulder") + between(*frame.skeleton, "hip")) / 2;
+  const Vec3 middle = (between(*frame.skeleton, "shoulder") + between(*frame.skeleton, "hip")) / 2;
   move(frame, Vec3(-middle.x(), 0, 0));
   return frame;
 }

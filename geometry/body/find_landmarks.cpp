@@ -33,9 +33,44 @@ Vec3 farthest(const std::vector<Vec3>& points, const Vec3& direction) {
   });
 }
 
+/// Where a ray in the section's plane leaves the section. It moves less under noise than the point
+/// that lies farthest.
+Vec3 on_ray(const Section& section, const Vec3& from, const Vec3& direction, const Vec3& normal) {
+  const Vec3 across = normal.cross(direction);
+  std::optional<Vec3> best;
+  const std::size_t n = section.points.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec3& a = section.points[i];
+    const Vec3& b = section.points[(i + 1) % n];
+    const double low = across.dot(a - from);
+    const double high = across.dot(b - from);
+    if (low * high > 0 || low == high) continue;
+    const Vec3 p = a + low / (low - high) * (b - a);
+    if (!best || direction.dot(p) > direction.dot(*best)) best = p;
+  }
+  return best.value_or(farthest(section.points, direction));
+}
+
+/// The point of an outline in the plane of x that lies farthest, by a parabola through those near.
+Vec3 corner_of(const std::vector<Vec3>& outline, const Vec3& direction, double reach) {
+  const Vec3 out = direction.normalized();
+  const Vec3 along = Vec3::UnitX().cross(out);
+  const Vec3 tip = farthest(outline, out);
+  std::vector<Vec2> samples;
+  for (const Vec3& p : outline) {
+    if (std::abs(along.dot(p - tip)) < 1.5 * reach && out.dot(p - tip) > -reach) {
+      samples.emplace_back(along.dot(p - tip), out.dot(p - tip));
+    }
+  }
+  std::stable_sort(samples.begin(), samples.end(),
+                   [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
+  if (samples.size() < 6) return tip;
+  const Extreme most = greatest(samples, reach);
+  return most.is_end ? tip : Vec3(tip + most.at * along + most.value * out);
+}
+
 double width_of(const Section& section) {
-  return farthest(section.points, Vec3::UnitX()).x() -
-         farthest(section.points, -Vec3::UnitX()).x();
+  return farthest(section.points, Vec3::UnitX()).x() - farthest(section.points, -Vec3::UnitX()).x();
 }
 
 /// Where a curve lies farthest on the side `toward` of the straight line between its ends. Points
@@ -74,9 +109,8 @@ class Finder {
         absent(name, no_joints());
       }
       for (const int side : {1, -1}) {
-        for (const char* name :
-             {"side_neck", "shoulder", "armpit", "armpit_front", "armpit_back", "gluteal_fold",
-              "knee", "calf", "ankle", "elbow", "wrist"}) {
+        for (const char* name : {"side_neck", "shoulder", "armpit", "armpit_front", "armpit_back",
+                                 "gluteal_fold", "knee", "calf", "ankle", "elbow", "wrist"}) {
           absent(prefix(side) + name, no_joints());
         }
       }
@@ -164,8 +198,8 @@ class Finder {
     add(prefix(side) + name, place, found.confidence);
   }
 
-  /// The point of one side of the trunk around a level that stands out the most, to the front
-  /// (facing 1) or the back (-1), and `outward` to its side. Nothing where the middle does.
+  /// The point of one side of the trunk at a level that stands out the most. `facing` is 1 to the
+  /// front, -1 to the back; `outward` is the share to its side. Nothing where the middle does.
   std::optional<Vec3> summit(double height, int side, double facing, double outward) const {
     // The mean contour over a centimetre up and down: noise and edges of one section cancel. On a
     // small waist with a wide hip the contour ends sooner.
@@ -255,8 +289,8 @@ class Finder {
       if (p.y() < middle) low.push_back(p);
     }
     if (low.empty()) low = points;
-    add(prefix(side) + "armpit_front", farthest(low, Vec3(0, -1, 1)), 0.5);
-    add(prefix(side) + "armpit_back", farthest(low, Vec3(0, -1, -1)), 0.5);
+    add(prefix(side) + "armpit_front", corner_of(low, Vec3(0, -1, 1), 0.012 * h_), 0.5);
+    add(prefix(side) + "armpit_back", corner_of(low, Vec3(0, -1, -1), 0.012 * h_), 0.5);
   }
 
   /// The top of an outline in an upright plane, by a parabola over what is near it.
@@ -317,8 +351,8 @@ class Finder {
     }
   }
 
-  /// Where the outline from neck to shoulder, seen from the front, turns the most: farthest from
-  /// the straight line between the thinnest neck and the shoulder.
+  /// Where the outline from neck to shoulder turns the most, seen from the front. It is farthest
+  /// there from the straight line between the thinnest neck and the shoulder.
   void find_side_neck(int side, const std::vector<Neck>& neck) {
     const std::string name = prefix(side) + "side_neck";
     const auto shoulder = place_of(shape_.landmarks, prefix(side) + "shoulder");
@@ -386,8 +420,9 @@ class Finder {
     find_gluteal_fold(side, crotch, knee);
     const auto kneecap = leg_at(knee, side);
     add(which + "knee",
-        kneecap ? std::optional(farthest(kneecap->points, Vec3::UnitZ())) : std::nullopt, 0.5,
-        "proportion and the leg's thin place above the calf show the knee");
+        kneecap ? std::optional(on_ray(*kneecap, kneecap->centroid, Vec3::UnitZ(), Vec3::UnitY()))
+                : std::nullopt,
+        0.5, "proportion and the leg's thin place above the calf show the knee");
     std::vector<Vec2> calf;
     std::vector<Vec2> ankle;
     for (double y = 0.03 * h_; y < knee; y += 0.003 * h_) {
@@ -403,10 +438,11 @@ class Finder {
   void add_leg(const std::string& name, const std::vector<Vec2>& girths, int side,
                const Vec3& direction) {
     if (girths.size() < 5) return absent(name, "the lower leg has no closed outline");
-    const Extreme most = greatest(girths, 0.015 * h_);
+    const Extreme most = greatest(girths, 0.025 * h_);
     const auto section = leg_at(most.at, side);
     if (!section) return absent(name, "the lower leg has no closed outline");
-    add(name, farthest(section->points, direction), most.is_end ? 0.4 : 0.8);
+    add(name, on_ray(*section, section->centroid, direction, Vec3::UnitY()),
+        most.is_end ? 0.4 : 0.8);
   }
 
   /// The hollow of the back's outline between seat and thigh, in the plane of the seat's point.
@@ -428,9 +464,23 @@ class Finder {
     const std::string& which = prefix(side);
     const Vec3& shoulder = skeleton_->joint(which + "shoulder");
     const Vec3& elbow = skeleton_->joint(which + "elbow");
-    const Vec3& wrist = skeleton_->joint(which + "wrist");
+    const Vec3 wrist = wrist_near(elbow, skeleton_->joint(which + "wrist"));
     add_on_arm(which + "elbow", elbow, (wrist - shoulder).normalized());
     add_on_arm(which + "wrist", wrist, (wrist - elbow).normalized());
+  }
+
+  /// The middle of the wrist's thinnest section, by a parabola through the girths near the joint.
+  Vec3 wrist_near(const Vec3& elbow, const Vec3& joint) const {
+    const Vec3 along = (joint - elbow).normalized();
+    std::vector<Vec2> girths;
+    for (double t = -0.03 * h_; t < 0.016 * h_; t += 0.002 * h_) {
+      const Vec3 at = joint + t * along;
+      const auto section = section_at(slice(mesh_, at, along), at, along, 0, 0.04 * h_);
+      if (section) girths.emplace_back(t, -section->girth);
+    }
+    if (girths.size() < 6) return joint;
+    const Extreme least = greatest(girths, 0.02 * h_);
+    return least.is_end ? joint : Vec3(joint + least.at * along);
   }
 
   /// The outer point of the arm's section, where a tape from the shoulder runs.
@@ -439,8 +489,7 @@ class Finder {
     if (!section) return absent(name, "the arm has no closed outline");
     Vec3 out = Vec3::UnitY() - along.y() * along;
     if (out.norm() < 1e-3) out = Vec3(joint.x() > 0 ? 1 : -1, 0, 0);
-    out.z() = 0;
-    add(name, farthest(section->points, out), 0.6);
+    add(name, on_ray(*section, section->centroid, out.normalized(), along), 0.6);
   }
 
   BodyShape& shape_;

@@ -17,9 +17,11 @@ struct BodyShape {
 /// Finds the landmarks of a body that stands along y. They are in `frame`:
 /// - cervicale, front_neck, left_ and right_side_neck: around the neck's base;
 /// - shoulder, armpit, armpit_front, armpit_back: of each side;
-/// - bust_point of each side, and underbust, waist, abdomen at the front's middle, hip at the back's;
+/// - bust_point of each side, and underbust, waist, abdomen at the front's middle, hip at the
+/// back's;
 /// - waist_back, waist_side, hip_side, bust_side: where the side line meets these levels;
-/// - crown, crotch, floor, and gluteal_fold, seat_point, knee, calf, ankle, elbow, wrist of each side.
+/// - crown, crotch, floor, and gluteal_fold, seat_point, knee, calf, ankle, elbow, wrist of each
+/// side.
 ///
 /// The side line leads from the middle of the trunk at the armpits to that at the crotch, seen from
 /// the side. `body` is closed and outward-oriented, in metres, `name` its place in messages. What

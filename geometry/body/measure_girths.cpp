@@ -25,8 +25,8 @@ void MeasureTaker::take_girths() {
   };
   around_trunk("bust", shape_.levels.bust, "level, around the trunk at the bust points", "5.3.4");
   around_trunk("underbust", shape_.levels.underbust, "level, around the trunk below the breasts");
-  around_trunk("waist", shape_.levels.waist,
-               "level, around the trunk in the hollow of the waist", "5.3.10");
+  around_trunk("waist", shape_.levels.waist, "level, around the trunk in the hollow of the waist",
+               "5.3.10");
   around_trunk("abdomen", shape_.levels.abdomen,
                "level, around the trunk where the belly stands out the most");
   around_trunk("hip", shape_.levels.hip, "level, around the trunk where the seat is fullest",
@@ -47,16 +47,16 @@ void MeasureTaker::take_girths() {
     const Vec3 base = skeleton()->joint("neck");
     for (double y = base.y(); y < base.y() + 0.06 * h; y += 0.002 * h) {
       const Vec3 at(base.x(), y, base.z());
-      const auto section = section_at(slice(shape_.frame.mesh, at, Vec3::UnitY()), at,
-                                      Vec3::UnitY(), 0, 0.1 * h);
+      const auto section =
+          section_at(slice(shape_.frame.mesh, at, Vec3::UnitY()), at, Vec3::UnitY(), 0, 0.1 * h);
       if (!section || section->girth >= least) continue;
       least = section->girth;
       throat = section->centroid;
     }
     for (const int up : {0, 1}) {
       const Vec3 at = throat + Vec3(0, (up == 0 ? -0.012 : 0.012) * h, 0);
-      const auto section = section_at(slice(shape_.frame.mesh, at, Vec3::UnitY()), at,
-                                      Vec3::UnitY(), 0, 0.1 * h);
+      const auto section =
+          section_at(slice(shape_.frame.mesh, at, Vec3::UnitY()), at, Vec3::UnitY(), 0, 0.1 * h);
       ends[up] = section ? section->centroid : at;
     }
     along = (ends[1] - ends[0]).normalized();
@@ -73,7 +73,8 @@ void MeasureTaker::take_girths() {
   }
   add_girth("neck", needs, throat, along, "square to the neck's middle line, at its thinnest place",
             "5.3.2");
-  const Vec3 sloping = needs.missing.empty() ? Vec3((front - back).cross(left - right)) : Vec3::UnitY();
+  const Vec3 sloping =
+      needs.missing.empty() ? Vec3((front - back).cross(left - right)) : Vec3::UnitY();
   add_girth("neck_base", needs, (back + front + left + right) / 4, sloping,
             "around the neck's base in the plane through cervicale and front neck point");
 
@@ -90,7 +91,8 @@ void MeasureTaker::take_girths() {
   }
   Needs head;
   if (most == 0) head.missing = "no head: " + shape_.frame.no_skeleton;
-  add_girth("head", head, brow, Vec3::UnitY(), "level, the greatest around the upper half of the head");
+  add_girth("head", head, brow, Vec3::UnitY(),
+            "level, the greatest around the upper half of the head");
 }
 
 void MeasureTaker::take_arcs() {
@@ -103,8 +105,10 @@ void MeasureTaker::take_arcs() {
   };
   const TrunkLevels& levels = shape_.levels;
   const std::array<Arc, 8> arcs = {{
-      {"bust_arc", "bust", &levels.bust, 1, "at the bust, from the front's middle to the side line"},
-      {"back_arc", "bust", &levels.bust, -1, "at the bust, from the back's middle to the side line"},
+      {"bust_arc", "bust", &levels.bust, 1,
+       "at the bust, from the front's middle to the side line"},
+      {"back_arc", "bust", &levels.bust, -1,
+       "at the bust, from the back's middle to the side line"},
       {"front_waist_arc", "waist", &levels.waist, 1,
        "at the waist, from the front's middle to the side line"},
       {"back_waist_arc", "waist", &levels.waist, -1,
@@ -127,8 +131,7 @@ void MeasureTaker::take_arcs() {
       }
       Line line;
       if (needs.missing.empty()) {
-        const std::vector<Section> sections =
-            slice(shape_.frame.mesh, {0, y, 0}, Vec3::UnitY());
+        const std::vector<Section> sections = slice(shape_.frame.mesh, {0, y, 0}, Vec3::UnitY());
         const Vec3 at_side(0, y, side_line(shape_, y));
         if (!sections.empty()) {
           line = clipped(tape_around(sections.front(), Vec3::UnitY()),

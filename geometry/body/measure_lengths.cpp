@@ -50,8 +50,8 @@ void MeasureTaker::take_trunk_lengths() {
   Vec3 hip_front = fore_waist;
   const std::vector<Section> at_hip = slice(shape_.frame.mesh, {0, y_hip, 0}, Vec3::UnitY());
   if (fore.missing.empty() && !at_hip.empty()) {
-    const Line half = clipped(tape_around(at_hip.front(), Vec3::UnitY()),
-                              {{Vec3::Zero(), Vec3::UnitX()}});
+    const Line half =
+        clipped(tape_around(at_hip.front(), Vec3::UnitY()), {{Vec3::Zero(), Vec3::UnitX()}});
     for (const Vec3& end : {half.front(), half.back()}) {
       if (hip_front == fore_waist || end.z() > hip_front.z()) hip_front = end;
     }
@@ -98,8 +98,7 @@ void MeasureTaker::take_side_lengths(int side) {
   Line down;
   if (bust.missing.empty()) {
     const std::vector<Section> sections = slice(shape_.frame.mesh, apex, Vec3::UnitX());
-    const std::vector<Section> level_sections =
-        slice(shape_.frame.mesh, waist, Vec3::UnitY());
+    const std::vector<Section> level_sections = slice(shape_.frame.mesh, waist, Vec3::UnitY());
     if (!sections.empty() && !level_sections.empty()) {
       Vec3 end = apex;
       double foremost = -10;
@@ -126,8 +125,8 @@ void MeasureTaker::take_side_lengths(int side) {
   if (breast.missing.empty()) {
     const std::vector<Section> sections = slice(shape_.frame.mesh, apex, Vec3::UnitX());
     if (!sections.empty()) {
-      const Line part = part_between(sections.front(), apex, Vec3(apex.x(), fold.y(), fold.z()),
-                                     Vec3::UnitZ());
+      const Line part =
+          part_between(sections.front(), apex, Vec3(apex.x(), fold.y(), fold.z()), Vec3::UnitZ());
       for (const Vec3& p : part) {
         if (p.y() >= fold.y() - 1e-4) under.push_back(p);
       }
@@ -137,9 +136,9 @@ void MeasureTaker::take_side_lengths(int side) {
             "from the bust point down to the underbust level, on the skin");
   Needs rear = ridge;
   const Vec3 waist_back = point("waist_back", rear);
-  add_lines(which + "back_full_length", rear,
-            {over(neck, Vec3(waist_back), -1)},
-            "from the side neck point to the waist at the back's middle, taut over the shoulder blade");
+  add_lines(
+      which + "back_full_length", rear, {over(neck, Vec3(waist_back), -1)},
+      "from the side neck point to the waist at the back's middle, taut over the shoulder blade");
 
   const auto to_waist = [&](const std::string& name, const std::string& end, double facing,
                             const std::string& where) {
@@ -190,8 +189,7 @@ void MeasureTaker::take_side_lengths(int side) {
     Line line;
     if (needs.missing.empty()) {
       const double y = (top.y() + bottom.y()) / 2;
-      const std::vector<Section> sections =
-          slice(shape_.frame.mesh, {0, y, 0}, Vec3::UnitY());
+      const std::vector<Section> sections = slice(shape_.frame.mesh, {0, y, 0}, Vec3::UnitY());
       if (!sections.empty()) {
         // From the middle to the armhole's plane, on one face of the trunk with the arms.
         Line middle;
@@ -250,10 +248,9 @@ void MeasureTaker::take_side_lengths(int side) {
   const Vec3 side_waist = point(which + "waist_side", hip);
   const Vec3 side_hip = point(which + "hip_side", hip);
   const Vec3 under_crotch = point("crotch", hip);
-  const Line to_hip = tape_between(shape_.frame.mesh, side_waist, side_hip, Vec3::UnitX(),
-                                   side * Vec3::UnitX());
-  add_lines(which + "side_hip_depth", hip, {to_hip},
-            "from waist to hip down the side line, taut");
+  const Line to_hip =
+      tape_between(shape_.frame.mesh, side_waist, side_hip, Vec3::UnitX(), side * Vec3::UnitX());
+  add_lines(which + "side_hip_depth", hip, {to_hip}, "from waist to hip down the side line, taut");
   // Below its widest place the tape hangs straight down.
   const auto hang = [&](const std::string& name, double y, const Needs& needs,
                         const std::string& where) {
@@ -264,7 +261,8 @@ void MeasureTaker::take_side_lengths(int side) {
       for (const Section& section : sections) {
         for (const Vec3& p : section.points) {
           if (side * p.x() > 0.3 * std::abs(side_waist.x()) && p.y() <= side_waist.y() &&
-              p.y() >= under_crotch.y() - 0.05 * h && std::abs(p.x()) < 1.5 * std::abs(side_hip.x())) {
+              p.y() >= under_crotch.y() - 0.05 * h &&
+              std::abs(p.x()) < 1.5 * std::abs(side_hip.x())) {
             part.push_back(p);
           }
         }
@@ -292,9 +290,10 @@ void MeasureTaker::take_side_lengths(int side) {
   hang("waist_to_knee", point(which + "knee", knee).y(), knee, "the knee's level");
   Needs ankle = hip;
   hang("waist_to_ankle", point(which + "ankle", ankle).y(), ankle, "the ankle's level");
-  add_angle(which + "hip_angle", hip,
-            degrees * std::atan2(side * (side_hip.x() - side_waist.x()), side_waist.y() - side_hip.y()),
-            {side_waist, side_hip}, "off upright, from the hip's side to the waist's");
+  add_angle(
+      which + "hip_angle", hip,
+      degrees * std::atan2(side * (side_hip.x() - side_waist.x()), side_waist.y() - side_hip.y()),
+      {side_waist, side_hip}, "off upright, from the hip's side to the waist's");
 
   Needs arm;
   const Vec3 top = point(which + "shoulder", arm);
@@ -303,7 +302,8 @@ void MeasureTaker::take_side_lengths(int side) {
   std::vector<Line> along = {{}};
   if (arm.missing.empty()) along = {on_skin(top, elbow), on_skin(elbow, wrist)};
   add_lines(which + "arm_length", arm, along,
-            "from the shoulder point over the elbow to the wrist, on the skin", "5.4.14 and 5.4.15");
+            "from the shoulder point over the elbow to the wrist, on the skin",
+            "5.4.14 and 5.4.15");
   Vec3 bone = Vec3::UnitX();
   if (skeleton() != nullptr) {
     bone = skeleton()->joint(which + "elbow") - skeleton()->joint(which + "shoulder");

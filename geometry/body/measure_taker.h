@@ -44,8 +44,8 @@ class MeasureTaker {
   /// The sum of the lines' lengths; none of them may be empty.
   void add_lines(const std::string& name, Needs needs, std::vector<Line> lines,
                  const std::string& definition, const std::string& iso = "");
-  void add_height(const std::string& name, const Needs& needs, double low, double high, const Vec3& at,
-                  const std::string& definition, const std::string& iso = "");
+  void add_height(const std::string& name, const Needs& needs, double low, double high,
+                  const Vec3& at, const std::string& definition, const std::string& iso = "");
   /// Around the section that holds `at`, or is nearest to it.
   void add_girth(const std::string& name, Needs needs, const Vec3& at, const Vec3& normal,
                  const std::string& definition, const std::string& iso = "");

@@ -59,7 +59,8 @@ void MeasureTaker::add_lines(const std::string& name, Needs needs, std::vector<L
                              const std::string& definition, const std::string& iso) {
   double length = 0;
   for (const Line& line : lines) {
-    if (line.size() < 2 && needs.missing.empty()) needs.missing = "no line on the skin joins its ends";
+    if (line.size() < 2 && needs.missing.empty())
+      needs.missing = "no line on the skin joins its ends";
     length += length_of(line);
   }
   add(name, needs, length, std::move(lines), definition, iso);
@@ -73,8 +74,8 @@ void MeasureTaker::add_height(const std::string& name, const Needs& needs, doubl
 }
 
 MeasureTaker::Line MeasureTaker::girth_line(const Vec3& at, const Vec3& normal) const {
-  const auto section = section_at(slice(shape_.frame.mesh, at, normal), at, normal, 0,
-                                  0.1 * shape_.frame.height);
+  const auto section =
+      section_at(slice(shape_.frame.mesh, at, normal), at, normal, 0, 0.1 * shape_.frame.height);
   if (!section) return {};
   Line line = tape_around(*section, normal);
   if (!line.empty()) line.push_back(line.front());

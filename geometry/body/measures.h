@@ -14,10 +14,10 @@ struct Measure {
   std::string name;             ///< as io/measure_names.h has it, with its side
   std::optional<double> value;  ///< metres, or degrees
   bool is_angle = false;
-  std::string definition;           ///< how the tape lies, in a sentence
-  std::string iso;                  ///< number in ISO 8559-1:2017; empty: none, or not known
-  double confidence = 0;            ///< 0 to 1: the least of its landmarks'
-  std::string reason;               ///< why there is no value; empty: there is one
+  std::string definition;                ///< how the tape lies, in a sentence
+  std::string iso;                       ///< number in ISO 8559-1:2017; empty: none, or not known
+  double confidence = 0;                 ///< 0 to 1: the least of its landmarks'
+  std::string reason;                    ///< why there is no value; empty: there is one
   std::vector<std::vector<Vec3>> lines;  ///< metres, in the given body's frame: where it is taken
 };
 

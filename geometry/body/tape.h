@@ -20,9 +20,9 @@ std::vector<Vec3> part_between(const Section& section, const Vec3& a, const Vec3
 /// what is hollow as seen from `toward`. `part` lies in a plane. O(n log n).
 std::vector<Vec3> taut(const std::vector<Vec3>& part, const Vec3& toward);
 
-/// The line of a taut tape from `a` to `b` on the skin, in the plane through both that holds the
-/// direction `across`, on the side `toward`. Empty where the plane does not join them. Costs a
-/// slice().
+/// The line of a taut tape from `a` to `b` on the skin, on the side `toward`. It lies in the plane
+/// through both that holds the direction `across`. Empty where the plane does not join them. Costs
+/// a slice().
 std::vector<Vec3> tape_between(const TriangleMesh& mesh, const Vec3& a, const Vec3& b,
                                const Vec3& across, const Vec3& toward);
 

@@ -22,8 +22,8 @@ constexpr double reach_share = 0.012;
 constexpr double hollow_edge = 0.0005;
 // Share of the way from crotch to armpits at which the waist is where no hollow shows it.
 constexpr double waist_share = 0.64;
-// Share of the trunk's lean that a bust's direction has. At 0 the bust of an average woman is found
-// 6 mm lower and its girth 6 mm less, at 1 that of a man 2 mm higher and 1 mm more.
+// Share of the trunk's lean that a bust's direction has. At 0 an average woman's bust is 6 mm lower
+// and its girth 6 mm less. At 1 an average man's is 2 mm higher and 1 mm more.
 constexpr double bust_lean = 0.85;
 // Share of the height from the bust points down to the underbust, where no crease is lower.
 constexpr double underbust_share = 0.044;
@@ -70,9 +70,9 @@ Profile longest_run(const std::vector<std::optional<Level>>& levels) {
   Profile longest;
   Profile run;
   for (std::size_t i = 0; i <= levels.size(); ++i) {
-    const bool goes_on = i < levels.size() && levels[i] &&
-                         (run.empty() || std::abs(levels[i]->girth - run.back().girth) <
-                                             jump * run.back().girth);
+    const bool goes_on =
+        i < levels.size() && levels[i] &&
+        (run.empty() || std::abs(levels[i]->girth - run.back().girth) < jump * run.back().girth);
     if (!goes_on) {
       if (run.size() > longest.size()) longest = run;
       run.clear();
@@ -136,9 +136,8 @@ class Finder {
     }
     const auto above = std::find_if(profile_.begin(), profile_.end(),
                                     [least](const Level& l) { return l.y > least; });
-    const auto widest =
-        std::max_element(above, profile_.end(),
-                         [](const Level& a, const Level& b) { return a.girth < b.girth; });
+    const auto widest = std::max_element(
+        above, profile_.end(), [](const Level& a, const Level& b) { return a.girth < b.girth; });
     profile_.erase(widest == profile_.end() ? widest : widest + 1, profile_.end());
   }
 
@@ -186,10 +185,8 @@ class Finder {
 
   void find_hip() {
     const double top = levels_.low + 0.75 * (*levels_.waist.height - levels_.low);
-    const auto seat =
-        curve(profile_, levels_.low, top, [](const Level& l) { return -l.back; });
-    const auto girths =
-        curve(profile_, levels_.low, top, [](const Level& l) { return l.girth; });
+    const auto seat = curve(profile_, levels_.low, top, [](const Level& l) { return -l.back; });
+    const auto girths = curve(profile_, levels_.low, top, [](const Level& l) { return l.girth; });
     if (seat.size() < 5) {
       levels_.hip = absent("the trunk is too short for a hip");
       return;
@@ -199,9 +196,9 @@ class Finder {
     levels_.hip = {(rearmost.at + fullest.at) / 2, 0.9, ""};
     if (!rearmost.is_end && !fullest.is_end) return;
     // Thighs may be fuller than the hip, and a flat seat may stand out nowhere.
-    levels_.hip = {(fullest.is_end ? rearmost : fullest).at, rearmost.is_end ? 0.5 : 0.7,
-                   rearmost.is_end ? "the seat stands out nowhere"
-                                   : "the trunk is fullest at its end"};
+    levels_.hip = {
+        (fullest.is_end ? rearmost : fullest).at, rearmost.is_end ? 0.5 : 0.7,
+        rearmost.is_end ? "the seat stands out nowhere" : "the trunk is fullest at its end"};
   }
 
   void find_abdomen() {
@@ -209,18 +206,20 @@ class Finder {
       levels_.abdomen = absent(levels_.hip.reason);
       return;
     }
-    const auto front = curve(profile_, *levels_.hip.height, *levels_.waist.height,
-                             [](const Level& l) { return l.front; });
+    // A large belly stands out the most at the waist or above: its samples go on there.
+    const double above = *levels_.waist.height + 0.15 * (levels_.high - levels_.low);
+    const auto front =
+        curve(profile_, *levels_.hip.height, above, [](const Level& l) { return l.front; });
     if (front.size() < 5) {
       levels_.abdomen = absent("hip and waist are too near to each other");
       return;
     }
-    const Extreme foremost = greatest(front, reach_);
-    levels_.abdomen = {foremost.at, 0.8, ""};
-    if (foremost.is_end) {
-      levels_.abdomen = {(*levels_.hip.height + *levels_.waist.height) / 2, 0.3,
-                         "no belly stands out; it is half-way from waist to hip"};
-    }
+    // A belly is flat: noise moves it by centimetres with a shorter reach.
+    const Extreme foremost = greatest(front, 3 * reach_);
+    levels_.abdomen = {std::min(foremost.at, *levels_.waist.height), 0.7, ""};
+    if (!foremost.is_end && foremost.at <= *levels_.waist.height) return;
+    levels_.abdomen.confidence = 0.4;
+    levels_.abdomen.reason = "no belly stands out between hip and waist";
   }
 
   void find_bust() {
@@ -275,10 +274,9 @@ class Finder {
     const double below = bust - underbust_share * body_.height;
     // The crease: farthest behind the straight line from bust to waist.
     const auto at = [this](double y) {
-      return *std::min_element(profile_.begin(), profile_.end(),
-                               [y](const Level& a, const Level& b) {
-                                 return std::abs(a.y - y) < std::abs(b.y - y);
-                               });
+      return *std::min_element(
+          profile_.begin(), profile_.end(),
+          [y](const Level& a, const Level& b) { return std::abs(a.y - y) < std::abs(b.y - y); });
     };
     const double slope = (at(bust).front - at(waist).front) / (bust - waist);
     const auto behind = curve(profile_, waist, bust, [&](const Level& l) {
@@ -303,9 +301,8 @@ class Finder {
 }  // namespace
 
 Extreme greatest(const std::vector<Vec2>& samples, double reach) {
-  const auto most =
-      std::max_element(samples.begin(), samples.end(),
-                       [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
+  const auto most = std::max_element(samples.begin(), samples.end(),
+                                     [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
   Extreme extreme{most->x(), most->y(), 0, false};
   const double low = samples.front().x();
   const double high = samples.back().x();

@@ -18,9 +18,11 @@ struct TrunkLevel {
 };
 
 /// Levels of the trunk.
-/// - The bust stands out the most square to the line from the waist to the neck, which leans back on
+/// - The bust stands out the most square to the line from the waist to the neck, which leans back
+/// on
 ///   most people.
-/// - The hip is half-way between where the seat stands out the most and where the girth is greatest.
+/// - The hip is half-way between where the seat stands out the most and where the girth is
+/// greatest.
 /// - The waist is where a tape rests in the hollow, next to the least girth. Without a hollow,
 ///   proportion places it.
 struct TrunkLevels {
@@ -35,7 +37,7 @@ struct TrunkLevels {
 };
 
 /// Finds the levels of the body in its frame. Without a skeleton, the trunk is where one section
-/// holds nearly all that a level plane cuts, and it has to have a waist between two wider levels.
+/// holds nearly all that a level plane cuts. It then needs a waist between two wider levels.
 /// Costs some 100 slices.
 TrunkLevels trunk_levels(const BodyFrame& body);
 

@@ -1,15 +1,11 @@
 #include "tools/measure_body/files.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <pugixml.hpp>
 #include <sstream>
 
-#include "geometry/error.h"
 #include "io/csv.h"
-#include "io/json_value.h"
-#include "io/json_words.h"
 #include "io/text.h"
 
 namespace toile {
@@ -113,13 +109,7 @@ double BodyMeasures::shown(const Measure& measure) const {
   return measure.is_angle ? *measure.value : *measure.value / metres_in(unit);
 }
 
-double metres_in(const std::string& unit) {
-  if (unit == "cm") return 0.01;
-  if (unit == "inch") return 0.0254;
-  if (unit == "mm") return 0.001;
-  if (unit == "m") return 1;
-  return 0;
-}
+double metres_in(const std::string& unit) { return unit == "inch" ? 0.0254 : 0.01; }
 
 std::string measures_json(const BodyMeasures& all,
                           const std::vector<MeasureDifference>& differences) {
@@ -166,9 +156,8 @@ std::string measures_csv(const BodyMeasures& all) {
     for (const Measure& measure : *list) {
       csv += csv_line({valid_utf8(measure.name),
                        measure.value ? fixed_number(all.shown(measure), 2) : "",
-                       measure.is_angle ? "degrees" : all.unit,
-                       fixed_number(measure.confidence, 2), measure.iso, measure.definition,
-                       measure.reason});
+                       measure.is_angle ? "degrees" : all.unit, fixed_number(measure.confidence, 2),
+                       measure.iso, measure.definition, measure.reason});
     }
   }
   return csv;
@@ -193,62 +182,6 @@ std::string foreign_file(const BodyMeasures& all, DraftingProgram program,
             fixed_number(foreign.is_angle ? foreign.value : 100 * foreign.value, 4) + "\n";
   }
   return yaml;
-}
-
-std::map<std::string, double> read_measures(const std::string& text, const std::string& name,
-                                            const std::string& unit) {
-  std::map<std::string, double> values;
-  const auto factor_of = [](const std::string& given) {
-    return given == "degrees" ? 1 : metres_in(given);
-  };
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first != std::string::npos && text[first] == '{') {
-    const JsonDocument document(text, name);
-    const JsonValue root = document.root();
-    const auto stated = root.find("unit");
-    const double metres = metres_in(stated ? stated->text() : unit);
-    if (metres == 0) root.get("unit").fail("is no unit", "use cm, inch, mm or m");
-    for (const char* list : {"measures", "freehand"}) {
-      const auto measures = root.find(list);
-      if (!measures) continue;
-      for (const std::string& key : measures->keys()) {
-        const JsonValue entry = measures->get(key);
-        const auto value = entry.is_object() ? entry.find("value") : std::optional(entry);
-        if (!value) continue;
-        const bool is_angle = entry.is_object() && entry.find("unit").has_value();
-        values[key] = value->number() * (is_angle ? 1 : metres);
-      }
-    }
-    return values;
-  }
-  const std::vector<CsvRow> rows = parse_csv(text, name);
-  if (rows.empty()) throw Error(name, "holds no measures", "give name and value in each row");
-  const auto column = [&rows](const std::string& wanted) {
-    const auto& head = rows.front().fields;
-    const auto found = std::find(head.begin(), head.end(), wanted);
-    return found == head.end() ? -1 : static_cast<int>(found - head.begin());
-  };
-  const int names = column("name");
-  const int numbers = column("value");
-  const int units = column("unit");
-  if (names < 0 || numbers < 0) {
-    throw Error(name + ":1", "has no columns name and value", "write them in the first row");
-  }
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    const auto field = [&](int at) {
-      return at >= 0 && at < static_cast<int>(rows[i].fields.size()) ? rows[i].fields[at] : "";
-    };
-    if (field(numbers).empty()) continue;
-    const std::string place = name + ":" + std::to_string(rows[i].line);
-    const auto value = parse_number(field(numbers));
-    if (!value) throw Error(place, in_quotes(field(numbers)) + " is no number", "");
-    const double factor = factor_of(field(units).empty() ? unit : field(units));
-    if (factor == 0) {
-      throw Error(place, in_quotes(field(units)) + " is no unit", "use cm, inch, mm or degrees");
-    }
-    values[field(names)] = *value * factor;
-  }
-  return values;
 }
 
 }  // namespace toile

@@ -1,7 +1,6 @@
 // Measures as files: JSON, CSV, and those of other programs.
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -40,13 +39,7 @@ std::string measures_csv(const BodyMeasures& measures);
 std::string foreign_file(const BodyMeasures& measures, DraftingProgram program,
                          std::vector<std::string>& missing);
 
-/// The values of a file of measures_json() or of a CSV with the columns name and value, in metres or
-/// degrees, by name. A CSV's column unit, or `unit`, says what lengths are in. Throws Error with the
-/// file's name and line or key.
-std::map<std::string, double> read_measures(const std::string& text, const std::string& name,
-                                            const std::string& unit);
-
-/// Metres in the unit "cm", "inch", "mm" or "m"; 0: it is none of these.
+/// Metres in the unit "cm" or "inch".
 double metres_in(const std::string& unit);
 
 }  // namespace toile

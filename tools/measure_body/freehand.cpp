@@ -185,9 +185,8 @@ class Taker {
       along_part(at, normal);
     } else {
       const std::string plane = word("plane");
-      const double height = plane.empty() || plane.find(',') != std::string::npos
-                                ? 0
-                                : height_of(plane);
+      const double height =
+          plane.empty() || plane.find(',') != std::string::npos ? 0 : height_of(plane);
       if (const TrunkLevel* level = level_named(plane)) {
         if (!level->height) return lack("no " + plane + " level: " + level->reason);
         measure_.confidence = level->confidence;
@@ -208,8 +207,8 @@ class Taker {
     }
     normal = Eigen::AngleAxisd(angle("tilt"), Vec3::UnitX()) *
              (Eigen::AngleAxisd(-angle("roll"), Vec3::UnitZ()) * normal);
-    const auto section = section_at(slice(shape_.frame.mesh, at, normal), at, normal, 0,
-                                    shape_.frame.height);
+    const auto section =
+        section_at(slice(shape_.frame.mesh, at, normal), at, normal, 0, shape_.frame.height);
     if (!section) return lack("the plane has no closed section there");
     std::vector<Vec3> around = tape_around(*section, normal);
     around.push_back(around.front());

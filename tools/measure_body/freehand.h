@@ -13,7 +13,7 @@ namespace toile {
 ///   tilt, its left by the roll. P is a level (bust, underbust, waist, abdomen, hip), a landmark, a
 ///   joint, or a height such as 95cm.
 /// - `girth part=left_arm share=0.4 [tilt=..] [roll=..]`: square to an arm, a leg, the torso or the
-///   head, at a share of its length from the trunk on; of the torso from the crotch on.
+///   head. The share of its length counts from the trunk on, of the torso from the crotch on.
 /// - `distance from=A to=B`: straight. `curve from=A to=B`: on the skin.
 /// - `height of=A`: above the floor. `slope from=A to=B`: degrees below level from A to B.
 /// A and B are landmarks, joints, or points `x,y,z` in metres in the body's own coordinates.

@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "io/text.h"
 #include "io/view/picture.h"
@@ -12,11 +14,13 @@ namespace toile {
 namespace {
 
 constexpr Colour skin{0.80, 0.76, 0.73};
-constexpr double line_radius = 0.0022;  // metres
-constexpr double dot_radius = 0.006;    // metres
+// Metres. In the page thinner lines vanish beside the body.
+constexpr double picture_line = 0.0022;
+constexpr double page_line = 0.004;
+constexpr double dot_radius = 0.006;  // metres
 
 /// A tube of six sides around a polyline.
-void add_tube(TriangleMesh& mesh, const std::vector<Vec3>& line) {
+void add_tube(TriangleMesh& mesh, const std::vector<Vec3>& line, double radius) {
   constexpr int sides = 6;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const Vec3 along = line[i + 1] - line[i];
@@ -26,8 +30,8 @@ void add_tube(TriangleMesh& mesh, const std::vector<Vec3>& line) {
     const int first = static_cast<int>(mesh.points.size());
     for (const Vec3& end : {line[i], line[i + 1]}) {
       for (int k = 0; k < sides; ++k) {
-        const double angle = 2 * 3.14159265358979 * k / sides;
-        mesh.points.push_back(end + line_radius * (std::cos(angle) * u + std::sin(angle) * v));
+        const double angle = 2 * std::numbers::pi * k / sides;
+        mesh.points.push_back(end + radius * (std::cos(angle) * u + std::sin(angle) * v));
       }
     }
     for (int k = 0; k < sides; ++k) {
@@ -79,7 +83,8 @@ std::string measures_page(const TriangleMesh& body, const BodyMeasures& measures
   page.setting_name = "body";
   page.quantity = "Length";
   page.unit = measures.unit;
-  PageTable table{"Measures", {"measure", measures.unit, "ISO 8559-1", "how it is taken"}, {}, {}, ""};
+  PageTable table{
+      "Measures", {"measure", measures.unit, "ISO 8559-1", "how it is taken"}, {}, {}, ""};
   PageTable missing{"Not taken", {"measure", "why"}, {}, {}, ""};
   double longest = 1;
   for (const Measure* measure : all_of(measures)) {
@@ -90,7 +95,7 @@ std::string measures_page(const TriangleMesh& body, const BodyMeasures& measures
     const double value = measures.shown(*measure);
     if (!measure->is_angle) longest = std::max(longest, value);
     const std::size_t before = page.surface.triangles.size();
-    for (const std::vector<Vec3>& line : measure->lines) add_tube(page.surface, line);
+    for (const std::vector<Vec3>& line : measure->lines) add_tube(page.surface, line, page_line);
     page.values.resize(page.surface.points.size(), value);
     const int region = static_cast<int>(page.regions.size());
     page.region_of_triangle.insert(page.region_of_triangle.end(),
@@ -115,7 +120,7 @@ std::string measures_picture(const TriangleMesh& body, const BodyMeasures& measu
   PictureMesh lines;
   lines.colour = Colour{0.10, 0.25, 0.55};
   for (const Measure* measure : all_of(measures)) {
-    for (const std::vector<Vec3>& line : measure->lines) add_tube(lines.mesh, line);
+    for (const std::vector<Vec3>& line : measure->lines) add_tube(lines.mesh, line, picture_line);
   }
   PictureMesh dots;
   dots.colour = Colour{0.80, 0.15, 0.12};

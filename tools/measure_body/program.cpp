@@ -48,9 +48,10 @@ CommandLineProgram measure_body_program() {
       "another measure, as 'girth plane=hip tilt=10deg'; any number of times")(
       "at-file", po::value<std::string>(), "a file with such measures, one a line")(
       "against", po::value<std::string>(),
-      "measures taken before (.json or .csv), to compare with, line by line")(
+      "measures taken before (.json, .csv, .vit, .yaml), to compare with, line by line")(
       "as", po::value<Texts>()->default_value({}, ""),
-      "vit=FILE, freesewing=FILE or garmentcode=FILE: the measures under the names of that program; "
+      "vit=FILE, freesewing=FILE or garmentcode=FILE: the measures under the names of that "
+      "program; "
       "any number of times")("html", po::value<std::string>(),
                              "write a page that shows each measure on the body")(
       "png", po::value<std::string>(), "write a picture of measures and landmarks on the body")(

@@ -7,6 +7,7 @@
 #include "geometry/body/measures.h"
 #include "geometry/error.h"
 #include "io/json_words.h"
+#include "io/measures_file.h"
 #include "io/mesh_file.h"
 #include "io/output_file.h"
 #include "io/text.h"
@@ -40,18 +41,25 @@ std::vector<MeasureDifference> differences_to(const std::filesystem::path& file,
                                               const BodyMeasures& all,
                                               const CommonSettings& common) {
   std::vector<MeasureDifference> differences;
-  for (const auto& [name, before] : read_measures(read_file(file), file.string(), all.unit)) {
-    const Measure* now = find_measure(all.measures, name);
-    if (now == nullptr) now = find_measure(all.freehand, name);
-    if (now == nullptr || !now->value) {
-      common.say(shown_text(name) + ": not measured now");
-      continue;
+  const MeasureSet set = read_measures(file, metres_in(all.unit));
+  for (const auto& [name, before] : set.values) {
+    bool is_measured = false;
+    // A name without a side stands for both.
+    for (const std::string side : {"", "left_", "right_"}) {
+      const Measure* now = find_measure(all.measures, side + name);
+      if (now == nullptr || !now->value) continue;
+      is_measured = true;
+      const double unit = now->is_angle ? 1 : metres_in(all.unit);
+      differences.push_back({side + name, before / unit, all.shown(*now)});
+      const MeasureDifference& last = differences.back();
+      common.say(shown_text(last.name) + ": " + fixed_number(last.before, 2) + " before, " +
+                 fixed_number(last.now, 2) + " now, difference " +
+                 fixed_number(last.now - last.before, 2));
     }
-    const double metres = now->is_angle ? 1 : metres_in(all.unit);
-    differences.push_back({name, before / metres, all.shown(*now)});
-    common.say(shown_text(name) + ": " + fixed_number(differences.back().before, 2) + " before, " +
-               fixed_number(differences.back().now, 2) + " now, difference " +
-               fixed_number(differences.back().now - differences.back().before, 2));
+    if (!is_measured) common.say(shown_text(name) + ": not measured now");
+  }
+  for (const std::string& name : set.left_out) {
+    common.say(shown_text(name) + ": no measure that is known here");
   }
   return differences;
 }
@@ -96,8 +104,7 @@ int run_measure_body(const MeasureBodySettings& settings, const CommonSettings& 
 
   OutputFiles files;
   const bool is_csv = common.output.extension() == ".csv" || common.output.extension() == ".CSV";
-  write_file(files.at(common.output),
-             is_csv ? measures_csv(all) : measures_json(all, differences));
+  write_file(files.at(common.output), is_csv ? measures_csv(all) : measures_json(all, differences));
   if (common.report) write_file(files.at(*common.report), measures_json(all, differences));
   for (const auto& [program, path] : settings.others) {
     std::vector<std::string> missing;

@@ -1,0 +1,83 @@
+// The built measure-body: its files, freehand measures, and what it refuses.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/support/run_program.h"
+
+namespace toile::pipeline {
+namespace measure_body_test {
+
+using Json = nlohmann::json;
+
+class MeasureBodyProgram : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    shared_ = new ScratchFolder;
+    EXPECT_EQ(run("make-mannequin", {"-o", body(), "--edge-length", "15mm", "-q"}).exit_code, 0);
+  }
+  static void TearDownTestSuite() {
+    delete shared_;
+    shared_ = nullptr;
+  }
+  static fs::path body() { return *shared_ / "body.ply"; }
+
+  ScratchFolder folder_;
+
+ private:
+  static ScratchFolder* shared_;
+};
+ScratchFolder* MeasureBodyProgram::shared_ = nullptr;
+
+TEST_F(MeasureBodyProgram, WritesMeasuresUnderAllNames) {
+  const pipeline::Run done =
+      run("measure-body",
+          {body(), "-o", folder_ / "m.json", "--as", "garmentcode=" + (folder_ / "b.yaml").string(),
+           "--as", "vit=" + (folder_ / "b.vit").string(), "--as",
+           "freesewing=" + (folder_ / "b.json").string(), "--html", folder_ / "m.html", "--at",
+           "girth plane=waist name=mine", "--at", "girth plane=waist tilt=20deg name=sloping"});
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  const Json json = Json::parse(read_text(folder_ / "m.json"));
+  EXPECT_EQ(json["unit"], "cm");
+  const Json& measures = json["measures"];
+  EXPECT_NEAR(measures["hip"]["value"].get<double>(), 98, 0.3);
+  EXPECT_EQ(measures["hip"]["iso"], "5.3.13");
+  EXPECT_EQ(json["freehand"]["mine"]["value"], measures["waist"]["value"]);
+  EXPECT_GT(json["freehand"]["sloping"]["value"].get<double>(),
+            measures["waist"]["value"].get<double>());
+  const std::string yaml = read_text(folder_ / "b.yaml");
+  EXPECT_EQ(yaml.substr(0, 8), "body:\n  ");
+  EXPECT_GE(std::count(yaml.begin(), yaml.end(), '\n'), 19);
+  EXPECT_NE(read_text(folder_ / "b.vit").find("<m name=\"hip_circ\" value=\"98."),
+            std::string::npos);
+  const Json freesewing = Json::parse(read_text(folder_ / "b.json"));
+  EXPECT_NEAR(freesewing["measurements"]["seat"].get<double>(), 980, 3);
+  EXPECT_NE(read_text(folder_ / "m.html").find("data-region"), std::string::npos);
+}
+
+TEST_F(MeasureBodyProgram, ComparesWithMeasuresTakenBefore) {
+  write_text(folder_ / "before.csv", "name,value,unit\nhip,38,inch\n");
+  const pipeline::Run done = run("measure-body", {body(), "-o", folder_ / "m.json", "--unit",
+                                                  "inch", "--against", folder_ / "before.csv"});
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  const Json json = Json::parse(read_text(folder_ / "m.json"));
+  const Json& hip = json["against"]["hip"];
+  EXPECT_EQ(hip["before"], 38);
+  EXPECT_EQ(hip["now"], json["measures"]["hip"]["value"]);
+  EXPECT_NEAR(hip["difference"].get<double>(), 98 / 2.54 - 38, 0.1);
+}
+
+TEST_F(MeasureBodyProgram, RefusesWhatItDoesNotUnderstand) {
+  for (const std::string wrong :
+       {"girth plane=nothing", "hello", "girth plane=hip tilt=100deg", "distance from=crown",
+        "height of=crown of=floor", "girth part=left_arm share=2", "distance from=1,2 to=crown"}) {
+    const pipeline::Run done =
+        run("measure-body", {body(), "-o", folder_ / "m.csv", "--at", wrong, "-q"});
+    EXPECT_EQ(done.exit_code, 1) << wrong;
+    EXPECT_NE(done.err.find(wrong), std::string::npos) << done.err;
+  }
+  EXPECT_TRUE(folder_.names().empty());
+}
+
+}  // namespace measure_body_test
+}  // namespace toile::pipeline
