@@ -21,6 +21,8 @@ constexpr double knee_reach = 1.9;
 constexpr double elbow_reach = 1.3;
 // Below the crotch and above the hip joint. With 0.10 below, girths of the thigh there are 6 % off.
 constexpr double below_crotch = 0.06;
+// Below the crotch, where a fine mesh's legs are apart.
+constexpr double crotch_margin = 0.01;
 constexpr double above_hip = 0.10;
 // To both sides of the middle. Its skin stays with the trunk, so that the crotch does.
 constexpr double middle_strip = 0.012;
@@ -145,14 +147,20 @@ class Finder {
     const Vec3& knee = joint(left, "knee");
     const Vec3& ankle = joint(left, "ankle");
     const double crotch = skeleton_.joint("pelvis").y();
-    const double top = crotch - 0.01 * scale_;
-    const std::vector<int> leg = connected(knee, [top](const Vec3& p) { return p.y() < top; });
     const double side = left ? 1 : -1;
     const double middle = skeleton_.joint("pelvis").x();
-    const auto across = std::count_if(leg.begin(), leg.end(), [&](int i) {
+    const auto is_across = [&](int i) {
       return side * (body_.points[i].x() - middle) < -0.05 * scale_;
-    });
-    if (leg.empty() || across > 0) fail(left, "leg");
+    };
+    // A coarse mesh joins the legs by single edges below the crotch.
+    std::vector<int> leg;
+    bool joined = true;
+    for (double below = crotch_margin; joined && below < below_crotch; below += 0.005) {
+      const double top = crotch - below * scale_;
+      leg = connected(knee, [top](const Vec3& p) { return p.y() < top; });
+      joined = std::any_of(leg.begin(), leg.end(), is_across);
+    }
+    if (leg.empty() || joined) fail(left, "leg");
 
     const FootShape foot = foot_shape(leg, ankle);
     cores_.feet[left ? 0 : 1] = foot;

@@ -69,6 +69,13 @@ TEST_F(MeasureBodyProgram, ComparesWithMeasuresTakenBefore) {
   EXPECT_NEAR(hip["difference"].get<double>(), 98 / 2.54 - 38, 0.1);
 }
 
+TEST_F(MeasureBodyProgram, TheJointsBesideTheBodyStay) {
+  const fs::path beside = fs::path(body()).replace_extension("json");
+  const std::string before = read_text(beside);
+  EXPECT_EQ(run("measure-body", {body(), "-o", beside}).exit_code, 1);
+  EXPECT_EQ(read_text(beside), before);
+}
+
 TEST_F(MeasureBodyProgram, RefusesWhatItDoesNotUnderstand) {
   for (const std::string wrong :
        {"girth plane=nothing", "hello", "girth plane=hip tilt=100deg", "distance from=crown",

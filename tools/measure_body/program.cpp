@@ -4,6 +4,7 @@
 #include "geometry/error.h"
 #include "io/json_words.h"
 #include "io/output_file.h"
+#include "io/skeleton_file.h"
 #include "tools/measure_body/run.h"
 #include "tools/programs.h"
 
@@ -76,7 +77,8 @@ CommandLineProgram measure_body_program() {
     if (settings.html) check_extension(*settings.html, {".html", ".htm"});
     if (settings.png) check_extension(*settings.png, {".png"});
     Job job;
-    job.files.reads = {settings.body};
+    // The joints are not read, and must not be lost either.
+    job.files.reads = {settings.body, skeleton_path(settings.body)};
     for (const auto& file : {settings.freehand_file, settings.against}) {
       if (file) job.files.reads.push_back(*file);
     }
