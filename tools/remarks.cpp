@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "io/text.h"
+
 namespace toile {
 
 void say_remarks(const std::vector<Remark>& remarks, const CommonSettings& common) {
@@ -18,7 +20,7 @@ void add_remarks(const std::vector<Remark>& remarks, nlohmann::ordered_json& rep
   report["notes"] = nlohmann::ordered_json::array();
   report["warnings"] = nlohmann::ordered_json::array();
   for (const Remark& remark : remarks) {
-    report[remark.warning ? "warnings" : "notes"].push_back(remark.text);
+    report[remark.warning ? "warnings" : "notes"].push_back(valid_utf8(remark.text));
   }
 }
 

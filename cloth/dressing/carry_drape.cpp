@@ -3,6 +3,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -23,6 +24,8 @@ class EarlierPanel {
     for (const Vec2& p : earlier.flat) flat_.points.emplace_back(p.x(), p.y(), 0);
     for (std::size_t t = 0; t < earlier.triangles.size(); ++t) {
       if (earlier.panel_of_triangle[t] != panel) continue;
+      // No point lies in a triangle without area, and none goes on from it.
+      if (!(std::abs(doubled_area(earlier.flat_triangles[t])) > 0)) continue;
       flat_.triangles.push_back(earlier.flat_triangles[t]);
       Corners corners;
       for (int i = 0; i < 3; ++i) corners[i] = earlier.points[earlier.triangles[t][i]];
@@ -89,12 +92,19 @@ class EarlierPanel {
  private:
   using Corners = std::array<Vec3, 3>;
 
+  /// Square metres, twice the flat triangle's area.
+  double doubled_area(const Triangle& t) const {
+    const Vec3 b = flat_.points[t[1]] - flat_.points[t[0]];
+    const Vec3 c = flat_.points[t[2]] - flat_.points[t[0]];
+    return b.x() * c.y() - b.y() * c.x();
+  }
+
   std::array<double, 3> weights_of(int triangle, const Vec2& p) const {
     const Triangle& t = flat_.triangles[triangle];
     const Vec2 a = flat_.points[t[0]].head<2>();
     const Vec2 b = Vec2(flat_.points[t[1]].head<2>()) - a;
     const Vec2 c = Vec2(flat_.points[t[2]].head<2>()) - a;
-    const double area = b.x() * c.y() - b.y() * c.x();
+    const double area = doubled_area(t);
     const Vec2 to = p - a;
     const double of_b = (to.x() * c.y() - to.y() * c.x()) / area;
     const double of_c = (b.x() * to.y() - b.y() * to.x()) / area;
@@ -109,8 +119,8 @@ class EarlierPanel {
 
 /// Per point of the panel, how far it is from its place in the earlier flat panel, metres. A seam
 /// stays where it was: its points go to the earlier outline. The panel between follows, as even as
-/// it can [Laplace's equation, with edges of one weight]. Hems do not hold it. Empty: nothing
-/// moves.
+/// it can [Laplace's equation; edges of the outline weigh half]. Hems do not hold it. Empty:
+/// nothing moves.
 std::vector<Vec2> shift_to_seams(const PanelMesh& garment, const MeshedPanel& panel,
                                  const EarlierPanel& before) {
   std::vector<char> is_sewn(panel.points, 0);
@@ -155,8 +165,9 @@ std::vector<Vec2> shift_to_seams(const PanelMesh& garment, const MeshedPanel& pa
   }
   Eigen::SparseMatrix<double> matrix(panel.points, panel.points);
   matrix.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::MatrixX2d solved =
-      Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(right);
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+  if (solver.info() != Eigen::Success) return {};
+  const Eigen::MatrixX2d solved = solver.solve(right);
   std::vector<Vec2> shifts;
   for (int p = 0; p < panel.points; ++p) shifts.emplace_back(solved.row(p));
   return shifts;
@@ -189,7 +200,7 @@ std::string open_seam(const PanelMesh& garment, const std::vector<Vec3>& points)
   for (const MeshedSeam& seam : garment.seams) {
     for (std::size_t i = 0; i < seam.a.size(); ++i) {
       const double gap = (points[seam.a[i]] - points[seam.b[i]]).norm();
-      if (gap > max_carried_gap) {
+      if (!(gap <= max_carried_gap)) {
         return "the sides of seam " + seam.name + " are " + centimetres(gap) + " apart";
       }
     }
@@ -225,7 +236,7 @@ CarriedDrape carry_drape(const DressedGarment& earlier, const PanelMesh& garment
       }
       points[panel.first_point + own] = before.worn_point(nearest, flat);
     }
-    if (carried.outside > max_carried_outside) {
+    if (!(carried.outside <= max_carried_outside)) {
       carried.refusal = "panel '" + panel.name + "' reaches " + centimetres(carried.outside) +
                         " beyond what it was";
       return carried;

@@ -186,6 +186,7 @@ ContinuedDress continue_dress(const PanelMesh& garment, const Scene& scene,
   result.body_offset = resting_offset(garment, scene);
   result.placement.initial = positioned_points(meshes, scene);
   result.placement.placed = carried.points;
+  result.placement.points_inside = points_inside(carried.points, scene.collider->grid());
   Level level = compiled_level(meshes.front(), 0, scene, carried.points, result.body_offset);
   level.model.body_offset = result.body_offset;
   if (!lasting(level.model.attachments).empty()) {
@@ -200,7 +201,7 @@ ContinuedDress continue_dress(const PanelMesh& garment, const Scene& scene,
   if (crosses_at_first) {
     Staged untangled = untangle_worn(level, std::move(state), journal);
     if (!untangled.report.converged) {
-      continued.refusal = "it crosses itself from there";
+      continued.refusal = "it can't be drawn apart where it crosses itself at first";
       return continued;
     }
     state = std::move(untangled.state);

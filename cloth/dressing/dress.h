@@ -63,12 +63,13 @@ struct ContinuedDress {
   std::optional<DressResult> result;  ///< none: `refusal` says why it has to start from its panels
   std::string refusal;
   double outside = 0;  ///< metres: CarriedDrape's
+  double seconds = 0;  ///< that it took, a refusal too
 };
 
 /// Brings a garment to rest from where an earlier drape of it lay (carry_drape.h). Only its own
-/// mesh is relaxed. What crosses at first falls unbounded, to come clear of itself (`settle`). Then
+/// mesh is relaxed. What crosses at first is drawn apart under its weight (untangle_worn()). Then
 /// the garment comes to `rest` with friction. Attachments that hold it only while it is dressed are
-/// left out.
+/// left out. A refusal may come after a whole rest.
 ///
 /// Refused are garments that carry_drape() refuses, and garments with attachments for good. So are
 /// drapes that do not end at rest, clear of themselves and of the body. The same bits for any

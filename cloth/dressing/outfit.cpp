@@ -76,7 +76,7 @@ class Dressing {
   Collider collider_of(std::size_t layers, std::size_t under, std::size_t without) const;
   void warn_of_start(WornLayer& worn) const;
   void put_in_place(const AskedPlaces& asked, WornLayer& worn) const;
-  void go_on(const DressedGarment& earlier, const FrameWatcher& watcher, WornLayer& worn) const;
+  void go_on(std::size_t layer, WornLayer& worn) const;
   WornLayer dress_layer(std::size_t layer) const;
   void write_and_judge(std::size_t layer, const TriangleMesh* others);
   bool turn_panels_out(std::size_t over);
@@ -199,13 +199,22 @@ void Dressing::put_in_place(const AskedPlaces& asked, WornLayer& worn) const {
 }
 
 /// Dresses the garment from its earlier drape, as far as that goes.
-void Dressing::go_on(const DressedGarment& earlier, const FrameWatcher& watcher,
-                     WornLayer& worn) const {
-  if (!outfit_.method.continue_dress) throw Error("method", "starts from flat panels only", "");
-  worn.continued = outfit_.method.continue_dress(worn.garment, worn.scene, earlier, watcher);
+void Dressing::go_on(std::size_t layer, WornLayer& worn) const {
+  if (!outfit_.method.continue_dress) {
+    throw Error("method", "starts from flat panels only", "leave out the earlier drape");
+  }
+  const auto start = Clock::now();
+  std::optional<Certificate>& certificate = worn.certificate;
+  if (outfit_.certify) certificate.emplace(collider_.body(), layers_below());
+  const FrameWatcher watcher = watcher_of(layer, certificate ? &*certificate : nullptr);
+  worn.continued = outfit_.method.continue_dress(worn.garment, worn.scene,
+                                                 *outfit_.layers[layer].earlier, watcher);
+  worn.continued->seconds = seconds_since(start);
   if (worn.continued->result) worn.result = std::move(*worn.continued->result);
   worn.continued->result.reset();
   if (!worn.continued->refusal.empty()) {
+    // What was tried does not count against the dressing that follows.
+    certificate.reset();
     worn.warnings.push_back("dressed from flat panels, not from the earlier drape: " +
                             worn.continued->refusal);
   }
@@ -218,10 +227,12 @@ WornLayer Dressing::dress_layer(std::size_t layer) const {
   worn.scene = scene_of(outfit_.layers[layer]);
   put_in_place(outfit_.layers[layer].places, worn);
   const std::size_t known_before = collider_.grid().computed_nodes();
-  if (outfit_.certify) worn.certificate.emplace(collider_.body(), layers_below());
+  if (outfit_.layers[layer].earlier) go_on(layer, worn);
   {
+    if (outfit_.certify && !worn.certificate) {
+      worn.certificate.emplace(collider_.body(), layers_below());
+    }
     const FrameWatcher watcher = watcher_of(layer, worn.certificate ? &*worn.certificate : nullptr);
-    if (outfit_.layers[layer].earlier) go_on(*outfit_.layers[layer].earlier, watcher, worn);
     if (!worn.continued || !worn.continued->refusal.empty()) {
       worn.result = outfit_.method.dress(worn.garment, worn.scene, watcher);
     }
@@ -246,6 +257,14 @@ void Dressing::write_and_judge(std::size_t layer, const TriangleMesh* others) {
   if (result.release) end.stays = result.release->stays();
   worn.judgement = judge(worn.garment, dressed, collider_.body(), skeleton_, end, others);
   worn.cloth = {std::move(dressed.points), std::move(dressed.triangles)};
+  if (worn.continued && worn.continued->refusal.empty() &&
+      worn.judgement.verdict != Verdict::sewn) {
+    worn.warnings.push_back(
+        "the garment went on from an earlier drape: dressed from flat panels, without --continue, "
+        "it "
+        "may end otherwise");
+    warn(worn.warnings.back());
+  }
   worn.judge_seconds += seconds_since(start);
 }
 

@@ -185,8 +185,10 @@ Json places_json(const WornLayer& layer) {
 
 /// How far a garment went on from an earlier drape.
 Json continued_json(const ContinuedDress& continued) {
-  if (!continued.refusal.empty()) return {{"from_flat_panels", continued.refusal}};
-  return {{"outside_mm", 1000 * continued.outside}};
+  if (!continued.refusal.empty()) {
+    return {{"from_flat_panels", continued.refusal}, {"seconds", continued.seconds}};
+  }
+  return {{"outside_mm", 1000 * continued.outside}, {"seconds", continued.seconds}};
 }
 
 /// What was simulated.

@@ -140,6 +140,10 @@ void check_dress_options(const po::variables_map& given) {
   if (has_scene && given.count("continue") != 0) {
     throw po::error("--continue is for one garment: dress the garments of a scene without it");
   }
+  if (given.count("continue") != 0 && given.count("place") != 0) {
+    throw po::error(
+        "--place says where panels start, and --continue goes on from a drape: give one");
+  }
   if (given.count("continue") != 0 && given["method"].as<std::string>() == "paper") {
     throw po::error("--continue: the paper's method starts from flat panels only");
   }

@@ -85,6 +85,16 @@ TEST(CarryDrape, ASeamThatWasNotThereIsRefused) {
             "the sides of seam panel.3-panel.1 are 33.7 cm apart");
 }
 
+TEST(CarryDrape, ATriangleWithoutAreaTellsNothing) {
+  const PanelMesh garment = sheet(width, height, 8, 6);
+  DressedGarment drape = drape_of(garment);
+  // The corner's triangle collapses onto its diagonal in the flat panel.
+  drape.flat[8] = drape.flat[17];
+  const CarriedDrape carried = carry_drape(drape, garment);
+  ASSERT_EQ(carried.refusal, "");
+  for (const Vec3& p : carried.points) EXPECT_TRUE(p.allFinite());
+}
+
 /// Both sides of a sheet that is rolled into a tube are moved out by 1 cm.
 TEST(CarryDrape, AMovedSeamStaysWhereItWas) {
   const double around = 2 * std::numbers::pi * radius;
