@@ -69,12 +69,14 @@ std::vector<Vec2> samples_of(const std::vector<Vec2>& points, const PolylineWalk
   return samples;
 }
 
-double distance_to_polyline(const std::vector<Vec2>& points, const Vec2& point, std::size_t& near) {
-  // The curve is walked in order, so the nearest segment is near the last one.
+/// Metres. `near` is the segment that was nearest to the point before, and becomes this point's.
+/// Only segments up to `reach` before and behind it are looked at.
+double distance_to_polyline(const std::vector<Vec2>& points, const Vec2& point, std::size_t reach,
+                            std::size_t& near) {
   double least = 1e300;
   std::size_t best = near;
-  const std::size_t first = near > 30 ? near - 30 : 0;
-  for (std::size_t i = first; i + 1 < points.size() && i < near + 60; ++i) {
+  const std::size_t first = near > reach ? near - reach : 0;
+  for (std::size_t i = first; i + 1 < points.size() && i < near + reach; ++i) {
     const double distance = distance_to_segment(point, points[i], points[i + 1]);
     if (distance < least) {
       least = distance;
@@ -200,13 +202,17 @@ CubicFit fit_one(const std::vector<Vec2>& points, const std::vector<Vec2>& sampl
   }
   double walked = 0;
   std::size_t near = 0;
+  constexpr std::size_t near_by =
+      60;  // the curve is walked in order, in steps of a segment or less
   for (std::size_t i = 0; i < chords.size(); ++i) {
     if (i > 0) walked += (chords[i] - chords[i - 1]).norm();
-    best.error = std::max(best.error, distance_to_polyline(points, chords[i], near));
+    best.error = std::max(best.error, distance_to_polyline(points, chords[i], near_by, near));
   }
   near = 0;
+  // From one point to the next there are many chords where points are few.
+  const std::size_t reach = points.size() < 1000 ? chords.size() : near_by;
   for (const Vec2& point : points) {
-    best.error = std::max(best.error, distance_to_polyline(chords, point, near));
+    best.error = std::max(best.error, distance_to_polyline(chords, point, reach, near));
   }
   if (walked > 1.1 * length + tolerance) best.error = 1e300;  // it loops
   return best;

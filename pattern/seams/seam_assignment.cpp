@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "geometry/disjoint_sets.h"
@@ -38,11 +39,12 @@ class Assigner {
     add_groups();
     for (const int c : known_.chosen) programme_.fix(variable_[c], true);
     SeamAssignment result;
-    std::vector<int> chosen;
+    std::vector<int> chosen = known_.chosen;
     for (int round = 0;; ++round) {
-      const auto answer = programme_.solve(max_nodes);
-      // What came before it hangs not together, or has a handle; it is better than nothing.
-      if (!answer || round == max_rounds) {
+      // The last answer falls into parts, or has a handle; it is better than none.
+      std::optional<IntegerProgramme::Answer> answer;
+      if (round < max_rounds) answer = programme_.solve(max_nodes);
+      if (!answer) {
         result.proved = false;
         break;
       }

@@ -75,6 +75,19 @@ TEST(FitCurve, AWaveIsAChainWithoutCorners) {
   }
 }
 
+/// Three and five points of a quarter of a circle are one curve, as many of them are.
+TEST(FitCurve, FewPointsOfAnArcAreOneCurve) {
+  for (const int chords : {2, 4}) {
+    const auto points = sampled(chords, [](double t) {
+      return Vec2(0.1 * std::cos(t * std::numbers::pi / 8),
+                  0.1 * std::sin(t * std::numbers::pi / 8));
+    });
+    const auto curves = fit_curves(points, 6e-4);
+    ASSERT_EQ(curves.size(), 1u) << chords;
+    EXPECT_LT(error_of(curves, points), 6e-4);
+  }
+}
+
 TEST(FitCurve, ANarrowBumpOfManyPointsIsFollowed) {
   // 4 mm wide and 0.7 mm high on a line of 2 m, in 4,000 chords.
   const auto points = sampled(4000, [](double t) {
