@@ -78,8 +78,10 @@ long long LineScanner::integer(const std::string& what, long long low, long long
   return value;
 }
 
+std::string LineScanner::place() const { return name_ + ":" + std::to_string(number_); }
+
 void LineScanner::fail(const std::string& problem, const std::string& remedy) const {
-  throw Error(name_ + ":" + std::to_string(number_), problem, remedy);
+  throw Error(place(), problem, remedy);
 }
 
 std::string shown(std::string_view word) {

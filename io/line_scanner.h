@@ -29,6 +29,8 @@ class LineScanner {
   /// The next word as an integer from `low` to `high`. `what` names it in an Error.
   long long integer(const std::string& what, long long low, long long high);
 
+  /// Where the line is: "name:line".
+  std::string place() const;
   /// Number of bytes before the next line.
   std::size_t offset() const { return at_; }
 

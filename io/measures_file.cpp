@@ -102,6 +102,8 @@ void add_foreign(MeasureSet& set, const std::map<std::string, double>& read,
     if (missing.size() == 1) {
       add(set, std::string(missing[0]->name), rest / missing[0]->factor, 1,
           place + ": " + std::string(measure->name));
+    } else if (!missing.empty()) {
+      set.left_out.emplace_back(measure->name);
     }
   }
   for (const auto& [name, value] : read) {
@@ -110,6 +112,7 @@ void add_foreign(MeasureSet& set, const std::map<std::string, double>& read,
 }
 
 bool is_freesewing(const JsonValue& root) {
+  if (root.find("height") || root.find("hip") || root.find("bust")) return false;
   return root.find("seat") || root.find("hips") || root.find("chest") || root.find("hpsToBust");
 }
 
@@ -175,7 +178,7 @@ void read_csv(const std::string& text, const std::string& name, std::optional<do
     if (row.fields.size() < 2) {
       throw Error(place, "has no value", "write a name, a comma and a number");
     }
-    if (&row == &rows.front() && !parse_number(row.fields[1])) {
+    if (&row == &rows.front() && std::ranges::find(row.fields, "value") != row.fields.end()) {
       for (std::size_t i = 0; i < row.fields.size(); ++i) {
         const std::string& column = row.fields[i];
         if (column == "measure" || column == "name") at_name = i;
@@ -184,7 +187,10 @@ void read_csv(const std::string& text, const std::string& name, std::optional<do
       }
       continue;
     }
-    if (std::max(at_name, at_value) >= row.fields.size() || row.fields[at_value].empty()) continue;
+    if (std::max(at_name, at_value) >= row.fields.size() || row.fields[at_value].empty()) {
+      if (at_name < row.fields.size()) set.left_out.push_back(valid_utf8(row.fields[at_name]));
+      continue;
+    }
     const std::optional<double> value = parse_number(row.fields[at_value]);
     if (!value) {
       throw Error(place, "'" + shown_text(row.fields[at_value]) + "' is no number",

@@ -22,11 +22,10 @@ struct MeasureSet {
 /// - `.json`: an object with `measures` as measure-body writes it, cm, or `unit` beside or within a
 ///   measure; null is left out. A FreeSewing set, in mm: `measurements` or `measies`, or an object
 ///   of its names that has `chest`, `seat` or `hips`;
-/// - `.csv`: a name and a value a row, cm or the unit in a third field. A header may name the
-///   columns `measure` or `name`, `value` and `unit`;
+/// - `.csv`: a name and a value a row, cm or the unit in a third field. A header, which
+///   has `value`, names the columns `measure` or `name`, `value` and `unit`;
 /// - `.vit`, `.smis` and the tables `.vst`, `.smms` of SeamlyMe and Valentina in the file's unit.
-/// Of
-///   a table the base size counts. Formulas are left out;
+///   Of a table the base size counts. Formulas are left out;
 /// - `.yaml`, `.yml`: GarmentCode's `body:` block, cm.
 ///
 /// `metres_per_unit` stands for the unit where a file does not state its own. Throws Error, with

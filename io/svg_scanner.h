@@ -25,8 +25,6 @@ class SvgScanner {
   char letter();
   /// The letters of a name that follows; may be empty.
   std::string_view word();
-  /// What is left, unread.
-
   /// Throws Error, with the column where the value can't be read.
   [[noreturn]] void fail(const std::string& problem) const;
 

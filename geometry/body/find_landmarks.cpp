@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "geometry/body/centreline.h"
+#include "geometry/body/landmarks.h"
 #include "geometry/body/tape.h"
 
 namespace toile {
@@ -74,8 +75,9 @@ double width_of(const Section& section) {
 }
 
 /// Where a curve lies farthest on the side `toward` of the straight line between its ends. Points
-/// near the extreme count by their distance, so that noise and coarse edges move it little.
-Vec3 bulge(const std::vector<Vec3>& curve, const Vec3& toward) {
+/// near the extreme count by their distance, so that noise and coarse edges move it little. Nothing
+/// where it lies farthest at an end.
+std::optional<Vec3> bulge(const std::vector<Vec3>& curve, const Vec3& toward) {
   const Vec3 along = (curve.back() - curve.front()).normalized();
   const Vec3 out = (toward - toward.dot(along) * along).normalized();
   std::vector<Vec2> samples;
@@ -93,6 +95,7 @@ Vec3 bulge(const std::vector<Vec3>& curve, const Vec3& toward) {
                    [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
   const double length = (curve.back() - curve.front()).norm();
   const Extreme most = greatest(samples, 0.1 * length);
+  if (most.is_end) return std::nullopt;
   return curve.front() + most.at * along + most.value * out;
 }
 
@@ -133,17 +136,15 @@ class Finder {
 
   void add(const std::string& name, const std::optional<Vec3>& place, double confidence,
            const std::string& reason = "") {
-    shape_.landmarks.push_back({name, place, place ? confidence : 0, reason});
+    const bool is_said = place || !reason.empty();
+    shape_.landmarks.push_back({name, place, place ? confidence : 0,
+                                is_said ? reason : "the surface has no closed outline there"});
   }
   void absent(const std::string& name, const std::string& reason) {
     add(name, std::nullopt, 0, reason);
   }
 
-  std::optional<Section> level(double y) const {
-    std::vector<Section> sections = slice(mesh_, {0, y, 0}, Vec3::UnitY());
-    if (sections.empty() || !sections.front().closed) return std::nullopt;
-    return std::move(sections.front());
-  }
+  std::optional<Section> level(double y) const { return torso_section(mesh_, y); }
 
   /// Where the section's front (side 1) or back (-1) is at x.
   static std::optional<Vec3> at_x(const Section& section, double x, double side) {
@@ -365,7 +366,9 @@ class Finder {
     }
     outline.emplace_back(shoulder->x(), shoulder->y(), 0);
     if (outline.size() < 5) return absent(name, "the neck does not meet a shoulder");
-    const Vec3 turn = bulge(outline, Vec3(-side, -1, 0));
+    const std::optional<Vec3> hollow = bulge(outline, Vec3(-side, -1, 0));
+    if (!hollow) return absent(name, "the neck does not turn into the shoulder");
+    const Vec3& turn = *hollow;
     // Along the ridge from neck to shoulder the point lies where a plane square to the ridge stands
     // out the most.
     const Vec3 along = (outline.back() - outline.front()).normalized();
@@ -398,7 +401,9 @@ class Finder {
     if (!from || !to) return absent("front_neck", "the throat has no closed outline");
     const std::vector<Vec3> curve = part_between(*outline, *from, *to, Vec3::UnitZ());
     if (curve.size() < 5) return absent("front_neck", "the throat has no outline from the side");
-    add("front_neck", bulge(curve, -Vec3::UnitZ()), 0.6);
+    const std::optional<Vec3> hollow = bulge(curve, -Vec3::UnitZ());
+    if (!hollow) return absent("front_neck", "the throat has no hollow");
+    add("front_neck", hollow, 0.6);
   }
 
   std::optional<Section> leg_at(double y, int side) const {
@@ -457,7 +462,9 @@ class Finder {
     if (!to || sections.empty()) return absent(name, "the thigh has no closed outline");
     const std::vector<Vec3> curve = part_between(sections.front(), *seat, *to, -Vec3::UnitZ());
     if (curve.size() < 5) return absent(name, "the thigh has no outline from the side");
-    add(name, bulge(curve, Vec3::UnitZ()), 0.5);
+    const std::optional<Vec3> fold = bulge(curve, Vec3::UnitZ());
+    if (!fold) return absent(name, "there is no fold between seat and thigh");
+    add(name, fold, 0.5);
   }
 
   void find_arm(int side) {

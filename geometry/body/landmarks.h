@@ -25,8 +25,9 @@ struct TorsoLevel {
 /// the most from the straight line between waist and armpits. So a belly does not pass for a bust.
 /// The foremost level within 3 cm of there counts. A chest that is nowhere rounded is measured
 /// directly under the armpits. The hip is the rearmost level between crotch and waist. The waist
-/// has the least girth between bust and hip, and may be missing. Empty if bust or hip can't be
-/// found. It costs about 100 slices.
+/// has the least girth between bust and hip, and may be missing. measure_body() finds these levels
+/// in another way (trunk_levels.h). On a mannequin of 94 cm its bust is 5 mm larger [measured].
+/// Empty if bust or hip can't be found. It costs about 100 slices.
 std::vector<TorsoLevel> torso_levels(const TriangleMesh& body, const Skeleton& skeleton);
 
 }  // namespace toile

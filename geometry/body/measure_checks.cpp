@@ -16,15 +16,18 @@ struct Range {
 };
 
 constexpr std::array ranges = {
-    Range{"height", 0.60, 2.30},    Range{"bust", 0.38, 2.00},    Range{"underbust", 0.36, 1.80},
-    Range{"waist", 0.36, 2.00},     Range{"abdomen", 0.36, 2.10}, Range{"hip", 0.38, 2.20},
-    Range{"neck", 0.18, 0.70},      Range{"head", 0.38, 0.68},    Range{"upper_arm", 0.11, 0.65},
-    Range{"elbow", 0.11, 0.50},     Range{"wrist", 0.09, 0.28},   Range{"upper_thigh", 0.20, 1.10},
-    Range{"mid_thigh", 0.18, 0.95}, Range{"knee", 0.16, 0.70},    Range{"calf", 0.14, 0.70},
-    Range{"ankle", 0.11, 0.45},
+    Range{"height", 0.60, 2.30},    Range{"bust", 0.38, 2.00},
+    Range{"underbust", 0.36, 1.80}, Range{"waist", 0.36, 2.00},
+    Range{"abdomen", 0.36, 2.10},   Range{"hip", 0.38, 2.20},
+    Range{"neck", 0.18, 0.70},      Range{"head", 0.38, 0.68},
+    Range{"upper_arm", 0.11, 0.65}, Range{"elbow", 0.11, 0.50},
+    Range{"wrist", 0.09, 0.28},     Range{"upper_thigh", 0.20, 1.10},
+    Range{"mid_thigh", 0.18, 0.95}, Range{"knee", 0.16, 0.70},
+    Range{"calf", 0.14, 0.70},      Range{"ankle", 0.11, 0.45},
+    Range{"bust_span", 0.08, 0.40},
 };
 
-/// A measure against another: the quotient's bounds. `why` goes on from "... contradict: ".
+/// A measure against another: the quotient's bounds.
 struct Quotient {
   const char* name;
   const char* by;
@@ -51,6 +54,7 @@ constexpr std::array quotients = {
     Quotient{"knee", "mid_thigh", 0.50, 1.15},
     Quotient{"calf", "knee", 0.75, 1.30},
     Quotient{"ankle", "calf", 0.45, 1.05},
+    Quotient{"shoulder_length", "height", 0.04, 0.12},
     Quotient{"cervicale_height", "height", 0.76, 0.90},
     Quotient{"bust_height", "height", 0.60, 0.80},
     Quotient{"waist_height", "height", 0.52, 0.69},

@@ -53,6 +53,7 @@ void MeasureTaker::take_girths() {
       least = section->girth;
       throat = section->centroid;
     }
+    if (least == 10) needs.missing = "the neck has no closed section";
     for (const int up : {0, 1}) {
       const Vec3 at = throat + Vec3(0, (up == 0 ? -0.012 : 0.012) * h, 0);
       const auto section =
@@ -181,14 +182,16 @@ void MeasureTaker::take_limb_girths(int side) {
   const Vec3 crotch = point("crotch", needs);
   // Directly below the crotch the two legs may still be one section.
   Vec3 thigh = Vec3::Zero();
-  double below = 0.002 * h;
-  for (; needs.missing.empty() && below < 0.05 * h; below += 0.002 * h) {
+  bool is_one = false;
+  for (double below = 0.002 * h; needs.missing.empty() && !is_one && below < 0.05 * h;
+       below += 0.002 * h) {
     thigh = leg_middle(crotch.y() - below);
     const Line line = girth_line(thigh, Vec3::UnitY());
-    const bool is_one = std::all_of(line.begin(), line.end(),
-                                    [side, h](const Vec3& p) { return side * p.x() > -0.02 * h; });
-    if (!line.empty() && is_one) break;
+    is_one = !line.empty() && std::all_of(line.begin(), line.end(), [side, h](const Vec3& p) {
+      return side * p.x() > -0.02 * h;
+    });
   }
+  if (needs.missing.empty() && !is_one) needs.missing = "the thighs touch below the crotch";
   add_girth(which + "upper_thigh", needs, thigh, Vec3::UnitY(),
             "level, around the thigh directly below the crotch", "5.3.20");
   add_girth(which + "mid_thigh", needs,

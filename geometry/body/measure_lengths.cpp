@@ -52,7 +52,9 @@ void MeasureTaker::take_trunk_lengths() {
   if (fore.missing.empty() && !at_hip.empty()) {
     const Line half =
         clipped(tape_around(at_hip.front(), Vec3::UnitY()), {{Vec3::Zero(), Vec3::UnitX()}});
-    for (const Vec3& end : {half.front(), half.back()}) {
+    if (half.empty()) fore.missing = "the hip has no left side";
+    for (const Vec3& end : half) {
+      if (&end != &half.front() && &end != &half.back()) continue;
       if (hip_front == fore_waist || end.z() > hip_front.z()) hip_front = end;
     }
   }

@@ -106,6 +106,8 @@ TEST_F(MeasuresFile, SaysWhatIsWrongAndWhere) {
             std::string::npos);
   EXPECT_NE(message("a.json", "[1]").find("no object"), std::string::npos);
   EXPECT_NE(message("a.csv", "bust,94\nhip,wide\n").find("a.csv:2"), std::string::npos);
+  // A first row is a header only where it names a column of values.
+  EXPECT_NE(message("a.csv", "waist,94 cm\nhip,99\n").find("a.csv:1"), std::string::npos);
   EXPECT_NE(message("a.vit", "<vit><m").find("is no XML"), std::string::npos);
   EXPECT_NE(message("a.vit", "<vit></vit>").find("body-measurements"), std::string::npos);
   EXPECT_NE(message("a.csv", "wings,94\n").find("has no measure"), std::string::npos);

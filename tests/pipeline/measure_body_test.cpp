@@ -69,6 +69,45 @@ TEST_F(MeasureBodyProgram, ComparesWithMeasuresTakenBefore) {
   EXPECT_NEAR(hip["difference"].get<double>(), 98 / 2.54 - 38, 0.1);
 }
 
+/// What was written for other programs is read back as it was, whatever unit is shown.
+TEST_F(MeasureBodyProgram, FilesOfOtherProgramsCompareWithThemselves) {
+  for (const std::string unit : {"cm", "inch"}) {
+    for (const std::string program : {"vit", "freesewing", "garmentcode"}) {
+      const std::string end = program == "freesewing" ? "json" : program == "vit" ? "vit" : "yaml";
+      const fs::path file = folder_ / ("o." + end);
+      const std::vector<std::string> words = {body(),   "-o", folder_ / "m.json",
+                                              "--unit", unit, "-q"};
+      std::vector<std::string> write = words;
+      write.insert(write.end(), {"--as", program + "=" + file.string()});
+      ASSERT_EQ(run("measure-body", write).exit_code, 0);
+      std::vector<std::string> compare = words;
+      compare.insert(compare.end(), {"--against", file});
+      ASSERT_EQ(run("measure-body", compare).exit_code, 0);
+      const Json against = Json::parse(read_text(folder_ / "m.json"))["against"];
+      ASSERT_GT(against.size(), 5U) << program;
+      EXPECT_NEAR(against["waist"]["difference"], 0, 0.021) << program << " " << unit;
+      EXPECT_NEAR(against["left_wrist"]["difference"], 0, 0.021) << program << " " << unit;
+    }
+  }
+}
+
+TEST_F(MeasureBodyProgram, RefusesABodyInCentimetres) {
+  std::string obj = "v 0 0 0\nv 50 0 0\nv 0 0 50\nv 0 170 0\n";
+  obj += "f 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n";
+  write_text(folder_ / "large.obj", obj);
+  const pipeline::Run ended =
+      run("measure-body", {folder_ / "large.obj", "-o", folder_ / "m.json"});
+  EXPECT_EQ(ended.exit_code, 1);
+  EXPECT_NE(ended.err.find("large.obj"), std::string::npos) << ended.err;
+}
+
+TEST_F(MeasureBodyProgram, TwoMeasuresOfOneNameAreAnError) {
+  const pipeline::Run ended =
+      run("measure-body", {body(), "-o", folder_ / "m.json", "--at", "girth plane=hip name=waist"});
+  EXPECT_EQ(ended.exit_code, 1);
+  EXPECT_NE(ended.err.find("'waist' is there twice"), std::string::npos) << ended.err;
+}
+
 TEST_F(MeasureBodyProgram, TheJointsBesideTheBodyStay) {
   const fs::path beside = fs::path(body()).replace_extension("json");
   const std::string before = read_text(beside);

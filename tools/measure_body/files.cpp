@@ -1,5 +1,6 @@
 #include "tools/measure_body/files.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <pugixml.hpp>
@@ -7,6 +8,7 @@
 
 #include "io/csv.h"
 #include "io/text.h"
+#include "tools/remarks.h"
 
 namespace toile {
 
@@ -14,17 +16,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Tenths of a millimetre, hundredths of a degree: more digits mean nothing.
-double rounded(double value) { return std::stod(fixed_number(value, 2)); }
+/// Hundredths of the unit: more digits mean nothing.
+double rounded(double value) { return std::round(100 * value) / 100; }
 
 Json measure_json(const BodyMeasures& all, const Measure& measure) {
   Json json;
   json["value"] = measure.value ? Json(rounded(all.shown(measure))) : Json(nullptr);
   if (measure.is_angle) json["unit"] = "degrees";
-  json["definition"] = measure.definition;
+  json["definition"] = valid_utf8(measure.definition);
   if (!measure.iso.empty()) json["iso"] = measure.iso;
   json["confidence"] = measure.confidence;
-  if (!measure.value) json["reason"] = measure.reason;
+  if (!measure.value) json["reason"] = valid_utf8(measure.reason);
   return json;
 }
 
@@ -133,7 +135,7 @@ std::string measures_json(const BodyMeasures& all,
       entry["place_m"] = {landmark.place->x(), landmark.place->y(), landmark.place->z()};
     }
     entry["confidence"] = landmark.confidence;
-    if (!landmark.reason.empty()) entry["reason"] = landmark.reason;
+    if (!landmark.reason.empty()) entry["reason"] = valid_utf8(landmark.reason);
     json["landmarks"][landmark.name] = entry;
   }
   if (!differences.empty()) {
@@ -146,6 +148,7 @@ std::string measures_json(const BodyMeasures& all,
     }
   }
   if (!all.no_joints.empty()) json["no_joints"] = valid_utf8(all.no_joints);
+  add_remarks(all.remarks, json);
   return json.dump(1) + "\n";
 }
 
@@ -157,7 +160,7 @@ std::string measures_csv(const BodyMeasures& all) {
       csv += csv_line({valid_utf8(measure.name),
                        measure.value ? fixed_number(all.shown(measure), 2) : "",
                        measure.is_angle ? "degrees" : all.unit, fixed_number(measure.confidence, 2),
-                       measure.iso, measure.definition, measure.reason});
+                       measure.iso, valid_utf8(measure.definition), valid_utf8(measure.reason)});
     }
   }
   return csv;

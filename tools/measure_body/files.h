@@ -6,6 +6,7 @@
 
 #include "geometry/body/measures.h"
 #include "io/measure_names.h"
+#include "pattern/pattern.h"
 
 namespace toile {
 
@@ -16,7 +17,8 @@ struct BodyMeasures {
   std::vector<Measure> freehand;
   Landmarks landmarks;  ///< in the body's coordinates
   std::string unit = "cm";
-  std::string no_joints;  ///< why; empty: there are joints
+  std::string no_joints;        ///< why; empty: there are joints
+  std::vector<Remark> remarks;  ///< what is said besides
 
   /// The value in the unit of the files, or in degrees.
   double shown(const Measure& measure) const;

@@ -82,7 +82,7 @@ class Taker {
              "a " + words_.kind + " takes " + listed(known.at(words_.kind)));
       }
       if (!words_.values.emplace(key, word.substr(equals + 1)).second) {
-        fail(in_quotes(key) + " is there twice", "");
+        fail(in_quotes(key) + " is there twice", "leave one out");
       }
     }
   }
@@ -181,7 +181,14 @@ class Taker {
     Vec3 at = Vec3::Zero();
     Vec3 normal = Vec3::UnitY();
     bool largest = false;
-    if (words_.values.contains("part")) {
+    const bool has_part = words_.values.contains("part");
+    if (has_part && words_.values.contains("plane")) {
+      fail("there are both plane= and part=", "give one of them");
+    }
+    if (!has_part && words_.values.contains("share")) {
+      fail("share= goes with part=", "leave it out");
+    }
+    if (has_part) {
       along_part(at, normal);
     } else {
       const std::string plane = word("plane");

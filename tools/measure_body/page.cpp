@@ -83,8 +83,7 @@ std::string measures_page(const TriangleMesh& body, const BodyMeasures& measures
   page.setting_name = "body";
   page.quantity = "Length";
   page.unit = measures.unit;
-  PageTable table{
-      "Measures", {"measure", measures.unit, "ISO 8559-1", "how it is taken"}, {}, {}, ""};
+  PageTable table{"Measures", {"measure", "value", "ISO 8559-1", "how it is taken"}, {}, {}, ""};
   PageTable missing{"Not taken", {"measure", "why"}, {}, {}, ""};
   double longest = 1;
   for (const Measure* measure : all_of(measures)) {
@@ -93,7 +92,16 @@ std::string measures_page(const TriangleMesh& body, const BodyMeasures& measures
       continue;
     }
     const double value = measures.shown(*measure);
-    if (!measure->is_angle) longest = std::max(longest, value);
+    table.rows.push_back(
+        {spaced(measure->name),
+         fixed_number(value, 1) + (measure->is_angle ? " deg" : " " + measures.unit), measure->iso,
+         measure->definition});
+    if (measure->is_angle) {
+      // Colours are of lengths.
+      table.regions.push_back(-1);
+      continue;
+    }
+    longest = std::max(longest, value);
     const std::size_t before = page.surface.triangles.size();
     for (const std::vector<Vec3>& line : measure->lines) add_tube(page.surface, line, page_line);
     page.values.resize(page.surface.points.size(), value);
@@ -101,9 +109,6 @@ std::string measures_page(const TriangleMesh& body, const BodyMeasures& measures
     page.region_of_triangle.insert(page.region_of_triangle.end(),
                                    page.surface.triangles.size() - before, region);
     page.regions.push_back(spaced(measure->name));
-    table.rows.push_back({spaced(measure->name),
-                          fixed_number(value, 1) + (measure->is_angle ? " deg" : ""), measure->iso,
-                          measure->definition});
     table.regions.push_back(region);
   }
   page.ramp = magnitude_ramp(0, round_up(longest));

@@ -1,19 +1,21 @@
 #include "tools/measure_body/run.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <sstream>
+#include <boost/algorithm/string/predicate.hpp>
+#include <set>
 
+#include "cloth/scene/closed_body.h"
 #include "geometry/body/measures.h"
 #include "geometry/error.h"
 #include "io/json_words.h"
+#include "io/line_scanner.h"
 #include "io/measures_file.h"
-#include "io/mesh_file.h"
 #include "io/output_file.h"
 #include "io/text.h"
 #include "tools/measure_body/files.h"
 #include "tools/measure_body/freehand.h"
 #include "tools/measure_body/page.h"
+#include "tools/remarks.h"
 
 namespace toile {
 
@@ -21,27 +23,28 @@ namespace {
 
 void take_all_freehand(const BodyShape& shape, const MeasureBodySettings& settings,
                        BodyMeasures& all) {
-  for (const std::string& expression : settings.freehand) {
-    all.freehand.push_back(take_freehand(shape, expression, "--at"));
-  }
+  std::set<std::string> names;
+  const auto take = [&](const std::string& expression, const std::string& place) {
+    Measure measure = take_freehand(shape, expression, place);
+    if (find_measure(all.measures, measure.name) != nullptr || !names.insert(measure.name).second) {
+      throw Error(place, in_quotes(measure.name) + " is there twice", "give name=ANOTHER");
+    }
+    all.freehand.push_back(std::move(measure));
+  };
+  for (const std::string& expression : settings.freehand) take(expression, "--at");
   if (!settings.freehand_file) return;
-  std::istringstream lines(read_file(*settings.freehand_file));
-  int number = 0;
-  for (std::string line; std::getline(lines, line);) {
-    ++number;
-    const std::size_t first = line.find_first_not_of(" \t\r");
-    if (first == std::string::npos || line[first] == '#') continue;
-    while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
-    all.freehand.push_back(take_freehand(
-        shape, line, settings.freehand_file->string() + ":" + std::to_string(number)));
+  const std::string file = settings.freehand_file->string();
+  const std::string text = read_file(*settings.freehand_file);
+  LineScanner lines(text, file);
+  while (lines.next_line('#')) {
+    take(std::string(lines.rest()), lines.place());
   }
 }
 
-std::vector<MeasureDifference> differences_to(const std::filesystem::path& file,
-                                              const BodyMeasures& all,
+std::vector<MeasureDifference> differences_to(const std::filesystem::path& file, BodyMeasures& all,
                                               const CommonSettings& common) {
   std::vector<MeasureDifference> differences;
-  const MeasureSet set = read_measures(file, metres_in(all.unit));
+  const MeasureSet set = read_measures(file);
   for (const auto& [name, before] : set.values) {
     bool is_measured = false;
     // A name without a side stands for both.
@@ -56,10 +59,12 @@ std::vector<MeasureDifference> differences_to(const std::filesystem::path& file,
                  fixed_number(last.now, 2) + " now, difference " +
                  fixed_number(last.now - last.before, 2));
     }
-    if (!is_measured) common.say(shown_text(name) + ": not measured now");
+    if (!is_measured) {
+      all.remarks.push_back({false, shown_text(name) + " of " + file.string() + " is not taken"});
+    }
   }
   for (const std::string& name : set.left_out) {
-    common.say(shown_text(name) + ": no measure that is known here");
+    all.remarks.push_back({false, shown_text(name) + " of " + file.string() + " is not known"});
   }
   return differences;
 }
@@ -85,9 +90,9 @@ void say_summary(const BodyMeasures& all, const CommonSettings& common) {
 }  // namespace
 
 int run_measure_body(const MeasureBodySettings& settings, const CommonSettings& common) {
-  const std::string name = settings.body.string();
-  const TriangleMesh body = fan_triangles(read_mesh(settings.body));
-  const BodyShape shape = find_landmarks(body, name);
+  const TriangleMesh body = read_closed_body(settings.body);
+  // Its file alone: what is written does not depend on where the body lies.
+  const BodyShape shape = find_landmarks(body, settings.body.filename().string());
   BodyMeasures all;
   all.body_name = settings.body.filename().string();
   all.unit = settings.unit;
@@ -97,26 +102,26 @@ int run_measure_body(const MeasureBodySettings& settings, const CommonSettings& 
   take_all_freehand(shape, settings, all);
   std::vector<MeasureDifference> differences;
   if (settings.against) differences = differences_to(*settings.against, all, common);
-  if (!all.no_joints.empty()) CommonSettings::warn(all.no_joints);
+  if (!all.no_joints.empty()) all.remarks.push_back({true, all.no_joints});
   const bool nothing = std::none_of(all.measures.begin(), all.measures.end(),
                                     [](const Measure& measure) { return measure.value; });
-  if (nothing) CommonSettings::warn(name + ": nothing can be measured on it");
+  if (nothing) all.remarks.push_back({true, all.body_name + ": nothing can be measured on it"});
 
   OutputFiles files;
-  const bool is_csv = common.output.extension() == ".csv" || common.output.extension() == ".CSV";
-  write_file(files.at(common.output), is_csv ? measures_csv(all) : measures_json(all, differences));
-  if (common.report) write_file(files.at(*common.report), measures_json(all, differences));
   for (const auto& [program, path] : settings.others) {
     std::vector<std::string> missing;
     write_file(files.at(path), foreign_file(all, program, missing));
-    if (!missing.empty()) {
-      common.say(path.string() + " lacks " + std::to_string(missing.size()) + ": " +
-                 listed(missing));
-    }
+    if (missing.empty()) continue;
+    all.remarks.push_back({false, path.string() + " lacks " + std::to_string(missing.size()) +
+                                      ": " + listed(missing)});
   }
+  const bool is_csv = boost::algorithm::iequals(common.output.extension().string(), ".csv");
+  write_file(files.at(common.output), is_csv ? measures_csv(all) : measures_json(all, differences));
+  if (common.report) write_file(files.at(*common.report), measures_json(all, differences));
   if (settings.html) write_file(files.at(*settings.html), measures_page(body, all));
   if (settings.png) write_file(files.at(*settings.png), measures_picture(body, all));
   files.commit();
+  say_remarks(all.remarks, common);
   say_summary(all, common);
   common.say("wrote " + common.output.string());
   return nothing ? exit_negative : exit_done;
