@@ -126,17 +126,20 @@ TEST(MakeMannequinProgram, MakesABodyToMeasures) {
   const ScratchFolder folder;
   write_text(folder / "me.vit",
              R"xml(<vit><unit>cm</unit><body-measurements><m name="height" value="168"/>
-             <m name="bust_circ" value="92"/><m name="hip_circ" value="90"/></body-measurements></vit>)xml");
-  // The command line wins over the file.
-  const pipeline::Run made = run(
-      "make-mannequin", {"--measures", folder / "me.vit", "--measures", "hip=99", "--edge-length",
-                         "15mm", "-o", folder / "me.ply", "--report", folder / "me.txt"});
+             <m name="bust_circ" value="92"/><m name="hip_circ" value="90"/>
+             <m name="leg_knee_circ" value="45"/></body-measurements></vit>)xml");
+  // The command line wins over the file, and a side over a whole.
+  const pipeline::Run made =
+      run("make-mannequin",
+          {"--measures", folder / "me.vit", "--measures", "hip=99", "--measures", "left_knee=37",
+           "--edge-length", "15mm", "-o", folder / "me.ply", "--report", folder / "me.txt"});
   ASSERT_EQ(made.exit_code, 0) << made.err;
   const Json report = Json::parse(read_text(folder / "me.txt"));
   EXPECT_NEAR(report["body"]["height_m"].get<double>(), 1.68, 0.003);
   EXPECT_EQ(report["measures"]["hip"]["source"], "given");
   EXPECT_NEAR(report["measures"]["hip"]["measured_cm"].get<double>(), 99, 0.2);
   EXPECT_EQ(report["measures"]["waist"]["source"], "filled");
+  EXPECT_EQ(report["measures"]["knee"]["wanted_cm"], 37);
   EXPECT_TRUE(says(made, "filled from proportions")) << made.err;
   EXPECT_TRUE(fs::exists(folder / "me.json"));
 }
@@ -159,6 +162,9 @@ TEST(MakeMannequinProgram, NamesMeasuresThatContradict) {
       says(refused({"height=170", "bust=94", "hip=98", "waist=140"}), "waist 140 cm and hip 98"));
   EXPECT_TRUE(says(refused({"height=170", "bust=94"}), "there is no hip"));
   EXPECT_TRUE(says(refused({"height=170", "wings=94"}), "wings"));
+  // What is filled from a height in the wrong unit makes no giant.
+  EXPECT_TRUE(says(refused({"waist_to_floor=2000", "bust=94", "hip=100"}), "height"));
+  EXPECT_TRUE(says(refused({"height=170", "bust=94", "hip=100", "bust_span=500"}), "bust_span"));
 }
 
 }  // namespace make_mannequin_test

@@ -8,9 +8,11 @@
 #include "geometry/body/mannequin/fit_mannequin.h"
 #include "geometry/body/measure_checks.h"
 #include "geometry/error.h"
+#include "io/json_words.h"
 #include "io/measure_names.h"
 #include "io/measures_file.h"
 #include "io/text.h"
+#include "tools/remarks.h"
 
 namespace toile {
 
@@ -51,18 +53,19 @@ MeasureValues without_sides(const std::map<std::string, double>& values) {
 
 Asked asked_measures(const MeasureSettings& settings) {
   constexpr double centimetre = 0.01;
-  MeasureSet all;
+  MeasureSet typed;
   for (const std::string& text : settings.measures) {
-    add_measure(text, settings.unit.value_or(centimetre), all);
+    add_measure(text, settings.unit.value_or(centimetre), typed);
   }
+  // The command line wins over the files, and each file over those after it.
   Asked asked;
+  asked.measures = without_sides(typed.values);
   for (const std::filesystem::path& file : settings.files) {
-    MeasureSet set = read_measures(file, settings.unit);
-    all.values.merge(set.values);
-    if (!set.gender.empty()) asked.gender = set.gender;
+    const MeasureSet set = read_measures(file, settings.unit);
+    asked.measures.merge(without_sides(set.values));
+    if (asked.gender.empty()) asked.gender = set.gender;
     asked.left_out.insert(asked.left_out.end(), set.left_out.begin(), set.left_out.end());
   }
-  asked.measures = without_sides(all.values);
   return asked;
 }
 
@@ -70,9 +73,6 @@ Figure figure_of(const MeasureSettings& settings, const Asked& asked) {
   if (settings.figure == "woman") return Figure::woman;
   if (settings.figure == "man") return Figure::man;
   if (settings.figure == "child") return Figure::child;
-  if (!settings.figure.empty()) {
-    throw Error("--figure", "'" + settings.figure + "' is no figure", "give woman, man or child");
-  }
   // Metres: adults of less are rare, and they can say so.
   constexpr double grown = 1.45;
   const auto height = asked.measures.find("height");
@@ -84,12 +84,6 @@ const char* name_of(Figure figure) {
   return figure == Figure::woman ? "woman" : figure == Figure::man ? "man" : "child";
 }
 
-std::string joined_words(const std::vector<std::string>& words, const char* between) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
-  return text;
-}
-
 bool is_girth(const std::string& name) {
   for (const char* girth :
        {"bust", "underbust", "waist", "abdomen", "hip", "neck", "head", "upper_thigh", "mid_thigh",
@@ -99,32 +93,19 @@ bool is_girth(const std::string& name) {
   return false;
 }
 
-/// What is said and reported besides the table.
-struct Remarks {
-  Json notes = Json::array();
-  Json warnings = Json::array();
-  const CommonSettings& common;
-
-  void note(const std::string& line) {
-    common.say("note: " + line);
-    notes.push_back(line);
-  }
-  void warn(const std::string& line) {
-    CommonSettings::warn(line);
-    warnings.push_back(line);
-  }
-};
-
 /// Each measure on a line of its own, and in the report.
-Json table(const FittedMannequin& fitted, const CommonSettings& common, Remarks& remarks) {
+Json table(const FittedMannequin& fitted, const CommonSettings& common,
+           std::vector<Remark>& remarks) {
   Json measures = Json::object();
   std::vector<std::string> missed;
   std::vector<std::string> unread;
+  std::vector<std::string> uncontrolled;
   for (const FittedMeasure& measure : fitted.measures) {
     const bool is_read = std::isfinite(measure.measured);
     const MeasureName* entry = find_measure_name(measure.name);
     const bool is_angle = entry != nullptr && entry->unit == MeasureUnit::degrees;
-    if (!is_read) unread.push_back(measure.name);
+    if (measure.is_given && !measure.is_fitted) uncontrolled.push_back(measure.name);
+    if (measure.is_given && measure.is_fitted && !is_read) unread.push_back(measure.name);
     if (is_angle) continue;
     const double off = measure.measured - measure.wanted;
     Json row = {{"wanted_cm", 100 * measure.wanted}};
@@ -139,15 +120,18 @@ Json table(const FittedMannequin& fitted, const CommonSettings& common, Remarks&
                   100 * measure.wanted, 1000 * off);
     common.say(line);
     const double bound = is_girth(measure.name) ? girth_bound : length_bound;
-    if (measure.is_given && std::abs(off) > bound) {
+    if (measure.is_given && measure.is_fitted && std::abs(off) > bound) {
       missed.push_back(measure.name + " by " + fixed_number(1000 * off, 1) + " mm");
     }
   }
-  if (!unread.empty()) {
-    remarks.note("not fitted, for a mannequin has no control for it: " +
-                 joined_words(unread, ", "));
+  if (!uncontrolled.empty()) {
+    remarks.push_back(
+        {false, "not fitted, for a mannequin has no control for it: " + listed(uncontrolled)});
   }
-  if (!missed.empty()) remarks.warn("the mannequin misses " + joined_words(missed, ", "));
+  if (!unread.empty()) {
+    remarks.push_back({true, "not met, for it can't be measured on this body: " + listed(unread)});
+  }
+  if (!missed.empty()) remarks.push_back({true, "the mannequin misses " + listed(missed)});
   return measures;
 }
 
@@ -165,12 +149,18 @@ Mannequin mannequin_by_measures(const MeasureSettings& settings, MannequinOption
       asked.measures["underbust"] = underbust_of_cup(asked.measures.at("bust"), settings.cup);
     }
   }
-  const std::vector<std::string> wrong = contradictions(asked.measures);
-  if (!wrong.empty()) {
-    throw Error("measures", joined_words(wrong, "; "), "measure these again, and look at the unit");
-  }
-  Remarks remarks{.common = common};
   MeasureValues filled = filled_measures(asked.measures, figure);
+  // Heights that others tell are checked, too: one in the wrong unit would make a giant.
+  MeasureValues checked = asked.measures;
+  for (const char* name : {"height", "cervicale_height", "waist_height", "crotch_height"}) {
+    if (filled.contains(name)) checked.emplace(name, filled.at(name));
+  }
+  if (const std::vector<std::string> wrong = contradictions(checked); !wrong.empty()) {
+    std::string all;
+    for (const std::string& line : wrong) all += (all.empty() ? "" : "; ") + line;
+    throw Error("measures", all, "measure these again, and look at the unit");
+  }
+  std::vector<Remark> remarks;
   MeasureValues all = asked.measures;
   all.insert(filled.begin(), filled.end());
   if (settings.scales_edges) {
@@ -179,18 +169,23 @@ Mannequin mannequin_by_measures(const MeasureSettings& settings, MannequinOption
     options.edge_length = std::clamp(options.edge_length * all.at("height") / sample, 0.004, 0.015);
   }
   FittedMannequin fitted = fit_mannequin(asked.measures, filled, figure, options);
-  remarks.note(std::string("made as a ") + name_of(figure));
+  remarks.push_back({false, std::string("made as a ") + name_of(figure)});
   report["figure"] = name_of(figure);
   report["measures"] = table(fitted, common, remarks);
   std::vector<std::string> names;
   for (const auto& [name, value] : filled) names.push_back(name);
-  if (!names.empty()) remarks.note("filled from proportions: " + joined_words(names, ", "));
+  if (!names.empty()) remarks.push_back({false, "filled from proportions: " + listed(names)});
   if (!asked.left_out.empty()) {
-    remarks.note("left out, without number or not known here: " +
-                 joined_words(asked.left_out, ", "));
+    constexpr std::size_t most = 12;  // files of other programs hold hundreds
+    const std::size_t count = asked.left_out.size();
+    for (std::string& name : asked.left_out) name = shown_text(name);
+    asked.left_out.resize(std::min(count, most));
+    remarks.push_back(
+        {false, "left out, without number or not known here: " + listed(asked.left_out) +
+                    (count > most ? " and " + std::to_string(count - most) + " more" : "")});
   }
-  report["notes"] = remarks.notes;
-  report["warnings"] = remarks.warnings;
+  say_remarks(remarks, common);
+  add_remarks(remarks, report);
   return std::move(fitted.mannequin);
 }
 

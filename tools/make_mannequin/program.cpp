@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/body/mannequin/mannequin.h"
-#include "geometry/error.h"
 #include "io/mesh_file.h"
 #include "io/output_file.h"
 #include "io/skeleton_file.h"
@@ -53,7 +52,7 @@ struct Settings {
   std::optional<MeasureSettings> measures;
 };
 
-void write_mannequin(const Settings& settings, const CommonSettings& common) {
+ExitCode write_mannequin(const Settings& settings, const CommonSettings& common) {
   MannequinOptions options = settings.mannequin;
   options.pose = pose_of(options.pose_name, PosedFigure::mannequin);
   if (settings.arms) {
@@ -74,6 +73,9 @@ void write_mannequin(const Settings& settings, const CommonSettings& common) {
     write_file(files.at(*common.report), report.dump(1) + "\n");
   }
   files.commit();
+  // A measure that is missed is a warning.
+  return by_measures.contains("warnings") && !by_measures["warnings"].empty() ? exit_negative
+                                                                              : exit_done;
 }
 
 std::optional<MeasureSettings> measures_of(const po::variables_map& given) {
@@ -100,6 +102,10 @@ std::optional<MeasureSettings> measures_of(const po::variables_map& given) {
   }
   if (given.count("figure") != 0) settings.figure = given["figure"].as<std::string>();
   if (given.count("cup") != 0) settings.cup = given["cup"].as<std::string>();
+  if (!settings.figure.empty() && settings.figure != "woman" && settings.figure != "man" &&
+      settings.figure != "child") {
+    throw po::error("--figure is none of woman, man, child");
+  }
   settings.scales_edges = given["edge-length"].defaulted();
   return settings;
 }
@@ -118,10 +124,7 @@ Job prepare(const po::variables_map& given, const CommonSettings& common) {
     for (const auto& file : settings.measures->files) job.files.reads.push_back(file);
   }
   job.files.writes = {common.output, skeleton_path(common.output)};
-  job.work = [settings, &common] {
-    write_mannequin(settings, common);
-    return exit_done;
-  };
+  job.work = [settings, &common] { return write_mannequin(settings, common); };
   return job;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/body/mannequin/mannequin_measures.h"
+#include "geometry/error.h"
 
 namespace toile {
 
@@ -121,9 +122,9 @@ class Problem {
   int size() const { return static_cast<int>(rows_.size()); }
   const VectorXd& start() const { return start_; }
 
-  /// The logarithms of measured by wanted.
+  /// The logarithms of measured by wanted; NaN where nothing was read.
   VectorXd off(const MeasureValues& measured) const {
-    VectorXd result = VectorXd::Zero(size());
+    VectorXd result = VectorXd::Constant(size(), std::numeric_limits<double>::quiet_NaN());
     for (int row = 0; row < size(); ++row) {
       const auto found = measured.find(rows_[row].measure->name);
       if (found == measured.end() || !(found->second > 0)) continue;
@@ -136,7 +137,7 @@ class Problem {
   double worst(const VectorXd& off) const {
     double most = 0;
     for (int row = 0; row < size(); ++row) {
-      if (!rows_[row].is_given) continue;
+      if (!rows_[row].is_given || !std::isfinite(off[row])) continue;
       most = std::max(most, rows_[row].wanted * std::abs(std::expm1(off[row])));
     }
     return most;
@@ -151,7 +152,7 @@ class Problem {
     for (int row = 0; row < size(); ++row) {
       // What was filled in set the start. It is no aim: where a body lacks a level that a
       // proportion has, what is read there says nothing of the part.
-      if (!rows_[row].is_given) continue;
+      if (!rows_[row].is_given || !std::isfinite(off[row])) continue;
       const double weight = rows_[row].measure->weight * rows_[row].wanted / tolerance;
       left.row(row) = weight * jacobian.row(row);
       right[row] = -weight * off[row];
@@ -199,7 +200,7 @@ class Problem {
         square += step[column(part)] * step[column(part)];
       }
       // A step of less than 0.2 % shows what other parts do.
-      if (square < 4e-6) continue;
+      if (square < 4e-6 || !std::isfinite(change[row])) continue;
       for (const auto& [part, share] : rows_[row].measure->parts) {
         double& entry = jacobian(row, column(part));
         entry += (change[row] - predicted) * step[column(part)] / square;
@@ -217,7 +218,9 @@ class Problem {
         const auto found = measured.find(name);
         const double is =
             found == measured.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
-        all.push_back({name, value, is, is_given});
+        const bool is_fitted = std::ranges::any_of(
+            rows_, [&name](const Row& row) { return name == row.measure->name; });
+        all.push_back({name, value, is, is_given, is_fitted});
       }
     };
     add(given, true);
@@ -287,7 +290,7 @@ FittedMannequin fit_mannequin(const MeasureValues& given, const MeasureValues& f
     if (step.size() > 0) problem.correct(step, off - before);
     if (is_fine && worst < least) {
       least = worst;
-      best = {std::move(made), build, problem.compared(measured, given, filled), round};
+      best = {std::move(made), build, problem.compared(measured, given, filled)};
     }
     if (is_fine && worst < enough) break;
     if (!is_fine && (worst < enough_coarse || round >= max_rounds - 4)) {
@@ -301,6 +304,10 @@ FittedMannequin fit_mannequin(const MeasureValues& given, const MeasureValues& f
   }
   if (!(options.pose == standing_pose())) {
     best.mannequin = mesh_mannequin(built_mannequin(best.build), options);
+  }
+  if (!is_one_sphere(best.mannequin.surface)) {
+    throw Error("measures", "make a body whose thighs or arms touch it",
+                "give a smaller --edge-length, and look at the girths");
   }
   for (MannequinGirth& girth : best.mannequin.girths) {
     const auto found = std::ranges::find(best.measures, measure_of(girth), &FittedMeasure::name);

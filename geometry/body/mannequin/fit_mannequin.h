@@ -13,26 +13,26 @@ namespace toile {
 /// A measure that was asked for and what the mannequin has.
 struct FittedMeasure {
   std::string name;
-  double wanted = 0;      ///< metres
-  double measured = 0;    ///< metres; NaN: nothing reads this measure on a mannequin
-  bool is_given = false;  ///< else filled in
+  double wanted = 0;       ///< metres
+  double measured = 0;     ///< metres; NaN: nothing reads this measure on a mannequin
+  bool is_given = false;   ///< else filled in
+  bool is_fitted = false;  ///< some part of the build moves it
 };
 
 struct FittedMannequin {
   Mannequin mannequin;
   MannequinBuild build;
   std::vector<FittedMeasure> measures;  ///< in the order of their names
-  int rounds = 0;                       ///< bodies that were made
 };
 
 /// Finds the build whose mesh, standing, has the measures `given`, and those of `filled` about. It
 /// returns that body in the pose of the options. Each round makes a mesh and measures it.
 ///
 /// The unknowns are the logarithms of the build's factors, by least squares. Filled measures set
-/// their start, at which the factors are held a little. In the first Jacobian
+/// their start. Each factor is pulled to its start with a weight of 1 to 3 %. In the first Jacobian
 /// each part moves its own measure alone. What the rounds show corrects it [Schubert 1970]. It ends
-/// when each given measure is within 1 mm, or after 12 rounds with the best one. Throws Error where
-/// levels of the body would not rise, and as mesh_mannequin() does.
+/// when each given measure that can be read is within 1 mm, or after 12 rounds with the best one.
+/// Throws Error where levels of the body would not rise, and as mesh_mannequin() does.
 FittedMannequin fit_mannequin(const MeasureValues& given, const MeasureValues& filled,
                               Figure figure, const MannequinOptions& options);
 

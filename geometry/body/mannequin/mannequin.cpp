@@ -11,14 +11,9 @@
 
 namespace toile {
 
-namespace {
-
-/// Whether a closed surface is one piece without a hole through it, by Euler's formula.
-bool is_sphere(const TriangleMesh& mesh) {
+bool is_one_sphere(const TriangleMesh& mesh) {
   return mesh.points.size() - mesh.triangles.size() / 2 == 2;
 }
-
-}  // namespace
 
 double girth_around(const TriangleMesh& surface, const Vec3& centre, const Vec3& normal) {
   const std::vector<Section> sections = slice(surface, centre, normal);
@@ -26,15 +21,13 @@ double girth_around(const TriangleMesh& surface, const Vec3& centre, const Vec3&
       std::min_element(sections.begin(), sections.end(), [&](const Section& a, const Section& b) {
         return (a.centroid - centre).squaredNorm() < (b.centroid - centre).squaredNorm();
       });
-  if (nearest == sections.end()) throw Error("girth", "its plane does not meet the body", "");
+  if (nearest == sections.end())
+    throw Error("girth", "its plane does not meet the body", "is the skeleton that of this body?");
   return nearest->girth;
 }
 
 Mannequin make_mannequin(const MannequinOptions& options) {
-  MannequinShape shape;
-  constexpr double tolerance = 2e-4;  // metres
-  shape.carve(tolerance);
-  return mesh_mannequin(shape, options);
+  return mesh_mannequin(sample_shape(), options);
 }
 
 Mannequin mesh_mannequin(const MannequinShape& shape, const MannequinOptions& options) {
@@ -55,7 +48,7 @@ Mannequin mesh_mannequin(const MannequinShape& shape, const MannequinOptions& op
     std::tie(meshing.low, meshing.high) = posed.box();
     mannequin.surface =
         mesh_implicit([&posed](const Vec3& point) { return posed.distance(point); }, meshing);
-    if (!is_sphere(mannequin.surface)) {
+    if (!is_one_sphere(mannequin.surface)) {
       throw Error(options.pose_name, "parts of the body touch one another", "move them apart");
     }
   }

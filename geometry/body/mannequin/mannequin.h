@@ -17,6 +17,9 @@ struct MannequinOptions {
   std::string pose_name = "pose";  ///< the pose's file, for messages
 };
 
+/// Whether a closed surface is one piece without a hole through it, by Euler's formula.
+bool is_one_sphere(const TriangleMesh& mesh);
+
 /// A girth measured on the finished mesh.
 struct MannequinGirth {
   std::string name;     ///< neck, bust, waist, abdomen, hip, upper arm, elbow, wrist,

@@ -359,33 +359,14 @@ MannequinBones deformed(const MannequinBones& sample, const Deformation& to) {
 }  // namespace
 
 double sample_height(BuildPart part) {
-  switch (part) {
-    case Part::height:
-      return 1.700;
-    case Part::cervicale_height:
-      return 1.443;
-    case Part::bust_height:
-      return 1.226;
-    case Part::waist_height:
-      return 1.050;
-    case Part::hip_height:
-      return 0.860;
-    case Part::crotch_height:
-      return 0.763;
-    case Part::knee_height:
-      return 0.465;
-    default:
-      return 0;
-  }
+  // Of the first parts, in their order.
+  constexpr std::array heights = {1.700, 1.443, 1.226, 1.050, 0.860, 0.763, 0.465};
+  const auto i = static_cast<std::size_t>(part);
+  return i < heights.size() ? heights[i] : 0;
 }
 
 MannequinShape built_mannequin(const MannequinBuild& build) {
-  static const MannequinShape sample = [] {
-    MannequinShape made;
-    constexpr double tolerance = 2e-4;  // metres
-    made.carve(tolerance);
-    return made;
-  }();
+  const MannequinShape& sample = sample_shape();
   const Deformation to(build);
   std::vector<GirthTarget> girths;
   for (GirthTarget girth : sample.girths()) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <string_view>
 
 #include "geometry/body/mannequin/mannequin_shape.h"
 
@@ -51,8 +50,8 @@ class MannequinBuild {
   std::array<double, build_parts> factors_;
 };
 
-/// The height in metres of the sample mannequin at which a level of a build is counted. `part` is
-/// one of the heights.
+/// The height in metres of the sample mannequin at which a level of a build is counted. 0 for a
+/// part that is no height.
 double sample_height(BuildPart part);
 
 /// The sample mannequin in another build: the rows of its lofts are moved and scaled, its

@@ -132,4 +132,14 @@ double MannequinShape::carve(double tolerance) {
   throw Error("mannequin", "its girths can't be reached", "change its section tables");
 }
 
+const MannequinShape& sample_shape() {
+  static const MannequinShape sample = [] {
+    MannequinShape made;
+    constexpr double tolerance = 2e-4;  // metres
+    made.carve(tolerance);
+    return made;
+  }();
+  return sample;
+}
+
 }  // namespace toile

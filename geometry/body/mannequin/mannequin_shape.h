@@ -66,4 +66,7 @@ class MannequinShape {
   std::vector<GirthTarget> girths_;
 };
 
+/// The sample mannequin, carved to girth_targets(). Made once.
+const MannequinShape& sample_shape();
+
 }  // namespace toile
