@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "cloth/scene/closed_body.h"
@@ -76,6 +77,11 @@ int run_pose_body(const PoseBodySettings& settings, const CommonSettings& common
   }
   const Pose pose = pose_of(settings.pose, PosedFigure::body);
   const TriangleMesh body = read_closed_body(settings.body);
+  double low = std::numeric_limits<double>::max();
+  for (const Vec3& point : body.points) low = std::min(low, point.y());
+  if (std::abs(low) > 0.02) {
+    throw Error(settings.body.string(), "does not stand on y = 0", "let clean-body put it there");
+  }
   const Skeleton skeleton = read_skeleton_of(SurfaceDistance(body), settings.skeleton);
   const PosedBody posed = pose_body(body, skeleton, pose, settings.body.string());
 

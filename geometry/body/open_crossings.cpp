@@ -16,7 +16,6 @@ namespace {
 constexpr int max_rounds = 60;
 constexpr int first_rings = 2;
 constexpr int rounds_of_ring = 4;
-constexpr int steps_of_round = 1;
 
 }  // namespace
 
@@ -55,17 +54,15 @@ OpenedCrossings open_crossings(TriangleMesh& mesh) {
         for (const int next : neighbours[marked[k]]) mark(next);
       }
     }
-    for (int step = 0; step < steps_of_round; ++step) {
-      std::vector<std::pair<int, Vec3>> smoothed;
-      smoothed.reserve(marked.size());
-      for (const int point : marked) {
-        Vec3 mean = Vec3::Zero();
-        for (const int next : neighbours[point]) mean += mesh.points[next];
-        mean /= static_cast<double>(neighbours[point].size());
-        smoothed.emplace_back(point, (mesh.points[point] + mean) / 2);
-      }
-      for (const auto& [point, place] : smoothed) mesh.points[point] = place;
+    std::vector<std::pair<int, Vec3>> smoothed;
+    smoothed.reserve(marked.size());
+    for (const int point : marked) {
+      Vec3 mean = Vec3::Zero();
+      for (const int next : neighbours[point]) mean += mesh.points[next];
+      mean /= static_cast<double>(neighbours[point].size());
+      smoothed.emplace_back(point, (mesh.points[point] + mean) / 2);
     }
+    for (const auto& [point, place] : smoothed) mesh.points[point] = place;
     for (const int point : marked) {
       largest = std::max(largest, (mesh.points[point] - before[point]).norm());
     }

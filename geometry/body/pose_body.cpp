@@ -18,6 +18,9 @@ namespace {
 /// a ball. With 0.7 more skin crosses itself under an arm raised by 150 degrees.
 constexpr double linear_share = 0.5;
 
+/// Metres: a shorter bone has no direction. No child's is shorter than some centimetres.
+constexpr double min_bone_length = 0.01;
+
 /// A sum of rigid motions: as dual quaternions, and as matrices.
 class Blend {
  public:
@@ -90,6 +93,12 @@ PosedBody pose_body(const TriangleMesh& body, const Skeleton& skeleton, const Po
                     const std::string& name) {
   if (!has_all_limbs(skeleton)) {
     throw Error(name, "the skeleton lacks joints", "let clean-body find them on the standing body");
+  }
+  for (const Segment& bone : skeleton.segments) {
+    if (!((skeleton.joint(bone.to) - skeleton.joint(bone.from)).norm() > min_bone_length)) {
+      throw Error(name, "joints " + bone.from + " and " + bone.to + " are at one place",
+                  "let clean-body find them");
+    }
   }
   const SkinCores cores = skin_cores(body, skeleton, name);
   const SkinWeights weights = skin_weights(body, cores.bone_of);

@@ -56,6 +56,9 @@ class Finder {
         add(b, a);
       }
     });
+    if (!(scale_ > 0.1)) {
+      throw Error(name, "has its head at the floor", "let clean-body put it on y = 0");
+    }
     cores_.bone_of.assign(body.points.size(), SkinCores::no_bone);
   }
 

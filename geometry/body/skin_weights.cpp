@@ -83,7 +83,11 @@ SkinWeights skin_weights(const TriangleMesh& body, const std::vector<int>& cores
     if (row_of[i] < 0) continue;
     const Eigen::ArrayXd harmonic = found.row(row_of[i]).array().max(0).min(1);
     const Eigen::RowVectorXd smooth = (harmonic.square() * (3 - 2 * harmonic)).matrix();
-    weights.row(i) = smooth / smooth.sum();
+    const double sum = smooth.sum();
+    if (!(sum > 0)) {
+      throw Error("skin", "a part of it hangs on no bone", "let clean-body remove it");
+    }
+    weights.row(i) = smooth / sum;
   }
   return weights;
 }

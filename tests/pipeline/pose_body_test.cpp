@@ -67,9 +67,18 @@ TEST(PoseBodyProgram, WrongInputsEndInOneMessage) {
   }
   fs::copy_file(folder / "body.ply", folder / "bare.ply");
   refused("bare.ply", "walking", "holds no joints");
-  write_mesh(folder / "ball.ply", test::sphere(0.5, 3));
+  TriangleMesh ball = test::sphere(0.5, 3);
+  write_mesh(folder / "ball.ply", ball);
   fs::copy_file(folder / "body.json", folder / "ball.json");
+  refused("ball.ply", "walking", "does not stand on y = 0");
+  for (Vec3& p : ball.points) p.y() += 0.5;
+  write_mesh(folder / "ball.ply", ball);
   refused("ball.ply", "walking", "outside of the body");
+  Json joints = Json::parse(read_text(folder / "body.json"));
+  joints["joints"]["left_knee"] = joints["joints"]["left_hip"];
+  fs::copy_file(folder / "body.ply", folder / "short.ply");
+  write_text(folder / "short.json", joints.dump());
+  refused("short.ply", "walking", "left_hip and left_knee are at one place");
 
   // An arm through the trunk is written, with a warning.
   write_text(folder / "through.json", R"({"joints": {"left_shoulder": {"abduction": -30}}})");
