@@ -6,6 +6,7 @@
 #include "geometry/error.h"
 #include "io/json_value.h"
 #include "io/json_words.h"
+#include "io/landmarks_json.h"
 #include "io/limits.h"
 #include "io/output_file.h"
 
@@ -68,7 +69,7 @@ bool has_segment(const Skeleton& skeleton, const Segment& wanted) {
 
 }  // namespace
 
-void write_skeleton(const OutputPath& path, const Skeleton& skeleton) {
+void write_skeleton(const OutputPath& path, const Skeleton& skeleton, const Landmarks& landmarks) {
   Json json = {{"format", "toile-body"}, {"version", 1}, {"units", "m"}, {"up", "y"}};
   json["joints"] = Json::object();
   for (const auto& [name, point] : skeleton.joints) {
@@ -79,6 +80,7 @@ void write_skeleton(const OutputPath& path, const Skeleton& skeleton) {
     json["segments"].push_back(
         {{"part", segment.part}, {"from", segment.from}, {"to", segment.to}});
   }
+  if (!landmarks.empty()) json["landmarks"] = landmarks_json(landmarks);
   if (skeleton.cleaned) {
     const BodyMove& move = *skeleton.cleaned;
     Json rotation = Json::array();

@@ -1,8 +1,9 @@
-// Reads and writes body.json: a body's joints and segments.
+// Reads and writes body.json: a body's joints, segments and landmarks.
 #pragma once
 
 #include <filesystem>
 
+#include "geometry/body/landmark.h"
 #include "geometry/body/skeleton.h"
 #include "io/output_file.h"
 
@@ -11,9 +12,11 @@ namespace toile {
 /// Writes a file such as
 /// {"format": "toile-body", "version": 1, "units": "m", "up": "y",
 ///  "joints": {name: [x, y, z]}, "segments": [{"part", "from", "to"}],
+///  "landmarks": {name: {"place_m": [x, y, z], "confidence": 0.9}},
 ///  "cleaned": {"rotation": rows, "translation_m": [x, y, z], "metres_per_unit": 0.01}}.
-/// `cleaned` is there where `skeleton.cleaned` is.
-void write_skeleton(const OutputPath& path, const Skeleton& skeleton);
+/// `landmarks` is there unless they are empty, `cleaned` where `skeleton.cleaned` is.
+void write_skeleton(const OutputPath& path, const Skeleton& skeleton,
+                    const Landmarks& landmarks = {});
 
 /// Reads a file that write_skeleton() wrote and skips unknown keys. It throws Error, with the file
 /// and the key, for text that is not JSON, other units or another up axis. A joint that is not

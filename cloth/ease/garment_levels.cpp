@@ -4,8 +4,8 @@
 #include <map>
 #include <utility>
 
-#include "geometry/body/landmarks.h"
 #include "geometry/body/limbs_through.h"
+#include "geometry/body/torso_section.h"
 #include "geometry/border_loops.h"
 #include "pattern/panel_kind.h"
 

@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "geometry/body/torso_section.h"
+#include "geometry/body/trunk_levels.h"
 #include "geometry/slice.h"
 
 namespace toile {
@@ -125,9 +127,9 @@ GirthEases measure_girth_ease(const DressedGarment& garment, const TriangleMesh&
                               const Skeleton& skeleton, const std::vector<double>& grains,
                               double step) {
   GirthEases result;
-  std::vector<TorsoLevel> levels = torso_levels(body, skeleton);
+  std::vector<NamedLevel> levels = girth_levels(body, skeleton);
   for (const char* name : {"bust", "waist", "hip"}) {
-    if (std::ranges::find(levels, name, &TorsoLevel::name) == levels.end()) {
+    if (std::ranges::find(levels, name, &NamedLevel::name) == levels.end()) {
       result.left_out.push_back({name, "the body has none"});
     }
   }
@@ -136,10 +138,10 @@ GirthEases measure_girth_ease(const DressedGarment& garment, const TriangleMesh&
   for (double y = std::ceil(crotch / step) * step; step > 0 && y < armpit; y += step) {
     levels.push_back({"", y});
   }
-  std::ranges::stable_sort(levels, std::ranges::greater{}, &TorsoLevel::height);
+  std::ranges::stable_sort(levels, std::ranges::greater{}, &NamedLevel::height);
 
   const TriangleMesh cloth{garment.points, garment.triangles};
-  for (const TorsoLevel& level : levels) {
+  for (const NamedLevel& level : levels) {
     const auto leave_out = [&](const char* why) {
       if (!level.name.empty()) result.left_out.push_back({level.name, why});
     };

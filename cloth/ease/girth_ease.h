@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/body/landmarks.h"
+#include "geometry/body/skeleton.h"
 #include "pattern/panel_mesh.h"
 
 namespace toile {
@@ -42,7 +42,7 @@ struct GirthEases {
 };
 
 /// Girth ease on horizontal planes through the torso. The planes lie at the bust, waist and hip of
-/// ISO 8559-1 (torso_levels()), and every `step` metres between crotch and armpits, unless `step`
+/// ISO 8559-1 (girth_levels()), and every `step` metres between crotch and armpits, unless `step`
 /// is 0. Levels at which the garment does not close around the torso are left out.
 ///
 /// - As cut, each panel is measured where the level crosses it, at the mean flat height of the

@@ -4,8 +4,8 @@
 
 #include "cloth/scene/collider.h"
 #include "geometry/body/bones.h"
-#include "geometry/body/landmarks.h"
 #include "geometry/body/skeleton.h"
+#include "geometry/body/trunk_levels.h"
 #include "geometry/distance_grid.h"
 #include "geometry/error.h"
 #include "geometry/surface_distance.h"
@@ -89,8 +89,8 @@ class Anchors {
   double girth_height(const MeshedAttachment& attached) {
     if (scene_.collider == nullptr)
       throw refused(attached, "there is no body", "give one to dress");
-    if (girths_.empty()) girths_ = torso_levels(scene_.collider->body(), *scene_.skeleton);
-    for (const TorsoLevel& level : girths_) {
+    if (girths_.empty()) girths_ = girth_levels(scene_.collider->body(), *scene_.skeleton);
+    for (const NamedLevel& level : girths_) {
       if (level.name == attached.how.landmark) return level.height;
     }
     throw refused(attached, "the body shows none", "name a joint, with 'above'");
@@ -109,7 +109,7 @@ class Anchors {
 
   const Scene& scene_;
   double offset_;                   // metres that the cloth keeps from the skin
-  std::vector<TorsoLevel> girths_;  // empty until one is needed
+  std::vector<NamedLevel> girths_;  // empty until one is needed
 };
 
 std::string target_of(const Attachment& how) {

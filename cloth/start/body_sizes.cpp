@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "cloth/start/constants.h"
-#include "geometry/body/landmarks.h"
+#include "geometry/body/torso_section.h"
 
 namespace toile {
 

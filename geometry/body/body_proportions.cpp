@@ -19,7 +19,7 @@ struct Share {
 };
 
 constexpr std::array shares = {
-    Share{"cervicale_height", 0.852, 0.855, 0.800}, Share{"bust_height", 0.718, 0.725, 0.705},
+    Share{"cervicale_height", 0.852, 0.855, 0.800}, Share{"bust_height", 0.718, 0.725, 0.688},
     Share{"waist_height", 0.620, 0.615, 0.595},     Share{"hip_height", 0.503, 0.510, 0.480},
     Share{"crotch_height", 0.455, 0.465, 0.430},    Share{"knee_height", 0.275, 0.280, 0.260},
     Share{"arm_length", 0.318, 0.322, 0.302},

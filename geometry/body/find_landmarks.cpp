@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "geometry/body/centreline.h"
-#include "geometry/body/landmarks.h"
 #include "geometry/body/tape.h"
+#include "geometry/body/torso_section.h"
 
 namespace toile {
 

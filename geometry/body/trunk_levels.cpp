@@ -6,8 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "geometry/body/landmarks.h"
-
 namespace toile {
 
 namespace {
@@ -25,6 +23,8 @@ constexpr double waist_share = 0.64;
 // Share of the trunk's lean that a bust's direction has. At 0 an average woman's bust is 6 mm lower
 // and its girth 6 mm less. At 1 an average man's is 2 mm higher and 1 mm more.
 constexpr double bust_lean = 0.85;
+// Bend of the front at the bust, times the height, below which the chest is nearly flat.
+constexpr double flat_bend = 4;
 // Share of the height from the bust points down to the underbust, where no crease is lower.
 constexpr double underbust_share = 0.044;
 
@@ -93,7 +93,7 @@ class Finder {
     levels_.high = profile_.back().y;
     find_waist();
     if (!levels_.waist.height) return none(levels_.waist.reason);
-    if (body_.skeleton) {
+    if (body_.skeleton && body_.skeleton->joints.contains("neck")) {
       const Vec3 axis = body_.skeleton->joint("neck") - body_.skeleton->joint("waist");
       levels_.lean = std::clamp(axis.z() / axis.y(), -0.25, 0.25);
     }
@@ -254,14 +254,29 @@ class Finder {
       if (summit.size() >= 5) foremost = greatest(summit, bust_reach);
     }
     levels_.bust = {foremost.at, 0.9, ""};
-    if (!foremost.is_end) return;
-    // A belly that stands out farther, or a chest that is nowhere rounded.
-    levels_.bust = {levels_.high - step(), 0.3, "no bust stands out; it is under the armpits"};
-    if (!body_.skeleton) return;
-    for (const TorsoLevel& level : torso_levels(body_.mesh, *body_.skeleton)) {
-      if (level.name == "bust") levels_.bust.height = level.height;
+    // Noise of 1 mm hides how much the chest bends within the bust's own reach.
+    const Extreme wide = greatest(front, 3 * reach_);
+    const bool is_flat = !wide.is_end && -wide.curvature * body_.height < flat_bend;
+    if (!foremost.is_end && !is_flat) return;
+    // A belly that stands out farther, or a chest that is nearly flat.
+    const Extreme convex = most_convex(waist, low, bust_reach);
+    if (!convex.is_end) {
+      levels_.bust = {convex.at, 0.5, "the chest stands out little"};
+    } else if (foremost.is_end) {
+      levels_.bust = {levels_.high - step(), 0.3, "no bust stands out; it is under the armpits"};
     }
-    levels_.bust.reason = "the chest stands out little";
+  }
+
+  /// Where the front stands out the most, from `low` up, from the straight line between the waist
+  /// and the armpits.
+  Extreme most_convex(double waist, double low, double reach) const {
+    const auto front = curve(profile_, waist, levels_.high, [](const Level& l) { return l.front; });
+    const Vec2& start = front.front();
+    const Vec2& end = front.back();
+    const double slope = (end.y() - start.y()) / (end.x() - start.x());
+    return greatest(curve(profile_, low, levels_.high,
+                          [&](const Level& l) { return l.front - slope * (l.y - start.x()); }),
+                    reach);
   }
 
   void find_underbust() {
@@ -336,5 +351,16 @@ Extreme greatest(const std::vector<Vec2>& samples, double reach) {
 }
 
 TrunkLevels trunk_levels(const BodyFrame& body) { return Finder(body).find(); }
+
+std::vector<NamedLevel> girth_levels(const TriangleMesh& body, const Skeleton& skeleton) {
+  BodyFrame frame{body, skeleton, "", Eigen::Matrix3d::Identity(), Vec3::Zero(), 0};
+  for (const Vec3& point : body.points) frame.height = std::max(frame.height, point.y());
+  const TrunkLevels found = trunk_levels(frame);
+  std::vector<NamedLevel> levels;
+  if (found.bust.height) levels.push_back({"bust", *found.bust.height});
+  if (found.waist.height) levels.push_back({"waist", *found.waist.height});
+  if (found.hip.height) levels.push_back({"hip", *found.hip.height});
+  return levels;
+}
 
 }  // namespace toile

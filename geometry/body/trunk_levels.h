@@ -19,10 +19,10 @@ struct TrunkLevel {
 
 /// Levels of the trunk.
 /// - The bust stands out the most square to the line from the waist to the neck, which leans back
-/// on
-///   most people.
+///   on most people. A chest that is nearly flat is taken where it stands out the most from the
+///   straight line between waist and armpits.
 /// - The hip is half-way between where the seat stands out the most and where the girth is
-/// greatest.
+///   greatest.
 /// - The waist is where a tape rests in the hollow, next to the least girth. Without a hollow,
 ///   proportion places it.
 struct TrunkLevels {
@@ -40,6 +40,16 @@ struct TrunkLevels {
 /// holds nearly all that a level plane cuts. It then needs a waist between two wider levels.
 /// Costs some 100 slices.
 TrunkLevels trunk_levels(const BodyFrame& body);
+
+/// A level of the trunk by its name in ISO 8559-1: "bust", "waist" or "hip".
+struct NamedLevel {
+  std::string name;
+  double height = 0;  ///< metres above the floor
+};
+
+/// Those of bust, waist and hip that trunk_levels() finds on a body that stands on y = 0 and faces
+/// +z, in this order. Costs trunk_levels() and a copy of the body.
+std::vector<NamedLevel> girth_levels(const TriangleMesh& body, const Skeleton& skeleton);
 
 /// The extreme of a curve through noisy samples, by a parabola through those near it.
 struct Extreme {

@@ -57,6 +57,23 @@ TEST_F(MeasureBodyProgram, WritesMeasuresUnderAllNames) {
   EXPECT_NE(read_text(folder_ / "m.html").find("data-region"), std::string::npos);
 }
 
+TEST_F(MeasureBodyProgram, LandmarksStandBesideTheBody) {
+  ASSERT_EQ(run("clean-body", {body(), "-o", folder_ / "clean.ply", "-q"}).exit_code, 0);
+  ASSERT_EQ(run("measure-body", {folder_ / "clean.ply", "-o", folder_ / "m.json"}).exit_code, 0);
+  const Json made = Json::parse(read_text(body().replace_extension(".json")))["landmarks"];
+  const Json cleaned = Json::parse(read_text(folder_ / "clean.json"))["landmarks"];
+  EXPECT_EQ(cleaned, Json::parse(read_text(folder_ / "m.json"))["landmarks"]);
+  ASSERT_EQ(made.size(), cleaned.size());
+  for (const auto& [name, landmark] : made.items()) {
+    ASSERT_TRUE(landmark["place_m"].is_array()) << name;
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_NEAR(landmark["place_m"][axis].get<double>(),
+                  cleaned[name]["place_m"][axis].get<double>(), 0.001)
+          << name;
+    }
+  }
+}
+
 TEST_F(MeasureBodyProgram, ComparesWithMeasuresTakenBefore) {
   write_text(folder_ / "before.csv", "name,value,unit\nhip,38,inch\n");
   const pipeline::Run done = run("measure-body", {body(), "-o", folder_ / "m.json", "--unit",

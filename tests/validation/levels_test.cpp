@@ -2,9 +2,10 @@
 #include <fstream>
 
 #include "geometry/body/clean_body.h"
-#include "geometry/body/landmarks.h"
 #include "geometry/body/mannequin/mannequin.h"
 #include "geometry/body/mannequin/mannequin_shape.h"
+#include "geometry/body/torso_section.h"
+#include "geometry/body/trunk_levels.h"
 #include "io/mesh_file.h"
 #include "tests/support/run_program.h"
 #include "tests/validation/report.h"
@@ -12,11 +13,11 @@
 namespace toile {
 namespace levels_test {
 
-constexpr double bound = 1;  // cm
+constexpr double bound = 0.5;  // cm
 
 /// Centimetres around the body at a level; 0: it has none.
 double girth_at(const TriangleMesh& body, const Skeleton& skeleton, const std::string& name) {
-  for (const TorsoLevel& level : torso_levels(body, skeleton)) {
+  for (const NamedLevel& level : girth_levels(body, skeleton)) {
     if (level.name == name) return 100 * torso_section(body, level.height)->girth;
   }
   return 0;
@@ -41,7 +42,7 @@ void expect_measures(const std::string& name, const std::filesystem::path& mesh,
   ASSERT_TRUE(body.skeleton);
   for (const auto& [level, key] :
        {std::pair("bust", "bust"), {"waist", "waist"}, {"hip", "hips"}}) {
-    test::expect_near({name + ", girth of the " + level, "torso levels", "", "cm"},
+    test::expect_near({name + ", girth of the " + level, "trunk levels", "", "cm"},
                       girth_at(body.mesh, *body.skeleton, level), measure(measures, key), bound);
   }
 }
@@ -63,7 +64,7 @@ TEST(Levels, OfTheMannequin) {
   for (const GirthTarget& target : girth_targets()) {
     const std::string name(target.name);
     if (name != "bust" && name != "waist" && name != "hip") continue;
-    test::expect_near({"mannequin, girth of the " + name, "torso levels", "", "cm"},
+    test::expect_near({"mannequin, girth of the " + name, "trunk levels", "", "cm"},
                       girth_at(mannequin.surface, mannequin.skeleton, name), 100 * target.girth,
                       bound);
   }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/body/clean_body.h"
+#include "geometry/body/find_landmarks.h"
 #include "geometry/error.h"
 #include "io/mesh_file.h"
 #include "io/output_file.h"
@@ -186,7 +187,10 @@ void run_clean_body(const CleanBodySettings& settings, const CommonSettings& com
   for (const std::string& warning : warnings) CommonSettings::warn(warning);
   OutputFiles files;
   write_mesh(files.at(common.output), body.mesh);
-  if (body.skeleton) write_skeleton(files.at(joints), *body.skeleton);
+  if (body.skeleton) {
+    write_skeleton(files.at(joints), *body.skeleton,
+                   given_landmarks(find_landmarks(body.mesh, in)));
+  }
   if (common.report) {
     const bool given = options.skeleton && body.report.skeleton_refused.empty();
     nlohmann::ordered_json report = clean_body_json(body, given, warnings);

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "geometry/body/find_landmarks.h"
 #include "geometry/body/mannequin/mannequin.h"
 #include "io/mesh_file.h"
 #include "io/output_file.h"
@@ -66,7 +67,11 @@ ExitCode write_mannequin(const Settings& settings, const CommonSettings& common)
                         : sample_mannequin(options, common);
   OutputFiles files;
   write_mesh(files.at(common.output), mannequin.surface);
-  write_skeleton(files.at(skeleton_path(common.output)), mannequin.skeleton);
+  // Landmarks are those of a standing body.
+  const bool stands = !is_pose_file(options.pose_name) && options.pose_name == "standing";
+  write_skeleton(
+      files.at(skeleton_path(common.output)), mannequin.skeleton,
+      stands ? given_landmarks(find_landmarks(mannequin.surface, "mannequin")) : Landmarks{});
   if (common.report) {
     Json report = report_json(mannequin);
     report.update(by_measures);

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "io/csv.h"
+#include "io/landmarks_json.h"
 #include "io/text.h"
 #include "tools/remarks.h"
 
@@ -127,17 +128,7 @@ std::string measures_json(const BodyMeasures& all,
   for (const Measure& measure : all.freehand) {
     json["freehand"][valid_utf8(measure.name)] = measure_json(all, measure);
   }
-  json["landmarks"] = Json::object();
-  for (const Landmark& landmark : all.landmarks) {
-    Json entry;
-    entry["place_m"] = nullptr;
-    if (landmark.place) {
-      entry["place_m"] = {landmark.place->x(), landmark.place->y(), landmark.place->z()};
-    }
-    entry["confidence"] = landmark.confidence;
-    if (!landmark.reason.empty()) entry["reason"] = valid_utf8(landmark.reason);
-    json["landmarks"][landmark.name] = entry;
-  }
+  json["landmarks"] = landmarks_json(all.landmarks);
   if (!differences.empty()) {
     json["against"] = Json::object();
     for (const MeasureDifference& difference : differences) {

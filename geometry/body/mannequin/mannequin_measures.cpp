@@ -6,8 +6,8 @@
 #include <functional>
 
 #include "geometry/body/find_landmarks.h"
-#include "geometry/body/landmarks.h"
 #include "geometry/body/measures.h"
+#include "geometry/body/torso_section.h"
 #include "geometry/slice.h"
 
 namespace toile {
