@@ -9,7 +9,7 @@
 
 namespace toile {
 
-/// Writes a file such as
+/// Writes, for example,
 /// {"format": "toile-body", "version": 1, "units": "m", "up": "y",
 ///  "joints": {name: [x, y, z]}, "segments": [{"part", "from", "to"}],
 ///  "landmarks": {name: {"place_m": [x, y, z], "confidence": 0.9}},

@@ -83,10 +83,10 @@ bool is_in_the_way(const Level& level, const std::vector<Vec3>& nodes, const Arm
 }
 
 /// Closes the seams from where the panels start, and lets the cloth come clear of itself.
-Staged close_and_untangle(const Level& level, double care, Journal& journal) {
+Staged close_and_untangle(const Level& level, double stiffness, Journal& journal) {
   State state;
   state.nodes = level.model.start;
-  Staged staged = close_seams(level, std::move(state), care, journal);
+  Staged staged = close_seams(level, std::move(state), stiffness, journal);
   return untangle(level, std::move(staged.state), journal);
 }
 
@@ -114,11 +114,11 @@ Sewn sew(const PanelMesh& mesh, int depth, const Scene& scene, double resting_of
     standing =
         compiled_level(mesh, depth, closing_scene(scene), sewn.placement.placed, resting_offset);
   }
-  for (int attempt = 0; attempt < max_sewing_attempts && !sewn.is_clear; ++attempt) {
+  for (std::size_t attempt = 0; attempt < closing_stiffness.size() && !sewn.is_clear; ++attempt) {
     if (attempt > 0 && sewn.level.model.nodes > max_resewn_nodes) break;
-    journal.begin_attempt(attempt + 1);
+    journal.begin_attempt(static_cast<int>(attempt) + 1);
     if (raise) journal.show_through([&](const Vec3& p) { return raise->lowered(p); });
-    Staged staged = close_and_untangle(sewn.level, std::pow(2.0, attempt), journal);
+    Staged staged = close_and_untangle(sewn.level, closing_stiffness[attempt], journal);
     // A tangle that falls only gets worse.
     if (raise && staged.report.converged && is_in_the_way(standing, staged.state.nodes, *raise)) {
       staged = settle(sewn.level, std::move(staged.state), true, true, journal);

@@ -38,10 +38,10 @@ RelaxOptions level_options(const Level& level) {
 }
 
 /// Of stages that sew: the cloth is stiff, weightless, and drawn to the body.
-RelaxOptions sewing_options(const Level& level, double care) {
+RelaxOptions sewing_options(const Level& level, double stiffness) {
   RelaxOptions options = level_options(level);
   options.compression = soft_compression.back();
-  options.bending_from = options.bending_to = closing_stiffness * care;
+  options.bending_from = options.bending_to = stiffness;
   options.gravity = 0;
   options.pull = closing_pull;
   options.linearization_radius = closing_linearization_radius;
@@ -122,11 +122,11 @@ Positioned position(const PanelMesh& mesh, int depth, const Scene& scene, double
   return positioned;
 }
 
-Staged close_seams(const Level& level, State state, double care, Journal& journal) {
-  RelaxOptions options = sewing_options(level, care);
+Staged close_seams(const Level& level, State state, double stiffness, Journal& journal) {
+  RelaxOptions options = sewing_options(level, stiffness);
   const double across =
       std::max(1.0, std::sqrt(static_cast<double>(level.mesh->flat.size()) / closing_points));
-  options.closing_iterations = static_cast<int>(closing_iterations * across * care);
+  options.closing_iterations = static_cast<int>(closing_iterations * across);
   options.passing_iterations = passing_iterations;
   options.max_iterations = options.closing_iterations + max_closing_wait + 2 * passing_iterations;
   options.bounded = true;
@@ -138,8 +138,7 @@ Staged close_seams(const Level& level, State state, double care, Journal& journa
 Staged untangle(const Level& level, State state, Journal& journal) {
   Staged staged{std::move(state), {}};
   if (!is_clear_of_itself(level, staged.state)) {
-    RelaxOptions options = sewing_options(level, 1);
-    options.bending_from = options.bending_to = untangling_stiffness;
+    RelaxOptions options = sewing_options(level, untangling_stiffness);
     options.max_iterations = untangling_iterations;
     options.untangles = true;
     options.bounded_by_body = true;
@@ -147,7 +146,7 @@ Staged untangle(const Level& level, State state, Journal& journal) {
                  progress_when_sewn(level, journal), journal);
     if (!staged.report.converged) return staged;
   }
-  RelaxOptions options = sewing_options(level, 1);
+  RelaxOptions options = sewing_options(level, closing_stiffness.front());
   options.max_iterations = softening_iterations;
   options.bending_to = 1;
   options.bounded = true;

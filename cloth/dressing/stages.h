@@ -31,9 +31,8 @@ Positioned position(const PanelMesh& mesh, int depth, const Scene& scene, double
 /// `close_seams`: closes the seams of panels that start at `state`, without gravity or friction,
 /// drawn to the skin. Cloth keeps off the body, with the gaps of open seams. It keeps off cloth,
 /// too, until no seam closes any more; then seams close through the cloth that holds them apart.
-/// `level` is that of position(). `care` multiplies the bending stiffness and the iterations, from
-/// 1 on.
-Staged close_seams(const Level& level, State state, double care, Journal& journal);
+/// `level` is that of position(). `stiffness` multiplies the bending stiffness.
+Staged close_seams(const Level& level, State state, double stiffness, Journal& journal);
 
 /// `untangle`: draws cloth that has come through cloth back out of it, then gives the cloth its own
 /// bending stiffness. The report's `converged` says whether the cloth is clear of itself.

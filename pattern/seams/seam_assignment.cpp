@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "geometry/disjoint_sets.h"
 #include "pattern/seams/integer_programme.h"
@@ -61,6 +62,7 @@ class Assigner {
       std::set<int> variables;
       for (const int c : chosen) variables.insert(variable_[lead_[c]]);
       std::vector<LinearTerm> terms;
+      terms.reserve(variables.size());
       for (const int variable : variables) terms.push_back({variable, 1});
       programme_.add_at_most(terms, static_cast<double>(variables.size()) - 1);
     }
@@ -190,6 +192,7 @@ class Assigner {
       }
       if (joins.empty()) continue;
       std::vector<LinearTerm> terms;
+      terms.reserve(joins.size() + 1);
       for (const int variable : joins) terms.push_back({variable, -1});
       terms.push_back({programme_.add_variable(-part_left_over), -1});
       programme_.add_at_most(terms, -1);
@@ -272,28 +275,26 @@ class Assigner {
   }
 
   void add_groups() {
-    struct Key {
-      std::set<std::array<int, 2>> seams;
-      std::set<std::array<int, 2>> open;
-      auto operator<=>(const Key&) const = default;
-    };
-    std::map<Key, double> worths;
+    using Ends = std::set<std::array<int, 2>>;
+    std::map<std::pair<Ends, Ends>, double>
+        worths;  // of the seams that end there, and what is open
     for (const CornerGroup& group : groups_) {
-      Key key;
+      Ends seams;
+      Ends open;
       bool possible = true;
       for (const SeamEnd& end : group.seams) {
         possible = possible && variable_[lead_[end.candidate]] >= 0;
-        key.seams.insert(lead_end(end));
+        seams.insert(lead_end(end));
       }
-      for (const EdgeEnd& end : group.open) key.open.insert(lead_end(end));
-      if (possible) worths[key] += group.worth;
+      for (const EdgeEnd& end : group.open) open.insert(lead_end(end));
+      if (possible) worths[{seams, open}] += group.worth;
     }
     std::map<std::array<int, 2>, std::vector<LinearTerm>> at_seam;
     std::map<std::array<int, 2>, std::vector<LinearTerm>> at_open;
     for (const auto& [key, worth] : worths) {
       const int variable = programme_.add_variable(worth, true);
-      for (const auto& end : key.seams) at_seam[end].push_back({variable, 1});
-      for (const auto& end : key.open) at_open[end].push_back({variable, 1});
+      for (const auto& end : key.first) at_seam[end].push_back({variable, 1});
+      for (const auto& end : key.second) at_open[end].push_back({variable, 1});
     }
     for (auto& [end, terms] : at_seam) {
       terms.push_back({variable_[lead_[end[0]]], -1});
