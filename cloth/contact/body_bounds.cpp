@@ -61,6 +61,31 @@ double distance_of(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t) {
   return std::sqrt(squared);
 }
 
+/// Whether the boxes around two triangles are more than `distance` (metres) apart along an axis.
+bool boxes_apart(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t, double distance) {
+  const Vec3 above = t[0].cwiseMin(t[1]).cwiseMin(t[2]) - s[0].cwiseMax(s[1]).cwiseMax(s[2]);
+  const Vec3 below = s[0].cwiseMin(s[1]).cwiseMin(s[2]) - t[0].cwiseMax(t[1]).cwiseMax(t[2]);
+  return above.cwiseMax(below).maxCoeff() > distance;
+}
+
+/// Metres: the least and the largest coordinate of the corners of some facets along a direction.
+struct Range {
+  double low = std::numeric_limits<double>::max();
+  double high = -std::numeric_limits<double>::max();
+};
+
+Range range_along(const Vec3& direction, const TriangleMesh& body, const std::vector<int>& facets) {
+  Range range;
+  for (const int f : facets) {
+    for (const int v : body.triangles[f]) {
+      const double at = direction.dot(body.points[v]);
+      range.low = std::min(range.low, at);
+      range.high = std::max(range.high, at);
+    }
+  }
+  return range;
+}
+
 }  // namespace
 
 BodyBounds::BodyBounds(const Collider& collider, const std::vector<Triangle>& triangles,
@@ -105,13 +130,11 @@ BodyBounds::Region BodyBounds::region_of(const Triangle& corners, const Vec4s& x
   // parallel to the triangle.
   const Vec3 own = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
   const Vec3 out = collider_.grid().at(centre).gradient.normalized();
-  for (const Vec3& normal : {out, own, Vec3(-own)}) {
-    double highest = -std::numeric_limits<double>::max();
-    for (const int f : near) {
-      for (const int v : body.triangles[f]) {
-        highest = std::max(highest, normal.dot(body.points[v]));
-      }
-    }
+  const Range along_out = range_along(out, body, near);
+  const Range along_own = range_along(own, body, near);
+  const std::pair<Vec3, double> planes[] = {
+      {out, along_out.high}, {own, along_own.high}, {-own, -along_own.low}};
+  for (const auto& [normal, highest] : planes) {
     const double lowest = std::min({normal.dot(p[0]), normal.dot(p[1]), normal.dot(p[2])});
     // With half of the safety, a corner that was stopped at its level may slide along it.
     const double slack = lowest - highest - 0.5 * safety;
@@ -123,9 +146,10 @@ BodyBounds::Region BodyBounds::region_of(const Triangle& corners, const Vec4s& x
   if (region.normal != Vec3::Zero() && region.slack >= facet_clearance) return region;
   double nearest = facet_search_distance;
   for (const int f : near) {
-    const Triangle& facet = body.triangles[f];
-    nearest = std::min(nearest, distance_of(p, {body.points[facet[0]], body.points[facet[1]],
-                                                body.points[facet[2]]}));
+    const Triangle& c = body.triangles[f];
+    const std::array<Vec3, 3> facet = {body.points[c[0]], body.points[c[1]], body.points[c[2]]};
+    if (boxes_apart(p, facet, nearest + safety)) continue;
+    nearest = std::min(nearest, distance_of(p, facet));
   }
   region.extra_offset = std::max(facet_clearance - nearest, 0.0);
   if (region.normal != Vec3::Zero() && nearest < facet_clearance) return region;
