@@ -176,7 +176,8 @@ DistanceGrid::Sample DistanceGrid::at(const Vec3& point) const {
   for (int axis = 0; axis < 3; ++axis) {
     const double local = (point[axis] - origin_[axis]) * nodes_a_metre_;
     if (!(local >= -0.5 && local < block_side * blocks_[axis] - 0.5)) return beyond(point);
-    const int centre = static_cast<int>(local + 0.5);
+    const double from_edge = local + 0.5;  // at least 0: the cast rounds down
+    const int centre = static_cast<int>(from_edge);
     const double t = local - centre;  // nodes, in [-0.5, 0.5]
     block[axis] = centre / block_side;
     corner[axis] = centre % block_side;  // the spline and the block both begin one node lower
@@ -200,7 +201,7 @@ DistanceGrid::Sample DistanceGrid::at(const Vec3& point) const {
     Vec4 sum = {0, 0, 0, 0};
     Vec4 rise = {0, 0, 0, 0};
     for (int b = 0; b < 3; ++b) {
-      const float* const stored = row + (c * rimmed_side + b) * rimmed_side;
+      const float* const stored = &row[static_cast<std::size_t>(c * rimmed_side + b) * rimmed_side];
       const Vec4 values = __builtin_convertvector(*reinterpret_cast<const Four*>(stored), Vec4);
       sum += weight[1][b] * values;
       rise += slope[1][b] * values;
