@@ -11,7 +11,7 @@ namespace {
 constexpr int coarsening = 4;
 constexpr int cube_side = 4;
 constexpr std::size_t cube_nodes = std::tuple_size_v<decltype(DistanceCache::Cube::values)>;
-static_assert(cube_nodes == cube_side * cube_side * cube_side);
+static_assert(cube_nodes == std::size_t{cube_side} * cube_side * cube_side);
 /// Cells of the middle level: nodes of it that are farther off are interpolated, too.
 constexpr double far_cells = 4;
 

@@ -92,8 +92,8 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) : mesh_(mesh) {
   order_.resize(entries.size());
 
   Boxes none;
-  std::fill(&none.low[0][0], &none.low[0][0] + 3 * width, infinite);
-  std::fill(&none.high[0][0], &none.high[0][0] + 3 * width, -infinite);
+  std::fill_n(&none.low[0][0], 3 * width, infinite);
+  std::fill_n(&none.high[0][0], 3 * width, -infinite);
   const auto eights = [](std::size_t count) { return (count + width - 1) / width; };
   levels_.emplace_back(eights(order_.size()), none);
   tbb::parallel_for(std::size_t{0}, order_.size(), [&](std::size_t i) {
