@@ -2,9 +2,11 @@
 
 #include <atomic>
 #include <cmath>
-#include <cstring>
+#include <cstdlib>
+#include <new>
 
 #include "geometry/distance_levels.h"
+#include "geometry/vec4.h"
 
 namespace toile {
 
@@ -12,17 +14,20 @@ namespace {
 
 /// Nodes of a block along each axis, without and with the rim of one node that the spline needs.
 constexpr int block_side = 2;
-constexpr int rimmed_side = block_side + 2;
+constexpr int rimmed_side = DistanceLevels::block_side;
+constexpr int rimmed_nodes = rimmed_side * rimmed_side * rimmed_side;
+static_assert(rimmed_side == block_side + 2);
 
 using Index = DistanceLevels::Index;
 
-using Four = Eigen::Array4d;
+/// Four neighbours along x, as stored.
+using Four = float __attribute__((vector_size(16), aligned(4)));
 
 }  // namespace
 
 /// The distances, metres, at all nodes that a lookup needs: along x first, then y, then z.
 struct DistanceGrid::Block {
-  float values[rimmed_side * rimmed_side * rimmed_side + 1];  // one more: rows of 3 are read as 4
+  float values[rimmed_nodes + 1];  // one more: rows of 3 are read as 4
 };
 
 /// The blocks, and the distances that fill them.
@@ -32,7 +37,10 @@ struct DistanceGrid::Table {
   std::vector<std::unique_ptr<DistanceLevels>> surfaces;
   Index first = {0, 0, 0};  // first block; it begins at node block_side * first
   Index size = {0, 0, 0};   // blocks along each axis
-  std::unique_ptr<std::atomic<const Block*>[]> blocks;
+  struct Free {
+    void operator()(void* memory) const { std::free(memory); }
+  };
+  std::unique_ptr<std::atomic<const Block*>[], Free> blocks;
 
   ~Table() { drop(); }
   void drop() {
@@ -67,8 +75,11 @@ void DistanceGrid::Table::add(const SurfaceDistance& surface, const DistanceGrid
   drop();
   first = new_first;
   size = new_size;
-  blocks.reset(
-      new std::atomic<const Block*>[static_cast<std::size_t>(size[0]) * size[1] * size[2]] {});
+  const std::size_t count = static_cast<std::size_t>(size[0]) * size[1] * size[2];
+  // calloc() gives null pointers, and pages that nobody writes to take no memory.
+  void* const memory = std::calloc(count, sizeof(std::atomic<const Block*>));
+  if (memory == nullptr) throw std::bad_alloc();
+  blocks.reset(static_cast<std::atomic<const Block*>*>(memory));
   surfaces.push_back(std::make_unique<DistanceLevels>(surface, origin, cell, options.band));
   Index first_node;
   Index nodes;
@@ -81,21 +92,13 @@ void DistanceGrid::Table::add(const SurfaceDistance& surface, const DistanceGrid
 
 const DistanceGrid::Block* DistanceGrid::Table::compute(const Index& block) const {
   auto made = std::make_unique<Block>();
-  float* value = made->values;
-  std::vector<SurfacePoint> near(
-      surfaces.size());  // hints: neighbouring nodes have closest points near each other
-  for (int k = 0; k < rimmed_side; ++k) {
-    for (int j = 0; j < rimmed_side; ++j) {
-      for (int i = 0; i < rimmed_side; ++i) {
-        const Index node = {block_side * block[0] - 1 + i, block_side * block[1] - 1 + j,
-                            block_side * block[2] - 1 + k};
-        *value = surfaces.front()->at(node, near.front());
-        for (std::size_t s = 1; s < surfaces.size(); ++s) {
-          *value = std::min(*value, surfaces[s]->at(node, near[s]));
-        }
-        ++value;
-      }
-    }
+  const Index first_node = {block_side * block[0] - 1, block_side * block[1] - 1,
+                            block_side * block[2] - 1};
+  surfaces.front()->block_at(first_node, made->values);
+  for (std::size_t s = 1; s < surfaces.size(); ++s) {
+    float others[rimmed_nodes];
+    surfaces[s]->block_at(first_node, others);
+    for (int n = 0; n < rimmed_nodes; ++n) made->values[n] = std::min(made->values[n], others[n]);
   }
   return made.release();
 }
@@ -164,6 +167,7 @@ const DistanceGrid::Block* DistanceGrid::fill(int number) const {
   return found;
 }
 
+TOILE_CLONES
 DistanceGrid::Sample DistanceGrid::at(const Vec3& point) const {
   int block[3];
   int corner[3];
@@ -172,7 +176,8 @@ DistanceGrid::Sample DistanceGrid::at(const Vec3& point) const {
   for (int axis = 0; axis < 3; ++axis) {
     const double local = (point[axis] - origin_[axis]) * nodes_a_metre_;
     if (!(local >= -0.5 && local < block_side * blocks_[axis] - 0.5)) return beyond(point);
-    const int centre = static_cast<int>(local + 0.5);
+    const double from_edge = local + 0.5;  // at least 0: the cast rounds down
+    const int centre = static_cast<int>(from_edge);
     const double t = local - centre;  // nodes, in [-0.5, 0.5]
     block[axis] = centre / block_side;
     corner[axis] = centre % block_side;  // the spline and the block both begin one node lower
@@ -189,16 +194,15 @@ DistanceGrid::Sample DistanceGrid::at(const Vec3& point) const {
   const float* row =
       &found->values[(corner[2] * rimmed_side + corner[1]) * rimmed_side + corner[0]];
   // Sums over y and z for three neighbours along x at a time. The fourth lane is not used.
-  Four value = Four::Zero();
-  Four along_y = Four::Zero();
-  Four along_z = Four::Zero();
+  Vec4 value = {0, 0, 0, 0};
+  Vec4 along_y = {0, 0, 0, 0};
+  Vec4 along_z = {0, 0, 0, 0};
   for (int c = 0; c < 3; ++c) {
-    Four sum = Four::Zero();
-    Four rise = Four::Zero();
+    Vec4 sum = {0, 0, 0, 0};
+    Vec4 rise = {0, 0, 0, 0};
     for (int b = 0; b < 3; ++b) {
-      const Four values =
-          Eigen::Map<const Eigen::Array4f>(row + (c * rimmed_side + b) * rimmed_side)
-              .cast<double>();
+      const float* const stored = &row[static_cast<std::size_t>(c * rimmed_side + b) * rimmed_side];
+      const Vec4 values = __builtin_convertvector(*reinterpret_cast<const Four*>(stored), Vec4);
       sum += weight[1][b] * values;
       rise += slope[1][b] * values;
     }
@@ -206,7 +210,7 @@ DistanceGrid::Sample DistanceGrid::at(const Vec3& point) const {
     along_y += weight[2][c] * rise;
     along_z += slope[2][c] * sum;
   }
-  const auto across = [](const Four& of, const double(&by)[3]) {
+  const auto across = [](const Vec4& of, const double(&by)[3]) {
     return by[0] * of[0] + by[1] * of[1] + by[2] * of[2];
   };
   Sample sample{across(value, weight[0]),

@@ -11,7 +11,7 @@ namespace {
 constexpr int coarsening = 4;
 constexpr int cube_side = 4;
 constexpr std::size_t cube_nodes = std::tuple_size_v<decltype(DistanceCache::Cube::values)>;
-static_assert(cube_nodes == cube_side * cube_side * cube_side);
+static_assert(cube_nodes == std::size_t{cube_side} * cube_side * cube_side);
 /// Cells of the middle level: nodes of it that are farther off are interpolated, too.
 constexpr double far_cells = 4;
 
@@ -143,6 +143,30 @@ void DistanceLevels::cover(const Index& first, const Index& size) {
 }
 
 float DistanceLevels::at(const Index& node, SurfacePoint& near) const { return at(0, node, near); }
+
+void DistanceLevels::block_at(const Index& first, float* values) const {
+  const Level& finest = levels_[0];
+  // A place is the sum of what each axis adds to it.
+  std::size_t places[3][block_side];
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int i = 0; i < block_side; ++i) {
+      Index node = finest.first;
+      node[axis] = first[axis] + i;
+      places[axis][i] = finest.place(node);
+    }
+  }
+  SurfacePoint near;  // a hint: neighbouring nodes have closest points near each other
+  for (int k = 0; k < block_side; ++k) {
+    for (int j = 0; j < block_side; ++j) {
+      for (int i = 0; i < block_side; ++i) {
+        const std::size_t place = places[0][i] + places[1][j] + places[2][k];
+        *values = finest.values[place].load(std::memory_order_relaxed);
+        if (*values == 0) *values = at({first[0] + i, first[1] + j, first[2] + k}, near);
+        ++values;
+      }
+    }
+  }
+}
 
 float DistanceLevels::at(std::size_t level, const Index& node, SurfacePoint& near) const {
   std::atomic<float>& cached = levels_[level].values[levels_[level].place(node)];

@@ -32,6 +32,12 @@ Box box_of(const TriangleMesh& mesh, int triangle) {
   return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
 }
 
+Box box_of(const TriangleMesh& mesh) {
+  Box box{mesh.points.front(), mesh.points.front()};
+  for (const Vec3& p : mesh.points) box = {box.low.cwiseMin(p), box.high.cwiseMax(p)};
+  return box;
+}
+
 bool overlap(const Box& a, const Box& b) {
   return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
 }
@@ -44,6 +50,7 @@ std::vector<TrianglePair> pairs_that(const TriangleMesh& querying, const Triangl
   std::vector<TrianglePair> pairs;
   if (querying.triangles.empty() || tree_mesh.triangles.empty()) return pairs;
   const TriangleTree tree(tree_mesh);
+  const Box all = box_of(tree_mesh);
   tbb::enumerable_thread_specific<std::vector<TrianglePair>> found;
   tbb::parallel_for(tbb::blocked_range<int>(0, static_cast<int>(querying.triangles.size()), 256),
                     [&](const tbb::blocked_range<int>& range) {
@@ -51,6 +58,8 @@ std::vector<TrianglePair> pairs_that(const TriangleMesh& querying, const Triangl
                       std::vector<int> near;
                       for (int a = range.begin(); a < range.end(); ++a) {
                         const Box box = box_of(querying, a);
+                        // Of a body, head and legs are far from most garments.
+                        if (!overlap(box, all)) continue;
                         near.clear();
                         tree.meeting(box.low, box.high, near);
                         for (const int b : near) {

@@ -22,15 +22,20 @@ struct Cut {
 
 std::vector<Cut> cut_triangles(const TriangleMesh& mesh, const std::vector<double>& height) {
   std::vector<Cut> cuts;
+  // Few triangles are cut. All others are told by three bytes.
+  std::vector<char> above(height.size());
+  for (std::size_t p = 0; p < height.size(); ++p) above[p] = static_cast<char>(height[p] >= 0);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Triangle& triangle = mesh.triangles[t];
+    const int corners_above = above[triangle[0]] + above[triangle[1]] + above[triangle[2]];
+    if (corners_above == 0 || corners_above == 3) continue;
     Cut cut{static_cast<int>(t), {}, {}};
     int crossings = 0;
     for (int side = 0; side < 3; ++side) {
       const int from = triangle[side];
       const int to = triangle[(side + 1) % 3];
-      const bool from_above = height[from] >= 0;
-      if (from_above == (height[to] >= 0)) continue;
+      const bool from_above = above[from] != 0;
+      if (from_above == (above[to] != 0)) continue;
       ++crossings;
       if (from_above) {
         cut.enter = {to, from};

@@ -3,10 +3,12 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/intersections.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_invoke.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "geometry/closest_points.h"
 #include "geometry/error.h"
@@ -42,10 +44,12 @@ double beside_border(const Vec3& away, const Vec3& normal) {
 }  // namespace
 
 struct SurfaceDistance::Tree {
-  explicit Tree(const TriangleMesh& surface) : mesh(surface), tree(mesh) { compute_normals(); }
+  explicit Tree(const TriangleMesh& surface) : mesh(surface) {
+    tbb::parallel_invoke([this] { tree.emplace(mesh); }, [this] { compute_normals(); });
+  }
 
   const TriangleMesh mesh;
-  const TriangleTree tree;
+  std::optional<TriangleTree> tree;
   std::vector<Vec3> face_normals;
   std::vector<std::array<Vec3, 3>> edge_normals;  // per triangle, of the edge opposite to corner i
   std::vector<Vec3> vertex_normals;
@@ -139,7 +143,7 @@ void SurfaceDistance::triangles_in_box(const Vec3& low, const Vec3& high,
                                        std::vector<int>& found) const {
   const CGAL::Bbox_3 box(low.x(), low.y(), low.z(), high.x(), high.y(), high.z());
   const std::size_t before = found.size();
-  tree_->tree.meeting(low, high, found);
+  tree_->tree->meeting(low, high, found);
   const auto misses = [&](int triangle) {
     const Triangle& corners = tree_->mesh.triangles[triangle];
     return !CGAL::do_intersect(box, Kernel::Triangle_3(to_cgal(tree_->mesh.points[corners[0]]),
@@ -152,14 +156,14 @@ void SurfaceDistance::triangles_in_box(const Vec3& low, const Vec3& high,
 }
 
 const TriangleMesh& SurfaceDistance::mesh() const { return tree_->mesh; }
-const TriangleTree& SurfaceDistance::tree() const { return tree_->tree; }
+const TriangleTree& SurfaceDistance::tree() const { return *tree_->tree; }
 
 SurfacePoint SurfaceDistance::closest_point(const Vec3& query) const {
-  return tree_->describe(query, tree_->tree.closest_triangle(query));
+  return tree_->describe(query, tree_->tree->closest_triangle(query));
 }
 
 SurfacePoint SurfaceDistance::closest_point(const Vec3& query, const SurfacePoint& hint) const {
-  return tree_->describe(query, tree_->tree.closest_triangle(query, hint.triangle));
+  return tree_->describe(query, tree_->tree->closest_triangle(query, hint.triangle));
 }
 
 }  // namespace toile

@@ -4,10 +4,12 @@
 #include <oneapi/tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
 #include "geometry/closest_points.h"
+#include "geometry/vec4.h"
 
 namespace toile {
 
@@ -17,10 +19,22 @@ constexpr float infinite = std::numeric_limits<float>::infinity();
 /// Share of the largest coordinate: an ample bound for the rounding error of a distance.
 constexpr double rounding = 1e-6;
 
-// Every x86-64 or 64-bit ARM processor has instructions on four floats.
-using Lanes = float __attribute__((vector_size(16)));
+/// A number for each of the eight boxes.
+using Lanes = float __attribute__((vector_size(32)));
+using LaneMasks = int __attribute__((vector_size(32)));
 
-const Lanes& lanes(const float* four) { return *reinterpret_cast<const Lanes*>(four); }
+[[gnu::always_inline]] inline const Lanes& lanes(const float (&eight)[8]) {
+  return *reinterpret_cast<const Lanes*>(eight);
+}
+
+/// A bit for each lane whose mask is set.
+[[gnu::always_inline]] inline unsigned bits_of(const LaneMasks& masks) {
+  LaneMasks bits = masks & LaneMasks{1, 2, 4, 8, 16, 32, 64, 128};
+  bits |= __builtin_shufflevector(bits, bits, 4, 5, 6, 7, 0, 1, 2, 3);
+  bits |= __builtin_shufflevector(bits, bits, 2, 3, 0, 1, 6, 7, 4, 5);
+  bits |= __builtin_shufflevector(bits, bits, 1, 0, 3, 2, 5, 4, 7, 6);
+  return static_cast<unsigned>(bits[0]);
+}
 
 float rounded_down(double value) {
   const auto near = static_cast<float>(value);
@@ -78,8 +92,8 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) : mesh_(mesh) {
   order_.resize(entries.size());
 
   Boxes none;
-  std::fill(&none.low[0][0], &none.low[0][0] + 3 * width, infinite);
-  std::fill(&none.high[0][0], &none.high[0][0] + 3 * width, -infinite);
+  std::fill_n(&none.low[0][0], 3 * width, infinite);
+  std::fill_n(&none.high[0][0], 3 * width, -infinite);
   const auto eights = [](std::size_t count) { return (count + width - 1) / width; };
   levels_.emplace_back(eights(order_.size()), none);
   tbb::parallel_for(std::size_t{0}, order_.size(), [&](std::size_t i) {
@@ -117,18 +131,16 @@ struct TriangleTree::Query {
         slack(rounding * std::max(largest, point.cwiseAbs().maxCoeff())) {}
 
   /// Squared distances to the eight boxes; infinite where there is no box.
-  void measure(const Boxes& boxes, float (&squared)[width]) const {
-    for (int half = 0; half < width; half += 4) {
-      Lanes sum = {0, 0, 0, 0};
-      for (int axis = 0; axis < 3; ++axis) {
-        const Lanes below = lanes(&boxes.low[axis][half]) - at[axis];
-        const Lanes above = at[axis] - lanes(&boxes.high[axis][half]);
-        Lanes away = below > above ? below : above;
-        away = away > 0 ? away : Lanes{0, 0, 0, 0};
-        sum += away * away;
-      }
-      for (int lane = 0; lane < 4; ++lane) squared[half + lane] = sum[lane];
+  [[gnu::always_inline]] Lanes measure(const Boxes& boxes) const {
+    Lanes sum = {0, 0, 0, 0, 0, 0, 0, 0};
+    for (int axis = 0; axis < 3; ++axis) {
+      const Lanes below = lanes(boxes.low[axis]) - at[axis];
+      const Lanes above = at[axis] - lanes(boxes.high[axis]);
+      Lanes away = below > above ? below : above;
+      away = away > 0 ? away : Lanes{0, 0, 0, 0, 0, 0, 0, 0};
+      sum += away * away;
     }
+    return sum;
   }
   /// An upper bound of measure() for boxes that hold a point within `distance`.
   float limit(double distance) const { return rounded_up((distance + slack) * (distance + slack)); }
@@ -160,15 +172,22 @@ struct TriangleTree::Nearest {
   }
 };
 
+TOILE_CLONES
 void TriangleTree::search(std::size_t level, std::size_t number, Nearest& nearest) const {
-  float squared[width];
-  nearest.query.measure(levels_[level][number], squared);
-  for (;;) {
+  const Lanes distances = nearest.query.measure(levels_[level][number]);
+  unsigned left = bits_of(distances < nearest.limit);
+  if (left == 0) return;
+  alignas(Lanes) float squared[width];
+  *reinterpret_cast<Lanes*>(squared) = distances;
+  while (left != 0) {
     // The closest of the eight boxes comes first: its triangles rule out most of the others.
-    int next = 0;
-    for (int i = 1; i < width; ++i) next = squared[i] < squared[next] ? i : next;
+    int next = std::countr_zero(left);
+    for (unsigned others = left & (left - 1); others != 0; others &= others - 1) {
+      const int other = std::countr_zero(others);
+      next = squared[other] < squared[next] ? other : next;
+    }
     if (!(squared[next] < nearest.limit)) return;
-    squared[next] = infinite;
+    left &= ~(1U << static_cast<unsigned>(next));
     const std::size_t child = number * width + static_cast<std::size_t>(next);
     if (level > 0) {
       search(level - 1, child, nearest);
@@ -185,19 +204,17 @@ int TriangleTree::closest_triangle(const Vec3& point, int hint) const {
   return nearest.triangle;
 }
 
+TOILE_CLONES
 void TriangleTree::collect(std::size_t level, std::size_t number, const FloatBox& box,
                            std::vector<int>& found) const {
   const Boxes& boxes = levels_[level][number];
-  unsigned met = 0;
-  for (unsigned i = 0; i < width; ++i) {
-    const bool meets_all = boxes.low[0][i] <= box.high[0] && boxes.high[0][i] >= box.low[0] &&
-                           boxes.low[1][i] <= box.high[1] && boxes.high[1][i] >= box.low[1] &&
-                           boxes.low[2][i] <= box.high[2] && boxes.high[2][i] >= box.low[2];
-    met |= static_cast<unsigned>(meets_all) << i;
+  LaneMasks met = {-1, -1, -1, -1, -1, -1, -1, -1};
+  for (int axis = 0; axis < 3; ++axis) {
+    met &= lanes(boxes.low[axis]) <= box.high[axis];
+    met &= lanes(boxes.high[axis]) >= box.low[axis];
   }
-  for (std::size_t i = 0; met != 0; ++i, met >>= 1U) {
-    if ((met & 1U) == 0) continue;
-    const std::size_t child = number * width + i;
+  for (unsigned left = bits_of(met); left != 0; left &= left - 1) {
+    const std::size_t child = number * width + static_cast<std::size_t>(std::countr_zero(left));
     if (level > 0) {
       collect(level - 1, child, box, found);
     } else {

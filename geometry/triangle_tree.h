@@ -26,7 +26,7 @@ class TriangleTree {
 
  private:
   static constexpr int width = 8;
-  struct alignas(16) Boxes {
+  struct alignas(32) Boxes {
     float low[3][width];
     float high[3][width];
   };

@@ -112,7 +112,15 @@ std::string read_file(const fs::path& path) {
   if (fs::is_directory(path, failed)) throw Error(path.string(), "is a folder", "name a file");
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw Error(path.string(), "can't be read", "does the file exist?");
-  std::string content((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  // By blocks, for a pipe has no size. Byte by byte, it is a tenth of the start of a program.
+  constexpr std::streamsize block = 1 << 18;
+  std::string content;
+  while (stream) {
+    const std::size_t before = content.size();
+    content.resize(before + block);
+    stream.read(content.data() + before, block);
+    content.resize(before + static_cast<std::size_t>(stream.gcount()));
+  }
   if (stream.bad()) throw Error(path.string(), "could not be read to its end", "");
   return content;
 }

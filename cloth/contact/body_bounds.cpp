@@ -61,6 +61,36 @@ double distance_of(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t) {
   return std::sqrt(squared);
 }
 
+/// The least and the largest of some numbers.
+struct Range {
+  double low = std::numeric_limits<double>::max();
+  double high = -std::numeric_limits<double>::max();
+
+  void add(double number) {
+    low = std::min(low, number);
+    high = std::max(high, number);
+  }
+  void add(const Range& other) {
+    low = std::min(low, other.low);
+    high = std::max(high, other.high);
+  }
+};
+
+double gap(const Range& a, const Range& b) { return std::max(a.low - b.high, b.low - a.high); }
+
+Range range_along(const Vec3& direction, const std::array<Vec3, 3>& corners) {
+  Range range;
+  for (const Vec3& corner : corners) range.add(direction.dot(corner));
+  return range;
+}
+
+/// Whether two triangles are more than `distance` (metres) apart along x, y or z.
+bool boxes_apart(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t, double distance) {
+  const Vec3 above = t[0].cwiseMin(t[1]).cwiseMin(t[2]) - s[0].cwiseMax(s[1]).cwiseMax(s[2]);
+  const Vec3 below = s[0].cwiseMin(s[1]).cwiseMin(s[2]) - t[0].cwiseMax(t[1]).cwiseMax(t[2]);
+  return above.cwiseMax(below).maxCoeff() > distance;
+}
+
 }  // namespace
 
 BodyBounds::BodyBounds(const Collider& collider, const std::vector<Triangle>& triangles,
@@ -105,13 +135,19 @@ BodyBounds::Region BodyBounds::region_of(const Triangle& corners, const Vec4s& x
   // parallel to the triangle.
   const Vec3 own = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
   const Vec3 out = collider_.grid().at(centre).gradient.normalized();
-  for (const Vec3& normal : {out, own, Vec3(-own)}) {
-    double highest = -std::numeric_limits<double>::max();
-    for (const int f : near) {
-      for (const int v : body.triangles[f]) {
-        highest = std::max(highest, normal.dot(body.points[v]));
-      }
-    }
+  const auto corners_of = [&body](int f) -> std::array<Vec3, 3> {
+    const Triangle& c = body.triangles[f];
+    return {body.points[c[0]], body.points[c[1]], body.points[c[2]]};
+  };
+  Range all_out;
+  Range all_own;
+  for (const int f : near) {
+    all_out.add(range_along(out, corners_of(f)));
+    all_own.add(range_along(own, corners_of(f)));
+  }
+  const std::pair<Vec3, double> planes[] = {
+      {out, all_out.high}, {own, all_own.high}, {-own, -all_own.low}};
+  for (const auto& [normal, highest] : planes) {
     const double lowest = std::min({normal.dot(p[0]), normal.dot(p[1]), normal.dot(p[2])});
     // With half of the safety, a corner that was stopped at its level may slide along it.
     const double slack = lowest - highest - 0.5 * safety;
@@ -121,11 +157,21 @@ BodyBounds::Region BodyBounds::region_of(const Triangle& corners, const Vec4s& x
     region.slack = slack;
   }
   if (region.normal != Vec3::Zero() && region.slack >= facet_clearance) return region;
+  // The facet nearest to the middle comes first, for it rules out most of the others: those that
+  // are farther along any of the axes.
+  const auto first = std::ranges::find(near, region.facet);
+  if (first != near.end()) std::iter_swap(near.begin(), first);
+  const Range along_out = range_along(out, p);
+  const Range along_own = range_along(own, p);
   double nearest = facet_search_distance;
   for (const int f : near) {
-    const Triangle& facet = body.triangles[f];
-    nearest = std::min(nearest, distance_of(p, {body.points[facet[0]], body.points[facet[1]],
-                                                body.points[facet[2]]}));
+    const std::array<Vec3, 3> facet = corners_of(f);
+    const double ruled_out = nearest + safety;
+    if (gap(range_along(out, facet), along_out) > ruled_out ||
+        gap(range_along(own, facet), along_own) > ruled_out || boxes_apart(p, facet, ruled_out)) {
+      continue;
+    }
+    nearest = std::min(nearest, distance_of(p, facet));
   }
   region.extra_offset = std::max(facet_clearance - nearest, 0.0);
   if (region.normal != Vec3::Zero() && nearest < facet_clearance) return region;

@@ -14,7 +14,7 @@ namespace toile {
 
 /// Contact of one vertex of the cloth with the body, through a run. A plane stands for the body
 /// near the vertex, until the vertex has moved on too far.
-class alignas(32) BodyContact {
+class alignas(64) BodyContact {
  public:
   /// Finds the plane that stands for the body near the vertex at `p` (metres). It is parallel to
   /// the skin, `offset` metres off it, and valid within `linearization_radius` metres. Where the
@@ -80,15 +80,16 @@ class alignas(32) BodyContact {
   }
 
  private:
+  // What every iteration reads comes first, in one line of the cache.
   Vec4 normal_ = {0, 0, 0, 0};  // of the plane that stands for the body
-  Vec4 anchor_ = {0, 0, 0, 0};
   double slope_ = 1;  // of the distance along the normal; less than 1 with the body on both sides
   double level_ = 0;  // metres: depth of the origin below the plane
   double stiffness_ = 0;  // N/m: a bound of the push's stiffness
-  double reach_ = -1;
-  Vec3 linearized_at_ = Vec3::Zero();
   bool near_ = false;
   bool anchored_ = false;
+  Vec4 anchor_ = {0, 0, 0, 0};
+  double reach_ = -1;
+  Vec3 linearized_at_ = Vec3::Zero();
 };
 
 }  // namespace toile

@@ -11,6 +11,9 @@ namespace toile {
 
 namespace {
 
+/// Metres: more than the error of a distance between two nearly parallel edges.
+constexpr double approach_slack = 1e-6;
+
 /// The share of their push that two edges get, by the angle between them.
 struct EdgeShare {
   double share = 1;
@@ -56,6 +59,7 @@ void PairForces::activate(const std::vector<Vec3>& x, const std::vector<char>& i
   slots_of_.clear();
   if (active_.empty()) return;
   slots_.assign(4 * active_.size(), Vec4{});
+  apart_until_.assign(active_.size(), -1);
   slots_of_.assign(x.size(), [&](const auto& add) {
     for (std::size_t i = 0; i < active_.size(); ++i) {
       for (int j = 0; j < 4; ++j) add(active_[i].vertices[j], static_cast<int>(4 * i + j));
@@ -88,7 +92,9 @@ PairPush push_of(const ContactPair& pair, const std::array<Vec3, 4>& at, bool ba
 
 void PairForces::push(std::size_t begin, std::size_t end, bool barrier, double early,
                       const Vec4s& x) {
+  const double path = path_.length();
   for (std::size_t i = begin; i < end; ++i) {
+    if (path < apart_until_[i]) continue;
     const auto& v = active_[i].vertices;
     const PairPush push = push_of(
         active_[i], {as_vec3(x[v[0]]), as_vec3(x[v[1]]), as_vec3(x[v[2]]), as_vec3(x[v[3]])},
@@ -98,6 +104,9 @@ void PairForces::push(std::size_t begin, std::size_t end, bool barrier, double e
       slots_[4 * i + j][3] = push.stiffness[j];
     }
     if (!friction_.empty()) friction_.add(i, push.nearest, push.force, x, &slots_[4 * i]);
+    // Each side moves no farther than the fastest vertex.
+    const double to_go = push.nearest.apart.norm() - active_[i].gap - early;
+    apart_until_[i] = path + 0.5 * (to_go - approach_slack);
   }
 }
 

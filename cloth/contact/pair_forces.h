@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "cloth/contact/fastest_path.h"
 #include "cloth/contact/pair_friction.h"
 #include "cloth/contact/proximity.h"
 #include "geometry/adjacency.h"
@@ -46,13 +47,19 @@ class PairForces {
   void activate(const std::vector<Vec3>& x, const std::vector<char>& ignored = {});
 
   std::size_t active() const { return active_.size(); }
+  /// Has to come before push() whenever vertices have moved. `x`: metres, one a vertex.
+  void follow(const Vec4s& x) {
+    if (!active_.empty()) path_.follow(x);
+  }
   /// Finds the pushes of active pairs `begin` to `end`, with vertices at `x`, and their friction,
-  /// whose anchors slide along. See contact_push() for `barrier` and `early`.
+  /// whose anchors slide along. Pairs that can't have come near enough since they were last looked
+  /// at cost next to nothing. See contact_push() for `barrier` and `early`.
   void push(std::size_t begin, std::size_t end, bool barrier, double early, const Vec4s& x);
   /// Adds the pushes on a vertex to its force (N) and a bound of their stiffness (N/m).
   [[gnu::always_inline]] void add(std::size_t vertex, Vec4& force, double& stiffness) const {
     if (slots_of_.empty()) return;
     for (const int s : slots_of_[vertex]) {
+      if (apart_until_[s / 4] > path_.length()) continue;
       const Vec4 slot = slots_[s];
       const double bound = slot[3];
       force += slot;
@@ -64,7 +71,10 @@ class PairForces {
   std::vector<ContactPair> pairs_;
   std::vector<char> near_;  // per pair, whether it is active
   std::vector<ContactPair> active_;
-  PairFriction friction_;    // of the active pairs
+  PairFriction friction_;  // of the active pairs
+  FastestPath path_;
+  /// Metres, per active pair: the path up to which its sides are surely too far apart to push.
+  std::vector<double> apart_until_;
   Vec4s slots_;              // four an active pair: force (N), stiffness (N/m) as the fourth
   Adjacency<int> slots_of_;  // per vertex; empty: no pair is active
 };

@@ -48,11 +48,8 @@ class Dressing {
  public:
   Dressing(const Outfit& outfit, Collider& collider, const Skeleton* skeleton,
            const OutfitHooks& hooks)
-      : outfit_(outfit),
-        collider_(collider),
-        skeleton_(skeleton),
-        hooks_(hooks),
-        cache_(collider.grid().cache()) {
+      : outfit_(outfit), collider_(collider), skeleton_(skeleton), hooks_(hooks) {
+    if (count() > 1) cache_ = collider.grid().cache();
     for (std::size_t i = 0; i < count(); ++i) {
       for (std::size_t other = 0; other < count(); ++other) panels_over(i, other);
     }
@@ -88,7 +85,7 @@ class Dressing {
   Collider& collider_;
   const Skeleton* skeleton_;
   const OutfitHooks& hooks_;
-  DistanceCache cache_;  // of the body, before the first layer
+  DistanceCache cache_;  // of the body, before the first of several layers
   WornOutfit worn_;
 };
 
@@ -98,6 +95,7 @@ Scene Dressing::scene_of(const OutfitLayer& layer) const {
   scene.fabrics = outfit_.fabrics;
   scene.collider = &collider_;
   scene.skeleton = skeleton_;
+  scene.raised_distances = outfit_.raised_distances;
   scene.gravity = outfit_.gravity;
   scene.strain_limit = outfit_.strain_limit;
   scene.shear_limit = outfit_.shear_limit;
@@ -372,7 +370,10 @@ WornOutfit Dressing::run() {
       if (hooks_.judged) hooks_.judged(i, worn_.layers[i]);
     }
   }
-  for (WornLayer& worn : worn_.layers) worn.scene.collider = nullptr;
+  for (WornLayer& worn : worn_.layers) {
+    worn.scene.collider = nullptr;
+    worn.scene.raised_distances = nullptr;
+  }
   return std::move(worn_);
 }
 

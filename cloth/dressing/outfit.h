@@ -49,11 +49,12 @@ struct OutfitLayer {
 };
 
 struct Outfit {
-  std::vector<OutfitLayer> layers;             ///< the innermost first
-  std::map<std::string, Fabric> fabrics = {};  ///< of panels, by the names that they give
-  Vec3 gravity = Scene().gravity;              ///< m/s²
-  std::optional<double> strain_limit = {};     ///< see Scene
-  std::optional<double> shear_limit = {};      ///< see Scene
+  std::vector<OutfitLayer> layers;                    ///< the innermost first
+  std::map<std::string, Fabric> fabrics = {};         ///< of panels, by the names that they give
+  Vec3 gravity = Scene().gravity;                     ///< m/s²
+  std::optional<double> strain_limit = {};            ///< see Scene
+  std::optional<double> shear_limit = {};             ///< see Scene
+  const RaisedDistances* raised_distances = nullptr;  ///< see Scene
   bool certify = false;  ///< check every state on the way with exact predicates
   OutfitMethod method = relaxation_method({}, false);
 };

@@ -20,7 +20,10 @@ namespace {
 /// A body with its arms out of the way, and a scene around it.
 struct RaisedScene {
   RaisedScene(const Scene& standing, const ArmRaise& raise)
-      : collider(raise.raised(standing.collider->body())),
+      : RaisedScene(standing, raise, raise.raised(standing.collider->body())) {}
+  RaisedScene(const Scene& standing, const ArmRaise& raise, const TriangleMesh& body)
+      : collider(body, standing.raised_distances != nullptr ? standing.raised_distances->known(body)
+                                                            : DistanceCache()),
         skeleton(raise.raised(*standing.skeleton)),
         scene(standing) {
     scene.collider = &collider;
@@ -132,6 +135,7 @@ Sewn sew(const PanelMesh& mesh, int depth, const Scene& scene, double resting_of
     sewn.is_clear = staged.report.converged;
     sewn.state = std::move(staged.state);
   }
+  if (raised && scene.raised_distances != nullptr) scene.raised_distances->keep(raised->collider);
   if (raise) sewn.level = std::move(standing);
   return sewn;
 }

@@ -50,7 +50,8 @@ BlockStiffness::BlockStiffness(const GarmentModel& model) : model_(model) {
   partial_.resize(chunks_of(of_nodes_.size(), vertex_chunk));
 }
 
-StiffnessBlock BlockStiffness::at(std::size_t node, const Vec4s& x) const {
+[[gnu::always_inline]] inline StiffnessBlock BlockStiffness::at(std::size_t node,
+                                                                const Vec4s& x) const {
   StiffnessBlock sum{};
   for (const auto& [t, c] : corners_[node]) {
     const StretchTriangle& s = model_.stretch[t];
@@ -86,6 +87,7 @@ StiffnessBlock BlockStiffness::at(std::size_t node, const Vec4s& x) const {
   return sum;
 }
 
+TOILE_CLONES
 double BlockStiffness::update(std::size_t begin, std::size_t end, const Vec4s& x) {
   double sum = 0;
   for (std::size_t n = begin; n < end; ++n) {

@@ -10,6 +10,13 @@
 
 namespace toile {
 
+namespace {
+
+/// Metres: far above what rounding can do to a path.
+constexpr double path_slack = 1e-9;
+
+}  // namespace
+
 BodyBarrier::BodyBarrier(const Scene& scene, const std::vector<Triangle>& triangles,
                          const std::vector<Pair>& seams, const Vec4s& x)
     : scene_(scene) {
@@ -26,6 +33,8 @@ BodyBarrier::BodyBarrier(const Scene& scene, const std::vector<Triangle>& triang
     add_within({a, b, c}, std::max({length(a, b), length(b, c), length(c, a)}));
   }
   clear_.assign(probes_.size(), Vec4{0, 0, 0, -1});
+  clear_until_.assign(probes_.size(), -1);
+  path_.follow(x);
   found_.resize(chunks_of(probes_.size(), vertex_chunk));
 }
 
@@ -48,28 +57,42 @@ void BodyBarrier::add_within(const Triangle& corners, double longest) {
   }
 }
 
-const std::vector<BodyBarrier::Correction>& BodyBarrier::find(const Vec4s& x) {
+TOILE_CLONES
+void BodyBarrier::find(std::size_t begin, std::size_t end, const Vec4s& x,
+                       std::vector<Correction>& found) {
   const DistanceGrid& grid = scene_.collider->grid();
+  const double path = path_.length();
+  for (std::size_t i = begin; i < end; ++i) {
+    // It is a mean of points, and none has moved by what it may move.
+    if (path < clear_until_[i]) continue;
+    const auto& [points, weights] = probes_[i];
+    const Vec4 at =
+        weights[0] * x[points[0]] + weights[1] * x[points[1]] + weights[2] * x[points[2]];
+    Vec4 moved = at - clear_[i];
+    moved[3] = 0;
+    const double squared = squared_length(moved);
+    if (squared < clear_[i][3]) {
+      clear_until_[i] = path + std::sqrt(clear_[i][3]) - std::sqrt(squared) - path_slack;
+      continue;
+    }
+    const DistanceGrid::Sample sample = grid.at(as_vec3(at));
+    const double clear = grid.lower_bound(sample.distance) - barrier_distance;
+    clear_[i] = at;
+    clear_[i][3] = clear > 0 ? clear * clear : -1;
+    clear_until_[i] = path + clear - path_slack;
+    if (sample.distance >= barrier_distance) continue;
+    const double length = sample.gradient.norm();
+    if (length <= 0) continue;
+    found.push_back({probes_[i], (barrier_distance - sample.distance) / length * sample.gradient});
+  }
+}
+
+const std::vector<BodyBarrier::Correction>& BodyBarrier::find(const Vec4s& x) {
+  path_.follow(x);
   parallel_for_chunks(probes_.size(), [&](std::size_t begin, std::size_t end) {
     std::vector<Correction>& found = found_[begin / vertex_chunk];
     found.clear();
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto& [points, weights] = probes_[i];
-      const Vec4 at =
-          weights[0] * x[points[0]] + weights[1] * x[points[1]] + weights[2] * x[points[2]];
-      Vec4 moved = at - clear_[i];
-      moved[3] = 0;
-      if (squared_length(moved) < clear_[i][3]) continue;
-      const DistanceGrid::Sample sample = grid.at(as_vec3(at));
-      const double clear = grid.lower_bound(sample.distance) - barrier_distance;
-      clear_[i] = at;
-      clear_[i][3] = clear > 0 ? clear * clear : -1;
-      if (sample.distance >= barrier_distance) continue;
-      const double length = sample.gradient.norm();
-      if (length <= 0) continue;
-      found.push_back(
-          {probes_[i], (barrier_distance - sample.distance) / length * sample.gradient});
-    }
+    find(begin, end, x, found);
   });
   all_.clear();
   for (const auto& part : found_) all_.insert(all_.end(), part.begin(), part.end());

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "cloth/contact/fastest_path.h"
 #include "cloth/scene/scene.h"
 #include "geometry/types.h"
 #include "geometry/vec4.h"
@@ -43,10 +44,13 @@ class BodyBarrier {
  private:
   void add_between(int a, int b, double length);
   void add_within(const Triangle& corners, double longest);
+  void find(std::size_t begin, std::size_t end, const Vec4s& x, std::vector<Correction>& found);
 
   const Scene& scene_;
   std::vector<Place> probes_;
   Vec4s clear_;  ///< metres, per probe: where it was last seen, and the square of how far it may go
+  FastestPath path_;
+  std::vector<double> clear_until_;  ///< metres, per probe: the path up to which it is surely clear
   std::vector<std::vector<Correction>> found_;
   std::vector<Correction> all_;
 };

@@ -109,12 +109,16 @@ void ClothForces::place_points() {
     points_.resize(model_.node_of_point.size());
     points_.insert(points_.end(), nodes_.begin() + model_.nodes, nodes_.end());
   }
-  parallel_for_chunks(model_.node_of_point.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t p = begin; p < end; ++p) {
-      const int n = model_.node_of_point[p];
-      points_[p] = nodes_[n] + open_[n] * as_vec4(model_.offsets[p]);
-    }
-  });
+  parallel_for_chunks(model_.node_of_point.size(),
+                      [&](std::size_t begin, std::size_t end) { place_points(begin, end); });
+}
+
+TOILE_CLONES
+void ClothForces::place_points(std::size_t begin, std::size_t end) {
+  for (std::size_t p = begin; p < end; ++p) {
+    const int n = model_.node_of_point[p];
+    points_[p] = nodes_[n] + open_[n] * as_vec4(model_.offsets[p]);
+  }
 }
 
 void ClothForces::close_seams(double wanted) {
@@ -251,6 +255,7 @@ void ClothForces::compute() {
   if (attracts && computed_++ % attraction_interval == 0) find_attraction();
   const Vec4s& p = positions();
   PairForces& pairs = neighbourhood_->pairs();
+  pairs.follow(p);
   const std::size_t edges = edge_contacts_ ? edge_contacts_->edges() : 0;
   // Each task gets a share of groups, pairs and edges, so that all tasks take about as long.
   const std::size_t tasks =

@@ -149,6 +149,7 @@ class ClothForces {
   bool move_on(std::size_t n, const Vec4& wanted);
   Vec3 within_bounds(std::size_t n, const Vec3& wanted) const;
   void place_points();
+  void place_points(std::size_t begin, std::size_t end);
   void find_attraction();
   const Vec4s& positions() const { return seams_stand_open() ? points_ : nodes_; }
 

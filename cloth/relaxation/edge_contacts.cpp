@@ -54,6 +54,7 @@ void EdgeContacts::set_anchors(const std::vector<EdgeAnchor>& anchors) {
   }
 }
 
+TOILE_CLONES
 void EdgeContacts::push(std::size_t begin, std::size_t end, const GarmentModel& model,
                         const ForceOptions& options, const Vec4s& x) {
   for (std::size_t e = begin; e < end; ++e) {
@@ -79,6 +80,7 @@ void EdgeContacts::push(std::size_t begin, std::size_t end, const GarmentModel& 
   }
 }
 
+TOILE_CLONES
 void EdgeContacts::add(std::size_t begin, std::size_t end, Vec4s& force) const {
   for (std::size_t v = begin; v < end; ++v) {
     for (const int e : edges_of_[v]) {

@@ -28,16 +28,17 @@ struct Columns {
           __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7)};
 }
 
-[[gnu::always_inline]] inline void store_rows(const Columns& c, Vec4* out, std::size_t stride) {
+/// Stores the vectors of four triangles, each at its index.
+[[gnu::always_inline]] inline void store_rows(const Columns& c, Vec4* out, const int (&at)[4]) {
   const Vec4 zero = {0, 0, 0, 0};
   const Vec4 xy_low = __builtin_shufflevector(c.x, c.y, 0, 4, 2, 6);   // x0 y0 x2 y2
   const Vec4 xy_high = __builtin_shufflevector(c.x, c.y, 1, 5, 3, 7);  // x1 y1 x3 y3
   const Vec4 zw_low = __builtin_shufflevector(c.z, zero, 0, 4, 2, 6);
   const Vec4 zw_high = __builtin_shufflevector(c.z, zero, 1, 5, 3, 7);
-  out[0] = __builtin_shufflevector(xy_low, zw_low, 0, 1, 4, 5);
-  out[stride] = __builtin_shufflevector(xy_high, zw_high, 0, 1, 4, 5);
-  out[2 * stride] = __builtin_shufflevector(xy_low, zw_low, 2, 3, 6, 7);
-  out[3 * stride] = __builtin_shufflevector(xy_high, zw_high, 2, 3, 6, 7);
+  out[at[0]] = __builtin_shufflevector(xy_low, zw_low, 0, 1, 4, 5);
+  out[at[1]] = __builtin_shufflevector(xy_high, zw_high, 0, 1, 4, 5);
+  out[at[2]] = __builtin_shufflevector(xy_low, zw_low, 2, 3, 6, 7);
+  out[at[3]] = __builtin_shufflevector(xy_high, zw_high, 2, 3, 6, 7);
 }
 
 [[gnu::always_inline]] inline Vec4 dot(const Columns& a, const Columns& b) {
@@ -129,13 +130,22 @@ void ElasticKernel::lay_out_triangles(const GarmentModel& model,
                                       const std::vector<Triangle>& triangles,
                                       std::size_t vertices) {
   groups_.resize((triangles.size() + group - 1) / group);
-  pulls_.assign(2 * group * groups_.size(), Vec4{});
-  for (std::size_t t = 0; t < group * groups_.size(); ++t) {
+  corners_ = corners_by_vertex(triangles, vertices);
+  const std::size_t all = group * groups_.size();
+  pulls_.assign(3 * all, Vec4{});
+  first_pull_ = {0};
+  for (std::size_t v = 0; v < vertices; ++v) {
+    int pull = first_pull_.back();
+    for (const auto& [t, c] : corners_[v]) groups_[t / group].pulls[c][t % group] = pull++;
+    first_pull_.push_back(pull);
+  }
+  for (std::size_t t = 0; t < all; ++t) {
     TriangleGroup& g = groups_[t / group];
     const std::size_t i = t % group;
     if (t >= triangles.size()) {
       // Fills up the last group with triangles that pull at nothing.
       for (int c = 0; c < 3; ++c) g.corners[c][i] = 0;
+      for (int c = 0; c < 3; ++c) g.pulls[c][i] = static_cast<int>(3 * t) + c;
       g.weft[0][i] = g.weft[1][i] = g.warp[0][i] = g.warp[1][i] = 0;
       g.stretch_weft[i] = g.stretch_warp[i] = g.shear[i] = 0;
       continue;
@@ -150,14 +160,6 @@ void ElasticKernel::lay_out_triangles(const GarmentModel& model,
     g.stretch_warp[i] = s.warp_stiffness;
     g.shear[i] = s.shear_stiffness;
   }
-  pulls_on_ = Adjacency<PullEntry>(vertices, [&](const auto& add) {
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-      const StretchTriangle& s = model.stretch[t];
-      const double weft[3] = {-(s.weft[1] + s.weft[2]), s.weft[1], s.weft[2]};
-      const double warp[3] = {-(s.warp[1] + s.warp[2]), s.warp[1], s.warp[2]};
-      for (int c = 0; c < 3; ++c) add(triangles[t][c], {static_cast<int>(t), weft[c], warp[c]});
-    }
-  });
 }
 
 template <typename Group>
@@ -199,14 +201,21 @@ template <bool limited>
       sheared += limit_stress(t.shear, turned - options.shear_limit, limits->shear) -
                  limit_stress(t.shear, -turned - options.shear_limit, -limits->shear);
     }
-    store_rows(
-        {-(along_weft * weft.x + sheared * warp.x), -(along_weft * weft.y + sheared * warp.y),
-         -(along_weft * weft.z + sheared * warp.z)},
-        &pulls_[2 * group * g], 2);
-    store_rows(
-        {-(along_warp * warp.x + sheared * weft.x), -(along_warp * warp.y + sheared * weft.y),
-         -(along_warp * warp.z + sheared * weft.z)},
-        &pulls_[2 * group * g + 1], 2);
+    const Columns by_weft = {-(along_weft * weft.x + sheared * warp.x),
+                             -(along_weft * weft.y + sheared * warp.y),
+                             -(along_weft * weft.z + sheared * warp.z)};
+    const Columns by_warp = {-(along_warp * warp.x + sheared * weft.x),
+                             -(along_warp * warp.y + sheared * weft.y),
+                             -(along_warp * warp.z + sheared * weft.z)};
+    const auto pull_at = [&](int corner, const Vec4& weft_weight, const Vec4& warp_weight) {
+      store_rows({weft_weight * by_weft.x + warp_weight * by_warp.x,
+                  weft_weight * by_weft.y + warp_weight * by_warp.y,
+                  weft_weight * by_weft.z + warp_weight * by_warp.z},
+                 pulls_.data(), t.pulls[corner]);
+    };
+    pull_at(0, -(t.weft[0] + t.weft[1]), -(t.warp[0] + t.warp[1]));
+    pull_at(1, t.weft[0], t.warp[0]);
+    pull_at(2, t.weft[1], t.warp[1]);
   }
 }
 
@@ -276,13 +285,18 @@ ElasticKernel::LimitViolations ElasticKernel::update_multipliers(std::size_t beg
   return found;
 }
 
+double ElasticKernel::at_corner(const Vec4 (&weights)[2], std::size_t i, int corner) {
+  return corner == 0 ? -(weights[0][i] + weights[1][i]) : weights[corner - 1][i];
+}
+
 double ElasticKernel::stiffening(std::size_t v) const {
   double sum = 0;
-  for (const PullEntry& entry : pulls_on_[v]) {
-    const LimitGroup& limits = limits_[entry.triangle / group];
-    const std::size_t at = entry.triangle % group;
-    sum += std::abs(entry.weft) * limits.stiffening_weft[at] +
-           std::abs(entry.warp) * limits.stiffening_warp[at];
+  for (const auto& [t, corner] : corners_[v]) {
+    const TriangleGroup& g = groups_[t / group];
+    const LimitGroup& limits = limits_[t / group];
+    const std::size_t i = t % group;
+    sum += std::abs(at_corner(g.weft, i, corner)) * limits.stiffening_weft[i] +
+           std::abs(at_corner(g.warp, i, corner)) * limits.stiffening_warp[i];
   }
   return sum;
 }
@@ -302,10 +316,7 @@ void ElasticKernel::gather(std::size_t begin, std::size_t end, double bending, d
                            const Vec4s& x, Vec4s& force) const {
   for (std::size_t v = begin; v < end; ++v) {
     Vec4 sum = {0, 0, 0, 0};
-    for (const PullEntry& entry : pulls_on_[v]) {
-      const Vec4* pull = &pulls_[2 * static_cast<std::size_t>(entry.triangle)];
-      sum += entry.weft * pull[0] + entry.warp * pull[1];
-    }
+    for (int i = first_pull_[v]; i < first_pull_[v + 1]; ++i) sum += pulls_[i];
     if (!bend_.inside.first.empty()) add_bending(bend_.inside, v, bending, x.data(), sum);
     if (!bend_.seams.first.empty()) {
       add_bending(bend_.seams, v, bending * seam_bending, x.data(), sum);

@@ -17,7 +17,7 @@ namespace toile {
 ///
 /// Forces take two passes over disjoint ranges that may run in parallel: all of pull(), then all of
 /// gather(). A vertex adds up the pulls of its triangles in a fixed order, so bits don't depend on
-/// the threads.
+/// the threads. The pulls on a vertex lie side by side, for gather() waits for memory most.
 ///
 /// Element for element it is the same model as stretch_forces() and the bend triangles of the
 /// model.
@@ -27,10 +27,10 @@ class ElasticKernel {
 
   ElasticKernel(const GarmentModel& model, bool of_points);
 
-  std::size_t vertices() const { return pulls_on_.size(); }
+  std::size_t vertices() const { return corners_.size(); }
   std::size_t groups() const { return groups_.size(); }
 
-  /// First pass: finds the stresses of the triangles of groups `begin` to `end`. `x`: metres, one a
+  /// First pass: finds the pulls of the triangles of groups `begin` to `end`. `x`: metres, one a
   /// vertex.
   void pull(std::size_t begin, std::size_t end, const StretchOptions& options, const Vec4s& x);
 
@@ -67,6 +67,7 @@ class ElasticKernel {
     Vec4 stretch_warp;
     Vec4 shear;
     int corners[3][group];
+    int pulls[3][group];  // indices of the pulls on the corners
   };
   struct alignas(32) LimitGroup {
     Vec4 weft;  // N·m: multiplier times area
@@ -79,23 +80,20 @@ class ElasticKernel {
     Vec4 stiffening_weft;  // N: what limits add to the stiffness, times those
     Vec4 stiffening_warp;
   };
-  struct PullEntry {
-    int triangle;
-    double weft;
-    double warp;
-  };
 
   template <bool limited>
   void pull_all(std::size_t begin, std::size_t end, const StretchOptions& options, const Vec4* x);
   void lay_out_triangles(const GarmentModel& model, const std::vector<Triangle>& triangles,
                          std::size_t vertices);
   void lay_out_limits(const GarmentModel& model);
+  static double at_corner(const Vec4 (&weights)[2], std::size_t i, int corner);
 
   std::vector<TriangleGroup> groups_;
   std::vector<LimitGroup> limits_;  // empty: no limits
   std::size_t triangles_ = 0;
-  Vec4s pulls_;                    // per triangle: by weft, by warp
-  Adjacency<PullEntry> pulls_on_;  // per vertex
+  Adjacency<TriangleCorner> corners_;  // per vertex
+  std::vector<int> first_pull_;        // per vertex, and one more: in the order of its corners
+  Vec4s pulls_;                        // N; those of the triangles that fill up come last
   BendMatrix bend_;
 };
 

@@ -105,15 +105,15 @@ void MultilevelPreconditioner::add_level(Level level) {
   levels_.push_back(std::move(level));
 }
 
-void MultilevelPreconditioner::restrict_forces(const Level& level, const Vec4s& finer,
-                                               Vec4s& force) const {
-  parallel_for_chunks(force.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n) {
-      Vec4 sum = {0, 0, 0, 0};
-      for (const auto& [node, weight] : level.shares[n]) sum += weight * finer[node];
-      force[n] = sum;
-    }
-  });
+/// Finds the forces on patches `begin` to `end` of a level.
+TOILE_CLONES
+void MultilevelPreconditioner::restrict_forces(std::size_t begin, std::size_t end,
+                                               const Vec4s& finer, Level& level) {
+  for (std::size_t n = begin; n < end; ++n) {
+    Vec4 sum = {0, 0, 0, 0};
+    for (const auto& [node, weight] : level.shares[n]) sum += weight * finer[node];
+    level.force[n] = sum;
+  }
 }
 
 void MultilevelPreconditioner::set_blocks(const std::vector<StiffnessBlock>& of_nodes,
@@ -155,7 +155,8 @@ double MultilevelPreconditioner::rms_acceleration() const {
 }
 
 /// The displacement of a level's patches at a finer node.
-Vec4 MultilevelPreconditioner::displacement_at(const Level& level, std::size_t finer) {
+[[gnu::always_inline]] inline Vec4 MultilevelPreconditioner::displacement_at(const Level& level,
+                                                                             std::size_t finer) {
   if (level.patches.empty()) return between_parents(level, finer);
   Vec4 displacement = {0, 0, 0, 0};
   for (const auto& [patch, weight] : level.patches[finer])
@@ -163,24 +164,32 @@ Vec4 MultilevelPreconditioner::displacement_at(const Level& level, std::size_t f
   return displacement;
 }
 
+/// Finds the displacements of patches `begin` to `end` of a level, with those of the coarser ones.
+TOILE_CLONES
+void MultilevelPreconditioner::displace(std::size_t begin, std::size_t end, double bending,
+                                        const Level* coarser, Level& level) {
+  for (std::size_t n = begin; n < end; ++n) {
+    const double stiffness =
+        std::min(1.0, isotropic_share_of_patches * level.isotropic_share[n]) * level.stretch[n] +
+        bending * level.bend[n] + level.force[n][3];
+    Vec4 displacement = solve_block(level.blocks[n], stiffness, level.force[n]);
+    if (coarser != nullptr) displacement += displacement_at(*coarser, n);
+    level.displacement[n] = displacement;
+  }
+}
+
 void MultilevelPreconditioner::compute(const Vec4s& forces, double bending) {
   const Vec4s* finer = &forces;
   for (Level& level : levels_) {
-    restrict_forces(level, *finer, level.force);
+    parallel_for_chunks(level.force.size(), [&](std::size_t begin, std::size_t end) {
+      restrict_forces(begin, end, *finer, level);
+    });
     finer = &level.force;
   }
   for (std::size_t l = levels_.size(); l-- > 0;) {
-    Level& level = levels_[l];
-    parallel_for_chunks(level.displacement.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n) {
-        const double stiffness =
-            std::min(1.0, isotropic_share_of_patches * level.isotropic_share[n]) *
-                level.stretch[n] +
-            bending * level.bend[n] + level.force[n][3];
-        Vec4 displacement = solve_block(level.blocks[n], stiffness, level.force[n]);
-        if (l + 1 < levels_.size()) displacement += displacement_at(levels_[l + 1], n);
-        level.displacement[n] = displacement;
-      }
+    const Level* const coarser = l + 1 < levels_.size() ? &levels_[l + 1] : nullptr;
+    parallel_for_chunks(levels_[l].displacement.size(), [&](std::size_t begin, std::size_t end) {
+      displace(begin, end, bending, coarser, levels_[l]);
     });
   }
 }

@@ -78,7 +78,9 @@ class MultilevelPreconditioner {
   void add_aggregate_level(const Aggregates& aggregates);
   void add_level(Level level);
   static Vec4 displacement_at(const Level& level, std::size_t finer);
-  void restrict_forces(const Level& level, const Vec4s& finer, Vec4s& force) const;
+  static void restrict_forces(std::size_t begin, std::size_t end, const Vec4s& finer, Level& level);
+  static void displace(std::size_t begin, std::size_t end, double bending, const Level* coarser,
+                       Level& level);
 
   int nested_ = 0;
   std::vector<Level> levels_;  // from fine to coarse

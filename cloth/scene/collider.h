@@ -45,4 +45,15 @@ class Collider {
   DistanceGrid grid_;
 };
 
+/// The distances to the body with its arms raised, around which garments are sewn (sew.h), kept
+/// from one run to the next.
+class RaisedDistances {
+ public:
+  virtual ~RaisedDistances() = default;
+  /// What is known of that body; empty: nothing.
+  virtual DistanceCache known(const TriangleMesh& raised) const = 0;
+  /// Keeps what is known once the seams are closed.
+  virtual void keep(const Collider& raised) const = 0;
+};
+
 }  // namespace toile

@@ -12,6 +12,7 @@
 namespace toile {
 
 class Collider;
+class RaisedDistances;
 struct MeshedPanel;
 struct PanelMesh;
 struct Skeleton;
@@ -29,7 +30,9 @@ struct Scene {
   std::map<std::string, Fabric> fabrics;  ///< of other panels, by the names that these give
   Vec3 gravity{0, -9.81, 0};              ///< m/s²
   const Collider* collider = nullptr;     ///< body and layers; null: no body
-  const Skeleton* skeleton = nullptr;     ///< null: panels start as the pattern places them
+  /// Of the body with its arms raised; null: they are not kept.
+  const RaisedDistances* raised_distances = nullptr;
+  const Skeleton* skeleton = nullptr;  ///< null: panels start as the pattern places them
   BodyContactTerm body_contact = BodyContactTerm::faces;
   double body_offset = 0.002;  ///< metres: least distance of skin and cloth's middle
   bool self_contact = true;

@@ -28,6 +28,7 @@ class Cache : public WornSample {
   int computed(const std::string& name) const { return report(name)["body_distances_computed"]; }
 
   const fs::path cache = folder / "body.distances";
+  const fs::path raised = folder / "body.raised.distances";
   int all = 0;
 };
 
@@ -37,8 +38,11 @@ TEST_F(Cache, IsKeptWhenAskedForAndChangesNothing) {
   expect_same("first", {"--cache"}, "");
   EXPECT_EQ(computed("first"), all);
   EXPECT_TRUE(fs::exists(cache));
+  EXPECT_TRUE(fs::exists(raised));
+  const auto written = fs::last_write_time(raised);
   expect_same("second", {"--cache"}, "");
   EXPECT_EQ(computed("second"), 0);
+  EXPECT_EQ(fs::last_write_time(raised), written);
 }
 
 TEST_F(Cache, OfAnotherBodyIsMadeAnew) {

@@ -8,9 +8,9 @@
 
 #include "cloth/scene/closed_body.h"
 #include "geometry/error.h"
-#include "io/distance_cache_file.h"
 #include "io/output_file.h"
 #include "pattern/garment_file.h"
+#include "tools/dress/kept_distances.h"
 #include "tools/dress/report.h"
 #include "tools/dress/say.h"
 #include "tools/dress/watch.h"
@@ -51,6 +51,7 @@ class DressRun {
   const Clock::time_point start_ = Clock::now();
   DressLog log_;
   OutputFiles files_;  // but for the states on the way and the cache
+  std::optional<KeptDistances> distances_;
   std::optional<Collider> collider_;
   std::optional<Skeleton> skeleton_;
   double read_seconds_ = 0;
@@ -99,9 +100,8 @@ void DressRun::read_body() {
   const TriangleMesh body = read_closed_body(settings_.body);
   read_seconds_ = seconds_since(start_);
   const auto grid_start = Clock::now();
-  std::optional<DistanceCache> known;
-  if (settings_.cache) known = read_distance_cache(*settings_.cache, body);
-  collider_.emplace(body, known.value_or(DistanceCache()));
+  if (settings_.cache) distances_.emplace(*settings_.cache, log_);
+  collider_.emplace(body, distances_ ? distances_->of_body(body) : DistanceCache());
   grid_seconds_ = seconds_since(grid_start);
   if (fs::exists(settings_.skeleton) || settings_.needs_skeleton) {
     skeleton_ = read_skeleton_of(collider_->skin(), settings_.skeleton);
@@ -127,18 +127,12 @@ void DressRun::say_dressed(std::size_t layer, const WornLayer& worn) {
   if (layer == 0) keep_distances(worn.distances_computed);
 }
 
-/// Of the body alone, so before a layer lies on it. What is hardly more than was known is not
-/// written; nor is it an error when nothing can be.
+/// Of the body alone, so before a layer lies on it.
 void DressRun::keep_distances(std::size_t computed) {
-  constexpr std::size_t worth_writing = 2000;  // nodes, a few milliseconds' work
-  if (!settings_.cache || computed < worth_writing) return;
   const auto start = Clock::now();
-  try {
-    write_distance_cache(*settings_.cache, collider_->body(), collider_->grid().cache());
-  } catch (const Error& error) {
-    log_.warn(std::string("the body's distances are not kept: ") + error.what());
+  if (distances_ && distances_->keep_body(*collider_, computed)) {
+    cache_seconds_ = seconds_since(start);
   }
-  cache_seconds_ = seconds_since(start);
 }
 
 void DressRun::say_judged(std::size_t layer, const WornLayer& worn) {
@@ -222,8 +216,9 @@ Json DressRun::scene_report(const WornOutfit& worn) const {
 }
 
 Verdict DressRun::run() {
-  const Outfit outfit = read_outfit();
+  Outfit outfit = read_outfit();
   read_body();
+  if (distances_) outfit.raised_distances = &*distances_;
   warnings_ = log_.take_warnings();
   const WornOutfit worn =
       dress_outfit(outfit, *collider_, skeleton_ ? &*skeleton_ : nullptr, hooks());

@@ -6,6 +6,7 @@
 #include "geometry/error.h"
 #include "io/skeleton_file.h"
 #include "pattern/garment_file.h"
+#include "tools/dress/kept_distances.h"
 
 namespace toile {
 
@@ -88,10 +89,6 @@ Vec3 parse_gravity(const std::string& text) {
 
 }  // namespace
 
-fs::path distances_path(const fs::path& body) {
-  return fs::path(body).replace_extension("distances");
-}
-
 void add_dress_options(po::options_description& options) {
   using po::value;
   using std::string;
@@ -169,7 +166,10 @@ ProgramFiles files_of(const DressSettings& settings) {
   files.reads.push_back(settings.body);
   files.reads.push_back(settings.skeleton);
   if (settings.scene) files.reads.push_back(*settings.scene);
-  if (settings.cache) files.keeps.push_back(*settings.cache);
+  if (settings.cache) {
+    files.keeps.push_back(*settings.cache);
+    files.keeps.push_back(raised_distances_path(*settings.cache));
+  }
   for (const LayerFiles& layer : settings.layers) {
     files.reads.push_back(layer.garment);
     files.reads.push_back(layer.garment_json.empty() ? garment_json_path(layer.garment)

@@ -40,7 +40,7 @@ struct DressSettings {
   FabricChoice fabrics;
   std::optional<std::filesystem::path> frames;
   bool certify_frames = false;
-  /// Where the body's distances are kept from run to run; none: they are not.
+  /// Where the body's distances are kept from run to run (KeptDistances); none: they are not.
   std::optional<std::filesystem::path> cache;
   std::optional<double> strain_limit;
   std::optional<double> shear_limit;
@@ -61,8 +61,5 @@ DressSettings read_dress_settings(const boost::program_options::variables_map& g
 
 /// All files that dress reads and writes, but for the report.
 ProgramFiles files_of(const DressSettings& settings);
-
-/// The body's distances are kept beside it: body.distances for body.ply.
-std::filesystem::path distances_path(const std::filesystem::path& body);
 
 }  // namespace toile

@@ -5,6 +5,7 @@
 #include "geometry/error.h"
 #include "io/skeleton_file.h"
 #include "tools/clean_body/run.h"
+#include "tools/dress/kept_distances.h"
 #include "tools/dress/run.h"
 #include "tools/ease_map/run.h"
 #include "tools/mesh_pattern/run.h"
@@ -119,7 +120,8 @@ Job prepare(const po::variables_map& given, const CommonSettings& common) {
   job.files.reads.push_back(skeleton_path(settings.body.input));
   job.files.reads.push_back(settings.pattern.pattern);
   job.files.writes = files.all();
-  job.files.keeps = {distances_path(files.body)};
+  const fs::path distances = distances_path(files.body);
+  job.files.keeps = {distances, raised_distances_path(distances)};
   job.work = [settings, files, &common] { return fit(settings, files, common); };
   return job;
 }

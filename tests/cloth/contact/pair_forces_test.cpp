@@ -81,5 +81,33 @@ TEST(PairForces, CrossingEdgesPushWithAll) {
   EXPECT_NEAR((force[0] + force[1]).y(), -all, 1e-12);
 }
 
+/// Two edges meet, come apart and meet again. A pair that is passed over pushes what it would push
+/// if it were looked at anew.
+TEST(PairForces, PairsThatArePassedOverPushTheSame) {
+  PairForces forces;
+  forces.pairs() = {{{0, 1, 2, 3}, true, 0.002}};
+  const auto points_at = [](int i) {
+    const Corners x = at(0.01 * i, 0.002 + 0.0005 * std::cos(0.3 * i));
+    return std::vector<Vec3>(x.begin(), x.end());
+  };
+  forces.activate(points_at(0));
+  int pushes = 0;
+  for (int i = 0; i < 200; ++i) {
+    const std::vector<Vec3> points = points_at(i);
+    forces.follow(as_vec4(points));
+    forces.push(0, forces.active(), true, 0, as_vec4(points));
+    const Corners anew = forces_on({points[0], points[1], points[2], points[3]});
+    for (std::size_t v = 0; v < 4; ++v) {
+      Vec4 sum = {0, 0, 0, 0};
+      double stiffness = 0;
+      forces.add(v, sum, stiffness);
+      EXPECT_EQ(as_vec3(sum), anew[v]) << i;
+    }
+    pushes += anew[0].norm() > 0 ? 1 : 0;
+  }
+  EXPECT_GT(pushes, 20);
+  EXPECT_LT(pushes, 180);
+}
+
 }  // namespace pair_forces_test
 }  // namespace toile
