@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "geometry/body/body_unit.h"
 #include "geometry/body/find_skeleton.h"
 #include "geometry/error.h"
 #include "geometry/surface_distance.h"
@@ -21,16 +22,6 @@ Box bounds(const TriangleMesh& mesh) {
   Box box;
   for (const Vec3& point : mesh.points) box.extend(point);
   return box;
-}
-
-double inferred_unit(double height, const std::string& name) {
-  for (const double unit : {1.0, 0.1, 0.01, 0.001, 0.0254}) {
-    if (height * unit >= 1.0 && height * unit <= 2.3) return unit;
-  }
-  throw Error(name,
-              "a body " + number_text(height) +
-                  " units tall is between 1.00 and 2.30 m in none of m, dm, cm, mm, in",
-              "give --unit");
 }
 
 /// A body turned and lifted to stand on y = 0, in the file's unit.
