@@ -142,11 +142,33 @@ void report_turn(const Upright& axis, const Matrix& turn, CleanReport& report) {
   report.turned += "to face +z";
 }
 
-Standing stand_up(const TriangleMesh& mesh, const std::string& name, CleanReport& report) {
+/// The turn of an upright body that brings `front` to +z.
+Matrix to_the_front(const Upright& axis, const AxisDirection& front, const std::string& name) {
+  const Vec3 ahead = axis.turn * front.vector();
+  if (std::abs(ahead.y()) > 0.5) {
+    throw Error(name, "stands along " + std::string(axis.axis) + " and can't face " + front.name(),
+                "correct --front, or give --up");
+  }
+  return about_y(std::atan2(-ahead.x(), ahead.z()) * 180 / std::numbers::pi) * axis.turn;
+}
+
+Standing stand_up(const TriangleMesh& mesh, const CleanOptions& options, const std::string& name,
+                  CleanReport& report) {
   const std::vector<Upright> axes = uprights();
   std::size_t chosen = likely_axis(mesh);
-  Standing body = stand(mesh, sideways(mesh, axes[chosen].turn), name);
-  if (!body.skeleton) {
+  if (options.up) {
+    chosen = 0;
+    while (axes[chosen].axis != options.up->name()) ++chosen;
+  }
+  const auto first_turn = [&](const Upright& axis) {
+    return options.front ? to_the_front(axis, *options.front, name) : sideways(mesh, axis.turn);
+  };
+  Standing body = stand(mesh, first_turn(axes[chosen]), name);
+  if (options.front) {
+    report_turn(axes[chosen], body.turn, report);
+    return body;
+  }
+  if (!body.skeleton && !options.up) {
     int found = 0;
     Standing other;
     std::size_t other_axis = chosen;
@@ -272,7 +294,7 @@ CleanBody clean_body(const PolygonSoup& soup, const std::string& name,
   report.repair = surface.report;
 
   std::optional<Standing> given = as_given(surface.mesh, options, name, report);
-  Standing standing = given ? std::move(*given) : stand_up(surface.mesh, name, report);
+  Standing standing = given ? std::move(*given) : stand_up(surface.mesh, options, name, report);
   const double units_tall = bounds(standing.mesh).max().y();
   report.unit_inferred = !options.metres_per_unit;
   report.metres_per_unit =
@@ -297,9 +319,10 @@ CleanBody clean_body(const PolygonSoup& soup, const std::string& name,
   if (report.repair.self_intersections_left > 0) {
     report.crossings = crossings_of(body.mesh, body.skeleton);
   }
+  report.move = {standing.turn, Vec3(0, report.lifted, 0) + report.brought,
+                 report.metres_per_unit};
   if (body.skeleton) {
-    BodyMove move{standing.turn, Vec3(0, report.lifted, 0) + report.brought,
-                  report.metres_per_unit};
+    BodyMove move = report.move;
     // Joints that came with the body tell of an earlier move.
     if (given && body.skeleton->cleaned) {
       const BodyMove& earlier = *body.skeleton->cleaned;

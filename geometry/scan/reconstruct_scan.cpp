@@ -159,17 +159,29 @@ SmoothDistanceOptions resolution(const ScanSamples& samples) {
   return options;
 }
 
+/// Meshes the body within the box of its points, which it leaves by no more than a missing crown,
+/// and above the floor.
 TriangleMesh mesh_of(const SmoothDistance& distance, const ScanParts& parts, double unit,
-                     const ScanOptions& options, const std::string& name) {
+                     const std::vector<Vec3>& points, const ScanOptions& options,
+                     const std::string& name) {
   const Vec3 up = parts.up.vector();
   const double floor = parts.floor * unit;
+  constexpr double beyond = 0.04;  // metres
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : points) box.extend(p);
+  const Vec3 centre = box.center();
+  const Vec3 half = box.sizes() / 2 + Vec3::Constant(beyond);
   ImplicitMeshOptions net;
   net.low = distance.low();
   net.high = distance.high();
   net.spacing = options.edge_length / 0.9;
   try {
     return mesh_implicit(
-        [&](const Vec3& p) { return std::max(distance(p), floor - up.dot(p)); }, net);
+        [&](const Vec3& p) {
+          const double outside = ((p - centre).cwiseAbs() - half).maxCoeff();
+          return std::max({distance(p), outside, floor - up.dot(p)});
+        },
+        net);
   } catch (const Error&) {
     throw Error(name, "its points bound no body: their surface runs out of the scan's box",
                 "scan the whole body, from all sides");
@@ -215,7 +227,7 @@ ReconstructedScan reconstruct_scan(const PointCloud& scan, const std::string& na
   report.normals_given = samples.normals_given;
   report.noise = samples.noise;
   const SmoothDistance distance(samples, resolution(samples));
-  result.mesh = largest_piece(mesh_of(distance, parts, unit, options, name));
+  result.mesh = largest_piece(mesh_of(distance, parts, unit, body.points, options, name));
   find_holes(result.mesh, samples, report);
   if (report.seen < least_seen) {
     throw Error(name,

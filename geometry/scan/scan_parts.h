@@ -2,22 +2,12 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "geometry/axis_direction.h"
 #include "geometry/types.h"
 
 namespace toile {
-
-/// One of the six directions along the axes.
-struct AxisDirection {
-  int axis = 1;  ///< 0 x, 1 y, 2 z
-  int sign = 1;  ///< 1 or -1
-
-  Vec3 vector() const { return sign * Vec3::Unit(axis); }
-  /// "x", "-x", "y", ...
-  std::string name() const { return (sign < 0 ? "-" : "") + std::string(1, "xyz"[axis]); }
-};
 
 enum class ScanPart : unsigned char { body, outlier, stray, floor };
 
