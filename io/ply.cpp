@@ -213,8 +213,7 @@ bool is_axis(const Property& property, std::string_view prefix) {
          name.back() >= 'x' && name.back() <= 'z';
 }
 
-void read_point(Body& body, const Element& element, PolygonSoup& soup,
-                std::vector<Vec3>* normals) {
+void read_point(Body& body, const Element& element, PolygonSoup& soup, std::vector<Vec3>* normals) {
   Vec3 point(0, 0, 0);
   Vec3 normal(0, 0, 0);
   for (const Property& property : element.properties) {
@@ -275,8 +274,7 @@ void check_properties(const Header& header, const LineScanner& scanner) {
 
 }  // namespace
 
-PolygonSoup parse_ply(std::string_view data, const std::string& name,
-                      std::vector<Vec3>* normals) {
+PolygonSoup parse_ply(std::string_view data, const std::string& name, std::vector<Vec3>* normals) {
   LineScanner scanner(data, name);
   const Header header = parse_header(scanner);
   check_properties(header, scanner);
@@ -285,8 +283,8 @@ PolygonSoup parse_ply(std::string_view data, const std::string& name,
     if (element.name == "vertex") points += element.count;
   }
   Body body(scanner, data, name, header.binary);
-  const bool has_normals = std::any_of(
-      header.elements.begin(), header.elements.end(), [](const Element& element) {
+  const bool has_normals =
+      std::any_of(header.elements.begin(), header.elements.end(), [](const Element& element) {
         return element.name == "vertex" &&
                std::any_of(element.properties.begin(), element.properties.end(),
                            [](const Property& property) { return is_axis(property, "n"); });

@@ -96,8 +96,8 @@ class NormalColumns {
 
 bool is_point_table(const fs::path& path) {
   const std::string extension = extension_of(path);
-  return extension == ".xyz" || extension == ".pts" || extension == ".asc" ||
-         extension == ".txt" || extension == ".csv";
+  return extension == ".xyz" || extension == ".pts" || extension == ".asc" || extension == ".txt" ||
+         extension == ".csv";
 }
 
 PointCloud parse_points(std::string_view data, const std::string& name) {
@@ -129,8 +129,8 @@ PointCloud parse_points(std::string_view data, const std::string& name) {
     seventh.add(*columns);
   }
   if (counted && static_cast<double>(cloud.points.size()) != announced) {
-    scanner.fail("the file announces " + number_text(announced, 12) + " points up to here and has " +
-                     std::to_string(cloud.points.size()),
+    scanner.fail("the file announces " + number_text(announced, 12) +
+                     " points up to here and has " + std::to_string(cloud.points.size()),
                  "is it cut off?");
   }
   if (fourth.possible()) {

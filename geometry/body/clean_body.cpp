@@ -319,8 +319,7 @@ CleanBody clean_body(const PolygonSoup& soup, const std::string& name,
   if (report.repair.self_intersections_left > 0) {
     report.crossings = crossings_of(body.mesh, body.skeleton);
   }
-  report.move = {standing.turn, Vec3(0, report.lifted, 0) + report.brought,
-                 report.metres_per_unit};
+  report.move = {standing.turn, Vec3(0, report.lifted, 0) + report.brought, report.metres_per_unit};
   if (body.skeleton) {
     BodyMove move = report.move;
     // Joints that came with the body tell of an earlier move.

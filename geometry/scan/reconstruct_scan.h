@@ -38,10 +38,10 @@ struct ScanReport {
   AxisDirection up;
   bool up_given = false;
   bool floor_found = false;
-  double seen = 0;                ///< share of the surface that points are near
-  std::vector<ScanHole> holes;    ///< largest first
-  double error_rms = 0;           ///< metres between kept points and the surface
-  double error_95 = 0;            ///< metres: 95 % of the kept points are nearer
+  double seen = 0;              ///< share of the surface that points are near
+  std::vector<ScanHole> holes;  ///< largest first
+  double error_rms = 0;         ///< metres between kept points and the surface
+  double error_95 = 0;          ///< metres: 95 % of the kept points are nearer
 };
 
 struct ReconstructedScan {

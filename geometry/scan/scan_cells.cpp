@@ -56,8 +56,7 @@ std::uint64_t ScanCells::key(const std::array<std::int64_t, 3>& place) {
   constexpr std::int64_t most = (std::int64_t{1} << key_bits) - 1;
   std::uint64_t key = 0;
   for (int i = 2; i >= 0; --i) {
-    key = key << key_bits |
-          static_cast<std::uint64_t>(std::clamp(place[i], std::int64_t{0}, most));
+    key = key << key_bits | static_cast<std::uint64_t>(std::clamp(place[i], std::int64_t{0}, most));
   }
   return key;
 }

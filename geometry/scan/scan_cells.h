@@ -18,8 +18,8 @@ class ScanCells {
 
   double size() const { return size_; }
   std::size_t cells() const { return keys_.size(); }
-  const std::vector<Vec3>& means() const { return means_; }    ///< of each cell's points
-  const std::vector<int>& counts() const { return counts_; }   ///< of each cell's points
+  const std::vector<Vec3>& means() const { return means_; }     ///< of each cell's points
+  const std::vector<int>& counts() const { return counts_; }    ///< of each cell's points
   const std::vector<int>& cell_of() const { return cell_of_; }  ///< one cell a point
 
   /// Calls `visit` with each occupied cell that is at most `reach` cells from the one of `point`

@@ -12,13 +12,13 @@ namespace toile {
 enum class ScanPart : unsigned char { body, outlier, stray, floor };
 
 struct ScanParts {
-  std::vector<ScanPart> part;   ///< one a point
-  double spacing = 0;           ///< of the body's points, in their unit
-  AxisDirection up;             ///< in which the body stands, as far as the points tell
+  std::vector<ScanPart> part;  ///< one a point
+  double spacing = 0;          ///< of the body's points, in their unit
+  AxisDirection up;            ///< in which the body stands, as far as the points tell
   bool floor_found = false;
-  double floor = 0;             ///< along `up`: of the floor, or of the body's lowest points
-  double height = 0;            ///< from `floor` to the body's highest point
-  int stray_parts = 0;          ///< things that are not the body
+  double floor = 0;     ///< along `up`: of the floor, or of the body's lowest points
+  double height = 0;    ///< from `floor` to the body's highest point
+  int stray_parts = 0;  ///< things that are not the body
 };
 
 /// Sorts out the points of a scan, in any unit.

@@ -170,8 +170,8 @@ bool take_normals(const PointCloud& body, const ScanCells& cells, ScanSamples& s
   if (body.normals.size() != body.points.size()) return false;
   std::vector<Vec3> sums(cells.cells(), Vec3::Zero());
   for (std::size_t i = 0; i < body.points.size(); ++i) sums[cells.cell_of()[i]] += body.normals[i];
-  const auto lost = std::count_if(sums.begin(), sums.end(),
-                                  [](const Vec3& sum) { return !(sum.norm() > 1e-6); });
+  const auto lost =
+      std::count_if(sums.begin(), sums.end(), [](const Vec3& sum) { return !(sum.norm() > 1e-6); });
   if (10 * static_cast<std::size_t>(lost) > sums.size()) return false;
   for (std::size_t i = 0; i < sums.size(); ++i) {
     if (sums[i].norm() > 1e-6) {

@@ -32,9 +32,8 @@ struct Grid {
 
 template <class Body>
 void in_chunks(std::size_t items, const Body& body) {
-  parallel_for(chunks_of(items, chunk), [&](std::size_t c) {
-    body(c * chunk, std::min(items, (c + 1) * chunk));
-  });
+  parallel_for(chunks_of(items, chunk),
+               [&](std::size_t c) { body(c * chunk, std::min(items, (c + 1) * chunk)); });
 }
 
 double dot(const std::vector<double>& a, const std::vector<double>& b) {
@@ -104,15 +103,15 @@ class Equations {
   }
 
   const Grid& grid_;
-  std::vector<std::size_t> node_;          // per number; one more number stands for no node
-  std::vector<std::uint8_t> unknown_;      // per number
-  std::vector<std::array<int, 6>> near_;   // per number
-  std::vector<int> number_;                // per node, -1: none
-  std::vector<int> row_of_;                // per number, -1: no sample is near
-  std::vector<int> row_number_;            // per row
-  std::vector<Row> rows_;                  // of the samples' terms, by neighbour
+  std::vector<std::size_t> node_;           // per number; one more number stands for no node
+  std::vector<std::uint8_t> unknown_;       // per number
+  std::vector<std::array<int, 6>> near_;    // per number
+  std::vector<int> number_;                 // per node, -1: none
+  std::vector<int> row_of_;                 // per number, -1: no sample is near
+  std::vector<int> row_number_;             // per row
+  std::vector<Row> rows_;                   // of the samples' terms, by neighbour
   std::vector<std::array<int, 27>> reach_;  // per row, the neighbours' numbers
-  std::vector<double> wanted_;             // per row
+  std::vector<double> wanted_;              // per row
   double stiffness_ = 0;
 };
 

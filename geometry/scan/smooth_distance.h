@@ -9,7 +9,7 @@
 namespace toile {
 
 struct SmoothDistanceOptions {
-  double spacing = 0.004;   ///< metres, of the finest grid
+  double spacing = 0.004;    ///< metres, of the finest grid
   double smoothing = 0.004;  ///< metres: waves shorter than 2 pi times this are smoothed away
 };
 
@@ -31,7 +31,7 @@ class SmoothDistance {
 
   /// The value at a point: cubic between the nodes. Far outside of the box it is that of its edge.
   double operator()(const Vec3& point) const;
-  const Vec3& low() const { return low_; }    ///< corners of the box where it is known
+  const Vec3& low() const { return low_; }  ///< corners of the box where it is known
   const Vec3& high() const { return high_; }
 
  private:

@@ -50,11 +50,11 @@ void print_row(const Body& body, int points, double noise_mm) {
   const double reach = std::max(0.008, 2.5 * made.report.spacing);
   const test::Agreement a = test::agreement(made.mesh, body.mesh, scan, reach);
   std::printf(
-      "| %s | %d | %.0f | %.1f | %.1f | %.2f | %.2f | %.1f | %.1f | %.1f | %.1f | %.1f | %.1f | %.0f |\n",
+      "| %s | %d | %.0f | %.1f | %.1f | %.2f | %.2f | %.1f | %.1f | %.1f | %.1f | %.1f | %.1f | "
+      "%.0f |\n",
       body.name.c_str(), points, noise_mm, 1000 * made.report.spacing, 1000 * made.report.noise,
-      100 * a.seen_2mm, 100 * a.seen_5mm, 1000 * a.seen_worst, 100 * a.unseen,
-      100 * a.unseen_10mm, 1000 * a.unseen_worst, 1000 * made.report.error_rms, seconds,
-      most_memory_mb());
+      100 * a.seen_2mm, 100 * a.seen_5mm, 1000 * a.seen_worst, 100 * a.unseen, 100 * a.unseen_10mm,
+      1000 * a.unseen_worst, 1000 * made.report.error_rms, seconds, most_memory_mb());
   std::fflush(stdout);
 }
 
@@ -104,9 +104,11 @@ int main(int argc, char** argv) {
         std::filesystem::path(argv[1]) / "bodies" / (std::string(name) + ".obj");
     if (std::filesystem::exists(file)) bodies.push_back({name, standing(read_mesh(file))});
   }
-  std::printf("| body | points | noise mm | spacing mm | noise found mm | seen within 2 mm %% | "
-              "within 5 mm %% | worst mm | unseen %% | unseen within 10 mm %% | worst mm | rms to points mm | "
-              "seconds | MiB |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  std::printf(
+      "| body | points | noise mm | spacing mm | noise found mm | seen within 2 mm %% | "
+      "within 5 mm %% | worst mm | unseen %% | unseen within 10 mm %% | worst mm | rms to points "
+      "mm | "
+      "seconds | MiB |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   if (argc > 3) {
     for (const Body& body : bodies) print_row(body, std::atoi(argv[2]), std::atof(argv[3]));
     return 0;
@@ -116,8 +118,9 @@ int main(int argc, char** argv) {
       for (const double noise : {1.0, 2.0, 3.0}) print_row(body, points, noise);
     }
   }
-  std::printf("\n| body | girth | scans | mean mm | half spread mm | from the truth mm |\n"
-              "|---|---|---|---|---|---|\n");
+  std::printf(
+      "\n| body | girth | scans | mean mm | half spread mm | from the truth mm |\n"
+      "|---|---|---|---|---|---|\n");
   for (const Body& body : bodies) print_girths(body, 100000, 1);
   return 0;
 }

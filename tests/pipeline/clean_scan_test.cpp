@@ -37,9 +37,7 @@ bool says(const pipeline::Run& ended, const std::string& words) {
 /// The mannequin, made once.
 class CleanScan : public testing::Test {
  protected:
-  static void SetUpTestSuite() {
-    body = new Mannequin(make_mannequin({.edge_length = 0.012}));
-  }
+  static void SetUpTestSuite() { body = new Mannequin(make_mannequin({.edge_length = 0.012})); }
   static void TearDownTestSuite() { delete body; }
 
   TriangleMesh written() const { return fan_triangles(read_mesh(folder / "body.ply")); }
@@ -68,9 +66,9 @@ TEST_F(CleanScan, TwoFilesWithPosesBecomeABodyWithJoints) {
   write_text(folder / "a.txt", "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n");
   write_text(folder / "b.txt", "0 1 0 0\n-1 0 0 0\n0 0 1 100\n0 0 0 1\n");
   const pipeline::Run ended =
-      run("clean-body", {folder / "a.xyz", folder / "b.pts", "--pose", folder / "a.txt", "--pose",
-                         folder / "b.txt", "-o", folder / "body.ply", "--report",
-                         folder / "report.json"});
+      run("clean-body",
+          {folder / "a.xyz", folder / "b.pts", "--pose", folder / "a.txt", "--pose",
+           folder / "b.txt", "-o", folder / "body.ply", "--report", folder / "report.json"});
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_TRUE(says(ended, "read 50000 points of 2 files")) << ended.err;
   EXPECT_TRUE(says(ended, "unit taken to be mm")) << ended.err;
@@ -156,9 +154,9 @@ TEST_F(CleanScan, WhatIsNoScanEndsWithAMessage) {
   EXPECT_EQ(ended.exit_code, 1);
   EXPECT_TRUE(says(ended, "bad.xyz:2: 'five' is not a number")) << ended.err;
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"bad.xyz", "few.xyz"}));
-  for (const std::vector<std::string>& wrong :
-       {std::vector<std::string>{"--up", "w"}, {"--up", "y", "--front=-y"},
-        {"--pose", "a.txt", "--pose", "b.txt"}}) {
+  for (const std::vector<std::string>& wrong : {std::vector<std::string>{"--up", "w"},
+                                                {"--up", "y", "--front=-y"},
+                                                {"--pose", "a.txt", "--pose", "b.txt"}}) {
     std::vector<std::string> words = {folder / "few.xyz", "-o", folder / "body.ply"};
     words.insert(words.end(), wrong.begin(), wrong.end());
     EXPECT_EQ(run("clean-body", words).exit_code, 2) << wrong[0];

@@ -19,12 +19,12 @@
 namespace toile::test {
 
 struct Scanner {
-  int points = 50000;     ///< about, floor and all
-  double noise = 0.001;   ///< metres: standard deviation along the ray
+  int points = 50000;      ///< about, floor and all
+  double noise = 0.001;    ///< metres: standard deviation along the ray
   double outliers = 0.01;  ///< share of the points that are anywhere in the box
-  int columns = 6;        ///< with cameras at three heights each, 1.8 m from the middle
-  bool floor = true;      ///< a disc of 0.8 m around the feet is seen, too
-  bool gaps = true;       ///< nothing is measured within 5 cm of armpits, crotch and crown
+  int columns = 6;         ///< with cameras at three heights each, 1.8 m from the middle
+  bool floor = true;       ///< a disc of 0.8 m around the feet is seen, too
+  bool gaps = true;        ///< nothing is measured within 5 cm of armpits, crotch and crown
   unsigned seed = 1;
 };
 
@@ -134,9 +134,8 @@ inline Scan scan_body(const TriangleMesh& body, const Scanner& scanner) {
       if (!scanner.floor || at.norm() > 0.8) continue;
     } else {
       if (std::abs(hit.normal.dot(direction)) < std::cos(80 * std::numbers::pi / 180)) continue;
-      const bool is_gap = std::any_of(gaps.begin(), gaps.end(), [&](const Vec3& gap) {
-        return (at - gap).norm() < 0.05;
-      });
+      const bool is_gap = std::any_of(gaps.begin(), gaps.end(),
+                                      [&](const Vec3& gap) { return (at - gap).norm() < 0.05; });
       if (is_gap) continue;
       scan.truth.push_back(at);
     }
@@ -144,8 +143,8 @@ inline Scan scan_body(const TriangleMesh& body, const Scanner& scanner) {
   }
   const Vec3 room = box.sizes() + Vec3(0.4, 0.2, 0.4);
   for (std::size_t i = 0; i < outliers; ++i) {
-    scan.cloud.points.push_back(box.center() +
-                                Vec3(share() - 0.5, share() - 0.5, share() - 0.5).cwiseProduct(room));
+    scan.cloud.points.push_back(
+        box.center() + Vec3(share() - 0.5, share() - 0.5, share() - 0.5).cwiseProduct(room));
   }
   return scan;
 }
@@ -156,7 +155,7 @@ struct Agreement {
   double seen_2mm = 1;
   double seen_5mm = 1;
   double unseen_10mm = 1;
-  double unseen = 0;  ///< share of the true surface that no ray met within `reach`
+  double unseen = 0;        ///< share of the true surface that no ray met within `reach`
   double seen_worst = 0;    ///< metres
   double unseen_worst = 0;  ///< metres
 };

@@ -26,8 +26,7 @@ using Texts = std::vector<std::string>;
 
 std::optional<AxisDirection> read_direction(const po::variables_map& given, const char* option) {
   if (given.count(option) == 0) return std::nullopt;
-  const std::optional<AxisDirection> direction =
-      axis_direction(given[option].as<std::string>());
+  const std::optional<AxisDirection> direction = axis_direction(given[option].as<std::string>());
   if (!direction) {
     throw po::error("--" + std::string(option) + " is one of x, -x, y, -y, z, -z");
   }

@@ -33,9 +33,8 @@ std::string place_name(const Skeleton& skeleton, const Vec3& at) {
   }
   constexpr double near = 0.1;  // metres
   const auto off = [&](const auto& place) { return (place.second - at).norm(); };
-  const auto nearest =
-      std::min_element(places.begin(), places.end(),
-                       [&](const auto& a, const auto& b) { return off(a) < off(b); });
+  const auto nearest = std::min_element(
+      places.begin(), places.end(), [&](const auto& a, const auto& b) { return off(a) < off(b); });
   if (off(*nearest) < near) return nearest->first;
   std::string part = part_near(skeleton, at);
   std::replace(part.begin(), part.end(), '_', ' ');
@@ -80,8 +79,7 @@ std::vector<PlacedHole> placed_holes(const ScanReport& scan, const CleanBody& bo
   const BodyMove& move = body.report.move;
   for (const ScanHole& hole : scan.holes) {
     const Vec3 centre = move.rotation * hole.centre + move.translation;
-    holes.push_back(
-        {body.skeleton ? place_name(*body.skeleton, centre) : "", centre, hole.area});
+    holes.push_back({body.skeleton ? place_name(*body.skeleton, centre) : "", centre, hole.area});
   }
   return holes;
 }
@@ -118,7 +116,8 @@ void say_holes(const std::vector<PlacedHole>& holes, const CommonSettings& commo
     if (hole.area < large_scan_hole) {
       common.say("hole closed: " + hole_text(hole));
     } else {
-      warnings.push_back("a hole was closed: " + hole_text(hole) + "; the surface there is a guess");
+      warnings.push_back("a hole was closed: " + hole_text(hole) +
+                         "; the surface there is a guess");
     }
   }
 }

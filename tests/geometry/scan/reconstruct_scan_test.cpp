@@ -69,8 +69,8 @@ TEST_F(ReconstructScan, ListsWhatNoCameraSaw) {
   const ScanReport report = reconstruct_scan(scan->cloud, "scan").report;
   const Landmarks marks = given_landmarks(find_landmarks(*body, "body"));
   for (const char* name : {"left_armpit", "right_armpit", "crotch", "crown"}) {
-    const auto listed = std::any_of(
-        report.holes.begin(), report.holes.end(), [&](const ScanHole& hole) {
+    const auto listed =
+        std::any_of(report.holes.begin(), report.holes.end(), [&](const ScanHole& hole) {
           return (hole.centre - *place_of(marks, name)).norm() < 0.06 && hole.area < 0.02;
         });
     EXPECT_TRUE(listed) << name;
@@ -84,7 +84,8 @@ TEST_F(ReconstructScan, ListsWhatNoCameraSaw) {
 
 TEST_F(ReconstructScan, OtherUnitsAndAxesAreFoundByTheFloor) {
   PointCloud turned;
-  for (const Vec3& p : scan->cloud.points) turned.points.push_back(1000 * Vec3(p.z(), p.x(), p.y()));
+  for (const Vec3& p : scan->cloud.points)
+    turned.points.push_back(1000 * Vec3(p.z(), p.x(), p.y()));
   const ReconstructedScan made = reconstruct_scan(turned, "scan");
   EXPECT_EQ(made.report.up.name(), "z");
   EXPECT_EQ(made.report.metres_per_unit, 0.001);
