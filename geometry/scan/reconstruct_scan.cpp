@@ -152,10 +152,9 @@ void measure_error(const TriangleMesh& mesh, const std::vector<Vec3>& points, Sc
 SmoothDistanceOptions resolution(const ScanSamples& samples) {
   SmoothDistanceOptions options;
   options.spacing = std::clamp(1.2 * samples.spacing, 0.004, 0.012);
-  // A wave of the surface is kept where about ten points, or as many as the noise asks for, tell of
-  // it. The noise that is left has a standard deviation of about 0.6 mm.
-  const double by_noise = 0.47 * samples.spacing * samples.noise / 0.001;
-  options.smoothing = std::max(samples.spacing, by_noise);
+  // The noise that is left has a standard deviation of about 0.7 mm.
+  const double by_noise = 0.28 * samples.spacing * samples.noise / 0.001;
+  options.smoothing = std::max(0.7 * samples.spacing, by_noise);
   return options;
 }
 
@@ -171,20 +170,25 @@ TriangleMesh mesh_of(const SmoothDistance& distance, const ScanParts& parts, dou
   for (const Vec3& p : points) box.extend(p);
   const Vec3 centre = box.center();
   const Vec3 half = box.sizes() / 2 + Vec3::Constant(beyond);
+  const auto shape = [&](const Vec3& p) {
+    const double outside = ((p - centre).cwiseAbs() - half).maxCoeff();
+    return std::max({distance(p), outside, floor - up.dot(p)});
+  };
   ImplicitMeshOptions net;
   net.low = distance.low();
   net.high = distance.high();
   net.spacing = options.edge_length / 0.9;
-  try {
-    return mesh_implicit(
-        [&](const Vec3& p) {
-          const double outside = ((p - centre).cwiseAbs() - half).maxCoeff();
-          return std::max({distance(p), outside, floor - up.dot(p)});
-        },
-        net);
-  } catch (const Error&) {
-    throw Error(name, "its points bound no body: their surface runs out of the scan's box",
-                "scan the whole body, from all sides");
+  // Where a coarse net can't part two sheets, a finer one does.
+  for (int round = 0;; ++round) {
+    try {
+      return mesh_implicit(shape, net);
+    } catch (const Error&) {
+      if (round == 3) {
+        throw Error(name, "its points bound no body whose surface can be meshed",
+                    "scan the whole body, from all sides");
+      }
+      net.spacing *= 0.85;
+    }
   }
 }
 
@@ -223,7 +227,7 @@ ReconstructedScan reconstruct_scan(const PointCloud& scan, const std::string& na
                 "scan more densely");
   }
   const PointCloud body = body_points(scan, parts, unit);
-  const ScanSamples samples = sample_scan(body, report.spacing);
+  const ScanSamples samples = sample_scan(body, parts.up, report.spacing);
   report.normals_given = samples.normals_given;
   report.noise = samples.noise;
   const SmoothDistance distance(samples, resolution(samples));

@@ -85,6 +85,49 @@ class Shell {
     for (const Vec3& p : points) full_[index(p)] = 1;
   }
 
+  /// Fills the soles, which no camera sees: cells at the floor that have the body's lowest points
+  /// to all four sides. Otherwise rays would leave the feet through them.
+  void close_soles(const AxisDirection& up) {
+    constexpr double foot = 0.16;  // metres: half of the longest sole
+    const int reach = static_cast<int>(foot / size_);
+    const int layers = static_cast<int>(0.03 / size_) + 1;
+    const int a = (up.axis + 1) % 3;
+    const int b = (up.axis + 2) % 3;
+    std::vector<std::uint8_t> low(static_cast<std::size_t>(cells_[a]) * cells_[b], 0);
+    const auto layer = [&](int height) {
+      return up.sign > 0 ? height : cells_[up.axis] - 1 - height;
+    };
+    std::array<int, 3> at{};
+    const auto cell = [&](int i, int j, int height) {
+      at[a] = i;
+      at[b] = j;
+      at[up.axis] = layer(height);
+      return index(at);
+    };
+    const auto in_plane = [&](int i, int j) { return static_cast<std::size_t>(j) * cells_[a] + i; };
+    for (int j = 0; j < cells_[b]; ++j) {
+      for (int i = 0; i < cells_[a]; ++i) {
+        for (int height = 0; height < std::min(layers, cells_[up.axis]); ++height) {
+          low[in_plane(i, j)] |= full_[cell(i, j, height)];
+        }
+      }
+    }
+    const auto meets = [&](int i, int j, int di, int dj) {
+      for (int k = 0; k <= reach; ++k, i += di, j += dj) {
+        if (i < 0 || j < 0 || i >= cells_[a] || j >= cells_[b]) return false;
+        if (low[in_plane(i, j)] != 0) return true;
+      }
+      return false;
+    };
+    for (int j = 0; j < cells_[b]; ++j) {
+      for (int i = 0; i < cells_[a]; ++i) {
+        if (meets(i, j, 1, 0) && meets(i, j, -1, 0) && meets(i, j, 0, 1) && meets(i, j, 0, -1)) {
+          full_[cell(i, j, 0)] = 1;
+        }
+      }
+    }
+  }
+
   /// Whether a ray from a point of the body meets no cell beyond those around its start.
   bool escapes(const Vec3& from, const Vec3& direction) const {
     for (double along = 1.6 * size_;; along += 0.7 * size_) {
@@ -100,6 +143,9 @@ class Shell {
     for (int i = 0; i < 3; ++i) {
       at[i] = std::clamp(static_cast<int>((p[i] - box_.min()[i]) / size_), 0, cells_[i] - 1);
     }
+    return index(at);
+  }
+  std::size_t index(const std::array<int, 3>& at) const {
     return (static_cast<std::size_t>(at[2]) * cells_[1] + at[1]) * cells_[0] + at[0];
   }
 
@@ -123,8 +169,9 @@ std::vector<Vec3> ray_directions() {
 }
 
 /// Turns the normals outward.
-void orient(const ScanCells& cells, double spacing, ScanSamples& samples) {
-  const Shell shell(samples.points, std::max({2 * spacing, 1.5 * cells.size(), 0.008}));
+void orient(const ScanCells& cells, const AxisDirection& up, double spacing, ScanSamples& samples) {
+  Shell shell(samples.points, std::max({2 * spacing, 1.5 * cells.size(), 0.008}));
+  shell.close_soles(up);
   const std::vector<Vec3> directions = ray_directions();
   std::vector<Vec3> out(samples.points.size());  // the sum of the rays that leave the body
   parallel_for_chunks(out.size(), [&](std::size_t begin, std::size_t end) {
@@ -186,7 +233,7 @@ bool take_normals(const PointCloud& body, const ScanCells& cells, ScanSamples& s
 
 }  // namespace
 
-ScanSamples sample_scan(const PointCloud& body, double spacing) {
+ScanSamples sample_scan(const PointCloud& body, const AxisDirection& up, double spacing) {
   // With cells of one spacing the planes follow the noise, with three they cut fingers off.
   double size = std::max(1.5 * spacing, least_cell);
   ScanCells cells(body.points, size);
@@ -211,7 +258,7 @@ ScanSamples sample_scan(const PointCloud& body, double spacing) {
     samples.areas.push_back(cells.counts()[i] * std::min(largest, 1 / planes[i].density));
   }
   samples.normals_given = take_normals(body, cells, samples);
-  orient(cells, spacing, samples);
+  orient(cells, up, spacing, samples);
   return samples;
 }
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "geometry/axis_direction.h"
 #include "geometry/scan/point_cloud.h"
 
 namespace toile {
@@ -28,6 +29,6 @@ struct ScanSamples {
 /// both sides: more of them leave the body on its outside. Neighbours then agree by majority. A
 /// spanning tree [Hoppe et al. 1992] turns a whole hand inside out where it takes one wrong step
 /// between fingers; a vote has no such step. O(n log n).
-ScanSamples sample_scan(const PointCloud& body, double spacing);
+ScanSamples sample_scan(const PointCloud& body, const AxisDirection& up, double spacing);
 
 }  // namespace toile

@@ -16,6 +16,9 @@ namespace {
 constexpr int border = 3;            // layers of nodes at the grid's edge that keep their values
 constexpr double coarsest = 0.03;    // metres, about, of the first grid
 constexpr std::size_t chunk = 4096;  // nodes of a task
+/// Spacings that a grid smooths at least. With 1, coarse grids lose hands and feet; with 0.2,
+/// unseen places follow the noise at their edges.
+constexpr double coarse_smoothing = 0.4;
 
 /// A grid of values; node (x, y, z) is at index (z ny + y) nx + x.
 struct Grid {
@@ -401,11 +404,14 @@ SmoothDistance::SmoothDistance(const ScanSamples& samples, const SmoothDistanceO
     if (level > 0) grid = refined(grid);
     const bool is_whole = level < 2;
     const double band = is_whole ? std::numeric_limits<double>::max() : 6 * grid.spacing;
+    // Coarse grids miss hands and feet. Only the last one may call their points strays.
+    const bool is_last = level + 1 == levels;
     const std::vector<double> trust =
-        level == 0 ? std::vector<double>(samples.points.size(), 1)
-                   : trust_in(samples, grid, std::max(4 * samples.noise, grid.spacing));
+        is_last ? trust_in(samples, grid, std::max(4 * samples.noise, 2 * grid.spacing))
+                : std::vector<double>(samples.points.size(), 1);
     Equations equations(grid, active_nodes(grid, band, samples));
-    equations.add_samples(samples, trust, std::max(options.smoothing, grid.spacing));
+    equations.add_samples(samples, trust,
+                          std::max(options.smoothing, coarse_smoothing * grid.spacing));
     equations.solve(grid, level == 0 ? 800 : level == 1 ? 300 : level == 2 ? 120 : 60);
   }
   spacing_ = grid.spacing;

@@ -23,7 +23,7 @@ struct Scanner {
   double noise = 0.001;    ///< metres: standard deviation along the ray
   double outliers = 0.01;  ///< share of the points that are anywhere in the box
   int columns = 6;         ///< with cameras at three heights each, 1.8 m from the middle
-  bool floor = true;       ///< a disc of 0.8 m around the feet is seen, too
+  bool floor = true;       ///< a disc of 0.5 m around the feet is seen, too
   bool gaps = true;        ///< nothing is measured within 5 cm of armpits, crotch and crown
   unsigned seed = 1;
 };
@@ -131,7 +131,7 @@ inline Scan scan_body(const TriangleMesh& body, const Scanner& scanner) {
     if (!std::isfinite(distance)) continue;
     const Vec3 at = from + distance * direction;
     if (down < hit.distance) {
-      if (!scanner.floor || at.norm() > 0.8) continue;
+      if (!scanner.floor || at.norm() > 0.5) continue;
     } else {
       if (std::abs(hit.normal.dot(direction)) < std::cos(80 * std::numbers::pi / 180)) continue;
       const bool is_gap = std::any_of(gaps.begin(), gaps.end(),
