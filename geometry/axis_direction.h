@@ -15,7 +15,10 @@ struct AxisDirection {
 
   Vec3 vector() const { return sign * Vec3::Unit(axis); }
   /// "x", "-x", "y", ...
-  std::string name() const { return (sign < 0 ? "-" : "") + std::string(1, "xyz"[axis]); }
+  std::string name() const {
+    constexpr const char* names[2][3] = {{"-x", "-y", "-z"}, {"x", "y", "z"}};
+    return names[sign > 0 ? 1 : 0][axis];
+  }
 };
 
 /// The direction of that name; nothing for another word.
