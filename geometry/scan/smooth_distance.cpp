@@ -265,7 +265,7 @@ void Equations::solve(Grid& grid, int rounds) const {
   precondition();
   p = z;
   double rz = dot(residual, z);
-  const double enough = 1e-8 * rz;
+  const double enough = 1e-6 * rz;
   for (int round = 0; round < rounds && rz > enough; ++round) {
     apply(p, bent, ap);
     const double step = rz / dot(p, ap);
@@ -402,8 +402,7 @@ SmoothDistance::SmoothDistance(const ScanSamples& samples, const SmoothDistanceO
   Grid grid = first_grid(samples, options.spacing * (1 << (levels - 1)));
   for (int level = 0; level < levels; ++level) {
     if (level > 0) grid = refined(grid);
-    const bool is_whole = level < 2;
-    const double band = is_whole ? std::numeric_limits<double>::max() : 6 * grid.spacing;
+    const double band = level == 0 ? std::numeric_limits<double>::max() : 6 * grid.spacing;
     // Coarse grids miss hands and feet. Only the last one may call their points strays.
     const bool is_last = level + 1 == levels;
     const std::vector<double> trust =
