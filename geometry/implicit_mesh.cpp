@@ -302,10 +302,9 @@ std::vector<Triangle> cut_quads(const std::vector<Quad>& quads,
   std::vector<Triangle> triangles;
   triangles.reserve(2 * quads.size());
   const auto point_on = [&](const Edge& edge, std::size_t inside) {
-    const auto found =
-        std::lower_bound(sheets.begin(), sheets.end(), edge, [&](const SheetPoint& s, const Edge& e) {
-          return s.is_before(e, inside);
-        });
+    const auto found = std::lower_bound(
+        sheets.begin(), sheets.end(), edge,
+        [&](const SheetPoint& s, const Edge& e) { return s.is_before(e, inside); });
     const bool is_there = found != sheets.end() && found->edge == edge && found->inside == inside;
     return is_there ? found->point : -1;
   };
@@ -323,8 +322,7 @@ std::vector<Triangle> cut_quads(const std::vector<Quad>& quads,
     if (outline.size() > 4) {
       const std::size_t n = outline.size();
       for (std::size_t i = 1; i + 1 < n; ++i) {
-        triangles.push_back(
-            {outline[fan], outline[(fan + i) % n], outline[(fan + i + 1) % n]});
+        triangles.push_back({outline[fan], outline[(fan + i) % n], outline[(fan + i + 1) % n]});
       }
       continue;
     }
