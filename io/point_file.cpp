@@ -30,13 +30,13 @@ std::string extension_of(const fs::path& path) {
   return extension;
 }
 
-bool is_separator(char c) { return c == ' ' || c == '\t' || c == ',' || c == ';'; }
+bool is_column_gap(char c) { return c == ' ' || c == '\t' || c == ',' || c == ';'; }
 
 /// Removes the first word from `rest`; empty at its end.
-std::string_view next_word(std::string_view& rest) {
-  while (!rest.empty() && is_separator(rest.front())) rest.remove_prefix(1);
+std::string_view next_column(std::string_view& rest) {
+  while (!rest.empty() && is_column_gap(rest.front())) rest.remove_prefix(1);
   std::size_t end = 0;
-  while (end < rest.size() && !is_separator(rest[end])) ++end;
+  while (end < rest.size() && !is_column_gap(rest[end])) ++end;
   const std::string_view word = rest.substr(0, end);
   rest.remove_prefix(end);
   return word;
@@ -56,8 +56,8 @@ std::optional<Columns> read_columns(const LineScanner& scanner, bool is_first) {
   Columns columns;
   std::string_view rest = scanner.rest();
   rest = rest.substr(0, std::min(rest.find('#'), rest.find("//")));
-  for (std::string_view word = next_word(rest); !word.empty() && columns.count < most_columns;
-       word = next_word(rest)) {
+  for (std::string_view word = next_column(rest); !word.empty() && columns.count < most_columns;
+       word = next_column(rest)) {
     const std::optional<double> value = parse_number(word);
     if (!value) {
       if (is_first && columns.count == 0) return std::nullopt;

@@ -150,7 +150,7 @@ inline Scan scan_body(const TriangleMesh& body, const Scanner& scanner) {
 }
 
 /// How near a reconstructed surface is to the truth: shares of area, each the lesser one of both
-/// surfaces' to the other.
+/// surfaces' to the other. Inner surfaces, such as a mouth's, are left out: no ray leaves them.
 struct Agreement {
   double seen_2mm = 1;
   double seen_5mm = 1;
@@ -197,9 +197,25 @@ inline Agreement agreement(const TriangleMesh& surface, const TriangleMesh& trut
     });
     return seen;
   };
+  const Rays rays(truth);
+  const auto is_inner = [&](const Vec3& p, const Vec3& normal) {
+    for (int x = -2; x <= 2; ++x) {
+      for (int y = -2; y <= 2; ++y) {
+        for (int z = -2; z <= 2; ++z) {
+          const Vec3 direction(x, y, z);
+          if (direction.dot(normal) <= 0) continue;
+          if (!std::isfinite(rays.meet(p + 1e-4 * normal, direction.normalized()).distance)) {
+            return false;
+          }
+        }
+      }
+    }
+    return true;
+  };
   Agreement result;
   const auto judge = [&](const TriangleMesh& from, const TriangleMesh& to, bool from_truth) {
     const SurfaceDistance distance(to);
+    const SurfaceDistance own(from);
     int seen = 0, near2 = 0, near5 = 0, unseen = 0, near10 = 0;
     for (const Vec3& p : spread_points(from, count)) {
       const SurfacePoint other = distance.closest_point(p);
@@ -210,6 +226,7 @@ inline Agreement agreement(const TriangleMesh& surface, const TriangleMesh& trut
         near5 += off <= 0.005;
         result.seen_worst = std::max(result.seen_worst, off);
       } else {
+        if (from_truth && is_inner(p, own.closest_point(p).normal)) continue;
         ++unseen;
         near10 += off <= 0.01;
         result.unseen_worst = std::max(result.unseen_worst, off);
