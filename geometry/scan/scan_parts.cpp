@@ -36,7 +36,8 @@ Box bounds(const std::vector<Vec3>& points) {
   return box;
 }
 
-void mark_outliers(const std::vector<Vec3>& points, ScanParts& parts) {
+void mark_outliers(const Chosen& body, ScanParts& parts) {
+  const std::vector<Vec3>& points = body.points;
   // Blocks of three cells are twelve spacings wide. With 2 or 8 spacings to a cell, fingertips are
   // lost, or points 5 cm off the skin are kept.
   const ScanCells cells(points, 4 * parts.spacing);
@@ -46,7 +47,7 @@ void mark_outliers(const std::vector<Vec3>& points, ScanParts& parts) {
   }
   const double least = std::max(3.0, 0.06 * median(near));
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (near[cells.cell_of()[i]] < least) parts.part[i] = ScanPart::outlier;
+    if (near[cells.cell_of()[i]] < least) parts.part[body.numbers[i]] = ScanPart::outlier;
   }
 }
 
@@ -125,7 +126,7 @@ void find_floor(const Chosen& body, const std::optional<AxisDirection>& up, Scan
   }
   parts.up = best.up;
   parts.floor = best.level;
-  // What noise lifts off the floor goes with it.
+  // What noise lifts off the floor goes with it: up to four standard deviations.
   const Vec3 direction = parts.up.vector();
   const double longest = bounds(body.points).sizes().maxCoeff();
   std::vector<double> off;
@@ -133,7 +134,7 @@ void find_floor(const Chosen& body, const std::optional<AxisDirection>& up, Scan
     const double level = std::abs(direction.dot(p) - parts.floor);
     if (level < longest / 100) off.push_back(level);
   }
-  const double margin = std::clamp(4.5 * median(off), longest / 400, longest / 120);
+  const double margin = std::clamp(6 * median(off), longest / 400, longest / 120);
   for (std::size_t i = 0; i < body.points.size(); ++i) {
     if (direction.dot(body.points[i]) < parts.floor + margin) {
       parts.part[body.numbers[i]] = ScanPart::floor;
@@ -170,8 +171,14 @@ ScanParts sort_scan(const std::vector<Vec3>& points, const std::optional<AxisDir
   if (up) parts.up = *up;
   parts.spacing = point_spacing(points);
   if (!(parts.spacing > 0)) return parts;
-  mark_outliers(points, parts);
+  mark_outliers(choose(points, parts.part), parts);
   find_floor(choose(points, parts.part), up, parts);
+  // What noise has lifted off the floor stands alone now.
+  if (parts.floor_found) {
+    const Chosen body = choose(points, parts.part);
+    parts.spacing = point_spacing(body.points);
+    if (parts.spacing > 0) mark_outliers(body, parts);
+  }
   mark_strays(choose(points, parts.part), parts);
   const std::vector<Vec3> body = choose(points, parts.part).points;
   parts.spacing = point_spacing(body);

@@ -17,6 +17,7 @@ namespace {
 
 constexpr double least_cell = 0.004;  // metres: finer ones find no more of fingers
 constexpr double neighbours = 2.5;    // cells around a sample that its plane is fitted to
+constexpr double by_noise = 8;        // or as many standard deviations of the noise
 
 /// The plane through a sample's neighbours.
 struct Plane {
@@ -26,16 +27,17 @@ struct Plane {
   double density = 0;  // points on a square metre
 };
 
-Plane plane_at(const ScanCells& cells, int cell) {
+Plane plane_at(const ScanCells& cells, int cell, double reach) {
   const Vec3& at = cells.means()[cell];
-  const double wide = neighbours * cells.size() / 2;  // standard deviation of the weights
+  const double wide = reach / 2;  // standard deviation of the weights
+  const int around = static_cast<int>(std::ceil(reach / cells.size()));
   double sum = 0;
   Vec3 mean = Vec3::Zero();
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  cells.near(at, 3, [&](int other) {
+  cells.near(at, around, [&](int other) {
     const Vec3 to = cells.means()[other] - at;
     const double squared = to.squaredNorm() / (wide * wide);
-    if (squared > 6.25) return;
+    if (squared > 5) return;
     const double weight = cells.counts()[other] * std::exp(-squared / 2);
     sum += weight;
     mean += weight * to;
@@ -56,10 +58,11 @@ Plane plane_at(const ScanCells& cells, int cell) {
   return plane;
 }
 
-std::vector<Plane> planes_of(const ScanCells& cells) {
+std::vector<Plane> planes_of(const ScanCells& cells, double reach) {
   std::vector<Plane> planes(cells.cells());
   parallel_for_chunks(cells.cells(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) planes[i] = plane_at(cells, static_cast<int>(i));
+    for (std::size_t i = begin; i < end; ++i)
+      planes[i] = plane_at(cells, static_cast<int>(i), reach);
   });
   return planes;
 }
@@ -234,15 +237,15 @@ bool take_normals(const PointCloud& body, const ScanCells& cells, ScanSamples& s
 }  // namespace
 
 ScanSamples sample_scan(const PointCloud& body, const AxisDirection& up, double spacing) {
-  // With cells of one spacing the planes follow the noise, with three they cut fingers off.
-  double size = std::max(1.5 * spacing, least_cell);
-  ScanCells cells(body.points, size);
-  std::vector<Plane> planes = planes_of(cells);
-  const double noise = noise_about(planes, cells, body.points);
-  if (1.5 * noise > 1.2 * size) {
-    size = 1.5 * noise;
-    cells = ScanCells(body.points, size);
-    planes = planes_of(cells);
+  // With twice as large cells fingers lose their tips. Half as large ones find no better normals.
+  const double size = std::max(0.75 * spacing, least_cell);
+  const ScanCells cells(body.points, size);
+  std::vector<Plane> planes = planes_of(cells, neighbours * size);
+  double noise = noise_about(planes, cells, body.points);
+  // Planes through few cells follow the noise, and so hide a part of it.
+  if (by_noise * noise > neighbours * size) {
+    planes = planes_of(cells, by_noise * noise);
+    noise = noise_about(planes, cells, body.points);
   }
   ScanSamples samples;
   samples.spacing = spacing;

@@ -22,7 +22,7 @@ bool has_own_joints(const fs::path& input, const fs::path& output) {
   return !fs::exists(output, unreachable) || !same_file(joints, skeleton_path(output));
 }
 
-using Words = std::vector<std::string>;
+using FileNames = std::vector<std::string>;
 
 std::optional<AxisDirection> read_direction(const po::variables_map& given, const char* option) {
   if (given.count(option) == 0) return std::nullopt;
@@ -35,7 +35,7 @@ std::optional<AxisDirection> read_direction(const po::variables_map& given, cons
 
 std::vector<fs::path> read_paths(const po::variables_map& given, const char* option) {
   if (given.count(option) == 0) return {};
-  const Words texts = given[option].as<Words>();
+  const FileNames texts = given[option].as<FileNames>();
   return {texts.begin(), texts.end()};
 }
 
@@ -68,7 +68,7 @@ CommandLineProgram clean_body_program() {
       "makes a mesh or scan of a standing person a closed body in metres, with its skeleton";
   program.usage = "IN... -o body.ply [--unit m|dm|cm|mm|in] [--up AXIS] [--front AXIS]";
   program.options.add_options()(
-      "input", po::value<Words>()->required(),
+      "input", po::value<FileNames>()->required(),
       "the mesh to read: .obj, .ply, .stl or .off; or the points of a scan: .ply, .obj, .off, "
       ".xyz, .pts, .asc, .txt or .csv; several files are one scan");
   add_unit_option(program.options);
@@ -77,7 +77,7 @@ CommandLineProgram clean_body_program() {
       "to where the body stands in the file: x, y, z, or --up=-z; found when not given")(
       "front", po::value<std::string>(), "to where it faces in the file; found when not given")(
       "points", po::bool_switch(), "take a mesh's points as a scan and ignore its faces")(
-      "pose", po::value<Words>()->composing(),
+      "pose", po::value<FileNames>()->composing(),
       "four rows of four numbers that bring a scan's file to the frame of all; once for each "
       "file, in their order")("edge-length", po::value<std::string>(),
                               "of a scan's surface, about: 3mm to 20mm, 7mm when not given");
