@@ -17,9 +17,9 @@ struct BodyFile {
   std::vector<Vec3> normals;  ///< of the points, as PointCloud::normals
 };
 
-/// Reads a mesh or points by the path's extension, in small or capital letters: those of
-/// read_mesh(), and .xyz, .pts, .asc, .txt and .csv by parse_points(). Normals come from PLY and
-/// from tables. A file without points is an Error; otherwise it throws as read_mesh() does.
+/// Reads a mesh or points by the path's extension, in small or capital letters. Those of
+/// read_mesh() are known, and .xyz, .pts, .asc, .txt and .csv by parse_points(). Normals come from
+/// PLY and from tables. A file without points is an Error; otherwise it throws as read_mesh() does.
 BodyFile read_body_file(const std::filesystem::path& path);
 
 /// Whether the path's extension is that of a table of points.

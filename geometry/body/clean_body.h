@@ -71,8 +71,8 @@ inline constexpr double large_hole = 0.05;
 ///
 /// Where `up` or `front` is given, that is not searched for.
 ///
-/// It throws Error as repair() does, when the unit can't be found, when `front` lies along the
-/// vertical, or when the height is not 0.1 to 10 m. A body without a skeleton is no error.
+/// It throws Error as repair() does, when the unit can't be found, or when the height is not 0.1 to
+/// 10 m. A `front` along the vertical is an Error. A body without a skeleton is none.
 CleanBody clean_body(const PolygonSoup& soup, const std::string& name,
                      const CleanOptions& options = {});
 

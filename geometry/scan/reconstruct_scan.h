@@ -55,13 +55,16 @@ inline constexpr double listed_hole = 4e-4;
 /// Reconstructs the surface of a standing body: sort_scan(), sample_scan(), SmoothDistance, and
 /// mesh_implicit() of that. Feet end flat at the floor, or at the lowest points.
 ///
-/// Against CGAL's Poisson reconstruction (of points in 5 to 8 mm cells) on simulated scans, fingers
-/// and unseen places come out nearer to the truth, and the result does not depend on addresses.
-/// `docs/method.md` has the figures.
+/// CGAL's Poisson reconstruction of points averaged in 5 to 8 mm cells was tried on simulated scans
+/// of 500k points. It took 7 to 8 s, and 98.2 % of mean_all lay within 2 mm, 99.0 % within 5 mm.
+/// This one has 99.0 % and 99.7 %. Its result does not depend on memory addresses.
 ///
-/// It throws Error, with the place `name`: for fewer than 1000 points, for points farther apart
-/// than a fiftieth of the body's height, when no unit fits, and when points are near to less than
-/// half of the surface. About 5 s for 500k points.
+/// It throws Error, with the place `name`:
+/// - for fewer than 1000 points, or points farther apart than a fiftieth of the body's height;
+/// - when no unit fits;
+/// - when points are near to less than half of the surface.
+///
+/// About 7 s of one core for 500k points.
 ReconstructedScan reconstruct_scan(const PointCloud& scan, const std::string& name,
                                    const ScanOptions& options = {});
 

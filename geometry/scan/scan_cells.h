@@ -52,9 +52,9 @@ class ScanCells {
   std::vector<int> cell_of_;
 };
 
-/// About the distance between neighbouring points of a scanned surface, in the points' unit: the
-/// side of a square that holds one point, where half of the surface has more. 0 for less than two
-/// places.
+/// About the distance between neighbouring points of a scanned surface, in the points' unit. It is
+/// the side of a square that holds one point, where half of the points are denser. 0 for less than
+/// two places.
 double point_spacing(const std::vector<Vec3>& points);
 
 }  // namespace toile
