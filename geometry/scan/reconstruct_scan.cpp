@@ -21,7 +21,7 @@ namespace {
 
 constexpr int fewest_points = 1000;
 constexpr double widest_spacing = 0.02;  // of the height: 35 mm of an adult
-constexpr double least_seen = 0.5;       // share of the surface
+constexpr double least_seen = 0.7;       // share of the surface
 
 Vec3 area_vector(const TriangleMesh& mesh, const Triangle& t) {
   const Vec3& a = mesh.points[t[0]];

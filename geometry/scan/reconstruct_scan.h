@@ -62,7 +62,7 @@ inline constexpr double listed_hole = 4e-4;
 /// It throws Error, with the place `name`:
 /// - for fewer than 1000 points, or points farther apart than a fiftieth of the body's height;
 /// - when no unit fits;
-/// - when points are near to less than half of the surface.
+/// - when points are near to less than 70 % of the surface.
 ///
 /// About 7 s of one core for 500k points.
 ReconstructedScan reconstruct_scan(const PointCloud& scan, const std::string& name,
