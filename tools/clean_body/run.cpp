@@ -1,6 +1,7 @@
 #include "tools/clean_body/run.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -79,7 +80,8 @@ void say_changes(const CleanReport& report, const ScanReport* scan, const Common
     common.say("unit taken to be " + unit_name(file_unit) + ", since the body is then " +
                number(report.height, "%.2f") + " m tall (--unit states it)");
   }
-  if (report.lifted != 0) {
+  // A scan's floor is never met to the last bit.
+  if (std::abs(report.lifted) > (scan == nullptr ? 0 : 5e-5)) {
     common.say("lifted by " + number(100 * report.lifted, "%.2f") + " cm to stand on y = 0");
   }
   if (!report.brought.isZero(0)) {
