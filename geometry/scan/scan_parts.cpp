@@ -64,7 +64,7 @@ Slab floor_below(const std::vector<Vec3>& points, const AxisDirection& up) {
   const Box box = bounds(points);
   const double longest = box.sizes().maxCoeff();
   const double tall = box.sizes()[up.axis];
-  if (tall < 0.1 * longest) return slab;  // the scan of a plane lies on nothing
+  if (!(tall > 0 && tall >= 0.1 * longest)) return slab;  // the scan of a plane lies on nothing
   const double bin = longest / 300;
   const Vec3 direction = up.vector();
   const double low = up.sign > 0 ? box.min()[up.axis] : -box.max()[up.axis];
@@ -111,6 +111,7 @@ AxisDirection likely_up(const Box& box) {
 }
 
 void find_floor(const Chosen& body, const std::optional<AxisDirection>& up, ScanParts& parts) {
+  if (body.points.empty()) return;
   Slab best;
   for (int axis = 0; axis < 3; ++axis) {
     for (const int sign : {1, -1}) {
