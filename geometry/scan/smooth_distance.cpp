@@ -152,9 +152,10 @@ Equations::Equations(const Grid& grid, const std::vector<std::uint8_t>& active)
 
 void Equations::add_samples(const ScanSamples& samples, const std::vector<double>& trust,
                             double smoothing) {
-  // Waves of the length 2 pi `smoothing` are halved.
   stiffness_ = smoothing * smoothing * smoothing / grid_.spacing;
-X  for (std::size_t s = 0; s < samples.points.size(); ++s) {
+  // Of slopes against values.
+  const double turn = std::pow(std::max(smoothing, slope_length), 2);
+  for (std::size_t s = 0; s < samples.points.size(); ++s) {
     const Place place(grid_, samples.points[s]);
     std::array<int, 8> number;
     for (int c = 0; c < 8; ++c) {
@@ -279,8 +280,7 @@ void Equations::solve(Grid& grid, int rounds) const {
     });
     precondition();
     const double next = dot(residual, z);
-    // Of slopes against values.
-  const double turn = std::pow(std::max(smoothing, slope_length), 2);
+    const double turn = next / rz;
     rz = next;
     in_chunks(count, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) p[i] = z[i] + turn * p[i];

@@ -10,7 +10,7 @@ namespace toile {
 
 struct SmoothDistanceOptions {
   double spacing = 0.004;    ///< metres, of the finest grid
-  double smoothing = 0.004;  ///< metres: waves shorter than 2 pi times this are smoothed away
+  double smoothing = 0.004;  ///< metres: bends within a few times this length are smoothed away
 };
 
 /// A function on a grid: negative inside, about the distance in metres near the surface.

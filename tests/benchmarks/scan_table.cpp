@@ -58,13 +58,23 @@ void print_row(const Body& body, int points, double noise_mm) {
   std::fflush(stdout);
 }
 
+bool is_girth(std::string name) {
+  for (const std::string side : {"left_", "right_"}) {
+    if (name.find(side) == 0) name = name.substr(side.size());
+  }
+  for (const char* girth : {"bust", "underbust", "waist", "abdomen", "hip", "neck", "upper_thigh",
+                            "mid_thigh", "knee", "calf", "ankle", "upper_arm", "elbow", "wrist"}) {
+    if (name == girth) return true;
+  }
+  return false;
+}
+
 /// Ten scans of one body: half of the widest spread of a girth, and of the mean from the truth.
 void print_girths(const Body& body, int points, double noise_mm) {
   const auto girths = [](const TriangleMesh& mesh) {
     std::map<std::string, double> values;
     for (const Measure& m : measure_body(find_landmarks(mesh, "body"))) {
-      const bool is_girth = m.name.find("girth") != std::string::npos;
-      if (is_girth && m.value && !m.is_angle) values[m.name] = *m.value;
+      if (is_girth(m.name) && m.value) values[m.name] = *m.value;
     }
     return values;
   };
