@@ -64,7 +64,7 @@ inline constexpr double listed_hole = 4e-4;
 /// - when no unit fits;
 /// - when points are near to less than 70 % of the surface.
 ///
-/// About 7 s of one core for 500k points.
+/// About 6 s for 500k points.
 ReconstructedScan reconstruct_scan(const PointCloud& scan, const std::string& name,
                                    const ScanOptions& options = {});
 
