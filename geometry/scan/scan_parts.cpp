@@ -184,6 +184,7 @@ ScanParts sort_scan(const std::vector<Vec3>& points, const std::optional<AxisDir
   const std::vector<Vec3> body = choose(points, parts.part).points;
   parts.spacing = point_spacing(body);
   std::vector<double> levels;
+  levels.reserve(body.size());
   for (const Vec3& p : body) levels.push_back(parts.up.vector().dot(p));
   if (!parts.floor_found) parts.floor = percentile(levels, 0.0005);
   const auto highest = std::max_element(levels.begin(), levels.end());
