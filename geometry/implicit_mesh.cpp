@@ -110,7 +110,9 @@ std::array<int, 12> pieces(const Grid& grid, const Node& cell) {
 }
 
 /// Makes a point for each piece of surface in each cell, and a quad for each crossed grid edge.
-void build_net(const Grid& grid, std::vector<Vec3>& points, std::vector<Quad>& quads) {
+/// `inside_ends` gets that edge's end within the surface, one a quad.
+void build_net(const Grid& grid, std::vector<Vec3>& points, std::vector<Quad>& quads,
+               std::vector<std::size_t>& inside_ends) {
   const auto [nx, ny, nz] = grid.nodes;
   std::vector<int> crossed_cell(grid.values.size(), -1);
   std::vector<std::array<int, 12>> point_of_edge;  // per crossed cell
@@ -160,6 +162,7 @@ void build_net(const Grid& grid, std::vector<Vec3>& points, std::vector<Quad>& q
           }
           if (!inside) std::swap(quad[1], quad[3]);
           quads.push_back(quad);
+          inside_ends.push_back(grid.index(inside ? from : moved(from, axis, 1)));
         }
       }
     }
@@ -222,11 +225,107 @@ double worst_corner(const Vec3& a, const Vec3& b, const Vec3& c) {
   return -std::max({-ab.dot(ca), -ab.dot(bc), -bc.dot(ca)});
 }
 
-/// Cuts each quad along the diagonal that leaves the larger smallest angle.
-std::vector<Triangle> cut_quads(const std::vector<Quad>& quads, const std::vector<Vec3>& points) {
+using Edge = std::array<int, 2>;
+
+Edge undirected(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+
+/// The edges that four quads share: two sheets of the surface pass through one face of the grid.
+std::vector<Edge> pinched_edges(const std::vector<Quad>& quads) {
+  std::vector<Edge> edges;
+  edges.reserve(4 * quads.size());
+  for (const Quad& q : quads) {
+    for (int i = 0; i < 4; ++i) edges.push_back(undirected(q[i], q[(i + 1) % 4]));
+  }
+  std::sort(edges.begin(), edges.end());
+  std::vector<Edge> pinched;
+  for (std::size_t i = 2; i < edges.size(); ++i) {
+    if (edges[i] == edges[i - 2] && (pinched.empty() || pinched.back() != edges[i])) {
+      pinched.push_back(edges[i]);
+    }
+  }
+  return pinched;
+}
+
+/// A point of one of the sheets on a pinched edge. A sheet has the inside corner that both of its
+/// quads have.
+struct SheetPoint {
+  Edge edge;
+  std::size_t inside = 0;
+  int point = 0;
+
+  bool is_before(const Edge& other, std::size_t corner) const {
+    return edge != other ? edge < other : inside < corner;
+  }
+};
+
+/// Gives each sheet on a pinched edge a point of its own, moved from the edge's middle toward the
+/// sheet's quads. Results are sorted.
+std::vector<SheetPoint> part_sheets(const std::vector<Quad>& quads,
+                                    const std::vector<std::size_t>& inside_ends,
+                                    std::vector<Vec3>& points) {
+  const std::vector<Edge> pinched = pinched_edges(quads);
+  if (pinched.empty()) return {};
+  struct Use {
+    Edge edge;
+    std::size_t inside;
+    Vec3 middle;  // of the quad
+  };
+  std::vector<Use> uses;
+  for (std::size_t k = 0; k < quads.size(); ++k) {
+    const Quad& q = quads[k];
+    for (int i = 0; i < 4; ++i) {
+      const Edge edge = undirected(q[i], q[(i + 1) % 4]);
+      if (!std::binary_search(pinched.begin(), pinched.end(), edge)) continue;
+      const Vec3 middle = (points[q[0]] + points[q[1]] + points[q[2]] + points[q[3]]) / 4;
+      uses.push_back({edge, inside_ends[k], middle});
+    }
+  }
+  std::stable_sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) {
+    return a.edge != b.edge ? a.edge < b.edge : a.inside < b.inside;
+  });
+  std::vector<SheetPoint> sheets;
+  for (std::size_t i = 0; i + 1 < uses.size(); i += 2) {
+    const Vec3 on_edge = (points[uses[i].edge[0]] + points[uses[i].edge[1]]) / 2;
+    const Vec3 on_sheet = (uses[i].middle + uses[i + 1].middle) / 2;
+    sheets.push_back({uses[i].edge, uses[i].inside, static_cast<int>(points.size())});
+    points.push_back(0.7 * on_edge + 0.3 * on_sheet);
+  }
+  return sheets;
+}
+
+/// Cuts each quad along the diagonal that leaves the larger smallest angle. A quad on a pinched
+/// edge becomes a fan around the point of its sheet there.
+std::vector<Triangle> cut_quads(const std::vector<Quad>& quads,
+                                const std::vector<std::size_t>& inside_ends,
+                                const std::vector<SheetPoint>& sheets,
+                                const std::vector<Vec3>& points) {
   std::vector<Triangle> triangles;
   triangles.reserve(2 * quads.size());
-  for (const Quad& q : quads) {
+  const auto point_on = [&](const Edge& edge, std::size_t inside) {
+    const auto found = std::lower_bound(
+        sheets.begin(), sheets.end(), edge,
+        [&](const SheetPoint& s, const Edge& e) { return s.is_before(e, inside); });
+    const bool is_there = found != sheets.end() && found->edge == edge && found->inside == inside;
+    return is_there ? found->point : -1;
+  };
+  for (std::size_t k = 0; k < quads.size(); ++k) {
+    const Quad& q = quads[k];
+    std::vector<int> outline;
+    std::size_t fan = 0;
+    for (int i = 0; i < 4 && !sheets.empty(); ++i) {
+      outline.push_back(q[i]);
+      const int point = point_on(undirected(q[i], q[(i + 1) % 4]), inside_ends[k]);
+      if (point < 0) continue;
+      fan = outline.size();
+      outline.push_back(point);
+    }
+    if (outline.size() > 4) {
+      const std::size_t n = outline.size();
+      for (std::size_t i = 1; i + 1 < n; ++i) {
+        triangles.push_back({outline[fan], outline[(fan + i) % n], outline[(fan + i + 1) % n]});
+      }
+      continue;
+    }
     const Vec3& a = points[q[0]];
     const Vec3& b = points[q[1]];
     const Vec3& c = points[q[2]];
@@ -245,16 +344,16 @@ std::vector<Triangle> cut_quads(const std::vector<Quad>& quads, const std::vecto
 }
 
 /// Whether every directed edge occurs once and its opposite occurs, too.
-bool is_closed(const std::vector<Quad>& quads) {
-  std::vector<std::array<int, 2>> edges;
-  edges.reserve(4 * quads.size());
-  for (const Quad& q : quads) {
-    for (int i = 0; i < 4; ++i) edges.push_back({q[i], q[(i + 1) % 4]});
+bool is_closed(const std::vector<Triangle>& triangles) {
+  std::vector<Edge> edges;
+  edges.reserve(3 * triangles.size());
+  for (const Triangle& t : triangles) {
+    for (int i = 0; i < 3; ++i) edges.push_back({t[i], t[(i + 1) % 3]});
   }
   std::sort(edges.begin(), edges.end());
   if (std::adjacent_find(edges.begin(), edges.end()) != edges.end()) return false;
-  return !edges.empty() && std::all_of(edges.begin(), edges.end(), [&](const auto& edge) {
-    return std::binary_search(edges.begin(), edges.end(), std::array<int, 2>{edge[1], edge[0]});
+  return !edges.empty() && std::all_of(edges.begin(), edges.end(), [&](const Edge& edge) {
+    return std::binary_search(edges.begin(), edges.end(), Edge{edge[1], edge[0]});
   });
 }
 
@@ -263,14 +362,16 @@ bool is_closed(const std::vector<Quad>& quads) {
 TriangleMesh mesh_implicit(const ImplicitFunction& shape, const ImplicitMeshOptions& options) {
   const Grid grid = sample(shape, options);
   std::vector<Quad> quads;
+  std::vector<std::size_t> inside_ends;
   TriangleMesh mesh;
-  build_net(grid, mesh.points, quads);
-  if (!is_closed(quads)) {
+  build_net(grid, mesh.points, quads, inside_ends);
+  even_out(shape, quads, options.smoothing, options.spacing / 50, mesh.points);
+  const std::vector<SheetPoint> sheets = part_sheets(quads, inside_ends, mesh.points);
+  mesh.triangles = cut_quads(quads, inside_ends, sheets, mesh.points);
+  if (!is_closed(mesh.triangles)) {
     throw Error("implicit surface", "its mesh is not closed and manifold at this spacing",
                 "use a finer one");
   }
-  even_out(shape, quads, options.smoothing, options.spacing / 50, mesh.points);
-  mesh.triangles = cut_quads(quads, mesh.points);
   return mesh;
 }
 

@@ -52,7 +52,9 @@ ObjData obj_of(const TriangleMesh& mesh) {
   return data;
 }
 
-PolygonSoup read_format(const fs::path& path) {
+}  // namespace
+
+PolygonSoup read_polygons(const fs::path& path) {
   const std::string name = path.string();
   switch (format_of(path)) {
     case Format::obj:
@@ -67,10 +69,8 @@ PolygonSoup read_format(const fs::path& path) {
   return {};
 }
 
-}  // namespace
-
 PolygonSoup read_mesh(const fs::path& path) {
-  PolygonSoup soup = read_format(path);
+  PolygonSoup soup = read_polygons(path);
   if (soup.polygons.empty()) {
     throw Error(path.string(), soup.points.empty() ? "holds no mesh" : "holds points but no faces",
                 "export the body as a surface");

@@ -17,6 +17,9 @@ namespace toile {
 /// are not finite or beyond max_coordinate, indices out of range, and no faces are Errors, too.
 PolygonSoup read_mesh(const std::filesystem::path& path);
 
+/// The same of a file that need not hold faces, nor points.
+PolygonSoup read_polygons(const std::filesystem::path& path);
+
 /// The soup as triangles. Each polygon is cut into a fan from its first corner.
 TriangleMesh fan_triangles(PolygonSoup soup);
 

@@ -12,7 +12,9 @@ namespace toile {
 
 /// All parsers throw Error with the place "name:line", or "name, byte n" for binary data, as
 /// read_mesh() says. None allocates memory by a count that the rest of the file does not justify.
-PolygonSoup parse_ply(std::string_view data, const std::string& name);
+/// `normals`, if it is given, gets the points' normals where the file has them, one a point.
+PolygonSoup parse_ply(std::string_view data, const std::string& name,
+                      std::vector<Vec3>* normals = nullptr);
 PolygonSoup parse_stl(std::string_view data, const std::string& name);
 PolygonSoup parse_off(std::string_view data, const std::string& name);
 

@@ -206,18 +206,29 @@ class Body {
   long long number_ = 0;
 };
 
-void read_point(Body& body, const Element& element, PolygonSoup& soup) {
+/// Whether the property is the component x, y or z of what `prefix` stands for.
+bool is_axis(const Property& property, std::string_view prefix) {
+  const std::string_view name = property.name;
+  return !property.count && name.size() == prefix.size() + 1 && name.starts_with(prefix) &&
+         name.back() >= 'x' && name.back() <= 'z';
+}
+
+void read_point(Body& body, const Element& element, PolygonSoup& soup, std::vector<Vec3>* normals) {
   Vec3 point(0, 0, 0);
+  Vec3 normal(0, 0, 0);
   for (const Property& property : element.properties) {
-    const bool is_axis = property.name.size() == 1 && property.name[0] >= 'x' &&
-                         property.name[0] <= 'z' && !property.count;
-    if (is_axis) {
+    if (is_axis(property, "")) {
       point[property.name[0] - 'x'] = body.coordinate(property.type);
+    } else if (normals != nullptr && is_axis(property, "n")) {
+      normal[property.name[1] - 'x'] = body.value(property.type);
     } else {
       body.skip(property);
     }
   }
   soup.points.push_back(point);
+  if (normals == nullptr) return;
+  const double length = normal.norm();
+  normals->push_back(std::isfinite(length) && length > 0 ? Vec3(normal / length) : Vec3::Zero());
 }
 
 bool is_corner_list(const Property& property) {
@@ -263,7 +274,7 @@ void check_properties(const Header& header, const LineScanner& scanner) {
 
 }  // namespace
 
-PolygonSoup parse_ply(std::string_view data, const std::string& name) {
+PolygonSoup parse_ply(std::string_view data, const std::string& name, std::vector<Vec3>* normals) {
   LineScanner scanner(data, name);
   const Header header = parse_header(scanner);
   check_properties(header, scanner);
@@ -272,6 +283,13 @@ PolygonSoup parse_ply(std::string_view data, const std::string& name) {
     if (element.name == "vertex") points += element.count;
   }
   Body body(scanner, data, name, header.binary);
+  const bool has_normals =
+      std::any_of(header.elements.begin(), header.elements.end(), [](const Element& element) {
+        return element.name == "vertex" &&
+               std::any_of(element.properties.begin(), element.properties.end(),
+                           [](const Property& property) { return is_axis(property, "n"); });
+      });
+  if (!has_normals) normals = nullptr;
   PolygonSoup soup;
   for (const Element& element : header.elements) {
     if (element.properties.empty())
@@ -279,7 +297,7 @@ PolygonSoup parse_ply(std::string_view data, const std::string& name) {
     for (long long i = 0; i < element.count; ++i) {
       body.begin(element, i);
       if (element.name == "vertex") {
-        read_point(body, element, soup);
+        read_point(body, element, soup, normals);
       } else if (element.name == "face") {
         read_polygon(body, element, points, soup);
       } else {

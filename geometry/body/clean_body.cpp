@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "geometry/body/body_unit.h"
 #include "geometry/body/find_skeleton.h"
 #include "geometry/error.h"
 #include "geometry/surface_distance.h"
@@ -21,16 +22,6 @@ Box bounds(const TriangleMesh& mesh) {
   Box box;
   for (const Vec3& point : mesh.points) box.extend(point);
   return box;
-}
-
-double inferred_unit(double height, const std::string& name) {
-  for (const double unit : {1.0, 0.1, 0.01, 0.001, 0.0254}) {
-    if (height * unit >= 1.0 && height * unit <= 2.3) return unit;
-  }
-  throw Error(name,
-              "a body " + number_text(height) +
-                  " units tall is between 1.00 and 2.30 m in none of m, dm, cm, mm, in",
-              "give --unit");
 }
 
 /// A body turned and lifted to stand on y = 0, in the file's unit.
@@ -151,11 +142,33 @@ void report_turn(const Upright& axis, const Matrix& turn, CleanReport& report) {
   report.turned += "to face +z";
 }
 
-Standing stand_up(const TriangleMesh& mesh, const std::string& name, CleanReport& report) {
+/// The turn of an upright body that brings `front` to +z.
+Matrix to_the_front(const Upright& axis, const AxisDirection& front, const std::string& name) {
+  const Vec3 ahead = axis.turn * front.vector();
+  if (std::abs(ahead.y()) > 0.5) {
+    throw Error(name, "stands along " + std::string(axis.axis) + " and can't face " + front.name(),
+                "correct --front, or give --up");
+  }
+  return about_y(std::atan2(-ahead.x(), ahead.z()) * 180 / std::numbers::pi) * axis.turn;
+}
+
+Standing stand_up(const TriangleMesh& mesh, const CleanOptions& options, const std::string& name,
+                  CleanReport& report) {
   const std::vector<Upright> axes = uprights();
   std::size_t chosen = likely_axis(mesh);
-  Standing body = stand(mesh, sideways(mesh, axes[chosen].turn), name);
-  if (!body.skeleton) {
+  if (options.up) {
+    chosen = 0;
+    while (axes[chosen].axis != options.up->name()) ++chosen;
+  }
+  const auto first_turn = [&](const Upright& axis) {
+    return options.front ? to_the_front(axis, *options.front, name) : sideways(mesh, axis.turn);
+  };
+  Standing body = stand(mesh, first_turn(axes[chosen]), name);
+  if (options.front) {
+    report_turn(axes[chosen], body.turn, report);
+    return body;
+  }
+  if (!body.skeleton && !options.up) {
     int found = 0;
     Standing other;
     std::size_t other_axis = chosen;
@@ -281,7 +294,7 @@ CleanBody clean_body(const PolygonSoup& soup, const std::string& name,
   report.repair = surface.report;
 
   std::optional<Standing> given = as_given(surface.mesh, options, name, report);
-  Standing standing = given ? std::move(*given) : stand_up(surface.mesh, name, report);
+  Standing standing = given ? std::move(*given) : stand_up(surface.mesh, options, name, report);
   const double units_tall = bounds(standing.mesh).max().y();
   report.unit_inferred = !options.metres_per_unit;
   report.metres_per_unit =
@@ -306,9 +319,9 @@ CleanBody clean_body(const PolygonSoup& soup, const std::string& name,
   if (report.repair.self_intersections_left > 0) {
     report.crossings = crossings_of(body.mesh, body.skeleton);
   }
+  report.move = {standing.turn, Vec3(0, report.lifted, 0) + report.brought, report.metres_per_unit};
   if (body.skeleton) {
-    BodyMove move{standing.turn, Vec3(0, report.lifted, 0) + report.brought,
-                  report.metres_per_unit};
+    BodyMove move = report.move;
     // Joints that came with the body tell of an earlier move.
     if (given && body.skeleton->cleaned) {
       const BodyMove& earlier = *body.skeleton->cleaned;

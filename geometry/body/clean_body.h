@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/axis_direction.h"
 #include "geometry/body/flaws.h"
 #include "geometry/body/skeleton.h"
 #include "geometry/repair.h"
@@ -20,6 +21,8 @@ struct CleanOptions {
   /// The joints, if they are known: metres, in the frame of the mesh in metres. They are used if
   /// all are there, lie within the body, and the toes point to +z. The body is then not turned.
   std::optional<Skeleton> skeleton;
+  std::optional<AxisDirection> up;     ///< of the mesh, if it is known; the joints above go first
+  std::optional<AxisDirection> front;  ///< to where the body faces, if it is known
 };
 
 struct CleanReport {
@@ -31,6 +34,7 @@ struct CleanReport {
   double lifted = 0;             ///< metres added to y to put the feet on the floor
   Vec3 brought{0, 0, 0};         ///< metres by which a body far from the y axis was moved to it
   double height = 0;             ///< metres
+  BodyMove move;                 ///< from the mesh in metres to the cleaned body
   std::string skeleton_refused;  ///< why the given joints are not used; empty: they are, or none
   std::string no_skeleton;       ///< why there is no skeleton; empty: there is one
   std::vector<FilledHole> large_holes;  ///< beyond large_hole; metres, in the cleaned body's frame
@@ -65,8 +69,10 @@ inline constexpr double large_hole = 0.05;
 /// garment, so the body is moved to the origin. Given joints decide the body's orientation. They
 /// are turned about the vertical, moved and scaled with it.
 ///
+/// Where `up` or `front` is given, that is not searched for.
+///
 /// It throws Error as repair() does, when the unit can't be found, or when the height is not 0.1 to
-/// 10 m. A body without a skeleton is no error.
+/// 10 m. A `front` along the vertical is an Error. A body without a skeleton is none.
 CleanBody clean_body(const PolygonSoup& soup, const std::string& name,
                      const CleanOptions& options = {});
 

@@ -138,6 +138,9 @@ TEST_F(ReportSchema, HoldsForTheBodysPrograms) {
                          folder / "cleaning.json", "-q"});
   expect_valid("make_mannequin", "mannequin.json");
   expect_valid("clean_body", "cleaning.json");
+  succeed("clean-body", {folder / "raw.ply", "--points", "-o", folder / "scanned.ply", "--report",
+                         folder / "scan.json", "-q"});
+  expect_valid("clean_body", "scan.json", {"/scan/holes", "/scan/error_mm/p95"});
   expect_faults_found("make_mannequin", "mannequin.json");
   expect_faults_found("clean_body", "cleaning.json");
   succeed("pose-body", {folder / "raw.ply", "--pose", "sitting", "-o", folder / "posed.ply",

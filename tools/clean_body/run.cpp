@@ -1,6 +1,7 @@
 #include "tools/clean_body/run.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,7 @@
 #include "io/skeleton_file.h"
 #include "io/text.h"
 #include "tools/clean_body/report.h"
+#include "tools/clean_body/scan.h"
 
 namespace toile {
 
@@ -37,15 +39,19 @@ std::string count(int n, const std::string& one, const std::string& many) {
   return std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
-/// What was changed, a line each, in the order in which it was done.
-void say_changes(const CleanReport& report, const CommonSettings& common) {
+/// What was changed, a line each, in the order in which it was done. `scan` is null for a mesh.
+void say_changes(const CleanReport& report, const ScanReport* scan, const CommonSettings& common) {
   const RepairReport& r = report.repair;
   const double unit = report.metres_per_unit;
+  const bool inferred = scan == nullptr ? report.unit_inferred : scan->unit_inferred;
+  const double file_unit = scan == nullptr ? unit : scan->metres_per_unit;
   const auto say_count = [&common](int n, const char* one, const char* many) {
     if (n > 0) common.say(count(n, one, many));
   };
-  common.say("read " + count(r.points_read, "point", "points") + ", " +
-             count(r.polygons_read, "polygon", "polygons"));
+  if (scan == nullptr) {
+    common.say("read " + count(r.points_read, "point", "points") + ", " +
+               count(r.polygons_read, "polygon", "polygons"));
+  }
   say_count(r.points_merged, "point that doubled another, or that nothing used, merged or removed",
             "points that doubled others, or that nothing used, merged or removed");
   say_count(r.polygons_removed, "polygon without area or listed twice removed",
@@ -71,11 +77,12 @@ void say_changes(const CleanReport& report, const CommonSettings& common) {
                number(1000 * unit * r.largest_move, "%.2f") + " mm");
   }
   if (!report.turned.empty()) common.say("turned " + report.turned);
-  if (report.unit_inferred && unit != 1) {
-    common.say("unit taken to be " + unit_name(unit) + ", since the body is then " +
+  if (inferred && file_unit != 1) {
+    common.say("unit taken to be " + unit_name(file_unit) + ", since the body is then " +
                number(report.height, "%.2f") + " m tall (--unit states it)");
   }
-  if (report.lifted != 0) {
+  // A scan's floor is never met to the last bit.
+  if (std::abs(report.lifted) > (scan == nullptr ? 0 : 5e-5)) {
     common.say("lifted by " + number(100 * report.lifted, "%.2f") + " cm to stand on y = 0");
   }
   if (!report.brought.isZero(0)) {
@@ -160,15 +167,43 @@ std::optional<double> read_unit(const po::variables_map& given) {
 }
 
 void run_clean_body(const CleanBodySettings& settings, const CommonSettings& common) {
-  const std::string in = settings.input.string();
+  BodyInput input = read_body_input(settings);
   CleanOptions options;
   options.metres_per_unit = settings.metres_per_unit;
-  const std::filesystem::path beside = skeleton_path(in);
+  options.up = settings.up;
+  options.front = settings.front;
+  const std::filesystem::path beside = skeleton_path(settings.inputs.front());
   if (is_skeleton_file(beside)) options.skeleton = read_skeleton(beside);
 
-  const CleanBody body = clean_body(read_mesh(in), in, options);
-  say_changes(body.report, common);
+  std::optional<ScanReport> scan;
+  if (!input.scan.points.empty()) {
+    ScanOptions scan_options;
+    scan_options.metres_per_unit = settings.metres_per_unit;
+    scan_options.up = settings.up;
+    if (settings.edge_length) scan_options.edge_length = *settings.edge_length;
+    ReconstructedScan made = reconstruct_scan(input.scan, input.name, scan_options);
+    scan = std::move(made.report);
+    input.scan = {};
+    input.soup.points = std::move(made.mesh.points);
+    for (const Triangle& t : made.mesh.triangles) input.soup.polygons.push_back({t[0], t[1], t[2]});
+    options.metres_per_unit = 1;
+    if (scan->floor_found) options.up = scan->up;
+    say_scan(*scan, input.files, common);
+  } else if (settings.edge_length) {
+    throw Error("--edge-length", "is of scans, and " + input.name + " is a mesh",
+                "leave it away, or add --points");
+  }
+  CleanBody body = clean_body(input.soup, input.name, options);
+  if (scan && body.skeleton && body.skeleton->cleaned) {
+    body.skeleton->cleaned->metres_per_unit = scan->metres_per_unit;
+  }
+  say_changes(body.report, scan ? &*scan : nullptr, common);
   std::vector<std::string> warnings = warnings_about(body);
+  std::vector<PlacedHole> holes;
+  if (scan) {
+    holes = placed_holes(*scan, body);
+    say_holes(holes, common, warnings);
+  }
   common.say((is_usable(body.report.crossings) ? "a closed body of " : "a closed surface of ") +
              std::to_string(body.mesh.points.size()) + " points, " +
              number(100 * body.report.height, "%.2f") + " cm tall");
@@ -194,7 +229,13 @@ void run_clean_body(const CleanBodySettings& settings, const CommonSettings& com
   if (common.report) {
     const bool given = options.skeleton && body.report.skeleton_refused.empty();
     nlohmann::ordered_json report = clean_body_json(body, given, warnings);
-    report["read"]["file"] = valid_utf8(in);
+    report["read"]["file"] = valid_utf8(input.name);
+    if (scan) {
+      report["read"]["points"] = scan->points_read;
+      report["read"]["polygons"] = 0;
+      report["unit"] = {{"metres", scan->metres_per_unit}, {"inferred", scan->unit_inferred}};
+      report["scan"] = scan_json(*scan, input.files, holes);
+    }
     write_file(files.at(*common.report), report.dump(1) + "\n");
   }
   files.commit();

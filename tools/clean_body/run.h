@@ -4,14 +4,21 @@
 #include <boost/program_options.hpp>
 #include <filesystem>
 #include <optional>
+#include <vector>
 
+#include "geometry/axis_direction.h"
 #include "tools/program.h"
 
 namespace toile {
 
 struct CleanBodySettings {
-  std::filesystem::path input;
-  std::optional<double> metres_per_unit;  ///< none: found by the body's height
+  std::vector<std::filesystem::path> inputs;      ///< one or more; several are one scan
+  std::optional<double> metres_per_unit = {};     ///< none: found by the body's height
+  std::vector<std::filesystem::path> poses = {};  ///< of the inputs' points: one each, or none
+  bool as_points = false;                         ///< whether faces are ignored
+  std::optional<AxisDirection> up = {};           ///< none: found
+  std::optional<AxisDirection> front = {};        ///< none: found
+  std::optional<double> edge_length = {};  ///< metres, of a scan's surface; none: its default
 };
 
 /// --unit, of a body's mesh.

@@ -109,15 +109,16 @@ ExitCode fit(const FitSettings& settings, const FitFiles& files, const CommonSet
 Job prepare(const po::variables_map& given, const CommonSettings& common) {
   const FitFiles files(common.output);
   FitSettings settings;
-  settings.body = {given["body"].as<std::string>(), read_unit(given)};
+  settings.body.inputs = {given["body"].as<std::string>()};
+  settings.body.metres_per_unit = read_unit(given);
   settings.pattern.pattern = given["pattern"].as<std::string>();
   settings.pattern.mesh.edge_length = read_edge_length(given);
   settings.dress = dress_settings(given, files);
   settings.pictures = given["png"].as<bool>();
   Job job;
   job.files.reads = settings.dress.fabrics.files;
-  job.files.reads.push_back(settings.body.input);
-  job.files.reads.push_back(skeleton_path(settings.body.input));
+  job.files.reads.push_back(settings.body.inputs.front());
+  job.files.reads.push_back(skeleton_path(settings.body.inputs.front()));
   job.files.reads.push_back(settings.pattern.pattern);
   job.files.writes = files.all();
   const fs::path distances = distances_path(files.body);
@@ -135,7 +136,7 @@ CommandLineProgram fit_program() {
       "dresses a body with a pattern, from both files to the ease map and the verdict";
   program.usage = "--body BODY PATTERN.json -o OUT/ [options]";
   program.options.add_options()("body", po::value<std::string>()->required(),
-                                "a mesh of a standing person: .obj, .ply, .stl or .off")(
+                                "a mesh or scan of a standing person")(
       "pattern", po::value<std::string>()->required(), "the sewing pattern; also as argument");
   add_unit_option(program.options);
   add_edge_length_option(program.options);

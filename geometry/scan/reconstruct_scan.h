@@ -1,0 +1,71 @@
+// Makes a closed surface of the points of a scanned body.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/scan/point_cloud.h"
+#include "geometry/scan/scan_parts.h"
+
+namespace toile {
+
+struct ScanOptions {
+  /// Metres in one unit of the points. If absent, the body's height decides, as inferred_unit().
+  std::optional<double> metres_per_unit;
+  std::optional<AxisDirection> up;  ///< absent: found, see sort_scan()
+  double edge_length = 0.007;       ///< metres, about the mean edge; 0.003 to 0.02
+};
+
+/// A part of the surface that no point is near. What is there is a guess.
+struct ScanHole {
+  Vec3 centre{0, 0, 0};  ///< metres, in the frame of the points: the mean of its area
+  double area = 0;       ///< square metres
+};
+
+struct ScanReport {
+  int points_read = 0;
+  int outliers = 0;  ///< dropped: few other points are near
+  int stray = 0;     ///< dropped: they belong to other things
+  int stray_parts = 0;
+  int floor = 0;  ///< dropped: the floor's
+  int kept = 0;
+  bool normals_given = false;
+  bool unit_inferred = false;
+  double metres_per_unit = 1;
+  double spacing = 0;  ///< metres between neighbouring points, about
+  double noise = 0;    ///< metres: standard deviation of the points about the surface
+  AxisDirection up;
+  bool up_given = false;
+  bool floor_found = false;
+  double seen = 0;              ///< share of the surface that points are near
+  std::vector<ScanHole> holes;  ///< largest first
+  double error_rms = 0;         ///< metres between kept points and the surface
+  double error_95 = 0;          ///< metres: 95 % of the kept points are nearer
+};
+
+struct ReconstructedScan {
+  TriangleMesh mesh;  ///< closed, 2-manifold, one piece, outward; metres, in the points' frame
+  ScanReport report;
+};
+
+/// Square metres of a hole that is listed: 2 cm by 2 cm.
+inline constexpr double listed_hole = 4e-4;
+
+/// Reconstructs the surface of a standing body: sort_scan(), sample_scan(), SmoothDistance, and
+/// mesh_implicit() of that. Feet end flat at the floor, or at the lowest points.
+///
+/// CGAL's Poisson reconstruction of points averaged in 5 to 8 mm cells was tried on simulated scans
+/// of 500k points. It took 7 to 8 s, and 98.2 % of mean_all lay within 2 mm, 99.0 % within 5 mm.
+/// This one has 99.0 % and 99.7 %. Its result does not depend on memory addresses.
+///
+/// It throws Error, with the place `name`:
+/// - for fewer than 1000 points, or points farther apart than a fiftieth of the body's height;
+/// - when no unit fits;
+/// - when points are near to less than 70 % of the surface.
+///
+/// About 6 s for 500k points.
+ReconstructedScan reconstruct_scan(const PointCloud& scan, const std::string& name,
+                                   const ScanOptions& options = {});
+
+}  // namespace toile
