@@ -224,7 +224,7 @@ void run_clean_body(const CleanBodySettings& settings, const CommonSettings& com
   write_mesh(files.at(common.output), body.mesh);
   if (body.skeleton) {
     write_skeleton(files.at(joints), *body.skeleton,
-                   given_landmarks(find_landmarks(body.mesh, in)));
+                   given_landmarks(find_landmarks(body.mesh, input.name)));
   }
   if (common.report) {
     const bool given = options.skeleton && body.report.skeleton_refused.empty();
