@@ -55,9 +55,9 @@ inline constexpr double listed_hole = 4e-4;
 /// Reconstructs the surface of a standing body: sort_scan(), sample_scan(), SmoothDistance, and
 /// mesh_implicit() of that. Feet end flat at the floor, or at the lowest points.
 ///
-/// CGAL's Poisson reconstruction of points averaged in 5 to 8 mm cells was tried on simulated scans
-/// of 500k points. It took 7 to 8 s, and 98.2 % of mean_all lay within 2 mm, 99.0 % within 5 mm.
-/// This one has 99.0 % and 99.7 %. Its result does not depend on memory addresses.
+/// CGAL's Poisson reconstruction of points averaged in 5 to 8 mm cells was tried on 500k points of
+/// another model of a scanner. It took 7 to 8 s, and 98.2 % of mean_all lay within 2 mm, 99.0 %
+/// within 5 mm. This one has 98.9 % and 99.6 % with the model of tests/support/scanner.h.
 ///
 /// It throws Error, with the place `name`:
 /// - for fewer than 1000 points, or points farther apart than a fiftieth of the body's height;

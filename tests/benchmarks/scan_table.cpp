@@ -37,7 +37,11 @@ struct Body {
 };
 
 /// The body as it stands on the floor, in metres.
-TriangleMesh standing(const PolygonSoup& soup) { return clean_body(soup, "body").mesh; }
+TriangleMesh standing(const PolygonSoup& soup, const CleanOptions& options = {}) {
+  const CleanBody body = clean_body(soup, "body", options);
+  if (!body.skeleton) std::printf("no skeleton: %s\n", body.report.no_skeleton.c_str());
+  return body.mesh;
+}
 
 void print_row(const Body& body, int points, double noise_mm) {
   test::Scanner scanner;
@@ -90,7 +94,10 @@ void print_girths(const Body& body, int points, double noise_mm) {
     PolygonSoup soup;
     soup.points = made.mesh.points;
     for (const Triangle& t : made.mesh.triangles) soup.polygons.push_back({t[0], t[1], t[2]});
-    for (const auto& [name, value] : girths(standing(soup))) taken[name].push_back(value);
+    CleanOptions options;
+    options.metres_per_unit = 1;
+    if (made.report.floor_found) options.up = made.report.up;
+    for (const auto& [name, value] : girths(standing(soup, options))) taken[name].push_back(value);
   }
   for (const auto& [name, values] : taken) {
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
