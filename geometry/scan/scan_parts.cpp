@@ -38,8 +38,8 @@ Box bounds(const std::vector<Vec3>& points) {
 
 void mark_outliers(const Chosen& body, ScanParts& parts) {
   const std::vector<Vec3>& points = body.points;
-  // Blocks of three cells are twelve spacings wide. With 2 or 8 spacings to a cell, fingertips are
-  // lost, or points 5 cm off the skin are kept.
+  // Blocks of three cells are twelve spacings wide. Smaller ones would lose fingertips, larger ones
+  // keep points farther off the skin.
   const ScanCells cells(points, 4 * parts.spacing);
   std::vector<double> near(cells.cells(), 0);
   for (std::size_t i = 0; i < cells.cells(); ++i) {

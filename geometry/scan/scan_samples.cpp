@@ -15,7 +15,7 @@ namespace toile {
 
 namespace {
 
-constexpr double least_cell = 0.004;  // metres: finer ones find no more of fingers
+constexpr double least_cell = 0.004;  // metres: less than half of a finger
 constexpr double neighbours = 2.5;    // cells around a sample that its plane is fitted to
 constexpr double by_noise = 8;        // or as many standard deviations of the noise
 
@@ -199,7 +199,7 @@ void orient(const ScanCells& cells, const AxisDirection& up, double spacing, Sca
   for (std::size_t i = 0; i < out.size(); ++i) {
     if (out[i].dot(samples.normals[i]) < 0) samples.normals[i] = -samples.normals[i];
   }
-  // Two rounds mend what single votes got wrong; more change nothing [measured].
+  // Neighbours mend what single votes got wrong.
   std::vector<Vec3> next(samples.normals.size());
   for (int round = 0; round < 2; ++round) {
     parallel_for_chunks(next.size(), [&](std::size_t begin, std::size_t end) {
@@ -237,7 +237,7 @@ bool take_normals(const PointCloud& body, const ScanCells& cells, ScanSamples& s
 }  // namespace
 
 ScanSamples sample_scan(const PointCloud& body, const AxisDirection& up, double spacing) {
-  // With twice as large cells fingers lose their tips. Half as large ones find no better normals.
+  // About a point to a cell: larger ones would round fingertips off.
   const double size = std::max(0.75 * spacing, least_cell);
   const ScanCells cells(body.points, size);
   std::vector<Plane> planes = planes_of(cells, neighbours * size);
