@@ -9,7 +9,6 @@
 #include "geometry/error.h"
 #include "geometry/implicit_mesh.h"
 #include "geometry/parallel.h"
-#include "geometry/scan/scan_cells.h"
 #include "geometry/scan/scan_samples.h"
 #include "geometry/scan/smooth_distance.h"
 #include "geometry/scan/unseen.h"
@@ -82,28 +81,11 @@ void count_parts(const ScanParts& parts, ScanReport& report) {
   report.floor_found = parts.floor_found;
 }
 
-/// What is more than two and a half spacings from a point was not seen.
-void find_holes(const TriangleMesh& mesh, const ScanSamples& samples, ScanReport& report) {
-  const double reach = std::max(0.008, 2.5 * samples.spacing);
-  const ScanCells cells(samples.points, reach);
-  std::vector<int> first(cells.cells() + 1, 0);
-  for (const int cell : cells.cell_of()) ++first[cell + 1];
-  for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
-  std::vector<int> in_cell(samples.points.size());
-  std::vector<int> filled(first.begin(), first.end() - 1);
-  for (std::size_t s = 0; s < in_cell.size(); ++s) {
-    in_cell[filled[cells.cell_of()[s]]++] = static_cast<int>(s);
-  }
+/// Finds the parts of the surface that are far from all samples.
+void find_holes(const TriangleMesh& mesh, const Unseen& unseen_at, ScanReport& report) {
   std::vector<char> seen(mesh.points.size(), 0);
   parallel_for_chunks(mesh.points.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      cells.near(mesh.points[i], 1, [&](int cell) {
-        for (int k = first[cell]; k < first[cell + 1] && seen[i] == 0; ++k) {
-          const Vec3 to = samples.points[in_cell[k]] - mesh.points[i];
-          seen[i] = to.squaredNorm() < reach * reach;
-        }
-      });
-    }
+    for (std::size_t i = begin; i < end; ++i) seen[i] = unseen_at.is_far(mesh.points[i]) ? 0 : 1;
   });
   DisjointSets sets(mesh.points.size());
   const auto is_seen = [&](const Triangle& t) {
@@ -206,12 +188,11 @@ TriangleMesh mesh_of(const ImplicitFunction& distance, const SmoothDistance& box
 /// gone. Heads and feet stay: a crown is a dome, soles are flat. Where no step takes all tunnels
 /// away, that with the fewest counts, and of equal ones the first. Of ten scans of the mannequin,
 /// 50,000 points, three had no skeleton without this, and one has none with it [measured].
-TriangleMesh without_tunnels(const SmoothDistance& distance, const ScanSamples& samples,
+TriangleMesh without_tunnels(const SmoothDistance& distance, const Unseen& unseen,
                              const ScanParts& parts, double unit, const std::vector<Vec3>& points,
                              const ScanOptions& options, const std::string& name) {
   constexpr double step = 0.003;  // metres: with 0.005, tunnels come through thin unseen parts
   constexpr int steps = 3;
-  const Unseen unseen(samples.points, std::max(0.008, 2.5 * samples.spacing));
   const Vec3 up = parts.up.vector();
   const double height = parts.height * unit;
   const double floor = parts.floor * unit;
@@ -270,8 +251,10 @@ ReconstructedScan reconstruct_scan(const PointCloud& scan, const std::string& na
   report.normals_given = samples.normals_given;
   report.noise = samples.noise;
   const SmoothDistance distance(samples, resolution(samples));
-  result.mesh = without_tunnels(distance, samples, parts, unit, body.points, options, name);
-  find_holes(result.mesh, samples, report);
+  // What is more than two and a half spacings from a point was not seen.
+  const Unseen unseen(samples.points, std::max(0.008, 2.5 * samples.spacing));
+  result.mesh = without_tunnels(distance, unseen, parts, unit, body.points, options, name);
+  find_holes(result.mesh, unseen, report);
   if (report.seen < least_seen) {
     throw Error(name,
                 "its points are near to " + number_text(100 * report.seen, 2) +

@@ -29,4 +29,14 @@ double Unseen::operator()(const Vec3& point) const {
   return left * left * left;
 }
 
+bool Unseen::is_far(const Vec3& point) const {
+  bool far = true;
+  cells_.near(point, 1, [&](int cell) {
+    for (int s = first_[cell]; s < first_[cell + 1] && far; ++s) {
+      far = (samples_[s] - point).squaredNorm() >= reach_ * reach_;
+    }
+  });
+  return far;
+}
+
 }  // namespace toile

@@ -15,6 +15,8 @@ class Unseen {
 
   /// O(samples within `reach`).
   double operator()(const Vec3& point) const;
+  /// Whether no sample is within `reach`.
+  bool is_far(const Vec3& point) const;
 
  private:
   std::vector<Vec3> samples_;  // cell by cell

@@ -24,6 +24,8 @@ TEST(Unseen, IsNoneOnSamplesAndAllBeyondReach) {
   EXPECT_EQ(unseen({0, 0, 0}), 1);
   EXPECT_EQ(unseen({0.08, 0, 0.03}), 1);
   EXPECT_EQ(unseen({5, 5, 5}), 1);
+  EXPECT_FALSE(unseen.is_far({0.0765, 0.0035, 0.003}));
+  EXPECT_TRUE(unseen.is_far({0, 0, 0}));
 }
 
 TEST(Unseen, RisesIntoTheHole) {
