@@ -1,8 +1,10 @@
 #include "cloth/judge/openings.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
+#include "cloth/judge/constants.h"
 #include "geometry/border_loops.h"
 #include "geometry/disjoint_sets.h"
 
@@ -25,6 +27,33 @@ std::vector<int> connected_pieces(const DressedGarment& dressed) {
   }
   return piece;
 }
+
+namespace {
+
+/// Whether a head is meant to pass through the opening, and nothing does.
+bool lacks_head(const Opening& opening) {
+  return !opening.limbs.any() && opening.length >= min_neck_opening;
+}
+
+/// A hood may hang over the eyes. The face then looks out below the hood's edge, or beside a fold
+/// of it. Where nothing passes through an opening of its size, other ways out of the same head are
+/// tried; all openings of a garment are told by the same one.
+void look_out_below_the_hood(const DressedGarment& dressed, const Skeleton& skeleton,
+                             std::vector<Opening>& openings) {
+  for (const double face : {0.4, 0.2, 0.8}) {
+    if (std::ranges::none_of(openings, lacks_head)) return;
+    std::vector<Opening> told = openings;
+    for (Opening& opening : told) {
+      std::vector<Vec3> curve;
+      curve.reserve(opening.nodes.size());
+      for (const int node : opening.nodes) curve.push_back(dressed.points[node]);
+      opening.limbs = limbs_through(curve, skeleton, face);
+    }
+    if (std::ranges::none_of(told, lacks_head)) openings = std::move(told);
+  }
+}
+
+}  // namespace
 
 std::vector<Opening> find_openings(const DressedGarment& dressed, const Skeleton& skeleton) {
   const std::vector<int> piece = connected_pieces(dressed);
@@ -62,6 +91,7 @@ std::vector<Opening> find_openings(const DressedGarment& dressed, const Skeleton
     opening.nodes = std::move(loop);
     openings.push_back(std::move(opening));
   }
+  look_out_below_the_hood(dressed, skeleton, openings);
   return openings;
 }
 
