@@ -18,7 +18,8 @@ namespace {
 constexpr double shin = 0.25;        // below the hands, above the feet
 constexpr double above = 0.56;       // above every crotch, below the waist
 constexpr double tube_step = 0.003;  // between the nodes of tubes
-constexpr double slab = 0.009;       // half of the width that a roof is fitted to
+const double slab = std::getenv("SLAB") ? std::atof(std::getenv("SLAB")) : 0.009;       // half of the width that a roof is fitted to
+inline double env(const char* n, double d) { const char* e = std::getenv(n); return e ? std::atof(e) : d; }
 /// Metres between tubes and half of their samples: what is farther off is no limb.
 constexpr double worst_error = 0.004;
 
@@ -75,7 +76,8 @@ LimbTube roof_at(const Vec3& centre, const Vec3& across, const Vec3& up, double 
   const std::vector<int> which = samples_where(samples, [&](const Vec3& p) {
     return std::abs(across.dot(p - centre)) < slab * height && (p - centre).norm() < high;
   });
-  return {axis, samples, which, tube_step * height};
+  static const double round = std::getenv("ROUND") ? std::atof(std::getenv("ROUND")) : 0.5;
+  return {axis, samples, which, tube_step * height, round, env("OUT", 0.5)};
 }
 
 struct Legs {
@@ -126,7 +128,9 @@ std::optional<Legs> find_legs(const TriangleMesh& mesh, double height) {
   const Vec3 apart = legs.axes[1].start - legs.axes[0].start;
   legs.axes[0].toward = square_to(legs.axes[0].along, apart);
   legs.axes[1].toward = square_to(legs.axes[1].along, -apart);
-  legs.pelvis = up[0].back().section.centroid;
+  const std::vector<Section> trunk = slice(mesh, Vec3(0, above * height, 0), Vec3::UnitY());
+  if (trunk.empty()) return std::nullopt;
+  legs.pelvis = trunk.front().centroid;
   return legs;
 }
 
@@ -159,12 +163,17 @@ std::optional<Cleft> leg_cleft(const RoughBody& body, const ScanSamples& samples
     return across.dot(axis.start + along(axis, middle) * axis.along - middle);
   };
   middle += (beside(0) + beside(1)) / 2 * across;
+  if (std::getenv("DBG")) {
+    const Vec3 c = upright.given(legs->pelvis);
+    std::fprintf(stderr, "pelvis %.3f %.3f %.3f middle %.3f %.3f %.3f across %.3f %.3f %.3f\n", c.x(), c.y(), c.z(), middle.x(), middle.y(), middle.z(), across.x(), across.y(), across.z());
+    for (int i = 0; i < 2; ++i) std::fprintf(stderr, "axis %.3f %.3f %.3f  %.3f %.3f %.3f\n", legs->axes[i].start.x(), legs->axes[i].start.y(), legs->axes[i].start.z(), legs->axes[i].along.x(), legs->axes[i].along.y(), legs->axes[i].along.z());
+  }
   LimbTube one = tube(0);
   LimbTube other = tube(1);
   LimbTube roof = roof_at(middle, across, body.up.vector(), body.height, samples);
   if (std::getenv("DBG")) std::fprintf(stderr, "legs %.4f %.4f roof %.4f\n", one.error(), other.error(), roof.error());
   if (std::max({one.error(), other.error(), roof.error()}) > worst_error) return std::nullopt;
-  return Cleft(std::move(one), std::move(other), std::move(roof), least_gap);
+  return Cleft(std::move(one), std::move(other), std::move(roof), least_gap, env("OVER", 0.025), 0);
 }
 
 std::vector<Cleft> arm_clefts(const RoughBody& body, const ScanSamples& samples,
@@ -223,9 +232,10 @@ std::vector<Cleft> arm_clefts(const RoughBody& body, const ScanSamples& samples,
                  }),
                  tube_step * h);
     LimbTube roof = roof_at(shoulder, outward, up, h, samples);
+    if (std::getenv("DBG")) std::fprintf(stderr, "shoulder %.3f %.3f %.3f elbow %.3f %.3f %.3f\n", shoulder.x(), shoulder.y(), shoulder.z(), arms[i].start.x(), arms[i].start.y(), arms[i].start.z());
     if (std::getenv("DBG")) std::fprintf(stderr, "arm %.4f trunk %.4f roof %.4f\n", arm.error(), trunk_tube.error(), roof.error());
     if (std::max({arm.error(), trunk_tube.error(), roof.error()}) > worst_error) continue;
-    clefts.emplace_back(std::move(arm), trunk_tube, std::move(roof), least_gap);
+    clefts.emplace_back(std::move(arm), trunk_tube, std::move(roof), least_gap, env("OVERA", 0.01), env("LIFT", 0.02));
   }
   return clefts;
 }

@@ -21,8 +21,6 @@ using Term = std::pair<int, double>;
 constexpr double smoothing = 0.012;
 /// Metres behind the nearest sample of a patch: what is farther is a hand's.
 constexpr double depth = 0.025;
-/// Cosine between normal and outward, of samples that are the part's outside.
-constexpr double outside = 0.2;
 /// Metres from the wall at which a sample counts a quarter.
 constexpr double stray = 0.01;
 constexpr double turn = 2 * std::numbers::pi;
@@ -55,10 +53,11 @@ class Sums {
 }  // namespace
 
 LimbTube::LimbTube(const TubeAxis& axis, const ScanSamples& samples, const std::vector<int>& which,
-                   double step)
+                   double step, double roundness, double outside)
     : axis_(axis),
       across_(axis.along.cross(axis.toward)),
       step_(step),
+      roundness_(roundness),
       error_(std::numeric_limits<double>::infinity()) {
   stations_ = std::max(4, static_cast<int>(std::lround(axis.length / step)) + 1);
   std::vector<double> all;
@@ -154,7 +153,7 @@ void LimbTube::fit(const std::vector<Place>& places, const std::vector<double>& 
       const double twist = 1 / (step_ * arc);
       for (int a = 0; a < angles_; ++a) {
         sums.add({{node(s, a - 1), bend}, {node(s, a), own - 2 * bend}, {node(s, a + 1), bend}},
-                 own * rest[s], weight);
+                 (2 - roundness_) * own * rest[s], weight);
         if (s + 1 == stations_) continue;
         sums.add({{node(s, a), twist},
                   {node(s, a + 1), -twist},
@@ -198,6 +197,11 @@ double LimbTube::wall(const Place& at) const {
   const double u = at.angle - a;
   return (1 - t) * ((1 - u) * radius(s, a) + u * radius(s, a + 1)) +
          t * ((1 - u) * radius(s + 1, a) + u * radius(s + 1, a + 1));
+}
+
+double LimbTube::facing(const Vec3& point) const {
+  const Vec3 off = point - axis_.start;
+  return off.dot(axis_.toward) / (off - off.dot(axis_.along) * axis_.along).norm();
 }
 
 double LimbTube::off(const Vec3& point) const {

@@ -16,15 +16,17 @@ struct TubeAxis {
 };
 
 /// Radii on a grid of stations along the axis and angles about it: those that follow the samples
-/// and bend the least, as a thin plate that is a cylinder at rest. So a contour goes on as an arc
-/// across what was not seen, and along the limb it goes straight on.
+/// and bend the least, as a thin plate that is a cylinder or flat at rest. So a contour goes on as an arc
+/// across what was not seen, or as a straight line, and along the limb it goes straight on.
 class LimbTube {
  public:
   /// `which` are the samples of that part. Those that face the axis are left out, and so are those
   /// that are far behind others. `step` is metres between stations and, about, between angles.
+  /// `roundness` is 1 for arcs, 0 for straight lines. `outside` is the least cosine between a
+  /// sample's normal and its direction from the axis.
   /// O(nodes^1.5).
   LimbTube(const TubeAxis& axis, const ScanSamples& samples, const std::vector<int>& which,
-           double step);
+           double step, double roundness = 1, double outside = 0.2);
 
   int stations() const { return stations_; }
   int angles() const { return angles_; }
@@ -32,6 +34,8 @@ class LimbTube {
   /// Metres square to the axis from the wall to a point; negative inside. Beyond its ends the tube
   /// goes on as it ends.
   double off(const Vec3& point) const;
+  /// Cosine of the angle about the axis from where angles begin to a point.
+  double facing(const Vec3& point) const;
   /// Metres: half of the samples are nearer to the wall; infinite without samples.
   double error() const { return error_; }
 
@@ -51,6 +55,7 @@ class LimbTube {
   TubeAxis axis_;
   Vec3 across_;  // square to `along` and `toward`
   double step_;
+  double roundness_;
   int stations_;
   int angles_;
   double error_;

@@ -217,16 +217,18 @@ TriangleMesh without_tunnels(const ImplicitFunction& distance, const SmoothDista
 }
 
 /// The distance, with clefts between the thighs and under the arms.
-ImplicitFunction with_clefts(const SmoothDistance& distance, const ScanSamples& samples,
+ImplicitFunction with_clefts(const SmoothDistance& distance, const Unseen& unseen, const ScanSamples& samples,
                              const ScanParts& parts, double unit, const std::vector<Vec3>& points,
                              ScanOptions options, const std::string& name) {
   const double least_gap = 1.25 / 0.9 * options.edge_length;
   options.edge_length = std::max(options.edge_length, 0.012);
   std::vector<Cleft> clefts;
-  const auto shape = [&distance](const std::vector<Cleft>& some) {
-    return [&distance, some](const Vec3& p) {
+  const auto shape = [&distance, &unseen](const std::vector<Cleft>& some) {
+    return [&distance, &unseen, some](const Vec3& p) {
       double at = distance(p);
-      for (const Cleft& cleft : some) at = cleft(p, at);
+      for (const Cleft& cleft : some) {
+        if (cleft.changes(p)) at = cleft(p, at, unseen(p));
+      }
       return at;
     };
   };
@@ -238,11 +240,20 @@ ImplicitFunction with_clefts(const SmoothDistance& distance, const ScanSamples& 
     body.mesh = largest_piece(mesh_of(shape(clefts), distance, parts, unit, points, options, name));
   };
   mesh();
+  if (std::getenv("DBG")) { FILE* f = std::fopen("/tmp/scan2/rough.obj", "w"); for (const Vec3& p : body.mesh.points) std::fprintf(f, "v %f %f %f\n", p.x(), p.y(), p.z()); for (const Triangle& t : body.mesh.triangles) std::fprintf(f, "f %d %d %d\n", t[0]+1, t[1]+1, t[2]+1); std::fclose(f); }
   if (auto legs = leg_cleft(body, samples, least_gap)) {
     clefts.push_back(std::move(*legs));
     mesh();
   }
-  for (Cleft& cleft : arm_clefts(body, samples, least_gap)) clefts.push_back(std::move(cleft));
+  // What is found under closed armpits is less true: once more.
+  const std::size_t own = clefts.size();
+  for (int round = 0; round < 2; ++round) {
+    std::vector<Cleft> arms = arm_clefts(body, samples, least_gap);
+    if (arms.empty()) break;
+    clefts.erase(clefts.begin() + static_cast<std::ptrdiff_t>(own), clefts.end());
+    for (Cleft& cleft : arms) clefts.push_back(std::move(cleft));
+    if (round == 0) mesh();
+  }
   if (std::getenv("DBG")) std::fprintf(stderr, "clefts %zu\n", clefts.size());
   return shape(clefts);
 }
@@ -289,7 +300,7 @@ ReconstructedScan reconstruct_scan(const PointCloud& scan, const std::string& na
   // What is more than two and a half spacings from a point was not seen.
   const Unseen unseen(samples.points, std::max(0.008, 2.5 * samples.spacing));
   const ImplicitFunction shape =
-      with_clefts(distance, samples, parts, unit, body.points, options, name);
+      with_clefts(distance, unseen, samples, parts, unit, body.points, options, name);
   result.mesh = without_tunnels(shape, distance, unseen, parts, unit, body.points, options, name);
   find_holes(result.mesh, unseen, report);
   if (report.seen < least_seen) {
