@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <utility>
 
 namespace toile {
@@ -10,9 +9,9 @@ namespace toile {
 namespace {
 
 // Metres.
-constexpr double near = 0.03;      // between tubes: only they count
-constexpr double far = 0.06;       // they don't count
-constexpr double fillet = 0.008;   // within which two surfaces blend
+constexpr double near = 0.03;     // between tubes: only they count
+constexpr double far = 0.06;      // they don't count
+constexpr double fillet = 0.008;  // within which two surfaces blend
 constexpr double under_roof = 0.01;
 constexpr double over_roof = 0.03;
 constexpr double narrow = 0.015;
@@ -34,16 +33,13 @@ double blended_least(double a, double b) {
 
 }  // namespace
 
-Cleft::Cleft(LimbTube one, LimbTube other, LimbTube roof, double least_gap, double overlap, double lift)
-    : one_(std::move(one)),
-      other_(std::move(other)),
-      roof_(std::move(roof)),
-      least_gap_(least_gap), overlap_(overlap), lift_(lift) {
+Cleft::Cleft(LimbTube one, LimbTube other, LimbTube roof, const CleftOptions& options)
+    : one_(std::move(one)), other_(std::move(other)), roof_(std::move(roof)), options_(options) {
   const auto add = [this](const LimbTube& tube, const LimbTube& facing) {
     for (int s = 0; s < tube.stations(); ++s) {
       for (int a = 0; a < tube.angles(); ++a) {
         const Vec3 p = tube.point(s, a);
-        if (facing.off(p) < far && roof_.off(p) + lift_ > -over_roof) box_.extend(p);
+        if (facing.off(p) < far && roof_.off(p) + options_.lift > -over_roof) box_.extend(p);
       }
     }
   };
@@ -53,14 +49,15 @@ Cleft::Cleft(LimbTube one, LimbTube other, LimbTube roof, double least_gap, doub
 
 double Cleft::operator()(const Vec3& point, double distance, double unseen) const {
   if (!box_.contains(point)) return distance;
-  const double to_roof = roof_.off(point) + lift_;
+  const double to_roof = roof_.off(point) + options_.lift;
   if (to_roof < -over_roof || roof_.facing(point) < aside) return distance;
   const double to_one = one_.off(point);
   const double to_other = other_.off(point);
   const double gap = to_one + to_other;
   const double share = (1 - rise(near, far, gap)) * rise(-over_roof, -under_roof, to_roof) *
                        rise(aside, below, roof_.facing(point));
-  const double apart = std::clamp((least_gap_ - gap) / 2, 0.0, (least_gap_ + overlap_) / 2);
+  const double apart =
+      std::clamp((options_.least_gap - gap) / 2, 0.0, (options_.least_gap + options_.overlap) / 2);
   const double tubes = std::min(to_one, to_other) + apart;
   const double change = share * (blended_least(tubes, to_roof) - distance);
   // What was seen is believed. But a grid may have filled a gap that is narrow.

@@ -8,14 +8,17 @@
 
 namespace toile {
 
+struct CleftOptions {
+  double least_gap = 0.01;  ///< metres of air that are left between the tubes below the roof
+  double overlap = 0;       ///< metres: tubes that overlap by more have no air between them
+  double lift = 0;          ///< metres by which the roof is higher than its tube
+};
+
 /// Two tubes, and the roof where they grow together. The roof is a tube, too: a plane between both
 /// cuts the body along it, so its axis points from the one to the other.
 class Cleft {
  public:
-  /// `least_gap` metres of air are left between the tubes below the roof, where they overlap by
-  /// less than a centimetre.
-  Cleft(LimbTube one, LimbTube other, LimbTube roof, double least_gap, double overlap,
-        double lift);
+  Cleft(LimbTube one, LimbTube other, LimbTube roof, const CleftOptions& options);
 
   /// `distance` is a signed distance to the body's surface at `point`, and `unseen` is 1 where no
   /// camera saw it, 0 where one did. The result is the tubes' distance where they are near to each
@@ -27,9 +30,7 @@ class Cleft {
   LimbTube one_;
   LimbTube other_;
   LimbTube roof_;
-  double least_gap_;
-  double overlap_;
-  double lift_;
+  CleftOptions options_;
   Eigen::AlignedBox3d box_;  // of what is changed
 };
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 #include "geometry/body/body_frame.h"
 #include "geometry/body/centreline.h"
@@ -18,8 +16,6 @@ namespace {
 constexpr double shin = 0.25;        // below the hands, above the feet
 constexpr double above = 0.56;       // above every crotch, below the waist
 constexpr double tube_step = 0.003;  // between the nodes of tubes
-const double slab = std::getenv("SLAB") ? std::atof(std::getenv("SLAB")) : 0.009;       // half of the width that a roof is fitted to
-inline double env(const char* n, double d) { const char* e = std::getenv(n); return e ? std::atof(e) : d; }
 /// Metres between tubes and half of their samples: what is farther off is no limb.
 constexpr double worst_error = 0.004;
 
@@ -27,8 +23,8 @@ constexpr double worst_error = 0.004;
 class Upright {
  public:
   explicit Upright(const RoughBody& body)
-      : turn_(Eigen::Quaterniond::FromTwoVectors(body.up.vector(), Vec3::UnitY())
-                  .toRotationMatrix()),
+      : turn_(
+            Eigen::Quaterniond::FromTwoVectors(body.up.vector(), Vec3::UnitY()).toRotationMatrix()),
         floor_(body.floor) {}
 
   TriangleMesh mesh(TriangleMesh mesh) const {
@@ -64,20 +60,20 @@ std::vector<int> samples_where(const ScanSamples& samples, const Test& test) {
   return which;
 }
 
-/// The outline around `centre` of the plane square to `across`; it is open below.
-LimbTube roof_at(const Vec3& centre, const Vec3& across, const Vec3& up, double height,
-                 const ScanSamples& samples) {
+/// The outline around `centre` of the plane square to `across`; it is open below. It is fitted to
+/// `slab` metres to both sides of the plane. `outside` is as of TubeOptions.
+LimbTube roof_at(const Vec3& centre, const Vec3& across, const Vec3& up, double height, double slab,
+                 double outside, const ScanSamples& samples) {
   TubeAxis axis;
   axis.along = across;
-  axis.length = 2 * slab * height;
-  axis.start = centre - slab * height * across;
+  axis.length = 2 * slab;
+  axis.start = centre - slab * across;
   axis.toward = square_to(across, -up);
   const double high = 0.14 * height;
   const std::vector<int> which = samples_where(samples, [&](const Vec3& p) {
-    return std::abs(across.dot(p - centre)) < slab * height && (p - centre).norm() < high;
+    return std::abs(across.dot(p - centre)) < slab && (p - centre).norm() < high;
   });
-  static const double round = std::getenv("ROUND") ? std::atof(std::getenv("ROUND")) : 0.5;
-  return {axis, samples, which, tube_step * height, round, env("OUT", 0.5)};
+  return {axis, samples, which, {tube_step * height, 0.5, outside}};
 }
 
 struct Legs {
@@ -94,7 +90,6 @@ std::optional<Legs> find_legs(const TriangleMesh& mesh, double height) {
   walk.length = height;
   std::vector<Section> shins = slice(mesh, Vec3(0, shin * height, 0), Vec3::UnitY());
   std::erase_if(shins, [&](const Section& s) { return !s.closed || s.area < walk.min_area; });
-  if (std::getenv("DBG")) std::fprintf(stderr, "shins %zu\n", shins.size());
   if (shins.size() != 2) return std::nullopt;
   std::array<std::vector<Station>, 2> up;
   for (int leg = 0; leg < 2; ++leg) {
@@ -105,7 +100,6 @@ std::optional<Legs> find_legs(const TriangleMesh& mesh, double height) {
   while (first < both && up[0][first].section.centroid != up[1][first].section.centroid) ++first;
   // The last sections before the legs meet lean to each other.
   const std::size_t used = first - std::min<std::size_t>(first, 4);
-  if (std::getenv("DBG")) std::fprintf(stderr, "used %zu\n", used);
   if (used < 12 || first == both) return std::nullopt;
   Legs legs;
   for (int leg = 0; leg < 2; ++leg) {
@@ -149,11 +143,14 @@ std::optional<Cleft> leg_cleft(const RoughBody& body, const ScanSamples& samples
   const auto tube = [&](int leg) {
     const TubeAxis& own = legs->axes[leg];
     const TubeAxis& other = legs->axes[1 - leg];
-    return LimbTube(own, samples, samples_where(samples, [&](const Vec3& p) {
-                      const double at = along(own, p);
-                      return at > 0 && at < own.length && from_axis(own, p) < from_axis(other, p);
-                    }),
-                    tube_step * body.height);
+    return LimbTube(own, samples,
+                    samples_where(samples,
+                                  [&](const Vec3& p) {
+                                    const double at = along(own, p);
+                                    return at > 0 && at < own.length &&
+                                           from_axis(own, p) < from_axis(other, p);
+                                  }),
+                    {.step = tube_step * body.height});
   };
   const Vec3 across = square_to(body.up.vector(), legs->axes[1].start - legs->axes[0].start);
   // The middle between both legs, in the depth and at the height of the pelvis.
@@ -163,21 +160,16 @@ std::optional<Cleft> leg_cleft(const RoughBody& body, const ScanSamples& samples
     return across.dot(axis.start + along(axis, middle) * axis.along - middle);
   };
   middle += (beside(0) + beside(1)) / 2 * across;
-  if (std::getenv("DBG")) {
-    const Vec3 c = upright.given(legs->pelvis);
-    std::fprintf(stderr, "pelvis %.3f %.3f %.3f middle %.3f %.3f %.3f across %.3f %.3f %.3f\n", c.x(), c.y(), c.z(), middle.x(), middle.y(), middle.z(), across.x(), across.y(), across.z());
-    for (int i = 0; i < 2; ++i) std::fprintf(stderr, "axis %.3f %.3f %.3f  %.3f %.3f %.3f\n", legs->axes[i].start.x(), legs->axes[i].start.y(), legs->axes[i].start.z(), legs->axes[i].along.x(), legs->axes[i].along.y(), legs->axes[i].along.z());
-  }
   LimbTube one = tube(0);
   LimbTube other = tube(1);
-  LimbTube roof = roof_at(middle, across, body.up.vector(), body.height, samples);
-  if (std::getenv("DBG")) std::fprintf(stderr, "legs %.4f %.4f roof %.4f\n", one.error(), other.error(), roof.error());
+  // A wider slab takes thighs for the roof.
+  LimbTube roof =
+      roof_at(middle, across, body.up.vector(), body.height, 0.006 * body.height, 0.6, samples);
   if (std::max({one.error(), other.error(), roof.error()}) > worst_error) return std::nullopt;
-  return Cleft(std::move(one), std::move(other), std::move(roof), least_gap, env("OVER", 0.025), 0);
+  return Cleft(std::move(one), std::move(other), std::move(roof), {least_gap, 0.03, 0});
 }
 
-std::vector<Cleft> arm_clefts(const RoughBody& body, const ScanSamples& samples,
-                              double least_gap) {
+std::vector<Cleft> arm_clefts(const RoughBody& body, const ScanSamples& samples, double least_gap) {
   const Upright upright(body);
   std::vector<Cleft> clefts;
   std::optional<BodyFrame> frame;
@@ -186,7 +178,6 @@ std::vector<Cleft> arm_clefts(const RoughBody& body, const ScanSamples& samples,
   } catch (const Error&) {
     return clefts;
   }
-  if (std::getenv("DBG")) std::fprintf(stderr, "%s\n", frame->no_skeleton.c_str());
   if (!frame->skeleton) return clefts;
   const auto joint = [&](const std::string& name) {
     return upright.given(frame->given(frame->skeleton->joint(name)));
@@ -211,31 +202,35 @@ std::vector<Cleft> arm_clefts(const RoughBody& body, const ScanSamples& samples,
   trunk.length = armpits + 0.05 * h - up.dot(trunk.start);
   trunk.toward = square_to(up, left);
   const auto arm_end = [&](int i) { return Vec3(arms[i].start + arms[i].length * arms[i].along); };
-  const LimbTube trunk_tube(trunk, samples, samples_where(samples, [&](const Vec3& p) {
-                              const double at = along(trunk, p);
-                              if (at < 0 || at > trunk.length) return false;
-                              const bool is_left = left.dot(p - trunk.start) > 0;
-                              const int i = is_left ? 0 : 1;
-                              const double beyond =
-                                  (is_left ? 1 : -1) * left.dot(p - arm_end(i));
-                              if (up.dot(p) > armpits - 0.03 * h) return beyond < 0;
-                              return from_axis(arms[i], p) > 0.045 * h;
-                            }),
-                            tube_step * h);
+  const LimbTube trunk_tube(trunk, samples,
+                            samples_where(samples,
+                                          [&](const Vec3& p) {
+                                            const double at = along(trunk, p);
+                                            if (at < 0 || at > trunk.length) return false;
+                                            const bool is_left = left.dot(p - trunk.start) > 0;
+                                            const int i = is_left ? 0 : 1;
+                                            const double beyond =
+                                                (is_left ? 1 : -1) * left.dot(p - arm_end(i));
+                                            if (up.dot(p) > armpits - 0.03 * h) return beyond < 0;
+                                            return from_axis(arms[i], p) > 0.045 * h;
+                                          }),
+                            {.step = tube_step * h});
   for (int i = 0; i < 2; ++i) {
     const Vec3 outward = i == 0 ? left : Vec3(-left);
     const Vec3 shoulder = arm_end(i);
-    LimbTube arm(arms[i], samples, samples_where(samples, [&](const Vec3& p) {
-                   const double at = along(arms[i], p);
-                   return at > 0 && at < arms[i].length && from_axis(arms[i], p) < 0.055 * h &&
-                          outward.dot(p - shoulder) > -0.005 * h;
-                 }),
-                 tube_step * h);
-    LimbTube roof = roof_at(shoulder, outward, up, h, samples);
-    if (std::getenv("DBG")) std::fprintf(stderr, "shoulder %.3f %.3f %.3f elbow %.3f %.3f %.3f\n", shoulder.x(), shoulder.y(), shoulder.z(), arms[i].start.x(), arms[i].start.y(), arms[i].start.z());
-    if (std::getenv("DBG")) std::fprintf(stderr, "arm %.4f trunk %.4f roof %.4f\n", arm.error(), trunk_tube.error(), roof.error());
+    LimbTube arm(arms[i], samples,
+                 samples_where(samples,
+                               [&](const Vec3& p) {
+                                 const double at = along(arms[i], p);
+                                 return at > 0 && at < arms[i].length &&
+                                        from_axis(arms[i], p) < 0.055 * h &&
+                                        outward.dot(p - shoulder) > -0.005 * h;
+                               }),
+                 {.step = tube_step * h});
+    LimbTube roof = roof_at(shoulder, outward, up, h, 0.009 * h, 0.2, samples);
     if (std::max({arm.error(), trunk_tube.error(), roof.error()}) > worst_error) continue;
-    clefts.emplace_back(std::move(arm), trunk_tube, std::move(roof), least_gap, env("OVERA", 0.01), env("LIFT", 0.02));
+    clefts.emplace_back(std::move(arm), trunk_tube, std::move(roof),
+                        CleftOptions{least_gap, 0.02, 0.03});
   }
   return clefts;
 }

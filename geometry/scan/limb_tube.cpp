@@ -53,12 +53,12 @@ class Sums {
 }  // namespace
 
 LimbTube::LimbTube(const TubeAxis& axis, const ScanSamples& samples, const std::vector<int>& which,
-                   double step, double roundness, double outside)
+                   const TubeOptions& options)
     : axis_(axis),
       across_(axis.along.cross(axis.toward)),
-      step_(step),
-      roundness_(roundness),
+      options_(options),
       error_(std::numeric_limits<double>::infinity()) {
+  const double step = options.step;
   stations_ = std::max(4, static_cast<int>(std::lround(axis.length / step)) + 1);
   std::vector<double> all;
   for (const int s : which) {
@@ -76,7 +76,7 @@ LimbTube::LimbTube(const TubeAxis& axis, const ScanSamples& samples, const std::
     if (at.station < 0 || at.station > stations_ - 1 || at.radius < step) continue;
     const Vec3 off = samples.points[s] - axis_.start;
     const Vec3 out = (off - off.dot(axis_.along) * axis_.along) / at.radius;
-    if (out.dot(samples.normals[s]) < outside) continue;
+    if (out.dot(samples.normals[s]) < options.outside) continue;
     places.push_back(at);
     areas.push_back(samples.areas[s]);
   }
@@ -105,7 +105,7 @@ LimbTube::Place LimbTube::place(const Vec3& point) const {
   const double y = off.dot(across_);
   double angle = std::atan2(y, x) / turn * angles_;
   if (angle < 0) angle += angles_;
-  return {off.dot(axis_.along) / step_, angle, std::hypot(x, y)};
+  return {off.dot(axis_.along) / options_.step, angle, std::hypot(x, y)};
 }
 
 std::vector<double> LimbTube::ordinary_radii(const std::vector<Place>& places) const {
@@ -146,14 +146,14 @@ void LimbTube::fit(const std::vector<Place>& places, const std::vector<double>& 
     }
     for (int s = 0; s < stations_; ++s) {
       const double arc = rest[s] * turn / angles_;
-      const double weight = stiffness * step_ * arc;
+      const double weight = stiffness * options_.step * arc;
       const double own = 1 / (rest[s] * rest[s]);
       const double bend = 1 / (arc * arc);
-      const double straight = 1 / (step_ * step_);
-      const double twist = 1 / (step_ * arc);
+      const double straight = 1 / (options_.step * options_.step);
+      const double twist = 1 / (options_.step * arc);
       for (int a = 0; a < angles_; ++a) {
         sums.add({{node(s, a - 1), bend}, {node(s, a), own - 2 * bend}, {node(s, a + 1), bend}},
-                 (2 - roundness_) * own * rest[s], weight);
+                 (2 - options_.roundness) * own * rest[s], weight);
         if (s + 1 == stations_) continue;
         sums.add({{node(s, a), twist},
                   {node(s, a + 1), -twist},
@@ -161,10 +161,9 @@ void LimbTube::fit(const std::vector<Place>& places, const std::vector<double>& 
                   {node(s + 1, a + 1), twist}},
                  0, 2 * weight);
         if (s == 0) continue;
-        sums.add({{node(s - 1, a), straight},
-                  {node(s, a), -2 * straight},
-                  {node(s + 1, a), straight}},
-                 0, weight);
+        sums.add(
+            {{node(s - 1, a), straight}, {node(s, a), -2 * straight}, {node(s + 1, a), straight}},
+            0, weight);
       }
     }
     const Eigen::VectorXd found = sums.solved();
@@ -185,7 +184,7 @@ double LimbTube::radius(int station, int angle) const {
 
 Vec3 LimbTube::point(int station, int angle) const {
   const double at = turn * angle / angles_;
-  return axis_.start + station * step_ * axis_.along +
+  return axis_.start + station * options_.step * axis_.along +
          radius(station, angle) * (std::cos(at) * axis_.toward + std::sin(at) * across_);
 }
 

@@ -15,18 +15,21 @@ struct TubeAxis {
   Vec3 toward{1, 0, 0};  ///< square to `along`, of unit length: angles begin here
 };
 
+struct TubeOptions {
+  double step = 0.005;   ///< metres between stations and, about, between angles
+  double roundness = 1;  ///< of what was not seen: 1 goes on as an arc, 0 as a straight line
+  double outside = 0.2;  ///< least cosine of a sample's normal to its direction from the axis
+};
+
 /// Radii on a grid of stations along the axis and angles about it: those that follow the samples
-/// and bend the least, as a thin plate that is a cylinder or flat at rest. So a contour goes on as an arc
-/// across what was not seen, or as a straight line, and along the limb it goes straight on.
+/// and bend the least, as a thin plate that is a cylinder or flat at rest. So a contour goes on as
+/// an arc across what was not seen, or as a straight line, and along the limb it goes straight on.
 class LimbTube {
  public:
-  /// `which` are the samples of that part. Those that face the axis are left out, and so are those
-  /// that are far behind others. `step` is metres between stations and, about, between angles.
-  /// `roundness` is 1 for arcs, 0 for straight lines. `outside` is the least cosine between a
-  /// sample's normal and its direction from the axis.
-  /// O(nodes^1.5).
+  /// `which` are the samples of that part. Those that don't face outward are left out, and so are
+  /// those that are far behind others. O(nodes^1.5).
   LimbTube(const TubeAxis& axis, const ScanSamples& samples, const std::vector<int>& which,
-           double step, double roundness = 1, double outside = 0.2);
+           const TubeOptions& options);
 
   int stations() const { return stations_; }
   int angles() const { return angles_; }
@@ -54,8 +57,7 @@ class LimbTube {
 
   TubeAxis axis_;
   Vec3 across_;  // square to `along` and `toward`
-  double step_;
-  double roundness_;
+  TubeOptions options_;
   int stations_;
   int angles_;
   double error_;

@@ -3,8 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <utility>
 
 #include "geometry/body/body_unit.h"
@@ -192,9 +190,10 @@ TriangleMesh mesh_of(const ImplicitFunction& distance, const SmoothDistance& box
 /// gone. Heads and feet stay: a crown is a dome, soles are flat. Where no step takes all tunnels
 /// away, that with the fewest counts, and of equal ones the first. Of ten scans of the mannequin,
 /// 50,000 points, three had no skeleton without this, and one has none with it [measured].
-TriangleMesh without_tunnels(const ImplicitFunction& distance, const SmoothDistance& box_of, const Unseen& unseen,
-                             const ScanParts& parts, double unit, const std::vector<Vec3>& points,
-                             const ScanOptions& options, const std::string& name) {
+TriangleMesh without_tunnels(const ImplicitFunction& distance, const SmoothDistance& box_of,
+                             const Unseen& unseen, const ScanParts& parts, double unit,
+                             const std::vector<Vec3>& points, const ScanOptions& options,
+                             const std::string& name) {
   constexpr double step = 0.003;  // metres: with 0.005, tunnels come through thin unseen parts
   constexpr int steps = 3;
   const Vec3 up = parts.up.vector();
@@ -217,9 +216,10 @@ TriangleMesh without_tunnels(const ImplicitFunction& distance, const SmoothDista
 }
 
 /// The distance, with clefts between the thighs and under the arms.
-ImplicitFunction with_clefts(const SmoothDistance& distance, const Unseen& unseen, const ScanSamples& samples,
-                             const ScanParts& parts, double unit, const std::vector<Vec3>& points,
-                             ScanOptions options, const std::string& name) {
+ImplicitFunction with_clefts(const SmoothDistance& distance, const Unseen& unseen,
+                             const ScanSamples& samples, const ScanParts& parts, double unit,
+                             const std::vector<Vec3>& points, ScanOptions options,
+                             const std::string& name) {
   const double least_gap = 1.25 / 0.9 * options.edge_length;
   options.edge_length = std::max(options.edge_length, 0.012);
   std::vector<Cleft> clefts;
@@ -240,7 +240,6 @@ ImplicitFunction with_clefts(const SmoothDistance& distance, const Unseen& unsee
     body.mesh = largest_piece(mesh_of(shape(clefts), distance, parts, unit, points, options, name));
   };
   mesh();
-  if (std::getenv("DBG")) { FILE* f = std::fopen("/tmp/scan2/rough.obj", "w"); for (const Vec3& p : body.mesh.points) std::fprintf(f, "v %f %f %f\n", p.x(), p.y(), p.z()); for (const Triangle& t : body.mesh.triangles) std::fprintf(f, "f %d %d %d\n", t[0]+1, t[1]+1, t[2]+1); std::fclose(f); }
   if (auto legs = leg_cleft(body, samples, least_gap)) {
     clefts.push_back(std::move(*legs));
     mesh();
@@ -254,7 +253,6 @@ ImplicitFunction with_clefts(const SmoothDistance& distance, const Unseen& unsee
     for (Cleft& cleft : arms) clefts.push_back(std::move(cleft));
     if (round == 0) mesh();
   }
-  if (std::getenv("DBG")) std::fprintf(stderr, "clefts %zu\n", clefts.size());
   return shape(clefts);
 }
 
