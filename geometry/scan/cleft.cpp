@@ -8,7 +8,7 @@ namespace toile {
 
 namespace {
 
-// Metres.
+// Metres. Without the bounds of roof and sight, bellies and shoulders were smoothed away.
 constexpr double near = 0.03;     // between tubes: only they count
 constexpr double far = 0.06;      // they don't count
 constexpr double fillet = 0.008;  // within which two surfaces blend

@@ -167,6 +167,7 @@ void LimbTube::fit(const std::vector<Place>& places, const std::vector<double>& 
       }
     }
     const Eigen::VectorXd found = sums.solved();
+    if (!found.allFinite()) return;  // too few samples
     for (std::size_t i = 0; i < radii_.size(); ++i) radii_[i] = found[static_cast<int>(i)];
     // Strays count less [Geman & McClure 1987].
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -200,7 +201,8 @@ double LimbTube::wall(const Place& at) const {
 
 double LimbTube::facing(const Vec3& point) const {
   const Vec3 off = point - axis_.start;
-  return off.dot(axis_.toward) / (off - off.dot(axis_.along) * axis_.along).norm();
+  const double radius = (off - off.dot(axis_.along) * axis_.along).norm();
+  return radius > 0 ? off.dot(axis_.toward) / radius : 0;
 }
 
 double LimbTube::off(const Vec3& point) const {

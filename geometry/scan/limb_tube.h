@@ -21,9 +21,9 @@ struct TubeOptions {
   double outside = 0.2;  ///< least cosine of a sample's normal to its direction from the axis
 };
 
-/// Radii on a grid of stations along the axis and angles about it: those that follow the samples
-/// and bend the least, as a thin plate that is a cylinder or flat at rest. So a contour goes on as
-/// an arc across what was not seen, or as a straight line, and along the limb it goes straight on.
+/// Radii on a grid of stations along the axis and angles about it. They follow the samples and bend
+/// the least, as a thin plate that is a cylinder or flat at rest. So a contour goes on as an arc or
+/// a straight line where it was not seen. Along the limb it goes straight on.
 class LimbTube {
  public:
   /// `which` are the samples of that part. Those that don't face outward are left out, and so are
