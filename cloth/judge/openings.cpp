@@ -36,8 +36,8 @@ bool lacks_head(const Opening& opening) {
 }
 
 /// A hood may hang over the eyes. The face then looks out below the hood's edge, or beside a fold
-/// of it. Where nothing passes through an opening of its size, other ways out of the same head are
-/// tried; all openings of a garment are told by the same one.
+/// of it. Where nothing passes through an opening of its size, other ways out of the head are
+/// tried. One way out tells all openings of a garment.
 void look_out_below_the_hood(const DressedGarment& dressed, const Skeleton& skeleton,
                              std::vector<Opening>& openings) {
   for (const double face : {0.4, 0.2, 0.8}) {
