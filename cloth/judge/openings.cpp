@@ -35,6 +35,13 @@ bool lacks_head(const Opening& opening) {
   return !opening.limbs.any() && opening.length >= min_neck_opening;
 }
 
+std::vector<Vec3> curve_of(const Opening& opening, const DressedGarment& dressed) {
+  std::vector<Vec3> curve;
+  curve.reserve(opening.nodes.size());
+  for (const int node : opening.nodes) curve.push_back(dressed.points[node]);
+  return curve;
+}
+
 /// A hood may hang over the eyes. The face then looks out below the hood's edge, or beside a fold
 /// of it. Where nothing passes through an opening of its size, other ways out of the head are
 /// tried. One way out tells all openings of a garment.
@@ -44,10 +51,7 @@ void look_out_below_the_hood(const DressedGarment& dressed, const Skeleton& skel
     if (std::ranges::none_of(openings, lacks_head)) return;
     std::vector<Opening> told = openings;
     for (Opening& opening : told) {
-      std::vector<Vec3> curve;
-      curve.reserve(opening.nodes.size());
-      for (const int node : opening.nodes) curve.push_back(dressed.points[node]);
-      opening.limbs = limbs_through(curve, skeleton, face);
+      opening.limbs = limbs_through(curve_of(opening, dressed), skeleton, face);
     }
     if (std::ranges::none_of(told, lacks_head)) openings = std::move(told);
   }
@@ -78,17 +82,15 @@ std::vector<Opening> find_openings(const DressedGarment& dressed, const Skeleton
   std::vector<Opening> openings;
   for (std::vector<int>& loop : loops) {
     Opening opening;
-    std::vector<Vec3> curve;
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const auto& [length, panel] = edges.at(std::minmax(loop[i], loop[(i + 1) % loop.size()]));
       opening.length += length;
       opening.panels.push_back(panel);
-      curve.push_back(dressed.points[loop[i]]);
-      opening.middle += curve.back() / static_cast<double>(loop.size());
+      opening.middle += dressed.points[loop[i]] / static_cast<double>(loop.size());
     }
-    opening.limbs = limbs_through(curve, skeleton);
     opening.component = piece[loop.front()];
     opening.nodes = std::move(loop);
+    opening.limbs = limbs_through(curve_of(opening, dressed), skeleton);
     openings.push_back(std::move(opening));
   }
   look_out_below_the_hood(dressed, skeleton, openings);
