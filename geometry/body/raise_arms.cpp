@@ -27,6 +27,14 @@ constexpr double armpit_to = 0.20;
 constexpr double slim_share = 0.5;
 constexpr double slim_from = 0.06;
 constexpr double slim_to = 0.16;
+/// Metres that an arm has to leave the plane of its shoulder to be brought into it.
+constexpr double min_depth = 0.08;
+/// Radians to either side of the arm's middle up to which space is shifted with it in full, and
+/// from which on it stays.
+constexpr double full_shift = 14 * degree;
+constexpr double no_shift = 27 * degree;
+/// Metres beyond the wrist that a hand reaches.
+constexpr double hand_reach = 0.2;
 /// Metres before and behind the arm up to which space turns with it in full, and from which on it
 /// stays.
 constexpr double full_depth = 0.10;
@@ -63,9 +71,14 @@ ArmRaise::ArmRaise(const Skeleton& skeleton, const TriangleMesh& body, double ra
     arm.angle = std::atan2(down.y(), arm.side * down.x());
     arm.turn = raised_angle - arm.angle;
     if (arm.turn < min_turn || arm.angle < -trunk_angle + far_room) continue;
+    for (const Vec3& joint : arm.joints) {
+      if (std::abs(joint.z() - arm.shoulder.z()) > min_depth) arm.leaves_plane = true;
+    }
     arms_.push_back(std::move(arm));
     Arm& made = arms_.back();
-    made.axis = (turned_with(made.part, made.joints[2]) - made.shoulder).normalized();
+    made.axis = turned_with(made.part, made.joints[2]) - made.shoulder;
+    if (made.leaves_plane) made.axis.z() = 0;
+    made.axis.normalize();
     for (const Vec3& p : body.points) {
       if (made.side * (p.x() - made.shoulder.x()) < 0) continue;
       const Vec3 q = turned(made, p, false);
@@ -87,7 +100,8 @@ double ArmRaise::depth_of(const Arm& arm, double radius) {
     const Vec3 b = arm.joints[i + 1];
     const double to = std::hypot(b.x() - arm.shoulder.x(), b.y() - arm.shoulder.y());
     if (radius < to || i + 2 == arm.joints.size()) {
-      const double t = std::clamp((radius - from) / std::max(to - from, 1e-6), 0.0, 1.0);
+      const double last = arm.leaves_plane && i + 2 == arm.joints.size() ? to + hand_reach : to;
+      const double t = (std::clamp(radius, from, last) - from) / std::max(to - from, 1e-6);
       return a.z() + t * (b.z() - a.z());
     }
     from = to;
@@ -95,13 +109,22 @@ double ArmRaise::depth_of(const Arm& arm, double radius) {
   return arm.shoulder.z();
 }
 
+/// Metres along z by which space is shifted with an arm that leaves the plane of its shoulder.
+/// `radius`: metres from the shoulder, in that plane. `angle`: radians, as the arm hangs.
+double ArmRaise::shift(const Arm& arm, double radius, double angle) {
+  if (!arm.leaves_plane) return 0;
+  return (1 - blend(std::abs(angle - arm.angle), full_shift, no_shift)) *
+         (depth_of(arm, radius) - arm.shoulder.z());
+}
+
 Vec3 ArmRaise::turned(const Arm& arm, const Vec3& p, bool back) {
   const double across = arm.side * (p.x() - arm.shoulder.x());
   const double up = p.y() - arm.shoulder.y();
   const double radius = std::hypot(across, up);
-  const double off = std::abs(p.z() - depth_of(arm, radius));
-  const double turn = arm.turn * (1 - blend(off, full_depth, no_depth));
-  if (radius == 0 || turn == 0) return p;
+  const double z = back ? p.z() : p.z() - shift(arm, radius, std::atan2(up, across));
+  const double middle = arm.leaves_plane ? arm.shoulder.z() : depth_of(arm, radius);
+  const double turn = arm.turn * (1 - blend(std::abs(z - middle), full_depth, no_depth));
+  if (radius == 0 || (turn == 0 && !arm.leaves_plane)) return p;
   const double low = arm.angle - half_width;
   const double high = arm.angle + half_width;
   const double armpit = blend(radius, armpit_from, armpit_to);
@@ -111,7 +134,7 @@ Vec3 ArmRaise::turned(const Arm& arm, const Vec3& p, bool back) {
   const double angle = std::atan2(up, across);
   const double to = back ? mapped(angle, raised, hanging) : mapped(angle, hanging, raised);
   return {arm.shoulder.x() + arm.side * radius * std::cos(to),
-          arm.shoulder.y() + radius * std::sin(to), p.z()};
+          arm.shoulder.y() + radius * std::sin(to), back ? z + shift(arm, radius, to) : z};
 }
 
 Vec3 ArmRaise::slimmed(const Arm& arm, const Vec3& p, bool back) {
@@ -167,6 +190,7 @@ Skeleton ArmRaise::raised(Skeleton skeleton) const {
     for (const char* joint : {"_elbow", "_wrist"}) {
       Vec3& p = skeleton.joints.at(side + joint);
       p = turned_with(arm.part, p);
+      if (arm.leaves_plane) p.z() = arm.shoulder.z();
     }
   }
   return skeleton;

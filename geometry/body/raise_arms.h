@@ -11,9 +11,9 @@
 namespace toile {
 
 /// Raises the arms of a standing body to about the horizontal, and lowers them again, with all of
-/// the space around them. Each arm turns about its shoulder, in the plane of front and back. The
-/// space between the arm and the trunk is stretched, the space above the arm compressed. Trunk,
-/// head and legs stay.
+/// the space around them. Each arm turns about its shoulder, in the plane that parts front and
+/// back. One that leaves that plane, as bent arms do, is brought into it. The space between the arm
+/// and the trunk is stretched, the space above the arm compressed. Trunk, head and legs stay.
 ///
 /// The map of space is continuous and has an inverse. So what is clear of the body and of itself
 /// stays clear of it, but for what a straight edge cuts off a bent one.
@@ -52,9 +52,11 @@ class ArmRaise {
     double turn;                 ///< radians by which it is raised
     std::array<Vec3, 3> joints;  ///< shoulder, elbow, wrist
     Vec3 axis;                   ///< unit vector from shoulder to wrist, raised
+    bool leaves_plane = false;   ///< forward or backward, as an arm bent at the elbow
     double radius = 0;           ///< metres around the axis within which the arm lies
   };
   static Vec3 slimmed(const Arm& arm, const Vec3& p, bool back);
+  static double shift(const Arm& arm, double radius, double angle);
   static double depth_of(const Arm& arm, double radius);
   static Vec3 turned(const Arm& arm, const Vec3& p, bool back);
 

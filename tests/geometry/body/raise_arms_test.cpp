@@ -77,6 +77,32 @@ TEST_P(RaisedTo, LoweringIsTheInverse) {
 INSTANTIATE_TEST_SUITE_P(RaiseArms, RaisedTo,
                          testing::Values(ArmRaise::usual_angle, ArmRaise::max_angle));
 
+TEST(RaiseArms, BentArmsComeIntoThePlaneOfTheirShoulders) {
+  Skeleton skeleton = hanging(45);
+  for (const std::string side : {"left", "right"}) {
+    skeleton.joints[side + "_elbow"] += Vec3(0, 0, 0.03);
+    skeleton.joints[side + "_wrist"] += Vec3(0, 0, 0.17);
+  }
+  const ArmRaise raise(skeleton, {});
+  const Vec3 shoulder = skeleton.joint("left_shoulder");
+  EXPECT_NEAR(raise.raised(skeleton).joint("left_wrist").z(), shoulder.z(), 1e-12);
+  // The bones, and the hand in their direction, too.
+  const Vec3 elbow = skeleton.joint("left_elbow");
+  const Vec3 wrist = skeleton.joint("left_wrist");
+  for (const double t : {0.0, 0.5, 1.0, 1.4}) {
+    EXPECT_NEAR(raise.raised(elbow + t * (wrist - elbow)).z(), shoulder.z(), 1e-3) << t;
+  }
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> across(-1, 1), up(0.2, 1.9), depth(-0.5, 0.5);
+  for (int i = 0; i < 20000; ++i) {
+    const Vec3 p(across(random), up(random), depth(random));
+    EXPECT_LT((raise.lowered(raise.raised(p)) - p).norm(), 1e-9) << p.transpose();
+  }
+  for (const char* joint : {"pelvis", "chest", "left_hip", "left_knee"}) {
+    EXPECT_LT((raise.raised(skeleton.joint(joint)) - skeleton.joint(joint)).norm(), 1e-12) << joint;
+  }
+}
+
 TEST(RaiseArms, TheRaisedBodyIsClearOfItselfAndSlim) {
   const Mannequin mannequin = make_mannequin({.edge_length = 0.014});
   const TriangleMesh& body = mannequin.surface;
