@@ -35,7 +35,7 @@ struct FoundSeam {
 
 struct FoundSeams {
   std::vector<FoundSeam> seams;
-  bool proved = false;  ///< no other choice of seams is worth more
+  bool settled = false;  ///< searches from different beginnings found the same seams
   double worth = 0;     ///< of the garment, see seam_weights.h
 };
 
