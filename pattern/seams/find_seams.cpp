@@ -12,9 +12,6 @@ namespace toile {
 
 namespace {
 
-/// Worth at which a seam is as likely to be right as 63 in a hundred.
-constexpr double margin_scale = 1;
-
 /// Worth by which a garment has to be better that does not heed the names of left and right.
 constexpr double turned_panels = 2;
 
@@ -35,13 +32,14 @@ class Finder {
     const SeamPairs pairs(evidence_, heed_sides);
     SeamMeasures weights = seam_weights;
     if (!heed_sides) weights[static_cast<int>(SeamMeasure::sides_differ)] = 0;
-    const SeamChoice choice = SeamSearch(evidence_, pairs, weights, known).choose();
+    const SeamChoice choice = choose_seams(evidence_, pairs, weights, known);
 
     std::vector<EdgeSeam> seams;
     for (const ChosenSeam& chosen : choice.seams) seams.push_back({chosen.a, chosen.b, false});
     const std::vector<EdgeSeam> before = seams;
     if (options_.given.empty()) {
-      exchange_panels(pattern_, evidence_.edges, evidence_.fits, evidence_.words, options_.by_place, seams);
+      exchange_panels(pattern_, evidence_.edges, evidence_.fits, evidence_.words, options_.by_place,
+                      seams);
     }
     FoundSeams found;
     found.settled = choice.settled;
@@ -51,7 +49,7 @@ class Finder {
       FoundSeam seam = made(seams[i]);
       seam.given = std::find(known.chosen.begin(), known.chosen.end(),
                              std::array{chosen.a, chosen.b}) != known.chosen.end();
-      seam.confidence = seam.given ? 1 : std::max(0.0, 1 - std::exp(-chosen.margin / margin_scale));
+      seam.confidence = seam.given ? 1 : chosen.confidence;
       // The alternative is of the panels that were chosen before equal ones changed places.
       const bool stayed = seams[i].a == before[i].a && seams[i].b == before[i].b;
       if (chosen.alternative[0] >= 0 && stayed) {

@@ -36,7 +36,7 @@ struct FoundSeam {
 struct FoundSeams {
   std::vector<FoundSeam> seams;
   bool settled = false;  ///< searches from different beginnings found the same seams
-  double worth = 0;     ///< of the garment, see seam_weights.h
+  double worth = 0;      ///< of the garment, see seam_weights.h
 };
 
 /// The seams of the whole garment, as one choice. Stitches of the pattern are not looked at; nor

@@ -116,6 +116,10 @@ void SeamPairs::measure_shapes(int a, int b, SeamMeasures& measures) const {
     at(dart) = 1;
     return;
   }
+  const double up = first.upwards * second.upwards;
+  at(up_and_down) = std::max(0.0, -up);
+  if (first.upwards > 0 && second.upwards > 0) at(both_up) = up;
+  if (first.upwards < 0 && second.upwards < 0) at(both_down) = up;
   at(same_panel) = first.ref.panel == second.ref.panel ? 1 : 0;
   if (shape_[a] == shape_[b]) {
     at(coincide) = 1;
@@ -131,8 +135,10 @@ void SeamPairs::measure_shapes(int a, int b, SeamMeasures& measures) const {
   at(close_length) = std::exp(-(ratio - 1) / 0.005);
   at(near_length) = std::exp(-(ratio - 1) / 0.03);
   at(log_ratio) = std::log(ratio);
-  if (ratio < 1.3) at(curve) = curve_match(first.turning, second.turning);
-  else at(curve_gathered) = curve_match(first.turning, second.turning);
+  if (ratio < 1.3)
+    at(curve) = curve_match(first.turning, second.turning);
+  else
+    at(curve_gathered) = curve_match(first.turning, second.turning);
   at(grains_differ) = std::abs(first.across_grain - second.across_grain);
 }
 
@@ -197,6 +203,7 @@ void SeamPairs::measure_names(int a, int b, SeamMeasures& measures) const {
     if (named) at(words_alike) = words_shared(first.stem, second.stem);
   } else {
     if (named && first.face * second.face < 0) at(front_and_back) = 1;
+    if (first.side * second.side < 0 && mirror_[a] == b) at(named_halves) = 1;
     if (first.number >= 0 && second.number >= 0) {
       const int apart = std::abs(first.number - second.number);
       if (apart == 1) at(numbers_follow) = 1;

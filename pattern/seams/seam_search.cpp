@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace toile {
 
@@ -15,21 +16,42 @@ constexpr std::size_t most_partners = 16;
 constexpr double trial_scale = 0.7;
 
 /// Worths at which a search begins and ends to take what is worse.
-constexpr double hot = 1.2;
-constexpr double warm = 0.5;
-constexpr double cold = 0.08;
+constexpr double hot = 6;
+constexpr double warm = 1;
+constexpr double cold = 0.2;
 
 /// Garments that a search looks at, for each edge of the pattern.
-constexpr int looks_of_search = 300;
-constexpr int looks_without_seam = 12;
+constexpr int looks_of_search = 1000;
 
-constexpr int fewest_searches = 3;
-constexpr int most_searches = 6;
+/// Searches with the weights as they are, and with shaken ones.
+constexpr int plain_searches = 4;
+constexpr int shaken_searches = 10;
+
+/// Weights are shaken by this part, up or down.
+constexpr double shake = 0.3;
+
+/// Worths of garments that differ by less are the same.
+constexpr double same_garment = 1e-3;
 
 /// Worths that differ by less are the same.
 constexpr double same_worth = 1e-6;
 
 constexpr double impossible = -1e9;
+
+/// Of splitmix64 (Steele, Lea, Flood 2014).
+constexpr std::uint64_t golden = 0x9E3779B97F4A7C15U;
+
+std::uint64_t mixed(std::uint64_t z) {
+  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
+  z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
+  return z ^ (z >> 31);
+}
+
+/// 0 to 1, the same for the same number.
+double scatter(int number) {
+  const std::uint64_t bits = mixed(golden * (static_cast<std::uint64_t>(number) + 1));
+  return static_cast<double>(bits >> 40) / static_cast<double>(1U << 24);
+}
 
 }  // namespace
 
@@ -93,20 +115,14 @@ SeamSearch::SeamSearch(const SeamEvidence& evidence, const SeamPairs& pairs,
 }
 
 std::uint32_t SeamSearch::random(std::uint32_t below) {
-  // splitmix64 (Steele, Lea, Flood 2014)
-  seed_ += 0x9E3779B97F4A7C15U;
-  std::uint64_t z = seed_;
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
-  z ^= z >> 31;
-  return static_cast<std::uint32_t>(((z >> 32) * below) >> 32);
+  seed_ += golden;
+  return static_cast<std::uint32_t>(((mixed(seed_) >> 32) * below) >> 32);
 }
 
 double SeamSearch::random_part() { return random(1U << 24) / static_cast<double>(1U << 24); }
 
 bool SeamSearch::allowed(int a, int b) const {
-  return a != b && locked_[a] == 0 && locked_[b] == 0 && pair_worth(a, b) > impossible / 2 &&
-         kind(a, b) != forbidden_;
+  return a != b && locked_[a] == 0 && locked_[b] == 0 && pair_worth(a, b) > impossible / 2;
 }
 
 void SeamSearch::join(int a, int b) {
@@ -254,70 +270,61 @@ SeamSearch::Garment SeamSearch::search(int run) {
   return garment;
 }
 
-Partners SeamSearch::best() {
+SeamSearch::Garment SeamSearch::best(int searches, int& times) {
   Garment best = search(0);
-  for (int run = 1; run < fewest_searches; ++run) {
+  times = 1;
+  for (int run = 1; run < searches; ++run) {
     Garment other = search(run);
-    if (other.worth > best.worth) best = other;
+    if (std::abs(other.worth - best.worth) < same_garment) {
+      ++times;
+    } else if (other.worth > best.worth) {
+      times = 1;
+    }
+    if (other.worth > best.worth) best = std::move(other);
   }
-  return best.partners;
+  return best;
 }
 
-SeamChoice SeamSearch::choose() {
+SeamSearch::Garment SeamSearch::best_near(const Partners& partners, int run) {
+  Garment best = search(run);
+  Garment near{partners, 0};
+  anneal(near, warm, cold, looks_of_search * edges_ / 4);
+  return near.worth > best.worth ? near : best;
+}
+
+SeamChoice choose_seams(const SeamEvidence& evidence, const SeamPairs& pairs,
+                        const SeamMeasures& weights, const KnownSeams& known) {
+  SeamSearch search(evidence, pairs, weights, known);
+  int times = 0;
+  const SeamSearch::Garment best = search.best(plain_searches, times);
   SeamChoice choice;
-  Garment best = search(0);
-  int times = 1;
-  for (int run = 1; run < most_searches && (run < fewest_searches || times < 2); ++run) {
-    const Garment other = search(run);
-    if (std::abs(other.worth - best.worth) < 1e-3) ++times;
-    if (other.worth > best.worth + 1e-3) times = 1;
-    if (other.worth > best.worth + same_worth) best = other;
-  }
-  choice.settled = times > 1;
-  // Without each kind of seam; where that is worth more, it is the better garment.
-  std::map<int, Garment> without;
-  for (int round = 0; round < 3; ++round) {
-    without.clear();
-    bool better = false;
-    for (int a = 0; a < edges_ && !better; ++a) {
-      const int b = best.partners[a];
-      if (b < a || locked_[a] != 0 || without.contains(kind(a, b))) continue;
-      Garment other = best;
-      forbidden_ = kind(a, b);
-      for (int e = 0; e < edges_; ++e) {
-        if (other.partners[e] > e && kind(e, other.partners[e]) == forbidden_) {
-          other.partners[other.partners[e]] = -1;
-          other.partners[e] = -1;
-        }
-      }
-      seed_ = static_cast<std::uint64_t>(a) + 1000;
-      anneal(other, warm, cold, looks_without_seam * edges_);
-      better = other.worth > best.worth + same_worth;
-      if (better) {
-        best = other;
-      } else {
-        without[forbidden_] = other;
-      }
-      forbidden_ = -1;
-    }
-    if (!better) break;
-    anneal(best, warm, cold, looks_without_seam * edges_);
-  }
   choice.worth = best.worth;
-  for (int a = 0; a < edges_; ++a) {
-    const int b = best.partners[a];
-    if (b < a) continue;
-    ChosenSeam seam{a, b, 0, {-1, -1}};
-    const auto other = without.find(kind(a, b));
-    if (other != without.end()) {
-      seam.margin = best.worth - other->second.worth;
-      for (const int e : {a, b}) {
-        const int to = other->second.partners[e];
-        if (to < 0 || seam.alternative[0] >= 0) continue;
-        seam.alternative = {std::min(e, to), std::max(e, to)};
+  choice.settled = times > 1;
+  const int edges = static_cast<int>(evidence.edges.size());
+  for (int a = 0; a < edges; ++a) {
+    if (best.partners[a] > a) choice.seams.push_back({a, best.partners[a], 0, {-1, -1}});
+  }
+  for (int ask = 0; ask < shaken_searches; ++ask) {
+    SeamMeasures shaken = weights;
+    for (int i = 0; i < seam_measures; ++i) {
+      shaken[i] *= 1 + shake * (2 * scatter(ask * seam_measures + i) - 1);
+    }
+    SeamSearch other(evidence, pairs, shaken, known);
+    const Partners found = other.best_near(best.partners, ask).partners;
+    std::set<int> kinds;
+    for (int a = 0; a < edges; ++a) {
+      if (found[a] > a) kinds.insert(search.kind(a, found[a]));
+    }
+    for (ChosenSeam& seam : choice.seams) {
+      if (kinds.contains(search.kind(seam.a, seam.b))) {
+        seam.confidence += 1.0 / shaken_searches;
+        continue;
+      }
+      for (const int e : {seam.a, seam.b}) {
+        if (found[e] < 0 || seam.alternative[0] >= 0) continue;
+        seam.alternative = {std::min(e, found[e]), std::max(e, found[e])};
       }
     }
-    choice.seams.push_back(seam);
   }
   return choice;
 }

@@ -12,10 +12,11 @@ namespace toile {
 struct ChosenSeam {
   int a = 0;  ///< edge; less than b
   int b = 0;  ///< edge
-  /// By how much the garment is worth less without this seam. Seams that differ in which of equal
-  /// pieces they join count as this seam.
-  double margin = 0;
-  /// What one of the two edges is sewn to in the best garment without this seam; -1: it stays open.
+  /// Share of the searches with shaken weights that sew it. Seams that differ in which of equal
+  /// pieces they join count as this seam. 0 to 1.
+  double confidence = 0;
+  /// What one of the two edges is sewn to in the first of them without this seam; -1: it stays
+  /// open.
   std::array<int, 2> alternative = {-1, -1};
 };
 
@@ -31,28 +32,31 @@ struct KnownSeams {
   std::vector<int> taken;                  ///< edges that no other seam may use
 };
 
-/// Simulated annealing over sets of seams (Kirkpatrick, Gelatt, Vecchi 1983), with moves that sew on
-/// from a corner to the next. Mirror partners are sewn together. The same evidence gives the same
-/// seams. The work grows with the square of the number of edges.
+/// Simulated annealing over sets of seams (Kirkpatrick, Gelatt, Vecchi 1983), with moves that sew
+/// on from a corner to the next. Mirror partners are sewn together. The same evidence gives the
+/// same seams. The work grows with the square of the number of edges.
 class SeamSearch {
  public:
   /// `extra`: added to the worth of each pair, edges * edges in rows; empty: nothing.
   SeamSearch(const SeamEvidence& evidence, const SeamPairs& pairs, const SeamMeasures& weights,
              const KnownSeams& known, const std::vector<double>& extra = {});
 
-  SeamChoice choose();
-  /// The best garment alone, without margins.
-  Partners best();
+  struct Garment {
+    Partners partners;
+    double worth = 0;
+  };
+  /// The best garment of several searches; `times`: how many of them found its worth.
+  Garment best(int searches, int& times);
+  /// The best garment that is found from this one and from the beginning.
+  Garment best_near(const Partners& partners, int run);
+
+  /// Same numbers: seams that differ in which of equal pieces they join.
+  int kind(int a, int b) const { return kind_[static_cast<std::size_t>(a) * edges_ + b]; }
 
   /// All that is measured of a garment.
   SeamMeasures measures(const Partners& partners);
 
  private:
-  struct Garment {
-    Partners partners;
-    double worth = 0;
-  };
-
   double worth_of_partners();
   bool allowed(int a, int b) const;
   void join(int a, int b);
@@ -63,7 +67,6 @@ class SeamSearch {
   void move();
   void anneal(Garment& best, double hot, double cold, int looks);
   Garment search(int run);
-  int kind(int a, int b) const { return kind_[static_cast<std::size_t>(a) * edges_ + b]; }
   double& pair_worth(int a, int b) { return worth_[static_cast<std::size_t>(a) * edges_ + b]; }
   double pair_worth(int a, int b) const { return worth_[static_cast<std::size_t>(a) * edges_ + b]; }
   std::uint32_t random(std::uint32_t below);
@@ -87,8 +90,12 @@ class SeamSearch {
   Partners begin_;
   Partners now_;
   std::vector<BorderStep> border_;  // of now_, before the last move
-  int forbidden_ = -1;  // kind
   std::uint64_t seed_ = 0;
 };
+
+/// The seams of a garment, and how certain each is: weights are shaken, and the searches are asked
+/// again (perturb and MAP; Papandreou, Yuille 2011).
+SeamChoice choose_seams(const SeamEvidence& evidence, const SeamPairs& pairs,
+                        const SeamMeasures& weights, const KnownSeams& known);
 
 }  // namespace toile

@@ -120,8 +120,10 @@ void SewnSurface::measure_borders(const Partners& /*partners*/, SeamMeasures& su
       after_[on] = on == e ? -2 : -3;
       on = next;
     }
-    if (length < hole) at(border_hole) += 1;
-    else if (length < small_border) at(border_small) += 1;
+    if (length < hole)
+      at(border_hole) += 1;
+    else if (length < small_border)
+      at(border_small) += 1;
   }
 }
 

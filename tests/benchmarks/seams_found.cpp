@@ -3,9 +3,9 @@
 //   cmake --build build/release --target bench_seams_found
 //   build/release/tests/bench_seams_found samples ../shared/data/patterns/garmentcode
 //
-// Each argument is a row: a folder of pattern files, or a file. `--half A` takes the half of a
-// folder whose names have the lower SHA-256, `--half B` the other. Weights were chosen on few small
-// garments of half A, on the samples and on two GarmentCode files.
+// Each argument is a row: a folder of pattern files, or a file. `--part fit` takes the
+// three fifths of a folder whose names have the lower SHA-256, `--part held` the others. Weights
+// were fitted to the first and to the samples; the others were kept aside.
 //
 // Seams, translations, rotations, placements and labels are taken out of each pattern first. Names
 // stay in one row and become piece1, piece2 and so on in the next. A seam is right where it joins
@@ -60,14 +60,15 @@ void add(Row& row, const std::filesystem::path& file, bool names) {
   row.seconds += seconds.count();
 }
 
-/// The lower or the upper half of the files by the checksums of their names.
-std::vector<std::filesystem::path> half_of(std::vector<std::filesystem::path> files, char half) {
+/// The files that weights were fitted to, or the others, by the checksums of their names.
+std::vector<std::filesystem::path> part_of(std::vector<std::filesystem::path> files,
+                                           const std::string& part) {
   std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) {
     return sha256(a.filename().string()) < sha256(b.filename().string());
   });
-  const auto middle = files.begin() + static_cast<std::ptrdiff_t>(files.size() / 2);
-  if (half == 'A') files.erase(middle, files.end());
-  if (half == 'B') files.erase(files.begin(), middle);
+  const auto border = files.begin() + static_cast<std::ptrdiff_t>(files.size() * 3 / 5);
+  if (part == "fit") files.erase(border, files.end());
+  if (part == "held") files.erase(files.begin(), border);
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -75,15 +76,15 @@ std::vector<std::filesystem::path> half_of(std::vector<std::filesystem::path> fi
 }  // namespace
 
 int main(int argc, char** argv) {
-  char half = ' ';
+  std::string part;
   std::printf(
       "| patterns | names | garments | wholly right | precision | recall | seconds each |\n");
   std::printf("|---|---|---|---|---|---|---|\n");
   try {
     for (int i = 1; i < argc; ++i) {
       const std::string argument = argv[i];
-      if (argument == "--half" && i + 1 < argc) {
-        half = argv[++i][0];
+      if (argument == "--part" && i + 1 < argc) {
+        part = argv[++i];
         continue;
       }
       std::vector<std::filesystem::path> files;
@@ -91,7 +92,7 @@ int main(int argc, char** argv) {
         for (const auto& entry : std::filesystem::directory_iterator(argument)) {
           if (entry.path().extension() == ".json") files.push_back(entry.path());
         }
-        files = half_of(std::move(files), half);
+        files = part_of(std::move(files), part);
       } else {
         files.push_back(argument);
       }
