@@ -26,7 +26,7 @@ SeamEvidence seam_evidence(const Pattern& pattern, bool drawn_walk);
 /// Radians by which an edge turns on its walk, left is positive.
 double turning_of(const WalkedEdge& edge);
 
-/// Each pair of edges as a seam, right side to right side: the start of one meets the end of the
+/// Each pair of edges as a seam, right side to right side. The start of one meets the end of the
 /// other, both walked as walked_edges() walks them.
 class SeamPairs {
  public:

@@ -3,8 +3,8 @@
 //   cmake --build build/release --target bench_fit_seam_weights
 //   build/release/tests/bench_fit_seam_weights --epochs 8 FILE...
 //
-// Averaged passive-aggressive updates (Crammer et al. 2006) on the difference between the measures
-// of the garment that is stated and of the one that the search finds, which gains something for
+// Passive-aggressive updates (Crammer et al. 2006), averaged over each round. Measures of the
+// stated garment are compared with those of the one that is found. That one gains something for
 // each wrong seam. Each file is used with and without its names. After each round the rows of
 // pattern/seams/seam_weights.cpp are printed, and how many garments were found.
 #include <algorithm>
