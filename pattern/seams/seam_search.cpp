@@ -317,7 +317,7 @@ SeamChoice choose_seams(const SeamEvidence& evidence, const SeamPairs& pairs,
     }
     for (ChosenSeam& seam : choice.seams) {
       if (kinds.contains(search.kind(seam.a, seam.b))) {
-        seam.confidence += 1.0 / shaken_searches;
+        seam.confidence += 1;
         continue;
       }
       for (const int e : {seam.a, seam.b}) {
@@ -325,6 +325,10 @@ SeamChoice choose_seams(const SeamEvidence& evidence, const SeamPairs& pairs,
         seam.alternative = {std::min(e, found[e]), std::max(e, found[e])};
       }
     }
+  }
+  // No number of searches makes a seam certain (Krichevsky, Trofimov 1981).
+  for (ChosenSeam& seam : choice.seams) {
+    seam.confidence = (seam.confidence + 0.5) / (shaken_searches + 1);
   }
   return choice;
 }

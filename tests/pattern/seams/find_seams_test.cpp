@@ -1,0 +1,39 @@
+#include "pattern/seams/find_seams.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "io/output_file.h"
+#include "pattern/pattern_file.h"
+#include "tests/support/seam_figures.h"
+
+namespace toile {
+namespace find_seams_test {
+
+// Bounds at what was reached: 0.96 and 0.91 with names. bench_seams_found has the whole table.
+TEST(FindSeamsOfSamples, MostAreFoundAgainWithNames) {
+  SeamFigures sum;
+  for (const auto& entry : std::filesystem::directory_iterator(TOILE_SOURCE_DIR "/samples")) {
+    if (entry.path().extension() != ".json") continue;
+    std::vector<Remark> remarks;
+    const Pattern pattern =
+        parse_drawn_pattern(read_file(entry.path()), entry.path().string(), remarks);
+    std::set<SeamPair> decided;
+    for (const FoundSeam& seam : find_seams(stripped(pattern, true, false), {}).seams) {
+      if (seam.confidence >= decided_confidence) {
+        decided.insert(seam_pair(seam.a, seam.b, seam.reversed));
+      }
+    }
+    SeamComparison comparison(pattern, false, false);
+    const SeamFigures figures = comparison.compare(stated_seams(pattern), decided);
+    sum.stated += figures.stated;
+    sum.found += figures.found;
+    sum.right += figures.right;
+  }
+  EXPECT_GE(sum.right, 0.95 * sum.found);
+  EXPECT_GE(sum.right, 0.9 * sum.stated);
+}
+
+}  // namespace find_seams_test
+}  // namespace toile
