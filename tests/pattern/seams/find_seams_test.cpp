@@ -6,6 +6,7 @@
 
 #include "io/output_file.h"
 #include "pattern/pattern_file.h"
+#include "pattern/seams/sewn_file.h"
 #include "tests/support/seam_figures.h"
 
 namespace toile {
@@ -17,15 +18,18 @@ TEST(FindSeamsOfSamples, MostAreFoundAgainWithNames) {
   for (const auto& entry : std::filesystem::directory_iterator(TOILE_SOURCE_DIR "/samples")) {
     if (entry.path().extension() != ".json") continue;
     std::vector<Remark> remarks;
-    const Pattern pattern =
-        parse_drawn_pattern(read_file(entry.path()), entry.path().string(), remarks);
+    const std::string name = entry.path().string();
+    const std::string text = read_file(entry.path());
+    const Pattern pattern = parse_drawn_pattern(text, name, remarks);
+    FindSeamsOptions options;
+    options.drawn_walk = has_drawn_walk(text, name);
     std::set<SeamPair> decided;
-    for (const FoundSeam& seam : find_seams(stripped(pattern, true, false), {}).seams) {
+    for (const FoundSeam& seam : find_seams(stripped(pattern, true, false), options).seams) {
       if (seam.confidence >= decided_confidence) {
         decided.insert(seam_pair(seam.a, seam.b, seam.reversed));
       }
     }
-    SeamComparison comparison(pattern, false, false);
+    SeamComparison comparison(pattern, options.drawn_walk, false);
     const SeamFigures figures = comparison.compare(stated_seams(pattern), decided);
     sum.stated += figures.stated;
     sum.found += figures.found;
