@@ -10,13 +10,11 @@ namespace toile {
 /// Merges every edge shorter than short_edge_length with a neighbour on its outline.
 ///
 /// - The neighbour that changes the outline least moves its end to the far end of the short edge.
-/// No
-///   point of the outline moves farther than max_outline_shift.
+///   No point of the outline moves farther than max_outline_shift.
 /// - A short edge that is sewn is merged on both sides, and its stitch is left out. The other side
 ///   may be twice as long. What the stitch joins must stay joined by other stitches.
 /// - Edges keep their numbers. The outline no longer runs along merged ones. What an attachment
-/// held
-///   of them, it holds where they were.
+///   held of them, it holds where they were.
 /// - Edges with an elastic stay, and so do short edges in a row that draw a curve together. An edge
 ///   stays where the outline would cross itself without it.
 ///

@@ -44,6 +44,13 @@ inline constexpr int max_resewn_nodes = 3000;
 /// all points are farther from is in nobody's way, and stays as it is while seams close.
 inline constexpr double arm_clearance = 0.15;
 
+/// Radians by which raised arms stand above a panel that reaches above the shoulder beside them.
+inline constexpr double wing_room = 0.21;
+/// Metres outside the shoulder from which on a panel may be such a wing, and no front or yoke.
+inline constexpr double min_wing = 0.15;
+/// Lengths from shoulder to wrist up to which an arm reaches, with its hand.
+inline constexpr double arm_reach = 1.4;
+
 // Untangling.
 
 /// Factor on the bending stiffness while crossing cloth is drawn apart. With 300, flat hems stay

@@ -56,10 +56,32 @@ bool arms_are_in_the_way(const PanelMesh& garment, const Skeleton& skeleton) {
   return false;
 }
 
+/// Radians above the horizontal at which raised arms are above all panels that are not theirs.
+/// The upper corners of a wide skirt's panels may stand above the shoulders.
+double raised_angle(const PanelMesh& garment, const Skeleton& skeleton) {
+  const std::vector<std::string> parts = panel_parts(garment, skeleton);
+  const std::vector<int> panel_of = panel_of_points(garment);
+  double angle = ArmRaise::usual_angle;
+  for (const auto& [part, side] : {std::pair("left_arm", 1.0), std::pair("right_arm", -1.0)}) {
+    const Bones arm(skeleton, part);
+    if (arm.joints.empty()) continue;
+    const Vec3 shoulder = arm.joints.front();
+    const double reach = arm_reach * (arm.joints.back() - shoulder).norm();
+    for (std::size_t p = 0; p < garment.placed.size(); ++p) {
+      if (parts[panel_of[p]].ends_with("_arm")) continue;
+      const Vec3 away = garment.placed[p] - shoulder;
+      const double across = side * away.x();
+      if (across < min_wing || std::hypot(across, away.y()) > reach) continue;
+      angle = std::max(angle, std::atan2(away.y(), across) + wing_room);
+    }
+  }
+  return std::min(angle, ArmRaise::max_angle);
+}
+
 std::optional<ArmRaise> arm_raise(const PanelMesh& garment, const Scene& scene) {
   if (scene.skeleton == nullptr || has_layers(scene) || !touches_body(scene)) return std::nullopt;
   if (garment.seams.empty() || !arms_are_in_the_way(garment, *scene.skeleton)) return std::nullopt;
-  ArmRaise raise(*scene.skeleton, scene.collider->body());
+  ArmRaise raise(*scene.skeleton, scene.collider->body(), raised_angle(garment, *scene.skeleton));
   return raise.any() ? std::optional(std::move(raise)) : std::nullopt;
 }
 

@@ -1,8 +1,10 @@
 #include "cloth/judge/openings.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
+#include "cloth/judge/constants.h"
 #include "geometry/border_loops.h"
 #include "geometry/disjoint_sets.h"
 
@@ -25,6 +27,37 @@ std::vector<int> connected_pieces(const DressedGarment& dressed) {
   }
   return piece;
 }
+
+namespace {
+
+/// Whether a head is meant to pass through the opening, and nothing does.
+bool lacks_head(const Opening& opening) {
+  return !opening.limbs.any() && opening.length >= min_neck_opening;
+}
+
+std::vector<Vec3> curve_of(const Opening& opening, const DressedGarment& dressed) {
+  std::vector<Vec3> curve;
+  curve.reserve(opening.nodes.size());
+  for (const int node : opening.nodes) curve.push_back(dressed.points[node]);
+  return curve;
+}
+
+/// A hood may hang over the eyes. The face then looks out below the hood's edge, or beside a fold
+/// of it. Where nothing passes through an opening of its size, other ways out of the head are
+/// tried. One way out tells all openings of a garment.
+void look_out_below_the_hood(const DressedGarment& dressed, const Skeleton& skeleton,
+                             std::vector<Opening>& openings) {
+  for (const double face : {0.4, 0.2, 0.8}) {
+    if (std::ranges::none_of(openings, lacks_head)) return;
+    std::vector<Opening> told = openings;
+    for (Opening& opening : told) {
+      opening.limbs = limbs_through(curve_of(opening, dressed), skeleton, face);
+    }
+    if (std::ranges::none_of(told, lacks_head)) openings = std::move(told);
+  }
+}
+
+}  // namespace
 
 std::vector<Opening> find_openings(const DressedGarment& dressed, const Skeleton& skeleton) {
   const std::vector<int> piece = connected_pieces(dressed);
@@ -49,19 +82,18 @@ std::vector<Opening> find_openings(const DressedGarment& dressed, const Skeleton
   std::vector<Opening> openings;
   for (std::vector<int>& loop : loops) {
     Opening opening;
-    std::vector<Vec3> curve;
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const auto& [length, panel] = edges.at(std::minmax(loop[i], loop[(i + 1) % loop.size()]));
       opening.length += length;
       opening.panels.push_back(panel);
-      curve.push_back(dressed.points[loop[i]]);
-      opening.middle += curve.back() / static_cast<double>(loop.size());
+      opening.middle += dressed.points[loop[i]] / static_cast<double>(loop.size());
     }
-    opening.limbs = limbs_through(curve, skeleton);
     opening.component = piece[loop.front()];
     opening.nodes = std::move(loop);
+    opening.limbs = limbs_through(curve_of(opening, dressed), skeleton);
     openings.push_back(std::move(opening));
   }
+  look_out_below_the_hood(dressed, skeleton, openings);
   return openings;
 }
 

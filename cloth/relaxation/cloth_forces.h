@@ -2,6 +2,7 @@
 // relaxation and release.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -66,6 +67,10 @@ class ClothForces {
     compute();
     gather_all(take);
   }
+
+  /// N: the sum of the cloth's own forces on node n in the last step, which contacts and weight
+  /// balance at rest. Seams are closed.
+  double load(std::size_t n) const { return std::sqrt(squared_length(vertex_force_[n])); }
 
   /// Moves nodes for advance().
   class Mover {

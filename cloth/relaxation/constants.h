@@ -117,6 +117,12 @@ inline constexpr double pressed_distance = 0.005;
 /// more are held, cloth is caught in cloth.
 inline constexpr double max_held_share = 0.05;
 
+/// Share of the load of a node within which its forces count as balanced. In a tight cuff nodes
+/// press on the skin with 30,000 times their weight, and planes stand for the curved skin. With
+/// half and twice of it, a shirt with such cuffs takes 1.7 and 0.7 times the iterations to rest
+/// [measured on one].
+inline constexpr double balanced_share = 1e-4;
+
 // Contact.
 
 /// Steps between two searches for near cloth, at least. A node that has used up its bound waits so

@@ -110,6 +110,7 @@ class Relaxation {
   std::vector<std::size_t> held() const;
   bool is_pressed_to_body(std::size_t n) const;
   int leave_out_held();
+  void allow_for_loads();
   void adjust_momentum(double power, bool closing);
   bool stalls(const Residual& residual, int iteration);
   bool at_rest(const Residual& residual) const {
@@ -257,7 +258,6 @@ Residual Relaxation::measure_residual() {
   forces_.fresh_forces(bending_, [&](std::size_t begin, std::size_t end, const Vec4s& forces) {
     take_forces(forces, begin, end);
   });
-  multilevel_.compute(node_force_, bending_);
   return last_residual();
 }
 
@@ -288,13 +288,28 @@ int Relaxation::leave_out_held() {
       std::ranges::count_if(stopped, [this](std::size_t n) { return !is_pressed_to_body(n); });
   if (static_cast<double>(caught) > max_held_share * model_.nodes) return 0;
   for (const std::size_t n : stopped) node_force_[n] = Vec4{};
-  if (!stopped.empty()) multilevel_.compute(node_force_, bending_);
   return static_cast<int>(stopped.size());
+}
+
+/// Takes a small share of the load of each node off its force in node_force_, which the next step
+/// finds anew.
+void Relaxation::allow_for_loads() {
+  for (std::size_t n = 0; n < node_force_.size(); ++n) {
+    Vec4& force = node_force_[n];
+    const double stiffness = force[3];
+    force[3] = 0;
+    const double length = std::sqrt(squared_length(force));
+    const double counted = length - balanced_share * forces_.load(n);
+    force *= counted > 0 ? counted / length : 0;
+    force[3] = stiffness;
+  }
 }
 
 /// The residual of the forces that the last step found.
 Residual Relaxation::last_residual() {
   const int held = leave_out_held();
+  allow_for_loads();
+  multilevel_.compute(node_force_, bending_);
   std::vector<double> norms(model_.nodes);
   for (std::size_t n = 0; n < norms.size(); ++n) {
     norms[n] = std::sqrt(squared_length(node_force_[n])) / model_.mean_weight;

@@ -14,11 +14,11 @@ constexpr double far_away = 1000;
 
 using Path = std::vector<Vec3>;
 
-Path head_path(const Skeleton& skeleton) {
+Path head_path(const Skeleton& skeleton, double face) {
   const Vec3& neck = skeleton.joint("neck");
-  const Vec3 middle = neck + 0.6 * (skeleton.joint("head") - neck);
-  return {skeleton.joint("waist"), skeleton.joint("chest"), neck, middle,
-          middle + Vec3(0, 0, far_away)};
+  const Vec3 looks_out = neck + face * (skeleton.joint("head") - neck);
+  return {skeleton.joint("waist"), skeleton.joint("chest"), neck, looks_out,
+          looks_out + Vec3(0, 0, far_away)};
 }
 
 Path arm_path(const Skeleton& skeleton, const std::string& side) {
@@ -83,8 +83,8 @@ bool has_all_limbs(const Skeleton& skeleton) {
   });
 }
 
-LimbsThrough limbs_through(const std::vector<Vec3>& loop, const Skeleton& skeleton) {
-  const int head = crossings(loop, head_path(skeleton));
+LimbsThrough limbs_through(const std::vector<Vec3>& loop, const Skeleton& skeleton, double face) {
+  const int head = crossings(loop, head_path(skeleton, face));
   return {crossings(loop, arm_path(skeleton, "left_")) != head,
           crossings(loop, arm_path(skeleton, "right_")) != head,
           crossings(loop, leg_path(skeleton, "left_")) != head,

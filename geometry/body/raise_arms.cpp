@@ -11,8 +11,6 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// Radians above the horizontal to which arms are raised.
-constexpr double raised_angle = 10 * degree;
 /// Radians by which an arm has to be raised to be raised at all.
 constexpr double min_turn = 15 * degree;
 /// Radians to either side of the arm's middle that turn with it as one.
@@ -51,7 +49,7 @@ double mapped(double angle, const std::array<double, 4>& from, const std::array<
 
 }  // namespace
 
-ArmRaise::ArmRaise(const Skeleton& skeleton, const TriangleMesh& body) {
+ArmRaise::ArmRaise(const Skeleton& skeleton, const TriangleMesh& body, double raised_angle) {
   for (const std::string side : {"left", "right"}) {
     const auto at = [&](const std::string& joint) { return skeleton.joints.find(side + joint); };
     const auto none = skeleton.joints.end();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <numbers>
 #include <vector>
 
 #include "geometry/body/skeleton.h"
@@ -18,9 +19,14 @@ namespace toile {
 /// stays clear of it, but for what a straight edge cuts off a bent one.
 class ArmRaise {
  public:
+  /// Radians above the horizontal to which arms are raised where nothing stands above them.
+  static constexpr double usual_angle = 10 * std::numbers::pi / 180;
+  /// Radians beyond which space above the arms would be pressed to less than half.
+  static constexpr double max_angle = 60 * std::numbers::pi / 180;
+
   /// The skeleton is that of the body as it stands. A body without arms, or with arms raised
-  /// already, is left as it is.
-  ArmRaise(const Skeleton& skeleton, const TriangleMesh& body);
+  /// already, is left as it is. `raised_angle`: radians above the horizontal, up to max_angle.
+  ArmRaise(const Skeleton& skeleton, const TriangleMesh& body, double raised_angle = usual_angle);
 
   /// Whether an arm is raised at all.
   bool any() const { return !arms_.empty(); }

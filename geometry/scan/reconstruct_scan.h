@@ -52,19 +52,20 @@ struct ReconstructedScan {
 /// Square metres of a hole that is listed: 2 cm by 2 cm.
 inline constexpr double listed_hole = 4e-4;
 
-/// Reconstructs the surface of a standing body: sort_scan(), sample_scan(), SmoothDistance, and
-/// mesh_implicit() of that. Feet end flat at the floor, or at the lowest points.
+/// Reconstructs the surface of a standing body: sort_scan(), sample_scan(), SmoothDistance, Cleft
+/// between the thighs and under the arms, and mesh_implicit() of that. Feet end flat at the floor,
+/// or at the lowest points.
 ///
 /// CGAL's Poisson reconstruction of points averaged in 5 to 8 mm cells was tried on 500k points of
 /// another model of a scanner. It took 7 to 8 s, and 98.2 % of mean_all lay within 2 mm, 99.0 %
-/// within 5 mm. This one has 98.9 % and 99.6 % with the model of tests/support/scanner.h.
+/// within 5 mm. This one has 98.8 % and 99.6 % with the model of tests/support/scanner.h.
 ///
 /// It throws Error, with the place `name`:
 /// - for fewer than 1000 points, or points farther apart than a fiftieth of the body's height;
 /// - when no unit fits;
 /// - when points are near to less than 70 % of the surface.
 ///
-/// About 6 s for 500k points.
+/// About 9 s for 500k points.
 ReconstructedScan reconstruct_scan(const PointCloud& scan, const std::string& name,
                                    const ScanOptions& options = {});
 

@@ -24,7 +24,7 @@ struct SmoothDistanceOptions {
 /// Because second derivatives count, a wall goes on straight where no camera saw it, and the crown
 /// closes as a dome. Narrow clefts close too early all the same: a crotch up to 3 cm, an armpit up
 /// to 4 cm before its end [measured]. Less weight of sharp bends, or of those outside, does not
-/// help.
+/// help; Cleft does.
 class SmoothDistance {
  public:
   /// Solves on grids from coarse to fine, on the finer ones near the surface only. Each grid starts

@@ -169,11 +169,6 @@ void set_quality(Table& table, std::size_t row, const Json& report) {
   };
   two("seams sewn/open", "seams", "sewn", "open");
   two("intersections body/self", "intersections", "body", "self");
-  double least = 2;
-  for (const Json& wrap : report.at("wraps")) {
-    if (wrap.at("tube")) least = std::min(least, wrap.at("fraction").get<double>());
-  }
-  table.set(row, "wraps min %", least > 1 ? none : fixed(100 * least, 0));
   table.set(row, "verdict", report.at("verdict"));
 }
 

@@ -106,6 +106,26 @@ TEST(ClothForces, ASeamCarriesTheWholeForceOfBothSides) {
   }
 }
 
+TEST(ClothForces, ALoadIsWhatTheClothPullsWithoutItsWeight) {
+  PanelMesh garment;
+  test::add_panel(garment, "sheet", test::grid(0.1, 0.15, columns, rows),
+                  [](const Vec2& p) { return Vec3(1.02 * p.x(), p.y(), 0); });
+  Scene scene;
+  scene.body_contact = BodyContactTerm::none;
+  scene.self_contact = false;
+  scene.gravity = {0, 0, -1000};  // across the sheet
+  const GarmentModel model = compile(garment, scene, garment.placed);
+  const ForceOptions options;
+  ClothForces forces(model, options, {}, model.start, false);
+  const std::vector<Vec3> found = forces_of(forces, model.nodes);
+  double largest = 0;
+  for (std::size_t n = 0; n < found.size(); ++n) {
+    EXPECT_NEAR(forces.load(n), found[n].head<2>().norm(), 1e-9) << n;
+    largest = std::max(largest, forces.load(n));
+  }
+  EXPECT_GT(largest, 0.1);
+}
+
 /// One side of the seam pulls, the other is slack: the node gets all of it.
 TEST(ClothForces, ASeamPassesOnWhatOneSidePulls) {
   const double width = 0.1, height = 0.15;

@@ -50,9 +50,18 @@ TEST(RaiseArms, ArmsComeToTheHorizontalAndTrunkAndHeadStay) {
   }
 }
 
-TEST(RaiseArms, LoweringIsTheInverse) {
+TEST(RaiseArms, ArmsComeToTheAngleThatIsAskedFor) {
+  const Skeleton skeleton = hanging(45);
+  const Skeleton raised = ArmRaise(skeleton, {}, 50 * degree).raised(skeleton);
+  const Vec3 arm = raised.joint("left_wrist") - raised.joint("left_shoulder");
+  EXPECT_NEAR(std::atan2(arm.y(), arm.x()) / degree, 50, 1e-9);
+}
+
+class RaisedTo : public testing::TestWithParam<double> {};
+
+TEST_P(RaisedTo, LoweringIsTheInverse) {
   const Mannequin mannequin = make_mannequin({.edge_length = 0.014});
-  const ArmRaise raise(mannequin.skeleton, mannequin.surface);
+  const ArmRaise raise(mannequin.skeleton, mannequin.surface, GetParam());
   ASSERT_TRUE(raise.any());
   std::mt19937 random(1);
   std::uniform_real_distribution<double> across(-1, 1), up(0.2, 1.9), depth(-0.5, 0.5);
@@ -64,6 +73,9 @@ TEST(RaiseArms, LoweringIsTheInverse) {
   }
   EXPECT_GT(farthest, 0.3);
 }
+
+INSTANTIATE_TEST_SUITE_P(RaiseArms, RaisedTo,
+                         testing::Values(ArmRaise::usual_angle, ArmRaise::max_angle));
 
 TEST(RaiseArms, TheRaisedBodyIsClearOfItselfAndSlim) {
   const Mannequin mannequin = make_mannequin({.edge_length = 0.014});

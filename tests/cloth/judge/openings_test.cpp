@@ -1,0 +1,62 @@
+#include "cloth/judge/openings.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/cloth/figure.h"
+
+namespace toile {
+namespace openings_test {
+
+/// A sack from under the arms over the head, whose mouth stands before the face. `mouth`: metres,
+/// height of the middle of the mouth, 10 cm in radius.
+DressedGarment sack(double mouth) {
+  PanelMesh garment;
+  const int around = 24;
+  const int along = 12;
+  const double girth = 2 * test::pi * 0.2;
+  // From the hem, level and about the trunk, to the mouth, upright and before the face.
+  const auto place = [&](const Vec2& p) {
+    const double angle = 2 * test::pi * p.x() / girth;
+    const double t = p.y() / 0.8;
+    const double turn = t * test::pi / 2;
+    const double radius = 0.25 - 0.15 * t;
+    const Vec3 middle(0, 1.1 + t * (mouth - 1.1), 0.3 * t * t);
+    const Vec3 up(0, std::sin(turn), -std::cos(turn));
+    return Vec3(middle + radius * (std::cos(angle) * Vec3::UnitX() + std::sin(angle) * up));
+  };
+  MeshedPanel& panel =
+      test::add_panel(garment, "hood", test::grid(girth, 0.8, around, along), place);
+  garment.seams.push_back(test::seam("back", test::side(panel, around, along, false),
+                                     test::side(panel, around, along, true)));
+  return test::as_dressed(garment, garment.placed);
+}
+
+/// How many openings of the sack the limbs pass through.
+std::ptrdiff_t count(const std::vector<Opening>& openings, const LimbsThrough& limbs) {
+  return std::ranges::count_if(openings, [&](const Opening& o) { return o.limbs == limbs; });
+}
+
+TEST(Openings, AHoodsOpeningIsANeckline) {
+  const std::vector<Opening> openings = find_openings(sack(1.58), test::figure());
+  ASSERT_EQ(openings.size(), 2U);
+  EXPECT_EQ(count(openings, through_hem), 1);
+  EXPECT_EQ(count(openings, through_neckline), 1);
+}
+
+TEST(Openings, AFaceLooksOutBelowAHoodThatHangsOverTheEyes) {
+  // The eyes are at about 1.6 m, and the mouth of the sack ends at 1.57 m.
+  const std::vector<Opening> openings = find_openings(sack(1.47), test::figure());
+  EXPECT_EQ(count(openings, through_hem), 1);
+  EXPECT_EQ(count(openings, through_neckline), 1);
+}
+
+TEST(Openings, AnOpeningBelowTheFaceHasNothingInIt) {
+  const std::vector<Opening> openings = find_openings(sack(1.28), test::figure());
+  EXPECT_EQ(count(openings, LimbsThrough{}), 1);
+}
+
+}  // namespace openings_test
+}  // namespace toile
