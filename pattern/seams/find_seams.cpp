@@ -6,7 +6,7 @@
 
 #include "geometry/error.h"
 #include "pattern/seams/panel_exchange.h"
-#include "pattern/seams/seam_search.h"
+#include "pattern/seams/seam_choice.h"
 
 namespace toile {
 
@@ -26,14 +26,20 @@ class Finder {
     }
   }
 
-  FoundSeams run(bool heed_sides) {
-    turned_.clear();
+  FoundSeams run() {
     const KnownSeams known = take_given();
-    const SeamPairs pairs(evidence_, heed_sides);
-    SeamMeasures weights = seam_weights;
-    if (!heed_sides) weights[static_cast<int>(SeamMeasure::sides_differ)] = 0;
-    const SeamChoice choice = choose_seams(evidence_, pairs, weights, known);
+    SeamChooser chooser(evidence_, true, known);
+    if (names_sides()) {
+      // Where drawings show the wrong side, left and right change places: then a garment that does
+      // not heed them is worth much more.
+      SeamChooser other(evidence_, false, known);
+      if (other.worth() > chooser.worth() + turned_panels) return found(other.choose(), known);
+    }
+    return found(chooser.choose(), known);
+  }
 
+ private:
+  FoundSeams found(const SeamChoice& choice, const KnownSeams& known) const {
     std::vector<EdgeSeam> seams;
     for (const ChosenSeam& chosen : choice.seams) seams.push_back({chosen.a, chosen.b, false});
     const std::vector<EdgeSeam> before = seams;
@@ -49,7 +55,8 @@ class Finder {
       FoundSeam seam = made(seams[i]);
       seam.given = std::find(known.chosen.begin(), known.chosen.end(),
                              std::array{chosen.a, chosen.b}) != known.chosen.end();
-      seam.confidence = seam.given ? 1 : chosen.confidence;
+      seam.signs = chosen.signs;
+      seam.confidence = seam.given ? 1 : certainty_of(chosen.signs);
       // The alternative is of the panels that were chosen before equal ones changed places.
       const bool stayed = seams[i].a == before[i].a && seams[i].b == before[i].b;
       if (chosen.alternative[0] >= 0 && stayed) {
@@ -71,7 +78,6 @@ class Finder {
                        [](const PanelWords& words) { return words.side != 0; });
   }
 
- private:
   FoundSeam made(const EdgeSeam& seam) const {
     const WalkedEdge& a = evidence_.edges[seam.a];
     const WalkedEdge& b = evidence_.edges[seam.b];
@@ -121,13 +127,7 @@ class Finder {
 }  // namespace
 
 FoundSeams find_seams(const Pattern& pattern, const FindSeamsOptions& options) {
-  Finder finder(pattern, options);
-  FoundSeams found = finder.run(true);
-  if (!finder.names_sides()) return found;
-  // Where drawings show the wrong side, left and right change places: then a garment that does not
-  // heed them is worth much more.
-  FoundSeams other = finder.run(false);
-  return other.worth > found.worth + turned_panels ? other : found;
+  return Finder(pattern, options).run();
 }
 
 }  // namespace toile

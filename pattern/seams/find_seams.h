@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pattern/pattern.h"
-#include "pattern/seams/seam_weights.h"
+#include "pattern/seams/seam_certainty.h"
 
 namespace toile {
 
@@ -26,7 +26,9 @@ struct FoundSeam {
   bool reversed = true;   ///< the start of one meets the end of the other, as drawn
   double length_a = 0;    ///< metres
   double length_b = 0;    ///< metres
-  double confidence = 0;  ///< 0 to 1; 1 for a seam that was given
+  /// The share of such seams that is right, see certainty_of(); 1 for a seam that was given.
+  double confidence = 0;
+  SeamSigns signs{};  ///< what the confidence is told from
   bool given = false;
   /// The best other seam of one of the two edges. Nothing: that edge stays open, or the seam is one
   /// of equal panels that changed places.
@@ -36,7 +38,7 @@ struct FoundSeam {
 struct FoundSeams {
   std::vector<FoundSeam> seams;
   bool settled = false;  ///< searches from different beginnings found the same seams
-  double worth = 0;      ///< of the garment, see seam_weights.h
+  double worth = 0;      ///< of the garment; only ratios mean something
 };
 
 /// The seams of the whole garment, as one choice. Stitches of the pattern are not looked at; nor

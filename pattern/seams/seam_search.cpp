@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
+
+#include "pattern/seams/splitmix.h"
 
 namespace toile {
 
@@ -23,35 +24,10 @@ constexpr double cold = 0.2;
 /// Garments that a search looks at, for each edge of the pattern.
 constexpr int looks_of_search = 1000;
 
-/// Searches with the weights as they are, and with shaken ones.
-constexpr int plain_searches = 4;
-constexpr int shaken_searches = 10;
-
-/// Weights are shaken by this part, up or down.
-constexpr double shake = 0.3;
-
-/// Worths of garments that differ by less are the same.
-constexpr double same_garment = 1e-3;
-
 /// Worths that differ by less are the same.
 constexpr double same_worth = 1e-6;
 
 constexpr double impossible = -1e9;
-
-/// Of splitmix64 (Steele, Lea, Flood 2014).
-constexpr std::uint64_t golden = 0x9E3779B97F4A7C15U;
-
-std::uint64_t mixed(std::uint64_t z) {
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
-  return z ^ (z >> 31);
-}
-
-/// 0 to 1, the same for the same number.
-double scatter(int number) {
-  const std::uint64_t bits = mixed(golden * (static_cast<std::uint64_t>(number) + 1));
-  return static_cast<double>(bits >> 40) / static_cast<double>(1U << 24);
-}
 
 }  // namespace
 
@@ -115,7 +91,7 @@ SeamSearch::SeamSearch(const SeamEvidence& evidence, const SeamPairs& pairs,
 }
 
 std::uint32_t SeamSearch::random(std::uint32_t below) {
-  seed_ += golden;
+  seed_ += golden_step;
   return static_cast<std::uint32_t>(((mixed(seed_) >> 32) * below) >> 32);
 }
 
@@ -285,52 +261,28 @@ SeamSearch::Garment SeamSearch::best(int searches, int& times) {
   return best;
 }
 
-SeamSearch::Garment SeamSearch::best_near(const Partners& partners, int run) {
-  Garment best = search(run);
-  Garment near{partners, 0};
-  anneal(near, warm, cold, looks_of_search * edges_ / 4);
-  return near.worth > best.worth ? near : best;
+SeamSearch::Garment SeamSearch::near(const Partners& partners) {
+  seed_ = 0;
+  Garment garment{partners, 0};
+  for (int a = 0; a < edges_; ++a) {
+    const int b = garment.partners[a];
+    if (b < a || locked_[a] != 0 || allowed(a, b)) continue;
+    garment.partners[a] = garment.partners[b] = -1;
+  }
+  anneal(garment, warm, cold, looks_of_search * edges_ / 4);
+  return garment;
 }
 
-SeamChoice choose_seams(const SeamEvidence& evidence, const SeamPairs& pairs,
-                        const SeamMeasures& weights, const KnownSeams& known) {
-  SeamSearch search(evidence, pairs, weights, known);
-  int times = 0;
-  const SeamSearch::Garment best = search.best(plain_searches, times);
-  SeamChoice choice;
-  choice.worth = best.worth;
-  choice.settled = times > 1;
-  const int edges = static_cast<int>(evidence.edges.size());
-  for (int a = 0; a < edges; ++a) {
-    if (best.partners[a] > a) choice.seams.push_back({a, best.partners[a], 0, {-1, -1}});
+SeamSearch::Garment SeamSearch::best_near(const Partners& partners, int run) {
+  Garment best = search(run);
+  Garment other = near(partners);
+  return other.worth > best.worth ? other : best;
+}
+
+void SeamSearch::forbid(int kind) {
+  for (std::size_t pair = 0; pair < kind_.size(); ++pair) {
+    if (kind_[pair] == kind) worth_[pair] = impossible;
   }
-  for (int ask = 0; ask < shaken_searches; ++ask) {
-    SeamMeasures shaken = weights;
-    for (int i = 0; i < seam_measures; ++i) {
-      shaken[i] *= 1 + shake * (2 * scatter(ask * seam_measures + i) - 1);
-    }
-    SeamSearch other(evidence, pairs, shaken, known);
-    const Partners found = other.best_near(best.partners, ask).partners;
-    std::set<int> kinds;
-    for (int a = 0; a < edges; ++a) {
-      if (found[a] > a) kinds.insert(search.kind(a, found[a]));
-    }
-    for (ChosenSeam& seam : choice.seams) {
-      if (kinds.contains(search.kind(seam.a, seam.b))) {
-        seam.confidence += 1;
-        continue;
-      }
-      for (const int e : {seam.a, seam.b}) {
-        if (found[e] < 0 || seam.alternative[0] >= 0) continue;
-        seam.alternative = {std::min(e, found[e]), std::max(e, found[e])};
-      }
-    }
-  }
-  // No number of searches makes a seam certain (Krichevsky, Trofimov 1981).
-  for (ChosenSeam& seam : choice.seams) {
-    seam.confidence = (seam.confidence + 0.5) / (shaken_searches + 1);
-  }
-  return choice;
 }
 
 }  // namespace toile

@@ -1,4 +1,4 @@
-// Chooses the seams of a whole garment at once.
+// Searches for the best seams of a whole garment.
 #pragma once
 
 #include <array>
@@ -9,22 +9,8 @@
 
 namespace toile {
 
-struct ChosenSeam {
-  int a = 0;  ///< edge; less than b
-  int b = 0;  ///< edge
-  /// Share of the searches with shaken weights that sew it. Seams that differ in which of equal
-  /// pieces they join count as this seam. 0 to 1.
-  double confidence = 0;
-  /// What one of the two edges is sewn to in the first of them without this seam; -1: it stays
-  /// open.
-  std::array<int, 2> alternative = {-1, -1};
-};
-
-struct SeamChoice {
-  std::vector<ChosenSeam> seams;  ///< ascending
-  double worth = 0;
-  bool settled = false;  ///< searches from different beginnings ended with the same worth
-};
+/// Worths of garments that differ by less are the same.
+inline constexpr double same_garment = 1e-3;
 
 /// What is known of the seams beforehand.
 struct KnownSeams {
@@ -45,13 +31,21 @@ class SeamSearch {
     Partners partners;
     double worth = 0;
   };
+  /// The garment that one search finds; searches with other numbers begin otherwise.
+  Garment search(int run);
   /// The best garment of several searches; `times`: how many of them found its worth.
   Garment best(int searches, int& times);
-  /// The best garment that is found from this one and from the beginning.
+  /// The best garment that a short search finds from this one.
+  Garment near(const Partners& partners);
+  /// The better one of near() and search().
   Garment best_near(const Partners& partners, int run);
 
   /// Same numbers: seams that differ in which of equal pieces they join.
   int kind(int a, int b) const { return kind_[static_cast<std::size_t>(a) * edges_ + b]; }
+
+  /// Sews no seam of this kind from now on, but those that were known.
+  void forbid(int kind);
+  bool locked(int edge) const { return locked_[edge] != 0; }
 
   /// All that is measured of a garment.
   SeamMeasures measures(const Partners& partners);
@@ -66,7 +60,6 @@ class SeamSearch {
   void sew_on(int a, int b, bool forward);
   void move();
   void anneal(Garment& best, double hot, double cold, int looks);
-  Garment search(int run);
   double& pair_worth(int a, int b) { return worth_[static_cast<std::size_t>(a) * edges_ + b]; }
   double pair_worth(int a, int b) const { return worth_[static_cast<std::size_t>(a) * edges_ + b]; }
   std::uint32_t random(std::uint32_t below);
@@ -92,10 +85,5 @@ class SeamSearch {
   std::vector<BorderStep> border_;  // of now_, before the last move
   std::uint64_t seed_ = 0;
 };
-
-/// The seams of a garment, and how certain each is: weights are shaken, and the searches are asked
-/// again (perturb and MAP; Papandreou, Yuille 2011).
-SeamChoice choose_seams(const SeamEvidence& evidence, const SeamPairs& pairs,
-                        const SeamMeasures& weights, const KnownSeams& known);
 
 }  // namespace toile

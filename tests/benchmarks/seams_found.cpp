@@ -7,6 +7,9 @@
 // three fifths of a folder whose names have the lower SHA-256, `--part held` the others. Weights
 // were fitted to the first and to the samples; the others were kept aside.
 //
+// With `--signs FILE` a line is written for each seam: file, names kept, whether it is right, its
+// confidence, and what that is told from. fit_seam_certainty.py reads it.
+//
 // Seams, translations, rotations, placements and labels are taken out of each pattern first. Names
 // stay in one row and become piece1, piece2 and so on in the next. A seam is right where it joins
 // the same two edges in the same direction. Panels that coincide count as one another where names
@@ -27,16 +30,29 @@ namespace {
 
 using namespace toile;
 
+/// Lower ends of the ranges of confidence whose seams are counted.
+constexpr std::array bin_starts = {0.0, 0.5, 0.8, 0.9, 0.95, 0.98};
+constexpr std::size_t bins = bin_starts.size();
+
 struct Row {
   int garments = 0;
   int whole = 0;
   int stated = 0;
   int found = 0;
   int right = 0;
-  double seconds = 0;
+  int listed = 0;        // seams sewn or undecided
+  int listed_right = 0;  // of these
+  std::vector<double> seconds;
+  std::array<std::array<int, 2>, bins> bin{};  // of confidence: seams, and right ones
 };
 
-void add(Row& row, const std::filesystem::path& file, bool names) {
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+void add(Row& row, const std::filesystem::path& file, bool names, std::FILE* signs) {
   const std::string text = read_file(file);
   std::vector<Remark> remarks;
   const Pattern pattern = parse_drawn_pattern(text, file.string(), remarks);
@@ -46,18 +62,35 @@ void add(Row& row, const std::filesystem::path& file, bool names) {
   const FoundSeams found = find_seams(stripped(pattern, names, false), options);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   std::set<SeamPair> decided;
+  std::set<SeamPair> listed;
   for (const FoundSeam& seam : found.seams) {
+    listed.insert(seam_pair(seam.a, seam.b, seam.reversed));
     if (seam.confidence < decided_confidence) continue;
     decided.insert(seam_pair(seam.a, seam.b, seam.reversed));
   }
   SeamComparison comparison(pattern, options.drawn_walk, !names);
-  const SeamFigures figures = comparison.compare(stated_seams(pattern), decided);
+  const std::set<SeamPair> stated = stated_seams(pattern);
+  const SeamFigures figures = comparison.compare(stated, decided);
+  row.listed_right += comparison.compare(stated, listed).right;
+  row.listed += static_cast<int>(listed.size());
+  for (const FoundSeam& seam : found.seams) {
+    const bool right = comparison.right(seam_pair(seam.a, seam.b, seam.reversed));
+    std::size_t bin = bins - 1;
+    while (seam.confidence < bin_starts[bin]) --bin;
+    ++row.bin[bin][0];
+    row.bin[bin][1] += right ? 1 : 0;
+    if (signs == nullptr) continue;
+    std::fprintf(signs, "%s %d %d %.4f", file.filename().c_str(), names ? 1 : 0, right ? 1 : 0,
+                 seam.confidence);
+    for (const double sign : seam.signs) std::fprintf(signs, " %.5f", sign);
+    std::fprintf(signs, "\n");
+  }
   ++row.garments;
   row.whole += figures.whole() ? 1 : 0;
   row.stated += figures.stated;
   row.found += figures.found;
   row.right += figures.right;
-  row.seconds += seconds.count();
+  row.seconds.push_back(seconds.count());
 }
 
 /// The files that weights were fitted to, or the others, by the checksums of their names.
@@ -77,14 +110,19 @@ std::vector<std::filesystem::path> part_of(std::vector<std::filesystem::path> fi
 
 int main(int argc, char** argv) {
   std::string part;
-  std::printf(
-      "| patterns | names | garments | wholly right | precision | recall | seconds each |\n");
-  std::printf("|---|---|---|---|---|---|---|\n");
+  std::FILE* signs = nullptr;
+  std::vector<std::string> ranges;
+  std::printf("| patterns | names | garments | wholly right | precision | recall | of all listed | ");
+  std::printf("median seconds |\n|---|---|---|---|---|---|---|---|\n");
   try {
     for (int i = 1; i < argc; ++i) {
       const std::string argument = argv[i];
       if (argument == "--part" && i + 1 < argc) {
         part = argv[++i];
+        continue;
+      }
+      if (argument == "--signs" && i + 1 < argc) {
+        signs = std::fopen(argv[++i], "w");
         continue;
       }
       std::vector<std::filesystem::path> files;
@@ -98,14 +136,24 @@ int main(int argc, char** argv) {
       }
       for (const bool names : {true, false}) {
         Row row;
-        for (const auto& file : files) add(row, file, names);
-        std::printf("| %s | %s | %d | %.0f %% | %.3f | %.3f | %.1f |\n",
+        for (const auto& file : files) add(row, file, names, signs);
+        std::printf("| %s | %s | %d | %.0f %% | %.3f | %.3f | %.3f, %.3f | %.1f |\n",
                     std::filesystem::path(argument).filename().string().c_str(),
                     names ? "kept" : "gone", row.garments,
                     100.0 * row.whole / std::max(1, row.garments),
                     row.right / std::max(1.0, static_cast<double>(row.found)),
                     row.right / std::max(1.0, static_cast<double>(row.stated)),
-                    row.seconds / std::max(1, row.garments));
+                    row.listed_right / std::max(1.0, static_cast<double>(row.listed)),
+                    row.listed_right / std::max(1.0, static_cast<double>(row.stated)),
+                    median(row.seconds));
+        std::string range = names ? "| kept |" : "| gone |";
+        for (const auto& [seams, right] : row.bin) {
+          char cell[64];
+          std::snprintf(cell, sizeof cell, " %.3f of %d |", right / std::max(1.0, seams * 1.0),
+                        seams);
+          range += cell;
+        }
+        ranges.push_back(range);
         std::fflush(stdout);
       }
     }
@@ -113,5 +161,10 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;
   }
+  std::printf("\nShare of right seams, by confidence:\n\n| names |");
+  for (const double start : bin_starts) std::printf(" from %.2f |", start);
+  std::printf("\n|---|---|---|---|---|---|---|\n");
+  for (const std::string& range : ranges) std::printf("%s\n", range.c_str());
+  if (signs != nullptr) std::fclose(signs);
   return 0;
 }
