@@ -35,6 +35,20 @@ SeamMeasures weights_with(bool heed_sides) {
   return all;
 }
 
+/// The share of panels whose names differ from another panel's in the number alone.
+double numbered_share(const std::vector<PanelWords>& words) {
+  const auto alike = [](const PanelWords& a, const PanelWords& b) {
+    return a.role != PanelRole::unknown && a.number >= 0 && b.number >= 0 && a.stem == b.stem &&
+           a.face == b.face && a.side == b.side;
+  };
+  const auto is_one_of_several = [&](const PanelWords& one) {
+    return std::count_if(words.begin(), words.end(),
+                         [&](const PanelWords& other) { return alike(one, other); }) > 1;
+  };
+  return static_cast<double>(std::count_if(words.begin(), words.end(), is_one_of_several)) /
+         static_cast<double>(std::max<std::size_t>(1, words.size()));
+}
+
 const SeamSearch::Garment& better_of(const std::vector<SeamSearch::Garment>& garments,
                                      const SeamSearch::Garment& best) {
   const SeamSearch::Garment* better = &best;
@@ -160,7 +174,7 @@ void SeamChooser::tell_signs(const std::vector<SeamSearch::Garment>& shaken,
   }
   choice.settled = times > 1;
   const std::vector<WalkedEdge>& edges = evidence_.edges;
-  std::vector<const ChosenSeam*> seam_of(edges.size(), nullptr);
+  const double numbered = numbered_share(evidence_.words);
   double shaken_sum = 0;
   double gap_sum = 0;
   for (ChosenSeam& seam : choice.seams) {
@@ -176,15 +190,7 @@ void SeamChooser::tell_signs(const std::vector<SeamSearch::Garment>& shaken,
     const auto role = [&](int e) { return evidence_.words[edges[e].ref.panel].role; };
     at(signs, SeamSign::named) =
         role(seam.a) != PanelRole::unknown && role(seam.b) != PanelRole::unknown ? 1 : 0;
-    const bool same = evidence_.shapes.shape[seam.a] == evidence_.shapes.shape[seam.b];
-    at(signs, SeamSign::coincide) = same ? 1 : 0;
-    const double difference = std::abs(edges[seam.a].length - edges[seam.b].length);
-    at(signs, SeamSign::equal) = !same && difference < 1e-4 ? 1 : 0;
-    at(signs, SeamSign::unequal) = std::abs(std::log(edges[seam.a].length / edges[seam.b].length));
-    const int c = evidence_.mirror[seam.a];
-    const int d = evidence_.mirror[seam.b];
-    at(signs, SeamSign::lopsided) = c >= 0 && d >= 0 && best_.partners[c] != d ? 1 : 0;
-    seam_of[seam.a] = seam_of[seam.b] = &seam;
+    at(signs, SeamSign::numbered) = numbered;
     shaken_sum += at(signs, SeamSign::shaken);
     gap_sum += at(signs, SeamSign::gap);
   }
@@ -193,22 +199,6 @@ void SeamChooser::tell_signs(const std::vector<SeamSearch::Garment>& shaken,
     SeamSigns& signs = seam.signs;
     at(signs, SeamSign::garment_shaken) = shaken_sum / count;
     at(signs, SeamSign::garment_gap) = gap_sum / count;
-    double neighbours_count = 0;
-    for (const int e : {edges[seam.a].next, edges[seam.a].previous, edges[seam.b].next,
-                        edges[seam.b].previous}) {
-      const ChosenSeam* beside = seam_of[e];
-      if (beside == nullptr || beside == &seam) continue;
-      at(signs, SeamSign::neighbours) += beside->signs[static_cast<int>(SeamSign::shaken)];
-      at(signs, SeamSign::neighbour_gap) += beside->signs[static_cast<int>(SeamSign::gap)];
-      ++neighbours_count;
-    }
-    if (neighbours_count > 0) {
-      at(signs, SeamSign::neighbours) /= neighbours_count;
-      at(signs, SeamSign::neighbour_gap) /= neighbours_count;
-    } else {
-      at(signs, SeamSign::neighbours) = at(signs, SeamSign::shaken);
-      at(signs, SeamSign::neighbour_gap) = at(signs, SeamSign::gap);
-    }
   }
 }
 

@@ -10,6 +10,8 @@
 // With `--signs FILE` a line is written for each seam: file, names kept, whether it is right, its
 // confidence, and what that is told from. fit_seam_certainty.py reads it.
 //
+// `--mistakes` prints the wrong and the missed seams of each garment to standard error.
+//
 // Seams, translations, rotations, placements and labels are taken out of each pattern first. Names
 // stay in one row and become piece1, piece2 and so on in the next. A seam is right where it joins
 // the same two edges in the same direction. Panels that coincide count as one another where names
@@ -31,7 +33,7 @@ namespace {
 using namespace toile;
 
 /// Lower ends of the ranges of confidence whose seams are counted.
-constexpr std::array bin_starts = {0.0, 0.5, 0.8, 0.9, 0.95, 0.98};
+constexpr std::array bin_starts = {0.0, 0.5, 0.7, 0.8, 0.9, decided_confidence};
 constexpr std::size_t bins = bin_starts.size();
 
 struct Row {
@@ -52,7 +54,13 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-void add(Row& row, const std::filesystem::path& file, bool names, std::FILE* signs) {
+/// What is written besides the table.
+struct Output {
+  std::FILE* signs = nullptr;
+  bool mistakes = false;
+};
+
+void add(Row& row, const std::filesystem::path& file, bool names, const Output& output) {
   const std::string text = read_file(file);
   std::vector<Remark> remarks;
   const Pattern pattern = parse_drawn_pattern(text, file.string(), remarks);
@@ -79,11 +87,17 @@ void add(Row& row, const std::filesystem::path& file, bool names, std::FILE* sig
     while (seam.confidence < bin_starts[bin]) --bin;
     ++row.bin[bin][0];
     row.bin[bin][1] += right ? 1 : 0;
-    if (signs == nullptr) continue;
-    std::fprintf(signs, "%s %d %d %.4f", file.filename().c_str(), names ? 1 : 0, right ? 1 : 0,
+    if (output.signs == nullptr) continue;
+    std::fprintf(output.signs, "%s %d %d %.4f", file.filename().c_str(), names ? 1 : 0, right ? 1 : 0,
                  seam.confidence);
-    for (const double sign : seam.signs) std::fprintf(signs, " %.5f", sign);
-    std::fprintf(signs, "\n");
+    for (const double sign : seam.signs) std::fprintf(output.signs, " %.5f", sign);
+    std::fprintf(output.signs, "\n");
+  }
+  if (output.mistakes) {
+    std::fprintf(stderr, "%s%s\n", file.filename().c_str(), names ? "" : " nameless");
+    for (const std::string& line : comparison.mistakes(pattern)) {
+      std::fprintf(stderr, "  %s\n", line.c_str());
+    }
   }
   ++row.garments;
   row.whole += figures.whole() ? 1 : 0;
@@ -110,7 +124,7 @@ std::vector<std::filesystem::path> part_of(std::vector<std::filesystem::path> fi
 
 int main(int argc, char** argv) {
   std::string part;
-  std::FILE* signs = nullptr;
+  Output output;
   std::vector<std::string> ranges;
   std::printf("| patterns | names | garments | wholly right | precision | recall | of all listed | ");
   std::printf("median seconds |\n|---|---|---|---|---|---|---|---|\n");
@@ -122,7 +136,11 @@ int main(int argc, char** argv) {
         continue;
       }
       if (argument == "--signs" && i + 1 < argc) {
-        signs = std::fopen(argv[++i], "w");
+        output.signs = std::fopen(argv[++i], "w");
+        continue;
+      }
+      if (argument == "--mistakes") {
+        output.mistakes = true;
         continue;
       }
       std::vector<std::filesystem::path> files;
@@ -136,7 +154,7 @@ int main(int argc, char** argv) {
       }
       for (const bool names : {true, false}) {
         Row row;
-        for (const auto& file : files) add(row, file, names, signs);
+        for (const auto& file : files) add(row, file, names, output);
         std::printf("| %s | %s | %d | %.0f %% | %.3f | %.3f | %.3f, %.3f | %.1f |\n",
                     std::filesystem::path(argument).filename().string().c_str(),
                     names ? "kept" : "gone", row.garments,
@@ -165,6 +183,6 @@ int main(int argc, char** argv) {
   for (const double start : bin_starts) std::printf(" from %.2f |", start);
   std::printf("\n|---|---|---|---|---|---|---|\n");
   for (const std::string& range : ranges) std::printf("%s\n", range.c_str());
-  if (signs != nullptr) std::fclose(signs);
+  if (output.signs != nullptr) std::fclose(output.signs);
   return 0;
 }
