@@ -49,7 +49,7 @@ FoundSeams find_seams(const Pattern& pattern, const FindSeamsOptions& options);
 
 /// Confidence from which on a seam is decided. Of the seams above it, 0.98 are right in the garments
 /// that it was chosen on, with names, and 0.58 of the right ones are above it. A threshold with half
-/// the distance to 1, 0.97, gives 0.98 and 0.16; one with double the distance, 0.88, 0.96 and 0.73.
+/// the distance to 1, 0.97, gives 0.98 and 0.16; one with double the distance, 0.88, 0.96 and 0.71.
 inline constexpr double decided_confidence = 0.94;
 
 }  // namespace toile

