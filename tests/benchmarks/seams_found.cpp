@@ -88,8 +88,8 @@ void add(Row& row, const std::filesystem::path& file, bool names, const Output& 
     ++row.bin[bin][0];
     row.bin[bin][1] += right ? 1 : 0;
     if (output.signs == nullptr) continue;
-    std::fprintf(output.signs, "%s %d %d %.4f", file.filename().c_str(), names ? 1 : 0, right ? 1 : 0,
-                 seam.confidence);
+    std::fprintf(output.signs, "%s %d %d %.4f", file.filename().c_str(), names ? 1 : 0,
+                 right ? 1 : 0, seam.confidence);
     for (const double sign : seam.signs) std::fprintf(output.signs, " %.5f", sign);
     std::fprintf(output.signs, "\n");
   }
@@ -126,7 +126,8 @@ int main(int argc, char** argv) {
   std::string part;
   Output output;
   std::vector<std::string> ranges;
-  std::printf("| patterns | names | garments | wholly right | precision | recall | of all listed | ");
+  std::printf(
+      "| patterns | names | garments | wholly right | precision | recall | of all listed | ");
   std::printf("median seconds |\n|---|---|---|---|---|---|---|---|\n");
   try {
     for (int i = 1; i < argc; ++i) {
@@ -155,15 +156,14 @@ int main(int argc, char** argv) {
       for (const bool names : {true, false}) {
         Row row;
         for (const auto& file : files) add(row, file, names, output);
-        std::printf("| %s | %s | %d | %.0f %% | %.3f | %.3f | %.3f, %.3f | %.1f |\n",
-                    std::filesystem::path(argument).filename().string().c_str(),
-                    names ? "kept" : "gone", row.garments,
-                    100.0 * row.whole / std::max(1, row.garments),
-                    row.right / std::max(1.0, static_cast<double>(row.found)),
-                    row.right / std::max(1.0, static_cast<double>(row.stated)),
-                    row.listed_right / std::max(1.0, static_cast<double>(row.listed)),
-                    row.listed_right / std::max(1.0, static_cast<double>(row.stated)),
-                    median(row.seconds));
+        std::printf(
+            "| %s | %s | %d | %.0f %% | %.3f | %.3f | %.3f, %.3f | %.1f |\n",
+            std::filesystem::path(argument).filename().string().c_str(), names ? "kept" : "gone",
+            row.garments, 100.0 * row.whole / std::max(1, row.garments),
+            row.right / std::max(1.0, static_cast<double>(row.found)),
+            row.right / std::max(1.0, static_cast<double>(row.stated)),
+            row.listed_right / std::max(1.0, static_cast<double>(row.listed)),
+            row.listed_right / std::max(1.0, static_cast<double>(row.stated)), median(row.seconds));
         std::string range = names ? "| kept |" : "| gone |";
         for (const auto& [seams, right] : row.bin) {
           char cell[64];

@@ -12,7 +12,8 @@
 namespace toile {
 namespace find_seams_test {
 
-// Bounds at what was reached: 0.95 and 0.72 with names, 0.93 and 0.91 whatever the confidence. bench_seams_found has the whole table.
+// Bounds at what was reached: 0.95 and 0.72 with names, 0.93 and 0.91 whatever the confidence.
+// bench_seams_found has the whole table.
 TEST(FindSeamsOfSamples, MostAreFoundAgainWithNames) {
   SeamFigures sum;
   SeamFigures all;

@@ -68,9 +68,8 @@ TEST_F(SeamsOfTshirt, NoForbiddenKindIsSewn) {
 
 TEST(SeamCertainty, IsHighWhereAllSignsSpeakForASeam) {
   SeamSigns good{};
-  for (const SeamSign sign :
-       {SeamSign::one, SeamSign::shaken, SeamSign::plain,
-        SeamSign::garment_shaken, SeamSign::settled, SeamSign::named}) {
+  for (const SeamSign sign : {SeamSign::one, SeamSign::shaken, SeamSign::plain,
+                              SeamSign::garment_shaken, SeamSign::settled, SeamSign::named}) {
     good[static_cast<int>(sign)] = 1;
   }
   for (const SeamSign sign : {SeamSign::gap, SeamSign::garment_gap}) {
