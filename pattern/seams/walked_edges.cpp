@@ -76,6 +76,15 @@ std::vector<WalkedEdge> walked_edges(const Pattern& pattern, bool drawn_walk) {
       const Vec2 warp(-std::sin(panel.grain), std::cos(panel.grain));
       const double across = std::abs(chord.x() * warp.y() - chord.y() * warp.x());
       edge.across_grain = across / std::max(chord.norm(), 1e-9);
+      // The walk is counter-clockwise, so the outside lies to the right. It may be drawn mirrored.
+      const Vec2 walk = points[chords] - points[0];
+      const bool flipped =
+          drawn_walk &&
+          (walk - (edge.forward ? chord : Vec2(-chord))).norm() >
+              (Vec2(-walk.x(), walk.y()) - (edge.forward ? chord : Vec2(-chord))).norm();
+      const Vec2 seen_warp(flipped ? -warp.x() : warp.x(), warp.y());
+      edge.upwards =
+          (walk.y() * seen_warp.x() - walk.x() * seen_warp.y()) / std::max(walk.norm(), 1e-9);
       edge.points = points;
       edges.push_back(edge);
     }

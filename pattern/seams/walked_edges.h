@@ -19,7 +19,10 @@ struct WalkedEdge {
   /// Radians by which the tangent turns in each quarter of the length, left is positive.
   std::array<double, 4> turning{};
   double across_grain = 0;  ///< sine of the angle between the edge's chord and the warp
-  double corner = 0;        ///< radians: the panel's inner angle where this edge starts
+  /// Cosine of the angle between the warp, as drawn, and what lies beyond the edge: 1 at an upper
+  /// edge, -1 at a hem.
+  double upwards = 0;
+  double corner = 0;  ///< radians: the panel's inner angle where this edge starts
   /// Points at equal steps of length, from the walk's first to its last. Metres.
   std::vector<Vec2> points;
 };

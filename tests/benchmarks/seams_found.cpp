@@ -3,9 +3,14 @@
 //   cmake --build build/release --target bench_seams_found
 //   build/release/tests/bench_seams_found samples ../shared/data/patterns/garmentcode
 //
-// Each argument is a row: a folder of pattern files, or a file. `--half A` takes the half of a
-// folder whose names have the lower SHA-256, `--half B` the other. Weights were chosen on few small
-// garments of half A, on the samples and on two GarmentCode files.
+// Each argument is a row: a folder of pattern files, or a file. `--part fit` takes the
+// three fifths of a folder whose names have the lower SHA-256, `--part held` the others. Weights
+// were fitted to the first and to the samples; the others were kept aside.
+//
+// With `--signs FILE` a line is written for each seam: file, names kept, whether it is right, its
+// confidence, and what that is told from. fit_seam_certainty.py reads it.
+//
+// `--mistakes` prints the wrong and the missed seams of each garment to standard error.
 //
 // Seams, translations, rotations, placements and labels are taken out of each pattern first. Names
 // stay in one row and become piece1, piece2 and so on in the next. A seam is right where it joins
@@ -27,16 +32,35 @@ namespace {
 
 using namespace toile;
 
+/// Lower ends of the ranges of confidence whose seams are counted.
+constexpr std::array bin_starts = {0.0, 0.5, 0.7, 0.8, 0.9, decided_confidence};
+constexpr std::size_t bins = bin_starts.size();
+
 struct Row {
   int garments = 0;
   int whole = 0;
   int stated = 0;
   int found = 0;
   int right = 0;
-  double seconds = 0;
+  int listed = 0;        // seams sewn or undecided
+  int listed_right = 0;  // of these
+  std::vector<double> seconds;
+  std::array<std::array<int, 2>, bins> bin{};  // of confidence: seams, and right ones
 };
 
-void add(Row& row, const std::filesystem::path& file, bool names) {
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+/// What is written besides the table.
+struct Output {
+  std::FILE* signs = nullptr;
+  bool mistakes = false;
+};
+
+void add(Row& row, const std::filesystem::path& file, bool names, const Output& output) {
   const std::string text = read_file(file);
   std::vector<Remark> remarks;
   const Pattern pattern = parse_drawn_pattern(text, file.string(), remarks);
@@ -46,28 +70,52 @@ void add(Row& row, const std::filesystem::path& file, bool names) {
   const FoundSeams found = find_seams(stripped(pattern, names, false), options);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   std::set<SeamPair> decided;
+  std::set<SeamPair> listed;
   for (const FoundSeam& seam : found.seams) {
+    listed.insert(seam_pair(seam.a, seam.b, seam.reversed));
     if (seam.confidence < decided_confidence) continue;
     decided.insert(seam_pair(seam.a, seam.b, seam.reversed));
   }
   SeamComparison comparison(pattern, options.drawn_walk, !names);
-  const SeamFigures figures = comparison.compare(stated_seams(pattern), decided);
+  const std::set<SeamPair> stated = stated_seams(pattern);
+  const SeamFigures figures = comparison.compare(stated, decided);
+  row.listed_right += comparison.compare(stated, listed).right;
+  row.listed += static_cast<int>(listed.size());
+  for (const FoundSeam& seam : found.seams) {
+    const bool right = comparison.right(seam_pair(seam.a, seam.b, seam.reversed));
+    std::size_t bin = bins - 1;
+    while (seam.confidence < bin_starts[bin]) --bin;
+    ++row.bin[bin][0];
+    row.bin[bin][1] += right ? 1 : 0;
+    if (output.signs == nullptr) continue;
+    std::fprintf(output.signs, "%s %d %d %.4f", file.filename().c_str(), names ? 1 : 0,
+                 right ? 1 : 0, seam.confidence);
+    for (const double sign : seam.signs) std::fprintf(output.signs, " %.5f", sign);
+    std::fprintf(output.signs, "\n");
+  }
+  if (output.mistakes) {
+    std::fprintf(stderr, "%s%s\n", file.filename().c_str(), names ? "" : " nameless");
+    for (const std::string& line : comparison.mistakes(pattern)) {
+      std::fprintf(stderr, "  %s\n", line.c_str());
+    }
+  }
   ++row.garments;
   row.whole += figures.whole() ? 1 : 0;
   row.stated += figures.stated;
   row.found += figures.found;
   row.right += figures.right;
-  row.seconds += seconds.count();
+  row.seconds.push_back(seconds.count());
 }
 
-/// The lower or the upper half of the files by the checksums of their names.
-std::vector<std::filesystem::path> half_of(std::vector<std::filesystem::path> files, char half) {
+/// The files that weights were fitted to, or the others, by the checksums of their names.
+std::vector<std::filesystem::path> part_of(std::vector<std::filesystem::path> files,
+                                           const std::string& part) {
   std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) {
     return sha256(a.filename().string()) < sha256(b.filename().string());
   });
-  const auto middle = files.begin() + static_cast<std::ptrdiff_t>(files.size() / 2);
-  if (half == 'A') files.erase(middle, files.end());
-  if (half == 'B') files.erase(files.begin(), middle);
+  const auto border = files.begin() + static_cast<std::ptrdiff_t>(files.size() * 3 / 5);
+  if (part == "fit") files.erase(border, files.end());
+  if (part == "held") files.erase(files.begin(), border);
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -75,15 +123,25 @@ std::vector<std::filesystem::path> half_of(std::vector<std::filesystem::path> fi
 }  // namespace
 
 int main(int argc, char** argv) {
-  char half = ' ';
+  std::string part;
+  Output output;
+  std::vector<std::string> ranges;
   std::printf(
-      "| patterns | names | garments | wholly right | precision | recall | seconds each |\n");
-  std::printf("|---|---|---|---|---|---|---|\n");
+      "| patterns | names | garments | wholly right | precision | recall | of all listed | ");
+  std::printf("median seconds |\n|---|---|---|---|---|---|---|---|\n");
   try {
     for (int i = 1; i < argc; ++i) {
       const std::string argument = argv[i];
-      if (argument == "--half" && i + 1 < argc) {
-        half = argv[++i][0];
+      if (argument == "--part" && i + 1 < argc) {
+        part = argv[++i];
+        continue;
+      }
+      if (argument == "--signs" && i + 1 < argc) {
+        output.signs = std::fopen(argv[++i], "w");
+        continue;
+      }
+      if (argument == "--mistakes") {
+        output.mistakes = true;
         continue;
       }
       std::vector<std::filesystem::path> files;
@@ -91,20 +149,29 @@ int main(int argc, char** argv) {
         for (const auto& entry : std::filesystem::directory_iterator(argument)) {
           if (entry.path().extension() == ".json") files.push_back(entry.path());
         }
-        files = half_of(std::move(files), half);
+        files = part_of(std::move(files), part);
       } else {
         files.push_back(argument);
       }
       for (const bool names : {true, false}) {
         Row row;
-        for (const auto& file : files) add(row, file, names);
-        std::printf("| %s | %s | %d | %.0f %% | %.3f | %.3f | %.1f |\n",
-                    std::filesystem::path(argument).filename().string().c_str(),
-                    names ? "kept" : "gone", row.garments,
-                    100.0 * row.whole / std::max(1, row.garments),
-                    row.right / std::max(1.0, static_cast<double>(row.found)),
-                    row.right / std::max(1.0, static_cast<double>(row.stated)),
-                    row.seconds / std::max(1, row.garments));
+        for (const auto& file : files) add(row, file, names, output);
+        std::printf(
+            "| %s | %s | %d | %.0f %% | %.3f | %.3f | %.3f, %.3f | %.1f |\n",
+            std::filesystem::path(argument).filename().string().c_str(), names ? "kept" : "gone",
+            row.garments, 100.0 * row.whole / std::max(1, row.garments),
+            row.right / std::max(1.0, static_cast<double>(row.found)),
+            row.right / std::max(1.0, static_cast<double>(row.stated)),
+            row.listed_right / std::max(1.0, static_cast<double>(row.listed)),
+            row.listed_right / std::max(1.0, static_cast<double>(row.stated)), median(row.seconds));
+        std::string range = names ? "| kept |" : "| gone |";
+        for (const auto& [seams, right] : row.bin) {
+          char cell[64];
+          std::snprintf(cell, sizeof cell, " %.3f of %d |", right / std::max(1.0, seams * 1.0),
+                        seams);
+          range += cell;
+        }
+        ranges.push_back(range);
         std::fflush(stdout);
       }
     }
@@ -112,5 +179,10 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;
   }
+  std::printf("\nShare of right seams, by confidence:\n\n| names |");
+  for (const double start : bin_starts) std::printf(" from %.2f |", start);
+  std::printf("\n|---|---|---|---|---|---|---|\n");
+  for (const std::string& range : ranges) std::printf("%s\n", range.c_str());
+  if (output.signs != nullptr) std::fclose(output.signs);
   return 0;
 }

@@ -93,9 +93,16 @@ class SeamComparison {
     best_.clear();
     int plain = 0;
     for (const Walk& walk : found_) plain += matches(walk, {}) ? 1 : 0;
-    figures.right = std::max(plain, lay());
+    figures.right = lay();
+    if (plain >= figures.right) {
+      figures.right = plain;
+      best_.clear();
+    }
     return figures;
   }
+
+  /// Whether a seam of the last compare() was right.
+  bool right(const SeamPair& seam) const { return matches(*walks({seam}).begin(), best_); }
 
   /// The found seams that are not right, and the stated ones that were not found, after compare().
   std::vector<std::string> mistakes(const Pattern& pattern) const;

@@ -69,7 +69,7 @@ Json find_seams_json(const std::string& file, const Pattern& pattern, const Foun
   report["program"] = "find-seams";
   report["pattern"] = file;
   report["min_confidence"] = min_confidence;
-  report["proved_best"] = found.proved;
+  report["settled"] = found.settled;
   report["seconds"] = seconds;
   report["seams"] = Json::array();
   report["undecided"] = Json::array();

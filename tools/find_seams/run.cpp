@@ -79,9 +79,10 @@ int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& comm
                                   " stitches are replaced; --keep keeps them"});
   }
   const FoundSeams found = find_seams(pattern, options);
-  if (!found.proved) {
-    remarks.push_back({true, name + ": the search for seams ended before it was done; look at all "
-                                    "of them, or sew some by --sew and keep what is right"});
+  if (!found.settled) {
+    remarks.push_back(
+        {true, name + ": searches for seams disagree about the best garment; look at all "
+                      "of them, or sew some by --sew and keep what is right"});
   }
   say_remarks(remarks, common);
   std::vector<FoundSeam> decided;

@@ -1,0 +1,30 @@
+// How often a found seam is right, told from how the searches found it.
+#pragma once
+
+#include <array>
+
+namespace toile {
+
+/// What tells right seams from wrong ones. Shares are 0 to 1.
+enum class SeamSign {
+  one,             ///< 1
+  shaken,          ///< share of the searches with shaken weights that sew it
+  plain,           ///< share of the searches with the weights as they are that sew it
+  gap,             ///< log(1 + what the best garment without it is worth less, at most 6)
+  garment_shaken,  ///< `shaken` of all seams of the garment; the mean
+  garment_gap,     ///< `gap` of all of these; the mean
+  settled,         ///< share of the searches that ended with the garment's worth
+  edges,           ///< logarithm of the number of edges
+  named,           ///< 1: names say what both pieces are
+  numbered,        ///< share of the pieces whose names differ from another's in the number alone
+  count
+};
+
+inline constexpr int seam_signs = static_cast<int>(SeamSign::count);
+
+using SeamSigns = std::array<double, seam_signs>;
+
+/// The share of such seams that is right, 0 to 1: a logistic regression (Cox 1958).
+double certainty_of(const SeamSigns& signs);
+
+}  // namespace toile

@@ -1,0 +1,205 @@
+#include "pattern/seams/seam_choice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "geometry/parallel.h"
+#include "pattern/seams/splitmix.h"
+
+namespace toile {
+
+namespace {
+
+/// Searches with the weights as they are, and with shaken ones.
+constexpr int plain_searches = 4;
+constexpr int shaken_searches = 10;
+
+/// Weights are shaken by this part, up or down.
+constexpr double shake = 0.3;
+
+/// How often what is better than the best garment is taken.
+constexpr int most_rounds = 3;
+
+/// Worth: a garment that lacks more is no rival.
+constexpr double widest_gap = 6;
+
+/// 0 to 1, the same for the same number.
+double scatter(int number) {
+  return unit_part(mixed(golden_step * (static_cast<std::uint64_t>(number) + 1)));
+}
+
+SeamMeasures weights_with(bool heed_sides) {
+  SeamMeasures all = seam_weights;
+  if (!heed_sides) all[static_cast<int>(SeamMeasure::sides_differ)] = 0;
+  return all;
+}
+
+/// The share of panels whose names differ from another panel's in the number alone.
+double numbered_share(const std::vector<PanelWords>& words) {
+  const auto alike = [](const PanelWords& a, const PanelWords& b) {
+    return a.role != PanelRole::unknown && a.number >= 0 && b.number >= 0 && a.stem == b.stem &&
+           a.face == b.face && a.side == b.side;
+  };
+  const auto is_one_of_several = [&](const PanelWords& one) {
+    return std::count_if(words.begin(), words.end(),
+                         [&](const PanelWords& other) { return alike(one, other); }) > 1;
+  };
+  return static_cast<double>(std::count_if(words.begin(), words.end(), is_one_of_several)) /
+         static_cast<double>(std::max<std::size_t>(1, words.size()));
+}
+
+const SeamSearch::Garment& better_of(const std::vector<SeamSearch::Garment>& garments,
+                                     const SeamSearch::Garment& best) {
+  const SeamSearch::Garment* better = &best;
+  for (const SeamSearch::Garment& garment : garments) {
+    if (garment.partners.empty()) continue;
+    if (garment.worth > better->worth + same_garment) better = &garment;
+  }
+  return *better;
+}
+
+}  // namespace
+
+SeamChooser::SeamChooser(const SeamEvidence& evidence, bool heed_sides, const KnownSeams& known)
+    : evidence_(evidence),
+      known_(known),
+      pairs_(evidence, heed_sides),
+      weights_(weights_with(heed_sides)),
+      search_(evidence, pairs_, weights_, known),
+      plain_(plain_searches) {
+  parallel_for(plain_searches, [&](std::size_t run) {
+    SeamSearch search = search_;
+    plain_[run] = search.search(static_cast<int>(run));
+  });
+  best_ = plain_.front();
+  best_ = better_of(plain_, best_);
+}
+
+std::vector<SeamSearch::Garment> SeamChooser::found_with_shaken_weights() const {
+  std::vector<SeamSearch::Garment> found(shaken_searches);
+  parallel_for(shaken_searches, [&](std::size_t ask) {
+    SeamMeasures shaken = weights_;
+    for (int i = 0; i < seam_measures; ++i) {
+      shaken[i] *= 1 + shake * (2 * scatter(static_cast<int>(ask) * seam_measures + i) - 1);
+    }
+    SeamSearch search(evidence_, pairs_, shaken, known_);
+    found[ask] = search.best_near(best_.partners, static_cast<int>(ask));
+  });
+  return found;
+}
+
+std::vector<SeamSearch::Garment> SeamChooser::found_without() const {
+  const int edges = static_cast<int>(evidence_.edges.size());
+  std::map<int, int> first;  // per kind of seam: the edge that names it first
+  for (int a = 0; a < edges; ++a) {
+    if (best_.partners[a] > a && !search_.locked(a)) {
+      first.emplace(search_.kind(a, best_.partners[a]), a);
+    }
+  }
+  const std::vector<std::pair<int, int>> kinds(first.begin(), first.end());
+  std::vector<SeamSearch::Garment> of_kind(kinds.size());
+  parallel_for(kinds.size(), [&](std::size_t i) {
+    SeamSearch search = search_;
+    search.forbid(kinds[i].first);
+    of_kind[i] = search.near(best_.partners);
+  });
+  std::vector<SeamSearch::Garment> found(edges);
+  for (int a = 0; a < edges; ++a) {
+    if (best_.partners[a] < 0 || search_.locked(a)) continue;
+    const int kind = search_.kind(a, best_.partners[a]);
+    const auto at = std::lower_bound(kinds.begin(), kinds.end(), std::pair{kind, 0});
+    found[a] = of_kind[at - kinds.begin()];
+  }
+  return found;
+}
+
+SeamChoice SeamChooser::choose() {
+  const std::vector<SeamSearch::Garment> shaken = found_with_shaken_weights();
+  std::vector<SeamSearch::Garment> polished(shaken.size());
+  parallel_for(shaken.size(), [&](std::size_t i) {
+    SeamSearch search = search_;
+    polished[i] = search.near(shaken[i].partners);
+  });
+  best_ = better_of(polished, best_);
+  std::vector<SeamSearch::Garment> without = found_without();
+  for (int round = 1; round < most_rounds; ++round) {
+    const SeamSearch::Garment& better = better_of(without, best_);
+    if (&better == &best_) break;
+    best_ = SeamSearch::Garment(better);
+    without = found_without();
+  }
+  SeamChoice choice;
+  choice.worth = best_.worth;
+  const int edges = static_cast<int>(evidence_.edges.size());
+  for (int a = 0; a < edges; ++a) {
+    const int b = best_.partners[a];
+    if (b < a) continue;
+    choice.seams.push_back({a, b, {}, {-1, -1}});
+    if (without[a].partners.empty()) continue;
+    for (const int e : {a, b}) {
+      const int other = without[a].partners[e];
+      if (other < 0 || choice.seams.back().alternative[0] >= 0) continue;
+      choice.seams.back().alternative = {std::min(e, other), std::max(e, other)};
+    }
+  }
+  tell_signs(shaken, without, choice);
+  return choice;
+}
+
+/// The share of garments that have a seam of this kind.
+double SeamChooser::share(const std::vector<SeamSearch::Garment>& garments, int a, int b) const {
+  const int kind = search_.kind(a, b);
+  int count = 0;
+  for (const SeamSearch::Garment& garment : garments) {
+    for (int e = 0; e < static_cast<int>(garment.partners.size()); ++e) {
+      const int other = garment.partners[e];
+      if (other < e || search_.kind(e, other) != kind) continue;
+      ++count;
+      break;
+    }
+  }
+  return static_cast<double>(count) / static_cast<double>(garments.size());
+}
+
+void SeamChooser::tell_signs(const std::vector<SeamSearch::Garment>& shaken,
+                             const std::vector<SeamSearch::Garment>& without,
+                             SeamChoice& choice) const {
+  const auto at = [](SeamSigns& signs, SeamSign sign) -> double& {
+    return signs[static_cast<int>(sign)];
+  };
+  int times = 0;
+  for (const SeamSearch::Garment& garment : plain_) {
+    if (std::abs(garment.worth - best_.worth) < same_garment) ++times;
+  }
+  choice.settled = times > 1;
+  const std::vector<WalkedEdge>& edges = evidence_.edges;
+  const double numbered = numbered_share(evidence_.words);
+  double shaken_sum = 0;
+  double gap_sum = 0;
+  for (ChosenSeam& seam : choice.seams) {
+    SeamSigns& signs = seam.signs;
+    at(signs, SeamSign::one) = 1;
+    at(signs, SeamSign::shaken) = share(shaken, seam.a, seam.b);
+    at(signs, SeamSign::plain) = share(plain_, seam.a, seam.b);
+    const double lacks =
+        without[seam.a].partners.empty() ? widest_gap : best_.worth - without[seam.a].worth;
+    at(signs, SeamSign::gap) = std::log1p(std::clamp(lacks, 0.0, widest_gap));
+    at(signs, SeamSign::settled) = static_cast<double>(times) / plain_searches;
+    at(signs, SeamSign::edges) = std::log(static_cast<double>(edges.size()));
+    const auto role = [&](int e) { return evidence_.words[edges[e].ref.panel].role; };
+    at(signs, SeamSign::named) =
+        role(seam.a) != PanelRole::unknown && role(seam.b) != PanelRole::unknown ? 1 : 0;
+    at(signs, SeamSign::numbered) = numbered;
+    shaken_sum += at(signs, SeamSign::shaken);
+    gap_sum += at(signs, SeamSign::gap);
+  }
+  const double count = static_cast<double>(std::max<std::size_t>(1, choice.seams.size()));
+  for (ChosenSeam& seam : choice.seams) {
+    SeamSigns& signs = seam.signs;
+    at(signs, SeamSign::garment_shaken) = shaken_sum / count;
+    at(signs, SeamSign::garment_gap) = gap_sum / count;
+  }
+}
+
+}  // namespace toile

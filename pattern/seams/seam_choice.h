@@ -1,0 +1,56 @@
+// The seams of a garment, and how certain each is.
+#pragma once
+
+#include "pattern/seams/seam_certainty.h"
+#include "pattern/seams/seam_search.h"
+
+namespace toile {
+
+struct ChosenSeam {
+  int a = 0;  ///< edge; less than b
+  int b = 0;  ///< edge
+  /// What its certainty is told from. Seams that differ in which of equal pieces they join count
+  /// as one.
+  SeamSigns signs{};
+  /// What one of the two edges is sewn to in the best garment without this seam; -1: they stay
+  /// open.
+  std::array<int, 2> alternative = {-1, -1};
+};
+
+struct SeamChoice {
+  std::vector<ChosenSeam> seams;  ///< ascending
+  double worth = 0;
+  bool settled = false;  ///< searches from different beginnings ended with the same worth
+};
+
+/// Chooses the seams with searches from several beginnings, then asks how certain each is. Searches
+/// are repeated with shaken weights (perturb and MAP; Papandreou, Yuille 2011), and without each
+/// seam. Searches run in parallel. The same evidence gives the same bits for any number of threads.
+class SeamChooser {
+ public:
+  /// Runs the searches with the weights as they are.
+  SeamChooser(const SeamEvidence& evidence, bool heed_sides, const KnownSeams& known);
+
+  double worth() const { return best_.worth; }
+
+  /// Runs the others. What they find that is better is taken.
+  SeamChoice choose();
+
+ private:
+  std::vector<SeamSearch::Garment> found_with_shaken_weights() const;
+  /// Per edge of the best garment: the best one without its seam; empty where the edge is open.
+  std::vector<SeamSearch::Garment> found_without() const;
+  double share(const std::vector<SeamSearch::Garment>& garments, int a, int b) const;
+  void tell_signs(const std::vector<SeamSearch::Garment>& shaken,
+                  const std::vector<SeamSearch::Garment>& without, SeamChoice& choice) const;
+
+  const SeamEvidence& evidence_;
+  const KnownSeams& known_;
+  SeamPairs pairs_;
+  SeamMeasures weights_;
+  SeamSearch search_;
+  std::vector<SeamSearch::Garment> plain_;
+  SeamSearch::Garment best_;
+};
+
+}  // namespace toile

@@ -1,0 +1,215 @@
+#include "pattern/seams/seam_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace toile {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+/// Longer over shorter side: no seam is gathered more.
+constexpr double max_fullness = 4;
+
+/// Radians: the inner angle at the tip of a dart is larger.
+constexpr double sharpest_dart_tip = 285 * degree;
+
+/// How much the curves of two sides speak for a seam, 0 to 1. Straight sides say nothing.
+double curve_match(const std::array<double, 4>& a, const std::array<double, 4>& b) {
+  double size = 0;
+  double alike = 0;
+  double into = 0;
+  for (int k = 0; k < 4; ++k) {
+    size += std::abs(a[k]) + std::abs(b[3 - k]);
+    alike += std::abs(a[k] - b[3 - k]);
+    into += std::abs(a[k] + b[3 - k]);
+  }
+  if (size < 4 * degree) return 0;
+  return 1 - 2 * std::min(alike, into) / size;
+}
+
+bool may_meet(PanelRole a, PanelRole b) {
+  using enum PanelRole;
+  if (a > b) std::swap(a, b);
+  if (a == unknown || b == unknown || a == b) return true;
+  if (b == facing || b == pocket || b == yoke) return true;
+  switch (a) {
+    case bodice:
+      return b != cuff;
+    case skirt:
+      return b == waistband;
+    case trousers:
+      return b == waistband || b == cuff;
+    case sleeve:
+      return b == cuff || b == hood || b == collar;
+    case collar:
+      return b == hood;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+SeamEvidence seam_evidence(const Pattern& pattern, bool drawn_walk) {
+  SeamEvidence evidence;
+  evidence.edges = walked_edges(pattern, drawn_walk);
+  for (const PatternPanel& panel : pattern.panels) evidence.words.push_back(words_of(panel));
+  evidence.fits = panel_fits(evidence.edges);
+  evidence.shapes = edge_shapes(evidence.edges, evidence.fits);
+  evidence.mirror = mirror_partners(evidence.edges, evidence.fits, evidence.words);
+  return evidence;
+}
+
+double turning_of(const WalkedEdge& edge) {
+  return edge.turning[0] + edge.turning[1] + edge.turning[2] + edge.turning[3];
+}
+
+SeamPairs::SeamPairs(const SeamEvidence& evidence, bool heed_sides)
+    : edges_(evidence.edges),
+      words_(evidence.words),
+      mirror_(evidence.mirror),
+      shape_(evidence.shapes.shape),
+      heed_sides_(heed_sides) {}
+
+bool SeamPairs::possible(int a, int b) const {
+  if (a == b) return false;
+  const PanelWords& first = words_[edges_[a].ref.panel];
+  const PanelWords& second = words_[edges_[b].ref.panel];
+  if (!may_meet(first.role, second.role)) return false;
+  if (heed_sides_ && first.side * second.side < 0 && first.stem != second.stem) return false;
+  const bool arms = first.role == PanelRole::sleeve || first.role == PanelRole::cuff;
+  if (arms && first.side * second.side < 0) return false;
+  // Neighbours on an outline are sewn as darts alone.
+  if (edges_[a].next == b && edges_[b].corner < sharpest_dart_tip) return false;
+  if (edges_[b].next == a && edges_[a].corner < sharpest_dart_tip) return false;
+  const double ratio = edges_[a].length / edges_[b].length;
+  return ratio < max_fullness && ratio > 1 / max_fullness;
+}
+
+SeamMeasures SeamPairs::measures(int a, int b) const {
+  SeamMeasures measures{};
+  measure_shapes(a, b, measures);
+  if (edges_[a].ref.panel != edges_[b].ref.panel) measure_names(a, b, measures);
+  return measures;
+}
+
+void SeamPairs::measure_shapes(int a, int b, SeamMeasures& measures) const {
+  const auto at = [&](SeamMeasure measure) -> double& {
+    return measures[static_cast<int>(measure)];
+  };
+  using enum SeamMeasure;
+  const WalkedEdge& first = edges_[a];
+  const WalkedEdge& second = edges_[b];
+  at(seam) = 1;
+  const double ratio =
+      std::max(first.length, second.length) / std::min(first.length, second.length);
+  const bool are_halves = mirror_[a] == b && first.ref.panel != second.ref.panel;
+  const double turn_a = turning_of(first);
+  const double turn_b = turning_of(second);
+  if (!are_halves) at(concave) = std::max(0.0, std::min(-turn_a, -turn_b));
+  const bool tip = (first.next == b && edges_[b].corner > sharpest_dart_tip) ||
+                   (second.next == a && edges_[a].corner > sharpest_dart_tip);
+  if (tip && ratio < 1.05) {
+    at(dart) = 1;
+    return;
+  }
+  const double up = first.upwards * second.upwards;
+  at(up_and_down) = std::max(0.0, -up);
+  if (first.upwards > 0 && second.upwards > 0) at(both_up) = up;
+  if (first.upwards < 0 && second.upwards < 0) at(both_down) = up;
+  at(same_panel) = first.ref.panel == second.ref.panel ? 1 : 0;
+  if (shape_[a] == shape_[b]) {
+    at(coincide) = 1;
+    at(coincide_curved) = std::min(std::abs(turn_a) + std::abs(turn_b), std::numbers::pi);
+    at(across_grain) = first.across_grain;
+    if (are_halves) at(halves) = first.length / longest_of_panel(a);
+    return;
+  }
+  if (std::abs(first.length - second.length) < 1e-4) {
+    at(equal_length) = 1;
+    at(rare_length) = is_rare(first.length, a, b) ? 1 : 0;
+  }
+  at(close_length) = std::exp(-(ratio - 1) / 0.005);
+  at(near_length) = std::exp(-(ratio - 1) / 0.03);
+  at(log_ratio) = std::log(ratio);
+  if (ratio < 1.3)
+    at(curve) = curve_match(first.turning, second.turning);
+  else
+    at(curve_gathered) = curve_match(first.turning, second.turning);
+  at(grains_differ) = std::abs(first.across_grain - second.across_grain);
+}
+
+double SeamPairs::longest_of_panel(int edge) const {
+  double longest = edges_[edge].length;
+  for (int e = edges_[edge].next; e != edge; e = edges_[e].next) {
+    longest = std::max(longest, edges_[e].length);
+  }
+  return longest;
+}
+
+/// Whether all edges of this length have the shape of one of the two.
+bool SeamPairs::is_rare(double length, int a, int b) const {
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    if (std::abs(edges_[e].length - length) < 1e-4 && shape_[e] != shape_[a] &&
+        shape_[e] != shape_[b]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+namespace {
+
+/// Words that both names have, over the words of the one that has fewer. Each word is kept with a
+/// blank after it.
+double words_shared(const std::string& a, const std::string& b) {
+  const auto list = [](const std::string& words) {
+    std::vector<std::string> all;
+    for (std::size_t at = 0; at < words.size();) {
+      const std::size_t end = words.find(' ', at);
+      all.push_back(words.substr(at, end - at));
+      at = end + 1;
+    }
+    return all;
+  };
+  const std::vector<std::string> first = list(a);
+  const std::vector<std::string> second = list(b);
+  if (first.empty() || second.empty()) return 0;
+  int shared = 0;
+  for (const std::string& word : first) {
+    shared += std::find(second.begin(), second.end(), word) != second.end() ? 1 : 0;
+  }
+  return static_cast<double>(shared) / static_cast<double>(std::min(first.size(), second.size()));
+}
+
+}  // namespace
+
+void SeamPairs::measure_names(int a, int b, SeamMeasures& measures) const {
+  const auto at = [&](SeamMeasure measure) -> double& {
+    return measures[static_cast<int>(measure)];
+  };
+  using enum SeamMeasure;
+  const PanelWords& first = words_[edges_[a].ref.panel];
+  const PanelWords& second = words_[edges_[b].ref.panel];
+  const bool named = first.role != PanelRole::unknown && second.role != PanelRole::unknown;
+  if (named && first.role != second.role) at(roles_agree) = 1;
+  if (first.side * second.side < 0 && mirror_[a] != b) at(sides_differ) = 1;
+  if (first.stem != second.stem) {
+    if (first.face * second.face < 0) at(faces_differ) = 1;
+    if (first.face * second.face > 0) at(faces_agree) = 1;
+    if (named) at(words_alike) = words_shared(first.stem, second.stem);
+  } else {
+    if (named && first.face * second.face < 0) at(front_and_back) = 1;
+    if (first.side * second.side < 0 && mirror_[a] == b) at(named_halves) = 1;
+    if (first.number >= 0 && second.number >= 0) {
+      const int apart = std::abs(first.number - second.number);
+      if (apart == 1) at(numbers_follow) = 1;
+      if (apart > 1 && first.face == second.face) at(numbers_apart) = 1;
+    }
+  }
+}
+
+}  // namespace toile

@@ -1,0 +1,54 @@
+// What speaks for and against sewing two edges together, for each pair of edges.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "pattern/seams/panel_symmetry.h"
+#include "pattern/seams/panel_words.h"
+#include "pattern/seams/seam_weights.h"
+#include "pattern/seams/walked_edges.h"
+
+namespace toile {
+
+/// What seams are found from.
+struct SeamEvidence {
+  std::vector<WalkedEdge> edges;
+  std::vector<PanelWords> words;  ///< per panel
+  std::vector<int> mirror;        ///< per edge, see mirror_partners()
+  std::vector<PanelFit> fits;
+  EdgeShapes shapes;
+};
+
+/// Outlines and names alone are looked at. `drawn_walk`: see walked_edges().
+SeamEvidence seam_evidence(const Pattern& pattern, bool drawn_walk);
+
+/// Radians by which an edge turns on its walk, left is positive.
+double turning_of(const WalkedEdge& edge);
+
+/// Each pair of edges as a seam, right side to right side. The start of one meets the end of the
+/// other, both walked as walked_edges() walks them.
+class SeamPairs {
+ public:
+  /// `heed_sides`: pieces of the left and of the right half are sewn together only where they are
+  /// mirror images of each other.
+  SeamPairs(const SeamEvidence& evidence, bool heed_sides);
+
+  bool possible(int a, int b) const;
+  /// Of a possible pair.
+  SeamMeasures measures(int a, int b) const;
+
+ private:
+  void measure_shapes(int a, int b, SeamMeasures& measures) const;
+  void measure_names(int a, int b, SeamMeasures& measures) const;
+  double longest_of_panel(int edge) const;
+  bool is_rare(double length, int a, int b) const;
+
+  const std::vector<WalkedEdge>& edges_;
+  const std::vector<PanelWords>& words_;
+  const std::vector<int>& mirror_;
+  const std::vector<int>& shape_;
+  bool heed_sides_ = true;
+};
+
+}  // namespace toile

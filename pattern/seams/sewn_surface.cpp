@@ -1,0 +1,230 @@
+#include "pattern/seams/sewn_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace toile {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr double right_angle = 90 * degree;
+
+/// Radians: the inner angle at the tip of a dart is larger.
+constexpr double sharpest_dart_tip = 285 * degree;
+
+/// Units of 90 degrees: by how much corners are counted as missing what closes flat, at most.
+constexpr double most_off = 1.5;
+
+/// Change of the fullness that counts as 1.
+constexpr double full_jump = 0.2;
+
+/// Metres: borders of a garment that are shorter are holes, or small.
+constexpr double hole = 0.08;
+constexpr double small_border = 0.16;
+
+}  // namespace
+
+SewnSurface::SewnSurface(const SeamEvidence& evidence)
+    : edges_(static_cast<int>(evidence.edges.size())), mirror_(evidence.mirror) {
+  for (const WalkedEdge& edge : evidence.edges) {
+    next_.push_back(edge.next);
+    previous_.push_back(edge.previous);
+    panel_.push_back(edge.ref.panel);
+    length_.push_back(edge.length);
+    log_length_.push_back(std::log(edge.length));
+    angle_.push_back(edge.corner);
+    turning_.push_back(turning_of(edge));
+  }
+  panels_ = panel_.back() + 1;
+}
+
+void SewnSurface::measure(const Partners& partners, SeamMeasures& sum) {
+  partners_ = &partners;
+  seen_.assign(edges_, 0);
+  after_.assign(edges_, -1);
+  border_.clear();
+  int points = 0;
+  for (int e = 0; e < edges_; ++e) {
+    if (partners[previous_[e]] >= 0) continue;
+    corners_.clear();
+    int corner = e;
+    for (;;) {
+      corners_.push_back(corner);
+      seen_[corner] = 1;
+      if (partners[corner] < 0) break;
+      corner = next_[partners[corner]];
+    }
+    ++points;
+    after_[previous_[e]] = corner;
+    border_.push_back({previous_[e], corner});
+    measure_at_border(sum);
+  }
+  for (int e = 0; e < edges_; ++e) {
+    if (seen_[e] != 0) continue;
+    corners_.clear();
+    for (int corner = e; seen_[corner] == 0; corner = next_[partners[corner]]) {
+      corners_.push_back(corner);
+      seen_[corner] = 1;
+    }
+    ++points;
+    measure_inside(sum);
+  }
+  measure_borders(partners, sum);
+
+  part_.resize(panels_);
+  for (int p = 0; p < panels_; ++p) part_[p] = p;
+  int seams = 0;
+  int lopsided = 0;
+  for (int a = 0; a < edges_; ++a) {
+    const int b = partners[a];
+    if (b < a) continue;
+    ++seams;
+    const int one = part_of(panel_[a]);
+    const int other = part_of(panel_[b]);
+    part_[std::max(one, other)] = std::min(one, other);
+    if (mirror_[a] >= 0 && mirror_[b] >= 0 && partners[mirror_[a]] != mirror_[b]) ++lopsided;
+  }
+  int parts = 0;
+  for (int p = 0; p < panels_; ++p) parts += part_[p] == p ? 1 : 0;
+  int borders = 0;
+  for (int e = 0; e < edges_; ++e) borders += after_[e] == -2 ? 1 : 0;
+  const int handles = (2 * parts - borders - (points - (edges_ - seams) + panels_)) / 2;
+  using enum SeamMeasure;
+  const auto at = [&](SeamMeasure measure) -> double& { return sum[static_cast<int>(measure)]; };
+  at(part_left_over) += parts - 1;
+  at(handle) += handles;
+  at(lopsided_seam) += lopsided;
+  if (borders <= 1) at(one_border) += 1;
+  if (borders == 2) at(two_borders) += 1;
+  if (borders > 4) at(many_borders) += std::min(borders - 4, 6);
+}
+
+int SewnSurface::part_of(int panel) {
+  while (part_[panel] != panel) panel = part_[panel] = part_[part_[panel]];
+  return panel;
+}
+
+void SewnSurface::measure_borders(const Partners& /*partners*/, SeamMeasures& sum) {
+  using enum SeamMeasure;
+  const auto at = [&](SeamMeasure measure) -> double& { return sum[static_cast<int>(measure)]; };
+  for (int e = 0; e < edges_; ++e) {
+    if (after_[e] < 0) continue;
+    double length = 0;
+    double concave = 0;
+    for (int on = e; after_[on] >= 0;) {
+      length += length_[on];
+      concave += std::max(0.0, -turning_[on]);
+      const int next = after_[on];
+      after_[on] = on == e ? -2 : -3;
+      on = next;
+    }
+    if (length < hole)
+      at(border_hole) += 1;
+    else if (length < small_border)
+      at(border_small) += 1;
+  }
+}
+
+void SewnSurface::measure_inside(SeamMeasures& sum) const {
+  using enum SeamMeasure;
+  const auto at = [&](SeamMeasure measure) -> double& { return sum[static_cast<int>(measure)]; };
+  double angle = 0;
+  for (const int corner : corners_) angle += angle_[corner];
+  const double off = std::min(std::abs(angle - 4 * right_angle) / right_angle, most_off);
+  const std::size_t corners = corners_.size();
+  if (corners == 1) {
+    at(angle > sharpest_dart_tip ? dart_tip : cone) += 1;
+    return;
+  }
+  if (corners == 2) {
+    at(two_inside) += 1;
+    at(two_inside_off) += off;
+  } else if (corners == 3) {
+    at(three_inside) += 1;
+    at(three_inside_off) += off;
+  } else if (corners == 4) {
+    at(four_inside) += 1;
+    at(four_inside_off) += off;
+  } else {
+    at(more_inside) += 1;
+    at(more_inside_off) += off;
+  }
+  if (corners > 2) at(junction_off) += off_junction();
+  at(jump) += unsteadiness(true);
+  at(unlike) += unlikeness(true);
+}
+
+void SewnSurface::measure_at_border(SeamMeasures& sum) const {
+  using enum SeamMeasure;
+  const auto at = [&](SeamMeasure measure) -> double& { return sum[static_cast<int>(measure)]; };
+  double angle = 0;
+  for (const int corner : corners_) angle += angle_[corner];
+  const double off = std::min(std::abs(angle - 2 * right_angle) / right_angle, most_off);
+  const std::size_t corners = corners_.size();
+  if (corners == 1) {
+    if (off * right_angle < 20 * degree) {
+      at(smooth_border) += 1;
+    } else {
+      at(angle < 2 * right_angle ? lone_corner : notch_in_border) += 1;
+    }
+    return;
+  }
+  at(corners == 2 ? two_at_border : more_at_border) += 1;
+  at(corners == 2 ? two_at_border_off : more_at_border_off) += off;
+  at(jump) += unsteadiness(false);
+  at(unlike) += unlikeness(false);
+}
+
+double SewnSurface::off_junction() const {
+  double least = 1;
+  const std::size_t count = corners_.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const double one = angle_[corners_[i]];
+    const double two = one + angle_[corners_[(i + 1) % count]];
+    least = std::min({least, std::abs(one - 2 * right_angle) / right_angle,
+                      std::abs(two - 2 * right_angle) / right_angle});
+  }
+  return least;
+}
+
+double SewnSurface::unlikeness(bool closed) const {
+  double sum = 0;
+  const std::size_t count = corners_.size();
+  for (std::size_t i = 0; i < (closed ? count : count - 1); ++i) {
+    const int a = corners_[i];
+    const int b = corners_[(i + 1) % count];
+    if (std::abs(angle_[a] + angle_[b] - 2 * right_angle) > 45 * degree) continue;
+    sum += std::abs(turning_[previous_[a]] - turning_[b]);
+  }
+  return std::min(sum, std::numbers::pi);
+}
+
+double SewnSurface::fullness(int corner, bool leaving) const {
+  const int own = leaving ? corner : previous_[corner];
+  return log_length_[own] - log_length_[(*partners_)[own]];
+}
+
+double SewnSurface::unsteadiness(bool closed) const {
+  double most = 0;
+  const std::size_t count = corners_.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!closed && (i == 0 || i + 1 == count)) continue;
+    const int corner = corners_[i];
+    if (std::abs(angle_[corner] - 2 * right_angle) > 35 * degree) continue;
+    most = std::max(most, std::abs(fullness(corner, false) - fullness(corner, true)));
+  }
+  // Two seams that cross: each runs on straight.
+  if (closed && count == 4) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const int a = corners_[i];
+      const int b = corners_[(i + 1) % 4];
+      if (std::abs(angle_[a] + angle_[b] - 2 * right_angle) > 35 * degree) continue;
+      most = std::max(most, std::abs(fullness(a, false) - fullness(b, true)));
+    }
+  }
+  return std::min(1.0, most / full_jump);
+}
+
+}  // namespace toile

@@ -1,0 +1,52 @@
+#include "pattern/seams/find_seams.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "io/output_file.h"
+#include "pattern/pattern_file.h"
+#include "pattern/seams/sewn_file.h"
+#include "tests/support/seam_figures.h"
+
+namespace toile {
+namespace find_seams_test {
+
+// Bounds at what was reached: 0.95 and 0.72 with names, 0.93 and 0.91 whatever the confidence.
+// bench_seams_found has the whole table.
+TEST(FindSeamsOfSamples, MostAreFoundAgainWithNames) {
+  SeamFigures sum;
+  SeamFigures all;
+  for (const auto& entry : std::filesystem::directory_iterator(TOILE_SOURCE_DIR "/samples")) {
+    if (entry.path().extension() != ".json") continue;
+    std::vector<Remark> remarks;
+    const std::string name = entry.path().string();
+    const std::string text = read_file(entry.path());
+    const Pattern pattern = parse_drawn_pattern(text, name, remarks);
+    FindSeamsOptions options;
+    options.drawn_walk = has_drawn_walk(text, name);
+    std::set<SeamPair> decided;
+    std::set<SeamPair> listed;
+    for (const FoundSeam& seam : find_seams(stripped(pattern, true, false), options).seams) {
+      listed.insert(seam_pair(seam.a, seam.b, seam.reversed));
+      if (seam.confidence >= decided_confidence) {
+        decided.insert(seam_pair(seam.a, seam.b, seam.reversed));
+      }
+    }
+    SeamComparison comparison(pattern, options.drawn_walk, false);
+    const SeamFigures figures = comparison.compare(stated_seams(pattern), decided);
+    sum.stated += figures.stated;
+    sum.found += figures.found;
+    sum.right += figures.right;
+    const SeamFigures of_all = comparison.compare(stated_seams(pattern), listed);
+    all.found += of_all.found;
+    all.right += of_all.right;
+  }
+  EXPECT_GE(sum.right, 0.95 * sum.found);
+  EXPECT_GE(sum.right, 0.7 * sum.stated);
+  EXPECT_GE(all.right, 0.92 * all.found);
+  EXPECT_GE(all.right, 0.9 * sum.stated);
+}
+
+}  // namespace find_seams_test
+}  // namespace toile
