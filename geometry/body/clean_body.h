@@ -14,8 +14,7 @@
 namespace toile {
 
 struct CleanOptions {
-  /// Metres in one unit of the file. If absent, the height decides: a body is 1.00 to 2.30 m tall
-  /// in at most one of m, dm, cm, mm and inches.
+  /// Metres in one unit of the file. If absent, height and depth decide, as inferred_unit().
   std::optional<double> metres_per_unit;
   RepairOptions repair;
   /// The joints, if they are known: metres, in the frame of the mesh in metres. They are used if
@@ -31,6 +30,7 @@ struct CleanReport {
   bool unit_inferred = false;
   std::string turned;            ///< how the body was turned to stand and face +z; empty: not
   double turned_degrees = 0;     ///< about the vertical, once upright; positive from +z to +x
+  double levelled_degrees = 0;   ///< by which a body that leant as a whole was turned upright
   double lifted = 0;             ///< metres added to y to put the feet on the floor
   Vec3 brought{0, 0, 0};         ///< metres by which a body far from the y axis was moved to it
   double height = 0;             ///< metres

@@ -152,7 +152,7 @@ class Finder {
     if (found == runs.end()) return;
     const Profile& run = *found;
     const std::size_t waist = hollow_of(run);
-    // Neck, head and a stand's pole are no trunk: it ends where it is much thinner than the waist,
+    // Neck, head and a stand's pole are no trunk. It ends where it is much thinner than the waist,
     // and above where it gets thinner than where it is fullest.
     const auto ends = [&](const Level& l) { return l.girth < 0.85 * run[waist].girth; };
     const auto middle = run.begin() + static_cast<std::ptrdiff_t>(waist);

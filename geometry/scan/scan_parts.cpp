@@ -188,7 +188,11 @@ ScanParts sort_scan(const std::vector<Vec3>& points, const std::optional<AxisDir
   for (const Vec3& p : body) levels.push_back(parts.up.vector().dot(p));
   if (!parts.floor_found) parts.floor = percentile(levels, 0.0005);
   const auto highest = std::max_element(levels.begin(), levels.end());
-  if (highest != levels.end()) parts.height = *highest - parts.floor;
+  if (highest != levels.end()) {
+    parts.height = *highest - parts.floor;
+    const Vec3 size = bounds(body).sizes();
+    parts.depth = std::min(size[(parts.up.axis + 1) % 3], size[(parts.up.axis + 2) % 3]);
+  }
   return parts;
 }
 

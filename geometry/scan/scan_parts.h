@@ -18,6 +18,7 @@ struct ScanParts {
   bool floor_found = false;
   double floor = 0;     ///< along `up`: of the floor, or of the body's lowest points
   double height = 0;    ///< from `floor` to the body's highest point
+  double depth = 0;     ///< of its body, the lesser of its extents square to `up`
   int stray_parts = 0;  ///< things that are not the body
 };
 

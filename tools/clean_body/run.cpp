@@ -77,6 +77,10 @@ void say_changes(const CleanReport& report, const ScanReport* scan, const Common
                number(1000 * unit * r.largest_move, "%.2f") + " mm");
   }
   if (!report.turned.empty()) common.say("turned " + report.turned);
+  if (report.levelled_degrees > 0) {
+    common.say("turned by " + number(report.levelled_degrees, "%.1f") +
+               " degrees to stand upright (--up keeps it as it is)");
+  }
   if (inferred && file_unit != 1) {
     common.say("unit taken to be " + unit_name(file_unit) + ", since the body is then " +
                number(report.height, "%.2f") + " m tall (--unit states it)");
