@@ -26,7 +26,7 @@ struct ScanParts {
 /// - Outliers: fewer points are near than 6 % of what others have.
 /// - The floor: a slab at an end of the scan, wider than two soles. What has a floor stands on it;
 ///   that tells `up` unless it is given. Without a floor the scan stands along y, or along z where
-///   it is clearly longer along z.
+///   it is clearly longer along z. What lies on a floor tells no `up`.
 /// - Stray parts: what is more than a sixtieth of the scan's length away from the largest part.
 /// `points` are finite. O(n log n).
 ScanParts sort_scan(const std::vector<Vec3>& points, const std::optional<AxisDirection>& up);
