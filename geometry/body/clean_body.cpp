@@ -231,7 +231,7 @@ Standing stand_up(const TriangleMesh& mesh, const CleanOptions& options, const s
   }
   if (toes_forward(body.mesh, *body.skeleton) < -0.01) turn_to(about_y(180) * body.turn);
   const Matrix facing = body.turn;
-  const bool was_backward = !options.up && stand_upright(body, mesh, name, report);
+  const bool was_backward = options.level && stand_upright(body, mesh, name, report);
   report_turn(axes[chosen], was_backward ? Matrix(about_y(180) * facing) : facing, report);
   return body;
 }

@@ -20,6 +20,7 @@ struct CleanOptions {
   /// The joints, if they are known: metres, in the frame of the mesh in metres. They are used if
   /// all are there, lie within the body, and the toes point to +z. The body is then not turned.
   std::optional<Skeleton> skeleton;
+  bool level = true;                   ///< turns a body upright that leans as a whole
   std::optional<AxisDirection> up;     ///< of the mesh, if it is known; the joints above go first
   std::optional<AxisDirection> front;  ///< to where the body faces, if it is known
 };

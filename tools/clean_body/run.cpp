@@ -175,6 +175,7 @@ void run_clean_body(const CleanBodySettings& settings, const CommonSettings& com
   CleanOptions options;
   options.metres_per_unit = settings.metres_per_unit;
   options.up = settings.up;
+  options.level = !settings.up;
   options.front = settings.front;
   const std::filesystem::path beside = skeleton_path(settings.inputs.front());
   if (is_skeleton_file(beside)) options.skeleton = read_skeleton(beside);

@@ -161,7 +161,7 @@ TEST(CleanBody, ALeaningScanIsTurnedUpright) {
       // 1.5 degrees at the top of 1.70 m.
       EXPECT_LT(farthest(*body.skeleton, *straight.skeleton), 0.045) << degrees;
       CleanOptions kept;
-      kept.up = AxisDirection{1, 1};
+      kept.level = false;
       EXPECT_EQ(clean_body(leaning, "body", kept).report.levelled_degrees, 0);
     }
   }
