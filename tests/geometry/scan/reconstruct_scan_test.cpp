@@ -137,12 +137,12 @@ TEST_F(ReconstructScan, AFlatSideIsNoFloor) {
 
 TEST_F(ReconstructScan, WhatLiesOnAFloorStandsAlongItsLength) {
   // The floor reaches beyond what lies on it, along z.
-  std::vector<Vec3> points =
+  std::vector<Vec3> both =
       test::spread_points(test::box({-0.2, 0.1, -0.85}, {0.2, 0.3, 0.85}), 20000);
   for (const Vec3& p : test::spread_points(test::box({-0.5, 0, -1.1}, {0.5, 0.001, 1.1}), 20000)) {
-    points.push_back(p);
+    both.push_back(p);
   }
-  const ScanParts parts = sort_scan(points, {});
+  const ScanParts parts = sort_scan(both, {});
   EXPECT_FALSE(parts.floor_found);
   EXPECT_EQ(parts.up.axis, 2);
   EXPECT_NEAR(
