@@ -8,6 +8,7 @@
 
 #include "geometry/body/body_unit.h"
 #include "geometry/body/find_skeleton.h"
+#include "geometry/body/stand_level.h"
 #include "geometry/error.h"
 #include "geometry/surface_distance.h"
 
@@ -152,6 +153,32 @@ Matrix to_the_front(const Upright& axis, const AxisDirection& front, const std::
   return about_y(std::atan2(-ahead.x(), ahead.z()) * 180 / std::numbers::pi) * axis.turn;
 }
 
+/// Turns a body that leans as a whole, as a scanner that was not level leaves it. Returns whether
+/// it then turned out to face backward: the toes of a body that leans back are off the floor.
+bool stand_upright(Standing& body, const TriangleMesh& mesh, const std::string& name,
+                   CleanReport& report) {
+  constexpr double degree = std::numbers::pi / 180;
+  // Postures differ by 1 degree. At 1, straight bodies would be turned; at 4, a bust would be 8 mm
+  // too small.
+  constexpr double least_lean = 2 * degree;
+  // The joints of a leaning body are less true: twice more.
+  bool was_backward = false;
+  for (int round = 0; round < 3; ++round) {
+    const auto upright = turn_upright(*body.skeleton, round == 0 ? least_lean : least_lean / 8);
+    if (!upright || (round == 0 && !levels_soles(*upright, body.mesh))) break;
+    Standing turned = stand(mesh, *upright * body.turn, name);
+    if (!turned.skeleton) break;
+    report.levelled_degrees += Eigen::AngleAxisd(*upright).angle() * 180 / std::numbers::pi;
+    body = std::move(turned);
+    if (toes_forward(body.mesh, *body.skeleton) >= -0.01) continue;
+    turned = stand(mesh, about_y(180) * body.turn, name);
+    if (!turned.skeleton) continue;
+    body = std::move(turned);
+    was_backward = !was_backward;
+  }
+  return was_backward;
+}
+
 Standing stand_up(const TriangleMesh& mesh, const CleanOptions& options, const std::string& name,
                   CleanReport& report) {
   const std::vector<Upright> axes = uprights();
@@ -203,7 +230,9 @@ Standing stand_up(const TriangleMesh& mesh, const CleanOptions& options, const s
     turn_to(about_y(askew(*body.skeleton)) * body.turn);
   }
   if (toes_forward(body.mesh, *body.skeleton) < -0.01) turn_to(about_y(180) * body.turn);
-  report_turn(axes[chosen], body.turn, report);
+  const Matrix facing = body.turn;
+  const bool was_backward = options.level && stand_upright(body, mesh, name, report);
+  report_turn(axes[chosen], was_backward ? Matrix(about_y(180) * facing) : facing, report);
   return body;
 }
 
@@ -245,7 +274,7 @@ std::optional<Standing> as_given(const TriangleMesh& mesh, const CleanOptions& o
   const double floor = bounds(mesh).min().y();
   const double tall = bounds(mesh).max().y() - floor;
   const double unit =
-      options.metres_per_unit ? *options.metres_per_unit : inferred_unit(tall, name);
+      options.metres_per_unit ? *options.metres_per_unit : inferred_unit(tall, 0, name);
   report.skeleton_refused = refusal(*options.skeleton, mesh, unit);
   if (!report.skeleton_refused.empty()) return std::nullopt;
   Standing body;
@@ -295,10 +324,13 @@ CleanBody clean_body(const PolygonSoup& soup, const std::string& name,
 
   std::optional<Standing> given = as_given(surface.mesh, options, name, report);
   Standing standing = given ? std::move(*given) : stand_up(surface.mesh, options, name, report);
+  const Vec3 size = bounds(standing.mesh).sizes();
   const double units_tall = bounds(standing.mesh).max().y();
+  // A whole body may step out or reach forward.
+  const double depth = standing.skeleton ? 0 : std::min(size.x(), size.z());
   report.unit_inferred = !options.metres_per_unit;
   report.metres_per_unit =
-      options.metres_per_unit ? *options.metres_per_unit : inferred_unit(units_tall, name);
+      options.metres_per_unit ? *options.metres_per_unit : inferred_unit(units_tall, depth, name);
   report.height = units_tall * report.metres_per_unit;
   if (!(report.height >= 0.1 && report.height <= 10)) {
     throw Error(name, "the body would be " + number_text(report.height) + " m tall",

@@ -14,13 +14,13 @@
 namespace toile {
 
 struct CleanOptions {
-  /// Metres in one unit of the file. If absent, the height decides: a body is 1.00 to 2.30 m tall
-  /// in at most one of m, dm, cm, mm and inches.
+  /// Metres in one unit of the file. If absent, height and depth decide, as inferred_unit().
   std::optional<double> metres_per_unit;
   RepairOptions repair;
   /// The joints, if they are known: metres, in the frame of the mesh in metres. They are used if
   /// all are there, lie within the body, and the toes point to +z. The body is then not turned.
   std::optional<Skeleton> skeleton;
+  bool level = true;                   ///< turns a body upright that leans as a whole
   std::optional<AxisDirection> up;     ///< of the mesh, if it is known; the joints above go first
   std::optional<AxisDirection> front;  ///< to where the body faces, if it is known
 };
@@ -31,6 +31,7 @@ struct CleanReport {
   bool unit_inferred = false;
   std::string turned;            ///< how the body was turned to stand and face +z; empty: not
   double turned_degrees = 0;     ///< about the vertical, once upright; positive from +z to +x
+  double levelled_degrees = 0;   ///< by which a body that leant as a whole was turned upright
   double lifted = 0;             ///< metres added to y to put the feet on the floor
   Vec3 brought{0, 0, 0};         ///< metres by which a body far from the y axis was moved to it
   double height = 0;             ///< metres

@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/statistics.h"
+
 namespace toile {
 
 namespace {
@@ -27,6 +29,14 @@ constexpr double bust_lean = 0.85;
 constexpr double flat_bend = 4;
 // Share of the height from the bust points down to the underbust, where no crease is lower.
 constexpr double underbust_share = 0.044;
+// A body without joints. Share of what a level cuts that the trunk has: arms beside it have less.
+constexpr double form_share = 0.7;
+// Its waist, as a share of its fuller girths: 0.62 to 1.0 of people, 0.3 to 0.4 of necks.
+constexpr double thinnest_waist = 0.55;
+constexpr double least_waist = 0.35;      // metres; of children of 75 cm it is 0.42
+constexpr double waist_to_stature = 2.2;  // of a form, whose stature nobody knows
+// Width of bust or hip over depth: 1.1 to 1.6 of people, 1 of vases and balls.
+constexpr double roundest = 1.05;
 
 /// What one level plane cuts of the trunk.
 struct Level {
@@ -34,6 +44,7 @@ struct Level {
   double girth = 0;
   double front = 0;  // foremost z
   double back = 0;   // rearmost z
+  double width = 0;  // in x
 };
 
 std::optional<Level> level_at(const TriangleMesh& mesh, double y, double min_share) {
@@ -43,7 +54,11 @@ std::optional<Level> level_at(const TriangleMesh& mesh, double y, double min_sha
   for (const Section& section : sections) whole += std::max(0.0, section.area);
   const Section& trunk = sections.front();
   if (trunk.area < min_share * whole) return std::nullopt;
-  Level level{y, trunk.girth, trunk.points.front().z(), trunk.points.front().z()};
+  Level level{y, trunk.girth, trunk.points.front().z(), trunk.points.front().z(), 0};
+  const auto [left, right] =
+      std::minmax_element(trunk.points.begin(), trunk.points.end(),
+                          [](const Vec3& a, const Vec3& b) { return a.x() < b.x(); });
+  level.width = right->x() - left->x();
   for (const Vec3& p : trunk.points) {
     level.front = std::max(level.front, p.z());
     level.back = std::min(level.back, p.z());
@@ -64,27 +79,26 @@ std::vector<Vec2> curve(const Profile& profile, double low, double high, const V
 
 TrunkLevel absent(const std::string& reason) { return {std::nullopt, 0, reason}; }
 
-/// The longest run of levels without a jump of the girth, as where arms join.
-Profile longest_run(const std::vector<std::optional<Level>>& levels) {
+/// The runs of levels without a jump of the girth, as where arms join; longest first.
+std::vector<Profile> smooth_runs(const std::vector<std::optional<Level>>& levels) {
   constexpr double jump = 0.12;  // of the girth from level to level
-  Profile longest;
-  Profile run;
-  for (std::size_t i = 0; i <= levels.size(); ++i) {
-    const bool goes_on =
-        i < levels.size() && levels[i] &&
-        (run.empty() || std::abs(levels[i]->girth - run.back().girth) < jump * run.back().girth);
-    if (!goes_on) {
-      if (run.size() > longest.size()) longest = run;
-      run.clear();
-    }
-    if (i < levels.size() && levels[i]) run.push_back(*levels[i]);
+  std::vector<Profile> runs(1);
+  for (const std::optional<Level>& level : levels) {
+    const Profile& run = runs.back();
+    const bool goes_on = level && (run.empty() || std::abs(level->girth - run.back().girth) <
+                                                      jump * run.back().girth);
+    if (!goes_on && !run.empty()) runs.emplace_back();
+    if (level) runs.back().push_back(*level);
   }
-  return longest;
+  std::stable_sort(runs.begin(), runs.end(),
+                   [](const Profile& a, const Profile& b) { return a.size() > b.size(); });
+  return runs;
 }
 
 class Finder {
  public:
-  explicit Finder(const BodyFrame& body) : body_(body), reach_(reach_share * body.height) {}
+  explicit Finder(const BodyFrame& body)
+      : body_(body), stature_(body.height), reach_(reach_share * body.height) {}
 
   TrunkLevels find() {
     body_.skeleton ? profile_of_body() : profile_of_form();
@@ -101,6 +115,10 @@ class Finder {
     find_abdomen();
     find_bust();
     find_underbust();
+    if (!body_.skeleton) {
+      if (const std::string why = no_trunk(); !why.empty())
+        return none("there is no trunk: " + why);
+    }
     return levels_;
   }
 
@@ -124,43 +142,74 @@ class Finder {
   void profile_of_form() {
     std::vector<std::optional<Level>> levels;
     for (double y = 2 * step(); y < body_.height; y += step()) {
-      levels.push_back(level_at(body_.mesh, y, 0.85));
+      levels.push_back(level_at(body_.mesh, y, form_share));
     }
-    profile_ = longest_run(levels);
-    // A form's neck is no trunk: the trunk ends where the girth above the waist is greatest.
-    if (profile_.size() < 12) return;
-    const double least = least_inside();
-    if (least == 0) {
-      profile_.clear();
-      return;
-    }
-    const auto above = std::find_if(profile_.begin(), profile_.end(),
-                                    [least](const Level& l) { return l.y > least; });
+    // A stand's pole may be longer than the form.
+    const std::vector<Profile> runs = smooth_runs(levels);
+    const auto found = std::find_if(runs.begin(), runs.end(), [](const Profile& some) {
+      return some.size() >= 12 && hollow_of(some) < some.size();
+    });
+    if (found == runs.end()) return;
+    const Profile& run = *found;
+    const std::size_t waist = hollow_of(run);
+    // Neck, head and a stand's pole are no trunk. It ends where it is much thinner than the waist,
+    // and above where it gets thinner than where it is fullest.
+    const auto ends = [&](const Level& l) { return l.girth < 0.85 * run[waist].girth; };
+    const auto middle = run.begin() + static_cast<std::ptrdiff_t>(waist);
+    const auto neck = std::find_if(middle, run.end(), ends);
+    const auto pole = std::find_if(std::make_reverse_iterator(middle), run.rend(), ends).base();
     const auto widest = std::max_element(
-        above, profile_.end(), [](const Level& a, const Level& b) { return a.girth < b.girth; });
-    profile_.erase(widest == profile_.end() ? widest : widest + 1, profile_.end());
+        middle, neck, [](const Level& a, const Level& b) { return a.girth < b.girth; });
+    // Of a form without shoulders the bust is the fullest: what stands back above it shows it.
+    const auto top =
+        std::find_if(widest, neck, [&](const Level& l) { return l.girth < 0.92 * widest->girth; });
+    profile_.assign(pole, top);
+    stature_ = waist_to_stature * run[waist].girth;
+    reach_ = reach_share * stature_;
   }
 
-  /// The level of least girth that has levels 4 % wider both above and below; 0 if there is none.
-  double least_inside() const {
-    double best = 0;
-    double girth = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 1; i + 1 < profile_.size(); ++i) {
-      const auto widest = [&](std::size_t from, std::size_t to) {
-        double most = 0;
-        for (std::size_t k = from; k < to; ++k) most = std::max(most, profile_[k].girth);
-        return most;
-      };
-      const double here = profile_[i].girth;
-      if (here >= girth || here < 0.2 || here > 2.5) continue;
-      const bool is_hollow = widest(0, i) > 1.04 * here &&
-                             widest(i + 1, profile_.size()) > 1.04 * here &&
-                             here <= profile_[i - 1].girth && here <= profile_[i + 1].girth;
-      if (!is_hollow) continue;
-      girth = here;
-      best = profile_[i].y;
+  /// The level of a form's waist, or the number of levels if there is none. It has to be 4 % wider
+  /// above and below before it is as thin again. Necks and poles are too thin for it.
+  static std::size_t hollow_of(const Profile& run) {
+    std::vector<double> girths;
+    girths.reserve(run.size());
+    for (const Level& level : run) girths.push_back(level.girth);
+    const double least = thinnest_waist * percentile(girths, 0.9);
+    const auto rises = [&](std::size_t from, int way) {
+      for (std::size_t i = from + way; i < girths.size() && girths[i] >= girths[from]; i += way) {
+        if (girths[i] > 1.04 * girths[from]) return true;
+      }
+      return false;
+    };
+    std::size_t best = girths.size();
+    for (std::size_t i = 0; i < girths.size(); ++i) {
+      if (girths[i] < least || !rises(i, 1) || !rises(i, -1)) continue;
+      if (best == girths.size() || girths[i] < girths[best]) best = i;
     }
     return best;
+  }
+
+  /// Why what was found on a form can't be a trunk's; empty: it can.
+  std::string no_trunk() const {
+    if (!levels_.bust.height || !levels_.hip.height) return "";
+    const auto at = [this](double y) {
+      return *std::min_element(
+          profile_.begin(), profile_.end(),
+          [y](const Level& a, const Level& b) { return std::abs(a.y - y) < std::abs(b.y - y); });
+    };
+    const Level bust = at(*levels_.bust.height);
+    const Level waist = at(*levels_.waist.height);
+    const Level hip = at(*levels_.hip.height);
+    if (waist.girth < least_waist) return "its thinnest level is too thin for a waist";
+    if (waist.girth < thinnest_waist * std::max(bust.girth, hip.girth)) {
+      return "its thinnest level is too thin for a waist between its widest";
+    }
+    if (bust.girth < 0.65 * hip.girth || hip.girth < 0.65 * bust.girth) {
+      return "what is above its thinnest level does not match what is below";
+    }
+    const auto is_round = [](const Level& l) { return l.width < roundest * (l.front - l.back); };
+    if (is_round(bust) && is_round(hip)) return "it is round where a trunk is wider than deep";
+    return "";
   }
 
   void find_waist() {
@@ -256,7 +305,7 @@ class Finder {
     levels_.bust = {foremost.at, 0.9, ""};
     // Noise of 1 mm hides how much the chest bends within the bust's own reach.
     const Extreme wide = greatest(front, 3 * reach_);
-    const bool is_flat = !wide.is_end && -wide.curvature * body_.height < flat_bend;
+    const bool is_flat = !wide.is_end && -wide.curvature * stature_ < flat_bend;
     if (!foremost.is_end && !is_flat) return;
     // A belly that stands out farther, or a chest that is nearly flat.
     const Extreme convex = most_convex(waist, low, bust_reach);
@@ -286,7 +335,7 @@ class Finder {
     }
     const double bust = *levels_.bust.height;
     const double waist = *levels_.waist.height;
-    const double below = bust - underbust_share * body_.height;
+    const double below = bust - underbust_share * stature_;
     // The crease: farthest behind the straight line from bust to waist.
     const auto at = [this](double y) {
       return *std::min_element(
@@ -308,6 +357,7 @@ class Finder {
   }
 
   const BodyFrame& body_;
+  double stature_;  // metres: of a form, that of a person of its girth
   double reach_;
   Profile profile_;
   TrunkLevels levels_;

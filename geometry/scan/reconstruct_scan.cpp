@@ -281,8 +281,8 @@ ReconstructedScan reconstruct_scan(const PointCloud& scan, const std::string& na
                 "scan more densely");
   }
   report.unit_inferred = !options.metres_per_unit;
-  report.metres_per_unit =
-      options.metres_per_unit ? *options.metres_per_unit : inferred_unit(parts.height, name);
+  report.metres_per_unit = options.metres_per_unit ? *options.metres_per_unit
+                                                   : inferred_unit(parts.height, parts.depth, name);
   const double unit = report.metres_per_unit;
   report.spacing = parts.spacing * unit;
   const double height = parts.height * unit;

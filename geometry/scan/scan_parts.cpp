@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/disjoint_sets.h"
 #include "geometry/scan/scan_cells.h"
@@ -55,12 +56,13 @@ void mark_outliers(const Chosen& body, ScanParts& parts) {
 struct Slab {
   AxisDirection up;
   double level = 0;
-  double area = 0;  // of the floor that its points cover; 0: there is no floor
+  double area = 0;      // of the floor that its points cover; 0: there is no floor
+  bool is_bed = false;  // what is above lies on it
 };
 
 /// The floor that the points would stand on if `up` were up.
 Slab floor_below(const std::vector<Vec3>& points, const AxisDirection& up) {
-  Slab slab{up, 0, 0};
+  Slab slab{up, 0, 0, false};
   const Box box = bounds(points);
   const double longest = box.sizes().maxCoeff();
   const double tall = box.sizes()[up.axis];
@@ -96,6 +98,17 @@ Slab floor_below(const std::vector<Vec3>& points, const AxisDirection& up) {
   for (int axis = 0; axis < 3; ++axis) {
     if (axis != up.axis && around.sizes()[axis] < 0.7 * rest.sizes()[axis]) return slab;
   }
+  // What lies tells nothing of up. A flat side of it is no floor: that reaches farther on all
+  // sides.
+  double longest_level = 0;
+  double least_beyond = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis == up.axis) continue;
+    longest_level = std::max(longest_level, rest.sizes()[axis]);
+    least_beyond = std::min(least_beyond, around.sizes()[axis] / rest.sizes()[axis]);
+  }
+  slab.is_bed = rest.sizes()[up.axis] < 0.5 * longest_level;
+  if (slab.is_bed && least_beyond < 1.1) return slab;
   // Two soles cover 1.5 % of the square of a body's height, a floor more than twice that.
   const ScanCells tiles(flat, longest / 90);
   const double area = static_cast<double>(tiles.cells()) * tiles.size() * tiles.size();
@@ -140,6 +153,14 @@ void find_floor(const Chosen& body, const std::optional<AxisDirection>& up, Scan
     if (direction.dot(body.points[i]) < parts.floor + margin) {
       parts.part[body.numbers[i]] = ScanPart::floor;
     }
+  }
+  if (best.is_bed && !up) {
+    parts.floor_found = false;
+    Box rest;
+    for (std::size_t i = 0; i < body.points.size(); ++i) {
+      if (parts.part[body.numbers[i]] == ScanPart::body) rest.extend(body.points[i]);
+    }
+    parts.up = likely_up(rest);
   }
 }
 
@@ -188,7 +209,11 @@ ScanParts sort_scan(const std::vector<Vec3>& points, const std::optional<AxisDir
   for (const Vec3& p : body) levels.push_back(parts.up.vector().dot(p));
   if (!parts.floor_found) parts.floor = percentile(levels, 0.0005);
   const auto highest = std::max_element(levels.begin(), levels.end());
-  if (highest != levels.end()) parts.height = *highest - parts.floor;
+  if (highest != levels.end()) {
+    parts.height = *highest - parts.floor;
+    const Vec3 size = bounds(body).sizes();
+    parts.depth = std::min(size[(parts.up.axis + 1) % 3], size[(parts.up.axis + 2) % 3]);
+  }
   return parts;
 }
 

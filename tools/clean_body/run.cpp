@@ -77,6 +77,10 @@ void say_changes(const CleanReport& report, const ScanReport* scan, const Common
                number(1000 * unit * r.largest_move, "%.2f") + " mm");
   }
   if (!report.turned.empty()) common.say("turned " + report.turned);
+  if (report.levelled_degrees > 0) {
+    common.say("turned by " + number(report.levelled_degrees, "%.1f") +
+               " degrees to stand upright (--up keeps it as it is)");
+  }
   if (inferred && file_unit != 1) {
     common.say("unit taken to be " + unit_name(file_unit) + ", since the body is then " +
                number(report.height, "%.2f") + " m tall (--unit states it)");
@@ -171,6 +175,7 @@ void run_clean_body(const CleanBodySettings& settings, const CommonSettings& com
   CleanOptions options;
   options.metres_per_unit = settings.metres_per_unit;
   options.up = settings.up;
+  options.level = !settings.up;
   options.front = settings.front;
   const std::filesystem::path beside = skeleton_path(settings.inputs.front());
   if (is_skeleton_file(beside)) options.skeleton = read_skeleton(beside);

@@ -147,6 +147,45 @@ TEST(CleanBody, IsTurnedAboutTheVerticalToFaceForward) {
   EXPECT_EQ(body.report.turned.substr(0, 22), "from z up to y up, and");
 }
 
+TEST(CleanBody, ALeaningScanIsTurnedUpright) {
+  const CleanBody straight = clean_body(mannequin_soup(), "body");
+  EXPECT_EQ(straight.report.levelled_degrees, 0);
+  for (const Vec3& axis : {Vec3(Vec3::UnitX()), Vec3(-Vec3::UnitX()), Vec3(Vec3::UnitZ())}) {
+    for (const double degrees : {5.0, 15.0}) {
+      PolygonSoup leaning = mannequin_soup();
+      const Eigen::AngleAxisd lean(degrees * std::numbers::pi / 180, axis);
+      for (Vec3& p : leaning.points) p = lean * p;
+      const CleanBody body = clean_body(leaning, "body");
+      ASSERT_TRUE(body.skeleton);
+      EXPECT_NEAR(body.report.levelled_degrees, degrees, 2);
+      // 1.5 degrees at the top of 1.70 m.
+      EXPECT_LT(farthest(*body.skeleton, *straight.skeleton), 0.045) << degrees;
+      CleanOptions kept;
+      kept.level = false;
+      EXPECT_EQ(clean_body(leaning, "body", kept).report.levelled_degrees, 0);
+    }
+  }
+}
+
+TEST(CleanBody, APersonWhoLeansOnLevelSolesStays) {
+  PolygonSoup leaning = mannequin_soup();
+  for (Vec3& p : leaning.points) p.z() += 0.08 * std::max(0.0, p.y() - 0.1);
+  const CleanBody body = clean_body(leaning, "body");
+  ASSERT_TRUE(body.skeleton);
+  EXPECT_EQ(body.report.levelled_degrees, 0);
+}
+
+TEST(CleanBody, SmallChildrenAndFormsHaveAUnitToo) {
+  PolygonSoup child = mannequin_soup();
+  for (Vec3& p : child.points) p *= 0.75 / 1.7;
+  EXPECT_NEAR(clean_body(child, "child").report.height, 0.75, 0.005);
+  // 63 cm tall and a third as deep: not a person of 63 inches.
+  PolygonSoup form = test::soup(test::box({-20, 0, -12}, {20, 63, 12}));
+  const CleanReport report = clean_body(form, "form").report;
+  EXPECT_EQ(report.metres_per_unit, 0.01);
+  EXPECT_NEAR(report.height, 0.63, 1e-9);
+}
+
 TEST(CleanBody, GivenJointsTurnABodyToo) {
   const CleanBody straight = clean_body(mannequin_soup(), "body");
   CleanOptions options;

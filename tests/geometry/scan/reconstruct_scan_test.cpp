@@ -127,6 +127,29 @@ TEST_F(ReconstructScan, OtherThingsInTheScanAreDropped) {
   EXPECT_LT(std::count(parts.part.begin(), parts.part.end(), ScanPart::stray), 3100);
 }
 
+TEST_F(ReconstructScan, AFlatSideIsNoFloor) {
+  const ScanParts slab =
+      sort_scan(test::spread_points(test::box({-0.15, 0, -0.12}, {0.15, 1.7, 0.12}), 20000), {});
+  EXPECT_FALSE(slab.floor_found);
+  EXPECT_EQ(slab.up.name(), "y");
+  EXPECT_NEAR(slab.height, 1.7, 0.01);
+}
+
+TEST_F(ReconstructScan, WhatLiesOnAFloorStandsAlongItsLength) {
+  // The floor reaches beyond what lies on it, along z.
+  std::vector<Vec3> both =
+      test::spread_points(test::box({-0.2, 0.1, -0.85}, {0.2, 0.3, 0.85}), 20000);
+  for (const Vec3& p : test::spread_points(test::box({-0.5, 0, -1.1}, {0.5, 0.001, 1.1}), 20000)) {
+    both.push_back(p);
+  }
+  const ScanParts parts = sort_scan(both, {});
+  EXPECT_FALSE(parts.floor_found);
+  EXPECT_EQ(parts.up.axis, 2);
+  EXPECT_NEAR(
+      static_cast<double>(std::count(parts.part.begin(), parts.part.end(), ScanPart::floor)), 20000,
+      100);
+}
+
 TEST_F(ReconstructScan, WhatIsNoScanOfABodyIsAnError) {
   PointCloud few;
   few.points.assign(scan->cloud.points.begin(), scan->cloud.points.begin() + 900);
