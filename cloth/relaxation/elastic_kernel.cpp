@@ -263,9 +263,11 @@ double ElasticKernel::stiffening(std::size_t v) const {
                                                const Vec4* x, Vec4& force) {
   const Vec4 here = x[v];
   Vec4 sum = {0, 0, 0, 0};
-  for (int i = rows.first[v]; i < rows.first[v + 1]; ++i) {
-    sum += rows.stiffness[i] * (x[rows.vertex[i]] - here);
-  }
+  const int* const vertex = rows.vertex.data();
+  const double* const stiffness = rows.stiffness.data();
+  const int end = rows.first[v + 1];
+#pragma GCC unroll 4
+  for (int i = rows.first[v]; i < end; ++i) sum -= stiffness[i] * (here - x[vertex[i]]);
   force += scale * sum;
 }
 
@@ -274,7 +276,9 @@ void ElasticKernel::gather(std::size_t begin, std::size_t end, double bending, d
                            const Vec4s& x, Vec4s& force) const {
   for (std::size_t v = begin; v < end; ++v) {
     Vec4 sum = {0, 0, 0, 0};
-    for (int i = first_pull_[v]; i < first_pull_[v + 1]; ++i) sum += pulls_[i];
+    const int end_of_pulls = first_pull_[v + 1];
+#pragma GCC unroll 2
+    for (int i = first_pull_[v]; i < end_of_pulls; ++i) sum += pulls_[i];
     if (!bend_.inside.first.empty()) add_bending(bend_.inside, v, bending, x.data(), sum);
     if (!bend_.seams.first.empty()) {
       add_bending(bend_.seams, v, bending * seam_bending, x.data(), sum);
