@@ -74,12 +74,23 @@ class Places {
  public:
   Places(std::size_t begin, std::size_t end) {
     for (std::size_t i = 0; i < 4; ++i) at_[i] = std::min(begin + i, end - 1);
+    all_ = end - begin >= 4;
   }
   std::size_t operator[](std::size_t lane) const { return at_[lane]; }
   /// The numbers there.
   [[gnu::always_inline]] Vec4 of(const std::vector<double>& numbers) const {
     const double* const from = numbers.data();
+    if (all_) return *reinterpret_cast<const Stored*>(from + at_[0]);
     return Vec4{from[at_[0]], from[at_[1]], from[at_[2]], from[at_[3]]};
+  }
+  /// Sets the numbers there; of lanes with the same place, the first one counts.
+  [[gnu::always_inline]] void set(std::vector<double>& numbers, const Vec4& to) const {
+    double* const first = numbers.data();
+    if (all_) {
+      *reinterpret_cast<Stored*>(first + at_[0]) = to;
+    } else {
+      for (int i = 3; i >= 0; --i) first[at_[i]] = to[i];
+    }
   }
   /// The vectors there, as columns.
   [[gnu::always_inline]] Columns of(const Vec4s& vectors, Vec4* fourth = nullptr) const {
@@ -87,7 +98,11 @@ class Places {
   }
 
  private:
+  /// Four doubles in a row, as stored.
+  using Stored = double __attribute__((vector_size(32), aligned(8), may_alias));
+
   std::size_t at_[4];
+  bool all_;  // no place comes twice
 };
 
 /// The vectors that are longer than `longest`, shortened to it; the others as they are. The

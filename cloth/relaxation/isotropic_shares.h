@@ -55,11 +55,9 @@ class IsotropicShares {
   const Vec4 share = larger(larger(smaller(by_glide, repeated(max_isotropic_share)),
                                    isotropic_share_decay * at.of(shares_)),
                             new_least);
-  for (std::size_t i = 0; i < end - begin; ++i) {
-    least_[begin + i] = new_least[i];
-    shares_[begin + i] = share[i];
-    last_glide_[begin + i] = glides[i];
-  }
+  at.set(least_, new_least);
+  at.set(shares_, share);
+  for (std::size_t i = 0; i < end - begin; ++i) last_glide_[begin + i] = glides[i];
 }
 
 }  // namespace toile

@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/parallel.h"
+
 namespace toile {
 
 namespace {
@@ -49,6 +51,17 @@ std::optional<Level> level_at(const TriangleMesh& mesh, double y, double min_sha
     level.back = std::min(level.back, p.z());
   }
   return level;
+}
+
+/// The levels from `from` up to `to` (metres), `step` apart.
+std::vector<std::optional<Level>> levels_at(const TriangleMesh& mesh, double from, double to,
+                                            double step, double min_share) {
+  std::vector<double> heights;
+  for (double y = from; y < to; y += step) heights.push_back(y);
+  std::vector<std::optional<Level>> levels(heights.size());
+  parallel_for(heights.size(),
+               [&](std::size_t i) { levels[i] = level_at(mesh, heights[i], min_share); });
+  return levels;
 }
 
 using Profile = std::vector<Level>;
@@ -116,17 +129,13 @@ class Finder {
   void profile_of_body() {
     const double crotch = body_.skeleton->joint("pelvis").y();
     const double armpit = body_.skeleton->joint("chest").y();
-    for (double y = crotch + step() / 2; y < armpit; y += step()) {
-      if (const auto level = level_at(body_.mesh, y, 0)) profile_.push_back(*level);
+    for (const auto& level : levels_at(body_.mesh, crotch + step() / 2, armpit, step(), 0)) {
+      if (level) profile_.push_back(*level);
     }
   }
 
   void profile_of_form() {
-    std::vector<std::optional<Level>> levels;
-    for (double y = 2 * step(); y < body_.height; y += step()) {
-      levels.push_back(level_at(body_.mesh, y, 0.85));
-    }
-    profile_ = longest_run(levels);
+    profile_ = longest_run(levels_at(body_.mesh, 2 * step(), body_.height, step(), 0.85));
     // A form's neck is no trunk: the trunk ends where the girth above the waist is greatest.
     if (profile_.size() < 12) return;
     const double least = least_inside();
