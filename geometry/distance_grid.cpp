@@ -1,8 +1,11 @@
 #include "geometry/distance_grid.h"
 
+#include <oneapi/tbb/enumerable_thread_specific.h>
+
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
+#include <memory>
 #include <new>
 
 #include "geometry/distance_levels.h"
@@ -41,15 +44,26 @@ struct DistanceGrid::Table {
     void operator()(void* memory) const { std::free(memory); }
   };
   std::unique_ptr<std::atomic<const Block*>[], Free> blocks;
+  /// Memory of the blocks that a thread has filled. Freed by slabs, for there are tens of
+  /// thousands.
+  struct Store {
+    static constexpr std::size_t slab = 64;  // blocks
+    std::vector<std::unique_ptr<Block[]>> slabs;
+    std::size_t used = slab;  // of the last slab
 
-  ~Table() { drop(); }
-  void drop() {
-    if (blocks == nullptr) return;
-    for (int i = 0; i < size[0] * size[1] * size[2]; ++i) delete blocks[i].load();
-    blocks.reset();
-  }
+    Block* next() {
+      if (used == slab) {
+        slabs.push_back(std::make_unique_for_overwrite<Block[]>(slab));
+        used = 0;
+      }
+      return &slabs.back()[used++];
+    }
+    void take_back() { --used; }
+  };
+  mutable tbb::enumerable_thread_specific<Store> stores;
+
   void add(const SurfaceDistance& surface, const DistanceGridOptions& options);
-  const Block* compute(const Index& block) const;
+  void compute(const Index& block, float* values) const;
 };
 
 void DistanceGrid::Table::add(const SurfaceDistance& surface, const DistanceGridOptions& options) {
@@ -72,7 +86,8 @@ void DistanceGrid::Table::add(const SurfaceDistance& surface, const DistanceGrid
         std::max(first[axis] + size[axis], static_cast<int>(std::ceil(to / side)) + 1) -
         new_first[axis];
   }
-  drop();
+  blocks.reset();
+  stores.clear();
   first = new_first;
   size = new_size;
   const std::size_t count = static_cast<std::size_t>(size[0]) * size[1] * size[2];
@@ -90,17 +105,15 @@ void DistanceGrid::Table::add(const SurfaceDistance& surface, const DistanceGrid
   for (const auto& levels : surfaces) levels->cover(first_node, nodes);
 }
 
-const DistanceGrid::Block* DistanceGrid::Table::compute(const Index& block) const {
-  auto made = std::make_unique<Block>();
+void DistanceGrid::Table::compute(const Index& block, float* values) const {
   const Index first_node = {block_side * block[0] - 1, block_side * block[1] - 1,
                             block_side * block[2] - 1};
-  surfaces.front()->block_at(first_node, made->values);
+  surfaces.front()->block_at(first_node, values);
   for (std::size_t s = 1; s < surfaces.size(); ++s) {
     float others[rimmed_nodes];
     surfaces[s]->block_at(first_node, others);
-    for (int n = 0; n < rimmed_nodes; ++n) made->values[n] = std::min(made->values[n], others[n]);
+    for (int n = 0; n < rimmed_nodes; ++n) values[n] = std::min(values[n], others[n]);
   }
-  return made.release();
 }
 
 DistanceGrid::DistanceGrid(const SurfaceDistance& body, const DistanceGridOptions& options)
@@ -158,12 +171,15 @@ const DistanceGrid::Block* DistanceGrid::fill(int number) const {
                        number / size[0] % size[1] + table_->first[1],
                        number / size[0] / size[1] + table_->first[2]};
   // Two threads may compute the same block. Their values are equal; the first one's block stays.
-  std::unique_ptr<const Block> made(table_->compute(block));
+  Table::Store& store = table_->stores.local();
+  Block* const made = store.next();
+  table_->compute(block, made->values);
+  made->values[rimmed_nodes] = 0;
   const Block* found = nullptr;
-  if (table_->blocks[number].compare_exchange_strong(found, made.get(),
-                                                     std::memory_order_acq_rel)) {
-    found = made.release();
+  if (table_->blocks[number].compare_exchange_strong(found, made, std::memory_order_acq_rel)) {
+    return made;
   }
+  store.take_back();
   return found;
 }
 

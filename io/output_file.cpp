@@ -114,7 +114,10 @@ std::string read_file(const fs::path& path) {
   if (!stream) throw Error(path.string(), "can't be read", "does the file exist?");
   // By blocks, for a pipe has no size. Byte by byte, it is a tenth of the start of a program.
   constexpr std::streamsize block = 1 << 18;
+  constexpr std::uintmax_t max_reserved = 1 << 30;
   std::string content;
+  const std::uintmax_t size = fs::file_size(path, failed);
+  if (!failed && size < max_reserved) content.reserve(size + block);
   while (stream) {
     const std::size_t before = content.size();
     content.resize(before + block);

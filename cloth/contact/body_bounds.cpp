@@ -22,27 +22,32 @@ constexpr double safety = 1e-7;
 /// Regions that one task updates.
 constexpr std::size_t chunk = 64;
 
-/// Whether the segment ab passes through the triangle, or touches it, up to rounding.
-bool pierces(const Vec3& a, const Vec3& b, const std::array<Vec3, 3>& t) {
+/// Whether an edge of `s` passes through the triangle `t`, or touches it, up to rounding.
+bool pierces(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t) {
   const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
-  const double from = normal.dot(a - t[0]);
-  const double to = normal.dot(b - t[0]);
-  if (from * to > 0) return false;
-  int positive = 0;
-  int negative = 0;
-  for (int i = 0; i < 3; ++i) {
-    const double side = (b - a).dot((t[i] - a).cross(t[(i + 1) % 3] - a));
-    positive += side >= 0;
-    negative += side <= 0;
+  const std::array<double, 3> above = {normal.dot(s[0] - t[0]), normal.dot(s[1] - t[0]),
+                                       normal.dot(s[2] - t[0])};
+  for (int e = 0; e < 3; ++e) {
+    const Vec3& a = s[e];
+    const Vec3& b = s[(e + 1) % 3];
+    if (above[e] * above[(e + 1) % 3] > 0) continue;
+    int positive = 0;
+    int negative = 0;
+    for (int i = 0; i < 3; ++i) {
+      const double side = (b - a).dot((t[i] - a).cross(t[(i + 1) % 3] - a));
+      positive += side >= 0;
+      negative += side <= 0;
+    }
+    if (positive == 3 || negative == 3) return true;
   }
-  return positive == 3 || negative == 3;
+  return false;
 }
 
 /// Metres between two triangles; 0 where they intersect.
 double distance_of(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t) {
+  if (pierces(s, t) || pierces(t, s)) return 0;
   double squared = std::numeric_limits<double>::max();
   for (int i = 0; i < 3; ++i) {
-    if (pierces(s[i], s[(i + 1) % 3], t) || pierces(t[i], t[(i + 1) % 3], s)) return 0;
     const Vec3 on_t = closest_on_triangle(s[i], t[0], t[1], t[2]);
     squared =
         std::min(squared, (s[i] - on_t[0] * t[0] - on_t[1] * t[1] - on_t[2] * t[2]).squaredNorm());

@@ -6,6 +6,7 @@
 
 #include "cloth/model/garment_model.h"
 #include "geometry/adjacency.h"
+#include "geometry/columns.h"
 #include "geometry/vec4.h"
 
 namespace toile {
@@ -31,6 +32,34 @@ using StiffnessBlock = std::array<double, 6>;
                             force[1] * Vec4{cofactor_xy, xx * zz - xz * xz, cofactor_yz, 0} +
                             force[2] * Vec4{cofactor_xz, cofactor_yz, xx * yy - xy * xy, 0};
   return displacement / determinant;
+}
+
+/// Does the same for four nodes at a time, and gives the same bits.
+[[gnu::always_inline]] inline Columns solve_blocks(const std::vector<StiffnessBlock>& blocks,
+                                                   const Places& at, const Vec4& more,
+                                                   const Columns& force) {
+  const auto entry = [&](std::size_t k) {
+    return Vec4{blocks[at[0]][k], blocks[at[1]][k], blocks[at[2]][k], blocks[at[3]][k]};
+  };
+  const Vec4 xx = entry(0) + more;
+  const Vec4 xy = entry(1);
+  const Vec4 xz = entry(2);
+  const Vec4 yy = entry(3) + more;
+  const Vec4 yz = entry(4);
+  const Vec4 zz = entry(5) + more;
+  const Vec4 cofactor_xx = yy * zz - yz * yz;
+  const Vec4 cofactor_xy = xz * yz - xy * zz;
+  const Vec4 cofactor_xz = xy * yz - xz * yy;
+  const Vec4 determinant = xx * cofactor_xx + xy * cofactor_xy + xz * cofactor_xz;
+  const Vec4 cofactor_yz = xy * xz - xx * yz;
+  const Columns scaled = {
+      force.x * cofactor_xx + force.y * cofactor_xy + force.z * cofactor_xz,
+      force.x * cofactor_xy + force.y * (xx * zz - xz * xz) + force.z * cofactor_yz,
+      force.x * cofactor_xz + force.y * cofactor_yz + force.z * (xx * yy - xy * xy)};
+  const Vec4 zero = {0, 0, 0, 0};
+  return {determinant > 0.0 ? scaled.x / determinant : zero,
+          determinant > 0.0 ? scaled.y / determinant : zero,
+          determinant > 0.0 ? scaled.z / determinant : zero};
 }
 
 /// A bound of the stiffness of stretch, shear and elastics at each node, as a matrix. Along a yarn

@@ -62,9 +62,15 @@ void BodyBarrier::find(std::size_t begin, std::size_t end, const Vec4s& x,
                        std::vector<Correction>& found) {
   const DistanceGrid& grid = scene_.collider->grid();
   const double path = path_.length();
+  // A probe is a mean of points. Most are passed over: no point has moved by what they may move.
+  std::size_t due[vertex_chunk];
+  std::size_t count = 0;
   for (std::size_t i = begin; i < end; ++i) {
-    // It is a mean of points, and none has moved by what it may move.
-    if (path < clear_until_[i]) continue;
+    due[count] = i;
+    count += path < clear_until_[i] ? 0 : 1;
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t i = due[k];
     const auto& [points, weights] = probes_[i];
     const Vec4 at =
         weights[0] * x[points[0]] + weights[1] * x[points[1]] + weights[2] * x[points[2]];

@@ -5,53 +5,11 @@
 #include <numeric>
 
 #include "cloth/relaxation/constants.h"
+#include "geometry/columns.h"
 
 namespace toile {
 
 namespace {
-
-/// Four vectors: their x components, their y components, their z components.
-struct Columns {
-  Vec4 x;
-  Vec4 y;
-  Vec4 z;
-};
-
-[[gnu::always_inline]] inline Columns columns_of(const Vec4& a, const Vec4& b, const Vec4& c,
-                                                 const Vec4& d) {
-  const Vec4 ab_low = __builtin_shufflevector(a, b, 0, 4, 2, 6);   // ax bx az bz
-  const Vec4 ab_high = __builtin_shufflevector(a, b, 1, 5, 3, 7);  // ay by aw bw
-  const Vec4 cd_low = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-  const Vec4 cd_high = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-  return {__builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5),
-          __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5),
-          __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7)};
-}
-
-/// Stores the vectors of four triangles, each at its index.
-[[gnu::always_inline]] inline void store_rows(const Columns& c, Vec4* out, const int (&at)[4]) {
-  const Vec4 zero = {0, 0, 0, 0};
-  const Vec4 xy_low = __builtin_shufflevector(c.x, c.y, 0, 4, 2, 6);   // x0 y0 x2 y2
-  const Vec4 xy_high = __builtin_shufflevector(c.x, c.y, 1, 5, 3, 7);  // x1 y1 x3 y3
-  const Vec4 zw_low = __builtin_shufflevector(c.z, zero, 0, 4, 2, 6);
-  const Vec4 zw_high = __builtin_shufflevector(c.z, zero, 1, 5, 3, 7);
-  out[at[0]] = __builtin_shufflevector(xy_low, zw_low, 0, 1, 4, 5);
-  out[at[1]] = __builtin_shufflevector(xy_high, zw_high, 0, 1, 4, 5);
-  out[at[2]] = __builtin_shufflevector(xy_low, zw_low, 2, 3, 6, 7);
-  out[at[3]] = __builtin_shufflevector(xy_high, zw_high, 2, 3, 6, 7);
-}
-
-[[gnu::always_inline]] inline Vec4 dot(const Columns& a, const Columns& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-[[gnu::always_inline]] inline Vec4 square_root(const Vec4& a) {
-  Vec4 root;
-  for (int i = 0; i < 4; ++i) root[i] = __builtin_sqrt(a[i]);
-  return root;
-}
-
-[[gnu::always_inline]] inline Vec4 larger(const Vec4& a, const Vec4& b) { return a > b ? a : b; }
 
 /// The stress that a limit adds in four triangles whose strain exceeds it by `by`.
 [[gnu::always_inline]] inline Vec4 limit_stress(const Vec4& stiffness, const Vec4& by,
@@ -305,9 +263,11 @@ double ElasticKernel::stiffening(std::size_t v) const {
                                                const Vec4* x, Vec4& force) {
   const Vec4 here = x[v];
   Vec4 sum = {0, 0, 0, 0};
-  for (int i = rows.first[v]; i < rows.first[v + 1]; ++i) {
-    sum += rows.stiffness[i] * (x[rows.vertex[i]] - here);
-  }
+  const int* const vertex = rows.vertex.data();
+  const double* const stiffness = rows.stiffness.data();
+  const int end = rows.first[v + 1];
+#pragma GCC unroll 4
+  for (int i = rows.first[v]; i < end; ++i) sum -= stiffness[i] * (here - x[vertex[i]]);
   force += scale * sum;
 }
 
@@ -316,7 +276,9 @@ void ElasticKernel::gather(std::size_t begin, std::size_t end, double bending, d
                            const Vec4s& x, Vec4s& force) const {
   for (std::size_t v = begin; v < end; ++v) {
     Vec4 sum = {0, 0, 0, 0};
-    for (int i = first_pull_[v]; i < first_pull_[v + 1]; ++i) sum += pulls_[i];
+    const int end_of_pulls = first_pull_[v + 1];
+#pragma GCC unroll 2
+    for (int i = first_pull_[v]; i < end_of_pulls; ++i) sum += pulls_[i];
     if (!bend_.inside.first.empty()) add_bending(bend_.inside, v, bending, x.data(), sum);
     if (!bend_.seams.first.empty()) {
       add_bending(bend_.seams, v, bending * seam_bending, x.data(), sum);

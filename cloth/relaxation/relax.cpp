@@ -10,6 +10,7 @@
 #include "cloth/relaxation/block_stiffness.h"
 #include "cloth/relaxation/cloth_forces.h"
 #include "cloth/relaxation/constants.h"
+#include "cloth/relaxation/isotropic_shares.h"
 #include "cloth/relaxation/multilevel_preconditioner.h"
 #include "cloth/scene/collider.h"
 #include "geometry/error.h"
@@ -79,15 +80,8 @@ class Relaxation {
         node_force_(model.nodes, Vec4{}),
         x_(as_vec4(x)),
         stops_(model.nodes, 0),
-        isotropic_share_(model.nodes, max_isotropic_share),
-        least_share_(model.nodes, min_isotropic_share),
-        share_of_glide_(model.nodes),
-        last_glide_(model.nodes, Vec4{}),
-        partial_(chunks_of(model.nodes, vertex_chunk)) {
-    for (int n = 0; n < model.nodes; ++n) {
-      share_of_glide_[n] = max_isotropic_share / (turning_glide * model.shortest_edge[n]);
-    }
-  }
+        shares_(model),
+        partial_(chunks_of(model.nodes, vertex_chunk)) {}
 
   RelaxReport run(const RelaxWatcher& watcher);
   std::vector<Vec3> state() const { return forces_.state(); }
@@ -100,7 +94,6 @@ class Relaxation {
   double bend_stiffness(std::size_t n) const {
     return model_.bend.empty() ? 0 : bending_ * model_.bend_diagonal[n];
   }
-  void adapt_isotropic_share(std::size_t n, const Vec4& glide);
   double step_nodes(std::size_t begin, std::size_t end, const ClothForces::Mover& move);
   /// What becomes of crossing cloth.
   enum class Crossing { goes_on, gone, stuck };
@@ -133,10 +126,7 @@ class Relaxation {
   Vec4s node_force_;        // N, stiffness of contacts (N/m) as the fourth
   Vec4s x_;                 // the iterate before momentum
   std::vector<int> stops_;  // per node: grows by 2 when a bound stops it, else falls by 1
-  std::vector<double> isotropic_share_;  // per node, min_ to max_isotropic_share
-  std::vector<double> least_share_;      // per node: more where it trembles
-  std::vector<double> share_of_glide_;   // per node, of a glide of 1 m
-  Vec4s last_glide_;                     // metres, per node: its last move
+  IsotropicShares shares_;
   std::vector<double> partial_;
   double counted_force_ = std::numeric_limits<double>::infinity();  // N, see counted_force
   double bending_ = 1;
@@ -166,50 +156,54 @@ void Relaxation::update_blocks() {
   block_interval_ = static_cast<int>(std::clamp<double>(block_interval_ * max_block_turn / turn,
                                                         min_block_interval, max_block_interval));
   until_blocks_ = block_interval_;
-  multilevel_.set_blocks(blocks_.of_nodes(), isotropic_share_);
+  multilevel_.set_blocks(blocks_.of_nodes(), shares_.of_nodes());
 }
 
-/// Takes the share of the isotropic bound that node n needs after a move by `glide`. A node that
-/// turns back trembles; one that a bound has stopped of late would.
-[[gnu::always_inline]] inline void Relaxation::adapt_isotropic_share(std::size_t n,
-                                                                     const Vec4& glide) {
-  const bool trembles = stops_[n] > 0 || dot(glide, last_glide_[n]) < 0;
-  least_share_[n] = trembles ? std::min(max_isotropic_share, trembling_growth * least_share_[n])
-                             : std::max(min_isotropic_share, trembling_decay * least_share_[n]);
-  const double by_glide = share_of_glide_[n] * std::sqrt(squared_length(glide));
-  isotropic_share_[n] = std::max({std::min(max_isotropic_share, by_glide),
-                                  isotropic_share_decay * isotropic_share_[n], least_share_[n]});
-  last_glide_[n] = glide;
-}
-
+/// Four nodes at a time: the arithmetic of one node waits for its roots and quotients.
 TOILE_CLONES
 double Relaxation::step_nodes(std::size_t begin, std::size_t end, const ClothForces::Mover& move) {
-  const double max_squared = options_.max_move * options_.max_move;
   double power = 0;
-  for (std::size_t n = begin; n < end; ++n) {
-    Vec4 force = node_force_[n];
-    const double isotropic = blocks_.known() ? isotropic_share_[n] : 1;
-    const double stiffness = force[3] + bend_stiffness(n) + forces_.limit_stiffness(n) +
-                             isotropic * model_.stretch_diagonal[n];
-    force[3] = 0;
-    Vec4 displacement = step_factor_ * solve_block(blocks_.of_nodes()[n], stiffness, force);
-    displacement += step_factor_ * multilevel_.of_node(n);
-    const double squared = squared_length(displacement);
-    if (squared > max_squared) displacement *= options_.max_move / std::sqrt(squared);
-    const Vec4 before = forces_.node(n);
-    const Vec4 next = before + displacement;
-    Vec4 motion = next - x_[n];
+  for (std::size_t first = begin; first < end; first += 4) {
+    const std::size_t last = std::min(first + 4, end);
+    const Places at(first, last);
+    Vec4 contacts;
+    const Columns force = at.of(node_force_, &contacts);
+    const Vec4 isotropic = blocks_.known() ? at.of(shares_.of_nodes()) : repeated(1);
+    const Vec4 bend = model_.bend.empty() ? Vec4{} : bending_ * at.of(model_.bend_diagonal);
+    const Vec4 limits = forces_.has_limits()
+                            ? Vec4{forces_.limit_stiffness(at[0]), forces_.limit_stiffness(at[1]),
+                                   forces_.limit_stiffness(at[2]), forces_.limit_stiffness(at[3])}
+                            : Vec4{};
+    const Vec4 stiffness = contacts + bend + limits + isotropic * at.of(model_.stretch_diagonal);
+    const Vec4 length = repeated(step_factor_);
+    Columns displacement = length * solve_blocks(blocks_.of_nodes(), at, stiffness, force);
+    displacement =
+        displacement + length * columns_of(multilevel_.of_node(at[0]), multilevel_.of_node(at[1]),
+                                           multilevel_.of_node(at[2]), multilevel_.of_node(at[3]));
+    const Columns next = at.of(forces_.nodes()) + shortened(displacement, options_.max_move);
+    const Columns motion = next - at.of(x_);
     // A node that is pulled much harder than most, as one that trembles, counts no more than they.
-    const double own_power =
-        dot(force, motion) / std::max(1.0, std::sqrt(squared_length(force)) / counted_force_);
-    const double speed = squared_length(motion);
-    if (speed > max_squared) motion *= options_.max_move / std::sqrt(speed);
-    const bool moved = move(n, next + momentum_ * motion);
-    x_[n] = moved ? next : forces_.node(n);
-    // A node against its bound goes nowhere, however hard it is pulled.
-    if (moved) power += own_power;
-    stops_[n] = std::clamp(stops_[n] + (moved ? -1 : 2), 0, 2 * held_stops);
-    adapt_isotropic_share(n, forces_.node(n) - before);
+    const Vec4 hardness = square_root(dot(force, force)) / counted_force_;
+    const Vec4 own_power = dot(force, motion) / larger(hardness, repeated(1));
+    const Columns wanted = next + repeated(momentum_) * shortened(motion, options_.max_move);
+    Vec4 next_rows[4];
+    Vec4 wanted_rows[4];
+    store_rows(next, next_rows, {0, 1, 2, 3});
+    store_rows(wanted, wanted_rows, {0, 1, 2, 3});
+    Vec4 glides[4] = {};
+    int stops[4] = {};
+    for (std::size_t i = 0; first + i < last; ++i) {
+      const std::size_t n = first + i;
+      const Vec4 before = forces_.node(n);
+      const bool moved = move(n, wanted_rows[i]);
+      x_[n] = moved ? next_rows[i] : forces_.node(n);
+      // A node against its bound goes nowhere, however hard it is pulled.
+      if (moved) power += own_power[i];
+      stops_[n] = std::clamp(stops_[n] + (moved ? -1 : 2), 0, 2 * held_stops);
+      stops[i] = stops_[n];
+      glides[i] = forces_.node(n) - before;
+    }
+    shares_.adapt(first, last, glides, stops);
   }
   return power;
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/parallel.h"
 #include "geometry/statistics.h"
 
 namespace toile {
@@ -64,6 +65,17 @@ std::optional<Level> level_at(const TriangleMesh& mesh, double y, double min_sha
     level.back = std::min(level.back, p.z());
   }
   return level;
+}
+
+/// The levels from `from` up to `to` (metres), `step` apart.
+std::vector<std::optional<Level>> levels_at(const TriangleMesh& mesh, double from, double to,
+                                            double step, double min_share) {
+  std::vector<double> heights;
+  for (double y = from; y < to; y += step) heights.push_back(y);
+  std::vector<std::optional<Level>> levels(heights.size());
+  parallel_for(heights.size(),
+               [&](std::size_t i) { levels[i] = level_at(mesh, heights[i], min_share); });
+  return levels;
 }
 
 using Profile = std::vector<Level>;
@@ -134,16 +146,13 @@ class Finder {
   void profile_of_body() {
     const double crotch = body_.skeleton->joint("pelvis").y();
     const double armpit = body_.skeleton->joint("chest").y();
-    for (double y = crotch + step() / 2; y < armpit; y += step()) {
-      if (const auto level = level_at(body_.mesh, y, 0)) profile_.push_back(*level);
+    for (const auto& level : levels_at(body_.mesh, crotch + step() / 2, armpit, step(), 0)) {
+      if (level) profile_.push_back(*level);
     }
   }
 
   void profile_of_form() {
-    std::vector<std::optional<Level>> levels;
-    for (double y = 2 * step(); y < body_.height; y += step()) {
-      levels.push_back(level_at(body_.mesh, y, form_share));
-    }
+    const auto levels = levels_at(body_.mesh, 2 * step(), body_.height, step(), form_share);
     // A stand's pole may be longer than the form.
     const std::vector<Profile> runs = smooth_runs(levels);
     const auto found = std::find_if(runs.begin(), runs.end(), [](const Profile& some) {

@@ -119,5 +119,19 @@ TEST(BlockStiffness, TakesAForceWhereTheStiffnessLetsIt) {
   EXPECT_EQ(as_vec3(solve_block({}, 0, as_vec4(force))), Vec3::Zero());
 }
 
+TEST(SolveBlocks, GivesTheBitsOfOneAtATime) {
+  const std::vector<StiffnessBlock> blocks = {
+      {3, 0.1, 0.2, 4, 0.3, 5}, {2, -1, 0.5, 2, 0.1, 7}, {0, 0, 0, 0, 0, 0}};
+  const Vec4s forces = {Vec4{0.3, -0.2, 0.7, 0}, Vec4{1, 2, 3, 0}, Vec4{0.1, 0.2, 0.3, 0}};
+  for (const double more : {0.0, 0.7}) {  // with 0 the third is singular
+    const Places at(0, 3);
+    Vec4 solved[4];
+    store_rows(solve_blocks(blocks, at, repeated(more), at.of(forces)), solved, {0, 1, 2, 3});
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      EXPECT_EQ(as_vec3(solved[i]), as_vec3(solve_block(blocks[i], more, forces[i])));
+    }
+  }
+}
+
 }  // namespace block_stiffness_test
 }  // namespace toile
