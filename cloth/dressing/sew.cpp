@@ -10,7 +10,6 @@
 #include "cloth/scene/collider.h"
 #include "cloth/start/panel_parts.h"
 #include "geometry/body/bones.h"
-#include "geometry/body/close_hands.h"
 #include "geometry/body/raise_arms.h"
 #include "geometry/intersections.h"
 
@@ -18,12 +17,10 @@ namespace toile {
 
 namespace {
 
-/// A body with its arms out of the way and its hands closed, and a scene around it.
+/// A body with its arms out of the way, and a scene around it.
 struct RaisedScene {
   RaisedScene(const Scene& standing, const ArmRaise& raise)
-      : RaisedScene(standing, raise,
-                    with_hands_closed(raise.raised(standing.collider->body()),
-                                      raise.raised(*standing.skeleton))) {}
+      : RaisedScene(standing, raise, raise.raised(standing.collider->body())) {}
   RaisedScene(const Scene& standing, const ArmRaise& raise, const TriangleMesh& body)
       : collider(body, standing.raised_distances != nullptr ? standing.raised_distances->known(body)
                                                             : DistanceCache()),
