@@ -56,11 +56,24 @@ bool arms_are_in_the_way(const PanelMesh& garment, const Skeleton& skeleton) {
   return false;
 }
 
-/// Radians above the horizontal at which raised arms are above all panels that are not theirs.
-/// The upper corners of a wide skirt's panels may stand above the shoulders.
+/// Per panel, whether it hangs down below the pelvis, as a skirt's.
+std::vector<bool> skirts(const PanelMesh& garment, const Skeleton& skeleton) {
+  std::vector<bool> hang(garment.panels.size(), false);
+  const auto pelvis = skeleton.joints.find("pelvis");
+  if (pelvis == skeleton.joints.end()) return hang;
+  const std::vector<int> panel_of = panel_of_points(garment);
+  for (std::size_t p = 0; p < garment.placed.size(); ++p) {
+    if (garment.placed[p].y() < pelvis->second.y()) hang[panel_of[p]] = true;
+  }
+  return hang;
+}
+
+/// Radians above the horizontal at which raised arms are above all of a skirt. The upper corners of
+/// a wide one's panels may stand above the shoulders.
 double raised_angle(const PanelMesh& garment, const Skeleton& skeleton) {
   const std::vector<std::string> parts = panel_parts(garment, skeleton);
   const std::vector<int> panel_of = panel_of_points(garment);
+  const std::vector<bool> hangs = skirts(garment, skeleton);
   double angle = ArmRaise::usual_angle;
   for (const auto& [part, side] : {std::pair("left_arm", 1.0), std::pair("right_arm", -1.0)}) {
     const Bones arm(skeleton, part);
@@ -68,7 +81,7 @@ double raised_angle(const PanelMesh& garment, const Skeleton& skeleton) {
     const Vec3 shoulder = arm.joints.front();
     const double reach = arm_reach * (arm.joints.back() - shoulder).norm();
     for (std::size_t p = 0; p < garment.placed.size(); ++p) {
-      if (parts[panel_of[p]].ends_with("_arm")) continue;
+      if (!hangs[panel_of[p]] || parts[panel_of[p]].ends_with("_arm")) continue;
       const Vec3 away = garment.placed[p] - shoulder;
       const double across = side * away.x();
       if (across < min_wing || std::hypot(across, away.y()) > reach) continue;

@@ -103,6 +103,7 @@ class Relaxation {
   std::vector<std::size_t> held() const;
   bool is_pressed_to_body(std::size_t n) const;
   int leave_out_held();
+  std::vector<double> node_weights_of_forces() const;
   void allow_for_loads();
   void adjust_momentum(double power, bool closing);
   bool stalls(const Residual& residual, int iteration);
@@ -285,6 +286,15 @@ int Relaxation::leave_out_held() {
   return static_cast<int>(stopped.size());
 }
 
+/// The force on each node, in mean node weights.
+std::vector<double> Relaxation::node_weights_of_forces() const {
+  std::vector<double> norms(node_force_.size());
+  for (std::size_t n = 0; n < norms.size(); ++n) {
+    norms[n] = std::sqrt(squared_length(node_force_[n])) / model_.mean_weight;
+  }
+  return norms;
+}
+
 /// Takes a small share of the load of each node off its force in node_force_, which the next step
 /// finds anew.
 void Relaxation::allow_for_loads() {
@@ -302,19 +312,16 @@ void Relaxation::allow_for_loads() {
 /// The residual of the forces that the last step found.
 Residual Relaxation::last_residual() {
   const int held = leave_out_held();
-  allow_for_loads();
-  multilevel_.compute(node_force_, bending_);
-  std::vector<double> norms(model_.nodes);
-  for (std::size_t n = 0; n < norms.size(); ++n) {
-    norms[n] = std::sqrt(squared_length(node_force_[n])) / model_.mean_weight;
-  }
-  Residual r = residual_of(std::move(norms));
-  r.held = held;
-  if (!std::isfinite(r.rms)) {
+  const Residual whole = residual_of(node_weights_of_forces());
+  if (!std::isfinite(whole.rms)) {
     throw Error("garment", "its forces grew beyond all numbers",
                 "check the fabric's stiffness and the panels for degenerate triangles");
   }
-  counted_force_ = counted_force * r.median * model_.mean_weight;
+  counted_force_ = counted_force * whole.median * model_.mean_weight;
+  allow_for_loads();
+  multilevel_.compute(node_force_, bending_);
+  Residual r = residual_of(node_weights_of_forces());
+  r.held = held;
   r.wide = multilevel_.rms_acceleration() / std::max(model_.scene.gravity.norm(), 1e-9);
   return r;
 }
