@@ -57,7 +57,7 @@ bool arms_are_in_the_way(const PanelMesh& garment, const Skeleton& skeleton) {
 }
 
 /// Per panel, whether it hangs down below the pelvis, as a skirt's.
-std::vector<bool> skirts(const PanelMesh& garment, const Skeleton& skeleton) {
+std::vector<bool> hang_below_pelvis(const PanelMesh& garment, const Skeleton& skeleton) {
   std::vector<bool> hang(garment.panels.size(), false);
   const auto pelvis = skeleton.joints.find("pelvis");
   if (pelvis == skeleton.joints.end()) return hang;
@@ -73,7 +73,7 @@ std::vector<bool> skirts(const PanelMesh& garment, const Skeleton& skeleton) {
 double raised_angle(const PanelMesh& garment, const Skeleton& skeleton) {
   const std::vector<std::string> parts = panel_parts(garment, skeleton);
   const std::vector<int> panel_of = panel_of_points(garment);
-  const std::vector<bool> hangs = skirts(garment, skeleton);
+  const std::vector<bool> hangs = hang_below_pelvis(garment, skeleton);
   double angle = ArmRaise::usual_angle;
   for (const auto& [part, side] : {std::pair("left_arm", 1.0), std::pair("right_arm", -1.0)}) {
     const Bones arm(skeleton, part);

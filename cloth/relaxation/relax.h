@@ -10,8 +10,9 @@
 namespace toile {
 
 /// Residual force on the nodes, contact and friction included, in units of the mean node weight.
-/// Nodes that press against a bound are left out, up to one in a hundred: the bound holds them, as
-/// a contact would. Of the force on a node, balanced_share of the cloth's own pull is left out.
+/// Nodes that press against a bound are left out: the bound holds them, as a contact would. Of
+/// those that are not pressed to the body, up to max_held_share are. Of the force on a node,
+/// balanced_share of the cloth's own pull is left out.
 struct Residual {
   double median = 0;
   double rms = 0;  ///< root mean square

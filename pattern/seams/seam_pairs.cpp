@@ -13,9 +13,6 @@ constexpr double degree = std::numbers::pi / 180;
 /// Longer over shorter side: no seam is gathered more.
 constexpr double max_fullness = 4;
 
-/// Radians: the inner angle at the tip of a dart is larger.
-constexpr double sharpest_dart_tip = 285 * degree;
-
 /// How much the curves of two sides speak for a seam, 0 to 1. Straight sides say nothing.
 double curve_match(const std::array<double, 4>& a, const std::array<double, 4>& b) {
   double size = 0;

@@ -1,7 +1,7 @@
 // What speaks for and against sewing two edges together, for each pair of edges.
 #pragma once
 
-#include <limits>
+#include <numbers>
 #include <vector>
 
 #include "pattern/seams/panel_symmetry.h"
@@ -10,6 +10,9 @@
 #include "pattern/seams/walked_edges.h"
 
 namespace toile {
+
+/// Radians: the inner angle at the tip of a dart is larger.
+inline constexpr double sharpest_dart_tip = 285 * std::numbers::pi / 180;
 
 /// What seams are found from.
 struct SeamEvidence {

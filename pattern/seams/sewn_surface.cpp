@@ -4,15 +4,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/disjoint_sets.h"
+
 namespace toile {
 
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr double right_angle = 90 * degree;
-
-/// Radians: the inner angle at the tip of a dart is larger.
-constexpr double sharpest_dart_tip = 285 * degree;
 
 /// Units of 90 degrees: by how much corners are counted as missing what closes flat, at most.
 constexpr double most_off = 1.5;
@@ -71,23 +70,20 @@ void SewnSurface::measure(const Partners& partners, SeamMeasures& sum) {
     ++points;
     measure_inside(sum);
   }
-  measure_borders(partners, sum);
+  measure_borders(sum);
 
-  part_.resize(panels_);
-  for (int p = 0; p < panels_; ++p) part_[p] = p;
+  DisjointSets sewn(panels_);
   int seams = 0;
   int lopsided = 0;
   for (int a = 0; a < edges_; ++a) {
     const int b = partners[a];
     if (b < a) continue;
     ++seams;
-    const int one = part_of(panel_[a]);
-    const int other = part_of(panel_[b]);
-    part_[std::max(one, other)] = std::min(one, other);
+    sewn.join(panel_[a], panel_[b]);
     if (mirror_[a] >= 0 && mirror_[b] >= 0 && partners[mirror_[a]] != mirror_[b]) ++lopsided;
   }
   int parts = 0;
-  for (int p = 0; p < panels_; ++p) parts += part_[p] == p ? 1 : 0;
+  for (int p = 0; p < panels_; ++p) parts += sewn.of(p) == p ? 1 : 0;
   int borders = 0;
   for (int e = 0; e < edges_; ++e) borders += after_[e] == -2 ? 1 : 0;
   const int handles = (2 * parts - borders - (points - (edges_ - seams) + panels_)) / 2;
@@ -101,29 +97,23 @@ void SewnSurface::measure(const Partners& partners, SeamMeasures& sum) {
   if (borders > 4) at(many_borders) += std::min(borders - 4, 6);
 }
 
-int SewnSurface::part_of(int panel) {
-  while (part_[panel] != panel) panel = part_[panel] = part_[part_[panel]];
-  return panel;
-}
-
-void SewnSurface::measure_borders(const Partners& /*partners*/, SeamMeasures& sum) {
+void SewnSurface::measure_borders(SeamMeasures& sum) {
   using enum SeamMeasure;
   const auto at = [&](SeamMeasure measure) -> double& { return sum[static_cast<int>(measure)]; };
   for (int e = 0; e < edges_; ++e) {
     if (after_[e] < 0) continue;
     double length = 0;
-    double concave = 0;
     for (int on = e; after_[on] >= 0;) {
       length += length_[on];
-      concave += std::max(0.0, -turning_[on]);
       const int next = after_[on];
       after_[on] = on == e ? -2 : -3;
       on = next;
     }
-    if (length < hole)
+    if (length < hole) {
       at(border_hole) += 1;
-    else if (length < small_border)
+    } else if (length < small_border) {
       at(border_small) += 1;
+    }
   }
 }
 

@@ -30,12 +30,11 @@ class SewnSurface {
  private:
   void measure_inside(SeamMeasures& sum) const;
   void measure_at_border(SeamMeasures& sum) const;
-  void measure_borders(const Partners& partners, SeamMeasures& sum);
+  void measure_borders(SeamMeasures& sum);
   double unlikeness(bool closed) const;
   double unsteadiness(bool closed) const;
   double off_junction() const;
   double fullness(int corner, bool leaving) const;
-  int part_of(int panel);
 
   int edges_ = 0;
   int panels_ = 0;
@@ -53,7 +52,6 @@ class SewnSurface {
   std::vector<char> seen_;
   std::vector<int> after_;  // per open edge: the next one on the border
   std::vector<BorderStep> border_;
-  std::vector<int> part_;
 };
 
 }  // namespace toile

@@ -1,9 +1,12 @@
 // The built clean-body, from files to files, messages and exit codes.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
+#include "geometry/body/mannequin/mannequin.h"
 #include "geometry/intersections.h"
 #include "geometry/surface_distance.h"
 #include "io/mesh_file.h"
@@ -211,6 +214,25 @@ Json expect_warned(const TriangleMesh& mesh, const std::string& words) {
   }
   EXPECT_TRUE(kept);
   return report;
+}
+
+TEST(CleanBodyProgram, ALeaningBodyIsTurnedUprightAndTheReportSaysByHowMuch) {
+  const ScratchFolder folder;
+  TriangleMesh body = make_mannequin({.edge_length = 0.014}).surface;
+  const Eigen::AngleAxisd lean(8 * std::numbers::pi / 180, Vec3::UnitX());
+  for (Vec3& p : body.points) p = lean * p;
+  write_mesh(folder / "leaning.ply", body);
+  for (const bool keeps : {false, true}) {
+    std::vector<std::string> arguments = {(folder / "leaning.ply").string(), "-o",
+                                          (folder / "body.ply").string(), "--report",
+                                          (folder / "report.json").string()};
+    if (keeps) arguments.insert(arguments.end(), {"--up", "y"});
+    const pipeline::Run ended = run("clean-body", arguments);
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    const Json report = Json::parse(pipeline::read_text(folder / "report.json"));
+    EXPECT_NEAR(report["changed"]["levelled_degrees"].get<double>(), keeps ? 0 : 8, 2);
+    EXPECT_EQ(says(ended, "degrees to stand upright"), !keeps) << ended.err;
+  }
 }
 
 TEST(CleanBodyProgram, AFilledHoleIsWarnedOfWithSizeAndPlace) {

@@ -31,6 +31,7 @@ nlohmann::ordered_json clean_body_json(const CleanBody& body, bool skeleton_give
             {"largest_move_mm", 1000 * unit * r.largest_move},
             {"turned", report.turned},
             {"turned_degrees", report.turned_degrees},
+            {"levelled_degrees", report.levelled_degrees},
             {"lifted_mm", 1000 * report.lifted},
             {"brought_m", {report.brought.x(), report.brought.z()}}}},
           {"self_intersections",
