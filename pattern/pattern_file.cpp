@@ -498,7 +498,7 @@ Pattern parse_drawn_pattern(const std::string& text, const std::string& name,
 Pattern parse_pattern(const std::string& text, const std::string& name,
                       std::vector<Remark>& remarks) {
   Pattern pattern = parse_drawn_pattern(text, name, remarks);
-  leave_out_crossed_stitches(pattern, remarks);
+  sew_crossed_rows_as_one(pattern, remarks);
   merge_short_edges(pattern, remarks);
   open_sharp_corners(pattern, remarks);
   return pattern;

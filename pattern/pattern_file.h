@@ -16,7 +16,7 @@ namespace toile {
 /// with quadratic, cubic and circle. Panels come in the order of `panel_order`, else of the file.
 /// Rotations are Euler angles in degrees about the fixed x, then y, then z axis. Keys that are not
 /// read are added to `remarks`, and so is what was assumed. What spoils
-/// a mesh is mended, see leave_out_crossed_stitches(), merge_short_edges() and
+/// a mesh is mended, see sew_crossed_rows_as_one(), merge_short_edges() and
 /// open_sharp_corners(). Edges keep their numbers.
 ///
 /// Throws Error for malformed JSON, with line and column, and for missing or misshapen values.

@@ -1,4 +1,4 @@
-// Finds stitches that cross the ones beside them.
+// Mends rows of edges that are sewn to each other out of order.
 #pragma once
 
 #include <vector>
@@ -7,12 +7,18 @@
 
 namespace toile {
 
-/// Leaves out stitches that join two panels out of order.
+/// Sews rows of edges as one edge where their stitches cross.
 ///
 /// Edges in a row are sewn to edges in a row of another panel, in the order in which both sides
-/// pass along the seam. Of three and more that are not, the longest part in order stays. Each
-/// stitch that is left out adds a warning to `remarks`. Patterns with an edge in two stitches are
-/// left as they are. O(n^2) for n edges in a row.
-void leave_out_crossed_stitches(Pattern& pattern, std::vector<Remark>& remarks);
+/// pass along the seam. Of three and more that are not, the longest takes in the whole row, on both
+/// sides. Its stitch sews both rows from end to end; the other stitches are left out.
+///
+/// - Edges keep their numbers. The outline no longer runs along those that are taken in.
+/// - Rows with an elastic or an attachment stay as they are.
+/// - Each row is a warning in `remarks`. Patterns with an edge in two stitches are left as they
+/// are.
+///
+/// O(n^2) for n edges in a row.
+void sew_crossed_rows_as_one(Pattern& pattern, std::vector<Remark>& remarks);
 
 }  // namespace toile
