@@ -30,6 +30,8 @@ struct Attachment {
   bool always = false;        ///< for good; else until the garment is sewn and friction holds it
   double stiffness = 5000;    ///< N/m, of the whole attachment; spread evenly along an edge
   double max_pull = 20;       ///< N, of the whole attachment; spread evenly along an edge
+  /// Only where the garment ends up where it does not belong without it; then until it is sewn.
+  bool only_if_it_slips = false;
 
   bool operator==(const Attachment&) const = default;
 };

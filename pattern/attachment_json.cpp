@@ -14,7 +14,7 @@ namespace toile {
 namespace {
 
 constexpr std::array<std::string_view, 6> place_words = {"", "place", "skin", "", "side", "height"};
-constexpr std::array<std::string_view, 2> while_words = {"dressing", "always"};
+constexpr std::array<std::string_view, 3> while_words = {"dressing", "always", "slipping"};
 constexpr std::array<std::string_view, 7> known_keys = {
     "edge", "vertex", "to", "above", "while", "stiffness_N_per_m", "max_N"};
 
@@ -116,7 +116,9 @@ Attachment read_attachment(const JsonValue& entry, double unit) {
     attachment.above = length(*above, unit);
   }
   if (const auto until = entry.find("while")) {
-    attachment.always = while_words[word_of(*until, while_words)] == "always";
+    const std::string_view word = while_words[word_of(*until, while_words)];
+    attachment.always = word == "always";
+    attachment.only_if_it_slips = word == "slipping";
   }
   if (const auto stiffness = entry.find("stiffness_N_per_m")) {
     attachment.stiffness = positive(*stiffness, max_stiffness, "5000 gives way by 0.2 mm for 1 N");
@@ -137,7 +139,7 @@ nlohmann::ordered_json attachment_json(const Attachment& attachment) {
     json["to"] = place_words[static_cast<std::size_t>(attachment.to)];
   }
   if (attachment.above != 0) json["above"] = attachment.above;
-  json["while"] = while_words[attachment.always ? 1 : 0];
+  json["while"] = while_words[attachment.always ? 1 : (attachment.only_if_it_slips ? 2 : 0)];
   json["stiffness_N_per_m"] = attachment.stiffness;
   json["max_N"] = attachment.max_pull;
   return json;

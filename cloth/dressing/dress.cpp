@@ -45,6 +45,33 @@ State first_settled(const Level& level, const State& sewn, bool bounded, bool& f
   return friction ? held : slid;
 }
 
+/// A garment that is sewn, and has settled on its coarsest mesh.
+struct SettledGarment {
+  std::vector<PanelMesh> meshes;  // the finest first
+  Placement placement;            // of the coarsest
+  Level level;
+  State state;
+  bool is_clear = false;
+  bool is_in_place = false;
+  bool friction = false;
+};
+
+SettledGarment sew_and_settle(const PanelMesh& garment, const Scene& scene, double resting_offset,
+                              Journal& journal) {
+  SettledGarment settled;
+  settled.meshes = nested_meshes(garment);
+  const PanelMesh& coarsest = settled.meshes.back();
+  const int depth = static_cast<int>(settled.meshes.size()) - 1;
+  Sewn sewn = sew(coarsest, depth, scene, resting_offset, journal);
+  settled.placement = std::move(sewn.placement);
+  settled.level = compiled_level(coarsest, depth, scene, settled.placement.placed, resting_offset);
+  settled.state =
+      first_settled(settled.level, sewn.state, sewn.is_clear, settled.friction, journal);
+  settled.is_clear = sewn.is_clear || is_clear_of_itself(settled.level, settled.state);
+  settled.is_in_place = is_in_place(settled.level, settled.state);
+  return settled;
+}
+
 bool has_temporary_attachments(const Level& level) {
   return lasting(level.model.attachments).size() < level.model.attachments.size();
 }
@@ -124,25 +151,24 @@ void check_body(const Scene& scene) {
 DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptions& options,
                   const FrameWatcher& watcher) {
   check_body(scene);
-  const std::vector<PanelMesh> meshes = nested_meshes(garment);
-  const int coarsest = static_cast<int>(meshes.size()) - 1;
   Journal journal(watcher);
   DressResult result;
   result.body_offset = resting_offset(garment, scene);
 
-  Sewn sewn = sew(meshes[coarsest], coarsest, scene, result.body_offset, journal);
-  result.placement = std::move(sewn.placement);
-  for (int depth = coarsest; depth > 0; --depth) {
+  SettledGarment settled = sew_and_settle(garment, scene, result.body_offset, journal);
+  if (!settled.is_in_place) {
+    if (const std::optional<PanelMesh> held = hold_what_slips(garment)) {
+      journal.begin_attempt(journal.attempt() + 1);
+      SettledGarment anew = sew_and_settle(*held, scene, result.body_offset, journal);
+      if (anew.is_in_place && anew.is_clear) settled = std::move(anew);
+    }
+  }
+  auto& [meshes, placement, level, state, is_clear, is_in_place, friction] = settled;
+  result.placement = std::move(placement);
+  for (std::size_t depth = meshes.size() - 1; depth > 0; --depth) {
     result.placement.initial =
         refine_placed(meshes[depth], result.placement.initial, meshes[depth - 1]);
   }
-
-  Level level = compiled_level(meshes[coarsest], coarsest, scene, result.placement.placed,
-                               result.body_offset);
-  bool friction = false;
-  bool is_clear = sewn.is_clear;
-  State state = first_settled(level, sewn.state, is_clear, friction, journal);
-  is_clear = is_clear || is_clear_of_itself(level, state);
   const bool is_tangled = !is_clear && crossings(level, state) > max_hopeful_crossings;
   const auto is_lost = [&] {
     return is_tangled || fallen(level, state, result.placement.placed) > fallen_off_drop;

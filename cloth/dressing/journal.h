@@ -56,6 +56,7 @@ class Journal {
   /// The last stage did what it is for, though it did not come to rest.
   void mark_converged() { stages_.back().converged = true; }
 
+  int attempt() const { return attempt_; }
   const std::vector<StageReport>& stages() const { return stages_; }
   const DuringDressing& during() const { return during_; }
   /// Of the whole dressing, 0 to 1.

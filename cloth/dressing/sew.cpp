@@ -152,9 +152,10 @@ Sewn sew(const PanelMesh& mesh, int depth, const Scene& scene, double resting_of
     standing =
         compiled_level(mesh, depth, closing_scene(scene), sewn.placement.placed, resting_offset);
   }
+  const int first_attempt = journal.attempt();
   for (std::size_t attempt = 0; attempt < closing_stiffness.size() && !sewn.is_clear; ++attempt) {
     if (attempt > 0 && sewn.level.model.nodes > max_resewn_nodes) break;
-    journal.begin_attempt(static_cast<int>(attempt) + 1);
+    journal.begin_attempt(first_attempt + static_cast<int>(attempt));
     if (raise) journal.show_through([&](const Vec3& p) { return raise->lowered(p); });
     Staged staged = close_and_untangle(sewn.level, closing_stiffness[attempt], journal);
     // A tangle that falls only gets worse.

@@ -140,6 +140,7 @@ std::vector<AttachedPoint> attached_points(const PanelMesh& garment, const Scene
   for (std::size_t a = 0; a < garment.attachments.size(); ++a) {
     const MeshedAttachment& attached = garment.attachments[a];
     const Attachment& how = attached.how;
+    if (how.only_if_it_slips) continue;
     Level level{Vec3::Zero(), Vec3::Zero()};
     if (how.to == AttachedTo::level) level = anchors.level(attached);
     const std::vector<double> shares = shares_along(garment, attached.points);
@@ -155,6 +156,14 @@ std::vector<AttachedPoint> attached_points(const PanelMesh& garment, const Scene
   return all;
 }
 
+std::optional<PanelMesh> hold_what_slips(const PanelMesh& garment) {
+  const auto slips = [](const MeshedAttachment& each) { return each.how.only_if_it_slips; };
+  if (std::ranges::none_of(garment.attachments, slips)) return std::nullopt;
+  PanelMesh held = garment;
+  for (MeshedAttachment& each : held.attachments) each.how.only_if_it_slips = false;
+  return held;
+}
+
 std::vector<AttachedPoint> lasting(std::vector<AttachedPoint> attachments) {
   std::erase_if(attachments, [](const AttachedPoint& each) { return !each.always; });
   return attachments;
@@ -165,7 +174,7 @@ std::vector<AttachmentFigures> measure_attachments(const PanelMesh& garment,
                                                    const std::vector<Vec3>& points) {
   std::vector<AttachmentFigures> all;
   for (const MeshedAttachment& each : garment.attachments) {
-    all.push_back({each.name, target_of(each.how), each.how.always});
+    all.push_back({each.name, target_of(each.how), each.how.always, !each.how.only_if_it_slips});
   }
   for (const AttachedPoint& attached : attachments) {
     AttachmentFigures& figures = all[attached.attachment];

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,7 +39,8 @@ inline Vec3 attachment_pull(const AttachedPoint& attached, const Vec3& p) {
   return attached.max_pull / distance * displacement;
 }
 
-/// All attached points, in the order of the garment's attachments. `placed` are the places of the
+/// All attached points, in the order of the garment's attachments. Those that hold only what slips
+/// have none, see hold_what_slips(). `placed` are the places of the
 /// panels (metres, one per material point). A level of torso or head is horizontal, one of a limb
 /// is square to its bones. An anchor nearer to the scene's body than `body_offset` metres is moved
 /// out to that distance.
@@ -48,6 +50,10 @@ inline Vec3 attachment_pull(const AttachedPoint& attached, const Vec3& p) {
 std::vector<AttachedPoint> attached_points(const PanelMesh& garment, const Scene& scene,
                                            const std::vector<Vec3>& placed, double body_offset);
 
+/// The garment with the attachments that hold only what slips as ones that hold while it is
+/// dressed. Nothing when it has none.
+std::optional<PanelMesh> hold_what_slips(const PanelMesh& garment);
+
 /// The attachments that hold for good.
 std::vector<AttachedPoint> lasting(std::vector<AttachedPoint> attachments);
 
@@ -56,6 +62,7 @@ struct AttachmentFigures {
   std::string name;
   std::string to;  ///< the landmark, "place", "skin" or "point"
   bool always = false;
+  bool used = true;          ///< false: held only if the garment slips, and it did not
   double off_mean = 0;       ///< metres from the points to their anchors, the mean
   double off_max = 0;        ///< metres, the largest
   Vec3 pull = Vec3::Zero();  ///< N: the force of the whole attachment on the cloth

@@ -56,6 +56,7 @@ TEST(AttachmentJson, WhatIsWrittenIsReadTheSame) {
        {Attachment{AttachedTo::level, "hip", 1 / 3.0, Vec3::Zero(), true, 1 / 7.0, 1e4},
         Attachment{AttachedTo::skin, "", 0, Vec3::Zero(), false, 5000, 20},
         Attachment{AttachedTo::place, "", 0, Vec3::Zero(), true, 1, 2},
+        Attachment{AttachedTo::height, "", 0, Vec3::Zero(), false, 5, 6, true},
         Attachment{AttachedTo::point, "", 0, Vec3(0.1, 1 / 3.0, -7), false, 3, 4}}) {
     const JsonDocument document(attachment_json(attachment).dump(), "test.json");
     EXPECT_EQ(read_attachment(document.root(), 1), attachment);

@@ -394,5 +394,24 @@ TEST(MeshPanels, TheRealPatternsAreSound) {
   }
 }
 
+TEST(MeshPanels, HoldsEdgesThatGarmentCodeLabelsForIt) {
+  const std::string skirt = R"("skirt": {"translation": [0,0,0],
+      "vertices": [[0,0],[20,0],[20,20],[10,20],[0,20]],
+      "edges": [{"endpoints": [0,1]}, {"endpoints": [1,2]},
+                {"endpoints": [2,3], "label": "lower_interface"},
+                {"endpoints": [3,4], "label": "left_collar"}, {"endpoints": [4,0]}]})";
+  std::vector<Remark> remarks;
+  const PanelMesh garment = mesh(parse_pattern(file(skirt), "test.json", remarks), {0.05});
+  ASSERT_EQ(garment.attachments.size(), 2u);
+  EXPECT_EQ(garment.attachments[0].how.to, AttachedTo::height);
+  EXPECT_TRUE(garment.attachments[0].how.only_if_it_slips);
+  EXPECT_EQ(garment.attachments[1].how.to, AttachedTo::side);
+  EXPECT_FALSE(garment.attachments[1].how.only_if_it_slips);
+  for (const int point : garment.attachments[0].points) {
+    EXPECT_DOUBLE_EQ(garment.flat[at(point)].y(), 0.2);
+    EXPECT_GE(garment.flat[at(point)].x(), 0.1);
+  }
+}
+
 }  // namespace mesh_panels_test
 }  // namespace toile

@@ -75,6 +75,7 @@ Json tight_regions_json(const TightRegions& tight) {
 Json attachments_json(const std::vector<AttachmentFigures>& attachments) {
   Json all = Json::array();
   for (const AttachmentFigures& figures : attachments) {
+    if (!figures.used) continue;
     Json json = {{"name", figures.name},
                  {"to", figures.to},
                  {"while", figures.always ? "always" : "dressing"},

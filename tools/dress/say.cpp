@@ -62,6 +62,7 @@ void say_release(const ReleaseReport& release, DressLog& log) {
 /// A line for each, and a warning for one that did not hold.
 void say_attachments(const std::vector<AttachmentFigures>& attachments, DressLog& log) {
   for (const AttachmentFigures& figures : attachments) {
+    if (!figures.used) continue;
     std::ostringstream line;
     line << std::fixed << std::setprecision(1) << figures.name << " attached to " << figures.to
          << ": " << 1000 * figures.off_mean
