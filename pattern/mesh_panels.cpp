@@ -250,9 +250,8 @@ std::vector<int> share_of(const std::vector<int>& along, PanelAttachment::Share 
 
 /// How GarmentCode's label of an edge says that it is held while the garment is dressed. A neckline
 /// would slide off the shoulders, and a strapless top down the chest. The waist of low trousers,
-/// `lower_interface`, may slip below the hips before it is closed. But a waist that is held stands
-/// too high on a body that is smaller than the one it was drafted for: of 46 such, two fewer are
-/// dressed than without.
+/// `lower_interface`, may slip below the hips before it is closed. But held from the first, a
+/// waist stands too high on a smaller body than its own: of 46 such, two fewer are dressed.
 std::optional<Attachment> held_by_label(const std::string& label) {
   Attachment held;
   if (label == "left_collar" || label == "right_collar") {
