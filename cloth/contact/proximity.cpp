@@ -293,19 +293,27 @@ void ProximitySearch::update(const std::vector<Vec3>& x, double radius, double g
     at[v] = x[v];
     bound[v] = proximity_bound_share * radius;
   }
-  // A vertex that keeps its bound may still move by the whole width of it. The factor is above what
-  // rounding can do.
+  // On both sides a vertex may have kept its bound, and still move by the whole width of it. The
+  // factor is above what rounding can do.
   constexpr double search_slack = 1.02;
   const double search_radius =
-      proximity_bound_share * (2 + stale_bound_share) * search_slack * radius;
+      proximity_bound_share * 2 * (1 + stale_bound_share) * search_slack * radius;
   for (NearPair& found : near_pairs({x, search_radius, moved})) {
     if (skip_neighbours && !of_layer(found.pair) && neighbours(found.pair)) continue;
     const double limit = proximity_bound_share * found.distance;
+    // How far each side may still go, by its vertex that may go farthest.
+    std::array<double, 2> reach = {limit, limit};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const int v = found.pair.vertices[i];
+      if (moved[v] != 0 || of_layer(v)) continue;
+      double& of_side = reach[i < (found.pair.edges ? 2u : 1u) ? 0 : 1];
+      of_side = std::max(of_side, bound[v] + (x[v] - at[v]).norm());
+    }
+    const bool stay_apart = reach[0] + reach[1] <= found.distance;
     for (const int v : found.pair.vertices) {
       if (moved[v] == 0 && !of_layer(v)) {
         const double used = (x[v] - at[v]).norm();
-        // The other side keeps to `limit`.
-        if (bound[v] + used <= found.distance - limit) continue;
+        if (stay_apart || bound[v] + used <= limit) continue;
         bound[v] = std::max(bound[v] - used, 0.0);
         at[v] = x[v];
       }

@@ -362,6 +362,55 @@ TEST(Bounds, NothingThatIsApartComesToIntersect) {
   }
 }
 
+/// Metres that the corners of a pair's sides may still go, at most: of the first and the second.
+std::array<double, 2> reach_of(const Key& key, const std::vector<double>& left) {
+  const bool edges = key[0] == 1;
+  std::array<double, 2> reach = {0, 0};
+  for (std::size_t i = 0; i < 4; ++i) {
+    double& of_side = reach[i < (edges ? 2u : 1u) ? 0 : 1];
+    of_side = std::max(of_side, left[key[i + 1]]);
+  }
+  return reach;
+}
+
+// Both sides of a pair may have a vertex that got a new bound, and one that keeps its old one.
+TEST(Bounds, AfterAnUpdateNoPairCanMeet) {
+  std::mt19937 random(4);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::vector<ContactPair> pairs;
+  std::vector<double> bound;
+  int checked = 0;
+  for (unsigned seed = 0; seed < 3; ++seed) {
+    Surface surface = soup(60, seed);
+    const ProximitySearch search = surface.search();
+    search.find(surface.x, 0.004, 0.002, pairs, bound, false);
+    std::vector<Vec3> at = surface.x;
+    for (int step = 0; step < 20; ++step) {
+      // One vertex of ten goes to the end of its bound, the others a little.
+      std::vector<char> is_new(surface.x.size());
+      for (std::size_t v = 0; v < surface.x.size(); ++v) {
+        const Vec3 way = Vec3(normal(random), normal(random), normal(random)).normalized();
+        is_new[v] = unit(random) < 0.1;
+        surface.x[v] = at[v] + (is_new[v] != 0 ? 1 : 0.3) * bound[v] * way;
+      }
+      search.update(surface.x, 0.004, 0.002, pairs, bound, at, false);
+      std::vector<double> left = bound;
+      for (std::size_t v = 0; v < at.size(); ++v) left[v] += (surface.x[v] - at[v]).norm();
+      for (const auto& [key, distance] : surface.all_pairs(0.01)) {
+        // Of others, the older bounds hold.
+        if (std::none_of(key.begin() + 1, key.end(), [&](int v) { return is_new[v] != 0; })) {
+          continue;
+        }
+        ++checked;
+        const auto [first, second] = reach_of(key, left);
+        ASSERT_LE(first + second, distance * (1 + 1e-12)) << seed << " " << step;
+      }
+    }
+  }
+  EXPECT_GT(checked, 1000);
+}
+
 TEST(Bounds, FartherMovesWouldIntersect) {
   // Moves of four bounds intersect, so the test above can fail.
   std::mt19937 random(9);
