@@ -319,16 +319,22 @@ void ClothForces::gather(std::size_t begin, std::size_t end) {
   }
 }
 
+/// Share in [0, 1] of a displacement (metres) of node n that the bounds of all its vertices allow.
+double ClothForces::allowed_share(std::size_t n, const Vec3& displacement) const {
+  double share = 1;
+  for (const int v : vertices_->of_node[n]) {
+    share = std::min(share, neighbourhood_->allowed_share(v, displacement));
+  }
+  return share;
+}
+
 /// The position on the path to `wanted` that node n reaches before one of its vertices leaves its
 /// bound.
 Vec3 ClothForces::within_bounds(std::size_t n, const Vec3& wanted) const {
   if (!seams_stand_open()) return neighbourhood_->clipped(n, wanted);
   const Vec3 from = as_vec3(nodes_[n]);
   const Vec3 displacement = wanted - from;
-  double share = 1;
-  for (const int v : vertices_->of_node[n]) {
-    share = std::min(share, neighbourhood_->allowed_share(v, displacement));
-  }
+  const double share = allowed_share(n, displacement);
   return share < 1 ? Vec3(from + share * displacement) : wanted;
 }
 
@@ -350,7 +356,7 @@ bool ClothForces::move_on(std::size_t n, const Vec4& wanted) {
     next = beside;
     // The way along the body may leave the ball that cloth allows.
     if (neighbourhood_->bounded()) {
-      next = from + neighbourhood_->allowed_share(n, next - from) * (next - from);
+      next = from + allowed_share(n, next - from) * (next - from);
     }
   }
   nodes_[n] = as_vec4(next);

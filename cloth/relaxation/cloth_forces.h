@@ -152,6 +152,7 @@ class ClothForces {
   }
   void add_up(std::size_t begin, std::size_t end);
   bool move_on(std::size_t n, const Vec4& wanted);
+  double allowed_share(std::size_t n, const Vec3& displacement) const;
   Vec3 within_bounds(std::size_t n, const Vec3& wanted) const;
   void place_points();
   void place_points(std::size_t begin, std::size_t end);
