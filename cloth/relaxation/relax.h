@@ -44,8 +44,11 @@ struct RelaxOptions : ForceOptions {
   /// Iterations over which the share that resists compression grows to 1. The run does not end
   /// before. 0: the share stays.
   int stiffening_iterations = 0;
-  double momentum = 0.9995;  ///< upper limit of Nesterov's weight k/(k+3)
-  double max_move = 0.004;   ///< metres that a node may move in an iteration
+  /// Upper limit of Nesterov's weight k/(k+3). Creases creep far under next to no force, so they
+  /// need most of it. With 0.995, 0.99 and 0.985, five garments at 10 mm take 1.2, 1.5 and 2.1
+  /// times the node-iterations [measured].
+  double momentum = 0.9995;
+  double max_move = 0.004;  ///< metres that a node may move in an iteration
   /// In node weights: the garment is at rest when its residual is below both. 0: the run has all
   /// iterations.
   double stop_median = 0;
