@@ -8,6 +8,7 @@
 #include "geometry/body/centreline.h"
 #include "geometry/body/tape.h"
 #include "geometry/body/torso_section.h"
+#include "geometry/laplacian.h"
 
 namespace toile {
 
@@ -20,6 +21,7 @@ constexpr double neck_base_ratio = 1.5;
 // backward. 11 and 15 degrees. Without it, points on flat chests lie 2 cm nearer to the middle.
 constexpr double breast_outward = 0.20;
 constexpr double seat_outward = 0.26;
+const double smoothing = std::getenv("SM") ? std::atof(std::getenv("SM")) : 0.003;
 
 const std::string& prefix(int side) {
   static const std::string left = "left_";
@@ -516,9 +518,20 @@ double side_line(const BodyShape& shape, double y) {
 
 BodyShape find_landmarks(const TriangleMesh& body, const std::string& name) {
   BodyShape shape;
-  shape.frame = body_frame(body, name);
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const Triangle& t : body.triangles) {
+    for (const int i : t) {
+      low = std::min(low, body.points[i].y());
+      high = std::max(high, body.points[i].y());
+    }
+  }
+  shape.frame = body_frame(smoothed(body, smoothing * (high - low)), name);
   shape.levels = trunk_levels(shape.frame);
   Finder(shape).find();
+  for (std::size_t i = 0; i < body.points.size(); ++i) {
+    shape.frame.mesh.points[i] = shape.frame.rotation * body.points[i] + shape.frame.translation;
+  }
   return shape;
 }
 
