@@ -49,6 +49,7 @@ Sparse cotangent_laplacian(const TriangleMesh& mesh) {
 }
 
 TriangleMesh smoothed(const TriangleMesh& mesh, double length) {
+  if (mesh.triangles.empty()) return mesh;
   const auto n = static_cast<Eigen::Index>(mesh.points.size());
   const Sparse stiffness = cotangent_laplacian(mesh);
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(n);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "geometry/body/centreline.h"
+#include "geometry/body/refine_joints.h"
 #include "geometry/body/tape.h"
 #include "geometry/body/torso_section.h"
 #include "geometry/laplacian.h"
@@ -101,10 +102,27 @@ std::optional<Vec3> bulge(const std::vector<Vec3>& curve, const Vec3& toward) {
   return curve.front() + most.at * along + most.value * out;
 }
 
+/// Metres from the lowest to the highest point of the surface; 0 where there is none.
+double height_of(const TriangleMesh& body) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const Triangle& t : body.triangles) {
+    for (const int i : t) {
+      low = std::min(low, body.points[i].y());
+      high = std::max(high, body.points[i].y());
+    }
+  }
+  return body.triangles.empty() ? 0 : high - low;
+}
+
 class Finder {
  public:
-  explicit Finder(BodyShape& shape)
-      : shape_(shape), mesh_(shape.frame.mesh), levels_(shape.levels), h_(shape.frame.height) {}
+  Finder(BodyShape& shape, const std::optional<Vec3>& crotch)
+      : shape_(shape),
+        mesh_(shape.frame.mesh),
+        levels_(shape.levels),
+        h_(shape.frame.height),
+        crotch_(crotch) {}
 
   void find() {
     add("floor", Vec3(0, 0, 0), 1);
@@ -122,7 +140,8 @@ class Finder {
       return;
     }
     skeleton_ = &*shape_.frame.skeleton;
-    find_crotch();
+    // Without air between the thighs the sections' touch is all there is.
+    add("crotch", crotch_.value_or(skeleton_->joint("pelvis")), crotch_ ? 0.8 : 0.4);
     for (const int side : {1, -1}) find_armpit_and_shoulder(side);
     find_neck();
     for (const int side : {1, -1}) {
@@ -242,21 +261,6 @@ class Finder {
         levels_.hip.reason);
     Landmark& added = shape_.landmarks.back();
     if (!added.place) added.reason = "the seat stands out the most in its middle";
-  }
-
-  void find_crotch() {
-    const double y = skeleton_->joint("pelvis").y();
-    // Between the legs the trunk's outline, seen from the front, comes down to here.
-    const auto trunk = sagittal();
-    Vec3 place = skeleton_->joint("pelvis");
-    if (trunk) {
-      std::vector<Vec3> bottom;
-      for (const Vec3& p : trunk->points) {
-        if (p.y() < y + 0.02 * h_) bottom.push_back(p);
-      }
-      if (!bottom.empty()) place = farthest(bottom, -Vec3::UnitY());
-    }
-    add("crotch", Vec3(0, y, place.z()), 0.8);
   }
 
   /// The body's outline in its middle plane.
@@ -473,23 +477,9 @@ class Finder {
     const std::string& which = prefix(side);
     const Vec3& shoulder = skeleton_->joint(which + "shoulder");
     const Vec3& elbow = skeleton_->joint(which + "elbow");
-    const Vec3 wrist = wrist_near(elbow, skeleton_->joint(which + "wrist"));
+    const Vec3& wrist = skeleton_->joint(which + "wrist");
     add_on_arm(which + "elbow", elbow, (wrist - shoulder).normalized());
     add_on_arm(which + "wrist", wrist, (wrist - elbow).normalized());
-  }
-
-  /// The middle of the wrist's thinnest section, by a parabola through the girths near the joint.
-  Vec3 wrist_near(const Vec3& elbow, const Vec3& joint) const {
-    const Vec3 along = (joint - elbow).normalized();
-    std::vector<Vec2> girths;
-    for (double t = -0.03 * h_; t < 0.016 * h_; t += 0.002 * h_) {
-      const Vec3 at = joint + t * along;
-      const auto section = section_at(slice(mesh_, at, along), at, along, 0, 0.04 * h_);
-      if (section) girths.emplace_back(t, -section->girth);
-    }
-    if (girths.size() < 6) return joint;
-    const Extreme least = greatest(girths, 0.02 * h_);
-    return least.is_end ? joint : Vec3(joint + least.at * along);
   }
 
   /// The outer point of the arm's section, where a tape from the shoulder runs.
@@ -505,6 +495,7 @@ class Finder {
   const TriangleMesh& mesh_;
   const TrunkLevels& levels_;
   double h_;
+  std::optional<Vec3> crotch_;
   const Skeleton* skeleton_ = nullptr;
 };
 
@@ -518,17 +509,11 @@ double side_line(const BodyShape& shape, double y) {
 
 BodyShape find_landmarks(const TriangleMesh& body, const std::string& name) {
   BodyShape shape;
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  for (const Triangle& t : body.triangles) {
-    for (const int i : t) {
-      low = std::min(low, body.points[i].y());
-      high = std::max(high, body.points[i].y());
-    }
-  }
-  shape.frame = body_frame(smoothed(body, smoothing * (high - low)), name);
+  shape.frame = body_frame(body, smoothed(body, smoothing * height_of(body)), name);
+  std::optional<Vec3> crotch;
+  if (shape.frame.skeleton) crotch = refine_joints(shape.frame);
   shape.levels = trunk_levels(shape.frame);
-  Finder(shape).find();
+  Finder(shape, crotch).find();
   for (std::size_t i = 0; i < body.points.size(); ++i) {
     shape.frame.mesh.points[i] = shape.frame.rotation * body.points[i] + shape.frame.translation;
   }

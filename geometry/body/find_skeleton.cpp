@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/body/centreline.h"
+#include "geometry/body/crotch.h"
 #include "geometry/error.h"
 
 namespace toile {
@@ -19,6 +20,8 @@ constexpr double arm_to_wrist = 0.186 + 0.146;
 constexpr double arm_to_tip = arm_to_wrist + 0.108;
 // Share of the length from shoulder to wrist.
 constexpr double elbow_share = 0.186 / arm_to_wrist;
+// Share of the height that thighs may touch below the crotch.
+constexpr double touching = 0.004;
 // Share of the crotch's height.
 constexpr double knee_share = 0.61;
 
@@ -125,8 +128,18 @@ class Finder {
       const auto right = trunk_section(y, up[1][first - 1].section.centroid);
       (left && right && left->centroid == right->centroid ? joined : apart) = y;
     }
+    auto pelvis = trunk_section(joined, up[0][first].section.centroid);
+    // Thighs that touch, or a film between them, join the sections too low.
+    const auto seen = find_crotch(body_, {up[0][first - 1].section.centroid,
+                                          up[1][first - 1].section.centroid, pelvis->centroid,
+                                          height_});
+    if (seen && seen->y() > joined + touching * height_) {
+      if (auto higher = trunk_section(seen->y(), pelvis->centroid)) {
+        joined = seen->y();
+        pelvis = std::move(higher);
+      }
+    }
     crotch_ = joined;
-    const auto pelvis = trunk_section(joined, up[0][first].section.centroid);
     skeleton_.joints["pelvis"] = pelvis->centroid;
 
     for (const int side : {1, -1}) {

@@ -107,6 +107,29 @@ std::vector<Profile> smooth_runs(const std::vector<std::optional<Level>>& levels
   return runs;
 }
 
+/// The sample around which the mean within `reach` is greatest. At an end it counts alone.
+std::size_t greatest_of_means(const std::vector<Vec2>& samples, double reach) {
+  std::size_t best = 0;
+  double most = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    // As far to the one side as to the other: a slope has no greatest mean within.
+    const double at = samples[i].x();
+    const double half = std::min({reach, at - samples.front().x(), samples.back().x() - at});
+    double sum = 0;
+    int n = 0;
+    for (const Vec2& sample : samples) {
+      if (std::abs(sample.x() - at) > half * (1 + 1e-9)) continue;
+      sum += sample.y();
+      ++n;
+    }
+    if (sum / n > most) {
+      most = sum / n;
+      best = i;
+    }
+  }
+  return best;
+}
+
 class Finder {
  public:
   explicit Finder(const BodyFrame& body)
@@ -375,9 +398,8 @@ class Finder {
 }  // namespace
 
 Extreme greatest(const std::vector<Vec2>& samples, double reach) {
-  const auto most = std::max_element(samples.begin(), samples.end(),
-                                     [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
-  Extreme extreme{most->x(), most->y(), 0, false};
+  const std::size_t most = greatest_of_means(samples, reach / 2);
+  Extreme extreme{samples[most].x(), samples[most].y(), 0, false};
   const double low = samples.front().x();
   const double high = samples.back().x();
   // An end, unless the samples rise and fall: 2 of 5 within the reach have to be on either side.
@@ -386,16 +408,19 @@ Extreme greatest(const std::vector<Vec2>& samples, double reach) {
     extreme.is_end = true;
     return extreme;
   }
-  for (int round = 0; round < 2; ++round) {
+  constexpr int most_rounds = 20;  // 5 are usual
+  for (int round = 0; round < most_rounds; ++round) {
     Eigen::Matrix3d sums = Eigen::Matrix3d::Zero();
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
     int n = 0;
     for (const Vec2& sample : samples) {
       const double t = (sample.x() - extreme.at) / reach;
       if (std::abs(t) > 1) continue;
+      // Samples come in and go out by and by: else the summit jumps.
+      const double share = (1 - t * t) * (1 - t * t);
       const Eigen::Vector3d powers(1, t, t * t);
-      sums += powers * powers.transpose();
-      right += sample.y() * powers;
+      sums += share * powers * powers.transpose();
+      right += share * sample.y() * powers;
       ++n;
     }
     if (n < 4) return extreme;
@@ -405,6 +430,7 @@ Extreme greatest(const std::vector<Vec2>& samples, double reach) {
     extreme.value = fit[0] + t * (fit[1] + t * fit[2]);
     extreme.curvature = 2 * fit[2] / (reach * reach);
     extreme.at = std::clamp(extreme.at + t * reach, low, high);
+    if (std::abs(t) < 1e-4) break;
   }
   return extreme;
 }

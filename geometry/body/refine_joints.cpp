@@ -1,0 +1,103 @@
+#include "geometry/body/refine_joints.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "geometry/body/centreline.h"
+#include "geometry/body/crotch.h"
+#include "geometry/body/trunk_levels.h"
+#include "geometry/parallel.h"
+
+namespace toile {
+
+namespace {
+
+// Shares of the height.
+constexpr double leg_reach = 0.025;
+constexpr double wrist_reach = 0.03;
+constexpr double arm_step = 0.002;
+constexpr double knee_span = 0.04;  // between the thin place and what proportion says
+/// Of the crotch's height.
+constexpr double knee_share = 0.61;
+/// Of the arm from shoulder to wrist [Drillis & Contini 1966].
+constexpr double elbow_share = 0.186 / (0.186 + 0.146);
+
+struct Refiner {
+  BodyFrame& frame;
+
+  Vec3& joint(const std::string& name) { return frame.skeleton->joints[name]; }
+
+  /// The girths of a limb, negative, at these places, in planes square to `normal`. Its middles
+  /// are added to `middles` where they are wanted.
+  std::vector<Vec2> girths(const std::vector<double>& along, const Vec3& from, const Vec3& slope,
+                           const Vec3& normal) const {
+    std::vector<std::optional<Section>> sections(along.size());
+    parallel_for(along.size(), [&](std::size_t i) {
+      const Vec3 at = from + along[i] * slope;
+      sections[i] = section_at(slice(frame.mesh, at, normal), at, normal, 0, 0.05 * frame.height);
+    });
+    std::vector<Vec2> found;
+    for (std::size_t i = 0; i < along.size(); ++i) {
+      if (sections[i]) found.emplace_back(along[i], -sections[i]->girth);
+    }
+    return found;
+  }
+
+  void find_knee(const std::string& side) {
+    const double h = frame.height;
+    const double crotch = joint("pelvis").y();
+    Vec3& knee = joint(side + "knee");
+    const Vec3 hip = joint(side + "hip");
+    const Vec3 ankle = joint(side + "ankle");
+    std::vector<double> heights;
+    for (double y = 0.5 * crotch; y < 0.7 * crotch; y += 0.003 * h) heights.push_back(y);
+    const Vec3 slope = (hip - ankle) / (hip.y() - ankle.y());
+    const Vec3 from = ankle - ankle.y() * slope;
+    const std::vector<Vec2> found = girths(heights, from, slope, Vec3::UnitY());
+    if (found.size() < 8) return;
+    const Extreme thin = greatest(found, leg_reach * h);
+    double y = knee_share * crotch;
+    // A leg that gets thinner all the way shows no knee.
+    if (!thin.is_end) y = std::clamp(y, thin.at - knee_span * h, thin.at + knee_span * h);
+    const Vec3& next = y > knee.y() ? hip : ankle;
+    knee += (y - knee.y()) / (next.y() - knee.y()) * (next - knee);
+  }
+
+  /// The wrist's thin place, by a parabola through the girths of the forearm and of the hand.
+  void find_wrist(const std::string& side) {
+    const double h = frame.height;
+    const Vec3 shoulder = joint(side + "shoulder");
+    Vec3& elbow = joint(side + "elbow");
+    Vec3& wrist = joint(side + "wrist");
+    const Vec3 along = (wrist - elbow).normalized();
+    std::vector<double> places;
+    for (double t = -0.045 * h; t < 0.04 * h; t += arm_step * h) places.push_back(t);
+    const std::vector<Vec2> found = girths(places, wrist, along, along);
+    if (found.size() < 12) return;
+    const Extreme thin = greatest(found, wrist_reach * h);
+    if (thin.is_end) return;
+    const double moved = thin.at;
+    wrist += moved * along;
+    elbow += elbow_share * moved * (elbow - shoulder).normalized();
+  }
+};
+
+}  // namespace
+
+std::optional<Vec3> refine_joints(BodyFrame& frame) {
+  Refiner refiner{frame};
+  const auto seen = find_crotch(frame.mesh, {refiner.joint("left_hip"), refiner.joint("right_hip"),
+                                             refiner.joint("pelvis"), frame.height});
+  if (seen) {
+    const double up = seen->y() - refiner.joint("pelvis").y();
+    for (const char* name : {"pelvis", "left_hip", "right_hip"}) refiner.joint(name).y() += up;
+  }
+  for (const char* side : {"left_", "right_"}) {
+    refiner.find_knee(side);
+    refiner.find_wrist(side);
+  }
+  return seen;
+}
+
+}  // namespace toile
