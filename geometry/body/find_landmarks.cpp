@@ -80,7 +80,7 @@ double width_of(const Section& section) {
 /// Where a curve lies farthest on the side `toward` of the straight line between its ends. Points
 /// near the extreme count by their distance, so that noise and coarse edges move it little. Nothing
 /// where it lies farthest at an end.
-std::optional<Vec3> bulge(const std::vector<Vec3>& curve, const Vec3& toward) {
+std::optional<Vec3> bulge(const std::vector<Vec3>& curve, const Vec3& toward, double reach) {
   const Vec3 along = (curve.back() - curve.front()).normalized();
   const Vec3 out = (toward - toward.dot(along) * along).normalized();
   std::vector<Vec2> samples;
@@ -97,7 +97,7 @@ std::optional<Vec3> bulge(const std::vector<Vec3>& curve, const Vec3& toward) {
   std::stable_sort(samples.begin(), samples.end(),
                    [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
   const double length = (curve.back() - curve.front()).norm();
-  const Extreme most = greatest(samples, 0.1 * length);
+  const Extreme most = greatest(samples, reach * length);
   if (most.is_end) return std::nullopt;
   return curve.front() + most.at * along + most.value * out;
 }
@@ -349,7 +349,12 @@ class Finder {
     const auto section = level(base);
     add("cervicale", section ? at_x(*section, 0, -1) : std::nullopt, 0.7);
     for (const int side : {1, -1}) find_side_neck(side, neck);
-    find_front_neck(neck.front().y, base);
+    // The thinnest level is a matter of noise, its neighbourhood is not.
+    std::vector<Vec2> widths;
+    for (std::size_t i = all.size(); i-- > 0;) {
+      if (all[i].y > base_joint - step) widths.emplace_back(all[i].y, -all[i].width);
+    }
+    find_front_neck(greatest(widths, 0.012 * h_).at, base);
   }
 
   void no_neck(const std::string& reason) {
@@ -372,7 +377,7 @@ class Finder {
     }
     outline.emplace_back(shoulder->x(), shoulder->y(), 0);
     if (outline.size() < 5) return absent(name, "the neck does not meet a shoulder");
-    const std::optional<Vec3> hollow = bulge(outline, Vec3(-side, -1, 0));
+    const std::optional<Vec3> hollow = bulge(outline, Vec3(-side, -1, 0), 0.2);
     if (!hollow) return absent(name, "the neck does not turn into the shoulder");
     const Vec3& turn = *hollow;
     // Along the ridge from neck to shoulder the point lies where a plane square to the ridge stands
@@ -407,7 +412,7 @@ class Finder {
     if (!from || !to) return absent("front_neck", "the throat has no closed outline");
     const std::vector<Vec3> curve = part_between(*outline, *from, *to, Vec3::UnitZ());
     if (curve.size() < 5) return absent("front_neck", "the throat has no outline from the side");
-    const std::optional<Vec3> hollow = bulge(curve, -Vec3::UnitZ());
+    const std::optional<Vec3> hollow = bulge(curve, -Vec3::UnitZ(), 0.2);
     if (!hollow) return absent("front_neck", "the throat has no hollow");
     add("front_neck", hollow, 0.6);
   }
@@ -468,7 +473,7 @@ class Finder {
     if (!to || sections.empty()) return absent(name, "the thigh has no closed outline");
     const std::vector<Vec3> curve = part_between(sections.front(), *seat, *to, -Vec3::UnitZ());
     if (curve.size() < 5) return absent(name, "the thigh has no outline from the side");
-    const std::optional<Vec3> fold = bulge(curve, Vec3::UnitZ());
+    const std::optional<Vec3> fold = bulge(curve, Vec3::UnitZ(), 0.2);
     if (!fold) return absent(name, "there is no fold between seat and thigh");
     add(name, fold, 0.5);
   }

@@ -15,7 +15,7 @@ namespace {
 
 // Shares of the height.
 constexpr double leg_reach = 0.025;
-constexpr double wrist_reach = 0.03;
+constexpr double wrist_reach = 0.02;
 constexpr double arm_step = 0.002;
 constexpr double knee_span = 0.04;  // between the thin place and what proportion says
 /// Of the crotch's height.

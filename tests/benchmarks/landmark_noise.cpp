@@ -1,7 +1,8 @@
 // Prints how far landmarks and girths move under noise, as a table:
 //   bench_landmark_noise SEEDS FOLDER BODY.ply...
 // Each body is a clean one. One kind of noise moves its points along their normals by 1 mm; the
-// other is that of scans with 1 mm of noise. Scans are kept in FOLDER.
+// other is that of scans with 1 mm of noise. Scans are kept in FOLDER; without scans
+// it is "-".
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -154,11 +155,12 @@ int main(int argc, char** argv) {
     Figures of_scans = of_body;
     for (unsigned seed = 1; seed <= seeds; ++seed) {
       add(noisy(body, seed), of_points);
+      if (std::string(argv[2]) == "-") continue;
       add(scanned(body, seed, fs::path(argv[2]) / (name + "-" + std::to_string(seed) + ".ply")),
           of_scans);
     }
     print(name, "points", of_points);
-    print(name, "scans", of_scans);
+    if (std::string(argv[2]) != "-") print(name, "scans", of_scans);
   }
   return 0;
 }
