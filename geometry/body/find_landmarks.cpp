@@ -333,12 +333,17 @@ class Finder {
       all.push_back({y, std::move(*section), width});
     }
     if (all.size() < 10) return no_neck("the neck has no closed outline");
-    // Widths as they are above the base: a chin is not wider.
-    std::size_t thin = 0;
-    for (std::size_t i = 0; i < all.size() && all[i].y > base_joint - step; ++i) {
-      if (all[i].width < all[thin].width) thin = i;
+    // Widths as they are above the base: a chin is not wider. The thinnest level is a matter of
+    // noise, its neighbourhood is not.
+    std::vector<Vec2> widths;
+    for (std::size_t i = all.size(); i-- > 0;) {
+      if (all[i].y > base_joint - step) widths.emplace_back(all[i].y, -all[i].width);
     }
-    neck.assign(all.begin() + static_cast<std::ptrdiff_t>(thin), all.end());
+    if (widths.empty()) return no_neck("the neck has no closed outline");
+    const double thin = greatest(widths, 0.012 * h_).at;
+    const auto from = std::find_if(all.begin(), all.end(),
+                                   [&](const Neck& some) { return some.y < thin + step / 2; });
+    neck.assign(from, all.end());
     const double wanted = neck_base_ratio * neck.front().width;
     std::size_t below = 1;
     while (below < neck.size() && neck[below].width < wanted) ++below;
@@ -349,12 +354,7 @@ class Finder {
     const auto section = level(base);
     add("cervicale", section ? at_x(*section, 0, -1) : std::nullopt, 0.7);
     for (const int side : {1, -1}) find_side_neck(side, neck);
-    // The thinnest level is a matter of noise, its neighbourhood is not.
-    std::vector<Vec2> widths;
-    for (std::size_t i = all.size(); i-- > 0;) {
-      if (all[i].y > base_joint - step) widths.emplace_back(all[i].y, -all[i].width);
-    }
-    find_front_neck(greatest(widths, 0.012 * h_).at, base);
+    find_front_neck(thin, base);
   }
 
   void no_neck(const std::string& reason) {
