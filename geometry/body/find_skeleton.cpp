@@ -279,12 +279,18 @@ class Finder {
     const double whole = back + arm.back().along;
     const double low = 0.62 * whole - back;
     const double high = 0.88 * whole - back;
-    const Station& thin = min_girth(arm, low, high);
+    // The thinnest station that a thicker hand is beyond: fingers may be thinner.
+    const Station* thin = nullptr;
     double hand = 0;
-    for (const Station& station : arm) {
-      if (station.along > thin.along) hand = std::max(hand, station.section.girth);
+    for (auto at = arm.rbegin(); at != arm.rend(); ++at) {
+      const double girth = at->section.girth;
+      if (at->along >= low && at->along <= high && hand > 1.05 * girth &&
+          (thin == nullptr || girth <= thin->section.girth)) {
+        thin = &*at;
+      }
+      hand = std::max(hand, girth);
     }
-    if (hand > 1.05 * thin.section.girth) return thin.along;
+    if (thin != nullptr) return thin->along;
     // No hand is thicker than the wrist. Either the arm ends at the wrist, or proportion decides.
     if (whole < (arm_to_wrist + arm_to_tip) / 2 * height_) return arm.back().along;
     return arm_to_wrist / arm_to_tip * whole - back;
