@@ -6,6 +6,7 @@
 
 #include "geometry/body/centreline.h"
 #include "geometry/body/crotch.h"
+#include "geometry/body/torso_section.h"
 #include "geometry/body/trunk_levels.h"
 #include "geometry/parallel.h"
 
@@ -18,6 +19,11 @@ constexpr double leg_reach = 0.025;
 constexpr double wrist_reach = 0.02;
 constexpr double arm_step = 0.002;
 constexpr double knee_span = 0.04;  // between the thin place and what proportion says
+constexpr double armpit_step = 0.0012;
+constexpr double armpit_reach = 0.05;  // up and down
+constexpr double arm_jump = 0.03;      // by which the trunk's half gets wider where the arm joins
+/// Metres outward a metre up: the underside of an arm is flatter, the side of a trunk steeper.
+constexpr double underside = 0.5;
 /// Of the crotch's height.
 constexpr double knee_share = 0.61;
 /// Of the arm from shoulder to wrist [Drillis & Contini 1966].
@@ -42,6 +48,45 @@ struct Refiner {
       if (sections[i]) found.emplace_back(along[i], -sections[i]->girth);
     }
     return found;
+  }
+
+  /// The height where an arm's underside goes over into the trunk's side; nothing where it does
+  /// not leave the trunk near the joint.
+  std::optional<double> armpit(int side) const {
+    const double step = armpit_step * frame.height;
+    const int reach = static_cast<int>(armpit_reach / armpit_step);
+    const double top = frame.skeleton->joint("chest").y() + reach * step;
+    std::vector<double> out(2 * static_cast<std::size_t>(reach), 0);  // from above
+    parallel_for(out.size(), [&](std::size_t i) {
+      const auto section = torso_section(frame.mesh, top - static_cast<double>(i) * step);
+      if (!section) return;
+      for (const Vec3& p : section->points) out[i] = std::max(out[i], side * p.x());
+    });
+    std::size_t apart = out.size();
+    while (apart > 1 && out[apart - 2] - out[apart - 1] < arm_jump * frame.height) --apart;
+    // Steepness over four steps. As far as it is flat, it is the arm's.
+    constexpr std::size_t window = 4;
+    if (apart <= 1) return std::nullopt;
+    --apart;
+    const auto flatness = [&](std::size_t i) {
+      return (out[i] - out[i + window]) / (static_cast<double>(window) * step);
+    };
+    std::size_t at = apart;
+    while (at + window + 1 < out.size() && flatness(at) > underside) ++at;
+    if (at + window + 1 >= out.size()) return std::nullopt;
+    double index = static_cast<double>(at);
+    if (at > apart) {
+      const double above = flatness(at - 1);
+      const double here = flatness(at);
+      index -= (underside - here) / (above - here);
+    }
+    return top - index * step;
+  }
+
+  void find_armpits() {
+    const auto left = armpit(1);
+    const auto right = armpit(-1);
+    if (left && right) joint("chest").y() = (*left + *right) / 2;
   }
 
   void find_knee(const std::string& side) {
@@ -93,6 +138,7 @@ std::optional<Vec3> refine_joints(BodyFrame& frame) {
     const double up = seen->y() - refiner.joint("pelvis").y();
     for (const char* name : {"pelvis", "left_hip", "right_hip"}) refiner.joint(name).y() += up;
   }
+  refiner.find_armpits();
   for (const char* side : {"left_", "right_"}) {
     refiner.find_knee(side);
     refiner.find_wrist(side);
