@@ -11,14 +11,17 @@ namespace toile {
 
 namespace {
 
-// Shares of the height.
+// Shares of the height. Finer steps move the crotch of five bodies by less than 1 mm.
 constexpr double level_step = 0.0015;
 constexpr double column_step = 0.002;
 constexpr double columns_reach = 0.03;  // to the front and to the back
 constexpr double down = 0.012;          // from where the sections touch
 constexpr double up = 0.06;
-constexpr double least_gap = 0.0012;  // between thighs that don't touch
-constexpr double flat = 0.003;        // of the perineum
+// Of air between thighs that don't touch. Half or double moves the crotch of five bodies by 0.6 mm.
+constexpr double least_gap = 0.0012;
+// What is as low as the lowest of the perineum. At half or double the crotch of five bodies moves by
+// 1 to 9 mm, nearly all of that from front to back.
+constexpr double flat = 0.003;
 
 /// Metres of air between two x in the line at z of a level cut, less what is covered twice.
 double air(const std::vector<Section>& sections, double z, double from, double to) {

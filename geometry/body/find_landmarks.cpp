@@ -22,7 +22,10 @@ constexpr double neck_base_ratio = 1.5;
 // backward. 11 and 15 degrees. Without it, points on flat chests lie 2 cm nearer to the middle.
 constexpr double breast_outward = 0.20;
 constexpr double seat_outward = 0.26;
-const double smoothing = std::getenv("SM") ? std::atof(std::getenv("SM")) : 0.003;
+// Share of the height: of the waves that are smoothed away, over 2 pi. With 1 mm of noise on five
+// bodies, 4 % of the landmarks move by more than 5 mm without it, 1 % with it. At double, folds are
+// smoothed, too: gluteal folds and necks move by as much as noise moves them.
+constexpr double smoothing = 0.003;
 
 const std::string& prefix(int side) {
   static const std::string left = "left_";
