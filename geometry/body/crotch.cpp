@@ -19,8 +19,8 @@ constexpr double down = 0.012;          // from where the sections touch
 constexpr double up = 0.06;
 // Of air between thighs that don't touch. Half or double moves the crotch of five bodies by 0.6 mm.
 constexpr double least_gap = 0.0012;
-// What is as low as the lowest of the perineum. At half or double the crotch of five bodies moves by
-// 1 to 9 mm, nearly all of that from front to back.
+// What is as low as the lowest of the perineum. At half or double the crotch of five bodies moves
+// by 1 to 9 mm, nearly all of that from front to back.
 constexpr double flat = 0.003;
 
 /// Metres of air between two x in the line at z of a level cut, less what is covered twice.
@@ -56,8 +56,8 @@ double air(const std::vector<Section>& sections, double z, double from, double t
   return sum + (1 - inside) * (to - at);
 }
 
-/// The height at which the air in a column ends, from above; nothing where there is none. `gaps` are
-/// widths at `levels`, which rise.
+/// The height at which the air in a column ends, from above; nothing where there is none. `gaps`
+/// are widths at `levels`, which rise.
 std::optional<double> top_of_air(const std::vector<double>& gaps, const std::vector<double>& levels,
                                  double least) {
   constexpr std::size_t lasting = 3;  // levels: a bubble has fewer
@@ -104,8 +104,8 @@ std::optional<Vec3> find_crotch(const TriangleMesh& body, const CrotchSearch& se
   if (tops.size() < 5) return std::nullopt;
   // The perineum is nearly flat from front to back: its lowest point would be anywhere.
   const auto lowest = std::min_element(tops.begin(), tops.end(), [](const Vec2& a, const Vec2& b) {
-    return a.y() < b.y();
-  })->y();
+                        return a.y() < b.y();
+                      })->y();
   double sum = 0;
   Vec2 mean = Vec2::Zero();
   for (const Vec2& top : tops) {

@@ -9,9 +9,9 @@ namespace toile {
 
 /// Where to look for the crotch, in metres, in a frame with left at +x, front at +z and up at +y.
 struct CrotchSearch {
-  Vec3 left;   ///< in the middle of the left thigh
-  Vec3 right;  ///< in the middle of the right thigh
-  Vec3 near;   ///< in the middle of the trunk, where the legs' sections touch the lowest
+  Vec3 left;          ///< in the middle of the left thigh
+  Vec3 right;         ///< in the middle of the right thigh
+  Vec3 near;          ///< in the middle of the trunk, where the legs' sections touch the lowest
   double height = 0;  ///< of the body
 };
 

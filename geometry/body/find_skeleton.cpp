@@ -131,9 +131,9 @@ class Finder {
     }
     auto pelvis = trunk_section(joined, up[0][first].section.centroid);
     // Thighs that touch, or a film between them, join the sections too low.
-    const auto seen = find_crotch(body_, {up[0][first - 1].section.centroid,
-                                          up[1][first - 1].section.centroid, pelvis->centroid,
-                                          height_});
+    const auto seen =
+        find_crotch(body_, {up[0][first - 1].section.centroid, up[1][first - 1].section.centroid,
+                            pelvis->centroid, height_});
     if (seen && seen->y() > joined + touching * height_) {
       if (auto higher = trunk_section(seen->y(), pelvis->centroid)) {
         joined = seen->y();

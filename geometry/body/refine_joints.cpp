@@ -15,13 +15,13 @@ namespace toile {
 namespace {
 
 // Shares of the height.
-// The parabolas' reach. Of the leg's, half or double moves no knee of five bodies; of the wrist's,
-// both move three of their wrists by 7 to 9 mm.
+// The parabolas' reach. Half or double of the leg's moves no knee of five bodies. Half or double of
+// the wrist's moves three of their wrists by 7 to 9 mm.
 constexpr double leg_reach = 0.025;
 constexpr double wrist_reach = 0.02;
 constexpr double arm_step = 0.002;
-// Between a knee's thin place and what proportion says. At half of it, two knees of five bodies move
-// by 15 and 21 mm, at double none.
+// Between a knee's thin place and what proportion says. At half of it, two knees of five bodies
+// move by 15 and 21 mm, at double none.
 constexpr double knee_span = 0.04;
 // Between sections. At half or double, armpits move by 2 mm.
 constexpr double armpit_step = 0.0012;
@@ -41,8 +41,7 @@ struct Refiner {
 
   Vec3& joint(const std::string& name) { return frame.skeleton->joints[name]; }
 
-  /// The girths of a limb, negative, at these places, in planes square to `normal`. Its middles
-  /// are added to `middles` where they are wanted.
+  /// The girths of a limb, negative, at these places, in planes square to `normal`.
   std::vector<Vec2> girths(const std::vector<double>& along, const Vec3& from, const Vec3& slope,
                            const Vec3& normal) const {
     std::vector<std::optional<Section>> sections(along.size());

@@ -7,9 +7,10 @@
 
 namespace toile {
 
-/// Moves the joints of a frame that has a skeleton: the pelvis to the crotch's height and the hips
-/// as far, and knees, wrists and elbows along their limbs. Returns the crotch's place in the
-/// frame, as find_crotch() finds it. Costs some 200 slices.
+/// Moves joints of a frame that has a skeleton. The pelvis comes to the crotch's height, the hips
+/// move as far, the chest comes to the armpits' height. Knees, wrists and elbows move along their
+/// limbs. Returns the crotch's place in the frame, as find_crotch() finds it. Costs some 250
+/// slices.
 std::optional<Vec3> refine_joints(BodyFrame& frame);
 
 }  // namespace toile

@@ -42,13 +42,13 @@ constexpr double a_crease = 0.004;
 // A body without joints. Share of what a level cuts that the trunk has: arms beside it have less.
 // At half of it the forms of the tests keep their levels; double is beyond the whole.
 constexpr double form_share = 0.7;
-// Its waist, as a share of its fuller girths: 0.62 to 1.0 of people, 0.3 to 0.4 of necks. At half of
-// it a neck is taken for a waist; at double no form has one.
+// Its waist, as a share of its fuller girths: 0.62 to 1.0 of people, 0.3 to 0.4 of necks. At half
+// of it a neck is taken for a waist; at double no form has one.
 constexpr double thinnest_waist = 0.55;
 // Metres; of children of 75 cm it is 0.42. Half of it lets bottles in; double, as long as adults.
 constexpr double least_waist = 0.35;
 // Of a form, whose stature nobody knows. At half of it the tests' forms keep their levels within
-// 6 mm, at double the levels of one with a head are off by more.
+// 6 mm. At double, one with a head does not.
 constexpr double waist_to_stature = 2.2;
 // Width of bust or hip over depth: 1.1 to 1.6 of people, 1 of vases and balls. At half of it a vase
 // has a waist, at double no form has.

@@ -16,10 +16,10 @@ struct FloorSlope {
   double degrees = 0;    ///< of the turn
 };
 
-/// The slope of the plane that most of a scan's surface lies in, and all of it above. Nothing where
-/// there is no such plane, where it is level to half a degree, or where it is nearer to another
-/// axis than to `up`. Noise and outliers don't matter. `points` are finite, in any unit. The same
-/// bits each time: its random choices have a fixed seed. O(n log n).
+/// The slope of the plane that most of a scan's surface lies in, if the rest is above. Nothing
+/// where there is no such plane, and where it slopes by less than 0.5 or more than 40 degrees.
+/// Nothing, too, where it is nearer to another axis than to `up`. Noise and outliers don't matter.
+/// `points` are finite, in any unit. Its random choices have a fixed seed. O(n log n).
 std::optional<FloorSlope> floor_slope(const std::vector<Vec3>& points,
                                       const std::optional<AxisDirection>& up);
 

@@ -56,10 +56,10 @@ double median_of(std::vector<double> values) {
 /// What one body and one kind of noise give, by name.
 struct Figures {
   Landmarks truth;
-  std::map<std::string, double> lengths;                 // of girths, metres
-  std::map<std::string, std::vector<Vec3>> places;       // of each seed
-  std::map<std::string, std::vector<double>> taken;      // of each seed
-  std::map<std::string, int> lost;                       // seeds without the landmark
+  std::map<std::string, double> lengths;             // of girths, metres
+  std::map<std::string, std::vector<Vec3>> places;   // of each seed
+  std::map<std::string, std::vector<double>> taken;  // of each seed
+  std::map<std::string, int> lost;                   // seeds without the landmark
 };
 
 bool is_girth(std::string name) {

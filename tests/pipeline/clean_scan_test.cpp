@@ -3,9 +3,9 @@
 
 #include <Eigen/Geometry>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <random>
-#include <nlohmann/json.hpp>
 
 #include "geometry/body/find_skeleton.h"
 #include "geometry/body/mannequin/mannequin.h"
@@ -138,9 +138,8 @@ TEST_F(CleanScan, ASlopingFloorIsLevelled) {
     std::vector<Vec3> points = scanned(1);
     for (Vec3& p : points) p = turn * p;
     write_text(folder / "scan.xyz", table_of(points));
-    const pipeline::Run ended =
-        run("clean-body", {folder / "scan.xyz", "-o", folder / "body.ply", "--report",
-                           folder / "report.json"});
+    const pipeline::Run ended = run("clean-body", {folder / "scan.xyz", "-o", folder / "body.ply",
+                                                   "--report", folder / "report.json"});
     ASSERT_EQ(ended.exit_code, 0) << ended.err;
     EXPECT_TRUE(says(ended, "the floor sloped by as much")) << ended.err;
     EXPECT_EQ(says(ended, "is the scan turned right?"), degrees > 8) << ended.err;

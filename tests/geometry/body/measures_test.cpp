@@ -145,7 +145,9 @@ TEST(FindLandmarks, HoldUnderAMillimetreOfNoise) {
     for (std::size_t i = 0; i < normals.size(); ++i) {
       noisy.points[i] += millimetre * normal() * normals[i].normalized();
     }
-    EXPECT_LT(most_moved(noisy, [](const Vec3& p) { return p; }, unchanged), 5 * millimetre)
+    EXPECT_LT(most_moved(
+                  noisy, [](const Vec3& p) { return p; }, unchanged),
+              5 * millimetre)
         << seed;
   }
 }
