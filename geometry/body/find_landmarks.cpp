@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "geometry/body/centreline.h"
+#include "geometry/body/extreme.h"
 #include "geometry/body/refine_joints.h"
 #include "geometry/body/tape.h"
 #include "geometry/body/torso_section.h"

@@ -6,8 +6,8 @@
 
 #include "geometry/body/centreline.h"
 #include "geometry/body/crotch.h"
+#include "geometry/body/extreme.h"
 #include "geometry/body/torso_section.h"
-#include "geometry/body/trunk_levels.h"
 #include "geometry/parallel.h"
 
 namespace toile {
