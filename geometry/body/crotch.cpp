@@ -97,6 +97,7 @@ std::optional<Vec3> find_crotch(const TriangleMesh& body, const CrotchSearch& se
   std::vector<Vec2> tops;  // z, height
   for (std::size_t k = 0; k < columns.size(); ++k) {
     std::vector<double> column;
+    column.reserve(gaps.size());
     for (const std::vector<double>& level : gaps) column.push_back(level[k]);
     const auto top = top_of_air(column, levels, least_gap * h);
     if (top) tops.emplace_back(columns[k], *top);

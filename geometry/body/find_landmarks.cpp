@@ -62,7 +62,7 @@ Vec3 on_ray(const Section& section, const Vec3& from, const Vec3& direction, con
 Vec3 corner_of(const std::vector<Vec3>& outline, const Vec3& direction, double reach) {
   const Vec3 out = direction.normalized();
   const Vec3 along = Vec3::UnitX().cross(out);
-  const Vec3 tip = farthest(outline, out);
+  Vec3 tip = farthest(outline, out);
   std::vector<Vec2> samples;
   for (const Vec3& p : outline) {
     if (std::abs(along.dot(p - tip)) < 1.5 * reach && out.dot(p - tip) > -reach) {
@@ -299,13 +299,13 @@ class Finder {
       if (p.y() < middle) low.push_back(p);
     }
     if (low.empty()) low = points;
-    add(prefix(side) + "armpit_front", corner_of(low, Vec3(0, -1, 1), 0.012 * h_), 0.5);
-    add(prefix(side) + "armpit_back", corner_of(low, Vec3(0, -1, -1), 0.012 * h_), 0.5);
+    add(prefix(side) + "armpit_front", corner_of(low, Vec3(0, -1, 1), 0.018 * h_), 0.5);
+    add(prefix(side) + "armpit_back", corner_of(low, Vec3(0, -1, -1), 0.018 * h_), 0.5);
   }
 
   /// The top of an outline in an upright plane, by a parabola over what is near it.
   Vec3 top_of(const std::vector<Vec3>& outline) const {
-    const Vec3 top = farthest(outline, Vec3::UnitY());
+    Vec3 top = farthest(outline, Vec3::UnitY());
     std::vector<Vec2> samples;
     for (const Vec3& p : outline) {
       if (p.y() > top.y() - 0.012 * h_) samples.emplace_back(p.z(), p.y());

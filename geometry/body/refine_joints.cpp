@@ -138,8 +138,8 @@ struct Refiner {
 
 std::optional<Vec3> refine_joints(BodyFrame& frame) {
   Refiner refiner{frame};
-  const auto seen = find_crotch(frame.mesh, {refiner.joint("left_hip"), refiner.joint("right_hip"),
-                                             refiner.joint("pelvis"), frame.height});
+  auto seen = find_crotch(frame.mesh, {refiner.joint("left_hip"), refiner.joint("right_hip"),
+                                       refiner.joint("pelvis"), frame.height});
   if (seen) {
     const double up = seen->y() - refiner.joint("pelvis").y();
     for (const char* name : {"pelvis", "left_hip", "right_hip"}) refiner.joint(name).y() += up;

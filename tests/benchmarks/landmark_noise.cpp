@@ -1,8 +1,8 @@
 // Prints how far landmarks and girths move under noise, as a table:
-//   bench_landmark_noise SEEDS FOLDER BODY.ply...
-// Each body is a clean one. One kind of noise moves its points along their normals by 1 mm; the
-// other is that of scans with 1 mm of noise. Scans are kept in FOLDER; without scans
-// it is "-".
+//   bench_landmark_noise SEEDS FOLDER BODY...
+// Each body is a clean one in metres that stands along y, or "mannequin". One kind of noise moves
+// its points along their normals by 1 mm; the other is that of scans with 1 mm of noise. Scans are
+// kept in FOLDER; without scans it is "-".
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -12,6 +12,7 @@
 #include <random>
 #include <string>
 
+#include "geometry/body/mannequin/mannequin.h"
 #include "geometry/body/measures.h"
 #include "geometry/scan/reconstruct_scan.h"
 #include "io/mesh_file.h"
@@ -44,6 +45,7 @@ TriangleMesh scanned(const TriangleMesh& body, unsigned seed, const fs::path& ke
   scanner.points = 100000;
   scanner.seed = seed;
   const TriangleMesh made = reconstruct_scan(test::scan_body(body, scanner).cloud, "scan").mesh;
+  fs::create_directories(kept.parent_path());
   write_mesh(OutputPath(kept), made);
   return made;
 }
@@ -134,7 +136,7 @@ void print(const std::string& body, const char* noise, const Figures& figures) {
 
 int main(int argc, char** argv) {
   if (argc < 4) {
-    std::fprintf(stderr, "usage: bench_landmark_noise SEEDS FOLDER BODY.ply...\n");
+    std::fprintf(stderr, "usage: bench_landmark_noise SEEDS FOLDER BODY...\n");
     return 2;
   }
   const auto seeds = static_cast<unsigned>(std::atoi(argv[1]));
@@ -144,7 +146,12 @@ int main(int argc, char** argv) {
   for (int i = 3; i < argc; ++i) {
     const fs::path file = argv[i];
     const std::string name = file.stem().string();
-    const TriangleMesh body = fan_triangles(read_mesh(file));
+    const bool is_made = std::string(argv[i]) == "mannequin";
+    if (!is_made && !fs::exists(file)) {
+      std::printf("| %s | is not there |\n", name.c_str());
+      continue;
+    }
+    const TriangleMesh body = is_made ? make_mannequin().surface : fan_triangles(read_mesh(file));
     const BodyShape shape = find_landmarks(body, name);
     Figures of_body;
     of_body.truth = given_landmarks(shape);
