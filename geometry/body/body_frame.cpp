@@ -88,10 +88,15 @@ void move(BodyFrame& frame, const Vec3& by) {
 }  // namespace
 
 BodyFrame body_frame(const TriangleMesh& body, const std::string& name) {
+  return body_frame(body, body, name);
+}
+
+BodyFrame body_frame(const TriangleMesh& body, const TriangleMesh& smooth,
+                     const std::string& name) {
   if (body.triangles.empty()) throw Error(name, "has no surface", "give a closed body");
   BodyFrame frame;
-  frame.mesh = body;
-  const Spread spread = spread_of(body);
+  frame.mesh = smooth;
+  const Spread spread = spread_of(smooth);
   double low = body.points[body.triangles.front()[0]].y();
   double high = low;
   for (const Vec3& p : body.points) {

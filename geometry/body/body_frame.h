@@ -33,4 +33,8 @@ struct BodyFrame {
 /// for an empty mesh. Costs find_skeleton() one to four times.
 BodyFrame body_frame(const TriangleMesh& body, const std::string& name);
 
+/// The frame and the joints that `smooth` shows, a smoothed copy of `body`. Floor and height are
+/// those of `body`.
+BodyFrame body_frame(const TriangleMesh& body, const TriangleMesh& smooth, const std::string& name);
+
 }  // namespace toile

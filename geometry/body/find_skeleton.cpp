@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/body/centreline.h"
+#include "geometry/body/crotch.h"
 #include "geometry/error.h"
 
 namespace toile {
@@ -19,6 +20,9 @@ constexpr double arm_to_wrist = 0.186 + 0.146;
 constexpr double arm_to_tip = arm_to_wrist + 0.108;
 // Share of the length from shoulder to wrist.
 constexpr double elbow_share = 0.186 / arm_to_wrist;
+// Share of the height that thighs may touch below the crotch. Clean bodies are at 0.001. At half or
+// double no joint of five bodies moves.
+constexpr double touching = 0.004;
 // Share of the crotch's height.
 constexpr double knee_share = 0.61;
 
@@ -125,8 +129,18 @@ class Finder {
       const auto right = trunk_section(y, up[1][first - 1].section.centroid);
       (left && right && left->centroid == right->centroid ? joined : apart) = y;
     }
+    auto pelvis = trunk_section(joined, up[0][first].section.centroid);
+    // Thighs that touch, or a film between them, join the sections too low.
+    const auto seen =
+        find_crotch(body_, {up[0][first - 1].section.centroid, up[1][first - 1].section.centroid,
+                            pelvis->centroid, height_});
+    if (seen && seen->y() > joined + touching * height_) {
+      if (auto higher = trunk_section(seen->y(), pelvis->centroid)) {
+        joined = seen->y();
+        pelvis = std::move(higher);
+      }
+    }
     crotch_ = joined;
-    const auto pelvis = trunk_section(joined, up[0][first].section.centroid);
     skeleton_.joints["pelvis"] = pelvis->centroid;
 
     for (const int side : {1, -1}) {
@@ -266,12 +280,18 @@ class Finder {
     const double whole = back + arm.back().along;
     const double low = 0.62 * whole - back;
     const double high = 0.88 * whole - back;
-    const Station& thin = min_girth(arm, low, high);
+    // The thinnest station that a thicker hand is beyond: fingers may be thinner.
+    const Station* thin = nullptr;
     double hand = 0;
-    for (const Station& station : arm) {
-      if (station.along > thin.along) hand = std::max(hand, station.section.girth);
+    for (auto at = arm.rbegin(); at != arm.rend(); ++at) {
+      const double girth = at->section.girth;
+      if (at->along >= low && at->along <= high && hand > 1.05 * girth &&
+          (thin == nullptr || girth <= thin->section.girth)) {
+        thin = &*at;
+      }
+      hand = std::max(hand, girth);
     }
-    if (hand > 1.05 * thin.section.girth) return thin.along;
+    if (thin != nullptr) return thin->along;
     // No hand is thicker than the wrist. Either the arm ends at the wrist, or proportion decides.
     if (whole < (arm_to_wrist + arm_to_tip) / 2 * height_) return arm.back().along;
     return arm_to_wrist / arm_to_tip * whole - back;

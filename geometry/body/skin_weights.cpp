@@ -1,46 +1,16 @@
 #include "geometry/body/skin_weights.h"
 
-#include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 
 #include "geometry/error.h"
+#include "geometry/laplacian.h"
 
 namespace toile {
 
 namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
-
-/// Bounds of the weights of needles and of obtuse corners. They keep the weights of the bones in
-/// [0, 1]. Sound triangles are far from both, so half or double of them change little.
-constexpr double min_cotangent = 1e-3;
-constexpr double max_cotangent = 10;
-
-/// The cotangent Laplacian.
-Sparse laplacian(const TriangleMesh& mesh) {
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(12 * mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles) {
-    for (int c = 0; c < 3; ++c) {
-      const int i = t[(c + 1) % 3];
-      const int j = t[(c + 2) % 3];
-      const Vec3 a = mesh.points[i] - mesh.points[t[c]];
-      const Vec3 b = mesh.points[j] - mesh.points[t[c]];
-      const double area = a.cross(b).norm();
-      const double cotangent = area > 0 ? a.dot(b) / area : 0;
-      const double weight = std::clamp(cotangent / 2, min_cotangent, max_cotangent);
-      entries.emplace_back(i, j, -weight);
-      entries.emplace_back(j, i, -weight);
-      entries.emplace_back(i, i, weight);
-      entries.emplace_back(j, j, weight);
-    }
-  }
-  const auto n = static_cast<Eigen::Index>(mesh.points.size());
-  Sparse result(n, n);
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
-}
 
 }  // namespace
 
@@ -58,7 +28,7 @@ SkinWeights skin_weights(const TriangleMesh& body, const std::vector<int>& cores
   }
   if (free == 0) return weights;
 
-  const Sparse energy = laplacian(body);
+  const Sparse energy = cotangent_laplacian(body);
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::MatrixXd known = Eigen::MatrixXd::Zero(free, bone_count);
   for (int column = 0; column < energy.outerSize(); ++column) {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "geometry/body/body_frame.h"
-#include "geometry/slice.h"
 
 namespace toile {
 
@@ -50,18 +49,5 @@ struct NamedLevel {
 /// Those of bust, waist and hip that trunk_levels() finds on a body that stands on y = 0 and faces
 /// +z, in this order. Costs trunk_levels() and a copy of the body.
 std::vector<NamedLevel> girth_levels(const TriangleMesh& body, const Skeleton& skeleton);
-
-/// The extreme of a curve through noisy samples, by a parabola through those near it.
-struct Extreme {
-  double at = 0;         ///< the argument
-  double value = 0;      ///< there
-  double curvature = 0;  ///< second derivative
-  bool is_end = false;   ///< it lies at an end of the samples
-};
-
-/// The greatest value. `samples` are arguments, rising, and values, at least one. The parabola is
-/// fitted by least squares within `reach` of the greatest sample, which then moves to the
-/// parabola's summit once. O(n).
-Extreme greatest(const std::vector<Vec2>& samples, double reach);
 
 }  // namespace toile

@@ -8,14 +8,26 @@ namespace toile {
 
 namespace {
 
-// Metres. Without the bounds of roof and sight, bellies and shoulders were smoothed away.
-constexpr double near = 0.03;     // between tubes: only they count
-constexpr double far = 0.06;      // they don't count
-constexpr double fillet = 0.008;  // within which two surfaces blend
+// Metres. Without the bounds of roof and sight, bellies and shoulders were smoothed away. Each was
+// halved and doubled with a scan of the mannequin and of mean_all, 50k points, and what no camera
+// saw was compared. Of it 95 and 83 % are within 10 mm, and the crotch is 3 and 6 mm too low.
+//
+// Between tubes: only what is nearer counts. At half, 95 and 90 %; at double as before.
+constexpr double near = 0.03;
+// From here on they don't count. At half, 93 and 91 %, with a spur of 3 cm on the mannequin; at
+// double as before.
+constexpr double far = 0.06;
+// Within which two surfaces blend. At half as before; at double, 99 and 84 %, and the crotch of
+// mean_all is 12 mm too low.
+constexpr double fillet = 0.008;
+// Below the roof, where tubes begin to count, and above it, where they end. Half or double of
+// either changes less than 0.1 %.
 constexpr double under_roof = 0.01;
 constexpr double over_roof = 0.03;
+// A gap that a grid may fill although it was seen. Half or double changes less than 0.1 %.
 constexpr double narrow = 0.015;
-// Cosines from straight below the roof's axis: the roof counts only below.
+// Cosines from straight below the roof's axis: the roof counts only below. At half of `aside` as
+// before. At double of it, and at half or double of `below`, the crotch is 24 to 34 mm too low.
 constexpr double aside = 0.5;
 constexpr double below = 0.75;
 

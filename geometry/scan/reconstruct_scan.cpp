@@ -11,6 +11,7 @@
 #include "geometry/implicit_mesh.h"
 #include "geometry/parallel.h"
 #include "geometry/scan/find_clefts.h"
+#include "geometry/scan/floor_slope.h"
 #include "geometry/scan/scan_samples.h"
 #include "geometry/scan/smooth_distance.h"
 #include "geometry/scan/unseen.h"
@@ -71,6 +72,13 @@ PointCloud body_points(const PointCloud& scan, const ScanParts& parts, double un
   return body;
 }
 
+PointCloud turned(const PointCloud& scan, const Eigen::Matrix3d& turn) {
+  PointCloud other = scan;
+  for (Vec3& p : other.points) p = turn * p;
+  for (Vec3& n : other.normals) n = turn * n;
+  return other;
+}
+
 void count_parts(const ScanParts& parts, ScanReport& report) {
   for (const ScanPart part : parts.part) {
     report.kept += part == ScanPart::body;
@@ -81,6 +89,7 @@ void count_parts(const ScanParts& parts, ScanReport& report) {
   report.stray_parts = parts.stray_parts;
   report.up = parts.up;
   report.floor_found = parts.floor_found;
+  report.lies = parts.lies;
 }
 
 /// Finds the parts of the surface that are far from all samples.
@@ -265,12 +274,25 @@ ImplicitFunction with_clefts(const SmoothDistance& distance, const Unseen& unsee
 
 }  // namespace
 
-ReconstructedScan reconstruct_scan(const PointCloud& scan, const std::string& name,
+ReconstructedScan reconstruct_scan(const PointCloud& given, const std::string& name,
                                    const ScanOptions& options) {
   ReconstructedScan result;
   ScanReport& report = result.report;
+  // A copy of what may be many points is made only where the floor slopes.
+  PointCloud level;
+  ScanParts parts;
+  if (const auto slope = floor_slope(given.points, options.up)) {
+    level = turned(given, slope->turn);
+    parts = sort_scan(level.points, options.up);
+    if (parts.floor_found || parts.lies) {
+      report.level = slope->turn;
+      report.floor_slope = slope->degrees;
+    }
+  }
+  const bool is_level = report.floor_slope == 0;
+  if (is_level) parts = sort_scan(given.points, options.up);
+  const PointCloud& scan = is_level ? given : level;
   report.points_read = static_cast<int>(scan.points.size());
-  const ScanParts parts = sort_scan(scan.points, options.up);
   count_parts(parts, report);
   report.up_given = options.up.has_value();
   if (report.kept < fewest_points) {

@@ -1,6 +1,7 @@
 // Makes a closed surface of the points of a scanned body.
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,7 +20,7 @@ struct ScanOptions {
 
 /// A part of the surface that no point is near. What is there is a guess.
 struct ScanHole {
-  Vec3 centre{0, 0, 0};  ///< metres, in the frame of the points: the mean of its area
+  Vec3 centre{0, 0, 0};  ///< metres, in the frame of the surface: the mean of its area
   double area = 0;       ///< square metres
 };
 
@@ -38,6 +39,9 @@ struct ScanReport {
   AxisDirection up;
   bool up_given = false;
   bool floor_found = false;
+  bool lies = false;       ///< on a floor, see ScanParts
+  double floor_slope = 0;  ///< degrees that the floor sloped by; 0: less than half of one
+  Eigen::Matrix3d level = Eigen::Matrix3d::Identity();  ///< turns points of the scan level
   double seen = 0;              ///< share of the surface that points are near
   std::vector<ScanHole> holes;  ///< largest first
   double error_rms = 0;         ///< metres between kept points and the surface
@@ -45,16 +49,16 @@ struct ScanReport {
 };
 
 struct ReconstructedScan {
-  TriangleMesh mesh;  ///< closed, 2-manifold, one piece, outward; metres, in the points' frame
+  TriangleMesh mesh;  ///< closed, 2-manifold, one piece, outward; metres, in the levelled frame
   ScanReport report;
 };
 
 /// Square metres of a hole that is listed: 2 cm by 2 cm.
 inline constexpr double listed_hole = 4e-4;
 
-/// Reconstructs the surface of a standing body: sort_scan(), sample_scan(), SmoothDistance, Cleft
-/// between the thighs and under the arms, and mesh_implicit() of that. Feet end flat at the floor,
-/// or at the lowest points.
+/// Reconstructs the surface of a standing body. A floor_slope() is taken away first. Then follow
+/// sort_scan(), sample_scan(), SmoothDistance, Cleft between the thighs and under the arms, and
+/// mesh_implicit() of that. Feet end flat at the floor, or at the lowest points.
 ///
 /// CGAL's Poisson reconstruction of points averaged in 5 to 8 mm cells was tried on 500k points of
 /// another model of a scanner. It took 7 to 8 s, and 98.2 % of mean_all lay within 2 mm, 99.0 %

@@ -154,6 +154,7 @@ void find_floor(const Chosen& body, const std::optional<AxisDirection>& up, Scan
       parts.part[body.numbers[i]] = ScanPart::floor;
     }
   }
+  parts.lies = best.is_bed;
   if (best.is_bed && !up) {
     parts.floor_found = false;
     Box rest;

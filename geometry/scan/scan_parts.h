@@ -16,6 +16,7 @@ struct ScanParts {
   double spacing = 0;          ///< of the body's points, in their unit
   AxisDirection up;            ///< in which the body stands, as far as the points tell
   bool floor_found = false;
+  bool lies = false;    ///< on a floor that tells no `up`: what was below was not seen
   double floor = 0;     ///< along `up`: of the floor, or of the body's lowest points
   double height = 0;    ///< from `floor` to the body's highest point
   double depth = 0;     ///< of its body, the lesser of its extents square to `up`

@@ -74,6 +74,16 @@ void damage(std::string& text, const std::string& other, const std::vector<std::
 
 }  // namespace
 
+ScratchFile::ScratchFile(std::filesystem::path where, const std::string& text)
+    : path(std::move(where)) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+ScratchFile::~ScratchFile() {
+  std::error_code ignored;
+  std::filesystem::remove(path, ignored);
+}
+
 int run(int argc, char** argv, const std::vector<std::filesystem::path>& seeds,
         const std::vector<std::string>& words, const Target& target) {
   using Clock = std::chrono::steady_clock;

@@ -8,6 +8,15 @@
 
 namespace toile::fuzz {
 
+/// A file that is there as long as this: for what reads files by their names only.
+struct ScratchFile {
+  ScratchFile(std::filesystem::path where, const std::string& text);
+  ~ScratchFile();
+  ScratchFile(const ScratchFile&) = delete;
+  ScratchFile& operator=(const ScratchFile&) = delete;
+  std::filesystem::path path;
+};
+
 /// What a text is tried on. It may throw Error and nothing else.
 using Target = std::function<void(const std::string&)>;
 

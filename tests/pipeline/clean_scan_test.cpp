@@ -1,8 +1,11 @@
 // The built clean-body on simulated scans.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <numbers>
+#include <random>
 
 #include "geometry/body/find_skeleton.h"
 #include "geometry/body/mannequin/mannequin.h"
@@ -120,6 +123,67 @@ TEST_F(CleanScan, GirthsRepeat) {
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
     EXPECT_LT(*high - *low, 0.006) << name;
   }
+}
+
+double bust_of(const TriangleMesh& mesh) {
+  const std::vector<Measure> measures = measure_body(find_landmarks(mesh, "body"));
+  const Measure* bust = find_measure(measures, "bust");
+  return bust != nullptr && bust->value ? *bust->value : 0;
+}
+
+TEST_F(CleanScan, ASlopingFloorIsLevelled) {
+  const double truth = bust_of(body->surface);
+  for (const double degrees : {5.0, 15.0}) {
+    const Eigen::AngleAxisd turn(degrees * std::numbers::pi / 180, Vec3(1, 0, 0.7).normalized());
+    std::vector<Vec3> points = scanned(1);
+    for (Vec3& p : points) p = turn * p;
+    write_text(folder / "scan.xyz", table_of(points));
+    const pipeline::Run ended = run("clean-body", {folder / "scan.xyz", "-o", folder / "body.ply",
+                                                   "--report", folder / "report.json"});
+    ASSERT_EQ(ended.exit_code, 0) << ended.err;
+    EXPECT_TRUE(says(ended, "the floor sloped by as much")) << ended.err;
+    EXPECT_EQ(says(ended, "is the scan turned right?"), degrees > 8) << ended.err;
+    const Json report = Json::parse(pipeline::read_text(folder / "report.json"));
+    EXPECT_NEAR(report["scan"]["floor_slope_degrees"], degrees, 0.3);
+    EXPECT_NEAR(bust_of(written()), truth, 0.005);
+    // The joints tell how the points came to the body.
+    const BodyMove move = *read_skeleton(skeleton_path(folder / "body.ply")).cleaned;
+    const SurfaceDistance surface(written());
+    std::vector<double> off;
+    for (const Vec3& p : points) {
+      const Vec3 at = move.rotation * (p * move.metres_per_unit) + move.translation;
+      off.push_back(std::abs(surface.closest_point(at).distance));
+    }
+    std::nth_element(off.begin(), off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2),
+                     off.end());
+    EXPECT_LT(off[off.size() / 2], 0.002);
+  }
+}
+
+TEST_F(CleanScan, ABodyThatLiesOnAFloorIsWarnedOf) {
+  // On its back, on a floor of 1.4 m by 2.3 m, seen from above.
+  TriangleMesh lying = body->surface;
+  double low = 1;
+  for (Vec3& p : lying.points) {
+    p = Vec3(p.x(), p.z(), 0.85 - p.y());
+    low = std::min(low, p.y());
+  }
+  for (Vec3& p : lying.points) p.y() -= low;
+  const test::Rays rays(lying);
+  std::vector<Vec3> points;
+  std::mt19937_64 bits(1);
+  const auto share = [&bits] { return static_cast<double>(bits() >> 11) * 0x1p-53; };
+  while (points.size() < 60000) {
+    const Vec3 to(1.8 * share() - 0.9, 0, 2.3 * share() - 1.15);
+    const Vec3 from(points.size() % 2 == 0 ? -1.5 : 1.5, 2, 3 * share() - 1.5);
+    const Vec3 direction = (to - from).normalized();
+    const double distance = std::min(rays.meet(from, direction).distance, (to - from).norm());
+    points.push_back(1000 * (from + distance * direction));
+  }
+  write_text(folder / "scan.xyz", table_of(points));
+  const pipeline::Run ended = run("clean-body", {folder / "scan.xyz", "-o", folder / "body.ply"});
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_TRUE(says(ended, "warning: the body lies on a floor")) << ended.err;
 }
 
 TEST_F(CleanScan, TheSameBitsForAnyNumberOfThreads) {

@@ -201,11 +201,13 @@ void run_clean_body(const CleanBodySettings& settings, const CommonSettings& com
   CleanBody body = clean_body(input.soup, input.name, options);
   if (scan && body.skeleton && body.skeleton->cleaned) {
     body.skeleton->cleaned->metres_per_unit = scan->metres_per_unit;
+    body.skeleton->cleaned->rotation = body.skeleton->cleaned->rotation * scan->level;
   }
   say_changes(body.report, scan ? &*scan : nullptr, common);
   std::vector<std::string> warnings = warnings_about(body);
   std::vector<PlacedHole> holes;
   if (scan) {
+    warn_of_scan(*scan, warnings);
     holes = placed_holes(*scan, body);
     say_holes(holes, common, warnings);
   }

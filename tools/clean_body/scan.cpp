@@ -98,6 +98,10 @@ void say_scan(const ScanReport& scan, int files, const CommonSettings& common) {
     common.say(counted(scan.stray, "point", "points") + " of " +
                counted(scan.stray_parts, "other thing", "other things") + " dropped");
   }
+  if (scan.floor_slope > 0) {
+    common.say("turned by " + fixed_number(scan.floor_slope, 1) +
+               " degrees: the floor sloped by as much");
+  }
   common.say(std::to_string(scan.kept) + " points of a body, about " +
              fixed_number(1000 * scan.spacing, 1) + " mm apart, with " +
              fixed_number(1000 * scan.noise, 1) + " mm of noise");
@@ -108,6 +112,19 @@ void say_scan(const ScanReport& scan, int files, const CommonSettings& common) {
              " mm from the points (rms), 95 % of them are within " +
              fixed_number(1000 * scan.error_95, 2) + " mm; they are near to " +
              fixed_number(100 * scan.seen, 1) + " % of it");
+}
+
+void warn_of_scan(const ScanReport& scan, std::vector<std::string>& warnings) {
+  constexpr double steep = 8;  // degrees; a scanner on a stand is off by less
+  if (scan.lies) {
+    warnings.push_back(
+        "the body lies on a floor, or leans on a wall: no camera saw what is there, and girths may "
+        "be 4 cm wrong; scan it standing free");
+  }
+  if (scan.floor_slope > steep) {
+    warnings.push_back("the floor sloped by " + fixed_number(scan.floor_slope, 0) +
+                       " degrees and was taken to be level; is the scan turned right?");
+  }
 }
 
 void say_holes(const std::vector<PlacedHole>& holes, const CommonSettings& common,
@@ -143,6 +160,8 @@ nlohmann::ordered_json scan_json(const ScanReport& scan, int files,
           {"noise_mm", 1000 * scan.noise},
           {"up", scan.up.name()},
           {"floor_found", scan.floor_found},
+          {"floor_slope_degrees", scan.floor_slope},
+          {"lies", scan.lies},
           {"seen_percent", 100 * scan.seen},
           {"holes", listed},
           {"error_mm", {{"rms", 1000 * scan.error_rms}, {"p95", 1000 * scan.error_95}}}};

@@ -32,6 +32,9 @@ struct PlacedHole {
 };
 std::vector<PlacedHole> placed_holes(const ScanReport& scan, const CleanBody& body);
 
+/// Adds what the user should know about how the body stood in the scan.
+void warn_of_scan(const ScanReport& scan, std::vector<std::string>& warnings);
+
 /// What was read, dropped and not seen, a line each.
 void say_scan(const ScanReport& scan, int files, const CommonSettings& common);
 /// The same of holes below large_scan_hole; the larger ones are warnings.

@@ -1,0 +1,82 @@
+#include "geometry/laplacian.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/IterativeLinearSolvers>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "geometry/parallel.h"
+
+namespace toile {
+
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+/// Bounds of the weights of needles and of obtuse corners. They keep the weights of the bones in
+/// [0, 1]. Sound triangles are far from both, so half or double of them change little.
+constexpr double min_cotangent = 1e-3;
+constexpr double max_cotangent = 10;
+/// Share of the mean: a point whose triangles are smaller counts as much. Without it, needles make
+/// the system stiff.
+constexpr double least_area = 0.1;
+
+}  // namespace
+
+Sparse cotangent_laplacian(const TriangleMesh& mesh) {
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(12 * mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles) {
+    for (int c = 0; c < 3; ++c) {
+      const int i = t[(c + 1) % 3];
+      const int j = t[(c + 2) % 3];
+      const Vec3 a = mesh.points[i] - mesh.points[t[c]];
+      const Vec3 b = mesh.points[j] - mesh.points[t[c]];
+      const double area = a.cross(b).norm();
+      const double cotangent = area > 0 ? a.dot(b) / area : 0;
+      const double weight = std::clamp(cotangent / 2, min_cotangent, max_cotangent);
+      entries.emplace_back(i, j, -weight);
+      entries.emplace_back(j, i, -weight);
+      entries.emplace_back(i, i, weight);
+      entries.emplace_back(j, j, weight);
+    }
+  }
+  const auto n = static_cast<Eigen::Index>(mesh.points.size());
+  Sparse result(n, n);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+TriangleMesh smoothed(const TriangleMesh& mesh, double length) {
+  if (mesh.triangles.empty()) return mesh;
+  const auto n = static_cast<Eigen::Index>(mesh.points.size());
+  const Sparse stiffness = cotangent_laplacian(mesh);
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(n);
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3& a = mesh.points[t[0]];
+    const double area = (mesh.points[t[1]] - a).cross(mesh.points[t[2]] - a).norm() / 2;
+    for (const int i : t) areas[i] += area / 3;
+  }
+  areas = areas.cwiseMax(std::max(least_area * areas.mean(), 1e-300)).eval();
+  Sparse masses(n, n);
+  masses.setIdentity();
+  masses.diagonal() = areas;
+  Sparse inverses = masses;
+  inverses.diagonal() = areas.cwiseInverse();
+  const Sparse energy = std::pow(length, 4) * Sparse(stiffness * inverses * stiffness);
+  const Sparse system = masses + energy;
+  TriangleMesh smooth = mesh;
+  parallel_for(3, [&](std::size_t axis) {
+    Eigen::VectorXd before(n);
+    for (Eigen::Index i = 0; i < n; ++i) before[i] = mesh.points[i][static_cast<int>(axis)];
+    Eigen::ConjugateGradient<Sparse, Eigen::Lower | Eigen::Upper> solver(system);
+    solver.setTolerance(1e-6);  // of the moves, which are millimetres
+    solver.setMaxIterations(500);
+    const Eigen::VectorXd moves = solver.solve(-(energy * before));
+    for (Eigen::Index i = 0; i < n; ++i) smooth.points[i][static_cast<int>(axis)] += moves[i];
+  });
+  return smooth;
+}
+
+}  // namespace toile
