@@ -12,6 +12,7 @@
 #include "io/json_words.h"
 #include "io/text.h"
 #include "pattern/constants.h"
+#include "pattern/import/half_pieces.h"
 #include "pattern/import/join_paths.h"
 #include "pattern/import/piece_shape.h"
 
@@ -140,11 +141,12 @@ class Importer {
       note(drawing_.source + ": not used: " + std::to_string(count) + " x " + shown_text(what));
     }
     choose_size();
+    choose_pieces();
+    take_requests();
     int cut_lines = 0;
-    for (const Piece& piece : drawing_.pieces) {
-      if (!piece.size.empty() && !same_word(piece.size, pattern_.size)) continue;
-      if (piece.is_cut_line && !options_.seam_allowance) ++cut_lines;
-      add(piece);
+    for (const ChosenPiece& chosen : chosen_) {
+      if (chosen.piece.is_cut_line && !options_.seam_allowance) ++cut_lines;
+      add(chosen);
     }
     if (pattern_.panels.empty()) {
       throw Error(drawing_.source, "holds no piece: no closed outline was found in it",
@@ -206,27 +208,110 @@ class Importer {
     return name;
   }
 
-  void add(const Piece& piece) {
+  /// A piece of the chosen size.
+  struct ChosenPiece {
+    Piece piece;
+    std::string left;   ///< the panel as drawn; of a pair, the left one
+    std::string right;  ///< the mirrored panel of a pair
+    std::optional<NamedPiece> unfold;
+  };
+
+  /// Names all panels before one is changed, so that options name what was written without them.
+  void choose_pieces() {
+    for (const Piece& piece : drawing_.pieces) {
+      if (!piece.size.empty() && !same_word(piece.size, pattern_.size)) continue;
+      ChosenPiece chosen{piece, "", "", std::nullopt};
+      const std::string name = panel_name(piece.name);
+      if (piece.pair && piece.is_right_one) {
+        chosen.right = unique("right_" + name);
+        chosen.left = unique("left_" + name);
+      } else if (piece.pair) {
+        chosen.left = unique("left_" + name);
+        chosen.right = unique("right_" + name);
+      } else {
+        chosen.left = unique(name);
+      }
+      chosen_.push_back(std::move(chosen));
+    }
+  }
+
+  void take_requests() {
+    std::vector<std::string> names;
+    for (const ChosenPiece& chosen : chosen_) {
+      names.push_back(chosen.piece.pair ? panel_name(chosen.piece.name) : chosen.left);
+    }
+    for (const std::string& text : options_.unfold) {
+      const std::string place = drawing_.source + ": --unfold " + in_quotes(text);
+      const NamedPiece named = named_piece(text, names, place);
+      ChosenPiece& chosen = chosen_[named.piece];
+      if (chosen.piece.fold) {
+        throw Error(place, "is drawn with its fold, and unfolded by that", "leave the option out");
+      }
+      if (chosen.unfold) throw Error(place, "is to be unfolded twice", "a piece has one fold");
+      chosen.unfold = named;
+    }
+    for (const std::string& text : options_.pairs) {
+      const std::string place = drawing_.source + ": --pair " + in_quotes(text);
+      const NamedPiece named = named_piece(text, names, place);
+      ChosenPiece& chosen = chosen_[named.piece];
+      if (named.edge >= 0) throw Error(place, "names an edge", "a pair is a piece");
+      if (chosen.piece.pair) continue;
+      chosen.piece.pair = true;
+      chosen.piece.quantity = std::max(2, chosen.piece.quantity);
+      chosen.right = unique("right_" + chosen.left);
+      chosen.left = unique("left_" + chosen.left);
+    }
+  }
+
+  /// Unfolds a piece as the drawing or the user says, or notes that it looks like a half.
+  void unfold(const ChosenPiece& chosen, const std::string& place, PieceShape& shape) {
+    if (chosen.piece.fold) {
+      if (auto whole = unfolded_shape(shape, *chosen.piece.fold, place, remarks_))
+        shape = std::move(*whole);
+      return;
+    }
+    if (!chosen.unfold && chosen.piece.pair) return;
+    const EdgedOutline edges = edges_of(shape, options_.edges, place);
+    const std::optional<int> likely = likely_fold(shape, edges);
+    if (!chosen.unfold) {
+      if (!likely) return;
+      note(place + ": looks like a half, folded at edge " + std::to_string(*likely) +
+           ", which is straight along the grain; if it is one, give --unfold " +
+           shell_word(chosen.left + ":" + std::to_string(*likely)));
+      return;
+    }
+    const int edge = chosen.unfold->edge >= 0 ? chosen.unfold->edge : likely.value_or(-1);
+    if (edge < 0) {
+      throw Error(place, "--unfold finds no straight edge along its grain, with all of it beside",
+                  "name the edge: --unfold " + shell_word(chosen.left + ":EDGE"));
+    }
+    std::vector<Remark> none;
+    auto whole = unfolded_shape(shape, fold_along(edges, edge, place), place, none);
+    if (!whole) {
+      throw Error(place, "lies on both sides of its edge " + std::to_string(edge),
+                  "name the edge that lies on the fold");
+    }
+    shape = std::move(*whole);
+  }
+
+  void add(const ChosenPiece& chosen) {
+    const Piece& piece = chosen.piece;
     const std::string place = drawing_.source + ": piece " + in_quotes(piece.name);
     const bool takes_off = piece.is_cut_line && options_.seam_allowance;
     PieceShape shape = shape_of(piece, place, options_.edges.chord_error * sampling_share);
-    if (piece.fold) {
-      if (auto whole = unfolded_shape(shape, *piece.fold, place, remarks_))
-        shape = std::move(*whole);
-    }
+    unfold(chosen, place, shape);
     if (takes_off) shape = without_allowance(shape, *options_.seam_allowance, place);
     if (!shape.grain) no_grain_ += piece.pair ? 2 : 1;
-    const std::string name = panel_name(piece.name);
     if (!piece.pair) {
-      add(piece, shape, name, piece.quantity, place);
+      add(piece, shape, chosen.left, piece.quantity, place);
       return;
     }
     // Of an uneven count, the one that is drawn is cut once more.
     const int mirrored = std::max(1, piece.quantity / 2);
-    add(piece, shape, (piece.is_right_one ? "right_" : "left_") + name,
-        std::max(1, piece.quantity - mirrored), place);
-    add(piece, mirrored_shape(shape), (piece.is_right_one ? "left_" : "right_") + name, mirrored,
+    const bool right = piece.is_right_one;
+    add(piece, shape, right ? chosen.right : chosen.left, std::max(1, piece.quantity - mirrored),
         place);
+    add(piece, mirrored_shape(shape), right ? chosen.left : chosen.right, mirrored, place);
   }
 
   void add(const Piece& piece, const PieceShape& shape, const std::string& name, int quantity,
@@ -238,7 +323,7 @@ class Importer {
       remarks_.push_back({true, place + ": " + std::to_string(panel.outline.far_notches) +
                                     " notches are more than 6 cm from its outline; left out"});
     }
-    panel.name = unique(name);
+    panel.name = name;
     panel.internal_lines = shape.internal_lines;
     panel.cut_outs = shape.cut_outs;
     panel.drill_holes = shape.drill_holes;
@@ -260,6 +345,7 @@ class Importer {
   const ImportOptions& options_;
   std::vector<Remark>& remarks_;
   ImportedPattern pattern_;
+  std::vector<ChosenPiece> chosen_;
   std::set<std::string> names_;
   int no_grain_ = 0;
 };

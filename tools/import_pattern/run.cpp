@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "geometry/error.h"
 #include "io/output_file.h"
 #include "io/text.h"
 #include "pattern/import/drawing_format.h"
@@ -53,6 +54,10 @@ void run_import_pattern(const ImportPatternSettings& settings, const CommonSetti
   std::string content = text;
   std::size_t panels = 0;
   if (format == DrawingFormat::json) {
+    if (!settings.pieces.unfold.empty() || !settings.pieces.pairs.empty()) {
+      throw Error(name, "is a pattern; --unfold and --pair are for the pieces of a drawing",
+                  "leave them out");
+    }
     panels = parse_pattern(text, name, remarks).panels.size();
     remarks.push_back({false, name + ": is a pattern already; it is written as it is"});
   } else {
