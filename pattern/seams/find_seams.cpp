@@ -33,12 +33,16 @@ class Finder {
       // Where drawings show the wrong side, left and right change places: then a garment that does
       // not heed them is worth much more.
       SeamChooser other(evidence_, false, known);
-      if (other.worth() > chooser.worth() + turned_panels) return found(other.choose(), known);
+      if (other.worth() > chooser.worth() + turned_panels) return found(chosen(other), known);
     }
-    return found(chooser.choose(), known);
+    return found(chosen(chooser), known);
   }
 
  private:
+  SeamChoice chosen(SeamChooser& chooser) const {
+    return options_.certain ? chooser.choose() : chooser.best();
+  }
+
   FoundSeams found(const SeamChoice& choice, const KnownSeams& known) const {
     std::vector<EdgeSeam> seams;
     for (const ChosenSeam& chosen : choice.seams) seams.push_back({chosen.a, chosen.b, false});
