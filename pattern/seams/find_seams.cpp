@@ -5,6 +5,7 @@
 #include <set>
 
 #include "geometry/error.h"
+#include "pattern/seams/number_panels.h"
 #include "pattern/seams/panel_exchange.h"
 #include "pattern/seams/seam_choice.h"
 
@@ -48,8 +49,11 @@ class Finder {
     for (const ChosenSeam& chosen : choice.seams) seams.push_back({chosen.a, chosen.b, false});
     const std::vector<EdgeSeam> before = seams;
     if (options_.given.empty()) {
-      exchange_panels(pattern_, evidence_.edges, evidence_.fits, evidence_.words, options_.by_place,
-                      seams);
+      exchange_panels(pattern_, evidence_.edges, evidence_.fits, evidence_.words,
+                      evidence_.mirror, options_.by_place, seams);
+      if (!options_.by_place) {
+        number_panels(pattern_, evidence_.edges, evidence_.fits, evidence_.words, seams);
+      }
     }
     FoundSeams found;
     found.settled = choice.settled;

@@ -25,6 +25,8 @@ enum class SeamMeasure {
   up_and_down,  ///< outlines go up, by the warp as drawn, beyond one edge and down beyond the other
   both_up,      ///< they go up beyond both, as at a shoulder
   both_down,    ///< they go down beyond both
+  rise_together,  ///< both go up, or both down, from where they begin to meet: the product of sines
+  rise_apart,     ///< the same where one goes up and the other down
   same_panel,   ///< 1: both edges are of one panel, not the legs of a dart
   dart,         ///< 1: the legs of a dart
   concave,      ///< radians by which the edge turns inwards that does so less; 0 if one does not
@@ -36,7 +38,10 @@ enum class SeamMeasure {
   numbers_apart,   ///< 1: of one name, with numbers between them
   words_alike,     ///< of different pieces: words of the shorter name that the other has, 0 to 1
   named_halves,    ///< 1: the left and the right half of one piece, mirror partners
-  front_and_back,  ///< 1: front and back of one piece
+  front_and_back,  ///< 1: front and back of one piece, with one number or none
+  numbers_differ,  ///< 1: front and back of one piece, with other numbers
+  first_number,    ///< 1: of one name without a number, and the lowest number
+  later_number,    ///< 1: of one name without a number, and another number
   cone,            ///< 1: a corner that is no dart's tip closes on itself
   dart_tip,        ///< 1: a corner closes on itself, as the tip of a dart
   two_inside,      ///< 1: two corners meet inside the garment

@@ -85,6 +85,7 @@ std::vector<WalkedEdge> walked_edges(const Pattern& pattern, bool drawn_walk) {
       const Vec2 seen_warp(flipped ? -warp.x() : warp.x(), warp.y());
       edge.upwards =
           (walk.y() * seen_warp.x() - walk.x() * seen_warp.y()) / std::max(walk.norm(), 1e-9);
+      edge.rise = walk.dot(seen_warp) / std::max(walk.norm(), 1e-9);
       edge.points = points;
       edges.push_back(edge);
     }
