@@ -211,6 +211,7 @@ class Importer {
   /// A piece of the chosen size.
   struct ChosenPiece {
     Piece piece;
+    std::string asked;  ///< the name that options have for it
     std::string left;   ///< the panel as drawn; of a pair, the left one
     std::string right;  ///< the mirrored panel of a pair
     std::optional<NamedPiece> unfold;
@@ -220,7 +221,7 @@ class Importer {
   void choose_pieces() {
     for (const Piece& piece : drawing_.pieces) {
       if (!piece.size.empty() && !same_word(piece.size, pattern_.size)) continue;
-      ChosenPiece chosen{piece, "", "", std::nullopt};
+      ChosenPiece chosen{piece, "", "", "", std::nullopt};
       const std::string name = panel_name(piece.name);
       if (piece.pair && piece.is_right_one) {
         chosen.right = unique("right_" + name);
@@ -231,15 +232,14 @@ class Importer {
       } else {
         chosen.left = unique(name);
       }
+      chosen.asked = piece.pair ? name : chosen.left;
       chosen_.push_back(std::move(chosen));
     }
   }
 
   void take_requests() {
     std::vector<std::string> names;
-    for (const ChosenPiece& chosen : chosen_) {
-      names.push_back(chosen.piece.pair ? panel_name(chosen.piece.name) : chosen.left);
-    }
+    for (const ChosenPiece& chosen : chosen_) names.push_back(chosen.asked);
     for (const std::string& text : options_.unfold) {
       const std::string place = drawing_.source + ": --unfold " + in_quotes(text);
       const NamedPiece named = named_piece(text, names, place);
@@ -249,6 +249,23 @@ class Importer {
       }
       if (chosen.unfold) throw Error(place, "is to be unfolded twice", "a piece has one fold");
       chosen.unfold = named;
+    }
+    for (const std::string& text : options_.names) {
+      const std::string place = drawing_.source + ": --name " + in_quotes(text);
+      const std::size_t equals = text.rfind('=');
+      if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
+        throw Error(place, "names no piece and its new name", "write it as \"Detail_2=front\"");
+      }
+      const NamedPiece named = named_piece(text.substr(0, equals), names, place);
+      if (named.edge >= 0) throw Error(place, "names an edge", "a name is a piece's");
+      ChosenPiece& chosen = chosen_[named.piece];
+      const std::string name = panel_name(text.substr(equals + 1));
+      if (chosen.piece.pair) {
+        chosen.left = unique("left_" + name);
+        chosen.right = unique("right_" + name);
+      } else {
+        chosen.left = unique(name);
+      }
     }
     for (const std::string& text : options_.pairs) {
       const std::string place = drawing_.source + ": --pair " + in_quotes(text);
@@ -277,13 +294,13 @@ class Importer {
       if (!likely) return;
       note(place + ": looks like a half, folded at edge " + std::to_string(*likely) +
            ", which is straight along the grain; if it is one, give --unfold " +
-           shell_word(chosen.left + ":" + std::to_string(*likely)));
+           shell_word(chosen.asked + ":" + std::to_string(*likely)));
       return;
     }
     const int edge = chosen.unfold->edge >= 0 ? chosen.unfold->edge : likely.value_or(-1);
     if (edge < 0) {
       throw Error(place, "--unfold finds no straight edge along its grain, with all of it beside",
-                  "name the edge: --unfold " + shell_word(chosen.left + ":EDGE"));
+                  "name the edge: --unfold " + shell_word(chosen.asked + ":EDGE"));
     }
     std::vector<Remark> none;
     auto whole = unfolded_shape(shape, fold_along(edges, edge, place), place, none);

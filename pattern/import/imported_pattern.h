@@ -18,6 +18,7 @@ struct ImportOptions {
   /// "PIECE" or "PIECE:EDGE": halves without a mark of their fold. EDGE is that of the half, with
   /// its seam allowance; without EDGE, it is likely_fold().
   std::vector<std::string> unfold;
+  std::vector<std::string> names;  ///< "PIECE=NAME": what its panel is called instead
   std::vector<std::string> pairs;  ///< pieces that are cut as a pair, though the file does not say
   EdgeOptions edges;
 };
@@ -47,7 +48,7 @@ struct ImportedPattern {
 /// Makes the panels: of the size asked for, half pieces unfolded, pairs as left_NAME, as drawn, and
 /// right_NAME, mirrored, or the other way round (Piece::is_right_one).
 ///
-/// A piece is named by its panel, as it is without `unfold` and `pairs`, or a pair in the drawing
+/// A piece is named by its panel, as it is without `unfold`, `names` and `pairs`, or a pair in the drawing
 /// by the name without left_ and right_. Remarks name the pieces that look like halves.
 ///
 /// Panels stay where the drawing has them, unless the boxes of two overlap. Then all are laid out
@@ -55,7 +56,7 @@ struct ImportedPattern {
 /// `remarks`.
 ///
 /// Throws Error, naming the piece, as shape_of(), unfolded_shape() and without_allowance() do. It
-/// throws it for a size that is not there, for pieces in `unfold` and `pairs` that are not there or
+/// throws it for a size that is not there, for pieces in `unfold`, `names` and `pairs` that are not there or
 /// cannot be unfolded, and beyond max_panels and max_panel_edges.
 ImportedPattern import_pieces(const PieceDrawing& drawing, const ImportOptions& options,
                               std::vector<Remark>& remarks);

@@ -103,6 +103,10 @@ int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& comm
                   side_name(pattern, seam.b).c_str(), seam.length_a * 100, seam.length_b * 100);
     common.say(line);
   }
+  for (const EdgeSplit& cut : split.splits) {
+    common.say("  split      " + side_name(pattern, cut.edge) + ", its rest is " +
+               side_name(pattern, {cut.edge.panel, cut.rest}));
+  }
   common.say(std::to_string(decided.size()) + " seams sewn, " + std::to_string(undecided) +
              " undecided");
   std::string open;
@@ -115,7 +119,7 @@ int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& comm
   if (common.report) {
     write_file(
         files.at(*common.report),
-        find_seams_json(name, pattern, found, settings.min_confidence, remarks, seconds.count())
+        find_seams_json(name, split, settings.min_confidence, remarks, seconds.count())
                 .dump(2) +
             "\n");
   }

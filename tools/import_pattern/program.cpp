@@ -58,6 +58,8 @@ CommandLineProgram import_pattern_program() {
       "taken off pieces that have a cut line only, such as 10mm")(
       "unfold", po::value<std::vector<std::string>>()->composing(),
       "PIECE or PIECE:EDGE: a half without a mark of its fold; may be given again")(
+      "name", po::value<std::vector<std::string>>()->composing(),
+      "PIECE=NAME: what a piece is to be called; may be given again")(
       "pair", po::value<std::vector<std::string>>()->composing(),
       "PIECE: cut as a pair, left and right; may be given again")(
       "cut-line", po::bool_switch(), "bound pieces by their cut lines, not by their sew lines")(
@@ -78,6 +80,9 @@ CommandLineProgram import_pattern_program() {
     }
     if (given.count("unfold") > 0) {
       settings.pieces.unfold = given["unfold"].as<std::vector<std::string>>();
+    }
+    if (given.count("name") > 0) {
+      settings.pieces.names = given["name"].as<std::vector<std::string>>();
     }
     if (given.count("pair") > 0) {
       settings.pieces.pairs = given["pair"].as<std::vector<std::string>>();

@@ -54,8 +54,9 @@ void run_import_pattern(const ImportPatternSettings& settings, const CommonSetti
   std::string content = text;
   std::size_t panels = 0;
   if (format == DrawingFormat::json) {
-    if (!settings.pieces.unfold.empty() || !settings.pieces.pairs.empty()) {
-      throw Error(name, "is a pattern; --unfold and --pair are for the pieces of a drawing",
+    if (!settings.pieces.unfold.empty() || !settings.pieces.names.empty() ||
+        !settings.pieces.pairs.empty()) {
+      throw Error(name, "is a pattern; --unfold, --name and --pair are for the pieces of a drawing",
                   "leave them out");
     }
     panels = parse_pattern(text, name, remarks).panels.size();
