@@ -52,6 +52,8 @@ enum class SeamMeasure {
   four_inside_off,
   more_inside,  ///< the same of more corners
   more_inside_off,
+  notches_meet,   ///< notches of other edges that a notch meets
+  notch_alone,    ///< 1: two corners meet, and one of them alone is a notch
   junction_off,   ///< of three or more: by how much the flattest corner or pair misses 180 degrees
   smooth_border,  ///< 1: one corner on the border within 20 degrees of 180
   lone_corner,    ///< 1: another corner between two open edges

@@ -34,6 +34,7 @@ SewnSurface::SewnSurface(const SeamEvidence& evidence)
     length_.push_back(edge.length);
     log_length_.push_back(std::log(edge.length));
     angle_.push_back(edge.corner);
+    notch_.push_back(edge.notch ? 1 : 0);
     turning_.push_back(turning_of(edge));
   }
   panels_ = panel_.back() + 1;
@@ -128,6 +129,10 @@ void SewnSurface::measure_inside(SeamMeasures& sum) const {
     at(angle > sharpest_dart_tip ? dart_tip : cone) += 1;
     return;
   }
+  int notches = 0;
+  for (const int corner : corners_) notches += notch_[corner];
+  if (notches > 1) at(notches_meet) += notches - 1;
+  if (notches == 1 && corners == 2) at(notch_alone) += 1;
   if (corners == 2) {
     at(two_inside) += 1;
     at(two_inside_off) += off;

@@ -26,6 +26,7 @@ struct WalkedEdge {
   /// 1 at a right side, -1 at a left one.
   double rise = 0;
   double corner = 0;  ///< radians: the panel's inner angle where this edge starts
+  bool notch = false;   ///< whether a notch is drawn where this edge starts
   /// Points at equal steps of length, from the walk's first to its last. Metres.
   std::vector<Vec2> points;
 };
