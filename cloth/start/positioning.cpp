@@ -104,9 +104,9 @@ class EvenWidth {
         const double own = std::abs(ends[i][side]);
         // A level without points is as the one below it.
         const double least = 0.2 * std::abs(ends[widest][side]);
-        stretch_[i][side] = own > least  ? std::max(1.0, std::abs(ends[widest][side]) / own)
-                            : i > 0 ? stretch_[i - 1][side]
-                                    : 1;
+        stretch_[i][side] = own > least ? std::max(1.0, std::abs(ends[widest][side]) / own)
+                            : i > 0     ? stretch_[i - 1][side]
+                                        : 1;
       }
     }
   }

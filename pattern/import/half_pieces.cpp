@@ -69,10 +69,9 @@ std::optional<int> likely_fold(const PieceShape& shape, const EdgedOutline& outl
     }
     // The outline is counter-clockwise: all of a piece that is folded here lies to the left.
     const Vec2 left = Vec2(-along.y(), along.x()).normalized();
-    const bool one_side =
-        std::all_of(shape.outline.begin(), shape.outline.end(), [&](const Vec2& point) {
-          return (point - line->from).dot(left) > -straight_within;
-        });
+    const bool one_side = std::all_of(
+        shape.outline.begin(), shape.outline.end(),
+        [&](const Vec2& point) { return (point - line->from).dot(left) > -straight_within; });
     if (!one_side) continue;
     longest = along.norm();
     best = static_cast<int>(i);

@@ -48,16 +48,16 @@ struct ImportedPattern {
 /// Makes the panels: of the size asked for, half pieces unfolded, pairs as left_NAME, as drawn, and
 /// right_NAME, mirrored, or the other way round (Piece::is_right_one).
 ///
-/// A piece is named by its panel, as it is without `unfold`, `names` and `pairs`, or a pair in the drawing
-/// by the name without left_ and right_. Remarks name the pieces that look like halves.
+/// Options name a piece as its panel is named without `unfold`, `names` and `pairs`. A pair of the
+/// drawing is named without left_ and right_. Remarks name the pieces that look like halves.
 ///
 /// Panels stay where the drawing has them, unless the boxes of two overlap. Then all are laid out
 /// side by side, upright as drawn. Remarks of the drawing and what it ignored are added to
 /// `remarks`.
 ///
 /// Throws Error, naming the piece, as shape_of(), unfolded_shape() and without_allowance() do. It
-/// throws it for a size that is not there, for pieces in `unfold`, `names` and `pairs` that are not there or
-/// cannot be unfolded, and beyond max_panels and max_panel_edges.
+/// throws it for sizes and pieces that are not there, and for those that cannot be unfolded. It
+/// throws it beyond max_panels and max_panel_edges.
 ImportedPattern import_pieces(const PieceDrawing& drawing, const ImportOptions& options,
                               std::vector<Remark>& remarks);
 

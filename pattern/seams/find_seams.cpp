@@ -13,8 +13,10 @@ namespace toile {
 
 namespace {
 
-/// Worth by which a garment has to be better that does not heed the names of left and right.
-constexpr double turned_panels = 2;
+/// Worth by which a garment has to be better that does not heed the names of left and right. With
+/// 2, bands of a collar are turned over to the other half. In the garments that weights were fitted
+/// to, 0.909 of the listed seams are right then, 0.921 with 6.
+constexpr double turned_panels = 6;
 
 class Finder {
  public:
@@ -49,8 +51,8 @@ class Finder {
     for (const ChosenSeam& chosen : choice.seams) seams.push_back({chosen.a, chosen.b, false});
     const std::vector<EdgeSeam> before = seams;
     if (options_.given.empty()) {
-      exchange_panels(pattern_, evidence_.edges, evidence_.fits, evidence_.words,
-                      evidence_.mirror, options_.by_place, seams);
+      exchange_panels(pattern_, evidence_.edges, evidence_.fits, evidence_.words, evidence_.mirror,
+                      options_.by_place, seams);
       if (!options_.by_place) {
         number_panels(pattern_, evidence_.edges, evidence_.fits, evidence_.words, seams);
       }

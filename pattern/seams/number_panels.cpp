@@ -76,8 +76,7 @@ class Numbering {
         if (panel(own) != member) continue;
         if (std::find(family.begin(), family.end(), panel(other)) != family.end()) continue;
         const PanelWords& words = words_[panel(other)];
-        const EdgeCurve& curve =
-            pattern_.panels[panel(other)].edges[edges_[other].ref.edge].curve;
+        const EdgeCurve& curve = pattern_.panels[panel(other)].edges[edges_[other].ref.edge].curve;
         const Key key = {-words.face, words.side, panel(other),
                          (curve.start().x() + curve.end().x()) / 2};
         least = std::min(least, key);
@@ -114,7 +113,9 @@ class Numbering {
     std::vector<int> order = family;
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return keys[a] < keys[b]; });
     std::vector<int> slots;
-    const auto taken = [&](int p) { return std::find(slots.begin(), slots.end(), p) != slots.end(); };
+    const auto taken = [&](int p) {
+      return std::find(slots.begin(), slots.end(), p) != slots.end();
+    };
     // Rows begin at their left end, rings at their first slot.
     for (const bool rows : {true, false}) {
       for (const int p : order) {

@@ -227,7 +227,7 @@ void SeamPairs::measure_names(int a, int b, SeamMeasures& measures) const {
       if (apart > 1) at(numbers_apart) = 1;
     } else if (!faces && first.number != second.number) {
       at(std::max(first.number, second.number) == lowest_number(first.stem) ? first_number
-                                                                           : later_number) = 1;
+                                                                            : later_number) = 1;
     }
   }
 }

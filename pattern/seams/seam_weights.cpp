@@ -9,8 +9,9 @@ struct Row {
   double weight;
 };
 
-/// Fitted by bench_fit_seam_weights, but for the notches: its garments have none. With half of these
-/// weights the sleeves of FreeSewing's T-shirt are sewn in one notch too far; double changes nothing.
+/// Fitted by bench_fit_seam_weights, but for the notches: its garments have none. With half of
+/// these weights the sleeves of FreeSewing's T-shirt are sewn in one notch too far; double changes
+/// nothing.
 constexpr Row rows[] = {
     {"seam", -0.677},
     {"equal_length", -1.056},

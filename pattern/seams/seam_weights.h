@@ -27,13 +27,13 @@ enum class SeamMeasure {
   both_down,    ///< they go down beyond both
   rise_together,  ///< both go up, or both down, from where they begin to meet: the product of sines
   rise_apart,     ///< the same where one goes up and the other down
-  same_panel,   ///< 1: both edges are of one panel, not the legs of a dart
-  dart,         ///< 1: the legs of a dart
-  concave,      ///< radians by which the edge turns inwards that does so less; 0 if one does not
-  roles_agree,  ///< 1: pieces of two such kinds are sewn together, by their names
-  sides_differ,    ///< 1: left and right, and not mirror partners
-  faces_agree,     ///< 1: front and front, or back and back, of different pieces
-  faces_differ,    ///< 1: front and back of different pieces
+  same_panel,     ///< 1: both edges are of one panel, not the legs of a dart
+  dart,           ///< 1: the legs of a dart
+  concave,        ///< radians by which the edge turns inwards that does so less; 0 if one does not
+  roles_agree,    ///< 1: pieces of two such kinds are sewn together, by their names
+  sides_differ,   ///< 1: left and right, and not mirror partners
+  faces_agree,    ///< 1: front and front, or back and back, of different pieces
+  faces_differ,   ///< 1: front and back of different pieces
   numbers_follow,  ///< 1: pieces of one name, numbered one after the other
   numbers_apart,   ///< 1: of one name, with numbers between them
   words_alike,     ///< of different pieces: words of the shorter name that the other has, 0 to 1

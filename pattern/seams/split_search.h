@@ -11,8 +11,8 @@ namespace toile {
 
 /// Seams, and the pattern whose edges they name.
 struct SplitSeams {
-  std::string text;  ///< the pattern file with its edges cut
-  Pattern pattern;   ///< what it holds
+  std::string text;               ///< the pattern file with its edges cut
+  Pattern pattern;                ///< what it holds
   std::vector<EdgeSplit> splits;  ///< in the order in which they are made
   FoundSeams found;
 };

@@ -92,9 +92,9 @@ std::vector<WalkedEdge> walked_edges(const Pattern& pattern, bool drawn_walk) {
       edge.rise = walk.dot(seen_warp) / std::max(walk.norm(), 1e-9);
       const EdgeCurve& curve = curve_of(panel, step.edge);
       const Vec2 start = edge.forward ? curve.start() : curve.end();
-      edge.notch =
-          std::any_of(panel.notches.begin(), panel.notches.end(),
-                      [&](const PanelNotch& notch) { return (notch.at - start).norm() < at_notch; });
+      edge.notch = std::any_of(
+          panel.notches.begin(), panel.notches.end(),
+          [&](const PanelNotch& notch) { return (notch.at - start).norm() < at_notch; });
       edge.points = points;
       edges.push_back(edge);
     }

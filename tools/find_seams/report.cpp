@@ -63,7 +63,8 @@ std::vector<EdgeRef> open_edges(const Pattern& pattern, const FoundSeams& found)
   return open;
 }
 
-Json find_seams_json(const std::string& file, const SplitSeams& split, double min_confidence, const std::vector<Remark>& remarks, double seconds) {
+Json find_seams_json(const std::string& file, const SplitSeams& split, double min_confidence,
+                     const std::vector<Remark>& remarks, double seconds) {
   const Pattern& pattern = split.pattern;
   const FoundSeams& found = split.found;
   Json report;

@@ -17,7 +17,8 @@ std::string side_name(const Pattern& pattern, const EdgeRef& side);
 std::vector<EdgeRef> open_edges(const Pattern& pattern, const FoundSeams& found);
 
 /// The report, in metres.
-nlohmann::ordered_json find_seams_json(const std::string& file, const SplitSeams& split, double min_confidence,
-                                       const std::vector<Remark>& remarks, double seconds);
+nlohmann::ordered_json find_seams_json(const std::string& file, const SplitSeams& split,
+                                       double min_confidence, const std::vector<Remark>& remarks,
+                                       double seconds);
 
 }  // namespace toile

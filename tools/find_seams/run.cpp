@@ -10,8 +10,8 @@
 #include "io/output_file.h"
 #include "pattern/pattern_file.h"
 #include "pattern/seams/find_seams.h"
-#include "pattern/seams/split_search.h"
 #include "pattern/seams/sewn_file.h"
+#include "pattern/seams/split_search.h"
 #include "tools/find_seams/report.h"
 #include "tools/remarks.h"
 
@@ -114,13 +114,13 @@ int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& comm
     open.append(" ").append(side_name(pattern, edge));
   if (!open.empty()) common.say("left open:" + open);
   OutputFiles files;
-  write_file(files.at(common.output), with_stitches(split.text, pattern, decided, options.drawn_walk));
+  write_file(files.at(common.output),
+             with_stitches(split.text, pattern, decided, options.drawn_walk));
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   if (common.report) {
     write_file(
         files.at(*common.report),
-        find_seams_json(name, split, settings.min_confidence, remarks, seconds.count())
-                .dump(2) +
+        find_seams_json(name, split, settings.min_confidence, remarks, seconds.count()).dump(2) +
             "\n");
   }
   files.commit();

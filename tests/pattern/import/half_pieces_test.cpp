@@ -58,12 +58,15 @@ TEST(HalfPieces, OnlyAStraightEdgeIsAFold) {
     outline.emplace_back(0.03 * std::sin(share * M_PI), 0.35 * (1 - share));
   }
   const EdgedOutline edges = edges_of(piece, {}, "piece");
-  EXPECT_HOLDS(samples::error_of([&] { fold_along(edges, static_cast<int>(edges.edges.size()), "piece"); }), "has no edge");
+  EXPECT_HOLDS(
+      samples::error_of([&] { fold_along(edges, static_cast<int>(edges.edges.size()), "piece"); }),
+      "has no edge");
   int curved = 0;
   for (std::size_t i = 0; i < edges.edges.size(); ++i) {
     curved += edges.edges[i].curves.front().straight ? 0 : 1;
     if (edges.edges[i].curves.front().straight) continue;
-    EXPECT_HOLDS(samples::error_of([&] { fold_along(edges, static_cast<int>(i), "piece"); }), "is curved");
+    EXPECT_HOLDS(samples::error_of([&] { fold_along(edges, static_cast<int>(i), "piece"); }),
+                 "is curved");
   }
   EXPECT_EQ(curved, 1);
 }
@@ -75,8 +78,10 @@ TEST(HalfPieces, NamesMayHaveColons) {
   EXPECT_EQ(named_piece("back:2", names, "--unfold").piece, 1u);
   EXPECT_EQ(named_piece("back:2", names, "--unfold").edge, -1);
   EXPECT_EQ(named_piece("back:3", names, "--unfold").piece, 2u);
-  EXPECT_HOLDS(samples::error_of([&] { named_piece("side", names, "--unfold"); }), "its pieces are front, back:2, back");
-  EXPECT_HOLDS(samples::error_of([&] { named_piece("front:x", names, "--unfold"); }), "names no piece");
+  EXPECT_HOLDS(samples::error_of([&] { named_piece("side", names, "--unfold"); }),
+               "its pieces are front, back:2, back");
+  EXPECT_HOLDS(samples::error_of([&] { named_piece("front:x", names, "--unfold"); }),
+               "names no piece");
 }
 
 }  // namespace half_pieces_test

@@ -243,8 +243,7 @@ TEST(ImportedPattern, EveryVersionOfDxfGivesThePieceThatWasDrawn) {
 /// A drawing as Valentina writes it: halves of front and back, and no word of the fold.
 Imported import_halves(const ImportOptions& options) {
   return import_text(
-      read_file(std::filesystem::path(TOILE_SOURCE_DIR) / "tests/io/drawings/halves.dxf"),
-      options);
+      read_file(std::filesystem::path(TOILE_SOURCE_DIR) / "tests/io/drawings/halves.dxf"), options);
 }
 
 TEST(ImportedPattern, HalvesWithoutAFoldAreNamedAndStayHalves) {

@@ -39,12 +39,13 @@ void expect_same_shape(const std::string& text) {
 }
 
 TEST(EdgeSplit, KeepsTheShapeOfEveryCurve) {
-  for (const char* curvature :
-       {R"({"type": "quadratic", "params": [[0.4, 0.3]]})", "[0.4, 0.3]",
-        R"({"type": "cubic", "params": [[0.2, 0.3], [0.7, -0.2]]})",
-        R"({"type": "cubics", "params": [[0.1, 0.2], [0.3, 0.2], [0.5, 0], [0.7, -0.2], [0.8, 0.1]]})",
-        R"({"type": "circle", "params": [12, 0, 1]})",
-        R"({"type": "circle", "params": [11, 1, 0]})"}) {
+  for (
+      const char* curvature :
+      {R"({"type": "quadratic", "params": [[0.4, 0.3]]})", "[0.4, 0.3]",
+       R"({"type": "cubic", "params": [[0.2, 0.3], [0.7, -0.2]]})",
+       R"({"type": "cubics", "params": [[0.1, 0.2], [0.3, 0.2], [0.5, 0], [0.7, -0.2], [0.8, 0.1]]})",
+       R"({"type": "circle", "params": [12, 0, 1]})",
+       R"({"type": "circle", "params": [11, 1, 0]})"}) {
     SCOPED_TRACE(curvature);
     expect_same_shape(file(curved(curvature)));
   }
