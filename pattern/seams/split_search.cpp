@@ -22,12 +22,21 @@ constexpr double most_lack = 0.1;
 /// Logarithm of the lengths of a seam's sides: an edge of such a seam is free to be cut.
 constexpr double poor_seam = 0.02;
 
-/// Worth by which a garment with cut edges has to be better, for each cut. With half, edges of random
-/// garments are cut that are sewn to one; with double, the sleeves of Valentina's T-shirt stay whole.
+/// Worth by which a garment with cut edges has to be better, for each cut. With half, edges of
+/// random garments are cut that are sewn to one; with double, the sleeves of Valentina's T-shirt
+/// stay whole.
 constexpr double worth_of_cut = 4;
 
-/// Garments with cut edges that are looked at after each search, and cuts that are made in a row.
-constexpr std::size_t most_trials = 12;
+/// Garments with cut edges that are looked at after each search: fewer of large garments, where
+/// each takes longer. Of one with 35 edges, 12.
+std::size_t trials_of(const Pattern& pattern) {
+  std::size_t edges = 0;
+  for (const PatternPanel& panel : pattern.panels) edges += panel.edges.size();
+  constexpr std::size_t most_edges = 420;
+  return std::clamp<std::size_t>(most_edges / std::max<std::size_t>(1, edges), 3, 12);
+}
+
+/// Cuts that are made in a row.
 constexpr int most_rounds = 6;
 
 /// An edge, and where its walk is cut.
@@ -37,8 +46,7 @@ struct Cut {
 };
 
 /// Logarithm of lengths that each edge beyond the second of a chain counts as: long chains are as
-/// long as an edge by chance. With half, the sleeves of Valentina's T-shirt are not cut any more;
-/// double changes nothing there.
+/// long as an edge by chance. With 0.05, the sleeves of Valentina's T-shirt are not cut any more.
 constexpr double cost_of_edge = 0.08;
 
 /// An edge and the border that it is about as long as.
@@ -195,7 +203,8 @@ SplitSeams find_split_seams(const std::string& text, const std::string& name,
     const std::vector<Chain> all = chains.all();
     std::optional<SplitSeams> better;
     double most = 0;
-    for (std::size_t i = 0; i < all.size() && i < most_trials; ++i) {
+    const std::size_t trials = trials_of(best.pattern);
+    for (std::size_t i = 0; i < all.size() && i < trials; ++i) {
       SplitSeams trial{best.text, best.pattern, best.splits, {}};
       make_cuts(chains, all[i], name, trial);
       const double cuts = static_cast<double>(trial.splits.size() - best.splits.size());

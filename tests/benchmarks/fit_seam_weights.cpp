@@ -3,6 +3,9 @@
 //   cmake --build build/release --target bench_fit_seam_weights
 //   build/release/tests/bench_fit_seam_weights --epochs 8 FILE...
 //
+// fuse_panels makes more FILEs, with sleeves and bodices of one piece: the weights were fitted to
+// every second of these, to the files that they were made of, and to the samples.
+//
 // Passive-aggressive updates (Crammer et al. 2006), averaged over each round. Measures of the
 // stated garment are compared with those of the one that is found. That one gains something for
 // each wrong seam. Each file is used with and without its names. After each round the rows of
