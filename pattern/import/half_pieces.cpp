@@ -124,9 +124,9 @@ NamedPiece named_piece(const std::string& text, const std::vector<std::string>& 
 }
 
 std::string shell_word(const std::string& word) {
-  const std::string plain = shown_text(word);
+  std::string plain = shown_text(word);
   if (plain.find_first_of(" '\"$`&|;<>()*?![]{}~#") == std::string::npos) return plain;
-  return '"' + plain + '"';
+  return std::string(1, '"').append(plain).append(1, '"');
 }
 
 }  // namespace toile

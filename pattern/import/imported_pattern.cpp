@@ -91,6 +91,7 @@ void move(ImportedPanel& panel, const Vec2& by) {
 /// Lays panels out in rows if any two of them overlap, or all lie too far off.
 void lay_out(std::vector<ImportedPanel>& panels) {
   std::vector<PanelBox> boxes;
+  boxes.reserve(panels.size());
   for (const ImportedPanel& panel : panels) boxes.push_back(panel_box(panel));
   bool overlap = false;
   for (std::size_t i = 0; i < boxes.size(); ++i) {

@@ -10,6 +10,7 @@
 #include "io/output_file.h"
 #include "io/text.h"
 #include "pattern/import/drawing_format.h"
+#include "pattern/import/repair_pattern.h"
 #include "pattern/import/svg_pieces.h"
 #include "pattern/pattern_file.h"
 #include "tools/import_pattern/report.h"
@@ -59,8 +60,10 @@ void run_import_pattern(const ImportPatternSettings& settings, const CommonSetti
       throw Error(name, "is a pattern; --unfold, --name and --pair are for the pieces of a drawing",
                   "leave them out");
     }
-    panels = parse_pattern(text, name, remarks).panels.size();
-    remarks.push_back({false, name + ": is a pattern already; it is written as it is"});
+    content = repaired_pattern(text, name, remarks);
+    panels = parse_pattern(content, name, remarks).panels.size();
+    remarks.push_back({false, name + ": is a pattern already; it is written " +
+                                  (content == text ? "as it is" : "with these repairs")});
   } else {
     drawing = read_drawing(format, text, name, settings.drawn);
     imported = import_pieces(drawing, settings.pieces, remarks);
