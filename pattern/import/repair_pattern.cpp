@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "geometry/error.h"
 #include "io/json_words.h"
 #include "io/text.h"
 #include "pattern/seams/sewn_file.h"

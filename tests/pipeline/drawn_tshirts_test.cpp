@@ -1,4 +1,5 @@
-// Valentina's T-shirt from its DXF to the drape, as docs/bring-your-own-pattern.md prints it.
+// T-shirts of Valentina and FreeSewing, from the drawing to the drape, as
+// docs/bring-your-own-pattern.md prints it.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -7,7 +8,7 @@
 #include "tests/support/run_program.h"
 
 namespace toile {
-namespace valentina_tshirt_test {
+namespace drawn_tshirts_test {
 
 using pipeline::read_text;
 using pipeline::run;
@@ -70,5 +71,25 @@ TEST(ValentinasTshirt, IsSewnOnTheAverageWoman) {
   for (const auto& wrap : worn["wraps"]) EXPECT_GT(wrap["fraction"].get<double>(), 0.95) << wrap;
 }
 
-}  // namespace valentina_tshirt_test
+TEST(FreeSewingsTshirt, IsSewnOnTheMannequinOfItsMeasures) {
+  TOILE_REAL_DATA(drawing, "patterns/freesewing/teagan_tshirt.svg");
+  const ScratchFolder folder;
+  const auto file = [&](const std::string& name) { return (folder / name).string(); };
+  const auto done = [&](const std::string& program, const std::vector<std::string>& words) {
+    const auto ended = run(program, words, 300);
+    EXPECT_EQ(ended.exit_code, 0) << program << ": " << ended.err;
+  };
+  done("import-pattern", {drawing.string(), "-o", file("drawn.json"), "-q"});
+  done("find-seams",
+       {file("drawn.json"), "-o", file("sewn.json"), "--report", file("seams.json"), "-q"});
+  const auto report = nlohmann::json::parse(read_text(folder / "seams.json"));
+  EXPECT_EQ(report["seams"].size(), 14u);
+  EXPECT_EQ(report["splits"].size(), 2u) << "each cap's middle part, at the shoulder";
+  done("mesh-pattern", {file("sewn.json"), "-o", file("garment.obj"), "--edge-length", "15mm", "-q"});
+  done("make-mannequin", {"-o", file("mannequin.obj"), "-q"});
+  done("clean-body", {file("mannequin.obj"), "-o", file("body.ply"), "-q"});
+  done("dress", {"--body", file("body.ply"), file("garment.obj"), "-o", file("worn.obj"), "-q"});
+}
+
+}  // namespace drawn_tshirts_test
 }  // namespace toile
