@@ -190,11 +190,25 @@ void make_cuts(const Chains& chains, const Chain& chain, const std::string& name
   }
 }
 
+/// Whether all parts of cut edges are sewn, and surely.
+bool are_decided(const SplitSeams& split) {
+  std::set<std::array<int, 2>> sure;
+  for (const FoundSeam& seam : split.found.seams) {
+    if (seam.confidence < decided_confidence) continue;
+    for (const EdgeRef& side : {seam.a, seam.b}) sure.insert({side.panel, side.edge});
+  }
+  return std::all_of(split.splits.begin(), split.splits.end(), [&](const EdgeSplit& cut) {
+    return sure.contains({cut.edge.panel, cut.edge.edge}) &&
+           sure.contains({cut.edge.panel, cut.rest});
+  });
+}
+
 }  // namespace
 
 SplitSeams find_split_seams(const std::string& text, const std::string& name,
                             const Pattern& pattern, const FindSeamsOptions& options) {
-  SplitSeams best{text, pattern, {}, find_seams(pattern, options)};
+  const SplitSeams whole{text, pattern, {}, find_seams(pattern, options)};
+  SplitSeams best = whole;
   FindSeamsOptions quick = options;
   quick.certain = false;
   bool is_quick = false;
@@ -218,7 +232,9 @@ SplitSeams find_split_seams(const std::string& text, const std::string& name,
     best = std::move(*better);
     is_quick = true;
   }
-  if (is_quick) best.found = find_seams(best.pattern, options);
+  if (!is_quick) return best;
+  best.found = find_seams(best.pattern, options);
+  if (!are_decided(best)) return whole;
   return best;
 }
 

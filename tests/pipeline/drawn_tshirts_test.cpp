@@ -85,7 +85,8 @@ TEST(FreeSewingsTshirt, IsSewnOnTheMannequinOfItsMeasures) {
   const auto report = nlohmann::json::parse(read_text(folder / "seams.json"));
   EXPECT_EQ(report["seams"].size(), 14u);
   EXPECT_EQ(report["splits"].size(), 2u) << "each cap's middle part, at the shoulder";
-  done("mesh-pattern", {file("sewn.json"), "-o", file("garment.obj"), "--edge-length", "15mm", "-q"});
+  done("mesh-pattern",
+       {file("sewn.json"), "-o", file("garment.obj"), "--edge-length", "15mm", "-q"});
   done("make-mannequin", {"-o", file("mannequin.obj"), "-q"});
   done("clean-body", {file("mannequin.obj"), "-o", file("body.ply"), "-q"});
   done("dress", {"--body", file("body.ply"), file("garment.obj"), "-o", file("worn.obj"), "-q"});
