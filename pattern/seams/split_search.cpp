@@ -207,7 +207,7 @@ bool are_decided(const SplitSeams& split) {
 
 SplitSeams find_split_seams(const std::string& text, const std::string& name,
                             const Pattern& pattern, const FindSeamsOptions& options) {
-  const SplitSeams whole{text, pattern, {}, find_seams(pattern, options)};
+  SplitSeams whole{text, pattern, {}, find_seams(pattern, options)};
   SplitSeams best = whole;
   FindSeamsOptions quick = options;
   quick.certain = false;
