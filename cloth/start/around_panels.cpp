@@ -10,15 +10,24 @@ namespace toile {
 
 namespace {
 
-/// Metres: the larger side of the panel's bounding box.
-double size_of(const PanelMesh& garment, const MeshedPanel& panel) {
+/// Metres: how wide the panel is in the mean across a seam of this length, and at most its size.
+double width_across(const PanelMesh& garment, const MeshedPanel& panel, double length) {
   Vec2 low = Vec2::Constant(1e300);
   Vec2 high = -low;
   for (int i = panel.first_point; i < panel.first_point + panel.points; ++i) {
     low = low.cwiseMin(garment.flat[i]);
     high = high.cwiseMax(garment.flat[i]);
   }
-  return (high - low).maxCoeff();
+  double area = 0;
+  for (const Triangle& triangle : garment.triangles) {
+    if (triangle[0] < panel.first_point || triangle[0] >= panel.first_point + panel.points) {
+      continue;
+    }
+    const Vec2 a = garment.flat[triangle[1]] - garment.flat[triangle[0]];
+    const Vec2 b = garment.flat[triangle[2]] - garment.flat[triangle[0]];
+    area += 0.5 * (a.x() * b.y() - a.y() * b.x());
+  }
+  return std::min((high - low).maxCoeff(), area / std::max(length, 1e-9));
 }
 
 }  // namespace
@@ -29,11 +38,13 @@ bool closes_around(const PanelMesh& garment, int panel) {
     if (panel_of[seam.a[1]] != panel || panel_of[seam.b[1]] != panel) return false;
     if (seam.a.front() == seam.b.front() || seam.a.back() == seam.b.back()) return false;
     double gap = 0;
+    double length = 0;
     for (std::size_t i = 0; i < seam.a.size(); ++i) {
       gap += (garment.flat[seam.a[i]] - garment.flat[seam.b[i]]).norm();
+      if (i > 0) length += (garment.flat[seam.a[i]] - garment.flat[seam.a[i - 1]]).norm();
     }
     return gap / static_cast<double>(seam.a.size()) >
-           min_around_gap * size_of(garment, garment.panels[panel]);
+           min_around_gap * width_across(garment, garment.panels[panel], length);
   });
 }
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -37,12 +38,16 @@ struct UprightPanel {
   Vec3 away = Vec3::Zero();  ///< unit normal of that plane, to the own side; zero: no leg
   /// Metres: arc length on the bones where the upright y is 0; none: not known yet.
   std::optional<double> origin;
+  std::optional<double> wrist;  ///< arc length; of an arm alone
 
   UprightPanel(const PanelMesh& garment, const MeshedPanel& of, const Skeleton& skeleton)
       : panel(of), bones(skeleton, of.part) {
     if (bones.joints.empty()) {
       throw refused(panel, "belongs at part '" + panel.part + "', which the skeleton lacks",
                     "let clean-body write the skeleton, or place it by translation and rotation");
+    }
+    if (panel.part.ends_with("_arm")) {
+      wrist = bones.foot(skeleton.joint(panel.part.substr(0, panel.part.size() - 3) + "wrist"));
     }
     if (panel.part.ends_with("_leg")) {
       const Vec3& left = skeleton.joint("left_hip");
@@ -72,6 +77,59 @@ struct UprightPanel {
     return panel.placement.offset.value_or(panel.placement.around > 0 ? rolled_offset
                                                                       : flat_offset);
   }
+};
+
+/// How far a panel is stretched in width where it is narrower than above, so that all of it goes
+/// around its part. Otherwise the thumb is beside a sleeve that is closed over the hand.
+class EvenWidth {
+ public:
+  explicit EvenWidth(const UprightPanel& piece)
+      : low_(piece.low.y()), step_((piece.high.y() - piece.low.y()) / levels) {
+    std::array<std::array<double, 2>, levels> ends;
+    ends.fill({0, 0});
+    for (const Vec2& point : piece.points) {
+      const double x = point.x() - 0.5 * (piece.low.x() + piece.high.x());
+      std::array<double, 2>& at = ends[level(point.y())];
+      at = {std::min(at[0], x), std::max(at[1], x)};
+    }
+    // From the widest level down; what lies above, as the cap of a sleeve, keeps its width.
+    std::size_t widest = 0;
+    const auto width = [&](std::size_t i) { return ends[i][1] - ends[i][0]; };
+    for (std::size_t i = 1; i < levels; ++i) {
+      if (width(i) > width(widest)) widest = i;
+    }
+    stretch_.fill({1, 1});
+    for (std::size_t i = 0; i < widest; ++i) {
+      for (std::size_t side = 0; side < 2; ++side) {
+        const double own = std::abs(ends[i][side]);
+        // A level without points is as the one below it.
+        const double least = 0.2 * std::abs(ends[widest][side]);
+        stretch_[i][side] = own > least ? std::max(1.0, std::abs(ends[widest][side]) / own)
+                            : i > 0     ? stretch_[i - 1][side]
+                                        : 1;
+      }
+    }
+  }
+
+  /// The factor of x at a height, on the left (x below 0) or the right side.
+  double at(double y, bool right) const {
+    const double place = std::clamp((y - low_) / step_ - 0.5, 0.0, levels - 1.0);
+    const auto i = std::min(static_cast<std::size_t>(place), levels - 2);
+    const std::size_t side = right ? 1 : 0;
+    return stretch_[i][side] +
+           (place - static_cast<double>(i)) * (stretch_[i + 1][side] - stretch_[i][side]);
+  }
+
+ private:
+  static constexpr std::size_t levels = 16;
+
+  std::size_t level(double y) const {
+    return std::min(static_cast<std::size_t>(std::max(0.0, (y - low_) / step_)), levels - 1);
+  }
+
+  double low_;
+  double step_;
+  std::array<std::array<double, 2>, levels> stretch_;
 };
 
 /// Levels a panel by the joint that it names, else its upper end by that of its body part.
@@ -169,10 +227,14 @@ class PanelPose {
     drawn_middle_ = 0.5 * (piece.low + piece.high);
     drawn_middle_.x() -= piece.panel.placement.shift;
     if (piece.panel.placement.around == 0) clear_divide();
+    if (piece.wrist && piece.panel.placement.around == 1 && std::max(a, b) > *piece.wrist) {
+      even_.emplace(piece);
+    }
   }
 
   Vec3 at(const Vec2& point, double distance) const {
-    const Vec2 drawn = point - drawn_middle_;
+    Vec2 drawn = point - drawn_middle_;
+    if (even_) drawn.x() *= even_->at(point.y(), drawn.x() > 0);
     if (bent_) {
       // The bones' direction is averaged over two radii. So the inner side of a bend stays in order
       // up to 115 degrees.
@@ -237,6 +299,7 @@ class PanelPose {
   Vec3 middle_;
   Eigen::Matrix3d frame_;
   Vec2 drawn_middle_;
+  std::optional<EvenWidth> even_;
 };
 
 /// Whether the panel may be drawn down its part to clear the body. Only sleeves may whose place the

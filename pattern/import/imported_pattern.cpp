@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <set>
 
@@ -12,14 +11,13 @@
 #include "io/json_words.h"
 #include "io/text.h"
 #include "pattern/constants.h"
+#include "pattern/import/half_pieces.h"
 #include "pattern/import/join_paths.h"
 #include "pattern/import/piece_shape.h"
 
 namespace toile {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// Metres between panels that are laid out.
 constexpr double layout_gap = 0.02;
@@ -93,6 +91,7 @@ void move(ImportedPanel& panel, const Vec2& by) {
 /// Lays panels out in rows if any two of them overlap, or all lie too far off.
 void lay_out(std::vector<ImportedPanel>& panels) {
   std::vector<PanelBox> boxes;
+  boxes.reserve(panels.size());
   for (const ImportedPanel& panel : panels) boxes.push_back(panel_box(panel));
   bool overlap = false;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -140,11 +139,12 @@ class Importer {
       note(drawing_.source + ": not used: " + std::to_string(count) + " x " + shown_text(what));
     }
     choose_size();
+    choose_pieces();
+    take_requests();
     int cut_lines = 0;
-    for (const Piece& piece : drawing_.pieces) {
-      if (!piece.size.empty() && !same_word(piece.size, pattern_.size)) continue;
-      if (piece.is_cut_line && !options_.seam_allowance) ++cut_lines;
-      add(piece);
+    for (const ChosenPiece& chosen : chosen_) {
+      if (chosen.piece.is_cut_line && !options_.seam_allowance) ++cut_lines;
+      add(chosen);
     }
     if (pattern_.panels.empty()) {
       throw Error(drawing_.source, "holds no piece: no closed outline was found in it",
@@ -206,27 +206,127 @@ class Importer {
     return name;
   }
 
-  void add(const Piece& piece) {
+  /// A piece of the chosen size.
+  struct ChosenPiece {
+    Piece piece;
+    std::string asked;  ///< the name that options have for it
+    std::string left;   ///< the panel as drawn; of a pair, the left one
+    std::string right;  ///< the mirrored panel of a pair
+    std::optional<NamedPiece> unfold;
+  };
+
+  /// Names all panels before one is changed, so that options name what was written without them.
+  void choose_pieces() {
+    for (const Piece& piece : drawing_.pieces) {
+      if (!piece.size.empty() && !same_word(piece.size, pattern_.size)) continue;
+      ChosenPiece chosen{piece, "", "", "", std::nullopt};
+      const std::string name = panel_name(piece.name);
+      if (piece.pair && piece.is_right_one) {
+        chosen.right = unique("right_" + name);
+        chosen.left = unique("left_" + name);
+      } else if (piece.pair) {
+        chosen.left = unique("left_" + name);
+        chosen.right = unique("right_" + name);
+      } else {
+        chosen.left = unique(name);
+      }
+      chosen.asked = piece.pair ? name : chosen.left;
+      chosen_.push_back(std::move(chosen));
+    }
+  }
+
+  void take_requests() {
+    std::vector<std::string> names;
+    for (const ChosenPiece& chosen : chosen_) names.push_back(chosen.asked);
+    for (const std::string& text : options_.unfold) {
+      const std::string place = drawing_.source + ": --unfold " + in_quotes(text);
+      const NamedPiece named = named_piece(text, names, place);
+      ChosenPiece& chosen = chosen_[named.piece];
+      if (chosen.piece.fold) {
+        throw Error(place, "is drawn with its fold, and unfolded by that", "leave the option out");
+      }
+      if (chosen.unfold) throw Error(place, "is to be unfolded twice", "a piece has one fold");
+      chosen.unfold = named;
+    }
+    for (const std::string& text : options_.names) {
+      const std::string place = drawing_.source + ": --name " + in_quotes(text);
+      const std::size_t equals = text.rfind('=');
+      if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
+        throw Error(place, "names no piece and its new name", "write it as \"Detail_2=front\"");
+      }
+      const NamedPiece named = named_piece(text.substr(0, equals), names, place);
+      if (named.edge >= 0) throw Error(place, "names an edge", "a name is a piece's");
+      ChosenPiece& chosen = chosen_[named.piece];
+      const std::string name = panel_name(text.substr(equals + 1));
+      if (chosen.piece.pair) {
+        chosen.left = unique("left_" + name);
+        chosen.right = unique("right_" + name);
+      } else {
+        chosen.left = unique(name);
+      }
+    }
+    for (const std::string& text : options_.pairs) {
+      const std::string place = drawing_.source + ": --pair " + in_quotes(text);
+      const NamedPiece named = named_piece(text, names, place);
+      ChosenPiece& chosen = chosen_[named.piece];
+      if (named.edge >= 0) throw Error(place, "names an edge", "a pair is a piece");
+      if (chosen.piece.pair) continue;
+      chosen.piece.pair = true;
+      chosen.piece.quantity = std::max(2, chosen.piece.quantity);
+      chosen.right = unique("right_" + chosen.left);
+      chosen.left = unique("left_" + chosen.left);
+    }
+  }
+
+  /// Unfolds a piece as the drawing or the user says, or notes that it looks like a half.
+  void unfold(const ChosenPiece& chosen, const std::string& place, PieceShape& shape) {
+    if (chosen.piece.fold) {
+      if (auto whole = unfolded_shape(shape, *chosen.piece.fold, place, remarks_))
+        shape = std::move(*whole);
+      return;
+    }
+    if (!chosen.unfold && chosen.piece.pair) return;
+    const EdgedOutline edges = edges_of(shape, options_.edges, place);
+    const std::optional<int> likely = likely_fold(shape, edges);
+    if (!chosen.unfold) {
+      if (!likely) return;
+      note(place + ": looks like a half, folded at edge " + std::to_string(*likely) +
+           ", which is straight along the grain; if it is one, give --unfold " +
+           shell_word(chosen.asked + ":" + std::to_string(*likely)));
+      return;
+    }
+    const int edge = chosen.unfold->edge >= 0 ? chosen.unfold->edge : likely.value_or(-1);
+    if (edge < 0) {
+      throw Error(place, "--unfold finds no straight edge along its grain, with all of it beside",
+                  "name the edge: --unfold " + shell_word(chosen.asked + ":EDGE"));
+    }
+    std::vector<Remark> none;
+    auto whole = unfolded_shape(shape, fold_along(edges, edge, place), place, none);
+    if (!whole) {
+      throw Error(place, "lies on both sides of its edge " + std::to_string(edge),
+                  "name the edge that lies on the fold");
+    }
+    shape = std::move(*whole);
+  }
+
+  void add(const ChosenPiece& chosen) {
+    const Piece& piece = chosen.piece;
     const std::string place = drawing_.source + ": piece " + in_quotes(piece.name);
     const bool takes_off = piece.is_cut_line && options_.seam_allowance;
     PieceShape shape = shape_of(piece, place, options_.edges.chord_error * sampling_share);
-    if (piece.fold) {
-      if (auto whole = unfolded_shape(shape, *piece.fold, place, remarks_))
-        shape = std::move(*whole);
-    }
+    unfold(chosen, place, shape);
     if (takes_off) shape = without_allowance(shape, *options_.seam_allowance, place);
     if (!shape.grain) no_grain_ += piece.pair ? 2 : 1;
-    const std::string name = panel_name(piece.name);
     if (!piece.pair) {
-      add(piece, shape, name, piece.quantity, place);
+      add(piece, shape, chosen.left, piece.quantity, place);
       return;
     }
     // Of an uneven count, the one that is drawn is cut once more.
     const int mirrored = std::max(1, piece.quantity / 2);
-    add(piece, shape, (piece.is_right_one ? "right_" : "left_") + name,
-        std::max(1, piece.quantity - mirrored), place);
-    add(piece, mirrored_shape(shape), (piece.is_right_one ? "left_" : "right_") + name, mirrored,
+    const bool right = piece.is_right_one;
+    add(piece, shape, right ? chosen.right : chosen.left, std::max(1, piece.quantity - mirrored),
         place);
+    add(piece, mirrored_shape(shape), right ? chosen.left : chosen.right, mirrored, place);
   }
 
   void add(const Piece& piece, const PieceShape& shape, const std::string& name, int quantity,
@@ -238,7 +338,7 @@ class Importer {
       remarks_.push_back({true, place + ": " + std::to_string(panel.outline.far_notches) +
                                     " notches are more than 6 cm from its outline; left out"});
     }
-    panel.name = unique(name);
+    panel.name = name;
     panel.internal_lines = shape.internal_lines;
     panel.cut_outs = shape.cut_outs;
     panel.drill_holes = shape.drill_holes;
@@ -260,119 +360,16 @@ class Importer {
   const ImportOptions& options_;
   std::vector<Remark>& remarks_;
   ImportedPattern pattern_;
+  std::vector<ChosenPiece> chosen_;
   std::set<std::string> names_;
   int no_grain_ = 0;
 };
-
-/// A number with so many decimals; -0 becomes 0.
-double rounded(double value, double digits) { return std::round(value * digits) / digits + 0.0; }
-
-/// Metres as centimetres, to a hundred-thousandth of a millimetre.
-Json to_centimetres(const Vec2& point) {
-  return {rounded(point.x() * 100, 1e6), rounded(point.y() * 100, 1e6)};
-}
-
-Json to_centimetres(const std::vector<Vec2>& points) {
-  Json list = Json::array();
-  for (const Vec2& point : points) list.push_back(to_centimetres(point));
-  return list;
-}
-
-Json to_degrees(double radians) { return rounded(radians * 180 / std::numbers::pi, 1e4); }
-
-Json edge_json(const EdgedOutline& outline, const OutlineEdge& edge) {
-  Json json = {{"endpoints", {edge.from, edge.to}}};
-  if (edge.curves.size() == 1 && edge.curves[0].straight) return json;
-  const Vec2& start = outline.vertices[static_cast<std::size_t>(edge.from)];
-  const Vec2 along = outline.vertices[static_cast<std::size_t>(edge.to)] - start;
-  const Vec2 left(-along.y(), along.x());
-  const auto relative = [&](const Vec2& point) -> Json {
-    const Vec2 arm = point - start;
-    return {rounded(arm.dot(along) / along.squaredNorm(), 1e9),
-            rounded(arm.dot(left) / along.squaredNorm(), 1e9)};
-  };
-  Json params = Json::array();
-  for (std::size_t i = 0; i < edge.curves.size(); ++i) {
-    const auto& points = edge.curves[i].points;
-    if (i > 0) params.push_back(relative(points[0]));
-    params.push_back(relative(points[1]));
-    params.push_back(relative(points[2]));
-  }
-  json["curvature"] = {{"type", edge.curves.size() == 1 ? "cubic" : "cubics"}, {"params", params}};
-  return json;
-}
 
 }  // namespace
 
 ImportedPattern import_pieces(const PieceDrawing& drawing, const ImportOptions& options,
                               std::vector<Remark>& remarks) {
   return Importer(drawing, options, remarks).import();
-}
-
-nlohmann::ordered_json pattern_json(const ImportedPattern& pattern) {
-  Json panels = Json::object();
-  Json order = Json::array();
-  for (const ImportedPanel& panel : pattern.panels) {
-    Json json;
-    json["vertices"] = to_centimetres(panel.outline.vertices);
-    json["edges"] = Json::array();
-    for (const OutlineEdge& edge : panel.outline.edges) {
-      json["edges"].push_back(edge_json(panel.outline, edge));
-    }
-    if (panel.grain) json["grain"] = to_degrees(*panel.grain);
-    if (!panel.material.empty()) json["material"] = valid_utf8(panel.material);
-    if (panel.quantity != 1) json["quantity"] = panel.quantity;
-    for (const OutlineNotch& notch : panel.outline.notches) {
-      Json entry = {{"vertex", notch.vertex}};
-      if (notch.angle) entry["angle"] = to_degrees(*notch.angle);
-      json["notches"].push_back(entry);
-    }
-    for (const auto& line : panel.internal_lines)
-      json["internal_lines"].push_back(to_centimetres(line));
-    for (const auto& loop : panel.cut_outs) json["cut_outs"].push_back(to_centimetres(loop));
-    if (!panel.drill_holes.empty()) json["drill_holes"] = to_centimetres(panel.drill_holes);
-    panels[panel.name] = std::move(json);
-    order.push_back(panel.name);
-  }
-  Json result;
-  result["pattern"] = {{"panels", std::move(panels)},
-                       {"panel_order", std::move(order)},
-                       {"stitches", Json::array()}};
-  result["properties"] = {{"curvature_coords", "relative"},
-                          {"normalize_panel_translation", false},
-                          {"normalized_edge_loops", true},
-                          {"units_in_meter", 100}};
-  return result;
-}
-
-namespace {
-
-void append_readable(std::string& text, const Json& json, std::size_t indent) {
-  constexpr std::size_t width = 96;
-  const std::string line = json.dump();
-  if (!json.is_structured() || indent + line.size() <= width || json.empty()) {
-    text += line;
-    return;
-  }
-  const std::string margin(indent + 1, ' ');
-  text += json.is_array() ? '[' : '{';
-  bool first = true;
-  for (const auto& item : json.items()) {
-    text += (first ? "\n" : ",\n") + margin;
-    first = false;
-    if (json.is_object()) text += Json(item.key()).dump() + ": ";
-    append_readable(text, item.value(), indent + 1);
-  }
-  text += "\n" + std::string(indent, ' ');
-  text += json.is_array() ? ']' : '}';
-}
-
-}  // namespace
-
-std::string readable_json(const nlohmann::ordered_json& json) {
-  std::string text;
-  append_readable(text, json, 0);
-  return text + "\n";
 }
 
 }  // namespace toile

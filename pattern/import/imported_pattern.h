@@ -15,6 +15,11 @@ namespace toile {
 struct ImportOptions {
   std::string size;                      ///< of a drawing with several; empty: the base size
   std::optional<double> seam_allowance;  ///< metres: taken off cut lines; nothing: as drawn
+  /// "PIECE" or "PIECE:EDGE": halves without a mark of their fold. EDGE is that of the half, with
+  /// its seam allowance; without EDGE, it is likely_fold().
+  std::vector<std::string> unfold;
+  std::vector<std::string> names;  ///< "PIECE=NAME": what its panel is called instead
+  std::vector<std::string> pairs;  ///< pieces that are cut as a pair, though the file does not say
   EdgeOptions edges;
 };
 
@@ -43,12 +48,16 @@ struct ImportedPattern {
 /// Makes the panels: of the size asked for, half pieces unfolded, pairs as left_NAME, as drawn, and
 /// right_NAME, mirrored, or the other way round (Piece::is_right_one).
 ///
+/// Options name a piece as its panel is named without `unfold`, `names` and `pairs`. A pair of the
+/// drawing is named without left_ and right_. Remarks name the pieces that look like halves.
+///
 /// Panels stay where the drawing has them, unless the boxes of two overlap. Then all are laid out
 /// side by side, upright as drawn. Remarks of the drawing and what it ignored are added to
 /// `remarks`.
 ///
 /// Throws Error, naming the piece, as shape_of(), unfolded_shape() and without_allowance() do. It
-/// throws it for a size that is not there, and beyond max_panels and max_panel_edges.
+/// throws it for sizes and pieces that are not there, and for those that cannot be unfolded. It
+/// throws it beyond max_panels and max_panel_edges.
 ImportedPattern import_pieces(const PieceDrawing& drawing, const ImportOptions& options,
                               std::vector<Remark>& remarks);
 

@@ -96,8 +96,9 @@ double path_length(const PiecePath& path) {
 }
 
 std::string millimetres_text(const Vec2& metres) {
-  return "(" + fixed_number(metres.x() * 1000, 1) + ", " + fixed_number(metres.y() * 1000, 1) +
-         ") mm";
+  std::string text(1, '(');
+  text.append(fixed_number(metres.x() * 1000, 1)).append(", ");
+  return text.append(fixed_number(metres.y() * 1000, 1)).append(") mm");
 }
 
 PiecePath reversed_path(const PiecePath& path) {

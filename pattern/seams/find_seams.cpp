@@ -5,6 +5,7 @@
 #include <set>
 
 #include "geometry/error.h"
+#include "pattern/seams/number_panels.h"
 #include "pattern/seams/panel_exchange.h"
 #include "pattern/seams/seam_choice.h"
 
@@ -12,8 +13,10 @@ namespace toile {
 
 namespace {
 
-/// Worth by which a garment has to be better that does not heed the names of left and right.
-constexpr double turned_panels = 2;
+/// Worth by which a garment has to be better that does not heed the names of left and right. With
+/// 2, bands of a collar are turned over to the other half. In the garments that weights were fitted
+/// to, 0.909 of the listed seams are right then, 0.921 with 6.
+constexpr double turned_panels = 6;
 
 class Finder {
  public:
@@ -33,19 +36,26 @@ class Finder {
       // Where drawings show the wrong side, left and right change places: then a garment that does
       // not heed them is worth much more.
       SeamChooser other(evidence_, false, known);
-      if (other.worth() > chooser.worth() + turned_panels) return found(other.choose(), known);
+      if (other.worth() > chooser.worth() + turned_panels) return found(chosen(other), known);
     }
-    return found(chooser.choose(), known);
+    return found(chosen(chooser), known);
   }
 
  private:
+  SeamChoice chosen(SeamChooser& chooser) const {
+    return options_.certain ? chooser.choose() : chooser.best();
+  }
+
   FoundSeams found(const SeamChoice& choice, const KnownSeams& known) const {
     std::vector<EdgeSeam> seams;
     for (const ChosenSeam& chosen : choice.seams) seams.push_back({chosen.a, chosen.b, false});
     const std::vector<EdgeSeam> before = seams;
     if (options_.given.empty()) {
-      exchange_panels(pattern_, evidence_.edges, evidence_.fits, evidence_.words, options_.by_place,
-                      seams);
+      exchange_panels(pattern_, evidence_.edges, evidence_.fits, evidence_.words, evidence_.mirror,
+                      options_.by_place, seams);
+      if (!options_.by_place) {
+        number_panels(pattern_, evidence_.edges, evidence_.fits, evidence_.words, seams);
+      }
     }
     FoundSeams found;
     found.settled = choice.settled;

@@ -10,6 +10,9 @@ namespace {
 /// Metres that a seam between left and right counts as.
 constexpr double wrong_side = 10;
 
+/// Metres that a seam counts as that turns a panel over.
+constexpr double turned_over = 0.05;
+
 /// Metres by which an exchange has to bring seams nearer.
 constexpr double worth_it = 0.01;
 
@@ -24,8 +27,15 @@ class Exchange {
     }
   }
 
-  void run(std::vector<EdgeSeam>& seams) const {
+  void run(const std::vector<int>& mirror, std::vector<EdgeSeam>& seams) const {
     double cost = sum(seams);
+    if (auto image = mirror_image(mirror, seams); !image.empty()) {
+      const double image_cost = sum(image);
+      if (image_cost < cost - worth_it) {
+        seams = std::move(image);
+        cost = image_cost;
+      }
+    }
     // Each exchange makes the sum smaller, so this ends; the bound is for safety.
     for (std::size_t round = 0; round < 4 * pattern_.panels.size(); ++round) {
       std::vector<EdgeSeam> best = seams;
@@ -52,6 +62,17 @@ class Exchange {
  private:
   int panel(int e) const { return edges_[e].ref.panel; }
 
+  /// The whole garment mirrored; empty: a sewn edge has no mirror partner.
+  static std::vector<EdgeSeam> mirror_image(const std::vector<int>& mirror,
+                                            std::vector<EdgeSeam> seams) {
+    for (EdgeSeam& seam : seams) {
+      seam.a = mirror[seam.a];
+      seam.b = mirror[seam.b];
+      if (seam.a < 0 || seam.b < 0) return {};
+    }
+    return seams;
+  }
+
   /// False: an edge has no counterpart.
   bool exchange(const PanelFit& fit, const PanelFit& back, std::vector<EdgeSeam>& seams) const {
     for (EdgeSeam& seam : seams) {
@@ -74,6 +95,7 @@ class Exchange {
       const PanelWords& b = words_[panel(seam.b)];
       if (a.side * b.side < 0 && a.whole != b.whole) total += wrong_side;
       if (by_place_) total += distance(seam);
+      if (!by_place_ && seam.along) total += turned_over;
     }
     return total;
   }
@@ -104,8 +126,8 @@ class Exchange {
 
 void exchange_panels(const Pattern& pattern, const std::vector<WalkedEdge>& edges,
                      const std::vector<PanelFit>& fits, const std::vector<PanelWords>& words,
-                     bool by_place, std::vector<EdgeSeam>& seams) {
-  Exchange(pattern, edges, fits, words, by_place).run(seams);
+                     const std::vector<int>& mirror, bool by_place, std::vector<EdgeSeam>& seams) {
+  Exchange(pattern, edges, fits, words, by_place).run(mirror, seams);
 }
 
 }  // namespace toile

@@ -19,10 +19,11 @@ struct EdgeSeam {
 };
 
 /// Lets panels that coincide change places, and turns over panels that are their own mirror images.
-/// Each such garment is the same cloth. Fewer seams join left to right by the panels' names
-/// afterwards. With `by_place`, the placed ends of seams come nearer too.
+/// Each such garment is the same cloth, or its mirror image. Fewer seams join left to right by the
+/// panels' names afterwards, and fewer panels are turned over. With `by_place`, the placed ends of
+/// seams come nearer instead. `mirror`: see mirror_partners().
 void exchange_panels(const Pattern& pattern, const std::vector<WalkedEdge>& edges,
                      const std::vector<PanelFit>& fits, const std::vector<PanelWords>& words,
-                     bool by_place, std::vector<EdgeSeam>& seams);
+                     const std::vector<int>& mirror, bool by_place, std::vector<EdgeSeam>& seams);
 
 }  // namespace toile

@@ -147,6 +147,16 @@ SeamChoice SeamChooser::choose() {
   return choice;
 }
 
+SeamChoice SeamChooser::best() const {
+  SeamChoice choice;
+  choice.worth = best_.worth;
+  for (int a = 0; a < static_cast<int>(best_.partners.size()); ++a) {
+    const int b = best_.partners[a];
+    if (b > a) choice.seams.push_back({a, b, {}, {-1, -1}});
+  }
+  return choice;
+}
+
 /// The share of garments that have a seam of this kind.
 double SeamChooser::share(const std::vector<SeamSearch::Garment>& garments, int a, int b) const {
   const int kind = search_.kind(a, b);

@@ -36,6 +36,9 @@ class SeamChooser {
   /// Runs the others. What they find that is better is taken.
   SeamChoice choose();
 
+  /// The seams that are found without those, which tell no certainty.
+  SeamChoice best() const;
+
  private:
   std::vector<SeamSearch::Garment> found_with_shaken_weights() const;
   /// Per edge of the best garment: the best one without its seam; empty where the edge is open.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace toile {
@@ -117,6 +118,10 @@ void SeamPairs::measure_shapes(int a, int b, SeamMeasures& measures) const {
   at(up_and_down) = std::max(0.0, -up);
   if (first.upwards > 0 && second.upwards > 0) at(both_up) = up;
   if (first.upwards < 0 && second.upwards < 0) at(both_down) = up;
+  // The end of one meets the start of the other.
+  const double rise = -first.rise * second.rise;
+  at(rise_together) = std::max(0.0, rise);
+  at(rise_apart) = std::max(0.0, -rise);
   at(same_panel) = first.ref.panel == second.ref.panel ? 1 : 0;
   if (shape_[a] == shape_[b]) {
     at(coincide) = 1;
@@ -156,6 +161,15 @@ bool SeamPairs::is_rare(double length, int a, int b) const {
     }
   }
   return true;
+}
+
+/// The lowest number of the pieces of one name.
+int SeamPairs::lowest_number(const std::string& stem) const {
+  int lowest = std::numeric_limits<int>::max();
+  for (const PanelWords& words : words_) {
+    if (words.stem == stem && words.number >= 0) lowest = std::min(lowest, words.number);
+  }
+  return lowest;
 }
 
 namespace {
@@ -199,12 +213,21 @@ void SeamPairs::measure_names(int a, int b, SeamMeasures& measures) const {
     if (first.face * second.face > 0) at(faces_agree) = 1;
     if (named) at(words_alike) = words_shared(first.stem, second.stem);
   } else {
-    if (named && first.face * second.face < 0) at(front_and_back) = 1;
+    const bool faces = first.face * second.face < 0;
+    const bool both = first.number >= 0 && second.number >= 0;
     if (first.side * second.side < 0 && mirror_[a] == b) at(named_halves) = 1;
-    if (first.number >= 0 && second.number >= 0) {
+    if (faces && first.number != second.number) {
+      at(numbers_differ) = 1;
+    } else if (named && faces) {
+      at(front_and_back) = 1;
+    }
+    if (both && !faces) {
       const int apart = std::abs(first.number - second.number);
       if (apart == 1) at(numbers_follow) = 1;
-      if (apart > 1 && first.face == second.face) at(numbers_apart) = 1;
+      if (apart > 1) at(numbers_apart) = 1;
+    } else if (!faces && first.number != second.number) {
+      at(std::max(first.number, second.number) == lowest_number(first.stem) ? first_number
+                                                                            : later_number) = 1;
     }
   }
 }

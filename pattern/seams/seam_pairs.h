@@ -2,6 +2,7 @@
 #pragma once
 
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "pattern/seams/panel_symmetry.h"
@@ -45,6 +46,7 @@ class SeamPairs {
   void measure_shapes(int a, int b, SeamMeasures& measures) const;
   void measure_names(int a, int b, SeamMeasures& measures) const;
   double longest_of_panel(int edge) const;
+  int lowest_number(const std::string& stem) const;
   bool is_rare(double length, int a, int b) const;
 
   const std::vector<WalkedEdge>& edges_;

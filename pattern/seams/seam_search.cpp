@@ -246,21 +246,6 @@ SeamSearch::Garment SeamSearch::search(int run) {
   return garment;
 }
 
-SeamSearch::Garment SeamSearch::best(int searches, int& times) {
-  Garment best = search(0);
-  times = 1;
-  for (int run = 1; run < searches; ++run) {
-    Garment other = search(run);
-    if (std::abs(other.worth - best.worth) < same_garment) {
-      ++times;
-    } else if (other.worth > best.worth) {
-      times = 1;
-    }
-    if (other.worth > best.worth) best = std::move(other);
-  }
-  return best;
-}
-
 SeamSearch::Garment SeamSearch::near(const Partners& partners) {
   seed_ = 0;
   Garment garment{partners, 0};

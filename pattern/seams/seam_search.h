@@ -33,8 +33,6 @@ class SeamSearch {
   };
   /// The garment that one search finds; searches with other numbers begin otherwise.
   Garment search(int run);
-  /// The best garment of several searches; `times`: how many of them found its worth.
-  Garment best(int searches, int& times);
   /// The best garment that a short search finds from this one.
   Garment near(const Partners& partners);
   /// The better one of near() and search().

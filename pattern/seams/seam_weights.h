@@ -25,18 +25,23 @@ enum class SeamMeasure {
   up_and_down,  ///< outlines go up, by the warp as drawn, beyond one edge and down beyond the other
   both_up,      ///< they go up beyond both, as at a shoulder
   both_down,    ///< they go down beyond both
-  same_panel,   ///< 1: both edges are of one panel, not the legs of a dart
-  dart,         ///< 1: the legs of a dart
-  concave,      ///< radians by which the edge turns inwards that does so less; 0 if one does not
-  roles_agree,  ///< 1: pieces of two such kinds are sewn together, by their names
-  sides_differ,    ///< 1: left and right, and not mirror partners
-  faces_agree,     ///< 1: front and front, or back and back, of different pieces
-  faces_differ,    ///< 1: front and back of different pieces
+  rise_together,  ///< both go up, or both down, from where they begin to meet: the product of sines
+  rise_apart,     ///< the same where one goes up and the other down
+  same_panel,     ///< 1: both edges are of one panel, not the legs of a dart
+  dart,           ///< 1: the legs of a dart
+  concave,        ///< radians by which the edge turns inwards that does so less; 0 if one does not
+  roles_agree,    ///< 1: pieces of two such kinds are sewn together, by their names
+  sides_differ,   ///< 1: left and right, and not mirror partners
+  faces_agree,    ///< 1: front and front, or back and back, of different pieces
+  faces_differ,   ///< 1: front and back of different pieces
   numbers_follow,  ///< 1: pieces of one name, numbered one after the other
   numbers_apart,   ///< 1: of one name, with numbers between them
   words_alike,     ///< of different pieces: words of the shorter name that the other has, 0 to 1
   named_halves,    ///< 1: the left and the right half of one piece, mirror partners
-  front_and_back,  ///< 1: front and back of one piece
+  front_and_back,  ///< 1: front and back of one piece, with one number or none
+  numbers_differ,  ///< 1: front and back of one piece, with other numbers
+  first_number,    ///< 1: of one name without a number, and the lowest number
+  later_number,    ///< 1: of one name without a number, and another number
   cone,            ///< 1: a corner that is no dart's tip closes on itself
   dart_tip,        ///< 1: a corner closes on itself, as the tip of a dart
   two_inside,      ///< 1: two corners meet inside the garment
@@ -47,6 +52,8 @@ enum class SeamMeasure {
   four_inside_off,
   more_inside,  ///< the same of more corners
   more_inside_off,
+  notches_meet,   ///< notches of other edges that a notch meets
+  notch_alone,    ///< 1: two corners meet, and one of them alone is a notch
   junction_off,   ///< of three or more: by how much the flattest corner or pair misses 180 degrees
   smooth_border,  ///< 1: one corner on the border within 20 degrees of 180
   lone_corner,    ///< 1: another corner between two open edges

@@ -24,7 +24,8 @@ const Json* stitch_of(const Json& stitches, const Pattern& pattern, const FoundS
   return nullptr;
 }
 
-/// Spaces by which the text is indented; -1: it is all in one line.
+}  // namespace
+
 int indent_of(const std::string& text) {
   const std::size_t line = text.find('\n', text.find('{'));
   if (line == std::string::npos) return -1;
@@ -32,8 +33,6 @@ int indent_of(const std::string& text) {
   if (word == std::string::npos || word == line + 1) return 2;
   return static_cast<int>(std::min<std::size_t>(word - line - 1, 8));
 }
-
-}  // namespace
 
 bool has_drawn_walk(const std::string& text, const std::string& name) {
   const JsonDocument document(text, name);

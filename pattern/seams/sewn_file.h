@@ -19,4 +19,7 @@ bool has_drawn_walk(const std::string& text, const std::string& name);
 std::string with_stitches(const std::string& text, const Pattern& pattern,
                           const std::vector<FoundSeam>& seams, bool drawn_walk);
 
+/// Spaces by which a JSON text is indented; -1: it is all in one line.
+int indent_of(const std::string& text);
+
 }  // namespace toile

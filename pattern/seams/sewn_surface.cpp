@@ -10,8 +10,8 @@ namespace toile {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
-constexpr double right_angle = 90 * degree;
+constexpr double one_degree = std::numbers::pi / 180;
+constexpr double right_angle = 90 * one_degree;
 
 /// Units of 90 degrees: by how much corners are counted as missing what closes flat, at most.
 constexpr double most_off = 1.5;
@@ -34,6 +34,7 @@ SewnSurface::SewnSurface(const SeamEvidence& evidence)
     length_.push_back(edge.length);
     log_length_.push_back(std::log(edge.length));
     angle_.push_back(edge.corner);
+    notch_.push_back(edge.notch ? 1 : 0);
     turning_.push_back(turning_of(edge));
   }
   panels_ = panel_.back() + 1;
@@ -128,6 +129,10 @@ void SewnSurface::measure_inside(SeamMeasures& sum) const {
     at(angle > sharpest_dart_tip ? dart_tip : cone) += 1;
     return;
   }
+  int notches = 0;
+  for (const int corner : corners_) notches += notch_[corner];
+  if (notches > 1) at(notches_meet) += notches - 1;
+  if (notches == 1 && corners == 2) at(notch_alone) += 1;
   if (corners == 2) {
     at(two_inside) += 1;
     at(two_inside_off) += off;
@@ -154,7 +159,7 @@ void SewnSurface::measure_at_border(SeamMeasures& sum) const {
   const double off = std::min(std::abs(angle - 2 * right_angle) / right_angle, most_off);
   const std::size_t corners = corners_.size();
   if (corners == 1) {
-    if (off * right_angle < 20 * degree) {
+    if (off * right_angle < 20 * one_degree) {
       at(smooth_border) += 1;
     } else {
       at(angle < 2 * right_angle ? lone_corner : notch_in_border) += 1;
@@ -185,7 +190,7 @@ double SewnSurface::unlikeness(bool closed) const {
   for (std::size_t i = 0; i < (closed ? count : count - 1); ++i) {
     const int a = corners_[i];
     const int b = corners_[(i + 1) % count];
-    if (std::abs(angle_[a] + angle_[b] - 2 * right_angle) > 45 * degree) continue;
+    if (std::abs(angle_[a] + angle_[b] - 2 * right_angle) > 45 * one_degree) continue;
     sum += std::abs(turning_[previous_[a]] - turning_[b]);
   }
   return std::min(sum, std::numbers::pi);
@@ -202,7 +207,7 @@ double SewnSurface::unsteadiness(bool closed) const {
   for (std::size_t i = 0; i < count; ++i) {
     if (!closed && (i == 0 || i + 1 == count)) continue;
     const int corner = corners_[i];
-    if (std::abs(angle_[corner] - 2 * right_angle) > 35 * degree) continue;
+    if (std::abs(angle_[corner] - 2 * right_angle) > 35 * one_degree) continue;
     most = std::max(most, std::abs(fullness(corner, false) - fullness(corner, true)));
   }
   // Two seams that cross: each runs on straight.
@@ -210,7 +215,7 @@ double SewnSurface::unsteadiness(bool closed) const {
     for (std::size_t i = 0; i < 4; ++i) {
       const int a = corners_[i];
       const int b = corners_[(i + 1) % 4];
-      if (std::abs(angle_[a] + angle_[b] - 2 * right_angle) > 35 * degree) continue;
+      if (std::abs(angle_[a] + angle_[b] - 2 * right_angle) > 35 * one_degree) continue;
       most = std::max(most, std::abs(fullness(a, false) - fullness(b, true)));
     }
   }

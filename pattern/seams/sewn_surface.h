@@ -46,6 +46,7 @@ class SewnSurface {
   std::vector<double> angle_;    // of the corner where the edge starts
   std::vector<double> turning_;  // of the edge
   std::vector<int> mirror_;
+  std::vector<char> notch_;  // where the edge starts
 
   const Partners* partners_ = nullptr;
   std::vector<int> corners_;  // that meet, in their order

@@ -1,5 +1,6 @@
 #include "pattern/seams/walked_edges.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -12,6 +13,9 @@ namespace {
 /// Chords of an edge: enough for the tangents at its ends and the turning of its quarters.
 constexpr int chords = 32;
 static_assert(chords % 4 == 0);
+
+/// Metres: a notch is drawn at the vertex that it names.
+constexpr double at_notch = 1e-6;
 
 double angle_between(const Vec2& from, const Vec2& to) {
   return std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
@@ -85,6 +89,12 @@ std::vector<WalkedEdge> walked_edges(const Pattern& pattern, bool drawn_walk) {
       const Vec2 seen_warp(flipped ? -warp.x() : warp.x(), warp.y());
       edge.upwards =
           (walk.y() * seen_warp.x() - walk.x() * seen_warp.y()) / std::max(walk.norm(), 1e-9);
+      edge.rise = walk.dot(seen_warp) / std::max(walk.norm(), 1e-9);
+      const EdgeCurve& curve = curve_of(panel, step.edge);
+      const Vec2 start = edge.forward ? curve.start() : curve.end();
+      edge.notch = std::any_of(
+          panel.notches.begin(), panel.notches.end(),
+          [&](const PanelNotch& notch) { return (notch.at - start).norm() < at_notch; });
       edge.points = points;
       edges.push_back(edge);
     }

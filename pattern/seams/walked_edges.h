@@ -22,7 +22,11 @@ struct WalkedEdge {
   /// Cosine of the angle between the warp, as drawn, and what lies beyond the edge: 1 at an upper
   /// edge, -1 at a hem.
   double upwards = 0;
-  double corner = 0;  ///< radians: the panel's inner angle where this edge starts
+  /// Cosine of the angle between the walk's chord and the warp as drawn: 1 at a right side, -1 at a
+  /// left one.
+  double rise = 0;
+  double corner = 0;   ///< radians: the panel's inner angle where this edge starts
+  bool notch = false;  ///< whether a notch is drawn where this edge starts
   /// Points at equal steps of length, from the walk's first to its last. Metres.
   std::vector<Vec2> points;
 };

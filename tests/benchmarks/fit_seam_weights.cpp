@@ -3,6 +3,9 @@
 //   cmake --build build/release --target bench_fit_seam_weights
 //   build/release/tests/bench_fit_seam_weights --epochs 8 FILE...
 //
+// fuse_panels makes more FILEs, with sleeves and bodices of one piece. The weights were fitted to
+// the random garments of `--part fit`, to every second one of these fused, and to the samples.
+//
 // Passive-aggressive updates (Crammer et al. 2006), averaged over each round. Measures of the
 // stated garment are compared with those of the one that is found. That one gains something for
 // each wrong seam. Each file is used with and without its names. After each round the rows of
@@ -91,6 +94,12 @@ Example example(const std::string& file, bool names) {
   return made;
 }
 
+SeamSearch::Garment best_of_two(SeamSearch& search) {
+  SeamSearch::Garment first = search.search(0);
+  SeamSearch::Garment second = search.search(1);
+  return second.worth > first.worth ? second : first;
+}
+
 double extra_of(const Example& example, const Partners& partners) {
   double sum = 0;
   for (std::size_t a = 0; a < partners.size(); ++a) {
@@ -162,8 +171,7 @@ int main(int argc, char** argv) {
           const Example& ex = examples[order[i]];
           const SeamPairs pairs(ex.evidence, true);
           SeamSearch search(ex.evidence, pairs, weights, {}, ex.extra);
-          int times = 0;
-          found[i - begin] = search.best(2, times).partners;
+          found[i - begin] = best_of_two(search).partners;
           measures[i - begin] = search.measures(found[i - begin]);
           // Where the search fails, a garment like the stated one is looked for.
           if (worth_of(measures[i - begin], weights) + extra_of(ex, found[i - begin]) <

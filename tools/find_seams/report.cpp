@@ -63,8 +63,10 @@ std::vector<EdgeRef> open_edges(const Pattern& pattern, const FoundSeams& found)
   return open;
 }
 
-Json find_seams_json(const std::string& file, const Pattern& pattern, const FoundSeams& found,
-                     double min_confidence, const std::vector<Remark>& remarks, double seconds) {
+Json find_seams_json(const std::string& file, const SplitSeams& split, double min_confidence,
+                     const std::vector<Remark>& remarks, double seconds) {
+  const Pattern& pattern = split.pattern;
+  const FoundSeams& found = split.found;
   Json report;
   report["program"] = "find-seams";
   report["pattern"] = file;
@@ -76,6 +78,13 @@ Json find_seams_json(const std::string& file, const Pattern& pattern, const Foun
   for (const FoundSeam& seam : found.seams) {
     report[seam.confidence >= min_confidence ? "seams" : "undecided"].push_back(
         seam_json(pattern, seam));
+  }
+  report["splits"] = Json::array();
+  for (const EdgeSplit& cut : split.splits) {
+    Json entry = side_json(pattern, cut.edge);
+    entry["share"] = cut.share;
+    entry["rest"] = cut.rest;
+    report["splits"].push_back(std::move(entry));
   }
   report["edges_open"] = Json::array();
   for (const EdgeRef& edge : open_edges(pattern, found)) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pattern/pattern.h"
-#include "pattern/seams/find_seams.h"
+#include "pattern/seams/split_search.h"
 
 namespace toile {
 
@@ -17,8 +17,8 @@ std::string side_name(const Pattern& pattern, const EdgeRef& side);
 std::vector<EdgeRef> open_edges(const Pattern& pattern, const FoundSeams& found);
 
 /// The report, in metres.
-nlohmann::ordered_json find_seams_json(const std::string& file, const Pattern& pattern,
-                                       const FoundSeams& found, double min_confidence,
-                                       const std::vector<Remark>& remarks, double seconds);
+nlohmann::ordered_json find_seams_json(const std::string& file, const SplitSeams& split,
+                                       double min_confidence, const std::vector<Remark>& remarks,
+                                       double seconds);
 
 }  // namespace toile

@@ -11,6 +11,7 @@
 #include "pattern/pattern_file.h"
 #include "pattern/seams/find_seams.h"
 #include "pattern/seams/sewn_file.h"
+#include "pattern/seams/split_search.h"
 #include "tools/find_seams/report.h"
 #include "tools/remarks.h"
 
@@ -63,22 +64,24 @@ Stitch stitch_of(const Pattern& pattern, const std::string& text) {
 
 int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& common) {
   const auto start = std::chrono::steady_clock::now();
-  const std::string text = read_file(settings.pattern);
+  const std::string drawn_text = read_file(settings.pattern);
   const std::string name = settings.pattern.string();
   std::vector<Remark> remarks;
-  const Pattern pattern = parse_drawn_pattern(text, name, remarks);
+  const Pattern drawn = parse_drawn_pattern(drawn_text, name, remarks);
   FindSeamsOptions options;
-  options.drawn_walk = has_drawn_walk(text, name);
+  options.drawn_walk = has_drawn_walk(drawn_text, name);
   options.by_place = settings.by_place;
-  if (settings.keep) options.given = pattern.stitches;
+  if (settings.keep) options.given = drawn.stitches;
   for (const std::string& seam : settings.sewn) {
-    options.given.push_back(stitch_of(pattern, seam));
+    options.given.push_back(stitch_of(drawn, seam));
   }
-  if (!settings.keep && !pattern.stitches.empty()) {
-    remarks.push_back({false, name + ": its " + std::to_string(pattern.stitches.size()) +
+  if (!settings.keep && !drawn.stitches.empty()) {
+    remarks.push_back({false, name + ": its " + std::to_string(drawn.stitches.size()) +
                                   " stitches are replaced; --keep keeps them"});
   }
-  const FoundSeams found = find_seams(pattern, options);
+  const SplitSeams split = find_split_seams(drawn_text, name, drawn, options);
+  const Pattern& pattern = split.pattern;
+  const FoundSeams& found = split.found;
   if (!found.settled) {
     remarks.push_back(
         {true, name + ": searches for seams disagree about the best garment; look at all "
@@ -100,6 +103,10 @@ int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& comm
                   side_name(pattern, seam.b).c_str(), seam.length_a * 100, seam.length_b * 100);
     common.say(line);
   }
+  for (const EdgeSplit& cut : split.splits) {
+    common.say("  split      " + side_name(pattern, cut.edge) + ", its rest is " +
+               side_name(pattern, {cut.edge.panel, cut.rest}));
+  }
   common.say(std::to_string(decided.size()) + " seams sewn, " + std::to_string(undecided) +
              " undecided");
   std::string open;
@@ -107,13 +114,13 @@ int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& comm
     open.append(" ").append(side_name(pattern, edge));
   if (!open.empty()) common.say("left open:" + open);
   OutputFiles files;
-  write_file(files.at(common.output), with_stitches(text, pattern, decided, options.drawn_walk));
+  write_file(files.at(common.output),
+             with_stitches(split.text, pattern, decided, options.drawn_walk));
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   if (common.report) {
     write_file(
         files.at(*common.report),
-        find_seams_json(name, pattern, found, settings.min_confidence, remarks, seconds.count())
-                .dump(2) +
+        find_seams_json(name, split, settings.min_confidence, remarks, seconds.count()).dump(2) +
             "\n");
   }
   files.commit();

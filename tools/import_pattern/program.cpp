@@ -56,6 +56,12 @@ CommandLineProgram import_pattern_program() {
       "size", po::value<std::string>(), "the size to take of a drawing with several")(
       "seam-allowance", po::value<std::string>(),
       "taken off pieces that have a cut line only, such as 10mm")(
+      "unfold", po::value<std::vector<std::string>>()->composing(),
+      "PIECE or PIECE:EDGE: a half without a mark of its fold; may be given again")(
+      "name", po::value<std::vector<std::string>>()->composing(),
+      "PIECE=NAME: what a piece is to be called; may be given again")(
+      "pair", po::value<std::vector<std::string>>()->composing(),
+      "PIECE: cut as a pair, left and right; may be given again")(
       "cut-line", po::bool_switch(), "bound pieces by their cut lines, not by their sew lines")(
       "chord-error", po::value<std::string>()->default_value("0.1mm"),
       "from the drawn outline to the pattern's curves at most")(
@@ -71,6 +77,15 @@ CommandLineProgram import_pattern_program() {
     if (given.count("size") > 0) settings.pieces.size = given["size"].as<std::string>();
     if (given.count("seam-allowance") > 0) {
       settings.pieces.seam_allowance = read_allowance(given["seam-allowance"].as<std::string>());
+    }
+    if (given.count("unfold") > 0) {
+      settings.pieces.unfold = given["unfold"].as<std::vector<std::string>>();
+    }
+    if (given.count("name") > 0) {
+      settings.pieces.names = given["name"].as<std::vector<std::string>>();
+    }
+    if (given.count("pair") > 0) {
+      settings.pieces.pairs = given["pair"].as<std::vector<std::string>>();
     }
     settings.drawn.cut_line = given["cut-line"].as<bool>();
     settings.pieces.edges.chord_error = read_chord_error(given["chord-error"].as<std::string>());

@@ -6,9 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "geometry/error.h"
 #include "io/output_file.h"
 #include "io/text.h"
 #include "pattern/import/drawing_format.h"
+#include "pattern/import/repair_pattern.h"
 #include "pattern/import/svg_pieces.h"
 #include "pattern/pattern_file.h"
 #include "tools/import_pattern/report.h"
@@ -53,8 +55,15 @@ void run_import_pattern(const ImportPatternSettings& settings, const CommonSetti
   std::string content = text;
   std::size_t panels = 0;
   if (format == DrawingFormat::json) {
-    panels = parse_pattern(text, name, remarks).panels.size();
-    remarks.push_back({false, name + ": is a pattern already; it is written as it is"});
+    if (!settings.pieces.unfold.empty() || !settings.pieces.names.empty() ||
+        !settings.pieces.pairs.empty()) {
+      throw Error(name, "is a pattern; --unfold, --name and --pair are for the pieces of a drawing",
+                  "leave them out");
+    }
+    content = repaired_pattern(text, name, remarks);
+    panels = parse_pattern(content, name, remarks).panels.size();
+    remarks.push_back({false, name + ": is a pattern already; it is written " +
+                                  (content == text ? "as it is" : "with these repairs")});
   } else {
     drawing = read_drawing(format, text, name, settings.drawn);
     imported = import_pieces(drawing, settings.pieces, remarks);

@@ -15,7 +15,8 @@ struct ImportPatternSettings {
   ImportOptions pieces;
 };
 
-/// Reads the drawing and writes the pattern. A GarmentCode JSON is checked and written as it is.
+/// Reads the drawing and writes the pattern. A GarmentCode JSON is checked and written as
+/// it is, or repaired, see repaired_pattern().
 /// Throws Error for what can't be read or made a pattern.
 void run_import_pattern(const ImportPatternSettings& settings, const CommonSettings& common);
 

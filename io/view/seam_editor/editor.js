@@ -302,7 +302,10 @@
   async function propose() {
     say('Finding seams …');
     try {
-      takeProposals(JSON.parse(await ask('POST', 'propose', text())));
+      const report = JSON.parse(await ask('POST', 'propose', text()));
+      // Its seams name the edges of the pattern that it has cut.
+      model.act(() => (report.splits || []).forEach(cut => model.splitEdge(cut, cut.share)));
+      takeProposals(report);
       say(`${proposals.length} seams proposed.`);
     } catch (failed) { say(failed.message); }
   }

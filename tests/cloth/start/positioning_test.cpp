@@ -232,6 +232,27 @@ TEST(Positioning, RolledPanelsStandAroundTheirBones) {
   EXPECT_NEAR(done.placed[0].y(), 1.3 - how.distance, 1e-12);
 }
 
+TEST(Positioning, ASleeveThatReachesTheHandGoesAllAroundIt) {
+  const Skeleton skeleton = figure();
+  // Half as wide at its hem as at its top. The seam of a short one stands open at the hem.
+  for (const double length : {0.2, 0.7}) {
+    PanelMesh sleeve = panel("left_arm", rolled_around(), 0.4, length, 40, 28);
+    for (Vec2& point : sleeve.flat) {
+      point.x() = 0.2 + (point.x() - 0.2) * (0.5 + 0.5 * point.y() / length);
+    }
+    const Positioning done = position_panels(sleeve, far_body(), &skeleton);
+    const double open = (done.placed[0] - done.placed[40]).norm();
+    const double across = 2 * done.panels.at(0).distance;
+    if (length < 0.5) {
+      EXPECT_NEAR(open, across, 0.02 * across) << "half of the circle is open";
+    } else {
+      EXPECT_LT(open, 0.15 * across);
+    }
+    const std::size_t top = 28 * 41;
+    EXPECT_LT((done.placed[top] - done.placed[top + 40]).norm(), 0.02) << length;
+  }
+}
+
 TEST(Positioning, RolledPanelsAreWidenedUntilTheLimbFits) {
   const Skeleton skeleton = figure();
   const SurfaceDistance exact(test::closed_tube(0.16, 0.12, 1.5, 96));

@@ -240,6 +240,72 @@ TEST(ImportedPattern, EveryVersionOfDxfGivesThePieceThatWasDrawn) {
   }
 }
 
+/// A drawing as Valentina writes it: halves of front and back, and no word of the fold.
+Imported import_halves(const ImportOptions& options) {
+  return import_text(
+      read_file(std::filesystem::path(TOILE_SOURCE_DIR) / "tests/io/drawings/halves.dxf"), options);
+}
+
+TEST(ImportedPattern, HalvesWithoutAFoldAreNamedAndStayHalves) {
+  const Imported result = import_halves({});
+  EXPECT_EQ(result.read.panels.size(), 5u);
+  for (const char* half : {"--unfold Detail_2:5", "--unfold Detail_3:5", "--unfold Detail_4:3"}) {
+    EXPECT_HOLDS(result.remarks, half);
+  }
+  EXPECT_EQ(result.remarks.find("--unfold Detail:"), std::string::npos) << "the sleeve is whole";
+  EXPECT_EQ(result.remarks.find("--unfold Detail_5"), std::string::npos) << "a band is whole";
+}
+
+TEST(ImportedPattern, HalvesAreUnfoldedPairedAndRenamedAsAsked) {
+  const Imported plain = import_halves({});
+  ImportOptions options;
+  options.unfold = {"Detail_2", "Detail_3:5"};
+  options.pairs = {"Detail"};
+  options.names = {"Detail=sleeve", "Detail_2=front"};
+  const Imported result = import_halves(options);
+  std::vector<std::string> names;
+  for (const PatternPanel& panel : result.read.panels) names.push_back(panel.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"left_sleeve", "right_sleeve", "front", "Detail_3",
+                                             "Detail_4", "Detail_5"}));
+  for (const auto& [whole, half] : {std::pair{2, 1}, std::pair{3, 2}}) {
+    const std::vector<Vec2> outline = outline_of(result.read.panels[whole]);
+    EXPECT_NEAR(signed_area(outline), 2 * signed_area(outline_of(plain.read.panels[half])), 1e-5);
+    double low = 1e9;
+    double high = -1e9;
+    for (const Vec2& point : outline) {
+      low = std::min(low, point.x());
+      high = std::max(high, point.x());
+    }
+    EXPECT_NEAR(high - low, 0.52, 1e-6) << "twice the width of the half";
+  }
+  EXPECT_EQ(result.read.panels[0].quantity, 1);
+  EXPECT_EQ(result.remarks.find("--unfold Detail_2"), std::string::npos);
+}
+
+TEST(ImportedPattern, WhatCannotBeUnfoldedIsNamed) {
+  const auto message = [](const std::string& unfold, const std::string& pair = "",
+                          const std::string& name = "") {
+    ImportOptions options;
+    if (!unfold.empty()) options.unfold = {unfold};
+    if (!pair.empty()) options.pairs = {pair};
+    if (!name.empty()) options.names = {name};
+    return error_of([&] { import_halves(options); });
+  };
+  EXPECT_HOLDS(message("Detail_9"), "names no piece");
+  EXPECT_HOLDS(message("Detail_2:9"), "has no edge 9");
+  EXPECT_HOLDS(message("Detail_2:2"), "is curved");
+  EXPECT_HOLDS(message("Detail"), "no straight edge along its grain");
+  ImportOptions inner;
+  inner.unfold = {"L:3"};
+  const std::vector<Vec2> corner = {{0, 0}, {300, 0}, {300, 100}, {100, 100}, {100, 400}, {0, 400}};
+  EXPECT_HOLDS(error_of([&] {
+                 import_text(dxf_file(dxf_block("L", dxf_polyline("1", corner)), ""), inner);
+               }),
+               "lies on both sides of its edge 3");
+  EXPECT_HOLDS(message("", "Detail:1"), "names an edge");
+  EXPECT_HOLDS(message("", "", "front"), "names no piece and its new name");
+}
+
 TEST(ImportedPattern, ValentinasOutlinesAreKeptToATenthOfAMillimetre) {
   for (const char* name :
        {"bodice_block_aama_r12.dxf", "tshirt_aama_r12_sheet.dxf", "tshirt_aama_r14_details.dxf"}) {
