@@ -8,23 +8,19 @@
 
 #include "geometry/body/centreline.h"
 #include "geometry/body/crotch.h"
+#include "geometry/body/proportions.h"
 #include "geometry/error.h"
 
 namespace toile {
 
 namespace {
 
-// Share of the body's height: upper arm 0.186, forearm 0.146 and hand 0.108, the segment lengths of
-// [Drillis & Contini 1966] as every ergonomics table has them.
-constexpr double arm_to_wrist = 0.186 + 0.146;
-constexpr double arm_to_tip = arm_to_wrist + 0.108;
-// Share of the length from shoulder to wrist.
-constexpr double elbow_share = 0.186 / arm_to_wrist;
+// Shares of the height.
+constexpr double arm_to_wrist = upper_arm + forearm;
+constexpr double arm_to_tip = arm_to_wrist + hand;
 // Share of the height that thighs may touch below the crotch. Clean bodies are at 0.001. At half or
 // double no joint of five bodies moves.
 constexpr double touching = 0.004;
-// Share of the crotch's height.
-constexpr double knee_share = 0.61;
 
 /// The range of a section in x, metres.
 struct Extent {
@@ -153,7 +149,8 @@ class Finder {
       joint(side, "hip") = Vec3(thigh.x(), crotch_ + 0.04 * height_, pelvis->centroid.z());
       const double thin = min_girth(leg_line, 0.5 * crotch_, 0.7 * crotch_).along;
       joint(side, "knee") = point_along(
-          leg_line, std::clamp(knee_share * crotch_, thin - 0.04 * height_, thin + 0.04 * height_));
+          leg_line,
+          std::clamp(knee_share * crotch_, thin - knee_span * height_, thin + knee_span * height_));
       // The ankle's least girth lies above its bones.
       const double above_ankle = min_girth(leg_line, 0.03 * height_, 0.14 * height_).along;
       joint(side, "ankle") = point_along(leg_line, std::max(0.65 * above_ankle, 0.03 * height_));

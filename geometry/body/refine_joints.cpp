@@ -7,6 +7,7 @@
 #include "geometry/body/centreline.h"
 #include "geometry/body/crotch.h"
 #include "geometry/body/extreme.h"
+#include "geometry/body/proportions.h"
 #include "geometry/body/torso_section.h"
 #include "geometry/parallel.h"
 
@@ -20,9 +21,6 @@ namespace {
 constexpr double leg_reach = 0.025;
 constexpr double wrist_reach = 0.02;
 constexpr double arm_step = 0.002;
-// Between a knee's thin place and what proportion says. At half of it, two knees of five bodies
-// move by 15 and 21 mm, at double none.
-constexpr double knee_span = 0.04;
 // Between sections. At half or double, armpits move by 2 mm.
 constexpr double armpit_step = 0.0012;
 constexpr double armpit_reach = 0.05;  // up and down
@@ -31,10 +29,6 @@ constexpr double arm_jump = 0.03;
 // Metres outward a metre up: the underside of an arm is flatter, the side of a trunk steeper. At
 // half of it armpits of wide chests are 14 to 40 mm lower, at double 3 mm higher.
 constexpr double underside = 0.5;
-/// Of the crotch's height.
-constexpr double knee_share = 0.61;
-/// Of the arm from shoulder to wrist [Drillis & Contini 1966].
-constexpr double elbow_share = 0.186 / (0.186 + 0.146);
 
 struct Refiner {
   BodyFrame& frame;

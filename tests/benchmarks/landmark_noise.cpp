@@ -9,35 +9,19 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
-#include <random>
 #include <string>
 
 #include "geometry/body/mannequin/mannequin.h"
 #include "geometry/body/measures.h"
 #include "geometry/scan/reconstruct_scan.h"
 #include "io/mesh_file.h"
+#include "tests/support/noise.h"
 #include "tests/support/scanner.h"
 
 namespace {
 
 namespace fs = std::filesystem;
 using namespace toile;
-
-/// Noise along the normals, with a deviation of 1 mm.
-TriangleMesh noisy(TriangleMesh mesh, unsigned seed) {
-  std::vector<Vec3> normals(mesh.points.size(), Vec3::Zero());
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3 n =
-        (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]);
-    for (const int i : t) normals[i] += n;
-  }
-  std::mt19937 random(seed);
-  std::normal_distribution<double> millimetre(0, 0.001);
-  for (std::size_t i = 0; i < normals.size(); ++i) {
-    mesh.points[i] += millimetre(random) * normals[i].normalized();
-  }
-  return mesh;
-}
 
 TriangleMesh scanned(const TriangleMesh& body, unsigned seed, const fs::path& kept) {
   if (fs::exists(kept)) return fan_triangles(read_mesh(kept));
@@ -161,7 +145,7 @@ int main(int argc, char** argv) {
     Figures of_points = of_body;
     Figures of_scans = of_body;
     for (unsigned seed = 1; seed <= seeds; ++seed) {
-      add(noisy(body, seed), of_points);
+      add(test::noisy(body, seed), of_points);
       if (std::string(argv[2]) == "-") continue;
       add(scanned(body, seed, fs::path(argv[2]) / (name + "-" + std::to_string(seed) + ".ply")),
           of_scans);

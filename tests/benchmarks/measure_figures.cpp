@@ -11,7 +11,6 @@
 #include <functional>
 #include <map>
 #include <numbers>
-#include <random>
 #include <string>
 
 #include "geometry/body/mannequin/mannequin.h"
@@ -19,6 +18,7 @@
 #include "geometry/decimate.h"
 #include "io/measure_names.h"
 #include "io/mesh_file.h"
+#include "tests/support/noise.h"
 
 namespace {
 
@@ -58,22 +58,6 @@ TriangleMesh turned(TriangleMesh mesh, double degrees) {
   return mesh;
 }
 
-/// Noise along the normals, with a deviation of 1 mm.
-TriangleMesh noisy(TriangleMesh mesh, unsigned seed) {
-  std::vector<Vec3> normals(mesh.points.size(), Vec3::Zero());
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3 n =
-        (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]);
-    for (const int i : t) normals[i] += n;
-  }
-  std::mt19937 random(seed);
-  std::normal_distribution<double> millimetre(0, 0.001);
-  for (std::size_t i = 0; i < normals.size(); ++i) {
-    mesh.points[i] += millimetre(random) * normals[i].normalized();
-  }
-  return mesh;
-}
-
 /// Millimetres by which each landmark moves; `back` brings the changed body's points back.
 void print_moves(const std::string& what, const Landmarks& before, const TriangleMesh& changed,
                  const std::function<Vec3(const Vec3&)>& back) {
@@ -106,7 +90,7 @@ void print_steadiness(const std::string& name, const TriangleMesh& body) {
   print_moves("half the triangles", before, decimate(body, body.triangles.size() / 2), same);
   print_moves("split triangles", before, split(body), same);
   for (const unsigned seed : {1U, 2U, 3U}) {
-    print_moves("1 mm noise, seed " + std::to_string(seed), before, noisy(body, seed), same);
+    print_moves("1 mm noise, seed " + std::to_string(seed), before, test::noisy(body, seed), same);
   }
 }
 

@@ -5,12 +5,12 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
-#include <random>
 
 #include "geometry/body/mannequin/mannequin.h"
 #include "geometry/body/tape.h"
 #include "geometry/decimate.h"
 #include "geometry/geodesic.h"
+#include "tests/support/noise.h"
 #include "tests/support/shapes.h"
 
 namespace toile {
@@ -127,28 +127,10 @@ TEST(FindLandmarks, HoldAtHalfTheResolution) {
 TEST(FindLandmarks, HoldUnderAMillimetreOfNoise) {
   const TriangleMesh whole = make_mannequin().surface;
   const BodyShape unchanged = find_landmarks(whole, "mannequin");
-  std::vector<Vec3> normals(whole.points.size(), Vec3::Zero());
-  for (const Triangle& t : whole.triangles) {
-    const Vec3& a = whole.points[t[0]];
-    const Vec3 normal = (whole.points[t[1]] - a).cross(whole.points[t[2]] - a);
-    for (const int i : t) normals[i] += normal;
-  }
   for (const unsigned seed : {1U, 2U, 3U}) {
-    std::mt19937_64 bits(seed);
-    // The sum of twelve has a deviation of 1, on every machine.
-    const auto normal = [&bits] {
-      double sum = -6;
-      for (int k = 0; k < 12; ++k) sum += static_cast<double>(bits() >> 11) * 0x1p-53;
-      return sum;
-    };
-    TriangleMesh noisy = whole;
-    for (std::size_t i = 0; i < normals.size(); ++i) {
-      noisy.points[i] += millimetre * normal() * normals[i].normalized();
-    }
-    EXPECT_LT(most_moved(
-                  noisy, [](const Vec3& p) { return p; }, unchanged),
-              5 * millimetre)
-        << seed;
+    const double moved = most_moved(
+        test::noisy(whole, seed), [](const Vec3& p) { return p; }, unchanged);
+    EXPECT_LT(moved, 5 * millimetre) << seed;
   }
 }
 
