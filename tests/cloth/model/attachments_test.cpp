@@ -262,6 +262,23 @@ TEST(Attachments, ThoseThatLastAreToldFromTheOthers) {
   EXPECT_NEAR(figures[1].off_mean, 1.5, 1e-3);
 }
 
+TEST(Attachments, ThoseOfWhatSlipsHoldOnlyThen) {
+  PanelMesh garment = sheet();
+  garment.attachments = {{"a", {0}, to_point({0, 0, 1})}, {"b", {1}, to_point({0, 0, 2})}};
+  EXPECT_FALSE(hold_what_slips(garment));
+  garment.attachments[0].how.only_if_it_slips = true;
+  const auto loose = attached_points(garment, {}, garment.placed, 0.002);
+  ASSERT_EQ(loose.size(), 1u);
+  EXPECT_EQ(loose[0].attachment, 1);
+  const auto figures = measure_attachments(garment, loose, garment.placed);
+  EXPECT_FALSE(figures[0].used);
+  EXPECT_TRUE(figures[1].used);
+  const auto held = hold_what_slips(garment);
+  ASSERT_TRUE(held);
+  EXPECT_EQ(attached_points(*held, {}, garment.placed, 0.002).size(), 2u);
+  EXPECT_TRUE(measure_attachments(*held, {}, garment.placed)[0].used);
+}
+
 TEST(Attachments, WithoutThemThereIsNoTerm) {
   const PanelMesh garment = sheet();
   const GarmentModel model = compile(garment, {}, garment.placed);
