@@ -14,7 +14,7 @@ namespace toile {
 
 struct StageReport {
   std::string name;
-  int attempt = 1;  ///< panels that tangle are placed and sewn anew
+  int attempt = 1;  ///< panels that tangle or slip are placed and sewn anew
   double open = 0;  ///< of close_seams: the share of the seams' offset that is left, 0 for closed
   int nodes = 0;    ///< of the mesh that the stage ran on
   int steps = 0;
