@@ -121,11 +121,11 @@ bool is_in_the_way(const Level& level, const std::vector<Vec3>& nodes, const Arm
 }
 
 /// Closes the seams from where the panels start, and lets the cloth come clear of itself.
-Staged close_and_untangle(const Level& level, double stiffness, Journal& journal) {
+Staged close_and_untangle(const Level& level, const Closing& closing, Journal& journal) {
   State state;
   state.nodes = level.model.start;
-  Staged staged = close_seams(level, std::move(state), stiffness, journal);
-  return untangle(level, std::move(staged.state), journal);
+  Staged staged = close_seams(level, std::move(state), closing, journal);
+  return untangle(level, std::move(staged.state), closing, journal);
 }
 
 }  // namespace
@@ -152,12 +152,11 @@ Sewn sew(const PanelMesh& mesh, int depth, const Scene& scene, double resting_of
     standing =
         compiled_level(mesh, depth, closing_scene(scene), sewn.placement.placed, resting_offset);
   }
-  const int first_attempt = journal.attempt();
-  for (std::size_t attempt = 0; attempt < closing_stiffness.size() && !sewn.is_clear; ++attempt) {
-    if (attempt > 0 && sewn.level.model.nodes > max_resewn_nodes) break;
-    journal.begin_attempt(first_attempt + static_cast<int>(attempt));
+  int attempt = journal.attempt();
+  for (const Closing& closing : closing_attempts) {
+    journal.begin_attempt(attempt++);
     if (raise) journal.show_through([&](const Vec3& p) { return raise->lowered(p); });
-    Staged staged = close_and_untangle(sewn.level, closing_stiffness[attempt], journal);
+    Staged staged = close_and_untangle(sewn.level, closing, journal);
     // A tangle that falls only gets worse.
     if (raise && staged.report.converged && is_in_the_way(standing, staged.state.nodes, *raise)) {
       staged = settle(sewn.level, std::move(staged.state), true, true, journal);
@@ -166,10 +165,11 @@ Sewn sew(const PanelMesh& mesh, int depth, const Scene& scene, double resting_of
     if (raise) {
       staged.state.nodes = lowered(*raise, std::move(staged.state.nodes));
       staged.state.warm_start = {};  // friction held it on the raised body
-      staged = untangle(standing, std::move(staged.state), journal);
+      staged = untangle(standing, std::move(staged.state), closing, journal);
     }
     sewn.is_clear = staged.report.converged;
     sewn.state = std::move(staged.state);
+    if (sewn.is_clear || sewn.level.model.nodes > max_resewn_nodes) break;
   }
   if (raised && scene.raised_distances != nullptr) scene.raised_distances->keep(raised->collider);
   if (raise) sewn.level = std::move(standing);

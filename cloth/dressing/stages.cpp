@@ -38,12 +38,12 @@ RelaxOptions level_options(const Level& level) {
 }
 
 /// Of stages that sew: the cloth is stiff, weightless, and drawn to the body.
-RelaxOptions sewing_options(const Level& level, double stiffness) {
+RelaxOptions sewing_options(const Level& level, const Closing& closing) {
   RelaxOptions options = level_options(level);
   options.compression = soft_compression.back();
-  options.bending_from = options.bending_to = stiffness;
+  options.bending_from = options.bending_to = closing.bending;
   options.gravity = 0;
-  options.pull = closing_pull;
+  options.pull = closing.pull;
   options.linearization_radius = closing_linearization_radius;
   options.friction = false;
   options.barrier = true;
@@ -122,8 +122,8 @@ Positioned position(const PanelMesh& mesh, int depth, const Scene& scene, double
   return positioned;
 }
 
-Staged close_seams(const Level& level, State state, double stiffness, Journal& journal) {
-  RelaxOptions options = sewing_options(level, stiffness);
+Staged close_seams(const Level& level, State state, const Closing& closing, Journal& journal) {
+  RelaxOptions options = sewing_options(level, closing);
   const double across =
       std::max(1.0, std::sqrt(static_cast<double>(level.mesh->flat.size()) / closing_points));
   options.closing_iterations = static_cast<int>(closing_iterations * across);
@@ -135,10 +135,10 @@ Staged close_seams(const Level& level, State state, double stiffness, Journal& j
              progress_when_sewn(level, journal), journal);
 }
 
-Staged untangle(const Level& level, State state, Journal& journal) {
+Staged untangle(const Level& level, State state, const Closing& closing, Journal& journal) {
   Staged staged{std::move(state), {}};
   if (!is_clear_of_itself(level, staged.state)) {
-    RelaxOptions options = sewing_options(level, untangling_stiffness);
+    RelaxOptions options = sewing_options(level, {untangling_stiffness, closing.pull});
     options.max_iterations = untangling_iterations;
     options.untangles = true;
     options.bounded_by_body = true;
@@ -146,7 +146,7 @@ Staged untangle(const Level& level, State state, Journal& journal) {
                  progress_when_sewn(level, journal), journal);
     if (!staged.report.converged) return staged;
   }
-  RelaxOptions options = sewing_options(level, closing_stiffness.front());
+  RelaxOptions options = sewing_options(level, {closing_attempts.front().bending, closing.pull});
   options.max_iterations = softening_iterations;
   options.bending_to = 1;
   options.bounded = true;

@@ -1,6 +1,7 @@
 // The stages of a dressing, each a function from a state to the next.
 #pragma once
 
+#include "cloth/dressing/constants.h"
 #include "cloth/dressing/dress_options.h"
 #include "cloth/dressing/journal.h"
 #include "cloth/dressing/level.h"
@@ -31,12 +32,13 @@ Positioned position(const PanelMesh& mesh, int depth, const Scene& scene, double
 /// `close_seams`: closes the seams of panels that start at `state`, without gravity or friction,
 /// drawn to the skin. Cloth keeps off the body, with the gaps of open seams. It keeps off cloth,
 /// too, until no seam closes any more; then seams close through the cloth that holds them apart.
-/// `level` is that of position(). `stiffness` multiplies the bending stiffness.
-Staged close_seams(const Level& level, State state, double stiffness, Journal& journal);
+/// `level` is that of position().
+Staged close_seams(const Level& level, State state, const Closing& closing, Journal& journal);
 
 /// `untangle`: draws cloth that has come through cloth back out of it, then gives the cloth its own
-/// bending stiffness. The report's `converged` says whether the cloth is clear of itself.
-Staged untangle(const Level& level, State state, Journal& journal);
+/// bending stiffness. It is drawn to the skin as while its seams closed. The report's `converged`
+/// says whether the cloth is clear of itself.
+Staged untangle(const Level& level, State state, const Closing& closing, Journal& journal);
 
 /// `untangle` of a garment that hangs as it is worn: crossing cloth is drawn apart under its
 /// weight. The report's `converged` says whether the cloth is clear of itself.
