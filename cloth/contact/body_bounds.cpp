@@ -21,8 +21,8 @@ namespace {
 /// Metres between a plane and the facets behind it. It is far above what rounding can do.
 constexpr double safety = 1e-7;
 constexpr double infinite = std::numeric_limits<double>::infinity();
-/// Regions that one task updates.
-constexpr std::size_t chunk = 64;
+/// Regions that one task updates. Often only a few are due, and each takes microseconds.
+constexpr std::size_t chunk = 8;
 
 /// Whether an edge of `s` passes through the triangle `t`, or touches it, up to rounding.
 bool pierces(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t) {

@@ -53,13 +53,15 @@ SphereGrid::SphereGrid(const std::vector<Shape>& shapes, double reach) : reach_(
     if (shapes[i].radius > max_radius) continue;
     filed_radius_ = std::max(filed_radius_, shapes[i].radius);
     const Vec3& c = shapes[i].centre;
-    cell_of[i] = row(column(c[1], 1), column(c[2], 2)) + column(c[0], 0);
+    cell_of[i] = static_cast<std::size_t>(row(column(c[1], 1), column(c[2], 2))) * size_[0] +
+                 column(c[0], 0);
     ++first_[cell_of[i] + 1];
   }
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
   const double largest = std::max(low_.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
   margin_ = rounding * (largest + largest_radius + reach);
   numbers_.resize(shapes.size());
+  rows_.resize(shapes.size());
   for (int axis = 0; axis < 3; ++axis) {
     lows_[axis].resize(shapes.size() + width);
     highs_[axis].resize(shapes.size() + width);
@@ -67,8 +69,10 @@ SphereGrid::SphereGrid(const std::vector<Shape>& shapes, double reach) : reach_(
   std::vector<int> next(first_.begin(), first_.end() - 1);
   int large = first_.back();
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    const int at = cell_of[i] == no_cell ? large++ : next[cell_of[i]]++;
+    const bool is_large = cell_of[i] == no_cell;
+    const int at = is_large ? large++ : next[cell_of[i]]++;
     numbers_[at] = static_cast<int>(i);
+    rows_[at] = is_large ? size_[1] * size_[2] : static_cast<int>(cell_of[i] / size_[0]);
     for (int axis = 0; axis < 3; ++axis) {
       lows_[axis][at] = static_cast<float>(shapes[i].box.low[axis] - margin_);
       highs_[axis][at] = static_cast<float>(shapes[i].box.high[axis] + margin_);
@@ -122,7 +126,8 @@ int SphereGrid::column(double coordinate, int axis) const {
 }
 
 TOILE_CLONES
-std::size_t SphereGrid::meeting(std::size_t start, const FloatBox& box, Scratch& found) const {
+std::size_t SphereGrid::meeting(std::size_t start, int first_row, const FloatBox& box,
+                                Scratch& found) const {
   // An item whose box meets this one has its centre not much farther.
   const double around = filed_radius_ + margin_;
   const int x0 = column(box.low[0] - around, 0);
@@ -131,9 +136,10 @@ std::size_t SphereGrid::meeting(std::size_t start, const FloatBox& box, Scratch&
   const int y1 = column(box.high[1] + around, 1);
   const int z1 = column(box.high[2] + around, 2);
   std::size_t count = 0;
-  for (int z = column(box.low[2] - around, 2); z <= z1; ++z) {
-    for (int y = y0; y <= y1; ++y) {
-      const std::size_t cells = row(y, z);
+  const int z0 = std::max(column(box.low[2] - around, 2), first_row / size_[1]);
+  for (int z = z0; z <= z1; ++z) {
+    for (int y = std::max(y0, first_row - row(0, z)); y <= y1; ++y) {
+      const std::size_t cells = static_cast<std::size_t>(row(y, z)) * size_[0];
       const auto begin = static_cast<std::size_t>(first_[cells + x0]);
       const auto end = static_cast<std::size_t>(first_[cells + x1 + 1]);
       count = collect(std::max(begin, start), end, box, count, found);

@@ -35,7 +35,7 @@ class SphereGrid {
   /// along each axis, and of some a few micrometres farther. The order depends on the shapes only.
   template <typename Visit>
   void near(const Box& box, Scratch& scratch, const Visit& visit) const {
-    const std::size_t count = meeting(0, widened(box), scratch);
+    const std::size_t count = meeting(0, 0, widened(box), scratch);
     for (std::size_t i = 0; i < count; ++i) visit(numbers_[scratch[i]]);
   }
 
@@ -46,7 +46,7 @@ class SphereGrid {
   /// does, for each such pair of a part. Over all parts in [0, parts()), each pair comes once.
   template <typename Visit>
   void pairs(std::size_t part, Scratch& scratch, const Visit& visit) const {
-    const std::size_t count = meeting(part + 1, widened(part), scratch);
+    const std::size_t count = meeting(part + 1, rows_[part], widened(part), scratch);
     const int one = numbers_[part];
     for (std::size_t i = 0; i < count; ++i) {
       const int other = numbers_[scratch[i]];
@@ -64,14 +64,13 @@ class SphereGrid {
   FloatBox widened(const Box& box) const;
   FloatBox widened(std::size_t item) const;
   /// Finds the items, of those from index `start` on, whose boxes meet `box`: their indices come
-  /// first in `found`. Returns their number.
-  std::size_t meeting(std::size_t start, const FloatBox& box, Scratch& found) const;
+  /// first in `found`. None of them is in a row of cells before `first_row`. Returns their number.
+  std::size_t meeting(std::size_t start, int first_row, const FloatBox& box, Scratch& found) const;
   std::size_t collect(std::size_t begin, std::size_t end, const FloatBox& box, std::size_t count,
                       Scratch& found) const;
   int column(double coordinate, int axis) const;
-  std::size_t row(int y, int z) const {
-    return (static_cast<std::size_t>(z) * size_[1] + y) * size_[0];
-  }
+  /// The number of a row of cells along x. Its first cell is that times size_[0].
+  int row(int y, int z) const { return z * size_[1] + y; }
 
   double reach_;
   double margin_;        // metres around each box, for rounding
@@ -82,6 +81,7 @@ class SphereGrid {
   std::vector<int> first_;  // per cell, the index of its first item
   // Items are shapes by cells, then the large ones.
   std::vector<int> numbers_;  // per item, the index of its shape
+  std::vector<int> rows_;     // per item, the row of its cell; that of no cell for large ones
   std::array<std::vector<float>, 3> lows_;
   std::array<std::vector<float>, 3> highs_;
 };

@@ -14,9 +14,9 @@ struct Six {
     model.shortest_edge.assign(6, edge);
   }
   /// Moves node n by `glides[n % 4]` times.
-  void adapt(IsotropicShares& shares, const Vec4 (&glides)[4], const int (&stopped)[4]) const {
-    shares.adapt(0, 4, glides, stopped);
-    shares.adapt(4, 6, glides, stopped);
+  void adapt(IsotropicShares& shares, const Vec4 (&glides)[4], const Vec4& stops) const {
+    shares.adapt(0, 4, glides, stops);
+    shares.adapt(4, 6, glides, stops);
   }
   GarmentModel model;
 };
