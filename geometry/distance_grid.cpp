@@ -207,7 +207,8 @@ DistanceGrid::Sample DistanceGrid::at(const Vec3& point) const {
   const int number = (block[2] * blocks_[1] + block[1]) * blocks_[0] + block[0];
   const Block* found = table_->blocks[number].load(std::memory_order_acquire);
   if (found == nullptr) found = fill(number);
-  const float* row = &found->values[(corner[2] * rimmed_side + corner[1]) * rimmed_side];
+  const float* row =
+      &found->values[static_cast<std::size_t>(corner[2] * rimmed_side + corner[1]) * rimmed_side];
   // Sums over y and z for four neighbours along x at a time. The spline needs three of them.
   Vec4 value = {0, 0, 0, 0};
   Vec4 along_y = {0, 0, 0, 0};

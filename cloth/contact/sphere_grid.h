@@ -32,7 +32,7 @@ class SphereGrid {
   SphereGrid(const std::vector<Shape>& shapes, double reach);
 
   /// Calls `visit` with the index of each shape whose box is less than the reach away from `box`
-  /// along each axis, and of some a few micrometres farther. The order depends on the shapes only.
+  /// along each axis. Some may be a few micrometres farther. The order depends on the shapes only.
   template <typename Visit>
   void near(const Box& box, Scratch& scratch, const Visit& visit) const {
     const std::size_t count = meeting(0, 0, widened(box), scratch);
