@@ -24,13 +24,14 @@ static_assert(rimmed_side == block_side + 2);
 using Index = DistanceLevels::Index;
 
 /// Four neighbours along x, as stored.
-using Four = float __attribute__((vector_size(16), aligned(4)));
+using Four = float __attribute__((vector_size(16)));
 
 }  // namespace
 
-/// The distances, metres, at all nodes that a lookup needs: along x first, then y, then z.
-struct DistanceGrid::Block {
-  float values[rimmed_nodes + 1];  // one more: rows of 3 are read as 4
+/// The distances, metres, at all nodes that a lookup needs: along x first, then y, then z. The
+/// nodes of one z are a line of the cache.
+struct alignas(64) DistanceGrid::Block {
+  float values[rimmed_nodes];
 };
 
 /// The blocks, and the distances that fill them.
@@ -174,7 +175,6 @@ const DistanceGrid::Block* DistanceGrid::fill(int number) const {
   Table::Store& store = table_->stores.local();
   Block* const made = store.next();
   table_->compute(block, made->values);
-  made->values[rimmed_nodes] = 0;
   const Block* found = nullptr;
   if (table_->blocks[number].compare_exchange_strong(found, made, std::memory_order_acq_rel)) {
     return made;
@@ -208,8 +208,8 @@ DistanceGrid::Sample DistanceGrid::at(const Vec3& point) const {
   const Block* found = table_->blocks[number].load(std::memory_order_acquire);
   if (found == nullptr) found = fill(number);
   const float* row =
-      &found->values[(corner[2] * rimmed_side + corner[1]) * rimmed_side + corner[0]];
-  // Sums over y and z for three neighbours along x at a time. The fourth lane is not used.
+      &found->values[static_cast<std::size_t>(corner[2] * rimmed_side + corner[1]) * rimmed_side];
+  // Sums over y and z for four neighbours along x at a time. The spline needs three of them.
   Vec4 value = {0, 0, 0, 0};
   Vec4 along_y = {0, 0, 0, 0};
   Vec4 along_z = {0, 0, 0, 0};
@@ -225,6 +225,11 @@ DistanceGrid::Sample DistanceGrid::at(const Vec3& point) const {
     value += weight[2][c] * sum;
     along_y += weight[2][c] * rise;
     along_z += slope[2][c] * sum;
+  }
+  if (corner[0] != 0) {
+    value = __builtin_shufflevector(value, value, 1, 2, 3, 3);
+    along_y = __builtin_shufflevector(along_y, along_y, 1, 2, 3, 3);
+    along_z = __builtin_shufflevector(along_z, along_z, 1, 2, 3, 3);
   }
   const auto across = [](const Vec4& of, const double(&by)[3]) {
     return by[0] * of[0] + by[1] * of[1] + by[2] * of[2];

@@ -73,6 +73,13 @@ class BodyBounds {
     bool intersects = false;     // intersects the body or is inside: no bounds
   };
 
+  /// What a vertex has to heed of the region of one of its triangles, in a line of the cache.
+  struct alignas(64) CornerBound {
+    Vec4 ball;   // metres: where the corner was at the update, and the reach
+    Vec4 plane;  // normal, and the level (metres); -infinity: no plane
+  };
+
+  CornerBound corner_bound(const Region& region, int corner) const;
   Region region_of(const Triangle& corners, const Vec4s& x, int near_facet,
                    std::vector<int>& near) const;
   void make_due(int triangle);
@@ -81,8 +88,10 @@ class BodyBounds {
   const std::vector<Triangle>& triangles_;
   Adjacency<TriangleCorner> corners_;  // per vertex
   std::vector<Region> regions_;
-  std::vector<char> due_;         // per triangle
-  std::vector<int> next_update_;  // per triangle, the first update it may have
+  std::vector<CornerBound> bounds_;            // of the corners, in the order of corners_
+  std::vector<std::array<int, 3>> bounds_of_;  // per triangle, the indices of its corners there
+  std::vector<char> due_;                      // per triangle
+  std::vector<int> next_update_;               // per triangle, the first update it may have
   int updates_ = 0;
   std::atomic<bool> any_due_ = true;
   std::vector<double> extra_offset_;

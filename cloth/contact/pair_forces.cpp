@@ -2,7 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <numeric>
 
 #include "cloth/contact/constants.h"
 #include "geometry/parallel.h"
@@ -56,15 +58,24 @@ void PairForces::activate(const std::vector<Vec3>& x, const std::vector<char>& i
     if (near_[i] != 0) active_.push_back(pairs_[i]);
   }
   friction_.activate(active_);
-  slots_of_.clear();
   if (active_.empty()) return;
   slots_.assign(4 * active_.size(), Vec4{});
   apart_until_.assign(active_.size(), -1);
-  slots_of_.assign(x.size(), [&](const auto& add) {
-    for (std::size_t i = 0; i < active_.size(); ++i) {
-      for (int j = 0; j < 4; ++j) add(active_[i].vertices[j], static_cast<int>(4 * i + j));
-    }
-  });
+  pushed_at_.resize(x.size(), 0);
+  lay_out_slots(x.size());
+}
+
+void PairForces::lay_out_slots(std::size_t vertices) {
+  first_slot_.assign(vertices + 1, 0);
+  for (const ContactPair& pair : active_) {
+    for (const int v : pair.vertices) ++first_slot_[v + 1];
+  }
+  std::partial_sum(first_slot_.begin(), first_slot_.end(), first_slot_.begin());
+  std::vector<int> next(first_slot_.begin(), first_slot_.end() - 1);
+  slots_of_.resize(active_.size());
+  for (std::size_t i = 0; i < active_.size(); ++i) {
+    for (int j = 0; j < 4; ++j) slots_of_[i][j] = next[active_[i].vertices[j]]++;
+  }
 }
 
 PairPush push_of(const ContactPair& pair, const std::array<Vec3, 4>& at, bool barrier,
@@ -99,14 +110,20 @@ void PairForces::push(std::size_t begin, std::size_t end, bool barrier, double e
     const PairPush push = push_of(
         active_[i], {as_vec3(x[v[0]]), as_vec3(x[v[1]]), as_vec3(x[v[2]]), as_vec3(x[v[3]])},
         barrier, early);
+    Vec4 on[4];
     for (int j = 0; j < 4; ++j) {
-      slots_[4 * i + j] = as_vec4(push.on[j]);
-      slots_[4 * i + j][3] = push.stiffness[j];
+      on[j] = as_vec4(push.on[j]);
+      on[j][3] = push.stiffness[j];
     }
-    if (!friction_.empty()) friction_.add(i, push.nearest, push.force, x, &slots_[4 * i]);
+    if (!friction_.empty()) friction_.add(i, push.nearest, push.force, x, on);
+    for (int j = 0; j < 4; ++j) slots_[slots_of_[i][j]] = on[j];
     // Each side moves no farther than the fastest vertex.
     const double to_go = push.nearest.apart.norm() - active_[i].gap - early;
     apart_until_[i] = path + 0.5 * (to_go - approach_slack);
+    if (apart_until_[i] > path) continue;
+    for (const int p : v) {
+      std::atomic_ref(pushed_at_[p]).store(pushes_, std::memory_order_relaxed);
+    }
   }
 }
 

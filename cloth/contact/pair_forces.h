@@ -8,7 +8,6 @@
 #include "cloth/contact/fastest_path.h"
 #include "cloth/contact/pair_friction.h"
 #include "cloth/contact/proximity.h"
-#include "geometry/adjacency.h"
 #include "geometry/vec4.h"
 
 namespace toile {
@@ -35,7 +34,7 @@ PairPush push_of(const ContactPair& pair, const std::array<Vec3, 4>& at, bool ba
 /// parallel; then add() for each vertex.
 class PairForces {
  public:
-  void clear() { pairs_.clear(), active_.clear(), slots_of_.clear(), friction_.clear(); }
+  void clear() { pairs_.clear(), active_.clear(), friction_.clear(); }
   PairFriction& friction() { return friction_; }
   const PairFriction& friction() const { return friction_; }
   /// The pairs found, for a search to replace. activate() must follow.
@@ -49,7 +48,9 @@ class PairForces {
   std::size_t active() const { return active_.size(); }
   /// Has to come before push() whenever vertices have moved. `x`: metres, one a vertex.
   void follow(const Vec4s& x) {
-    if (!active_.empty()) path_.follow(x);
+    if (active_.empty()) return;
+    path_.follow(x);
+    ++pushes_;
   }
   /// Finds the pushes of active pairs `begin` to `end`, with vertices at `x`, and their friction,
   /// whose anchors slide along. Pairs that can't have come near enough since they were last looked
@@ -57,9 +58,9 @@ class PairForces {
   void push(std::size_t begin, std::size_t end, bool barrier, double early, const Vec4s& x);
   /// Adds the pushes on a vertex to its force (N) and a bound of their stiffness (N/m).
   [[gnu::always_inline]] void add(std::size_t vertex, Vec4& force, double& stiffness) const {
-    if (slots_of_.empty()) return;
-    for (const int s : slots_of_[vertex]) {
-      if (apart_until_[s / 4] > path_.length()) continue;
+    if (active_.empty() || pushed_at_[vertex] != pushes_) return;
+    const int end = first_slot_[vertex + 1];
+    for (int s = first_slot_[vertex]; s < end; ++s) {
       const Vec4 slot = slots_[s];
       const double bound = slot[3];
       force += slot;
@@ -68,6 +69,8 @@ class PairForces {
   }
 
  private:
+  void lay_out_slots(std::size_t vertices);
+
   std::vector<ContactPair> pairs_;
   std::vector<char> near_;  // per pair, whether it is active
   std::vector<ContactPair> active_;
@@ -75,8 +78,12 @@ class PairForces {
   FastestPath path_;
   /// Metres, per active pair: the path up to which its sides are surely too far apart to push.
   std::vector<double> apart_until_;
-  Vec4s slots_;              // four an active pair: force (N), stiffness (N/m) as the fourth
-  Adjacency<int> slots_of_;  // per vertex; empty: no pair is active
+  // Four slots an active pair, those of a vertex in a row, as add() reads them.
+  Vec4s slots_;                  // force (N), stiffness (N/m) as the fourth; 0: pushes nothing
+  std::vector<int> first_slot_;  // per vertex; then the number of slots
+  std::vector<std::array<int, 4>> slots_of_;  // per active pair
+  int pushes_ = 0;                            // how often vertices have moved
+  std::vector<int> pushed_at_;  // per vertex, the value of pushes_ when a pair last pushed it
 };
 
 }  // namespace toile

@@ -23,36 +23,44 @@ constexpr double min_distance = 1e-9;
 /// the threads.
 constexpr std::size_t chunk = 128;
 
-SphereGrid::Sphere sphere_around(const std::array<int, 2>& edge, const std::vector<Vec3>& x) {
-  const Vec3 centre = 0.5 * (x[edge[0]] + x[edge[1]]);
-  return {centre, (x[edge[0]] - centre).norm()};
+SphereGrid::Shape shape_of(const std::array<int, 2>& edge, const std::vector<Vec3>& x) {
+  const Vec3& a = x[edge[0]];
+  const Vec3& b = x[edge[1]];
+  const Vec3 centre = 0.5 * (a + b);
+  return {centre, (a - centre).norm(), {a.cwiseMin(b), a.cwiseMax(b)}};
 }
 
-/// A sphere that contains the triangle, not the smallest one.
-SphereGrid::Sphere sphere_around(const Triangle& t, const std::vector<Vec3>& x) {
+SphereGrid::Box box_of(const Triangle& t, const std::vector<Vec3>& x) {
+  return {x[t[0]].cwiseMin(x[t[1]]).cwiseMin(x[t[2]]), x[t[0]].cwiseMax(x[t[1]]).cwiseMax(x[t[2]])};
+}
+
+/// Its sphere is not the smallest one.
+SphereGrid::Shape shape_of(const Triangle& t, const std::vector<Vec3>& x) {
   const Vec3 centre = (x[t[0]] + x[t[1]] + x[t[2]]) / 3;
   return {centre,
           std::sqrt(std::max({(x[t[0]] - centre).squaredNorm(), (x[t[1]] - centre).squaredNorm(),
-                              (x[t[2]] - centre).squaredNorm()}))};
+                              (x[t[2]] - centre).squaredNorm()})),
+          box_of(t, x)};
 }
 
-template <typename Shape>
-std::vector<SphereGrid::Sphere> spheres_around(const std::vector<Shape>& shapes,
-                                               const std::vector<Vec3>& x) {
-  std::vector<SphereGrid::Sphere> spheres;
-  spheres.reserve(shapes.size());
-  for (const Shape& shape : shapes) spheres.push_back(sphere_around(shape, x));
-  return spheres;
+template <typename Item>
+std::vector<SphereGrid::Shape> shapes_of(const std::vector<Item>& items,
+                                         const std::vector<Vec3>& x) {
+  std::vector<SphereGrid::Shape> shapes;
+  shapes.reserve(items.size());
+  for (const Item& item : items) shapes.push_back(shape_of(item, x));
+  return shapes;
 }
 
-/// Calls `search(item, found)` for each item, in parallel, and joins what the chunks found. Work is
-/// uneven, so threads take chunks from each other.
+/// Calls `search(item, scratch, found)` for each item, in parallel, and joins what the chunks
+/// found. Work is uneven, so threads take chunks from each other.
 template <typename NearPairs, typename Search>
 NearPairs search_in_chunks(std::size_t items, const Search& search) {
   std::vector<NearPairs> found(chunks_of(items, chunk));
   tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t c) {
     const std::size_t end = std::min((c + 1) * chunk, items);
-    for (std::size_t item = c * chunk; item < end; ++item) search(item, found[c]);
+    SphereGrid::Scratch scratch;
+    for (std::size_t item = c * chunk; item < end; ++item) search(item, scratch, found[c]);
   });
   NearPairs all;
   for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
@@ -204,44 +212,49 @@ void ProximitySearch::two_edges(int e, int f, const Query& query, NearPairs& fou
 }
 
 ProximitySearch::NearPairs ProximitySearch::triangles_near_vertices(const Query& query) const {
-  const SphereGrid grid(spheres_around(triangles_, query.x), query.radius);
-  return search_in_chunks<NearPairs>(query.x.size(), [&](std::size_t v, NearPairs& found) {
-    if (!query.wants(v)) return;
-    grid.near(query.x[v], 0,
-              [&](int t) { point_and_triangle(static_cast<int>(v), t, query, found); });
-  });
+  const SphereGrid grid(shapes_of(triangles_, query.x), query.radius);
+  return search_in_chunks<NearPairs>(
+      query.x.size(), [&](std::size_t v, SphereGrid::Scratch& scratch, NearPairs& found) {
+        if (!query.wants(v)) return;
+        grid.near({query.x[v], query.x[v]}, scratch,
+                  [&](int t) { point_and_triangle(static_cast<int>(v), t, query, found); });
+      });
 }
 
 ProximitySearch::NearPairs ProximitySearch::others_near_wanted_triangles(const Query& query) const {
-  std::vector<SphereGrid::Sphere> points;
+  std::vector<SphereGrid::Shape> points;
   points.reserve(query.x.size());
-  for (const Vec3& p : query.x) points.push_back({p, 0});
+  for (const Vec3& p : query.x) points.push_back({p, 0, {p, p}});
   const SphereGrid grid(points, query.radius);
-  return search_in_chunks<NearPairs>(triangles_.size(), [&](std::size_t t, NearPairs& found) {
-    if (!any_of(query.wanted, triangles_[t])) return;
-    const SphereGrid::Sphere around = sphere_around(triangles_[t], query.x);
-    grid.near(around.centre, around.radius, [&](int v) {
-      if (!query.wants(v)) point_and_triangle(v, static_cast<int>(t), query, found);
-    });
-  });
+  return search_in_chunks<NearPairs>(
+      triangles_.size(), [&](std::size_t t, SphereGrid::Scratch& scratch, NearPairs& found) {
+        if (!any_of(query.wanted, triangles_[t])) return;
+        grid.near(box_of(triangles_[t], query.x), scratch, [&](int v) {
+          if (!query.wants(v)) point_and_triangle(v, static_cast<int>(t), query, found);
+        });
+      });
 }
 
 ProximitySearch::NearPairs ProximitySearch::edges_near_edges(const Query& query) const {
-  const std::vector<SphereGrid::Sphere> edges = spheres_around(edges_, query.x);
+  const std::vector<SphereGrid::Shape> edges = shapes_of(edges_, query.x);
   const SphereGrid grid(edges, query.radius);
   if (query.wanted.empty()) {
-    return search_in_chunks<NearPairs>(grid.parts(), [&](std::size_t part, NearPairs& found) {
-      grid.pairs(part, [&](int e, int f) { two_edges(e, f, query, found); });
-    });
+    return search_in_chunks<NearPairs>(
+        grid.parts(), [&](std::size_t part, SphereGrid::Scratch& scratch, NearPairs& found) {
+          grid.pairs(part, scratch, [&](int e, int f) { two_edges(e, f, query, found); });
+        });
   }
-  return search_in_chunks<NearPairs>(edges_.size(), [&](std::size_t i, NearPairs& found) {
-    const int e = static_cast<int>(i);
-    if (!any_of(query.wanted, edges_[e])) return;
-    grid.near(edges[e].centre, edges[e].radius, [&](int f) {
-      if (f == e || (f < e && any_of(query.wanted, edges_[f]))) return;
-      two_edges(std::min(e, f), std::max(e, f), query, found);
-    });
-  });
+  std::vector<char> wanted(edges_.size());
+  for (std::size_t e = 0; e < edges_.size(); ++e) wanted[e] = any_of(query.wanted, edges_[e]);
+  return search_in_chunks<NearPairs>(
+      edges_.size(), [&](std::size_t i, SphereGrid::Scratch& scratch, NearPairs& found) {
+        const int e = static_cast<int>(i);
+        if (wanted[e] == 0) return;
+        grid.near(edges[e].box, scratch, [&](int f) {
+          if (f == e || (f < e && wanted[f] != 0)) return;
+          two_edges(std::min(e, f), std::max(e, f), query, found);
+        });
+      });
 }
 
 ProximitySearch::NearPairs ProximitySearch::near_pairs(const Query& query) const {

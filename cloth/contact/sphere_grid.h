@@ -1,135 +1,89 @@
-// A uniform grid in space that finds the spheres near a point.
+// A uniform grid in space that finds the shapes near another.
 #pragma once
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstddef>
-#include <limits>
-#include <numeric>
 #include <vector>
 
-#include "cloth/contact/constants.h"
 #include "geometry/types.h"
 
 namespace toile {
 
-/// Spheres of about one size, filed by their centres. The few that are much larger than the others
-/// are compared with every query.
+/// Shapes of about one size, filed by the centres of spheres around them. The few that are much
+/// larger than the others are compared with every query.
 class SphereGrid {
  public:
-  struct Sphere {
+  /// A box in space, from `low` to `high` (metres).
+  struct Box {
+    Vec3 low;
+    Vec3 high;
+  };
+  /// A shape: a sphere (metres) and a box that both contain it.
+  struct Shape {
     Vec3 centre;
     double radius;
+    Box box;
   };
+  /// Memory for one query at a time, to be used again for the next ones.
+  using Scratch = std::vector<int>;
 
-  /// Files `spheres` (metres) for queries within `reach` metres of a sphere. O(n).
-  SphereGrid(const std::vector<Sphere>& spheres, double reach) : reach_(reach) {
-    low_ = Vec3::Constant(std::numeric_limits<double>::max());
-    Vec3 high = -low_;
-    double sum = 0;
-    for (const Sphere& sphere : spheres) {
-      low_ = low_.cwiseMin(sphere.centre);
-      high = high.cwiseMax(sphere.centre);
-      sum += sphere.radius;
-    }
-    if (spheres.empty()) low_ = high = Vec3::Zero();
-    max_radius_ = large_sphere_ratio * sum / std::max<std::size_t>(spheres.size(), 1);
-    cell_ = std::max(0.5 * (2 * max_radius_ + reach), 1e-6);
-    const double max_cells = max_cells_per_sphere * static_cast<double>(spheres.size()) + 1;
-    while (((high - low_) / cell_ + Vec3::Ones()).prod() > max_cells) cell_ *= cell_growth;
-    for (int axis = 0; axis < 3; ++axis) {
-      size_[axis] = static_cast<int>((high[axis] - low_[axis]) / cell_) + 1;
-    }
-    first_.assign(static_cast<std::size_t>(size_[0]) * size_[1] * size_[2] + 1, 0);
-    std::vector<std::size_t> cell_of(spheres.size());
-    for (std::size_t i = 0; i < spheres.size(); ++i) {
-      if (spheres[i].radius > max_radius_) {
-        continue;
-      }
-      const Vec3& c = spheres[i].centre;
-      cell_of[i] = row(column(c, 1), column(c, 2)) + column(c, 0);
-      ++first_[cell_of[i] + 1];
-    }
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    items_.resize(first_.back());
-    std::vector<int> next(first_.begin(), first_.end() - 1);
-    for (std::size_t i = 0; i < spheres.size(); ++i) {
-      if (spheres[i].radius > max_radius_) continue;
-      items_[next[cell_of[i]]++] = {spheres[i].centre, spheres[i].radius, static_cast<int>(i)};
-    }
-    for (std::size_t i = 0; i < spheres.size(); ++i) {
-      if (spheres[i].radius <= max_radius_) continue;
-      items_.push_back({spheres[i].centre, spheres[i].radius, static_cast<int>(i)});
-    }
+  /// Files `shapes` for queries within `reach` metres of a box. O(n).
+  SphereGrid(const std::vector<Shape>& shapes, double reach);
+
+  /// Calls `visit` with the index of each shape whose box is less than the reach away from `box`
+  /// along each axis. Some may be a few micrometres farther. The order depends on the shapes only.
+  template <typename Visit>
+  void near(const Box& box, Scratch& scratch, const Visit& visit) const {
+    const std::size_t count = meeting(0, 0, widened(box), scratch);
+    for (std::size_t i = 0; i < count; ++i) visit(numbers_[scratch[i]]);
   }
 
-  /// Calls `visit` with the index of each sphere that is less than the reach away from the given
-  /// one. The order depends on the spheres only.
-  template <typename Visit>
-  void near(const Vec3& centre, double radius, const Visit& visit) const {
-    near_from(0, centre, radius, [&](const Item& item) { visit(item.number); });
-  }
+  /// Number of parts that all pairs of shapes fall into: one part per shape.
+  std::size_t parts() const { return numbers_.size(); }
 
-  /// Number of parts that all pairs of spheres fall into: one part per sphere.
-  std::size_t parts() const { return items_.size(); }
-
-  /// Calls `visit` with the indices, the lower first, of two spheres less than the reach apart, for
-  /// each such pair of a part. Over all parts in [0, parts()), each pair comes once.
+  /// Calls `visit` with the indices, the lower first, of two shapes whose boxes are near, as near()
+  /// does, for each such pair of a part. Over all parts in [0, parts()), each pair comes once.
   template <typename Visit>
-  void pairs(std::size_t part, const Visit& visit) const {
-    const Item& one = items_[part];
-    near_from(part + 1, one.centre, one.radius, [&](const Item& other) {
-      visit(std::min(one.number, other.number), std::max(one.number, other.number));
-    });
+  void pairs(std::size_t part, Scratch& scratch, const Visit& visit) const {
+    const std::size_t count = meeting(part + 1, rows_[part], widened(part), scratch);
+    const int one = numbers_[part];
+    for (std::size_t i = 0; i < count; ++i) {
+      const int other = numbers_[scratch[i]];
+      visit(std::min(one, other), std::max(one, other));
+    }
   }
 
  private:
-  struct Item {
-    Vec3 centre;
-    double radius;
-    int number;
+  /// Single precision, with a margin that is far above its rounding.
+  struct FloatBox {
+    std::array<float, 3> low;
+    std::array<float, 3> high;
   };
 
-  /// Calls `visit` with each near item, of those from index `start` on.
-  template <typename Visit>
-  void near_from(std::size_t start, const Vec3& centre, double radius, const Visit& visit) const {
-    const auto consider = [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = std::max(begin, start); i < end; ++i) {
-        const double apart = radius + items_[i].radius + reach_;
-        if ((items_[i].centre - centre).squaredNorm() < apart * apart) visit(items_[i]);
-      }
-    };
-    // Large spheres are in no cell.
-    const std::size_t filed = static_cast<std::size_t>(first_.back());
-    const double around = radius + max_radius_ + reach_;
-    const Vec3 from = centre - Vec3::Constant(around);
-    const Vec3 to = centre + Vec3::Constant(around);
-    const int x0 = column(from, 0);
-    const int x1 = column(to, 0);
-    const int y1 = column(to, 1);
-    const int z1 = column(to, 2);
-    for (int z = column(from, 2); z <= z1; ++z) {
-      for (int y = column(from, 1); y <= y1; ++y) {
-        consider(first_[row(y, z) + x0], first_[row(y, z) + x1 + 1]);
-      }
-    }
-    consider(filed, items_.size());
-  }
-
-  int column(const Vec3& p, int axis) const {
-    return static_cast<int>(std::clamp((p[axis] - low_[axis]) / cell_, 0.0, size_[axis] - 1.0));
-  }
-  std::size_t row(int y, int z) const {
-    return (static_cast<std::size_t>(z) * size_[1] + y) * size_[0];
-  }
+  FloatBox widened(const Box& box) const;
+  FloatBox widened(std::size_t item) const;
+  /// Finds the items, of those from index `start` on, whose boxes meet `box`: their indices come
+  /// first in `found`. None of them is in a row of cells before `first_row`. Returns their number.
+  std::size_t meeting(std::size_t start, int first_row, const FloatBox& box, Scratch& found) const;
+  std::size_t collect(std::size_t begin, std::size_t end, const FloatBox& box, std::size_t count,
+                      Scratch& found) const;
+  int column(double coordinate, int axis) const;
+  /// The number of a row of cells along x. Its first cell is that times size_[0].
+  int row(int y, int z) const { return z * size_[1] + y; }
 
   double reach_;
-  double max_radius_;
+  double margin_;        // metres around each box, for rounding
+  double filed_radius_;  // metres: the largest radius of a shape in a cell
   double cell_;
   Vec3 low_;
   int size_[3];
-  std::vector<int> first_;   // per cell, the index of its first item
-  std::vector<Item> items_;  // by cells, then the large spheres
+  std::vector<int> first_;  // per cell, the index of its first item
+  // Items are shapes by cells, then the large ones.
+  std::vector<int> numbers_;  // per item, the index of its shape
+  std::vector<int> rows_;     // per item, the row of its cell; that of no cell for large ones
+  std::array<std::vector<float>, 3> lows_;
+  std::array<std::vector<float>, 3> highs_;
 };
 
 }  // namespace toile

@@ -5,25 +5,42 @@
 #include <numeric>
 #include <utility>
 
+#include "geometry/columns.h"
 #include "geometry/parallel.h"
 
 namespace toile {
 
 namespace {
 
-/// Adds `stiffness` (N/m) in the direction of `yarn`, and `across` (N/m) square to it. `squared` is
-/// the squared length of `yarn`.
-void add_yarn(StiffnessBlock& sum, double stiffness, double across, const Vec4& yarn,
-              double squared) {
-  const double scale = (stiffness - across) / squared;
-  const Vec4 x = scale * yarn[0] * yarn;
-  const Vec4 y = scale * yarn[1] * yarn;
-  sum[0] += x[0] + across;
-  sum[1] += x[1];
-  sum[2] += x[2];
-  sum[3] += y[1] + across;
-  sum[4] += y[2];
-  sum[5] += scale * yarn[2] * yarn[2] + across;
+/// Corners that are handled at a time.
+constexpr std::size_t width = 4;
+
+/// The stiffness that yarns add at four corners, N/m: its first four entries, and its last two.
+struct AtCorners {
+  Vec4 first[width];
+  Vec4 last[width];
+};
+
+/// `stiffness` (N/m) in the direction of each yarn, and `across` (N/m) square to it. `squared` has
+/// the squared lengths of the yarns.
+[[gnu::always_inline]] inline AtCorners yarns_add(const Vec4& stiffness, const Vec4& across,
+                                                  const Columns& yarn, const Vec4& squared) {
+  const Vec4 scale = (stiffness - across) / squared;
+  const Columns x = scale * yarn.x * yarn;
+  const Vec4 by_y = scale * yarn.y;
+  AtCorners added;
+  const auto rows = [](const Vec4& a, const Vec4& b, const Vec4& c, const Vec4& d,
+                       Vec4(&out)[width]) {
+    Vec4 fourth;
+    const Columns turned = columns_of(a, b, c, d, &fourth);
+    out[0] = turned.x;
+    out[1] = turned.y;
+    out[2] = turned.z;
+    out[3] = fourth;
+  };
+  rows(x.x + across, x.y, x.z, by_y * yarn.y + across, added.first);
+  rows(by_y * yarn.z, scale * yarn.z * yarn.z + across, Vec4{}, Vec4{}, added.last);
+  return added;
 }
 
 /// A bound of the difference a - b along any direction, N/m.
@@ -34,8 +51,17 @@ double excess(const StiffnessBlock& a, const StiffnessBlock& b) {
   return std::sqrt(sum / 2);
 }
 
-double sum_of(const std::array<double, 3>& weights) {
-  return std::abs(weights[0]) + std::abs(weights[1]) + std::abs(weights[2]);
+[[gnu::always_inline]] inline Vec4 size_of(const Vec4& a) { return a < 0.0 ? -a : a; }
+
+[[gnu::always_inline]] inline Vec4 sum_of(const Columns& weights) {
+  return size_of(weights.x) + size_of(weights.y) + size_of(weights.z);
+}
+
+/// The size of the weight of each corner.
+[[gnu::always_inline]] inline Vec4 weight_of(const std::array<double, 3>* const (&weights)[width],
+                                             const TriangleCorner* const (&corners)[width]) {
+  return size_of(Vec4{(*weights[0])[corners[0]->corner], (*weights[1])[corners[1]->corner],
+                      (*weights[2])[corners[2]->corner], (*weights[3])[corners[3]->corner]});
 }
 
 }  // namespace
@@ -50,53 +76,106 @@ BlockStiffness::BlockStiffness(const GarmentModel& model) : model_(model) {
   partial_.resize(chunks_of(of_nodes_.size(), vertex_chunk));
 }
 
-[[gnu::always_inline]] inline StiffnessBlock BlockStiffness::at(std::size_t node,
-                                                                const Vec4s& x) const {
-  StiffnessBlock sum{};
-  for (const auto& [t, c] : corners_[node]) {
-    const StretchTriangle& s = model_.stretch[t];
-    const Triangle& nodes = model_.node_triangles[t];
+/// The stiffness that the weft yarns and the warp yarns of triangles add at four of their corners.
+[[gnu::always_inline]] inline void stiffness_of(const GarmentModel& model, const Vec4s& x,
+                                                const TriangleCorner* const (&corners)[width],
+                                                AtCorners& by_weft, AtCorners& by_warp) {
+  const StretchTriangle* triangles[width];
+  const std::array<double, 3>* weft_weights[width];
+  const std::array<double, 3>* warp_weights[width];
+  Vec4 wefts[width];
+  Vec4 warps[width];
+  for (std::size_t i = 0; i < width; ++i) {
+    const int t = corners[i]->triangle;
+    const StretchTriangle& s = model.stretch[t];
+    triangles[i] = &s;
+    weft_weights[i] = &s.weft;
+    warp_weights[i] = &s.warp;
+    const Triangle& nodes = model.node_triangles[t];
     const Vec4& a = x[nodes[0]];
     const Vec4& b = x[nodes[1]];
     const Vec4& d = x[nodes[2]];
-    const Vec4 weft = s.weft[0] * a + s.weft[1] * b + s.weft[2] * d;
-    const Vec4 warp = s.warp[0] * a + s.warp[1] * b + s.warp[2] * d;
-    const double weft_squared = std::max(squared_length(weft), 1e-18);
-    const double warp_squared = std::max(squared_length(warp), 1e-18);
-    const double of_weft = std::abs(s.weft[c]);
-    const double of_warp = std::abs(s.warp[c]);
-    const double weft_sum = sum_of(s.weft);
-    const double warp_sum = sum_of(s.warp);
-    // A shearing triangle pulls each of its yarns along the other. |Σ a_i + b_i|² is at most the
-    // sum of the weights times the sum of their squares. Once it is sheared, its pulls turn with
-    // the yarns, in whichever direction these turn.
-    const double shear = s.shear_stiffness * (weft_sum + warp_sum);
-    const double sheared =
-        s.shear_stiffness * std::abs(dot(weft, warp)) * (of_weft * warp_sum + of_warp * weft_sum);
-    const double weft_stiffness = s.weft_stiffness * of_weft * weft_sum;
-    const double warp_stiffness = s.warp_stiffness * of_warp * warp_sum;
-    const auto tension = [](double squared) { return std::max(0.0, 1 - 1 / std::sqrt(squared)); };
-    add_yarn(sum, weft_stiffness + shear * of_warp * weft_squared + sheared,
-             weft_stiffness * tension(weft_squared) + sheared, weft, weft_squared);
-    add_yarn(sum, warp_stiffness + shear * of_weft * warp_squared,
-             warp_stiffness * tension(warp_squared), warp, warp_squared);
+    wefts[i] = s.weft[0] * a + s.weft[1] * b + s.weft[2] * d;
+    warps[i] = s.warp[0] * a + s.warp[1] * b + s.warp[2] * d;
   }
-  if (!elastic_.empty()) {
-    for (const int i : {0, 3, 5}) sum[i] += elastic_[node];
-  }
-  return sum;
+  const auto all = [&](const auto& of) {
+    return Vec4{of(*triangles[0]), of(*triangles[1]), of(*triangles[2]), of(*triangles[3])};
+  };
+  const auto weights = [&](const std::array<double, 3> StretchTriangle::*yarn) {
+    const auto corner = [&](int c) {
+      return all([&](const StretchTriangle& s) { return (s.*yarn)[c]; });
+    };
+    return Columns{corner(0), corner(1), corner(2)};
+  };
+  const Columns weft = columns_of(wefts[0], wefts[1], wefts[2], wefts[3]);
+  const Columns warp = columns_of(warps[0], warps[1], warps[2], warps[3]);
+  const Vec4 weft_squared = larger(dot(weft, weft), repeated(1e-18));
+  const Vec4 warp_squared = larger(dot(warp, warp), repeated(1e-18));
+  const Vec4 of_weft = weight_of(weft_weights, corners);
+  const Vec4 of_warp = weight_of(warp_weights, corners);
+  const Vec4 weft_sum = sum_of(weights(&StretchTriangle::weft));
+  const Vec4 warp_sum = sum_of(weights(&StretchTriangle::warp));
+  const Vec4 shear_stiffness = all([](const StretchTriangle& s) { return s.shear_stiffness; });
+  // A shearing triangle pulls each of its yarns along the other. |Σ a_i + b_i|² is at most the
+  // sum of the weights times the sum of their squares. Once it is sheared, its pulls turn with
+  // the yarns, in whichever direction these turn.
+  const Vec4 shear = shear_stiffness * (weft_sum + warp_sum);
+  const Vec4 sheared =
+      shear_stiffness * size_of(dot(weft, warp)) * (of_weft * warp_sum + of_warp * weft_sum);
+  const Vec4 weft_stiffness =
+      all([](const StretchTriangle& s) { return s.weft_stiffness; }) * of_weft * weft_sum;
+  const Vec4 warp_stiffness =
+      all([](const StretchTriangle& s) { return s.warp_stiffness; }) * of_warp * warp_sum;
+  const auto tension = [](const Vec4& squared) {
+    return larger(1 - 1 / square_root(squared), Vec4{});
+  };
+  by_weft = yarns_add(weft_stiffness + shear * of_warp * weft_squared + sheared,
+                      weft_stiffness * tension(weft_squared) + sheared, weft, weft_squared);
+  by_warp = yarns_add(warp_stiffness + shear * of_weft * warp_squared,
+                      warp_stiffness * tension(warp_squared), warp, warp_squared);
 }
 
+/// Four corners at a time: the arithmetic of one corner waits for its roots and quotients. Each
+/// node adds up its corners in their order.
 TOILE_CLONES
 double BlockStiffness::update(std::size_t begin, std::size_t end, const Vec4s& x) {
-  double sum = 0;
+  struct Sum {
+    Vec4 first;
+    Vec4 last;
+  };
+  Sum sums[vertex_chunk] = {};
+  std::size_t node = begin;
+  std::size_t left = corners_[node].size();  // corners of this node
+  const TriangleCorner* const stop = corners_[end - 1].data() + corners_[end - 1].size();
+  for (const TriangleCorner* at = corners_[begin].data(); at < stop; at += width) {
+    const auto count = std::min<std::size_t>(width, stop - at);
+    const TriangleCorner* const corners[width] = {at, at + std::min<std::size_t>(1, count - 1),
+                                                  at + std::min<std::size_t>(2, count - 1),
+                                                  at + std::min<std::size_t>(3, count - 1)};
+    AtCorners by_weft;
+    AtCorners by_warp;
+    stiffness_of(model_, x, corners, by_weft, by_warp);
+    for (std::size_t i = 0; i < count; ++i) {
+      while (left == 0) left = corners_[++node].size();
+      --left;
+      Sum& sum = sums[node - begin];
+      sum.first = sum.first + by_weft.first[i] + by_warp.first[i];
+      sum.last = sum.last + by_weft.last[i] + by_warp.last[i];
+    }
+  }
+  double change = 0;
   for (std::size_t n = begin; n < end; ++n) {
-    const StiffnessBlock now = at(n, x);
+    const Sum& sum = sums[n - begin];
+    StiffnessBlock now = {sum.first[0], sum.first[1], sum.first[2],
+                          sum.first[3], sum.last[0],  sum.last[1]};
+    if (!elastic_.empty()) {
+      for (const int i : {0, 3, 5}) now[i] += elastic_[n];
+    }
     const double bound = model_.stretch_diagonal[n];
-    if (bound > 0) sum += excess(now, of_nodes_[n]) / bound;
+    if (bound > 0) change += excess(now, of_nodes_[n]) / bound;
     of_nodes_[n] = now;
   }
-  return sum;
+  return change;
 }
 
 double BlockStiffness::update(const Vec4s& x) {

@@ -80,8 +80,7 @@ class BlockStiffness {
   const std::vector<StiffnessBlock>& of_nodes() const { return of_nodes_; }
 
  private:
-  StiffnessBlock at(std::size_t node, const Vec4s& x) const;
-  /// Updates nodes `begin` to `end`; returns the sum of their changes.
+  /// Updates nodes `begin` to `end`, at most vertex_chunk; returns the sum of their changes.
   double update(std::size_t begin, std::size_t end, const Vec4s& x);
 
   const GarmentModel& model_;

@@ -311,7 +311,9 @@ void ClothForces::gather(std::size_t begin, std::size_t end) {
       stiffness += vertex_force_[v][3];
       force += vertex_force_[v];
       pairs.add(v, force, stiffness);
-      if (has_body) neighbourhood_->contact(v).add(p[v], friction, force, stiffness);
+      if (has_body && neighbourhood_->near_body(v)) {
+        neighbourhood_->contact(v).add(p[v], friction, force, stiffness);
+      }
       if (attracts) force += attraction_[v];
     }
     force[3] = stiffness;

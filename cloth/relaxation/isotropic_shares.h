@@ -26,10 +26,10 @@ class IsotropicShares {
   const std::vector<double>& of_nodes() const { return shares_; }
 
   /// Adapts the shares of nodes `begin` to `end`, which is at most begin + 4. `glides`: metres, the
-  /// last move of each of them; zero as the fourth component. `stopped`: not 0 for a node that a
-  /// bound has stopped of late; it would tremble. Both have four places.
+  /// last move of each of them; zero as the fourth component. `stops`: more than 0 for a node that
+  /// a bound has stopped of late; it would tremble. Both have four places.
   [[gnu::always_inline]] void adapt(std::size_t begin, std::size_t end, const Vec4 (&glides)[4],
-                                    const int (&stopped)[4]);
+                                    const Vec4& stops);
 
  private:
   std::vector<double> shares_;    // per node
@@ -40,12 +40,10 @@ class IsotropicShares {
 
 [[gnu::always_inline]] inline void IsotropicShares::adapt(std::size_t begin, std::size_t end,
                                                           const Vec4 (&glides)[4],
-                                                          const int (&stopped)[4]) {
+                                                          const Vec4& stops) {
   const Places at(begin, end);
   const Columns glide = columns_of(glides[0], glides[1], glides[2], glides[3]);
   const Columns last = at.of(last_glide_);
-  const Vec4 stops = {static_cast<double>(stopped[0]), static_cast<double>(stopped[1]),
-                      static_cast<double>(stopped[2]), static_cast<double>(stopped[3])};
   const Vec4 least = at.of(least_);
   const Vec4 grown = smaller(trembling_growth * least, repeated(max_isotropic_share));
   const Vec4 shrunk = larger(trembling_decay * least, repeated(min_isotropic_share));

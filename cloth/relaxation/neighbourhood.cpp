@@ -39,6 +39,7 @@ Neighbourhood::Neighbourhood(const GarmentModel& model, const ForceOptions& opti
       vertices_(vertices),
       x_(x),
       contacts_(vertices.count),
+      near_body_(vertices.count, 0),
       approach_bound_(vertices.spread(approach_bounds(model))),
       safe_balls_(vertices.count, Vec4{}) {
   if ((options.bounded || options.bounded_by_body) && touches_body_exactly(model.scene) &&
@@ -153,6 +154,7 @@ void Neighbourhood::set_safe_ball(std::size_t v, const Vec3& p) {
       const double offset = model_.body_offset + extra_offset(static_cast<int>(v));
       contacts_[v].linearize(model_.scene, p, offset, options_.linearization_radius,
                              approach_bound_[v]);
+      near_body_[v] = contacts_[v].near();
     }
     radius = contacts_[v].remaining(p);
   }

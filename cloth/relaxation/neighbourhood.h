@@ -49,6 +49,8 @@ class Neighbourhood {
   int searches() const { return searches_; }
 
   BodyContact& contact(std::size_t v) { return contacts_[v]; }
+  /// Whether the body is near enough to push vertex v: contact(v).near(), found sooner.
+  [[gnu::always_inline]] bool near_body(std::size_t v) const { return near_body_[v] != 0; }
   PairForces& pairs() { return pairs_; }
   const PairForces& pairs() const { return pairs_; }
   const std::vector<BodyContact>& contacts() const { return contacts_; }
@@ -92,6 +94,7 @@ class Neighbourhood {
   const Vertices& vertices_;
   const Vec4s& x_;
   std::vector<BodyContact> contacts_;   // per vertex
+  std::vector<char> near_body_;         // per vertex
   std::vector<double> approach_bound_;  // metres, per vertex
   /// Metres, per vertex: the centre of its ball, and the squared radius as the fourth.
   Vec4s safe_balls_;

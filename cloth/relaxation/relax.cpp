@@ -79,7 +79,7 @@ class Relaxation {
         touch_factor_(std::max(1.0, step_factor_ * (1 + multilevel_.levels()) / max_momentum_step)),
         node_force_(model.nodes, Vec4{}),
         x_(as_vec4(x)),
-        stops_(model.nodes, 0),
+        stops_(4 * chunks_of(model.nodes, 4), 0),
         shares_(model),
         partial_(chunks_of(model.nodes, vertex_chunk)) {}
 
@@ -94,6 +94,7 @@ class Relaxation {
   double bend_stiffness(std::size_t n) const {
     return model_.bend.empty() ? 0 : bending_ * model_.bend_diagonal[n];
   }
+  Vec4 count_stops(std::size_t first, int moved);
   double step_nodes(std::size_t begin, std::size_t end, const ClothForces::Mover& move);
   /// What becomes of crossing cloth.
   enum class Crossing { goes_on, gone, stuck };
@@ -123,10 +124,11 @@ class Relaxation {
   /// Factor on the stiffness of contacts. It holds nodes on all levels alike, and their steps add
   /// up.
   double touch_factor_;
-  Vec4s free_force_;        // node_force_, 0 on nodes that bounds hold
-  Vec4s node_force_;        // N, stiffness of contacts (N/m) as the fourth
-  Vec4s x_;                 // the iterate before momentum
-  std::vector<int> stops_;  // per node: grows by 2 when a bound stops it, else falls by 1
+  Vec4s free_force_;  // node_force_, 0 on nodes that bounds hold
+  Vec4s node_force_;  // N, stiffness of contacts (N/m) as the fourth
+  Vec4s x_;           // the iterate before momentum
+  /// Per node: grows by 2 when a bound stops it, else falls by 1. Filled up to groups of four.
+  std::vector<int> stops_;
   IsotropicShares shares_;
   std::vector<double> partial_;
   double counted_force_ = std::numeric_limits<double>::infinity();  // N, see counted_force
@@ -140,12 +142,14 @@ class Relaxation {
 };
 
 /// Takes the forces on nodes `begin` to `end`, with the stiffness of contacts as the fourth.
+TOILE_CLONES
 void Relaxation::take_forces(const Vec4s& forces, std::size_t begin, std::size_t end) {
   for (std::size_t n = begin; n < end; ++n) {
-    Vec4 force = forces[n];
-    const double stiffness = force[3];
-    force[3] = touch_factor_ * (stiffness - forces_.stretch_stiffness(n) - bend_stiffness(n));
-    node_force_[n] = force;
+    const double stiffness = forces[n][3];
+    const double contacts =
+        touch_factor_ * (stiffness - forces_.stretch_stiffness(n) - bend_stiffness(n));
+    // A number stored into a vector that is then read whole would hold up the next read.
+    node_force_[n] = __builtin_shufflevector(forces[n], repeated(contacts), 0, 1, 2, 7);
   }
 }
 
@@ -158,6 +162,19 @@ void Relaxation::update_blocks() {
                                                         min_block_interval, max_block_interval));
   until_blocks_ = block_interval_;
   multilevel_.set_blocks(blocks_.of_nodes(), shares_.of_nodes());
+}
+
+/// Counts the stops of four nodes from `first` on; `moved` has a bit for each that was not stopped.
+[[gnu::always_inline]] inline Vec4 Relaxation::count_stops(std::size_t first, int moved) {
+  using Counts = int __attribute__((vector_size(16), aligned(4), may_alias));
+  using Bits = int __attribute__((vector_size(16)));
+  Counts& counts = *reinterpret_cast<Counts*>(&stops_[first]);
+  const Bits bits = {1, 2, 4, 8};
+  Bits sum = counts + (((bits & moved) != 0) ? Bits{-1, -1, -1, -1} : Bits{2, 2, 2, 2});
+  sum = sum > 0 ? sum : Bits{};
+  sum = sum < 2 * held_stops ? sum : Bits{} + 2 * held_stops;
+  counts = sum;
+  return __builtin_convertvector(sum, Vec4);
 }
 
 /// Four nodes at a time: the arithmetic of one node waits for its roots and quotients.
@@ -192,7 +209,7 @@ double Relaxation::step_nodes(std::size_t begin, std::size_t end, const ClothFor
     store_rows(next, next_rows, {0, 1, 2, 3});
     store_rows(wanted, wanted_rows, {0, 1, 2, 3});
     Vec4 glides[4] = {};
-    int stops[4] = {};
+    int all_moved = 0;  // a bit for each node
     for (std::size_t i = 0; first + i < last; ++i) {
       const std::size_t n = first + i;
       const Vec4 before = forces_.node(n);
@@ -200,11 +217,10 @@ double Relaxation::step_nodes(std::size_t begin, std::size_t end, const ClothFor
       x_[n] = moved ? next_rows[i] : forces_.node(n);
       // A node against its bound goes nowhere, however hard it is pulled.
       if (moved) power += own_power[i];
-      stops_[n] = std::clamp(stops_[n] + (moved ? -1 : 2), 0, 2 * held_stops);
-      stops[i] = stops_[n];
+      all_moved |= static_cast<int>(moved) << i;
       glides[i] = forces_.node(n) - before;
     }
-    shares_.adapt(first, last, glides, stops);
+    shares_.adapt(first, last, glides, count_stops(first, all_moved));
   }
   return power;
 }
@@ -259,7 +275,7 @@ Residual Relaxation::measure_residual() {
 /// The nodes that bounds hold.
 std::vector<std::size_t> Relaxation::held() const {
   std::vector<std::size_t> nodes;
-  for (std::size_t n = 0; n < stops_.size(); ++n) {
+  for (std::size_t n = 0; n < node_force_.size(); ++n) {
     if (stops_[n] >= held_stops) nodes.push_back(n);
   }
   return nodes;
