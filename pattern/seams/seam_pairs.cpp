@@ -51,9 +51,10 @@ bool may_meet(PanelRole a, PanelRole b) {
 
 }  // namespace
 
-SeamEvidence seam_evidence(const Pattern& pattern, bool drawn_walk) {
+SeamEvidence seam_evidence(const Pattern& pattern, bool drawn_walk,
+                           const std::vector<char>& turned_over) {
   SeamEvidence evidence;
-  evidence.edges = walked_edges(pattern, drawn_walk);
+  evidence.edges = walked_edges(pattern, drawn_walk, turned_over);
   for (const PatternPanel& panel : pattern.panels) evidence.words.push_back(words_of(panel));
   evidence.fits = panel_fits(evidence.edges);
   evidence.shapes = edge_shapes(evidence.edges, evidence.fits);
@@ -63,6 +64,11 @@ SeamEvidence seam_evidence(const Pattern& pattern, bool drawn_walk) {
 
 double turning_of(const WalkedEdge& edge) {
   return edge.turning[0] + edge.turning[1] + edge.turning[2] + edge.turning[3];
+}
+
+int edge_across(const std::vector<WalkedEdge>& edges, int edge) {
+  const int across = edges[edges[edge].next].next;
+  return across != edge && edges[edges[across].next].next == edge ? across : -1;
 }
 
 SeamPairs::SeamPairs(const SeamEvidence& evidence, bool heed_sides)
@@ -112,6 +118,12 @@ void SeamPairs::measure_shapes(int a, int b, SeamMeasures& measures) const {
                    (second.next == a && edges_[a].corner > sharpest_dart_tip);
   if (tip && ratio < 1.05) {
     at(dart) = 1;
+    // From the opening to the tip, by the warp as drawn.
+    const bool leads = first.next == b && edges_[b].corner > sharpest_dart_tip;
+    const double up = (leads ? first.rise - second.rise : second.rise - first.rise) / 2;
+    at(dart_upwards) = std::max(0.0, up);
+    const PanelRole role = words_[first.ref.panel].role;
+    if (role == PanelRole::skirt || role == PanelRole::trousers) at(slit) = std::max(0.0, up);
     return;
   }
   const double up = first.upwards * second.upwards;
@@ -134,6 +146,10 @@ void SeamPairs::measure_shapes(int a, int b, SeamMeasures& measures) const {
     at(equal_length) = 1;
     at(rare_length) = is_rare(first.length, a, b) ? 1 : 0;
   }
+  const double end_a = narrowing(a);
+  const double end_b = narrowing(b);
+  at(ends_differ) = std::sqrt(std::max(0.0, -end_a * end_b));
+  at(ends_alike) = std::sqrt(std::max(0.0, end_a * end_b));
   at(close_length) = std::exp(-(ratio - 1) / 0.005);
   at(near_length) = std::exp(-(ratio - 1) / 0.03);
   at(log_ratio) = std::log(ratio);
@@ -142,6 +158,13 @@ void SeamPairs::measure_shapes(int a, int b, SeamMeasures& measures) const {
   else
     at(curve_gathered) = curve_match(first.turning, second.turning);
   at(grains_differ) = std::abs(first.across_grain - second.across_grain);
+}
+
+/// Logarithm of the length of the edge across a panel of four edges over that of this one.
+double SeamPairs::narrowing(int edge) const {
+  const int across = edge_across(edges_, edge);
+  if (across < 0) return 0;
+  return std::clamp(std::log(edges_[across].length / edges_[edge].length), -1.0, 1.0);
 }
 
 double SeamPairs::longest_of_panel(int edge) const {
@@ -215,7 +238,10 @@ void SeamPairs::measure_names(int a, int b, SeamMeasures& measures) const {
   } else {
     const bool faces = first.face * second.face < 0;
     const bool both = first.number >= 0 && second.number >= 0;
-    if (first.side * second.side < 0 && mirror_[a] == b) at(named_halves) = 1;
+    if (first.side * second.side < 0 && mirror_[a] == b) {
+      at(named_halves) = 1;
+      if (first.role == PanelRole::trousers) at(crotch) = 1;
+    }
     if (faces && first.number != second.number) {
       at(numbers_differ) = 1;
     } else if (named && faces) {

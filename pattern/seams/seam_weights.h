@@ -29,6 +29,10 @@ enum class SeamMeasure {
   rise_apart,     ///< the same where one goes up and the other down
   same_panel,     ///< 1: both edges are of one panel, not the legs of a dart
   dart,           ///< 1: the legs of a dart
+  dart_upwards,   ///< the same: cosine between the warp as drawn and the way to its tip, if above 0
+  slit,           ///< the same of a skirt or of trousers, by their names: no darts point up there
+  ends_differ,    ///< the wider end of a four-sided piece meets the narrower end of another
+  ends_alike,     ///< wider meets wider or narrower narrower: geometric mean of both logarithms
   concave,        ///< radians by which the edge turns inwards that does so less; 0 if one does not
   roles_agree,    ///< 1: pieces of two such kinds are sewn together, by their names
   sides_differ,   ///< 1: left and right, and not mirror partners
@@ -38,6 +42,7 @@ enum class SeamMeasure {
   numbers_apart,   ///< 1: of one name, with numbers between them
   words_alike,     ///< of different pieces: words of the shorter name that the other has, 0 to 1
   named_halves,    ///< 1: the left and the right half of one piece, mirror partners
+  crotch,          ///< 1: the same of trousers
   front_and_back,  ///< 1: front and back of one piece, with one number or none
   numbers_differ,  ///< 1: front and back of one piece, with other numbers
   first_number,    ///< 1: of one name without a number, and the lowest number
@@ -64,6 +69,8 @@ enum class SeamMeasure {
   more_at_border_off,
   unlike,  ///< radians by which two edges turn differently that continue each other over a seam
   jump,    ///< change of the fullness along a seam that runs on straight, 1 is 20 % or more
+  same_fullness,   ///< seams that run on straight, both gathered, and by the same ratio
+  narrow_open,     ///< open edges whose edge across is sewn and longer: the logarithms, at most 1
   border_hole,     ///< borders shorter than 8 cm
   border_small,    ///< borders of 8 to 16 cm
   one_border,      ///< 1: the garment has one border, or none
