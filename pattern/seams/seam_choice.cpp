@@ -11,8 +11,11 @@ namespace toile {
 
 namespace {
 
-/// Searches with the weights as they are, and with shaken ones.
+/// Searches with the weights as they are: to know the worth, and to be certain.
 constexpr int plain_searches = 4;
+constexpr int all_plain_searches = 12;
+
+/// Searches with shaken weights.
 constexpr int shaken_searches = 10;
 
 /// Weights are shaken by this part, up or down.
@@ -115,13 +118,19 @@ std::vector<SeamSearch::Garment> SeamChooser::found_without() const {
 }
 
 SeamChoice SeamChooser::choose() {
+  plain_.resize(all_plain_searches);
+  parallel_for(all_plain_searches - plain_searches, [&](std::size_t run) {
+    SeamSearch search = search_;
+    plain_[plain_searches + run] = search.search(plain_searches + static_cast<int>(run));
+  });
+  best_ = SeamSearch::Garment(better_of(plain_, best_));
   const std::vector<SeamSearch::Garment> shaken = found_with_shaken_weights();
   std::vector<SeamSearch::Garment> polished(shaken.size());
   parallel_for(shaken.size(), [&](std::size_t i) {
     SeamSearch search = search_;
     polished[i] = search.near(shaken[i].partners);
   });
-  best_ = better_of(polished, best_);
+  best_ = SeamSearch::Garment(better_of(polished, best_));
   std::vector<SeamSearch::Garment> without = found_without();
   for (int round = 1; round < most_rounds; ++round) {
     const SeamSearch::Garment& better = better_of(without, best_);
@@ -195,7 +204,7 @@ void SeamChooser::tell_signs(const std::vector<SeamSearch::Garment>& shaken,
     const double lacks =
         without[seam.a].partners.empty() ? widest_gap : best_.worth - without[seam.a].worth;
     at(signs, SeamSign::gap) = std::log1p(std::clamp(lacks, 0.0, widest_gap));
-    at(signs, SeamSign::settled) = static_cast<double>(times) / plain_searches;
+    at(signs, SeamSign::settled) = static_cast<double>(times) / all_plain_searches;
     at(signs, SeamSign::edges) = std::log(static_cast<double>(edges.size()));
     const auto role = [&](int e) { return evidence_.words[edges[e].ref.panel].role; };
     at(signs, SeamSign::named) =

@@ -20,6 +20,7 @@ struct SeamEvidence {
   std::vector<WalkedEdge> edges;
   std::vector<PanelWords> words;  ///< per panel
   std::vector<int> mirror;        ///< per edge, see mirror_partners()
+  std::vector<char> turned_over;  ///< per panel, see walked_edges()
   std::vector<PanelFit> fits;
   EdgeShapes shapes;
 };
@@ -58,6 +59,7 @@ class SeamPairs {
   const std::vector<PanelWords>& words_;
   const std::vector<int>& mirror_;
   const std::vector<int>& shape_;
+  const std::vector<char>& turned_over_;
   bool heed_sides_ = true;
 };
 

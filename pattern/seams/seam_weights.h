@@ -19,7 +19,9 @@ enum class SeamMeasure {
   coincide,         ///< 1: the edges coincide
   coincide_curved,  ///< radians that edges turn which coincide, both added up, at most pi
   halves,  ///< the edges are mirror partners on two panels: their length over the longest edge
-  across_grain,    ///< the edges coincide: the sine of their chord's angle to the warp
+  halves_concave,  ///< the same: radians that both turn inwards, as at the crotch, at most 1
+  folded_over,     ///< 1: one of the two panels is turned over, see SeamEvidence::turned_over
+  across_grain,    ///< the edges coincide, and are no upper and lower one: the sine of their angle to the warp
   curve_gathered,  ///< the same as `curve`, where lengths differ by more than 30 %
   grains_differ,   ///< difference of the sines of the chords' angles to the warp
   up_and_down,  ///< outlines go up, by the warp as drawn, beyond one edge and down beyond the other
@@ -42,7 +44,6 @@ enum class SeamMeasure {
   numbers_apart,   ///< 1: of one name, with numbers between them
   words_alike,     ///< of different pieces: words of the shorter name that the other has, 0 to 1
   named_halves,    ///< 1: the left and the right half of one piece, mirror partners
-  crotch,          ///< 1: the same of trousers
   front_and_back,  ///< 1: front and back of one piece, with one number or none
   numbers_differ,  ///< 1: front and back of one piece, with other numbers
   first_number,    ///< 1: of one name without a number, and the lowest number
@@ -69,6 +70,7 @@ enum class SeamMeasure {
   more_at_border_off,
   unlike,  ///< radians by which two edges turn differently that continue each other over a seam
   jump,    ///< change of the fullness along a seam that runs on straight, 1 is 20 % or more
+  fold,            ///< points where panels meet that are turned over and others that are not
   same_fullness,   ///< seams that run on straight, both gathered, and by the same ratio
   narrow_open,     ///< open edges whose edge across is sewn and longer: the logarithms, at most 1
   border_hole,     ///< borders shorter than 8 cm

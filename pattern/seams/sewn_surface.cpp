@@ -33,7 +33,9 @@ constexpr double small_border = 0.16;
 }  // namespace
 
 SewnSurface::SewnSurface(const SeamEvidence& evidence)
-    : edges_(static_cast<int>(evidence.edges.size())), mirror_(evidence.mirror) {
+    : edges_(static_cast<int>(evidence.edges.size())),
+      mirror_(evidence.mirror),
+      turned_over_(evidence.turned_over) {
   for (const WalkedEdge& edge : evidence.edges) {
     next_.push_back(edge.next);
     previous_.push_back(edge.previous);
@@ -136,8 +138,13 @@ void SewnSurface::measure_inside(SeamMeasures& sum) const {
   const auto at = [&](SeamMeasure measure) -> double& { return sum[static_cast<int>(measure)]; };
   double angle = 0;
   for (const int corner : corners_) angle += angle_[corner];
-  const double off = std::min(std::abs(angle - 4 * right_angle) / right_angle, most_off);
+  const double off =
+      weight_of_point() * std::min(std::abs(angle - 4 * right_angle) / right_angle, most_off);
   const std::size_t corners = corners_.size();
+  if (is_fold()) {
+    at(fold) += 1;
+    return;
+  }
   if (corners == 1) {
     at(angle > sharpest_dart_tip ? dart_tip : cone) += 1;
     return;
@@ -159,7 +166,7 @@ void SewnSurface::measure_inside(SeamMeasures& sum) const {
     at(more_inside) += 1;
     at(more_inside_off) += off;
   }
-  if (corners > 2) at(junction_off) += off_junction();
+  if (corners > 2) at(junction_off) += weight_of_point() * off_junction();
   measure_fullness(true, sum);
   at(unlike) += unlikeness(true);
 }
@@ -179,10 +186,30 @@ void SewnSurface::measure_at_border(SeamMeasures& sum) const {
     }
     return;
   }
+  if (is_fold()) {
+    at(fold) += 1;
+    return;
+  }
   at(corners == 2 ? two_at_border : more_at_border) += 1;
   at(corners == 2 ? two_at_border_off : more_at_border_off) += off;
   measure_fullness(false, sum);
   at(unlike) += unlikeness(false);
+}
+
+/// Whether a piece that is turned over meets one that is not, as a collar the bodice it lies on.
+bool SewnSurface::is_fold() const {
+  return std::any_of(corners_.begin(), corners_.end(), [&](int corner) {
+    return turned_over_[panel_[corner]] != turned_over_[panel_[corners_.front()]];
+  });
+}
+
+/// Less than 1 beside a short edge, whose direction says little.
+double SewnSurface::weight_of_point() const {
+  double shortest = short_edge;
+  for (const int corner : corners_) {
+    shortest = std::min({shortest, length_[corner], length_[previous_[corner]]});
+  }
+  return shortest / short_edge;
 }
 
 double SewnSurface::off_junction() const {

@@ -37,6 +37,8 @@ class SewnSurface {
   double fullness(int corner, bool leaving) const;
   double shorter(int corner, bool leaving) const;
   bool is_crossing() const;
+  bool is_fold() const;
+  double weight_of_point() const;
 
   int edges_ = 0;
   int panels_ = 0;
@@ -48,6 +50,7 @@ class SewnSurface {
   std::vector<double> angle_;    // of the corner where the edge starts
   std::vector<double> turning_;  // of the edge
   std::vector<int> mirror_;
+  std::vector<char> turned_over_;  // per panel
   std::vector<int> across_;  // see edge_across()
   std::vector<char> notch_;  // where the edge starts
 
