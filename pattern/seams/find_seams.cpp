@@ -70,8 +70,7 @@ class Finder {
     for (const int face : {0, 1, -1}) {
       std::vector<char> turned;
       for (const PanelWords& words : evidence_.words) {
-        const bool chosen =
-            words.role == PanelRole::collar && (face == 0 || words.face == face);
+        const bool chosen = words.role == PanelRole::collar && (face == 0 || words.face == face);
         turned.push_back(chosen ? 1 : 0);
       }
       if (std::find(turned.begin(), turned.end(), 1) != turned.end()) all.insert(turned);

@@ -39,8 +39,8 @@ class SeamSearch {
   /// The better one of near() and search().
   Garment best_near(const Partners& partners, int run);
 
-  /// The best garment that has each block of seams either from the one or from the other: blocks are
-  /// the parts of the difference of both matchings (partition crossover; Whitley et al. 2009).
+  /// The best garment that has each block of seams from the one or from the other. Blocks are the
+  /// parts of the difference of both matchings (partition crossover; Whitley et al. 2009).
   Garment recombined(const Garment& best, const Garment& other);
 
   /// Same numbers: seams that differ in which of equal pieces they join.

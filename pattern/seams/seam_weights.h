@@ -21,7 +21,8 @@ enum class SeamMeasure {
   halves,  ///< the edges are mirror partners on two panels: their length over the longest edge
   halves_concave,  ///< the same: radians that both turn inwards, as at the crotch, at most 1
   folded_over,     ///< 1: one of the two panels is turned over, see SeamEvidence::turned_over
-  across_grain,    ///< the edges coincide, and are no upper and lower one: the sine of their angle to the warp
+  across_grain,  ///< the edges coincide, and are no upper and lower one: the sine of their angle to
+                 ///< the warp
   curve_gathered,  ///< the same as `curve`, where lengths differ by more than 30 %
   grains_differ,   ///< difference of the sines of the chords' angles to the warp
   up_and_down,  ///< outlines go up, by the warp as drawn, beyond one edge and down beyond the other
@@ -70,7 +71,7 @@ enum class SeamMeasure {
   more_at_border_off,
   unlike,  ///< radians by which two edges turn differently that continue each other over a seam
   jump,    ///< change of the fullness along a seam that runs on straight, 1 is 20 % or more
-  fold,            ///< points where panels meet that are turned over and others that are not
+  fold,    ///< points where panels meet that are turned over and others that are not
   same_fullness,   ///< seams that run on straight, both gathered, and by the same ratio
   narrow_open,     ///< open edges whose edge across is sewn and longer: the logarithms, at most 1
   border_hole,     ///< borders shorter than 8 cm

@@ -51,8 +51,8 @@ class SewnSurface {
   std::vector<double> turning_;  // of the edge
   std::vector<int> mirror_;
   std::vector<char> turned_over_;  // per panel
-  std::vector<int> across_;  // see edge_across()
-  std::vector<char> notch_;  // where the edge starts
+  std::vector<int> across_;        // see edge_across()
+  std::vector<char> notch_;        // where the edge starts
 
   const Partners* partners_ = nullptr;
   std::vector<int> corners_;  // that meet, in their order

@@ -1,6 +1,6 @@
-// Why find-seams errs: for each garment whose seams are not all found, whether the stated garment is
-// worth more than the found one (the search failed), or less (the weights did), and which measures
-// speak for the found one. By hand:
+// Why find-seams errs, for each garment whose seams are not all found. Is the stated garment worth
+// more than the found one, the search failed; is it worth less, the weights did. Lists the measures
+// that speak for the found one, and those that speak for the stated one. By hand:
 //
 //   cmake --build build/release --target bench_seam_causes
 //   build/release/tests/bench_seam_causes FILE...
@@ -24,7 +24,7 @@ using namespace toile;
 struct Causes {
   int garments = 0;
   int whole = 0;
-  int search = 0;      // garments, and so on
+  int search = 0;  // garments, and so on
   int weights = 0;
   int impossible = 0;
   int stated = 0;
@@ -55,7 +55,8 @@ void look(const std::string& file, bool names, Causes& causes) {
     ++causes.whole;
     return;
   }
-  const SeamEvidence evidence = seam_evidence(bare, options.drawn_walk, turned_over(pattern, options.drawn_walk));
+  const SeamEvidence evidence =
+      seam_evidence(bare, options.drawn_walk, turned_over(pattern, options.drawn_walk));
   const SeamPairs pairs(evidence, true);
   std::map<std::array<int, 2>, int> number;
   for (int e = 0; e < static_cast<int>(evidence.edges.size()); ++e) {
@@ -88,12 +89,14 @@ void look(const std::string& file, bool names, Causes& causes) {
   const double lack = worth_of(is, seam_weights) - worth_of(should, seam_weights);
   const char* cause = !lost.empty() ? "impossible" : lack < -1e-3 ? "search" : "weights";
   ++(!lost.empty() ? causes.impossible : lack < -1e-3 ? causes.search : causes.weights);
-  std::printf("%s%s: %s, %d edges, worth %.2f, of the stated one %.2f, sides %s; %d stated, %d found, %d right\n",
-              file.substr(file.rfind('/') + 1).c_str(), names ? "" : " nameless", cause,
-              static_cast<int>(evidence.edges.size()), worth_of(is, seam_weights),
-              worth_of(should, seam_weights),
-              std::abs(found.worth - worth_of(is, seam_weights)) < 0.01 ? "heeded" : "turned",
-              figures.stated, figures.found, figures.right);
+  std::printf(
+      "%s%s: %s, %d edges, worth %.2f, of the stated one %.2f, sides %s; %d stated, %d found, %d "
+      "right\n",
+      file.substr(file.rfind('/') + 1).c_str(), names ? "" : " nameless", cause,
+      static_cast<int>(evidence.edges.size()), worth_of(is, seam_weights),
+      worth_of(should, seam_weights),
+      std::abs(found.worth - worth_of(is, seam_weights)) < 0.01 ? "heeded" : "turned",
+      figures.stated, figures.found, figures.right);
   if (!lost.empty()) std::printf("  lost: %s\n", lost.c_str());
   for (const std::string& line : comparison.mistakes(pattern)) std::printf("  %s\n", line.c_str());
   std::vector<std::pair<double, int>> terms;
@@ -122,12 +125,13 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;
   }
-  std::printf("\n| names | garments | wholly right | search | weights | impossible | precision | recall |\n"
-              "|---|---|---|---|---|---|---|---|\n");
+  std::printf(
+      "\n| names | garments | wholly right | search | weights | impossible | precision | recall |\n"
+      "|---|---|---|---|---|---|---|---|\n");
   for (const bool names : {true, false}) {
     const Causes& c = causes[names ? 0 : 1];
-    std::printf("| %s | %d | %d | %d | %d | %d | %.3f | %.3f |\n", names ? "kept" : "gone", c.garments,
-                c.whole, c.search, c.weights, c.impossible,
+    std::printf("| %s | %d | %d | %d | %d | %d | %.3f | %.3f |\n", names ? "kept" : "gone",
+                c.garments, c.whole, c.search, c.weights, c.impossible,
                 c.right / std::max(1.0, c.found * 1.0), c.right / std::max(1.0, c.stated * 1.0));
   }
   return 0;
