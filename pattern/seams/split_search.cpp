@@ -36,6 +36,9 @@ std::size_t trials_of(const Pattern& pattern) {
   return std::clamp<std::size_t>(most_edges / std::max<std::size_t>(1, edges), 3, 12);
 }
 
+/// Confidence that seams of the parts of a cut edge have to have.
+constexpr double sure_part = 0.6;
+
 /// Cuts that are made in a row.
 constexpr int most_rounds = 6;
 
@@ -194,7 +197,7 @@ void make_cuts(const Chains& chains, const Chain& chain, const std::string& name
 bool are_decided(const SplitSeams& split) {
   std::set<std::array<int, 2>> sure;
   for (const FoundSeam& seam : split.found.seams) {
-    if (seam.confidence < decided_confidence) continue;
+    if (seam.confidence < sure_part) continue;
     for (const EdgeRef& side : {seam.a, seam.b}) sure.insert({side.panel, side.edge});
   }
   return std::all_of(split.splits.begin(), split.splits.end(), [&](const EdgeSplit& cut) {
