@@ -283,6 +283,7 @@ std::vector<std::vector<int>> SeamSearch::blocks(const Partners& a, const Partne
     if (a[e] != b[e]) found[together.of(e)].push_back(e);
   }
   std::vector<std::vector<int>> all;
+  all.reserve(found.size());
   for (auto& [first, edges] : found) all.push_back(std::move(edges));
   return all;
 }
