@@ -18,18 +18,32 @@ namespace {
 /// to, 0.909 of the listed seams are right then, 0.921 with 6.
 constexpr double turned_panels = 6;
 
+/// Worth by which a garment has to be better whose collar shows its wrong side.
+constexpr double turned_collar = 2;
+
 class Finder {
  public:
   Finder(const Pattern& pattern, const FindSeamsOptions& options)
-      : pattern_(pattern),
-        options_(options),
-        evidence_(seam_evidence(pattern, options.drawn_walk)) {
-    for (int e = 0; e < static_cast<int>(evidence_.edges.size()); ++e) {
-      number_[{evidence_.edges[e].ref.panel, evidence_.edges[e].ref.edge}] = e;
-    }
+      : pattern_(pattern), options_(options) {
+    look_at({});
   }
 
   FoundSeams run() {
+    // A collar that is turned down shows the side that was inside.
+    std::vector<char> best;
+    double most = 0;
+    const std::vector<std::vector<char>> collars = turned_collars();
+    for (std::size_t i = 0; i <= collars.size() && !collars.empty(); ++i) {
+      const std::vector<char> turned = i == 0 ? std::vector<char>{} : collars[i - 1];
+      look_at(turned);
+      const KnownSeams known = take_given();
+      const double worth =
+          SeamChooser(evidence_, true, known).worth() - (i == 0 ? 0 : turned_collar);
+      if (i > 0 && worth <= most) continue;
+      most = worth;
+      best = turned;
+    }
+    if (!collars.empty()) look_at(best);
     const KnownSeams known = take_given();
     SeamChooser chooser(evidence_, true, known);
     if (names_sides()) {
@@ -42,6 +56,28 @@ class Finder {
   }
 
  private:
+  /// `turned_over`: see walked_edges().
+  void look_at(const std::vector<char>& turned_over) {
+    evidence_ = seam_evidence(pattern_, options_.drawn_walk, turned_over);
+    for (int e = 0; e < static_cast<int>(evidence_.edges.size()); ++e) {
+      number_[{evidence_.edges[e].ref.panel, evidence_.edges[e].ref.edge}] = e;
+    }
+  }
+
+  /// The pieces of a collar by their names: all, those of the front, those of the back.
+  std::vector<std::vector<char>> turned_collars() const {
+    std::set<std::vector<char>> all;
+    for (const int face : {0, 1, -1}) {
+      std::vector<char> turned;
+      for (const PanelWords& words : evidence_.words) {
+        const bool chosen = words.role == PanelRole::collar && (face == 0 || words.face == face);
+        turned.push_back(chosen ? 1 : 0);
+      }
+      if (std::find(turned.begin(), turned.end(), 1) != turned.end()) all.insert(turned);
+    }
+    return {all.begin(), all.end()};
+  }
+
   SeamChoice chosen(SeamChooser& chooser) const {
     return options_.certain ? chooser.choose() : chooser.best();
   }
@@ -102,6 +138,7 @@ class Finder {
 
   KnownSeams take_given() {
     KnownSeams known;
+    turned_.clear();
     std::set<int> used;
     for (const Stitch& stitch : options_.given) {
       int a = number_.at({stitch.a.panel, stitch.a.edge});

@@ -17,6 +17,10 @@ enum class SeamSign {
   edges,           ///< logarithm of the number of edges
   named,           ///< 1: names say what both pieces are
   numbered,        ///< share of the pieces whose names differ from another's in the number alone
+  equal_length,    ///< 1, falling by e for each 0.5 % by which the lengths differ
+  gathered,        ///< logarithm of the longer over the shorter side
+  coincide,        ///< 1: the edges coincide
+  short_seam,      ///< 1: shorter than 3 cm
   count
 };
 

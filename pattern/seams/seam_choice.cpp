@@ -11,8 +11,12 @@ namespace toile {
 
 namespace {
 
-/// Searches with the weights as they are, and with shaken ones.
+/// Searches with the weights as they are: to know the worth, and to be certain.
 constexpr int plain_searches = 4;
+constexpr int all_plain_searches = 8;
+constexpr int patience = 2;  // of these
+
+/// Searches with shaken weights.
 constexpr int shaken_searches = 10;
 
 /// Weights are shaken by this part, up or down.
@@ -20,6 +24,9 @@ constexpr double shake = 0.3;
 
 /// How often what is better than the best garment is taken.
 constexpr int most_rounds = 3;
+
+/// Metres, of SeamSign::short_seam.
+constexpr double short_length = 0.03;
 
 /// Worth: a garment that lacks more is no rival.
 constexpr double widest_gap = 6;
@@ -70,10 +77,10 @@ SeamChooser::SeamChooser(const SeamEvidence& evidence, bool heed_sides, const Kn
       plain_(plain_searches) {
   parallel_for(plain_searches, [&](std::size_t run) {
     SeamSearch search = search_;
-    plain_[run] = search.search(static_cast<int>(run));
+    plain_[run] = search.search(static_cast<int>(run), patience);
   });
   best_ = plain_.front();
-  best_ = better_of(plain_, best_);
+  take_best_of(plain_);
 }
 
 std::vector<SeamSearch::Garment> SeamChooser::found_with_shaken_weights() const {
@@ -114,14 +121,32 @@ std::vector<SeamSearch::Garment> SeamChooser::found_without() const {
   return found;
 }
 
+void SeamChooser::take_best_of(const std::vector<SeamSearch::Garment>& garments) {
+  best_ = SeamSearch::Garment(better_of(garments, best_));
+  for (int round = 0; round < most_rounds; ++round) {
+    const double before = best_.worth;
+    for (const SeamSearch::Garment& garment : garments) {
+      best_ = search_.recombined(best_, garment);
+    }
+    if (best_.worth < before + same_garment) return;
+    best_ = better_of({search_.near(best_.partners)}, best_);
+  }
+}
+
 SeamChoice SeamChooser::choose() {
+  plain_.resize(all_plain_searches);
+  parallel_for(all_plain_searches - plain_searches, [&](std::size_t run) {
+    SeamSearch search = search_;
+    plain_[plain_searches + run] = search.search(plain_searches + static_cast<int>(run), patience);
+  });
+  take_best_of(plain_);
   const std::vector<SeamSearch::Garment> shaken = found_with_shaken_weights();
   std::vector<SeamSearch::Garment> polished(shaken.size());
   parallel_for(shaken.size(), [&](std::size_t i) {
     SeamSearch search = search_;
     polished[i] = search.near(shaken[i].partners);
   });
-  best_ = better_of(polished, best_);
+  take_best_of(polished);
   std::vector<SeamSearch::Garment> without = found_without();
   for (int round = 1; round < most_rounds; ++round) {
     const SeamSearch::Garment& better = better_of(without, best_);
@@ -195,12 +220,19 @@ void SeamChooser::tell_signs(const std::vector<SeamSearch::Garment>& shaken,
     const double lacks =
         without[seam.a].partners.empty() ? widest_gap : best_.worth - without[seam.a].worth;
     at(signs, SeamSign::gap) = std::log1p(std::clamp(lacks, 0.0, widest_gap));
-    at(signs, SeamSign::settled) = static_cast<double>(times) / plain_searches;
+    at(signs, SeamSign::settled) = static_cast<double>(times) / all_plain_searches;
     at(signs, SeamSign::edges) = std::log(static_cast<double>(edges.size()));
     const auto role = [&](int e) { return evidence_.words[edges[e].ref.panel].role; };
     at(signs, SeamSign::named) =
         role(seam.a) != PanelRole::unknown && role(seam.b) != PanelRole::unknown ? 1 : 0;
     at(signs, SeamSign::numbered) = numbered;
+    const double ratio = std::abs(std::log(edges[seam.a].length / edges[seam.b].length));
+    at(signs, SeamSign::equal_length) = std::exp(-ratio / 0.005);
+    at(signs, SeamSign::gathered) = ratio;
+    const std::vector<int>& shape = evidence_.shapes.shape;
+    at(signs, SeamSign::coincide) = shape[seam.a] == shape[seam.b] ? 1 : 0;
+    const double shorter = std::min(edges[seam.a].length, edges[seam.b].length);
+    at(signs, SeamSign::short_seam) = shorter < short_length ? 1 : 0;
     shaken_sum += at(signs, SeamSign::shaken);
     gap_sum += at(signs, SeamSign::gap);
   }

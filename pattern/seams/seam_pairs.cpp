@@ -14,6 +14,12 @@ constexpr double degree = std::numbers::pi / 180;
 /// Longer over shorter side: no seam is gathered more.
 constexpr double max_fullness = 4;
 
+/// Metres: what is shorter is not meant to be sewn. mesh-pattern merges it with its neighbour.
+constexpr double shortest_seam = 5e-4;
+
+/// Metres: front and back may meet in a seam that is shorter, as where a sleeve is set in askew.
+constexpr double short_seam = 0.03;
+
 /// How much the curves of two sides speak for a seam, 0 to 1. Straight sides say nothing.
 double curve_match(const std::array<double, 4>& a, const std::array<double, 4>& b) {
   double size = 0;
@@ -51,9 +57,12 @@ bool may_meet(PanelRole a, PanelRole b) {
 
 }  // namespace
 
-SeamEvidence seam_evidence(const Pattern& pattern, bool drawn_walk) {
+SeamEvidence seam_evidence(const Pattern& pattern, bool drawn_walk,
+                           const std::vector<char>& turned_over) {
   SeamEvidence evidence;
-  evidence.edges = walked_edges(pattern, drawn_walk);
+  evidence.edges = walked_edges(pattern, drawn_walk, turned_over);
+  evidence.turned_over = turned_over;
+  evidence.turned_over.resize(pattern.panels.size(), 0);
   for (const PatternPanel& panel : pattern.panels) evidence.words.push_back(words_of(panel));
   evidence.fits = panel_fits(evidence.edges);
   evidence.shapes = edge_shapes(evidence.edges, evidence.fits);
@@ -65,15 +74,22 @@ double turning_of(const WalkedEdge& edge) {
   return edge.turning[0] + edge.turning[1] + edge.turning[2] + edge.turning[3];
 }
 
+int edge_across(const std::vector<WalkedEdge>& edges, int edge) {
+  const int across = edges[edges[edge].next].next;
+  return across != edge && edges[edges[across].next].next == edge ? across : -1;
+}
+
 SeamPairs::SeamPairs(const SeamEvidence& evidence, bool heed_sides)
     : edges_(evidence.edges),
       words_(evidence.words),
       mirror_(evidence.mirror),
       shape_(evidence.shapes.shape),
+      turned_over_(evidence.turned_over),
       heed_sides_(heed_sides) {}
 
 bool SeamPairs::possible(int a, int b) const {
   if (a == b) return false;
+  if (std::min(edges_[a].length, edges_[b].length) < shortest_seam) return false;
   const PanelWords& first = words_[edges_[a].ref.panel];
   const PanelWords& second = words_[edges_[b].ref.panel];
   if (!may_meet(first.role, second.role)) return false;
@@ -107,11 +123,21 @@ void SeamPairs::measure_shapes(int a, int b, SeamMeasures& measures) const {
   const bool are_halves = mirror_[a] == b && first.ref.panel != second.ref.panel;
   const double turn_a = turning_of(first);
   const double turn_b = turning_of(second);
-  if (!are_halves) at(concave) = std::max(0.0, std::min(-turn_a, -turn_b));
+  const bool folded = turned_over_[first.ref.panel] != turned_over_[second.ref.panel];
+  if (folded) at(folded_over) = 1;
+  if (are_halves) at(halves_concave) = std::clamp(-turn_a, 0.0, 1.0);
+  // A collar that lies on the bodice has the curve of its neckline.
+  if (!are_halves && !folded) at(concave) = std::max(0.0, std::min(-turn_a, -turn_b));
   const bool tip = (first.next == b && edges_[b].corner > sharpest_dart_tip) ||
                    (second.next == a && edges_[a].corner > sharpest_dart_tip);
   if (tip && ratio < 1.05) {
     at(dart) = 1;
+    // From the opening to the tip, by the warp as drawn.
+    const bool leads = first.next == b && edges_[b].corner > sharpest_dart_tip;
+    const double up = (leads ? first.rise - second.rise : second.rise - first.rise) / 2;
+    at(dart_upwards) = std::max(0.0, up);
+    const PanelRole role = words_[first.ref.panel].role;
+    if (role == PanelRole::skirt || role == PanelRole::trousers) at(slit) = std::max(0.0, up);
     return;
   }
   const double up = first.upwards * second.upwards;
@@ -126,7 +152,7 @@ void SeamPairs::measure_shapes(int a, int b, SeamMeasures& measures) const {
   if (shape_[a] == shape_[b]) {
     at(coincide) = 1;
     at(coincide_curved) = std::min(std::abs(turn_a) + std::abs(turn_b), std::numbers::pi);
-    at(across_grain) = first.across_grain;
+    at(across_grain) = up > -0.5 ? first.across_grain : 0;
     if (are_halves) at(halves) = first.length / longest_of_panel(a);
     return;
   }
@@ -134,6 +160,10 @@ void SeamPairs::measure_shapes(int a, int b, SeamMeasures& measures) const {
     at(equal_length) = 1;
     at(rare_length) = is_rare(first.length, a, b) ? 1 : 0;
   }
+  const double end_a = narrowing(a);
+  const double end_b = narrowing(b);
+  at(ends_differ) = std::sqrt(std::max(0.0, -end_a * end_b));
+  at(ends_alike) = std::sqrt(std::max(0.0, end_a * end_b));
   at(close_length) = std::exp(-(ratio - 1) / 0.005);
   at(near_length) = std::exp(-(ratio - 1) / 0.03);
   at(log_ratio) = std::log(ratio);
@@ -142,6 +172,13 @@ void SeamPairs::measure_shapes(int a, int b, SeamMeasures& measures) const {
   else
     at(curve_gathered) = curve_match(first.turning, second.turning);
   at(grains_differ) = std::abs(first.across_grain - second.across_grain);
+}
+
+/// Logarithm of the length of the edge across a panel of four edges over that of this one.
+double SeamPairs::narrowing(int edge) const {
+  const int across = edge_across(edges_, edge);
+  if (across < 0) return 0;
+  return std::clamp(std::log(edges_[across].length / edges_[edge].length), -1.0, 1.0);
 }
 
 double SeamPairs::longest_of_panel(int edge) const {
@@ -209,7 +246,10 @@ void SeamPairs::measure_names(int a, int b, SeamMeasures& measures) const {
   if (named && first.role != second.role) at(roles_agree) = 1;
   if (first.side * second.side < 0 && mirror_[a] != b) at(sides_differ) = 1;
   if (first.stem != second.stem) {
-    if (first.face * second.face < 0) at(faces_differ) = 1;
+    if (first.face * second.face < 0) {
+      const double shorter = std::min(edges_[a].length, edges_[b].length);
+      at(faces_differ) = std::min(1.0, shorter / short_seam);
+    }
     if (first.face * second.face > 0) at(faces_agree) = 1;
     if (named) at(words_alike) = words_shared(first.stem, second.stem);
   } else {

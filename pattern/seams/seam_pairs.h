@@ -20,15 +20,20 @@ struct SeamEvidence {
   std::vector<WalkedEdge> edges;
   std::vector<PanelWords> words;  ///< per panel
   std::vector<int> mirror;        ///< per edge, see mirror_partners()
+  std::vector<char> turned_over;  ///< per panel, see walked_edges()
   std::vector<PanelFit> fits;
   EdgeShapes shapes;
 };
 
-/// Outlines and names alone are looked at. `drawn_walk`: see walked_edges().
-SeamEvidence seam_evidence(const Pattern& pattern, bool drawn_walk);
+/// Outlines and names alone are looked at. `drawn_walk`, `turned_over`: see walked_edges().
+SeamEvidence seam_evidence(const Pattern& pattern, bool drawn_walk,
+                           const std::vector<char>& turned_over = {});
 
 /// Radians by which an edge turns on its walk, left is positive.
 double turning_of(const WalkedEdge& edge);
+
+/// The edge across a panel of four edges; -1: the panel has others.
+int edge_across(const std::vector<WalkedEdge>& edges, int edge);
 
 /// Each pair of edges as a seam, right side to right side. The start of one meets the end of the
 /// other, both walked as walked_edges() walks them.
@@ -45,6 +50,7 @@ class SeamPairs {
  private:
   void measure_shapes(int a, int b, SeamMeasures& measures) const;
   void measure_names(int a, int b, SeamMeasures& measures) const;
+  double narrowing(int edge) const;
   double longest_of_panel(int edge) const;
   int lowest_number(const std::string& stem) const;
   bool is_rare(double length, int a, int b) const;
@@ -53,6 +59,7 @@ class SeamPairs {
   const std::vector<PanelWords>& words_;
   const std::vector<int>& mirror_;
   const std::vector<int>& shape_;
+  const std::vector<char>& turned_over_;
   bool heed_sides_ = true;
 };
 

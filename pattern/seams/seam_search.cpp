@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "geometry/disjoint_sets.h"
 #include "pattern/seams/splitmix.h"
 
 namespace toile {
@@ -28,6 +29,10 @@ constexpr int looks_of_search = 1000;
 constexpr double same_worth = 1e-6;
 
 constexpr double impossible = -1e9;
+
+/// Blocks of seams that two garments differ in: all choices are tried of so many, single ones and
+/// pairs of more.
+constexpr std::size_t few_blocks = 8;
 
 }  // namespace
 
@@ -239,10 +244,10 @@ void SeamSearch::anneal(Garment& best, double from, double to, int looks) {
   }
 }
 
-SeamSearch::Garment SeamSearch::search(int run) {
+SeamSearch::Garment SeamSearch::search(int run, int patience) {
   seed_ = static_cast<std::uint64_t>(run);
   Garment garment{begin_, 0};
-  anneal(garment, hot, cold, looks_of_search * edges_);
+  anneal(garment, hot, cold, patience * looks_of_search * edges_);
   return garment;
 }
 
@@ -262,6 +267,60 @@ SeamSearch::Garment SeamSearch::best_near(const Partners& partners, int run) {
   Garment best = search(run);
   Garment other = near(partners);
   return other.worth > best.worth ? other : best;
+}
+
+/// Edges that change partners together, and their mirror images.
+std::vector<std::vector<int>> SeamSearch::blocks(const Partners& a, const Partners& b) const {
+  DisjointSets together(edges_);
+  for (int e = 0; e < edges_; ++e) {
+    if (a[e] == b[e]) continue;
+    if (a[e] >= 0) together.join(e, a[e]);
+    if (b[e] >= 0) together.join(e, b[e]);
+    if (mirror_[e] >= 0 && a[mirror_[e]] != b[mirror_[e]]) together.join(e, mirror_[e]);
+  }
+  std::map<int, std::vector<int>> found;
+  for (int e = 0; e < edges_; ++e) {
+    if (a[e] != b[e]) found[together.of(e)].push_back(e);
+  }
+  std::vector<std::vector<int>> all;
+  all.reserve(found.size());
+  for (auto& [first, edges] : found) all.push_back(std::move(edges));
+  return all;
+}
+
+SeamSearch::Garment SeamSearch::recombined(const Garment& best, const Garment& other) {
+  Garment better = best;
+  for (bool again = true; again;) {
+    again = false;
+    const std::vector<std::vector<int>> all = blocks(better.partners, other.partners);
+    const Partners from = better.partners;
+    const auto try_out = [&](const std::vector<std::size_t>& chosen) {
+      now_ = from;
+      for (const std::size_t block : chosen) {
+        for (const int e : all[block]) now_[e] = other.partners[e];
+      }
+      const double worth = worth_of_partners();
+      if (worth <= better.worth + same_worth) return;
+      better.worth = worth;
+      better.partners = now_;
+      again = true;
+    };
+    if (all.size() <= few_blocks) {
+      for (std::size_t choice = 1; choice < std::size_t{1} << all.size(); ++choice) {
+        std::vector<std::size_t> chosen;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+          if ((choice >> i & 1) != 0) chosen.push_back(i);
+        }
+        try_out(chosen);
+      }
+      break;
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      try_out({i});
+      for (std::size_t k = 0; k < i; ++k) try_out({k, i});
+    }
+  }
+  return better;
 }
 
 void SeamSearch::forbid(int kind) {

@@ -32,11 +32,16 @@ class SeamSearch {
     double worth = 0;
   };
   /// The garment that one search finds; searches with other numbers begin otherwise.
-  Garment search(int run);
+  /// `patience`: it looks at so many times as many garments.
+  Garment search(int run, int patience = 1);
   /// The best garment that a short search finds from this one.
   Garment near(const Partners& partners);
   /// The better one of near() and search().
   Garment best_near(const Partners& partners, int run);
+
+  /// The best garment that has each block of seams from the one or from the other. Blocks are the
+  /// parts of the difference of both matchings (partition crossover; Whitley et al. 2009).
+  Garment recombined(const Garment& best, const Garment& other);
 
   /// Same numbers: seams that differ in which of equal pieces they join.
   int kind(int a, int b) const { return kind_[static_cast<std::size_t>(a) * edges_ + b]; }
@@ -57,6 +62,7 @@ class SeamSearch {
   void unsew(int a);
   void sew_on(int a, int b, bool forward);
   void move();
+  std::vector<std::vector<int>> blocks(const Partners& a, const Partners& b) const;
   void anneal(Garment& best, double hot, double cold, int looks);
   double& pair_worth(int a, int b) { return worth_[static_cast<std::size_t>(a) * edges_ + b]; }
   double pair_worth(int a, int b) const { return worth_[static_cast<std::size_t>(a) * edges_ + b]; }

@@ -19,7 +19,10 @@ enum class SeamMeasure {
   coincide,         ///< 1: the edges coincide
   coincide_curved,  ///< radians that edges turn which coincide, both added up, at most pi
   halves,  ///< the edges are mirror partners on two panels: their length over the longest edge
-  across_grain,    ///< the edges coincide: the sine of their chord's angle to the warp
+  halves_concave,  ///< the same: radians that both turn inwards, as at the crotch, at most 1
+  folded_over,     ///< 1: one of the two panels is turned over, see SeamEvidence::turned_over
+  across_grain,  ///< the edges coincide, and are no upper and lower one: the sine of their angle to
+                 ///< the warp
   curve_gathered,  ///< the same as `curve`, where lengths differ by more than 30 %
   grains_differ,   ///< difference of the sines of the chords' angles to the warp
   up_and_down,  ///< outlines go up, by the warp as drawn, beyond one edge and down beyond the other
@@ -29,6 +32,10 @@ enum class SeamMeasure {
   rise_apart,     ///< the same where one goes up and the other down
   same_panel,     ///< 1: both edges are of one panel, not the legs of a dart
   dart,           ///< 1: the legs of a dart
+  dart_upwards,   ///< the same: cosine between the warp as drawn and the way to its tip, if above 0
+  slit,           ///< the same of a skirt or of trousers, by their names: no darts point up there
+  ends_differ,    ///< the wider end of a four-sided piece meets the narrower end of another
+  ends_alike,     ///< wider meets wider or narrower narrower: geometric mean of both logarithms
   concave,        ///< radians by which the edge turns inwards that does so less; 0 if one does not
   roles_agree,    ///< 1: pieces of two such kinds are sewn together, by their names
   sides_differ,   ///< 1: left and right, and not mirror partners
@@ -64,6 +71,9 @@ enum class SeamMeasure {
   more_at_border_off,
   unlike,  ///< radians by which two edges turn differently that continue each other over a seam
   jump,    ///< change of the fullness along a seam that runs on straight, 1 is 20 % or more
+  fold,    ///< points where panels meet that are turned over and others that are not
+  same_fullness,   ///< seams that run on straight, both gathered, and by the same ratio
+  narrow_open,     ///< open edges whose edge across is sewn and longer: the logarithms, at most 1
   border_hole,     ///< borders shorter than 8 cm
   border_small,    ///< borders of 8 to 16 cm
   one_border,      ///< 1: the garment has one border, or none

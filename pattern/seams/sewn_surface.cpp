@@ -19,6 +19,13 @@ constexpr double most_off = 1.5;
 /// Change of the fullness that counts as 1.
 constexpr double full_jump = 0.2;
 
+/// Metres: a change of fullness counts less beside an edge that is shorter.
+constexpr double short_edge = 0.03;
+
+/// Logarithms of lengths: a seam is gathered; two seams are gathered alike.
+constexpr double gathered = 0.03;
+constexpr double alike = 0.004;
+
 /// Metres: borders of a garment that are shorter are holes, or small.
 constexpr double hole = 0.08;
 constexpr double small_border = 0.16;
@@ -26,7 +33,9 @@ constexpr double small_border = 0.16;
 }  // namespace
 
 SewnSurface::SewnSurface(const SeamEvidence& evidence)
-    : edges_(static_cast<int>(evidence.edges.size())), mirror_(evidence.mirror) {
+    : edges_(static_cast<int>(evidence.edges.size())),
+      mirror_(evidence.mirror),
+      turned_over_(evidence.turned_over) {
   for (const WalkedEdge& edge : evidence.edges) {
     next_.push_back(edge.next);
     previous_.push_back(edge.previous);
@@ -38,6 +47,7 @@ SewnSurface::SewnSurface(const SeamEvidence& evidence)
     turning_.push_back(turning_of(edge));
   }
   panels_ = panel_.back() + 1;
+  for (int e = 0; e < edges_; ++e) across_.push_back(edge_across(evidence.edges, e));
 }
 
 void SewnSurface::measure(const Partners& partners, SeamMeasures& sum) {
@@ -72,6 +82,11 @@ void SewnSurface::measure(const Partners& partners, SeamMeasures& sum) {
     measure_inside(sum);
   }
   measure_borders(sum);
+  for (int e = 0; e < edges_; ++e) {
+    if (partners[e] >= 0 || across_[e] < 0 || partners[across_[e]] < 0) continue;
+    const double wider = log_length_[across_[e]] - log_length_[e];
+    sum[static_cast<int>(SeamMeasure::narrow_open)] += std::clamp(wider, 0.0, 1.0);
+  }
 
   DisjointSets sewn(panels_);
   int seams = 0;
@@ -123,8 +138,13 @@ void SewnSurface::measure_inside(SeamMeasures& sum) const {
   const auto at = [&](SeamMeasure measure) -> double& { return sum[static_cast<int>(measure)]; };
   double angle = 0;
   for (const int corner : corners_) angle += angle_[corner];
-  const double off = std::min(std::abs(angle - 4 * right_angle) / right_angle, most_off);
+  const double off =
+      weight_of_point() * std::min(std::abs(angle - 4 * right_angle) / right_angle, most_off);
   const std::size_t corners = corners_.size();
+  if (is_fold()) {
+    at(fold) += 1;
+    return;
+  }
   if (corners == 1) {
     at(angle > sharpest_dart_tip ? dart_tip : cone) += 1;
     return;
@@ -146,8 +166,8 @@ void SewnSurface::measure_inside(SeamMeasures& sum) const {
     at(more_inside) += 1;
     at(more_inside_off) += off;
   }
-  if (corners > 2) at(junction_off) += off_junction();
-  at(jump) += unsteadiness(true);
+  if (corners > 2) at(junction_off) += weight_of_point() * off_junction();
+  measure_fullness(true, sum);
   at(unlike) += unlikeness(true);
 }
 
@@ -166,10 +186,30 @@ void SewnSurface::measure_at_border(SeamMeasures& sum) const {
     }
     return;
   }
+  if (is_fold()) {
+    at(fold) += 1;
+    return;
+  }
   at(corners == 2 ? two_at_border : more_at_border) += 1;
   at(corners == 2 ? two_at_border_off : more_at_border_off) += off;
-  at(jump) += unsteadiness(false);
+  measure_fullness(false, sum);
   at(unlike) += unlikeness(false);
+}
+
+/// Whether a piece that is turned over meets one that is not, as a collar the bodice it lies on.
+bool SewnSurface::is_fold() const {
+  return std::any_of(corners_.begin(), corners_.end(), [&](int corner) {
+    return turned_over_[panel_[corner]] != turned_over_[panel_[corners_.front()]];
+  });
+}
+
+/// Less than 1 beside a short edge, whose direction says little.
+double SewnSurface::weight_of_point() const {
+  double shortest = short_edge;
+  for (const int corner : corners_) {
+    shortest = std::min({shortest, length_[corner], length_[previous_[corner]]});
+  }
+  return shortest / short_edge;
 }
 
 double SewnSurface::off_junction() const {
@@ -201,25 +241,49 @@ double SewnSurface::fullness(int corner, bool leaving) const {
   return log_length_[own] - log_length_[(*partners_)[own]];
 }
 
-double SewnSurface::unsteadiness(bool closed) const {
+/// Metres: the shorter side of the seam that leaves the corner or comes to it.
+double SewnSurface::shorter(int corner, bool leaving) const {
+  const int own = leaving ? corner : previous_[corner];
+  return std::min(length_[own], length_[(*partners_)[own]]);
+}
+
+/// Whether two seams cross where four corners meet: two beside each other make a straight line.
+bool SewnSurface::is_crossing() const {
+  if (corners_.size() != 4) return false;
+  const auto off = [&](int i) {
+    return std::abs(angle_[corners_[i]] + angle_[corners_[i + 1]] - 2 * right_angle) +
+           std::abs(angle_[corners_[i + 2]] + angle_[corners_[(i + 3) % 4]] - 2 * right_angle);
+  };
+  return std::min(off(0), off(1)) < 70 * one_degree;
+}
+
+void SewnSurface::measure_fullness(bool closed, SeamMeasures& sum) const {
   double most = 0;
+  int same = 0;
+  // The seam that comes to corner a runs on in the one that leaves b.
+  const auto compare = [&](int a, int b) {
+    const double before = fullness(a, false);
+    const double behind = fullness(b, true);
+    const double change = std::abs(before - behind);
+    const double part = std::min(1.0, std::min(shorter(a, false), shorter(b, true)) / short_edge);
+    most = std::max(most, part * change);
+    const double least = std::min(std::abs(before), std::abs(behind));
+    if (least > gathered && change < alike && part == 1) ++same;
+  };
   const std::size_t count = corners_.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!closed && (i == 0 || i + 1 == count)) continue;
-    const int corner = corners_[i];
-    if (std::abs(angle_[corner] - 2 * right_angle) > 35 * one_degree) continue;
-    most = std::max(most, std::abs(fullness(corner, false) - fullness(corner, true)));
-  }
-  // Two seams that cross: each runs on straight.
-  if (closed && count == 4) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      const int a = corners_[i];
-      const int b = corners_[(i + 1) % 4];
-      if (std::abs(angle_[a] + angle_[b] - 2 * right_angle) > 35 * one_degree) continue;
-      most = std::max(most, std::abs(fullness(a, false) - fullness(b, true)));
+  if (closed && is_crossing()) {
+    compare(corners_[0], corners_[1]);
+    compare(corners_[1], corners_[2]);
+  } else {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!closed && (i == 0 || i + 1 == count)) continue;
+      const int corner = corners_[i];
+      if (std::abs(angle_[corner] - 2 * right_angle) > 35 * one_degree) continue;
+      compare(corner, corner);
     }
   }
-  return std::min(1.0, most / full_jump);
+  sum[static_cast<int>(SeamMeasure::jump)] += std::min(1.0, most / full_jump);
+  sum[static_cast<int>(SeamMeasure::same_fullness)] += same;
 }
 
 }  // namespace toile

@@ -32,9 +32,13 @@ class SewnSurface {
   void measure_at_border(SeamMeasures& sum) const;
   void measure_borders(SeamMeasures& sum);
   double unlikeness(bool closed) const;
-  double unsteadiness(bool closed) const;
+  void measure_fullness(bool closed, SeamMeasures& sum) const;
   double off_junction() const;
   double fullness(int corner, bool leaving) const;
+  double shorter(int corner, bool leaving) const;
+  bool is_crossing() const;
+  bool is_fold() const;
+  double weight_of_point() const;
 
   int edges_ = 0;
   int panels_ = 0;
@@ -46,7 +50,9 @@ class SewnSurface {
   std::vector<double> angle_;    // of the corner where the edge starts
   std::vector<double> turning_;  // of the edge
   std::vector<int> mirror_;
-  std::vector<char> notch_;  // where the edge starts
+  std::vector<char> turned_over_;  // per panel
+  std::vector<int> across_;        // see edge_across()
+  std::vector<char> notch_;        // where the edge starts
 
   const Partners* partners_ = nullptr;
   std::vector<int> corners_;  // that meet, in their order

@@ -36,6 +36,10 @@ std::size_t trials_of(const Pattern& pattern) {
   return std::clamp<std::size_t>(most_edges / std::max<std::size_t>(1, edges), 3, 12);
 }
 
+/// Confidence that seams of the parts of a cut edge have to have. With 0.75, the sleeves of
+/// Valentina's T-shirt stay whole.
+constexpr double sure_part = 0.6;
+
 /// Cuts that are made in a row.
 constexpr int most_rounds = 6;
 
@@ -190,11 +194,11 @@ void make_cuts(const Chains& chains, const Chain& chain, const std::string& name
   }
 }
 
-/// Whether all parts of cut edges are sewn, and surely.
-bool are_decided(const SplitSeams& split) {
+/// Whether all parts of cut edges are sewn, and likely so.
+bool are_likely(const SplitSeams& split) {
   std::set<std::array<int, 2>> sure;
   for (const FoundSeam& seam : split.found.seams) {
-    if (seam.confidence < decided_confidence) continue;
+    if (seam.confidence < sure_part) continue;
     for (const EdgeRef& side : {seam.a, seam.b}) sure.insert({side.panel, side.edge});
   }
   return std::all_of(split.splits.begin(), split.splits.end(), [&](const EdgeSplit& cut) {
@@ -234,7 +238,7 @@ SplitSeams find_split_seams(const std::string& text, const std::string& name,
   }
   if (!is_quick) return best;
   best.found = find_seams(best.pattern, options);
-  if (!are_decided(best)) return whole;
+  if (!are_likely(best)) return whole;
   return best;
 }
 

@@ -19,7 +19,7 @@ struct SplitSeams {
 
 /// As find_seams(), with edges cut where that makes a garment that is worth more. An edge is cut
 /// where it is about as long as several that follow each other on the border of the garment found
-/// before. Edges of given seams are not cut, and none unless seams of all parts are decided then.
+/// before. Edges of given seams are not cut, and none unless seams of all parts are likely then.
 ///
 /// `text` is the pattern's file, of the name `name`. Throws Error as find_seams() does.
 SplitSeams find_split_seams(const std::string& text, const std::string& name,

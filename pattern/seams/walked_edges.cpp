@@ -21,9 +21,16 @@ double angle_between(const Vec2& from, const Vec2& to) {
   return std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
 }
 
-/// Points along the steps of an outline, each step walked from its first to its last point.
-std::vector<std::vector<Vec2>> walked(const PatternPanel& panel, bool drawn_walk) {
-  std::vector<std::vector<Vec2>> steps;
+/// An outline as it is seen from the panel's right side, counter-clockwise.
+struct Walk {
+  std::vector<std::vector<Vec2>> steps;  ///< points, each step from its first to its last one
+  bool turned = false;                   ///< the walk runs against the outline
+  bool mirrored = false;                 ///< the points are mirrored, left to right
+};
+
+Walk walked(const PatternPanel& panel, bool drawn_walk, bool turned_over) {
+  Walk walk;
+  std::vector<std::vector<Vec2>>& steps = walk.steps;
   std::vector<Vec2> outline;
   for (const OutlineStep& step : panel.outline) {
     std::vector<Vec2> points = panel.edges[step.edge].curve.sample(chords);
@@ -31,42 +38,43 @@ std::vector<std::vector<Vec2>> walked(const PatternPanel& panel, bool drawn_walk
     outline.insert(outline.end(), points.begin(), points.end() - 1);
     steps.push_back(std::move(points));
   }
-  if (signed_area(outline) >= 0) return steps;
-  if (drawn_walk) {
+  const bool clockwise = signed_area(outline) < 0;
+  walk.mirrored = (clockwise && drawn_walk) != turned_over;
+  walk.turned = clockwise != walk.mirrored;
+  if (walk.mirrored) {
     for (std::vector<Vec2>& points : steps) {
       for (Vec2& point : points) point.x() = -point.x();
     }
-    return steps;
   }
-  std::reverse(steps.begin(), steps.end());
-  for (std::vector<Vec2>& points : steps) std::reverse(points.begin(), points.end());
-  return steps;
+  if (walk.turned) {
+    std::reverse(steps.begin(), steps.end());
+    for (std::vector<Vec2>& points : steps) std::reverse(points.begin(), points.end());
+  }
+  return walk;
 }
 
 const EdgeCurve& curve_of(const PatternPanel& panel, int edge) { return panel.edges[edge].curve; }
 
 }  // namespace
 
-std::vector<WalkedEdge> walked_edges(const Pattern& pattern, bool drawn_walk) {
+std::vector<WalkedEdge> walked_edges(const Pattern& pattern, bool drawn_walk,
+                                     const std::vector<char>& turned_over) {
   std::vector<WalkedEdge> edges;
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
     const PatternPanel& panel = pattern.panels[p];
-    const std::vector<std::vector<Vec2>> steps = walked(panel, drawn_walk);
+    const Walk outline = walked(panel, drawn_walk, !turned_over.empty() && turned_over[p] != 0);
+    const std::vector<std::vector<Vec2>>& steps = outline.steps;
     const std::size_t count = steps.size();
-    // The walk is turned about where its first step runs against the outline's.
-    const bool turned = steps.front().front() != panel.edges[panel.outline.front().edge].curve.at(
-                                                     panel.outline.front().forward ? 0 : 1) &&
-                        !drawn_walk;
     const int first = static_cast<int>(edges.size());
     for (std::size_t i = 0; i < count; ++i) {
-      const OutlineStep& step = panel.outline[turned ? count - 1 - i : i];
+      const OutlineStep& step = panel.outline[outline.turned ? count - 1 - i : i];
       const std::vector<Vec2>& points = steps[i];
       const std::vector<Vec2>& before = steps[(i + count - 1) % count];
       WalkedEdge edge;
       edge.ref = {static_cast<int>(p), step.edge};
       edge.next = first + static_cast<int>((i + 1) % count);
       edge.previous = first + static_cast<int>((i + count - 1) % count);
-      edge.forward = step.forward != turned;
+      edge.forward = step.forward != outline.turned;
       edge.length = panel.edges[step.edge].curve.length();
       for (int k = 1; k < chords; ++k) {
         const double turn = angle_between(points[k] - points[k - 1], points[k + 1] - points[k]);
@@ -80,13 +88,9 @@ std::vector<WalkedEdge> walked_edges(const Pattern& pattern, bool drawn_walk) {
       const Vec2 warp(-std::sin(panel.grain), std::cos(panel.grain));
       const double across = std::abs(chord.x() * warp.y() - chord.y() * warp.x());
       edge.across_grain = across / std::max(chord.norm(), 1e-9);
-      // The walk is counter-clockwise, so the outside lies to the right. It may be drawn mirrored.
+      // The walk is counter-clockwise, so the outside lies to the right.
       const Vec2 walk = points[chords] - points[0];
-      const bool flipped =
-          drawn_walk &&
-          (walk - (edge.forward ? chord : Vec2(-chord))).norm() >
-              (Vec2(-walk.x(), walk.y()) - (edge.forward ? chord : Vec2(-chord))).norm();
-      const Vec2 seen_warp(flipped ? -warp.x() : warp.x(), warp.y());
+      const Vec2 seen_warp(outline.mirrored ? -warp.x() : warp.x(), warp.y());
       edge.upwards =
           (walk.y() * seen_warp.x() - walk.x() * seen_warp.y()) / std::max(walk.norm(), 1e-9);
       edge.rise = walk.dot(seen_warp) / std::max(walk.norm(), 1e-9);

@@ -34,6 +34,8 @@ struct WalkedEdge {
 /// The edges of all panels, those of a panel in a row from the first step of its outline.
 /// `drawn_walk`: outlines run counter-clockwise as seen from the right side, whichever way they are
 /// drawn, which is GarmentCode's convention. Otherwise each drawing shows its right side.
-std::vector<WalkedEdge> walked_edges(const Pattern& pattern, bool drawn_walk);
+/// `turned_over`: per panel, 1 where it is the other way round; empty: nowhere.
+std::vector<WalkedEdge> walked_edges(const Pattern& pattern, bool drawn_walk,
+                                     const std::vector<char>& turned_over = {});
 
 }  // namespace toile

@@ -51,7 +51,8 @@ Example example(const std::string& file, bool names) {
   const bool drawn_walk = has_drawn_walk(text, file);
   Example made;
   made.name = file.substr(file.rfind('/') + 1) + (names ? "" : " nameless");
-  made.evidence = seam_evidence(stripped(pattern, names, false), drawn_walk);
+  made.evidence =
+      seam_evidence(stripped(pattern, names, false), drawn_walk, turned_over(pattern, drawn_walk));
   const auto& edges = made.evidence.edges;
   const SeamPairs pairs(made.evidence, true);
   std::map<std::array<int, 2>, int> number;

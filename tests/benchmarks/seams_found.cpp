@@ -33,7 +33,7 @@ namespace {
 using namespace toile;
 
 /// Lower ends of the ranges of confidence whose seams are counted.
-constexpr std::array bin_starts = {0.0, 0.5, 0.7, 0.8, 0.85, decided_confidence};
+constexpr std::array bin_starts = {0.0, 0.5, 0.7, 0.8, decided_confidence, 0.95};
 constexpr std::size_t bins = bin_starts.size();
 
 struct Row {

@@ -48,9 +48,10 @@ TEST(ValentinasTshirt, IsSewnOnTheAverageWoman) {
                            "Detail_5=back_band"},
                           60);
   ASSERT_EQ(pieces.exit_code, 0) << pieces.err;
-  const auto found =
-      run("find-seams",
-          {file("pieces.json"), "-o", file("joined.json"), "--report", file("seams.json")}, 120);
+  const auto found = run("find-seams",
+                         {file("pieces.json"), "-o", file("joined.json"), "--report",
+                          file("seams.json"), "--min-confidence", "0.7"},
+                         120);
   EXPECT_EQ(found.exit_code, 0) << found.err;
   const auto report = nlohmann::json::parse(read_text(folder / "seams.json"));
   EXPECT_EQ(report["seams"].size(), 15u);

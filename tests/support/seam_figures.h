@@ -59,6 +59,38 @@ inline Pattern stripped(Pattern pattern, bool names, bool labels) {
   return pattern;
 }
 
+/// The panels that the seams of a pattern show from their other side, see walked_edges(). Of each
+/// part of the garment, the fewer ones.
+inline std::vector<char> turned_over(const Pattern& pattern, bool drawn_walk) {
+  std::map<std::array<int, 2>, bool> forward;
+  for (const WalkedEdge& edge : walked_edges(pattern, drawn_walk)) {
+    forward[{edge.ref.panel, edge.ref.edge}] = edge.forward;
+  }
+  const std::set<SeamPair> seams = stated_seams(pattern);
+  const int panels = static_cast<int>(pattern.panels.size());
+  std::vector<int> side(panels, -1);
+  for (int first = 0; first < panels; ++first) {
+    if (side[first] >= 0) continue;
+    std::vector<int> part = {first};
+    side[first] = 0;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      for (const SeamPair& seam : seams) {
+        if (seam.a[0] != part[i] && seam.b[0] != part[i]) continue;
+        const int other = seam.a[0] == part[i] ? seam.b[0] : seam.a[0];
+        if (side[other] >= 0) continue;
+        const bool along = seam.reversed != (forward.at(seam.a) == forward.at(seam.b));
+        side[other] = along ? 1 - side[part[i]] : side[part[i]];
+        part.push_back(other);
+      }
+    }
+    const auto turned =
+        std::count_if(part.begin(), part.end(), [&](int p) { return side[p] == 1; });
+    if (turned * 2 <= static_cast<std::ptrdiff_t>(part.size())) continue;
+    for (const int p : part) side[p] = 1 - side[p];
+  }
+  return {side.begin(), side.end()};
+}
+
 struct SeamFigures {
   int stated = 0;
   int found = 0;

@@ -19,7 +19,7 @@ CommandLineProgram find_seams_program() {
       "sew these two edges, \"PANEL:EDGE PANEL:EDGE\"; may be given again")(
       "use-places", po::bool_switch(),
       "let the placed panels decide which of equal panels is sewn where")(
-      "min-confidence", po::value<double>()->default_value(decided_confidence, "0.9"),
+      "min-confidence", po::value<double>()->default_value(decided_confidence, "0.85"),
       "0 to 1: a less certain seam is listed as undecided and not sewn")(
       "pattern", po::value<std::string>()->required(), "the pattern (also without --pattern)");
   program.positional.add("pattern", 1);
@@ -36,7 +36,7 @@ CommandLineProgram find_seams_program() {
     settings.by_place = given["use-places"].as<bool>();
     settings.min_confidence = given["min-confidence"].as<double>();
     if (!(settings.min_confidence >= 0 && settings.min_confidence <= 1)) {
-      throw Error("--min-confidence", "is not between 0 and 1", "0.9 is the default");
+      throw Error("--min-confidence", "is not between 0 and 1", "0.85 is the default");
     }
     if (given.count("sew") > 0) settings.sewn = given["sew"].as<std::vector<std::string>>();
     Job job;
