@@ -58,6 +58,9 @@ class MeasureTaker {
     return shape_.frame.skeleton ? &*shape_.frame.skeleton : nullptr;
   }
 
+  /// Why there is no such part, an arm or "head"; empty: it is there.
+  std::string lack_of(const std::string& part) const;
+
   const BodyShape& shape_;
   std::vector<Measure> measures_;
 };

@@ -136,7 +136,8 @@ std::vector<std::string> warnings_about(const CleanBody& body) {
     warnings.push_back("the parts dropped are " + number(100 * r.dropped_area, "%.0f") +
                        " % of the surface; was the body one piece?");
   }
-  if (report.height < 1.0 || report.height > 2.3) {
+  const bool is_form = body.skeleton && !body.skeleton->joints.contains("left_ankle");
+  if ((report.height < 1.0 && !is_form) || report.height > 2.3) {
     warnings.push_back("the body is " + number(report.height, "%.2f") +
                        " m tall; is the unit right?");
   }
@@ -223,6 +224,7 @@ void run_clean_body(const CleanBodySettings& settings, const CommonSettings& com
   const std::filesystem::path joints = skeleton_path(common.output);
   const bool is_stale = !body.skeleton && is_stale_skeleton(joints);
   if (!body.skeleton) warnings.push_back(body.report.no_skeleton);
+  if (!body.report.lacks.empty()) warnings.push_back(input.name + ": " + body.report.lacks);
   if (is_stale) {
     warnings.push_back(joints.string() + " was another body's skeleton and is removed");
   }

@@ -20,16 +20,21 @@ std::string counted(int n, const std::string& one, const std::string& many) {
 
 /// Where a hole is that no camera sees well, or the part of the body.
 std::string place_name(const Skeleton& skeleton, const Vec3& at) {
-  std::vector<std::pair<std::string, Vec3>> places = {{"crown", skeleton.joint("head")},
-                                                      {"crotch", skeleton.joint("pelvis")}};
+  std::vector<std::pair<std::string, Vec3>> places;
+  const auto add = [&](const std::string& place, const std::string& joint, const auto& at_joint) {
+    const auto found = skeleton.joints.find(joint);
+    if (found != skeleton.joints.end()) places.emplace_back(place, at_joint(found->second));
+  };
+  const auto itself = [](const Vec3& joint) { return joint; };
+  add("crown", "head", itself);
+  add("crotch", "pelvis", itself);
   const double armpits = skeleton.joint("chest").y();
   for (const std::string side : {"left", "right"}) {
-    Vec3 armpit = skeleton.joint(side + "_shoulder");
-    armpit.y() = std::min(armpit.y(), armpits);
-    places.emplace_back(side + " armpit", armpit);
-    Vec3 sole = skeleton.joint(side + "_ankle");
-    sole += Vec3(0, -sole.y(), 0.05);
-    places.emplace_back(side + " sole", sole);
+    add(side + " armpit", side + "_shoulder", [&](const Vec3& joint) {
+      return Vec3(joint.x(), std::min(joint.y(), armpits), joint.z());
+    });
+    add(side + " sole", side + "_ankle",
+        [](const Vec3& joint) { return Vec3(joint.x(), 0, joint.z() + 0.05); });
   }
   constexpr double near = 0.1;  // metres
   const auto off = [&](const auto& place) { return (place.second - at).norm(); };
