@@ -35,8 +35,9 @@ void MeasureTaker::take_girths() {
   Needs needs;
   const Vec3 back = point("cervicale", needs);
   const Vec3 front = point("front_neck", needs);
-  const Vec3 left = point("left_side_neck", needs);
-  const Vec3 right = point("right_side_neck", needs);
+  Needs base = needs;
+  const Vec3 left = point("left_side_neck", base);
+  const Vec3 right = point("right_side_neck", base);
   const double h = shape_.frame.height;
   Vec3 throat = Vec3::Zero();
   Vec3 along = Vec3::UnitY();
@@ -44,9 +45,9 @@ void MeasureTaker::take_girths() {
     // The least girth above the base, square to the neck's middle line.
     double least = 10;
     std::array<Vec3, 2> ends = {Vec3::Zero(), Vec3::UnitY()};
-    const Vec3 base = skeleton()->joint("neck");
-    for (double y = base.y(); y < base.y() + 0.06 * h; y += 0.002 * h) {
-      const Vec3 at(base.x(), y, base.z());
+    const Vec3 low = skeleton()->joint("neck");
+    for (double y = low.y(); y < low.y() + 0.06 * h; y += 0.002 * h) {
+      const Vec3 at(low.x(), y, low.z());
       const auto section =
           section_at(slice(shape_.frame.mesh, at, Vec3::UnitY()), at, Vec3::UnitY(), 0, 0.1 * h);
       if (!section || section->girth >= least) continue;
@@ -74,9 +75,10 @@ void MeasureTaker::take_girths() {
   }
   add_girth("neck", needs, throat, along, "square to the neck's middle line, at its thinnest place",
             "5.3.2");
+  if (base.missing.empty()) base.missing = needs.missing;
   const Vec3 sloping =
-      needs.missing.empty() ? Vec3((front - back).cross(left - right)) : Vec3::UnitY();
-  add_girth("neck_base", needs, (back + front + left + right) / 4, sloping,
+      base.missing.empty() ? Vec3((front - back).cross(left - right)) : Vec3::UnitY();
+  add_girth("neck_base", base, (back + front + left + right) / 4, sloping,
             "around the neck's base in the plane through cervicale and front neck point");
 
   double most = 0;

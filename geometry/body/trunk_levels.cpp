@@ -52,8 +52,8 @@ constexpr double least_waist = 0.35;
 // Of a form, whose stature nobody knows. At half of it the tests' forms keep their levels within
 // 6 mm. At double, one with a head does not.
 constexpr double waist_to_stature = 2.2;
-// Shares of that stature: from the bust up to the armpits, 0.017 to 0.040 of five bodies, and from
-// there to the neck's base, 0.086 to 0.116.
+// Shares of that stature, means of five bodies. From the bust up to the armpits it is 0.017 to
+// 0.040, from there to the neck's base 0.086 to 0.116.
 constexpr double chest_share = 0.026;
 constexpr double neck_share = 0.095;
 // Width of bust or hip over depth: 1.1 to 1.6 of people, 1 of vases and balls. At half of it a vase
