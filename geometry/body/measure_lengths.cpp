@@ -304,7 +304,7 @@ void MeasureTaker::take_side_lengths(int side) {
   std::vector<Line> along = {{}};
   if (arm.missing.empty()) along = {on_skin(top, elbow), on_skin(elbow, wrist)};
   add_lines(which + "arm_length", arm, along,
-            "from the shoulder point over the elbow to the wrist, on the skin",
+            "from the shoulder point over the elbow to the wrist's bone, on the skin",
             "5.4.14 and 5.4.15");
   Vec3 bone = Vec3::UnitX();
   if (lack_of(which + "arm").empty()) {

@@ -183,6 +183,11 @@ void run_clean_body(const CleanBodySettings& settings, const CommonSettings& com
 
   std::optional<ScanReport> scan;
   if (!input.scan.points.empty()) {
+    if (input.left_out > 0) {
+      common.say(std::to_string(input.left_out) + " of " +
+                 std::to_string(input.left_out + input.scan.points.size()) +
+                 " points left out, evenly: no more are needed");
+    }
     ScanOptions scan_options;
     scan_options.metres_per_unit = settings.metres_per_unit;
     scan_options.up = settings.up;
@@ -240,7 +245,7 @@ void run_clean_body(const CleanBodySettings& settings, const CommonSettings& com
     nlohmann::ordered_json report = clean_body_json(body, given, warnings);
     report["read"]["file"] = valid_utf8(input.name);
     if (scan) {
-      report["read"]["points"] = scan->points_read;
+      report["read"]["points"] = input.left_out + static_cast<std::size_t>(scan->points_read);
       report["read"]["polygons"] = 0;
       report["unit"] = {{"metres", scan->metres_per_unit}, {"inferred", scan->unit_inferred}};
       report["scan"] = scan_json(*scan, input.files, holes);

@@ -71,9 +71,16 @@ BodyInput read_body_input(const CleanBodySettings& settings) {
     if (!settings.poses.empty()) pose = read_scan_pose(settings.poses[i]);
     const Eigen::Matrix3d turn = pose.topLeftCorner<3, 3>();
     const Vec3 move = pose.topRightCorner<3, 1>();
-    for (const Vec3& p : file.soup.points) input.scan.points.emplace_back(turn * p + move);
+    const std::size_t share = BodyInput::most_points / settings.inputs.size();
+    const std::size_t every =
+        std::max<std::size_t>(1, (file.soup.points.size() + share - 1) / share);
+    const std::size_t before = input.scan.points.size();
     has_normals = has_normals && !file.normals.empty();
-    for (const Vec3& n : file.normals) input.scan.normals.emplace_back(turn * n);
+    for (std::size_t k = 0; k < file.soup.points.size(); k += every) {
+      input.scan.points.emplace_back(turn * file.soup.points[k] + move);
+      if (has_normals) input.scan.normals.emplace_back(turn * file.normals[k]);
+    }
+    input.left_out += file.soup.points.size() - (input.scan.points.size() - before);
   }
   if (!has_normals) input.scan.normals.clear();
   return input;
