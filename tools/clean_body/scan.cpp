@@ -133,6 +133,14 @@ void warn_of_scan(const ScanReport& scan, std::vector<std::string>& warnings) {
         "the body lies on a floor, or leans on a wall: no camera saw what is there, and girths may "
         "be 4 cm wrong; scan it standing free");
   }
+  // Outliers among the kept points are a tenth of that.
+  constexpr double most_off = 0.01;
+  if (scan.off_surface > most_off) {
+    warnings.push_back(fixed_number(100 * scan.off_surface, 0) + " % of the points are more than " +
+                       fixed_number(100 * far_off, 0) +
+                       " cm off the surface: what they show, such as another person, is left out; "
+                       "scan one person alone");
+  }
   if (scan.floor_slope > steep) {
     warnings.push_back("the floor sloped by " + fixed_number(scan.floor_slope, 0) +
                        " degrees and was taken to be level; is the scan turned right?");
