@@ -5,12 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "geometry/body/limb_landmarks.h"
 #include "geometry/body/measures.h"
 
 namespace toile {
-
-/// The left side is 1, the right -1.
-inline std::string side_prefix(int side) { return side > 0 ? "left_" : "right_"; }
 
 class MeasureTaker {
  public:

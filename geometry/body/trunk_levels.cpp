@@ -34,8 +34,8 @@ constexpr double bust_lean = 0.85;
 // Of a form: bend of the front at the bust, times the height, below which the chest is nearly flat.
 // At half or double no form of the tests changes.
 constexpr double flat_bend = 4;
-// Share of the way from waist to neck at which a flat chest has its level: 0.37 to 0.45 of five
-// bodies, 0.43 of a man. At half of it that is the belly, at double the neck.
+// Share of the way from waist to neck at which a flat chest has its level. It is 0.37 to 0.45 of
+// five bodies, 0.43 of a man. At half of it that is the belly, at double the neck.
 constexpr double bust_share = 0.43;
 // Bend of the front there, times the height: up to the first proportion alone places the level,
 // from the second on what is seen. It is 8 of a child, 15 of a man, 19 to 22 of women. At half of

@@ -18,8 +18,8 @@ struct TrunkLevel {
 
 /// Levels of the trunk.
 /// - The bust stands out the most square to the line from the waist to the neck, which leans back
-///   on most people. On a flat chest noise would place it: there it is at a stated share of the way
-///   from waist to neck, below the armpits, as ISO 8559-1 has it for men and children.
+///   on most people. Noise would place a flat one: it is at a stated share of the way from waist to
+///   neck. That is below the armpits, where ISO 8559-1 measures men and children.
 /// - The hip is half-way between where the seat stands out the most and where the girth is
 ///   greatest.
 /// - The waist is where a tape rests in the hollow, next to the least girth. Without a hollow,
