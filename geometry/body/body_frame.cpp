@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "geometry/body/find_skeleton.h"
+#include "geometry/body/torso_section.h"
 #include "geometry/error.h"
 
 namespace toile {
@@ -55,15 +56,23 @@ Spread spread_of(const TriangleMesh& mesh) {
   return spread;
 }
 
-/// Turns the frame, whose skeleton is looked for anew.
-void turn(BodyFrame& frame, double angle, const std::string& name) {
+/// Turns the frame, whose skeleton is looked for anew. With `in_part`, an arm or the head may be
+/// missing.
+void turn(BodyFrame& frame, double angle, const std::string& name, bool in_part = false) {
   const Eigen::Matrix3d rotation = about_y(angle);
   for (Vec3& p : frame.mesh.points) p = rotation * p;
   frame.rotation = rotation * frame.rotation;
   frame.translation = rotation * frame.translation;
   frame.skeleton.reset();
+  frame.lacks.clear();
   try {
-    frame.skeleton = find_skeleton(frame.mesh, name);
+    if (in_part) {
+      ShownJoints shown = shown_joints(frame.mesh, name);
+      frame.skeleton = std::move(shown.skeleton);
+      frame.lacks = std::move(shown.lacks);
+    } else {
+      frame.skeleton = find_skeleton(frame.mesh, name);
+    }
     frame.no_skeleton.clear();
   } catch (const Error& error) {
     if (frame.no_skeleton.empty()) frame.no_skeleton = error.what();
@@ -76,6 +85,35 @@ Vec3 between(const Skeleton& skeleton, const std::string& joint) {
 
 Vec3 across(const Skeleton& skeleton, const std::string& joint) {
   return (skeleton.joint("left_" + joint) - skeleton.joint("right_" + joint)).normalized();
+}
+
+bool has_both_shoulders(const Skeleton& skeleton) {
+  return skeleton.joints.contains("left_shoulder") && skeleton.joints.contains("right_shoulder");
+}
+
+/// The widest level direction of the trunk from crotch to armpits. One arm alone says nothing.
+Vec3 across_trunk(const BodyFrame& frame) {
+  const double low = frame.skeleton->joint("pelvis").y();
+  const double high = frame.skeleton->joint("chest").y();
+  double xx = 0;
+  double xz = 0;
+  double zz = 0;
+  constexpr int levels = 12;
+  for (int level = 1; level < levels; ++level) {
+    const auto section = torso_section(frame.mesh, low + level * (high - low) / levels);
+    if (!section) continue;
+    const std::vector<Vec3>& points = section->points;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vec3& next = points[(i + 1) % points.size()];
+      const Vec3 d = (points[i] + next) / 2 - section->centroid;
+      const double length = (next - points[i]).norm();
+      xx += length * d.x() * d.x();
+      xz += length * d.x() * d.z();
+      zz += length * d.z() * d.z();
+    }
+  }
+  const double angle = std::atan2(2 * xz, xx - zz) / 2;
+  return {std::cos(angle), 0, std::sin(angle)};
 }
 
 void move(BodyFrame& frame, const Vec3& by) {
@@ -112,14 +150,24 @@ BodyFrame body_frame(const TriangleMesh& body, const TriangleMesh& smooth,
     turn(frame, std::numbers::pi / 2, name);
     if (!frame.skeleton) turn(frame, -std::numbers::pi / 2, name);
   }
+  for (const double angle : {0.0, std::numbers::pi / 2, -std::numbers::pi / 2}) {
+    if (!frame.skeleton) turn(frame, angle, name, true);
+  }
   if (!frame.skeleton) return frame;
   // What is found askew is less true: once more, in the frame that it gives.
-  const Vec3 level = across(*frame.skeleton, "shoulder") + across(*frame.skeleton, "hip");
+  const bool in_part = !frame.lacks.empty();
+  const Vec3 level =
+      has_both_shoulders(*frame.skeleton)
+          ? Vec3(across(*frame.skeleton, "shoulder") + across(*frame.skeleton, "hip"))
+          : across_trunk(frame);
   const bool backward = toes_forward(frame.mesh, *frame.skeleton) < -0.01;
   const BodyFrame before = frame;
-  turn(frame, turn_to_x(level) + (backward ? std::numbers::pi : 0), name);
+  turn(frame, turn_to_x(level) + (backward ? std::numbers::pi : 0), name, in_part);
   if (!frame.skeleton) frame = before;
-  const Vec3 middle = (between(*frame.skeleton, "shoulder") + between(*frame.skeleton, "hip")) / 2;
+  Vec3 middle = between(*frame.skeleton, "hip");
+  if (has_both_shoulders(*frame.skeleton)) {
+    middle = (middle + between(*frame.skeleton, "shoulder")) / 2;
+  }
   move(frame, Vec3(-middle.x(), 0, 0));
   return frame;
 }

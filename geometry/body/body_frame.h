@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -19,6 +20,8 @@ struct BodyFrame {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   Vec3 translation = Vec3::Zero();
   double height = 0;  ///< metres
+  /// Of a skeleton without an arm or a head: why, by part. Empty: it is whole, or there is none.
+  std::map<std::string, std::string> lacks = {};
 
   /// The point of the given body that came to `p`.
   Vec3 given(const Vec3& p) const { return rotation.transpose() * (p - translation); }
@@ -26,11 +29,12 @@ struct BodyFrame {
 
 /// Turns `body`, which stands along y, about the vertical into its own frame. The first turn is by
 /// the axis along which the surface spreads most. The second is by the joints that are found then,
-/// the third by the toes. So a body turned by any angle gives the same frame, up to rounding. A
-/// body without a skeleton is turned by its spread alone, and less than a quarter turn.
+/// the third by the toes. So a body turned by any angle gives the same frame, up to rounding. Of a
+/// body with one arm, the trunk's width counts for the second turn. A body without a skeleton is
+/// turned by its spread alone, and less than a quarter turn.
 ///
 /// `body` is closed and outward-oriented, in metres; `name` is its place in messages. Throws Error
-/// for an empty mesh. Costs find_skeleton() one to four times.
+/// for an empty mesh. Costs find_skeleton() one to seven times.
 BodyFrame body_frame(const TriangleMesh& body, const std::string& name);
 
 /// The frame and the joints that `smooth` shows, a smoothed copy of `body`. Floor and height are

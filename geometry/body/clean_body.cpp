@@ -6,8 +6,10 @@
 #include <numbers>
 #include <utility>
 
+#include "geometry/body/body_frame.h"
 #include "geometry/body/body_unit.h"
 #include "geometry/body/find_skeleton.h"
+#include "geometry/body/lacking_body.h"
 #include "geometry/body/stand_level.h"
 #include "geometry/error.h"
 #include "geometry/surface_distance.h"
@@ -179,6 +181,11 @@ bool stand_upright(Standing& body, const TriangleMesh& mesh, const std::string& 
   return was_backward;
 }
 
+/// Whether it stands as a body does that has two legs, but no head or one arm.
+bool lacks_a_part(const TriangleMesh& mesh, const std::string& name) {
+  return !body_frame(mesh, name).lacks.empty();
+}
+
 Standing stand_up(const TriangleMesh& mesh, const CleanOptions& options, const std::string& name,
                   CleanReport& report) {
   const std::vector<Upright> axes = uprights();
@@ -211,6 +218,16 @@ Standing stand_up(const TriangleMesh& mesh, const CleanOptions& options, const s
       body = std::move(other);
     }
   }
+  // Without an arm or a head it may still show how it stands.
+  if (!body.skeleton && !options.up && !lacks_a_part(body.mesh, name)) {
+    for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+      Standing tried = stand(mesh, sideways(mesh, axes[axis].turn), name);
+      if (axis == chosen || !lacks_a_part(tried.mesh, name)) continue;
+      chosen = axis;
+      body = std::move(tried);
+      break;
+    }
+  }
   const Matrix& upright = axes[chosen].turn;
   const auto turn_to = [&](const Matrix& turn) {
     Standing turned = stand(mesh, turn, name);
@@ -241,6 +258,24 @@ void scale(Standing& body, double factor) {
   for (Vec3& p : body.mesh.points) p *= factor;
   if (!body.skeleton) return;
   for (auto& [joint, point] : body.skeleton->joints) point *= factor;
+}
+
+/// Gives a body that lacks limbs, in metres, the joints that it shows, and turns it to face +z.
+void take_lacking(Standing& body, const CleanOptions& options, const std::string& name,
+                  CleanReport& report) {
+  std::optional<LackingBody> found = lacking_body(body.mesh, name);
+  if (!found) return;
+  report.lacks = found->problem;
+  body.skeleton = std::move(found->skeleton);
+  if (options.front || std::abs(found->degrees) <= max_askew) return;
+  const Matrix turn = about_y(found->degrees);
+  for (Vec3& p : body.mesh.points) p = turn * p;
+  for (auto& [joint, point] : body.skeleton->joints) point = turn * point;
+  body.turn = turn * body.turn;
+  report.turned_degrees += found->degrees;
+  report.turned += (report.turned.empty() ? "by " : ", and by ") +
+                   number_text(std::abs(found->degrees), 3) +
+                   " degrees about the vertical to face +z";
 }
 
 /// Moves a body that stands more than 10 m from the y axis onto it. It returns the move in metres.
@@ -338,6 +373,7 @@ CleanBody clean_body(const PolygonSoup& soup, const std::string& name,
   }
   report.lifted = standing.lifted * report.metres_per_unit;
   scale(standing, report.metres_per_unit);
+  if (!standing.skeleton) take_lacking(standing, options, name, report);
   report.brought = bring_near(standing);
   for (const FilledHole& hole : report.repair.holes_filled) {
     const double across = hole.across * report.metres_per_unit;

@@ -7,6 +7,8 @@
 
 #include "geometry/body/centreline.h"
 #include "geometry/body/extreme.h"
+#include "geometry/body/limb_landmarks.h"
+#include "geometry/body/outline_points.h"
 #include "geometry/body/refine_joints.h"
 #include "geometry/body/tape.h"
 #include "geometry/body/torso_section.h"
@@ -26,84 +28,6 @@ constexpr double seat_outward = 0.26;
 // Share of the height: the smoothing's length. With 1 mm of noise on five bodies, 0.8 % of the
 // landmarks move by more than 5 mm. At half of it 1.7 % do, at double 1.5 %, without it 3.3 %.
 constexpr double smoothing = 0.003;
-
-const std::string& prefix(int side) {
-  static const std::string left = "left_";
-  static const std::string right = "right_";
-  return side > 0 ? left : right;
-}
-
-/// The point of the section that lies farthest in a direction.
-Vec3 farthest(const std::vector<Vec3>& points, const Vec3& direction) {
-  return *std::max_element(points.begin(), points.end(), [&](const Vec3& a, const Vec3& b) {
-    return direction.dot(a) < direction.dot(b);
-  });
-}
-
-/// Where a ray in the section's plane leaves the section. It moves less under noise than the point
-/// that lies farthest.
-Vec3 on_ray(const Section& section, const Vec3& from, const Vec3& direction, const Vec3& normal) {
-  const Vec3 across = normal.cross(direction);
-  std::optional<Vec3> best;
-  const std::size_t n = section.points.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vec3& a = section.points[i];
-    const Vec3& b = section.points[(i + 1) % n];
-    const double low = across.dot(a - from);
-    const double high = across.dot(b - from);
-    if (low * high > 0 || low == high) continue;
-    const Vec3 p = a + low / (low - high) * (b - a);
-    if (!best || direction.dot(p) > direction.dot(*best)) best = p;
-  }
-  return best.value_or(farthest(section.points, direction));
-}
-
-/// The point of an outline in the plane of x that lies farthest, by a parabola through those near.
-Vec3 corner_of(const std::vector<Vec3>& outline, const Vec3& direction, double reach) {
-  const Vec3 out = direction.normalized();
-  const Vec3 along = Vec3::UnitX().cross(out);
-  Vec3 tip = farthest(outline, out);
-  std::vector<Vec2> samples;
-  for (const Vec3& p : outline) {
-    if (std::abs(along.dot(p - tip)) < 1.5 * reach && out.dot(p - tip) > -reach) {
-      samples.emplace_back(along.dot(p - tip), out.dot(p - tip));
-    }
-  }
-  std::stable_sort(samples.begin(), samples.end(),
-                   [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
-  if (samples.size() < 6) return tip;
-  const Extreme most = greatest(samples, reach);
-  return most.is_end ? tip : Vec3(tip + most.at * along + most.value * out);
-}
-
-double width_of(const Section& section) {
-  return farthest(section.points, Vec3::UnitX()).x() - farthest(section.points, -Vec3::UnitX()).x();
-}
-
-/// Where a curve lies farthest on the side `toward` of the straight line between its ends. Points
-/// near the extreme count by their distance, so that noise and coarse edges move it little. Nothing
-/// where it lies farthest at an end.
-std::optional<Vec3> bulge(const std::vector<Vec3>& curve, const Vec3& toward, double reach) {
-  const Vec3 along = (curve.back() - curve.front()).normalized();
-  const Vec3 out = (toward - toward.dot(along) * along).normalized();
-  std::vector<Vec2> samples;
-  // Samples at equal steps: an edge's points are no measure of where the curve is.
-  constexpr double step = 0.002;
-  for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
-    const Vec3 side = curve[i + 1] - curve[i];
-    const int n = std::max(1, static_cast<int>(side.norm() / step));
-    for (int k = 0; k < n; ++k) {
-      const Vec3 p = curve[i] + (static_cast<double>(k) / n) * side - curve.front();
-      samples.emplace_back(along.dot(p), out.dot(p));
-    }
-  }
-  std::stable_sort(samples.begin(), samples.end(),
-                   [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
-  const double length = (curve.back() - curve.front()).norm();
-  const Extreme most = greatest(samples, reach * length);
-  if (most.is_end) return std::nullopt;
-  return curve.front() + most.at * along + most.value * out;
-}
 
 /// Metres from the lowest to the highest point of the surface; 0 where there is none.
 double height_of(const TriangleMesh& body) {
@@ -137,7 +61,7 @@ class Finder {
       for (const int side : {1, -1}) {
         for (const char* name : {"side_neck", "shoulder", "armpit", "armpit_front", "armpit_back",
                                  "gluteal_fold", "knee", "calf", "ankle", "elbow", "wrist"}) {
-          absent(prefix(side) + name, no_joints());
+          absent(side_prefix(side) + name, no_joints());
         }
       }
       return;
@@ -145,44 +69,45 @@ class Finder {
     skeleton_ = &*shape_.frame.skeleton;
     // Without air between the thighs the sections' touch is all there is.
     add("crotch", crotch_.value_or(skeleton_->joint("pelvis")), crotch_ ? 0.8 : 0.4);
-    for (const int side : {1, -1}) find_armpit_and_shoulder(side);
-    find_neck();
     for (const int side : {1, -1}) {
-      find_leg(side);
-      find_arm(side);
+      if (const std::string why = lack_of(side_prefix(side) + "arm"); !why.empty()) {
+        for (const char* name :
+             {"shoulder", "armpit", "armpit_front", "armpit_back", "elbow", "wrist"}) {
+          absent(side_prefix(side) + name, why);
+        }
+      } else {
+        find_armpit_and_shoulder(side);
+      }
     }
+    if (const std::string why = lack_of("head"); !why.empty()) {
+      absent("crown", why);
+      no_neck(why);
+    } else {
+      find_neck();
+    }
+    find_limb_landmarks(shape_);
   }
 
  private:
+  /// Why the body lacks a part; empty: it is there.
+  std::string lack_of(const std::string& part) const {
+    const auto found = shape_.frame.lacks.find(part);
+    return found == shape_.frame.lacks.end() ? "" : found->second;
+  }
+
   std::string no_joints() const {
     return "the surface does not show head, arms and legs: " + shape_.frame.no_skeleton;
   }
 
   void add(const std::string& name, const std::optional<Vec3>& place, double confidence,
            const std::string& reason = "") {
-    const bool is_said = place || !reason.empty();
-    shape_.landmarks.push_back({name, place, place ? confidence : 0,
-                                is_said ? reason : "the surface has no closed outline there"});
+    add_landmark(shape_.landmarks, name, place, confidence, reason);
   }
   void absent(const std::string& name, const std::string& reason) {
     add(name, std::nullopt, 0, reason);
   }
 
   std::optional<Section> level(double y) const { return torso_section(mesh_, y); }
-
-  /// Where the section's front (side 1) or back (-1) is at x.
-  static std::optional<Vec3> at_x(const Section& section, double x, double side) {
-    std::optional<Vec3> found;
-    const std::size_t n = section.points.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      const Vec3& a = section.points[i];
-      const Vec3& b = section.points[(i + 1) % n];
-      if ((a.x() - x) * (b.x() - x) > 0 || a.x() == b.x()) continue;
-      const Vec3 p = a + (x - a.x()) / (b.x() - a.x()) * (b - a);
-      if (!found || side * p.z() > side * found->z()) found = p;
-    }
-    return found;
-  }
 
   void add_level(const std::string& name, const TrunkLevel& level_found, double side) {
     if (!level_found.height) return absent(name, level_found.reason);
@@ -209,7 +134,7 @@ class Finder {
 
   void add_side(const std::string& name, const TrunkLevel& found, int side) {
     const auto section = found.height ? level(*found.height) : std::nullopt;
-    if (!section) return absent(prefix(side) + name, found.reason);
+    if (!section) return absent(side_prefix(side) + name, found.reason);
     const double z = side_line(shape_, *found.height);
     std::optional<Vec3> place;
     const std::size_t n = section->points.size();
@@ -220,7 +145,7 @@ class Finder {
       const Vec3 p = a + (z - a.z()) / (b.z() - a.z()) * (b - a);
       if (side * p.x() > (place ? side * place->x() : 0)) place = p;
     }
-    add(prefix(side) + name, place, found.confidence);
+    add(side_prefix(side) + name, place, found.confidence);
   }
 
   /// The point of one side of the trunk at a level that stands out the most. `facing` is 1 to the
@@ -249,7 +174,7 @@ class Finder {
   }
 
   void find_bust_point(int side) {
-    const std::string name = prefix(side) + "bust_point";
+    const std::string name = side_prefix(side) + "bust_point";
     if (!levels_.bust.height) return absent(name, levels_.bust.reason);
     add(name, summit(*levels_.bust.height, side, 1, breast_outward), levels_.bust.confidence,
         levels_.bust.reason);
@@ -258,7 +183,7 @@ class Finder {
   }
 
   void find_seat_point(int side) {
-    const std::string name = prefix(side) + "seat_point";
+    const std::string name = side_prefix(side) + "seat_point";
     if (!levels_.hip.height) return absent(name, levels_.hip.reason);
     add(name, summit(*levels_.hip.height, side, -1, seat_outward), levels_.hip.confidence,
         levels_.hip.reason);
@@ -274,7 +199,7 @@ class Finder {
   }
 
   void find_armpit_and_shoulder(int side) {
-    const Vec3& joint = skeleton_->joint(prefix(side) + "shoulder");
+    const Vec3& joint = skeleton_->joint(side_prefix(side) + "shoulder");
     // The armhole's plane is upright through the crease of the armpit, where the arm leaves the
     // trunk. The joint lies in it.
     const double x = joint.x();
@@ -282,7 +207,7 @@ class Finder {
     const auto arm = section_at(sections, joint, Vec3::UnitX(), 0, 0.05 * h_);
     if (!arm || arm->points.size() < 8) {
       for (const char* name : {"shoulder", "armpit", "armpit_front", "armpit_back"}) {
-        absent(prefix(side) + name, "the arm's root has no closed outline");
+        absent(side_prefix(side) + name, "the arm's root has no closed outline");
       }
       return;
     }
@@ -291,16 +216,16 @@ class Finder {
     for (const Vec3& p : arm->points) {
       if (p.y() > armpit - 0.02 * h_) points.push_back(p);
     }
-    add(prefix(side) + "shoulder", top_of(points), 0.8);
-    add(prefix(side) + "armpit", Vec3(x, armpit, joint.z()), 0.7);
+    add(side_prefix(side) + "shoulder", top_of(points), 0.8);
+    add(side_prefix(side) + "armpit", Vec3(x, armpit, joint.z()), 0.7);
     const double middle = (top_of(points).y() + armpit) / 2;
     std::vector<Vec3> low;
     for (const Vec3& p : points) {
       if (p.y() < middle) low.push_back(p);
     }
     if (low.empty()) low = points;
-    add(prefix(side) + "armpit_front", corner_of(low, Vec3(0, -1, 1), 0.018 * h_), 0.5);
-    add(prefix(side) + "armpit_back", corner_of(low, Vec3(0, -1, -1), 0.018 * h_), 0.5);
+    add(side_prefix(side) + "armpit_front", corner_of(low, Vec3(0, -1, 1), 0.018 * h_), 0.5);
+    add(side_prefix(side) + "armpit_back", corner_of(low, Vec3(0, -1, -1), 0.018 * h_), 0.5);
   }
 
   /// The top of an outline in an upright plane, by a parabola over what is near it.
@@ -369,8 +294,8 @@ class Finder {
   /// Where the outline from neck to shoulder turns the most, seen from the front. It is farthest
   /// there from the straight line between the thinnest neck and the shoulder.
   void find_side_neck(int side, const std::vector<Neck>& neck) {
-    const std::string name = prefix(side) + "side_neck";
-    const auto shoulder = place_of(shape_.landmarks, prefix(side) + "shoulder");
+    const std::string name = side_prefix(side) + "side_neck";
+    const auto shoulder = place_of(shape_.landmarks, side_prefix(side) + "shoulder");
     if (!shoulder) return absent(name, "the shoulder is not found");
     std::vector<Vec3> outline;
     for (const Neck& level_of_neck : neck) {
@@ -420,85 +345,6 @@ class Finder {
     add("front_neck", hollow, 0.6);
   }
 
-  std::optional<Section> leg_at(double y, int side) const {
-    const Vec3 knee = skeleton_->joint(prefix(side) + "knee");
-    const Vec3 hip = skeleton_->joint(prefix(side) + "hip");
-    const Vec3 ankle = skeleton_->joint(prefix(side) + "ankle");
-    const Vec3& from = y > knee.y() ? hip : knee;
-    const Vec3& to = y > knee.y() ? knee : ankle;
-    const double t = std::clamp((y - from.y()) / (to.y() - from.y()), 0.0, 1.0);
-    Vec3 at = from + t * (to - from);
-    at.y() = y;
-    return section_at(slice(mesh_, at, Vec3::UnitY()), at, Vec3::UnitY(), 0, 0.05 * h_);
-  }
-
-  void find_leg(int side) {
-    const std::string& which = prefix(side);
-    const double crotch = skeleton_->joint("pelvis").y();
-    const double knee = skeleton_->joint(which + "knee").y();
-    find_gluteal_fold(side, crotch, knee);
-    const auto kneecap = leg_at(knee, side);
-    add(which + "knee",
-        kneecap ? std::optional(on_ray(*kneecap, kneecap->centroid, Vec3::UnitZ(), Vec3::UnitY()))
-                : std::nullopt,
-        0.5, "proportion and the leg's thin place above the calf show the knee");
-    std::vector<Vec2> calf;
-    std::vector<Vec2> ankle;
-    for (double y = 0.03 * h_; y < knee; y += 0.003 * h_) {
-      const auto section = leg_at(y, side);
-      if (!section) continue;
-      if (y < 0.14 * h_) ankle.emplace_back(y, -section->girth);
-      if (y > 0.13 * h_ && y < knee - 0.02 * h_) calf.emplace_back(y, section->girth);
-    }
-    add_leg(which + "calf", calf, side, -Vec3::UnitZ());
-    add_leg(which + "ankle", ankle, side, side * Vec3::UnitX());
-  }
-
-  void add_leg(const std::string& name, const std::vector<Vec2>& girths, int side,
-               const Vec3& direction) {
-    if (girths.size() < 5) return absent(name, "the lower leg has no closed outline");
-    const Extreme most = greatest(girths, 0.025 * h_);
-    const auto section = leg_at(most.at, side);
-    if (!section) return absent(name, "the lower leg has no closed outline");
-    add(name, on_ray(*section, section->centroid, direction, Vec3::UnitY()),
-        most.is_end ? 0.4 : 0.8);
-  }
-
-  /// The hollow of the back's outline between seat and thigh, in the plane of the seat's point.
-  void find_gluteal_fold(int side, double crotch, double knee) {
-    const std::string name = prefix(side) + "gluteal_fold";
-    const auto seat = place_of(shape_.landmarks, prefix(side) + "seat_point");
-    if (!seat) return absent(name, "the seat's point is not found");
-    const double low = crotch - 0.35 * (crotch - knee);
-    const auto thigh = leg_at(low, side);
-    const auto to = thigh ? at_x(*thigh, seat->x(), -1) : std::nullopt;
-    const std::vector<Section> sections = slice(mesh_, *seat, Vec3::UnitX());
-    if (!to || sections.empty()) return absent(name, "the thigh has no closed outline");
-    const std::vector<Vec3> curve = part_between(sections.front(), *seat, *to, -Vec3::UnitZ());
-    if (curve.size() < 5) return absent(name, "the thigh has no outline from the side");
-    const std::optional<Vec3> fold = bulge(curve, Vec3::UnitZ(), 0.2);
-    if (!fold) return absent(name, "there is no fold between seat and thigh");
-    add(name, fold, 0.5);
-  }
-
-  void find_arm(int side) {
-    const std::string& which = prefix(side);
-    const Vec3& shoulder = skeleton_->joint(which + "shoulder");
-    const Vec3& elbow = skeleton_->joint(which + "elbow");
-    const Vec3& wrist = skeleton_->joint(which + "wrist");
-    add_on_arm(which + "elbow", elbow, (wrist - shoulder).normalized());
-    add_on_arm(which + "wrist", wrist, (wrist - elbow).normalized());
-  }
-
-  /// The outer point of the arm's section, where a tape from the shoulder runs.
-  void add_on_arm(const std::string& name, const Vec3& joint, const Vec3& along) {
-    const auto section = section_at(slice(mesh_, joint, along), joint, along, 0, 0.04 * h_);
-    if (!section) return absent(name, "the arm has no closed outline");
-    Vec3 out = Vec3::UnitY() - along.y() * along;
-    if (out.norm() < 1e-3) out = Vec3(joint.x() > 0 ? 1 : -1, 0, 0);
-    add(name, on_ray(*section, section->centroid, out.normalized(), along), 0.6);
-  }
-
   BodyShape& shape_;
   const TriangleMesh& mesh_;
   const TrunkLevels& levels_;
@@ -520,7 +366,7 @@ BodyShape find_landmarks(const TriangleMesh& body, const std::string& name) {
   shape.frame = body_frame(body, smoothed(body, smoothing * height_of(body)), name);
   std::optional<Vec3> crotch;
   if (shape.frame.skeleton) crotch = refine_joints(shape.frame);
-  shape.levels = trunk_levels(shape.frame);
+  shape.levels = facing_trunk_levels(shape.frame);
   Finder(shape, crotch).find();
   for (std::size_t i = 0; i < body.points.size(); ++i) {
     shape.frame.mesh.points[i] = shape.frame.rotation * body.points[i] + shape.frame.translation;

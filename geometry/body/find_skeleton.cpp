@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "geometry/body/centreline.h"
@@ -64,17 +65,43 @@ class Finder {
   }
 
   Skeleton find() {
+    find_all();
+    if (!lacks_.empty()) fail(lacks_.begin()->second);
+    check_arms();
+    skeleton_.segments = body_segments();
+    return std::move(skeleton_);
+  }
+
+  ShownJoints find_shown() {
+    find_all();
+    if (lacks_.contains("left_arm") && lacks_.contains("right_arm")) {
+      fail(lacks_.at("left_arm") + ", and " + lacks_.at("right_arm"));
+    }
+    for (const Segment& segment : body_segments()) {
+      if (skeleton_.joints.contains(segment.from) && skeleton_.joints.contains(segment.to)) {
+        skeleton_.segments.push_back(segment);
+      }
+    }
+    return {std::move(skeleton_), std::move(lacks_)};
+  }
+
+ private:
+  /// Legs and trunk have to be there; what else is not goes to lacks_.
+  void find_all() {
     if (!(height_ > 0)) fail("nothing stands above y = 0");
     find_legs();
     find_trunk();
     find_neck();
     for (const int side : {1, -1}) find_arm(side);
-    check();
-    skeleton_.segments = body_segments();
-    return std::move(skeleton_);
+    check_trunk();
   }
 
- private:
+  static std::string arm_of(int side) { return side > 0 ? "left_arm" : "right_arm"; }
+
+  void lack(const std::string& part, const std::string& problem) {
+    lacks_.try_emplace(part, problem);
+  }
+
   [[noreturn]] void fail(const std::string& problem) const {
     throw Error(name_, "no skeleton is found: " + problem,
                 "it has to stand upright with arms and legs apart");
@@ -162,6 +189,14 @@ class Finder {
     trunk_ = walk_level(body_, skeleton_.joint("pelvis"), 0.995 * height_, options);
     if (trunk_.back().along < 0.9 * height_) fail("the trunk can't be followed up to a head");
     for (const int side : {1, -1}) find_armpit(side);
+    // The other arm's level stands for the armpit of an arm that is not there.
+    for (const int side : {1, -1}) {
+      if (!lacks_.contains(arm_of(side))) continue;
+      if (lacks_.contains(arm_of(-side))) {
+        fail(lacks_.at("left_arm") + ", and " + lacks_.at("right_arm"));
+      }
+      armpits_[side > 0 ? 0 : 1] = armpits_[side > 0 ? 1 : 0];
+    }
     const double armpit = std::min(armpits_[0].y(), armpits_[1].y());
     const double span = armpit - crotch_;
     skeleton_.joints["waist"] =
@@ -180,8 +215,10 @@ class Finder {
           extent_to(trunk_[i].section, side) - extent_to(trunk_[i - 1].section, side);
       if (lost > 0.03 * height_) below = i;
     }
-    if (below == 0)
-      fail(std::string("the ") + (side > 0 ? "left" : "right") + " arm does not leave the trunk");
+    if (below == 0) {
+      return lack(arm_of(side), std::string("the ") + (side > 0 ? "left" : "right") +
+                                    " arm does not leave the trunk");
+    }
     double joined = trunk_[below].along;
     double apart = trunk_[below - 1].along;
     const double between =
@@ -218,7 +255,10 @@ class Finder {
     for (const Station& station : trunk_) {
       if (station.along > thin.along) head_girth = std::max(head_girth, station.section.girth);
     }
-    if (head_girth < 1.05 * thin.section.girth) fail("no neck is thinner than a head above it");
+    if (head_girth < 1.05 * thin.section.girth) {
+      skeleton_.joints["neck"] = point_along(trunk_, 0.985 * height_);
+      return lack("head", "no neck is thinner than a head above it");
+    }
     const auto width = [](const Section& section) {
       const Extent extent = extent_in_x(section);
       return extent.high - extent.low;
@@ -236,6 +276,7 @@ class Finder {
   }
 
   void find_arm(int side) {
+    if (lacks_.contains(arm_of(side))) return;
     const Vec3& armpit = armpits_[side > 0 ? 0 : 1];
     const std::string which = side > 0 ? "left" : "right";
     const Vec3 tip = *std::max_element(
@@ -251,7 +292,10 @@ class Finder {
       arm = walk_limb(body_, armpit + height_ * (0.035 * across + on * outward), outward, options);
       if (!arm.empty() && arm.front().section.girth > 0.35 * height_) arm.clear();
     }
-    if (arm.size() < 20) fail("the " + which + " arm can't be followed from the armpit to a hand");
+    if (arm.size() < 20) {
+      return lack(arm_of(side),
+                  "the " + which + " arm can't be followed from the armpit to a hand");
+    }
 
     // The shoulder joint lies above the armpit, on the upper arm's line.
     const std::size_t far = std::min<std::size_t>(arm.size() - 1, 16);
@@ -294,7 +338,7 @@ class Finder {
     return arm_to_wrist / arm_to_tip * whole - back;
   }
 
-  void check() {
+  void check_trunk() {
     const auto require = [this](bool holds, const std::string& problem) {
       if (!holds) fail(problem);
     };
@@ -303,16 +347,26 @@ class Finder {
             "the legs' length is not in proportion to the height");
     require(y("pelvis") < y("waist") && y("waist") < y("chest") && y("chest") < y("neck"),
             "waist, armpits and neck are not above one another");
-    std::array<double, 2> lengths{};
     for (const int side : {1, -1}) {
-      const double length = (joint(side, "elbow") - joint(side, "shoulder")).norm() +
-                            (joint(side, "wrist") - joint(side, "elbow")).norm();
-      require(length > 0.2 * height_ && length < 0.5 * height_,
-              "an arm's length is not in proportion to the height");
-      lengths[side > 0 ? 0 : 1] = length;
+      if (lacks_.contains(arm_of(side))) continue;
+      const double length = arm_length(side);
+      if (length > 0.2 * height_ && length < 0.5 * height_) continue;
+      lack(arm_of(side), "an arm's length is not in proportion to the height");
+      for (const char* name : {"shoulder", "elbow", "wrist"}) {
+        skeleton_.joints.erase((side > 0 ? "left_" : "right_") + std::string(name));
+      }
     }
-    require(lengths[0] < 1.3 * lengths[1] && lengths[1] < 1.3 * lengths[0],
-            "the arms differ in length");
+  }
+
+  double arm_length(int side) {
+    return (joint(side, "elbow") - joint(side, "shoulder")).norm() +
+           (joint(side, "wrist") - joint(side, "elbow")).norm();
+  }
+
+  void check_arms() {
+    const double left = arm_length(1);
+    const double right = arm_length(-1);
+    if (left > 1.3 * right || right > 1.3 * left) fail("the arms differ in length");
   }
 
   const TriangleMesh& body_;
@@ -323,12 +377,14 @@ class Finder {
   std::vector<Station> trunk_;   // from the crotch up to the crown
   std::array<Vec3, 2> armpits_;  // left, right
   Skeleton skeleton_;
+  std::map<std::string, std::string> lacks_;  // why, by part
 };
 
 }  // namespace
 
 double toes_forward(const TriangleMesh& body, const Skeleton& skeleton) {
-  const double height = skeleton.joint("head").y();
+  double height = 0;
+  for (const Vec3& point : body.points) height = std::max(height, point.y());
   const double y = 0.012 * height;
   double forward = 0;
   for (const std::string ankle : {"left_ankle", "right_ankle"}) {
@@ -342,6 +398,10 @@ double toes_forward(const TriangleMesh& body, const Skeleton& skeleton) {
 
 Skeleton find_skeleton(const TriangleMesh& body, const std::string& name) {
   return Finder(body, name).find();
+}
+
+ShownJoints shown_joints(const TriangleMesh& body, const std::string& name) {
+  return Finder(body, name).find_shown();
 }
 
 }  // namespace toile

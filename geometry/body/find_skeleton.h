@@ -1,6 +1,7 @@
 // Finds the skeleton of a standing body from its surface.
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "geometry/body/skeleton.h"
@@ -27,6 +28,17 @@ namespace toile {
 /// It throws Error, with the place `name`, when the surface lacks these parts. It costs about 300
 /// slices of O(n).
 Skeleton find_skeleton(const TriangleMesh& body, const std::string& name);
+
+/// The joints that a surface shows of a body that lacks an arm or its head.
+struct ShownJoints {
+  /// Segments between the joints that are there. Without a head, `neck` is the trunk's upper end.
+  Skeleton skeleton;
+  std::map<std::string, std::string> lacks;  ///< why, by the body's part: an arm, "head"
+};
+
+/// As find_skeleton(), of a body that has two legs, a trunk and one arm at least. What else is not
+/// there is left out. Throws Error where the surface lacks these.
+ShownJoints shown_joints(const TriangleMesh& body, const std::string& name);
 
 /// Share of the height by which the feet's centroids lie before the ankles, in +z, on average. It
 /// is positive for a body that faces +z, negative for one that faces -z, and about 0 without feet.

@@ -35,8 +35,9 @@ void MeasureTaker::take_girths() {
   Needs needs;
   const Vec3 back = point("cervicale", needs);
   const Vec3 front = point("front_neck", needs);
-  const Vec3 left = point("left_side_neck", needs);
-  const Vec3 right = point("right_side_neck", needs);
+  Needs base = needs;
+  const Vec3 left = point("left_side_neck", base);
+  const Vec3 right = point("right_side_neck", base);
   const double h = shape_.frame.height;
   Vec3 throat = Vec3::Zero();
   Vec3 along = Vec3::UnitY();
@@ -44,9 +45,9 @@ void MeasureTaker::take_girths() {
     // The least girth above the base, square to the neck's middle line.
     double least = 10;
     std::array<Vec3, 2> ends = {Vec3::Zero(), Vec3::UnitY()};
-    const Vec3 base = skeleton()->joint("neck");
-    for (double y = base.y(); y < base.y() + 0.06 * h; y += 0.002 * h) {
-      const Vec3 at(base.x(), y, base.z());
+    const Vec3 low = skeleton()->joint("neck");
+    for (double y = low.y(); y < low.y() + 0.06 * h; y += 0.002 * h) {
+      const Vec3 at(low.x(), y, low.z());
       const auto section =
           section_at(slice(shape_.frame.mesh, at, Vec3::UnitY()), at, Vec3::UnitY(), 0, 0.1 * h);
       if (!section || section->girth >= least) continue;
@@ -74,14 +75,16 @@ void MeasureTaker::take_girths() {
   }
   add_girth("neck", needs, throat, along, "square to the neck's middle line, at its thinnest place",
             "5.3.2");
+  if (base.missing.empty()) base.missing = needs.missing;
   const Vec3 sloping =
-      needs.missing.empty() ? Vec3((front - back).cross(left - right)) : Vec3::UnitY();
-  add_girth("neck_base", needs, (back + front + left + right) / 4, sloping,
+      base.missing.empty() ? Vec3((front - back).cross(left - right)) : Vec3::UnitY();
+  add_girth("neck_base", base, (back + front + left + right) / 4, sloping,
             "around the neck's base in the plane through cervicale and front neck point");
 
   double most = 0;
   Vec3 brow = Vec3::Zero();
-  if (skeleton() != nullptr) {
+  const std::string headless = lack_of("head");
+  if (headless.empty()) {
     const double chin = skeleton()->joint("neck").y();
     for (double y = chin + 0.55 * (h - chin); y < h; y += 0.003 * h) {
       const std::vector<Section> sections = slice(shape_.frame.mesh, {0, y, 0}, Vec3::UnitY());
@@ -91,7 +94,8 @@ void MeasureTaker::take_girths() {
     }
   }
   Needs head;
-  if (most == 0) head.missing = "no head: " + shape_.frame.no_skeleton;
+  if (!headless.empty()) head.missing = "no head: " + headless;
+  if (headless.empty() && most == 0) head.missing = "no head: it has no closed section";
   add_girth("head", head, brow, Vec3::UnitY(),
             "level, the greatest around the upper half of the head");
 }
@@ -164,8 +168,13 @@ void MeasureTaker::take_limb_girths(int side) {
   const std::string which = side_prefix(side);
   Needs whole;
   if (skeleton() == nullptr) whole.missing = "no limbs: " + shape_.frame.no_skeleton;
+  Needs whole_arm;
+  if (const std::string why = lack_of(which + "arm"); !why.empty()) {
+    whole_arm.missing = (skeleton() == nullptr ? "no limbs: " : "no " + which + "arm: ") + why;
+  }
   const auto joint = [&](const std::string& name) {
-    return skeleton() != nullptr ? skeleton()->joint(which + name) : Vec3(Vec3::UnitY());
+    const bool is_there = skeleton() != nullptr && skeleton()->joints.contains(which + name);
+    return is_there ? skeleton()->joint(which + name) : Vec3(Vec3::UnitY());
   };
   const Vec3 hip = joint("hip");
   const Vec3 knee = joint("knee");
@@ -215,18 +224,21 @@ void MeasureTaker::take_limb_girths(int side) {
   const Vec3 upper = (elbow - shoulder).normalized();
   double most = 0;
   Vec3 arm = elbow;
-  for (double t = 0.35; whole.missing.empty() && t < 0.8; t += 0.05) {
+  for (double t = 0.35; whole_arm.missing.empty() && t < 0.8; t += 0.05) {
     const Vec3 at = shoulder + t * (elbow - shoulder);
     const double girth = length_of(girth_line(at, upper));
     if (girth <= most || girth > 0.35 * h) continue;
     most = girth;
     arm = at;
   }
-  add_girth(which + "upper_arm", whole, arm, upper,
+  add_girth(which + "upper_arm", whole_arm, arm, upper,
             "square to the arm, the greatest between armpit and elbow");
-  add_girth(which + "elbow", whole, elbow, (wrist - shoulder).normalized(),
+  add_girth(which + "elbow", whole_arm, elbow, (wrist - shoulder).normalized(),
             "square to the arm, around the elbow");
-  add_girth(which + "wrist", whole, wrist, (wrist - elbow).normalized(),
+  Needs hand = whole_arm;
+  if (hand.missing.empty()) point(which + "wrist", hand);
+  hand.confidence = 1;
+  add_girth(which + "wrist", hand, wrist, (wrist - elbow).normalized(),
             "square to the forearm, the least above the hand", "5.3.19");
 }
 

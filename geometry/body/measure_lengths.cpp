@@ -304,10 +304,10 @@ void MeasureTaker::take_side_lengths(int side) {
   std::vector<Line> along = {{}};
   if (arm.missing.empty()) along = {on_skin(top, elbow), on_skin(elbow, wrist)};
   add_lines(which + "arm_length", arm, along,
-            "from the shoulder point over the elbow to the wrist, on the skin",
+            "from the shoulder point over the elbow to the wrist's bone, on the skin",
             "5.4.14 and 5.4.15");
   Vec3 bone = Vec3::UnitX();
-  if (skeleton() != nullptr) {
+  if (lack_of(which + "arm").empty()) {
     bone = skeleton()->joint(which + "elbow") - skeleton()->joint(which + "shoulder");
   }
   add_angle(which + "arm_angle", arm, degrees * std::atan2(-bone.y(), side * bone.x()),

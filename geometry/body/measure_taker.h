@@ -5,12 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "geometry/body/limb_landmarks.h"
 #include "geometry/body/measures.h"
 
 namespace toile {
-
-/// The left side is 1, the right -1.
-inline std::string side_prefix(int side) { return side > 0 ? "left_" : "right_"; }
 
 class MeasureTaker {
  public:
@@ -57,6 +55,9 @@ class MeasureTaker {
   const Skeleton* skeleton() const {
     return shape_.frame.skeleton ? &*shape_.frame.skeleton : nullptr;
   }
+
+  /// Why there is no such part, an arm or "head"; empty: it is there.
+  std::string lack_of(const std::string& part) const;
 
   const BodyShape& shape_;
   std::vector<Measure> measures_;

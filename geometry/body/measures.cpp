@@ -102,14 +102,23 @@ MeasureTaker::Line MeasureTaker::on_skin(const Vec3& a, const Vec3& b) const {
   return geodesic(shape_.frame.mesh, a, b);
 }
 
+std::string MeasureTaker::lack_of(const std::string& part) const {
+  if (skeleton() == nullptr) return shape_.frame.no_skeleton;
+  const auto found = shape_.frame.lacks.find(part);
+  return found == shape_.frame.lacks.end() ? "" : found->second;
+}
+
 void MeasureTaker::take_heights() {
   const double h = shape_.frame.height;
   Needs stands;
   if (skeleton() == nullptr) stands.missing = "it is no whole body: " + shape_.frame.no_skeleton;
-  const auto joint_height = [&](const std::string& joint) {
-    return skeleton() != nullptr ? skeleton()->joint(joint) : Vec3(Vec3::Zero());
-  };
-  add_height("height", stands, 0, h, joint_height("head"), "from the floor to the crown", "5.1.1");
+  Needs crown = stands;
+  if (const std::string why = lack_of("head"); skeleton() != nullptr && !why.empty()) {
+    crown.missing = "no head: " + why;
+  }
+  add_height("height", crown, 0, h,
+             crown.missing.empty() ? skeleton()->joint("head") : Vec3(Vec3::Zero()),
+             "from the floor to the crown", "5.1.1");
   const auto at_level = [&](const std::string& name, const TrunkLevel& found) {
     Needs needs = stands;
     const double y = level(found, name, needs);

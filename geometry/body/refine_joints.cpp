@@ -83,9 +83,12 @@ struct Refiner {
     return top - index * step;
   }
 
+  bool has(const std::string& name) const { return frame.skeleton->joints.contains(name); }
+
   void find_armpits() {
-    const auto left = armpit(1);
-    const auto right = armpit(-1);
+    const bool both = has("left_shoulder") && has("right_shoulder");
+    const auto left = has("left_shoulder") ? armpit(1) : armpit(-1);
+    const auto right = both ? armpit(-1) : left;
     if (left && right) joint("chest").y() = (*left + *right) / 2;
   }
 
@@ -141,7 +144,7 @@ std::optional<Vec3> refine_joints(BodyFrame& frame) {
   refiner.find_armpits();
   for (const char* side : {"left_", "right_"}) {
     refiner.find_knee(side);
-    refiner.find_wrist(side);
+    if (refiner.has(side + std::string("wrist"))) refiner.find_wrist(side);
   }
   return seen;
 }

@@ -47,7 +47,8 @@ struct Skeleton {
   const Vec3& joint(const std::string& name) const {
     const auto found = joints.find(name);
     if (found == joints.end()) {
-      throw Error("skeleton", "has no joint '" + name + "'", "let clean-body write it");
+      throw Error("skeleton", "has no joint '" + name + "'",
+                  "let clean-body write it; what a body does not show can't be dressed");
     }
     return found->second;
   }

@@ -141,6 +141,8 @@ void measure_error(const TriangleMesh& mesh, const std::vector<Vec3>& points, Sc
   });
   report.error_rms = root_mean_square(off);
   report.error_95 = percentile(off, 0.95);
+  const auto far = std::count_if(off.begin(), off.end(), [](double d) { return d > far_off; });
+  report.off_surface = static_cast<double>(far) / static_cast<double>(off.size());
 }
 
 SmoothDistanceOptions resolution(const ScanSamples& samples) {

@@ -24,6 +24,9 @@ struct ScanHole {
   double area = 0;       ///< square metres
 };
 
+/// Metres from the surface: what is farther off is no part of it, such as a child in arms.
+inline constexpr double far_off = 0.02;
+
 struct ScanReport {
   int points_read = 0;
   int outliers = 0;  ///< dropped: few other points are near
@@ -46,6 +49,7 @@ struct ScanReport {
   std::vector<ScanHole> holes;  ///< largest first
   double error_rms = 0;         ///< metres between kept points and the surface
   double error_95 = 0;          ///< metres: 95 % of the kept points are nearer
+  double off_surface = 0;       ///< share of the kept points that are farther off than far_off
 };
 
 struct ReconstructedScan {

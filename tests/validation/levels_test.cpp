@@ -1,11 +1,14 @@
 // Bust, waist and hip of bodies against measures that are known of them.
+#include <algorithm>
 #include <fstream>
 
 #include "geometry/body/clean_body.h"
 #include "geometry/body/mannequin/mannequin.h"
 #include "geometry/body/mannequin/mannequin_shape.h"
+#include "geometry/body/measures.h"
 #include "geometry/body/torso_section.h"
 #include "geometry/body/trunk_levels.h"
+#include "io/measure_names.h"
 #include "io/mesh_file.h"
 #include "tests/support/run_program.h"
 #include "tests/validation/report.h"
@@ -45,6 +48,64 @@ void expect_measures(const std::string& name, const std::filesystem::path& mesh,
     test::expect_near({name + ", girth of the " + level, "trunk levels", "", "cm"},
                       girth_at(body.mesh, *body.skeleton, level), measure(measures, key), bound);
   }
+}
+
+/// The mean of both sides, in centimetres or degrees.
+double taken(const std::vector<Measure>& measures, std::string_view name) {
+  double sum = 0;
+  int n = 0;
+  for (const std::string side : {"", "left_", "right_"}) {
+    const Measure* found = find_measure(measures, side + std::string(name));
+    if (found == nullptr || !found->value) continue;
+    sum += *found->value * (found->is_angle ? 1 : 100);
+    ++n;
+  }
+  EXPECT_GT(n, 0) << name;
+  return sum / n;
+}
+
+/// All that GarmentCode's file of the body says: girths within 5 mm, others within 10 mm or
+/// degrees.
+void expect_garmentcode(const std::string& name, const std::filesystem::path& mesh,
+                        const std::filesystem::path& file) {
+  const std::vector<std::string> girths = {"bust", "underbust", "waist",
+                                           "hips", "leg_circ",  "wrist"};
+  // Taken otherwise there: not over the bust's points, not square to the neck.
+  const std::vector<std::string> others = {"bust_line", "waist_over_bust_line", "neck_w"};
+  const auto holds = [](const std::vector<std::string>& list, const std::string& key) {
+    return std::find(list.begin(), list.end(), key) != list.end();
+  };
+  const std::vector<Measure> measures =
+      measure_body(find_landmarks(fan_triangles(read_mesh(mesh)), name));
+  for (const ForeignMeasure& foreign : foreign_measures(DraftingProgram::garmentcode)) {
+    const std::string key(foreign.name);
+    double ours = 0;
+    for (const MeasureTerm& term : foreign.terms) ours += term.factor * taken(measures, term.name);
+    const double theirs = measure(file, key);
+    const bool is_angle =
+        key.ends_with("angle") || key.ends_with("incl") || key.ends_with("inclination");
+    test::Figure figure{name + ", GarmentCode's " + key, "measures", "",
+                        is_angle ? "degrees" : "cm"};
+    if (holds(others, key)) {
+      figure.reason = "taken otherwise there";
+      test::state(figure, ours, test::number(theirs, 6, figure.unit),
+                  test::number(ours - theirs, 3, figure.unit));
+    } else {
+      test::expect_near(figure, ours, theirs, holds(girths, key) ? 0.5 : 1);
+    }
+  }
+}
+
+TEST(Levels, GarmentCodesMeasuresOfAWoman) {
+  TOILE_REAL_DATA(mesh, "bodies/mean_all.obj");
+  TOILE_REAL_DATA(measures, "bodies/mean_all.yaml");
+  expect_garmentcode("mean_all", mesh, measures);
+}
+
+TEST(Levels, GarmentCodesMeasuresOfAMan) {
+  TOILE_REAL_DATA(mesh, "bodies/mean_male.obj");
+  TOILE_REAL_DATA(measures, "bodies/mean_male.yaml");
+  expect_garmentcode("mean_male", mesh, measures);
 }
 
 TEST(Levels, OfAWomanMeasured) {

@@ -136,7 +136,8 @@ std::vector<std::string> warnings_about(const CleanBody& body) {
     warnings.push_back("the parts dropped are " + number(100 * r.dropped_area, "%.0f") +
                        " % of the surface; was the body one piece?");
   }
-  if (report.height < 1.0 || report.height > 2.3) {
+  const bool is_form = body.skeleton && !body.skeleton->joints.contains("left_ankle");
+  if ((report.height < 1.0 && !is_form) || report.height > 2.3) {
     warnings.push_back("the body is " + number(report.height, "%.2f") +
                        " m tall; is the unit right?");
   }
@@ -182,6 +183,11 @@ void run_clean_body(const CleanBodySettings& settings, const CommonSettings& com
 
   std::optional<ScanReport> scan;
   if (!input.scan.points.empty()) {
+    if (input.left_out > 0) {
+      common.say(std::to_string(input.left_out) + " of " +
+                 std::to_string(input.left_out + input.scan.points.size()) +
+                 " points left out, evenly: no more are needed");
+    }
     ScanOptions scan_options;
     scan_options.metres_per_unit = settings.metres_per_unit;
     scan_options.up = settings.up;
@@ -223,6 +229,7 @@ void run_clean_body(const CleanBodySettings& settings, const CommonSettings& com
   const std::filesystem::path joints = skeleton_path(common.output);
   const bool is_stale = !body.skeleton && is_stale_skeleton(joints);
   if (!body.skeleton) warnings.push_back(body.report.no_skeleton);
+  if (!body.report.lacks.empty()) warnings.push_back(input.name + ": " + body.report.lacks);
   if (is_stale) {
     warnings.push_back(joints.string() + " was another body's skeleton and is removed");
   }
@@ -238,7 +245,7 @@ void run_clean_body(const CleanBodySettings& settings, const CommonSettings& com
     nlohmann::ordered_json report = clean_body_json(body, given, warnings);
     report["read"]["file"] = valid_utf8(input.name);
     if (scan) {
-      report["read"]["points"] = scan->points_read;
+      report["read"]["points"] = input.left_out + static_cast<std::size_t>(scan->points_read);
       report["read"]["polygons"] = 0;
       report["unit"] = {{"metres", scan->metres_per_unit}, {"inferred", scan->unit_inferred}};
       report["scan"] = scan_json(*scan, input.files, holes);

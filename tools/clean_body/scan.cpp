@@ -20,16 +20,21 @@ std::string counted(int n, const std::string& one, const std::string& many) {
 
 /// Where a hole is that no camera sees well, or the part of the body.
 std::string place_name(const Skeleton& skeleton, const Vec3& at) {
-  std::vector<std::pair<std::string, Vec3>> places = {{"crown", skeleton.joint("head")},
-                                                      {"crotch", skeleton.joint("pelvis")}};
+  std::vector<std::pair<std::string, Vec3>> places;
+  const auto add = [&](const std::string& place, const std::string& joint, const auto& at_joint) {
+    const auto found = skeleton.joints.find(joint);
+    if (found != skeleton.joints.end()) places.emplace_back(place, at_joint(found->second));
+  };
+  const auto itself = [](const Vec3& joint) { return joint; };
+  add("crown", "head", itself);
+  add("crotch", "pelvis", itself);
   const double armpits = skeleton.joint("chest").y();
   for (const std::string side : {"left", "right"}) {
-    Vec3 armpit = skeleton.joint(side + "_shoulder");
-    armpit.y() = std::min(armpit.y(), armpits);
-    places.emplace_back(side + " armpit", armpit);
-    Vec3 sole = skeleton.joint(side + "_ankle");
-    sole += Vec3(0, -sole.y(), 0.05);
-    places.emplace_back(side + " sole", sole);
+    add(side + " armpit", side + "_shoulder", [&](const Vec3& joint) {
+      return Vec3(joint.x(), std::min(joint.y(), armpits), joint.z());
+    });
+    add(side + " sole", side + "_ankle",
+        [](const Vec3& joint) { return Vec3(joint.x(), 0, joint.z() + 0.05); });
   }
   constexpr double near = 0.1;  // metres
   const auto off = [&](const auto& place) { return (place.second - at).norm(); };
@@ -66,9 +71,16 @@ BodyInput read_body_input(const CleanBodySettings& settings) {
     if (!settings.poses.empty()) pose = read_scan_pose(settings.poses[i]);
     const Eigen::Matrix3d turn = pose.topLeftCorner<3, 3>();
     const Vec3 move = pose.topRightCorner<3, 1>();
-    for (const Vec3& p : file.soup.points) input.scan.points.emplace_back(turn * p + move);
+    const std::size_t share = BodyInput::most_points / settings.inputs.size();
+    const std::size_t every =
+        std::max<std::size_t>(1, (file.soup.points.size() + share - 1) / share);
+    const std::size_t before = input.scan.points.size();
     has_normals = has_normals && !file.normals.empty();
-    for (const Vec3& n : file.normals) input.scan.normals.emplace_back(turn * n);
+    for (std::size_t k = 0; k < file.soup.points.size(); k += every) {
+      input.scan.points.emplace_back(turn * file.soup.points[k] + move);
+      if (has_normals) input.scan.normals.emplace_back(turn * file.normals[k]);
+    }
+    input.left_out += file.soup.points.size() - (input.scan.points.size() - before);
   }
   if (!has_normals) input.scan.normals.clear();
   return input;
@@ -120,6 +132,14 @@ void warn_of_scan(const ScanReport& scan, std::vector<std::string>& warnings) {
     warnings.push_back(
         "the body lies on a floor, or leans on a wall: no camera saw what is there, and girths may "
         "be 4 cm wrong; scan it standing free");
+  }
+  // Outliers among the kept points are a tenth of that.
+  constexpr double most_off = 0.01;
+  if (scan.off_surface > most_off) {
+    warnings.push_back(fixed_number(100 * scan.off_surface, 0) + " % of the points are more than " +
+                       fixed_number(100 * far_off, 0) +
+                       " cm off the surface: what they show, such as another person, is left out; "
+                       "scan one person alone");
   }
   if (scan.floor_slope > steep) {
     warnings.push_back("the floor sloped by " + fixed_number(scan.floor_slope, 0) +

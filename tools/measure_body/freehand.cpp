@@ -121,8 +121,11 @@ class Taker {
       return landmark.place.value_or(Vec3::Zero());
     }
     if (std::find(joint_names.begin(), joint_names.end(), name) != joint_names.end()) {
-      if (skeleton() != nullptr) return skeleton()->joint(name);
-      lack("no joint " + name + ": " + shape_.frame.no_skeleton);
+      if (skeleton() != nullptr && skeleton()->joints.contains(name)) {
+        return skeleton()->joint(name);
+      }
+      lack("no joint " + name + ": " +
+           (skeleton() == nullptr ? shape_.frame.no_skeleton : "the body lacks this part"));
       return Vec3::Zero();
     }
     std::istringstream stream(name);
@@ -240,6 +243,7 @@ class Taker {
     }
     if (skeleton() == nullptr) return lack("no joints: " + shape_.frame.no_skeleton);
     const Bones bones(*skeleton(), part);
+    if (bones.joints.empty()) return lack("the body has no joints of " + part);
     const auto [middle, direction] = bones.at(*share * bones.along.back());
     at = middle;
     normal = direction;

@@ -103,6 +103,9 @@ int run_measure_body(const MeasureBodySettings& settings, const CommonSettings& 
   std::vector<MeasureDifference> differences;
   if (settings.against) differences = differences_to(*settings.against, all, common);
   if (!all.no_joints.empty()) all.remarks.push_back({true, all.no_joints});
+  for (const auto& [part, why] : shape.frame.lacks) {
+    all.remarks.push_back({true, all.body_name + ": nothing is measured of a part: " + why});
+  }
   const bool nothing = std::none_of(all.measures.begin(), all.measures.end(),
                                     [](const Measure& measure) { return measure.value; });
   if (nothing) all.remarks.push_back({true, all.body_name + ": nothing can be measured on it"});

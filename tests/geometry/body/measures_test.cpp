@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/body/body_proportions.h"
+#include "geometry/body/mannequin/fit_mannequin.h"
 #include "geometry/body/mannequin/mannequin.h"
 #include "geometry/body/tape.h"
 #include "geometry/decimate.h"
@@ -131,6 +133,24 @@ TEST(FindLandmarks, HoldUnderAMillimetreOfNoise) {
     const double moved = most_moved(
         test::noisy(whole, seed), [](const Vec3& p) { return p; }, unchanged);
     EXPECT_LT(moved, 5 * millimetre) << seed;
+  }
+}
+
+TEST(FindLandmarks, AFlatChestKeepsItsLevelUnderAMillimetreOfNoise) {
+  const MeasureValues given = {{"height", 1.10}, {"bust", 0.59}, {"hip", 0.62}};
+  MannequinOptions options;
+  options.edge_length = 0.009;
+  const TriangleMesh child =
+      fit_mannequin(given, filled_measures(given, Figure::child), Figure::child, options)
+          .mannequin.surface;
+  const TrunkLevel bust = find_landmarks(child, "child").levels.bust;
+  ASSERT_TRUE(bust.height);
+  EXPECT_LT(bust.confidence, 0.6);
+  EXPECT_NE(bust.reason.find("stands out little"), std::string::npos) << bust.reason;
+  for (const unsigned seed : {1U, 2U, 3U, 4U}) {
+    const TrunkLevel noisy = find_landmarks(test::noisy(child, seed), "noisy").levels.bust;
+    ASSERT_TRUE(noisy.height);
+    EXPECT_NEAR(*noisy.height, *bust.height, 4 * millimetre) << seed;
   }
 }
 

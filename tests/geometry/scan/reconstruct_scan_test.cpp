@@ -127,6 +127,22 @@ TEST_F(ReconstructScan, OtherThingsInTheScanAreDropped) {
   EXPECT_LT(std::count(parts.part.begin(), parts.part.end(), ScanPart::stray), 3100);
 }
 
+TEST_F(ReconstructScan, WhatIsLeftOutAtTheBodyIsCounted) {
+  EXPECT_LT(made->report.off_surface, 0.002);
+  // Something round that is carried before the chest, a centimetre away.
+  double chest = 0;
+  for (const Vec3& p : body->points) {
+    if (std::abs(p.y() - 1.2) < 0.1 && std::abs(p.x()) < 0.1) chest = std::max(chest, p.z());
+  }
+  PointCloud cloud = scan->cloud;
+  for (const Vec3& p : test::spread_points(test::sphere(0.1, 3), 3000)) {
+    cloud.points.push_back(p + Vec3(0, 1.2, chest + 0.11));
+  }
+  const ScanReport report = reconstruct_scan(cloud, "carried").report;
+  EXPECT_GT(report.off_surface + report.stray / static_cast<double>(report.points_read), 0.03);
+  EXPECT_GT(report.off_surface, 0.03);
+}
+
 TEST_F(ReconstructScan, AFlatSideIsNoFloor) {
   const ScanParts slab =
       sort_scan(test::spread_points(test::box({-0.15, 0, -0.12}, {0.15, 1.7, 0.12}), 20000), {});

@@ -1,0 +1,164 @@
+#include "geometry/body/limb_landmarks.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "geometry/body/centreline.h"
+#include "geometry/body/extreme.h"
+#include "geometry/body/outline_points.h"
+#include "geometry/body/proportions.h"
+#include "geometry/body/tape.h"
+
+namespace toile {
+
+namespace {
+
+// Share of the height from the thinnest place of the forearm to the wrist's bone, where arm lengths
+// end. At half of it arms are 6 mm shorter than GarmentCode's, at double 11 mm longer.
+constexpr double wrist_bone = 0.0066;
+// Of the other hand's length: an arm with less has none. At half or double, the answer is the same
+// for six bodies with both hands and one whose forearm is cut.
+constexpr double least_hand = 0.4;
+
+class LimbFinder {
+ public:
+  explicit LimbFinder(BodyShape& shape)
+      : shape_(shape),
+        mesh_(shape.frame.mesh),
+        h_(shape.frame.height),
+        skeleton_(&*shape.frame.skeleton) {}
+
+  void find() {
+    for (const int side : {1, -1}) {
+      find_leg(side);
+      if (!shape_.frame.lacks.contains(side_prefix(side) + "arm")) find_arm(side);
+    }
+  }
+
+ private:
+  void add(const std::string& name, const std::optional<Vec3>& place, double confidence,
+           const std::string& reason = "") {
+    add_landmark(shape_.landmarks, name, place, confidence, reason);
+  }
+  void absent(const std::string& name, const std::string& reason) {
+    add(name, std::nullopt, 0, reason);
+  }
+
+  std::optional<Section> leg_at(double y, int side) const {
+    const Vec3 knee = skeleton_->joint(side_prefix(side) + "knee");
+    const Vec3 hip = skeleton_->joint(side_prefix(side) + "hip");
+    const Vec3 ankle = skeleton_->joint(side_prefix(side) + "ankle");
+    const Vec3& from = y > knee.y() ? hip : knee;
+    const Vec3& to = y > knee.y() ? knee : ankle;
+    const double t = std::clamp((y - from.y()) / (to.y() - from.y()), 0.0, 1.0);
+    Vec3 at = from + t * (to - from);
+    at.y() = y;
+    return section_at(slice(mesh_, at, Vec3::UnitY()), at, Vec3::UnitY(), 0, 0.05 * h_);
+  }
+
+  void find_leg(int side) {
+    const std::string which = side_prefix(side);
+    const double crotch = skeleton_->joint("pelvis").y();
+    const double knee = skeleton_->joint(which + "knee").y();
+    find_gluteal_fold(side, crotch, knee);
+    const auto kneecap = leg_at(knee, side);
+    add(which + "knee",
+        kneecap ? std::optional(on_ray(*kneecap, kneecap->centroid, Vec3::UnitZ(), Vec3::UnitY()))
+                : std::nullopt,
+        0.5, "proportion and the leg's thin place above the calf show the knee");
+    std::vector<Vec2> calf;
+    std::vector<Vec2> ankle;
+    for (double y = 0.03 * h_; y < knee; y += 0.003 * h_) {
+      const auto section = leg_at(y, side);
+      if (!section) continue;
+      if (y < 0.14 * h_) ankle.emplace_back(y, -section->girth);
+      if (y > 0.13 * h_ && y < knee - 0.02 * h_) calf.emplace_back(y, section->girth);
+    }
+    add_leg(which + "calf", calf, side, -Vec3::UnitZ());
+    add_leg(which + "ankle", ankle, side, side * Vec3::UnitX());
+  }
+
+  void add_leg(const std::string& name, const std::vector<Vec2>& girths, int side,
+               const Vec3& direction) {
+    if (girths.size() < 5) return absent(name, "the lower leg has no closed outline");
+    const Extreme most = greatest(girths, 0.025 * h_);
+    const auto section = leg_at(most.at, side);
+    if (!section) return absent(name, "the lower leg has no closed outline");
+    add(name, on_ray(*section, section->centroid, direction, Vec3::UnitY()),
+        most.is_end ? 0.4 : 0.8);
+  }
+
+  /// The hollow of the back's outline between seat and thigh, in the plane of the seat's point.
+  void find_gluteal_fold(int side, double crotch, double knee) {
+    const std::string name = side_prefix(side) + "gluteal_fold";
+    const auto seat = place_of(shape_.landmarks, side_prefix(side) + "seat_point");
+    if (!seat) return absent(name, "the seat's point is not found");
+    const double low = crotch - 0.35 * (crotch - knee);
+    const auto thigh = leg_at(low, side);
+    const auto to = thigh ? at_x(*thigh, seat->x(), -1) : std::nullopt;
+    const std::vector<Section> sections = slice(mesh_, *seat, Vec3::UnitX());
+    if (!to || sections.empty()) return absent(name, "the thigh has no closed outline");
+    const std::vector<Vec3> curve = part_between(sections.front(), *seat, *to, -Vec3::UnitZ());
+    if (curve.size() < 5) return absent(name, "the thigh has no outline from the side");
+    const std::optional<Vec3> fold = bulge(curve, Vec3::UnitZ(), 0.2);
+    if (!fold) return absent(name, "there is no fold between seat and thigh");
+    add(name, fold, 0.5);
+  }
+
+  void find_arm(int side) {
+    const std::string which = side_prefix(side);
+    const Vec3& shoulder = skeleton_->joint(which + "shoulder");
+    const Vec3& elbow = skeleton_->joint(which + "elbow");
+    const Vec3& wrist = skeleton_->joint(which + "wrist");
+    add_on_arm(which + "elbow", elbow, (wrist - shoulder).normalized());
+    if (is_cut_off(side)) return absent(which + "wrist", "the arm ends where the other has a hand");
+    const Vec3 along = (wrist - elbow).normalized();
+    add_on_arm(which + "wrist", wrist + wrist_bone * h_ * along, along);
+  }
+
+  /// Metres that the arm goes on beyond its wrist.
+  double hand_of(int side) const {
+    const Vec3 wrist = skeleton_->joint(side_prefix(side) + "wrist");
+    const Vec3 along = (wrist - skeleton_->joint(side_prefix(side) + "elbow")).normalized();
+    double reach = 0;
+    for (const Vec3& p : mesh_.points) {
+      const double on = along.dot(p - wrist);
+      const double off = (p - wrist - on * along).norm();
+      if (off < hand * h_ / 2 + on / 2 && on < 2 * hand * h_) reach = std::max(reach, on);
+    }
+    return reach;
+  }
+
+  /// Whether the arm has no hand and the other has one.
+  bool is_cut_off(int side) const {
+    if (shape_.frame.lacks.contains(side_prefix(-side) + "arm")) return false;
+    return hand_of(side) < least_hand * hand_of(-side);
+  }
+
+  /// The outer point of the arm's section, where a tape from the shoulder runs.
+  void add_on_arm(const std::string& name, const Vec3& joint, const Vec3& along) {
+    const auto section = section_at(slice(mesh_, joint, along), joint, along, 0, 0.04 * h_);
+    if (!section) return absent(name, "the arm has no closed outline");
+    Vec3 out = Vec3::UnitY() - along.y() * along;
+    if (out.norm() < 1e-3) out = Vec3(joint.x() > 0 ? 1 : -1, 0, 0);
+    add(name, on_ray(*section, section->centroid, out.normalized(), along), 0.6);
+  }
+
+  BodyShape& shape_;
+  const TriangleMesh& mesh_;
+  double h_;
+  const Skeleton* skeleton_;
+};
+
+}  // namespace
+
+void add_landmark(Landmarks& landmarks, const std::string& name, const std::optional<Vec3>& place,
+                  double confidence, const std::string& reason) {
+  const bool is_said = place || !reason.empty();
+  landmarks.push_back({name, place, place ? confidence : 0,
+                       is_said ? reason : "the surface has no closed outline there"});
+}
+
+void find_limb_landmarks(BodyShape& shape) { LimbFinder(shape).find(); }
+
+}  // namespace toile
