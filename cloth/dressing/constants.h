@@ -23,9 +23,9 @@ struct Closing {
 /// the cloth came out tangled.
 ///
 /// Of eleven garments that tangle in the first one, the second brings six clear, and the third two
-/// others. With the pull of the first, the second would bring three clear; with 3,000 and a pull of
-/// 0.5, three. With a bending factor of 300, eight of eleven others tangle that do not with 3,000.
-/// With 30,000 most tangle again: gathers can't fold [measured].
+/// others. In place of the second, the third alone brings three clear, and 3,000 with a pull of 0.5
+/// brings three. Of eleven others that tangle with a bending factor of 300, eight do not with
+/// 3,000. With 30,000 most tangle again: gathers can't fold [measured].
 inline constexpr std::array<Closing, 3> closing_attempts = {
     {{3000, closing_pull}, {10000, 0.5}, {10000, closing_pull}}};
 

@@ -45,8 +45,8 @@ struct DressResult {
 ///
 /// - On the coarsest of the garment's nested meshes the panels are placed (`position`). Then their
 ///   seams close, with the arms out of the way (`close_seams`), and what came through itself is
-///   drawn back (`untangle`, sew.h). Panels that tangle are sewn again, with stiffer folds, three
-///   times at most.
+///   drawn back (`untangle`, sew.h). Panels that tangle are sewn again in other ways
+///   (closing_attempts).
 /// - The garment falls, mesh by mesh (`settle`). Each finer mesh starts from the rest of the
 ///   coarser one. It falls without friction, unless it would slide off.
 /// - The finest mesh comes to rest with the fabric's full stiffness and friction (`rest`).

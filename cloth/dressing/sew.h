@@ -21,8 +21,8 @@ struct Sewn {
 /// (ArmRaise). Skirts and wide tops then close past the arms, and sleeves around them. The garment
 /// comes down with the arms. Over layers the arms stay.
 ///
-/// Panels that tangle are sewn again, with stiffer folds, three times at most. Throws what
-/// find_start() and compile() throw.
+/// Panels that tangle are sewn again in other ways (closing_attempts). Throws what find_start()
+/// and compile() throw.
 Sewn sew(const PanelMesh& mesh, int depth, const Scene& scene, double resting_offset,
          Journal& journal);
 

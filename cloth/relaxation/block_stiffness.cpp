@@ -146,9 +146,11 @@ double BlockStiffness::update(std::size_t begin, std::size_t end, const Vec4s& x
   Sum sums[vertex_chunk] = {};
   std::size_t node = begin;
   std::size_t left = corners_[node].size();  // corners of this node
-  const TriangleCorner* const stop = corners_[end - 1].data() + corners_[end - 1].size();
-  for (const TriangleCorner* at = corners_[begin].data(); at < stop; at += width) {
-    const auto count = std::min<std::size_t>(width, stop - at);
+  const TriangleCorner* const all = corners_[begin].data();
+  const std::size_t last = corners_[end - 1].data() + corners_[end - 1].size() - all;
+  for (std::size_t first = 0; first < last; first += width) {
+    const TriangleCorner* const at = all + first;
+    const std::size_t count = std::min(width, last - first);
     const TriangleCorner* const corners[width] = {at, at + std::min<std::size_t>(1, count - 1),
                                                   at + std::min<std::size_t>(2, count - 1),
                                                   at + std::min<std::size_t>(3, count - 1)};

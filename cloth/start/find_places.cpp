@@ -356,9 +356,11 @@ std::vector<FoundPlace> find_places(const TriangleMesh& body, const Skeleton& sk
     }
   }
   if (!has_all_limbs(skeleton)) {
-    throw Error("panel '" + garment.panels.front().name + "'",
-                "states no place, and the skeleton lacks joints that would tell it",
-                "let clean-body write the skeleton, or place the panels in the pattern");
+    throw Error(
+        "panel '" + garment.panels.front().name + "'",
+        "states no place, and the skeleton lacks joints that would tell it",
+        "place the panels in the pattern if the body lacks limbs; else let clean-body write "
+        "the skeleton");
   }
   const BodySizes sizes(body, skeleton);
   const std::vector<int> panel_of = panel_of_points(garment);

@@ -11,15 +11,31 @@ namespace toile {
 
 namespace {
 
-/// The mean x of the points that other panels are sewn to this one with; none: it is sewn to none.
-std::optional<double> partners_middle(const PanelMesh& garment, int panel,
-                                      const std::vector<int>& panel_of,
+/// The plane between the legs.
+struct Divide {
+  Vec3 at = Vec3::Zero();
+  Vec3 left = Vec3::Zero();  // unit vector toward the left leg
+
+  double beside(const Vec3& p) const { return (p - at).dot(left); }
+};
+
+std::optional<Divide> divide_of(const Skeleton& skeleton) {
+  const auto left = skeleton.joints.find("left_hip");
+  const auto right = skeleton.joints.find("right_hip");
+  if (left == skeleton.joints.end() || right == skeleton.joints.end()) return std::nullopt;
+  return Divide{0.5 * (left->second + right->second), (left->second - right->second).normalized()};
+}
+
+/// Metres beside the divide, the mean of the points that other panels are sewn to this one with;
+/// none: it is sewn to none.
+std::optional<double> partners_beside(const PanelMesh& garment, int panel,
+                                      const std::vector<int>& panel_of, const Divide& divide,
                                       const std::vector<Vec3>& placed) {
   double sum = 0;
   int count = 0;
   const auto add = [&](const std::vector<int>& mine, const std::vector<int>& partners) {
     if (panel_of[mine.front()] != panel || panel_of[partners.front()] == panel) return;
-    for (const int p : partners) sum += placed[p].x();
+    for (const int p : partners) sum += divide.beside(placed[p]);
     count += static_cast<int>(partners.size());
   };
   for (const MeshedSeam& seam : garment.seams) {
@@ -33,9 +49,8 @@ std::optional<double> partners_middle(const PanelMesh& garment, int panel,
 
 void narrow_leg_panels(const PanelMesh& garment, const Skeleton& skeleton,
                        std::vector<Vec3>& placed) {
-  const auto pelvis = skeleton.joints.find("pelvis");
-  if (pelvis == skeleton.joints.end()) return;
-  const double plane = pelvis->second.x();
+  const std::optional<Divide> divide = divide_of(skeleton);
+  if (!divide) return;
   const std::vector<std::string> parts = panel_parts(garment, skeleton);
   const std::vector<int> panel_of = panel_of_points(garment);
   const std::vector<Vec3> before = placed;
@@ -45,16 +60,14 @@ void narrow_leg_panels(const PanelMesh& garment, const Skeleton& skeleton,
     const MeshedPanel& panel = garment.panels[i];
     double inner = std::numeric_limits<double>::infinity();
     for (int p = panel.first_point; p < panel.first_point + panel.points; ++p) {
-      inner = std::min(inner, side * (before[p].x() - plane));
+      inner = std::min(inner, side * divide->beside(before[p]));
     }
-    const std::optional<double> middle =
-        partners_middle(garment, static_cast<int>(i), panel_of, before);
-    if (inner > -max_leg_panel_overlap || !middle) continue;
-    const double aside = side * (*middle - plane);
-    if (aside <= leg_panel_gap) continue;
-    const double share = (aside - leg_panel_gap) / (aside - inner);
+    if (inner > -max_leg_panel_overlap) continue;
+    const auto middle = partners_beside(garment, static_cast<int>(i), panel_of, *divide, before);
+    if (!middle || side * *middle <= leg_panel_gap) continue;
+    const double share = (side * *middle - leg_panel_gap) / (side * *middle - inner);
     for (int p = panel.first_point; p < panel.first_point + panel.points; ++p) {
-      placed[p].x() = *middle + share * (before[p].x() - *middle);
+      placed[p] += (share - 1) * (divide->beside(before[p]) - *middle) * divide->left;
     }
   }
 }

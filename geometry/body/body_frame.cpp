@@ -150,12 +150,12 @@ BodyFrame body_frame(const TriangleMesh& body, const TriangleMesh& smooth,
     turn(frame, std::numbers::pi / 2, name);
     if (!frame.skeleton) turn(frame, -std::numbers::pi / 2, name);
   }
+  const bool in_part = !frame.skeleton;
   for (const double angle : {0.0, std::numbers::pi / 2, -std::numbers::pi / 2}) {
     if (!frame.skeleton) turn(frame, angle, name, true);
   }
   if (!frame.skeleton) return frame;
   // What is found askew is less true: once more, in the frame that it gives.
-  const bool in_part = !frame.lacks.empty();
   const Vec3 level =
       has_both_shoulders(*frame.skeleton)
           ? Vec3(across(*frame.skeleton, "shoulder") + across(*frame.skeleton, "hip"))

@@ -10,6 +10,7 @@
 #include "geometry/body/body_unit.h"
 #include "geometry/body/find_skeleton.h"
 #include "geometry/body/lacking_body.h"
+#include "geometry/body/limbs_through.h"
 #include "geometry/body/stand_level.h"
 #include "geometry/error.h"
 #include "geometry/surface_distance.h"
@@ -218,14 +219,17 @@ Standing stand_up(const TriangleMesh& mesh, const CleanOptions& options, const s
       body = std::move(other);
     }
   }
-  // Without an arm or a head it may still show how it stands.
-  if (!body.skeleton && !options.up && !lacks_a_part(body.mesh, name)) {
+  // Without an arm or a head it may still show how it stands. Costs six frames.
+  if (!body.skeleton && !options.up && !body_frame(body.mesh, name).skeleton) {
+    std::vector<std::pair<std::size_t, Standing>> found;
     for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+      if (axis == chosen) continue;
       Standing tried = stand(mesh, sideways(mesh, axes[axis].turn), name);
-      if (axis == chosen || !lacks_a_part(tried.mesh, name)) continue;
-      chosen = axis;
-      body = std::move(tried);
-      break;
+      if (lacks_a_part(tried.mesh, name)) found.emplace_back(axis, std::move(tried));
+    }
+    if (found.size() == 1) {
+      chosen = found.front().first;
+      body = std::move(found.front().second);
     }
   }
   const Matrix& upright = axes[chosen].turn;
@@ -293,7 +297,9 @@ Vec3 bring_near(Standing& body) {
 
 /// Why the given joints can't be used for a body in units of `unit` metres; empty: they can.
 std::string refusal(const Skeleton& skeleton, const TriangleMesh& mesh, double unit) {
-  for (const Segment& segment : body_segments()) {
+  // A body that lacks limbs has the segments that it shows.
+  if (skeleton.segments.empty()) return "there are no segments among them";
+  for (const Segment& segment : skeleton.segments) {
     for (const std::string& name : {segment.from, segment.to}) {
       if (!skeleton.joints.contains(name)) return "there is no '" + name + "' among them";
     }
@@ -321,13 +327,15 @@ std::optional<Standing> as_given(const TriangleMesh& mesh, const CleanOptions& o
     point /= unit;
     point.y() -= floor;
   }
-  if (const double degrees = askew(*body.skeleton); std::abs(degrees) > max_askew) {
+  const bool has_all = has_all_limbs(*body.skeleton);
+  if (!has_all) report.lacks = "the given joints are those of a body that lacks limbs";
+  if (const double degrees = has_all ? askew(*body.skeleton) : 0; std::abs(degrees) > max_askew) {
     body.turn = about_y(degrees);
     for (Vec3& p : body.mesh.points) p = body.turn * p;
     for (auto& [joint, point] : body.skeleton->joints) point = body.turn * point;
   }
   // An earlier run may have turned the body. Its joints then lie within the unturned one, too.
-  if (toes_forward(body.mesh, *body.skeleton) < -0.01) {
+  if (has_all && toes_forward(body.mesh, *body.skeleton) < -0.01) {
     report.skeleton_refused = "its toes point to -z";
     return std::nullopt;
   }

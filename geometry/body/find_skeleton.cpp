@@ -74,6 +74,10 @@ class Finder {
 
   ShownJoints find_shown() {
     find_all();
+    if (const int cut = shorter_arm(); cut != 0) {
+      drop_arm(cut, std::string("the ") + (cut > 0 ? "left" : "right") +
+                        " arm is shorter than the other");
+    }
     if (lacks_.contains("left_arm") && lacks_.contains("right_arm")) {
       fail(lacks_.at("left_arm") + ", and " + lacks_.at("right_arm"));
     }
@@ -351,10 +355,14 @@ class Finder {
       if (lacks_.contains(arm_of(side))) continue;
       const double length = arm_length(side);
       if (length > 0.2 * height_ && length < 0.5 * height_) continue;
-      lack(arm_of(side), "an arm's length is not in proportion to the height");
-      for (const char* name : {"shoulder", "elbow", "wrist"}) {
-        skeleton_.joints.erase((side > 0 ? "left_" : "right_") + std::string(name));
-      }
+      drop_arm(side, "an arm's length is not in proportion to the height");
+    }
+  }
+
+  void drop_arm(int side, const std::string& why) {
+    lack(arm_of(side), why);
+    for (const char* name : {"shoulder", "elbow", "wrist"}) {
+      skeleton_.joints.erase((side > 0 ? "left_" : "right_") + std::string(name));
     }
   }
 
@@ -363,10 +371,16 @@ class Finder {
            (joint(side, "wrist") - joint(side, "elbow")).norm();
   }
 
-  void check_arms() {
+  /// The side of an arm that is much shorter than the other, as one that is cut off; 0: neither is.
+  int shorter_arm() {
+    if (lacks_.contains("left_arm") || lacks_.contains("right_arm")) return 0;
     const double left = arm_length(1);
     const double right = arm_length(-1);
-    if (left > 1.3 * right || right > 1.3 * left) fail("the arms differ in length");
+    return right > 1.3 * left ? 1 : left > 1.3 * right ? -1 : 0;
+  }
+
+  void check_arms() {
+    if (shorter_arm() != 0) fail("the arms differ in length");
   }
 
   const TriangleMesh& body_;

@@ -48,7 +48,7 @@ struct Skeleton {
     const auto found = joints.find(name);
     if (found == joints.end()) {
       throw Error("skeleton", "has no joint '" + name + "'",
-                  "let clean-body write it; what a body does not show can't be dressed");
+                  "let clean-body write it; a limb that the body lacks has none");
     }
     return found->second;
   }

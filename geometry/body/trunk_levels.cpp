@@ -508,6 +508,8 @@ std::optional<Skeleton> torso_joints(const BodyFrame& body, const TrunkLevels& l
 
 std::vector<NamedLevel> girth_levels(const TriangleMesh& body, const Skeleton& skeleton) {
   BodyFrame frame{body, skeleton, "", Eigen::Matrix3d::Identity(), Vec3::Zero(), 0};
+  // The height of a form tells nothing of the stature: its levels are those of its surface alone.
+  if (!skeleton.joints.contains("left_hip")) frame.skeleton.reset();
   for (const Vec3& point : body.points) frame.height = std::max(frame.height, point.y());
   const TrunkLevels found = trunk_levels(frame);
   std::vector<NamedLevel> levels;

@@ -8,7 +8,6 @@
 // Confidences are not looked at: all that is listed counts. Ends with a table of causes.
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 
 #include "geometry/error.h"
 #include "io/output_file.h"

@@ -18,7 +18,7 @@ struct BodyInput {
   PolygonSoup soup;  ///< without polygons if it is a scan
   PointCloud scan;   ///< empty if it is a mesh
   int files = 1;
-  /// Each file's points are thinned to about this many: more tell nothing, and fill the memory.
+  /// All files together are thinned to this many at most: more tell nothing, and fill the memory.
   static constexpr std::size_t most_points = 10'000'000;
   std::size_t left_out = 0;  ///< points that were read and not taken
 };

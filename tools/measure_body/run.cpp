@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/predicate.hpp>
+#include <boost/algorithm/string/replace.hpp>
 #include <set>
 
 #include "cloth/scene/closed_body.h"
@@ -104,7 +105,8 @@ int run_measure_body(const MeasureBodySettings& settings, const CommonSettings& 
   if (settings.against) differences = differences_to(*settings.against, all, common);
   if (!all.no_joints.empty()) all.remarks.push_back({true, all.no_joints});
   for (const auto& [part, why] : shape.frame.lacks) {
-    all.remarks.push_back({true, all.body_name + ": nothing is measured of a part: " + why});
+    all.remarks.push_back({true, all.body_name + ": nothing is measured of the " +
+                                     boost::replace_all_copy(part, "_", " ") + ": " + why});
   }
   const bool nothing = std::none_of(all.measures.begin(), all.measures.end(),
                                     [](const Measure& measure) { return measure.value; });

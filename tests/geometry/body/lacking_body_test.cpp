@@ -68,7 +68,7 @@ std::vector<Measure> measured(const TriangleMesh& body) {
 TEST(LackingBody, OneArmTakesNothingFromTheOthersMeasures) {
   const std::vector<Measure> whole = measured(mannequin());
   // A body askew is measured in its own frame.
-  for (const double degrees : {130.0}) {
+  for (const double degrees : {130.0, 180.0}) {
     const std::vector<Measure> found = measured(turned(one_armed(), degrees));
     for (const char* name : {"height", "bust", "waist", "hip", "neck", "head", "inside_leg",
                              "left_upper_arm", "left_arm_length", "left_knee", "right_calf",
@@ -106,6 +106,48 @@ TEST(LackingBody, ACutArmHasNoWrist) {
   EXPECT_FALSE(value(found, "right_arm_length"));
   EXPECT_TRUE(value(found, "left_wrist"));
   EXPECT_TRUE(value(found, "right_upper_arm"));
+}
+
+TEST(LackingBody, AnArmWithoutAForearmIsNotMeasured) {
+  const TriangleMesh body = without([](const Vec3& p) { return p.x() < -0.38 && p.y() > 0.6; });
+  const std::vector<Measure> whole = measured(mannequin());
+  for (const double degrees : {0.0, 130.0, 180.0}) {
+    const std::vector<Measure> found = measured(turned(body, degrees));
+    EXPECT_FALSE(value(found, "right_arm_length")) << degrees;
+    EXPECT_FALSE(value(found, "right_upper_arm")) << degrees;
+    for (const char* name : {"bust", "waist", "hip", "left_arm_length", "front_centre_length"}) {
+      const auto is = value(found, name);
+      ASSERT_TRUE(is) << name << ": " << find_measure(found, name)->reason;
+      EXPECT_NEAR(*is, *value(whole, name), 0.004) << name << " turned by " << degrees;
+    }
+  }
+  const CleanBody cleaned = clean_body(test::soup(turned(body, 130)), "cut");
+  ASSERT_TRUE(cleaned.skeleton);
+  EXPECT_FALSE(cleaned.skeleton->joints.contains("right_elbow"));
+  EXPECT_GT(toes_forward(cleaned.mesh, *cleaned.skeleton), 0.02);
+}
+
+TEST(LackingBody, ItsJointsAreTakenAgain) {
+  const CleanBody first = clean_body(test::soup(one_armed()), "first");
+  CleanOptions options;
+  options.skeleton = first.skeleton;
+  options.metres_per_unit = 1;
+  const CleanBody again = clean_body(test::soup(first.mesh), "again", options);
+  EXPECT_EQ(again.report.skeleton_refused, "");
+  EXPECT_FALSE(again.report.lacks.empty());
+  ASSERT_TRUE(again.skeleton);
+  EXPECT_EQ(again.skeleton->joints.size(), first.skeleton->joints.size());
+}
+
+TEST(LackingBody, GirthLevelsOfAFormAreThoseThatAreMeasured) {
+  const CleanBody body = clean_body(test::soup(form()), "form");
+  ASSERT_TRUE(body.skeleton);
+  const std::vector<NamedLevel> levels = girth_levels(body.mesh, *body.skeleton);
+  const TrunkLevels measured = find_landmarks(body.mesh, "form").levels;
+  ASSERT_EQ(levels.size(), 3U);
+  EXPECT_NEAR(levels[0].height, *measured.bust.height, 0.002);
+  EXPECT_NEAR(levels[1].height, *measured.waist.height, 0.002);
+  EXPECT_NEAR(levels[2].height, *measured.hip.height, 0.002);
 }
 
 TEST(LackingBody, AFormFacesForwardAndHasATorso) {
