@@ -508,10 +508,14 @@ std::optional<Skeleton> torso_joints(const BodyFrame& body, const TrunkLevels& l
 
 std::vector<NamedLevel> girth_levels(const TriangleMesh& body, const Skeleton& skeleton) {
   BodyFrame frame{body, skeleton, "", Eigen::Matrix3d::Identity(), Vec3::Zero(), 0};
-  // The height of a form tells nothing of the stature: its levels are those of its surface alone.
-  if (!skeleton.joints.contains("left_hip")) frame.skeleton.reset();
   for (const Vec3& point : body.points) frame.height = std::max(frame.height, point.y());
-  const TrunkLevels found = trunk_levels(frame);
+  TrunkLevels found = trunk_levels(frame);
+  if (!skeleton.joints.contains("left_hip")) {
+    // The height of a form tells nothing of the stature, so the surface alone counts where it can.
+    frame.skeleton.reset();
+    TrunkLevels seen = trunk_levels(frame);
+    if (seen.waist.height) found = std::move(seen);
+  }
   std::vector<NamedLevel> levels;
   if (found.bust.height) levels.push_back({"bust", *found.bust.height});
   if (found.waist.height) levels.push_back({"waist", *found.waist.height});
