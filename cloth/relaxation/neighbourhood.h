@@ -49,7 +49,7 @@ class Neighbourhood {
   int searches() const { return searches_; }
 
   BodyContact& contact(std::size_t v) { return contacts_[v]; }
-  /// Whether the body is near enough to push vertex v: contact(v).near(), found sooner.
+  /// Whether the body is near enough to push vertex v: contact(v).near(), kept in a byte.
   [[gnu::always_inline]] bool near_body(std::size_t v) const { return near_body_[v] != 0; }
   PairForces& pairs() { return pairs_; }
   const PairForces& pairs() const { return pairs_; }

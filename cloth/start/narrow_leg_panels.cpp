@@ -5,31 +5,17 @@
 #include <optional>
 
 #include "cloth/start/constants.h"
+#include "cloth/start/leg_divide.h"
 #include "cloth/start/panel_parts.h"
 
 namespace toile {
 
 namespace {
 
-/// The plane between the legs.
-struct Divide {
-  Vec3 at = Vec3::Zero();
-  Vec3 left = Vec3::Zero();  // unit vector toward the left leg
-
-  double beside(const Vec3& p) const { return (p - at).dot(left); }
-};
-
-std::optional<Divide> divide_of(const Skeleton& skeleton) {
-  const auto left = skeleton.joints.find("left_hip");
-  const auto right = skeleton.joints.find("right_hip");
-  if (left == skeleton.joints.end() || right == skeleton.joints.end()) return std::nullopt;
-  return Divide{0.5 * (left->second + right->second), (left->second - right->second).normalized()};
-}
-
 /// Metres beside the divide, the mean of the points that other panels are sewn to this one with;
 /// none: it is sewn to none.
 std::optional<double> partners_beside(const PanelMesh& garment, int panel,
-                                      const std::vector<int>& panel_of, const Divide& divide,
+                                      const std::vector<int>& panel_of, const LegDivide& divide,
                                       const std::vector<Vec3>& placed) {
   double sum = 0;
   int count = 0;
@@ -49,8 +35,8 @@ std::optional<double> partners_beside(const PanelMesh& garment, int panel,
 
 void narrow_leg_panels(const PanelMesh& garment, const Skeleton& skeleton,
                        std::vector<Vec3>& placed) {
-  const std::optional<Divide> divide = divide_of(skeleton);
-  if (!divide) return;
+  if (!skeleton.joints.contains("left_hip") || !skeleton.joints.contains("right_hip")) return;
+  const LegDivide divide = leg_divide(skeleton);
   const std::vector<std::string> parts = panel_parts(garment, skeleton);
   const std::vector<int> panel_of = panel_of_points(garment);
   const std::vector<Vec3> before = placed;
@@ -60,14 +46,14 @@ void narrow_leg_panels(const PanelMesh& garment, const Skeleton& skeleton,
     const MeshedPanel& panel = garment.panels[i];
     double inner = std::numeric_limits<double>::infinity();
     for (int p = panel.first_point; p < panel.first_point + panel.points; ++p) {
-      inner = std::min(inner, side * divide->beside(before[p]));
+      inner = std::min(inner, side * divide.beside(before[p]));
     }
     if (inner > -max_leg_panel_overlap) continue;
-    const auto middle = partners_beside(garment, static_cast<int>(i), panel_of, *divide, before);
+    const auto middle = partners_beside(garment, static_cast<int>(i), panel_of, divide, before);
     if (!middle || side * *middle <= leg_panel_gap) continue;
     const double share = (side * *middle - leg_panel_gap) / (side * *middle - inner);
     for (int p = panel.first_point; p < panel.first_point + panel.points; ++p) {
-      placed[p] += (share - 1) * (divide->beside(before[p]) - *middle) * divide->left;
+      placed[p] += (share - 1) * (divide.beside(before[p]) - *middle) * divide.left;
     }
   }
 }

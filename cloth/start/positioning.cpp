@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "cloth/start/constants.h"
+#include "cloth/start/leg_divide.h"
 #include "cloth/start/rolling.h"
 #include "geometry/body/bones.h"
 #include "geometry/error.h"
@@ -50,10 +51,9 @@ struct UprightPanel {
       wrist = bones.foot(skeleton.joint(panel.part.substr(0, panel.part.size() - 3) + "wrist"));
     }
     if (panel.part.ends_with("_leg")) {
-      const Vec3& left = skeleton.joint("left_hip");
-      const Vec3& right = skeleton.joint("right_hip");
-      divide = 0.5 * (left + right);
-      away = (panel.part.starts_with("left") ? left - right : right - left).normalized();
+      const LegDivide legs = leg_divide(skeleton);
+      divide = legs.at;
+      away = panel.part.starts_with("left") ? legs.left : Vec3(-legs.left);
     }
     for (int p = panel.first_point; p < panel.first_point + panel.points; ++p) {
       points.push_back(upright(panel.placement.axis, garment.flat[p]));

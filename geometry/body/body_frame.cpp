@@ -20,6 +20,21 @@ Eigen::Matrix3d about_y(double angle) {
 /// Radians of the turn about y that brings the direction to +x.
 double turn_to_x(const Vec3& across) { return std::atan2(across.z(), across.x()); }
 
+/// Second moments of level offsets, and their widest direction.
+struct LevelMoments {
+  double xx = 0;
+  double xz = 0;
+  double zz = 0;
+
+  void add(double weight, const Vec3& d) {
+    xx += weight * d.x() * d.x();
+    xz += weight * d.x() * d.z();
+    zz += weight * d.z() * d.z();
+  }
+  /// Radians from the x axis toward z, within a quarter turn.
+  double widest() const { return std::atan2(2 * xz, xx - zz) / 2; }
+};
+
 /// The area-weighted middle of the surface. `turn` is the radians of the turn that brings its
 /// widest level direction to the x axis, within a quarter turn.
 struct Spread {
@@ -43,16 +58,9 @@ Spread spread_of(const TriangleMesh& mesh) {
     spread.middle += part * at;
   });
   if (area > 0) spread.middle /= area;
-  double xx = 0;
-  double xz = 0;
-  double zz = 0;
-  each([&](double part, const Vec3& at) {
-    const Vec3 d = at - spread.middle;
-    xx += part * d.x() * d.x();
-    xz += part * d.x() * d.z();
-    zz += part * d.z() * d.z();
-  });
-  spread.turn = std::atan2(2 * xz, xx - zz) / 2;
+  LevelMoments moments;
+  each([&](double part, const Vec3& at) { moments.add(part, at - spread.middle); });
+  spread.turn = moments.widest();
   return spread;
 }
 
@@ -95,9 +103,7 @@ bool has_both_shoulders(const Skeleton& skeleton) {
 Vec3 across_trunk(const BodyFrame& frame) {
   const double low = frame.skeleton->joint("pelvis").y();
   const double high = frame.skeleton->joint("chest").y();
-  double xx = 0;
-  double xz = 0;
-  double zz = 0;
+  LevelMoments moments;
   constexpr int levels = 12;
   for (int level = 1; level < levels; ++level) {
     const auto section = torso_section(frame.mesh, low + level * (high - low) / levels);
@@ -106,13 +112,10 @@ Vec3 across_trunk(const BodyFrame& frame) {
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Vec3& next = points[(i + 1) % points.size()];
       const Vec3 d = (points[i] + next) / 2 - section->centroid;
-      const double length = (next - points[i]).norm();
-      xx += length * d.x() * d.x();
-      xz += length * d.x() * d.z();
-      zz += length * d.z() * d.z();
+      moments.add((next - points[i]).norm(), d);
     }
   }
-  const double angle = std::atan2(2 * xz, xx - zz) / 2;
+  const double angle = moments.widest();
   return {std::cos(angle), 0, std::sin(angle)};
 }
 

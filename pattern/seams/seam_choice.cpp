@@ -14,7 +14,7 @@ namespace {
 /// Searches with the weights as they are: to know the worth, and to be certain.
 constexpr int plain_searches = 4;
 constexpr int all_plain_searches = 8;
-constexpr int patience = 2;  // of these
+constexpr int patience = 2;  // times as many garments as usual in each of them
 
 /// Searches with shaken weights.
 constexpr int shaken_searches = 10;

@@ -43,7 +43,7 @@ class SeamChooser {
   std::vector<SeamSearch::Garment> found_with_shaken_weights() const;
   /// Per edge of the best garment: the best one without its seam; empty where the edge is open.
   std::vector<SeamSearch::Garment> found_without() const;
-  /// Takes what recombines the best garment with these to a better one.
+  /// Makes the best garment of itself and parts of these, as long as it gets better.
   void take_best_of(const std::vector<SeamSearch::Garment>& garments);
   double share(const std::vector<SeamSearch::Garment>& garments, int a, int b) const;
   void tell_signs(const std::vector<SeamSearch::Garment>& shaken,

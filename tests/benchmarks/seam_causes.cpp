@@ -6,8 +6,12 @@
 //   build/release/tests/bench_seam_causes FILE...
 //
 // Confidences are not looked at: all that is listed counts. Ends with a table of causes.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <map>
+#include <set>
 
 #include "geometry/error.h"
 #include "io/output_file.h"
