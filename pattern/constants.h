@@ -56,7 +56,7 @@ inline constexpr double undecided_right_side = 0.05;
 inline constexpr double undecided_halves = 1e-3;
 
 /// Metres: panels whose origins are nearer share one place.
-inline constexpr double same_place = 1e-3;
+inline constexpr double same_origin = 1e-3;
 
 /// Levels of subdivision that a mesh has at most.
 inline constexpr int max_subdivisions = 4;

@@ -471,7 +471,7 @@ bool has_places(const Pattern& pattern) {
   for (const PatternPanel& panel : pattern.panels) {
     if (panel.placement.by_part()) continue;
     if (first == nullptr) first = &panel;
-    if ((panel.origin - first->origin).norm() > same_place) return true;
+    if ((panel.origin - first->origin).norm() > same_origin) return true;
     ++count;
   }
   return count < 2 && static_cast<std::size_t>(count) < pattern.panels.size();

@@ -22,7 +22,7 @@ namespace {
 constexpr double safety = 1e-7;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 /// Regions that one task updates. Often only a few are due, and each takes microseconds.
-constexpr std::size_t chunk = 8;
+constexpr std::size_t nodes_of_a_task = 8;
 
 /// Whether an edge of `s` passes through the triangle `t`, or touches it, up to rounding.
 bool pierces(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t) {
@@ -224,10 +224,10 @@ const std::vector<int>& BodyBounds::update(const Vec4s& x) {
     next_update_[t] = updates_ + region_update_interval;
     due.push_back(static_cast<int>(t));
   }
-  parallel_for(chunks_of(due.size(), chunk), [&](std::size_t c) {
+  parallel_for(chunks_of(due.size(), nodes_of_a_task), [&](std::size_t c) {
     std::vector<int> near;
-    const std::size_t end = std::min(due.size(), (c + 1) * chunk);
-    for (std::size_t i = c * chunk; i < end; ++i) {
+    const std::size_t end = std::min(due.size(), (c + 1) * nodes_of_a_task);
+    for (std::size_t i = c * nodes_of_a_task; i < end; ++i) {
       Region& region = regions_[due[i]];
       region = region_of(triangles_[due[i]], x, region.facet, near);
       for (int k = 0; k < 3; ++k) bounds_[bounds_of_[due[i]][k]] = corner_bound(region, k);

@@ -10,7 +10,7 @@ namespace toile {
 namespace {
 
 /// Vertices that one task follows. A coarse mesh is one task: starting two takes longer than that.
-constexpr std::size_t chunk = 4096;
+constexpr std::size_t vertices_of_a_task = 4096;
 
 }  // namespace
 
@@ -26,9 +26,10 @@ void FastestPath::follow(std::size_t begin, std::size_t end, const Vec4s& x, dou
 
 void FastestPath::follow(const Vec4s& x) {
   if (last_.size() != x.size()) last_ = x;
-  squared_.assign(chunks_of(x.size(), chunk), 0);
+  squared_.assign(chunks_of(x.size(), vertices_of_a_task), 0);
   parallel_for(squared_.size(), [&](std::size_t c) {
-    follow(c * chunk, std::min(x.size(), (c + 1) * chunk), x, squared_[c]);
+    follow(c * vertices_of_a_task, std::min(x.size(), (c + 1) * vertices_of_a_task), x,
+           squared_[c]);
   });
   double largest = 0;
   for (const double squared : squared_) largest = std::max(largest, squared);

@@ -93,6 +93,9 @@ inline constexpr double aimed_limit_share = 0.92;
 
 // Collisions with the subject.
 
+/// Metres: of what is nearer than this, no direction is known, and the surface gives one.
+inline constexpr double touching = 1e-9;
+
 /// Metres of motion after which distances are measured again.
 inline constexpr double stale_distance = 0.0004;
 

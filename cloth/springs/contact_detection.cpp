@@ -11,9 +11,6 @@ namespace toile {
 
 namespace {
 
-/// Metres; nearer than this, the direction comes from the surface.
-constexpr double touching = 1e-9;
-
 /// The speed that the paper's response asks for when the approach is fast enough to bounce. A point
 /// that does not bounce may first go the rest of the way to the gap.
 double bounced(const CollisionStep& step, double least, double speed_before) {

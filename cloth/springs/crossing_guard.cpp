@@ -10,9 +10,6 @@ namespace toile {
 
 namespace {
 
-/// Metres; of what is nearer than that, no direction is known.
-constexpr double touching = 1e-9;
-
 class Guard {
  public:
   Guard(const CollisionStep& step, std::vector<Vec3>& v) : step_(step), v_(v) {}

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "cloth/springs/constants.h"
 #include "geometry/closest_points.h"
 #include "geometry/error.h"
 
@@ -16,8 +17,6 @@ namespace {
 /// Sine of how far a direction may lean over a neighbour and still count as square to it: flat
 /// meshes are flat to rounding only.
 constexpr double lean = 1e-9;
-/// Metres; nearer than this, the direction comes from the surface.
-constexpr double touching = 1e-9;
 
 const TriangleMesh& checked(const TriangleMesh& mesh) {
   for (const Vec3& p : mesh.points) {
