@@ -302,9 +302,7 @@ class Finder {
           if (!lies_in_piece(one, true)) choose_outline(index, false);
           break;
         case SvgRole::allowance:
-          if (!lies_in_piece(one, false) && (options_.cut_line || !has_seam_line(index))) {
-            choose_outline(index, true);
-          }
+          if (!lies_in_piece(one, false)) choose_allowance(index);
           break;
         default:
           if (!classed_ && !lies_in_piece(one, false)) choose_plain(index);
@@ -319,6 +317,21 @@ class Finder {
                                    number_text(gap.size * 1000) + " mm at " + where(gap.at)
                              : "holds no closed outline",
                 remedy);
+  }
+
+  /// A cut line is a piece where no seam line lies in it, or the user asks for it.
+  void choose_allowance(int index) {
+    if (!options_.cut_line) {
+      if (has_seam_line(index)) return;
+      // FreeSewing's trousers draw some seam lines without a class, where they have allowances.
+      const int seam = unclassed_seam_line(index);
+      if (seam >= 0) {
+        outline(seam).meaning.material = outline(index).meaning.material;
+        choose_outline(seam, false);
+        return;
+      }
+    }
+    choose_outline(index, true);
   }
 
   /// An outline without a class: with a line all along inside of it, it is the line to cut along.
@@ -373,15 +386,31 @@ class Finder {
     return false;
   }
 
-  /// Whether a seam line of its material lies in the cut line.
+  /// Whether a seam line lies in the cut line: one of its material, or one that it runs along.
   bool has_seam_line(int index) {
     const Outline& cut = outline(index);
     return std::any_of(outlines_.begin(), outlines_.end(), [&](const Outline& other) {
-      if (other.meaning.role == SvgRole::allowance || other.part != cut.part) return false;
-      if (classed_ && other.meaning.material != cut.meaning.material) return false;
-      return &other != &cut && other.area >= smallest_piece &&
-             (cut.part >= 0 || other.around == index);
+      if (&other == &cut || other.meaning.role == SvgRole::allowance || other.part != cut.part ||
+          other.area < smallest_piece) {
+        return false;
+      }
+      if (classed_ && other.meaning.material != cut.meaning.material) {
+        // The class of an allowance may lack the material, or say that of another part.
+        return other.meaning.role == SvgRole::outline && runs_along(cut.polygon, other.path);
+      }
+      return cut.part >= 0 || other.around == index;
     });
+  }
+
+  /// In a drawing with classes, the outline without one that the cut line runs along; -1: none.
+  int unclassed_seam_line(int index) {
+    const Outline& cut = outline(index);
+    const auto found = std::find_if(order_.begin(), order_.end(), [&](int i) {
+      const Outline& other = outline(i);
+      return classed_ && other.part == cut.part && other.meaning.role == SvgRole::unknown &&
+             other.area >= smallest_piece && runs_along(cut.polygon, other.path);
+    });
+    return found == order_.end() ? -1 : *found;
   }
 
   /// The outline that runs along the inside of another one; -1: none.
@@ -459,7 +488,8 @@ class Finder {
     const double length = path_length(open.path);
     const std::vector<Vec2> points = path_points(open.path, place_tolerance);
     if (points.size() < 3 || std::abs(signed_area(points)) < smallest_piece) return;
-    if (meaning.role != SvgRole::outline && gap > 0.2 * length) return;
+    // Where classes tell the outlines, a line without one is a mark, such as those of measures.
+    if (meaning.role != SvgRole::outline && (classed_ || gap > 0.2 * length)) return;
     const SvgShape& shape = drawing_.shapes[static_cast<std::size_t>(open.shape)];
     throw Error(
         pieces_.source + ":" + std::to_string(shape.line) + ": " + shape.element +
