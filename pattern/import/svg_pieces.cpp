@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "geometry/error.h"
 #include "geometry/polygon.h"
@@ -308,6 +309,7 @@ class Finder {
           if (!classed_ && !lies_in_piece(one, false)) choose_plain(index);
       }
     }
+    choose_of_parts();
     make_pieces();
     if (!pieces_.pieces.empty()) return;
     std::string remedy = "join the ends of its lines, or close the path";
@@ -317,6 +319,22 @@ class Finder {
                                    number_text(gap.size * 1000) + " mm at " + where(gap.at)
                              : "holds no closed outline",
                 remedy);
+  }
+
+  /// FreeSewing's parts whose seam lines have no class of a material, such as ribbing: each one's
+  /// largest outline without a class is a piece.
+  void choose_of_parts() {
+    if (!classed_) return;
+    std::set<int> with_piece;
+    for (const Outline& one : outlines_) {
+      if (one.of_piece) with_piece.insert(one.part);
+    }
+    for (const int index : order_) {
+      const Outline& one = outline(index);
+      if (one.area < smallest_piece) break;
+      if (one.part < 0 || one.meaning.role != SvgRole::unknown) continue;
+      if (with_piece.insert(one.part).second) choose_outline(index, false);
+    }
   }
 
   /// A cut line is a piece where no seam line lies in it, or the user asks for it.

@@ -73,6 +73,18 @@ TEST(SvgPieces, SeamLinesAreFoundInAllowancesWhoseClassesDiffer) {
   }
 }
 
+TEST(SvgPieces, PartsWithoutAMaterialAreTheirLargestOutline) {
+  const PieceDrawing drawing = read(
+      "<g id=\"fs-stack-a-part-a.back\"><path class=\"fabric\" "
+      "d=\"M 100,100 h 200 v 300 h -200 z\"/></g>"
+      "<g id=\"fs-stack-a-part-a.cuff\"><path d=\"M 510,10 h 50 v 50 h -50 z\"/>"
+      "<path class=\"ribbing\" d=\"M 500,0 h 100 v 100 h -100 z\"/></g>",
+      freesewing);
+  EXPECT_EQ(names(drawing), (std::vector<std::string>{"back", "cuff"}));
+  ASSERT_EQ(drawing.pieces.size(), 2u);
+  EXPECT_NEAR(area_cm2(drawing.pieces[1].outline), 100, 1e-6);
+}
+
 TEST(SvgPieces, MarksOfMeasuresAreNoOutlinesWithGaps) {
   const PieceDrawing drawing = read(
       "<g id=\"fs-stack-a-part-a.collar\"><path class=\"fabric\" "
