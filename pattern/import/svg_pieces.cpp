@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "geometry/error.h"
 #include "geometry/polygon.h"
@@ -302,14 +303,13 @@ class Finder {
           if (!lies_in_piece(one, true)) choose_outline(index, false);
           break;
         case SvgRole::allowance:
-          if (!lies_in_piece(one, false) && (options_.cut_line || !has_seam_line(index))) {
-            choose_outline(index, true);
-          }
+          if (!lies_in_piece(one, false)) choose_allowance(index);
           break;
         default:
           if (!classed_ && !lies_in_piece(one, false)) choose_plain(index);
       }
     }
+    choose_of_parts();
     make_pieces();
     if (!pieces_.pieces.empty()) return;
     std::string remedy = "join the ends of its lines, or close the path";
@@ -319,6 +319,37 @@ class Finder {
                                    number_text(gap.size * 1000) + " mm at " + where(gap.at)
                              : "holds no closed outline",
                 remedy);
+  }
+
+  /// FreeSewing's parts whose seam lines have no class of a material, such as ribbing: each one's
+  /// largest outline without a class is a piece.
+  void choose_of_parts() {
+    if (!classed_) return;
+    std::set<int> with_piece;
+    for (const Outline& one : outlines_) {
+      if (one.of_piece) with_piece.insert(one.part);
+    }
+    for (const int index : order_) {
+      const Outline& one = outline(index);
+      if (one.area < smallest_piece) break;
+      if (one.part < 0 || one.meaning.role != SvgRole::unknown) continue;
+      if (with_piece.insert(one.part).second) choose_outline(index, false);
+    }
+  }
+
+  /// A cut line is a piece where no seam line lies in it, or the user asks for it.
+  void choose_allowance(int index) {
+    if (!options_.cut_line) {
+      if (has_seam_line(index)) return;
+      // FreeSewing's trousers draw some seam lines without a class, where they have allowances.
+      const int seam = unclassed_seam_line(index);
+      if (seam >= 0) {
+        outline(seam).meaning.material = outline(index).meaning.material;
+        choose_outline(seam, false);
+        return;
+      }
+    }
+    choose_outline(index, true);
   }
 
   /// An outline without a class: with a line all along inside of it, it is the line to cut along.
@@ -373,15 +404,31 @@ class Finder {
     return false;
   }
 
-  /// Whether a seam line of its material lies in the cut line.
+  /// Whether a seam line lies in the cut line: one of its material, or one that it runs along.
   bool has_seam_line(int index) {
     const Outline& cut = outline(index);
     return std::any_of(outlines_.begin(), outlines_.end(), [&](const Outline& other) {
-      if (other.meaning.role == SvgRole::allowance || other.part != cut.part) return false;
-      if (classed_ && other.meaning.material != cut.meaning.material) return false;
-      return &other != &cut && other.area >= smallest_piece &&
-             (cut.part >= 0 || other.around == index);
+      if (&other == &cut || other.meaning.role == SvgRole::allowance || other.part != cut.part ||
+          other.area < smallest_piece) {
+        return false;
+      }
+      if (classed_ && other.meaning.material != cut.meaning.material) {
+        // The class of an allowance may lack the material, or say that of another part.
+        return other.meaning.role == SvgRole::outline && runs_along(cut.polygon, other.path);
+      }
+      return cut.part >= 0 || other.around == index;
     });
+  }
+
+  /// In a drawing with classes, the outline without one that the cut line runs along; -1: none.
+  int unclassed_seam_line(int index) {
+    const Outline& cut = outline(index);
+    const auto found = std::find_if(order_.begin(), order_.end(), [&](int i) {
+      const Outline& other = outline(i);
+      return classed_ && other.part == cut.part && other.meaning.role == SvgRole::unknown &&
+             other.area >= smallest_piece && runs_along(cut.polygon, other.path);
+    });
+    return found == order_.end() ? -1 : *found;
   }
 
   /// The outline that runs along the inside of another one; -1: none.
@@ -459,7 +506,8 @@ class Finder {
     const double length = path_length(open.path);
     const std::vector<Vec2> points = path_points(open.path, place_tolerance);
     if (points.size() < 3 || std::abs(signed_area(points)) < smallest_piece) return;
-    if (meaning.role != SvgRole::outline && gap > 0.2 * length) return;
+    // Where classes tell the outlines, a line without one is a mark, such as those of measures.
+    if (meaning.role != SvgRole::outline && (classed_ || gap > 0.2 * length)) return;
     const SvgShape& shape = drawing_.shapes[static_cast<std::size_t>(open.shape)];
     throw Error(
         pieces_.source + ":" + std::to_string(shape.line) + ": " + shape.element +

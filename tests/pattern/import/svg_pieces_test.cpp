@@ -53,6 +53,51 @@ std::string all_remarks(const PieceDrawing& drawing) {
   return all;
 }
 
+TEST(SvgPieces, SeamLinesAreFoundInAllowancesWhoseClassesDiffer) {
+  const std::string seam = " d=\"M 100,100 h 200 v 300 h -200 z\"/>";
+  // The allowance crosses itself at a corner, as offset ones do.
+  const std::string cut = " d=\"M 90,90 H 310 V 410 H 85 V 400 H 95 V 420 H 90 z\"/>";
+  const auto piece = [&](const std::string& seam_class, const std::string& cut_class) {
+    return read("<g id=\"fs-stack-a-part-a.back\"><path" + seam_class + seam + "<path class=\"" +
+                    cut_class + "\"" + cut + "</g>" +
+                    "<g id=\"fs-stack-a-part-a.front\"><path class=\"fabric\" "
+                    "d=\"M 500,0 h 100 v 100 h -100 z\"/></g>",
+                freesewing);
+  };
+  for (const auto& drawing : {piece("", "fabric sa"), piece(" class=\"fabric\"", "sa"),
+                              piece(" class=\"canvas\"", "fabric sa")}) {
+    ASSERT_EQ(drawing.pieces.size(), 2u);
+    EXPECT_FALSE(drawing.pieces[0].is_cut_line);
+    EXPECT_NEAR(area_cm2(drawing.pieces[0].outline), 600, 1e-6);
+    EXPECT_NE(drawing.pieces[0].material, "");
+  }
+}
+
+TEST(SvgPieces, PartsWithoutAMaterialAreTheirLargestOutline) {
+  const PieceDrawing drawing = read(
+      "<g id=\"fs-stack-a-part-a.back\"><path class=\"fabric\" "
+      "d=\"M 100,100 h 200 v 300 h -200 z\"/></g>"
+      "<g id=\"fs-stack-a-part-a.cuff\"><path d=\"M 510,10 h 50 v 50 h -50 z\"/>"
+      "<path class=\"ribbing\" d=\"M 500,0 h 100 v 100 h -100 z\"/></g>",
+      freesewing);
+  EXPECT_EQ(names(drawing), (std::vector<std::string>{"back", "cuff"}));
+  ASSERT_EQ(drawing.pieces.size(), 2u);
+  EXPECT_NEAR(area_cm2(drawing.pieces[1].outline), 100, 1e-6);
+}
+
+TEST(SvgPieces, MarksOfMeasuresAreNoOutlinesWithGaps) {
+  const PieceDrawing drawing = read(
+      "<g id=\"fs-stack-a-part-a.collar\"><path class=\"fabric\" "
+      "d=\"M 100,100 h 200 v 300 h -200 z\"/>"
+      // Lines from both ends of a measure to where its number stands, and one across.
+      "<path class=\"mark dotted\" d=\"M 300,100 h 230\"/>"
+      "<path class=\"mark dotted\" d=\"M 300,140 h 230\"/>"
+      "<path class=\"mark dotted\" d=\"M 530,100 v 40\"/></g>",
+      freesewing);
+  ASSERT_EQ(drawing.pieces.size(), 1u);
+  EXPECT_NEAR(area_cm2(drawing.pieces[0].outline), 600, 1e-6);
+}
+
 TEST(SvgPieces, FreeSewingsTshirt) {
   TOILE_REAL_DATA(path, "patterns/freesewing/teagan_tshirt.svg");
   const PieceDrawing drawing = svg_pieces(read_file(path), "teagan.svg", {});
