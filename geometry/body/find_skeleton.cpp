@@ -22,6 +22,10 @@ constexpr double arm_to_tip = arm_to_wrist + hand;
 // Share of the height that thighs may touch below the crotch. Clean bodies are at 0.001. At half or
 // double no joint of five bodies moves.
 constexpr double touching = 0.004;
+// From the shoulder joint, which is above the armpit, to the elbow, where no hand tells the arm's
+// length: 0.146 to 0.164 of six bodies. At half or double, that elbow is in the upper arm's middle
+// or at the stump's end.
+constexpr double shoulder_to_elbow = 0.16;
 
 /// The range of a section in x, metres.
 struct Extent {
@@ -97,6 +101,7 @@ class Finder {
     find_trunk();
     find_neck();
     for (const int side : {1, -1}) find_arm(side);
+    place_elbows_of_cut_arms();
     check_trunk();
   }
 
@@ -211,10 +216,11 @@ class Finder {
 
   void find_armpit(int side) {
     // The lowest level between waist and neck where the trunk's section suddenly loses a part of
-    // the arm. There can be several, as a level arm leaves the section piece by piece.
+    // the arm. There can be several, as a level arm leaves the section piece by piece. Of a body
+    // without a head it is higher up.
     std::size_t below = 0;
     for (std::size_t i = 1; i < trunk_.size() && below == 0; ++i) {
-      if (trunk_[i].along < 0.6 * height_ || trunk_[i].along > 0.88 * height_) continue;
+      if (trunk_[i].along < 0.6 * height_ || trunk_[i].along > 0.92 * height_) continue;
       const double lost =
           extent_to(trunk_[i].section, side) - extent_to(trunk_[i - 1].section, side);
       if (lost > 0.03 * height_) below = i;
@@ -317,6 +323,21 @@ class Finder {
     joint(side, "shoulder") = shoulder;
     joint(side, "elbow") = point_along(arm, elbow_share * (back + wrist) - back);
     joint(side, "wrist") = point_along(arm, wrist);
+    if (wrist == arm.back().along) cut_arms_[side > 0 ? 0 : 1] = {std::move(arm), back};
+  }
+
+  /// An arm that ends before a hand tells nothing of its elbow: the other arm does, or proportion.
+  void place_elbows_of_cut_arms() {
+    for (const int side : {1, -1}) {
+      const auto& [arm, back] = cut_arms_[side > 0 ? 0 : 1];
+      if (arm.empty()) continue;
+      const bool is_other_whole =
+          !lacks_.contains(arm_of(-side)) && cut_arms_[side > 0 ? 1 : 0].arm.empty();
+      const double reach = is_other_whole
+                               ? (joint(-side, "elbow") - joint(-side, "shoulder")).norm()
+                               : shoulder_to_elbow * height_;
+      if (reach < back + arm.back().along) joint(side, "elbow") = point_along(arm, reach - back);
+    }
   }
 
   /// Metres along the arm's stations to the wrist. They begin `back` metres from the shoulder
@@ -390,6 +411,11 @@ class Finder {
   double crotch_ = 0;
   std::vector<Station> trunk_;   // from the crotch up to the crown
   std::array<Vec3, 2> armpits_;  // left, right
+  struct CutArm {
+    std::vector<Station> arm;  // empty: the arm has a hand, or is not there
+    double back = 0;           // metres from the shoulder joint to the first station
+  };
+  std::array<CutArm, 2> cut_arms_;  // left, right
   Skeleton skeleton_;
   std::map<std::string, std::string> lacks_;  // why, by part
 };

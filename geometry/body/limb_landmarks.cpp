@@ -111,13 +111,16 @@ class LimbFinder {
     const Vec3& elbow = skeleton_->joint(which + "elbow");
     const Vec3& wrist = skeleton_->joint(which + "wrist");
     add_on_arm(which + "elbow", elbow, (wrist - shoulder).normalized());
-    if (is_cut_off(side)) return absent(which + "wrist", "the arm ends where the other has a hand");
+    if (hand_of(side) < least_hand * std::max(hand_of(-side), hand * h_)) {
+      return absent(which + "wrist", "the arm ends before a hand");
+    }
     const Vec3 along = (wrist - elbow).normalized();
     add_on_arm(which + "wrist", wrist + wrist_bone * h_ * along, along);
   }
 
-  /// Metres that the arm goes on beyond its wrist.
+  /// Metres that the arm goes on beyond its wrist; 0 where there is no arm.
   double hand_of(int side) const {
+    if (shape_.frame.lacks.contains(side_prefix(side) + "arm")) return 0;
     const Vec3 wrist = skeleton_->joint(side_prefix(side) + "wrist");
     const Vec3 along = (wrist - skeleton_->joint(side_prefix(side) + "elbow")).normalized();
     double reach = 0;
@@ -127,12 +130,6 @@ class LimbFinder {
       if (off < hand * h_ / 2 + on / 2 && on < 2 * hand * h_) reach = std::max(reach, on);
     }
     return reach;
-  }
-
-  /// Whether the arm has no hand and the other has one.
-  bool is_cut_off(int side) const {
-    if (shape_.frame.lacks.contains(side_prefix(-side) + "arm")) return false;
-    return hand_of(side) < least_hand * hand_of(-side);
   }
 
   /// The outer point of the arm's section, where a tape from the shoulder runs.

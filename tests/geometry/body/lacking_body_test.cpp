@@ -108,6 +108,22 @@ TEST(LackingBody, ACutArmHasNoWrist) {
   EXPECT_TRUE(value(found, "right_upper_arm"));
 }
 
+TEST(LackingBody, ArmsThatBothEndInTheForearmKeepTheirElbows) {
+  const TriangleMesh body =
+      without([](const Vec3& p) { return std::abs(p.x()) > 0.48 && p.y() > 0.6; });
+  const BodyShape whole = find_landmarks(mannequin(), "whole");
+  const BodyShape cut = find_landmarks(body, "cut");
+  for (const std::string side : {"left_", "right_"}) {
+    EXPECT_FALSE(place_of(cut.landmarks, side + "wrist"));
+    const Vec3 elbow = whole.frame.skeleton->joint(side + "elbow");
+    EXPECT_LT((cut.frame.skeleton->joint(side + "elbow") - elbow).norm(), 0.02) << side;
+  }
+  const std::vector<Measure> found = measure_body(cut);
+  EXPECT_FALSE(value(found, "left_arm_length"));
+  EXPECT_NEAR(*value(found, "left_upper_arm"), *value(measure_body(whole), "left_upper_arm"),
+              0.005);
+}
+
 TEST(LackingBody, AnArmWithoutAForearmIsNotMeasured) {
   const TriangleMesh body = without([](const Vec3& p) { return p.x() < -0.38 && p.y() > 0.6; });
   const std::vector<Measure> whole = measured(mannequin());
