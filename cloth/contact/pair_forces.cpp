@@ -50,7 +50,7 @@ void PairForces::activate(const std::vector<Vec3>& x, const std::vector<char>& i
       const double reach = pairs_[i].gap + pair_activation_margin;
       const auto is_ignored = [&](int v) { return !ignored.empty() && ignored[v] != 0; };
       near_[i] = std::ranges::none_of(pairs_[i].vertices, is_ignored) &&
-                 nearest_points(pairs_[i], x).apart.squaredNorm() < reach * reach;
+                 is_nearer(pairs_[i], x, reach);
     }
   });
   active_.clear();

@@ -16,6 +16,8 @@ struct ContactPair {
   std::array<int, 4> vertices;  ///< a vertex and a triangle's corners; or the ends of two edges
   bool edges;                   ///< whether the pair is two edges, not vertex and triangle
   double gap;                   ///< metres: nearer than this, the two sides push each other apart
+  /// Weights of the nearest points when they were last found; all 0 before.
+  std::array<float, 4> nearest = {};
 };
 
 /// Nearest points of the two sides of a pair, as signed weights of its four vertices. Weights of
@@ -29,6 +31,10 @@ struct NearestPoints {
 NearestPoints nearest_points(bool edges, const std::array<Vec3, 4>& at);
 /// The same for a pair of the vertices `x` (metres).
 NearestPoints nearest_points(const ContactPair& pair, const std::vector<Vec3>& x);
+/// Whether the two sides of a pair of the vertices `x` are nearer than `reach` (metres). The last
+/// nearest points tell it of most pairs, with the same answer. Where they don't, they are found
+/// anew.
+bool is_nearer(ContactPair& pair, const std::vector<Vec3>& x, double reach);
 
 /// The push of a pair at `distance` metres.
 ///
