@@ -19,8 +19,6 @@ namespace {
 
 /// Metres below which forces do not grow any more.
 constexpr double min_distance = 1e-9;
-/// Metres: more than what single precision makes of a distance of nearest points.
-constexpr double weight_slack = 1e-6;
 /// Vertices or edges that one task searches around. It is fixed, so that results don't depend on
 /// the threads.
 constexpr std::size_t chunk = 128;
@@ -110,25 +108,32 @@ NearestPoints nearest_points(const ContactPair& pair, const std::vector<Vec3>& x
   return nearest_points(pair.edges, {x[v[0]], x[v[1]], x[v[2]], x[v[3]]});
 }
 
-bool is_nearer(ContactPair& pair, const std::vector<Vec3>& x, double reach) {
+DistanceBounds distance_bounds(const ContactPair& pair, const std::array<Vec3, 4>& at) {
   const auto& w = pair.nearest;
-  const Vec3& a = x[pair.vertices[0]];
-  const Vec3 b = x[pair.vertices[1]] - a;
-  const Vec3 c = x[pair.vertices[2]] - a;
-  const Vec3 d = x[pair.vertices[3]] - a;
-  if (w[0] + w[1] > 0) {
-    // The points that were the nearest ones are a pair of points still, and what lies between them
-    // may still part the sides.
-    const Vec3 apart = w[1] * b + w[2] * c + w[3] * d;
-    const double length = apart.norm();
-    if (length < reach - weight_slack) return true;
-    const double on_b = apart.dot(b);
-    const double others = std::max(apart.dot(c), apart.dot(d));
-    const double parted = pair.edges ? std::min(0.0, on_b) - others : -std::max(on_b, others);
-    if (parted > (reach + weight_slack) * length) return false;
-  }
-  const NearestPoints found = nearest_points(pair, x);
-  std::ranges::copy(found.weights, pair.nearest.begin());
+  if (w[0] + w[1] <= 0) return {};
+  // The weights of all four add up to 0, so the first vertex may be the origin.
+  const Vec3 b = at[1] - at[0];
+  const Vec3 c = at[2] - at[0];
+  const Vec3 d = at[3] - at[0];
+  const Vec3 apart = w[1] * b + w[2] * c + w[3] * d;
+  const double length = apart.norm();
+  if (length <= 0) return {};
+  // The points that were nearest still lie on the two sides. Planes across what lies between them
+  // may still part the sides.
+  const double on_b = apart.dot(b);
+  const double others = std::max(apart.dot(c), apart.dot(d));
+  const double parted = pair.edges ? std::min(0.0, on_b) - others : -std::max(on_b, others);
+  return {parted / length, length};
+}
+
+bool is_nearer(ContactPair& pair, const std::vector<Vec3>& x, double reach) {
+  const auto& v = pair.vertices;
+  const std::array<Vec3, 4> at = {x[v[0]], x[v[1]], x[v[2]], x[v[3]]};
+  const DistanceBounds bounds = distance_bounds(pair, at);
+  if (bounds.most < reach - last_nearest_slack) return true;
+  if (bounds.least > reach + last_nearest_slack) return false;
+  const NearestPoints found = nearest_points(pair.edges, at);
+  keep_nearest(found, pair);
   return found.apart.squaredNorm() < reach * reach;
 }
 
@@ -216,7 +221,7 @@ void ProximitySearch::consider(const ContactPair& pair, const Query& query,
   const double distance = nearest.apart.norm();
   if (distance >= query.radius) return;
   found.push_back({pair, distance});
-  std::ranges::copy(nearest.weights, found.back().pair.nearest.begin());
+  keep_nearest(nearest, found.back().pair);
 }
 
 void ProximitySearch::point_and_triangle(int v, int t, const Query& query, NearPairs& found) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -31,9 +32,21 @@ struct NearestPoints {
 NearestPoints nearest_points(bool edges, const std::array<Vec3, 4>& at);
 /// The same for a pair of the vertices `x` (metres).
 NearestPoints nearest_points(const ContactPair& pair, const std::vector<Vec3>& x);
-/// Whether the two sides of a pair of the vertices `x` are nearer than `reach` (metres). The last
-/// nearest points tell it of most pairs, with the same answer. Where they don't, they are found
-/// anew.
+/// What the last nearest points of a pair tell of its distance, without finding them anew. Good to
+/// within last_nearest_slack.
+struct DistanceBounds {
+  double least = 0;                                       ///< metres
+  double most = std::numeric_limits<double>::infinity();  ///< metres
+};
+/// Metres: more than rounding makes of such bounds.
+inline constexpr double last_nearest_slack = 1e-6;
+DistanceBounds distance_bounds(const ContactPair& pair, const std::array<Vec3, 4>& at);
+/// Keeps `nearest` as the last nearest points of a pair.
+inline void keep_nearest(const NearestPoints& nearest, ContactPair& pair) {
+  for (int i = 0; i < 4; ++i) pair.nearest[i] = static_cast<float>(nearest.weights[i]);
+}
+/// Whether the two sides of a pair of the vertices `x` are nearer than `reach` (metres). Finds the
+/// nearest points only where the last ones don't tell.
 bool is_nearer(ContactPair& pair, const std::vector<Vec3>& x, double reach);
 
 /// The push of a pair at `distance` metres.
