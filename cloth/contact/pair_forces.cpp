@@ -49,8 +49,8 @@ void PairForces::activate(const std::vector<Vec3>& x, const std::vector<char>& i
     for (std::size_t i = begin; i < end; ++i) {
       const double reach = pairs_[i].gap + pair_activation_margin;
       const auto is_ignored = [&](int v) { return !ignored.empty() && ignored[v] != 0; };
-      near_[i] = std::ranges::none_of(pairs_[i].vertices, is_ignored) &&
-                 nearest_points(pairs_[i], x).apart.squaredNorm() < reach * reach;
+      near_[i] =
+          std::ranges::none_of(pairs_[i].vertices, is_ignored) && is_nearer(pairs_[i], x, reach);
     }
   });
   active_.clear();
@@ -107,9 +107,21 @@ void PairForces::push(std::size_t begin, std::size_t end, bool barrier, double e
   for (std::size_t i = begin; i < end; ++i) {
     if (path < apart_until_[i]) continue;
     const auto& v = active_[i].vertices;
-    const PairPush push = push_of(
-        active_[i], {as_vec3(x[v[0]]), as_vec3(x[v[1]]), as_vec3(x[v[2]]), as_vec3(x[v[3]])},
-        barrier, early);
+    const std::array<Vec3, 4> at = {as_vec3(x[v[0]]), as_vec3(x[v[1]]), as_vec3(x[v[2]]),
+                                    as_vec3(x[v[3]])};
+    // Each side moves no farther than the fastest vertex.
+    const auto path_to = [&](double distance) {
+      return path + 0.5 * (distance - active_[i].gap - early - approach_slack);
+    };
+    if (apart_until_[i] >= 0) {
+      const double until = path_to(distance_bounds(active_[i], at).least);
+      if (until > path) {
+        apart_until_[i] = until;
+        continue;
+      }
+    }
+    const PairPush push = push_of(active_[i], at, barrier, early);
+    keep_nearest(push.nearest, active_[i]);
     Vec4 on[4];
     for (int j = 0; j < 4; ++j) {
       on[j] = as_vec4(push.on[j]);
@@ -117,10 +129,9 @@ void PairForces::push(std::size_t begin, std::size_t end, bool barrier, double e
     }
     if (!friction_.empty()) friction_.add(i, push.nearest, push.force, x, on);
     for (int j = 0; j < 4; ++j) slots_[slots_of_[i][j]] = on[j];
-    // Each side moves no farther than the fastest vertex.
-    const double to_go = push.nearest.apart.norm() - active_[i].gap - early;
-    apart_until_[i] = path + 0.5 * (to_go - approach_slack);
-    if (apart_until_[i] > path) continue;
+    const double until = path_to(push.nearest.apart.norm());
+    apart_until_[i] = until > path ? until : -1;
+    if (until > path) continue;
     for (const int p : v) {
       std::atomic_ref(pushed_at_[p]).store(pushes_, std::memory_order_relaxed);
     }

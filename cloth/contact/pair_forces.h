@@ -77,6 +77,7 @@ class PairForces {
   PairFriction friction_;  // of the active pairs
   FastestPath path_;
   /// Metres, per active pair: the path up to which its sides are surely too far apart to push.
+  /// Negative for one that pushed, or was not looked at yet.
   std::vector<double> apart_until_;
   // Four slots an active pair, those of a vertex in a row, as add() reads them.
   Vec4s slots_;                  // force (N), stiffness (N/m) as the fourth; 0: pushes nothing

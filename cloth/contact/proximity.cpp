@@ -108,6 +108,35 @@ NearestPoints nearest_points(const ContactPair& pair, const std::vector<Vec3>& x
   return nearest_points(pair.edges, {x[v[0]], x[v[1]], x[v[2]], x[v[3]]});
 }
 
+DistanceBounds distance_bounds(const ContactPair& pair, const std::array<Vec3, 4>& at) {
+  const auto& w = pair.nearest;
+  if (w[0] + w[1] <= 0) return {};
+  // The weights of all four add up to 0, so the first vertex may be the origin.
+  const Vec3 b = at[1] - at[0];
+  const Vec3 c = at[2] - at[0];
+  const Vec3 d = at[3] - at[0];
+  const Vec3 apart = w[1] * b + w[2] * c + w[3] * d;
+  const double length = apart.norm();
+  if (length <= 0) return {};
+  // The points that were nearest still lie on the two sides. Planes across what lies between them
+  // may still part the sides.
+  const double on_b = apart.dot(b);
+  const double others = std::max(apart.dot(c), apart.dot(d));
+  const double parted = pair.edges ? std::min(0.0, on_b) - others : -std::max(on_b, others);
+  return {parted / length, length};
+}
+
+bool is_nearer(ContactPair& pair, const std::vector<Vec3>& x, double reach) {
+  const auto& v = pair.vertices;
+  const std::array<Vec3, 4> at = {x[v[0]], x[v[1]], x[v[2]], x[v[3]]};
+  const DistanceBounds bounds = distance_bounds(pair, at);
+  if (bounds.most < reach - last_nearest_slack) return true;
+  if (bounds.least > reach + last_nearest_slack) return false;
+  const NearestPoints found = nearest_points(pair.edges, at);
+  keep_nearest(found, pair);
+  return found.apart.squaredNorm() < reach * reach;
+}
+
 ContactPush contact_push(double distance, double gap, bool barrier, double early) {
   if (distance >= gap + early) return {};
   if (distance >= gap) return {0, pair_push_stiffness, 0};
@@ -188,8 +217,11 @@ double ProximitySearch::gap_to_keep(const NearPair& found, double gap) const {
 void ProximitySearch::consider(const ContactPair& pair, const Query& query,
                                NearPairs& found) const {
   if (boxes_apart(pair, query.x, query.radius)) return;
-  const double distance = nearest_points(pair, query.x).apart.norm();
-  if (distance < query.radius) found.push_back({pair, distance});
+  const NearestPoints nearest = nearest_points(pair, query.x);
+  const double distance = nearest.apart.norm();
+  if (distance >= query.radius) return;
+  found.push_back({pair, distance});
+  keep_nearest(nearest, found.back().pair);
 }
 
 void ProximitySearch::point_and_triangle(int v, int t, const Query& query, NearPairs& found) const {

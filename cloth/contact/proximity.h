@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,8 @@ struct ContactPair {
   std::array<int, 4> vertices;  ///< a vertex and a triangle's corners; or the ends of two edges
   bool edges;                   ///< whether the pair is two edges, not vertex and triangle
   double gap;                   ///< metres: nearer than this, the two sides push each other apart
+  /// Weights of the nearest points when they were last found; all 0 before.
+  std::array<float, 4> nearest = {};
 };
 
 /// Nearest points of the two sides of a pair, as signed weights of its four vertices. Weights of
@@ -29,6 +32,22 @@ struct NearestPoints {
 NearestPoints nearest_points(bool edges, const std::array<Vec3, 4>& at);
 /// The same for a pair of the vertices `x` (metres).
 NearestPoints nearest_points(const ContactPair& pair, const std::vector<Vec3>& x);
+/// What the last nearest points of a pair tell of its distance, without finding them anew. Good to
+/// within last_nearest_slack.
+struct DistanceBounds {
+  double least = 0;                                       ///< metres
+  double most = std::numeric_limits<double>::infinity();  ///< metres
+};
+/// Metres: more than rounding makes of such bounds.
+inline constexpr double last_nearest_slack = 1e-6;
+DistanceBounds distance_bounds(const ContactPair& pair, const std::array<Vec3, 4>& at);
+/// Keeps `nearest` as the last nearest points of a pair.
+inline void keep_nearest(const NearestPoints& nearest, ContactPair& pair) {
+  for (int i = 0; i < 4; ++i) pair.nearest[i] = static_cast<float>(nearest.weights[i]);
+}
+/// Whether the two sides of a pair of the vertices `x` are nearer than `reach` (metres). Finds the
+/// nearest points only where the last ones don't tell.
+bool is_nearer(ContactPair& pair, const std::vector<Vec3>& x, double reach);
 
 /// The push of a pair at `distance` metres.
 ///

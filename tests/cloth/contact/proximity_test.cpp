@@ -4,6 +4,7 @@
 #include <oneapi/tbb/global_control.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <numeric>
 #include <random>
 #include <set>
@@ -110,6 +111,38 @@ Surface folded(double gap, double roughness, unsigned seed) {
                            gap * layer + 0.3 * gap * unit(random));
   }
   return with_own_nodes(surface);
+}
+
+TEST(DistanceBounds, HoldTheDistanceOfAPairThatMoves) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  int told = 0, looked_at = 0;
+  for (int trial = 0; trial < 500; ++trial) {
+    std::vector<Vec3> x(4);
+    for (Vec3& p : x) p = Vec3(1.5, 1, 1) + 0.01 * Vec3(unit(random), unit(random), unit(random));
+    ContactPair pair = {{0, 1, 2, 3}, trial % 2 == 0, 0};
+    const DistanceBounds unknown = distance_bounds(pair, {x[0], x[1], x[2], x[3]});
+    EXPECT_EQ(unknown.least, 0);
+    EXPECT_TRUE(std::isinf(unknown.most));
+    keep_nearest(nearest_points(pair, x), pair);
+    for (int step = 0; step < 10; ++step) {
+      const double distance = nearest_points(pair, x).apart.norm();
+      const DistanceBounds bounds = distance_bounds(pair, {x[0], x[1], x[2], x[3]});
+      EXPECT_LE(bounds.least, distance + last_nearest_slack);
+      EXPECT_GE(bounds.most, distance - last_nearest_slack);
+      if (distance > 0.003) {
+        told += bounds.least > 0.9 * distance && bounds.most < 1.1 * distance;
+        ++looked_at;
+      }
+      for (const double share : {0.5, 0.99, 1.01, 2.0}) {
+        ContactPair asked = pair;
+        EXPECT_EQ(is_nearer(asked, x, share * distance), distance < share * distance);
+      }
+      for (Vec3& p : x) p += 2e-4 * Vec3(unit(random), unit(random), unit(random));
+    }
+  }
+  // They are of use: of pairs farther apart than they move, most are known to a tenth.
+  EXPECT_GT(told, 0.8 * looked_at);
 }
 
 TEST(NearestPoints, NoSampledPointIsNearer) {
