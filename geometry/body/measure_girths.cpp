@@ -6,6 +6,7 @@
 
 #include "geometry/body/centreline.h"
 #include "geometry/body/measure_taker.h"
+#include "geometry/body/measures.h"
 #include "geometry/body/tape.h"
 
 namespace toile {
@@ -227,13 +228,21 @@ void MeasureTaker::take_limb_girths(int side) {
   for (double t = 0.35; whole_arm.missing.empty() && t < 0.8; t += 0.05) {
     const Vec3 at = shoulder + t * (elbow - shoulder);
     const double girth = length_of(girth_line(at, upper));
-    if (girth <= most || girth > 0.35 * h) continue;
+    if (girth <= most || girth > most_of_an_arm * h) continue;
     most = girth;
     arm = at;
   }
-  add_girth(which + "upper_arm", whole_arm, arm, upper,
+  const auto free_of_trunk = [&](const Vec3& at, const Vec3& along) {
+    Needs arm_needs = whole_arm;
+    if (arm_needs.missing.empty() && length_of(girth_line(at, along)) > most_of_an_arm * h) {
+      arm_needs.missing = "the arm touches the trunk there";
+    }
+    return arm_needs;
+  };
+  add_girth(which + "upper_arm", free_of_trunk(arm, upper), arm, upper,
             "square to the arm, the greatest between armpit and elbow");
-  add_girth(which + "elbow", whole_arm, elbow, (wrist - shoulder).normalized(),
+  const Vec3 bent = (wrist - shoulder).normalized();
+  add_girth(which + "elbow", free_of_trunk(elbow, bent), elbow, bent,
             "square to the arm, around the elbow");
   Needs hand = whole_arm;
   if (hand.missing.empty()) point(which + "wrist", hand);

@@ -21,9 +21,14 @@ struct Measure {
   std::vector<std::vector<Vec3>> lines;  ///< metres, in the given body's frame: where it is taken
 };
 
+/// Of the body's height: the girth of an arm at most. A longer section holds the trunk as well.
+/// Half of it refuses stout arms, double of it takes the trunk for one.
+inline constexpr double most_of_an_arm = 0.35;
+
 /// Takes all measures. Girths are of the convex hull of a section, as a tape lies. Lengths on the
 /// trunk are taut in the plane through their ends, over what is hollow. Along arms and shoulders
-/// they are geodesics. Where a landmark is missing, so is the measure. Costs some 120 slices and
+/// they are geodesics. Where a landmark is missing, so is the measure; so are
+/// girths of an arm where it touches the trunk. Costs some 120 slices and
 /// six geodesic().
 std::vector<Measure> measure_body(const BodyShape& shape);
 

@@ -108,6 +108,8 @@ MeasureValues mannequin_measures(const Mannequin& mannequin) {
   for (const Vec3& point : body.points) height = std::max(height, point.y());
   measures["height"] = height;
   for (const MannequinGirth& girth : mannequin.girths) {
+    // Where a thick arm touches the trunk, the section holds both. The tape finds a free place.
+    if (girth.name == "upper arm" && girth.measured > most_of_an_arm * height) continue;
     measures[measure_of(girth)] = girth.measured;
   }
   const auto girth = [&body](double y) {
