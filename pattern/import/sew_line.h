@@ -13,8 +13,8 @@ namespace toile {
 bool runs_along(const std::vector<Vec2>& boundary, const PiecePath& path);
 
 /// Whether a closed path that the drawing names a sew line can be the one of the boundary. It lies
-/// within, bounds a tenth of its area or more, and no more than 5 % of it is farther than 60 mm
-/// beyond the path. Programs write others where an allowance fails. Takes some thousand points of
+/// within and bounds a tenth of the area or more. At most 5 % of the area lies more than 60 mm
+/// beyond it. Programs write others where an allowance fails. Takes some thousand points of
 /// the area, and compares each with at most 400 of both lines.
 bool can_be_sew_line(const std::vector<Vec2>& boundary, const PiecePath& path);
 

@@ -163,6 +163,7 @@ class Finder {
                  (meaning.role == SvgRole::allowance && !meaning.material.empty());
       meanings_.push_back(std::move(meaning));
     }
+    leave_out_unreadable();
     // What is loose is joined with what has the same meaning, in the same group.
     using Key = std::tuple<int, SvgRole, std::string>;
     std::map<Key, std::vector<int>> loose;
@@ -208,6 +209,29 @@ class Finder {
       throw Error(pieces_.source,
                   "has " + std::to_string(outlines_.size()) + " closed paths, more than 20,000",
                   "is it really a pattern?");
+    }
+  }
+
+  /// Refuses outlines and folds that can't be read. Other lines are counted, and the first is
+  /// named.
+  void leave_out_unreadable() {
+    for (std::size_t s = 0; s < drawing_.shapes.size(); ++s) {
+      const SvgShape& shape = drawing_.shapes[s];
+      if (!shape.unreadable) continue;
+      const SvgRole role = meanings_[s].role;
+      const bool can_be_outline =
+          role == SvgRole::unknown && !(is_freesewing(drawing_) && is_freesewing_mark(shape));
+      if (can_be_outline || role == SvgRole::outline || role == SvgRole::allowance ||
+          role == SvgRole::cut_out || role == SvgRole::fold) {
+        throw Error(*shape.unreadable);
+      }
+      const std::string what = "line that can't be read";
+      if (pieces_.ignored.count(what) == 0) {
+        pieces_.remarks.push_back(
+            {false, std::string(shape.unreadable->what()) + "; it is no outline, and left out"});
+      }
+      ignore(what);
+      meanings_[s].role = SvgRole::unseen;
     }
   }
 

@@ -129,6 +129,10 @@ std::string freesewing_part_name(const SvgGroup& part) {
   return name.substr(name.rfind('.') + 1);
 }
 
+bool is_freesewing_mark(const SvgShape& shape) {
+  return has(shape.classes, "mark") || has(shape.classes, "note");
+}
+
 SvgMeaning meaning_of(const SvgDrawing& drawing, const SvgShape& shape) {
   if (shape.use >= 0) {
     const SvgUse& use = drawing.uses[static_cast<std::size_t>(shape.use)];

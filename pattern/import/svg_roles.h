@@ -42,6 +42,9 @@ std::string freesewing_part_name(const SvgGroup& part);
 /// FreeSewing's, the class names of materials count all the same.
 SvgMeaning meaning_of(const SvgDrawing& drawing, const SvgShape& shape);
 
+/// Whether FreeSewing's class says that the shape is a mark or a note, such as that of a measure.
+bool is_freesewing_mark(const SvgShape& shape);
+
 /// What a text says about cutting.
 struct CuttingText {
   PieceQuantity quantity;

@@ -53,6 +53,23 @@ std::string all_remarks(const PieceDrawing& drawing) {
   return all;
 }
 
+TEST(SvgPieces, OnlyOutlinesHaveToBeReadable) {
+  const auto drawing = [](const std::string& broken_class) {
+    return "<path class=\"fabric\" d=\"M 100,100 h 200 v 300 h -200 z\"/>"
+           "<path class=\"" +
+           broken_class + "\" d=\"M 0,NaN L 0,375\"/>";
+  };
+  const PieceDrawing drawn = read(drawing("mark dotted"), freesewing);
+  EXPECT_EQ(drawn.pieces.size(), 1u);
+  EXPECT_EQ(drawn.ignored.at("line that can't be read"), 1);
+  EXPECT_NE(all_remarks(drawn).find("x.svg:1: path: a number is missing at character 5"),
+            std::string::npos);
+  for (const std::string may_be_outline : {"fabric", "fabric sa", "various", ""}) {
+    EXPECT_THROW(read(drawing(may_be_outline), freesewing), Error) << may_be_outline;
+  }
+  EXPECT_THROW(read(drawing("mark dotted")), Error);
+}
+
 TEST(SvgPieces, SeamLinesAreFoundInAllowancesWhoseClassesDiffer) {
   const std::string seam = " d=\"M 100,100 h 200 v 300 h -200 z\"/>";
   // The allowance crosses itself at a corner, as offset ones do.
