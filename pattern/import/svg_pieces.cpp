@@ -634,11 +634,36 @@ class Finder {
     }
   }
 
+  /// A part may say how often its fabric, its lining and its canvas are cut. What has the piece's
+  /// own material counts, else what comes first.
+  void take_cutting(const CuttingText& cutting, std::size_t index, bool several_pieces) {
+    Piece& piece = pieces_.pieces[index];
+    const std::string& own = outline_of(index).meaning.material;
+    const bool of_own = !own.empty() && cutting.material == own;
+    if (said_[index] && (!of_own || said_of_own_[index])) return;
+    if (several_pieces && !piece.material.empty() && !cutting.material.empty() &&
+        cutting.material != piece.material) {
+      return;
+    }
+    said_[index] = true;
+    said_of_own_[index] = of_own;
+    piece.quantity = cutting.quantity.count;
+    piece.pair = cutting.quantity.pair;
+    const bool other = piece.material.empty() || piece.material == "fabric";
+    if (of_own || (other && !cutting.material.empty())) piece.material = cutting.material;
+    if (cutting.on_fold && !piece.fold) {
+      note("piece at " + where(outline_of(index).polygon[0]) +
+               " is said to be cut on the fold, but has no fold line: it is taken as whole",
+           true);
+    }
+  }
+
   /// Texts say names, numbers and materials.
   void texts() {
     texts_.resize(pieces_.pieces.size());
     first_text_.resize(pieces_.pieces.size());
     said_.resize(pieces_.pieces.size(), false);
+    said_of_own_.resize(pieces_.pieces.size(), false);
     for (const SvgText& text : drawing_.texts) {
       if (!text.on_path.empty()) continue;  // it says what a line is
       const int part = part_of(text.group);
@@ -651,31 +676,15 @@ class Finder {
         }
       }
       if (found.empty()) ignore("text outside of the pieces");
-      const auto cutting = read_cutting(text.text);
+      const std::vector<CuttingText> cuttings = read_cuttings(text.text);
       for (const int p : found) {
         const auto index = static_cast<std::size_t>(p);
-        Piece& piece = pieces_.pieces[index];
         texts_[index].add(text.text);
         const bool has_letter =
             std::any_of(text.text.begin(), text.text.end(),
                         [](unsigned char c) { return std::isalpha(c) != 0 || c >= 0x80; });
         if (has_letter && first_text_[index].empty()) first_text_[index] = text.text;
-        if (!cutting) continue;
-        // A part may say how often its fabric and how often its lining is cut.
-        if (!piece.material.empty() && !cutting->material.empty() &&
-            cutting->material != piece.material && found.size() > 1) {
-          continue;
-        }
-        said_[index] = true;
-        piece.quantity = cutting->quantity.count;
-        piece.pair = cutting->quantity.pair;
-        const bool other = piece.material.empty() || piece.material == "fabric";
-        if (other && !cutting->material.empty()) piece.material = cutting->material;
-        if (cutting->on_fold && !piece.fold) {
-          note("piece at " + where(outline_of(index).polygon[0]) +
-                   " is said to be cut on the fold, but has no fold line: it is taken as whole",
-               true);
-        }
+        for (const CuttingText& cutting : cuttings) take_cutting(cutting, index, found.size() > 1);
       }
     }
     for (std::size_t p = 0; p < pieces_.pieces.size(); ++p) {
@@ -780,7 +789,8 @@ class Finder {
   std::vector<int> points_;  ///< shapes that are notches or drill holes
   std::vector<PieceTexts> texts_;
   std::vector<std::string> first_text_;
-  std::vector<bool> said_;  ///< whether a text says how often a piece is cut
+  std::vector<bool> said_;         ///< whether a text says how often a piece is cut
+  std::vector<bool> said_of_own_;  ///< whether that text names the piece's own material
 };
 
 }  // namespace

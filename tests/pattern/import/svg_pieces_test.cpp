@@ -205,6 +205,26 @@ TEST(SvgPieces, LiningsAndInterfacingsAreCutApart) {
   EXPECT_EQ(drawing.ignored.at("small closed path"), 1);
 }
 
+TEST(SvgPieces, OneTextMaySayAllThatIsCut) {
+  const std::string key = "plugin-annotations:";
+  const auto said = [](const std::string& text) {
+    return read(part_start + "<path class='fabric' d='M0 0h200v100h-200z'/><text x='5' y='50'>" +
+                    text + "</text></g>",
+                freesewing)
+        .pieces.at(0);
+  };
+  const std::string fabric = key + "cut,2," + key + "mirrored," + key + "from," + key + "fabric,";
+  const std::string canvas = key + "cut,1," + key + "from," + key + "canvas,";
+  for (const std::string& text :
+       {fabric + "," + canvas, canvas + "," + fabric,
+        std::string("Cut 2 mirrored from main fabric Cut 1 from canvas")}) {
+    const Piece piece = said(text);
+    EXPECT_EQ(piece.quantity, 2) << text;
+    EXPECT_TRUE(piece.pair) << text;
+    EXPECT_EQ(piece.material, "fabric") << text;
+  }
+}
+
 TEST(SvgPieces, PlainDrawingsHaveOnePieceForEachOutermostPath) {
   const PieceDrawing drawing = read(
       "<g inkscape:label='Sleeves'>"
