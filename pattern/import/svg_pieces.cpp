@@ -30,6 +30,9 @@ constexpr double smallest_piece = 4e-4;
 /// Square metres: a smaller closed path inside of a piece is a mark, such as the head of an arrow.
 constexpr double smallest_inner_path = 1e-4;
 
+/// Share of its cut line's area that a seam line bounds at least: a narrow band's has a sixth.
+constexpr double least_seam_share = 0.1;
+
 /// Metres: a circle inside of a piece that is no wider is a drill hole.
 constexpr double max_drill_width = 0.0101;
 
@@ -118,6 +121,7 @@ class Finder {
     marks();
     texts();
     names();
+    warn_of_folds();
     check_sizes();
     return std::move(pieces_);
   }
@@ -440,7 +444,8 @@ class Finder {
         // The class of an allowance may lack the material, or say that of another part.
         return other.meaning.role == SvgRole::outline && runs_along(cut.polygon, other.path);
       }
-      return cut.part >= 0 || other.around == index;
+      // A pocket that is drawn in a part is none, though its class is that of the allowance.
+      return other.area >= least_seam_share * cut.area && (cut.part >= 0 || other.around == index);
     });
   }
 
@@ -651,11 +656,7 @@ class Finder {
     piece.pair = cutting.quantity.pair;
     const bool other = piece.material.empty() || piece.material == "fabric";
     if (of_own || (other && !cutting.material.empty())) piece.material = cutting.material;
-    if (cutting.on_fold && !piece.fold) {
-      note("piece at " + where(outline_of(index).polygon[0]) +
-               " is said to be cut on the fold, but has no fold line: it is taken as whole",
-           true);
-    }
+    said_on_fold_[index] = cutting.on_fold;
   }
 
   /// Texts say names, numbers and materials.
@@ -664,6 +665,7 @@ class Finder {
     first_text_.resize(pieces_.pieces.size());
     said_.resize(pieces_.pieces.size(), false);
     said_of_own_.resize(pieces_.pieces.size(), false);
+    said_on_fold_.resize(pieces_.pieces.size(), false);
     for (const SvgText& text : drawing_.texts) {
       if (!text.on_path.empty()) continue;  // it says what a line is
       const int part = part_of(text.group);
@@ -720,6 +722,18 @@ class Finder {
           piece.name += "_" + piece.material;
         }
       }
+    }
+  }
+
+  /// Names what is a half by its text only: where it is folded, a person has to say.
+  void warn_of_folds() {
+    for (std::size_t p = 0; p < pieces_.pieces.size(); ++p) {
+      const Piece& piece = pieces_.pieces[p];
+      if (!said_on_fold_[p] || piece.fold) continue;
+      note("piece " + in_quotes(piece.name) +
+               " is said to be cut on the fold, but has no fold line: it is taken as whole; "
+               "--unfold or --pair makes more of it",
+           true);
     }
   }
 
@@ -789,8 +803,9 @@ class Finder {
   std::vector<int> points_;  ///< shapes that are notches or drill holes
   std::vector<PieceTexts> texts_;
   std::vector<std::string> first_text_;
-  std::vector<bool> said_;         ///< whether a text says how often a piece is cut
-  std::vector<bool> said_of_own_;  ///< whether that text names the piece's own material
+  std::vector<bool> said_;          ///< whether a text says how often a piece is cut
+  std::vector<bool> said_on_fold_;  ///< whether that text says that it is cut on the fold
+  std::vector<bool> said_of_own_;   ///< whether that text names the piece's own material
 };
 
 }  // namespace

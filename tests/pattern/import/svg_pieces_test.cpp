@@ -225,6 +225,19 @@ TEST(SvgPieces, OneTextMaySayAllThatIsCut) {
   }
 }
 
+TEST(SvgPieces, APocketInAnAllowanceIsNoSeamLine) {
+  const std::string cut = "<path class='fabric sa' d='M-10 -10h220v320h-220z'/>";
+  const std::string pocket = "<path class='fabric' d='M50 50h40v40h-40z'/>";
+  const PieceDrawing without = read(part_start + cut + pocket + "</g>", freesewing);
+  ASSERT_EQ(without.pieces.size(), 1u);
+  EXPECT_TRUE(without.pieces[0].is_cut_line);
+  EXPECT_NEAR(area_cm2(without.pieces[0].outline), 22 * 32, 1e-6);
+  const std::string seam = "<path d='M0 0h200v300h-200z'/>";
+  const PieceDrawing with = read(part_start + cut + seam + pocket + "</g>", freesewing);
+  ASSERT_EQ(with.pieces.size(), 1u);
+  EXPECT_FALSE(with.pieces[0].is_cut_line);
+}
+
 TEST(SvgPieces, PlainDrawingsHaveOnePieceForEachOutermostPath) {
   const PieceDrawing drawing = read(
       "<g inkscape:label='Sleeves'>"
