@@ -427,14 +427,9 @@ class SvgReader {
     return bytes;
   }
 
+  /// The paths of an element that has no list of points.
   std::vector<DrawnPath> paths_of(const pugi::xml_node& node, std::string_view element,
                                   const State& state) {
-    const std::string where = place(node);
-    if (element == "path") return svg_path_data(counted(node.attribute("d").value(), node), where);
-    if (element == "polyline" || element == "polygon") {
-      return svg_polygon(counted(node.attribute("points").value(), node), element == "polygon",
-                         where);
-    }
     if (element == "line") {
       DrawnPath path;
       path.start = point(node, "x1", "y1", state);
@@ -460,6 +455,23 @@ class SvgReader {
     return {svg_ellipse(point(node, "cx", "cy", state), radii)};
   }
 
+  /// As paths_of(), of all elements. What can't be read of a list of points is kept in the shape.
+  std::vector<DrawnPath> readable_paths(const pugi::xml_node& node, std::string_view element,
+                                        const State& state, SvgShape& shape) {
+    const bool path = element == "path";
+    if (!path && element != "polyline" && element != "polygon") {
+      return paths_of(node, element, state);
+    }
+    const std::string_view data = counted(node.attribute(path ? "d" : "points").value(), node);
+    try {
+      return path ? svg_path_data(data, place(node))
+                  : svg_polygon(data, element == "polygon", place(node));
+    } catch (const Error& error) {
+      shape.unreadable = error;
+      return {};
+    }
+  }
+
   Vec2 checked(const Vec2& point, const pugi::xml_node& node) const {
     for (const double value : {point.x(), point.y()}) {
       const std::string problem = coordinate_problem(value);
@@ -479,7 +491,7 @@ class SvgReader {
              const State& state) {
     SvgShape shape;
     shape.element = std::string(element);
-    for (const DrawnPath& path : paths_of(node, element, state)) {
+    for (const DrawnPath& path : readable_paths(node, element, state, shape)) {
       shape.paths.push_back(transformed(path, state.to_root));
       const DrawnPath& moved = shape.paths.back();
       checked(moved.start, node);
@@ -494,7 +506,7 @@ class SvgReader {
                     "does a <use> draw copies of copies?");
       }
     }
-    if (shape.paths.empty()) return;
+    if (shape.paths.empty() && !shape.unreadable) return;
     shape.id = valid_utf8(node.attribute("id").value());
     shape.label = label_of(node);
     shape.title = title_of(node);

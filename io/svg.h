@@ -2,10 +2,12 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "geometry/error.h"
 #include "geometry/types.h"
 #include "io/drawn_path.h"
 
@@ -41,6 +43,8 @@ struct SvgShape {
   int use = -1;    ///< index into SvgDrawing::uses of the outermost `use` that draws it; -1: none
   int line = 0;    ///< of the file
   std::vector<DrawnPath> paths;
+  /// What can't be read of its path or its points. Its paths are empty then.
+  std::optional<Error> unreadable;
 };
 
 /// A line of text.
@@ -74,9 +78,10 @@ struct SvgDrawing {
 /// What <defs>, <clipPath>, <mask>, <marker>, <pattern> and <symbol> hold is drawn where it is used
 /// only. Entities that the file declares are not replaced. Nothing is fetched, and nothing is run.
 ///
-/// Throws Error with line and element for malformed XML and for values that can't be read. Throws
-/// it for coordinates beyond max_coordinate and for a `use` that draws itself. Throws it beyond
-/// max_svg_bytes, max_svg_depth and max_svg_elements, copies by `use` counted.
+/// Throws Error with line and element for malformed XML and for values that can't be read. What
+/// can't be read of a path or polygon is kept in its shape: it may be a mark that nobody needs.
+/// Throws Error for coordinates beyond max_coordinate and for a `use` that draws itself. Throws it
+/// beyond max_svg_bytes, max_svg_depth and max_svg_elements, copies by `use` counted.
 SvgDrawing parse_svg(std::string_view text, const std::string& name);
 
 inline constexpr std::size_t max_svg_bytes = 256U << 20U;

@@ -230,6 +230,17 @@ class PieceBuilder {
     if (sewn.size() > 1) {
       fail("has two closed sew lines", "give each piece a block of its own");
     }
+    if (!sewn.empty() && !boundary.empty() && !can_be_sew_line(boundary, sewn.front())) {
+      // A sew line that cuts across its piece would make a sound panel of the wrong size.
+      if (!cut_line_) {
+        result_.remarks.push_back(
+            {true,
+             place_ +
+                 ": its line on layer 14 does not run along inside of its boundary, and is no sew "
+                 "line; the boundary is taken, which --seam-allowance makes smaller"});
+      }
+      sewn.clear();
+    }
     if (sewn.empty() && !boundary.empty()) find_sew_line(boundary, inner_lines, sewn);
     if (!sewn.empty() && !(cut_line_ && !boundaries.empty())) {
       piece.outline = sewn.front();

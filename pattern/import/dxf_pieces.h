@@ -20,7 +20,8 @@ namespace toile {
 ///   internal lines, 11 cut-outs, 13 drill holes, 14 the sew line. 3, 5, 9, 10, 15 and 84 to 87 are
 ///   known and not used. All others are counted in `ignored`. Drawings without anything on 1 and 14
 ///   have outlines on any layer; closed lines within them are internal lines.
-/// - The sew line bounds a piece where there is one. A closed internal line that runs along the
+/// - The sew line bounds a piece where there is one. With a warning, the boundary does if the line
+///   leaves it or cuts much of it off. A closed internal line that runs along the
 ///   whole boundary, within 60 mm of it, is a sew line: Valentina writes it so.
 /// - A piece is a pair if its texts say so, or if a second insert is mirrored.
 ///

@@ -1,6 +1,7 @@
 #include "pattern/import/half_pieces.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <numbers>
 
@@ -36,21 +37,26 @@ std::optional<PieceLine> straight_line(const EdgedOutline& outline, const Outlin
   return line;
 }
 
-/// Whether the piece is its own mirror image, left and right of the grain.
-bool is_whole(const PieceShape& shape, const Vec2& across) {
-  double low = shape.outline.front().dot(across);
+}  // namespace
+
+bool is_mirror_image(const std::vector<Vec2>& outline, const Vec2& across) {
+  double low = outline.front().dot(across);
   double high = low;
-  for (const Vec2& point : shape.outline) {
+  for (const Vec2& point : outline) {
     low = std::min(low, point.dot(across));
     high = std::max(high, point.dot(across));
   }
-  return std::all_of(shape.outline.begin(), shape.outline.end(), [&](const Vec2& point) {
+  return std::all_of(outline.begin(), outline.end(), [&](const Vec2& point) {
     const Vec2 mirrored = point + (low + high - 2 * point.dot(across)) * across;
-    return nearest_place(shape.outline, mirrored).distance <= mirrored_within;
+    return nearest_place(outline, mirrored).distance <= mirrored_within;
   });
 }
 
-}  // namespace
+bool lies_across_the_middle(const std::string& name) {
+  std::string small = name;
+  for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return small.find("collar") != std::string::npos || small.find("yoke") != std::string::npos;
+}
 
 std::optional<int> likely_fold(const PieceShape& shape, const EdgedOutline& outline) {
   Vec2 warp = Vec2::UnitY();
@@ -76,7 +82,7 @@ std::optional<int> likely_fold(const PieceShape& shape, const EdgedOutline& outl
     longest = along.norm();
     best = static_cast<int>(i);
   }
-  if (best && is_whole(shape, across)) return std::nullopt;
+  if (best && is_mirror_image(shape.outline, across)) return std::nullopt;
   return best;
 }
 

@@ -10,6 +10,13 @@
 
 namespace toile {
 
+/// Whether the closed outline is its own mirror image, within 2 mm, about a line across `across`.
+/// `across` is a unit vector.
+bool is_mirror_image(const std::vector<Vec2>& outline, const Vec2& across);
+
+/// Whether a piece of this name lies across the middle of the body: a collar, its stand, a yoke.
+bool lies_across_the_middle(const std::string& name);
+
 /// The edge at which a piece looks folded: the longest one that is straight along the grain, with
 /// all of the piece on one side. Nothing: there is none of 2 cm, or the piece is its own mirror
 /// image and so whole. `outline` is what edges_of() makes of `shape`. O(n^2) of its points.

@@ -213,7 +213,24 @@ class Importer {
     std::string left;   ///< the panel as drawn; of a pair, the left one
     std::string right;  ///< the mirrored panel of a pair
     std::optional<NamedPiece> unfold;
+    bool layers = false;  ///< drawn once for the layers that it is cut in
   };
+
+  /// Whether a pair is an outer and an inner layer. Those of yokes and collars lie on each other,
+  /// if both look alike. Sleeves and cuffs that do are one for each arm.
+  bool is_layered(const Piece& piece) const {
+    if (!lies_across_the_middle(piece.name)) return false;
+    if (piece.fold) return true;
+    std::vector<Vec2> directions = {Vec2::UnitX(), Vec2::UnitY()};
+    if (piece.grain && (piece.grain->to - piece.grain->from).norm() > 0) {
+      const Vec2 warp = (piece.grain->to - piece.grain->from).normalized();
+      directions.insert(directions.end(), {warp, Vec2(-warp.y(), warp.x())});
+    }
+    const std::vector<Vec2> outline = loop_points(piece.outline, options_.edges.chord_error);
+    return outline.size() > 2 &&
+           std::any_of(directions.begin(), directions.end(),
+                       [&](const Vec2& across) { return is_mirror_image(outline, across); });
+  }
 
   /// Names all panels before one is changed, so that options name what was written without them.
   void choose_pieces() {
@@ -221,16 +238,18 @@ class Importer {
       if (!piece.size.empty() && !same_word(piece.size, pattern_.size)) continue;
       ChosenPiece chosen{piece, "", "", "", std::nullopt};
       const std::string name = panel_name(piece.name);
-      if (piece.pair && piece.is_right_one) {
+      chosen.piece.pair = piece.pair && !is_layered(piece);
+      chosen.layers = piece.pair && !chosen.piece.pair;
+      if (chosen.piece.pair && piece.is_right_one) {
         chosen.right = unique("right_" + name);
         chosen.left = unique("left_" + name);
-      } else if (piece.pair) {
+      } else if (chosen.piece.pair) {
         chosen.left = unique("left_" + name);
         chosen.right = unique("right_" + name);
       } else {
         chosen.left = unique(name);
       }
-      chosen.asked = piece.pair ? name : chosen.left;
+      chosen.asked = chosen.piece.pair ? name : chosen.left;
       chosen_.push_back(std::move(chosen));
     }
   }
@@ -272,6 +291,7 @@ class Importer {
       if (named.edge >= 0) throw Error(place, "names an edge", "a pair is a piece");
       if (chosen.piece.pair) continue;
       chosen.piece.pair = true;
+      chosen.layers = false;
       chosen.piece.quantity = std::max(2, chosen.piece.quantity);
       chosen.right = unique("right_" + chosen.left);
       chosen.left = unique("left_" + chosen.left);
@@ -312,6 +332,11 @@ class Importer {
   void add(const ChosenPiece& chosen) {
     const Piece& piece = chosen.piece;
     const std::string place = drawing_.source + ": piece " + in_quotes(piece.name);
+    if (chosen.layers) {
+      note(place + ": is its own mirror image and cut " + std::to_string(piece.quantity) +
+           " times: its layers are drawn as one panel; --pair " + shell_word(chosen.asked) +
+           " makes a left and a right one");
+    }
     const bool takes_off = piece.is_cut_line && options_.seam_allowance;
     PieceShape shape = shape_of(piece, place, options_.edges.chord_error * sampling_share);
     unfold(chosen, place, shape);

@@ -151,8 +151,10 @@ std::optional<PieceShape> unfolded_shape(const PieceShape& half, const PieceLine
                 "draw the mirror line on the edge where the piece is folded");
   }
   if (runs > 1) {
-    throw Error(place, "its outline meets its mirror line in " + std::to_string(runs) + " places",
-                "draw the whole piece instead of one half");
+    throw Error(place,
+                "its outline meets its mirror line in " + std::to_string(runs) +
+                    " places, so that the whole would have holes, which are not cut",
+                "take the mirror line out, and sew the half to a second one along it");
   }
   // A curve that leaves the fold gently is near it for a while: its points are not of the fold.
   const double body = most > -least ? 1 : -1;

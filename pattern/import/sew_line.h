@@ -1,4 +1,4 @@
-// Sew lines that a drawing does not name.
+// Whether a line is the sew line of a boundary.
 #pragma once
 
 #include <vector>
@@ -11,5 +11,11 @@ namespace toile {
 /// of the boundary may be farther than 60 mm from it. On an edge without allowance both may be one.
 /// A dart or a pocket does not. Compares at most 400 points of each with all of the other.
 bool runs_along(const std::vector<Vec2>& boundary, const PiecePath& path);
+
+/// Whether a closed path that the drawing names a sew line can be the one of the boundary. It lies
+/// within and bounds a tenth of the area or more. At most 5 % of the area lies more than 60 mm
+/// beyond it. Programs write others where an allowance fails. Takes some thousand points of
+/// the area, and compares each with at most 400 of both lines.
+bool can_be_sew_line(const std::vector<Vec2>& boundary, const PiecePath& path);
 
 }  // namespace toile

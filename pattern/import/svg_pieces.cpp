@@ -30,6 +30,9 @@ constexpr double smallest_piece = 4e-4;
 /// Square metres: a smaller closed path inside of a piece is a mark, such as the head of an arrow.
 constexpr double smallest_inner_path = 1e-4;
 
+/// Share of its cut line's area that a seam line bounds at least: a narrow band's has a sixth.
+constexpr double least_seam_share = 0.1;
+
 /// Metres: a circle inside of a piece that is no wider is a drill hole.
 constexpr double max_drill_width = 0.0101;
 
@@ -118,6 +121,7 @@ class Finder {
     marks();
     texts();
     names();
+    warn_of_folds();
     check_sizes();
     return std::move(pieces_);
   }
@@ -163,6 +167,7 @@ class Finder {
                  (meaning.role == SvgRole::allowance && !meaning.material.empty());
       meanings_.push_back(std::move(meaning));
     }
+    leave_out_unreadable();
     // What is loose is joined with what has the same meaning, in the same group.
     using Key = std::tuple<int, SvgRole, std::string>;
     std::map<Key, std::vector<int>> loose;
@@ -208,6 +213,29 @@ class Finder {
       throw Error(pieces_.source,
                   "has " + std::to_string(outlines_.size()) + " closed paths, more than 20,000",
                   "is it really a pattern?");
+    }
+  }
+
+  /// Refuses outlines and folds that can't be read. Other lines are counted, and the first is
+  /// named.
+  void leave_out_unreadable() {
+    for (std::size_t s = 0; s < drawing_.shapes.size(); ++s) {
+      const SvgShape& shape = drawing_.shapes[s];
+      if (!shape.unreadable) continue;
+      const SvgRole role = meanings_[s].role;
+      const bool can_be_outline =
+          role == SvgRole::unknown && !(is_freesewing(drawing_) && is_freesewing_mark(shape));
+      if (can_be_outline || role == SvgRole::outline || role == SvgRole::allowance ||
+          role == SvgRole::cut_out || role == SvgRole::fold) {
+        throw Error(*shape.unreadable);
+      }
+      const std::string what = "line that can't be read";
+      if (pieces_.ignored.count(what) == 0) {
+        pieces_.remarks.push_back(
+            {false, std::string(shape.unreadable->what()) + "; it is no outline, and left out"});
+      }
+      ignore(what);
+      meanings_[s].role = SvgRole::unseen;
     }
   }
 
@@ -416,7 +444,8 @@ class Finder {
         // The class of an allowance may lack the material, or say that of another part.
         return other.meaning.role == SvgRole::outline && runs_along(cut.polygon, other.path);
       }
-      return cut.part >= 0 || other.around == index;
+      // A pocket that is drawn in a part is none, though its class is that of the allowance.
+      return other.area >= least_seam_share * cut.area && (cut.part >= 0 || other.around == index);
     });
   }
 
@@ -610,11 +639,33 @@ class Finder {
     }
   }
 
+  /// A part may say how often its fabric, its lining and its canvas are cut. What has the piece's
+  /// own material counts, else what comes first.
+  void take_cutting(const CuttingText& cutting, std::size_t index, bool several_pieces) {
+    Piece& piece = pieces_.pieces[index];
+    const std::string& own = outline_of(index).meaning.material;
+    const bool of_own = !own.empty() && cutting.material == own;
+    if (said_[index] && (!of_own || said_of_own_[index])) return;
+    if (several_pieces && !piece.material.empty() && !cutting.material.empty() &&
+        cutting.material != piece.material) {
+      return;
+    }
+    said_[index] = true;
+    said_of_own_[index] = of_own;
+    piece.quantity = cutting.quantity.count;
+    piece.pair = cutting.quantity.pair;
+    const bool other = piece.material.empty() || piece.material == "fabric";
+    if (of_own || (other && !cutting.material.empty())) piece.material = cutting.material;
+    said_on_fold_[index] = cutting.on_fold;
+  }
+
   /// Texts say names, numbers and materials.
   void texts() {
     texts_.resize(pieces_.pieces.size());
     first_text_.resize(pieces_.pieces.size());
     said_.resize(pieces_.pieces.size(), false);
+    said_of_own_.resize(pieces_.pieces.size(), false);
+    said_on_fold_.resize(pieces_.pieces.size(), false);
     for (const SvgText& text : drawing_.texts) {
       if (!text.on_path.empty()) continue;  // it says what a line is
       const int part = part_of(text.group);
@@ -627,31 +678,15 @@ class Finder {
         }
       }
       if (found.empty()) ignore("text outside of the pieces");
-      const auto cutting = read_cutting(text.text);
+      const std::vector<CuttingText> cuttings = read_cuttings(text.text);
       for (const int p : found) {
         const auto index = static_cast<std::size_t>(p);
-        Piece& piece = pieces_.pieces[index];
         texts_[index].add(text.text);
         const bool has_letter =
             std::any_of(text.text.begin(), text.text.end(),
                         [](unsigned char c) { return std::isalpha(c) != 0 || c >= 0x80; });
         if (has_letter && first_text_[index].empty()) first_text_[index] = text.text;
-        if (!cutting) continue;
-        // A part may say how often its fabric and how often its lining is cut.
-        if (!piece.material.empty() && !cutting->material.empty() &&
-            cutting->material != piece.material && found.size() > 1) {
-          continue;
-        }
-        said_[index] = true;
-        piece.quantity = cutting->quantity.count;
-        piece.pair = cutting->quantity.pair;
-        const bool other = piece.material.empty() || piece.material == "fabric";
-        if (other && !cutting->material.empty()) piece.material = cutting->material;
-        if (cutting->on_fold && !piece.fold) {
-          note("piece at " + where(outline_of(index).polygon[0]) +
-                   " is said to be cut on the fold, but has no fold line: it is taken as whole",
-               true);
-        }
+        for (const CuttingText& cutting : cuttings) take_cutting(cutting, index, found.size() > 1);
       }
     }
     for (std::size_t p = 0; p < pieces_.pieces.size(); ++p) {
@@ -687,6 +722,18 @@ class Finder {
           piece.name += "_" + piece.material;
         }
       }
+    }
+  }
+
+  /// Names what is a half by its text only: where it is folded, a person has to say.
+  void warn_of_folds() {
+    for (std::size_t p = 0; p < pieces_.pieces.size(); ++p) {
+      const Piece& piece = pieces_.pieces[p];
+      if (!said_on_fold_[p] || piece.fold) continue;
+      note("piece " + in_quotes(piece.name) +
+               " is said to be cut on the fold, but has no fold line: it is taken as whole; "
+               "--unfold or --pair makes more of it",
+           true);
     }
   }
 
@@ -756,7 +803,9 @@ class Finder {
   std::vector<int> points_;  ///< shapes that are notches or drill holes
   std::vector<PieceTexts> texts_;
   std::vector<std::string> first_text_;
-  std::vector<bool> said_;  ///< whether a text says how often a piece is cut
+  std::vector<bool> said_;          ///< whether a text says how often a piece is cut
+  std::vector<bool> said_on_fold_;  ///< whether that text says that it is cut on the fold
+  std::vector<bool> said_of_own_;   ///< whether that text names the piece's own material
 };
 
 }  // namespace

@@ -106,6 +106,30 @@ std::string material_after_from(const std::string& text) {
   return lower_case(material) == "main fabric" ? "fabric" : material;
 }
 
+/// One line about cutting.
+std::optional<CuttingText> read_cutting(const std::string& text) {
+  const std::vector<std::string> words = plain_words(text);
+  CuttingText cutting;
+  bool found = false;
+  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+    const std::string& number = words[i + 1];
+    if (words[i] == "cut" && number.size() <= 2 &&
+        std::all_of(number.begin(), number.end(),
+                    [](unsigned char c) { return std::isdigit(c) != 0; })) {
+      cutting.quantity.count = std::stoi(number);
+      found = cutting.quantity.count > 0;
+    }
+  }
+  if (!found) return std::nullopt;
+  cutting.material = material_after_from(text);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i] == "mirrored") cutting.quantity.pair = true;
+    const bool before = i > 0 && (words[i - 1] == "on" || words[i - 1] == "the");
+    if (words[i] == "fold" && before) cutting.on_fold = true;
+  }
+  return cutting;
+}
+
 }  // namespace
 
 bool is_freesewing(const SvgDrawing& drawing) {
@@ -127,6 +151,10 @@ int freesewing_part(const SvgDrawing& drawing, int group) {
 std::string freesewing_part_name(const SvgGroup& part) {
   std::string name = part.id.substr(part.id.rfind("-part-") + 6);
   return name.substr(name.rfind('.') + 1);
+}
+
+bool is_freesewing_mark(const SvgShape& shape) {
+  return has(shape.classes, "mark") || has(shape.classes, "note");
 }
 
 SvgMeaning meaning_of(const SvgDrawing& drawing, const SvgShape& shape) {
@@ -165,27 +193,26 @@ SvgMeaning meaning_of(const SvgDrawing& drawing, const SvgShape& shape) {
   return {};
 }
 
-std::optional<CuttingText> read_cutting(const std::string& text) {
-  const std::vector<std::string> words = plain_words(text);
-  CuttingText cutting;
-  bool found = false;
-  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
-    const std::string& number = words[i + 1];
-    if (words[i] == "cut" && number.size() <= 2 &&
-        std::all_of(number.begin(), number.end(),
-                    [](unsigned char c) { return std::isdigit(c) != 0; })) {
-      cutting.quantity.count = std::stoi(number);
-      found = cutting.quantity.count > 0;
+std::vector<CuttingText> read_cuttings(const std::string& text) {
+  const std::string small = lower_case(text);
+  std::vector<std::size_t> starts = {0};
+  for (std::size_t at = small.find("cut"); at != std::string::npos;
+       at = small.find("cut", at + 1)) {
+    const bool is_word = at == 0 || std::isalpha(static_cast<unsigned char>(small[at - 1])) == 0;
+    const std::size_t next = small.find_first_not_of(" ,", at + 3);
+    if (is_word && next != std::string::npos && next > at + 3 &&
+        std::isdigit(static_cast<unsigned char>(small[next])) != 0) {
+      starts.push_back(at);
     }
   }
-  if (!found) return std::nullopt;
-  cutting.material = material_after_from(text);
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (words[i] == "mirrored") cutting.quantity.pair = true;
-    const bool before = i > 0 && (words[i - 1] == "on" || words[i - 1] == "the");
-    if (words[i] == "fold" && before) cutting.on_fold = true;
+  starts.push_back(text.size());
+  std::vector<CuttingText> cuttings;
+  for (std::size_t i = 0; i + 1 < starts.size(); ++i) {
+    // The first part ends before the first "cut", and says nothing.
+    const auto one = read_cutting(text.substr(starts[i], starts[i + 1] - starts[i]));
+    if (one) cuttings.push_back(*one);
   }
-  return cutting;
+  return cuttings;
 }
 
 bool is_automatic_id(const std::string& id) {

@@ -42,6 +42,9 @@ std::string freesewing_part_name(const SvgGroup& part);
 /// FreeSewing's, the class names of materials count all the same.
 SvgMeaning meaning_of(const SvgDrawing& drawing, const SvgShape& shape);
 
+/// Whether FreeSewing's class says that the shape is a mark or a note, such as that of a measure.
+bool is_freesewing_mark(const SvgShape& shape);
+
 /// What a text says about cutting.
 struct CuttingText {
   PieceQuantity quantity;
@@ -49,9 +52,9 @@ struct CuttingText {
   std::string material;  ///< empty: not stated
 };
 
-/// Reads "Cut 2 mirrored from Lining" and FreeSewing's keys without a translation, as in
-/// "plugin-annotations:cut,1,plugin-annotations:onFold". Nothing for other texts.
-std::optional<CuttingText> read_cutting(const std::string& text);
+/// Each "Cut 2 mirrored from fabric" or "Cut 1 on the fold" of a text, in its order. FreeSewing
+/// puts all that is cut of a part into one text, in words or in keys of its translations.
+std::vector<CuttingText> read_cuttings(const std::string& text);
 
 /// Whether an editor gave the id, as in "path1234".
 bool is_automatic_id(const std::string& id);

@@ -168,8 +168,8 @@ TEST(Svg, BasicShapesAndPrefixes) {
 }
 
 TEST(Svg, ErrorsNameLineAndElement) {
-  const std::string message = message_of(svg("\n<path id='arm'\n d='M0 0L1'/>"));
-  EXPECT_NE(message.find("x.svg:2: path 'arm': "), std::string::npos) << message;
+  const std::string message = message_of(svg("\n<circle id='arm'\n r='5furlong'/>"));
+  EXPECT_NE(message.find("x.svg:2: circle 'arm': "), std::string::npos) << message;
   EXPECT_NE(message_of("<html/>").find("is no SVG"), std::string::npos);
   EXPECT_NE(message_of("").find("is no XML"), std::string::npos);
   EXPECT_NE(message_of(svg("").substr(0, 60)).find("is no XML"), std::string::npos);
@@ -177,6 +177,17 @@ TEST(Svg, ErrorsNameLineAndElement) {
   EXPECT_NE(message_of(svg("<line x2='5furlong'/>")), "");
   EXPECT_NE(message_of(svg("", "viewBox='0 0 0 5'")), "");
   EXPECT_NE(message_of(svg("", "width='-5mm'")), "");
+}
+
+TEST(Svg, PathsThatCannotBeReadAreKeptWithTheirError) {
+  const SvgDrawing drawing =
+      parse_svg(svg("\n<path id='arm'\n d='M0 0L1'/><polygon points='1'/>"), "x.svg");
+  ASSERT_EQ(drawing.shapes.size(), 2u);
+  const SvgShape& arm = drawing.shapes[0];
+  EXPECT_TRUE(arm.paths.empty());
+  const std::string message = arm.unreadable.value().what();
+  EXPECT_NE(message.find("x.svg:2: path 'arm': "), std::string::npos) << message;
+  EXPECT_TRUE(drawing.shapes[1].unreadable);
 }
 
 TEST(Svg, UsesThatDrawThemselvesAreRefused) {

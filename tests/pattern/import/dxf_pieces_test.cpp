@@ -80,6 +80,30 @@ TEST(DxfPieces, TheSewLineIsPreferred) {
   EXPECT_NEAR(area(pieces_of(dxf_file(block, ""), cut).pieces[0]), 0.12, 1e-12);
 }
 
+TEST(DxfPieces, ASewLineAcrossAPieceIsNotTaken) {
+  // Most of the piece lies beyond the line; a mark in a small piece; a line that leaves the piece.
+  const std::vector<std::string> wrong = {
+      square + dxf_polyline("14", rectangle(10, 10, 90, 380)),
+      dxf_polyline("1", rectangle(0, 0, 100, 100)) + dxf_polyline("14", rectangle(45, 45, 10, 10)),
+      square + dxf_polyline("14", rectangle(-10, 10, 300, 380))};
+  for (const std::string& piece : wrong) {
+    const PieceDrawing read = pieces_of(dxf_file(dxf_block("P", piece), ""));
+    EXPECT_TRUE(read.pieces[0].is_cut_line);
+    ASSERT_EQ(read.remarks.size(), 1u);
+    EXPECT_TRUE(read.remarks[0].warning);
+    EXPECT_NE(read.remarks[0].text.find("a.dxf: piece 'P': its line on layer 14"),
+              std::string::npos);
+  }
+  // A hem, and a spike of the boundary where an allowance failed.
+  std::vector<Vec2> spike = rectangle(0, 0, 300, 400);
+  spike.insert(spike.begin() + 1, {{296, 0}, {300, -150}});
+  const PieceDrawing hem = pieces_of(dxf_file(
+      dxf_block("P", dxf_polyline("1", spike) + dxf_polyline("14", rectangle(7, 45, 286, 345))),
+      ""));
+  EXPECT_FALSE(hem.pieces[0].is_cut_line);
+  EXPECT_TRUE(hem.remarks.empty());
+}
+
 TEST(DxfPieces, AnInternalLineAlongTheBoundaryIsASewLine) {
   const PieceDrawing read = pieces_of(
       dxf_file(dxf_block("P", square + dxf_polyline("8", rectangle(0, 10, 290, 380))) +

@@ -156,6 +156,27 @@ TEST(ImportedPattern, APairIsLeftAndRight) {
   EXPECT_LT(left.grain, -0.1);
 }
 
+TEST(ImportedPattern, TwoAlikeLayersOfAYokeAreOnePanel) {
+  const auto piece = [](const std::string& name, const std::string& outline) {
+    return dxf_file(dxf_block(name, outline + dxf_label("Quantity: 1,1")), "");
+  };
+  const std::string slanted = dxf_polyline("1", {{0, 0}, {300, 0}, {320, 90}, {0, 100}});
+  const Imported yoke = import_text(piece("backYoke", square));
+  ASSERT_EQ(yoke.made.panels.size(), 1u);
+  EXPECT_EQ(yoke.made.panels[0].name, "backYoke");
+  EXPECT_EQ(yoke.made.panels[0].quantity, 2);
+  EXPECT_NE(yoke.remarks.find("cut 2 times: its layers are drawn as one panel"), std::string::npos);
+  ImportOptions asked;
+  asked.pairs = {"backYoke"};
+  for (const Imported& pair :
+       {import_text(piece("backYoke", square), asked), import_text(piece("cuff", square)),
+        import_text(piece("frontYoke", slanted))}) {
+    ASSERT_EQ(pair.made.panels.size(), 2u);
+    EXPECT_EQ(pair.made.panels[0].name.substr(0, 5), "left_");
+    EXPECT_EQ(pair.remarks.find("layers"), std::string::npos);
+  }
+}
+
 TEST(ImportedPattern, SeamAllowanceIsTakenOff) {
   ImportOptions options;
   options.seam_allowance = 0.01;

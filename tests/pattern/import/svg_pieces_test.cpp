@@ -53,6 +53,23 @@ std::string all_remarks(const PieceDrawing& drawing) {
   return all;
 }
 
+TEST(SvgPieces, OnlyOutlinesHaveToBeReadable) {
+  const auto drawing = [](const std::string& broken_class) {
+    return "<path class=\"fabric\" d=\"M 100,100 h 200 v 300 h -200 z\"/>"
+           "<path class=\"" +
+           broken_class + "\" d=\"M 0,NaN L 0,375\"/>";
+  };
+  const PieceDrawing drawn = read(drawing("mark dotted"), freesewing);
+  EXPECT_EQ(drawn.pieces.size(), 1u);
+  EXPECT_EQ(drawn.ignored.at("line that can't be read"), 1);
+  EXPECT_NE(all_remarks(drawn).find("x.svg:1: path: a number is missing at character 5"),
+            std::string::npos);
+  for (const std::string may_be_outline : {"fabric", "fabric sa", "various", ""}) {
+    EXPECT_THROW(read(drawing(may_be_outline), freesewing), Error) << may_be_outline;
+  }
+  EXPECT_THROW(read(drawing("mark dotted")), Error);
+}
+
 TEST(SvgPieces, SeamLinesAreFoundInAllowancesWhoseClassesDiffer) {
   const std::string seam = " d=\"M 100,100 h 200 v 300 h -200 z\"/>";
   // The allowance crosses itself at a corner, as offset ones do.
@@ -186,6 +203,39 @@ TEST(SvgPieces, LiningsAndInterfacingsAreCutApart) {
   EXPECT_EQ(drawing.pieces[1].material, "interfacing");
   EXPECT_EQ(drawing.pieces[0].internal_lines.size(), 1u);
   EXPECT_EQ(drawing.ignored.at("small closed path"), 1);
+}
+
+TEST(SvgPieces, OneTextMaySayAllThatIsCut) {
+  const std::string key = "plugin-annotations:";
+  const auto said = [](const std::string& text) {
+    return read(part_start + "<path class='fabric' d='M0 0h200v100h-200z'/><text x='5' y='50'>" +
+                    text + "</text></g>",
+                freesewing)
+        .pieces.at(0);
+  };
+  const std::string fabric = key + "cut,2," + key + "mirrored," + key + "from," + key + "fabric,";
+  const std::string canvas = key + "cut,1," + key + "from," + key + "canvas,";
+  for (const std::string& text :
+       {fabric + "," + canvas, canvas + "," + fabric,
+        std::string("Cut 2 mirrored from main fabric Cut 1 from canvas")}) {
+    const Piece piece = said(text);
+    EXPECT_EQ(piece.quantity, 2) << text;
+    EXPECT_TRUE(piece.pair) << text;
+    EXPECT_EQ(piece.material, "fabric") << text;
+  }
+}
+
+TEST(SvgPieces, APocketInAnAllowanceIsNoSeamLine) {
+  const std::string cut = "<path class='fabric sa' d='M-10 -10h220v320h-220z'/>";
+  const std::string pocket = "<path class='fabric' d='M50 50h40v40h-40z'/>";
+  const PieceDrawing without = read(part_start + cut + pocket + "</g>", freesewing);
+  ASSERT_EQ(without.pieces.size(), 1u);
+  EXPECT_TRUE(without.pieces[0].is_cut_line);
+  EXPECT_NEAR(area_cm2(without.pieces[0].outline), 22 * 32, 1e-6);
+  const std::string seam = "<path d='M0 0h200v300h-200z'/>";
+  const PieceDrawing with = read(part_start + cut + seam + pocket + "</g>", freesewing);
+  ASSERT_EQ(with.pieces.size(), 1u);
+  EXPECT_FALSE(with.pieces[0].is_cut_line);
 }
 
 TEST(SvgPieces, PlainDrawingsHaveOnePieceForEachOutermostPath) {
