@@ -70,6 +70,31 @@ TEST_F(FindSeams, WhatIsUncertainIsListedNotSewn) {
   EXPECT_TRUE(sewn()["pattern"]["stitches"].empty());
 }
 
+TEST_F(FindSeams, PocketsAreLeftOutUnlessTheyAreAskedFor) {
+  Json bare = Json::parse(read_text(folder / "bare.json"));
+  bare["pattern"]["panels"]["pocket"] = {{"vertices", {{0, 0}, {10, 0}, {11, 14}, {0, 12}}},
+                                         {"edges",
+                                          {{{"endpoints", {0, 1}}},
+                                           {{"endpoints", {1, 2}}},
+                                           {{"endpoints", {2, 3}}},
+                                           {{"endpoints", {3, 0}}}}}};
+  write_text(folder / "pocket.json", bare.dump());
+  const std::string report = (folder / "seams.json").string();
+  const auto done = find("pocket.json", {"--report", report});
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_HOLDS(done.err, "left out: pocket (pocket)");
+  EXPECT_FALSE(sewn()["pattern"]["panels"].contains("pocket"));
+  EXPECT_EQ(Json::parse(read_text(report))["left_out"].dump(),
+            R"([{"panel":"pocket","kind":"pocket"}])");
+  // What is taken in and finds no seam is named: it would fall off the body.
+  const auto taken = find("pocket.json", {"--with", "pocket", "--min-confidence", "1"});
+  EXPECT_HOLDS(taken.err, "no seam holds panel 'pocket'");
+  EXPECT_TRUE(sewn()["pattern"]["panels"].contains("pocket"));
+  const auto unknown = find("pocket.json", {"--with", "flap"});
+  EXPECT_EQ(unknown.exit_code, 1);
+  EXPECT_HOLDS(unknown.err, "--with 'flap': names no panel of the pattern");
+}
+
 TEST_F(FindSeams, SeamsThatAreAskedForAreSewn) {
   Json one = whole;
   one["pattern"]["stitches"] = Json::array({whole["pattern"]["stitches"][0]});
