@@ -29,10 +29,13 @@ std::vector<int> inner_layers(const Pattern& pattern, bool drawn_walk) {
     const auto mirrors = std::count_if(fits.begin(), fits.end(), [&](const PanelFit& fit) {
       return fit.from == p && fit.to == p && fit.mirrored;
     });
-    // A rectangle is its own image in two ways. Half a collar may be one, half a hood is not.
-    const bool is_whole = role == PanelRole::hood ? mirrors > 0
-                                                  : mirrors == 1 && (role == PanelRole::yoke ||
-                                                                     role == PanelRole::collar);
+    // A rectangle is its own image in two ways. Half a collar may be one, or a curved band with
+    // four edges; half a hood is neither.
+    const bool is_collar = role == PanelRole::collar && words[p].face == 0;
+    const bool is_whole = role == PanelRole::hood
+                              ? mirrors > 0
+                              : mirrors == 1 && pattern.panels[p].edges.size() > 4 &&
+                                    (role == PanelRole::yoke || is_collar);
     if (!is_whole) continue;
     const bool has_twin = std::any_of(fits.begin(), fits.end(), [&](const PanelFit& fit) {
       return fit.from == p && words[fit.to].side > 0 && words[fit.to].whole == words[p].whole;
