@@ -35,6 +35,34 @@ const RoleWords role_words[] = {
                          "corpino",  "busto",  "corpetto", "chemise", "camisa",  "camicia"}},
 };
 
+struct KindWords {
+  std::string_view kind;
+  std::initializer_list<std::string_view> beginnings;  ///< of a word
+};
+
+/// English, German, French, Spanish, Italian, as above. A pocket's facing is of the pocket, so
+/// pockets stand first; `interfacing` holds `facing`.
+const KindWords beside_shell_words[] = {
+    {"pocket", {"pocket", "tasche", "poche", "bolsillo", "tasca", "welt", "flap"}},
+    {"interfacing",
+     {"interfacing", "interlining", "fusible", "canvas", "einlage", "vlies", "entoilage",
+      "thermocollant", "entretela", "teletta", "fliselina", "backstay"}},
+    {"lining", {"lining", "futter", "doublure", "forro", "fodera"}},
+    {"placket",
+     {"placket", "fly", "knopfleiste", "untertritt", "ubertritt", "uebertritt", "schlitzbesatz",
+      "braguette", "boutonnage", "bragueta", "tapeta", "abbottonatura"}},
+    {"facing",
+     {"facing", "beleg", "besatz", "parementure", "enforme", "vista", "paramontura", "ripiego"}},
+    {"binding",
+     {"binding", "piping", "einfass", "paspel", "schragband", "schraegband", "passepoil", "ribete",
+      "bordino"}},
+    {"loop", {"loop", "schlaufe", "passant", "trabilla", "presilla"}},
+};
+
+/// A strip cut on the bias, if nothing else is said: a skirt may be as well.
+const std::initializer_list<std::string_view> bias_words = {"bias", "biais", "bies", "sesgo",
+                                                            "sbieco"};
+
 const std::initializer_list<std::string_view> left_words = {
     "left",      "links", "linke",    "linker",   "linkes", "gauche", "izquierda",
     "izquierdo", "izq",   "sinistra", "sinistro", "sx",     "l"};
@@ -95,18 +123,24 @@ bool is_one_of(const std::string& word, std::initializer_list<std::string_view> 
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
+/// Whether one of the words is one of the list.
+bool any_fits(const std::vector<Word>& words, std::initializer_list<std::string_view> beginnings) {
+  for (const Word& word : words) {
+    for (const std::string_view beginning : beginnings) {
+      // German joins words: Vorderhose, Hemdkragen. Short beginnings would be found anywhere.
+      const bool fits = beginning.size() < 4 ? word.text == beginning
+                        : beginning.size() < 5
+                            ? word.text.starts_with(beginning) || word.text.ends_with(beginning)
+                            : word.text.find(beginning) != std::string::npos;
+      if (fits) return true;
+    }
+  }
+  return false;
+}
+
 PanelRole role_by(const std::vector<Word>& words) {
   for (const RoleWords& entry : role_words) {
-    for (const Word& word : words) {
-      for (const std::string_view beginning : entry.beginnings) {
-        // German joins words: Vorderhose, Hemdkragen. Short beginnings would be found anywhere.
-        const bool fits = beginning.size() < 4 ? word.text == beginning
-                          : beginning.size() < 5
-                              ? word.text.starts_with(beginning) || word.text.ends_with(beginning)
-                              : word.text.find(beginning) != std::string::npos;
-        if (fits) return entry.role;
-      }
-    }
+    if (any_fits(words, entry.beginnings)) return entry.role;
   }
   return PanelRole::unknown;
 }
@@ -138,6 +172,21 @@ PanelWords words_of(const PatternPanel& panel) {
     if (panel.part == "head") found.role = PanelRole::hood;
   }
   return found;
+}
+
+std::string kind_beside_shell(const PatternPanel& panel) {
+  const std::vector<Word> words = split(panel.name);
+  for (const KindWords& entry : beside_shell_words) {
+    if (any_fits(words, entry.beginnings)) return std::string(entry.kind);
+  }
+  if (role_by(words) == PanelRole::unknown && any_fits(words, bias_words)) return "binding";
+  // "fabric cut 2 from interfacing" is of fabric: what is named first counts.
+  const std::vector<Word> material = split(panel.material.substr(0, panel.material.find(' ')));
+  for (const KindWords& entry : beside_shell_words) {
+    const bool is_cloth = entry.kind == "lining" || entry.kind == "interfacing";
+    if (is_cloth && any_fits(material, entry.beginnings)) return std::string(entry.kind);
+  }
+  return "";
 }
 
 }  // namespace toile

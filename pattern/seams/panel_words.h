@@ -37,4 +37,9 @@ struct PanelWords {
 /// where its name says no role. GarmentCode's shorthand counts: `ftorso`, `wb`, `_b`, `_l`.
 PanelWords words_of(const PatternPanel& panel);
 
+/// What a panel is that is no piece of the shell, by its name or the first word of its material.
+/// `pocket`, `interfacing`, `lining`, `placket`, `facing`, `binding` or `loop`; empty: nothing says
+/// so.
+std::string kind_beside_shell(const PatternPanel& panel);
+
 }  // namespace toile

@@ -55,6 +55,22 @@ bool may_meet(PanelRole a, PanelRole b) {
   }
 }
 
+/// Takes the side from a yoke, a collar or the middle of a hood that is its own mirror image. Where
+/// the other one of its pair was left out as the inner layer, it is sewn to left and right alike.
+void forget_sides_of_whole_pieces(const std::vector<PanelFit>& fits,
+                                  std::vector<PanelWords>& words) {
+  for (const PanelFit& fit : fits) {
+    PanelWords& piece = words[fit.from];
+    const bool may_be_whole = piece.role == PanelRole::yoke || piece.role == PanelRole::collar ||
+                              piece.role == PanelRole::hood;
+    if (!may_be_whole || piece.side == 0 || !fit.mirrored || fit.from != fit.to) continue;
+    const bool has_twin = std::any_of(words.begin(), words.end(), [&](const PanelWords& other) {
+      return other.side * piece.side < 0 && other.whole == piece.whole;
+    });
+    if (!has_twin) piece.side = 0;
+  }
+}
+
 }  // namespace
 
 SeamEvidence seam_evidence(const Pattern& pattern, bool drawn_walk,
@@ -65,6 +81,7 @@ SeamEvidence seam_evidence(const Pattern& pattern, bool drawn_walk,
   evidence.turned_over.resize(pattern.panels.size(), 0);
   for (const PatternPanel& panel : pattern.panels) evidence.words.push_back(words_of(panel));
   evidence.fits = panel_fits(evidence.edges);
+  forget_sides_of_whole_pieces(evidence.fits, evidence.words);
   evidence.shapes = edge_shapes(evidence.edges, evidence.fits);
   evidence.mirror = mirror_partners(evidence.edges, evidence.fits, evidence.words);
   return evidence;
@@ -125,9 +142,12 @@ void SeamPairs::measure_shapes(int a, int b, SeamMeasures& measures) const {
   const double turn_b = turning_of(second);
   const bool folded = turned_over_[first.ref.panel] != turned_over_[second.ref.panel];
   if (folded) at(folded_over) = 1;
-  if (are_halves) at(halves_concave) = std::clamp(-turn_a, 0.0, 1.0);
+  // Halves that turn inwards meet at the crotch. Those of a hood frame the face, and stay open.
+  const bool frames_face = words_[first.ref.panel].role == PanelRole::hood;
+  const bool at_crotch = are_halves && !frames_face;
+  if (at_crotch) at(halves_concave) = std::clamp(-turn_a, 0.0, 1.0);
   // A collar that lies on the bodice has the curve of its neckline.
-  if (!are_halves && !folded) at(concave) = std::max(0.0, std::min(-turn_a, -turn_b));
+  if (!at_crotch && !folded) at(concave) = std::max(0.0, std::min(-turn_a, -turn_b));
   const bool tip = (first.next == b && edges_[b].corner > sharpest_dart_tip) ||
                    (second.next == a && edges_[a].corner > sharpest_dart_tip);
   if (tip && ratio < 1.05) {

@@ -70,6 +70,35 @@ TEST_F(FindSeams, WhatIsUncertainIsListedNotSewn) {
   EXPECT_TRUE(sewn()["pattern"]["stitches"].empty());
 }
 
+TEST_F(FindSeams, PocketsAreLeftOutUnlessTheyAreAskedFor) {
+  // A shirt of two squares, for speed.
+  const auto square = [](double side) {
+    Json piece;
+    piece["vertices"] = {{0, 0}, {side, 0}, {side, side}, {0, side}};
+    for (int i = 0; i < 4; ++i) piece["edges"].push_back({{"endpoints", {i, (i + 1) % 4}}});
+    return piece;
+  };
+  Json file;
+  file["properties"] = {{"units_in_meter", 100}};
+  file["pattern"]["stitches"] = Json::array();
+  file["pattern"]["panels"] = {{"front", square(50)}, {"back", square(50)}, {"pocket", square(12)}};
+  write_text(folder / "pocket.json", file.dump());
+  const std::string report = (folder / "seams.json").string();
+  const auto done = find("pocket.json", {"--report", report});
+  EXPECT_NE(done.exit_code, 1) << done.err;
+  EXPECT_HOLDS(done.err, "left out: pocket (pocket)");
+  EXPECT_FALSE(sewn()["pattern"]["panels"].contains("pocket"));
+  EXPECT_EQ(Json::parse(read_text(report))["left_out"].dump(),
+            R"([{"panel":"pocket","kind":"pocket"}])");
+  // What is taken in and finds no seam is named: it would fall off the body.
+  const auto taken = find("pocket.json", {"--with", "pocket", "--min-confidence", "1"});
+  EXPECT_HOLDS(taken.err, "no seam holds panel 'pocket'");
+  EXPECT_TRUE(sewn()["pattern"]["panels"].contains("pocket"));
+  const auto unknown = find("pocket.json", {"--with", "flap"});
+  EXPECT_EQ(unknown.exit_code, 1);
+  EXPECT_HOLDS(unknown.err, "--with 'flap': names no panel of the pattern");
+}
+
 TEST_F(FindSeams, SeamsThatAreAskedForAreSewn) {
   Json one = whole;
   one["pattern"]["stitches"] = Json::array({whole["pattern"]["stitches"][0]});

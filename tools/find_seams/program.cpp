@@ -17,6 +17,10 @@ CommandLineProgram find_seams_program() {
                                 "keep the stitches that the pattern has, and find the others")(
       "sew", po::value<std::vector<std::string>>()->composing(),
       "sew these two edges, \"PANEL:EDGE PANEL:EDGE\"; may be given again")(
+      "with", po::value<std::vector<std::string>>()->composing(),
+      "take in this panel, a pocket or a facing, say; `all`: every one; may be given again")(
+      "without", po::value<std::vector<std::string>>()->composing(),
+      "leave out this panel; may be given again")(
       "use-places", po::bool_switch(),
       "let the placed panels decide which of equal panels is sewn where")(
       "min-confidence", po::value<double>()->default_value(decided_confidence, "0.85"),
@@ -38,7 +42,13 @@ CommandLineProgram find_seams_program() {
     if (!(settings.min_confidence >= 0 && settings.min_confidence <= 1)) {
       throw Error("--min-confidence", "is not between 0 and 1", "0.85 is the default");
     }
-    if (given.count("sew") > 0) settings.sewn = given["sew"].as<std::vector<std::string>>();
+    const auto texts = [&](const char* option) {
+      return given.count(option) > 0 ? given[option].as<std::vector<std::string>>()
+                                     : std::vector<std::string>{};
+    };
+    settings.with = texts("with");
+    settings.without = texts("without");
+    settings.sewn = texts("sew");
     Job job;
     job.files.reads = {settings.pattern};
     job.files.writes = {common.output};

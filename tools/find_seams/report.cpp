@@ -63,7 +63,8 @@ std::vector<EdgeRef> open_edges(const Pattern& pattern, const FoundSeams& found)
   return open;
 }
 
-Json find_seams_json(const std::string& file, const SplitSeams& split, double min_confidence,
+Json find_seams_json(const std::string& file, const SplitSeams& split,
+                     const std::vector<LeftOut>& left_out, double min_confidence,
                      const std::vector<Remark>& remarks, double seconds) {
   const Pattern& pattern = split.pattern;
   const FoundSeams& found = split.found;
@@ -89,6 +90,10 @@ Json find_seams_json(const std::string& file, const SplitSeams& split, double mi
   report["edges_open"] = Json::array();
   for (const EdgeRef& edge : open_edges(pattern, found)) {
     report["edges_open"].push_back(side_json(pattern, edge));
+  }
+  report["left_out"] = Json::array();
+  for (const LeftOut& panel : left_out) {
+    report["left_out"].push_back({{"panel", panel.name}, {"kind", panel.kind}});
   }
   add_remarks(remarks, report);
   return report;

@@ -10,6 +10,12 @@
 
 namespace toile {
 
+/// A panel that was taken out of the pattern before seams were looked for.
+struct LeftOut {
+  std::string name;
+  std::string kind;  ///< why: what it is, or "asked for"
+};
+
 /// "front:3", as --sew takes it.
 std::string side_name(const Pattern& pattern, const EdgeRef& side);
 
@@ -18,7 +24,7 @@ std::vector<EdgeRef> open_edges(const Pattern& pattern, const FoundSeams& found)
 
 /// The report, in metres.
 nlohmann::ordered_json find_seams_json(const std::string& file, const SplitSeams& split,
-                                       double min_confidence, const std::vector<Remark>& remarks,
-                                       double seconds);
+                                       const std::vector<LeftOut>& left_out, double min_confidence,
+                                       const std::vector<Remark>& remarks, double seconds);
 
 }  // namespace toile

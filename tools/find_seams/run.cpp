@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "geometry/error.h"
 #include "io/json_words.h"
@@ -11,6 +13,7 @@
 #include "pattern/pattern_file.h"
 #include "pattern/seams/find_seams.h"
 #include "pattern/seams/sewn_file.h"
+#include "pattern/seams/shell_panels.h"
 #include "pattern/seams/split_search.h"
 #include "tools/find_seams/report.h"
 #include "tools/remarks.h"
@@ -60,16 +63,82 @@ Stitch stitch_of(const Pattern& pattern, const std::string& text) {
   throw Error("--sew " + in_quotes(text), "names no two edges", "write it as \"front:3 back:1\"");
 }
 
+int panel_of(const Pattern& pattern, const std::string& option, const std::string& name) {
+  for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+    if (pattern.panels[p].name == name) return static_cast<int>(p);
+  }
+  throw Error(option + " " + in_quotes(name), "names no panel of the pattern", "correct the name");
+}
+
+/// The panels that are left out, by name. Panels of seams that are given stay.
+std::vector<LeftOut> left_out(const Pattern& pattern, bool drawn_walk,
+                              const FindSeamsSettings& settings) {
+  std::set<int> held;
+  if (settings.keep) {
+    for (const Stitch& stitch : pattern.stitches) held.insert({stitch.a.panel, stitch.b.panel});
+  }
+  for (const std::string& seam : settings.sewn) {
+    const Stitch stitch = stitch_of(pattern, seam);
+    held.insert({stitch.a.panel, stitch.b.panel});
+  }
+  std::set<int> taken = held;
+  bool all = false;
+  for (const std::string& name : settings.with) {
+    all = all || name == "all";
+    if (name != "all") taken.insert(panel_of(pattern, "--with", name));
+  }
+  std::map<int, std::string> out;
+  for (const BesideShell& beside : panels_beside_shell(pattern, drawn_walk)) {
+    if (!all && !taken.contains(beside.panel)) out[beside.panel] = beside.kind;
+  }
+  for (const std::string& name : settings.without) {
+    const int panel = panel_of(pattern, "--without", name);
+    if (taken.contains(panel)) {
+      throw Error("--without " + in_quotes(name),
+                  "names a panel that --with, --sew or --keep needs", "remove one of the two");
+    }
+    out[panel] = "asked for";
+  }
+  if (out.size() == pattern.panels.size()) {
+    throw Error(pattern.source, "has no panel that is not left out", "use --without less often");
+  }
+  std::vector<LeftOut> named;
+  for (const auto& [panel, kind] : out) named.push_back({pattern.panels[panel].name, kind});
+  return named;
+}
+
+/// Says which panels would fall off: no seam holds them that is sewn.
+void warn_of_loose(const Pattern& pattern, const std::vector<FoundSeam>& sewn,
+                   std::vector<Remark>& remarks) {
+  std::set<int> held;
+  for (const FoundSeam& seam : sewn) held.insert({seam.a.panel, seam.b.panel});
+  if (pattern.panels.size() < 2) return;
+  for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+    if (held.contains(static_cast<int>(p))) continue;
+    const std::string& name = pattern.panels[p].name;
+    remarks.push_back({true, pattern.source + ": no seam holds panel " + in_quotes(name) +
+                                 "; sew it by --sew, or leave it out by --without"});
+  }
+}
+
 }  // namespace
 
 int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& common) {
   const auto start = std::chrono::steady_clock::now();
-  const std::string drawn_text = read_file(settings.pattern);
+  std::string drawn_text = read_file(settings.pattern);
   const std::string name = settings.pattern.string();
   std::vector<Remark> remarks;
-  const Pattern drawn = parse_drawn_pattern(drawn_text, name, remarks);
+  Pattern drawn = parse_drawn_pattern(drawn_text, name, remarks);
   FindSeamsOptions options;
   options.drawn_walk = has_drawn_walk(drawn_text, name);
+  const std::vector<LeftOut> out = left_out(drawn, options.drawn_walk, settings);
+  if (!out.empty()) {
+    std::vector<std::string> names;
+    for (const LeftOut& panel : out) names.push_back(panel.name);
+    drawn_text = without_panels(drawn_text, names);
+    remarks.clear();
+    drawn = parse_drawn_pattern(drawn_text, name, remarks);
+  }
   options.by_place = settings.by_place;
   if (settings.keep) options.given = drawn.stitches;
   for (const std::string& seam : settings.sewn) {
@@ -87,13 +156,15 @@ int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& comm
         {true, name + ": searches for seams disagree about the best garment; look at all "
                       "of them, or sew some by --sew and keep what is right"});
   }
-  say_remarks(remarks, common);
   std::vector<FoundSeam> decided;
-  int undecided = 0;
+  for (const FoundSeam& seam : found.seams) {
+    if (seam.confidence >= settings.min_confidence) decided.push_back(seam);
+  }
+  const int undecided = static_cast<int>(found.seams.size() - decided.size());
+  warn_of_loose(pattern, decided, remarks);
+  say_remarks(remarks, common);
   for (const FoundSeam& seam : found.seams) {
     const bool sure = seam.confidence >= settings.min_confidence;
-    if (sure) decided.push_back(seam);
-    if (!sure) ++undecided;
     char line[512];
     std::snprintf(line, sizeof line, "  %-10s %4.2f  %-32s %-32s %6.2f cm to %6.2f cm",
                   seam.given ? "given"
@@ -109,6 +180,11 @@ int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& comm
   }
   common.say(std::to_string(decided.size()) + " seams sewn, " + std::to_string(undecided) +
              " undecided");
+  std::string beside;
+  for (const LeftOut& panel : out) {
+    beside += (beside.empty() ? " " : ", ") + panel.name + " (" + panel.kind + ")";
+  }
+  if (!beside.empty()) common.say("left out:" + beside + "; --with takes a panel in");
   std::string open;
   for (const EdgeRef& edge : open_edges(pattern, found))
     open.append(" ").append(side_name(pattern, edge));
@@ -118,10 +194,10 @@ int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& comm
              with_stitches(split.text, pattern, decided, options.drawn_walk));
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   if (common.report) {
-    write_file(
-        files.at(*common.report),
-        find_seams_json(name, split, settings.min_confidence, remarks, seconds.count()).dump(2) +
-            "\n");
+    write_file(files.at(*common.report),
+               find_seams_json(name, split, out, settings.min_confidence, remarks, seconds.count())
+                       .dump(2) +
+                   "\n");
   }
   files.commit();
   return undecided == 0 ? exit_done : exit_negative;

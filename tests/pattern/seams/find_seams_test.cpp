@@ -7,6 +7,7 @@
 #include "io/output_file.h"
 #include "pattern/pattern_file.h"
 #include "pattern/seams/sewn_file.h"
+#include "pattern/seams/shell_panels.h"
 #include "tests/support/seam_figures.h"
 
 namespace toile {
@@ -46,6 +47,32 @@ TEST(FindSeamsOfSamples, MostAreFoundAgainWithNames) {
   EXPECT_GE(sum.right, 0.955 * sum.stated);
   EXPECT_GE(all.right, 0.925 * all.found);
   EXPECT_GE(all.right, 0.955 * sum.stated);
+}
+
+TEST(FindSeamsOfDrafts, TheMiddleOfAHoodIsSewnToBothSidesAndTheFaceStaysOpen) {
+  const std::string name = TOILE_SOURCE_DIR "/tests/pattern/seams/drafts/hugo.json";
+  std::string text = read_file(name);
+  std::vector<Remark> remarks;
+  FindSeamsOptions options;
+  options.drawn_walk = has_drawn_walk(text, name);
+  options.certain = false;
+  const Pattern whole = parse_drawn_pattern(text, name, remarks);
+  std::vector<std::string> beside;
+  for (const BesideShell& panel : panels_beside_shell(whole, options.drawn_walk)) {
+    beside.push_back(whole.panels[panel.panel].name);
+  }
+  EXPECT_EQ(beside.size(), 6u) << "pockets, their facings, a binding and the second middle";
+  text = without_panels(text, beside);
+  const Pattern pattern = parse_drawn_pattern(text, name, remarks);
+  std::set<std::string> of_middle;
+  for (const FoundSeam& seam : find_seams(stripped(pattern, true, false), options).seams) {
+    const std::string& a = pattern.panels[seam.a.panel].name;
+    const std::string& b = pattern.panels[seam.b.panel].name;
+    EXPECT_FALSE(a == "left_hoodSide" && b == "right_hoodSide" && seam.length_a > 0.2);
+    if (a == "left_hoodCenter") of_middle.insert(b);
+    if (b == "left_hoodCenter") of_middle.insert(a);
+  }
+  EXPECT_EQ(of_middle, (std::set<std::string>{"left_hoodSide", "right_hoodSide"}));
 }
 
 }  // namespace find_seams_test

@@ -49,5 +49,38 @@ TEST(PanelWords, NumberAndStemTellPiecesOfOneNameApart) {
   EXPECT_EQ(words("skirt").number, -1);
 }
 
+std::string beside(const std::string& name, const std::string& material = "") {
+  PatternPanel panel;
+  panel.name = name;
+  panel.material = material;
+  return kind_beside_shell(panel);
+}
+
+TEST(PanelWords, TellWhatIsNoPieceOfTheShell) {
+  for (const char* name : {"left_frontPocketBag", "Taschenbeutel", "poche plaquée", "bolsillo",
+                           "tasca", "chestPocketWelt", "backPocketFacing"}) {
+    EXPECT_EQ(beside(name), "pocket") << name;
+  }
+  for (const char* name : {"collar interfacing", "Einlage", "entoilage col", "entretela"}) {
+    EXPECT_EQ(beside(name), "interfacing") << name;
+  }
+  for (const char* name : {"front lining", "Ärmelfutter", "doublure dos", "forro", "fodera"}) {
+    EXPECT_EQ(beside(name), "lining") << name;
+  }
+  for (const char* name : {"frontFacing", "Halsbeleg", "parementure", "vista", "paramontura"}) {
+    EXPECT_EQ(beside(name), "facing") << name;
+  }
+  for (const char* name : {"armBinding", "Paspel", "biais", "ribete", "sbieco"}) {
+    EXPECT_EQ(beside(name), "binding") << name;
+  }
+  EXPECT_EQ(beside("flyFacing"), "placket");
+  EXPECT_EQ(beside("beltLoops"), "loop");
+  EXPECT_EQ(beside("back", "lining cut 2"), "lining");
+  for (const char* name : {"front", "waistband", "cuff", "collarStand", "yoke", "gusset", "Passe",
+                           "bias skirt", "jupe en biais", "pattern_1", "backing"}) {
+    EXPECT_EQ(beside(name, "fabric cut 2 from interfacing"), "") << name;
+  }
+}
+
 }  // namespace panel_words_test
 }  // namespace toile

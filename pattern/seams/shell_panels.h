@@ -1,0 +1,27 @@
+// Which panels are pieces of a garment's shell, the cloth that is seen and dressed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pattern/pattern.h"
+
+namespace toile {
+
+/// A panel that is no piece of the shell.
+struct BesideShell {
+  int panel = 0;
+  std::string kind;  ///< see kind_beside_shell(), or "inner layer"
+};
+
+/// Pockets, facings, linings and the like, by names and materials. Of a yoke, a collar or the
+/// middle of a hood that is cut twice, the right one is the inner layer. Such pairs are their own
+/// mirror images, which halves are not. Empty where no panel would be left. `drawn_walk`: see
+/// walked_edges().
+std::vector<BesideShell> panels_beside_shell(const Pattern& pattern, bool drawn_walk);
+
+/// The text of a pattern file without these panels and the stitches that hold them. All else stays
+/// as it is; without panels to leave out, the text itself.
+std::string without_panels(const std::string& text, const std::vector<std::string>& names);
+
+}  // namespace toile
