@@ -40,8 +40,8 @@ struct KindWords {
   std::initializer_list<std::string_view> beginnings;  ///< of a word
 };
 
-/// English, German, French, Spanish, Italian, as above. A pocket's facing is of the pocket, so
-/// pockets stand first; `interfacing` holds `facing`.
+/// English, German, French, Spanish, Italian, as above. A facing is sewn to its edge, and is none
+/// of these; a pocket's facing is of the pocket.
 const KindWords beside_shell_words[] = {
     {"pocket", {"pocket", "tasche", "poche", "bolsillo", "tasca", "welt", "flap"}},
     {"interfacing",
@@ -51,8 +51,6 @@ const KindWords beside_shell_words[] = {
     {"placket",
      {"placket", "fly", "knopfleiste", "untertritt", "ubertritt", "uebertritt", "schlitzbesatz",
       "braguette", "boutonnage", "bragueta", "tapeta", "abbottonatura"}},
-    {"facing",
-     {"facing", "beleg", "besatz", "parementure", "enforme", "vista", "paramontura", "ripiego"}},
     {"binding",
      {"binding", "piping", "einfass", "paspel", "schragband", "schraegband", "passepoil", "ribete",
       "bordino"}},

@@ -38,7 +38,7 @@ struct PanelWords {
 PanelWords words_of(const PatternPanel& panel);
 
 /// What a panel is that is no piece of the shell, by its name or the first word of its material.
-/// `pocket`, `interfacing`, `lining`, `placket`, `facing`, `binding` or `loop`; empty: nothing says
+/// `pocket`, `interfacing`, `lining`, `placket`, `binding` or `loop`; empty: nothing says
 /// so.
 std::string kind_beside_shell(const PatternPanel& panel);
 

@@ -14,7 +14,7 @@ struct BesideShell {
   std::string kind;  ///< see kind_beside_shell(), or "inner layer"
 };
 
-/// Pockets, facings, linings and the like, by names and materials. Of a yoke, a collar or the
+/// Pockets, linings and the like, by names and materials. Of a yoke, a collar or the
 /// middle of a hood that is cut twice, the right one is the inner layer. Such pairs are their own
 /// mirror images, which halves are not. Empty where no panel would be left. `drawn_walk`: see
 /// walked_edges().

@@ -18,7 +18,7 @@ CommandLineProgram find_seams_program() {
       "sew", po::value<std::vector<std::string>>()->composing(),
       "sew these two edges, \"PANEL:EDGE PANEL:EDGE\"; may be given again")(
       "with", po::value<std::vector<std::string>>()->composing(),
-      "take in this panel, a pocket or a facing, say; `all`: every one; may be given again")(
+      "take in this panel, a pocket, say; `all`: every one; may be given again")(
       "without", po::value<std::vector<std::string>>()->composing(),
       "leave out this panel; may be given again")(
       "use-places", po::bool_switch(),
