@@ -110,7 +110,8 @@ NearestPoints nearest_points(const ContactPair& pair, const std::vector<Vec3>& x
 
 DistanceBounds distance_bounds(const ContactPair& pair, const std::array<Vec3, 4>& at) {
   const auto& w = pair.nearest;
-  if (w[0] + w[1] <= 0) return {};
+  // One is positive: a vertex has 1, of two ends of an edge the weights add up to 1.
+  if (w[0] <= 0 && w[1] <= 0) return {};
   // The weights of all four add up to 0, so the first vertex may be the origin.
   const Vec3 b = at[1] - at[0];
   const Vec3 c = at[2] - at[0];
