@@ -1,7 +1,6 @@
 #include "pattern/import/half_pieces.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <numbers>
 
@@ -9,6 +8,7 @@
 #include "geometry/polygon.h"
 #include "io/json_words.h"
 #include "io/text.h"
+#include "pattern/seams/panel_words.h"
 
 namespace toile {
 
@@ -53,9 +53,10 @@ bool is_mirror_image(const std::vector<Vec2>& outline, const Vec2& across) {
 }
 
 bool lies_across_the_middle(const std::string& name) {
-  std::string small = name;
-  for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return small.find("collar") != std::string::npos || small.find("yoke") != std::string::npos;
+  PatternPanel panel;
+  panel.name = name;
+  const PanelRole role = words_of(panel).role;
+  return role == PanelRole::collar || role == PanelRole::yoke || role == PanelRole::hood;
 }
 
 std::optional<int> likely_fold(const PieceShape& shape, const EdgedOutline& outline) {

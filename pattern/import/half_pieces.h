@@ -14,7 +14,8 @@ namespace toile {
 /// `across` is a unit vector.
 bool is_mirror_image(const std::vector<Vec2>& outline, const Vec2& across);
 
-/// Whether a piece of this name lies across the middle of the body: a collar, its stand, a yoke.
+/// Whether a piece of this name may lie across the middle of the body: a collar, its stand, a
+/// yoke, the middle of a hood. Names are read as words_of() does.
 bool lies_across_the_middle(const std::string& name);
 
 /// The edge at which a piece looks folded: the longest one that is straight along the grain, with

@@ -216,8 +216,8 @@ class Importer {
     bool layers = false;  ///< drawn once for the layers that it is cut in
   };
 
-  /// Whether a pair is an outer and an inner layer. Those of yokes and collars lie on each other,
-  /// if both look alike. Sleeves and cuffs that do are one for each arm.
+  /// Whether a pair is an outer and an inner layer. Those of yokes, collars and hoods lie on
+  /// each other if both look alike: halves do not. Sleeves and cuffs that do are one for each arm.
   bool is_layered(const Piece& piece) const {
     if (!lies_across_the_middle(piece.name)) return false;
     if (piece.fold) return true;

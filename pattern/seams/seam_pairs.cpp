@@ -55,22 +55,6 @@ bool may_meet(PanelRole a, PanelRole b) {
   }
 }
 
-/// Takes the side from a yoke, a collar or the middle of a hood that is its own mirror image. Where
-/// the other one of its pair was left out as the inner layer, it is sewn to left and right alike.
-void forget_sides_of_whole_pieces(const std::vector<PanelFit>& fits,
-                                  std::vector<PanelWords>& words) {
-  for (const PanelFit& fit : fits) {
-    PanelWords& piece = words[fit.from];
-    const bool may_be_whole = piece.role == PanelRole::yoke || piece.role == PanelRole::collar ||
-                              piece.role == PanelRole::hood;
-    if (!may_be_whole || piece.side == 0 || !fit.mirrored || fit.from != fit.to) continue;
-    const bool has_twin = std::any_of(words.begin(), words.end(), [&](const PanelWords& other) {
-      return other.side * piece.side < 0 && other.whole == piece.whole;
-    });
-    if (!has_twin) piece.side = 0;
-  }
-}
-
 }  // namespace
 
 SeamEvidence seam_evidence(const Pattern& pattern, bool drawn_walk,
@@ -81,7 +65,6 @@ SeamEvidence seam_evidence(const Pattern& pattern, bool drawn_walk,
   evidence.turned_over.resize(pattern.panels.size(), 0);
   for (const PatternPanel& panel : pattern.panels) evidence.words.push_back(words_of(panel));
   evidence.fits = panel_fits(evidence.edges);
-  forget_sides_of_whole_pieces(evidence.fits, evidence.words);
   evidence.shapes = edge_shapes(evidence.edges, evidence.fits);
   evidence.mirror = mirror_partners(evidence.edges, evidence.fits, evidence.words);
   return evidence;

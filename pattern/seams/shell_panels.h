@@ -11,14 +11,11 @@ namespace toile {
 /// A panel that is no piece of the shell.
 struct BesideShell {
   int panel = 0;
-  std::string kind;  ///< see kind_beside_shell(), or "inner layer"
+  std::string kind;  ///< see kind_beside_shell()
 };
 
-/// Pockets, linings and the like, by names and materials. Of a yoke, a collar or the
-/// middle of a hood that is cut twice, the right one is the inner layer. Such pairs are their own
-/// mirror images, which halves are not. Empty where no panel would be left. `drawn_walk`: see
-/// walked_edges().
-std::vector<BesideShell> panels_beside_shell(const Pattern& pattern, bool drawn_walk);
+/// Pockets, linings and the like, by names and materials. Empty where no panel would be left.
+std::vector<BesideShell> panels_beside_shell(const Pattern& pattern);
 
 /// The text of a pattern file without these panels and the stitches that hold them. All else stays
 /// as it is; without panels to leave out, the text itself.

@@ -72,7 +72,7 @@ void add(Row& row, const std::filesystem::path& file, bool names, const Output& 
   options.drawn_walk = has_drawn_walk(text, file.string());
   std::vector<std::string> beside;
   if (names) {
-    for (const BesideShell& panel : panels_beside_shell(pattern, options.drawn_walk)) {
+    for (const BesideShell& panel : panels_beside_shell(pattern)) {
       beside.push_back(pattern.panels[panel.panel].name);
     }
   }

@@ -71,8 +71,7 @@ int panel_of(const Pattern& pattern, const std::string& option, const std::strin
 }
 
 /// The panels that are left out, by name. Panels of seams that are given stay.
-std::vector<LeftOut> left_out(const Pattern& pattern, bool drawn_walk,
-                              const FindSeamsSettings& settings) {
+std::vector<LeftOut> left_out(const Pattern& pattern, const FindSeamsSettings& settings) {
   std::set<int> held;
   if (settings.keep) {
     for (const Stitch& stitch : pattern.stitches) held.insert({stitch.a.panel, stitch.b.panel});
@@ -88,7 +87,7 @@ std::vector<LeftOut> left_out(const Pattern& pattern, bool drawn_walk,
     if (name != "all") taken.insert(panel_of(pattern, "--with", name));
   }
   std::map<int, std::string> out;
-  for (const BesideShell& beside : panels_beside_shell(pattern, drawn_walk)) {
+  for (const BesideShell& beside : panels_beside_shell(pattern)) {
     if (!all && !taken.contains(beside.panel)) out[beside.panel] = beside.kind;
   }
   for (const std::string& name : settings.without) {
@@ -100,7 +99,7 @@ std::vector<LeftOut> left_out(const Pattern& pattern, bool drawn_walk,
     out[panel] = "asked for";
   }
   if (out.size() == pattern.panels.size()) {
-    throw Error(pattern.source, "has no panel that is not left out", "use --without less often");
+    throw Error(pattern.source, "keeps no panel", "leave fewer out by --without");
   }
   std::vector<LeftOut> named;
   for (const auto& [panel, kind] : out) named.push_back({pattern.panels[panel].name, kind});
@@ -131,7 +130,7 @@ int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& comm
   Pattern drawn = parse_drawn_pattern(drawn_text, name, remarks);
   FindSeamsOptions options;
   options.drawn_walk = has_drawn_walk(drawn_text, name);
-  const std::vector<LeftOut> out = left_out(drawn, options.drawn_walk, settings);
+  const std::vector<LeftOut> out = left_out(drawn, settings);
   if (!out.empty()) {
     std::vector<std::string> names;
     for (const LeftOut& panel : out) names.push_back(panel.name);

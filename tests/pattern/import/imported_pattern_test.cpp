@@ -156,7 +156,7 @@ TEST(ImportedPattern, APairIsLeftAndRight) {
   EXPECT_LT(left.grain, -0.1);
 }
 
-TEST(ImportedPattern, TwoAlikeLayersOfAYokeAreOnePanel) {
+TEST(ImportedPattern, TwoAlikeLayersAcrossTheMiddleAreOnePanel) {
   const auto piece = [](const std::string& name, const std::string& outline) {
     return dxf_file(dxf_block(name, outline + dxf_label("Quantity: 1,1")), "");
   };
@@ -166,11 +166,14 @@ TEST(ImportedPattern, TwoAlikeLayersOfAYokeAreOnePanel) {
   EXPECT_EQ(yoke.made.panels[0].name, "backYoke");
   EXPECT_EQ(yoke.made.panels[0].quantity, 2);
   EXPECT_NE(yoke.remarks.find("cut 2 times: its layers are drawn as one panel"), std::string::npos);
+  for (const char* name : {"Hemdkragen", "hoodCenter"}) {
+    EXPECT_EQ(import_text(piece(name, square)).made.panels.size(), 1u) << name;
+  }
   ImportOptions asked;
   asked.pairs = {"backYoke"};
   for (const Imported& pair :
        {import_text(piece("backYoke", square), asked), import_text(piece("cuff", square)),
-        import_text(piece("frontYoke", slanted))}) {
+        import_text(piece("frontYoke", slanted)), import_text(piece("hoodSide", slanted))}) {
     ASSERT_EQ(pair.made.panels.size(), 2u);
     EXPECT_EQ(pair.made.panels[0].name.substr(0, 5), "left_");
     EXPECT_EQ(pair.remarks.find("layers"), std::string::npos);

@@ -19,9 +19,6 @@ Json piece(const Json& vertices) {
   return {{"vertices", vertices}, {"edges", edges}};
 }
 
-const Json whole_yoke = piece({{-20, 0}, {20, 0}, {18, 12}, {5, 15}, {-5, 15}, {-18, 12}});
-const Json half_yoke = piece({{0, 0}, {20, 0}, {18, 12}, {5, 15}, {0, 14}});
-const Json other_half = piece({{0, 0}, {0, 14}, {-5, 15}, {-18, 12}, {-20, 0}});
 const Json band = piece({{0, 0}, {20, 0}, {20, 6}, {0, 6}});
 
 std::string file_of(const Json& panels) {
@@ -36,25 +33,15 @@ std::string left_out(const Json& panels) {
   std::vector<Remark> remarks;
   const Pattern pattern = parse_drawn_pattern(file_of(panels), "a.json", remarks);
   std::string text;
-  for (const BesideShell& beside : panels_beside_shell(pattern, false)) {
+  for (const BesideShell& beside : panels_beside_shell(pattern)) {
     text += pattern.panels[beside.panel].name + " (" + beside.kind + ") ";
   }
   return text;
 }
 
-TEST(ShellPanels, OfTwoWholeYokesOneIsTheInnerLayer) {
-  EXPECT_EQ(left_out({{"back", band}, {"left_yoke", whole_yoke}, {"right_yoke", whole_yoke}}),
-            "right_yoke (inner layer) ");
-  EXPECT_EQ(left_out({{"back", band}, {"left_yoke", half_yoke}, {"right_yoke", other_half}}), "");
-  // Half a collar may be a rectangle, which is its own mirror image; half a hood may not.
-  EXPECT_EQ(left_out({{"back", band}, {"left_collar", band}, {"right_collar", band}}), "");
-  EXPECT_EQ(left_out({{"back", band}, {"left_hoodCenter", band}, {"right_hoodCenter", band}}),
-            "right_hoodCenter (inner layer) ");
-}
-
 TEST(ShellPanels, APatternOfLiningsAloneIsAGarment) {
-  EXPECT_EQ(left_out({{"front lining", band}, {"back lining", half_yoke}}), "");
-  EXPECT_EQ(left_out({{"front", band}, {"back lining", half_yoke}}), "back lining (lining) ");
+  EXPECT_EQ(left_out({{"front lining", band}, {"back lining", band}}), "");
+  EXPECT_EQ(left_out({{"front", band}, {"back lining", band}}), "back lining (lining) ");
 }
 
 TEST(ShellPanels, AreTakenOutOfTheFileWithTheirStitches) {
