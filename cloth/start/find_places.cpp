@@ -64,8 +64,9 @@ class Piece {
   void stand_sheets(std::vector<Vec3>& placed);
   double sheet_depth(std::size_t i, const std::pair<double, double>& trunk) const;
   void stand_hood(int p, std::vector<Vec3>& placed) const;
-  void roll(int p, MeshedPanel& meshed) const;
-  std::string rolled_part(int p) const;
+  void roll_all(std::vector<MeshedPanel>& meshed) const;
+  void roll(int p, std::vector<MeshedPanel>& meshed) const;
+  std::string rolled_part(int p, const std::vector<MeshedPanel>& meshed) const;
   /// Calls use(point of p, point of another panel) for each pair of sewn points.
   void each_partner(int p, const auto& use) const {
     for (const MeshedSeam& seam : garment_.seams) {
@@ -242,8 +243,8 @@ void Piece::stand_hood(int p, std::vector<Vec3>& placed) const {
 }
 
 /// The part that a panel goes around: an arm beside what it is sewn to, a leg beside its twin, or
-/// the torso.
-std::string Piece::rolled_part(int p) const {
+/// the torso. A cuff goes around what its sleeve does.
+std::string Piece::rolled_part(int p, const std::vector<MeshedPanel>& meshed) const {
   const AskedPlace* place = asked(p);
   if (place != nullptr && !place->part.empty()) return place->part;
   if (!panel(p).part.empty()) return panel(p).part;
@@ -254,12 +255,16 @@ std::string Piece::rolled_part(int p) const {
   }
   double x = 0;
   int count = 0;
+  std::string of_rolled;
   each_partner(p, [&](int, int other) {
-    const auto partner = in_sheets(panel_of_[other]);
+    const int q = panel_of_[other];
+    if (q != p && meshed[q].placement.around > 0) of_rolled = meshed[q].part;
+    const auto partner = in_sheets(q);
     if (!partner) return;
     x += sheets_->layout().picture(*partner, garment_.flat[other]).x();
     ++count;
   });
+  if (count == 0 && !of_rolled.empty()) return of_rolled;
   if (count == 0) throw refused(p, "goes around a part that its seams do not tell");
   const double aside = x / count - sizes_.middle();
   // A skirt of one panel under a bodice goes around the torso.
@@ -269,13 +274,32 @@ std::string Piece::rolled_part(int p) const {
   return aside > 0 ? "left_arm" : "right_arm";
 }
 
-void Piece::roll(int p, MeshedPanel& meshed) const {
-  meshed.part = rolled_part(p);
-  const bool is_arm = meshed.part.ends_with("_arm");
-  meshed.placement = {};
-  meshed.placement.around = 1;
-  meshed.placement.axis = up_axis(garment_, p, is_arm);
-  if (!is_arm) meshed.placement.at = "waist";
+/// What is sewn to a sheet is rolled first, then what is sewn to that.
+void Piece::roll_all(std::vector<MeshedPanel>& meshed) const {
+  std::vector<int> waiting = around_;
+  while (!waiting.empty()) {
+    const auto next = std::find_if(waiting.begin(), waiting.end(), [&](int p) {
+      bool tells = false;
+      each_partner(p, [&](int, int other) {
+        const int q = panel_of_[other];
+        tells = tells || in_sheets(q) || (q != p && meshed[q].placement.around > 0);
+      });
+      return tells;
+    });
+    const auto at = next == waiting.end() ? waiting.begin() : next;
+    roll(*at, meshed);
+    waiting.erase(at);
+  }
+}
+
+void Piece::roll(int p, std::vector<MeshedPanel>& meshed) const {
+  MeshedPanel& rolled = meshed[p];
+  rolled.part = rolled_part(p, meshed);
+  const bool is_arm = rolled.part.ends_with("_arm");
+  rolled.placement = {};
+  rolled.placement.around = 1;
+  rolled.placement.axis = up_axis(garment_, p, is_arm);
+  if (!is_arm) rolled.placement.at = "waist";
 }
 
 std::vector<int> Piece::place(std::vector<Vec3>& placed, std::vector<FoundPlace>& found,
@@ -287,7 +311,7 @@ std::vector<int> Piece::place(std::vector<Vec3>& placed, std::vector<FoundPlace>
     stand_sheets(placed);
   }
   for (const int p : hoods_) stand_hood(p, placed);
-  for (const int p : around_) roll(p, meshed[p]);
+  roll_all(meshed);
   for (std::size_t i = 0; i < flat_.size(); ++i) {
     found[flat_[i]].side = sheets_->layout().back[i] ? PlacementSide::back : PlacementSide::front;
   }

@@ -168,11 +168,24 @@ class PanelLevels {
     UprightPanel* first = nullptr;
     for (UprightPanel& piece : pieces) {
       if (piece.origin) continue;
-      if (first == nullptr) first = &piece;
+      // A cuff hangs on its sleeve, which is sewn to the torso.
+      if (first == nullptr || (!meets_another_part(*first) && meets_another_part(piece))) {
+        first = &piece;
+      }
       if (level_by_seams(piece)) return true;
     }
     if (first != nullptr) level_by_joint(*first, skeleton_);
     return first != nullptr;
+  }
+
+  bool meets_another_part(const UprightPanel& piece) const {
+    const auto meets = [&](int mine, int other) {
+      const MeshedPanel& there = garment_.panels[panel_of_[other]];
+      return &garment_.panels[panel_of_[mine]] == &piece.panel && there.part != piece.panel.part;
+    };
+    return std::any_of(garment_.seams.begin(), garment_.seams.end(), [&](const MeshedSeam& seam) {
+      return !seam.a.empty() && (meets(seam.a[0], seam.b[0]) || meets(seam.b[0], seam.a[0]));
+    });
   }
 
   bool level_by_seams(UprightPanel& piece) {

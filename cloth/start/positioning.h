@@ -53,7 +53,8 @@ Eigen::Matrix3d part_frame(const Vec3& up);
 /// - Panels of a leg stay on its side of the plane between both legs. Rolled ones keep clear by
 ///   their radius, flat ones move sideways.
 /// - A panel that names no joint lies level with panels of its part that it is sewn to, by the mean
-///   of its seam points. The first one's upper end is level with the neck, the head's top, the
+///   of its seam points. Others come first that are sewn to another part. The first one's upper end
+///   is level with the neck, the head's top, the
 ///   shoulder, or on a leg the waist.
 ///
 /// Uses the flat coordinates only, so positioning twice is positioning once. Throws Error, naming

@@ -45,8 +45,8 @@ class OutlineFinder {
       if (!segment.curved) {
         if (from != to) curves.push_back(EdgeCurve::line(from, to));
       } else {
-        curves.push_back(
-            EdgeCurve::cubic(from, sheet_.metres(segment.control1), sheet_.metres(segment.control2), to));
+        curves.push_back(EdgeCurve::cubic(from, sheet_.metres(segment.control1),
+                                          sheet_.metres(segment.control2), to));
       }
       from = to;
     }
@@ -58,7 +58,7 @@ class OutlineFinder {
     for (std::size_t s = 0; s < sheet_.drawing.shapes.size(); ++s) {
       SvgMeaning meaning = meaning_of(sheet_.drawing, sheet_.drawing.shapes[s]);
       found_.classed = found_.classed || meaning.role == SvgRole::outline ||
-                 (meaning.role == SvgRole::allowance && !meaning.material.empty());
+                       (meaning.role == SvgRole::allowance && !meaning.material.empty());
       sheet_.meanings.push_back(std::move(meaning));
     }
     leave_out_unreadable();
@@ -179,7 +179,7 @@ class OutlineFinder {
     JoinedPaths joined = join_paths(paths);
     if (joined.widest_closed_gap > 1e-6) {
       sheet_.note("gaps of up to " + number_text(joined.widest_closed_gap * 1000, 2) +
-           " mm in outlines are closed");
+                  " mm in outlines are closed");
     }
     for (PiecePath& path : joined.closed) add_closed(path, shape_of(path));
     for (PiecePath& path : joined.open) {
@@ -281,7 +281,7 @@ class OutlineFinder {
       return;
     }
     sheet_.note("the paths at " + sheet_.where(outline(index).polygon[0]) +
-         " run along each other: the inner one is taken as the seam line");
+                " run along each other: the inner one is taken as the seam line");
     choose_outline(seam, false);
     outline(index).of_piece = true;
   }

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "cloth/start/places_fit.h"
+#include "cloth/start/positioning.h"
 #include "geometry/body/mannequin/mannequin.h"
 #include "geometry/error.h"
 #include "io/output_file.h"
@@ -154,6 +155,28 @@ TEST(FindPlaces, ASleeveOfOnePieceIsRolledAroundItsArm) {
   const auto sleeve = std::ranges::find(garment.panels, "left_sleeve", &MeshedPanel::name);
   EXPECT_EQ(sleeve->part, "left_arm");
   EXPECT_EQ(sleeve->placement.around, 1);
+}
+
+TEST(FindPlaces, ACuffOfOnePieceIsRolledBelowItsSleeveInAnyOrder) {
+  Json pattern = Json::parse(read_file(TOILE_SOURCE_DIR "/tests/pattern/seams/drafts/sven.json"));
+  Json& order = pattern["pattern"]["panel_order"];
+  const DistanceGrid skin{SurfaceDistance(body().surface)};
+  for (const bool cuffs_first : {false, true}) {
+    if (cuffs_first) std::reverse(order.begin(), order.end());
+    PanelMesh garment = meshed(pattern);
+    const auto places = by_name(place(garment));
+    EXPECT_EQ(text_of(places.at("left_cuff")), "left_cuff: left arm, around");
+    EXPECT_EQ(text_of(places.at("right_cuff")), "right_cuff: right arm, around");
+    garment.placed = position_panels(garment, skin, &body().skeleton).placed;
+    const Vec3 elbow = body().skeleton.joint("left_elbow");
+    const Vec3 down = (body().skeleton.joint("left_wrist") - elbow).normalized();
+    const double sleeve = down.dot(middle(garment, "left_sleeve") - elbow);
+    const double cuff = down.dot(middle(garment, "left_cuff") - elbow);
+    EXPECT_GT(cuff, sleeve + 0.2) << cuffs_first;
+    // The sleeve's middle is between shoulder and wrist.
+    EXPECT_LT(sleeve, down.dot(body().skeleton.joint("left_wrist") - elbow)) << cuffs_first;
+    EXPECT_GT(sleeve, down.dot(body().skeleton.joint("left_shoulder") - elbow)) << cuffs_first;
+  }
 }
 
 TEST(FindPlaces, TrousersRunDownTheLegsBelowTheCrotch) {
