@@ -25,22 +25,22 @@ std::string kind_of(const FoundSeam& seam) {
 }
 
 Json seam_json(const Pattern& pattern, const FoundSeam& seam) {
-  Json json;
-  json["a"] = side_json(pattern, seam.a);
-  json["b"] = side_json(pattern, seam.b);
-  json["reversed"] = seam.reversed;
-  json["length_a"] = seam.length_a;
-  json["length_b"] = seam.length_b;
-  json["kind"] = kind_of(seam);
-  json["given"] = seam.given;
-  json["confidence"] = seam.confidence;
+  Json entry;
+  entry["a"] = side_json(pattern, seam.a);
+  entry["b"] = side_json(pattern, seam.b);
+  entry["reversed"] = seam.reversed;
+  entry["length_a"] = seam.length_a;
+  entry["length_b"] = seam.length_b;
+  entry["kind"] = kind_of(seam);
+  entry["given"] = seam.given;
+  entry["confidence"] = seam.confidence;
   if (seam.alternative) {
-    json["alternative"] = {{"a", side_json(pattern, (*seam.alternative)[0])},
+    entry["alternative"] = {{"a", side_json(pattern, (*seam.alternative)[0])},
                            {"b", side_json(pattern, (*seam.alternative)[1])}};
   } else {
-    json["alternative"] = nullptr;
+    entry["alternative"] = nullptr;
   }
-  return json;
+  return entry;
 }
 
 }  // namespace

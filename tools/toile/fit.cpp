@@ -106,7 +106,7 @@ ExitCode fit(const FitSettings& settings, const FitFiles& files, const CommonSet
   return exit_code_of(verdict);
 }
 
-Job prepare(const po::variables_map& given, const CommonSettings& common) {
+Job prepare_fit(const po::variables_map& given, const CommonSettings& common) {
   const FitFiles files(common.output);
   FitSettings settings;
   settings.body.inputs = {given["body"].as<std::string>()};
@@ -149,7 +149,7 @@ CommandLineProgram fit_program() {
   program.positional.add("pattern", 1);
   program.writes_folder = true;
   program.check = [](const po::variables_map& given) { read_quality(given); };
-  program.prepare = prepare;
+  program.prepare = prepare_fit;
   return program;
 }
 
