@@ -1,12 +1,12 @@
 #include "io/dxf.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <numbers>
 
 #include "geometry/error.h"
 #include "io/dxf_curves.h"
+#include "io/dxf_entities.h"
+#include "io/dxf_groups.h"
 #include "io/dxf_text.h"
 #include "io/encoding.h"
 #include "io/text.h"
@@ -15,90 +15,11 @@ namespace toile {
 
 namespace {
 
-constexpr double dxf_degree = std::numbers::pi / 180;
-
-/// Units of a drawing: beyond, products of coordinates lose their digits.
-constexpr double max_dxf_coordinate = 1e9;
-
-/// Values of one entity: a polyline has some five for each vertex.
-constexpr std::size_t max_groups = 2'000'000;
-
 constexpr std::string_view binary_start = "AutoCAD Binary DXF";
-
-std::string_view dxf_trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
-}
-
-/// A code and its value, two lines of the file.
-struct DxfGroup {
-  int code = 0;
-  std::string_view value;
-  int line = 0;  ///< of the value
-};
-
-/// The groups of a file, one after the other.
-class DxfGroups {
- public:
-  DxfGroups(std::string_view text, const std::string& name) : text_(text), name_(name) {
-    if (text_.substr(0, 3) == "\xEF\xBB\xBF") at_ = 3;
-  }
-
-  const DxfGroup& now() const { return now_; }
-  bool is(int code, std::string_view value) const {
-    return now_.code == code && dxf_trimmed(now_.value) == value;
-  }
-
-  void next() {
-    do {
-      const std::string_view code = dxf_trimmed(line("a group code"));
-      const char* end = code.data() + code.size();
-      const auto [stop, problem] = std::from_chars(code.data(), end, now_.code);
-      if (problem != std::errc() || stop != end) {
-        fail("'" + shown_text(code.substr(0, 20)) + "' is no group code",
-             "the file is damaged or no DXF; save it again");
-      }
-      now_.value = line("the value of a group");
-      now_.line = line_;
-    } while (now_.code == 999);  // a comment
-  }
-
-  [[noreturn]] void fail(const std::string& problem, const std::string& remedy) const {
-    throw Error(name_ + ":" + std::to_string(line_), problem, remedy);
-  }
-
- private:
-  std::string_view line(const char* what) {
-    if (at_ >= text_.size()) {
-      fail("the file ends before " + std::string(what) + ", without an EOF",
-           "it is cut off; save or copy it again");
-    }
-    const std::size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
-    const std::string_view found = text_.substr(at_, end - at_);
-    at_ = end + 1;
-    if (end < text_.size() && text_[end] == '\r' && at_ < text_.size() && text_[at_] == '\n') ++at_;
-    ++line_;
-    return found;
-  }
-
-  std::string_view text_;
-  const std::string& name_;
-  std::size_t at_ = 0;
-  int line_ = 0;
-  DxfGroup now_;
-};
-
-/// The groups of one entity, from its type to the next one.
-struct DxfRecord {
-  std::string_view type;
-  int line = 0;
-  std::vector<DxfGroup> groups;
-};
 
 class DxfReader {
  public:
-  DxfReader(std::string_view text, const std::string& name) : groups_(text, name), name_(name) {
+  DxfReader(std::string_view text, const std::string& name) : groups_(text, name) {
     utf8_ = is_utf8(text);
   }
 
@@ -128,38 +49,6 @@ class DxfReader {
   }
 
  private:
-  [[noreturn]] void fail(int line, const std::string& problem,
-                         const std::string& remedy = "correct the entity or remove it") const {
-    throw Error(name_ + ":" + std::to_string(line), problem, remedy);
-  }
-
-  double number(const DxfGroup& group) const {
-    const auto value = parse_number(dxf_trimmed(group.value));
-    if (!value || !std::isfinite(*value)) {
-      fail(group.line, "'" + shown_text(group.value.substr(0, 40)) + "' is no number",
-           "the file is damaged; save it again");
-    }
-    return *value;
-  }
-
-  double coordinate(const DxfGroup& group) const {
-    const double value = number(group);
-    if (std::abs(value) > max_dxf_coordinate) {
-      fail(group.line, "a coordinate is " + number_text(value) + ", beyond 1,000,000,000 units");
-    }
-    return value;
-  }
-
-  double bulge(const DxfGroup& group) const {
-    const double value = number(group);
-    if (std::abs(value) > 1e4) fail(group.line, "a bulge is " + number_text(value));
-    return value;
-  }
-
-  int integer(const DxfGroup& group) const {
-    return static_cast<int>(std::clamp(number(group), -1e9, 1e9));
-  }
-
   std::string text(std::string_view value) const {
     return utf8_ ? std::string(value) : to_utf8(value, code_page_);
   }
@@ -180,10 +69,10 @@ class DxfReader {
         code_page_ = "CP" + valid_utf8(page);
         if (value.substr(0, 3) == "DOS") code_page_ = "CP" + valid_utf8(value.substr(3));
       } else if (variable == "$INSUNITS" && group.code == 70) {
-        drawing_.unit_metres = unit(integer(group));
+        drawing_.unit_metres = unit(groups_.integer(group));
       } else if (variable == "$MEASUREMENT" && group.code == 70) {
         drawing_.measurement =
-            integer(group) == 0 ? DxfMeasurement::english : DxfMeasurement::metric;
+            groups_.integer(group) == 0 ? DxfMeasurement::english : DxfMeasurement::metric;
       }
     }
   }
@@ -196,18 +85,6 @@ class DxfReader {
     return found == metres.end() ? 0 : found->second;
   }
 
-  /// The groups up to the next code 0.
-  DxfRecord record() {
-    DxfRecord record{dxf_trimmed(groups_.now().value), groups_.now().line, {}};
-    for (groups_.next(); groups_.now().code != 0; groups_.next()) {
-      if (record.groups.size() == max_groups) {
-        fail(record.line, "an entity has more than " + std::to_string(max_groups) + " values");
-      }
-      record.groups.push_back(groups_.now());
-    }
-    return record;
-  }
-
   void blocks() {
     groups_.next();
     while (!groups_.is(0, "ENDSEC")) {
@@ -216,18 +93,18 @@ class DxfReader {
             "'" + shown_text(dxf_trimmed(groups_.now().value)) + "' stands where a block begins",
             "the file is damaged; save it again");
       }
-      const DxfRecord head = record();
+      const DxfRecord head = groups_.record();
       DxfBlock block;
       block.line = head.line;
       Vec2 base = Vec2::Zero();
       for (const DxfGroup& group : head.groups) {
         if (group.code == 2) block.name = text(dxf_trimmed(group.value));
-        if (group.code == 10) base.x() = coordinate(group);
-        if (group.code == 20) base.y() = coordinate(group);
+        if (group.code == 10) base.x() = groups_.coordinate(group);
+        if (group.code == 20) base.y() = groups_.coordinate(group);
       }
       entities(block.entities);
       if (!groups_.is(0, "ENDBLK")) groups_.fail("a block has no end", "save the file again");
-      record();
+      groups_.record();
       count_entity(block.line);
       std::string upper = block.name;
       for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
@@ -250,22 +127,24 @@ class DxfReader {
         groups_.next();
         continue;
       }
-      entity(record(), list);
+      entity(groups_.record(), list);
     }
   }
 
   void count_entity(int line) {
     if (++entities_ > max_dxf_entities) {
-      fail(line, "the file has more than " + std::to_string(max_dxf_entities) + " entities",
-           "is it really a pattern? keep the layers of the pieces only");
+      groups_.fail_at(line,
+                      "the file has more than " + std::to_string(max_dxf_entities) + " entities",
+                      "is it really a pattern? keep the layers of the pieces only");
     }
   }
 
   void count_curves(int line, std::size_t count) {
     curves_ += count;
     if (curves_ > static_cast<std::size_t>(max_dxf_curves)) {
-      fail(line, "the file has more than " + std::to_string(max_dxf_curves) + " sides of curves",
-           "is it really a pattern? keep the layers of the pieces only");
+      groups_.fail_at(
+          line, "the file has more than " + std::to_string(max_dxf_curves) + " sides of curves",
+          "is it really a pattern? keep the layers of the pieces only");
     }
   }
 
@@ -280,8 +159,8 @@ class DxfReader {
     double tilt = 1;
     for (const DxfGroup& group : record.groups) {
       if (group.code == 8) entity.layer = text(dxf_trimmed(group.value));
-      if (group.code == 67) paper = integer(group) == 1;
-      if (group.code == 230) tilt = number(group);
+      if (group.code == 67) paper = groups_.integer(group) == 1;
+      if (group.code == 230) tilt = groups_.number(group);
     }
     // Entities are drawn in the plane, or in the plane as seen from behind.
     const bool flat = std::abs(std::abs(tilt) - 1) < 1e-6;
@@ -291,15 +170,17 @@ class DxfReader {
     if (type == "POLYLINE") {
       known = polyline(record, entity) && known;
     } else if (type == "LWPOLYLINE") {
-      lightweight_polyline(record, entity);
+      entity.curves = dxf_lightweight_polyline(groups_, record);
     } else if (type == "LINE") {
-      line(record, entity);
+      entity.curves = {dxf_line(groups_, record)};
     } else if (type == "ARC" || type == "CIRCLE") {
-      arc(record, entity);
+      read_dxf_arc(groups_, record, entity);
     } else if (type == "ELLIPSE") {
-      ellipse(record, entity, behind);
+      read_dxf_ellipse(groups_, record, behind, entity);
     } else if (type == "SPLINE") {
-      spline(record, entity);
+      const DxfSpline spline = dxf_spline(groups_, record);
+      count_curves(record.line, 16 * (spline.control_points.size() + spline.fit_points.size()));
+      entity.curves = spline_curves(spline);
     } else if (type == "POINT" || type == "TEXT" || type == "MTEXT" || type == "ATTRIB" ||
                type == "ATTDEF") {
       mark(record, entity);
@@ -329,160 +210,28 @@ class DxfReader {
     list.push_back(std::move(entity));
   }
 
-  struct Vertex {
-    Vec2 at = Vec2::Zero();
-    double bulge = 0;
-  };
-
-  static void join(const std::vector<Vertex>& vertices, bool closed, DxfEntity& entity) {
-    for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
-      append_dxf_bulge(entity.curves, vertices[i].at, vertices[i + 1].at, vertices[i].bulge);
-    }
-    if (closed && vertices.size() > 1 && vertices.back().at != vertices.front().at) {
-      append_dxf_bulge(entity.curves, vertices.back().at, vertices.front().at,
-                       vertices.back().bulge);
-    }
-  }
-
   /// Reads the vertices behind the head, too. False for meshes in space.
   bool polyline(const DxfRecord& head, DxfEntity& entity) {
     int flags = 0;
     for (const DxfGroup& group : head.groups) {
-      if (group.code == 70) flags = integer(group);
+      if (group.code == 70) flags = groups_.integer(group);
     }
     constexpr int closed = 1;
     constexpr int spline_fitted = 4;
     constexpr int meshes = 16 + 64;
     constexpr int control_point = 16;
-    std::vector<Vertex> vertices;
+    std::vector<DxfVertex> vertices;
     while (groups_.is(0, "VERTEX")) {
-      const DxfRecord record = this->record();
+      const DxfRecord record = groups_.record();
       count_curves(record.line, 1);
-      Vertex vertex;
-      int own_flags = 0;
-      for (const DxfGroup& group : record.groups) {
-        if (group.code == 10) vertex.at.x() = coordinate(group);
-        if (group.code == 20) vertex.at.y() = coordinate(group);
-        if (group.code == 42) vertex.bulge = bulge(group);
-        if (group.code == 70) own_flags = integer(group);
-      }
-      if ((flags & spline_fitted) != 0 && (own_flags & control_point) != 0) continue;
+      const DxfVertex vertex = dxf_vertex(groups_, record);
+      if ((flags & spline_fitted) != 0 && (vertex.flags & control_point) != 0) continue;
       vertices.push_back(vertex);
     }
-    if (groups_.is(0, "SEQEND")) record();
+    if (groups_.is(0, "SEQEND")) groups_.record();
     if ((flags & meshes) != 0) return false;
-    join(vertices, (flags & closed) != 0, entity);
+    append_dxf_sides(entity.curves, vertices, (flags & closed) != 0);
     return true;
-  }
-
-  void lightweight_polyline(const DxfRecord& record, DxfEntity& entity) const {
-    std::vector<Vertex> vertices;
-    bool closed = false;
-    for (const DxfGroup& group : record.groups) {
-      if (group.code == 70) closed = (integer(group) & 1) != 0;
-      if (group.code == 10) {
-        vertices.emplace_back();
-        vertices.back().at.x() = coordinate(group);
-      }
-      if (vertices.empty()) continue;
-      if (group.code == 20) vertices.back().at.y() = coordinate(group);
-      if (group.code == 42) vertices.back().bulge = bulge(group);
-    }
-    join(vertices, closed, entity);
-  }
-
-  void line(const DxfRecord& record, DxfEntity& entity) const {
-    Vec2 start = Vec2::Zero();
-    Vec2 end = Vec2::Zero();
-    for (const DxfGroup& group : record.groups) {
-      if (group.code == 10) start.x() = coordinate(group);
-      if (group.code == 20) start.y() = coordinate(group);
-      if (group.code == 11) end.x() = coordinate(group);
-      if (group.code == 21) end.y() = coordinate(group);
-    }
-    entity.curves.push_back(dxf_line(start, end));
-  }
-
-  void arc(const DxfRecord& record, DxfEntity& entity) const {
-    double radius = 0;
-    double from = 0;
-    double to = 360;
-    for (const DxfGroup& group : record.groups) {
-      if (group.code == 10) entity.at.x() = coordinate(group);
-      if (group.code == 20) entity.at.y() = coordinate(group);
-      if (group.code == 40) radius = coordinate(group);
-      if (group.code == 50) from = number(group);
-      if (group.code == 51) to = number(group);
-    }
-    if (!(radius > 0)) fail(record.line, "an arc's radius is " + number_text(radius));
-    from = std::remainder(from, 360);
-    to = from + std::fmod(std::fmod(to - from, 360) + 360, 360);
-    if (record.type == "CIRCLE" || to == from) to = from + 360;
-    append_dxf_arc(entity.curves, entity.at, Vec2(radius, 0), Vec2(0, radius), from * dxf_degree,
-                   to * dxf_degree);
-    if (record.type == "CIRCLE") entity.curves.back().points[3] = entity.curves.front().points[0];
-  }
-
-  void ellipse(const DxfRecord& record, DxfEntity& entity, bool behind) const {
-    Vec2 major = Vec2::Zero();
-    double ratio = 1;
-    double from = 0;
-    double to = 2 * std::numbers::pi;
-    for (const DxfGroup& group : record.groups) {
-      if (group.code == 10) entity.at.x() = coordinate(group);
-      if (group.code == 20) entity.at.y() = coordinate(group);
-      if (group.code == 11) major.x() = coordinate(group);
-      if (group.code == 21) major.y() = coordinate(group);
-      if (group.code == 40) ratio = number(group);
-      if (group.code == 41) from = number(group);
-      if (group.code == 42) to = number(group);
-    }
-    if (major.squaredNorm() == 0 || !(std::abs(ratio) <= 1)) fail(record.line, "is no ellipse");
-    constexpr double turn = 2 * std::numbers::pi;
-    from = std::remainder(from, turn);
-    to = from + std::fmod(std::fmod(to - from, turn) + turn, turn);
-    if (to - from < 1e-9) to = from + turn;
-    const Vec2 minor = (behind ? -ratio : ratio) * Vec2(-major.y(), major.x());
-    append_dxf_arc(entity.curves, entity.at, major, minor, from, to);
-  }
-
-  void spline(const DxfRecord& record, DxfEntity& entity) {
-    DxfSpline spline;
-    for (const DxfGroup& group : record.groups) {
-      const auto last = [&](std::vector<Vec2>& points) -> Vec2& {
-        if (points.empty()) points.emplace_back(Vec2::Zero());
-        return points.back();
-      };
-      switch (group.code) {
-        case 71:
-          spline.degree = integer(group);
-          break;
-        case 40:
-          spline.knots.push_back(number(group));
-          break;
-        case 41:
-          spline.weights.push_back(number(group));
-          break;
-        case 10:
-          spline.control_points.emplace_back(coordinate(group), 0);
-          break;
-        case 20:
-          last(spline.control_points).y() = coordinate(group);
-          break;
-        case 11:
-          spline.fit_points.emplace_back(coordinate(group), 0);
-          break;
-        case 21:
-          last(spline.fit_points).y() = coordinate(group);
-          break;
-        default:
-          break;
-      }
-    }
-    const std::string problem = spline_problem(spline);
-    if (!problem.empty()) fail(record.line, "a spline " + problem);
-    count_curves(record.line, 16 * (spline.control_points.size() + spline.fit_points.size()));
-    entity.curves = spline_curves(spline);
   }
 
   /// A point or a text.
@@ -491,10 +240,10 @@ class DxfReader {
     entity.kind = record.type == "POINT" ? DxfEntity::Kind::point : DxfEntity::Kind::text;
     std::string content;
     for (const DxfGroup& group : record.groups) {
-      if (group.code == 10) entity.at.x() = coordinate(group);
-      if (group.code == 20) entity.at.y() = coordinate(group);
+      if (group.code == 10) entity.at.x() = groups_.coordinate(group);
+      if (group.code == 20) entity.at.y() = groups_.coordinate(group);
       if (group.code == 50) {
-        entity.angle = std::remainder(number(group), 360) * dxf_degree;
+        entity.angle = std::remainder(groups_.number(group), 360) * dxf_degree;
         entity.has_angle = true;
       }
       if (group.code == 1 || (paragraphs && group.code == 3)) content += text(group.value);
@@ -507,10 +256,10 @@ class DxfReader {
   void attributes(const DxfRecord& head, std::vector<DxfEntity>& list) {
     bool follow = false;
     for (const DxfGroup& group : head.groups)
-      follow = follow || (group.code == 66 && integer(group) == 1);
+      follow = follow || (group.code == 66 && groups_.integer(group) == 1);
     if (!follow) return;
-    while (groups_.is(0, "ATTRIB")) entity(record(), list);
-    if (groups_.is(0, "SEQEND")) record();
+    while (groups_.is(0, "ATTRIB")) entity(groups_.record(), list);
+    if (groups_.is(0, "SEQEND")) groups_.record();
   }
 
   void insert(const DxfRecord& record, DxfEntity entity, bool behind,
@@ -522,17 +271,17 @@ class DxfReader {
     int rows = 1;
     for (const DxfGroup& group : record.groups) {
       if (group.code == 2) entity.text = text(dxf_trimmed(group.value));
-      if (group.code == 10) entity.at.x() = coordinate(group);
-      if (group.code == 20) entity.at.y() = coordinate(group);
-      if (group.code == 41) scale.x() = coordinate(group);
-      if (group.code == 42) scale.y() = coordinate(group);
-      if (group.code == 44) step.x() = coordinate(group);
-      if (group.code == 45) step.y() = coordinate(group);
-      if (group.code == 50) entity.angle = std::remainder(number(group), 360) * dxf_degree;
-      if (group.code == 70) columns = std::max(1, integer(group));
-      if (group.code == 71) rows = std::max(1, integer(group));
+      if (group.code == 10) entity.at.x() = groups_.coordinate(group);
+      if (group.code == 20) entity.at.y() = groups_.coordinate(group);
+      if (group.code == 41) scale.x() = groups_.coordinate(group);
+      if (group.code == 42) scale.y() = groups_.coordinate(group);
+      if (group.code == 44) step.x() = groups_.coordinate(group);
+      if (group.code == 45) step.y() = groups_.coordinate(group);
+      if (group.code == 50) entity.angle = std::remainder(groups_.number(group), 360) * dxf_degree;
+      if (group.code == 70) columns = std::max(1, groups_.integer(group));
+      if (group.code == 71) rows = std::max(1, groups_.integer(group));
     }
-    if (scale.x() == 0 || scale.y() == 0) fail(record.line, "an insert has the scale 0");
+    if (scale.x() == 0 || scale.y() == 0) groups_.fail_at(record.line, "an insert has the scale 0");
     for (int row = 0; row < rows; ++row) {
       for (int column = 0; column < columns; ++column) {
         if (row + column > 0) count_entity(record.line);
@@ -574,7 +323,6 @@ class DxfReader {
   }
 
   DxfGroups groups_;
-  const std::string& name_;
   DxfDrawing drawing_;
   std::vector<Vec2> bases_;  ///< of blocks: the points that inserts place
   std::string code_page_ = "CP1252";

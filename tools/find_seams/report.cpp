@@ -36,7 +36,7 @@ Json seam_json(const Pattern& pattern, const FoundSeam& seam) {
   entry["confidence"] = seam.confidence;
   if (seam.alternative) {
     entry["alternative"] = {{"a", side_json(pattern, (*seam.alternative)[0])},
-                           {"b", side_json(pattern, (*seam.alternative)[1])}};
+                            {"b", side_json(pattern, (*seam.alternative)[1])}};
   } else {
     entry["alternative"] = nullptr;
   }
