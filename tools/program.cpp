@@ -11,6 +11,7 @@
 #include "geometry/error.h"
 #include "io/output_file.h"
 #include "io/temporary_file.h"
+#include "io/text.h"
 
 namespace toile {
 
@@ -70,6 +71,22 @@ double parse_quantity(const std::string& text, const std::map<std::string, doubl
   return value * unit->second;
 }
 
+/// What is wrong with more arguments than the program takes. It names the first that is too many.
+std::string too_many(int argc, char** argv, const po::options_description& options,
+                     const CommandLineProgram& program) {
+  const unsigned taken = program.positional.max_total_count();
+  po::positional_options_description any;
+  any.add("argument", -1);
+  const auto parsed = po::command_line_parser(argc, argv).options(options).positional(any).run();
+  std::string extra;
+  for (const po::option& option : parsed.options) {
+    if (option.position_key == static_cast<int>(taken)) extra = option.original_tokens.front();
+  }
+  return (taken == 0 ? "takes no arguments but options"
+                     : "takes one " + program.positional.name_for_position(0)) +
+         "; '" + shown_text(extra) + "' is too many";
+}
+
 }  // namespace
 
 po::options_description common_options(const CommandLineProgram& program) {
@@ -124,9 +141,7 @@ int run_program(int argc, char** argv, const CommandLineProgram& program) {
   } catch (const po::required_option& wrong) {
     return usage_error(program, missing(program, wrong));
   } catch (const po::too_many_positional_options_error&) {
-    return usage_error(program, program.positional.max_total_count() == 0
-                                    ? "takes no arguments but options"
-                                    : "takes one " + program.positional.name_for_position(0));
+    return usage_error(program, too_many(argc, argv, all, program));
   } catch (const po::error& wrong) {
     return usage_error(program, wrong.what());
   }

@@ -101,7 +101,7 @@ TEST(MeshPattern, BadInputEndsWithOneMessageAndNoFile) {
   EXPECT_HOLDS(none.err, "mesh-pattern: the pattern is missing\nusage: ");
   const auto two = run("mesh-pattern", {"a.json", "b.json", "-o", (folder / "g.obj").string()});
   EXPECT_EQ(two.exit_code, 2);
-  EXPECT_HOLDS(two.err, "mesh-pattern: takes one pattern\nusage: ");
+  EXPECT_HOLDS(two.err, "mesh-pattern: takes one pattern; 'b.json' is too many\nusage: ");
 }
 
 TEST(MeshPattern, ThePatternIsNeverOverwritten) {
