@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "pattern/left_out.h"
 #include "pattern/pattern_file.h"
 #include "pattern/seams/seam_pairs.h"
 
@@ -186,7 +187,7 @@ void make_cuts(const Chains& chains, const Chain& chain, const std::string& name
       split.rest = static_cast<int>(result.pattern.panels[split.edge.panel].edges.size());
       result.text = with_split_edge(result.text, result.pattern, split);
       std::vector<Remark> again;
-      result.pattern = parse_drawn_pattern(result.text, name, again);
+      result.pattern = without_left_out(parse_drawn_pattern(result.text, name, again), again);
       result.splits.push_back(split);
       split.edge.edge = split.rest;
       done = share;

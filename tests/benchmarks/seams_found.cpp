@@ -27,6 +27,7 @@
 #include "geometry/error.h"
 #include "io/checksum.h"
 #include "io/output_file.h"
+#include "pattern/left_out.h"
 #include "pattern/pattern_file.h"
 #include "pattern/seams/sewn_file.h"
 #include "pattern/seams/shell_panels.h"
@@ -70,14 +71,13 @@ void add(Row& row, const std::filesystem::path& file, bool names, const Output& 
   Pattern pattern = parse_drawn_pattern(text, file.string(), remarks);
   FindSeamsOptions options;
   options.drawn_walk = has_drawn_walk(text, file.string());
-  std::vector<std::string> beside;
   if (names) {
-    for (const BesideShell& panel : panels_beside_shell(pattern)) {
-      beside.push_back(pattern.panels[panel.panel].name);
+    for (const auto& [panel, kind] : panels_beside_shell(pattern)) {
+      pattern.panels[panel].left_out = kind;
     }
   }
   const std::size_t all_stated = pattern.stitches.size();
-  pattern = parse_drawn_pattern(without_panels(text, beside), file.string(), remarks);
+  pattern = without_left_out(std::move(pattern), remarks);
   const int lost = static_cast<int>(all_stated - pattern.stitches.size());
   const auto start = std::chrono::steady_clock::now();
   const FoundSeams found = find_seams(stripped(pattern, names, false), options);

@@ -297,7 +297,12 @@ FittedMannequin fit_mannequin(const MeasureValues& given, const MeasureValues& f
       is_fine = true;
       trial.edge_length = options.edge_length;
     }
-    const VectorXd next = problem.bounded(factors + problem.step(factors, off));
+    VectorXd next = problem.bounded(factors + problem.step(factors, off));
+    // Lengths that do not quite agree may pull two levels across each other.
+    constexpr int most_halvings = 8;
+    for (int i = 0; i < most_halvings && !levels_rise(build_of(next)); ++i) {
+      next = (factors + next) / 2;
+    }
     step = next - factors;
     factors = next;
     before = off;
