@@ -62,8 +62,8 @@ const std::initializer_list<std::string_view> bias_words = {"bias", "biais", "bi
                                                             "sbieco"};
 
 const std::initializer_list<std::string_view> ribbing_words = {
-    "rib",     "ribs",    "ribbing", "ribbed", "ribknit", "bundchen", "buendchen",
-    "ripp",    "bordcote", "canale", "costina"};
+    "rib",       "ribs", "ribbing",  "ribbed", "ribknit", "bundchen",
+    "buendchen", "ripp", "bordcote", "canale", "costina"};
 
 const std::initializer_list<std::string_view> left_words = {
     "left",      "links", "linke",    "linker",   "linkes", "gauche", "izquierda",

@@ -19,7 +19,8 @@ std::map<int, std::string> panels_beside_shell(const Pattern& pattern) {
   return beside.size() == pattern.panels.size() ? marked : beside;
 }
 
-std::string with_left_out(const std::string& text, const std::map<std::string, std::string>& kinds) {
+std::string with_left_out(const std::string& text,
+                          const std::map<std::string, std::string>& kinds) {
   using Json = nlohmann::ordered_json;
   Json file = Json::parse(text);
   bool changed = false;

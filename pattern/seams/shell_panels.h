@@ -8,9 +8,9 @@
 
 namespace toile {
 
-/// Panels that are no pieces of the shell, and what they are: those that the pattern leaves out, and
-/// pockets, linings and the like by their names and materials, see kind_beside_shell(). Where no
-/// panel would be left, those alone that the pattern leaves out.
+/// Panels that are no pieces of the shell, and what they are. They are those that the pattern
+/// leaves out, and others by their names and materials, see kind_beside_shell(). Where no panel
+/// would be left, they are the former alone.
 std::map<int, std::string> panels_beside_shell(const Pattern& pattern);
 
 /// The text of a pattern file that leaves out these panels, by name, and no others. The values say

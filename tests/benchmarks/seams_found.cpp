@@ -13,6 +13,8 @@
 // With names, panels that are no pieces of the shell are left out, as find-seams does. Their seams
 // count as missed.
 //
+// `--names kept` or `--names gone` leaves the other rows out.
+//
 // `--mistakes` prints the wrong and the missed seams of each garment to standard error.
 //
 // Seams, translations, rotations, placements and labels are taken out of each pattern first. Names
@@ -137,6 +139,7 @@ std::vector<std::filesystem::path> part_of(std::vector<std::filesystem::path> fi
 
 int main(int argc, char** argv) {
   std::string part;
+  std::string names_wanted;
   Output output;
   std::vector<std::string> ranges;
   std::printf(
@@ -153,6 +156,10 @@ int main(int argc, char** argv) {
         output.signs = std::fopen(argv[++i], "w");
         continue;
       }
+      if (argument == "--names" && i + 1 < argc) {
+        names_wanted = argv[++i];
+        continue;
+      }
       if (argument == "--mistakes") {
         output.mistakes = true;
         continue;
@@ -167,6 +174,7 @@ int main(int argc, char** argv) {
         files.push_back(argument);
       }
       for (const bool names : {true, false}) {
+        if (!names_wanted.empty() && names_wanted != (names ? "kept" : "gone")) continue;
         Row row;
         for (const auto& file : files) add(row, file, names, output);
         std::printf(

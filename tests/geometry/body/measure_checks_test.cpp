@@ -29,8 +29,8 @@ TEST(MeasureChecks, NameTheMeasuresThatDisagree) {
       contradictions({{"height", 1.7}, {"bust", 0.94}, {"waist", 0.71}, {"hip", 0.98}}).empty());
 }
 
-// As dressmakers take them: a crotch depth on a chair is less than what the leg leaves of the
-// height of the waist, and neither measure is wrong.
+// A crotch depth taken on a chair is less than what the leg leaves of the height of the waist.
+// Neither measure is wrong.
 TEST(MeasureChecks, LevelsThatWereDerivedContradictNoSum) {
   const MeasureValues given = {{"waist_to_floor", 1.184}, {"inside_leg", 0.790},
                                {"crotch_depth", 0.352},   {"waist_to_knee", 0.662},
