@@ -20,13 +20,6 @@ constexpr double shortest_seam = 5e-4;
 /// Metres: front and back may meet in a seam that is shorter, as where a sleeve is set in askew.
 constexpr double short_seam = 0.03;
 
-/// Share of a waistband's outline that an end is shorter than. Of a band three times as long as it
-/// is wide, an end has 0.125.
-constexpr double end_of_band = 0.125;
-
-/// Share of a collar's longest edge beyond which an edge runs along it.
-constexpr double along_collar = 0.7;
-
 /// How much the curves of two sides speak for a seam, 0 to 1. Straight sides say nothing.
 double curve_match(const std::array<double, 4>& a, const std::array<double, 4>& b) {
   double size = 0;
@@ -103,32 +96,11 @@ bool SeamPairs::possible(int a, int b) const {
   if (heed_sides_ && first.side * second.side < 0 && first.stem != second.stem) return false;
   const bool arms = first.role == PanelRole::sleeve || first.role == PanelRole::cuff;
   if (arms && first.side * second.side < 0) return false;
-  if (second.role != PanelRole::waistband && is_end_of_band(a)) return false;
-  if (first.role != PanelRole::waistband && is_end_of_band(b)) return false;
-  // Halves of a collar meet at their ends, and are sewn to a neckline along their length.
-  const bool are_halves = mirror_[a] == b && edges_[a].ref.panel != edges_[b].ref.panel;
-  if (first.role == PanelRole::collar && are_halves &&
-      edges_[a].length > along_collar * longest_of_panel(a)) {
-    return false;
-  }
   // Neighbours on an outline are sewn as darts alone.
   if (edges_[a].next == b && edges_[b].corner < sharpest_dart_tip) return false;
   if (edges_[b].next == a && edges_[a].corner < sharpest_dart_tip) return false;
   const double ratio = edges_[a].length / edges_[b].length;
   return ratio < max_fullness && ratio > 1 / max_fullness;
-}
-
-/// Whether it is one of the two short ends of a waistband.
-bool SeamPairs::is_end_of_band(int edge) const {
-  if (words_[edges_[edge].ref.panel].role != PanelRole::waistband) return false;
-  const auto is_square = [](double corner) {
-    return std::abs(corner - std::numbers::pi / 2) < 30 * degree;
-  };
-  const int next = edges_[edge].next;
-  if (!is_square(edges_[edge].corner) || !is_square(edges_[next].corner)) return false;
-  double around = edges_[edge].length;
-  for (int e = next; e != edge; e = edges_[e].next) around += edges_[e].length;
-  return edges_[edge].length < end_of_band * around;
 }
 
 SeamMeasures SeamPairs::measures(int a, int b) const {

@@ -50,7 +50,6 @@ class SeamPairs {
  private:
   void measure_shapes(int a, int b, SeamMeasures& measures) const;
   void measure_names(int a, int b, SeamMeasures& measures) const;
-  bool is_end_of_band(int edge) const;
   double narrowing(int edge) const;
   double longest_of_panel(int edge) const;
   int lowest_number(const std::string& stem) const;
