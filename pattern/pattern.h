@@ -73,6 +73,8 @@ struct PatternPanel {
   std::vector<Vec2> drill_holes;
   std::string material;  ///< as the drawing has it; empty: not stated
   int quantity = 1;      ///< how often it is cut
+  /// Why the garment is sewn without it, such as "pocket"; empty: it is sewn.
+  std::string left_out;
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< from the drawing (x, y, 0) to space
   Vec3 translation = Vec3::Zero();                         ///< metres
   Vec3 origin = Vec3::Zero();  ///< metres: the translation as the file states it; zero: it does not

@@ -145,7 +145,7 @@ class Reader {
   void panel(const std::string& name, const JsonValue& value) {
     unread(value, {"translation", "rotation", "vertices", "edges", "label", "placement", "grain",
                    "fabric", "attach", "notches", "internal_lines", "cut_outs", "drill_holes",
-                   "material", "quantity"});
+                   "material", "quantity", "left_out"});
     PatternPanel panel;
     panel.name = name;
     if (const auto translation = value.find("translation")) {
@@ -233,6 +233,10 @@ class Reader {
     lines("cut_outs", 3, panel.cut_outs);
     if (const auto holes = value.find("drill_holes")) panel.drill_holes = drawn(*holes, 0);
     if (const auto material = value.find("material")) panel.material = material->text();
+    if (const auto reason = value.find("left_out")) {
+      panel.left_out = reason->text();
+      if (panel.left_out.empty()) reason->fail("is empty", "say why, or remove the key");
+    }
     if (const auto quantity = value.find("quantity")) {
       constexpr int max_quantity = 1000;
       panel.quantity = quantity->index(max_quantity + 1);

@@ -41,7 +41,9 @@ class Filling {
     for (const Share& share : shares) set(share.name, height * at_stature(share));
     keep_gap("hip_height", "waist_height", "waist_to_hip", -1);
     keep_gap("waist_height", "hip_height", "waist_to_hip", 1);
-    keep_gap("crotch_height", "waist_height", "crotch_depth", -1);
+    // The inside of the leg tells the crotch's height by itself. A depth that was taken on a chair
+    // is up to 4 cm less than what is left of the waist's height.
+    if (!has("inside_leg")) keep_gap("crotch_height", "waist_height", "crotch_depth", -1);
     keep_gap("knee_height", "waist_height", "waist_to_knee", -1);
     keep_gap("cervicale_height", "waist_height", "back_centre_length", 0.985);
     fill_girths();

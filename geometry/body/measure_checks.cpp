@@ -98,12 +98,16 @@ std::string with_value(const std::string& name, double value) {
 
 }  // namespace
 
-std::vector<std::string> contradictions(const MeasureValues& measures) {
+std::vector<std::string> contradictions(const MeasureValues& measures,
+                                        const MeasureValues& derived) {
   std::vector<std::string> found;
-  const auto value = [&measures](const char* name) {
-    const auto at = measures.find(name);
-    return at == measures.end() ? nullptr : &at->second;
+  MeasureValues all = measures;
+  all.insert(derived.begin(), derived.end());
+  const auto in = [](const MeasureValues& values, const char* name) {
+    const auto at = values.find(name);
+    return at == values.end() ? nullptr : &at->second;
   };
+  const auto value = [&](const char* name) { return in(all, name); };
   for (const Range& range : ranges) {
     const double* is = value(range.name);
     if (is == nullptr || (*is >= range.min && *is <= range.max)) continue;
@@ -119,9 +123,9 @@ std::vector<std::string> contradictions(const MeasureValues& measures) {
                     number_text(100 * rule.max) + " % of " + rule.by + ")");
   }
   for (const Sum& rule : sums) {
-    const double* sum = value(rule.sum);
-    const double* first = value(rule.first);
-    const double* second = rule.second == nullptr ? nullptr : value(rule.second);
+    const double* sum = in(measures, rule.sum);
+    const double* first = in(measures, rule.first);
+    const double* second = rule.second == nullptr ? nullptr : in(measures, rule.second);
     if (sum == nullptr || first == nullptr || (rule.second != nullptr && second == nullptr)) {
       continue;
     }

@@ -263,7 +263,8 @@ class PanelPart {
 
   std::string cutting() const {
     std::string text = "Cut " + std::to_string(panel_.quantity);
-    return panel_.material.empty() ? text : text + " from " + panel_.material;
+    if (!panel_.material.empty()) text += " from " + panel_.material;
+    return panel_.left_out.empty() ? text : text + ", left out: " + panel_.left_out;
   }
 
   void texts() {

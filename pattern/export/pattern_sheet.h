@@ -20,7 +20,8 @@ struct PatternSheetOptions {
 /// allowance is drawn. Points of layer 2 are the ends of edges.
 ///
 /// Both sides of a seam bear its number, counted from 1 as the file lists the stitches. The name of
-/// the panel that is sewn there follows where the edge is long enough for it.
+/// the panel that is sewn there follows where the edge is long enough for it. Panels that are left
+/// out are drawn, too, and say so.
 Sheet pattern_sheet(const Pattern& pattern, const PatternSheetOptions& options);
 
 }  // namespace toile

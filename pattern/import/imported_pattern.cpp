@@ -14,6 +14,7 @@
 #include "pattern/import/half_pieces.h"
 #include "pattern/import/join_paths.h"
 #include "pattern/import/piece_shape.h"
+#include "pattern/seams/panel_words.h"
 
 namespace toile {
 
@@ -24,6 +25,9 @@ constexpr double layout_gap = 0.02;
 
 /// Metres: rows of the layout are about as wide.
 constexpr double layout_width = 2;
+
+/// What dress takes panels of ribbing as: the one knit that it knows by name.
+constexpr const char* ribbing_fabric = "jersey";
 
 /// Share of the chord error that chords in place of drawn curves may take.
 constexpr double sampling_share = 0.1;
@@ -164,6 +168,11 @@ class Importer {
     if (no_grain_ > 0) {
       note(drawing_.source + ": " + std::to_string(no_grain_) +
            " panels have no grain line; their warp is taken upright in the drawing");
+    }
+    if (!ribbing_.empty()) {
+      note(drawing_.source + ": cut of ribbing:" + ribbing_ + "; their fabric is " +
+           ribbing_fabric + ", the known one that stretches, their warp across the longer side " +
+           "where no grain line says it");
     }
     lay_out(pattern_.panels);
     return std::move(pattern_);
@@ -341,7 +350,7 @@ class Importer {
     PieceShape shape = shape_of(piece, place, options_.edges.chord_error * sampling_share);
     unfold(chosen, place, shape);
     if (takes_off) shape = without_allowance(shape, *options_.seam_allowance, place);
-    if (!shape.grain) no_grain_ += piece.pair ? 2 : 1;
+    if (!shape.grain && !is_ribbing(piece.material)) no_grain_ += piece.pair ? 2 : 1;
     if (!piece.pair) {
       add(piece, shape, chosen.left, piece.quantity, place);
       return;
@@ -378,7 +387,19 @@ class Importer {
       while (angle > std::numbers::pi / 2 + 1e-9) angle -= std::numbers::pi;
       panel.grain = angle;
     }
+    if (is_ribbing(piece.material)) as_ribbing(panel);
     pattern_.panels.push_back(std::move(panel));
+  }
+
+  /// Ribbing stretches along the opening that it ends. Without a grain line its ribs, the warp of a
+  /// knit, are taken across the longer side.
+  void as_ribbing(ImportedPanel& panel) {
+    panel.fabric = ribbing_fabric;
+    ribbing_ += (ribbing_.empty() ? " " : ", ") + panel.name;
+    if (panel.grain) return;
+    const PanelBox box = panel_box(panel);
+    const Vec2 size = box.high - box.low;
+    panel.grain = size.x() >= size.y() ? 0 : std::numbers::pi / 2;
   }
 
   const PieceDrawing& drawing_;
@@ -388,6 +409,7 @@ class Importer {
   std::vector<ChosenPiece> chosen_;
   std::set<std::string> names_;
   int no_grain_ = 0;
+  std::string ribbing_;  ///< the panels that are cut of it
 };
 
 }  // namespace

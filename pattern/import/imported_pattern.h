@@ -33,6 +33,7 @@ struct ImportedPanel {
   std::vector<Vec2> drill_holes;
   std::optional<double> grain;  ///< radians counter-clockwise from +y to the warp, within a quarter
   std::string material;
+  std::string fabric;  ///< one that dress knows by name; empty: the garment's
   int quantity = 1;
   double area = 0;            ///< square metres
   Vec2 moved = Vec2::Zero();  ///< metres from where the drawing has it

@@ -62,6 +62,7 @@ nlohmann::ordered_json pattern_json(const ImportedPattern& pattern) {
       json["edges"].push_back(edge_json(panel.outline, edge));
     }
     if (panel.grain) json["grain"] = to_degrees(*panel.grain);
+    if (!panel.fabric.empty()) json["fabric"] = panel.fabric;
     if (!panel.material.empty()) json["material"] = valid_utf8(panel.material);
     if (panel.quantity != 1) json["quantity"] = panel.quantity;
     for (const OutlineNotch& notch : panel.outline.notches) {

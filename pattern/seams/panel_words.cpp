@@ -61,6 +61,10 @@ const KindWords beside_shell_words[] = {
 const std::initializer_list<std::string_view> bias_words = {"bias", "biais", "bies", "sesgo",
                                                             "sbieco"};
 
+const std::initializer_list<std::string_view> ribbing_words = {
+    "rib",       "ribs", "ribbing",  "ribbed", "ribknit", "bundchen",
+    "buendchen", "ripp", "bordcote", "canale", "costina"};
+
 const std::initializer_list<std::string_view> left_words = {
     "left",      "links", "linke",    "linker",   "linkes", "gauche", "izquierda",
     "izquierdo", "izq",   "sinistra", "sinistro", "sx",     "l"};
@@ -170,6 +174,16 @@ PanelWords words_of(const PatternPanel& panel) {
     if (panel.part == "head") found.role = PanelRole::hood;
   }
   return found;
+}
+
+bool is_ribbing(const std::string& material) {
+  const std::vector<Word> words = split(material);
+  if (any_fits(words, ribbing_words)) return true;
+  // "bord-côte": without the border, a côté is a side.
+  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+    if (words[i].text.starts_with("bord") && words[i + 1].text.starts_with("cote")) return true;
+  }
+  return false;
 }
 
 std::string kind_beside_shell(const PatternPanel& panel) {

@@ -42,4 +42,8 @@ PanelWords words_of(const PatternPanel& panel);
 /// so.
 std::string kind_beside_shell(const PatternPanel& panel);
 
+/// Whether a material is ribbing: a knit that is cut shorter than what it is sewn to, and
+/// stretched.
+bool is_ribbing(const std::string& material);
+
 }  // namespace toile

@@ -151,7 +151,9 @@ void SewnSurface::measure_inside(SeamMeasures& sum) const {
   }
   int notches = 0;
   for (const int corner : corners_) notches += notch_[corner];
-  if (notches > 1) at(notches_meet) += notches - 1;
+  // Mirror images meet notch for notch, wherever their notches are.
+  const bool says_nothing = (*partners_)[corners_.front()] == mirror_[corners_.front()];
+  if (notches > 1 && !says_nothing) at(notches_meet) += notches - 1;
   if (notches == 1 && corners == 2) at(notch_alone) += 1;
   if (corners == 2) {
     at(two_inside) += 1;

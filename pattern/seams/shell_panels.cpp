@@ -1,6 +1,5 @@
 #include "pattern/seams/shell_panels.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "pattern/seams/panel_words.h"
@@ -8,42 +7,33 @@
 
 namespace toile {
 
-std::vector<BesideShell> panels_beside_shell(const Pattern& pattern) {
-  std::vector<BesideShell> beside;
+std::map<int, std::string> panels_beside_shell(const Pattern& pattern) {
+  std::map<int, std::string> marked;
+  std::map<int, std::string> beside;
   for (int p = 0; p < static_cast<int>(pattern.panels.size()); ++p) {
-    const std::string kind = kind_beside_shell(pattern.panels[p]);
-    if (!kind.empty()) beside.push_back({p, kind});
+    const PatternPanel& panel = pattern.panels[p];
+    if (!panel.left_out.empty()) marked[p] = panel.left_out;
+    const std::string kind = panel.left_out.empty() ? kind_beside_shell(panel) : panel.left_out;
+    if (!kind.empty()) beside[p] = kind;
   }
-  if (beside.size() == pattern.panels.size()) beside.clear();
-  return beside;
+  return beside.size() == pattern.panels.size() ? marked : beside;
 }
 
-std::string without_panels(const std::string& text, const std::vector<std::string>& names) {
-  if (names.empty()) return text;
+std::string with_left_out(const std::string& text,
+                          const std::map<std::string, std::string>& kinds) {
   using Json = nlohmann::ordered_json;
   Json file = Json::parse(text);
-  Json& pattern = file["pattern"];
-  const auto is_left_out = [&](const Json& name) {
-    return name.is_string() &&
-           std::find(names.begin(), names.end(), name.get<std::string>()) != names.end();
-  };
-  const auto keep = [](const Json& list, const auto& is_out) {
-    Json kept = Json::array();
-    for (const Json& item : list) {
-      if (!is_out(item)) kept.push_back(item);
+  bool changed = false;
+  for (auto& [name, panel] : file["pattern"]["panels"].items()) {
+    const auto kind = kinds.find(name);
+    if (kind == kinds.end()) {
+      changed = panel.erase("left_out") > 0 || changed;
+    } else if (panel.value("left_out", "") != kind->second) {
+      panel["left_out"] = kind->second;
+      changed = true;
     }
-    return kept;
-  };
-  for (const std::string& name : names) pattern["panels"].erase(name);
-  if (pattern.contains("panel_order")) {
-    pattern["panel_order"] = keep(pattern["panel_order"], is_left_out);
   }
-  if (pattern.contains("stitches")) {
-    pattern["stitches"] = keep(pattern["stitches"], [&](const Json& stitch) {
-      return is_left_out(stitch[0]["panel"]) || is_left_out(stitch[1]["panel"]);
-    });
-  }
-  return file.dump(indent_of(text)) + "\n";
+  return changed ? file.dump(indent_of(text)) + "\n" : text;
 }
 
 }  // namespace toile

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 
+#include "pattern/left_out.h"
 #include "pattern/pattern_file.h"
 #include "pattern/seams/seam_pairs.h"
 
@@ -12,8 +14,13 @@ namespace toile {
 
 namespace {
 
-/// Edges that one edge is sewn to at most.
+/// Edges that one edge is sewn to at most. More of them where lengths agree well, as those of a
+/// waistband and of all that hangs on it do.
 constexpr std::size_t longest_chain = 4;
+constexpr std::size_t longest_exact_chain = 10;
+
+/// Logarithm of lengths that agree well.
+constexpr double exact = 0.005;
 
 /// Logarithm of the length of an edge over that of the edges it may be sewn to: easing apart.
 constexpr double most_excess = 0.1;
@@ -26,6 +33,10 @@ constexpr double poor_seam = 0.02;
 /// random garments are cut that are sewn to one; with double, the sleeves of Valentina's T-shirt
 /// stay whole.
 constexpr double worth_of_cut = 4;
+
+/// The same of a cut at a notch of the other side. With four times as much, the side seams of
+/// FreeSewing's Simon are not found: only its fronts have a notch at the waist.
+constexpr double worth_of_notched_cut = 1;
 
 /// Garments with cut edges that are looked at after each search: fewer of large garments, where
 /// each takes longer. Of one with 35 edges, 12.
@@ -52,11 +63,13 @@ struct Cut {
 /// Logarithm of lengths that each edge beyond the second of a chain counts as: long chains are as
 /// long as an edge by chance. With 0.05, the sleeves of Valentina's T-shirt are not cut any more.
 constexpr double cost_of_edge = 0.08;
+constexpr double cost_of_exact_edge = 0.02;
 
 /// An edge and the border that it is about as long as.
 struct Chain {
   std::vector<Cut> cuts;  // of the edge, and of its mirror image, in the order of edges
   double off = 0;         // logarithm of the lengths, and what the number of edges counts as
+  bool notched = false;   // cut at notches of the other side
 };
 
 bool same(const Chain& a, const Chain& b) {
@@ -74,7 +87,8 @@ class Chains {
   Chains(const Pattern& pattern, const FindSeamsOptions& options, const FoundSeams& found)
       : evidence_(seam_evidence(pattern, options.drawn_walk)),
         partner_(evidence_.edges.size(), -1),
-        free_(evidence_.edges.size(), 1) {
+        free_(evidence_.edges.size(), 1),
+        locked_(evidence_.edges.size(), 0) {
     std::map<std::array<int, 2>, int> number;
     for (int e = 0; e < size(); ++e) {
       number[{evidence_.edges[e].ref.panel, evidence_.edges[e].ref.edge}] = e;
@@ -86,6 +100,7 @@ class Chains {
       if (poor && !seam.given) continue;
       partner_[a] = b;
       partner_[b] = a;
+      if (seam.given) locked_[a] = locked_[b] = 1;
       free_[a] = free_[b] = 0;
     }
   }
@@ -94,6 +109,7 @@ class Chains {
     std::vector<Chain> chains;
     for (int edge = 0; edge < size(); ++edge) {
       if (free_[edge] == 0) continue;
+      add_notched(edge, chains);
       for (int first = 0; first < size(); ++first) {
         if (free_[first] == 0 || first == edge) continue;
         add(edge, first, chains);
@@ -129,25 +145,70 @@ class Chains {
     const double length = evidence_.edges[edge].length;
     std::vector<int> border = {first};
     double sum = evidence_.edges[first].length;
-    while (border.size() < longest_chain && sum < length * (1 + most_lack)) {
+    while (border.size() < longest_exact_chain && sum < length * (1 + most_lack)) {
       const int next = after(border.back());
       if (next == edge || next == first || free_[next] == 0) return;
       border.push_back(next);
       sum += evidence_.edges[next].length;
       const double excess = std::log(length / sum);
       if (excess > most_excess || excess < -most_lack) continue;
+      const bool is_exact = std::abs(excess) < exact;
+      if (border.size() > longest_chain && !is_exact) continue;
       Chain chain;
-      chain.off = std::abs(excess) + cost_of_edge * static_cast<double>(border.size() - 2);
-      chain.cuts.push_back({edge, {}});
-      // The walk of the edge meets that of the border the other way round.
-      double at = 0;
-      for (std::size_t i = border.size(); i-- > 1;) {
-        at += evidence_.edges[border[i]].length / sum;
-        chain.cuts[0].shares.push_back(at);
-      }
-      add_mirror(chain);
+      chain.off = std::abs(excess) + (is_exact ? cost_of_exact_edge : cost_of_edge) *
+                                         static_cast<double>(border.size() - 2);
+      add_cuts(edge, border, sum, chain);
       chains.push_back(std::move(chain));
     }
+  }
+
+  /// Notches that the other side of a seam lacks: the edge is as long as several that they part.
+  void add_notched(int edge, std::vector<Chain>& chains) const {
+    // Metres: shorter ones agree by chance. Without it, Simon's button placket is cut first.
+    constexpr double shortest = 0.05;
+    const double length = evidence_.edges[edge].length;
+    if (length < shortest) return;
+    for (int first = 0; first < size(); ++first) {
+      if (first == edge || locked_[first] != 0 || are_halves(edge, first)) continue;
+      std::vector<int> run = {first};
+      double sum = evidence_.edges[first].length;
+      while (run.size() < longest_exact_chain && sum < length * (1 + exact)) {
+        const int next = evidence_.edges[run.back()].next;
+        if (next == first || next == edge || locked_[next] != 0 || !is_smooth_notch(next)) break;
+        run.push_back(next);
+        sum += evidence_.edges[next].length;
+        if (std::abs(std::log(length / sum)) > exact) continue;
+        Chain chain;
+        chain.off = std::abs(std::log(length / sum));
+        chain.notched = true;
+        add_cuts(edge, run, sum, chain);
+        chains.push_back(std::move(chain));
+      }
+    }
+  }
+
+  /// Whether they are of the left and the right half of one piece, whose notches differ by chance.
+  bool are_halves(int a, int b) const {
+    const PanelWords& first = evidence_.words[evidence_.edges[a].ref.panel];
+    const PanelWords& second = evidence_.words[evidence_.edges[b].ref.panel];
+    return first.side * second.side < 0 && first.whole == second.whole;
+  }
+
+  bool is_smooth_notch(int edge) const {
+    constexpr double most_turn = 20 * std::numbers::pi / 180;
+    const WalkedEdge& at = evidence_.edges[edge];
+    return at.notch && std::abs(at.corner - std::numbers::pi) < most_turn;
+  }
+
+  void add_cuts(int edge, const std::vector<int>& border, double sum, Chain& chain) const {
+    chain.cuts.push_back({edge, {}});
+    // The walk of the edge meets that of the border the other way round.
+    double at = 0;
+    for (std::size_t i = border.size(); i-- > 1;) {
+      at += evidence_.edges[border[i]].length / sum;
+      chain.cuts[0].shares.push_back(at);
+    }
+    add_mirror(chain);
   }
 
   void add_mirror(Chain& chain) const {
@@ -166,6 +227,7 @@ class Chains {
   SeamEvidence evidence_;
   std::vector<int> partner_;
   std::vector<char> free_;
+  std::vector<char> locked_;  ///< of given seams
 };
 
 /// Makes the cuts of a chain, one after the other.
@@ -186,7 +248,15 @@ void make_cuts(const Chains& chains, const Chain& chain, const std::string& name
       split.rest = static_cast<int>(result.pattern.panels[split.edge.panel].edges.size());
       result.text = with_split_edge(result.text, result.pattern, split);
       std::vector<Remark> again;
-      result.pattern = parse_drawn_pattern(result.text, name, again);
+      Pattern cut_pattern = without_left_out(parse_drawn_pattern(result.text, name, again), again);
+      for (std::size_t p = 0; p < cut_pattern.panels.size(); ++p) {
+        cut_pattern.panels[p].notches = std::move(result.pattern.panels[p].notches);
+      }
+      result.pattern = std::move(cut_pattern);
+      if (chain.notched) {
+        PatternPanel& panel = result.pattern.panels[split.edge.panel];
+        panel.notches.push_back({0, panel.edges[split.rest].curve.start(), {}});
+      }
       result.splits.push_back(split);
       split.edge.edge = split.rest;
       done = share;
@@ -215,7 +285,7 @@ SplitSeams find_split_seams(const std::string& text, const std::string& name,
   SplitSeams best = whole;
   FindSeamsOptions quick = options;
   quick.certain = false;
-  bool is_quick = false;
+  std::vector<SplitSeams> rounds_made;
   for (int round = 0; round < most_rounds; ++round) {
     const Chains chains(best.pattern, options, best.found);
     const std::vector<Chain> all = chains.all();
@@ -225,21 +295,24 @@ SplitSeams find_split_seams(const std::string& text, const std::string& name,
     for (std::size_t i = 0; i < all.size() && i < trials; ++i) {
       SplitSeams trial{best.text, best.pattern, best.splits, {}};
       make_cuts(chains, all[i], name, trial);
-      const double cuts = static_cast<double>(trial.splits.size() - best.splits.size());
+      const double cuts = static_cast<double>(trial.splits.size() - best.splits.size()) *
+                          (all[i].notched ? worth_of_notched_cut : worth_of_cut);
       trial.found = find_seams(trial.pattern, quick);
-      const double gain = trial.found.worth - best.found.worth - cuts * worth_of_cut;
+      const double gain = trial.found.worth - best.found.worth - cuts;
       if (gain <= most) continue;
       most = gain;
       better = std::move(trial);
     }
     if (!better) break;
     best = std::move(*better);
-    is_quick = true;
+    rounds_made.push_back(best);
   }
-  if (!is_quick) return best;
-  best.found = find_seams(best.pattern, options);
-  if (!are_likely(best)) return whole;
-  return best;
+  // The last cuts are taken back until all are likely.
+  for (auto made = rounds_made.rbegin(); made != rounds_made.rend(); ++made) {
+    made->found = find_seams(made->pattern, options);
+    if (are_likely(*made)) return std::move(*made);
+  }
+  return whole;
 }
 
 }  // namespace toile

@@ -21,7 +21,8 @@ struct SplitSeams {
 /// where it is about as long as several that follow each other on the border of the garment found
 /// before. Edges of given seams are not cut, and none unless seams of all parts are likely then.
 ///
-/// `text` is the pattern's file, of the name `name`. Throws Error as find_seams() does.
+/// `text` is the file, of the name `name`, whose panels that are not left out are `pattern`. Throws
+/// Error as find_seams() does.
 SplitSeams find_split_seams(const std::string& text, const std::string& name,
                             const Pattern& pattern, const FindSeamsOptions& options);
 

@@ -13,6 +13,8 @@
 // With names, panels that are no pieces of the shell are left out, as find-seams does. Their seams
 // count as missed.
 //
+// `--names kept` or `--names gone` leaves the other rows out.
+//
 // `--mistakes` prints the wrong and the missed seams of each garment to standard error.
 //
 // Seams, translations, rotations, placements and labels are taken out of each pattern first. Names
@@ -27,6 +29,7 @@
 #include "geometry/error.h"
 #include "io/checksum.h"
 #include "io/output_file.h"
+#include "pattern/left_out.h"
 #include "pattern/pattern_file.h"
 #include "pattern/seams/sewn_file.h"
 #include "pattern/seams/shell_panels.h"
@@ -70,14 +73,13 @@ void add(Row& row, const std::filesystem::path& file, bool names, const Output& 
   Pattern pattern = parse_drawn_pattern(text, file.string(), remarks);
   FindSeamsOptions options;
   options.drawn_walk = has_drawn_walk(text, file.string());
-  std::vector<std::string> beside;
   if (names) {
-    for (const BesideShell& panel : panels_beside_shell(pattern)) {
-      beside.push_back(pattern.panels[panel.panel].name);
+    for (const auto& [panel, kind] : panels_beside_shell(pattern)) {
+      pattern.panels[panel].left_out = kind;
     }
   }
   const std::size_t all_stated = pattern.stitches.size();
-  pattern = parse_drawn_pattern(without_panels(text, beside), file.string(), remarks);
+  pattern = without_left_out(std::move(pattern), remarks);
   const int lost = static_cast<int>(all_stated - pattern.stitches.size());
   const auto start = std::chrono::steady_clock::now();
   const FoundSeams found = find_seams(stripped(pattern, names, false), options);
@@ -137,6 +139,7 @@ std::vector<std::filesystem::path> part_of(std::vector<std::filesystem::path> fi
 
 int main(int argc, char** argv) {
   std::string part;
+  std::string names_wanted;
   Output output;
   std::vector<std::string> ranges;
   std::printf(
@@ -153,6 +156,10 @@ int main(int argc, char** argv) {
         output.signs = std::fopen(argv[++i], "w");
         continue;
       }
+      if (argument == "--names" && i + 1 < argc) {
+        names_wanted = argv[++i];
+        continue;
+      }
       if (argument == "--mistakes") {
         output.mistakes = true;
         continue;
@@ -167,6 +174,7 @@ int main(int argc, char** argv) {
         files.push_back(argument);
       }
       for (const bool names : {true, false}) {
+        if (!names_wanted.empty() && names_wanted != (names ? "kept" : "gone")) continue;
         Row row;
         for (const auto& file : files) add(row, file, names, output);
         std::printf(

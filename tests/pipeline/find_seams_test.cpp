@@ -87,13 +87,35 @@ TEST_F(FindSeams, PocketsAreLeftOutUnlessTheyAreAskedFor) {
   const auto done = find("pocket.json", {"--report", report});
   EXPECT_NE(done.exit_code, 1) << done.err;
   EXPECT_HOLDS(done.err, "left out: pocket (pocket)");
-  EXPECT_FALSE(sewn()["pattern"]["panels"].contains("pocket"));
+  // The file keeps it, and is meshed without it.
+  Json kept = sewn();
+  EXPECT_EQ(kept["pattern"]["panels"]["pocket"]["left_out"], "pocket");
+  for (auto& [name, panel] : kept["pattern"]["panels"].items()) panel.erase("left_out");
+  EXPECT_EQ(kept["pattern"]["panels"].dump(), file["pattern"]["panels"].dump());
+  const auto meshed = run("mesh-pattern", {folder / "sewn.json", "--edge-length", "50mm", "-o",
+                                           folder / "garment.obj"});
+  EXPECT_EQ(meshed.exit_code, 0) << meshed.err;
+  EXPECT_HOLDS(meshed.err, "left out: pocket (pocket)");
+  const Json garment = Json::parse(read_text(folder / "garment.json"));
+  EXPECT_EQ(garment["panels"].size(), 2u);
+  const auto drawn =
+      run("export-pattern", {folder / "sewn.json", "-o", folder / "sheet.svg", "-q"});
+  EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+  EXPECT_HOLDS(read_text(folder / "sheet.svg"), "Cut 1, left out: pocket");
+  // The mark says enough: a pocket by another name stays out, and what is asked for comes in.
+  Json renamed = sewn();
+  renamed["pattern"]["panels"]["patch"] = renamed["pattern"]["panels"]["pocket"];
+  renamed["pattern"]["panels"].erase("pocket");
+  write_text(folder / "patch.json", renamed.dump());
+  EXPECT_HOLDS(find("patch.json", {}).err, "left out: patch (pocket)");
+  EXPECT_NE(find("patch.json", {"--with", "patch"}).exit_code, 1);
+  EXPECT_FALSE(sewn()["pattern"]["panels"]["patch"].contains("left_out"));
   EXPECT_EQ(Json::parse(read_text(report))["left_out"].dump(),
             R"([{"panel":"pocket","kind":"pocket"}])");
   // What is taken in and finds no seam is named: it would fall off the body.
   const auto taken = find("pocket.json", {"--with", "pocket", "--min-confidence", "1"});
   EXPECT_HOLDS(taken.err, "no seam holds panel 'pocket'");
-  EXPECT_TRUE(sewn()["pattern"]["panels"].contains("pocket"));
+  EXPECT_FALSE(sewn()["pattern"]["panels"]["pocket"].contains("left_out"));
   const auto unknown = find("pocket.json", {"--with", "flap"});
   EXPECT_EQ(unknown.exit_code, 1);
   EXPECT_HOLDS(unknown.err, "--with 'flap': names no panel of the pattern");

@@ -48,6 +48,9 @@ nlohmann::ordered_json export_pattern_json(const std::string& pattern, const std
                                 {"drill_holes", panel.drill_holes.size()},
                                 {"quantity", panel.quantity},
                                 {"material", valid_utf8(panel.material)}});
+    if (!panel.left_out.empty()) {
+      report["panels"].back()["left_out"] = valid_utf8(panel.left_out);
+    }
   }
   report["seams"] = content.stitches.size();
   add_remarks(remarks, report);

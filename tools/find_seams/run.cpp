@@ -10,6 +10,7 @@
 #include "geometry/error.h"
 #include "io/json_words.h"
 #include "io/output_file.h"
+#include "pattern/left_out.h"
 #include "pattern/pattern_file.h"
 #include "pattern/seams/find_seams.h"
 #include "pattern/seams/sewn_file.h"
@@ -87,8 +88,8 @@ std::vector<LeftOut> left_out(const Pattern& pattern, const FindSeamsSettings& s
     if (name != "all") taken.insert(panel_of(pattern, "--with", name));
   }
   std::map<int, std::string> out;
-  for (const BesideShell& beside : panels_beside_shell(pattern)) {
-    if (!all && !taken.contains(beside.panel)) out[beside.panel] = beside.kind;
+  for (const auto& [panel, kind] : panels_beside_shell(pattern)) {
+    if (!all && !taken.contains(panel)) out[panel] = kind;
   }
   for (const std::string& name : settings.without) {
     const int panel = panel_of(pattern, "--without", name);
@@ -130,21 +131,21 @@ int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& comm
   Pattern drawn = parse_drawn_pattern(drawn_text, name, remarks);
   FindSeamsOptions options;
   options.drawn_walk = has_drawn_walk(drawn_text, name);
+  const std::size_t stated = drawn.stitches.size();
   const std::vector<LeftOut> out = left_out(drawn, settings);
-  if (!out.empty()) {
-    std::vector<std::string> names;
-    for (const LeftOut& panel : out) names.push_back(panel.name);
-    drawn_text = without_panels(drawn_text, names);
-    remarks.clear();
-    drawn = parse_drawn_pattern(drawn_text, name, remarks);
-  }
+  std::map<std::string, std::string> kinds;
+  for (const LeftOut& panel : out) kinds[panel.name] = panel.kind;
+  drawn_text = with_left_out(drawn_text, kinds);
+  remarks.clear();
+  std::vector<Remark> told_below;
+  drawn = without_left_out(parse_drawn_pattern(drawn_text, name, remarks), told_below);
   options.by_place = settings.by_place;
   if (settings.keep) options.given = drawn.stitches;
   for (const std::string& seam : settings.sewn) {
     options.given.push_back(stitch_of(drawn, seam));
   }
-  if (!settings.keep && !drawn.stitches.empty()) {
-    remarks.push_back({false, name + ": its " + std::to_string(drawn.stitches.size()) +
+  if (!settings.keep && stated > 0) {
+    remarks.push_back({false, name + ": its " + std::to_string(stated) +
                                   " stitches are replaced; --keep keeps them"});
   }
   const SplitSeams split = find_split_seams(drawn_text, name, drawn, options);

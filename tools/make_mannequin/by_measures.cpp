@@ -151,11 +151,12 @@ Mannequin mannequin_by_measures(const MeasureSettings& settings, MannequinOption
   }
   MeasureValues filled = filled_measures(asked.measures, figure);
   // Heights that others tell are checked, too: one in the wrong unit would make a giant.
-  MeasureValues checked = asked.measures;
+  MeasureValues derived;
   for (const char* name : {"height", "cervicale_height", "waist_height", "crotch_height"}) {
-    if (filled.contains(name)) checked.emplace(name, filled.at(name));
+    if (filled.contains(name)) derived.emplace(name, filled.at(name));
   }
-  if (const std::vector<std::string> wrong = contradictions(checked); !wrong.empty()) {
+  if (const std::vector<std::string> wrong = contradictions(asked.measures, derived);
+      !wrong.empty()) {
     std::string all;
     for (const std::string& line : wrong) all += (all.empty() ? "" : "; ") + line;
     throw Error("measures", all, "measure these again, and look at the unit");

@@ -10,6 +10,7 @@
 #include "io/output_file.h"
 #include "pattern/check_pattern.h"
 #include "pattern/garment_file.h"
+#include "pattern/left_out.h"
 #include "pattern/pattern_file.h"
 #include "tools/mesh_pattern/report.h"
 #include "tools/remarks.h"
@@ -85,7 +86,7 @@ double read_edge_length(const po::variables_map& given) {
 void run_mesh_pattern(const MeshPatternSettings& settings, const CommonSettings& common) {
   const auto start = std::chrono::steady_clock::now();
   std::vector<Remark> remarks;
-  const Pattern pattern = read_pattern(settings.pattern, remarks);
+  const Pattern pattern = without_left_out(read_pattern(settings.pattern, remarks), remarks);
   check_pattern(pattern, remarks);
   PanelMesh garment = mesh_panels(pattern, settings.mesh, remarks);
   say_remarks(remarks, common);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "geometry/body/mannequin/mannequin_measures.h"
@@ -81,16 +82,27 @@ MannequinBuild build_of(const VectorXd& factors) {
 
 int column(Part part) { return static_cast<int>(part); }
 
+/// Whether the measure follows from others that are given. A dressmaker's measures never agree to
+/// the millimetre, and both together would bend the body.
+bool is_told_by_others(const std::string& name, const MeasureValues& given) {
+  if (name != "crotch_depth") return false;
+  const bool has_waist = given.contains("waist_to_floor") || given.contains("waist_height");
+  return has_waist && (given.contains("inside_leg") || given.contains("crotch_height"));
+}
+
 /// What a round has to solve: rows of measures, then rows that hold the factors.
 class Problem {
  public:
+  /// `girths_first`: lengths between two levels of the trunk and legs pull nothing.
   Problem(const MeasureValues& given, const MeasureValues& filled, const MeasureValues& sample,
-          Figure figure) {
+          Figure figure, bool girths_first) {
     for (const Moved& measure : moved_measures()) {
       const bool is_given = given.contains(measure.name);
       if (!is_given && !filled.contains(measure.name)) continue;
+      if (is_told_by_others(measure.name, given)) continue;
       if (!sample.contains(measure.name)) continue;
-      rows_.push_back({&measure, (is_given ? given : filled).at(measure.name), is_given});
+      const bool pulls = is_given && !(girths_first && is_between_levels(measure));
+      rows_.push_back({&measure, (is_given ? given : filled).at(measure.name), is_given, pulls});
     }
     jacobian = MatrixXd::Zero(size(), build_parts);
     for (int row = 0; row < size(); ++row) {
@@ -117,6 +129,7 @@ class Problem {
         std::log(figure == Figure::woman ? breast_factor(sample, given, filled) : flat_breast);
     start_[column(Part::shoulder_width)] =
         girths / std::max(counted, 1) + (figure == Figure::man ? std::log(1.06) : 0);
+    keep_hip_clear(start_);
   }
 
   int size() const { return static_cast<int>(rows_.size()); }
@@ -137,7 +150,7 @@ class Problem {
   double worst(const VectorXd& off) const {
     double most = 0;
     for (int row = 0; row < size(); ++row) {
-      if (!rows_[row].is_given || !std::isfinite(off[row])) continue;
+      if (!rows_[row].pulls || !std::isfinite(off[row])) continue;
       most = std::max(most, rows_[row].wanted * std::abs(std::expm1(off[row])));
     }
     return most;
@@ -152,7 +165,7 @@ class Problem {
     for (int row = 0; row < size(); ++row) {
       // What was filled in set the start. It is no aim: where a body lacks a level that a
       // proportion has, what is read there says nothing of the part.
-      if (!rows_[row].is_given || !std::isfinite(off[row])) continue;
+      if (!rows_[row].pulls || !std::isfinite(off[row])) continue;
       const double weight = rows_[row].measure->weight * rows_[row].wanted / tolerance;
       left.row(row) = weight * jacobian.row(row);
       right[row] = -weight * off[row];
@@ -186,7 +199,19 @@ class Problem {
       const double reach = sample_height(static_cast<Part>(part)) > 0 ? 0.08 : 0.35;
       factors[part] = std::clamp(factors[part], start_[part] - reach, start_[part] + reach);
     }
+    keep_hip_clear(factors);
     return factors;
+  }
+
+  /// Buttocks and thighs need room between the levels of the crotch and of the hip. With 65 mm the
+  /// body's parts run into each other.
+  static void keep_hip_clear(VectorXd& factors) {
+    constexpr double room = 0.075;  // metres of the sample
+    const double crotch =
+        sample_height(Part::crotch_height) * std::exp(factors[column(Part::crotch_height)]);
+    const double least = crotch + room * std::exp(factors[column(Part::height)]);
+    double& hip = factors[column(Part::hip_height)];
+    hip = std::max(hip, std::log(least / sample_height(Part::hip_height)));
   }
 
   /// Corrects how parts move their own measures, by what the last step did [Schubert 1970]. Other
@@ -234,7 +259,11 @@ class Problem {
     const Moved* measure;
     double wanted;
     bool is_given;
+    bool pulls;  ///< the fit is to meet it
   };
+  static bool is_between_levels(const Moved& measure) {
+    return measure.parts.size() > 1 && sample_height(measure.parts.front().first) > 0;
+  }
   static constexpr double flat_breast = 0.5;
 
   /// By how much the bust is larger than the underbust, against the sample of the same size.
@@ -254,19 +283,25 @@ class Problem {
   MatrixXd jacobian;
 };
 
-}  // namespace
+/// The mesh of a build; nothing where its levels do not rise, or its parts run into each other.
+std::optional<Mannequin> meshed(const MannequinBuild& build, const MannequinOptions& options) {
+  if (!levels_rise(build)) return {};
+  try {
+    return mesh_mannequin(built_mannequin(build), options);
+  } catch (const Error&) {
+    return {};
+  }
+}
 
-FittedMannequin fit_mannequin(const MeasureValues& given, const MeasureValues& filled,
-                              Figure figure, const MannequinOptions& options) {
-  MannequinOptions trial = options;
-  trial.pose = standing_pose();
-  static const MeasureValues sample = [] {
-    MannequinOptions coarse;
-    coarse.edge_length = 0.015;
-    return mannequin_measures(mesh_mannequin(built_mannequin({}), coarse));
-  }();
-  Problem problem(given, filled, sample, figure);
+/// The best body of some rounds, and the largest miss of the measures that pull, in metres.
+/// Infinite: there is none.
+struct Fit {
+  FittedMannequin best;
+  double least = std::numeric_limits<double>::infinity();
+};
 
+Fit fit_rounds(Problem problem, const MeasureValues& given, const MeasureValues& filled,
+               const MannequinOptions& options) {
   // Coarse meshes read the girths some 0.3 mm too small, so the last rounds are as fine as asked.
   constexpr int max_rounds = 12;
   constexpr double enough = 0.001;         // metres
@@ -274,8 +309,9 @@ FittedMannequin fit_mannequin(const MeasureValues& given, const MeasureValues& f
   // Metres: a mesh has to part the thighs.
   const double coarse =
       std::clamp(0.012 * std::exp(problem.start()[column(Part::height)]), 0.006, 0.014);
-  FittedMannequin best;
-  double least = std::numeric_limits<double>::infinity();
+  MannequinOptions trial = options;
+  trial.pose = standing_pose();
+  Fit fit;
   VectorXd factors = problem.start();
   VectorXd before;
   VectorXd step;
@@ -283,14 +319,15 @@ FittedMannequin fit_mannequin(const MeasureValues& given, const MeasureValues& f
   trial.edge_length = is_fine ? options.edge_length : coarse;
   for (int round = 1; round <= max_rounds; ++round) {
     const MannequinBuild build = build_of(factors);
-    Mannequin made = mesh_mannequin(built_mannequin(build), trial);
-    const MeasureValues measured = mannequin_measures(made);
+    std::optional<Mannequin> made = meshed(build, trial);
+    if (!made) return fit;
+    const MeasureValues measured = mannequin_measures(*made);
     const VectorXd off = problem.off(measured);
     const double worst = problem.worst(off);
     if (step.size() > 0) problem.correct(step, off - before);
-    if (is_fine && worst < least) {
-      least = worst;
-      best = {std::move(made), build, problem.compared(measured, given, filled)};
+    if (is_fine && worst < fit.least) {
+      fit.least = worst;
+      fit.best = {std::move(*made), build, problem.compared(measured, given, filled)};
     }
     if (is_fine && worst < enough) break;
     if (!is_fine && (worst < enough_coarse || round >= max_rounds - 4)) {
@@ -302,6 +339,30 @@ FittedMannequin fit_mannequin(const MeasureValues& given, const MeasureValues& f
     factors = next;
     before = off;
   }
+  return fit;
+}
+
+}  // namespace
+
+FittedMannequin fit_mannequin(const MeasureValues& given, const MeasureValues& filled,
+                              Figure figure, const MannequinOptions& options) {
+  static const MeasureValues sample = [] {
+    MannequinOptions coarse;
+    coarse.edge_length = 0.015;
+    return mannequin_measures(mesh_mannequin(built_mannequin({}), coarse));
+  }();
+  // Metres: lengths that can't be met to this would spoil the girths.
+  constexpr double far_off = 0.02;
+  Fit fit = fit_rounds({given, filled, sample, figure, false}, given, filled, options);
+  if (fit.least > far_off) {
+    Fit other = fit_rounds({given, filled, sample, figure, true}, given, filled, options);
+    if (other.least < fit.least) fit = std::move(other);
+  }
+  if (!std::isfinite(fit.least)) {
+    throw Error("measures", "make a body whose parts run into each other",
+                "look at the heights, or give fewer measures");
+  }
+  FittedMannequin& best = fit.best;
   if (!(options.pose == standing_pose())) {
     best.mannequin = mesh_mannequin(built_mannequin(best.build), options);
   }
@@ -313,7 +374,7 @@ FittedMannequin fit_mannequin(const MeasureValues& given, const MeasureValues& f
     const auto found = std::ranges::find(best.measures, measure_of(girth), &FittedMeasure::name);
     girth.target = found == best.measures.end() ? girth.measured : found->wanted;
   }
-  return best;
+  return std::move(best);
 }
 
 }  // namespace toile

@@ -56,6 +56,29 @@ double head_height(const MannequinBuild& b) {
 
 double mean(double a, double b) { return std::sqrt(a * b); }
 
+/// The levels of the sample, and those of the build.
+std::vector<std::pair<double, double>> height_knots(const MannequinBuild& b) {
+  const auto level = [&b](Part part) { return sample_height(part) * b[part]; };
+  const double cervicale = level(Part::cervicale_height);
+  const double waist = level(Part::waist_height);
+  const double trunk = (cervicale - waist) /
+                       (sample_height(Part::cervicale_height) - sample_height(Part::waist_height));
+  const double top = level(Part::height);
+  const double head = head_height(b);
+  return {{0, 0},
+          {ankle_joint, ankle_joint * b[Part::height]},
+          {sample_height(Part::knee_height), level(Part::knee_height)},
+          {sample_height(Part::crotch_height), level(Part::crotch_height)},
+          {sample_height(Part::hip_height), level(Part::hip_height)},
+          {sample_height(Part::waist_height), waist},
+          {sample_height(Part::bust_height), level(Part::bust_height)},
+          {shoulder_joint,
+           cervicale - (sample_height(Part::cervicale_height) - shoulder_joint) * trunk},
+          {sample_height(Part::cervicale_height), cervicale},
+          {chin, top - head * (sample_height(Part::height) - chin)},
+          {sample_height(Part::height), top}};
+}
+
 /// How the sample's places and sizes go over into those of a build.
 class Deformation {
  public:
@@ -73,15 +96,12 @@ class Deformation {
 
  private:
   Curve height_;
-  static std::vector<std::pair<double, double>> height_knots(const MannequinBuild& b);
   static Curve heights(const MannequinBuild& b) {
-    const std::vector<std::pair<double, double>> knots = height_knots(b);
-    for (std::size_t i = 1; i < knots.size(); ++i) {
-      if (knots[i].second > knots[i - 1].second) continue;
+    if (!levels_rise(b)) {
       throw Error("measures", "levels of the body do not rise from knee to crown",
                   "check the heights");
     }
-    return Curve(knots);
+    return Curve(height_knots(b));
   }
   static Curve widths(const MannequinBuild& b) {
     return Curve({{0.785, b[Part::hip]},
@@ -150,28 +170,6 @@ class Deformation {
     return {at.x() * b[Part::shoulder_width], height(at.y()), at.z() * depth(at.y())};
   }
 };
-
-std::vector<std::pair<double, double>> Deformation::height_knots(const MannequinBuild& b) {
-  const auto level = [&b](Part part) { return sample_height(part) * b[part]; };
-  const double cervicale = level(Part::cervicale_height);
-  const double waist = level(Part::waist_height);
-  const double trunk = (cervicale - waist) /
-                       (sample_height(Part::cervicale_height) - sample_height(Part::waist_height));
-  const double top = level(Part::height);
-  const double head = head_height(b);
-  return {{0, 0},
-          {ankle_joint, ankle_joint * b[Part::height]},
-          {sample_height(Part::knee_height), level(Part::knee_height)},
-          {sample_height(Part::crotch_height), level(Part::crotch_height)},
-          {sample_height(Part::hip_height), level(Part::hip_height)},
-          {sample_height(Part::waist_height), waist},
-          {sample_height(Part::bust_height), level(Part::bust_height)},
-          {shoulder_joint,
-           cervicale - (sample_height(Part::cervicale_height) - shoulder_joint) * trunk},
-          {sample_height(Part::cervicale_height), cervicale},
-          {chin, top - head * (sample_height(Part::height) - chin)},
-          {sample_height(Part::height), top}};
-}
 
 /// A loft with each row and its frame changed. Rows have to keep their order.
 template <class Change>
@@ -363,6 +361,13 @@ double sample_height(BuildPart part) {
   constexpr std::array heights = {1.700, 1.443, 1.226, 1.050, 0.860, 0.763, 0.465};
   const auto i = static_cast<std::size_t>(part);
   return i < heights.size() ? heights[i] : 0;
+}
+
+bool levels_rise(const MannequinBuild& build) {
+  const std::vector<std::pair<double, double>> knots = height_knots(build);
+  return std::adjacent_find(knots.begin(), knots.end(), [](const auto& below, const auto& above) {
+           return above.second <= below.second;
+         }) == knots.end();
 }
 
 MannequinShape built_mannequin(const MannequinBuild& build) {

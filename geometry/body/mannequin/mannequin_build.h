@@ -54,9 +54,12 @@ class MannequinBuild {
 /// part that is no height.
 double sample_height(BuildPart part);
 
+/// Whether the levels of the body rise from the floor to the crown.
+bool levels_rise(const MannequinBuild& build);
+
 /// The sample mannequin in another build: the rows of its lofts are moved and scaled, its
 /// ellipsoids and joints go with them. Arms stay out at 45 degrees, the thighs keep their relative
-/// gap. Throws Error where the heights do not rise from the floor to the crown.
+/// gap. Throws Error where levels_rise() does not hold.
 MannequinShape built_mannequin(const MannequinBuild& build);
 
 }  // namespace toile

@@ -189,6 +189,17 @@
   function setSide(side) { setPlacement(now => { if (now.side === side) delete now.side; else now.side = side; }); }
   function setAround() { setPlacement(now => { if (now.around) delete now.around; else now.around = true; }); }
 
+  // Panels that the garment is sewn without, such as pockets. Their seams are taken out.
+  function leaveOut() {
+    if (!panel) return;
+    const out = model.leftOut(panel) !== '';
+    model.act(() => {
+      model.leaveOut(panel, out ? '' : 'asked for');
+      if (!out) model.stitches.filter(s => s[0].panel === panel || s[1].panel === panel).forEach(s => model.unsew(s));
+    });
+    show();
+  }
+
   // Drawing.
 
   function say(text) { find('progress').textContent = text; }
@@ -251,7 +262,9 @@
           isBad(stitch), chosen, () => { choose({ ...stitch[0] }); taken = null; show(); });
     });
     const at = panel && model.panels[panel].placement;
-    find('panel').textContent = !panel ? 'Click a panel to say where it is worn.' : panel + ': ' + (at && at.part ? placementText(at) : 'found by itself');
+    find('panel').textContent = !panel ? 'Click a panel to say where it is worn.'
+      : panel + ': ' + (model.leftOut(panel) ? 'left out, ' + model.leftOut(panel) : at && at.part ? placementText(at) : 'found by itself');
+    find('leave-out').className = panel && model.leftOut(panel) ? 'on' : '';
     find('figure').toggleAttribute('hidden', !panel);
     find('sides').hidden = !panel;
     for (const shape of find('figure').querySelectorAll('[data-part]')) {
@@ -304,7 +317,10 @@
     try {
       const report = JSON.parse(await ask('POST', 'propose', text()));
       // Its seams name the edges of the pattern that it has cut.
-      model.act(() => (report.splits || []).forEach(cut => model.splitEdge(cut, cut.share)));
+      model.act(() => {
+        (report.splits || []).forEach(cut => model.splitEdge(cut, cut.share));
+        (report.left_out || []).filter(out => !model.isSewn(out.panel)).forEach(out => model.leaveOut(out.panel, out.kind));
+      });
       takeProposals(report);
       say(`${proposals.length} seams proposed.`);
     } catch (failed) { say(failed.message); }
@@ -353,7 +369,7 @@
     s: split, j: () => nextProposal(1), k: () => nextProposal(-1), a: () => decide('accepted'), r: () => decide('rejected'), w: swap,
     t: () => { panel = model.names[step(model.names, panel ? model.names.indexOf(panel) : -1, 1)]; show(); },
     b: () => { const at = panel && model.panels[panel].placement; if (at && at.part) setSide(sides[step(sides, sides.indexOf(at.side), 1)]); },
-    o: setAround, '+': () => sheet.zoom(1 / 1.25), '-': () => sheet.zoom(1.25), 0: () => sheet.showAll(),
+    o: setAround, l: leaveOut, '+': () => sheet.zoom(1 / 1.25), '-': () => sheet.zoom(1.25), 0: () => sheet.showAll(),
     ArrowLeft: () => sheet.pan(-40 * sheet.pixel, 0), ArrowRight: () => sheet.pan(40 * sheet.pixel, 0),
     ArrowUp: () => sheet.pan(0, -40 * sheet.pixel), ArrowDown: () => sheet.pan(0, 40 * sheet.pixel),
     p: () => { if (data.served) propose(); }, d: () => { if (data.served && data.body && !find('dress').disabled) dress(); },
@@ -388,6 +404,8 @@
   for (const button of find('sides').querySelectorAll('[data-side]')) button.addEventListener('click', () => setSide(button.dataset.side));
   find('sides').querySelector('[data-around]').addEventListener('click', setAround);
   find('sides').querySelector('[data-part]').addEventListener('click', () => setPart(''));
+
+  find('leave-out').addEventListener('click', leaveOut);
 
   sheet.layOut(model);
   if (data.proposals) takeProposals(data.proposals);

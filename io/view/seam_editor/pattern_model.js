@@ -206,13 +206,22 @@ const PatternModel = (function () {
       if (!stitch[2] || typeof stitch[2] !== 'object') stitch[2] = reversed === null ? {} : { reversed };
       return stitch[2];
     }
-    // Joins two edges. Outlines that both run counter-clockwise, seen from the right side, run
+    // Why the garment is sewn without the panel; an empty reason takes it in.
+    leftOut(panel) { return this.panels[panel].left_out || ''; }
+    leaveOut(panel, reason) {
+      if (reason) this.panels[panel].left_out = reason;
+      else delete this.panels[panel].left_out;
+    }
+    isSewn(panel) { return this.stitches.some(s => s[0].panel === panel || s[1].panel === panel); }
+
+    // Joins two edges, and takes their panels in. Outlines that both run counter-clockwise, seen from the right side, run
     // against each other along a seam. GarmentCode's files keep to that, whichever side is drawn.
     // Of others the right side is taken to be drawn.
     sew(a, b, how) {
       const normalized = !!(this.json.properties || {}).normalized_edge_loops;
       const reversed = normalized || this.isCounterClockwise(a) === this.isCounterClockwise(b);
       this.stitches.push([{ ...a }, { ...b }, { reversed, ...how }]);
+      for (const { panel } of [a, b]) this.leaveOut(panel, '');
       return this.stitches[this.stitches.length - 1];
     }
     unsew(stitch) {

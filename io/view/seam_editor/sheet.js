@@ -73,12 +73,13 @@ const Sheet = (function () {
         const line = model.polyline({ panel: name, edge });
         return forward ? line : line.reverse();
       });
-      const face = element('path', { d: pathOf(loop) + 'Z', class: marks.panel === name ? 'panel chosen' : 'panel' }, group);
+      const face = element('path', { d: pathOf(loop) + 'Z', class: 'panel' + (model.leftOut(name) ? ' out' : '') + (marks.panel === name ? ' chosen' : '') }, group);
       face.addEventListener('click', () => this.callbacks.onPanel(name));
       const middle = this.middleOf(loop);
       element('text', { x: middle[0], y: -middle[1], class: 'name', 'font-size': 13 * unit }, group, name);
-      if (marks.parts[name]) {
-        element('text', { x: middle[0], y: -middle[1] + 16 * unit, class: 'part', 'font-size': 11 * unit }, group, marks.parts[name]);
+      const below = model.leftOut(name) ? 'left out: ' + model.leftOut(name) : marks.parts[name];
+      if (below) {
+        element('text', { x: middle[0], y: -middle[1] + 16 * unit, class: 'part', 'font-size': 11 * unit }, group, below);
       }
       this.drawGrain(model, name, middle, group, unit);
       for (const lines of [model.panels[name].internal_lines || [], model.panels[name].cut_outs || []]) {

@@ -29,6 +29,21 @@ TEST(MeasureChecks, NameTheMeasuresThatDisagree) {
       contradictions({{"height", 1.7}, {"bust", 0.94}, {"waist", 0.71}, {"hip", 0.98}}).empty());
 }
 
+// A crotch depth taken on a chair is less than what the leg leaves of the height of the waist.
+// Neither measure is wrong.
+TEST(MeasureChecks, LevelsThatWereDerivedContradictNoSum) {
+  const MeasureValues given = {{"waist_to_floor", 1.184}, {"inside_leg", 0.790},
+                               {"crotch_depth", 0.352},   {"waist_to_knee", 0.662},
+                               {"bust", 1.053},           {"hip", 1.052}};
+  const MeasureValues filled = filled_measures(given, Figure::man);
+  EXPECT_DOUBLE_EQ(filled.at("crotch_height"), 0.790);
+  EXPECT_TRUE(contradictions(given, filled).empty());
+  MeasureValues wrong = given;
+  wrong["inside_leg"] = 0.70;
+  EXPECT_TRUE(names(contradictions(wrong, filled_measures(wrong, Figure::man)), "inside_leg 70 cm",
+                    "crotch_depth 35.2 cm"));
+}
+
 // What is filled in contradicts nothing, from a small child to a large adult.
 TEST(MeasureChecks, FilledMeasuresAgree) {
   struct Person {

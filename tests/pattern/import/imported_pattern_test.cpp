@@ -215,6 +215,29 @@ TEST(ImportedPattern, TakesTheSizeThatIsAskedFor) {
                "has no size 'XL'; its sizes are 36, 38, 40");
 }
 
+TEST(ImportedPattern, RibbingStretchesAlongItsLongerSide) {
+  const auto imported = [](const std::string& material, double width, double height) {
+    PieceDrawing drawing;
+    drawing.source = "a";
+    Piece piece;
+    piece.name = "cuff";
+    piece.material = material;
+    const Vec2 corners[] = {{0, 0}, {width, 0}, {width, height}, {0, height}};
+    for (int i = 0; i < 4; ++i) {
+      piece.outline.push_back(EdgeCurve::line(corners[i], corners[(i + 1) % 4]));
+    }
+    drawing.pieces = {piece};
+    std::vector<Remark> remarks;
+    return import_pieces(drawing, {}, remarks).panels.at(0);
+  };
+  const ImportedPanel upright = imported("ribbing", 0.1, 0.3);
+  EXPECT_EQ(upright.fabric, "jersey");
+  EXPECT_NEAR(upright.grain.value(), std::numbers::pi / 2, 1e-12);
+  EXPECT_NEAR(imported("Bündchenware", 0.3, 0.1).grain.value(), 0, 1e-12);
+  EXPECT_EQ(imported("fabric", 0.1, 0.3).fabric, "");
+  EXPECT_FALSE(imported("fabric", 0.1, 0.3).grain);
+}
+
 TEST(ImportedPattern, PanelsOfOneNameAreToldApartAndLaidOut) {
   const Imported result =
       import_text(dxf_file(dxf_block("D#1\\x", square) + dxf_block("D#1\\x", square), ""));

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "io/output_file.h"
+#include "pattern/left_out.h"
 #include "pattern/pattern_file.h"
 #include "pattern/seams/sewn_file.h"
 #include "pattern/seams/shell_panels.h"
@@ -51,19 +52,16 @@ TEST(FindSeamsOfSamples, MostAreFoundAgainWithNames) {
 
 TEST(FindSeamsOfDrafts, TheMiddleOfAHoodIsSewnToBothSidesAndTheFaceStaysOpen) {
   const std::string name = TOILE_SOURCE_DIR "/tests/pattern/seams/drafts/hugo.json";
-  std::string text = read_file(name);
+  const std::string text = read_file(name);
   std::vector<Remark> remarks;
   FindSeamsOptions options;
   options.drawn_walk = has_drawn_walk(text, name);
   options.certain = false;
-  const Pattern whole = parse_drawn_pattern(text, name, remarks);
-  std::vector<std::string> beside;
-  for (const BesideShell& panel : panels_beside_shell(whole)) {
-    beside.push_back(whole.panels[panel.panel].name);
-  }
+  Pattern whole = parse_drawn_pattern(text, name, remarks);
+  const std::map<int, std::string> beside = panels_beside_shell(whole);
   EXPECT_EQ(beside.size(), 5u) << "pockets, their facings and a binding";
-  text = without_panels(text, beside);
-  const Pattern pattern = parse_drawn_pattern(text, name, remarks);
+  for (const auto& [panel, kind] : beside) whole.panels[panel].left_out = kind;
+  const Pattern pattern = without_left_out(whole, remarks);
   std::set<std::string> of_middle;
   for (const FoundSeam& seam : find_seams(stripped(pattern, true, false), options).seams) {
     const std::string& a = pattern.panels[seam.a.panel].name;

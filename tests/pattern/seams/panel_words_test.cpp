@@ -82,5 +82,15 @@ TEST(PanelWords, TellWhatIsNoPieceOfTheShell) {
   }
 }
 
+TEST(PanelWords, TellRibbingInFiveLanguages) {
+  for (const char* material :
+       {"ribbing", "1x1 Rib", "Bündchenware", "bord-côte", "canalé", "costina"}) {
+    EXPECT_TRUE(is_ribbing(material)) << material;
+  }
+  for (const char* material : {"fabric", "ribbon", "côté", "ribete", ""}) {
+    EXPECT_FALSE(is_ribbing(material)) << material;
+  }
+}
+
 }  // namespace panel_words_test
 }  // namespace toile

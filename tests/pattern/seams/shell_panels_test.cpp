@@ -29,30 +29,42 @@ std::string file_of(const Json& panels) {
   return file.dump();
 }
 
-std::string left_out(const Json& panels) {
+std::string beside(const Json& panels) {
   std::vector<Remark> remarks;
   const Pattern pattern = parse_drawn_pattern(file_of(panels), "a.json", remarks);
   std::string text;
-  for (const BesideShell& beside : panels_beside_shell(pattern)) {
-    text += pattern.panels[beside.panel].name + " (" + beside.kind + ") ";
+  for (const auto& [panel, kind] : panels_beside_shell(pattern)) {
+    text += pattern.panels[panel].name + " (" + kind + ") ";
   }
   return text;
 }
 
-TEST(ShellPanels, APatternOfLiningsAloneIsAGarment) {
-  EXPECT_EQ(left_out({{"front lining", band}, {"back lining", band}}), "");
-  EXPECT_EQ(left_out({{"front", band}, {"back lining", band}}), "back lining (lining) ");
+Json marked(const char* kind) {
+  Json panel = band;
+  panel["left_out"] = kind;
+  return panel;
 }
 
-TEST(ShellPanels, AreTakenOutOfTheFileWithTheirStitches) {
-  Json file = Json::parse(file_of({{"a", band}, {"b", band}, {"pocket", band}}));
-  const auto side = [](const char* panel) { return Json{{"panel", panel}, {"edge", 0}}; };
-  file["pattern"]["stitches"] = {{side("a"), side("b")}, {side("pocket"), side("a")}};
-  Json other = Json::parse(without_panels(file.dump(), {"pocket"}));
-  EXPECT_EQ(other["pattern"]["panel_order"], Json({"a", "b"}));
-  EXPECT_EQ(other["pattern"]["stitches"].size(), 1u);
-  EXPECT_FALSE(other["pattern"]["panels"].contains("pocket"));
-  EXPECT_EQ(without_panels("as it is", {}), "as it is");
+TEST(ShellPanels, APatternOfLiningsAloneIsAGarment) {
+  EXPECT_EQ(beside({{"front lining", band}, {"back lining", band}}), "");
+  EXPECT_EQ(beside({{"front", band}, {"back lining", band}}), "back lining (lining) ");
+}
+
+TEST(ShellPanels, WhatThePatternLeavesOutIsBesideWhateverItsName) {
+  EXPECT_EQ(beside({{"front", band}, {"back", marked("inner layer")}, {"pocket", marked("patch")}}),
+            "back (inner layer) pocket (patch) ");
+  EXPECT_EQ(beside({{"pocket", band}, {"back", marked("inner layer")}}), "back (inner layer) ");
+}
+
+TEST(ShellPanels, AreMarkedInTheFileAndNothingElseChanges) {
+  const std::string text = file_of({{"a", band}, {"b", marked("lining")}, {"pocket", band}});
+  Json other = Json::parse(with_left_out(text, {{"pocket", "pocket"}}));
+  EXPECT_EQ(other["pattern"]["panels"]["pocket"]["left_out"], "pocket");
+  EXPECT_FALSE(other["pattern"]["panels"]["b"].contains("left_out"));
+  other["pattern"]["panels"]["pocket"].erase("left_out");
+  other["pattern"]["panels"]["b"]["left_out"] = "lining";
+  EXPECT_EQ(other.dump(), text);
+  EXPECT_EQ(with_left_out(text, {{"b", "lining"}}), text);
 }
 
 }  // namespace shell_panels_test

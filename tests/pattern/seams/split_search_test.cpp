@@ -62,5 +62,30 @@ TEST(SplitSearch, WhereEachEdgeHasItsPartnerNoneIsCut) {
   EXPECT_EQ(split.text, text);
 }
 
+TEST(SplitSearch, ANotchOnOneSideAloneDoesNotEndAnEdge) {
+  // A skirt. The front's sides are cut at a notch 25 cm above the hem, the back's are not.
+  nlohmann::ordered_json front;
+  front["vertices"] = {{-27, 0}, {27, 0}, {22, 25}, {19, 40}, {-19, 40}, {-22, 25}};
+  for (int i = 0; i < 6; ++i) front["edges"].push_back({{"endpoints", {i, (i + 1) % 6}}});
+  front["notches"] = {{{"vertex", 2}}, {{"vertex", 5}}};
+  nlohmann::ordered_json back;
+  back["vertices"] = {{-30, 0}, {30, 0}, {22, 40}, {-22, 40}};
+  for (int i = 0; i < 4; ++i) back["edges"].push_back({{"endpoints", {i, (i + 1) % 4}}});
+  nlohmann::ordered_json file;
+  file["pattern"]["panels"] = {{"front", front}, {"back", back}};
+  file["pattern"]["stitches"] = nlohmann::ordered_json::array();
+  file["properties"] = {{"units_in_meter", 100}, {"normalized_edge_loops", true}};
+  const SplitSeams split = found_in(file.dump(), "a.json");
+  ASSERT_EQ(split.splits.size(), 2u);
+  int lower = 0;
+  for (const FoundSeam& seam : split.found.seams) {
+    EXPECT_NE(seam.a.panel, seam.b.panel);
+    EXPECT_NEAR(seam.length_a, seam.length_b, 1e-6);
+    if (seam.length_a > 0.2) ++lower;
+  }
+  EXPECT_EQ(split.found.seams.size(), 4u);
+  EXPECT_EQ(lower, 2) << "the longer parts meet";
+}
+
 }  // namespace split_search_test
 }  // namespace toile
