@@ -22,8 +22,10 @@ struct RaisedScene {
   RaisedScene(const Scene& standing, const ArmRaise& raise)
       : RaisedScene(standing, raise, raise.raised(standing.collider->body())) {}
   RaisedScene(const Scene& standing, const ArmRaise& raise, const TriangleMesh& body)
-      : collider(body, standing.raised_distances != nullptr ? standing.raised_distances->known(body)
-                                                            : DistanceCache()),
+      : collider(body,
+                 standing.raised_distances != nullptr ? standing.raised_distances->known(body)
+                                                      : DistanceCache(),
+                 {closing_cell, closing_band}),
         skeleton(raise.raised(*standing.skeleton)),
         scene(standing) {
     scene.collider = &collider;
