@@ -33,8 +33,9 @@ inline constexpr std::array<Closing, 3> closing_attempts = {
 inline constexpr double closing_momentum = 0.99;
 
 /// Iterations in which seams close on a mesh of `closing_points` points. A finer mesh, which has no
-/// coarser one, has farther to carry the pull of its seams.
-inline constexpr int closing_iterations = 3000;
+/// coarser one, has farther to carry the pull of its seams. With 3000, five garments at 25 mm take
+/// 1.13 times as long, and no more of them come clear.
+inline constexpr int closing_iterations = 2000;
 inline constexpr double closing_points = 700;
 
 /// Iterations in which seams close through the cloth that holds them apart.
@@ -42,6 +43,12 @@ inline constexpr int passing_iterations = 1000;
 
 /// Metres within which the body passes for a plane while nothing has to come to rest.
 inline constexpr double closing_linearization_radius = 2e-4;
+
+/// Metres: the cells of the grid of distances to a body with raised arms, and how far from the skin
+/// they are exact. That body is there for the closing alone, which asks no more of it. With 5 and
+/// 10 mm, five garments at 25 mm take 1.12 times as long.
+inline constexpr double closing_cell = 0.008;
+inline constexpr double closing_band = 0.012;
 
 /// N/m: cloth is at least so stiff along its yarns while its seams close.
 inline constexpr double closing_stretch = 1000;
