@@ -45,6 +45,9 @@ constexpr double full_front = 15;
 // Share of the height from the bust points down to the underbust, where no crease is lower. At half
 // of it an average man's is 35 mm higher; at double two bodies of five have none above the waist.
 constexpr double underbust_share = 0.044;
+// Share of the height, 7 cm at 1.70 m: how far above where the seat stands out the most it may be
+// fullest.
+constexpr double seat_half = 0.04;
 // Depth of the crease, as a share of the height: up to the first it does not count, from the second
 // on it does. Depths are 0.005 to 0.01 on average adults, 0.001 with as much noise on a child. At
 // half or double of either, no underbust of five bodies moves.
@@ -294,12 +297,14 @@ class Finder {
   void find_hip() {
     const double top = levels_.low + 0.75 * (*levels_.waist.height - levels_.low);
     const auto seat = curve(profile_, levels_.low, top, [](const Level& l) { return -l.back; });
-    const auto girths = curve(profile_, levels_.low, top, [](const Level& l) { return l.girth; });
     if (seat.size() < 5) {
       levels_.hip = absent("the trunk is too short for a hip");
       return;
     }
     const Extreme rearmost = greatest(seat, reach_);
+    // A belly above the seat may be fuller.
+    const double near = rearmost.is_end ? top : std::min(top, rearmost.at + seat_half * stature_);
+    const auto girths = curve(profile_, levels_.low, near, [](const Level& l) { return l.girth; });
     const Extreme fullest = greatest(girths, reach_);
     levels_.hip = {(rearmost.at + fullest.at) / 2, 0.9, ""};
     if (!rearmost.is_end && !fullest.is_end) return;
