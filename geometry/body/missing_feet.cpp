@@ -10,7 +10,7 @@ namespace toile {
 namespace {
 
 // Shares of the height.
-constexpr double foot_height = 0.04;  // up to there a foot is looked for
+constexpr double foot_height = 0.04;  // up to there above the leg's end a foot is looked for
 constexpr double shin_above = 0.1;    // the shin, above the leg's end
 // Feet are 2.2 to 3.2 times as long as the shin is deep, ends of cut legs 0.7 to 1.3 times. At half
 // of it each cut leg has a foot, at double hardly any does.
