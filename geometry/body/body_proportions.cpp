@@ -100,8 +100,8 @@ class Filling {
       set("waist", mean * std::clamp(0.780 + 0.31 * (mean - 0.925), 0.70, 1.00));
     }
     const double waist = of("waist");
-    // A woman's is that of a cup B. Without a hollow below it, no waist would be found. Of a man whose
-    // belly is larger than his chest it lies between both.
+    // A woman's is that of a cup B. Without a hollow below it, no waist would be found. Of a man
+    // whose belly is larger than his chest it lies between both.
     const double between = std::min(waist, waist + 0.57 * (bust - waist));
     set("underbust", child ? std::max(0.975 * bust, between)
                      : man ? std::max(0.945 * bust, between)

@@ -20,8 +20,8 @@ constexpr double wrist_bone = 0.0066;
 // for six bodies with both hands and one whose forearm is cut.
 constexpr double least_hand = 0.4;
 
-// Girth below the calf of a leg that is cut, as a share of the calf's: with more, the leg may go on
-// to get thicker.
+// Girth below the calf of a leg that is cut, as a share of the calf's. With more the leg may still
+// get thicker further down.
 constexpr double thinner_below = 0.9;
 // Share of the height above the end of a leg that is cut.
 constexpr double hole_edge = 0.015;

@@ -112,8 +112,8 @@ void print(const std::string& body, const char* noise, const Figures& figures) {
     const auto truth = figures.lengths.find(name);
     if (truth == figures.lengths.end()) continue;
     std::printf("| %s | %s | %s %s | %.1f | half spread %.1f | from the truth %+.1f | | | |\n",
-                body.c_str(), noise, is_girth(name) ? "girth" : "length", name.c_str(), 1000 * mean, 500 * (*high - *low),
-                1000 * (mean - truth->second));
+                body.c_str(), noise, is_girth(name) ? "girth" : "length", name.c_str(), 1000 * mean,
+                500 * (*high - *low), 1000 * (mean - truth->second));
   }
   std::fflush(stdout);
 }
