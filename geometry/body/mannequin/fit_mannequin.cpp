@@ -96,6 +96,7 @@ class Problem {
       if (!sample.contains(measure.name)) continue;
       rows_.push_back({&measure, (is_given ? given : filled).at(measure.name), is_given});
     }
+    waist_is_given_ = given.contains("waist");
     jacobian = MatrixXd::Zero(size(), build_parts);
     for (int row = 0; row < size(); ++row) {
       for (const auto& [part, share] : rows_[row].measure->parts) {
@@ -175,10 +176,10 @@ class Problem {
     left(last, column(Part::chest)) = tied;
     left(last, column(Part::underbust)) = -tied;
     right[last] = tied * (factors[column(Part::underbust)] - factors[column(Part::chest)]);
-    // What is below the bust leaves its start with the waist: over a belly the hollow is between
-    // both.
+    // What is below the bust leaves its start with a waist that is given: over a belly the hollow
+    // is between both.
     const VectorXd left_start = factors - start_;
-    constexpr double goes_with = 1 / 0.01;
+    const double goes_with = waist_is_given_ ? 1 / 0.01 : 0;
     left(last + 1, column(Part::underbust)) = goes_with;
     left(last + 1, column(Part::waist)) = -goes_with;
     right[last + 1] =
@@ -262,6 +263,7 @@ class Problem {
   }
 
   std::vector<Row> rows_;
+  bool waist_is_given_ = false;
   VectorXd start_;
   MatrixXd jacobian;
 };
