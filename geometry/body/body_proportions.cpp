@@ -102,11 +102,14 @@ class Filling {
       set("waist", mean * std::clamp(0.780 + 0.31 * (mean - 0.925), 0.70, 1.00));
     }
     const double waist = of("waist");
-    // A woman's is that of a cup B. Without a hollow below it, no waist would be found.
-    set("underbust", child ? 0.975 * bust
-                     : man ? 0.945 * bust
+    // A woman's is that of a cup B. Without a hollow below it, no waist would be found. Of a man
+    // whose belly is larger than his chest it lies between both.
+    const double between = std::min(waist, waist + 0.57 * (bust - waist));
+    set("underbust", child ? std::max(0.975 * bust, between)
+                     : man ? std::max(0.945 * bust, between)
                            : std::max(bust - 0.15 * std::min(bust / 0.90, 1.0), waist + 0.02));
-    set("abdomen", waist + (man ? 0.50 : 0.56) * (hip - waist));
+    // A belly that is larger than the hip does not get smaller below the waist.
+    set("abdomen", std::max(waist, waist + (man ? 0.50 : 0.56) * (hip - waist)));
     set("neck", child ? 0.265 + 0.28 * (bust - 0.56)
                 : man ? 0.370 + 0.25 * (bust - 0.88)
                       : 0.350 + 0.20 * (bust - 0.88));

@@ -11,6 +11,7 @@
 #include "geometry/body/find_skeleton.h"
 #include "geometry/body/lacking_body.h"
 #include "geometry/body/limbs_through.h"
+#include "geometry/body/missing_feet.h"
 #include "geometry/body/stand_level.h"
 #include "geometry/error.h"
 #include "geometry/surface_distance.h"
@@ -406,6 +407,12 @@ CleanBody clean_body(const PolygonSoup& soup, const std::string& name,
       move.metres_per_unit = earlier.metres_per_unit;
     }
     body.skeleton->cleaned = move;
+  }
+  if (body.skeleton && report.lacks.empty()) {
+    const std::vector<std::string> cut = missing_feet(body.mesh, *body.skeleton);
+    if (cut.size() == 2)
+      report.lacks = "both legs end before their feet: heights can't be measured";
+    if (cut.size() == 1) report.lacks = "the " + cut.front() + " leg ends before a foot";
   }
   report.no_skeleton = std::move(standing.no_skeleton);
   return body;

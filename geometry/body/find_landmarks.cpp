@@ -8,6 +8,7 @@
 #include "geometry/body/centreline.h"
 #include "geometry/body/extreme.h"
 #include "geometry/body/limb_landmarks.h"
+#include "geometry/body/missing_feet.h"
 #include "geometry/body/outline_points.h"
 #include "geometry/body/refine_joints.h"
 #include "geometry/body/tape.h"
@@ -52,7 +53,11 @@ class Finder {
         crotch_(crotch) {}
 
   void find() {
-    add("floor", Vec3(0, 0, 0), 1);
+    if (const std::string why = no_floor(shape_); !why.empty()) {
+      absent("floor", why);
+    } else {
+      add("floor", Vec3(0, 0, 0), 1);
+    }
     find_levels();
     if (!shape_.frame.skeleton) {
       for (const char* name : {"crown", "cervicale", "front_neck", "crotch"}) {
@@ -355,6 +360,12 @@ class Finder {
 
 }  // namespace
 
+std::string no_floor(const BodyShape& shape) {
+  const std::map<std::string, std::string>& lacks = shape.frame.lacks;
+  const bool is_cut = lacks.contains("left_foot") && lacks.contains("right_foot");
+  return is_cut ? "both legs end before their feet" : "";
+}
+
 double side_line(const BodyShape& shape, double y) {
   const Vec3& chest = shape.frame.skeleton->joint("chest");
   const Vec3& pelvis = shape.frame.skeleton->joint("pelvis");
@@ -365,7 +376,12 @@ BodyShape find_landmarks(const TriangleMesh& body, const std::string& name) {
   BodyShape shape;
   shape.frame = body_frame(body, smoothed(body, smoothing * height_of(body)), name);
   std::optional<Vec3> crotch;
-  if (shape.frame.skeleton) crotch = refine_joints(shape.frame);
+  if (shape.frame.skeleton) {
+    crotch = refine_joints(shape.frame);
+    for (const std::string& side : missing_feet(shape.frame.mesh, *shape.frame.skeleton)) {
+      shape.frame.lacks[side + "_foot"] = "the " + side + " leg ends before a foot";
+    }
+  }
   shape.levels = facing_trunk_levels(shape.frame);
   Finder(shape, crotch).find();
   for (std::size_t i = 0; i < body.points.size(); ++i) {

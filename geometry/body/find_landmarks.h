@@ -1,6 +1,8 @@
 // Finds the landmarks of ISO 8559-1 that tailors measure from, on the surface alone.
 #pragma once
 
+#include <string>
+
 #include "geometry/body/body_frame.h"
 #include "geometry/body/landmark.h"
 #include "geometry/body/trunk_levels.h"
@@ -31,6 +33,9 @@ BodyShape find_landmarks(const TriangleMesh& body, const std::string& name);
 
 /// The landmarks in the frame of the body that was given.
 Landmarks given_landmarks(const BodyShape& shape);
+
+/// Why the lowest point of the body is not where it stands; empty: it is.
+std::string no_floor(const BodyShape& shape);
 
 /// Metres: z of the side line at the height y. The body has a skeleton.
 double side_line(const BodyShape& shape, double y);

@@ -27,6 +27,10 @@ constexpr double touching = 0.004;
 // or at the stump's end.
 constexpr double shoulder_to_elbow = 0.16;
 
+// Share of the height, level across the section where the thighs join: 0.2 to 0.33 of people who
+// stand, 0.5 of one who sits.
+constexpr double longest_lap = 0.4;
+
 /// The range of a section in x, metres.
 struct Extent {
   double low = 0;
@@ -40,6 +44,15 @@ Extent extent_in_x(const Section& section) {
     extent.high = std::max(extent.high, point.x());
   }
   return extent;
+}
+
+/// Metres between the two points of a level section that are farthest apart.
+double across(const Section& section) {
+  double most = 0;
+  for (const Vec3& a : section.points) {
+    for (const Vec3& b : section.points) most = std::max(most, (a - b).squaredNorm());
+  }
+  return std::sqrt(most);
 }
 
 /// Metres that a section extends to one side of x = 0: 1 is left (+x), -1 is right.
@@ -171,6 +184,9 @@ class Finder {
         joined = seen->y();
         pelvis = std::move(higher);
       }
+    }
+    if (across(*pelvis) > longest_lap * height_) {
+      fail("the thighs are not upright, as of a person who sits");
     }
     crotch_ = joined;
     skeleton_.joints["pelvis"] = pelvis->centroid;

@@ -20,6 +20,12 @@ constexpr double wrist_bone = 0.0066;
 // for six bodies with both hands and one whose forearm is cut.
 constexpr double least_hand = 0.4;
 
+// Girth below the calf of a leg that is cut, as a share of the calf's. With more the leg may still
+// get thicker further down.
+constexpr double thinner_below = 0.9;
+// Share of the height above the end of a leg that is cut.
+constexpr double hole_edge = 0.015;
+
 class LimbFinder {
  public:
   explicit LimbFinder(BodyShape& shape)
@@ -44,6 +50,12 @@ class LimbFinder {
     add(name, std::nullopt, 0, reason);
   }
 
+  /// Why the body lacks a part; empty: it is there.
+  std::string lack_of(const std::string& part) const {
+    const auto found = shape_.frame.lacks.find(part);
+    return found == shape_.frame.lacks.end() ? "" : found->second;
+  }
+
   std::optional<Section> leg_at(double y, int side) const {
     const Vec3 knee = skeleton_->joint(side_prefix(side) + "knee");
     const Vec3 hip = skeleton_->joint(side_prefix(side) + "hip");
@@ -61,21 +73,50 @@ class LimbFinder {
     const double crotch = skeleton_->joint("pelvis").y();
     const double knee = skeleton_->joint(which + "knee").y();
     find_gluteal_fold(side, crotch, knee);
-    const auto kneecap = leg_at(knee, side);
-    add(which + "knee",
-        kneecap ? std::optional(on_ray(*kneecap, kneecap->centroid, Vec3::UnitZ(), Vec3::UnitY()))
-                : std::nullopt,
-        0.5, "proportion and the leg's thin place above the calf show the knee");
+    // The knee is placed by the crotch's height above the floor.
+    if (const std::string why = no_floor(shape_); !why.empty()) {
+      absent(which + "knee", why);
+    } else {
+      const auto kneecap = leg_at(knee, side);
+      add(which + "knee",
+          kneecap ? std::optional(on_ray(*kneecap, kneecap->centroid, Vec3::UnitZ(), Vec3::UnitY()))
+                  : std::nullopt,
+          0.5, "proportion and the leg's thin place above the calf show the knee");
+    }
+    const std::string cut = lack_of(which + "foot");
     std::vector<Vec2> calf;
     std::vector<Vec2> ankle;
-    for (double y = 0.03 * h_; y < knee; y += 0.003 * h_) {
+    for (double y = cut.empty() ? 0.03 * h_ : 0; y < knee; y += 0.003 * h_) {
       const auto section = leg_at(y, side);
       if (!section) continue;
       if (y < 0.14 * h_) ankle.emplace_back(y, -section->girth);
-      if (y > 0.13 * h_ && y < knee - 0.02 * h_) calf.emplace_back(y, section->girth);
+      if ((y > 0.13 * h_ || !cut.empty()) && y < knee - 0.02 * h_) {
+        calf.emplace_back(y, section->girth);
+      }
     }
-    add_leg(which + "calf", calf, side, -Vec3::UnitZ());
-    add_leg(which + "ankle", ankle, side, side * Vec3::UnitX());
+    if (cut.empty()) {
+      add_leg(which + "calf", calf, side, -Vec3::UnitZ());
+      add_leg(which + "ankle", ankle, side, side * Vec3::UnitX());
+    } else {
+      add_calf_of_cut_leg(which + "calf", calf, side, cut);
+      absent(which + "ankle", cut);
+    }
+  }
+
+  /// A leg that is cut shows its calf if it gets thinner below.
+  void add_calf_of_cut_leg(const std::string& name, const std::vector<Vec2>& girths, int side,
+                           const std::string& cut) {
+    const std::string why = cut + ", and does not show its calf";
+    if (girths.size() < 5) return absent(name, why);
+    const Extreme most = greatest(girths, 0.025 * h_);
+    // Next to the end the surface is that of a filled hole.
+    const double sure = girths.front().x() + hole_edge * h_;
+    double least_below = most.value;
+    for (const Vec2& girth : girths) {
+      if (girth.x() > sure && girth.x() < most.at) least_below = std::min(least_below, girth.y());
+    }
+    if (most.is_end || least_below > thinner_below * most.value) return absent(name, why);
+    add_leg(name, girths, side, -Vec3::UnitZ());
   }
 
   void add_leg(const std::string& name, const std::vector<Vec2>& girths, int side,
@@ -110,12 +151,13 @@ class LimbFinder {
     const Vec3& shoulder = skeleton_->joint(which + "shoulder");
     const Vec3& elbow = skeleton_->joint(which + "elbow");
     const Vec3& wrist = skeleton_->joint(which + "wrist");
-    add_on_arm(which + "elbow", elbow, (wrist - shoulder).normalized());
-    if (hand_of(side) < least_hand * std::max(hand_of(-side), hand * h_)) {
-      return absent(which + "wrist", "the arm ends before a hand");
-    }
+    const bool is_cut = hand_of(side) < least_hand * std::max(hand_of(-side), hand * h_);
+    const std::string cut = "the arm ends before a hand";
+    add_on_arm(which + "elbow", elbow, (wrist - shoulder).normalized(), is_cut ? 0.3 : 0.6,
+               is_cut ? cut + ": the other arm or proportion places its elbow" : "");
+    if (is_cut) return absent(which + "wrist", cut);
     const Vec3 along = (wrist - elbow).normalized();
-    add_on_arm(which + "wrist", wrist + wrist_bone * h_ * along, along);
+    add_on_arm(which + "wrist", wrist + wrist_bone * h_ * along, along, 0.6);
   }
 
   /// Metres that the arm goes on beyond its wrist; 0 where there is no arm.
@@ -133,12 +175,13 @@ class LimbFinder {
   }
 
   /// The outer point of the arm's section, where a tape from the shoulder runs.
-  void add_on_arm(const std::string& name, const Vec3& joint, const Vec3& along) {
+  void add_on_arm(const std::string& name, const Vec3& joint, const Vec3& along, double confidence,
+                  const std::string& reason = "") {
     const auto section = section_at(slice(mesh_, joint, along), joint, along, 0, 0.04 * h_);
     if (!section) return absent(name, "the arm has no closed outline");
     Vec3 out = Vec3::UnitY() - along.y() * along;
     if (out.norm() < 1e-3) out = Vec3(joint.x() > 0 ? 1 : -1, 0, 0);
-    add(name, on_ray(*section, section->centroid, out.normalized(), along), 0.6);
+    add(name, on_ray(*section, section->centroid, out.normalized(), along), confidence, reason);
   }
 
   BodyShape& shape_;

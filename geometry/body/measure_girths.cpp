@@ -204,10 +204,14 @@ void MeasureTaker::take_limb_girths(int side) {
   if (needs.missing.empty() && !is_one) needs.missing = "the thighs touch below the crotch";
   add_girth(which + "upper_thigh", needs, thigh, Vec3::UnitY(),
             "level, around the thigh directly below the crotch", "5.3.20");
+  Needs kneecap = whole;
+  point(which + "knee", kneecap);
+  kneecap.confidence = 1;  // the knee's level hardly changes its girth
+  if (needs.missing.empty()) needs.missing = kneecap.missing;
   add_girth(which + "mid_thigh", needs,
             needs.missing.empty() ? leg_middle((crotch.y() + knee.y()) / 2) : knee, Vec3::UnitY(),
             "level, around the thigh half-way from crotch to knee");
-  add_girth(which + "knee", whole, knee, Vec3::UnitY(), "level, around the middle of the kneecap",
+  add_girth(which + "knee", kneecap, knee, Vec3::UnitY(), "level, around the middle of the kneecap",
             "5.3.22");
   const auto at_landmark = [&](const std::string& name, const std::string& definition,
                                const std::string& iso) {
@@ -242,11 +246,13 @@ void MeasureTaker::take_limb_girths(int side) {
   add_girth(which + "upper_arm", free_of_trunk(arm, upper), arm, upper,
             "square to the arm, the greatest between armpit and elbow");
   const Vec3 bent = (wrist - shoulder).normalized();
-  add_girth(which + "elbow", free_of_trunk(elbow, bent), elbow, bent,
-            "square to the arm, around the elbow");
   Needs hand = whole_arm;
   if (hand.missing.empty()) point(which + "wrist", hand);
   hand.confidence = 1;
+  Needs at_elbow = free_of_trunk(elbow, bent);
+  // Without a hand the elbow is placed by proportion.
+  if (at_elbow.missing.empty() && !hand.missing.empty()) point(which + "elbow", at_elbow);
+  add_girth(which + "elbow", at_elbow, elbow, bent, "square to the arm, around the elbow");
   add_girth(which + "wrist", hand, wrist, (wrist - elbow).normalized(),
             "square to the forearm, the least above the hand", "5.3.19");
 }

@@ -287,7 +287,9 @@ void MeasureTaker::take_side_lengths(int side) {
     add_lines(which + name, needs, {line},
               "from the waist over the hip's side, then straight down to " + where);
   };
-  hang("waist_to_floor", 0, hip, "the floor");
+  Needs floor = hip;
+  point("floor", floor);
+  hang("waist_to_floor", 0, floor, "the floor");
   Needs knee = hip;
   hang("waist_to_knee", point(which + "knee", knee).y(), knee, "the knee's level");
   Needs ankle = hip;

@@ -112,8 +112,9 @@ void MeasureTaker::take_heights() {
   const double h = shape_.frame.height;
   Needs stands;
   if (skeleton() == nullptr) stands.missing = "it is no whole body: " + shape_.frame.no_skeleton;
+  if (stands.missing.empty()) stands.missing = no_floor(shape_);
   Needs crown = stands;
-  if (const std::string why = lack_of("head"); skeleton() != nullptr && !why.empty()) {
+  if (const std::string why = lack_of("head"); crown.missing.empty() && !why.empty()) {
     crown.missing = "no head: " + why;
   }
   add_height("height", crown, 0, h,

@@ -1,4 +1,4 @@
-// Prints how far landmarks and girths move under noise, as a table:
+// Prints how far landmarks and measures move under noise, as a table:
 //   bench_landmark_noise SEEDS FOLDER BODY...
 // Each body is a clean one in metres that stands along y, or "mannequin". One kind of noise moves
 // its points along their normals by 1 mm; the other is that of scans with 1 mm of noise. Scans are
@@ -42,7 +42,7 @@ double median_of(std::vector<double> values) {
 /// What one body and one kind of noise give, by name.
 struct Figures {
   Landmarks truth;
-  std::map<std::string, double> lengths;             // of girths, metres
+  std::map<std::string, double> lengths;             // of measures, metres
   std::map<std::string, std::vector<Vec3>> places;   // of each seed
   std::map<std::string, std::vector<double>> taken;  // of each seed
   std::map<std::string, int> lost;                   // seeds without the landmark
@@ -59,6 +59,8 @@ bool is_girth(std::string name) {
   return false;
 }
 
+bool is_length(const Measure& measure) { return !measure.is_angle; }
+
 void add(const TriangleMesh& mesh, Figures& figures) {
   const BodyShape shape = find_landmarks(mesh, "changed");
   const Landmarks found = given_landmarks(shape);
@@ -71,7 +73,7 @@ void add(const TriangleMesh& mesh, Figures& figures) {
     }
   }
   for (const Measure& m : measure_body(shape)) {
-    if (is_girth(m.name) && m.value) figures.taken[m.name].push_back(*m.value);
+    if (is_length(m) && m.value) figures.taken[m.name].push_back(*m.value);
   }
 }
 
@@ -109,9 +111,9 @@ void print(const std::string& body, const char* noise, const Figures& figures) {
     for (const double value : values) mean += value / static_cast<double>(values.size());
     const auto truth = figures.lengths.find(name);
     if (truth == figures.lengths.end()) continue;
-    std::printf("| %s | %s | girth %s | %.1f | half spread %.1f | from the truth %+.1f | | | |\n",
-                body.c_str(), noise, name.c_str(), 1000 * mean, 500 * (*high - *low),
-                1000 * (mean - truth->second));
+    std::printf("| %s | %s | %s %s | %.1f | half spread %.1f | from the truth %+.1f | | | |\n",
+                body.c_str(), noise, is_girth(name) ? "girth" : "length", name.c_str(), 1000 * mean,
+                500 * (*high - *low), 1000 * (mean - truth->second));
   }
   std::fflush(stdout);
 }
@@ -140,7 +142,7 @@ int main(int argc, char** argv) {
     Figures of_body;
     of_body.truth = given_landmarks(shape);
     for (const Measure& m : measure_body(shape)) {
-      if (is_girth(m.name) && m.value) of_body.lengths[m.name] = *m.value;
+      if (is_length(m) && m.value) of_body.lengths[m.name] = *m.value;
     }
     Figures of_points = of_body;
     Figures of_scans = of_body;

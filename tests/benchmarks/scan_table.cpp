@@ -1,5 +1,5 @@
 // Prints how true the surfaces are that are made of simulated scans, and how their girths repeat:
-//   bench_scan_table [FOLDER WITH bodies/] [POINTS NOISE_MM]
+//   bench_scan_table [FOLDER WITH bodies/] [POINTS NOISE_MM [SCANS]]
 #include <sys/resource.h>
 
 #include <chrono>
@@ -73,8 +73,8 @@ bool is_girth(std::string name) {
   return false;
 }
 
-/// Ten scans of one body: half of the widest spread of a girth, and of the mean from the truth.
-void print_girths(const Body& body, int points, double noise_mm) {
+/// Some scans of one body: half of the widest spread of a girth, and of the mean from the truth.
+void print_girths(const Body& body, int points, double noise_mm, unsigned scans) {
   const auto girths = [](const TriangleMesh& mesh) {
     std::map<std::string, double> values;
     for (const Measure& m : measure_body(find_landmarks(mesh, "body"))) {
@@ -84,7 +84,7 @@ void print_girths(const Body& body, int points, double noise_mm) {
   };
   const std::map<std::string, double> truth = girths(body.mesh);
   std::map<std::string, std::vector<double>> taken;
-  for (unsigned seed = 1; seed <= 10; ++seed) {
+  for (unsigned seed = 1; seed <= scans; ++seed) {
     test::Scanner scanner;
     scanner.points = points;
     scanner.noise = noise_mm / 1000;
@@ -137,9 +137,11 @@ int main(int argc, char** argv) {
       }
     }
   }
+  const auto scans = static_cast<unsigned>(argc > 4 ? std::atoi(argv[4]) : 10);
+  if (scans == 0) return 0;
   std::printf(
       "\n| body | girth | scans | mean mm | half spread mm | from the truth mm |\n"
       "|---|---|---|---|---|---|\n");
-  for (const Body& body : bodies) print_girths(body, some, noise_mm);
+  for (const Body& body : bodies) print_girths(body, some, noise_mm, scans);
   return 0;
 }

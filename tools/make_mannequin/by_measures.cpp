@@ -171,6 +171,11 @@ Mannequin mannequin_by_measures(const MeasureSettings& settings, MannequinOption
   }
   FittedMannequin fitted = fit_mannequin(asked.measures, filled, figure, options);
   remarks.push_back({false, std::string("made as a ") + name_of(figure)});
+  const double arms = fitted.pose.left.shoulder_abduction;
+  if (arms != standing_pose().left.shoulder_abduction) {
+    remarks.push_back({false, "measured with its arms " + number_text(arms) +
+                                  " degrees away from the trunk: lower, they lie at the bust"});
+  }
   report["figure"] = name_of(figure);
   report["measures"] = table(fitted, common, remarks);
   std::vector<std::string> names;

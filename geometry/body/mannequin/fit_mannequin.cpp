@@ -2,12 +2,15 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
 
+#include "geometry/body/centreline.h"
 #include "geometry/body/mannequin/mannequin_measures.h"
+#include "geometry/body/torso_section.h"
 #include "geometry/error.h"
 
 namespace toile {
@@ -104,6 +107,7 @@ class Problem {
       const bool pulls = is_given && !(girths_first && is_between_levels(measure));
       rows_.push_back({&measure, (is_given ? given : filled).at(measure.name), is_given, pulls});
     }
+    waist_is_given_ = given.contains("waist");
     jacobian = MatrixXd::Zero(size(), build_parts);
     for (int row = 0; row < size(); ++row) {
       for (const auto& [part, share] : rows_[row].measure->parts) {
@@ -159,7 +163,7 @@ class Problem {
   /// The step of the factors that takes `off` away, as far as the holding rows let it.
   VectorXd step(const VectorXd& factors, const VectorXd& off) const {
     constexpr double tolerance = 0.0003;  // metres
-    const int holds = build_parts + 1;
+    const int holds = build_parts + 2;
     MatrixXd left = MatrixXd::Zero(size() + holds, build_parts);
     VectorXd right = VectorXd::Zero(size() + holds);
     for (int row = 0; row < size(); ++row) {
@@ -184,6 +188,14 @@ class Problem {
     left(last, column(Part::chest)) = tied;
     left(last, column(Part::underbust)) = -tied;
     right[last] = tied * (factors[column(Part::underbust)] - factors[column(Part::chest)]);
+    // What is below the bust leaves its start with a waist that is given: over a belly the hollow
+    // is between both.
+    const VectorXd left_start = factors - start_;
+    const double goes_with = waist_is_given_ ? 1 / 0.01 : 0;
+    left(last + 1, column(Part::underbust)) = goes_with;
+    left(last + 1, column(Part::waist)) = -goes_with;
+    right[last + 1] =
+        goes_with * (left_start[column(Part::waist)] - left_start[column(Part::underbust)]);
     VectorXd step = left.colPivHouseholderQr().solve(right);
     // A factor of 1.35 a round at most.
     constexpr double longest = 0.3;
@@ -279,6 +291,7 @@ class Problem {
   }
 
   std::vector<Row> rows_;
+  bool waist_is_given_ = false;
   VectorXd start_;
   MatrixXd jacobian;
 };
@@ -291,6 +304,40 @@ std::optional<Mannequin> meshed(const MannequinBuild& build, const MannequinOpti
   } catch (const Error&) {
     return {};
   }
+}
+
+/// Where the line of the left arm's bones comes down to a height; nothing where it stays above.
+std::optional<Vec3> arm_at(const Skeleton& joints, double y) {
+  const std::array<Vec3, 3> line = {joints.joint("left_shoulder"), joints.joint("left_elbow"),
+                                    joints.joint("left_wrist")};
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    if (line[i].y() < y || line[i + 1].y() > y) continue;
+    const double share = (line[i].y() - y) / (line[i].y() - line[i + 1].y());
+    return Vec3(line[i] + share * (line[i + 1] - line[i]));
+  }
+  return std::nullopt;
+}
+
+/// Whether the section of the trunk at the bust holds the arms, too: a tape can't go around it.
+bool holds_arms(const Mannequin& made) {
+  for (const MannequinGirth& girth : made.girths) {
+    if (girth.name != "bust") continue;
+    const double y = girth.centre.y();
+    const std::optional<Vec3> arm = arm_at(made.skeleton, y);
+    const std::optional<Section> section = torso_section(made.surface, y);
+    if (arm && section && contains(*section, *arm, Vec3::UnitY())) return true;
+  }
+  return false;
+}
+
+/// Raises both arms by one step; false: they are as high as a mannequin's go.
+bool raise_arms(Pose& pose) {
+  constexpr double step = 15;  // degrees
+  constexpr double most = 80;
+  if (pose.left.shoulder_abduction >= most) return false;
+  const double degrees = std::min(pose.left.shoulder_abduction + step, most);
+  pose.left.shoulder_abduction = pose.right.shoulder_abduction = degrees;
+  return true;
 }
 
 /// The best body of some rounds, and the largest miss of the measures that pull, in metres.
@@ -320,6 +367,11 @@ Fit fit_rounds(Problem problem, const MeasureValues& given, const MeasureValues&
   for (int round = 1; round <= max_rounds; ++round) {
     const MannequinBuild build = build_of(factors);
     std::optional<Mannequin> made = meshed(build, trial);
+    while (made && holds_arms(*made) && raise_arms(trial.pose)) {
+      made = meshed(build, trial);
+      step.resize(0);  // what the arms' move changes is not the factors' doing
+      fit.least = std::numeric_limits<double>::infinity();
+    }
     if (!made) return fit;
     const MeasureValues measured = mannequin_measures(*made);
     const VectorXd off = problem.off(measured);
@@ -327,7 +379,7 @@ Fit fit_rounds(Problem problem, const MeasureValues& given, const MeasureValues&
     if (step.size() > 0) problem.correct(step, off - before);
     if (is_fine && worst < fit.least) {
       fit.least = worst;
-      fit.best = {std::move(*made), build, problem.compared(measured, given, filled)};
+      fit.best = {std::move(*made), build, problem.compared(measured, given, filled), trial.pose};
     }
     if (is_fine && worst < enough) break;
     if (!is_fine && (worst < enough_coarse || round >= max_rounds - 4)) {

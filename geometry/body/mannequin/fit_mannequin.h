@@ -23,6 +23,7 @@ struct FittedMannequin {
   Mannequin mannequin;
   MannequinBuild build;
   std::vector<FittedMeasure> measures;  ///< in the order of their names
+  Pose pose;  ///< in which it was measured: standing, the arms as high as frees the bust
 };
 
 /// Finds the build whose mesh, standing, has the measures `given`, and those of `filled` about. It
@@ -30,9 +31,11 @@ struct FittedMannequin {
 ///
 /// The unknowns are the logarithms of the build's factors, by least squares. Filled measures set
 /// their start. Each factor is pulled to its start with a weight of 1 to 3 %. In the first Jacobian
-/// each part moves its own measure alone. What the rounds show corrects it [Schubert 1970]. It ends
-/// when each given measure that can be read is within 1 mm, or after 12 rounds with the best one.
-/// Throws Error where levels of the body would not rise, and as mesh_mannequin() does.
+/// each part moves its own measure alone. What the rounds show corrects it [Schubert 1970]. Where
+/// the section at the bust holds the arms, they are raised by steps of 15 degrees, to 80 at most. A
+/// body asked for in the standing pose keeps them so. It ends when each given measure that can be
+/// read is within 1 mm, or after 12 rounds with the best one. Throws Error where levels of the body
+/// would not rise, and as mesh_mannequin() does.
 FittedMannequin fit_mannequin(const MeasureValues& given, const MeasureValues& filled,
                               Figure figure, const MannequinOptions& options);
 

@@ -124,6 +124,34 @@ TEST(LackingBody, ArmsThatBothEndInTheForearmKeepTheirElbows) {
               0.005);
 }
 
+TEST(LackingBody, LegsWithoutFeetTellNoHeights) {
+  const std::vector<Measure> whole = measured(mannequin());
+  const TriangleMesh body = without([](const Vec3& p) { return p.y() < 0.13; });
+  const std::vector<Measure> found = measured(body);
+  for (const char* name : {"height", "inside_leg", "bust_height", "left_knee_height",
+                           "left_waist_to_floor", "left_ankle", "right_ankle"}) {
+    EXPECT_FALSE(value(found, name)) << name;
+    EXPECT_FALSE(find_measure(found, name)->reason.empty()) << name;
+  }
+  for (const char* name : {"bust", "waist", "hip", "left_upper_thigh"}) {
+    EXPECT_NEAR(value(found, name).value_or(0), *value(whole, name), 0.004) << name;
+  }
+  EXPECT_NE(clean_body(test::soup(body), "cut").report.lacks.find("feet"), std::string::npos);
+}
+
+TEST(LackingBody, AGirthAtTheCutOfALegIsNoCalf) {
+  const std::vector<Measure> whole = measured(mannequin());
+  for (const double cut : {0.12, 0.27, 0.34}) {
+    const std::vector<Measure> found =
+        measured(without([cut](const Vec3& p) { return p.x() > 0 && p.y() < cut; }));
+    EXPECT_FALSE(value(found, "left_ankle")) << cut;
+    EXPECT_EQ(value(found, "left_calf").has_value(), cut < 0.2) << cut;
+    for (const char* name : {"height", "right_calf", "right_ankle", "left_knee"}) {
+      EXPECT_NEAR(value(found, name).value_or(0), *value(whole, name), 0.004) << name;
+    }
+  }
+}
+
 TEST(LackingBody, AnArmWithoutAForearmIsNotMeasured) {
   const TriangleMesh body = without([](const Vec3& p) { return p.x() < -0.38 && p.y() > 0.6; });
   const std::vector<Measure> whole = measured(mannequin());

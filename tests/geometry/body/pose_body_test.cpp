@@ -7,6 +7,7 @@
 #include <iostream>
 #include <numbers>
 
+#include "geometry/body/find_skeleton.h"
 #include "geometry/body/limb_girths.h"
 #include "geometry/body/mannequin/mannequin.h"
 #include "geometry/closed_surface.h"
@@ -139,6 +140,11 @@ TEST(PoseBody, BodiesThatCantBePosedAreRefused) {
   Skeleton high = standing().skeleton;
   high.joints["pelvis"].y() = 1.0;
   EXPECT_NE(error_of(standing().surface, high).find("leg can't be told"), std::string::npos);
+}
+
+TEST(PoseBody, WhoSitsIsNotTakenForStanding) {
+  EXPECT_THROW(find_skeleton(posed(sitting_pose()).surface, "sits"), Error);
+  EXPECT_NO_THROW(find_skeleton(posed(walking_pose()).surface, "walks"));
 }
 
 }  // namespace pose_body_test

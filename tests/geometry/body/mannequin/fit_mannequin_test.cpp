@@ -51,6 +51,24 @@ TEST(FitMannequin, ALargerWomanHasTheMeasuresThatWereGiven) {
   EXPECT_TRUE(self_intersections(made.mannequin.surface).empty());
 }
 
+TEST(FitMannequin, ArmsLeaveTheBustOfALargeWomanFree) {
+  const MeasureValues given = {{"height", 1.65}, {"bust", 1.35}, {"hip", 1.42}};
+  const FittedMannequin made = fitted(given, Figure::woman);
+  EXPECT_GT(made.pose.left.shoulder_abduction, standing_pose().left.shoulder_abduction);
+  for (const FittedMeasure& measure : made.measures) {
+    if (!measure.is_given) continue;
+    EXPECT_NEAR(measure.measured, measure.wanted, 0.002) << measure.name;
+  }
+  for (const MannequinGirth& girth : made.mannequin.girths) {
+    if (girth.name != "bust") continue;
+    const std::vector<Section> sections =
+        slice(made.mannequin.surface, girth.centre, Vec3::UnitY());
+    ASSERT_FALSE(sections.empty());
+    // With arms at its sides the section is 70 cm wide.
+    for (const Vec3& p : sections.front().points) EXPECT_LT(std::abs(p.x()), 0.30);
+  }
+}
+
 TEST(FitMannequin, AChildIsOneSurfaceAndPosesKeepItsBones) {
   const MeasureValues given = {{"height", 1.16}, {"bust", 0.59}, {"hip", 0.63}};
   const MeasureValues filled = filled_measures(given, Figure::child);
