@@ -81,6 +81,12 @@ inline constexpr double kept_momentum_age = 0.9;
 /// twice as many.
 inline constexpr double counted_force = 10;
 
+/// The same in root mean squares of all forces, where that is more. One node that trembles hardly
+/// raises it. A patch that swings does, and has to stop the momentum that it swings by. With 0, a
+/// T-shirt of jersey swings without end from one start in ten. With 1, 22 garments at 25 mm take
+/// 1.01 times the iterations, the T-shirt 0.9 times.
+inline constexpr double counted_rms = 0.3;
+
 /// Iterations: a younger momentum is not cut.
 inline constexpr int min_momentum_age = 50;
 

@@ -333,7 +333,8 @@ Residual Relaxation::last_residual() {
     throw Error("garment", "its forces grew beyond all numbers",
                 "check the fabric's stiffness and the panels for degenerate triangles");
   }
-  counted_force_ = counted_force * whole.median * model_.mean_weight;
+  counted_force_ =
+      std::max(counted_force * whole.median, counted_rms * whole.rms) * model_.mean_weight;
   allow_for_loads();
   multilevel_.compute(node_force_, bending_);
   Residual r = residual_of(node_weights_of_forces());
