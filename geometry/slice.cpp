@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -58,6 +59,14 @@ std::pair<Vec3, Vec3> plane_axes(const Vec3& unit_normal) {
 
 double cross(const Vec2& o, const Vec2& a, const Vec2& b) {
   return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
+}
+
+double widest_chord(const Section& section) {
+  double most = 0;
+  for (const Vec3& a : section.points) {
+    for (const Vec3& b : section.points) most = std::max(most, (a - b).squaredNorm());
+  }
+  return std::sqrt(most);
 }
 
 // The perimeter of the convex hull by Andrew's monotone chain.

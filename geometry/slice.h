@@ -27,6 +27,9 @@ struct Section {
 /// triangles, O(k log k) in those cut.
 std::vector<Section> slice(const TriangleMesh& mesh, const Vec3& origin, const Vec3& normal);
 
+/// Metres between the two points of a section that are farthest apart. O(n^2) in its points.
+double widest_chord(const Section& section);
+
 /// Metres around the convex hull of points in a plane square to `normal`. O(n log n).
 double hull_length(const std::vector<Vec3>& points, const Vec3& normal);
 

@@ -41,6 +41,21 @@ std::vector<std::string> softened_fabrics(const PanelMesh& garment, const Scene&
   return lines;
 }
 
+/// Where a garment that did not come to rest is pulled the hardest; empty: that is not known.
+std::string restless_place(const PanelMesh& garment, const DressResult& result) {
+  const int node = result.residual.hardest;
+  const auto has_node = [node](const Triangle& t) { return std::ranges::find(t, node) != t.end(); };
+  const auto at = std::ranges::find_if(result.triangles, has_node);
+  if (node < 0 || at == result.triangles.end()) return {};
+  const int panel =
+      panel_of_triangles(garment)[static_cast<std::size_t>(at - result.triangles.begin())];
+  const double height = result.nodes[static_cast<std::size_t>(node)].y();
+  return "the garment did not come to rest: panel '" +
+         garment.panels[static_cast<std::size_t>(panel)].name + "' is pulled the hardest, " +
+         number_text(100 * height, 3) + " cm above the floor, by " +
+         number_text(result.residual.max, 2) + " times the weight of a point";
+}
+
 /// Whether the garment is a surface that others can lie on: closed, and clear of everything.
 bool is_surface(const Judgement& judgement) { return judgement.verdict >= Verdict::unconverged; }
 
@@ -255,6 +270,13 @@ void Dressing::write_and_judge(std::size_t layer, const TriangleMesh* others) {
   if (result.release) end.stays = result.release->stays();
   worn.judgement = judge(worn.garment, dressed, collider_.body(), skeleton_, end, others);
   worn.cloth = {std::move(dressed.points), std::move(dressed.triangles)};
+  if (worn.judgement.verdict == Verdict::unconverged) {
+    const std::string place = restless_place(worn.garment, result);
+    if (!place.empty() && std::ranges::find(worn.warnings, place) == worn.warnings.end()) {
+      worn.warnings.push_back(place);
+      warn(place);
+    }
+  }
   if (worn.continued && worn.continued->refusal.empty() &&
       worn.judgement.verdict != Verdict::sewn) {
     worn.warnings.push_back(
@@ -349,6 +371,7 @@ void Dressing::take_coupled() {
     if (outfit_.strain_limit) result.tight_regions = coupled.tight_regions[i];
     result.converged = coupled.converged;
     result.residual = coupled.stages.back().residual;
+    result.residual.hardest = -1;  // it is a node of all layers together
     result.release = coupled.release;
     const PanelMesh& garment = worn_.layers[i].garment;
     measure_lasting(garment, result.attached, material_points(garment, result), result.attachments);

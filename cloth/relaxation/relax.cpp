@@ -423,7 +423,9 @@ Residual residual_of(std::vector<double> forces) {
   Residual r;
   r.rms = root_mean_square(forces);
   if (!std::isfinite(r.rms)) return r;
-  r.max = *std::max_element(forces.begin(), forces.end());
+  const auto hardest = std::max_element(forces.begin(), forces.end());
+  r.max = *hardest;
+  r.hardest = static_cast<int>(hardest - forces.begin());
   r.median = median(std::move(forces));
   return r;
 }

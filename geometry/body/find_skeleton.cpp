@@ -28,7 +28,7 @@ constexpr double touching = 0.004;
 constexpr double shoulder_to_elbow = 0.16;
 
 // Share of the height, level across the section where the thighs join: 0.2 to 0.33 of people who
-// stand, 0.5 of one who sits.
+// stand, 0.5 of one who sits. At half of it people who stand are refused, at double none who sits.
 constexpr double longest_lap = 0.4;
 
 /// The range of a section in x, metres.
@@ -44,15 +44,6 @@ Extent extent_in_x(const Section& section) {
     extent.high = std::max(extent.high, point.x());
   }
   return extent;
-}
-
-/// Metres between the two points of a level section that are farthest apart.
-double across(const Section& section) {
-  double most = 0;
-  for (const Vec3& a : section.points) {
-    for (const Vec3& b : section.points) most = std::max(most, (a - b).squaredNorm());
-  }
-  return std::sqrt(most);
 }
 
 /// Metres that a section extends to one side of x = 0: 1 is left (+x), -1 is right.
@@ -185,7 +176,7 @@ class Finder {
         pelvis = std::move(higher);
       }
     }
-    if (across(*pelvis) > longest_lap * height_) {
+    if (widest_chord(*pelvis) > longest_lap * height_) {
       fail("the thighs are not upright, as of a person who sits");
     }
     crotch_ = joined;

@@ -17,15 +17,6 @@ constexpr double shin_above = 0.1;    // the shin, above the leg's end
 constexpr double least_ratio = 1.5;
 constexpr double lifted = 0.02;  // a leg that ends higher does not stand
 
-/// Metres between the two points of a level section that are farthest apart.
-double across(const Section& section) {
-  double most = 0;
-  for (const Vec3& a : section.points) {
-    for (const Vec3& b : section.points) most = std::max(most, (a - b).squaredNorm());
-  }
-  return std::sqrt(most);
-}
-
 struct Leg {
   bool has_foot = true;
   double end = 0;  ///< metres above the floor
@@ -41,10 +32,11 @@ Leg leg_below(const TriangleMesh& body, const Vec3& knee, double height) {
   if (leg.empty()) return {};
   const double end = leg.back().along;
   double foot = 0;
-  double shin = across(leg.front().section);
+  double shin = widest_chord(leg.front().section);
   for (const Station& station : leg) {
-    if (station.along < end + foot_height * height) foot = std::max(foot, across(station.section));
-    if (station.along > end + shin_above * height) shin = across(station.section);
+    if (station.along < end + foot_height * height)
+      foot = std::max(foot, widest_chord(station.section));
+    if (station.along > end + shin_above * height) shin = widest_chord(station.section);
   }
   return {foot > least_ratio * shin, end};
 }

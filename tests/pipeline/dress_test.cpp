@@ -1,6 +1,7 @@
 // The program dress, alone and in the whole chain from a body and a pattern to the ease map.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -431,8 +432,13 @@ TEST_F(DressInput, WhatFindsNoRestIsWrittenWithItsVerdict) {
   const auto done = dress({"--frames", frames, "--certify-frames"});
   EXPECT_EQ(done.exit_code, 3) << done.err;
   EXPECT_NE(done.err.find("warning: "), std::string::npos);  // no skeleton: no wraps
+  const std::string restless = "the garment did not come to rest: panel '";
+  EXPECT_HOLDS(done.err, "warning: " + restless);
   const Json said = Json::parse(read_text(report));
   EXPECT_EQ(said["verdict"], "unconverged");
+  EXPECT_TRUE(std::ranges::any_of(said["warnings"], [&](const Json& line) {
+    return line.get<std::string>().rfind(restless, 0) == 0;
+  }));
   EXPECT_FALSE(said["converged"].get<bool>());
   EXPECT_TRUE(said["wraps"].empty());
   EXPECT_EQ(said["seams"]["sewn"], 2);
