@@ -44,12 +44,6 @@ inline constexpr int passing_iterations = 1000;
 /// Metres within which the body passes for a plane while nothing has to come to rest.
 inline constexpr double closing_linearization_radius = 2e-4;
 
-/// Metres: the cells of the grid of distances to a body with raised arms, and how far from the skin
-/// they are exact. That body is there for the closing alone, which asks no more of it. With 5 and
-/// 10 mm, five garments at 25 mm take 1.12 times as long.
-inline constexpr double closing_cell = 0.008;
-inline constexpr double closing_band = 0.012;
-
 /// N/m: cloth is at least so stiff along its yarns while its seams close.
 inline constexpr double closing_stretch = 1000;
 /// N/m: cloth is at least so stiff in shear while its seams close.

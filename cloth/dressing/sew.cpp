@@ -22,10 +22,8 @@ struct RaisedScene {
   RaisedScene(const Scene& standing, const ArmRaise& raise)
       : RaisedScene(standing, raise, raise.raised(standing.collider->body())) {}
   RaisedScene(const Scene& standing, const ArmRaise& raise, const TriangleMesh& body)
-      : collider(body,
-                 standing.raised_distances != nullptr ? standing.raised_distances->known(body)
-                                                      : DistanceCache(),
-                 {closing_cell, closing_band}),
+      : collider(body, standing.raised_distances != nullptr ? standing.raised_distances->known(body)
+                                                            : DistanceCache()),
         skeleton(raise.raised(*standing.skeleton)),
         scene(standing) {
     scene.collider = &collider;
