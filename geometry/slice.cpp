@@ -61,14 +61,6 @@ double cross(const Vec2& o, const Vec2& a, const Vec2& b) {
   return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
 }
 
-double widest_chord(const Section& section) {
-  double most = 0;
-  for (const Vec3& a : section.points) {
-    for (const Vec3& b : section.points) most = std::max(most, (a - b).squaredNorm());
-  }
-  return std::sqrt(most);
-}
-
 // The perimeter of the convex hull by Andrew's monotone chain.
 double hull_length(std::vector<Vec2> points) {
   std::sort(points.begin(), points.end(), [](const Vec2& a, const Vec2& b) {
@@ -131,6 +123,14 @@ void measure(Section& section, const Vec3& unit_normal) {
 }
 
 }  // namespace
+
+double widest_chord(const Section& section) {
+  double most = 0;
+  for (const Vec3& a : section.points) {
+    for (const Vec3& b : section.points) most = std::max(most, (a - b).squaredNorm());
+  }
+  return std::sqrt(most);
+}
 
 std::vector<Section> slice(const TriangleMesh& mesh, const Vec3& origin, const Vec3& normal) {
   const Vec3 unit_normal = normal.normalized();

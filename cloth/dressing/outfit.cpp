@@ -270,9 +270,10 @@ void Dressing::write_and_judge(std::size_t layer, const TriangleMesh* others) {
   if (result.release) end.stays = result.release->stays();
   worn.judgement = judge(worn.garment, dressed, collider_.body(), skeleton_, end, others);
   worn.cloth = {std::move(dressed.points), std::move(dressed.triangles)};
-  if (worn.judgement.verdict == Verdict::unconverged) {
+  // A layer of several can come to rest yet, with the others.
+  if (count() == 1 && worn.judgement.verdict == Verdict::unconverged) {
     const std::string place = restless_place(worn.garment, result);
-    if (!place.empty() && std::ranges::find(worn.warnings, place) == worn.warnings.end()) {
+    if (!place.empty()) {
       worn.warnings.push_back(place);
       warn(place);
     }

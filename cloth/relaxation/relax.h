@@ -17,11 +17,11 @@ struct Residual {
   double median = 0;
   double rms = 0;  ///< root mean square
   double max = 0;
-  int hardest = -1;  ///< the node of `max`; -1: there is none
   /// Root mean square over the patches of the nested mesh's coarsest level, in units of their
   /// weights. It is the force that would set the cloth in motion as a whole. 0 without levels.
   double wide = 0;
-  int held = 0;  ///< nodes that were left out
+  int held = 0;      ///< nodes that were left out
+  int hardest = -1;  ///< the node of `max`; -1: there is none
 };
 
 /// Median, root mean square and maximum of the residual forces of the nodes; `wide` stays 0. Takes

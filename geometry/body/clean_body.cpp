@@ -408,11 +408,13 @@ CleanBody clean_body(const PolygonSoup& soup, const std::string& name,
     }
     body.skeleton->cleaned = move;
   }
-  if (body.skeleton && report.lacks.empty()) {
+  if (body.skeleton) {
     const std::vector<std::string> cut = missing_feet(body.mesh, *body.skeleton);
-    if (cut.size() == 2)
-      report.lacks = "both legs end before their feet: heights can't be measured";
-    if (cut.size() == 1) report.lacks = "the " + cut.front() + " leg ends before a foot";
+    if (!cut.empty() && !report.lacks.empty()) report.lacks += "; ";
+    if (cut.size() == 2) {
+      report.lacks += "both legs end before their feet: heights can't be measured";
+    }
+    if (cut.size() == 1) report.lacks += "the " + cut.front() + " leg ends before a foot";
   }
   report.no_skeleton = std::move(standing.no_skeleton);
   return body;

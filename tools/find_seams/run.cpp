@@ -75,7 +75,11 @@ int panel_of(const Pattern& pattern, const std::string& option, const std::strin
 std::vector<LeftOut> left_out(const Pattern& pattern, const FindSeamsSettings& settings) {
   std::set<int> held;
   if (settings.keep) {
-    for (const Stitch& stitch : pattern.stitches) held.insert({stitch.a.panel, stitch.b.panel});
+    for (const Stitch& stitch : pattern.stitches) {
+      const auto is_marked = [&](int panel) { return !pattern.panels[panel].left_out.empty(); };
+      if (is_marked(stitch.a.panel) || is_marked(stitch.b.panel)) continue;
+      held.insert({stitch.a.panel, stitch.b.panel});
+    }
   }
   for (const std::string& seam : settings.sewn) {
     const Stitch stitch = stitch_of(pattern, seam);
@@ -100,7 +104,7 @@ std::vector<LeftOut> left_out(const Pattern& pattern, const FindSeamsSettings& s
     out[panel] = "asked for";
   }
   if (out.size() == pattern.panels.size()) {
-    throw Error(pattern.source, "keeps no panel", "leave fewer out by --without");
+    throw Error(pattern.source, "keeps no panel", "take panels in by --with");
   }
   std::vector<LeftOut> named;
   for (const auto& [panel, kind] : out) named.push_back({pattern.panels[panel].name, kind});

@@ -126,7 +126,7 @@ Json table(const FittedMannequin& fitted, const CommonSettings& common,
   }
   if (!uncontrolled.empty()) {
     remarks.push_back(
-        {false, "not fitted, for a mannequin has no control for it: " + listed(uncontrolled)});
+        {false, "not fitted, for nothing of a mannequin moves it alone: " + listed(uncontrolled)});
   }
   if (!unread.empty()) {
     remarks.push_back({true, "not met, for it can't be measured on this body: " + listed(unread)});
@@ -169,7 +169,8 @@ Mannequin mannequin_by_measures(const MeasureSettings& settings, MannequinOption
     constexpr double sample = 1.70;  // metres tall
     options.edge_length = std::clamp(options.edge_length * all.at("height") / sample, 0.004, 0.015);
   }
-  FittedMannequin fitted = fit_mannequin(asked.measures, filled, figure, options);
+  FittedMannequin fitted =
+      fit_mannequin(asked.measures, filled, figure, options, settings.pose_is_given);
   remarks.push_back({false, std::string("made as a ") + name_of(figure)});
   const double arms = fitted.pose.left.shoulder_abduction;
   if (arms != standing_pose().left.shoulder_abduction) {

@@ -126,6 +126,7 @@ Job prepare(const po::variables_map& given, const CommonSettings& common) {
   Job job;
   if (is_pose_file(settings.mannequin.pose_name)) job.files.reads = {settings.mannequin.pose_name};
   if (settings.measures) {
+    settings.measures->pose_is_given = given.count("arms") != 0 || !given["pose"].defaulted();
     for (const auto& file : settings.measures->files) job.files.reads.push_back(file);
   }
   job.files.writes = {common.output, skeleton_path(common.output)};

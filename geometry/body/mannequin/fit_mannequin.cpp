@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -296,12 +297,13 @@ class Problem {
   MatrixXd jacobian;
 };
 
-/// The mesh of a build; nothing where its levels do not rise, or its parts run into each other.
-std::optional<Mannequin> meshed(const MannequinBuild& build, const MannequinOptions& options) {
-  if (!levels_rise(build)) return {};
+/// The mesh of a build; nothing, and `why`, where it can't be made.
+std::optional<Mannequin> meshed(const MannequinBuild& build, const MannequinOptions& options,
+                                std::exception_ptr& why) {
   try {
     return mesh_mannequin(built_mannequin(build), options);
   } catch (const Error&) {
+    why = std::current_exception();
     return {};
   }
 }
@@ -345,7 +347,21 @@ bool raise_arms(Pose& pose) {
 struct Fit {
   FittedMannequin best;
   double least = std::numeric_limits<double>::infinity();
+  std::exception_ptr why;  ///< what ended the rounds; null: nothing did
 };
+
+/// Metres: the largest miss of the girths that are given.
+double worst_girth(const FittedMannequin& fitted) {
+  double worst = 0;
+  for (const FittedMeasure& measure : fitted.measures) {
+    const bool is_girth = std::ranges::any_of(
+        fitted.mannequin.girths,
+        [&](const MannequinGirth& girth) { return measure_of(girth) == measure.name; });
+    if (!is_girth || !measure.is_given || !std::isfinite(measure.measured)) continue;
+    worst = std::max(worst, std::abs(measure.measured - measure.wanted));
+  }
+  return worst;
+}
 
 Fit fit_rounds(Problem problem, const MeasureValues& given, const MeasureValues& filled,
                const MannequinOptions& options) {
@@ -358,6 +374,7 @@ Fit fit_rounds(Problem problem, const MeasureValues& given, const MeasureValues&
       std::clamp(0.012 * std::exp(problem.start()[column(Part::height)]), 0.006, 0.014);
   MannequinOptions trial = options;
   trial.pose = standing_pose();
+  trial.pose_name = "measures";
   Fit fit;
   VectorXd factors = problem.start();
   VectorXd before;
@@ -366,9 +383,9 @@ Fit fit_rounds(Problem problem, const MeasureValues& given, const MeasureValues&
   trial.edge_length = is_fine ? options.edge_length : coarse;
   for (int round = 1; round <= max_rounds; ++round) {
     const MannequinBuild build = build_of(factors);
-    std::optional<Mannequin> made = meshed(build, trial);
+    std::optional<Mannequin> made = meshed(build, trial, fit.why);
     while (made && holds_arms(*made) && raise_arms(trial.pose)) {
-      made = meshed(build, trial);
+      made = meshed(build, trial, fit.why);
       step.resize(0);  // what the arms' move changes is not the factors' doing
       fit.least = std::numeric_limits<double>::infinity();
     }
@@ -397,7 +414,7 @@ Fit fit_rounds(Problem problem, const MeasureValues& given, const MeasureValues&
 }  // namespace
 
 FittedMannequin fit_mannequin(const MeasureValues& given, const MeasureValues& filled,
-                              Figure figure, const MannequinOptions& options) {
+                              Figure figure, const MannequinOptions& options, bool keeps_pose) {
   static const MeasureValues sample = [] {
     MannequinOptions coarse;
     coarse.edge_length = 0.015;
@@ -408,14 +425,14 @@ FittedMannequin fit_mannequin(const MeasureValues& given, const MeasureValues& f
   Fit fit = fit_rounds({given, filled, sample, figure, false}, given, filled, options);
   if (fit.least > far_off) {
     Fit other = fit_rounds({given, filled, sample, figure, true}, given, filled, options);
-    if (other.least < fit.least) fit = std::move(other);
+    const bool is_better =
+        std::isfinite(other.least) &&
+        (!std::isfinite(fit.least) || worst_girth(other.best) < worst_girth(fit.best));
+    if (is_better) fit = std::move(other);
   }
-  if (!std::isfinite(fit.least)) {
-    throw Error("measures", "make a body whose parts run into each other",
-                "look at the heights, or give fewer measures");
-  }
+  if (!std::isfinite(fit.least)) std::rethrow_exception(fit.why);
   FittedMannequin& best = fit.best;
-  if (!(options.pose == standing_pose())) {
+  if (keeps_pose ? !(options.pose == best.pose) : !(options.pose == standing_pose())) {
     best.mannequin = mesh_mannequin(built_mannequin(best.build), options);
   }
   if (!is_one_sphere(best.mannequin.surface)) {

@@ -27,16 +27,19 @@ struct FittedMannequin {
 };
 
 /// Finds the build whose mesh, standing, has the measures `given`, and those of `filled` about. It
-/// returns that body in the pose of the options. Each round makes a mesh and measures it.
+/// returns that body in the pose of the options. Each round makes a mesh and measures it. Where a
+/// given measure stays off by more than 2 cm, a second fit leaves out lengths between levels of the
+/// trunk and legs. It is taken if its girths are nearer.
 ///
 /// The unknowns are the logarithms of the build's factors, by least squares. Filled measures set
 /// their start. Each factor is pulled to its start with a weight of 1 to 3 %. In the first Jacobian
 /// each part moves its own measure alone. What the rounds show corrects it [Schubert 1970]. Where
 /// the section at the bust holds the arms, they are raised by steps of 15 degrees, to 80 at most. A
-/// body asked for in the standing pose keeps them so. It ends when each given measure that can be
-/// read is within 1 mm, or after 12 rounds with the best one. Throws Error where levels of the body
-/// would not rise, and as mesh_mannequin() does.
+/// body asked for in the standing pose has them so, unless it `keeps_pose`. It ends when each given
+/// measure that can be read is within 1 mm, or after 12 rounds with the best one. Throws Error
+/// where levels of the body would not rise, and as mesh_mannequin() does.
 FittedMannequin fit_mannequin(const MeasureValues& given, const MeasureValues& filled,
-                              Figure figure, const MannequinOptions& options);
+                              Figure figure, const MannequinOptions& options,
+                              bool keeps_pose = false);
 
 }  // namespace toile
