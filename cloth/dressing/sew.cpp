@@ -120,7 +120,7 @@ bool is_in_the_way(const Level& level, const std::vector<Vec3>& nodes, const Arm
               .empty();
 }
 
-/// Closes the seams from where the panels start, and draws the cloth clear of itself.
+/// Closes the seams from where the panels start, and lets the cloth come clear of itself.
 Staged close_and_untangle(const Level& level, const Closing& closing, Journal& journal) {
   State state;
   state.nodes = level.model.start;
@@ -166,10 +166,6 @@ Sewn sew(const PanelMesh& mesh, int depth, const Scene& scene, double resting_of
       staged.state.nodes = lowered(*raise, std::move(staged.state.nodes));
       staged.state.warm_start = {};  // friction held it on the raised body
       staged = untangle(standing, std::move(staged.state), closing, journal);
-    }
-    // Stiff cloth comes down with the arms more smoothly, and gets soft once.
-    if (staged.report.converged) {
-      staged = soften(raise ? standing : sewn.level, std::move(staged.state), closing, journal);
     }
     sewn.is_clear = staged.report.converged;
     sewn.state = std::move(staged.state);

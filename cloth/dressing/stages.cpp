@@ -137,23 +137,21 @@ Staged close_seams(const Level& level, State state, const Closing& closing, Jour
 
 Staged untangle(const Level& level, State state, const Closing& closing, Journal& journal) {
   Staged staged{std::move(state), {}};
-  staged.report.converged = is_clear_of_itself(level, staged.state);
-  if (staged.report.converged) return staged;
-  RelaxOptions options = sewing_options(level, {untangling_stiffness, closing.pull});
-  options.max_iterations = untangling_iterations;
-  options.untangles = true;
-  options.bounded_by_body = true;
-  return run("untangle", level, level.model, std::move(staged.state), options,
-             progress_when_sewn(level, journal), journal);
-}
-
-Staged soften(const Level& level, State state, const Closing& closing, Journal& journal) {
+  if (!is_clear_of_itself(level, staged.state)) {
+    RelaxOptions options = sewing_options(level, {untangling_stiffness, closing.pull});
+    options.max_iterations = untangling_iterations;
+    options.untangles = true;
+    options.bounded_by_body = true;
+    staged = run("untangle", level, level.model, std::move(staged.state), options,
+                 progress_when_sewn(level, journal), journal);
+    if (!staged.report.converged) return staged;
+  }
   RelaxOptions options = sewing_options(level, {closing_attempts.front().bending, closing.pull});
   options.max_iterations = softening_iterations;
   options.bending_to = 1;
   options.bounded = true;
-  Staged staged = run("untangle", level, level.model, std::move(state), options,
-                      progress_when_sewn(level, journal), journal);
+  staged = run("untangle", level, level.model, std::move(staged.state), options,
+               progress_when_sewn(level, journal), journal);
   // This stage ends with full stiffness, not with rest.
   journal.mark_converged();
   staged.report.converged = true;

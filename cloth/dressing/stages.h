@@ -35,12 +35,10 @@ Positioned position(const PanelMesh& mesh, int depth, const Scene& scene, double
 /// `level` is that of position().
 Staged close_seams(const Level& level, State state, const Closing& closing, Journal& journal);
 
-/// `untangle`: draws cloth that has come through cloth back out of it. It is drawn to the skin as
-/// while its seams closed. The report's `converged` says whether the cloth is clear of itself.
+/// `untangle`: draws cloth that has come through cloth back out of it, then gives the cloth its own
+/// bending stiffness. It is drawn to the skin as while its seams closed. The report's `converged`
+/// says whether the cloth is clear of itself.
 Staged untangle(const Level& level, State state, const Closing& closing, Journal& journal);
-
-/// `untangle`, too: gives cloth that is clear of itself its own bending stiffness.
-Staged soften(const Level& level, State state, const Closing& closing, Journal& journal);
 
 /// `untangle` of a garment that hangs as it is worn: crossing cloth is drawn apart under its
 /// weight. The report's `converged` says whether the cloth is clear of itself.
