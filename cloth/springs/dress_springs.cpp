@@ -204,7 +204,9 @@ Residual SpringDressing::residual() {
   }
   looked_x_ = x;
   looked_v_ = v;
-  return residual_of(std::move(left));
+  Residual residual = residual_of(std::move(left));
+  residual.hardest = -1;  // it counts the points that have mass
+  return residual;
 }
 
 void SpringDressing::finish() {
