@@ -278,7 +278,7 @@ MeasureSet read_measures(const fs::path& path, std::optional<double> metres_per_
                 "give .json, .csv, .vit, .smis, .vst, .smms or .yaml");
   }
   if (set.values.empty()) {
-    throw Error(name, "has no measure that is known here", "make-mannequin's manual lists them");
+    throw Error(name, "has no measure that is known here", "make-mannequin --help lists them");
   }
   return set;
 }
@@ -293,7 +293,7 @@ void add_measure(const std::string& text, double metres_per_unit, MeasureSet& se
   const std::string name = text.substr(0, equals);
   if (entry_of(name) == nullptr) {
     throw Error(place, "there is no measure '" + shown_text(name) + "'",
-                "make-mannequin's manual lists the names");
+                "make-mannequin --help lists the names");
   }
   std::string number = text.substr(equals + 1);
   double unit = metres_per_unit;

@@ -51,6 +51,7 @@ std::string page_of(const CommandLineProgram& program) {
        << ".SH OPTIONS\n";
   write_options(page, program.options);
   write_options(page, common_options(program));
+  if (!program.footer.empty()) page << ".SH NOTES\n" << escaped(program.footer) << '\n';
   page << ".SH EXIT STATUS\n"
        << ".TP\n0\ndone\n"
        << ".TP\n1\nan input or processing error; one message says where and what to do\n"

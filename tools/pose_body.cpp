@@ -18,6 +18,7 @@
 #include "io/text.h"
 #include "tools/pose_option.h"
 #include "tools/programs.h"
+#include "tools/report.h"
 
 namespace toile {
 namespace {
@@ -101,10 +102,7 @@ int run_pose_body(const PoseBodySettings& settings, const CommonSettings& common
   OutputFiles files;
   write_mesh(files.at(common.output), posed.surface);
   write_skeleton(files.at(skeleton_path(common.output)), posed.skeleton);
-  if (common.report) {
-    write_file(files.at(*common.report),
-               report_json(settings, posed, girths, warnings).dump(1) + "\n");
-  }
+  write_report(files, common, report_json(settings, posed, girths, warnings));
   files.commit();
   return posed.crossings.pairs_left > 0 ? exit_negative : exit_done;
 }

@@ -1,7 +1,7 @@
 #include "tools/pose_option.h"
 
-#include "geometry/error.h"
 #include "io/pose_file.h"
+#include "tools/program.h"
 
 namespace toile {
 
@@ -16,9 +16,9 @@ Pose pose_of(const std::string& given, PosedFigure figure) {
   if (of_body && given == "sitting") return sitting_pose();
   if (of_body && given == "reaching") return reaching_pose();
   if (!is_pose_file(given)) {
-    throw Error("--pose", "'" + given + "' is no pose",
-                of_body ? "give standing, walking, sitting, reaching or a file"
-                        : "give standing, walking or a file");
+    throw UsageError("--pose", "'" + given + "' is no pose",
+                     of_body ? "give standing, walking, sitting, reaching or a file"
+                             : "give standing, walking or a file");
   }
   return read_pose(given, figure);
 }

@@ -11,7 +11,7 @@ namespace toile {
 bool is_pose_file(const std::string& given);
 
 /// The pose that --pose names, or that its file holds. Sitting and reaching are no poses of the
-/// mannequin. Throws Error for another name, and as read_pose() does.
+/// mannequin. Throws UsageError for another name, and as read_pose() does.
 Pose pose_of(const std::string& given, PosedFigure figure);
 
 }  // namespace toile

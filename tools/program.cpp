@@ -8,7 +8,6 @@
 #include <iostream>
 #include <map>
 
-#include "geometry/error.h"
 #include "io/output_file.h"
 #include "io/temporary_file.h"
 #include "io/text.h"
@@ -66,7 +65,8 @@ double parse_quantity(const std::string& text, const std::map<std::string, doubl
   }
   const auto unit = units.find(text.substr(used));
   if (used == 0 || unit == units.end() || !std::isfinite(value) || value <= 0) {
-    throw Error(option, "'" + text + "' is not " + what, "give a positive number with " + such_as);
+    throw UsageError(option, "'" + text + "' is not " + what,
+                     "give a positive number with " + such_as);
   }
   return value * unit->second;
 }
@@ -113,6 +113,7 @@ int run_program(int argc, char** argv, const CommandLineProgram& program) {
   all.add(program.options).add(common);
   po::variables_map given;
   CommonSettings settings;
+  settings.program = program.name;
   try {
     po::store(po::command_line_parser(argc, argv).options(all).positional(program.positional).run(),
               given);
@@ -122,6 +123,7 @@ int run_program(int argc, char** argv, const CommandLineProgram& program) {
                 << program.usage << "\n\n"
                 << program.options << '\n'
                 << common;
+      if (!program.footer.empty()) std::cout << '\n' << program.footer << '\n';
       return exit_done;
     }
     if (given.count("version") != 0) {
@@ -160,6 +162,8 @@ int run_program(int argc, char** argv, const CommandLineProgram& program) {
     return job.work();
   } catch (const std::bad_alloc&) {
     std::cerr << program.name << ": error: out of memory; use a coarser mesh\n";
+  } catch (const UsageError& wrong) {
+    return usage_error(program, wrong.what());
   } catch (const Error& failed) {
     std::cerr << program.name << ": error: " << failed.what() << '\n';
   } catch (const std::filesystem::filesystem_error& failed) {
@@ -181,7 +185,7 @@ void print_version(const std::string& name) {
 
 const std::map<std::string, double>& length_units() {
   static const std::map<std::string, double> metres = {
-      {"m", 1.0}, {"dm", 0.1}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}};
+      {"m", 1.0}, {"dm", 0.1}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}, {"inch", 0.0254}};
   return metres;
 }
 

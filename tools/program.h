@@ -2,6 +2,7 @@
 #pragma once
 
 #include <boost/program_options.hpp>
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -10,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/error.h"
 #include "tools/program_files.h"
 
 namespace toile {
@@ -28,11 +30,20 @@ struct CommonSettings {
   std::optional<std::filesystem::path> report;  ///< --report
   int threads = 0;                              ///< --threads; 0: as many as the machine has
   bool quiet = false;                           ///< -q
+  std::string program = {};                     ///< its name, for the report
+  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 
   /// A line for the user on stderr, unless -q. stdout is for data alone.
   void say(const std::string& line) const;
   /// A warning on stderr, -q or not.
   static void warn(const std::string& line);
+};
+
+/// A value that an option can't take: exit code 2, as for an option that is not there.
+class UsageError : public Error {
+ public:
+  using Error::Error;
+  explicit UsageError(const Error& wrong) : Error(wrong) {}
 };
 
 /// What a command line asks for. Its work returns an exit code.
@@ -48,6 +59,7 @@ struct CommandLineProgram {
   std::string usage;  ///< the arguments, without the program's name
   boost::program_options::options_description options{"Options"};
   boost::program_options::positional_options_description positional;
+  std::string footer = {};  ///< what --help and the manual say below the options
   /// Options that hang on one another, where there are such: throws program_options::error.
   std::function<void(const boost::program_options::variables_map&)> check;
   /// What -o has to end in, ".obj" say; none: the program looks at it itself.
@@ -75,9 +87,9 @@ void print_version(const std::string& name);
 /// Metres, by the names of units of length.
 const std::map<std::string, double>& length_units();
 
-/// A length with its unit ("10mm", "1.5cm", "0.01m"), in metres. Throws Error, naming `option`,
-/// when it is not a positive length, or a bare number: whoever writes 25 means millimetres or
-/// inches.
+/// A length with its unit ("10mm", "1.5cm", "0.01m"), in metres. Throws UsageError, naming
+/// `option`, when it is not a positive length, or a bare number: whoever writes 25 means
+/// millimetres or inches.
 double parse_length(const std::string& text, const std::string& option);
 
 /// The same of a time ("1s", "500ms"; a bare number is seconds), in seconds.

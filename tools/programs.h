@@ -15,7 +15,6 @@ CommandLineProgram find_seams_program();
 CommandLineProgram fit_program();
 CommandLineProgram import_pattern_program();
 CommandLineProgram make_mannequin_program();
-CommandLineProgram find_seams_program();
 CommandLineProgram measure_body_program();
 CommandLineProgram mesh_pattern_program();
 CommandLineProgram pose_body_program();

@@ -16,6 +16,14 @@ void say_remarks(const std::vector<Remark>& remarks, const CommonSettings& commo
   }
 }
 
+std::vector<std::string> warnings_in(const std::vector<Remark>& remarks) {
+  std::vector<std::string> warnings;
+  for (const Remark& remark : remarks) {
+    if (remark.warning) warnings.push_back(remark.text);
+  }
+  return warnings;
+}
+
 void add_remarks(const std::vector<Remark>& remarks, nlohmann::ordered_json& report) {
   report["notes"] = nlohmann::ordered_json::array();
   report["warnings"] = nlohmann::ordered_json::array();

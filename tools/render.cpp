@@ -10,6 +10,7 @@
 #include "io/obj.h"
 #include "io/output_file.h"
 #include "tools/programs.h"
+#include "tools/report.h"
 
 namespace toile {
 
@@ -25,12 +26,13 @@ std::vector<View> views_of(const std::string& list) {
   for (std::string word; std::getline(words, word, ',');) {
     const std::optional<View> view = view_named(word);
     if (!view) {
-      throw Error("--views", "'" + word + "' is no view", "give front, back, left, right or top");
+      throw UsageError("--views", "'" + word + "' is no view",
+                       "give front, back, left, right or top");
     }
     views.push_back(*view);
   }
   if (views.empty() || views.size() > 8) {
-    throw Error("--views", "between one and eight views can be shown", "");
+    throw UsageError("--views", "between one and eight views can be shown", "");
   }
   return views;
 }
@@ -89,14 +91,15 @@ void run_render(const RenderSettings& settings, const CommonSettings& common) {
   if (picture.legend.size() > 40) picture.legend.clear();
   OutputFiles files;
   write_file(files.at(common.output), picture_png(std::move(meshes), picture));
-  if (common.report) {
-    nlohmann::ordered_json report;
-    report["picture"] = common.output.string();
-    report["views"] = settings.views.size();
-    report["view_width_pixels"] = settings.width;
-    report["garments"] = settings.garments;
-    write_file(files.at(*common.report), report.dump(2) + "\n");
+  nlohmann::ordered_json report;
+  report["picture"] = common.output.string();
+  report["body"] = settings.body;
+  report["garments"] = settings.garments;
+  for (const View view : settings.views) {
+    report["views"].push_back(view_names[static_cast<std::size_t>(view)]);
   }
+  report["view_width_pixels"] = settings.width;
+  write_report(files, common, report);
   files.commit();
   common.say("wrote " + common.output.string());
 }
@@ -128,7 +131,7 @@ CommandLineProgram render_program() {
     settings.width = given["width"].as<int>();
     settings.title = given["title"].as<std::string>();
     if (settings.width < 64 || settings.width > 2048) {
-      throw Error("--width", "is out of range", "give 64 to 2048 pixels");
+      throw UsageError("--width", "is out of range", "give 64 to 2048 pixels");
     }
     Job job;
     job.files.reads.assign(settings.garments.begin(), settings.garments.end());

@@ -21,7 +21,7 @@ Fit fit_of(const std::vector<GirthEase>& girths, const std::vector<GarmentLevel>
 }
 
 std::string to_string(const Fit& fit) {
-  if (!fit.is_checked) return "not checked";
+  if (!fit.is_checked) return "not_checked";
   return fit.levels.empty() ? "ok" : "too_small";
 }
 

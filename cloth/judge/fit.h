@@ -25,7 +25,7 @@ struct Fit {
 /// knit that is meant to stretch is named, too.
 Fit fit_of(const std::vector<GirthEase>& girths, const std::vector<GarmentLevel>& garment_levels);
 
-/// "ok", "too_small" or "not checked".
+/// "ok", "too_small" or "not_checked".
 std::string to_string(const Fit& fit);
 
 /// "at the waist the garment is cut 3.2 cm smaller than the body, and stretched by that"

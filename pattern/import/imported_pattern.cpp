@@ -160,6 +160,11 @@ class Importer {
                       std::to_string(max_panels),
                   "is it really a garment?");
     }
+    if (options_.seam_allowance && std::ranges::none_of(chosen_, [](const ChosenPiece& chosen) {
+          return chosen.piece.is_cut_line;
+        })) {
+      note(drawing_.source + ": no piece has a cut line only; no seam allowance is taken off");
+    }
     if (cut_lines > 0) {
       note(drawing_.source + ": " + std::to_string(cut_lines) + " of " +
            std::to_string(pattern_.panels.size()) +

@@ -78,7 +78,7 @@ def commands(name):
     dress = ["dress", "--body", "body.ply", "garment.obj", "--quality", "draft",
              "-o", "out.obj", "--report", "report.json"]
     ease = ["ease-map", "--body", "body.ply", "dressed.obj", "-o", "out.html", "--csv", "out.csv",
-            "--json", "out.json"]
+            "--report", "report.json"]
     clean = ["clean-body", "body.ply", "-o", "out.ply", "--report", "report.json"]
     mesh = ["mesh-pattern", name, "--edge-length", "30mm", "-o", "out.obj", "--report",
             "report.json"]
@@ -120,7 +120,7 @@ def commands(name):
 
 def outputs(words):
     """The files that a command is to write."""
-    flags = ("-o", "--report", "--csv", "--json")
+    flags = ("-o", "--report", "--csv")
     named = [pathlib.Path(words[i + 1]) for i, word in enumerate(words) if word in flags]
     # A scene's layers go to files named after them, whose names the damage may have changed.
     return [path for path in named if "--scene" not in words or path.suffix == ".json"]

@@ -48,7 +48,7 @@ class AsCut : public testing::Test {
                             folder / "dressed.json", "--quality", "draft", "-q"})
                   .exit_code,
               0);
-    EXPECT_EQ(run("ease-map", {"--body", body, dressed, "-o", folder / "ease.html", "--json",
+    EXPECT_EQ(run("ease-map", {"--body", body, dressed, "-o", folder / "ease.html", "--report",
                                folder / "ease.json", "-q"})
                   .exit_code,
               0);

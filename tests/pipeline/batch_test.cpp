@@ -173,7 +173,7 @@ TEST_F(ToileBatch, AGarmentOutOfTimeIsAnErrorAndLeavesNoOlderResult) {
   EXPECT_EQ(late.err, "");
   for (auto& [name, row] : results(out)) {
     EXPECT_EQ(row["verdict"], "error");
-    EXPECT_EQ(row["cause"], "mesh-pattern: out of time");
+    EXPECT_EQ(row["cause"], "clean-body: out of time");
     EXPECT_NE(row["detail"].find("it may take 0.01 s"), std::string::npos) << row["detail"];
     EXPECT_EQ(row["dressed_sha256"], "");
     for (const char* file : {"dressed.obj", "dressed.json", "ease.html", "front.png"}) {
@@ -252,9 +252,21 @@ TEST_F(ToileBatch, ANegativeVerdictEndsWith3AndAFolderIsABatchToo) {
   }
   fs::create_directory(folder / "patterns");
   write_text(folder / "patterns" / "low.json", pattern.dump());
-  const pipeline::Run ended = batch({folder / "patterns", "-o", folder / "out"});
+  fs::copy_file(sample("tshirt"), folder / "patterns" / "tshirt.json");
+  write_text(folder / "patterns" / "body.json", R"({"joints": {}})");
+  const pipeline::Run ended = batch({folder / "patterns", "-o", folder / "out", "--fabric",
+                                     "jersey", "--options", "--quality draft"});
   EXPECT_EQ(ended.exit_code, 3) << ended.err;
+  EXPECT_NE(ended.err.find("body.json holds no pattern"), std::string::npos) << ended.err;
   auto rows = results(folder / "out");
+  ASSERT_EQ(rows.size(), 2U);
+  // samples/README.md says the ease.
+  EXPECT_NEAR(std::stod(rows["tshirt"]["bust_ease_cm"]), 11.3, 1);
+  EXPECT_NEAR(std::stod(rows["tshirt"]["hip_ease_cm"]), 8.1, 1);
+  EXPECT_NE(read_text(folder / "out" / "index.html").find("ease as cut: bust 1"),
+            std::string::npos);
+  EXPECT_EQ(rows["low"]["fabric"], "jersey");
+  EXPECT_EQ(rows["low"]["options"], "--quality draft");
   EXPECT_NE(rows["low"]["verdict"], "sewn");
   EXPECT_NE(rows["low"]["cause"], "");
   EXPECT_NE(ended.out.find(rows["low"]["cause"].substr(0, 10)), std::string::npos) << ended.out;

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "io/checksum.h"
 #include "io/mesh_file.h"
 #include "io/skeleton_file.h"
 #include "pattern/garment_file.h"
@@ -39,7 +40,7 @@ class EaseMap : public testing::Test {
 TEST_F(EaseMap, WritesAllItsFiles) {
   const fs::path csv = scratch / "e.csv", json = scratch / "e.json", ply = scratch / "e.ply",
                  png = scratch / "e.png";
-  const auto done = ease_map({"--csv", csv, "--json", json, "--ply", ply, "--png", png});
+  const auto done = ease_map({"--csv", csv, "--report", json, "--ply", ply, "--png", png});
   ASSERT_EQ(done.exit_code, 0) << done.err;
   EXPECT_EQ(done.out, "");
 
@@ -79,7 +80,7 @@ TEST_F(EaseMap, MeasuresGirthsWhereThereAreJoints) {
   skeleton.joints = {{"pelvis", {0, 0.85, 0}}, {"waist", {0, 1.05, 0}}, {"chest", {0, 1.25, 0}}};
   skeleton.segments = {{"torso", "pelvis", "waist"}, {"torso", "waist", "chest"}};
   write_skeleton(scratch / "body.json", skeleton);
-  const auto done = ease_map({"--json", scratch / "e.json"});
+  const auto done = ease_map({"--report", scratch / "e.json"});
   ASSERT_EQ(done.exit_code, 0) << done.err;
   const nlohmann::json statistics = nlohmann::json::parse(read_text(scratch / "e.json"));
   ASSERT_GT(statistics["girths"].size(), 5U);
@@ -96,7 +97,7 @@ TEST_F(EaseMap, WhatIsCutTooSmallIsWarnedOf) {
   // Around the body's 94.2 cm the cloth was cut to 90.
   DressedGarment tight = test::cloth_tube(0.16, 0.16, 0.8, 1.3, 90, 10);
   write_dressed(dressed, tight);
-  const auto done = ease_map({"-q", "--json", scratch / "e.json"});
+  const auto done = ease_map({"-q", "--report", scratch / "e.json"});
   EXPECT_EQ(done.exit_code, 0);
   const nlohmann::json girths = nlohmann::json::parse(read_text(scratch / "e.json"))["girths"];
   bool named = false;
@@ -109,6 +110,33 @@ TEST_F(EaseMap, WhatIsCutTooSmallIsWarnedOf) {
   ASSERT_TRUE(named);
   EXPECT_NE(done.err.find(" cm smaller than the body, and stretched by that"), std::string::npos)
       << done.err;
+}
+
+/// A drape that was written anew is not judged by the report of the one before.
+TEST_F(EaseMap, TheReportOfAnotherDrapeIsNotTaken) {
+  const fs::path report = scratch / "dressed.json";
+  const auto verdict_with = [&](const std::string& sha256) {
+    write_text(report, R"({"verdict": "sewn", "fit": {"verdict": "ok"}, "warnings": [],
+                           "panels": [], "scene": {"body_offset_mm": 2}, "dressed_sha256": ")" +
+                           sha256 + "\"}");
+    EXPECT_EQ(ease_map({"--report", scratch / "e.json"}).exit_code, 0);
+    return nlohmann::json::parse(read_text(scratch / "e.json"));
+  };
+  EXPECT_EQ(verdict_with(sha256_of_file(dressed))["verdict"], "sewn");
+  const nlohmann::json other = verdict_with(std::string(64, '0'));
+  EXPECT_FALSE(other.contains("verdict"));
+  EXPECT_NE(other["notes"].dump().find("is not the report of this drape"), std::string::npos);
+  EXPECT_NE(read_text(html).find("is not the report of this drape"), std::string::npos);
+}
+
+/// Names of files need not be UTF-8; reports are.
+TEST_F(EaseMap, NamesThatAreNoUtf8DoNoHarm) {
+  const fs::path strange = scratch / "dre\xffssed.obj";
+  fs::copy_file(dressed, strange);
+  const auto done =
+      run("ease-map", {"--body", body, strange, "-o", html, "--report", scratch / "e.json"});
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_TRUE(nlohmann::json::accept(read_text(scratch / "e.json")));
 }
 
 TEST_F(EaseMap, AnotherBodysJointsAreRefused) {
@@ -159,9 +187,9 @@ TEST_F(EaseMap, BadInputIsOneMessage) {
 }
 
 TEST_F(EaseMap, BadOptions) {
-  EXPECT_EQ(ease_map({"--top", "-5mm"}).exit_code, 1);
-  EXPECT_EQ(ease_map({"--contact", "thin"}).exit_code, 1);
-  EXPECT_EQ(ease_map({"--contact", "3"}).exit_code, 1);
+  EXPECT_EQ(ease_map({"--top", "-5mm"}).exit_code, 2);
+  EXPECT_EQ(ease_map({"--contact", "thin"}).exit_code, 2);
+  EXPECT_EQ(ease_map({"--contact", "3"}).exit_code, 2);
   EXPECT_EQ(ease_map({"--png", scratch / "e.jpg"}).exit_code, 1);
   EXPECT_EQ(run("ease-map", {"--body", body, dressed, "-o", scratch / "e.csv"}).exit_code, 1);
   EXPECT_EQ(ease_map({"--ply", scratch / "e.obj"}).exit_code, 1);
@@ -186,7 +214,7 @@ TEST_F(EaseMap, RenderDrawsTheSameFiles) {
                                    "--width", "100", "--whole"});
   ASSERT_EQ(done.exit_code, 0) << done.err;
   EXPECT_EQ(read_text(png).substr(1, 3), "PNG");
-  EXPECT_EQ(run("render", {dressed, "-o", png, "--views", "below"}).exit_code, 1);
+  EXPECT_EQ(run("render", {dressed, "-o", png, "--views", "below"}).exit_code, 2);
   EXPECT_EQ(run("render", {"-o", png}).exit_code, 1);
   const auto jpeg = run("render", {dressed, "-o", scratch / "p.jpg"});
   EXPECT_EQ(jpeg.exit_code, 1);

@@ -53,7 +53,7 @@ TEST(ExportPattern, WhatIsExportedImportsAgain) {
       EXPECT_HOLDS(out.err, "scale 1:1");
       const Json report = Json::parse(read_text(folder / "report.json"));
       EXPECT_EQ(report["format"], extension);
-      EXPECT_EQ(report["seam_allowance"], 0.01);
+      EXPECT_EQ(report["seam_allowance_mm"], 10);
       const auto back = run("import-pattern", {drawing, "-o", folder / "back.json"});
       ASSERT_EQ(back.exit_code, 0) << back.err;
       const auto before = areas(sample_file(name));
@@ -102,8 +102,8 @@ TEST(ExportPattern, RunsThatEndInAnError) {
        std::vector<std::tuple<std::vector<std::string>, int, std::string>>{
            {{sound, "-o", folder / "out.ps"}, 1, ".svg"},
            {{folder / "none.json", "-o", folder / "out.svg"}, 1, "none.json"},
-           {{sound, "-o", folder / "out.svg", "--seam-allowance", "20cm"}, 1, "--seam-allowance"},
-           {{sound, "-o", folder / "out.svg", "--seam-allowance", "10"}, 1, "--seam-allowance"},
+           {{sound, "-o", folder / "out.svg", "--seam-allowance", "20cm"}, 2, "--seam-allowance"},
+           {{sound, "-o", folder / "out.svg", "--seam-allowance", "10"}, 2, "--seam-allowance"},
            {{"-o", folder / "out.svg"}, 2, "pattern"}}) {
     const auto done = run("export-pattern", arguments);
     EXPECT_EQ(done.exit_code, code) << done.err;

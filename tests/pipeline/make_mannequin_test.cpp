@@ -117,7 +117,7 @@ TEST(MakeMannequinProgram, PosesFromFilesAndWrongOnes) {
     EXPECT_FALSE(fs::exists(folder / "b.ply"));
     EXPECT_FALSE(fs::exists(folder / "b.json"));
   }
-  EXPECT_EQ(make(folder / "b.ply", "dancing").exit_code, 1);
+  EXPECT_EQ(make(folder / "b.ply", "dancing").exit_code, 2);
   EXPECT_EQ(make(folder / "b.ply", folder / "missing.json").exit_code, 1);
   EXPECT_FALSE(fs::exists(folder / "b.ply"));
 }

@@ -41,7 +41,8 @@ TEST(MeshPattern, WritesAGarmentThatReadsBack) {
   EXPECT_EQ(report["garment"]["material_points"], garment.flat.size());
   EXPECT_EQ(report["garment"]["triangles"], garment.triangles.size());
   EXPECT_GT(report["panels"][0]["smallest_angle_degrees"], 20);
-  EXPECT_NEAR(report["panels"][1]["area"].get<double>(), 0.3 * 0.41 + 0.3 * 0.3 * 0.2 / 3, 1e-3);
+  EXPECT_NEAR(report["panels"][1]["area_cm2"].get<double>(),
+              1e4 * (0.3 * 0.41 + 0.3 * 0.3 * 0.2 / 3), 10);
   EXPECT_EQ(report["notes"].size(), 2u);
 }
 
@@ -89,12 +90,12 @@ TEST(MeshPattern, BadInputEndsWithOneMessageAndNoFile) {
   }
   const ScratchFolder folder;
   EXPECT_EQ(run("mesh-pattern", {"no/such.json", "-o", (folder / "g.obj").string()}).exit_code, 1);
-  EXPECT_EQ(mesh(folder, samples::bag, {"--edge-length", "-3mm"}).exit_code, 1);
-  EXPECT_EQ(mesh(folder, samples::bag, {"--edge-length", "1um"}).exit_code, 1);
+  EXPECT_EQ(mesh(folder, samples::bag, {"--edge-length", "-3mm"}).exit_code, 2);
+  EXPECT_EQ(mesh(folder, samples::bag, {"--edge-length", "1um"}).exit_code, 2);
   const auto bare = mesh(folder, samples::bag, {"--edge-length", "25"});
-  EXPECT_EQ(bare.exit_code, 1);
+  EXPECT_EQ(bare.exit_code, 2);
   EXPECT_HOLDS(bare.err, "--edge-length: '25' is not a length; give a positive number with m, dm");
-  EXPECT_EQ(mesh(folder, samples::bag, {"--subdivisions", "5"}).exit_code, 1);
+  EXPECT_EQ(mesh(folder, samples::bag, {"--subdivisions", "5"}).exit_code, 2);
   EXPECT_EQ(mesh(folder, samples::bag, {"--nonsense"}).exit_code, 2);
   const auto none = run("mesh-pattern", {"-o", (folder / "g.obj").string()});
   EXPECT_EQ(none.exit_code, 2);

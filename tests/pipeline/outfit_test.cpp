@@ -284,7 +284,7 @@ TEST_F(OutfitInput, NothingIsDressedOverALayerThatFailed) {
   EXPECT_EQ(said["verdict"], "unsewable");
   EXPECT_EQ(said["layers"].size(), 1U);
   for (const Json& seam : said["layers"][0]["unsewable_seams"]) {
-    EXPECT_NEAR(seam["missing_cm"].get<double>(), (63 - 44) / 2.0, 2) << seam;
+    EXPECT_NEAR(seam["gap_cm"].get<double>(), (63 - 44) / 2.0, 2) << seam;
   }
   EXPECT_EQ(said["not_dressed"], Json::array({"coat"}));
   EXPECT_TRUE(fs::exists(folder / "out-tight.obj"));

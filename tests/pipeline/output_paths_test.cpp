@@ -122,8 +122,8 @@ TEST_F(OutputPaths, NoInputIsOverwrittenThroughAnyOption) {
            ease + "--csv body.ply",
            ease + "--csv joints.json --skeleton joints.json",
            ease + "--csv drape-report.json --dress-report drape-report.json",
-           ease + "--json ./body.ply",
-           ease + "--json hard.json",
+           ease + "--report ./body.ply",
+           ease + "--report hard.json",
            ease + "--ply body.ply",
            ease + "--ply here/body.ply",
            "ease-map --body body.json dressed.obj -o link.html",
@@ -163,11 +163,9 @@ TEST_F(OutputPaths, NoOutputIsWrittenOverAnother) {
            "dress --scene scene.json -o new.obj --report new-tee.obj",
            ease + "-o new.html --report new.html",
            ease + "-o new.html --csv here/new.html",
-           ease + "-o new.html --csv new.csv --json new.csv",
            ease + "-o new.html --csv new.csv --report NEW.CSV",
-           ease + "-o new.html --json new.json --report ./new.json",
            ease + "-o new.html --ply new.ply --report new.ply",
-           ease + "-o new.html --png new.png --json new.png",
+           ease + "-o new.html --png new.png --report ./new.png",
            "render garment.obj -o new.png --report new.png",
            "make-mannequin -o new.ply --report new.json",
            "make-mannequin -o new.ply --report new.ply",
@@ -201,7 +199,7 @@ TEST_F(OutputPaths, DevicesPipesAndFoldersAreRefused) {
   expect_refused("dress --body body.ply garment.obj -o new.obj --report pipe.json", device);
   expect_refused("mesh-pattern pattern.json -o pipe.obj", device);
   expect_refused(ease + "-o new.html --csv /dev/stdout", device);
-  expect_refused(ease + "-o new.html --json /dev/full", device);
+  expect_refused(ease + "-o new.html --report /dev/full", device);
   expect_refused(ease + "-o new.html --png full.png", device);
   expect_refused("render garment.obj -o full.png", device);
   expect_refused("make-mannequin -o pipe.ply", device);
@@ -239,8 +237,8 @@ TEST(Outputs, AllAreWrittenOrNone) {
   };
   on_full_disk("100", "ease-map",
                {"-q", "--body", folder / "body.ply", folder / "band.obj", "-o",
-                folder / "ease.html", "--csv", folder / "ease.csv", "--json", folder / "ease.json",
-                "--ply", folder / "ease.ply", "--png", folder / "ease.png"});
+                folder / "ease.html", "--csv", folder / "ease.csv", "--report",
+                folder / "ease.json", "--ply", folder / "ease.ply", "--png", folder / "ease.png"});
   on_full_disk("9", "mesh-pattern",
                {"-q", sample("band"), "-o", folder / "new.obj", "--edge-length", "30mm", "--report",
                 folder / "report.json"});

@@ -57,7 +57,10 @@ TEST(PoseBodyProgram, WrongInputsEndInOneMessage) {
     EXPECT_FALSE(fs::exists(folder / "out.ply"));
     EXPECT_FALSE(fs::exists(folder / "out.json"));
   };
-  refused("body.ply", "dancing", "is no pose");
+  const pipeline::Run dancing =
+      run("pose-body", {folder / "body.ply", "--pose", "dancing", "-o", folder / "out.ply"});
+  EXPECT_EQ(dancing.exit_code, 2);
+  EXPECT_TRUE(says(dancing, "is no pose")) << dancing.err;
   for (const auto& [text, words] : std::vector<std::pair<std::string, std::string>>{
            {R"({"joints": {"left_wing": {"flexion": 30}}})", "left_wing"},
            {R"({"joints": {"left_hip": {"flexion": 1e999}}})", "wrong.json"},

@@ -113,12 +113,22 @@ void add_card(std::ostream& page, const Json& report) {
   for (const Json& warning : report["warnings"]) {
     line("warning: " + warning.get<std::string>(), " class=\"small\"");
   }
+  std::string girths;
   std::string figures = fixed_number(report["seconds"].get<double>(), 1) + " s";
   if (!is_error) {
     const Json& all = report["figures"];
+    for (const char* level : {"bust", "waist", "hip"}) {
+      const Json& ease = all[std::string(level) + "_ease_cm"];
+      if (ease.is_number()) {
+        girths += std::string(girths.empty() ? "ease as cut: " : ", ") + level + " " +
+                  fixed_number(ease.get<double>(), 1) + " cm";
+      }
+    }
+    if (all["fit"] == "too_small") girths += "; cut smaller than the body";
     figures += ", strain " + fixed_number(100 * all["strain_p99"].get<double>(), 1) +
                " % (99th percentile), attempts " + std::to_string(all["attempts"].get<int>());
   }
+  line(girths, "");
   line(figures, " class=\"small\"");
   page << "<p class=\"small\">";
   if (!is_error) {

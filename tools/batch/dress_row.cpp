@@ -31,7 +31,7 @@ std::string message_of(const std::string& output) {
   const std::string mark = ": error: ";
   const std::size_t at = output.rfind(mark);
   if (at == std::string::npos) {
-    const std::size_t end = output.find_last_not_of('\n');
+    const std::size_t end = output.find_last_not_of('\n', output.rfind("\nusage: "));
     if (end == std::string::npos) return "";
     const std::size_t start = output.rfind('\n', end);
     const std::size_t first = start == std::string::npos ? 0 : start + 1;
@@ -113,6 +113,12 @@ double RowRun::run(const std::string& program, const fs::path& output, Words wor
   return ended.seconds;
 }
 
+/// The `warnings` of a program's report.
+Words warnings_in(const fs::path& report) {
+  const Json json = Json::parse(read_file(report));
+  return json.at("warnings").get<Words>();
+}
+
 }  // namespace
 
 CleanedBody clean_body_of_batch(const fs::path& body, const fs::path& output,
@@ -120,8 +126,11 @@ CleanedBody clean_body_of_batch(const fs::path& body, const fs::path& output,
   const fs::path report = fs::path(output).replace_extension("report.json");
   const ChildEnd ended = run_toile({"clean-body", body.string(), "-o", output.string(), "--report",
                                     report.string(), "--threads", std::to_string(limits.threads)},
-                                   {});
-  return {output, problem_of(ended, limits)};
+                                   {end_by(limits), limits.memory});
+  write_file(fs::path(output).replace_extension("log.txt"), ended.output);
+  CleanedBody cleaned{output, problem_of(ended, limits), {}};
+  if (cleaned.problem.empty()) cleaned.warnings = warnings_in(report);
+  return cleaned;
 }
 
 Json dress_row(const BatchRow& row, const CleanedBody& body, const GarmentFiles& files,
@@ -145,10 +154,16 @@ Json dress_row(const BatchRow& row, const CleanedBody& body, const GarmentFiles&
     dress.insert(dress.end(), row.options.begin(), row.options.end());
     times["dress_seconds"] = run.run("dress", files.dressed, dress);
     outcome = outcome_of(read_file(files.dress_report), files.dress_report.string());
-    run.run("ease-map", files.ease, with({"--json", files.ease_report.string()}));
+    run.run("ease-map", files.ease, with({"--report", files.ease_report.string()}));
+    add_girth_ease(read_file(files.ease_report), files.ease_report.string(), outcome["figures"]);
     run.run("render", files.front, with({"--views", "front", "--whole", "--width", "420"}));
     run.run("render", files.back, with({"--views", "back", "--whole", "--width", "420"}));
     outcome["dressed_sha256"] = sha256_of_file(files.dressed);
+    Words warnings = body.warnings;
+    for (const fs::path& report : {files.mesh_report, files.dress_report}) {
+      for (std::string& warning : warnings_in(report)) warnings.push_back(std::move(warning));
+    }
+    outcome["warnings"] = warnings;
   } catch (const RowRun::Failed& failed) {
     outcome = failure(failed.program, failed.problem);
   } catch (const Error& failed) {

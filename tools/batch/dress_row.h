@@ -23,10 +23,12 @@ struct RowLimits {
 /// A body that was cleaned, or why it could not be.
 struct CleanedBody {
   std::filesystem::path file;
-  std::string problem;  ///< empty: the file is there
+  std::string problem;                     ///< empty: the file is there
+  std::vector<std::string> warnings = {};  ///< that clean-body said
 };
 
-/// Cleans a body by the program. `problem` says why not.
+/// Cleans a body by the program, within the limits of a garment. `problem` says why not. What the
+/// program says goes to `BODY.log.txt` and `BODY.report.json` beside `output`.
 CleanedBody clean_body_of_batch(const std::filesystem::path& body,
                                 const std::filesystem::path& output, const RowLimits& limits);
 

@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// "left side (2.1 cm), right side (1.0 cm), and 3 more".
-std::string names_of_seams(const Json& report, const char* key) {
+std::string names_of_seams(const Json& report, const char* key, const char* length) {
   constexpr std::size_t max_named = 4;
   const Json seams = report.value(key, Json::array());
   std::string names;
@@ -23,7 +23,7 @@ std::string names_of_seams(const Json& report, const char* key) {
     }
     if (!names.empty()) names += ", ";
     names += seam.at("name").get<std::string>() + " (" +
-             fixed_number(seam.at("missing_cm").get<double>(), 1) + " cm)";
+             fixed_number(seam.at(length).get<double>(), 1) + " cm)";
   }
   return names;
 }
@@ -48,7 +48,7 @@ std::pair<std::string, std::string> reason_of(const Json& report, const std::str
   const std::string crosses = crossed(intersections);
   if (verdict == "unsewable") {
     return {"a seam stays open" + (crosses.empty() ? "" : ", and the cloth crosses " + crosses),
-            names_of_seams(report, "unsewable_seams")};
+            names_of_seams(report, "unsewable_seams", "gap_cm")};
   }
   if (verdict == "intersecting") {
     return {"the cloth crosses " + crosses,
@@ -72,7 +72,7 @@ std::pair<std::string, std::string> reason_of(const Json& report, const std::str
                 ", wide " + number_text(report.at("residual").at("wide").get<double>(), 2)};
   }
   if (verdict == "too_tight") {
-    return {"a seam pulls more than a hand", names_of_seams(report, "tight_seams")};
+    return {"a seam pulls more than a hand", names_of_seams(report, "tight_seams", "missing_cm")};
   }
   return {verdict == "sewn" ? "" : verdict, ""};
 }
@@ -147,6 +147,20 @@ Json failure(const std::string& program, const std::string& message) {
           {"detail", message},
           {"figures", Json::object()},
           {"warnings", Json::array()}};
+}
+
+void add_girth_ease(const std::string& ease_report, const std::string& file, Json& figures) {
+  try {
+    const Json report = Json::parse(ease_report);
+    for (const char* level : {"bust", "waist", "hip"}) {
+      Json& ease = figures[std::string(level) + "_ease_cm"];
+      for (const Json& girth : report.value("girths", Json::array())) {
+        if (girth.value("level", "") == level) ease = girth.at("as_cut_ease_cm");
+      }
+    }
+  } catch (const Json::exception&) {
+    throw Error(file, "is no report of ease-map", "let ease-map write it");
+  }
 }
 
 }  // namespace toile

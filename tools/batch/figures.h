@@ -17,4 +17,9 @@ nlohmann::ordered_json outcome_of(const std::string& dress_report, const std::st
 /// The same keys of a garment that could not be done. `program` failed with `message`.
 nlohmann::ordered_json failure(const std::string& program, const std::string& message);
 
+/// Adds `bust_ease_cm`, `waist_ease_cm` and `hip_ease_cm`, as cut, to a garment's figures. They are
+/// null where the report of ease-map has no such level. Throws Error when it is no such report.
+void add_girth_ease(const std::string& ease_report, const std::string& file,
+                    nlohmann::ordered_json& figures);
+
 }  // namespace toile

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/program_options.hpp>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 
@@ -119,8 +120,8 @@ void read_fabrics(BatchRow& row, const fs::path& folder) {
 
 /// Options of dress, but for those of its files, which are the batch's.
 void read_options(BatchRow& row, const std::string& place) {
-  const std::set<std::string> own = {"body",   "garment", "garment-json", "scene",
-                                     "fabric", "frames",  "skeleton",     "cache"};
+  const std::set<std::string> own = {"body",   "garment",  "garment-json", "scene",   "fabric",
+                                     "frames", "skeleton", "cache",        "continue"};
   po::options_description dress;
   add_dress_options(dress);
   try {
@@ -141,8 +142,22 @@ void read_options(BatchRow& row, const std::string& place) {
     po::store(po::command_line_parser(words).options(dress).run(), given);
     po::notify(given);
     check_dress_options(given);
+    read_dress_settings(given, "dressed.obj");
+  } catch (const UsageError& wrong) {
+    throw Error(place, std::string("options: ") + wrong.what(), "");
   } catch (const po::error& wrong) {
     throw Error(place, std::string("options: ") + wrong.what(), "dress --help lists them");
+  }
+}
+
+/// Whether a file is JSON of something else, as the joints of a body. One that is damaged may have
+/// been a pattern.
+bool holds_no_pattern(const fs::path& file) {
+  try {
+    const nlohmann::json json = nlohmann::json::parse(read_file(file), nullptr, false);
+    return !json.is_discarded() && !(json.is_object() && json.contains("pattern"));
+  } catch (const Error&) {
+    return false;
   }
 }
 
@@ -165,10 +180,20 @@ BatchRow read_row(const CsvRow& fields, const Header& header, const std::string&
   }
   row.edge_length = header.field(fields, "edge_length");
   if (row.edge_length.empty()) row.edge_length = defaults.edge_length;
-  parse_length(row.edge_length, place + ": edge_length");
+  try {
+    parse_length(row.edge_length, "edge_length");
+  } catch (const UsageError& wrong) {
+    throw Error(place, wrong.what(), "");
+  }
   row.fabric_text = header.field(fields, "fabric");
-  read_fabrics(row, folder);
+  if (!row.fabric_text.empty()) {
+    read_fabrics(row, folder);
+  } else {
+    row.fabric_text = defaults.fabric;
+    read_fabrics(row, "");
+  }
   row.options_text = header.field(fields, "options");
+  if (row.options_text.empty()) row.options_text = defaults.options;
   read_options(row, place);
   row.others = header.others(fields);
   return row;
@@ -194,6 +219,9 @@ const std::vector<std::string>& result_columns() {
                                                    "strain_max",
                                                    "seams_open",
                                                    "max_gap_mm",
+                                                   "bust_ease_cm",
+                                                   "waist_ease_cm",
+                                                   "hip_ease_cm",
                                                    "intersections_body",
                                                    "intersections_self",
                                                    "converged",
@@ -247,16 +275,22 @@ Batch read_manifest(const fs::path& file, const BatchDefaults& defaults) {
 }
 
 Batch batch_of_folder(const fs::path& folder, const BatchDefaults& defaults) {
+  Batch batch;
   std::vector<fs::path> patterns;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == ".json") patterns.push_back(entry.path());
+    if (entry.path().extension() != ".json") continue;
+    if (holds_no_pattern(entry.path())) {
+      batch.notes.push_back(entry.path().string() + " holds no pattern and is left out");
+    } else {
+      patterns.push_back(entry.path());
+    }
   }
   std::ranges::sort(patterns);
+  std::ranges::sort(batch.notes);
   if (patterns.empty()) {
     throw Error(folder.string(), "holds no pattern", "give a folder of .json files");
   }
   if (defaults.body.empty()) throw Error(folder.string(), "names no body", "give --body");
-  Batch batch;
   std::map<std::string, fs::path> file_of_name;
   for (const fs::path& pattern : patterns) {
     BatchRow row;
@@ -271,6 +305,10 @@ Batch batch_of_folder(const fs::path& folder, const BatchDefaults& defaults) {
     row.body_text = defaults.body;
     row.body = defaults.body;
     row.edge_length = defaults.edge_length;
+    row.fabric_text = defaults.fabric;
+    read_fabrics(row, "");
+    row.options_text = defaults.options;
+    read_options(row, "--options");
     batch.rows.push_back(row);
   }
   return batch;

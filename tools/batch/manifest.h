@@ -22,12 +22,15 @@ struct BatchRow {
 struct Batch {
   std::vector<std::string> other_columns;  ///< of the manifest, copied through to the results
   std::vector<BatchRow> rows;              ///< at least one; no two of one name
+  std::vector<std::string> notes = {};     ///< files of the folder that are no patterns
 };
 
 /// What counts where a row says nothing.
 struct BatchDefaults {
   std::string body;         ///< empty: each row needs its own
   std::string edge_length;  ///< with its unit
+  std::string fabric = {};  ///< as the column `fabric`, files as seen from here; empty: dress's own
+  std::string options = {};  ///< as the column `options`
 };
 
 /// The columns of results.csv, in their order, before those that are copied through.
@@ -41,8 +44,8 @@ Batch parse_manifest(const std::string& text, const std::string& name,
 /// The same of a file; paths count from its folder.
 Batch read_manifest(const std::filesystem::path& file, const BatchDefaults& defaults);
 
-/// All .json files of a folder, by name, on the body of `defaults`. Throws Error where there are
-/// none.
+/// All .json files of a folder, by name, on the body of `defaults`, but for those that can be read
+/// and hold no pattern. Throws Error where there are none.
 Batch batch_of_folder(const std::filesystem::path& folder, const BatchDefaults& defaults);
 
 }  // namespace toile

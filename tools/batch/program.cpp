@@ -24,6 +24,8 @@ Job prepare(const po::variables_map& given, const CommonSettings& common) {
   if (given.count("body") != 0) defaults.body = given["body"].as<std::string>();
   read_edge_length(given);
   defaults.edge_length = given["edge-length"].as<std::string>();
+  if (given.count("fabric") != 0) defaults.fabric = given["fabric"].as<std::string>();
+  if (given.count("options") != 0) defaults.options = given["options"].as<std::string>();
   std::error_code unreachable;
   settings.batch = fs::is_directory(garments, unreachable) ? batch_of_folder(garments, defaults)
                                                            : read_manifest(garments, defaults);
@@ -38,7 +40,7 @@ Job prepare(const po::variables_map& given, const CommonSettings& common) {
     settings.limits.memory = parse_memory(given["memory"].as<std::string>(), "--memory");
     constexpr std::uint64_t min_memory = 100'000'000;  // bytes; 60 MB do not even load a program
     if (*settings.limits.memory < min_memory) {
-      throw Error("--memory", "is less than a program needs to start", "give 100MB or more");
+      throw UsageError("--memory", "is less than a program needs to start", "give 100MB or more");
     }
   }
   settings.resume = given["resume"].as<bool>();
@@ -65,10 +67,15 @@ CommandLineProgram batch_program() {
       "a table with the column pattern, and if wanted name, body, edge_length, fabric and options; "
       "or a folder of patterns; also as argument")(
       "body", po::value<std::string>(),
-      "a mesh of a standing person, for garments that name none: .obj, .ply, .stl or .off");
+      "a mesh or scan of a standing person, for garments that name none");
   add_edge_length_option(program.options);
-  program.options.add_options()("jobs,j", po::value<int>(),
-                                "garments at once; default: as many as the machine has cores")(
+  program.options.add_options()(
+      "fabric", po::value<std::string>(),
+      "of garments that name none: as the column, FABRIC or NAME=FABRIC;NAME=FABRIC")(
+      "options", po::value<std::string>(),
+      "options of dress for garments that name none, such as \"--quality draft\"")(
+      "jobs,j", po::value<int>(),
+      "garments at once; default: as many as the machine has cores; --threads is of each")(
       "timeout", po::value<std::string>(), "seconds that a garment may take; default: no limit")(
       "memory", po::value<std::string>(),
       "memory that a garment's programs may ask for, such as 4GB; default: no limit")(

@@ -112,7 +112,7 @@ std::string summary_of(const RowReports& reports) {
   std::map<std::string, std::size_t> counts;
   std::map<std::pair<std::string, std::string>, std::size_t> causes;
   std::vector<double> dressing, whole;
-  std::size_t first_attempts = 0, dressed = 0;
+  std::size_t first_attempts = 0, dressed = 0, sewn = 0, too_small = 0;
   for (const Json& report : reports) {
     const auto verdict = report["verdict"].get<std::string>();
     ++counts[verdict];
@@ -122,6 +122,10 @@ std::string summary_of(const RowReports& reports) {
     whole.push_back(report["seconds"].get<double>());
     if (const Json attempts = value_of(report["figures"], "attempts"); !attempts.is_null()) {
       ++dressed;
+      if (verdict == to_string(Verdict::sewn)) {
+        ++sewn;
+        too_small += report["figures"]["fit"] == "too_small" ? 1 : 0;
+      }
       first_attempts += attempts.get<int>() <= 1 ? 1 : 0;
       dressing.push_back(report["mesh_seconds"].get<double>() +
                          report["dress_seconds"].get<double>());
@@ -149,6 +153,10 @@ std::string summary_of(const RowReports& reports) {
   text << "\n| seconds | median | 90 % | 99 % | largest |\n|---|---|---|---|---|\n";
   add_times(text, "to mesh and dress, where that ended", dressing);
   add_times(text, "of all, with tables and pictures, or until the error", whole);
+  if (too_small > 0) {
+    text << "\nOf " << sewn << " sewn, " << too_small
+         << " are cut smaller than the body at a level, and stretched.\n";
+  }
   if (dressed > 0) {
     text << "\nDressed at the first attempt in every stage: " << first_attempts << " of " << dressed
          << " (" << share(first_attempts, dressed) << ").\n";

@@ -147,12 +147,18 @@ void BatchRun::clean_bodies() {
     const fs::path& file = body.second.file;
     remove_files({file, fs::path(file).replace_extension("json"),
                   fs::path(file).replace_extension("distances"),
+                  fs::path(file).replace_extension("log.txt"),
                   fs::path(file).replace_extension("report.json")});
     all.push_back(&body);
   }
   for_each_at_once(all.size(), settings_.jobs, [&](std::size_t i) {
     all[i]->second = clean_body_of_batch(all[i]->first, all[i]->second.file, settings_.limits);
   });
+  for (const auto& [body, cleaned] : bodies_) {
+    for (const std::string& warning : cleaned.warnings) {
+      CommonSettings::warn(body.string() + ": " + warning);
+    }
+  }
 }
 
 void BatchRun::say_progress(std::size_t row) {
@@ -179,6 +185,7 @@ void BatchRun::dress(std::size_t row) {
 }
 
 int BatchRun::run() {
+  for (const std::string& note : settings_.batch.notes) common_.say("note: " + note);
   find_what_is_left();
   const std::size_t kept = rows_.size() - left_.size();
   if (kept > 0)

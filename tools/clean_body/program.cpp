@@ -24,15 +24,6 @@ bool has_own_joints(const fs::path& input, const fs::path& output) {
 
 using FileNames = std::vector<std::string>;
 
-std::optional<AxisDirection> read_direction(const po::variables_map& given, const char* option) {
-  if (given.count(option) == 0) return std::nullopt;
-  const std::optional<AxisDirection> direction = axis_direction(given[option].as<std::string>());
-  if (!direction) {
-    throw po::error("--" + std::string(option) + " is one of x, -x, y, -y, z, -z");
-  }
-  return direction;
-}
-
 std::vector<fs::path> read_paths(const po::variables_map& given, const char* option) {
   if (given.count(option) == 0) return {};
   const FileNames texts = given[option].as<FileNames>();
@@ -40,11 +31,8 @@ std::vector<fs::path> read_paths(const po::variables_map& given, const char* opt
 }
 
 void check_options(const po::variables_map& given) {
-  const auto up = read_direction(given, "up");
-  const auto front = read_direction(given, "front");
-  if (up && front && up->axis == front->axis) {
-    throw po::error("--up and --front are along the same axis");
-  }
+  CleanBodySettings unused;
+  read_body_options(given, unused);
   const std::size_t poses = read_paths(given, "pose").size();
   if (poses > 0 && poses != read_paths(given, "input").size()) {
     throw po::error("--pose is given for each input, or for none");
@@ -54,7 +42,7 @@ void check_options(const po::variables_map& given) {
 double read_scan_edge(const std::string& text) {
   const double edge = parse_length(text, "--edge-length");
   if (edge < 0.003 || edge > 0.02) {
-    throw Error("--edge-length", "'" + text + "' is out of range", "use 3mm to 20mm");
+    throw UsageError("--edge-length", "'" + text + "' is out of range", "use 3mm to 20mm");
   }
   return edge;
 }
@@ -71,26 +59,19 @@ CommandLineProgram clean_body_program() {
       "input", po::value<FileNames>()->required(),
       "the mesh to read: .obj, .ply, .stl or .off; or the points of a scan: .ply, .obj, .off, "
       ".xyz, .pts, .asc, .txt or .csv; several files are one scan");
-  add_unit_option(program.options);
+  add_body_options(program.options);
   program.options.add_options()(
-      "up", po::value<std::string>(),
-      "to where the body stands in the file: x, y, z, or --up=-z; found when not given")(
-      "front", po::value<std::string>(), "to where it faces in the file; found when not given")(
-      "points", po::bool_switch(), "take a mesh's points as a scan and ignore its faces")(
       "pose", po::value<FileNames>()->composing(),
-      "four rows of four numbers that bring a scan's file to the frame of all; once for each "
-      "file, in their order")("edge-length", po::value<std::string>(),
-                              "of a scan's surface, about: 3mm to 20mm, 7mm when not given");
+      "a file of a 4 by 4 matrix that moves a scan into the common frame; once for each scan, in "
+      "their order")("edge-length", po::value<std::string>(),
+                     "of a scan's surface, about: 3mm to 20mm, 7mm when not given");
   program.positional.add("input", -1);
   program.check = check_options;
   program.prepare = [](const po::variables_map& given, const CommonSettings& common) {
     CleanBodySettings settings;
     settings.inputs = read_paths(given, "input");
-    settings.metres_per_unit = read_unit(given);
+    read_body_options(given, settings);
     settings.poses = read_paths(given, "pose");
-    settings.as_points = given["points"].as<bool>();
-    settings.up = read_direction(given, "up");
-    settings.front = read_direction(given, "front");
     if (given.count("edge-length") > 0) {
       settings.edge_length = read_scan_edge(given["edge-length"].as<std::string>());
     }
@@ -103,8 +84,7 @@ CommandLineProgram clean_body_program() {
     }
     job.files.writes = {common.output, skeleton_path(common.output)};
     job.work = [settings, &common] {
-      run_clean_body(settings, common);
-      return exit_done;
+      return run_clean_body(settings, common).is_usable ? exit_done : exit_negative;
     };
     return job;
   };

@@ -43,7 +43,6 @@ nlohmann::ordered_json clean_body_json(const CleanBody& body, bool skeleton_give
            {{"points", body.mesh.points.size()},
             {"triangles", body.mesh.triangles.size()},
             {"height_m", report.height},
-            {"closed", true},
             {"usable", is_usable(report.crossings)}}},
           {"skeleton", body.skeleton.has_value()},
           {"skeleton_given", skeleton_given},

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "geometry/body/clean_body.h"
@@ -15,6 +14,7 @@
 #include "io/text.h"
 #include "tools/clean_body/report.h"
 #include "tools/clean_body/scan.h"
+#include "tools/report.h"
 
 namespace toile {
 
@@ -144,6 +144,15 @@ std::vector<std::string> warnings_about(const CleanBody& body) {
   return warnings;
 }
 
+std::optional<AxisDirection> read_direction(const po::variables_map& given, const char* option) {
+  if (given.count(option) == 0) return std::nullopt;
+  const std::optional<AxisDirection> direction = axis_direction(given[option].as<std::string>());
+  if (!direction) {
+    throw po::error("--" + std::string(option) + " is one of x, -x, y, -y, z, -z");
+  }
+  return direction;
+}
+
 /// Whether an earlier run's skeleton is beside a body that has none. It would be taken for that
 /// body's.
 bool is_stale_skeleton(const std::filesystem::path& path) {
@@ -158,20 +167,32 @@ bool is_stale_skeleton(const std::filesystem::path& path) {
 
 }  // namespace
 
-void add_unit_option(po::options_description& options) {
-  const std::function<void(const std::string&)> check_unit = [](const std::string& unit) {
-    if (!length_units().contains(unit)) throw po::error("--unit is one of m, dm, cm, mm, in");
-  };
-  options.add_options()("unit", po::value<std::string>()->notifier(check_unit),
-                        "the unit of the body's mesh; told from the body's height when not given");
+void add_body_options(po::options_description& options) {
+  options.add_options()("unit", po::value<std::string>(),
+                        "the unit of the body's file: m, dm, cm, mm or in; told from the body's "
+                        "height when not given")(
+      "up", po::value<std::string>(),
+      "the axis of the body's file that points up: x, y, z, or --up=-z; found when not given")(
+      "front", po::value<std::string>(),
+      "the axis of the body's file that it faces along; found when not given")(
+      "points", po::bool_switch(), "take a mesh's points as a scan and ignore its faces");
 }
 
-std::optional<double> read_unit(const po::variables_map& given) {
-  if (given.count("unit") == 0) return std::nullopt;
-  return length_units().at(given["unit"].as<std::string>());
+void read_body_options(const po::variables_map& given, CleanBodySettings& settings) {
+  if (given.count("unit") != 0) {
+    const auto unit = length_units().find(given["unit"].as<std::string>());
+    if (unit == length_units().end()) throw po::error("--unit is one of m, dm, cm, mm, in");
+    settings.metres_per_unit = unit->second;
+  }
+  settings.as_points = given["points"].as<bool>();
+  settings.up = read_direction(given, "up");
+  settings.front = read_direction(given, "front");
+  if (settings.up && settings.front && settings.up->axis == settings.front->axis) {
+    throw po::error("--up and --front are along the same axis");
+  }
 }
 
-void run_clean_body(const CleanBodySettings& settings, const CommonSettings& common) {
+CleanBodyResult run_clean_body(const CleanBodySettings& settings, const CommonSettings& common) {
   BodyInput input = read_body_input(settings);
   CleanOptions options;
   options.metres_per_unit = settings.metres_per_unit;
@@ -202,7 +223,7 @@ void run_clean_body(const CleanBodySettings& settings, const CommonSettings& com
     say_scan(*scan, input.files, common);
   } else if (settings.edge_length) {
     throw Error("--edge-length", "is of scans, and " + input.name + " is a mesh",
-                "leave it away, or add --points");
+                "leave it out, or add --points");
   }
   CleanBody body = clean_body(input.soup, input.name, options);
   if (scan && body.skeleton && body.skeleton->cleaned) {
@@ -250,10 +271,11 @@ void run_clean_body(const CleanBodySettings& settings, const CommonSettings& com
       report["unit"] = {{"metres", scan->metres_per_unit}, {"inferred", scan->unit_inferred}};
       report["scan"] = scan_json(*scan, input.files, holes);
     }
-    write_file(files.at(*common.report), report.dump(1) + "\n");
+    write_report(files, common, report);
   }
   files.commit();
   if (is_stale) std::filesystem::remove(joints);
+  return {warnings, is_usable(body.report.crossings)};
 }
 
 }  // namespace toile

@@ -4,6 +4,7 @@
 #include <boost/program_options.hpp>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "geometry/axis_direction.h"
@@ -21,13 +22,20 @@ struct CleanBodySettings {
   std::optional<double> edge_length = {};  ///< metres, of a scan's surface; none: its default
 };
 
-/// --unit, of a body's mesh.
-void add_unit_option(boost::program_options::options_description& options);
-/// Metres, if it was given.
-std::optional<double> read_unit(const boost::program_options::variables_map& given);
+/// --unit, --up, --front and --points, of a body's file.
+void add_body_options(boost::program_options::options_description& options);
+/// Reads them. Throws boost::program_options::error for a value that they can't take.
+void read_body_options(const boost::program_options::variables_map& given,
+                       CleanBodySettings& settings);
+
+/// What became of a body.
+struct CleanBodyResult {
+  std::vector<std::string> warnings;  ///< as they were said
+  bool is_usable = true;              ///< its surface hardly crosses itself
+};
 
 /// Cleans the body, writes it and its skeleton beside it. Throws Error for what can't be read,
 /// closed or written.
-void run_clean_body(const CleanBodySettings& settings, const CommonSettings& common);
+CleanBodyResult run_clean_body(const CleanBodySettings& settings, const CommonSettings& common);
 
 }  // namespace toile

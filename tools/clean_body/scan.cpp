@@ -64,6 +64,10 @@ BodyInput read_body_input(const CleanBodySettings& settings) {
   for (std::size_t i = 0; i < settings.inputs.size(); ++i) {
     BodyFile file = read_body_file(settings.inputs[i]);
     if (input.files == 1 && !settings.as_points && !file.soup.polygons.empty()) {
+      if (!settings.poses.empty()) {
+        throw Error("--pose", "is of scans, and " + input.name + " is a mesh",
+                    "leave it out, or add --points");
+      }
       input.soup = std::move(file.soup);
       return input;
     }

@@ -51,11 +51,11 @@ void set_sewing(const string& setting, SpringDressOptions& options) {
   if (found == coefficients.end() || !std::isfinite(value) || value < 0) {
     string names;
     for (const auto& [name, coefficient] : coefficients) names += " " + name;
-    throw Error("--sewing", "'" + setting + "' is no coefficient with a number of 0 and more",
-                "give NAME=VALUE, with one of" + names);
+    throw UsageError("--sewing", "'" + setting + "' is no coefficient with a number of 0 and more",
+                     "give NAME=VALUE, with one of" + names);
   }
   if (value == 0 && (found->first == "delta" || found->first == "unit-time")) {
-    throw Error("--sewing", found->first + " is 0", "give a number above 0");
+    throw UsageError("--sewing", found->first + " is 0", "give a number above 0");
   }
   *found->second = value;
 }
@@ -63,7 +63,7 @@ void set_sewing(const string& setting, SpringDressOptions& options) {
 double positive(const po::variables_map& given, const string& option, double most) {
   const double value = given[option].as<double>();
   if (!(value >= 0 && value <= most)) {
-    throw Error("--" + option, "is not between 0 and " + std::to_string(most), "see --help");
+    throw UsageError("--" + option, "is not between 0 and " + std::to_string(most), "see --help");
   }
   return value;
 }
@@ -81,15 +81,15 @@ DressMethod paper(const po::variables_map& given, double residual) {
   } else if (control == "converged") {
     options.motion.converged_strain = true;
   } else if (control != "velocity") {
-    throw Error("--strain-control",
-                "'" + control + "' is none of velocity, converged, position, none",
-                "leave it out for the paper's, by velocity");
+    throw UsageError("--strain-control",
+                     "'" + control + "' is none of velocity, converged, position, none",
+                     "leave it out for the paper's, by velocity");
   }
   if (const auto limit = read_strain_limit(given)) options.motion.strain.limit = *limit;
   if (given.count("time-step")) {
     options.motion.time_step = positive(given, "time-step", 0.01);
     if (options.motion.time_step < 1e-8) {
-      throw Error("--time-step", "is below 1e-8 s", "leave it out for the largest stable one");
+      throw UsageError("--time-step", "is below 1e-8 s", "leave it out for the largest stable one");
     }
   }
   options.motion.restitution = positive(given, "restitution", 1);
@@ -143,9 +143,8 @@ void add_method_options(po::options_description& options) {
       "draft (a residual of 0.05), standard (0.0015; the default) or fine (0.0005); for the "
       "paper's method, standard is 0.05")(
       "residual", po::value<double>(),
-      "instead: at rest when half of the nodes have less force left than this share of a node's "
-      "weight, their rms is below ten times it and, by the relaxation, whole patches of cloth have "
-      "less left than this share of theirs")(
+      "instead of a quality: at rest when the force left on half of the nodes is below this share "
+      "of a node's weight; method.md says the whole")(
       "strain-control", po::value<string>()->default_value("velocity"),
       "paper: velocity (three passes), converged (velocities too, until the limit holds, while "
       "draping), position (Provot's, limit 0.1) or none")(
@@ -185,9 +184,9 @@ std::optional<double> read_strain_limit(const po::variables_map& given) {
   if (given.count("strain-limit") == 0) return std::nullopt;
   const double limit = given["strain-limit"].as<double>();
   if (!(limit >= 0 && limit < 1)) {
-    throw Error("--strain-limit",
-                "a strain of " + fixed_number(limit, 3) + " is not at least 0 and below 1",
-                "0.01 holds warp and weft to 1 %");
+    throw UsageError("--strain-limit",
+                     "a strain of " + fixed_number(limit, 3) + " is not at least 0 and below 1",
+                     "0.01 holds warp and weft to 1 %");
   }
   return limit;
 }
@@ -196,7 +195,8 @@ std::optional<double> read_shear_limit(const po::variables_map& given) {
   if (given.count("shear-limit") == 0) return std::nullopt;
   const double degrees = given["shear-limit"].as<double>();
   if (!(degrees > 0 && degrees < 90)) {
-    throw Error("--shear-limit", "is not between 0 and 90 degrees", "10 is that of a dense woven");
+    throw UsageError("--shear-limit", "is not between 0 and 90 degrees",
+                     "10 is that of a dense woven");
   }
   return std::sin(degrees * std::numbers::pi / 180);
 }
@@ -208,7 +208,7 @@ double read_residual(const po::variables_map& given, bool of_paper) {
   double residual = of_paper && is_standard ? spring_resting_residual : quality.residual;
   if (given.count("residual")) residual = given["residual"].as<double>();
   if (!(residual > 0 && residual < 1)) {
-    throw Error("--residual", "is not between 0 and 1", "leave it out for the default");
+    throw UsageError("--residual", "is not between 0 and 1", "leave it out for the default");
   }
   return residual;
 }
@@ -218,13 +218,14 @@ DressMethod read_method(const po::variables_map& given, bool coupled) {
   const double residual = read_residual(given, of_paper);
   if (of_paper) {
     if (!coupled) return paper(given, residual);
-    throw Error("--method", "paper's layers are frozen", "leave \"layering\" out of the scene");
+    throw UsageError("--method", "paper's layers are frozen",
+                     "leave \"layering\" out of the scene");
   }
   DressOptions options = until_residual(residual);
   if (given.count("release")) {
     options.release_seconds = parse_time(given["release"].as<string>(), "--release");
     if (options.release_seconds > 60) {
-      throw Error("--release", "is longer than a minute", "1s shows whether a garment stays");
+      throw UsageError("--release", "is longer than a minute", "1s shows whether a garment stays");
     }
   }
   std::optional<Quality> quality;

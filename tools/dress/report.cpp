@@ -151,7 +151,7 @@ Json start_json(const Placement& placement) {
     json["positioned"].push_back(entry);
   }
   for (const auto& [panel, distance] : placement.moved_off_layers) {
-    json["stepped_out_mm"][panel] = 1000 * distance;
+    json["moved_off_layers_mm"][panel] = 1000 * distance;
   }
   for (const auto& [panel, distance] : placement.moved_clear) {
     json["moved_clear_mm"][panel] = 1000 * distance;
@@ -290,7 +290,7 @@ Json verdict_json(const DressResult& result, const Judgement& judgement) {
   Json json;
   json["verdict"] = to_string(judgement.verdict);
   for (const OpenSeam& seam : judgement.garment.seams.open_seams) {
-    json["unsewable_seams"].push_back({{"name", seam.name}, {"missing_cm", seam.missing_cm}});
+    json["unsewable_seams"].push_back({{"name", seam.name}, {"gap_cm", seam.missing_cm}});
   }
   for (const TightSeam& seam : result.tight_seams) {
     json["tight_seams"].push_back(
@@ -305,7 +305,7 @@ Json verdict_json(const DressResult& result, const Judgement& judgement) {
   for (const TooSmallLevel& level : judgement.fit.levels) {
     json["fit"]["levels"].push_back({{"name", level.level}, {"missing_cm", 100 * level.missing}});
   }
-  json["worn"] = worn.is_checked ? "checked" : "not checked";
+  json["worn"] = worn.is_checked ? "checked" : "not_checked";
   if (worn.misplaced) {
     json["misplaced"] = {{"part", worn.misplaced->part},
                          {"at", worn.misplaced->at},
@@ -315,10 +315,10 @@ Json verdict_json(const DressResult& result, const Judgement& judgement) {
   return json;
 }
 
-/// The preset that a garment was draped by, and the error to expect of it.
+/// The preset that a garment was draped by, and its error on other garments.
 Json quality_json(const Quality& quality) {
   return {{"quality", quality.name},
-          {"expected_error",
+          {"preset_error",
            {{"node_distance_rms_mm", quality.distance_rms_mm},
             {"against", "the same run brought to rest"},
             {"measured_on", measured_on}}}};
@@ -334,6 +334,7 @@ nlohmann::ordered_json layer_json(const WornLayer& layer, const DressMethod& met
   Json report;
   report["inputs"] = {{"body", notes.body}, {"garment", notes.garment}};
   if (!notes.earlier.empty()) report["inputs"]["continue"] = notes.earlier;
+  report["dressed_sha256"] = notes.dressed_sha256;
   report["garment"] = garment_json(layer);
   report["panels"] = panels_json(layer.garment);
   report["scene"] = scene_json(layer);
@@ -343,7 +344,7 @@ nlohmann::ordered_json layer_json(const WornLayer& layer, const DressMethod& met
   report["seconds"] = notes.seconds;
   report["converged"] = result.converged;
   report["residual"] = residual_json(result.residual);
-  report["release"] = result.release ? release_json(*result.release) : Json("not asked");
+  if (result.release) report["release"] = release_json(*result.release);
   report.update(shape_json(figures, result.during));
   report["seams"] = {{"sewn", figures.seams.sewn},
                      {"open", figures.seams.open},

@@ -13,9 +13,10 @@ namespace toile {
 
 /// What the program itself adds to a layer's entry.
 struct LayerNotes {
-  std::string body;     ///< the file
-  std::string garment;  ///< the file
-  std::string earlier;  ///< the file of the drape to go on from; empty: none
+  std::string body;            ///< the file
+  std::string garment;         ///< the file
+  std::string earlier;         ///< the file of the drape to go on from; empty: none
+  std::string dressed_sha256;  ///< of the file that holds the drape
   std::vector<std::string> warnings;
   double seconds = 0;  ///< all that the layer took
   /// What took them besides the dressing, in the order in which it was done.

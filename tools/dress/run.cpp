@@ -2,18 +2,21 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "cloth/scene/closed_body.h"
 #include "geometry/error.h"
+#include "io/checksum.h"
 #include "io/output_file.h"
 #include "pattern/garment_file.h"
 #include "tools/dress/kept_distances.h"
 #include "tools/dress/report.h"
 #include "tools/dress/say.h"
 #include "tools/dress/watch.h"
+#include "tools/report.h"
 
 namespace toile {
 
@@ -32,7 +35,7 @@ class DressRun {
   DressRun(const DressSettings& settings, const CommonSettings& common)
       : settings_(settings), common_(common), log_(common) {}
 
-  Verdict run();
+  DressEnd run();
 
  private:
   Outfit read_outfit();
@@ -123,7 +126,6 @@ FrameWatcher DressRun::watch(std::size_t layer) const {
 void DressRun::say_dressed(std::size_t layer, const WornLayer& worn) {
   say_places(worn, log_);
   say_positions(worn.result.placement, log_);
-  say_terms(worn.result, log_);
   if (layer == 0) keep_distances(worn.distances_computed);
 }
 
@@ -174,6 +176,7 @@ Json DressRun::layer_report(const WornOutfit& worn, std::size_t layer) const {
   notes.body = settings_.body.string();
   notes.garment = settings_.layers[layer].garment.string();
   if (settings_.layers[layer].earlier) notes.earlier = settings_.layers[layer].earlier->string();
+  notes.dressed_sha256 = sha256_of_file(files_.written(settings_.layers[layer].output));
   notes.warnings = layer_warnings_[layer];
   if (!settings_.scene) {
     notes.warnings.insert(notes.warnings.begin(), warnings_.begin(), warnings_.end());
@@ -215,11 +218,21 @@ Json DressRun::scene_report(const WornOutfit& worn) const {
   return report;
 }
 
-Verdict DressRun::run() {
+/// Whether all that was to be certified became free of intersections and stayed so.
+bool is_certified(const WornOutfit& worn) {
+  const auto is_clean = [](const std::optional<Certificate>& certificate) {
+    return !certificate || certificate->stayed_clean();
+  };
+  return is_clean(worn.coupled_certificate) &&
+         std::ranges::all_of(worn.layers, is_clean, &WornLayer::certificate);
+}
+
+DressEnd DressRun::run() {
   Outfit outfit = read_outfit();
   read_body();
   if (distances_) outfit.raised_distances = &*distances_;
-  warnings_ = log_.take_warnings();
+  warnings_ = settings_.earlier_warnings;
+  for (std::string& line : log_.take_warnings()) warnings_.push_back(std::move(line));
   const WornOutfit worn =
       dress_outfit(outfit, *collider_, skeleton_ ? &*skeleton_ : nullptr, hooks());
   if (worn.coupled) {
@@ -227,23 +240,20 @@ Verdict DressRun::run() {
     say_pressing(*worn.coupled, names(), log_);
   }
   for (std::string& line : log_.take_warnings()) warnings_.push_back(std::move(line));
-  if (common_.report) {
-    const Json report = settings_.scene ? scene_report(worn) : layer_report(worn, 0);
-    write_file(files_.at(*common_.report), report.dump(2) + "\n");
-  }
+  write_report(files_, common_, settings_.scene ? scene_report(worn) : layer_report(worn, 0));
   files_.commit();
   if (settings_.scene) log_.say("outfit: " + to_string(worn.verdict()));
-  return worn.verdict();
+  return {worn.verdict(), is_certified(worn)};
 }
 
 }  // namespace
 
-Verdict run_dress(const DressSettings& settings, const CommonSettings& common) {
+DressEnd run_dress(const DressSettings& settings, const CommonSettings& common) {
   return DressRun(settings, common).run();
 }
 
-ExitCode exit_code_of(Verdict verdict) {
-  return verdict == Verdict::sewn ? exit_done : exit_negative;
+ExitCode exit_code_of(const DressEnd& end) {
+  return end.verdict == Verdict::sewn && end.is_certified ? exit_done : exit_negative;
 }
 
 }  // namespace toile

@@ -7,11 +7,18 @@
 
 namespace toile {
 
-/// Dresses all layers, writes their files and the report, and gives the verdict of the whole: of
-/// the first layer that is not sewn. Throws Error for what can't be read, dressed or written.
-Verdict run_dress(const DressSettings& settings, const CommonSettings& common);
+/// What became of all layers.
+struct DressEnd {
+  Verdict verdict;           ///< of the first layer that is not sewn, else sewn
+  bool is_certified = true;  ///< false: it was to be certified, and is not
+};
 
-/// exit_done for a sewn garment, else exit_negative.
-ExitCode exit_code_of(Verdict verdict);
+/// Dresses all layers, and writes their files and the report. Throws Error for what can't be read,
+/// dressed or written.
+DressEnd run_dress(const DressSettings& settings, const CommonSettings& common);
+
+/// exit_done for a sewn garment whose states are certified where that was asked, else
+/// exit_negative.
+ExitCode exit_code_of(const DressEnd& end);
 
 }  // namespace toile

@@ -100,7 +100,7 @@ void warn_of_verdict(const DressResult& result, const Judgement& judgement, Dres
   if (!result.tight_seams.empty()) {
     log.warn("too tight: closing these seams takes more than a hand's pull, " +
              std::to_string(std::lround(hand_pull)) +
-             " N/m, or of soft fabrics less; what is missing at each: " + tight.str());
+             " N/m (less for soft fabrics); what is missing at each: " + tight.str());
   }
   const WornFigures& worn = judgement.worn;
   if (!worn.is_checked) {
@@ -184,15 +184,6 @@ void say_positions(const Placement& placement, DressLog& log) {
          << std::lround(100 * distance) << " cm";
     log.say(line.str());
   }
-}
-
-void say_terms(const DressResult& result, DressLog& log) {
-  std::string line = "terms:";
-  for (const auto& [term, count] : result.terms) {
-    line += " " + term + " " + std::to_string(count) + ",";
-  }
-  line.back() = '.';
-  log.say(line);
 }
 
 void say_result(const DressResult& result, const Judgement& judgement, DressLog& log) {

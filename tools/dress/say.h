@@ -32,9 +32,6 @@ void say_places(const WornLayer& worn, DressLog& log);
 /// Where the skeleton positioned the panels, for those that asked for it.
 void say_positions(const Placement& placement, DressLog& log);
 
-/// What was compiled, by term, with counts.
-void say_terms(const DressResult& result, DressLog& log);
-
 /// Seams, intersections, strain, wraps and the verdict; warns of what looks wrong.
 void say_result(const DressResult& result, const Judgement& judgement, DressLog& log);
 

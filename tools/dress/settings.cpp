@@ -15,19 +15,23 @@ namespace {
 namespace po = boost::program_options;
 namespace fs = std::filesystem;
 
-/// What --place asks for.
+}  // namespace
+
 AskedPlaces read_places(const po::variables_map& given) {
   AskedPlaces places;
   if (given.count("place") == 0) return places;
   for (const std::string& text : given["place"].as<std::vector<std::string>>()) {
     const auto asked = parse_asked_place(text);
     if (!places.insert(asked).second) {
-      throw Error("--place '" + text + "'", "is the second place for panel '" + asked.first + "'",
-                  "say one place for each panel");
+      throw UsageError("--place '" + text + "'",
+                       "is the second place for panel '" + asked.first + "'",
+                       "say one place for each panel");
     }
   }
   return places;
 }
+
+namespace {
 
 /// The garment or the scene that the command line names, with the files to write for it.
 void read_layers(const po::variables_map& given, const fs::path& output, DressSettings& settings) {
@@ -75,15 +79,19 @@ Vec3 parse_gravity(const std::string& text) {
   for (int i = 0; i < 3; ++i) {
     if (i > 0) words >> comma;
     if (comma != ',' || !(words >> gravity[i])) {
-      throw Error("--gravity", "'" + text + "' is not three numbers",
-                  "write --gravity=X,Y,Z in m/s²: 0,-9.81,0 is the default");
+      throw UsageError("--gravity", "'" + text + "' is not three numbers",
+                       "write --gravity=X,Y,Z in m/s²: 0,-9.81,0 is the default");
     }
   }
   if (words >> comma) {
-    throw Error("--gravity", "'" + text + "' goes on after three numbers",
-                "write --gravity=X,Y,Z in m/s²: 0,-9.81,0 is the default");
+    throw UsageError("--gravity", "'" + text + "' goes on after three numbers",
+                     "write --gravity=X,Y,Z in m/s²: 0,-9.81,0 is the default");
   }
-  check_gravity(gravity, "--gravity");
+  try {
+    check_gravity(gravity, "--gravity");
+  } catch (const Error& wrong) {
+    throw UsageError(wrong);
+  }
   return gravity;
 }
 
@@ -99,14 +107,9 @@ void add_dress_options(po::options_description& options) {
       "instead of these: a body and its layers of garments, the innermost first; -o outfit.obj "
       "then gives outfit-NAME.obj for each")(
       "skeleton", value<string>(), "the body's joints; default: body.json beside the body")(
-      "place", value<std::vector<string>>(),
-      "PANEL=PART:SIDE, as in front=torso:front or sleeve=left_arm:around: where a panel stands; "
-      "all others are found anew, whatever places the pattern states; may be repeated")(
       "continue", value<string>(),
       "an earlier dressed.obj of this garment, before its pattern was changed a little: go on from "
       "there, and not from flat panels")(
-      "gravity", value<string>(),
-      "x,y,z in m/s²; default: the scene's, or 0,-9.81,0; write --gravity=-9.81,0,0")(
       "frames", value<string>(), "write the states on the way as OBJ files into this folder")(
       "certify-frames",
       "check every state on the way, as --frames writes them, with exact predicates: when it "
@@ -115,6 +118,18 @@ void add_dress_options(po::options_description& options) {
       "cache",
       "keep the body's distances beside it, body.distances for body.ply: later garments on this "
       "body are dressed the same, sooner");
+  add_drape_options(options);
+}
+
+void add_drape_options(po::options_description& options) {
+  using po::value;
+  using std::string;
+  options.add_options()(
+      "place", value<std::vector<string>>()->composing(),
+      "PANEL=PART:SIDE, as in front=torso:front or sleeve=left_arm:around: where a panel stands; "
+      "all others are found anew, whatever places the pattern states; may be repeated")(
+      "gravity", value<string>(),
+      "x,y,z in m/s²; default: the scene's, or 0,-9.81,0; write --gravity=-9.81,0,0");
   add_fabric_option(options);
   add_method_options(options);
 }
@@ -153,11 +168,15 @@ DressSettings read_dress_settings(const po::variables_map& given, const fs::path
   if (given.count("frames")) settings.frames = given["frames"].as<std::string>();
   if (given.count("cache")) settings.cache = distances_path(settings.body);
   settings.certify_frames = given.count("certify-frames") != 0;
+  read_drape_settings(given, settings);
+  return settings;
+}
+
+void read_drape_settings(const po::variables_map& given, DressSettings& settings) {
   if (given.count("gravity")) settings.gravity = parse_gravity(given["gravity"].as<std::string>());
   settings.strain_limit = read_strain_limit(given);
   settings.shear_limit = read_shear_limit(given);
   settings.method = read_method(given, settings.coupled);
-  return settings;
 }
 
 ProgramFiles files_of(const DressSettings& settings) {

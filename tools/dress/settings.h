@@ -45,10 +45,20 @@ struct DressSettings {
   std::optional<double> strain_limit;
   std::optional<double> shear_limit;
   Vec3 gravity = Scene().gravity;
+  std::vector<std::string> earlier_warnings;  ///< of body and garment, said already
   DressMethod method;
 };
 
 void add_dress_options(boost::program_options::options_description& options);
+
+/// Those of them that are of the drape itself, and of no file but fabrics'.
+void add_drape_options(boost::program_options::options_description& options);
+/// Gravity, limits and the method. `settings` says whether layers are coupled. Throws UsageError
+/// for a value that an option can't take.
+void read_drape_settings(const boost::program_options::variables_map& given,
+                         DressSettings& settings);
+/// What --place asks for. Throws UsageError for a panel with two places.
+AskedPlaces read_places(const boost::program_options::variables_map& given);
 
 /// Throws boost::program_options::error unless the options are of a garment on a body or of a
 /// scene, and of the method.

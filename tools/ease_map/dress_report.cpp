@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "io/checksum.h"
 #include "io/json_value.h"
 #include "io/output_file.h"
 
@@ -11,28 +12,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool is_of(const JsonValue& entry, const std::string& dressed_sha256) {
+  for (const char* key : {"verdict", "dressed_sha256", "scene", "fit", "panels", "warnings"}) {
+    if (!entry.find(key)) return false;
+  }
+  return entry.get("dressed_sha256").text() == dressed_sha256;
+}
+
 /// The garment's entry: the report itself, or one of its layers.
-std::optional<JsonValue> entry_of(const JsonValue& root, const fs::path& garment_file) {
+std::optional<JsonValue> entry_of(const JsonValue& root, const std::string& dressed_sha256) {
   if (!root.is_object()) return std::nullopt;
   const std::optional<JsonValue> layers = root.find("layers");
-  if (!layers) return root;
+  if (!layers) return is_of(root, dressed_sha256) ? std::optional(root) : std::nullopt;
   if (!layers->is_array()) return std::nullopt;
   for (std::size_t i = 0; i < layers->size(); ++i) {
     const JsonValue layer = layers->item(i);
-    const std::optional<JsonValue> dressed = layer.find("dressed");
-    if (dressed && fs::path(dressed->text()).filename() == garment_file.filename()) return layer;
+    if (layer.is_object() && is_of(layer, dressed_sha256)) return layer;
   }
   return std::nullopt;
-}
-
-bool is_of(const JsonValue& entry, const DressedGarment& garment) {
-  for (const char* key : {"verdict", "garment", "scene", "fit", "panels", "warnings"}) {
-    if (!entry.find(key)) return false;
-  }
-  const JsonValue counts = entry.get("garment");
-  return counts.get("triangles").number() == static_cast<double>(garment.triangles.size()) &&
-         counts.get("material_points").number() == static_cast<double>(garment.flat.size()) &&
-         entry.get("panels").size() == garment.panels.size();
 }
 
 }  // namespace
@@ -41,11 +38,10 @@ fs::path dress_report_path(const fs::path& garment_file) {
   return fs::path(garment_file).replace_extension("json");
 }
 
-std::optional<DressReport> read_dress_report(const fs::path& file, const fs::path& garment_file,
-                                             const DressedGarment& garment) {
+std::optional<DressReport> read_dress_report(const fs::path& file, const fs::path& garment_file) {
   const JsonDocument document(read_file(file), file.string());
-  const std::optional<JsonValue> entry = entry_of(document.root(), garment_file);
-  if (!entry || !is_of(*entry, garment)) return std::nullopt;
+  const std::optional<JsonValue> entry = entry_of(document.root(), sha256_of_file(garment_file));
+  if (!entry) return std::nullopt;
   DressReport report;
   report.verdict = entry->get("verdict").text();
   report.fit = entry->get("fit").get("verdict").text();

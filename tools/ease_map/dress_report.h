@@ -6,13 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "pattern/panel_mesh.h"
-
 namespace toile {
 
 struct DressReport {
   std::string verdict;
-  std::string fit;                    ///< "ok", "too_small" or "not checked"
+  std::string fit;                    ///< "ok", "too_small" or "not_checked"
   std::vector<std::string> warnings;  ///< in their order
   double body_offset = 0;             ///< metres from the skin at which the cloth was held
   std::vector<double> grains;         ///< radians, MeshedPanel::grain per panel of the garment
@@ -21,12 +19,10 @@ struct DressReport {
 /// Where it is looked for: dressed.json beside dressed.obj.
 std::filesystem::path dress_report_path(const std::filesystem::path& garment_file);
 
-/// Reads the report of a garment, or the garment's entry in the report of a scene, by the name of
-/// its file. `garment_file` is the dressed garment's. Nothing if the file is no report of dress, or
-/// of another garment: the counts of triangles and material points tell. Throws Error for a file
-/// that can't be read or is damaged.
+/// Reads the report of a garment, or the garment's entry in the report of a scene. `garment_file`
+/// is the dressed garment's. Nothing if the file is no report of dress, or of another drape: the
+/// checksum in it tells. Throws Error for a file that can't be read or is damaged.
 std::optional<DressReport> read_dress_report(const std::filesystem::path& file,
-                                             const std::filesystem::path& garment_file,
-                                             const DressedGarment& garment);
+                                             const std::filesystem::path& garment_file);
 
 }  // namespace toile

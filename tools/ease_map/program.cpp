@@ -29,7 +29,6 @@ CommandLineProgram ease_map_program() {
       "garment", po::value<std::string>()->required(), "the dressed garment; also as argument")(
       "csv", po::value<std::string>(),
       "write panel, flat and space coordinates, gap of each point")(
-      "json", po::value<std::string>(), "write the statistics (as --report does)")(
       "ply", po::value<std::string>(), "write the garment with a colour at each point")(
       "png", po::value<std::string>(), "write a picture, front and back")(
       "skeleton", po::value<std::string>(),
@@ -49,7 +48,6 @@ CommandLineProgram ease_map_program() {
     settings.garment = given["garment"].as<std::string>();
     settings.body = given["body"].as<std::string>();
     settings.csv = path_option(given, "csv");
-    settings.json = path_option(given, "json");
     settings.ply = path_option(given, "ply");
     settings.png = path_option(given, "png");
     settings.skeleton = path_option(given, "skeleton");
@@ -66,7 +64,7 @@ CommandLineProgram ease_map_program() {
                        settings.skeleton.value_or(skeleton_path(settings.body)),
                        settings.dress_report.value_or(dress_report_path(settings.garment))};
     job.files.writes = {common.output};
-    for (const auto& file : {settings.csv, settings.json, settings.ply, settings.png}) {
+    for (const auto& file : {settings.csv, settings.ply, settings.png}) {
       if (file) job.files.writes.push_back(*file);
     }
     job.work = [settings, &common] {

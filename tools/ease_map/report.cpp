@@ -184,7 +184,7 @@ std::string ease_csv(const EaseReport& report) {
   return text;
 }
 
-std::string ease_json(const EaseReport& report) {
+nlohmann::ordered_json ease_json(const EaseReport& report) {
   nlohmann::ordered_json json;
   json["garment"] = valid_utf8(report.garment_name);
   json["body"] = valid_utf8(report.body_name);
@@ -196,6 +196,7 @@ std::string ease_json(const EaseReport& report) {
   for (const std::string& warning : report.warnings) {
     json["warnings"].push_back(valid_utf8(warning));
   }
+  json["notes"] = report.notes;
   json["gap"] = definition;
   json["contact_below_mm"] = 1000 * report.options.contact;
   json["total"] = statistics_json(report.map.garment);
@@ -211,7 +212,7 @@ std::string ease_json(const EaseReport& report) {
     json["levels_left_out"].push_back({{"level", level.level}, {"why", level.why}});
   }
   if (!report.garment_levels.empty()) json["garment_levels"] = garment_levels_json(report);
-  return json.dump(2) + '\n';
+  return json;
 }
 
 std::string ease_page(const EaseReport& report, const std::string& picture) {
@@ -228,6 +229,7 @@ std::string ease_page(const EaseReport& report, const std::string& picture) {
   for (const std::string& warning : report.warnings) {
     page.paragraphs.push_back("Warning: " + warning + ".");
   }
+  for (const std::string& note : report.notes) page.paragraphs.push_back("Note: " + note + ".");
   page.surface = {report.garment.points, report.garment.triangles};
   page.values = gaps_mm(report);
   page.regions = report.garment.panels;

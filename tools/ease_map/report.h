@@ -1,6 +1,7 @@
 // The ease map as files: a page, tables, statistics, a coloured mesh, a picture.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,7 @@ struct EaseReport {
   std::vector<GarmentLevel> garment_levels;  ///< empty: not measured
   std::optional<DressReport> dressing;       ///< none: there is no report of dress
   std::vector<std::string> warnings;         ///< of the dressing and of the ease map
+  std::vector<std::string> notes;            ///< what could not be told, and why
   std::string garment_name;                  ///< shown in titles
   std::string body_name;
   double top = 0;  ///< gap that gets the ramp's last colour, metres, positive
@@ -36,7 +38,7 @@ double suggested_top(const EaseMap& map);
 std::string ease_csv(const EaseReport& report);
 
 /// Statistics of the garment and of each panel that has points, and girths, as JSON.
-std::string ease_json(const EaseReport& report);
+nlohmann::ordered_json ease_json(const EaseReport& report);
 
 /// A page to turn the garment in; see io/viewer_page.h. `picture` is what a browser without WebGL
 /// shows instead.

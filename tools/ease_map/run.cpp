@@ -12,6 +12,7 @@
 #include "io/text.h"
 #include "pattern/garment_file.h"
 #include "tools/ease_map/report.h"
+#include "tools/report.h"
 
 namespace toile {
 
@@ -22,18 +23,27 @@ namespace fs = std::filesystem;
 /// Metres: cloth that rests on the skin is held at its offset, and rarely more than this off it.
 constexpr double contact_margin = 0.001;
 
-/// What the report of dress beside the garment says; none where there is no such report.
-std::optional<DressReport> dressing_of(const EaseReport& report, const EaseMapSettings& settings,
+void note(EaseReport& report, const std::string& line, const CommonSettings& common) {
+  common.say(line);
+  report.notes.push_back(line);
+}
+
+/// What the report of dress beside the garment says; none, with a note, where there is no such
+/// report.
+std::optional<DressReport> dressing_of(EaseReport& report, const EaseMapSettings& settings,
                                        const CommonSettings& common) {
   const fs::path file = settings.dress_report.value_or(dress_report_path(settings.garment));
   if (!settings.dress_report && !fs::exists(file)) {
-    common.say("no verdict: there is no report of dress at " + file.string());
+    note(report, "no verdict: there is no report of dress at " + file.string(), common);
     return std::nullopt;
   }
-  std::optional<DressReport> read = read_dress_report(file, settings.garment, report.garment);
+  std::optional<DressReport> read = read_dress_report(file, settings.garment);
   if (!read && settings.dress_report) {
     throw Error(file.string(), "is not the report of " + settings.garment.string(),
                 "give the file that dress --report wrote with it");
+  }
+  if (!read) {
+    note(report, "no verdict: " + file.string() + " is not the report of this drape", common);
   }
   return read;
 }
@@ -43,8 +53,10 @@ void measure_girths(EaseReport& report, const SurfaceDistance& skin,
                     const EaseMapSettings& settings, const CommonSettings& common) {
   const fs::path path = settings.skeleton.value_or(skeleton_path(settings.body));
   if (!settings.skeleton && !fs::exists(path)) {
-    common.say("no girth ease: there are no joints in " + path.string() +
-               "; clean-body writes them beside the body");
+    note(report,
+         "no girth ease: there are no joints in " + path.string() +
+             "; clean-body writes them beside the body",
+         common);
     return;
   }
   const Skeleton skeleton = read_skeleton_of(skin, path);
@@ -112,8 +124,7 @@ void run_ease_map(const EaseMapSettings& settings, const CommonSettings& common)
 
   OutputFiles files;
   if (settings.csv) write_file(files.at(*settings.csv), ease_csv(report));
-  if (settings.json) write_file(files.at(*settings.json), ease_json(report));
-  if (common.report) write_file(files.at(*common.report), ease_json(report));
+  write_report(files, common, ease_json(report));
   if (settings.ply) {
     write_mesh(files.at(*settings.ply), {report.garment.points, report.garment.triangles},
                ease_colours(report));

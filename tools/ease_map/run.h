@@ -11,7 +11,7 @@ namespace toile {
 struct EaseMapSettings {
   std::filesystem::path garment;
   std::filesystem::path body;
-  std::optional<std::filesystem::path> csv, json, ply, png;
+  std::optional<std::filesystem::path> csv, ply, png;
   std::optional<std::filesystem::path> skeleton;      ///< none: beside the body, if there
   std::optional<std::filesystem::path> dress_report;  ///< none: beside the garment, if there
   /// Metres: cloth nearer than this touches the skin. None: 1 mm more than the offset at which the

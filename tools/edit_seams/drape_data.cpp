@@ -33,7 +33,8 @@ json mesh_json(const std::vector<Vec3>& points, const std::vector<Triangle>& tri
 }  // namespace
 
 std::string drape_json(const std::filesystem::path& garment, const std::filesystem::path& dressed,
-                       const std::filesystem::path& report, const std::filesystem::path& body) {
+                       const std::filesystem::path& report, const std::filesystem::path& body,
+                       std::vector<std::string> warnings) {
   const PanelMesh meshed = read_garment(garment);
   const DressedGarment worn = read_dressed(dressed);
   // Faces keep their order: they tell which node a material point became.
@@ -53,12 +54,15 @@ std::string drape_json(const std::filesystem::path& garment, const std::filesyst
     if (polygon.size() == 3) facets.push_back({polygon[0], polygon[1], polygon[2]});
   }
   const json said = json::parse(read_file(report));
+  for (std::string& warning : said.at("warnings").get<std::vector<std::string>>()) {
+    warnings.push_back(std::move(warning));
+  }
   return json{{"garment", mesh_json(worn.points, worn.triangles)},
               {"panels", worn.panel_of_triangle},
               {"seams", std::move(seams)},
               {"body", mesh_json(skin.points, facets)},
               {"verdict", said.at("verdict")},
-              {"warnings", said.value("warnings", json::array())}}
+              {"warnings", warnings}}
       .dump();
 }
 

@@ -14,7 +14,7 @@ CommandLineProgram edit_seams_program() {
   program.summary = "shows the panels flat, to draw, correct and try their seams in a browser";
   program.usage = "PATTERN.json -o page.html | PATTERN.json --serve [--body BODY] -o sewn.json";
   program.options.add_options()("pattern", po::value<std::string>()->required(),
-                                "the pattern (also without --pattern)")(
+                                "the pattern; also as argument")(
       "proposals", po::value<std::string>(), "seams to accept or reject: the report of find-seams")(
       "serve", po::bool_switch(),
       "serve the page to browsers of this machine; saving then writes -o")(
@@ -28,6 +28,9 @@ CommandLineProgram edit_seams_program() {
     const bool serves = given["serve"].as<bool>();
     const int port = given["port"].as<int>();
     if (!serves && given.count("body") != 0) throw po::error("--body needs --serve");
+    if (given.count("body") == 0 && !given["edge-length"].defaulted()) {
+      throw po::error("--edge-length needs --body");
+    }
     if (!serves && port != 0) throw po::error("--port needs --serve");
     if (port != 0 && (port < 1024 || port > 65535)) throw po::error("--port is not 1024 to 65535");
   };

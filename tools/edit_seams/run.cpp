@@ -1,5 +1,6 @@
 #include "tools/edit_seams/run.h"
 
+#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "geometry/error.h"
@@ -9,6 +10,7 @@
 #include "tools/edit_seams/server.h"
 #include "tools/edit_seams/trial.h"
 #include "tools/remarks.h"
+#include "tools/report.h"
 
 namespace toile {
 
@@ -28,14 +30,14 @@ void check_and_report(const EditSeamsSettings& settings, const CommonSettings& c
   std::vector<Remark> remarks;
   const Pattern pattern = read_pattern(settings.pattern, remarks);
   say_remarks(remarks, common);
-  if (!common.report) return;
-  nlohmann::ordered_json report = {{"program", "edit-seams"},
-                                   {"pattern", settings.pattern.string()},
+  nlohmann::ordered_json report = {{"pattern", settings.pattern.string()},
                                    {"served", settings.serve},
                                    {"panels", pattern.panels.size()},
                                    {"seams", pattern.stitches.size()}};
   add_remarks(remarks, report);
-  write_file(*common.report, report.dump(2) + "\n");
+  OutputFiles files;
+  write_report(files, common, report);
+  files.commit();
 }
 
 SeamEditorPage page_of(const EditSeamsSettings& settings, const CommonSettings& common) {
@@ -116,7 +118,8 @@ Answer Service::answer(const Request& request) {
 void serve(const EditSeamsSettings& settings, const CommonSettings& common) {
   Service service(settings, common);
   Server server(settings.port);
-  common.say("edit-seams: open " + server.address() + " (Ctrl+C ends it)");
+  // Nobody guesses the address: it is said with -q, too.
+  std::cerr << "edit-seams: open " << server.address() << " (Ctrl+C ends it)" << std::endl;
   server.run([&](const Request& request) { return service.answer(request); });
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "geometry/error.h"
 #include "io/output_file.h"
@@ -34,6 +35,17 @@ std::string reason_of(const ChildEnd& ended) {
   return last == std::string::npos ? said : said.substr(last + 1);
 }
 
+/// What follows "warning: " in each line that begins so.
+std::vector<std::string> warnings_in(const std::string& output) {
+  constexpr std::string_view mark = "warning: ";
+  std::vector<std::string> warnings;
+  std::istringstream lines(output);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(mark)) warnings.push_back(line.substr(mark.size()));
+  }
+  return warnings;
+}
+
 bool is_done(const ChildEnd& ended) {
   return ended.signal == 0 && (ended.exit_code == exit_done || ended.exit_code == exit_negative);
 }
@@ -56,9 +68,10 @@ Trial::~Trial() {
 
 std::string Trial::find_seams(const fs::path& pattern) const {
   const fs::path report = folder_ / "seams.json";
-  const ChildEnd ended = run_toile({"find-seams", pattern.string(), "-q", "-o",
-                                    (folder_ / "sewn.json").string(), "--report", report.string()},
-                                   {{}, {}, stop_});
+  const ChildEnd ended =
+      run_toile({"find-seams", pattern.string(), "-q", "-o", (folder_ / "sewn.json").string(),
+                 "--report", report.string(), "--threads", std::to_string(threads_)},
+                {{}, {}, stop_});
   if (!is_done(ended)) throw Error("find-seams", reason_of(ended), "");
   return read_file(report);
 }
@@ -89,11 +102,12 @@ void Trial::start(const fs::path& pattern) {
   });
 }
 
-void Trial::step(const std::string& text, std::vector<std::string> words) {
+std::vector<std::string> Trial::step(const std::string& text, std::vector<std::string> words) {
   set("working", text);
   words.insert(words.end(), {"-q", "--threads", std::to_string(threads_)});
   const ChildEnd ended = run_toile(words, {{}, {}, stop_});
   if (!is_done(ended)) throw Error(words.front(), reason_of(ended), "");
+  return warnings_in(ended.output);
 }
 
 void Trial::run() {
@@ -101,16 +115,20 @@ void Trial::run() {
   const fs::path garment = folder_ / "garment.obj";
   const fs::path dressed = folder_ / "dressed.obj";
   if (!body_is_clean_) {
-    step("Cleaning the body …",
-         {"clean-body", fs::absolute(*settings_.body).string(), "-o", body.string()});
+    body_warnings_ =
+        step("Cleaning the body …",
+             {"clean-body", fs::absolute(*settings_.body).string(), "-o", body.string()});
     body_is_clean_ = true;
   }
-  step("Meshing the panels …",
-       {"mesh-pattern", (folder_ / "tried.json").string(), "-o", garment.string(), "--edge-length",
-        number_text(1000 * settings_.edge_length) + "mm"});
+  std::vector<std::string> warnings = body_warnings_;
+  const std::vector<std::string> of_meshing =
+      step("Meshing the panels …",
+           {"mesh-pattern", (folder_ / "tried.json").string(), "-o", garment.string(),
+            "--edge-length", number_text(1000 * settings_.edge_length) + "mm"});
+  warnings.insert(warnings.end(), of_meshing.begin(), of_meshing.end());
   step("Dressing …", {"dress", "--body", body.string(), garment.string(), "-o", dressed.string(),
                       "--report", (folder_ / "dressed.json").string(), "--cache"});
-  std::string drape = drape_json(garment, dressed, folder_ / "dressed.json", body);
+  std::string drape = drape_json(garment, dressed, folder_ / "dressed.json", body, warnings);
   const std::lock_guard lock(mutex_);
   drape_ = std::move(drape);
   state_ = "done";

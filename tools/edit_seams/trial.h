@@ -5,6 +5,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "tools/edit_seams/run.h"
 
@@ -35,7 +36,8 @@ class Trial {
 
  private:
   void run();
-  void step(const std::string& text, std::vector<std::string> words);
+  /// Returns the warnings that the program said.
+  std::vector<std::string> step(const std::string& text, std::vector<std::string> words);
   void set(const std::string& state, const std::string& text);
 
   const EditSeamsSettings& settings_;
@@ -43,6 +45,7 @@ class Trial {
   std::filesystem::path folder_;
   int stop_;  // a file descriptor that can be read once the programs have to end
   bool body_is_clean_ = false;
+  std::vector<std::string> body_warnings_;
   mutable std::mutex mutex_;  // of what follows
   std::string state_ = "idle";
   std::string text_;

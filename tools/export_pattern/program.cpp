@@ -15,7 +15,7 @@ CommandLineProgram export_pattern_program() {
   program.usage = "PATTERN.json -o FILE.svg|.dxf|.pdf [--seam-allowance 10mm]";
   program.options.add_options()("seam-allowance", po::value<std::string>(),
                                 "drawn around each panel, such as 10mm; else none")(
-      "pattern", po::value<std::string>()->required(), "the pattern (also without --pattern)");
+      "pattern", po::value<std::string>()->required(), "the pattern; also as argument");
   program.positional.add("pattern", 1);
   program.output_extensions = {".svg", ".dxf", ".pdf"};
   program.prepare = [](const po::variables_map& given, const CommonSettings& common) {
@@ -25,8 +25,8 @@ CommandLineProgram export_pattern_program() {
       const std::string text = given["seam-allowance"].as<std::string>();
       settings.sheet.seam_allowance = parse_length(text, "--seam-allowance");
       if (settings.sheet.seam_allowance > 0.1) {
-        throw Error("--seam-allowance", "'" + shown_text(text) + "' is more than 10 cm",
-                    "use 10mm, say");
+        throw UsageError("--seam-allowance", "'" + shown_text(text) + "' is more than 10 cm",
+                         "use 10mm, say");
       }
     }
     Job job;

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cctype>
-#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "io/output_file.h"
 #include "io/text.h"
 #include "pattern/pattern_file.h"
 #include "tools/remarks.h"
+#include "tools/report.h"
 
 namespace toile {
 
@@ -29,15 +29,13 @@ std::string content_of(const Sheet& sheet, const std::string& extension) {
 nlohmann::ordered_json export_pattern_json(const std::string& pattern, const std::string& format,
                                            const Pattern& content, const Sheet& sheet,
                                            double seam_allowance,
-                                           const std::vector<Remark>& remarks, double seconds) {
+                                           const std::vector<Remark>& remarks) {
   using Json = nlohmann::ordered_json;
   Json report;
-  report["program"] = "export-pattern";
   report["pattern"] = pattern;
   report["format"] = format;
-  report["seconds"] = seconds;
-  report["seam_allowance"] = seam_allowance;
-  report["sheet"] = {{"width", sheet.size.x()}, {"height", sheet.size.y()}};
+  report["seam_allowance_mm"] = 1000 * seam_allowance;
+  report["sheet"] = {{"width_cm", 100 * sheet.size.x()}, {"height_cm", 100 * sheet.size.y()}};
   report["panels"] = Json::array();
   for (const PatternPanel& panel : content.panels) {
     report["panels"].push_back({{"name", panel.name},
@@ -60,7 +58,6 @@ nlohmann::ordered_json export_pattern_json(const std::string& pattern, const std
 }  // namespace
 
 void run_export_pattern(const ExportPatternSettings& settings, const CommonSettings& common) {
-  const auto start = std::chrono::steady_clock::now();
   std::vector<Remark> remarks;
   const Pattern pattern = read_pattern(settings.pattern, remarks);
   say_remarks(remarks, common);
@@ -72,14 +69,9 @@ void run_export_pattern(const ExportPatternSettings& settings, const CommonSetti
              std::to_string(pattern.stitches.size()) + " seams on " +
              fixed_number(sheet.size.x() * 100, 1) + " cm by " +
              fixed_number(sheet.size.y() * 100, 1) + " cm, scale 1:1");
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  if (common.report) {
-    write_file(files.at(*common.report),
+  write_report(files, common,
                export_pattern_json(settings.pattern.string(), extension.substr(1), pattern, sheet,
-                                   settings.sheet.seam_allowance, remarks, seconds.count())
-                       .dump(2) +
-                   "\n");
-  }
+                                   settings.sheet.seam_allowance, remarks));
   files.commit();
 }
 

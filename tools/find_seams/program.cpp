@@ -25,7 +25,7 @@ CommandLineProgram find_seams_program() {
       "let the placed panels decide which of equal panels is sewn where")(
       "min-confidence", po::value<double>()->default_value(decided_confidence, "0.85"),
       "0 to 1: a less certain seam is listed as undecided and not sewn")(
-      "pattern", po::value<std::string>()->required(), "the pattern (also without --pattern)");
+      "pattern", po::value<std::string>()->required(), "the pattern; also as argument");
   program.positional.add("pattern", 1);
   program.output_extensions = {".json"};
   program.check = [](const po::variables_map& given) {
@@ -40,7 +40,7 @@ CommandLineProgram find_seams_program() {
     settings.by_place = given["use-places"].as<bool>();
     settings.min_confidence = given["min-confidence"].as<double>();
     if (!(settings.min_confidence >= 0 && settings.min_confidence <= 1)) {
-      throw Error("--min-confidence", "is not between 0 and 1", "0.85 is the default");
+      throw UsageError("--min-confidence", "is not between 0 and 1", "0.85 is the default");
     }
     const auto texts = [&](const char* option) {
       return given.count(option) > 0 ? given[option].as<std::vector<std::string>>()

@@ -29,8 +29,8 @@ Json seam_json(const Pattern& pattern, const FoundSeam& seam) {
   entry["a"] = side_json(pattern, seam.a);
   entry["b"] = side_json(pattern, seam.b);
   entry["reversed"] = seam.reversed;
-  entry["length_a"] = seam.length_a;
-  entry["length_b"] = seam.length_b;
+  entry["length_a_cm"] = 100 * seam.length_a;
+  entry["length_b_cm"] = 100 * seam.length_b;
   entry["kind"] = kind_of(seam);
   entry["given"] = seam.given;
   entry["confidence"] = seam.confidence;
@@ -65,15 +65,13 @@ std::vector<EdgeRef> open_edges(const Pattern& pattern, const FoundSeams& found)
 
 Json find_seams_json(const std::string& file, const SplitSeams& split,
                      const std::vector<LeftOut>& left_out, double min_confidence,
-                     const std::vector<Remark>& remarks, double seconds) {
+                     const std::vector<Remark>& remarks) {
   const Pattern& pattern = split.pattern;
   const FoundSeams& found = split.found;
   Json report;
-  report["program"] = "find-seams";
   report["pattern"] = file;
   report["min_confidence"] = min_confidence;
   report["settled"] = found.settled;
-  report["seconds"] = seconds;
   report["seams"] = Json::array();
   report["undecided"] = Json::array();
   for (const FoundSeam& seam : found.seams) {

@@ -22,9 +22,9 @@ std::string side_name(const Pattern& pattern, const EdgeRef& side);
 /// The edges in no seam, decided or not: hems, necklines and cuffs among them.
 std::vector<EdgeRef> open_edges(const Pattern& pattern, const FoundSeams& found);
 
-/// The report, in metres.
+/// The report, lengths in centimetres.
 nlohmann::ordered_json find_seams_json(const std::string& file, const SplitSeams& split,
                                        const std::vector<LeftOut>& left_out, double min_confidence,
-                                       const std::vector<Remark>& remarks, double seconds);
+                                       const std::vector<Remark>& remarks);
 
 }  // namespace toile

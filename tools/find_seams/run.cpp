@@ -18,6 +18,7 @@
 #include "pattern/seams/split_search.h"
 #include "tools/find_seams/report.h"
 #include "tools/remarks.h"
+#include "tools/report.h"
 
 namespace toile {
 
@@ -128,7 +129,6 @@ void warn_of_loose(const Pattern& pattern, const std::vector<FoundSeam>& sewn,
 }  // namespace
 
 int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& common) {
-  const auto start = std::chrono::steady_clock::now();
   std::string drawn_text = read_file(settings.pattern);
   const std::string name = settings.pattern.string();
   std::vector<Remark> remarks;
@@ -196,13 +196,7 @@ int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& comm
   OutputFiles files;
   write_file(files.at(common.output),
              with_stitches(split.text, pattern, decided, options.drawn_walk));
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  if (common.report) {
-    write_file(files.at(*common.report),
-               find_seams_json(name, split, out, settings.min_confidence, remarks, seconds.count())
-                       .dump(2) +
-                   "\n");
-  }
+  write_report(files, common, find_seams_json(name, split, out, settings.min_confidence, remarks));
   files.commit();
   return undecided == 0 ? exit_done : exit_negative;
 }

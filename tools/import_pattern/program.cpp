@@ -16,14 +16,14 @@ double read_unit(const std::string& word) {
   if (word == "mm") return 1e-3;
   if (word == "cm") return 1e-2;
   if (word == "inch" || word == "in") return 0.0254;
-  throw Error("--unit", "'" + shown_text(word) + "' is unknown", "use mm, cm or inch");
+  throw UsageError("--unit", "'" + shown_text(word) + "' is unknown", "use mm, cm or in");
 }
 
 double read_chord_error(const std::string& text) {
   const double error = parse_length(text, "--chord-error");
   if (error < 1e-6 || error > 5e-3) {
-    throw Error("--chord-error", "'" + shown_text(text) + "' is out of range",
-                "use 0.001mm to 5mm");
+    throw UsageError("--chord-error", "'" + shown_text(text) + "' is out of range",
+                     "use 0.001mm to 5mm");
   }
   return error;
 }
@@ -31,15 +31,15 @@ double read_chord_error(const std::string& text) {
 double read_allowance(const std::string& text) {
   const double allowance = parse_length(text, "--seam-allowance");
   if (allowance > 0.1) {
-    throw Error("--seam-allowance", "'" + shown_text(text) + "' is more than 10 cm",
-                "use 10mm, say");
+    throw UsageError("--seam-allowance", "'" + shown_text(text) + "' is more than 10 cm",
+                     "use 10mm, say");
   }
   return allowance;
 }
 
 double read_corner_angle(double degrees) {
   if (!(degrees >= 5 && degrees <= 90)) {
-    throw Error("--corner-angle", "is not between 5 and 90 degrees", "the default is 25");
+    throw UsageError("--corner-angle", "is not between 5 and 90 degrees", "the default is 25");
   }
   return degrees * std::numbers::pi / 180;
 }
@@ -52,22 +52,22 @@ CommandLineProgram import_pattern_program() {
   program.summary = "makes a pattern of the pieces in a DXF (AAMA/ASTM) or SVG drawing";
   program.usage = "DRAWING -o pattern.json [--seam-allowance 10mm]";
   program.options.add_options()("unit", po::value<std::string>(),
-                                "of the drawing: mm, cm or inch; else as the file says")(
+                                "of the drawing: mm, cm or in; else as the file says")(
       "size", po::value<std::string>(), "the size to take of a drawing with several")(
       "seam-allowance", po::value<std::string>(),
       "taken off pieces that have a cut line only, such as 10mm")(
       "unfold", po::value<std::vector<std::string>>()->composing(),
-      "PIECE or PIECE:EDGE: a half without a mark of its fold; may be given again")(
+      "PIECE or PIECE:EDGE: a half without a mark of its fold; may be repeated")(
       "name", po::value<std::vector<std::string>>()->composing(),
-      "PIECE=NAME: what a piece is to be called; may be given again")(
+      "PIECE=NAME: what a piece is to be called; may be repeated")(
       "pair", po::value<std::vector<std::string>>()->composing(),
-      "PIECE: cut as a pair, left and right; may be given again")(
+      "PIECE: cut as a pair, left and right; may be repeated")(
       "cut-line", po::bool_switch(), "bound pieces by their cut lines, not by their sew lines")(
       "chord-error", po::value<std::string>()->default_value("0.1mm"),
       "from the drawn outline to the pattern's curves at most")(
       "corner-angle", po::value<double>()->default_value(25),
       "degrees: an outline that turns by more has a corner")(
-      "drawing", po::value<std::string>()->required(), "the drawing (also without --drawing)");
+      "drawing", po::value<std::string>()->required(), "the drawing; also as argument");
   program.positional.add("drawing", 1);
   program.output_extensions = {".json"};
   program.prepare = [](const po::variables_map& given, const CommonSettings& common) {
@@ -88,6 +88,11 @@ CommandLineProgram import_pattern_program() {
       settings.pieces.pairs = given["pair"].as<std::vector<std::string>>();
     }
     settings.drawn.cut_line = given["cut-line"].as<bool>();
+    for (const char* option : {"unit", "size", "seam-allowance", "unfold", "name", "pair",
+                               "cut-line", "chord-error", "corner-angle"}) {
+      if (given.count(option) == 0 || given[option].defaulted()) continue;
+      settings.of_drawings.push_back(std::string("--") + option);
+    }
     settings.pieces.edges.chord_error = read_chord_error(given["chord-error"].as<std::string>());
     settings.pieces.edges.corner_angle = read_corner_angle(given["corner-angle"].as<double>());
     Job job;

@@ -11,13 +11,11 @@ namespace toile {
 nlohmann::ordered_json import_pattern_json(const std::string& file, const std::string& format,
                                            const PieceDrawing& drawing,
                                            const ImportedPattern& pattern,
-                                           const std::vector<Remark>& remarks, double seconds) {
+                                           const std::vector<Remark>& remarks) {
   using Json = nlohmann::ordered_json;
   Json report;
-  report["program"] = "import-pattern";
   report["drawing"] = file;
   report["format"] = format;
-  report["seconds"] = seconds;
   report["pieces"] = drawing.pieces.size();
   report["size"] = valid_utf8(pattern.size);
   report["sizes"] = Json::array();
@@ -26,7 +24,7 @@ nlohmann::ordered_json import_pattern_json(const std::string& file, const std::s
   for (const ImportedPanel& panel : pattern.panels) {
     Json entry = {{"name", panel.name},
                   {"piece", valid_utf8(panel.piece)},
-                  {"area", panel.area},
+                  {"area_cm2", 1e4 * panel.area},
                   {"edges", panel.outline.edges.size()},
                   {"notches", panel.outline.notches.size()},
                   {"internal_lines", panel.internal_lines.size()},
@@ -34,7 +32,7 @@ nlohmann::ordered_json import_pattern_json(const std::string& file, const std::s
                   {"drill_holes", panel.drill_holes.size()},
                   {"quantity", panel.quantity},
                   {"material", valid_utf8(panel.material)},
-                  {"moved", {panel.moved.x(), panel.moved.y()}}};
+                  {"moved_cm", {100 * panel.moved.x(), 100 * panel.moved.y()}}};
     if (panel.grain) entry["grain_degrees"] = *panel.grain * 180 / std::numbers::pi;
     report["panels"].push_back(std::move(entry));
   }

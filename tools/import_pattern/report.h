@@ -14,6 +14,6 @@ namespace toile {
 nlohmann::ordered_json import_pattern_json(const std::string& file, const std::string& format,
                                            const PieceDrawing& drawing,
                                            const ImportedPattern& pattern,
-                                           const std::vector<Remark>& remarks, double seconds);
+                                           const std::vector<Remark>& remarks);
 
 }  // namespace toile

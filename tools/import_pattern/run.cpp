@@ -1,7 +1,6 @@
 #include "tools/import_pattern/run.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -15,6 +14,7 @@
 #include "pattern/pattern_file.h"
 #include "tools/import_pattern/report.h"
 #include "tools/remarks.h"
+#include "tools/report.h"
 
 namespace toile {
 
@@ -45,7 +45,6 @@ PieceDrawing read_drawing(DrawingFormat format, const std::string& text, const s
 }  // namespace
 
 void run_import_pattern(const ImportPatternSettings& settings, const CommonSettings& common) {
-  const auto start = std::chrono::steady_clock::now();
   const std::string name = settings.drawing.string();
   const std::string text = read_file(settings.drawing);
   const DrawingFormat format = drawing_format(text, name);
@@ -55,10 +54,9 @@ void run_import_pattern(const ImportPatternSettings& settings, const CommonSetti
   std::string content = text;
   std::size_t panels = 0;
   if (format == DrawingFormat::json) {
-    if (!settings.pieces.unfold.empty() || !settings.pieces.names.empty() ||
-        !settings.pieces.pairs.empty()) {
-      throw Error(name, "is a pattern; --unfold, --name and --pair are for the pieces of a drawing",
-                  "leave them out");
+    if (!settings.of_drawings.empty()) {
+      throw Error(name, "is a pattern; " + settings.of_drawings.front() + " is for a drawing",
+                  "leave it out");
     }
     content = repaired_pattern(text, name, remarks);
     panels = parse_pattern(content, name, remarks).panels.size();
@@ -78,15 +76,10 @@ void run_import_pattern(const ImportPatternSettings& settings, const CommonSetti
   common.say(std::to_string(panels) + " panels");
   OutputFiles files;
   write_file(files.at(common.output), content);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  if (common.report) {
-    const char* formats[] = {"dxf", "svg", "json"};
-    write_file(files.at(*common.report),
-               import_pattern_json(name, formats[static_cast<int>(format)], drawing, imported,
-                                   remarks, seconds.count())
-                       .dump(2) +
-                   "\n");
-  }
+  const char* formats[] = {"dxf", "svg", "json"};
+  write_report(
+      files, common,
+      import_pattern_json(name, formats[static_cast<int>(format)], drawing, imported, remarks));
   files.commit();
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "pattern/import/dxf_pieces.h"
 #include "pattern/import/imported_pattern.h"
@@ -13,6 +15,7 @@ struct ImportPatternSettings {
   std::filesystem::path drawing;
   DrawingOptions drawn;
   ImportOptions pieces;
+  std::vector<std::string> of_drawings;  ///< options that were given and mean nothing to a JSON
 };
 
 /// Reads the drawing and writes the pattern. A GarmentCode JSON is checked and written as

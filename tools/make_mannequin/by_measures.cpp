@@ -143,7 +143,7 @@ Mannequin mannequin_by_measures(const MeasureSettings& settings, MannequinOption
   const Figure figure = figure_of(settings, asked);
   if (!settings.cup.empty()) {
     if (figure != Figure::woman || asked.measures.contains("underbust")) {
-      throw Error("--cup", "is for a woman whose underbust is not given", "leave one out");
+      throw UsageError("--cup", "is for a woman whose underbust is not given", "leave one out");
     }
     if (asked.measures.contains("bust")) {
       asked.measures["underbust"] = underbust_of_cup(asked.measures.at("bust"), settings.cup);

@@ -4,12 +4,14 @@
 
 #include "geometry/body/find_landmarks.h"
 #include "geometry/body/mannequin/mannequin.h"
+#include "io/measure_names.h"
 #include "io/mesh_file.h"
 #include "io/output_file.h"
 #include "io/skeleton_file.h"
 #include "tools/make_mannequin/by_measures.h"
 #include "tools/pose_option.h"
 #include "tools/programs.h"
+#include "tools/report.h"
 
 namespace toile {
 namespace {
@@ -25,7 +27,7 @@ Json report_json(const Mannequin& mannequin) {
     girths[girth.name] = {
         {"girth_cm", 100 * girth.measured},
         {"target_cm", 100 * girth.target},
-        {"centre", {girth.centre.x(), girth.centre.y(), girth.centre.z()}},
+        {"centre_cm", {100 * girth.centre.x(), 100 * girth.centre.y(), 100 * girth.centre.z()}},
         {"normal", {girth.normal.x(), girth.normal.y(), girth.normal.z()}},
     };
   }
@@ -72,11 +74,9 @@ ExitCode write_mannequin(const Settings& settings, const CommonSettings& common)
   write_skeleton(
       files.at(skeleton_path(common.output)), mannequin.skeleton,
       stands ? given_landmarks(find_landmarks(mannequin.surface, "mannequin")) : Landmarks{});
-  if (common.report) {
-    Json report = report_json(mannequin);
-    report.update(by_measures);
-    write_file(files.at(*common.report), report.dump(1) + "\n");
-  }
+  Json report = report_json(mannequin);
+  report.update(by_measures);
+  write_report(files, common, report);
   files.commit();
   // A measure that is missed is a warning.
   return by_measures.contains("warnings") && !by_measures["warnings"].empty() ? exit_negative
@@ -102,7 +102,7 @@ std::optional<MeasureSettings> measures_of(const po::variables_map& given) {
   }
   if (given.count("unit") != 0) {
     const auto unit = length_units().find(given["unit"].as<std::string>());
-    if (unit == length_units().end()) throw po::error("--unit is none of cm, mm, m, in");
+    if (unit == length_units().end()) throw po::error("--unit is none of cm, mm, dm, m, in");
     settings.unit = unit->second;
   }
   if (given.count("figure") != 0) settings.figure = given["figure"].as<std::string>();
@@ -113,6 +113,22 @@ std::optional<MeasureSettings> measures_of(const po::variables_map& given) {
   }
   settings.scales_edges = given["edge-length"].defaulted();
   return settings;
+}
+
+/// In lines of a terminal's width.
+std::string names_of_measures() {
+  constexpr std::size_t width = 80;
+  std::string text;
+  std::size_t column = 18;  // after "Names of measures:"
+  for (const MeasureName& measure : measure_names()) {
+    std::string word = std::string(measure.name) + (measure.is_sided ? " (left_, right_)" : "");
+    if (&measure != &measure_names().back()) word += ',';
+    const bool wraps = column + 1 + word.size() > width;
+    if (!text.empty()) text += wraps ? '\n' : ' ';
+    column = wraps ? word.size() : column + 1 + word.size();
+    text += word;
+  }
+  return text;
 }
 
 Job prepare(const po::variables_map& given, const CommonSettings& common) {
@@ -151,10 +167,13 @@ CommandLineProgram make_mannequin_program() {
       "standing, walking, or a file that gives joints' angles")(
       "arms", po::value<double>(), "degrees of the arms away from the trunk, 25 to 80")(
       "measures", po::value<std::vector<std::string>>()->composing(),
-      "a file of measures (.json, .csv, .vit, .smis, .yaml) or NAME=NUMBER; may be repeated")(
-      "unit", po::value<std::string>(), "of measures that state none: cm (default), mm, m, in")(
+      "a file of measures (.json, .csv, .vit, .smis, .vst, .smms, .yaml) or NAME=NUMBER; may be "
+      "repeated")("unit", po::value<std::string>(),
+                  "of measures that state none: cm (the default), mm, dm, m or in")(
       "figure", po::value<std::string>(), "proportions of what is not given: woman, man or child")(
       "cup", po::value<std::string>(), "AA to H, in place of a measured underbust");
+  program.footer = "Names of measures: " + names_of_measures() +
+                   ". Those with (left_, right_) may be given for each side.";
   program.prepare = prepare;
   return program;
 }

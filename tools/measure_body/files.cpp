@@ -114,10 +114,9 @@ double BodyMeasures::shown(const Measure& measure) const {
 
 double metres_in(const std::string& unit) { return unit == "inch" ? 0.0254 : 0.01; }
 
-std::string measures_json(const BodyMeasures& all,
-                          const std::vector<MeasureDifference>& differences) {
+Json measures_json(const BodyMeasures& all, const std::vector<MeasureDifference>& differences) {
   Json json = {{"format", "toile-measures"},
-               {"version", 1},
+               {"format_version", 1},
                {"body", valid_utf8(all.body_name)},
                {"unit", all.unit}};
   json["measures"] = Json::object();
@@ -140,7 +139,7 @@ std::string measures_json(const BodyMeasures& all,
   }
   if (!all.no_joints.empty()) json["no_joints"] = valid_utf8(all.no_joints);
   add_remarks(all.remarks, json);
-  return json.dump(1) + "\n";
+  return json;
 }
 
 std::string measures_csv(const BodyMeasures& all) {

@@ -1,6 +1,7 @@
 // Measures as files: JSON, CSV, and those of other programs.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,8 @@ struct MeasureDifference {
   double now = 0;
 };
 
-std::string measures_json(const BodyMeasures& measures,
-                          const std::vector<MeasureDifference>& differences);
+nlohmann::ordered_json measures_json(const BodyMeasures& measures,
+                                     const std::vector<MeasureDifference>& differences);
 
 /// Columns: name, value, unit, confidence, iso, definition, reason.
 std::string measures_csv(const BodyMeasures& measures);

@@ -29,8 +29,8 @@ std::pair<DraftingProgram, fs::path> other_file(const std::string& text) {
   const std::size_t equals = text.find('=');
   const auto found = programs.find(text.substr(0, equals));
   if (equals == std::string::npos || equals + 1 == text.size() || found == programs.end()) {
-    throw Error("--as", in_quotes(text) + " names no program and file",
-                "give vit=FILE, freesewing=FILE or garmentcode=FILE");
+    throw UsageError("--as", in_quotes(text) + " names no program and file",
+                     "give vit=FILE, freesewing=FILE or garmentcode=FILE");
   }
   return {found->second, text.substr(equals + 1)};
 }
@@ -46,17 +46,18 @@ CommandLineProgram measure_body_program() {
   program.options.add_options()("body", po::value<std::string>()->required(),
                                 "the body, closed, as clean-body writes it; also as argument")(
       "at", po::value<Texts>()->default_value({}, ""),
-      "another measure, as 'girth plane=hip tilt=10deg'; any number of times")(
+      "another measure, as 'girth plane=hip tilt=10deg'; may be repeated")(
       "at-file", po::value<std::string>(), "a file with such measures, one a line")(
       "against", po::value<std::string>(),
-      "measures taken before (.json, .csv, .vit, .yaml), to compare with, line by line")(
+      "measures taken before (.json, .csv, .vit, .yaml), to compare with, line by line; in cm "
+      "where "
+      "their file states no unit")(
       "as", po::value<Texts>()->default_value({}, ""),
       "vit=FILE, freesewing=FILE or garmentcode=FILE: the measures under the names of that "
-      "program; "
-      "any number of times")("html", po::value<std::string>(),
-                             "write a page that shows each measure on the body")(
+      "program; may be repeated")("html", po::value<std::string>(),
+                                  "write a page that shows each measure on the body")(
       "png", po::value<std::string>(), "write a picture of measures and landmarks on the body")(
-      "unit", po::value<std::string>()->default_value("cm"), "of the values: cm or inch");
+      "unit", po::value<std::string>()->default_value("cm"), "of what is written: cm or in");
   program.positional.add("body", 1);
   program.output_extensions = {".json", ".csv"};
   program.prepare = [](const po::variables_map& given, const CommonSettings& common) {
@@ -68,8 +69,9 @@ CommandLineProgram measure_body_program() {
     settings.html = path_given(given, "html");
     settings.png = path_given(given, "png");
     settings.unit = given["unit"].as<std::string>();
+    if (settings.unit == "in") settings.unit = "inch";
     if (settings.unit != "cm" && settings.unit != "inch") {
-      throw Error("--unit", in_quotes(settings.unit) + " is unknown", "give cm or inch");
+      throw UsageError("--unit", in_quotes(settings.unit) + " is unknown", "give cm or in");
     }
     for (const std::string& text : given["as"].as<Texts>()) {
       settings.others.push_back(other_file(text));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/algorithm/string/predicate.hpp>
 #include <boost/algorithm/string/replace.hpp>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "cloth/scene/closed_body.h"
@@ -17,6 +18,7 @@
 #include "tools/measure_body/freehand.h"
 #include "tools/measure_body/page.h"
 #include "tools/remarks.h"
+#include "tools/report.h"
 
 namespace toile {
 
@@ -58,7 +60,8 @@ std::vector<MeasureDifference> differences_to(const std::filesystem::path& file,
       const MeasureDifference& last = differences.back();
       common.say(shown_text(last.name) + ": " + fixed_number(last.before, 2) + " before, " +
                  fixed_number(last.now, 2) + " now, difference " +
-                 fixed_number(last.now - last.before, 2));
+                 fixed_number(last.now - last.before, 2) + " " +
+                 (now->is_angle ? "degrees" : all.unit));
     }
     if (!is_measured) {
       all.remarks.push_back({false, shown_text(name) + " of " + file.string() + " is not taken"});
@@ -121,8 +124,9 @@ int run_measure_body(const MeasureBodySettings& settings, const CommonSettings& 
                                       ": " + listed(missing)});
   }
   const bool is_csv = boost::algorithm::iequals(common.output.extension().string(), ".csv");
-  write_file(files.at(common.output), is_csv ? measures_csv(all) : measures_json(all, differences));
-  if (common.report) write_file(files.at(*common.report), measures_json(all, differences));
+  write_file(files.at(common.output),
+             is_csv ? measures_csv(all) : json_text(measures_json(all, differences)));
+  write_report(files, common, measures_json(all, differences));
   if (settings.html) write_file(files.at(*settings.html), measures_page(body, all));
   if (settings.png) write_file(files.at(*settings.png), measures_picture(body, all));
   files.commit();

@@ -19,7 +19,7 @@ CommandLineProgram mesh_pattern_program() {
       "subdivisions", po::value<int>()->default_value(-1),
       "levels of the nested triangulation, 0 to 4; -1 chooses by edge length and size")(
       "flat", po::bool_switch(), "lay the panels out flat instead of placing them")(
-      "pattern", po::value<std::string>()->required(), "the pattern (also without --pattern)");
+      "pattern", po::value<std::string>()->required(), "the pattern; also as argument");
   program.positional.add("pattern", 1);
   program.output_extensions = {".obj"};  // garment.json is written beside it
   program.prepare = [](const po::variables_map& given, const CommonSettings& common) {
@@ -27,9 +27,9 @@ CommandLineProgram mesh_pattern_program() {
     settings.pattern = given["pattern"].as<std::string>();
     settings.mesh.edge_length = read_edge_length(given);
     settings.mesh.subdivisions = given["subdivisions"].as<int>();
-    if (settings.mesh.subdivisions > max_subdivisions) {
-      throw Error("--subdivisions", "is more than " + std::to_string(max_subdivisions),
-                  "use 0 to " + std::to_string(max_subdivisions) + ", or -1");
+    if (settings.mesh.subdivisions < -1 || settings.mesh.subdivisions > max_subdivisions) {
+      throw UsageError("--subdivisions", "is out of range",
+                       "use 0 to " + std::to_string(max_subdivisions) + ", or -1");
     }
     settings.flat = given["flat"].as<bool>();
     Job job;

@@ -34,35 +34,33 @@ PanelFigures figures_of(const PanelMesh& garment, const MeshedPanel& panel) {
 
 nlohmann::ordered_json mesh_pattern_json(const std::string& pattern, const PanelMesh& garment,
                                          const std::vector<PanelFigures>& figures,
-                                         const std::vector<Remark>& remarks, double seconds) {
+                                         const std::vector<Remark>& remarks) {
   using Json = nlohmann::ordered_json;
   constexpr double degrees = 180 / std::numbers::pi;
   Json report;
-  report["program"] = "mesh-pattern";
   report["pattern"] = pattern;
   report["garment"] = {{"material_points", garment.flat.size()},
                        {"triangles", garment.triangles.size()},
                        {"panels", garment.panels.size()},
                        {"seams", garment.seams.size()}};
-  report["edge_length"] = garment.edge_length;
+  report["edge_length_mm"] = 1000 * garment.edge_length;
   report["subdivisions"] = garment.subdivisions;
-  report["seconds"] = seconds;
   report["panels"] = Json::array();
   for (std::size_t p = 0; p < garment.panels.size(); ++p) {
     report["panels"].push_back({{"name", garment.panels[p].name},
                                 {"material_points", garment.panels[p].points},
                                 {"triangles", garment.panels[p].triangles},
-                                {"area", figures[p].area},
+                                {"area_cm2", 1e4 * figures[p].area},
                                 {"smallest_angle_degrees", figures[p].smallest_angle * degrees},
-                                {"shortest_edge", figures[p].shortest_edge},
-                                {"longest_edge", figures[p].longest_edge}});
+                                {"shortest_edge_mm", 1000 * figures[p].shortest_edge},
+                                {"longest_edge_mm", 1000 * figures[p].longest_edge}});
   }
   report["seams"] = Json::array();
   for (const MeshedSeam& seam : garment.seams) {
     report["seams"].push_back({{"name", seam.name},
                                {"points", seam.a.size()},
-                               {"length_a", seam.length_a},
-                               {"length_b", seam.length_b}});
+                               {"length_a_cm", 100 * seam.length_a},
+                               {"length_b_cm", 100 * seam.length_b}});
   }
   add_remarks(remarks, report);
   return report;

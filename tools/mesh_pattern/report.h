@@ -20,9 +20,9 @@ struct PanelFigures {
 
 PanelFigures figures_of(const PanelMesh& garment, const MeshedPanel& panel);
 
-/// `figures`: one for each panel. `seconds` is what it took as a whole.
+/// `figures`: one for each panel.
 nlohmann::ordered_json mesh_pattern_json(const std::string& pattern, const PanelMesh& garment,
                                          const std::vector<PanelFigures>& figures,
-                                         const std::vector<Remark>& remarks, double seconds);
+                                         const std::vector<Remark>& remarks);
 
 }  // namespace toile

@@ -1,7 +1,6 @@
 #include "tools/mesh_pattern/run.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -14,6 +13,7 @@
 #include "pattern/pattern_file.h"
 #include "tools/mesh_pattern/report.h"
 #include "tools/remarks.h"
+#include "tools/report.h"
 
 namespace toile {
 
@@ -83,8 +83,8 @@ double read_edge_length(const po::variables_map& given) {
   return parse_length(given["edge-length"].as<std::string>(), "--edge-length");
 }
 
-void run_mesh_pattern(const MeshPatternSettings& settings, const CommonSettings& common) {
-  const auto start = std::chrono::steady_clock::now();
+std::vector<std::string> run_mesh_pattern(const MeshPatternSettings& settings,
+                                          const CommonSettings& common) {
   std::vector<Remark> remarks;
   const Pattern pattern = without_left_out(read_pattern(settings.pattern, remarks), remarks);
   check_pattern(pattern, remarks);
@@ -96,13 +96,10 @@ void run_mesh_pattern(const MeshPatternSettings& settings, const CommonSettings&
   if (settings.flat) lay_flat(garment);
   OutputFiles files;
   write_garment(files.at(common.output), garment);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  if (common.report) {
-    const std::string name = settings.pattern.string();
-    write_file(files.at(*common.report),
-               mesh_pattern_json(name, garment, figures, remarks, seconds.count()).dump(2) + "\n");
-  }
+  write_report(files, common,
+               mesh_pattern_json(settings.pattern.string(), garment, figures, remarks));
   files.commit();
+  return warnings_in(remarks);
 }
 
 }  // namespace toile

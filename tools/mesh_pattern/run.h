@@ -3,6 +3,8 @@
 
 #include <boost/program_options.hpp>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "pattern/mesh_panels.h"
 #include "tools/program.h"
@@ -17,11 +19,12 @@ struct MeshPatternSettings {
 
 /// --edge-length, of a garment's triangles.
 void add_edge_length_option(boost::program_options::options_description& options);
-/// Metres. Throws Error for what is no length.
+/// Metres. Throws UsageError for what is no length.
 double read_edge_length(const boost::program_options::variables_map& given);
 
 /// Meshes the pattern, writes garment.obj and garment.json beside it. Throws Error for a pattern
-/// that can't be read or meshed.
-void run_mesh_pattern(const MeshPatternSettings& settings, const CommonSettings& common);
+/// that can't be read or meshed. Returns the warnings that were said.
+std::vector<std::string> run_mesh_pattern(const MeshPatternSettings& settings,
+                                          const CommonSettings& common);
 
 }  // namespace toile

@@ -1,9 +1,11 @@
 // toile fit: from a body and a pattern to the verdict, all in one process.
-#include <array>
 #include <iostream>
 
 #include "geometry/error.h"
 #include "io/skeleton_file.h"
+#include "pattern/check_pattern.h"
+#include "pattern/left_out.h"
+#include "pattern/pattern_file.h"
 #include "tools/clean_body/run.h"
 #include "tools/dress/kept_distances.h"
 #include "tools/dress/run.h"
@@ -24,21 +26,26 @@ struct FitFiles {
   explicit FitFiles(const fs::path& folder)
       : body(folder / "body.ply"),
         skeleton(folder / "body.json"),
+        body_report(folder / "body.report.json"),
         garment(folder / "garment.obj"),
         garment_json(folder / "garment.json"),
+        mesh_report(folder / "mesh.json"),
         dressed(folder / "dressed.obj"),
         report(folder / "dressed.json"),
         ease(folder / "ease.html"),
+        ease_report(folder / "ease.json"),
         ease_picture(folder / "ease.png"),
         drape_picture(folder / "drape.png") {}
 
   std::vector<fs::path> all() const {
-    return {body,   skeleton, garment,      garment_json, dressed,
-            report, ease,     ease_picture, drape_picture};
+    return {body,    skeleton, body_report, garment,     garment_json, mesh_report,
+            dressed, report,   ease,        ease_report, ease_picture, drape_picture};
   }
 
-  fs::path body, skeleton, garment, garment_json, dressed, report, ease, ease_picture,
-      drape_picture;
+  fs::path body, skeleton, body_report;
+  fs::path garment, garment_json, mesh_report;
+  fs::path dressed, report;
+  fs::path ease, ease_report, ease_picture, drape_picture;
 };
 
 /// Removes what an earlier run left. If this run fails, no file there may pass for its own.
@@ -59,9 +66,10 @@ DressSettings dress_settings(const po::variables_map& given, const FitFiles& fil
   layer.garment = files.garment;
   layer.fabric = find_fabric(settings.fabrics.of_garments);
   layer.output = files.dressed;
+  layer.places = read_places(given);
   settings.layers = {layer};
   if (given.count("cache") != 0) settings.cache = distances_path(files.body);
-  settings.method = relaxation_of(read_quality(given));
+  read_drape_settings(given, settings);
   return settings;
 }
 
@@ -73,44 +81,60 @@ struct FitSettings {
   bool pictures = false;
 };
 
+/// Throws Error for a pattern that can't be meshed, before anything is cleaned or removed.
+void check_pattern_file(const fs::path& file) {
+  std::vector<Remark> remarks;  // mesh-pattern says them
+  check_pattern(without_left_out(read_pattern(file, remarks), remarks), remarks);
+}
+
 ExitCode fit(const FitSettings& settings, const FitFiles& files, const CommonSettings& common) {
-  const auto writing = [&](const fs::path& output) {
+  const auto step = [&](const char* program, const fs::path& output, const fs::path& report) {
     CommonSettings of_step = common;
+    of_step.program = program;
+    of_step.start = std::chrono::steady_clock::now();
     of_step.output = output;
+    of_step.report = report;
     return of_step;
   };
+  check_pattern_file(settings.pattern.pattern);
   remove_earlier(files);
   common.say("Cleaning the body:");
-  run_clean_body(settings.body, writing(files.body));
+  const CleanBodyResult body =
+      run_clean_body(settings.body, step("clean-body", files.body, files.body_report));
   common.say("Meshing the pattern:");
-  run_mesh_pattern(settings.pattern, writing(files.garment));
+  const std::vector<std::string> of_meshing =
+      run_mesh_pattern(settings.pattern, step("mesh-pattern", files.garment, files.mesh_report));
   common.say("Dressing:");
-  CommonSettings dressing = writing(files.dressed);
-  dressing.report = files.report;
-  const Verdict verdict = run_dress(settings.dress, dressing);
+  DressSettings dressing = settings.dress;
+  dressing.earlier_warnings = body.warnings;
+  dressing.earlier_warnings.insert(dressing.earlier_warnings.end(), of_meshing.begin(),
+                                   of_meshing.end());
+  const DressEnd end = run_dress(dressing, step("dress", files.dressed, files.report));
   common.say("Measuring the ease:");
   EaseMapSettings ease;
   ease.garment = files.dressed;
   ease.dress_report = files.report;
   ease.body = files.body;
   if (settings.pictures) ease.png = files.ease_picture;
-  run_ease_map(ease, writing(files.ease));
+  run_ease_map(ease, step("ease-map", files.ease, files.ease_report));
   if (settings.pictures) {
     RenderSettings render;
     render.body = files.body.string();
     render.garments = {files.dressed.string()};
-    run_render(render, writing(files.drape_picture));
+    CommonSettings drawing = common;
+    drawing.output = files.drape_picture;
+    run_render(render, drawing);
   }
-  std::cout << to_string(verdict) << ": see " << files.ease.string() << " and "
+  std::cout << to_string(end.verdict) << ": see " << files.ease.string() << " and "
             << files.report.string() << std::endl;
-  return exit_code_of(verdict);
+  return body.is_usable ? exit_code_of(end) : exit_negative;
 }
 
 Job prepare_fit(const po::variables_map& given, const CommonSettings& common) {
   const FitFiles files(common.output);
   FitSettings settings;
   settings.body.inputs = {given["body"].as<std::string>()};
-  settings.body.metres_per_unit = read_unit(given);
+  read_body_options(given, settings.body);
   settings.pattern.pattern = given["pattern"].as<std::string>();
   settings.pattern.mesh.edge_length = read_edge_length(given);
   settings.dress = dress_settings(given, files);
@@ -138,17 +162,20 @@ CommandLineProgram fit_program() {
   program.options.add_options()("body", po::value<std::string>()->required(),
                                 "a mesh or scan of a standing person")(
       "pattern", po::value<std::string>()->required(), "the sewing pattern; also as argument");
-  add_unit_option(program.options);
+  add_body_options(program.options);
   add_edge_length_option(program.options);
-  add_fabric_option(program.options);
-  program.options.add_options()("quality", po::value<std::string>(),
-                                "how near to rest: draft, standard (the default) or fine")(
+  add_drape_options(program.options);
+  program.options.add_options()(
       "cache",
       "keep the body's distances in OUT/body.distances: later fits of this body take less time")(
       "png", po::bool_switch(), "write pictures, too: OUT/ease.png and OUT/drape.png");
   program.positional.add("pattern", 1);
   program.writes_folder = true;
-  program.check = [](const po::variables_map& given) { read_quality(given); };
+  program.check = [](const po::variables_map& given) {
+    CleanBodySettings unused;
+    read_body_options(given, unused);
+    check_method_options(given);
+  };
   program.prepare = prepare_fit;
   return program;
 }

@@ -29,7 +29,7 @@ TEST(Fit, LevelsOfTheGarmentCountWhereTheyLieOnTheTrunk) {
   GarmentLevel seam;
   seam.name = "waist seam";
   seam.as_cut = 0.70;
-  EXPECT_EQ(to_string(fit_of({}, {seam})), "not checked");
+  EXPECT_EQ(to_string(fit_of({}, {seam})), "not_checked");
   seam.body = 0.72;
   EXPECT_EQ(to_string(fit_of({}, {seam})), "too_small");
   seam.body = 0.705;
@@ -37,8 +37,8 @@ TEST(Fit, LevelsOfTheGarmentCountWhereTheyLieOnTheTrunk) {
 }
 
 TEST(Fit, NothingMeasuredIsNotChecked) {
-  EXPECT_EQ(to_string(fit_of({}, {})), "not checked");
-  EXPECT_EQ(to_string(fit_of({girth("", 0.8, 0.5)}, {})), "not checked");
+  EXPECT_EQ(to_string(fit_of({}, {})), "not_checked");
+  EXPECT_EQ(to_string(fit_of({girth("", 0.8, 0.5)}, {})), "not_checked");
 }
 
 }  // namespace fit_test

@@ -70,7 +70,7 @@ TEST(Judge, NothingIsWrongWithATubeAroundItsBody) {
   EXPECT_EQ(without_joints.verdict, Verdict::sewn);
   EXPECT_TRUE(without_joints.wraps.empty());
   EXPECT_FALSE(without_joints.worn.is_checked);
-  EXPECT_EQ(to_string(without_joints.fit), "not checked");
+  EXPECT_EQ(to_string(without_joints.fit), "not_checked");
 }
 
 TEST(Judge, UnconvergedWhenItDidNotComeToRest) {
