@@ -12,7 +12,7 @@
 #include "tools/ease_map/run.h"
 #include "tools/mesh_pattern/run.h"
 #include "tools/programs.h"
-#include "tools/render.h"
+#include "tools/render/run.h"
 
 namespace toile {
 
