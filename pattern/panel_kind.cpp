@@ -1,49 +1,25 @@
 #include "pattern/panel_kind.h"
 
-#include <algorithm>
-#include <cctype>
-#include <initializer_list>
-#include <string_view>
-#include <vector>
+#include <utility>
+
+#include "pattern/panel_name.h"
 
 namespace toile {
 
 namespace {
 
-/// The words of a name in small letters: runs of letters, cut where a capital follows a small one.
-std::vector<std::string> words_of(const std::string& name) {
-  std::vector<std::string> words;
-  bool in_word = false;
-  bool was_small = false;
-  for (const char letter : name) {
-    const auto c = static_cast<unsigned char>(letter);
-    const bool is_letter = std::isalpha(c) != 0;
-    if (is_letter && (!in_word || (was_small && std::isupper(c) != 0))) words.emplace_back();
-    if (is_letter) words.back() += static_cast<char>(std::tolower(c));
-    in_word = is_letter;
-    was_small = std::islower(c) != 0;
-  }
-  return words;
-}
-
-bool has_any(const std::vector<std::string>& words,
-             std::initializer_list<std::string_view> wanted) {
-  return std::ranges::any_of(words, [&](const std::string& word) {
-    return std::ranges::find(wanted, word) != wanted.end();
-  });
-}
-
+/// A cuff of trousers is of trousers, and a skirt's band is of the skirt.
 PanelKind kind_by_name(const std::string& name) {
-  const std::vector<std::string> words = words_of(name);
-  if (has_any(words, {"trouser", "trousers", "pant", "pants", "jeans", "shorts", "leg", "legs"})) {
-    return PanelKind::trousers;
-  }
-  if (has_any(words, {"sleeve", "sleeves", "cuff", "cuffs"})) return PanelKind::sleeve;
-  if (has_any(words, {"skirt", "godet"})) return PanelKind::skirt;
-  if (has_any(words, {"wb", "waistband", "belt"})) return PanelKind::band;
-  if (has_any(words, {"torso", "ftorso", "btorso", "bodice", "top", "yoke", "collar", "hood",
-                      "lapel", "shirt", "blouse"})) {
-    return PanelKind::top;
+  const PanelName read = read_panel_name(name);
+  constexpr std::pair<PanelRole, PanelKind> kinds[] = {
+      {PanelRole::trousers, PanelKind::trousers}, {PanelRole::sleeve, PanelKind::sleeve},
+      {PanelRole::cuff, PanelKind::sleeve},       {PanelRole::skirt, PanelKind::skirt},
+      {PanelRole::waistband, PanelKind::band},    {PanelRole::bodice, PanelKind::top},
+      {PanelRole::yoke, PanelKind::top},          {PanelRole::collar, PanelKind::top},
+      {PanelRole::hood, PanelKind::top},
+  };
+  for (const auto& [role, kind] : kinds) {
+    if (read.says(role)) return kind;
   }
   return PanelKind::unknown;
 }
@@ -63,21 +39,12 @@ PanelKind kind_of(const MeshedPanel& panel) {
 }
 
 bool names_headwear(const std::string& name) {
-  return has_any(words_of(name), {"hood", "collar", "turtle", "lapel"});
+  const PanelName read = read_panel_name(name);
+  return read.says(PanelRole::hood) || read.says(PanelRole::collar);
 }
 
-int side_by_name(const std::string& name) {
-  const std::vector<std::string> words = words_of(name);
-  const bool left = has_any(words, {"left", "l"});
-  const bool right = has_any(words, {"right", "r"});
-  return static_cast<int>(left) - static_cast<int>(right);
-}
+int side_by_name(const std::string& name) { return read_panel_name(name).side; }
 
-int face_by_name(const std::string& name) {
-  const std::vector<std::string> words = words_of(name);
-  const bool front = has_any(words, {"front", "f", "ftorso"});
-  const bool back = has_any(words, {"back", "b", "btorso"});
-  return static_cast<int>(front) - static_cast<int>(back);
-}
+int face_by_name(const std::string& name) { return read_panel_name(name).face; }
 
 }  // namespace toile

@@ -18,9 +18,9 @@ enum class PanelKind : std::uint8_t {
   sleeve,    ///< of what goes around an arm: sleeve, cuff
 };
 
-/// The kind by the panel's part and label (`body`, `arm`, `leg`), then by words in its name
-/// (sleeve, cuff, skirt, trousers, pants, waistband, torso, ...). A
-/// part of `torso` without such a word is `unknown`: a tube there may be a top or a skirt.
+/// The kind by the panel's part and label (`body`, `arm`, `leg`), then by its name
+/// (panel_name.h). A part of `torso` without a name that tells is `unknown`: a tube there may be a
+/// top or a skirt.
 PanelKind kind_of(const MeshedPanel& panel);
 
 /// Whether the name says that the panel is of a hood or a collar.

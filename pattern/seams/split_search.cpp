@@ -52,7 +52,7 @@ std::size_t trials_of(const Pattern& pattern) {
 constexpr double sure_part = 0.6;
 
 /// Cuts that are made in a row.
-constexpr int most_rounds = 6;
+constexpr int most_split_rounds = 6;
 
 /// An edge, and where its walk is cut.
 struct Cut {
@@ -286,7 +286,7 @@ SplitSeams find_split_seams(const std::string& text, const std::string& name,
   FindSeamsOptions quick = options;
   quick.certain = false;
   std::vector<SplitSeams> rounds_made;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < most_split_rounds; ++round) {
     const Chains chains(best.pattern, options, best.found);
     const std::vector<Chain> all = chains.all();
     std::optional<SplitSeams> better;

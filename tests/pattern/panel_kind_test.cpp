@@ -29,6 +29,25 @@ TEST(PanelKind, ByName) {
   EXPECT_EQ(kind("piece1"), PanelKind::unknown);
 }
 
+TEST(PanelKind, ByNamesInFiveLanguages) {
+  for (const char* name : {"Ärmel links", "manche", "manga", "manica", "Manschette"}) {
+    EXPECT_EQ(kind(name), PanelKind::sleeve) << name;
+  }
+  for (const char* name : {"Vorderhose", "jambe gauche", "pantalón", "gamba"}) {
+    EXPECT_EQ(kind(name), PanelKind::trousers) << name;
+  }
+  for (const char* name : {"Rockvorderteil", "jupe", "falda", "gonna"}) {
+    EXPECT_EQ(kind(name), PanelKind::skirt) << name;
+  }
+  for (const char* name : {"Kapuze", "col", "canesú", "camicia"}) {
+    EXPECT_EQ(kind(name), PanelKind::top) << name;
+  }
+  EXPECT_EQ(kind("Bund"), PanelKind::band);
+  EXPECT_TRUE(names_headwear("Kragen"));
+  EXPECT_EQ(face_by_name("Rückenteil"), -1);
+  EXPECT_EQ(side_by_name("manche gauche"), 1);
+}
+
 TEST(PanelKind, LabelAndPartComeFirst) {
   EXPECT_EQ(kind("piece1", "arm"), PanelKind::sleeve);
   EXPECT_EQ(kind("piece1", "leg"), PanelKind::skirt);
