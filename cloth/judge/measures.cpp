@@ -79,12 +79,12 @@ SeamFigures measure_seams(const PanelMesh& pattern, const std::vector<Vec3>& poi
     for (std::size_t i = 0; i < seam.a.size(); ++i) {
       gap = std::max(gap, (points[seam.a[i]] - points[seam.b[i]]).norm());
     }
-    figures.max_gap_mm = std::max(figures.max_gap_mm, 1000 * gap);
+    figures.max_gap = std::max(figures.max_gap, gap);
     if (gap <= sewn_gap) {
       ++figures.sewn;
     } else {
       ++figures.open;
-      figures.open_seams.push_back({seam.name, 100 * gap});
+      figures.open_seams.push_back({seam.name, gap});
     }
   }
   return figures;
@@ -165,10 +165,10 @@ std::vector<double> panel_perimeters(const PanelMesh& garment) {
   return panel_perimeters(panel_outlines(garment), in_space(garment.flat));
 }
 
-double largest_change_percent(const std::vector<double>& rest, const std::vector<double>& now) {
+double largest_change(const std::vector<double>& rest, const std::vector<double>& now) {
   double largest = 0;
   for (std::size_t i = 0; i < rest.size(); ++i) {
-    largest = std::max(largest, 100 * std::abs(now[i] / rest[i] - 1));
+    largest = std::max(largest, std::abs(now[i] / rest[i] - 1));
   }
   return largest;
 }
@@ -201,15 +201,14 @@ GarmentFigures measure_garment(const PanelMesh& pattern, const DressedGarment& d
   measure_yarns(pattern, points, figures);
   const std::vector<double> rest_areas = panel_areas(pattern);
   const std::vector<double> areas = panel_areas(pattern, points);
-  figures.area_max_panel_percent = largest_change_percent(rest_areas, areas);
-  figures.area_total_percent =
-      100 * (std::accumulate(areas.begin(), areas.end(), 0.0) /
-                 std::accumulate(rest_areas.begin(), rest_areas.end(), 0.0) -
-             1);
-  figures.perimeter_max_panel_percent = largest_change_percent(
-      panel_perimeters(pattern), panel_perimeters(panel_outlines(pattern), points));
-  figures.triangle_perimeter_max_panel_percent =
-      largest_change_percent(triangle_perimeters(pattern), triangle_perimeters(pattern, points));
+  figures.area_max_panel = largest_change(rest_areas, areas);
+  figures.area_total = std::accumulate(areas.begin(), areas.end(), 0.0) /
+                           std::accumulate(rest_areas.begin(), rest_areas.end(), 0.0) -
+                       1;
+  figures.perimeter_max_panel =
+      largest_change(panel_perimeters(pattern), panel_perimeters(panel_outlines(pattern), points));
+  figures.triangle_perimeter_max_panel =
+      largest_change(triangle_perimeters(pattern), triangle_perimeters(pattern, points));
   figures.seams = measure_seams(pattern, points);
   figures.elastics = measure_elastics(pattern, points);
   figures.borders = static_cast<int>(border_loops(dressed.triangles, dressed.points.size()).size());

@@ -27,8 +27,8 @@ std::vector<double> panel_perimeters(const Outlines& outlines, const std::vector
 std::vector<double> triangle_perimeters(const PanelMesh& garment);
 std::vector<double> triangle_perimeters(const PanelMesh& garment, const std::vector<Vec3>& points);
 
-/// Percent: the largest |now/rest - 1|.
-double largest_change_percent(const std::vector<double>& rest, const std::vector<double>& now);
+/// A fraction: the largest |now/rest - 1|.
+double largest_change(const std::vector<double>& rest, const std::vector<double>& now);
 
 /// Figures of a set of strains, fractions. Of mesh edges a strain is |length/rest - 1|.
 struct StrainFigures {
@@ -39,13 +39,13 @@ struct StrainFigures {
 
 struct OpenSeam {
   std::string name;
-  double missing_cm = 0;  ///< widest gap between two points that should be one
+  double missing = 0;  ///< metres: widest gap between two points that should be one
 };
 
 struct SeamFigures {
   int sewn = 0;
   int open = 0;
-  double max_gap_mm = 0;
+  double max_gap = 0;  ///< metres
   std::vector<OpenSeam> open_seams;
 };
 
@@ -58,11 +58,12 @@ struct GarmentFigures {
   /// Per triangle off the gathered seams: by how much its warp or weft is longer, whichever is
   /// more. 0 where both are slack.
   StrainFigures warp_weft_strain;
-  StrainFigures shear;            ///< radians off the right angle of warp and weft, of the same
-  double area_total_percent = 0;  ///< signed; the others are the largest |change|
-  double area_max_panel_percent = 0;
-  double perimeter_max_panel_percent = 0;
-  double triangle_perimeter_max_panel_percent = 0;
+  StrainFigures shear;    ///< radians off the right angle of warp and weft, of the same
+  double area_total = 0;  ///< change of the whole area, a signed fraction
+  /// Largest |change| of any panel, fractions.
+  double area_max_panel = 0;
+  double perimeter_max_panel = 0;
+  double triangle_perimeter_max_panel = 0;
   SeamFigures seams;
   std::vector<ElasticFigures> elastics;  ///< one an elastic of the pattern
   int borders = 0;                       ///< open border loops

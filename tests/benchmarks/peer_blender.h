@@ -90,7 +90,7 @@ inline PeerFigures run_blender(const fs::path& blender, const fs::path& garment_
       measure_garment(garment, as_dressed(garment, points, garment.triangles));
   const Judgement judgement = judge(garment, welded(garment, points), body, nullptr, {});
   figures.strain_p99 = as_is.strain_off_seams.p99;
-  figures.gap_mm = as_is.seams.max_gap_mm;
+  figures.gap_mm = 1000 * as_is.seams.max_gap;
   figures.body = judgement.body_intersections;
   figures.self = judgement.self_intersections;
   return figures;

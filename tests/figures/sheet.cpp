@@ -77,9 +77,9 @@ Json garment_row(const PaperDressing& d, const std::string& wanted) {
                                       {"longer", place.longer},
                                       {"height_m", place.at.y()}});
   }
-  row["area_percent"] = {{"during", d.max_area()}, {"end", g.area_max_panel_percent}};
+  row["area_percent"] = {{"during", d.max_area()}, {"end", 100 * g.area_max_panel}};
   row["perimeter_percent"] = {{"during", d.max_perimeter()},
-                              {"end", g.triangle_perimeter_max_panel_percent}};
+                              {"end", 100 * g.triangle_perimeter_max_panel}};
   row["residual"] = {{"median", d.result.residual.median}, {"rms", d.result.residual.rms}};
   row["verdict"] = to_string(judged.verdict);
   row["wanted"] = wanted;

@@ -1,5 +1,6 @@
 #include "tools/dress/report.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -224,13 +225,13 @@ Json shape_json(const GarmentFigures& figures, const DuringDressing& during) {
   json["shear_degrees"] = {{"max", degrees(figures.shear.max)},
                            {"p99", degrees(figures.shear.p99)},
                            {"rms", degrees(figures.shear.rms)}};
-  json["area_change_percent"] = {{"total", figures.area_total_percent},
-                                 {"max_panel", figures.area_max_panel_percent},
-                                 {"max_during", during.area_percent}};
+  json["area_change_percent"] = {{"total", 100 * figures.area_total},
+                                 {"max_panel", 100 * figures.area_max_panel},
+                                 {"max_during", 100 * during.area}};
   json["perimeter_change_percent"] = {
-      {"max_panel", figures.perimeter_max_panel_percent},
-      {"max_during", during.perimeter_percent},
-      {"triangles_max_panel", figures.triangle_perimeter_max_panel_percent}};
+      {"max_panel", 100 * figures.perimeter_max_panel},
+      {"max_during", 100 * during.perimeter},
+      {"triangles_max_panel", 100 * figures.triangle_perimeter_max_panel}};
   return json;
 }
 
@@ -290,11 +291,12 @@ Json verdict_json(const DressResult& result, const Judgement& judgement) {
   Json json;
   json["verdict"] = to_string(judgement.verdict);
   for (const OpenSeam& seam : judgement.garment.seams.open_seams) {
-    json["unsewable_seams"].push_back({{"name", seam.name}, {"missing_cm", seam.missing_cm}});
+    json["unsewable_seams"].push_back({{"name", seam.name}, {"missing_cm", 100 * seam.missing}});
   }
   for (const TightSeam& seam : result.tight_seams) {
-    json["tight_seams"].push_back(
-        {{"name", seam.name}, {"tension_N_per_m", seam.tension}, {"missing_cm", seam.missing_cm}});
+    json["tight_seams"].push_back({{"name", seam.name},
+                                   {"tension_N_per_m", seam.tension},
+                                   {"missing_cm", 100 * seam.missing}});
   }
   if (result.tight_regions) {
     json["tight_regions"] = tight_regions_json(*result.tight_regions);
@@ -317,9 +319,10 @@ Json verdict_json(const DressResult& result, const Judgement& judgement) {
 
 /// The preset that a garment was draped by, and the error to expect of it.
 Json quality_json(const Quality& quality) {
+  const double rms = std::round(1e5 * quality.distance_rms) / 100;  // as measured, to 0.01 mm
   return {{"quality", quality.name},
           {"expected_error",
-           {{"node_distance_rms_mm", quality.distance_rms_mm},
+           {{"node_distance_rms_mm", rms},
             {"against", "the same run brought to rest"},
             {"measured_on", measured_on}}}};
 }
@@ -347,7 +350,7 @@ nlohmann::ordered_json layer_json(const WornLayer& layer, const DressMethod& met
   report.update(shape_json(figures, result.during));
   report["seams"] = {{"sewn", figures.seams.sewn},
                      {"open", figures.seams.open},
-                     {"max_gap_mm", figures.seams.max_gap_mm}};
+                     {"max_gap_mm", 1000 * figures.seams.max_gap}};
   if (!figures.elastics.empty()) report["elastics"] = elastics_json(figures.elastics);
   if (!result.attachments.empty()) report["attachments"] = attachments_json(result.attachments);
   report["wraps"] = wraps_json(judgement.wraps);

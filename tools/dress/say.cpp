@@ -84,7 +84,7 @@ void warn_of_verdict(const DressResult& result, const Judgement& judgement, Dres
   line << std::fixed << std::setprecision(1);
   const char* separator = "";
   for (const OpenSeam& seam : judgement.garment.seams.open_seams) {
-    line << separator << seam.name << " (" << seam.missing_cm << " cm)";
+    line << separator << seam.name << " (" << 100 * seam.missing << " cm)";
     separator = ", ";
   }
   if (!line.str().empty()) {
@@ -94,7 +94,7 @@ void warn_of_verdict(const DressResult& result, const Judgement& judgement, Dres
   tight << std::fixed << std::setprecision(1);
   separator = "";
   for (const TightSeam& seam : result.tight_seams) {
-    tight << separator << seam.name << " (" << seam.missing_cm << " cm)";
+    tight << separator << seam.name << " (" << 100 * seam.missing << " cm)";
     separator = ", ";
   }
   if (!result.tight_seams.empty()) {
