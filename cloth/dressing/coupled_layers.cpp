@@ -135,7 +135,7 @@ class CoupledRelaxation {
     for (std::size_t n = 0; n < worn.nodes.size(); ++n) {
       moved.push_back((result_.nodes.back()[n] - worn.nodes[n]).norm());
     }
-    result_.moved.push_back(moved_figures(moved));
+    result_.moved.push_back(move_statistics(moved));
     Scene scene = scene_;
     scene.fabric = worn.fabric;
     std::vector<LimitMultiplier> multipliers;

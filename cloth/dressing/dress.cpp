@@ -78,15 +78,15 @@ bool has_temporary_attachments(const Level& level) {
 
 /// What attachments held on the way is measured, and from here on held by friction; what is
 /// attached for good stays so.
-void detach(Level& level, const State& state, std::vector<AttachmentFigures>& figures) {
-  if (level.model.attachments.empty() || !figures.empty()) return;
-  figures = measure_attachments(*level.mesh, level.model.attachments, points_of(level, state));
+void detach(Level& level, const State& state, std::vector<AttachmentMeasurement>& measured) {
+  if (level.model.attachments.empty() || !measured.empty()) return;
+  measured = measure_attachments(*level.mesh, level.model.attachments, points_of(level, state));
   level.model.attachments = lasting(std::move(level.model.attachments));
 }
 
 /// Brings the finest mesh to rest, released from what holds it while it is dressed.
 Staged come_to_rest(Level& level, State state, bool bounded, const DressOptions& options,
-                    std::vector<AttachmentFigures>& attachments, Journal& journal) {
+                    std::vector<AttachmentMeasurement>& attachments, Journal& journal) {
   if (!has_temporary_attachments(level)) {
     return rest(level, std::move(state), bounded, true, options, journal);
   }

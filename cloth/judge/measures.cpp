@@ -66,32 +66,32 @@ std::vector<double> sum_triangles(const PanelMesh& garment, const std::vector<Ve
 }
 
 /// Strains are sorted first, so that the root mean square adds the small ones up first.
-StrainFigures figures_of(std::vector<double> strains) {
+StrainStatistics statistics_of(std::vector<double> strains) {
   if (strains.empty()) return {};
   std::sort(strains.begin(), strains.end());
   return {strains.back(), percentile(strains, 0.99), root_mean_square(strains)};
 }
 
-SeamFigures measure_seams(const PanelMesh& pattern, const std::vector<Vec3>& points) {
-  SeamFigures figures;
+SeamMeasurements measure_seams(const PanelMesh& pattern, const std::vector<Vec3>& points) {
+  SeamMeasurements measured;
   for (const MeshedSeam& seam : pattern.seams) {
     double gap = 0;
     for (std::size_t i = 0; i < seam.a.size(); ++i) {
       gap = std::max(gap, (points[seam.a[i]] - points[seam.b[i]]).norm());
     }
-    figures.max_gap = std::max(figures.max_gap, gap);
+    measured.max_gap = std::max(measured.max_gap, gap);
     if (gap <= sewn_gap) {
-      ++figures.sewn;
+      ++measured.sewn;
     } else {
-      ++figures.open;
-      figures.open_seams.push_back({seam.name, gap});
+      ++measured.open;
+      measured.open_seams.push_back({seam.name, gap});
     }
   }
-  return figures;
+  return measured;
 }
 
 void measure_yarns(const PanelMesh& pattern, const std::vector<Vec3>& points,
-                   GarmentFigures& figures) {
+                   GarmentMeasurements& measured) {
   const std::vector<char> gathered = on_gathers(pattern);
   const std::vector<YarnStrain> yarns = yarn_strains(pattern, points);
   std::vector<double> longer;
@@ -101,8 +101,8 @@ void measure_yarns(const PanelMesh& pattern, const std::vector<Vec3>& points,
     longer.push_back(std::max(yarns[t].largest(), 0.0));
     shear.push_back(std::abs(yarns[t].shear));
   }
-  figures.warp_weft_strain = figures_of(longer);
-  figures.shear = figures_of(shear);
+  measured.warp_weft_strain = statistics_of(longer);
+  measured.shear = statistics_of(shear);
 }
 
 /// Metres, per material point: its place in the dressed garment.
@@ -173,7 +173,7 @@ double largest_change(const std::vector<double>& rest, const std::vector<double>
   return largest;
 }
 
-GarmentFigures measure_garment(const PanelMesh& pattern, const DressedGarment& dressed) {
+GarmentMeasurements measure_garment(const PanelMesh& pattern, const DressedGarment& dressed) {
   const std::vector<Vec3> points = dressed_points(pattern, dressed);
   const std::vector<Vec3> flat = in_space(pattern.flat);
   std::vector<char> on_seam(points.size(), 0);
@@ -195,24 +195,25 @@ GarmentFigures measure_garment(const PanelMesh& pattern, const DressedGarment& d
     const bool folds = gathered[edge[0]] || gathered[edge[1]];
     off_seams.push_back(folds ? std::max(longer, 0.0) : std::abs(longer));
   }
-  GarmentFigures figures;
-  figures.strain = figures_of(strains);
-  figures.strain_off_seams = figures_of(off_seams);
-  measure_yarns(pattern, points, figures);
+  GarmentMeasurements measured;
+  measured.strain = statistics_of(strains);
+  measured.strain_off_seams = statistics_of(off_seams);
+  measure_yarns(pattern, points, measured);
   const std::vector<double> rest_areas = panel_areas(pattern);
   const std::vector<double> areas = panel_areas(pattern, points);
-  figures.area_max_panel = largest_change(rest_areas, areas);
-  figures.area_total = std::accumulate(areas.begin(), areas.end(), 0.0) /
-                           std::accumulate(rest_areas.begin(), rest_areas.end(), 0.0) -
-                       1;
-  figures.perimeter_max_panel =
+  measured.area_max_panel = largest_change(rest_areas, areas);
+  measured.area_total = std::accumulate(areas.begin(), areas.end(), 0.0) /
+                            std::accumulate(rest_areas.begin(), rest_areas.end(), 0.0) -
+                        1;
+  measured.perimeter_max_panel =
       largest_change(panel_perimeters(pattern), panel_perimeters(panel_outlines(pattern), points));
-  figures.triangle_perimeter_max_panel =
+  measured.triangle_perimeter_max_panel =
       largest_change(triangle_perimeters(pattern), triangle_perimeters(pattern, points));
-  figures.seams = measure_seams(pattern, points);
-  figures.elastics = measure_elastics(pattern, points);
-  figures.borders = static_cast<int>(border_loops(dressed.triangles, dressed.points.size()).size());
-  return figures;
+  measured.seams = measure_seams(pattern, points);
+  measured.elastics = measure_elastics(pattern, points);
+  measured.borders =
+      static_cast<int>(border_loops(dressed.triangles, dressed.points.size()).size());
+  return measured;
 }
 
 }  // namespace toile

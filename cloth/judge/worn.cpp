@@ -72,7 +72,7 @@ class WornCheck {
         placed_(dressed.points),
         skeleton_(skeleton),
         cloth_(garment.panels.size()) {
-    figures_.openings = find_openings(dressed, skeleton);
+    findings_.openings = find_openings(dressed, skeleton);
     const std::vector<int> piece_of_node = connected_pieces(dressed);
     std::map<int, Piece> pieces;
     for (std::size_t t = 0; t < dressed.triangles.size(); ++t) {
@@ -87,7 +87,7 @@ class WornCheck {
       cloth_[panel].moment += area * (a + b + c) / 3;
       cloth_[panel].area += area;
     }
-    for (const Opening& opening : figures_.openings) {
+    for (const Opening& opening : findings_.openings) {
       pieces[opening.component].openings.push_back(&opening);
     }
     for (auto& [number, piece] : pieces) pieces_.push_back(std::move(piece));
@@ -96,9 +96,9 @@ class WornCheck {
     armpit_ = skeleton.joint("chest").y();
   }
 
-  WornFigures run() {
+  WearFindings run() {
     for (const Piece& piece : pieces_) check(piece);
-    return std::move(figures_);
+    return std::move(findings_);
   }
 
  private:
@@ -132,27 +132,27 @@ class WornCheck {
       for (const int node : loop) curve.push_back(nodes_[node]);
       if (limbs_through(curve, skeleton_) == limbs) return true;
     }
-    const WrapFigure wrap = measure_wrap(garment_, dressed_, skeleton_, part, is_counted);
+    const WrapMeasurement wrap = measure_wrap(garment_, dressed_, skeleton_, part, is_counted);
     return wrap.from >= wrap.to || wrap.fraction >= around_share;
   }
 
   void misplace(const std::string& part, const std::string& at, const std::string& should_be) {
-    figures_.is_checked = true;
-    if (!figures_.misplaced) figures_.misplaced = Misplaced{part, at, should_be};
+    findings_.is_checked = true;
+    if (!findings_.misplaced) findings_.misplaced = Misplaced{part, at, should_be};
   }
   /// Cloth about `at` should go around `part`: misplaced if another part is nearer.
   void fail(const std::string& part, const Vec3& at, const std::string& should_be) {
-    figures_.is_checked = true;
+    findings_.is_checked = true;
     if (nearest_part(at, skeleton_) != part) {
       misplace(part, place_on_body(at, skeleton_), should_be);
-    } else if (std::ranges::find(figures_.unwrapped, part) == figures_.unwrapped.end()) {
-      figures_.unwrapped.push_back(part);
+    } else if (std::ranges::find(findings_.unwrapped, part) == findings_.unwrapped.end()) {
+      findings_.unwrapped.push_back(part);
     }
   }
 
   void check(const Piece& piece) {
     const Vec3 middle = cloth_of(piece.panels).middle();
-    const std::size_t found = figures_.unwrapped.size();
+    const std::size_t found = findings_.unwrapped.size();
     if (middle.y() < 0) {
       misplace("torso", place_on_body(middle, skeleton_), "on the body");
       return;
@@ -160,7 +160,7 @@ class WornCheck {
     check_sleeves(piece);
     check_trousers(piece);
     check_trunk(piece);
-    if (figures_.misplaced || figures_.unwrapped.size() > found) return;
+    if (findings_.misplaced || findings_.unwrapped.size() > found) return;
     check_empty_openings(piece);
     check_facing(piece);
   }
@@ -204,7 +204,7 @@ class WornCheck {
       });
       const Vec3 middle = cloth_of(panels).middle();
       const bool is_there = has_opening || nearest_part(middle, skeleton_) == arm;
-      figures_.is_checked = true;
+      findings_.is_checked = true;
       if (is_there && goes_around(panels, arm, wanted)) continue;
       fail(arm, middle, in_words(arm));
     }
@@ -213,7 +213,7 @@ class WornCheck {
   void check_trousers(const Piece& piece) {
     const std::vector<int> panels = panels_of(piece, PanelKind::trousers);
     if (panels.empty()) return;
-    figures_.is_checked = true;
+    findings_.is_checked = true;
     for (const auto& [leg, half] : by_side(panels, "leg")) {
       const LimbsThrough wanted = leg == "left_leg" ? through_left_leg : through_right_leg;
       if (std::ranges::any_of(piece.openings,
@@ -240,7 +240,7 @@ class WornCheck {
     const Opening* highest = highest_around_trunk(piece);
     check_skirt(piece);
     if (std::ranges::any_of(piece.openings, [](const Opening* o) { return has_arm(*o); })) {
-      figures_.is_checked = true;
+      findings_.is_checked = true;
       for (const Opening* opening : piece.openings) {
         if (opening->limbs == through_neckline) check_shoulders(*opening);
       }
@@ -255,7 +255,7 @@ class WornCheck {
       if (std::ranges::any_of(piece.openings, [](const Opening* o) { return o->limbs.any(); })) {
         return;
       }
-      figures_.is_checked = true;
+      findings_.is_checked = true;
       const bool is_sheet = piece.openings.size() == 1;
       const double height = middle.y();
       const bool is_near = height > (is_top ? waist_ : 0.5 * crotch_) && height < armpit_ + 0.3;
@@ -265,7 +265,7 @@ class WornCheck {
       return;
     }
     const double height = highest->middle.y();
-    figures_.is_checked = true;
+    findings_.is_checked = true;
     double low = crotch_;
     double high = std::numeric_limits<double>::infinity();
     if (is_top) {
@@ -382,7 +382,7 @@ class WornCheck {
   double crotch_ = 0;  // heights, metres
   double waist_ = 0;
   double armpit_ = 0;
-  WornFigures figures_;
+  WearFindings findings_;
 };
 
 }  // namespace
@@ -413,8 +413,8 @@ std::string place_on_body(const Vec3& point, const Skeleton& skeleton) {
   return name + ", " + centimetres(height) + " above the floor";
 }
 
-WornFigures check_worn(const PanelMesh& garment, const DressedGarment& dressed,
-                       const Skeleton& skeleton) {
+WearFindings check_worn(const PanelMesh& garment, const DressedGarment& dressed,
+                        const Skeleton& skeleton) {
   if (!has_all_limbs(skeleton)) return {};
   return WornCheck(garment, dressed, skeleton).run();
 }

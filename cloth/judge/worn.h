@@ -17,7 +17,7 @@ struct Misplaced {
   std::string should_be;  ///< where it belongs
 };
 
-struct WornFigures {
+struct WearFindings {
   /// False: nothing tells where the garment belongs, such as a sheet or a cape, or the skeleton
   /// lacks joints.
   bool is_checked = false;
@@ -47,8 +47,8 @@ struct WornFigures {
 /// - No piece hangs below the floor.
 ///
 /// `garment` has panels placed where they started. About O(n log n) in the triangles.
-WornFigures check_worn(const PanelMesh& garment, const DressedGarment& dressed,
-                       const Skeleton& skeleton);
+WearFindings check_worn(const PanelMesh& garment, const DressedGarment& dressed,
+                        const Skeleton& skeleton);
 
 /// Where on the body a point is, such as "shins, 25 cm above the floor".
 std::string place_on_body(const Vec3& point, const Skeleton& skeleton);

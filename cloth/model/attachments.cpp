@@ -169,29 +169,30 @@ std::vector<AttachedPoint> lasting(std::vector<AttachedPoint> attachments) {
   return attachments;
 }
 
-std::vector<AttachmentFigures> measure_attachments(const PanelMesh& garment,
-                                                   const std::vector<AttachedPoint>& attachments,
-                                                   const std::vector<Vec3>& points) {
-  std::vector<AttachmentFigures> all;
+std::vector<AttachmentMeasurement> measure_attachments(
+    const PanelMesh& garment, const std::vector<AttachedPoint>& attachments,
+    const std::vector<Vec3>& points) {
+  std::vector<AttachmentMeasurement> all;
   for (const MeshedAttachment& each : garment.attachments) {
     all.push_back({each.name, target_of(each.how), each.how.always, !each.how.only_if_it_slips});
   }
   for (const AttachedPoint& attached : attachments) {
-    AttachmentFigures& figures = all[attached.attachment];
+    AttachmentMeasurement& measured = all[attached.attachment];
     const double off = displacement_to_anchor(attached, points[attached.point]).norm();
     const auto count = static_cast<double>(garment.attachments[attached.attachment].points.size());
-    figures.off_mean += off / count;
-    figures.off_max = std::max(figures.off_max, off);
-    figures.pull += attachment_pull(attached, points[attached.point]);
+    measured.off_mean += off / count;
+    measured.off_max = std::max(measured.off_max, off);
+    measured.pull += attachment_pull(attached, points[attached.point]);
   }
   return all;
 }
 
 void measure_lasting(const PanelMesh& garment, const std::vector<AttachedPoint>& attachments,
-                     const std::vector<Vec3>& points, std::vector<AttachmentFigures>& figures) {
-  const std::vector<AttachmentFigures> now = measure_attachments(garment, attachments, points);
+                     const std::vector<Vec3>& points,
+                     std::vector<AttachmentMeasurement>& measured) {
+  const std::vector<AttachmentMeasurement> now = measure_attachments(garment, attachments, points);
   for (std::size_t i = 0; i < now.size(); ++i) {
-    if (now[i].always) figures[i] = now[i];
+    if (now[i].always) measured[i] = now[i];
   }
 }
 

@@ -32,7 +32,7 @@ MeshedPanel& add_tube(PanelMesh& garment, const std::string& name, const Vec3& f
   return garment.panels.back();
 }
 
-WornFigures check(const PanelMesh& garment) {
+WearFindings check(const PanelMesh& garment) {
   const DressedGarment dressed = test::as_dressed(garment, garment.placed);
   return check_worn(garment, dressed, figure());
 }
@@ -56,7 +56,7 @@ PanelMesh sleeve(const std::string& name, double from, double to) {
 }
 
 TEST(Worn, ASkirtAboutTheHips) {
-  const WornFigures worn = check(skirt());
+  const WearFindings worn = check(skirt());
   EXPECT_TRUE(worn.is_checked);
   EXPECT_FALSE(worn.misplaced);
   EXPECT_TRUE(worn.unwrapped.empty());
@@ -69,18 +69,18 @@ TEST(Worn, ASkirtAboutTheHips) {
 
 TEST(Worn, ASkirtTooLowOrTooHighIsMisplaced) {
   for (const double up : {-0.3, -0.6, 0.25}) {
-    const WornFigures worn =
+    const WearFindings worn =
         check(moved(skirt(), [&](const Vec3& p) { return Vec3(p + Vec3(0, up, 0)); }));
     ASSERT_TRUE(worn.misplaced) << up;
     EXPECT_EQ(worn.misplaced->should_be, "waist or hips");
   }
-  const WornFigures low =
+  const WearFindings low =
       check(moved(skirt(), [](const Vec3& p) { return Vec3(p + Vec3(0, -0.3, 0)); }));
   EXPECT_EQ(low.misplaced->at, "thighs, 70 cm above the floor");
 }
 
 TEST(Worn, BelowTheFloor) {
-  const WornFigures worn =
+  const WearFindings worn =
       check(moved(skirt(), [](const Vec3& p) { return Vec3(p + Vec3(0, -1, 0)); }));
   ASSERT_TRUE(worn.misplaced);
   EXPECT_EQ(worn.misplaced->at, "below the floor by 30 cm");
@@ -90,7 +90,7 @@ TEST(Worn, AStraplessTopBelongsAboutTheChest) {
   PanelMesh top;
   add_tube(top, "top", {0, 0.9, 0}, {0, 1.25, 0}, 0.22);
   EXPECT_FALSE(check(top).misplaced);
-  const WornFigures low =
+  const WearFindings low =
       check(moved(top, [](const Vec3& p) { return Vec3(p + Vec3(0, -0.25, 0)); }));
   ASSERT_TRUE(low.misplaced);
   EXPECT_EQ(low.misplaced->should_be, "chest or shoulders");
@@ -98,14 +98,14 @@ TEST(Worn, AStraplessTopBelongsAboutTheChest) {
 
 TEST(Worn, ASleeveBelongsOnItsArm) {
   EXPECT_FALSE(check(sleeve("left_sleeve", 0.3, 0.6)).misplaced);
-  const WornFigures other = check(sleeve("left_sleeve", -0.6, -0.3));
+  const WearFindings other = check(sleeve("left_sleeve", -0.6, -0.3));
   ASSERT_TRUE(other.misplaced);
   EXPECT_EQ(other.misplaced->part, "left_arm");
   EXPECT_EQ(other.misplaced->should_be, "left arm");
   EXPECT_EQ(other.misplaced->at, "right arm, 130 cm above the floor");
   // Beside its arm it is where it should be, and goes around nothing.
-  const WornFigures beside = check(moved(sleeve("left_sleeve", 0.3, 0.6),
-                                         [](const Vec3& p) { return Vec3(p + Vec3(0, 0, 0.2)); }));
+  const WearFindings beside = check(moved(sleeve("left_sleeve", 0.3, 0.6),
+                                          [](const Vec3& p) { return Vec3(p + Vec3(0, 0, 0.2)); }));
   EXPECT_FALSE(beside.misplaced);
   EXPECT_EQ(beside.unwrapped, std::vector<std::string>{"left_arm"});
 }
@@ -120,7 +120,7 @@ TEST(Worn, TrousersBelongOnTwoLegs) {
   PanelMesh both;
   add_tube(both, "left_pant", {0.1, 0.1, 0}, {0.1, 0.7, 0}, 0.09);
   add_tube(both, "right_pant", {0.1, 0.1, 0}, {0.1, 0.7, 0}, 0.12);
-  const WornFigures worn = check(both);
+  const WearFindings worn = check(both);
   ASSERT_TRUE(worn.misplaced);
   EXPECT_EQ(worn.misplaced->part, "right_leg");
 }
@@ -144,7 +144,7 @@ PanelMesh tube_with_armholes(double low) {
 }
 
 TEST(Worn, AShirtAboutTheWaistHasTwoArmholesWithNothingInThem) {
-  const WornFigures worn = check(tube_with_armholes(0.5));
+  const WearFindings worn = check(tube_with_armholes(0.5));
   ASSERT_EQ(worn.openings.size(), 4U);
   EXPECT_TRUE(worn.misplaced || !worn.unwrapped.empty());
 }
@@ -153,12 +153,12 @@ TEST(Worn, ASheetOfNoKindIsNotChecked) {
   PanelMesh sheet;
   test::add_panel(sheet, "piece", test::grid(1, 1, 6, 6),
                   [](const Vec2& p) { return Vec3(p.x() - 0.5, 1.9, p.y() - 0.5); });
-  const WornFigures worn = check(sheet);
+  const WearFindings worn = check(sheet);
   EXPECT_FALSE(worn.is_checked);
   EXPECT_FALSE(worn.misplaced);
   // A wrap skirt in front of the body does not go around it.
   sheet.panels[0].name = "skirt";
-  const WornFigures skirt =
+  const WearFindings skirt =
       check(moved(sheet, [](const Vec3& p) { return Vec3(p.x(), p.z() + 0.5, 0.3); }));
   EXPECT_TRUE(skirt.is_checked);
   EXPECT_TRUE(skirt.misplaced || !skirt.unwrapped.empty());
