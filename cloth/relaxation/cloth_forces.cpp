@@ -35,13 +35,13 @@ ClothForces::ClothForces(const GarmentModel& model, const ForceOptions& options,
   }
   use_vertices(open_seams);
   if (has_limits()) {
-    if (options.multipliers != nullptr) kernel_->start_multipliers(*options.multipliers);
+    if (options.warm_start != nullptr) kernel_->start_multipliers(options.warm_start->multipliers);
     update_multipliers();
   }
   if (options.warm_start == nullptr || open_seams) return;
-  neighbourhood_->pairs().friction().set_anchors(options.warm_start->cloth);
-  if (edge_contacts_) edge_contacts_->set_anchors(options.warm_start->edges);
-  const auto& skin = options.warm_start->skin;
+  neighbourhood_->pairs().friction().set_anchors(options.warm_start->pair_anchors);
+  if (edge_contacts_) edge_contacts_->set_anchors(options.warm_start->edge_anchors);
+  const auto& skin = options.warm_start->skin_anchors;
   for (std::size_t n = 0; n < std::min(skin.size(), vertices_->count); ++n) {
     if (skin[n]) neighbourhood_->contact(n).set_anchor(*skin[n]);
   }
@@ -51,11 +51,11 @@ WarmStart ClothForces::warm_start() const {
   WarmStart warm_start;
   if (has_limits()) warm_start.multipliers = kernel_->multipliers();
   if (seams_stand_open()) return warm_start;
-  if (edge_contacts_) warm_start.edges = edge_contacts_->anchors();
-  warm_start.cloth = neighbourhood_->pairs().friction().anchors();
-  warm_start.skin.reserve(vertices_->count);
+  if (edge_contacts_) warm_start.edge_anchors = edge_contacts_->anchors();
+  warm_start.pair_anchors = neighbourhood_->pairs().friction().anchors();
+  warm_start.skin_anchors.reserve(vertices_->count);
   for (const BodyContact& contact : neighbourhood_->contacts()) {
-    warm_start.skin.push_back(contact.anchor());
+    warm_start.skin_anchors.push_back(contact.anchor());
   }
   return warm_start;
 }

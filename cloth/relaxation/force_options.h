@@ -14,23 +14,32 @@ namespace toile {
 /// Anchors of friction and multipliers of the limits at the end of a run. A run that begins with
 /// them begins with the forces that they hold.
 struct WarmStart {
-  std::vector<std::optional<Vec3>> skin;  ///< metres, per node; none: it slides
-  std::vector<EdgeAnchor> edges;          ///< middles on the skin, of nodes, sorted
-  std::vector<PairAnchor> cloth;          ///< on cloth, of nodes and then of layers' points, sorted
-  std::vector<LimitMultiplier> multipliers;  ///< per triangle; empty: no limits
+  std::vector<std::optional<Vec3>> skin_anchors;  ///< metres, per node; none: it slides
+  std::vector<EdgeAnchor> edge_anchors;           ///< middles on the skin, of nodes, sorted
+  /// On cloth, of nodes and then of layers' points, sorted.
+  std::vector<PairAnchor> pair_anchors;
+  std::vector<LimitMultiplier> multipliers;  ///< per triangle; empty: they begin at 0
+
+  /// Forgets what friction held; the multipliers stay.
+  void drop_anchors() {
+    skin_anchors.clear();
+    edge_anchors.clear();
+    pair_anchors.clear();
+  }
 
   /// Drops the anchors of nodes for which `moved` is not 0. `moved`: one a node.
   void release_anchors(const std::vector<char>& moved) {
-    for (std::size_t n = 0; n < std::min(moved.size(), skin.size()); ++n) {
-      if (moved[n] != 0) skin[n].reset();
+    for (std::size_t n = 0; n < std::min(moved.size(), skin_anchors.size()); ++n) {
+      if (moved[n] != 0) skin_anchors[n].reset();
     }
     const auto any_moved = [&](const auto& vertices) {
       return std::any_of(vertices.begin(), vertices.end(), [&](int v) {
         return static_cast<std::size_t>(v) < moved.size() && moved[v] != 0;
       });
     };
-    std::erase_if(edges, [&](const EdgeAnchor& anchor) { return any_moved(anchor.edge); });
-    std::erase_if(cloth, [&](const PairAnchor& anchor) { return any_moved(anchor.vertices); });
+    std::erase_if(edge_anchors, [&](const EdgeAnchor& anchor) { return any_moved(anchor.edge); });
+    std::erase_if(pair_anchors,
+                  [&](const PairAnchor& anchor) { return any_moved(anchor.vertices); });
   }
 };
 
@@ -72,11 +81,10 @@ struct ForceOptions {
   /// Share of its bound after which a node has near cloth searched for. With 1, it has when it is
   /// stopped. With less, nodes that move freely are never stopped, at the cost of more searches.
   double search_share = 1;
-  /// The end of an earlier run at the same positions, with closed seams. Null: friction holds the
-  /// cloth where it first touches.
+  /// The end of an earlier run. Its anchors are of the same positions, with closed seams; without
+  /// them, and where seams are open, friction holds the cloth where it first touches. Null: all
+  /// begins anew.
   const WarmStart* warm_start = nullptr;
-  /// Multipliers of the limits, one a triangle, to begin with. Null: they begin at 0.
-  const std::vector<LimitMultiplier>* multipliers = nullptr;
 };
 
 }  // namespace toile

@@ -135,8 +135,8 @@ ReleaseReport Release::run() {
   report.all = move_statistics(report.moved);
   if (options_.warm_start != nullptr) {
     std::vector<double> moved;
-    for (std::size_t n = 0; n < options_.warm_start->skin.size(); ++n) {
-      if (options_.warm_start->skin[n]) moved.push_back(report.moved[n]);
+    for (std::size_t n = 0; n < options_.warm_start->skin_anchors.size(); ++n) {
+      if (options_.warm_start->skin_anchors[n]) moved.push_back(report.moved[n]);
     }
     report.sticking = static_cast<int>(moved.size());
     report.of_sticking = move_statistics(moved);

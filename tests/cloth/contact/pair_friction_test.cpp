@@ -49,7 +49,7 @@ class ClothOnCloth : public testing::Test {
     rest.max_iterations = 1500;
     rest.stop_median = rest.stop_rms = 1e-4;
     const RelaxReport rested = relax(model, rest, x);
-    anchors = rested.warm_start.cloth.size();
+    anchors = rested.warm_start.pair_anchors.size();
     ReleaseOptions options;
     options.layer_contact = true;
     options.bounded = hand_over;  // bounds stop a sliding patch now and then

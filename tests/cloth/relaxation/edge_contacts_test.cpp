@@ -72,7 +72,7 @@ class CoarseOnASlope : public testing::Test {
     WornGarment worn{&garment, scene.fabric, model.start, {}, 0.002};
     const RelaxReport report = relax(model, options, worn.nodes);
     EXPECT_TRUE(report.converged);
-    EXPECT_EQ(report.warm_start.edges.size(), 33U);
+    EXPECT_EQ(report.warm_start.edge_anchors.size(), 33U);
     worn.warm_start = report.warm_start;
     return worn;
   }
