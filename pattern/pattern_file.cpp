@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
 
+#include "geometry/angles.h"
 #include "geometry/error.h"
 #include "io/json_value.h"
 #include "io/json_words.h"
@@ -23,8 +23,6 @@
 namespace toile {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 Vec2 pair(const JsonValue& value) {
   value.size(2, 2);
@@ -156,13 +154,13 @@ class Reader {
       panel.origin = panel.translation;
     }
     if (const auto rotation = value.find("rotation")) {
-      const Vec3 angles = triple(*rotation) * degree;
+      const Vec3 angles = triple(*rotation) * radians_per_degree;
       panel.rotation = (Eigen::AngleAxisd(angles.z(), Vec3::UnitZ()) *
                         Eigen::AngleAxisd(angles.y(), Vec3::UnitY()) *
                         Eigen::AngleAxisd(angles.x(), Vec3::UnitX()))
                            .toRotationMatrix();
     }
-    if (const auto grain = value.find("grain")) panel.grain = grain->number() * degree;
+    if (const auto grain = value.find("grain")) panel.grain = grain->number() * radians_per_degree;
     if (const auto fabric = value.find("fabric")) panel.fabric = fabric->text();
     if (const auto label = value.find("label")) panel.label = label->text();
     if (const auto placement = value.find("placement")) {
@@ -210,7 +208,9 @@ class Reader {
         PanelNotch notch;
         notch.vertex = entry.get("vertex").index(static_cast<int>(points.size()));
         notch.at = points[static_cast<std::size_t>(notch.vertex)];
-        if (const auto angle = entry.find("angle")) notch.angle = angle->number() * degree;
+        if (const auto angle = entry.find("angle")) {
+          notch.angle = angle->number() * radians_per_degree;
+        }
         panel.notches.push_back(notch);
       }
     }

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "cloth/start/constants.h"
+#include "geometry/angles.h"
 #include "geometry/body/bones.h"
 
 namespace toile {
@@ -155,7 +155,7 @@ std::map<std::string, double> centre_sleeves(const PanelMesh& garment,
     double lift = 0;
     for (int a = -max_sleeve_degrees; a <= max_sleeve_degrees; ++a) {
       for (int l = -max_sleeve_lifts; l <= max_sleeve_lifts; ++l) {
-        const double radians = a * std::numbers::pi / 180;
+        const double radians = to_radians(a);
         const double found = cost(radians, l * sleeve_lift_step);
         if (found >= best) continue;
         best = found;

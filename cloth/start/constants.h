@@ -2,7 +2,7 @@
 // docs/constants.md shows what half and double of many of them do.
 #pragma once
 
-#include <numbers>
+#include "geometry/angles.h"
 
 namespace toile {
 
@@ -214,7 +214,7 @@ inline constexpr double turned_misfit = 0.3;
 /// Radians that a sleeve is off its arm before it is turned. T-shirts and a shirt are 3 to 9
 /// degrees off arms like those they were laid out for. They are 12 to 52 degrees off arms that hang
 /// lower, swing or reach forward [measured].
-inline constexpr double min_sleeve_turn = 11 * std::numbers::pi / 180;
+inline constexpr double min_sleeve_turn = to_radians(11);
 
 /// Cosine between a seam and the arm. A seam with at least this runs along the sleeve, not around
 /// it.

@@ -13,8 +13,10 @@
 
 #include "cloth/start/constants.h"
 #include "cloth/start/positioning.h"
+#include "geometry/angles.h"
 #include "geometry/body/bones.h"
 #include "geometry/body/limbs_through.h"
+#include "io/text.h"
 #include "pattern/panel_kind.h"
 
 namespace toile {
@@ -321,19 +323,16 @@ void move_layout(const LayoutMove& move, PanelMesh& garment) {
 
 std::string text_of(const LayoutMove& move, const PanelMesh& garment) {
   const Vec3 middle = middle_of(garment.placed);
-  const auto centimetres = [](double metres) {
-    return std::to_string(std::lround(100 * std::abs(metres))) + " cm";
-  };
   const Vec3 by = move.rotation * middle + move.translation - middle;
   std::string text;
   const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
-  const double angle = Eigen::AngleAxisd(move.rotation).angle() * 180 / std::numbers::pi;
+  const double angle = to_degrees(Eigen::AngleAxisd(move.rotation).angle());
   if (std::lround(angle) != 0) add("turned by " + std::to_string(std::lround(angle)) + " degrees");
   if (std::lround(100 * by.y()) != 0) {
-    add(std::string(by.y() > 0 ? "raised" : "lowered") + " by " + centimetres(by.y()));
+    add(std::string(by.y() > 0 ? "raised" : "lowered") + " by " + centimetres(std::abs(by.y()), 0));
   }
   const double level = std::hypot(by.x(), by.z());
-  if (std::lround(100 * level) != 0) add("moved level by " + centimetres(level));
+  if (std::lround(100 * level) != 0) add("moved level by " + centimetres(level, 0));
   return text.empty() ? "moved by less than 1 cm" : text;
 }
 

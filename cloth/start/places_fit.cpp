@@ -3,9 +3,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "cloth/start/constants.h"
+#include "geometry/angles.h"
 #include "pattern/panel_kind.h"
 
 namespace toile {
@@ -47,7 +47,7 @@ double area_of(const PanelMesh& garment, const MeshedPanel& panel) {
 
 /// Degrees from the upright.
 double lean_of(const Vec3& direction) {
-  return std::acos(std::clamp(direction.normalized().y(), -1.0, 1.0)) * 180 / std::numbers::pi;
+  return to_degrees(std::acos(std::clamp(direction.normalized().y(), -1.0, 1.0)));
 }
 
 /// Indices of the panels whose places tell. `places` may be empty.
