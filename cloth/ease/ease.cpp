@@ -8,6 +8,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "geometry/triangle_area.h"
+
 namespace toile {
 
 namespace {
@@ -97,7 +99,7 @@ EaseMap measure_ease(const DressedGarment& garment, const SurfaceDistance& body,
     const auto point = [&](std::size_t k) -> const Vec3& {
       return garment.points[static_cast<std::size_t>(nodes[k])];
     };
-    const double area = 0.5 * (point(1) - point(0)).cross(point(2) - point(0)).norm();
+    const double area = triangle_area(point(0), point(1), point(2));
     for (std::size_t k = 0; k < 3; ++k) {
       corners.push_back(
           {garment.panel_of_triangle[t], garment.flat_triangles[t][k], nodes[k], area / 3});

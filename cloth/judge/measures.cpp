@@ -1,6 +1,5 @@
 #include "cloth/judge/measures.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -13,6 +12,7 @@
 #include "geometry/error.h"
 #include "geometry/half_edges.h"
 #include "geometry/statistics.h"
+#include "geometry/triangle_area.h"
 
 namespace toile {
 
@@ -44,7 +44,7 @@ std::vector<Vec3> in_space(const std::vector<Vec2>& flat) {
 }
 
 double area(const std::vector<Vec3>& p, const Triangle& t) {
-  return 0.5 * (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).norm();
+  return triangle_area(p[t[0]], p[t[1]], p[t[2]]);
 }
 
 double perimeter(const std::vector<Vec3>& p, const Triangle& t) {
