@@ -11,7 +11,7 @@
 #include "cloth/dressing/sew.h"
 #include "cloth/dressing/stability_test.h"
 #include "cloth/dressing/stages.h"
-#include "cloth/judge/worn.h"
+#include "cloth/judge/wear_check.h"
 #include "cloth/model/nested_meshes.h"
 #include "cloth/relaxation/release.h"
 #include "cloth/scene/collider.h"

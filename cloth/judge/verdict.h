@@ -9,7 +9,7 @@
 #include "cloth/judge/fit.h"
 #include "cloth/judge/measures.h"
 #include "cloth/judge/tight_seams.h"
-#include "cloth/judge/worn.h"
+#include "cloth/judge/wear_check.h"
 #include "cloth/judge/wraps.h"
 
 namespace toile {
