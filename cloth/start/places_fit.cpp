@@ -85,7 +85,7 @@ std::string unfit_place(const PanelMesh& given, const PanelMesh& found,
   for (const std::size_t p : telling_panels(given, places)) {
     const Stand here(given, given.panels[p]);
     const Stand there(found, found.panels[p]);
-    // A gore of a round skirt is drawn upright, and lies aslant in its sheet.
+    // A gore of a round skirt is drawn upright, and lies aslant in its face.
     const Vec2 by_seams = there.axes.transpose() * Vec3::UnitY();
     const double lean = std::min(lean_of(here.axes * by_seams), lean_of(here.axes.col(1)));
     if (!(lean <= max_panel_lean)) {
