@@ -9,6 +9,7 @@
 
 #include "cloth/dressing/constants.h"
 #include "geometry/border_loops.h"
+#include "geometry/closest_points.h"
 #include "geometry/polygon.h"
 #include "geometry/triangle_tree.h"
 #include "io/text.h"
@@ -65,9 +66,7 @@ class EarlierPanel {
     Vec2 nearest = p;
     double least = std::numeric_limits<double>::infinity();
     for (const auto& [from, to] : outline_) {
-      const Vec2 along = to - from;
-      const double share = std::clamp((p - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-      const Vec2 at = from + share * along;
+      const Vec2 at = from + closest_on_segment(p, from, to) * (to - from);
       if ((p - at).norm() < least) {
         least = (p - at).norm();
         nearest = at;
