@@ -1,13 +1,12 @@
 #include "cloth/ease/ease.h"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <tuple>
 
+#include "geometry/parallel.h"
 #include "geometry/triangle_area.h"
 
 namespace toile {
@@ -88,7 +87,7 @@ EaseMap measure_ease(const DressedGarment& garment, const SurfaceDistance& body,
                      const EaseOptions& options) {
   EaseMap map;
   map.node_gaps.resize(garment.points.size());
-  tbb::parallel_for(std::size_t{0}, garment.points.size(), [&](std::size_t i) {
+  parallel_for_items(garment.points.size(), [&](std::size_t i) {
     map.node_gaps[i] = body.closest_point(garment.points[i]).distance;
   });
 
