@@ -64,8 +64,8 @@ inline constexpr double strapless_share = 0.25;
 /// Share of the height from waist to armpits above which no skirt begins.
 inline constexpr double max_skirt_top_share = 0.67;
 
-/// Share of the crotch's height above which the middle of an open skirt or trousers about the trunk
-/// lies: one that has slid to the knees lies below.
+/// Share of the crotch's height: the middle of an open skirt about the trunk lies above it. One
+/// that has slid to the knees lies below.
 inline constexpr double min_sheet_share = 0.5;
 
 /// Metres above the armpits below which the middle of an open sheet about the trunk lies, so that
