@@ -169,7 +169,8 @@ DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptio
     result.placement.initial =
         refine_placed(meshes[depth], result.placement.initial, meshes[depth - 1]);
   }
-  const bool is_tangled = !is_clear && crossings(level, state) > max_hopeful_crossings;
+  const bool is_tangled =
+      !is_clear && count_self_intersections(level, state) > max_hopeful_intersections;
   const auto is_lost = [&] {
     return is_tangled || fallen(level, state, result.placement.placed) > fallen_off_drop;
   };

@@ -43,7 +43,7 @@ RelaxOptions sewing_options(const Level& level, const Closing& closing) {
   options.compression = soft_compression.back();
   options.bending_from = options.bending_to = closing.bending;
   options.gravity = 0;
-  options.pull = closing.pull;
+  options.body_attraction = closing.pull;
   options.linearization_radius = closing_linearization_radius;
   options.friction = false;
   options.barrier = true;

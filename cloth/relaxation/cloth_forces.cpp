@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "cloth/contact/body_attraction.h"
-#include "cloth/contact/crossings.h"
+#include "cloth/contact/edge_face_intersections.h"
 #include "cloth/relaxation/constants.h"
 #include "cloth/scene/collider.h"
 
@@ -189,7 +189,8 @@ const std::vector<int>& ClothForces::leave_cloth() {
   left_cloth_.clear();
   std::vector<char> crossing(vertices_->count, 0);
   std::vector<Vec3> way(model_.nodes, Vec3::Zero());
-  for (const Crossing& found : find_crossings(state(), model_.node_triangles)) {
+  for (const EdgeFaceIntersection& found :
+       find_edge_face_intersections(state(), model_.node_triangles)) {
     const double length = found.way.norm();
     const Vec3 step = crossing_step / std::max(length, min_crossing_way) * found.way;
     double squares = 0;
@@ -237,9 +238,9 @@ void ClothForces::find_attraction() {
   parallel_for_chunks(model_.nodes, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       const double weight = model_.mass[n] / static_cast<double>(vertices_->of_node[n].size()) *
-                            model_.scene.gravity.norm() * options_.pull;
+                            model_.scene.gravity.norm() * options_.body_attraction;
       for (const int v : vertices_->of_node[n]) {
-        attraction_[v] = as_vec4(pull_to_body(model_.scene, as_vec3(positions()[v]), weight));
+        attraction_[v] = as_vec4(body_attraction(model_.scene, as_vec3(positions()[v]), weight));
       }
     }
   });
@@ -251,7 +252,7 @@ void ClothForces::refresh() {
 }
 
 void ClothForces::compute() {
-  const bool attracts = options_.pull > 0 && touches_body(model_.scene);
+  const bool attracts = options_.body_attraction > 0 && touches_body(model_.scene);
   if (attracts && computed_++ % attraction_interval == 0) find_attraction();
   const Vec4s& p = positions();
   PairForces& pairs = neighbourhood_->pairs();

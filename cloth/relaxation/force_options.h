@@ -52,7 +52,7 @@ struct ForceOptions {
   /// Attraction to the skin, as a multiple of the cloth's weight; it falls to 0 at the skin [Zhong
   /// & Xu 2009, wrapping]. Without it, the middle of a wide panel stays where it was while its
   /// seams close, and folds into one sharp ridge.
-  double pull = 0;
+  double body_attraction = 0;
   bool friction = true;  ///< without it, a garment can slide down into place
   /// Keeps every node within its bound of the last search, so that surfaces that are apart stay
   /// apart. The run must begin without intersections: a tangle would be locked in.
@@ -65,7 +65,7 @@ struct ForceOptions {
   /// Moves cloth out of the body at once wherever it comes into it (BodyBarrier), for seams that
   /// close pull it through any push.
   bool barrier = false;
-  /// Draws cloth that has come through cloth back out of it (crossings.h).
+  /// Draws cloth that has come through cloth back out of it (edge_face_intersections.h).
   bool untangles = false;
   /// Keeps vertices, edges and faces of the cloth apart from those of the scene's layers, too, and
   /// within bounds of them. The run must begin without intersections with the layers.

@@ -172,7 +172,7 @@ RelaxOptions sewing() {
   options.max_iterations = 6000;
   options.bending_from = options.bending_to = 100;
   options.gravity = 0;
-  options.pull = 2;
+  options.body_attraction = 2;
   options.friction = false;
   options.bounded = true;
   options.momentum = 0.99;
