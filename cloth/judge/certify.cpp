@@ -47,19 +47,21 @@ const FrameCheck& Certificate::check(const DressFrame& frame) {
   found.body = static_cast<int>(with_body.size());
   if (layers_ != nullptr) found.layers = static_cast<int>(intersections(cloth, *layers_).size());
 
-  DisjointSets pieces(frame.points.size());
+  DisjointSets components(frame.points.size());
   for (const Triangle& t : cloth.triangles) {
-    pieces.join(t[0], t[1]);
-    pieces.join(t[0], t[2]);
+    components.join(t[0], t[1]);
+    components.join(t[0], t[2]);
   }
   std::set<int> meeting;
-  for (const TrianglePair& pair : with_body) meeting.insert(pieces.of(cloth.triangles[pair[0]][0]));
+  for (const TrianglePair& pair : with_body)
+    meeting.insert(components.of(cloth.triangles[pair[0]][0]));
   std::set<int> all;
-  for (const Triangle& t : cloth.triangles) all.insert(pieces.of(t[0]));
-  // A piece that does not meet the surface is all on one side of it, and so is any of its points.
-  for (const int piece : all) {
-    if (meeting.count(piece) != 0) continue;
-    found.inside += distance_.closest_point(frame.points[piece]).distance < 0;
+  for (const Triangle& t : cloth.triangles) all.insert(components.of(t[0]));
+  // A component that does not meet the surface is all on one side of it, and so is any of its
+  // points.
+  for (const int component : all) {
+    if (meeting.count(component) != 0) continue;
+    found.inside += distance_.closest_point(frame.points[component]).distance < 0;
   }
   return found;
 }

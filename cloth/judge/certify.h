@@ -21,7 +21,7 @@ struct FrameCheck {
   int layers = 0;        ///< of cloth and the layers below
   int self = 0;          ///< of cloth and cloth
   int across_seams = 0;  ///< of `self`: pairs that will be neighbours once the seams are closed
-  int inside = 0;        ///< pieces of cloth that meet no surface because they are inside the body
+  int inside = 0;  ///< components of cloth that meet no surface because they are inside the body
 
   bool clean() const { return body + layers + self + inside == 0; }
 };
