@@ -1,4 +1,4 @@
-// Closest points on a triangle and on two segments.
+// Closest points on a segment, on a triangle and on two segments.
 #pragma once
 
 #include <algorithm>
@@ -7,6 +7,15 @@
 #include "geometry/types.h"
 
 namespace toile {
+
+/// Share in [0, 1] of the way from a to b of the segment's point closest to p, in two dimensions or
+/// three. 0 for a segment without length.
+template <typename Vec>
+double closest_on_segment(const Vec& p, const Vec& a, const Vec& b) {
+  const Vec along = b - a;
+  const double square = along.squaredNorm();
+  return square > 0 ? std::clamp((p - a).dot(along) / square, 0.0, 1.0) : 0.0;
+}
 
 /// Barycentric weights of the point of triangle abc closest to p [Ericson 2005, Real-Time Collision
 /// Detection, 5.1.5]. A point on an edge has one weight of exactly 0, one in a corner has two.

@@ -1,12 +1,11 @@
 #include "geometry/implicit_mesh.h"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "geometry/error.h"
+#include "geometry/parallel.h"
 
 namespace toile {
 
@@ -49,7 +48,7 @@ Grid sample(const ImplicitFunction& shape, const ImplicitMeshOptions& options) {
     grid.origin[i] = middle[i] - grid.spacing * cells / 2;
   }
   grid.values.resize(static_cast<std::size_t>(grid.nodes[0]) * grid.nodes[1] * grid.nodes[2]);
-  tbb::parallel_for(0, grid.nodes[2], [&](int z) {
+  parallel_for_items(grid.nodes[2], [&](int z) {
     for (int y = 0; y < grid.nodes[1]; ++y) {
       for (int x = 0; x < grid.nodes[0]; ++x) {
         grid.values[grid.index({x, y, z})] = shape(grid.point({x, y, z}));
@@ -209,7 +208,7 @@ void even_out(const ImplicitFunction& shape, const std::vector<Quad>& quads, int
         neighbours[q[i]] += 2;
       }
     }
-    tbb::parallel_for(0, count, [&](int i) {
+    parallel_for_items(count, [&](int i) {
       const Vec3 target = last ? points[i] : Vec3((points[i] + sum[i] / neighbours[i]) / 2);
       next[i] = onto_surface(shape, target, last ? 1e-9 : tolerance);
     });

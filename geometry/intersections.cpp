@@ -1,13 +1,11 @@
 #include "geometry/intersections.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <variant>
 
+#include "geometry/parallel.h"
 #include "geometry/triangle_tree.h"
 
 namespace toile {
@@ -42,8 +40,11 @@ bool overlap(const Box& a, const Box& b) {
   return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
 }
 
+/// Triangles that a task queries.
+constexpr std::size_t triangle_grain = 256;
+
 /// The pairs (triangle of `querying`, triangle of `tree_mesh`) whose boxes meet and that pass
-/// `test`, in no order.
+/// `test`.
 template <class Test>
 std::vector<TrianglePair> pairs_that(const TriangleMesh& querying, const TriangleMesh& tree_mesh,
                                      const Test& test) {
@@ -51,23 +52,23 @@ std::vector<TrianglePair> pairs_that(const TriangleMesh& querying, const Triangl
   if (querying.triangles.empty() || tree_mesh.triangles.empty()) return pairs;
   const TriangleTree tree(tree_mesh);
   const Box all = box_of(tree_mesh);
-  tbb::enumerable_thread_specific<std::vector<TrianglePair>> found;
-  tbb::parallel_for(tbb::blocked_range<int>(0, static_cast<int>(querying.triangles.size()), 256),
-                    [&](const tbb::blocked_range<int>& range) {
-                      std::vector<TrianglePair>& here = found.local();
-                      std::vector<int> near;
-                      for (int a = range.begin(); a < range.end(); ++a) {
-                        const Box box = box_of(querying, a);
-                        // Of a body, head and legs are far from most garments.
-                        if (!overlap(box, all)) continue;
-                        near.clear();
-                        tree.meeting(box.low, box.high, near);
-                        for (const int b : near) {
-                          if (overlap(box, box_of(tree_mesh, b)) && test(a, b))
-                            here.push_back({a, b});
-                        }
-                      }
-                    });
+  const std::size_t count = querying.triangles.size();
+  std::vector<std::vector<TrianglePair>> found(chunks_of(count, triangle_grain));
+  parallel_for_ranges(count, triangle_grain, [&](std::size_t begin, std::size_t end) {
+    std::vector<int> near;
+    for (int a = static_cast<int>(begin); a < static_cast<int>(end); ++a) {
+      const Box box = box_of(querying, a);
+      // Of a body, head and legs are far from most garments.
+      if (!overlap(box, all)) continue;
+      near.clear();
+      tree.meeting(box.low, box.high, near);
+      for (const int b : near) {
+        if (overlap(box, box_of(tree_mesh, b)) && test(a, b)) {
+          found[begin / triangle_grain].push_back({a, b});
+        }
+      }
+    }
+  });
   for (const auto& some : found) pairs.insert(pairs.end(), some.begin(), some.end());
   return pairs;
 }

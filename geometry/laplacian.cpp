@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/parallel.h"
+#include "geometry/triangle_area.h"
 
 namespace toile {
 
@@ -55,8 +56,7 @@ TriangleMesh smoothed(const TriangleMesh& mesh, double length) {
   const Sparse stiffness = cotangent_laplacian(mesh);
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(n);
   for (const Triangle& t : mesh.triangles) {
-    const Vec3& a = mesh.points[t[0]];
-    const double area = (mesh.points[t[1]] - a).cross(mesh.points[t[2]] - a).norm() / 2;
+    const double area = triangle_area(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
     for (const int i : t) areas[i] += area / 3;
   }
   areas = areas.cwiseMax(std::max(least_area * areas.mean(), 1e-300)).eval();

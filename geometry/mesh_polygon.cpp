@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "geometry/angles.h"
 #include "geometry/bucket_grid.h"
 #include "geometry/polygon.h"
 #include "geometry/triangulate.h"
@@ -34,9 +35,9 @@ constexpr int smoothing_rounds = 40;
 /// Sweeps of the last pass, which raises angles.
 constexpr int raising_sweeps = 12;
 /// Radians. A point whose angles are all larger stays where smoothing put it.
-constexpr double well_shaped = 40 * std::numbers::pi / 180;
+constexpr double well_shaped = to_radians(40);
 /// Radians. An edge from border to border is flipped if both new triangles have no smaller angle.
-constexpr double crossing_angle = 20 * std::numbers::pi / 180;
+constexpr double crossing_angle = to_radians(20);
 
 double angle_of(const PlanarMesh& mesh, const Triangle& t) {
   return smallest_angle(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);

@@ -1,7 +1,9 @@
-// Parallel loops whose results don't depend on the threads: chunks have a fixed size.
+// Parallel work whose results don't depend on the threads. A task has a fixed size, and writes what
+// belongs to it alone.
 #pragma once
 
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -26,6 +28,27 @@ void parallel_for(std::size_t tasks, const Body& body) {
     return;
   }
   tbb::parallel_for(std::size_t{0}, tasks, body, tbb::static_partitioner());
+}
+
+/// Calls `body(item)` for each item in [0, items), in parallel. Threads take items from each other,
+/// which pays where their costs differ much. A single item is worth a task, if need be.
+template <typename Index, typename Body>
+void parallel_for_items(Index items, const Body& body) {
+  tbb::parallel_for(Index{0}, items, body);
+}
+
+/// Calls `body(begin, end)` for ranges of `grain` items that together cover [0, items). Threads
+/// take ranges from each other.
+template <typename Body>
+void parallel_for_ranges(std::size_t items, std::size_t grain, const Body& body) {
+  parallel_for_items(chunks_of(items, grain),
+                     [&](std::size_t c) { body(c * grain, std::min(items, (c + 1) * grain)); });
+}
+
+/// Calls all of `works`, in parallel.
+template <typename... Works>
+void parallel_invoke(const Works&... works) {
+  tbb::parallel_invoke(works...);
 }
 
 /// Calls `body(begin, end)` for ranges of vertex_chunk items that together cover [0, items).

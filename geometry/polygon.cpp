@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "geometry/closest_points.h"
+
 namespace toile {
 
 namespace {
@@ -89,10 +91,7 @@ bool inside(const std::vector<Vec2>& outline, const Vec2& point) {
 }
 
 double distance_to_segment(const Vec2& point, const Vec2& from, const Vec2& to) {
-  const Vec2 run = to - from;
-  const double square = run.squaredNorm();
-  const double along = square > 0 ? std::clamp((point - from).dot(run) / square, 0.0, 1.0) : 0;
-  return (point - from - along * run).norm();
+  return (point - from - closest_on_segment(point, from, to) * (to - from)).norm();
 }
 
 }  // namespace toile

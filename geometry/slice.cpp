@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "geometry/convex_hull.h"
+
 namespace toile {
 
 namespace {
@@ -61,28 +63,12 @@ double cross(const Vec2& o, const Vec2& a, const Vec2& b) {
   return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
 }
 
-// The perimeter of the convex hull by Andrew's monotone chain.
-double hull_length(std::vector<Vec2> points) {
-  std::sort(points.begin(), points.end(), [](const Vec2& a, const Vec2& b) {
-    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
-  });
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 2) return 0;
-  std::vector<Vec2> hull;
-  for (int pass = 0; pass < 2; ++pass) {
-    const std::size_t start = hull.size();
-    for (const Vec2& point : points) {
-      while (hull.size() >= start + 2 && cross(hull[hull.size() - 2], hull.back(), point) <= 0) {
-        hull.pop_back();
-      }
-      hull.push_back(point);
-    }
-    hull.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
+// The perimeter of the convex hull.
+double hull_length(const std::vector<Vec2>& points) {
+  const std::vector<int> hull = convex_hull(points);
   double length = 0;
   for (std::size_t i = 0; i < hull.size(); ++i) {
-    length += (hull[(i + 1) % hull.size()] - hull[i]).norm();
+    length += (points[hull[(i + 1) % hull.size()]] - points[hull[i]]).norm();
   }
   return length;
 }

@@ -2,8 +2,6 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/intersections.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_invoke.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -13,6 +11,7 @@
 #include "geometry/closest_points.h"
 #include "geometry/error.h"
 #include "geometry/half_edges.h"
+#include "geometry/parallel.h"
 #include "geometry/triangle_tree.h"
 
 namespace toile {
@@ -45,7 +44,7 @@ double beside_border(const Vec3& away, const Vec3& normal) {
 
 struct SurfaceDistance::Tree {
   explicit Tree(const TriangleMesh& surface) : mesh(surface) {
-    tbb::parallel_invoke([this] { tree.emplace(mesh); }, [this] { compute_normals(); });
+    parallel_invoke([this] { tree.emplace(mesh); }, [this] { compute_normals(); });
   }
 
   const TriangleMesh mesh;
@@ -74,7 +73,7 @@ void SurfaceDistance::Tree::compute_normals() {
   vertex_normals.assign(mesh.points.size(), Vec3::Zero());
   vertex_is_border.assign(mesh.points.size(), 0);
   std::vector<Vec3> angles(count);  // radians, at the triangles' corners
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t t) {
+  parallel_for_items(count, [&](std::size_t t) {
     const Triangle& corners = mesh.triangles[t];
     const Vec3& a = mesh.points[corners[0]];
     const Vec3& b = mesh.points[corners[1]];

@@ -1,14 +1,12 @@
 #include "geometry/triangle_tree.h"
 
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_invoke.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
 
 #include "geometry/closest_points.h"
+#include "geometry/parallel.h"
 #include "geometry/vec4.h"
 
 namespace toile {
@@ -71,8 +69,8 @@ void order_entries(Entry* begin, Entry* end, std::ptrdiff_t run) {
     order_entries(begin, middle, run / 2);
     order_entries(middle, end, run / 2);
   } else {
-    tbb::parallel_invoke([=] { order_entries(begin, middle, run / 2); },
-                         [=] { order_entries(middle, end, run / 2); });
+    parallel_invoke([=] { order_entries(begin, middle, run / 2); },
+                    [=] { order_entries(middle, end, run / 2); });
   }
 }
 
@@ -81,7 +79,7 @@ void order_entries(Entry* begin, Entry* end, std::ptrdiff_t run) {
 TriangleTree::TriangleTree(const TriangleMesh& mesh) : mesh_(mesh) {
   for (const Vec3& p : mesh.points) largest_ = std::max(largest_, p.cwiseAbs().maxCoeff());
   std::vector<Entry> entries(mesh.triangles.size());
-  tbb::parallel_for(std::size_t{0}, entries.size(), [&](std::size_t t) {
+  parallel_for_items(entries.size(), [&](std::size_t t) {
     const Triangle& c = mesh.triangles[t];
     entries[t] = {(mesh.points[c[0]] + mesh.points[c[1]] + mesh.points[c[2]]) / 3,
                   static_cast<int>(t)};
@@ -96,7 +94,7 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) : mesh_(mesh) {
   std::fill_n(&none.high[0][0], 3 * width, -infinite);
   const auto eights = [](std::size_t count) { return (count + width - 1) / width; };
   levels_.emplace_back(eights(order_.size()), none);
-  tbb::parallel_for(std::size_t{0}, order_.size(), [&](std::size_t i) {
+  parallel_for_items(order_.size(), [&](std::size_t i) {
     order_[i] = entries[i].triangle;
     Boxes& boxes = levels_.front()[i / width];
     const Triangle& corners = mesh_.triangles[order_[i]];

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/angles.h"
 #include "geometry/error.h"
 #include "io/dxf_curves.h"
 #include "io/dxf_entities.h"
@@ -243,7 +244,7 @@ class DxfReader {
       if (group.code == 10) entity.at.x() = groups_.coordinate(group);
       if (group.code == 20) entity.at.y() = groups_.coordinate(group);
       if (group.code == 50) {
-        entity.angle = std::remainder(groups_.number(group), 360) * dxf_degree;
+        entity.angle = std::remainder(groups_.number(group), 360) * radians_per_degree;
         entity.has_angle = true;
       }
       if (group.code == 1 || (paragraphs && group.code == 3)) content += text(group.value);
@@ -277,7 +278,9 @@ class DxfReader {
       if (group.code == 42) scale.y() = groups_.coordinate(group);
       if (group.code == 44) step.x() = groups_.coordinate(group);
       if (group.code == 45) step.y() = groups_.coordinate(group);
-      if (group.code == 50) entity.angle = std::remainder(groups_.number(group), 360) * dxf_degree;
+      if (group.code == 50) {
+        entity.angle = std::remainder(groups_.number(group), 360) * radians_per_degree;
+      }
       if (group.code == 70) columns = std::max(1, groups_.integer(group));
       if (group.code == 71) rows = std::max(1, groups_.integer(group));
     }

@@ -1,7 +1,6 @@
 // The curves of DXF as cubic Bezier curves.
 #pragma once
 
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -10,7 +9,6 @@
 namespace toile {
 
 /// In radians: DXF states most angles in degrees.
-constexpr double dxf_degree = std::numbers::pi / 180;
 
 /// A straight line.
 DxfCurve dxf_line(const Vec2& start, const Vec2& end);

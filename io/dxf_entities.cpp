@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/angles.h"
 #include "geometry/error.h"
 
 namespace toile {
@@ -83,8 +84,8 @@ void read_dxf_arc(const DxfGroups& file, const DxfRecord& record, DxfEntity& ent
   from = std::remainder(from, 360);
   to = from + std::fmod(std::fmod(to - from, 360) + 360, 360);
   if (record.type == "CIRCLE" || to == from) to = from + 360;
-  append_dxf_arc(entity.curves, entity.at, Vec2(radius, 0), Vec2(0, radius), from * dxf_degree,
-                 to * dxf_degree);
+  append_dxf_arc(entity.curves, entity.at, Vec2(radius, 0), Vec2(0, radius),
+                 from * radians_per_degree, to * radians_per_degree);
   if (record.type == "CIRCLE") entity.curves.back().points[3] = entity.curves.front().points[0];
 }
 

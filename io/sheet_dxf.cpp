@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cstdint>
-#include <numbers>
 #include <set>
 
+#include "geometry/angles.h"
 #include "io/sheet.h"
 #include "io/text.h"
 
@@ -177,7 +177,7 @@ class DxfWriter {
     for (const SheetMark& mark : part.marks) {
       entity("POINT", mark.layer);
       point(mark.at);
-      if (mark.angle) code(50, fixed_number(*mark.angle * 180 / std::numbers::pi, 4));
+      if (mark.angle) code(50, fixed_number(to_degrees(*mark.angle), 4));
     }
     for (const SheetText& one : part.texts) text(one, 15, true);
     entity("ENDBLK", 1);
@@ -219,7 +219,7 @@ class DxfWriter {
     point(one.at);
     millimetres(40, one.height);
     code(1, in_ascii(one.text));
-    if (one.angle != 0) code(50, fixed_number(one.angle * 180 / std::numbers::pi, 4));
+    if (one.angle != 0) code(50, fixed_number(to_degrees(one.angle), 4));
     if (!centred) return;
     code(72, "1");
     code(73, "2");

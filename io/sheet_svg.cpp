@@ -1,6 +1,6 @@
 #include <cmath>
-#include <numbers>
 
+#include "geometry/angles.h"
 #include "io/sheet.h"
 #include "io/text.h"
 
@@ -97,7 +97,7 @@ class SvgWriter {
     }
     for (const SheetMark& mark : part.marks) {
       if (mark.sign == SheetMark::Sign::none) continue;
-      const double turn = mark.angle ? -*mark.angle * 180 / std::numbers::pi : 0;
+      const double turn = mark.angle ? to_degrees(-*mark.angle) : 0;
       text_ += std::string("<use xlink:href=\"#") +
                (mark.sign == SheetMark::Sign::notch ? "notch" : "drill-hole") +
                "\" transform=\"translate(" + point(mark.at) + ") rotate(" + fixed_number(turn, 4) +
@@ -114,7 +114,7 @@ class SvgWriter {
     text_ += "<text font-size=\"" + millimetres(text.height) + "\" transform=\"translate(" +
              point(base) + ")";
     if (text.angle != 0) {
-      text_ += " rotate(" + fixed_number(-text.angle * 180 / std::numbers::pi, 3) + ")";
+      text_ += " rotate(" + fixed_number(to_degrees(-text.angle), 3) + ")";
     }
     text_ += "\">" + html_escaped(text.text) + "</text>\n";
   }

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <optional>
 #include <pugixml.hpp>
-#include <unordered_map>
 
 #include "geometry/error.h"
 #include "io/limits.h"
+#include "io/svg_document.h"
 #include "io/svg_path_data.h"
 #include "io/svg_scanner.h"
 #include "io/svg_style.h"
@@ -18,11 +18,6 @@
 namespace toile {
 
 namespace {
-
-/// User units: the frame of a drawing that states no size, as browsers have it.
-const Vec2 default_frame(300, 150);
-
-constexpr double metres_per_pixel = 0.0254 / 96;
 
 /// Of segments of all paths, copies by `use` counted.
 constexpr std::size_t max_segments = 4'000'000;
@@ -57,47 +52,22 @@ std::string url_reference(std::string_view text) {
   return local_reference(inner);
 }
 
-/// Numbers lines by their offsets in the text.
-class Lines {
- public:
-  explicit Lines(std::string_view text) {
-    for (std::size_t i = 0; i < text.size(); ++i) {
-      if (text[i] == '\n') ends_.push_back(i);
-    }
-  }
-  int at(std::ptrdiff_t offset) const {
-    const auto before = std::lower_bound(
-        ends_.begin(), ends_.end(), static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)));
-    return static_cast<int>(before - ends_.begin()) + 1;
-  }
-
- private:
-  std::vector<std::size_t> ends_;
-};
-
 class SvgReader {
  public:
-  SvgReader(std::string_view text, const std::string& name) : name_(name), lines_(text) {
-    load(text);
-  }
+  SvgReader(std::string_view text, const std::string& name) : document_(text, name) {}
 
   SvgDrawing read() {
-    const pugi::xml_node root = document_.document_element();
-    const std::string_view tag = root.name();
-    const std::size_t colon = tag.find(':');
-    if (colon != std::string_view::npos) prefix_ = std::string(tag.substr(0, colon + 1));
-    if (local_name(root) != "svg") {
-      throw Error(name_, "is no SVG: its outermost element is '" + shown_text(tag) + "'",
-                  "export the drawing as SVG");
-    }
-    survey();
+    const pugi::xml_node root = document_.root();
     for (const pugi::xml_attribute attribute : root.attributes()) {
       if (std::string_view(attribute.name()).starts_with("xmlns")) {
         drawing_.namespaces.emplace_back(attribute.value());
       }
     }
+    const SvgSize size = document_.size();
+    drawing_.metres_per_unit = size.metres_per_unit;
+    drawing_.physical = size.physical;
     State state;
-    state.frame = read_size(root);
+    state.frame = size.frame;
     const auto hidden = property(root, "display", split_words(root.attribute("class").value()));
     if (hidden != "none") {
       if (const auto given = root.attribute("transform")) {
@@ -111,152 +81,20 @@ class SvgReader {
  private:
   struct State {
     PlaneTransform to_root = PlaneTransform::Identity();
-    Vec2 frame = default_frame;  ///< what percentages are of
+    Vec2 frame = Vec2::Zero();  ///< what percentages are of
     bool visible = true;
     int group = -1;
     int use = -1;
     int depth = 0;
   };
 
-  void load(std::string_view text) {
-    if (text.size() > max_svg_bytes) {
-      throw Error(name_, "is larger than 256 MB", "is it really a pattern?");
-    }
-    const pugi::xml_parse_result done =
-        document_.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_doctype);
-    if (!done) {
-      std::string problem = done.description();
-      problem[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(problem[0])));
-      throw Error(name_ + ":" + std::to_string(lines_.at(done.offset)), "is no XML: " + problem,
-                  "save the drawing again");
-    }
-    for (const pugi::xml_node child : document_.children()) {
-      if (child.type() == pugi::node_doctype) refuse_entities(child.value());
-    }
-  }
-
-  /// No entity is ever replaced. Plain ones, as Illustrator declares them, do no harm then; a file
-  /// with others means something else than what would be read.
-  void refuse_entities(std::string_view doctype) const {
-    std::size_t at = 0;
-    while ((at = doctype.find("<!ENTITY", at)) != std::string_view::npos) {
-      const std::size_t end = std::min(doctype.find('>', at), doctype.size());
-      const std::string_view entity = doctype.substr(at, end - at);
-      if (entity.find_first_of("&%") != std::string_view::npos ||
-          entity.find("SYSTEM") != std::string_view::npos ||
-          entity.find("PUBLIC") != std::string_view::npos) {
-        throw Error(name_, "declares entities that are made of others or lie outside of the file",
-                    "save the drawing as plain SVG");
-      }
-      at = end;
-    }
-  }
-
-  /// The name of an SVG element without its prefix; empty for elements of other kinds.
   std::string_view local_name(const pugi::xml_node& node) const {
-    std::string_view tag = node.name();
-    if (!prefix_.empty() && tag.starts_with(prefix_)) return tag.substr(prefix_.size());
-    if (tag.starts_with("svg:")) return tag.substr(4);
-    return tag.find(':') == std::string_view::npos && prefix_.empty() ? tag : std::string_view();
+    return document_.local_name(node);
   }
-
-  std::string place(const pugi::xml_node& node) const {
-    std::string text =
-        name_ + ":" + std::to_string(lines_.at(node.offset_debug())) + ": " + node.name();
-    if (const auto id = node.attribute("id")) text += " '" + shown_text(id.value()) + "'";
-    return text;
-  }
-
-  /// Ids, style sheets, and how deep elements lie: before anything recurses.
-  void survey() {
-    struct Survey : pugi::xml_tree_walker {
-      SvgReader* reader = nullptr;
-      int count = 0;
-      bool for_each(pugi::xml_node& node) override {
-        if (node.type() != pugi::node_element) return true;
-        if (depth() > max_svg_depth) {
-          throw Error(reader->place(node),
-                      "lies more than " + std::to_string(max_svg_depth) + " elements deep",
-                      "ungroup the drawing");
-        }
-        if (++count > max_svg_elements) {
-          throw Error(reader->name_, "has more than 500,000 elements", "is it really a pattern?");
-        }
-        if (const auto id = node.attribute("id")) reader->by_id_.try_emplace(id.value(), node);
-        if (reader->local_name(node) == "style") {
-          for (const pugi::xml_node part : node.children()) reader->sheet_.add(part.value());
-        }
-        return true;
-      }
-    } survey;
-    survey.reader = this;
-    document_.traverse(survey);
-  }
-
-  /// Sets the size of a unit. Returns the frame that percentages are of.
-  Vec2 read_size(const pugi::xml_node& root) {
-    const std::string where = place(root);
-    const auto box = view_box(root, where);
-    Vec2 frame = box ? box->size : default_frame;
-    Vec2 pixels = frame;
-    bool stated = false;
-    const std::array<const char*, 2> names = {"width", "height"};
-    for (int k = 0; k < 2; ++k) {
-      const std::string_view text = root.attribute(names[static_cast<std::size_t>(k)]).value();
-      // A share of the window is no size.
-      if (text.empty() || text == "auto" || text.find('%') != std::string_view::npos) continue;
-      const double length = svg_length(text, 0, where);
-      if (!(length > 0)) {
-        throw Error(where,
-                    "its " + std::string(names[static_cast<std::size_t>(k)]) + " is not above 0",
-                    "correct it");
-      }
-      // One of the two gives the other by the proportions of the view box.
-      if (box && !stated) pixels *= length / pixels[k];
-      pixels[k] = length;
-      if (!box && !stated) pixels[1 - k] = length;
-      stated = true;
-      if (svg_physical_length(text)) drawing_.physical = true;
-    }
-    drawing_.metres_per_unit = Vec2(metres_per_pixel, metres_per_pixel);
-    if (box) {
-      const PlaneTransform view = svg_view_transform(
-          box->corner, box->size, pixels, root.attribute("preserveAspectRatio").value(), where);
-      drawing_.metres_per_unit = metres_per_pixel * Vec2(view.matrix()(0, 0), view.matrix()(1, 1));
-    } else if (stated) {
-      frame = pixels;
-    }
-    return frame;
-  }
-
-  struct Box {
-    Vec2 corner;
-    Vec2 size;
-  };
-  static std::optional<Box> view_box(const pugi::xml_node& node, const std::string& where) {
-    const auto given = node.attribute("viewBox");
-    if (!given) return std::nullopt;
-    SvgScanner scanner(given.value(), where);
-    std::array<double, 4> values{};
-    for (double& value : values) value = scanner.number();
-    if (!(values[2] > 0) || !(values[3] > 0) || !scanner.at_end()) {
-      throw Error(where, "its viewBox '" + shown_text(given.value()) + "' has no size",
-                  "give it four numbers, the last two above 0");
-    }
-    return Box{{values[0], values[1]}, {values[2], values[3]}};
-  }
-
-  /// What the style of an element says, else a style sheet, else an attribute; empty: nothing.
+  std::string place(const pugi::xml_node& node) const { return document_.place(node); }
   std::string property(const pugi::xml_node& node, const char* name,
                        const std::vector<std::string>& classes) const {
-    if (const auto style = node.attribute("style")) {
-      if (const auto value = declared(style.value(), name)) return *value;
-    }
-    if (const auto value =
-            sheet_.find(name, local_name(node), node.attribute("id").value(), classes)) {
-      return *value;
-    }
-    return node.attribute(name).value();
+    return document_.property(node, name, classes);
   }
 
   double length(const pugi::xml_node& node, const char* name, double whole,
@@ -357,7 +195,7 @@ class SvgReader {
   bool enter_view(const pugi::xml_node& node, const Vec2& frame, State& state) const {
     if (!(frame.minCoeff() > 0)) return false;
     state.frame = frame;
-    if (const auto box = view_box(node, place(node))) {
+    if (const auto box = document_.view_box(node)) {
       state.to_root =
           state.to_root * svg_view_transform(box->corner, box->size, frame,
                                              node.attribute("preserveAspectRatio").value(),
@@ -377,12 +215,11 @@ class SvgReader {
 
   void use(const pugi::xml_node& node, State state) {
     const std::string target = local_reference(href_of(node));
-    const auto found = by_id_.find(target);
-    if (found == by_id_.end()) {
+    const pugi::xml_node drawn = document_.find(target);
+    if (!drawn) {
       ++drawing_.ignored["use of what is not in the file"];
       return;
     }
-    const pugi::xml_node drawn = found->second;
     if (std::find(in_use_.begin(), in_use_.end(), drawn) != in_use_.end() ||
         is_within(node, drawn)) {
       throw Error(place(node), "draws '" + shown_text(target) + "', which draws itself by it",
@@ -515,7 +352,7 @@ class SvgReader {
     shape.marker_end = marker(node, "marker-end");
     shape.group = state.group;
     shape.use = state.use;
-    shape.line = lines_.at(node.offset_debug());
+    shape.line = document_.line(node);
     drawing_.shapes.push_back(std::move(shape));
   }
 
@@ -540,12 +377,7 @@ class SvgReader {
     drawing_.texts.push_back(std::move(text));
   }
 
-  const std::string& name_;
-  Lines lines_;
-  pugi::xml_document document_;
-  std::string prefix_;  ///< of the file's SVG elements, with its colon; empty: none
-  std::unordered_map<std::string, pugi::xml_node> by_id_;
-  SvgStyleSheet sheet_;
+  SvgDocument document_;
   SvgDrawing drawing_;
   std::vector<pugi::xml_node> in_use_;
   int drawn_ = 0;

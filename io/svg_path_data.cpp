@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/angles.h"
 #include "io/svg_scanner.h"
 
 namespace toile {
@@ -166,7 +167,7 @@ class PathReader {
       case 'A': {
         const double rx = scanner_.number();
         const double ry = scanner_.number();
-        const double tilt = scanner_.number() * pi / 180;
+        const double tilt = to_radians(scanner_.number());
         const bool large = scanner_.flag();
         const bool positive = scanner_.flag();
         const Vec2 to = point(relative);

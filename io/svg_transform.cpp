@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
+#include "geometry/angles.h"
 #include "geometry/error.h"
 #include "io/svg_scanner.h"
 #include "io/text.h"
@@ -13,8 +13,6 @@
 namespace toile {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 PlaneTransform matrix(const std::array<double, 6>& columns) {
   PlaneTransform transform;
@@ -38,13 +36,17 @@ PlaneTransform one_transform(std::string_view name, const std::vector<double>& g
     return matrix({given[0], 0, 0, value(1, given[0]), 0, 0});
   }
   if (name == "rotate" && (count == 1 || count == 3)) {
-    const double c = std::cos(given[0] * degree);
-    const double s = std::sin(given[0] * degree);
+    const double c = std::cos(given[0] * radians_per_degree);
+    const double s = std::sin(given[0] * radians_per_degree);
     return translation(value(1, 0), value(2, 0)) * matrix({c, s, -s, c, 0, 0}) *
            translation(-value(1, 0), -value(2, 0));
   }
-  if (name == "skewX" && count == 1) return matrix({1, 0, std::tan(given[0] * degree), 1, 0, 0});
-  if (name == "skewY" && count == 1) return matrix({1, std::tan(given[0] * degree), 0, 1, 0, 0});
+  if (name == "skewX" && count == 1) {
+    return matrix({1, 0, std::tan(given[0] * radians_per_degree), 1, 0, 0});
+  }
+  if (name == "skewY" && count == 1) {
+    return matrix({1, std::tan(given[0] * radians_per_degree), 0, 1, 0, 0});
+  }
   scanner.fail("the transform '" + shown_text(name) + "' with " + std::to_string(count) +
                " numbers is unknown");
 }

@@ -131,4 +131,8 @@ std::string fixed_number(double value, int decimals) {
   return text;
 }
 
+std::string centimetres(double metres, int decimals) {
+  return fixed_number(100 * metres, decimals) + " cm";
+}
+
 }  // namespace toile

@@ -31,4 +31,7 @@ void append_number(std::string& text, double value);
 /// reports and messages show numbers to people.
 std::string fixed_number(double value, int decimals);
 
+/// A length in metres as people read it: "12.3 cm".
+std::string centimetres(double metres, int decimals);
+
 }  // namespace toile

@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <iterator>
 #include <map>
 #include <numbers>
 
+#include "geometry/angles.h"
 #include "geometry/error.h"
 #include "geometry/polygon.h"
+#include "io/text.h"
 #include "pattern/constants.h"
 #include "pattern/outline_polygon.h"
 #include "pattern/sewn_corners.h"
@@ -17,12 +18,6 @@
 namespace toile {
 
 namespace {
-
-std::string centimetres(double length) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.2f cm", length * 100);
-  return text;
-}
 
 /// Throws Error where two straight edges leave less cloth between them than a needle. No mesh of
 /// the panel could do without that angle.
@@ -47,7 +42,7 @@ void check_corners(const PatternPanel& panel, bool counter_clockwise,
     if (angle <= 0 || angle >= needle_angle) continue;
     throw Error(place(step.edge),
                 "meets edge " + std::to_string(next.edge) + " at " +
-                    number_text(angle * 180 / std::numbers::pi, 2) + " degrees",
+                    number_text(to_degrees(angle), 2) + " degrees",
                 "no triangle fits into that corner; widen it or cut it off");
   }
 }
@@ -81,11 +76,7 @@ double length_of(const Pattern& pattern, const EdgeRef& ref) {
       .curve.length();
 }
 
-std::string times(double ratio) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f : 1", ratio);
-  return text;
-}
+std::string times(double ratio) { return fixed_number(ratio, 2) + " : 1"; }
 
 /// The sewn corner at each end of every stitch, by number: stitches that share one meet there.
 std::vector<std::array<int, 2>> ends_of(const Pattern& pattern) {
@@ -165,16 +156,16 @@ void remark_on_lengths(const Pattern& pattern, std::vector<Remark>& remarks) {
       double lengths[2] = {0, 0};
       for (const EdgeRef& ref : longer) lengths[0] += length_of(pattern, ref);
       for (const EdgeRef& ref : shorter) lengths[1] += length_of(pattern, ref);
-      std::string sides = edges_named(pattern, longer) + " (" + centimetres(lengths[0]) + ") " +
+      std::string sides = edges_named(pattern, longer) + " (" + centimetres(lengths[0], 2) + ") " +
                           (line.size() > 1 ? "are" : "is") + " sewn to " +
-                          edges_named(pattern, shorter) + " (" + centimetres(lengths[1]) + "), " +
-                          times(lengths[0] / lengths[1]);
+                          edges_named(pattern, shorter) + " (" + centimetres(lengths[1], 2) +
+                          "), " + times(lengths[0] / lengths[1]);
       if (line.size() > max_named_seams) {
         const double a = length_of(pattern, worst_longer);
         const double b = length_of(pattern, worst_shorter);
-        sides = edge_name(pattern, worst_longer) + " (" + centimetres(a) + ") is sewn to " +
-                edge_name(pattern, worst_shorter) + " (" + centimetres(b) + "), " + times(a / b) +
-                ", the most unequal of " + std::to_string(line.size()) +
+        sides = edge_name(pattern, worst_longer) + " (" + centimetres(a, 2) + ") is sewn to " +
+                edge_name(pattern, worst_shorter) + " (" + centimetres(b, 2) + "), " +
+                times(a / b) + ", the most unequal of " + std::to_string(line.size()) +
                 " seams in a line, together " + times(lengths[0] / lengths[1]);
       }
       remarks.push_back(
@@ -191,9 +182,9 @@ void remark_on_lengths(const Pattern& pattern, std::vector<Remark>& remarks) {
       continue;
     }
     remarks.push_back({true, pattern.source + ": " + edge_name(pattern, stitch.a) + " (" +
-                                 centimetres(length_of(pattern, stitch.a)) + ") and " +
+                                 centimetres(length_of(pattern, stitch.a), 2) + ") and " +
                                  edge_name(pattern, stitch.b) + " (" +
-                                 centimetres(length_of(pattern, stitch.b)) + ") are drawn " +
+                                 centimetres(length_of(pattern, stitch.b), 2) + ") are drawn " +
                                  times(ratio) + ", but declared gathered " +
                                  times(stitch.fullness)});
   }

@@ -1,7 +1,7 @@
 // Constants of patterns and their meshes.
 #pragma once
 
-#include <numbers>
+#include "geometry/angles.h"
 
 namespace toile {
 
@@ -73,7 +73,7 @@ inline constexpr double outline_step_tolerance = 0.15;
 
 /// Radians that a curve turns at most within one step of the coarsest level, as far as
 /// `max_step_refinement` allows it.
-inline constexpr double max_turn_per_step = 35 * std::numbers::pi / 180;
+inline constexpr double max_turn_per_step = to_radians(35);
 
 /// A curve that turns sharply gets at most this many times the steps that its length asks for.
 inline constexpr int max_step_refinement = 3;
@@ -82,16 +82,16 @@ inline constexpr int max_step_refinement = 3;
 inline constexpr int max_steps_of_short_curve = 12;
 
 /// Radians: triangles with a smaller angle are needles, and no ground to simulate on.
-inline constexpr double needle_angle = 3 * std::numbers::pi / 180;
+inline constexpr double needle_angle = to_radians(3);
 
 /// Radians: a corner that a curve makes as sharp as a needle is opened to this angle.
-inline constexpr double opened_corner = 5 * std::numbers::pi / 180;
+inline constexpr double opened_corner = to_radians(5);
 
 /// Radians: edges that overlap by more beside a corner cross each other.
-inline constexpr double max_corner_overlap = 10 * std::numbers::pi / 180;
+inline constexpr double max_corner_overlap = to_radians(10);
 
 /// Radians: points of finer levels stay at the middles of edges unless an angle is smaller.
-inline constexpr double acceptable_angle = 25 * std::numbers::pi / 180;
+inline constexpr double acceptable_angle = to_radians(25);
 
 /// Triangles of a garment at most.
 inline constexpr double max_garment_triangles = 2e6;

@@ -2,11 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
-#include <map>
-#include <numbers>
 #include <optional>
 
+#include "geometry/angles.h"
 #include "geometry/error.h"
 #include "io/json_value.h"
 #include "io/json_words.h"
@@ -14,6 +12,7 @@
 #include "io/output_file.h"
 #include "pattern/attachment_json.h"
 #include "pattern/constants.h"
+#include "pattern/edge_json.h"
 #include "pattern/placement_json.h"
 #include "pattern/schematic_figure.h"
 #include "pattern/seam_order.h"
@@ -23,13 +22,6 @@
 namespace toile {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
-
-Vec2 pair(const JsonValue& value) {
-  value.size(2, 2);
-  return {value.item(0).number(), value.item(1).number()};
-}
 
 Vec3 triple(const JsonValue& value) {
   value.size(3, 3);
@@ -64,19 +56,8 @@ class Reader {
  private:
   void note(const std::string& text) { remarks_.push_back({false, text}); }
 
-  static void refuse_more(const JsonValue& list, std::size_t count, int max,
-                          const std::string& what) {
-    if (count <= static_cast<std::size_t>(max)) return;
-    list.fail("has " + std::to_string(count) + " " + what + ", more than " + std::to_string(max),
-              "is it really a garment? join short edges to curves");
-  }
-
   void unread(const JsonValue& value, const std::vector<std::string>& known) {
-    for (const std::string& key : value.keys()) {
-      if (std::find(known.begin(), known.end(), key) == known.end()) {
-        note(value.place() + ": key " + in_quotes(key) + " is not read");
-      }
-    }
+    note_unread(value, known, remarks_);
   }
 
   void properties(const JsonValue& top) {
@@ -90,7 +71,7 @@ class Reader {
     if (const auto units = given->find("units_in_meter")) {
       const double value = units->number();
       if (value < 1e-3 || value > 1e6) units->fail("is not between 0.001 and 1,000,000");
-      unit_ = 1 / value;
+      frame_.unit = 1 / value;
     } else {
       note(pattern_.source + ": no 'units_in_meter'; lengths are taken as centimetres");
     }
@@ -99,7 +80,7 @@ class Reader {
       if (kind != "relative" && kind != "absolute") {
         coordinates->fail(in_quotes(kind) + " is unknown", "use 'relative' or 'absolute'");
       }
-      absolute_ = kind == "absolute";
+      frame_.absolute_controls = kind == "absolute";
     }
     if (const auto normalize = given->find("normalize_panel_translation")) {
       centre_panels_ = normalize->flag();
@@ -134,14 +115,6 @@ class Reader {
     }
   }
 
-  Vec2 metres(const JsonValue& point) const {
-    Vec2 value = pair(point) * unit_;
-    if (value.cwiseAbs().maxCoeff() > max_metres) {
-      point.fail("lies more than a kilometre away", "check 'units_in_meter'");
-    }
-    return value;
-  }
-
   void panel(const std::string& name, const JsonValue& value) {
     unread(value, {"translation", "rotation", "vertices", "edges", "label", "placement", "grain",
                    "fabric", "attach", "notches", "internal_lines", "cut_outs", "drill_holes",
@@ -149,45 +122,49 @@ class Reader {
     PatternPanel panel;
     panel.name = name;
     if (const auto translation = value.find("translation")) {
-      panel.translation = triple(*translation) * unit_;
+      panel.translation = triple(*translation) * frame_.unit;
       if (panel.translation.cwiseAbs().maxCoeff() > max_metres) {
         translation->fail("is more than a kilometre", "check 'units_in_meter'");
       }
       panel.origin = panel.translation;
     }
     if (const auto rotation = value.find("rotation")) {
-      const Vec3 angles = triple(*rotation) * degree;
+      const Vec3 angles = triple(*rotation) * radians_per_degree;
       panel.rotation = (Eigen::AngleAxisd(angles.z(), Vec3::UnitZ()) *
                         Eigen::AngleAxisd(angles.y(), Vec3::UnitY()) *
                         Eigen::AngleAxisd(angles.x(), Vec3::UnitX()))
                            .toRotationMatrix();
     }
-    if (const auto grain = value.find("grain")) panel.grain = grain->number() * degree;
+    if (const auto grain = value.find("grain")) panel.grain = grain->number() * radians_per_degree;
     if (const auto fabric = value.find("fabric")) panel.fabric = fabric->text();
     if (const auto label = value.find("label")) panel.label = label->text();
     if (const auto placement = value.find("placement")) {
       panel.part = read_part(*placement);
-      panel.placement = read_placement(*placement, panel.part, unit_);
+      panel.placement = read_placement(*placement, panel.part, frame_.unit);
     }
 
     const JsonValue vertices = value.get("vertices");
     const std::size_t count = vertices.size(2);
     std::vector<Vec2> points;
-    for (std::size_t i = 0; i < count; ++i) points.push_back(metres(vertices.item(i)));
+    for (std::size_t i = 0; i < count; ++i)
+      points.push_back(read_point(vertices.item(i), frame_.unit));
     if (centre_panels_) {
       Vec2 centre = Vec2::Zero();
       for (const Vec2& point : points) centre += point / static_cast<double>(count);
       for (Vec2& point : points) point -= centre;
       panel.translation += Vec3(centre.x(), centre.y(), 0);
-      offset_ = centre;
+      frame_.origin = centre;
       if (panel.placement.level)
         *panel.placement.level -= upright(panel.placement.axis, centre).y();
     }
-    edges(panel, value.get("edges"), points);
+    PanelEdges read = read_edges(value.get("edges"), points, frame_,
+                                 pattern_.source + ": panel " + in_quotes(name), remarks_);
+    panel.edges = std::move(read.edges);
+    panel.outline = std::move(read.outline);
     marks(panel, value, points);
     if (const auto attach = value.find("attach")) {
       panel.attachments = read_panel_attachments(attach->called(value.place() + ", attach"),
-                                                 value.get("edges"), unit_);
+                                                 value.get("edges"), frame_.unit);
     }
     if (panel.placement.by_part()) {
       for (const char* key : {"translation", "rotation"}) {
@@ -210,15 +187,17 @@ class Reader {
         PanelNotch notch;
         notch.vertex = entry.get("vertex").index(static_cast<int>(points.size()));
         notch.at = points[static_cast<std::size_t>(notch.vertex)];
-        if (const auto angle = entry.find("angle")) notch.angle = angle->number() * degree;
+        if (const auto angle = entry.find("angle")) {
+          notch.angle = angle->number() * radians_per_degree;
+        }
         panel.notches.push_back(notch);
       }
     }
-    const Vec2 origin = centre_panels_ ? offset_ : Vec2::Zero();
     const auto drawn = [&](const JsonValue& list, std::size_t least) {
       std::vector<Vec2> line;
       const std::size_t count = list.size(least);
-      for (std::size_t i = 0; i < count; ++i) line.push_back(metres(list.item(i)) - origin);
+      for (std::size_t i = 0; i < count; ++i)
+        line.push_back(read_point(list.item(i), frame_.unit) - frame_.origin);
       return line;
     };
     const auto lines = [&](const char* key, std::size_t least, std::vector<std::vector<Vec2>>& to) {
@@ -249,150 +228,6 @@ class Reader {
            " internal lines, " + std::to_string(panel.cut_outs.size()) + " cut-outs and " +
            std::to_string(panel.drill_holes.size()) + " drill holes are not meshed");
     }
-  }
-
-  void edges(PatternPanel& panel, const JsonValue& list, const std::vector<Vec2>& points) {
-    const std::string place = pattern_.source + ": panel " + in_quotes(panel.name);
-    const std::size_t count = list.size(2);
-    refuse_more(list.called(place), count, max_panel_edges, "edges");
-    std::vector<std::array<int, 2>> ends;
-    for (std::size_t i = 0; i < count; ++i) {
-      const JsonValue edge = list.item(i).called(place + ", edge " + std::to_string(i));
-      unread(edge, {"endpoints", "curvature", "label", "elastic"});
-      const JsonValue endpoints = edge.get("endpoints");
-      endpoints.size(2, 2);
-      std::array<int, 2> pair{};
-      for (std::size_t k = 0; k < 2; ++k) {
-        pair[k] = endpoints.item(k).index();
-        if (pair[k] >= static_cast<int>(points.size())) {
-          edge.fail("names vertex " + std::to_string(pair[k]) + ", but the panel has " +
-                    std::to_string(points.size()));
-        }
-      }
-      if (pair[0] == pair[1]) edge.fail("starts and ends at the same vertex", "split it in two");
-      ends.push_back(pair);
-      PatternEdge read{curve(edge, points[static_cast<std::size_t>(pair[0])],
-                             points[static_cast<std::size_t>(pair[1])]),
-                       ""};
-      if (const auto label = edge.find("label")) read.label = label->text();
-      if (const auto given = edge.find("elastic")) read.elastic = elastic(*given);
-      panel.edges.push_back(std::move(read));
-    }
-    panel.outline = loop(place, ends);
-  }
-
-  Elastic elastic(const JsonValue& value) {
-    unread(value, {"ratio", "stiffness_N"});
-    Elastic elastic;
-    const JsonValue ratio = value.get("ratio");
-    elastic.ratio = ratio.number();
-    if (!(elastic.ratio >= 0.1 && elastic.ratio <= 1)) {
-      ratio.fail("is not between 0.1 and 1", "it is the elastic's length at rest over the edge's");
-    }
-    const auto stiffness = value.find("stiffness_N");
-    elastic.stiffness = stiffness ? stiffness->number() : usual_elastic_stiffness;
-    if (!(elastic.stiffness > 0 && elastic.stiffness <= 1e4)) {
-      stiffness->fail("is not between 0 and 10,000 N", "a waistband's is some 20");
-    }
-    return elastic;
-  }
-
-  /// Walks the edges from the first one into one closed loop.
-  static std::vector<OutlineStep> loop(const std::string& place,
-                                       const std::vector<std::array<int, 2>>& ends) {
-    std::map<int, std::vector<int>> at_vertex;
-    for (std::size_t e = 0; e < ends.size(); ++e) {
-      for (const int vertex : ends[e]) at_vertex[vertex].push_back(static_cast<int>(e));
-    }
-    for (const auto& [vertex, meeting] : at_vertex) {
-      if (meeting.size() == 2) continue;
-      throw Error(
-          place + ", edge " + std::to_string(meeting.front()),
-          std::to_string(meeting.size()) + " edges meet at vertex " + std::to_string(vertex),
-          "an outline is one closed loop, two edges at each of its vertices");
-    }
-    std::vector<OutlineStep> steps;
-    int edge = 0;
-    int vertex = ends[0][0];
-    do {
-      const auto& pair = ends[static_cast<std::size_t>(edge)];
-      const bool forward = pair[0] == vertex;
-      steps.push_back({edge, forward});
-      vertex = forward ? pair[1] : pair[0];
-      const auto& meeting = at_vertex[vertex];
-      edge = meeting[0] == edge ? meeting[1] : meeting[0];
-    } while (edge != 0 && steps.size() <= ends.size());
-    if (steps.size() != ends.size()) {
-      std::vector<bool> walked(ends.size(), false);
-      for (const OutlineStep& step : steps) walked[static_cast<std::size_t>(step.edge)] = true;
-      const auto missed = std::find(walked.begin(), walked.end(), false) - walked.begin();
-      throw Error(place + ", edge " + std::to_string(missed), "belongs to a second loop",
-                  "a panel has one outline; holes are not read");
-    }
-    return steps;
-  }
-
-  EdgeCurve curve(const JsonValue& edge, const Vec2& start, const Vec2& end) {
-    const auto curvature = edge.find("curvature");
-    if (!curvature) return EdgeCurve::line(start, end);
-    // The first generation of the format knew one kind of curve: a lone quadratic control point.
-    if (curvature->is_array()) {
-      return EdgeCurve::quadratic(start, control(*curvature, start, end), end);
-    }
-    unread(*curvature, {"type", "params"});
-    const JsonValue type = curvature->get("type");
-    const std::string kind = type.text();
-    const JsonValue params = curvature->get("params");
-    if (kind == "quadratic") {
-      params.size(1, 1);
-      return EdgeCurve::quadratic(start, control(params.item(0), start, end), end);
-    }
-    if (kind == "cubic") {
-      params.size(2, 2);
-      return EdgeCurve::cubic(start, control(params.item(0), start, end),
-                              control(params.item(1), start, end), end);
-    }
-    if (kind == "cubics") return chain(params, start, end);
-    if (kind != "circle") {
-      type.fail(in_quotes(kind) + " is unknown", "use quadratic, cubic, cubics or circle");
-    }
-    params.size(3, 3);
-    const double radius = params.item(0).number() * unit_;
-    if (!(radius > 0) || radius > 1e6) params.item(0).fail("is no radius");
-    const double half = (end - start).norm() / 2;
-    if (radius < half * (1 - radius_note_threshold)) {
-      note(edge.place() + ": the circle's radius is too short to reach; half the chord is taken");
-    }
-    return EdgeCurve::arc(start, end, radius, params.item(1).flag(), params.item(2).flag());
-  }
-
-  /// Cubic curves that follow each other: two control points of each, and the joints between.
-  EdgeCurve chain(const JsonValue& params, const Vec2& start, const Vec2& end) const {
-    const std::size_t count = params.size(2, 3 * static_cast<std::size_t>(max_chain_curves) - 1);
-    if (count % 3 != 2) {
-      params.fail("has " + std::to_string(count) + " points instead of 2, 5, 8 and so on",
-                  "give two control points for each curve, and the joints between");
-    }
-    std::vector<EdgeCurve> parts;
-    for (std::size_t i = 0; i < count; i += 3) {
-      const Vec2 from = parts.empty() ? start : parts.back().end();
-      const Vec2 to = i + 2 < count ? control(params.item(i + 2), start, end) : end;
-      if (from == to) params.fail("has a curve that ends where it starts", "remove it");
-      parts.push_back(EdgeCurve::cubic(from, control(params.item(i), start, end),
-                                       control(params.item(i + 1), start, end), to));
-    }
-    return EdgeCurve::chain(std::move(parts));
-  }
-
-  /// A control point in metres. The file states it in the panel's drawing or in the frame of the
-  /// edge. That frame has the start at 0, the end at (1, 0) and y to its left.
-  Vec2 control(const JsonValue& value, const Vec2& start, const Vec2& end) const {
-    if (absolute_) return metres(value) - offset_;
-    const Vec2 relative = pair(value);
-    const Vec2 run = end - start;
-    Vec2 point = start + relative.x() * run + relative.y() * Vec2(-run.y(), run.x());
-    if (!(point.cwiseAbs().maxCoeff() <= max_metres)) value.fail("lies more than a kilometre away");
-    return point;
   }
 
   static JsonValue side_of(const JsonValue& stitch, std::size_t which) {
@@ -460,11 +295,9 @@ class Reader {
 
   std::vector<Remark>& remarks_;
   Pattern pattern_;
-  double unit_ = 0.01;
-  bool absolute_ = false;
+  DrawingFrame frame_;
   bool centre_panels_ = false;
   bool end_to_start_ = false;  ///< GarmentCode's convention of seam directions holds
-  Vec2 offset_ = Vec2::Zero();
 };
 
 }  // namespace

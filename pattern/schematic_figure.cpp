@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <string>
+
+#include "geometry/angles.h"
 
 namespace toile {
 
@@ -48,7 +49,7 @@ void stand_schematically(PatternPanel& panel) {
   joint = joint.substr(joint.find('_') + 1);  // npos + 1 is 0
   const double middle = (low.x() + high.x()) / 2 - placement.shift;
   const double level = placement.level.value_or(high.y());
-  const double angle = degrees_around(placement, panel.part) * std::numbers::pi / 180;
+  const double angle = to_radians(degrees_around(placement, panel.part));
   Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
   for (int i = 0; i < 2; ++i) {
     turned.col(i).head<2>() = upright(placement.axis, Vec2::Unit(i));

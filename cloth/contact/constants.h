@@ -78,7 +78,7 @@ inline constexpr double neighbour_gap_share = 0.25;
 /// before the next search.
 inline constexpr double neighbour_force_range = 3;
 
-// Crossings (crossings.h).
+// Edges that pass through faces (edge_face_intersections.h).
 
 /// Sine of the angle between an edge and the face that it passes through, at least. A flatter edge
 /// would have a way out that is too long.

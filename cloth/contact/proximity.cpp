@@ -1,8 +1,5 @@
 #include "cloth/contact/proximity.h"
 
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_invoke.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -57,10 +54,9 @@ std::vector<SphereGrid::Shape> shapes_of(const std::vector<Item>& items,
 template <typename NearPairs, typename Search>
 NearPairs search_in_chunks(std::size_t items, const Search& search) {
   std::vector<NearPairs> found(chunks_of(items, chunk));
-  tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t c) {
-    const std::size_t end = std::min((c + 1) * chunk, items);
+  parallel_for_ranges(items, chunk, [&](std::size_t begin, std::size_t end) {
     SphereGrid::Scratch scratch;
-    for (std::size_t item = c * chunk; item < end; ++item) search(item, scratch, found[c]);
+    for (std::size_t item = begin; item < end; ++item) search(item, scratch, found[begin / chunk]);
   });
   NearPairs all;
   for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
@@ -294,11 +290,11 @@ ProximitySearch::NearPairs ProximitySearch::near_pairs(const Query& query) const
   NearPairs all;
   NearPairs of_others;
   NearPairs of_edges;
-  tbb::parallel_invoke([&] { all = triangles_near_vertices(query); },
-                       [&] {
-                         if (!query.wanted.empty()) of_others = others_near_wanted_triangles(query);
-                       },
-                       [&] { of_edges = edges_near_edges(query); });
+  parallel_invoke([&] { all = triangles_near_vertices(query); },
+                  [&] {
+                    if (!query.wanted.empty()) of_others = others_near_wanted_triangles(query);
+                  },
+                  [&] { of_edges = edges_near_edges(query); });
   all.insert(all.end(), of_others.begin(), of_others.end());
   all.insert(all.end(), of_edges.begin(), of_edges.end());
   return all;

@@ -6,12 +6,13 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <sstream>
 
 #include "cloth/dressing/constants.h"
 #include "geometry/border_loops.h"
+#include "geometry/closest_points.h"
 #include "geometry/polygon.h"
 #include "geometry/triangle_tree.h"
+#include "io/text.h"
 
 namespace toile {
 
@@ -65,9 +66,7 @@ class EarlierPanel {
     Vec2 nearest = p;
     double least = std::numeric_limits<double>::infinity();
     for (const auto& [from, to] : outline_) {
-      const Vec2 along = to - from;
-      const double share = std::clamp((p - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-      const Vec2 at = from + share * along;
+      const Vec2 at = from + closest_on_segment(p, from, to) * (to - from);
       if ((p - at).norm() < least) {
         least = (p - at).norm();
         nearest = at;
@@ -173,13 +172,6 @@ std::vector<Vec2> shift_to_seams(const PanelMesh& garment, const MeshedPanel& pa
   return shifts;
 }
 
-std::string centimetres(double metres) {
-  std::ostringstream text;
-  text.precision(1);
-  text << std::fixed << 100 * metres << " cm";
-  return text.str();
-}
-
 /// The first panel that only one of the two has, in words; empty: there is none.
 std::string other_panel(const DressedGarment& earlier, const PanelMesh& garment) {
   for (const MeshedPanel& panel : garment.panels) {
@@ -201,7 +193,7 @@ std::string open_seam(const PanelMesh& garment, const std::vector<Vec3>& points)
     for (std::size_t i = 0; i < seam.a.size(); ++i) {
       const double gap = (points[seam.a[i]] - points[seam.b[i]]).norm();
       if (!(gap <= max_carried_gap)) {
-        return "the sides of seam " + seam.name + " are " + centimetres(gap) + " apart";
+        return "the sides of seam " + seam.name + " are " + centimetres(gap, 1) + " apart";
       }
     }
   }
@@ -237,7 +229,7 @@ CarriedDrape carry_drape(const DressedGarment& earlier, const PanelMesh& garment
       points[panel.first_point + own] = before.worn_point(nearest, flat);
     }
     if (!(carried.outside <= max_carried_outside)) {
-      carried.refusal = "panel '" + panel.name + "' reaches " + centimetres(carried.outside) +
+      carried.refusal = "panel '" + panel.name + "' reaches " + centimetres(carried.outside, 1) +
                         " beyond what it was";
       return carried;
     }

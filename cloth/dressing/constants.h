@@ -93,9 +93,9 @@ inline constexpr double slid_off_fall = 0.06;
 /// lifted by a third of that at most.
 inline constexpr double fallen_off_drop = 0.6;
 
-/// Pairs of triangles that may still cross on the coarsest mesh for the garment to be brought to
-/// rest. What is tangled more ends `intersecting` at once.
-inline constexpr std::size_t max_hopeful_crossings = 20;
+/// Pairs of triangles that may still intersect on the coarsest mesh for the garment to be brought
+/// to rest. What is tangled more ends `intersecting` at once.
+inline constexpr std::size_t max_hopeful_intersections = 20;
 
 /// Metres: the tightest curves of a body. They set how far nodes keep off, so that the faces
 /// between them clear the skin. edge_contact_radius, which is smaller, decides which edges are

@@ -39,9 +39,10 @@ class CoupledRelaxation {
       model_.body_offset = std::max(model_.body_offset, worn.body_offset);
       first_.push_back(static_cast<int>(start_.size()));
       start_.insert(start_.end(), worn.nodes.begin(), worn.nodes.end());
-      warm_start_.skin.insert(warm_start_.skin.end(), worn.warm_start.skin.begin(),
-                              worn.warm_start.skin.end());
-      warm_start_.skin.resize(start_.size());
+      warm_start_.skin_anchors.insert(warm_start_.skin_anchors.end(),
+                                      worn.warm_start.skin_anchors.begin(),
+                                      worn.warm_start.skin_anchors.end());
+      warm_start_.skin_anchors.resize(start_.size());
       take_over(worn);
       warm_start_.multipliers.insert(warm_start_.multipliers.end(),
                                      worn.warm_start.multipliers.begin(),
@@ -87,14 +88,14 @@ class CoupledRelaxation {
   /// left out: its nodes have other numbers now.
   void take_over(const WornGarment& worn) {
     const int nodes = static_cast<int>(worn.nodes.size());
-    for (EdgeAnchor anchor : worn.warm_start.edges) {
+    for (EdgeAnchor anchor : worn.warm_start.edge_anchors) {
       for (int& v : anchor.edge) v += first_.back();
-      warm_start_.edges.push_back(anchor);
+      warm_start_.edge_anchors.push_back(anchor);
     }
-    for (PairAnchor anchor : worn.warm_start.cloth) {
+    for (PairAnchor anchor : worn.warm_start.pair_anchors) {
       if (std::ranges::max(anchor.vertices) >= nodes) continue;
       for (int& v : anchor.vertices) v += first_.back();
-      warm_start_.cloth.push_back(anchor);
+      warm_start_.pair_anchors.push_back(anchor);
     }
   }
 
@@ -104,7 +105,6 @@ class CoupledRelaxation {
     RelaxOptions options;
     set_forces(options);
     options.warm_start = &state.warm_start;
-    options.multipliers = &state.warm_start.multipliers;
     ask_for_rest(options_, options);
     const std::string name = "relax_coupled";
     int calls = 0;
@@ -135,7 +135,7 @@ class CoupledRelaxation {
     for (std::size_t n = 0; n < worn.nodes.size(); ++n) {
       moved.push_back((result_.nodes.back()[n] - worn.nodes[n]).norm());
     }
-    result_.moved.push_back(moved_figures(moved));
+    result_.moved.push_back(move_statistics(moved));
     Scene scene = scene_;
     scene.fabric = worn.fabric;
     std::vector<LimitMultiplier> multipliers;

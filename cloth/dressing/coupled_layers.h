@@ -39,7 +39,7 @@ struct CoupledResult {
   bool converged = false;                           ///< the whole came to the rest asked for
   std::vector<std::vector<Vec3>> nodes;             ///< metres, by garment
   std::vector<std::vector<double>> extra_offset;    ///< metres, by garment: RelaxReport's
-  std::vector<MovedFigures> moved;                  ///< by garment: from where it was dressed
+  std::vector<MoveStatistics> moved;                ///< by garment: from where it was dressed
   std::vector<std::vector<TightSeam>> tight_seams;  ///< by garment
   std::vector<TightRegions> tight_regions;          ///< by garment
   std::vector<LayerContact> contacts;               ///< of garments that touch, sorted

@@ -11,7 +11,7 @@
 #include "cloth/dressing/sew.h"
 #include "cloth/dressing/stability_test.h"
 #include "cloth/dressing/stages.h"
-#include "cloth/judge/worn.h"
+#include "cloth/judge/wear_check.h"
 #include "cloth/model/nested_meshes.h"
 #include "cloth/relaxation/release.h"
 #include "cloth/scene/collider.h"
@@ -78,15 +78,15 @@ bool has_temporary_attachments(const Level& level) {
 
 /// What attachments held on the way is measured, and from here on held by friction; what is
 /// attached for good stays so.
-void detach(Level& level, const State& state, std::vector<AttachmentFigures>& figures) {
-  if (level.model.attachments.empty() || !figures.empty()) return;
-  figures = measure_attachments(*level.mesh, level.model.attachments, points_of(level, state));
+void detach(Level& level, const State& state, std::vector<AttachmentMeasurement>& measured) {
+  if (level.model.attachments.empty() || !measured.empty()) return;
+  measured = measure_attachments(*level.mesh, level.model.attachments, points_of(level, state));
   level.model.attachments = lasting(std::move(level.model.attachments));
 }
 
 /// Brings the finest mesh to rest, released from what holds it while it is dressed.
 Staged come_to_rest(Level& level, State state, bool bounded, const DressOptions& options,
-                    std::vector<AttachmentFigures>& attachments, Journal& journal) {
+                    std::vector<AttachmentMeasurement>& attachments, Journal& journal) {
   if (!has_temporary_attachments(level)) {
     return rest(level, std::move(state), bounded, true, options, journal);
   }
@@ -169,7 +169,8 @@ DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptio
     result.placement.initial =
         refine_placed(meshes[depth], result.placement.initial, meshes[depth - 1]);
   }
-  const bool is_tangled = !is_clear && crossings(level, state) > max_hopeful_crossings;
+  const bool is_tangled =
+      !is_clear && count_self_intersections(level, state) > max_hopeful_intersections;
   const auto is_lost = [&] {
     return is_tangled || fallen(level, state, result.placement.placed) > fallen_off_drop;
   };

@@ -32,7 +32,7 @@ struct DressResult {
   Residual residual;
   bool converged = false;
   /// One for each of the garment's attachments: at rest, or when it was released.
-  std::vector<AttachmentFigures> attachments;
+  std::vector<AttachmentMeasurement> attachments;
   std::vector<AttachedPoint> attached;  ///< what holds the garment for good
   std::vector<TightSeam> tight_seams;   ///< by the relaxation, which closes them at any tension
   /// Empty without a strain limit, and by another method than the relaxation.

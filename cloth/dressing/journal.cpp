@@ -64,10 +64,10 @@ void Journal::show(const PanelMesh& mesh, const std::string& stage,
 void Journal::measure(const PanelMesh& mesh, const std::vector<double>& areas,
                       const Outlines& outlines, const std::vector<double>& perimeters,
                       const std::vector<Vec3>& points) {
-  const double area = largest_change_percent(areas, panel_areas(mesh, points));
-  const double perimeter = largest_change_percent(perimeters, panel_perimeters(outlines, points));
-  during_.area_percent = std::max(during_.area_percent, area);
-  during_.perimeter_percent = std::max(during_.perimeter_percent, perimeter);
+  const double area = largest_change(areas, panel_areas(mesh, points));
+  const double perimeter = largest_change(perimeters, panel_perimeters(outlines, points));
+  during_.area = std::max(during_.area, area);
+  during_.perimeter = std::max(during_.perimeter, perimeter);
 }
 
 }  // namespace toile

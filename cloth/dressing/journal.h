@@ -28,10 +28,10 @@ struct StageReport {
 /// The report of a run of relax() over `nodes` nodes.
 StageReport stage_of(const std::string& name, int nodes, const RelaxReport& report);
 
-/// Largest changes of any panel on the way, in percent.
+/// Largest changes of any panel on the way, fractions.
 struct DuringDressing {
-  double area_percent = 0;
-  double perimeter_percent = 0;
+  double area = 0;
+  double perimeter = 0;
 };
 
 class Journal {

@@ -61,10 +61,10 @@ Level finer_level(const Level& coarse, const PanelMesh& fine, const Scene& scene
 }
 
 bool is_clear_of_itself(const Level& level, const State& state) {
-  return crossings(level, state) == 0;
+  return count_self_intersections(level, state) == 0;
 }
 
-std::size_t crossings(const Level& level, const State& state) {
+std::size_t count_self_intersections(const Level& level, const State& state) {
   return self_intersections({state.nodes, level.model.node_triangles}).size();
 }
 

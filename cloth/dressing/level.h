@@ -50,7 +50,7 @@ Level finer_level(const Level& coarse, const PanelMesh& fine, const Scene& scene
 bool is_clear_of_itself(const Level& level, const State& state);
 
 /// Pairs of triangles of the cloth that intersect, by the exact test.
-std::size_t crossings(const Level& level, const State& state);
+std::size_t count_self_intersections(const Level& level, const State& state);
 
 /// Whether the cloth is outside of all layers below and meets none of them, so that bounds can keep
 /// it so. False without layers.

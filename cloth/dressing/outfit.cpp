@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <sstream>
 #include <utility>
 
+#include "cloth/dressing/outfit_warnings.h"
 #include "cloth/dressing/panels_over.h"
-#include "cloth/start/placement_warnings.h"
-#include "cloth/start/places_fit.h"
-#include "cloth/start/positioning.h"
+#include "cloth/start/place_panels.h"
 #include "geometry/error.h"
 
 namespace toile {
@@ -21,48 +19,13 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// A line for each fabric of the garment that counts as less stiff than it is.
-std::vector<std::string> softened_fabrics(const PanelMesh& garment, const Scene& scene) {
-  std::map<std::string, double> given;
-  for (const MeshedPanel& panel : garment.panels) {
-    const Fabric& fabric = fabric_of(scene, panel);
-    if (fabric.stiffness_given == 0) continue;
-    given[panel.fabric.empty() ? "the garment's" : "'" + panel.fabric + "'"] =
-        fabric.stiffness_given;
-  }
-  std::vector<std::string> lines;
-  for (const auto& [name, stiffness] : given) {
-    std::ostringstream line;
-    line << "fabric: " << name << " has a stiffness of " << stiffness
-         << " N/m and counts as one of " << max_modulus
-         << " N/m: the real fabric strains less than the report says";
-    lines.push_back(line.str());
-  }
-  return lines;
-}
-
-/// Where a garment that did not come to rest is pulled the hardest; empty: that is not known.
-std::string restless_place(const PanelMesh& garment, const DressResult& result) {
-  const int node = result.residual.hardest;
-  const auto has_node = [node](const Triangle& t) { return std::ranges::find(t, node) != t.end(); };
-  const auto at = std::ranges::find_if(result.triangles, has_node);
-  if (node < 0 || at == result.triangles.end()) return {};
-  const int panel =
-      panel_of_triangles(garment)[static_cast<std::size_t>(at - result.triangles.begin())];
-  const double height = result.nodes[static_cast<std::size_t>(node)].y();
-  return "the garment did not come to rest: panel '" +
-         garment.panels[static_cast<std::size_t>(panel)].name + "' is pulled the hardest, " +
-         number_text(100 * height, 3) + " cm above the floor, by " +
-         number_text(result.residual.max, 2) + " times the weight of a point";
-}
-
 /// Whether the garment is a surface that others can lie on: closed, and clear of everything.
 bool is_surface(const Judgement& judgement) { return judgement.verdict >= Verdict::unconverged; }
 
-class Dressing {
+class OutfitDresser {
  public:
-  Dressing(const Outfit& outfit, Collider& collider, const Skeleton* skeleton,
-           const OutfitHooks& hooks)
+  OutfitDresser(const Outfit& outfit, Collider& collider, const Skeleton* skeleton,
+                const OutfitHooks& hooks)
       : outfit_(outfit), collider_(collider), skeleton_(skeleton), hooks_(hooks) {
     if (count() > 1) cache_ = collider.grid().cache();
     for (std::size_t i = 0; i < count(); ++i) {
@@ -83,18 +46,21 @@ class Dressing {
   void warn(const std::string& line) const {
     if (hooks_.warn) hooks_.warn(line);
   }
+  void warn_of(const std::string& line, WornLayer& worn) const {
+    worn.warnings.push_back(line);
+    warn(line);
+  }
   std::vector<int> panels_over(std::size_t layer, std::size_t other) const;
-  bool is_below_panels(std::size_t layer) const;
+  bool lies_under_panels(std::size_t layer) const;
   Collider collider_of(std::size_t layers, std::size_t under, std::size_t without) const;
-  void warn_of_start(WornLayer& worn) const;
-  void put_in_place(const AskedPlaces& asked, WornLayer& worn) const;
-  void go_on(std::size_t layer, WornLayer& worn) const;
+  void put_in_place(const OutfitLayer& layer, WornLayer& worn) const;
+  void continue_earlier(std::size_t layer, WornLayer& worn) const;
   WornLayer dress_layer(std::size_t layer) const;
   void write_and_judge(std::size_t layer, const TriangleMesh* others);
   bool turn_panels_out(std::size_t over);
   bool dress_one_by_one();
   void relax_coupled();
-  void take_coupled();
+  void store_coupled();
 
   const Outfit& outfit_;
   Collider& collider_;
@@ -104,7 +70,7 @@ class Dressing {
   WornOutfit worn_;
 };
 
-Scene Dressing::scene_of(const OutfitLayer& layer) const {
+Scene OutfitDresser::scene_of(const OutfitLayer& layer) const {
   Scene scene;
   scene.fabric = layer.fabric;
   scene.fabrics = outfit_.fabrics;
@@ -117,7 +83,7 @@ Scene Dressing::scene_of(const OutfitLayer& layer) const {
   return scene;
 }
 
-FrameWatcher Dressing::watcher_of(std::size_t layer, Certificate* certificate) const {
+FrameWatcher OutfitDresser::watcher_of(std::size_t layer, Certificate* certificate) const {
   FrameWatcher watcher;
   if (hooks_.watch) watcher = hooks_.watch(layer);
   return [certificate, watcher](const DressFrame& frame) {
@@ -127,14 +93,15 @@ FrameWatcher Dressing::watcher_of(std::size_t layer, Certificate* certificate) c
 }
 
 /// Which panels of a layer lie over another one, by their indices.
-std::vector<int> Dressing::panels_over(std::size_t layer, std::size_t other) const {
+std::vector<int> OutfitDresser::panels_over(std::size_t layer, std::size_t other) const {
   const auto& all = outfit_.layers[layer].panels_over;
   const auto found = all.find(outfit_.layers[other].name);
   if (found == all.end()) return {};
   return panels_named(outfit_.layers[layer].garment, found->second);
 }
 
-bool Dressing::is_below_panels(std::size_t layer) const {
+/// Whether panels of a layer below will lie over this one.
+bool OutfitDresser::lies_under_panels(std::size_t layer) const {
   for (std::size_t i = 0; i < layer; ++i) {
     if (!panels_over(i, layer).empty()) return true;
   }
@@ -142,7 +109,8 @@ bool Dressing::is_below_panels(std::size_t layer) const {
 }
 
 /// The body and the first `layers`, but for what lies over the layer `under`, and all of `without`.
-Collider Dressing::collider_of(std::size_t layers, std::size_t under, std::size_t without) const {
+Collider OutfitDresser::collider_of(std::size_t layers, std::size_t under,
+                                    std::size_t without) const {
   Collider collider(collider_.body(), cache_);
   for (std::size_t i = 0; i < layers; ++i) {
     if (i == without) continue;
@@ -155,64 +123,17 @@ Collider Dressing::collider_of(std::size_t layers, std::size_t under, std::size_
   return collider;
 }
 
-void Dressing::warn_of_start(WornLayer& worn) const {
-  for (const PlacementWarning& warning : placement_warnings(worn.garment, worn.scene)) {
-    worn.warnings.push_back(text_of(warning));
-  }
-  std::ranges::copy(softened_fabrics(worn.garment, worn.scene), std::back_inserter(worn.warnings));
-  for (const std::string& line : worn.warnings) warn(line);
-}
-
-/// Brings the panels to where the body is: all as one piece, or each to a place that is found.
-void Dressing::put_in_place(const AskedPlaces& asked, WornLayer& worn) const {
-  PanelMesh& garment = worn.garment;
-  const bool lacks = lacks_places(garment, skeleton_);
-  if (skeleton_ == nullptr) {
-    if (!lacks && asked.empty()) return;
-    if (!asked.empty()) {
-      throw Error("--place", "needs the body's joints, and there is no skeleton",
-                  "let clean-body write the joints beside the body");
-    }
-    throw Error("panel '" + garment.panels.front().name + "'",
-                "has no place in the pattern, and there is no skeleton that tells one",
-                "let clean-body write the body's joints beside it");
-  }
-  std::string reason;
-  if (!asked.empty()) {
-    reason = "panels are placed as --place asks";
-  } else if (lacks) {
-    reason = "the pattern places no panel on the body";
-  } else {
-    worn.moved = locate_layout(garment, *skeleton_);
-    if (worn.moved) {
-      worn.warnings.push_back("the pattern does not stand where the body does: all panels were " +
-                              text_of(*worn.moved, garment) + ", as one piece");
-      move_layout(*worn.moved, garment);
-    }
-    if (asks_for_skeleton(garment) || stands_as_drawn(garment)) return;
-    PanelMesh anew = garment;
-    std::vector<FoundPlace> places;
-    try {
-      places = find_places(collider_.body(), *skeleton_, {}, anew);
-    } catch (const Error&) {
-      return;  // Nothing tells more than the pattern does.
-    }
-    const std::string unfit = unfit_place(garment, anew, places);
-    if (unfit.empty()) return;
-    worn.places = std::move(places);
-    worn.place_reason = "the pattern's places do not fit the body: " + unfit;
-    // The move of the whole layout does not count any more.
-    if (worn.moved) worn.warnings.pop_back();
-    worn.moved.reset();
-    garment = std::move(anew);
-    return;
-  }
-  worn.places = find_places(collider_.body(), *skeleton_, asked, garment);
-  worn.place_reason = reason;
+/// Places the panels, and notes what was moved.
+void OutfitDresser::put_in_place(const OutfitLayer& layer, WornLayer& worn) const {
+  PlacedPanels placed = place_panels(collider_.body(), skeleton_, layer.places, worn.garment);
+  if (placed.moved) worn.warnings.push_back(moved_layout_warning(*placed.moved, layer.garment));
+  worn.moved = placed.moved;
+  worn.places = std::move(placed.places);
+  worn.place_reason = std::move(placed.reason);
 }
 
 /// Dresses the garment from its earlier drape, as far as that goes.
-void Dressing::go_on(std::size_t layer, WornLayer& worn) const {
+void OutfitDresser::continue_earlier(std::size_t layer, WornLayer& worn) const {
   if (!outfit_.method.continue_dress) {
     throw Error("method", "starts from flat panels only", "leave out the earlier drape");
   }
@@ -228,19 +149,18 @@ void Dressing::go_on(std::size_t layer, WornLayer& worn) const {
   if (!worn.continued->refusal.empty()) {
     // What was tried does not count against the dressing that follows.
     certificate.reset();
-    worn.warnings.push_back("dressed from flat panels, not from the earlier drape: " +
-                            worn.continued->refusal);
+    worn.warnings.push_back(refused_drape_warning(worn.continued->refusal));
   }
 }
 
-WornLayer Dressing::dress_layer(std::size_t layer) const {
+WornLayer OutfitDresser::dress_layer(std::size_t layer) const {
   const auto start = Clock::now();
   WornLayer worn;
   worn.garment = outfit_.layers[layer].garment;
   worn.scene = scene_of(outfit_.layers[layer]);
-  put_in_place(outfit_.layers[layer].places, worn);
+  put_in_place(outfit_.layers[layer], worn);
   const std::size_t known_before = collider_.grid().computed_nodes();
-  if (outfit_.layers[layer].earlier) go_on(layer, worn);
+  if (outfit_.layers[layer].earlier) continue_earlier(layer, worn);
   {
     if (outfit_.certify && !worn.certificate) {
       worn.certificate.emplace(collider_.body(), layers_below());
@@ -253,14 +173,15 @@ WornLayer Dressing::dress_layer(std::size_t layer) const {
     worn.garment.placed = worn.result.placement.initial;
     watcher({worn.garment, "dressed", material_points(worn.garment, worn.result), 1});
   }
-  warn_of_start(worn);
+  std::ranges::copy(start_warnings(worn.garment, worn.scene), std::back_inserter(worn.warnings));
+  for (const std::string& line : worn.warnings) warn(line);
   worn.distances_computed = collider_.grid().computed_nodes() - known_before;
   worn.dress_seconds = seconds_since(start);
   return worn;
 }
 
 /// `others`: the cloth that this layer must not meet; null: none.
-void Dressing::write_and_judge(std::size_t layer, const TriangleMesh* others) {
+void OutfitDresser::write_and_judge(std::size_t layer, const TriangleMesh* others) {
   const auto start = Clock::now();
   WornLayer& worn = worn_.layers[layer];
   const DressResult& result = worn.result;
@@ -272,25 +193,18 @@ void Dressing::write_and_judge(std::size_t layer, const TriangleMesh* others) {
   worn.cloth = {std::move(dressed.points), std::move(dressed.triangles)};
   // A layer of several can come to rest yet, with the others.
   if (count() == 1 && worn.judgement.verdict == Verdict::unconverged) {
-    const std::string place = restless_place(worn.garment, result);
-    if (!place.empty()) {
-      worn.warnings.push_back(place);
-      warn(place);
-    }
+    const std::string line = hardest_pulled_warning(worn.garment, result);
+    if (!line.empty()) warn_of(line, worn);
   }
   if (worn.continued && worn.continued->refusal.empty() &&
       worn.judgement.verdict != Verdict::sewn) {
-    worn.warnings.push_back(
-        "the garment went on from an earlier drape: dressed from flat panels, without --continue, "
-        "it "
-        "may end otherwise");
-    warn(worn.warnings.back());
+    warn_of(continued_drape_warning(), worn);
   }
   worn.judge_seconds += seconds_since(start);
 }
 
 /// Turns out the panels that lie over the layer that was dressed last; whether nothing meets then.
-bool Dressing::turn_panels_out(std::size_t over) {
+bool OutfitDresser::turn_panels_out(std::size_t over) {
   const std::size_t none = count();
   for (std::size_t i = 0; i < over; ++i) {
     const std::vector<int> panels = panels_over(i, over);
@@ -306,36 +220,34 @@ bool Dressing::turn_panels_out(std::size_t over) {
     const Collider others = collider_of(over + 1, none, i);
     write_and_judge(i, &others.cloth());
     if (is_surface(worn.judgement)) continue;
-    warn("layer " + outfit_.layers[i].name + " is " + to_string(worn.judgement.verdict) +
-         " once its panels lie over " + outfit_.layers[over].name +
-         ": the seams that join them to the rest have to be clear of it");
+    warn(turned_out_warning(outfit_.layers[i].name, worn.judgement.verdict,
+                            outfit_.layers[over].name));
     return false;
   }
   return true;
 }
 
 /// Whether all could be dressed; none is over a layer that failed.
-bool Dressing::dress_one_by_one() {
+bool OutfitDresser::dress_one_by_one() {
   const std::size_t none = count();
   double collider_seconds = 0;
   for (std::size_t i = 0; i < count(); ++i) {
     const OutfitLayer& layer = outfit_.layers[i];
     if (hooks_.begin) hooks_.begin(i);
-    if (is_below_panels(i)) collider_ = collider_of(i, i, none);
+    if (lies_under_panels(i)) collider_ = collider_of(i, i, none);
     worn_.layers.push_back(dress_layer(i));
     worn_.layers[i].collider_seconds = collider_seconds;
     if (hooks_.dressed) hooks_.dressed(i, worn_.layers[i]);
     write_and_judge(i, layers_below());
     if (hooks_.judged) hooks_.judged(i, worn_.layers[i]);
     const bool sewn = is_surface(worn_.layers[i].judgement);
-    if (sewn && is_below_panels(i)) {
+    if (sewn && lies_under_panels(i)) {
       if (!turn_panels_out(i)) return false;
       collider_ = collider_of(i, none, none);
     }
     if (i + 1 == count()) return sewn;
     if (!sewn) {
-      warn("layer " + layer.name + " is " + to_string(worn_.layers[i].judgement.verdict) +
-           ": the layers over it are not dressed");
+      warn(last_layer_warning(layer.name, worn_.layers[i].judgement.verdict));
       return false;
     }
     const auto start = Clock::now();
@@ -345,7 +257,7 @@ bool Dressing::dress_one_by_one() {
   return true;
 }
 
-void Dressing::relax_coupled() {
+void OutfitDresser::relax_coupled() {
   if (hooks_.begin) hooks_.begin(count());
   const Collider bare(collider_.body(), cache_);
   Scene scene = scene_of(outfit_.layers.front());
@@ -362,7 +274,7 @@ void Dressing::relax_coupled() {
 }
 
 /// The layers as the coupled relaxation left them.
-void Dressing::take_coupled() {
+void OutfitDresser::store_coupled() {
   const CoupledResult& coupled = *worn_.coupled;
   for (std::size_t i = 0; i < count(); ++i) {
     DressResult& result = worn_.layers[i].result;
@@ -379,11 +291,11 @@ void Dressing::take_coupled() {
   }
 }
 
-WornOutfit Dressing::run() {
+WornOutfit OutfitDresser::run() {
   const bool all_dressed = dress_one_by_one();
   if (outfit_.method.relax_coupled && all_dressed && count() > 1) {
     relax_coupled();
-    take_coupled();
+    store_coupled();
     for (std::size_t i = 0; i < count(); ++i) {
       TriangleMesh others;
       for (std::size_t j = 0; j < count(); ++j) {
@@ -432,7 +344,7 @@ Verdict WornOutfit::verdict() const {
 
 WornOutfit dress_outfit(const Outfit& outfit, Collider& collider, const Skeleton* skeleton,
                         const OutfitHooks& hooks) {
-  return Dressing(outfit, collider, skeleton, hooks).run();
+  return OutfitDresser(outfit, collider, skeleton, hooks).run();
 }
 
 }  // namespace toile

@@ -9,16 +9,16 @@ namespace toile {
 struct Quality {
   const char* name;
   double residual;  ///< DressOptions::stop_median and stop_wide
-  /// Millimetres, root of the mean square: how far nodes are from where the same run ends when it
-  /// is brought to rest. The largest of the garments below [measured by bench_work_precision].
-  double distance_rms_mm;
+  /// Metres, root of the mean square: how far nodes are from where the same run ends when it is
+  /// brought to rest. The largest of the garments below [measured by bench_work_precision].
+  double distance_rms;
 };
 
 /// Of the relaxation. Expected, not bounded: loose cloth can be farther from its rest.
 inline constexpr std::array<Quality, 3> qualities = {{
-    {"draft", 0.05, 4.05},
-    {"standard", 0.0015, 0.17},
-    {"fine", 0.0005, 0.13},
+    {"draft", 0.05, 4.05e-3},
+    {"standard", 0.0015, 0.17e-3},
+    {"fine", 0.0005, 0.13e-3},
 }};
 inline constexpr const Quality& standard_quality = qualities[1];
 

@@ -9,7 +9,6 @@ namespace toile {
 ReleaseReport test_stability(const GarmentModel& model, ReleaseOptions options, RestingState& state,
                              const std::function<void(RestingState&)>& come_to_rest) {
   options.warm_start = &state.warm_start;
-  options.multipliers = &state.warm_start.multipliers;
   for (int returns = 0;; ++returns) {
     std::vector<Vec3> nodes = state.nodes;
     ReleaseReport report = release(model, options, nodes);

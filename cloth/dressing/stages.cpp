@@ -43,7 +43,7 @@ RelaxOptions sewing_options(const Level& level, const Closing& closing) {
   options.compression = soft_compression.back();
   options.bending_from = options.bending_to = closing.bending;
   options.gravity = 0;
-  options.pull = closing.pull;
+  options.body_attraction = closing.pull;
   options.linearization_radius = closing_linearization_radius;
   options.friction = false;
   options.barrier = true;
@@ -80,16 +80,24 @@ GarmentModel with_slack_gathers(const Level& level) {
   return model;
 }
 
-Staged run(const std::string& name, const Level& level, const GarmentModel& model, State state,
-           RelaxOptions options, double end, Journal& journal) {
+/// A run that begins with the forces that the state's warm start holds.
+Staged run_on(const std::string& name, const Level& level, const GarmentModel& model, State state,
+              RelaxOptions options, double end, Journal& journal) {
   // A seam that has to come past a layer would jam on it. The distance grid lets it through, and
   // pushes it out on the right side.
   options.layer_contact = options.closing_iterations == 0 && is_clear_of_layers(level, state);
-  options.multipliers = &state.warm_start.multipliers;
+  options.warm_start = &state.warm_start;
   RelaxReport report = journal.run(name, *level.mesh, model, options, state.nodes, end);
   state.warm_start = std::move(report.warm_start);
   state.extra_offset = std::move(report.extra_offset);
   return {std::move(state), journal.stages().back()};
+}
+
+/// A run in which friction holds the cloth where it first touches.
+Staged run(const std::string& name, const Level& level, const GarmentModel& model, State state,
+           const RelaxOptions& options, double end, Journal& journal) {
+  state.warm_start.drop_anchors();
+  return run_on(name, level, model, std::move(state), options, end, journal);
 }
 
 }  // namespace
@@ -194,13 +202,9 @@ Staged release_attachments(const Level& level, State state, bool bounded, int ma
 Staged rest(const Level& level, State state, bool bounded, bool stiffens,
             const DressOptions& wanted, Journal& journal) {
   RelaxOptions options = rest_options(level, bounded, wanted);
-  const WarmStart held = state.warm_start;
-  if (stiffens) {
-    options.compression = compression_of(level);
-    options.stiffening_iterations = stiffening_iterations;
-  } else {
-    options.warm_start = &held;
-  }
+  if (!stiffens) return run_on("rest", level, level.model, std::move(state), options, 1, journal);
+  options.compression = compression_of(level);
+  options.stiffening_iterations = stiffening_iterations;
   return run("rest", level, level.model, std::move(state), options, 1, journal);
 }
 

@@ -1,12 +1,13 @@
 #include "cloth/ease/ease.h"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <tuple>
+
+#include "geometry/parallel.h"
+#include "geometry/triangle_area.h"
 
 namespace toile {
 
@@ -86,7 +87,7 @@ EaseMap measure_ease(const DressedGarment& garment, const SurfaceDistance& body,
                      const EaseOptions& options) {
   EaseMap map;
   map.node_gaps.resize(garment.points.size());
-  tbb::parallel_for(std::size_t{0}, garment.points.size(), [&](std::size_t i) {
+  parallel_for_items(garment.points.size(), [&](std::size_t i) {
     map.node_gaps[i] = body.closest_point(garment.points[i]).distance;
   });
 
@@ -97,7 +98,7 @@ EaseMap measure_ease(const DressedGarment& garment, const SurfaceDistance& body,
     const auto point = [&](std::size_t k) -> const Vec3& {
       return garment.points[static_cast<std::size_t>(nodes[k])];
     };
-    const double area = 0.5 * (point(1) - point(0)).cross(point(2) - point(0)).norm();
+    const double area = triangle_area(point(0), point(1), point(2));
     for (std::size_t k = 0; k < 3; ++k) {
       corners.push_back(
           {garment.panel_of_triangle[t], garment.flat_triangles[t][k], nodes[k], area / 3});

@@ -13,7 +13,7 @@ namespace toile {
 
 /// What is wrong with one recorded state. Counts are pairs of triangles that intersect, unless said
 /// otherwise.
-struct FrameFigures {
+struct FrameCheck {
   std::string stage;
   int points = 0;        ///< material points of the state's mesh
   int open_pairs = 0;    ///< pairs of seam points that are apart
@@ -21,7 +21,7 @@ struct FrameFigures {
   int layers = 0;        ///< of cloth and the layers below
   int self = 0;          ///< of cloth and cloth
   int across_seams = 0;  ///< of `self`: pairs that will be neighbours once the seams are closed
-  int inside = 0;        ///< pieces of cloth that meet no surface because they are inside the body
+  int inside = 0;  ///< components of cloth that meet no surface because they are inside the body
 
   bool clean() const { return body + layers + self + inside == 0; }
 };
@@ -36,9 +36,9 @@ class Certificate {
   Certificate(const TriangleMesh& body, const TriangleMesh* layers);
 
   /// Checks the next state. About O(n log n) in the triangles of cloth and body.
-  const FrameFigures& check(const DressFrame& frame);
+  const FrameCheck& check(const DressFrame& frame);
 
-  const std::vector<FrameFigures>& frames() const { return frames_; }
+  const std::vector<FrameCheck>& frames() const { return frames_; }
   /// Index of the first frame from which on all are clean. None when the last frame is not clean.
   std::optional<int> clean_from() const;
   /// Whether no frame was unclean after the first clean one with closed seams. False when there is
@@ -49,7 +49,7 @@ class Certificate {
   const TriangleMesh& body_;
   const TriangleMesh* layers_;
   SurfaceDistance distance_;
-  std::vector<FrameFigures> frames_;
+  std::vector<FrameCheck> frames_;
 };
 
 }  // namespace toile

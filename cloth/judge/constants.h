@@ -50,7 +50,7 @@ inline constexpr double limb_cover_end = 0.75;
 /// Share of a part's nodes at either end that play no part in where the cloth lies.
 inline constexpr double stray_share = 0.01;
 
-// Where a garment is worn (worn.h).
+// Where a garment is worn (wear_check.h).
 
 /// Metres: border of the smallest opening that a limb is meant to pass through.
 inline constexpr double min_limb_opening = 0.15;
@@ -63,6 +63,14 @@ inline constexpr double strapless_share = 0.25;
 
 /// Share of the height from waist to armpits above which no skirt begins.
 inline constexpr double max_skirt_top_share = 0.67;
+
+/// Share of the crotch's height: the middle of an open skirt about the trunk lies above it. One
+/// that has slid to the knees lies below.
+inline constexpr double min_sheet_share = 0.5;
+
+/// Metres above the armpits below which the middle of an open sheet about the trunk lies, so that
+/// it does not hang from the head.
+inline constexpr double max_sheet_rise = 0.3;
 
 /// Metres: panels whose middles are nearer tell no direction.
 inline constexpr double min_face_distance = 0.03;

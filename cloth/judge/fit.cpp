@@ -26,8 +26,8 @@ std::string to_string(const Fit& fit) {
 }
 
 std::string text_of(const TooSmallLevel& level) {
-  return "at the " + level.level + " the garment is cut " + fixed_number(100 * level.missing, 1) +
-         " cm smaller than the body, and stretched by that";
+  return "at the " + level.level + " the garment is cut " + centimetres(level.missing, 1) +
+         " smaller than the body, and stretched by that";
 }
 
 }  // namespace toile

@@ -1,6 +1,5 @@
 #include "cloth/judge/measures.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -13,6 +12,7 @@
 #include "geometry/error.h"
 #include "geometry/half_edges.h"
 #include "geometry/statistics.h"
+#include "geometry/triangle_area.h"
 
 namespace toile {
 
@@ -44,7 +44,7 @@ std::vector<Vec3> in_space(const std::vector<Vec2>& flat) {
 }
 
 double area(const std::vector<Vec3>& p, const Triangle& t) {
-  return 0.5 * (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).norm();
+  return triangle_area(p[t[0]], p[t[1]], p[t[2]]);
 }
 
 double perimeter(const std::vector<Vec3>& p, const Triangle& t) {
@@ -66,32 +66,32 @@ std::vector<double> sum_triangles(const PanelMesh& garment, const std::vector<Ve
 }
 
 /// Strains are sorted first, so that the root mean square adds the small ones up first.
-StrainFigures figures_of(std::vector<double> strains) {
+StrainStatistics statistics_of(std::vector<double> strains) {
   if (strains.empty()) return {};
   std::sort(strains.begin(), strains.end());
   return {strains.back(), percentile(strains, 0.99), root_mean_square(strains)};
 }
 
-SeamFigures measure_seams(const PanelMesh& pattern, const std::vector<Vec3>& points) {
-  SeamFigures figures;
+SeamMeasurements measure_seams(const PanelMesh& pattern, const std::vector<Vec3>& points) {
+  SeamMeasurements measured;
   for (const MeshedSeam& seam : pattern.seams) {
     double gap = 0;
     for (std::size_t i = 0; i < seam.a.size(); ++i) {
       gap = std::max(gap, (points[seam.a[i]] - points[seam.b[i]]).norm());
     }
-    figures.max_gap_mm = std::max(figures.max_gap_mm, 1000 * gap);
+    measured.max_gap = std::max(measured.max_gap, gap);
     if (gap <= sewn_gap) {
-      ++figures.sewn;
+      ++measured.sewn;
     } else {
-      ++figures.open;
-      figures.open_seams.push_back({seam.name, 100 * gap});
+      ++measured.open;
+      measured.open_seams.push_back({seam.name, gap});
     }
   }
-  return figures;
+  return measured;
 }
 
 void measure_yarns(const PanelMesh& pattern, const std::vector<Vec3>& points,
-                   GarmentFigures& figures) {
+                   GarmentMeasurements& measured) {
   const std::vector<char> gathered = on_gathers(pattern);
   const std::vector<YarnStrain> yarns = yarn_strains(pattern, points);
   std::vector<double> longer;
@@ -101,8 +101,8 @@ void measure_yarns(const PanelMesh& pattern, const std::vector<Vec3>& points,
     longer.push_back(std::max(yarns[t].largest(), 0.0));
     shear.push_back(std::abs(yarns[t].shear));
   }
-  figures.warp_weft_strain = figures_of(longer);
-  figures.shear = figures_of(shear);
+  measured.warp_weft_strain = statistics_of(longer);
+  measured.shear = statistics_of(shear);
 }
 
 /// Metres, per material point: its place in the dressed garment.
@@ -165,15 +165,15 @@ std::vector<double> panel_perimeters(const PanelMesh& garment) {
   return panel_perimeters(panel_outlines(garment), in_space(garment.flat));
 }
 
-double largest_change_percent(const std::vector<double>& rest, const std::vector<double>& now) {
+double largest_change(const std::vector<double>& rest, const std::vector<double>& now) {
   double largest = 0;
   for (std::size_t i = 0; i < rest.size(); ++i) {
-    largest = std::max(largest, 100 * std::abs(now[i] / rest[i] - 1));
+    largest = std::max(largest, std::abs(now[i] / rest[i] - 1));
   }
   return largest;
 }
 
-GarmentFigures measure_garment(const PanelMesh& pattern, const DressedGarment& dressed) {
+GarmentMeasurements measure_garment(const PanelMesh& pattern, const DressedGarment& dressed) {
   const std::vector<Vec3> points = dressed_points(pattern, dressed);
   const std::vector<Vec3> flat = in_space(pattern.flat);
   std::vector<char> on_seam(points.size(), 0);
@@ -195,25 +195,25 @@ GarmentFigures measure_garment(const PanelMesh& pattern, const DressedGarment& d
     const bool folds = gathered[edge[0]] || gathered[edge[1]];
     off_seams.push_back(folds ? std::max(longer, 0.0) : std::abs(longer));
   }
-  GarmentFigures figures;
-  figures.strain = figures_of(strains);
-  figures.strain_off_seams = figures_of(off_seams);
-  measure_yarns(pattern, points, figures);
+  GarmentMeasurements measured;
+  measured.strain = statistics_of(strains);
+  measured.strain_off_seams = statistics_of(off_seams);
+  measure_yarns(pattern, points, measured);
   const std::vector<double> rest_areas = panel_areas(pattern);
   const std::vector<double> areas = panel_areas(pattern, points);
-  figures.area_max_panel_percent = largest_change_percent(rest_areas, areas);
-  figures.area_total_percent =
-      100 * (std::accumulate(areas.begin(), areas.end(), 0.0) /
-                 std::accumulate(rest_areas.begin(), rest_areas.end(), 0.0) -
-             1);
-  figures.perimeter_max_panel_percent = largest_change_percent(
-      panel_perimeters(pattern), panel_perimeters(panel_outlines(pattern), points));
-  figures.triangle_perimeter_max_panel_percent =
-      largest_change_percent(triangle_perimeters(pattern), triangle_perimeters(pattern, points));
-  figures.seams = measure_seams(pattern, points);
-  figures.elastics = measure_elastics(pattern, points);
-  figures.borders = static_cast<int>(border_loops(dressed.triangles, dressed.points.size()).size());
-  return figures;
+  measured.area_max_panel = largest_change(rest_areas, areas);
+  measured.area_total = std::accumulate(areas.begin(), areas.end(), 0.0) /
+                            std::accumulate(rest_areas.begin(), rest_areas.end(), 0.0) -
+                        1;
+  measured.perimeter_max_panel =
+      largest_change(panel_perimeters(pattern), panel_perimeters(panel_outlines(pattern), points));
+  measured.triangle_perimeter_max_panel =
+      largest_change(triangle_perimeters(pattern), triangle_perimeters(pattern, points));
+  measured.seams = measure_seams(pattern, points);
+  measured.elastics = measure_elastics(pattern, points);
+  measured.borders =
+      static_cast<int>(border_loops(dressed.triangles, dressed.points.size()).size());
+  return measured;
 }
 
 }  // namespace toile

@@ -27,11 +27,11 @@ std::vector<double> panel_perimeters(const Outlines& outlines, const std::vector
 std::vector<double> triangle_perimeters(const PanelMesh& garment);
 std::vector<double> triangle_perimeters(const PanelMesh& garment, const std::vector<Vec3>& points);
 
-/// Percent: the largest |now/rest - 1|.
-double largest_change_percent(const std::vector<double>& rest, const std::vector<double>& now);
+/// A fraction: the largest |now/rest - 1|.
+double largest_change(const std::vector<double>& rest, const std::vector<double>& now);
 
-/// Figures of a set of strains, fractions. Of mesh edges a strain is |length/rest - 1|.
-struct StrainFigures {
+/// Statistics of a set of strains, fractions. Of mesh edges a strain is |length/rest - 1|.
+struct StrainStatistics {
   double max = 0;
   double p99 = 0;
   double rms = 0;
@@ -39,36 +39,37 @@ struct StrainFigures {
 
 struct OpenSeam {
   std::string name;
-  double missing_cm = 0;  ///< widest gap between two points that should be one
+  double missing = 0;  ///< metres: widest gap between two points that should be one
 };
 
-struct SeamFigures {
+struct SeamMeasurements {
   int sewn = 0;
   int open = 0;
-  double max_gap_mm = 0;
+  double max_gap = 0;  ///< metres
   std::vector<OpenSeam> open_seams;
 };
 
-struct GarmentFigures {
-  StrainFigures strain;  ///< of all mesh edges
+struct GarmentMeasurements {
+  StrainStatistics strain;  ///< of all mesh edges
   /// Of all mesh edges but those with both ends on a seam. Beside a gathered seam or an elastic,
   /// fullness lies in folds finer than the mesh. An edge there counts only by how much longer it
   /// is.
-  StrainFigures strain_off_seams;
+  StrainStatistics strain_off_seams;
   /// Per triangle off the gathered seams: by how much its warp or weft is longer, whichever is
   /// more. 0 where both are slack.
-  StrainFigures warp_weft_strain;
-  StrainFigures shear;            ///< radians off the right angle of warp and weft, of the same
-  double area_total_percent = 0;  ///< signed; the others are the largest |change|
-  double area_max_panel_percent = 0;
-  double perimeter_max_panel_percent = 0;
-  double triangle_perimeter_max_panel_percent = 0;
-  SeamFigures seams;
-  std::vector<ElasticFigures> elastics;  ///< one an elastic of the pattern
-  int borders = 0;                       ///< open border loops
+  StrainStatistics warp_weft_strain;
+  StrainStatistics shear;  ///< radians off the right angle of warp and weft, of the same
+  double area_total = 0;   ///< change of the whole area, a signed fraction
+  /// Largest |change| of any panel, fractions.
+  double area_max_panel = 0;
+  double perimeter_max_panel = 0;
+  double triangle_perimeter_max_panel = 0;
+  SeamMeasurements seams;
+  std::vector<ElasticMeasurement> elastics;  ///< one an elastic of the pattern
+  int borders = 0;                           ///< open border loops
 };
 
 /// Measures a dressed garment against its pattern. Throws Error when the two have different faces.
-GarmentFigures measure_garment(const PanelMesh& pattern, const DressedGarment& dressed);
+GarmentMeasurements measure_garment(const PanelMesh& pattern, const DressedGarment& dressed);
 
 }  // namespace toile

@@ -10,7 +10,7 @@
 
 namespace toile {
 
-std::vector<int> connected_pieces(const DressedGarment& dressed) {
+std::vector<int> connected_components(const DressedGarment& dressed) {
   DisjointSets sets(dressed.points.size());
   std::vector<char> is_used(dressed.points.size(), 0);
   for (const Triangle& t : dressed.triangles) {
@@ -18,14 +18,14 @@ std::vector<int> connected_pieces(const DressedGarment& dressed) {
     sets.join(t[1], t[2]);
     for (const int p : t) is_used[p] = 1;
   }
-  std::vector<int> piece(dressed.points.size(), -1);
+  std::vector<int> component(dressed.points.size(), -1);
   std::map<int, int> number;
-  for (std::size_t p = 0; p < piece.size(); ++p) {
+  for (std::size_t p = 0; p < component.size(); ++p) {
     if (!is_used[p]) continue;
-    piece[p] =
+    component[p] =
         number.emplace(sets.of(static_cast<int>(p)), static_cast<int>(number.size())).first->second;
   }
-  return piece;
+  return component;
 }
 
 namespace {
@@ -60,7 +60,7 @@ void look_out_below_the_hood(const DressedGarment& dressed, const Skeleton& skel
 }  // namespace
 
 std::vector<Opening> find_openings(const DressedGarment& dressed, const Skeleton& skeleton) {
-  const std::vector<int> piece = connected_pieces(dressed);
+  const std::vector<int> component = connected_components(dressed);
   std::vector<std::vector<int>> loops = border_loops(dressed.triangles, dressed.points.size());
   // Of each border edge, its flat length and its panel.
   std::map<std::pair<int, int>, std::pair<double, int>> edges;
@@ -88,7 +88,7 @@ std::vector<Opening> find_openings(const DressedGarment& dressed, const Skeleton
       opening.panels.push_back(panel);
       opening.middle += dressed.points[loop[i]] / static_cast<double>(loop.size());
     }
-    opening.component = piece[loop.front()];
+    opening.component = component[loop.front()];
     opening.nodes = std::move(loop);
     opening.limbs = limbs_through(curve_of(opening, dressed), skeleton);
     openings.push_back(std::move(opening));

@@ -15,14 +15,14 @@ struct Opening {
   LimbsThrough limbs;       ///< those that pass through
   double length = 0;        ///< metres, on the flat panels
   Vec3 middle{0, 0, 0};     ///< metres, mean of the nodes as worn
-  int component = 0;        ///< connected piece of the garment, from 0
+  int component = 0;        ///< connected component of the garment, from 0
   std::vector<int> panels;  ///< panel beside each of `nodes`, an index
 };
 
 /// All openings. `skeleton` has all limbs. About O(n log n) in the triangles.
 std::vector<Opening> find_openings(const DressedGarment& dressed, const Skeleton& skeleton);
 
-/// Per node, the connected piece of the garment that it belongs to, from 0. -1: to no triangle.
-std::vector<int> connected_pieces(const DressedGarment& dressed);
+/// Per node, the connected component of the garment that it belongs to, from 0. -1: to no triangle.
+std::vector<int> connected_components(const DressedGarment& dressed);
 
 }  // namespace toile

@@ -51,9 +51,9 @@ class TightSeamSearch {
       for (int i = 0; i < edges; i += stride) {
         const double missing = 0.5 * (missing_beside(seam.a[i], seam.a[i + 1]) +
                                       missing_beside(seam.b[i], seam.b[i + 1]));
-        found.missing_cm = std::max(found.missing_cm, 100 * missing);
+        found.missing = std::max(found.missing, missing);
       }
-      if (found.missing_cm > 100 * flesh_give) tight.push_back(found);
+      if (found.missing > flesh_give) tight.push_back(found);
     }
     return tight;
   }

@@ -11,8 +11,8 @@ namespace toile {
 
 struct TightSeam {
   std::string name;
-  double tension = 0;     ///< N/m across the seam: the largest mean over a hand's breadth
-  double missing_cm = 0;  ///< of cloth beside the seam, where the most is missing
+  double tension = 0;  ///< N/m across the seam: the largest mean over a hand's breadth
+  double missing = 0;  ///< metres of cloth beside the seam, where the most is missing
 };
 
 /// The seams of a garment at rest that a hand could not have closed. Two things make a seam tight.

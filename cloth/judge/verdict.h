@@ -1,4 +1,4 @@
-// The verdict on a dressed garment, from figures measured on the garment as written.
+// The verdict on a dressed garment, measured on the garment as written.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 #include "cloth/judge/fit.h"
 #include "cloth/judge/measures.h"
 #include "cloth/judge/tight_seams.h"
-#include "cloth/judge/worn.h"
+#include "cloth/judge/wear_check.h"
 #include "cloth/judge/wraps.h"
 
 namespace toile {
@@ -31,9 +31,9 @@ enum class Verdict : std::uint8_t {
 std::string to_string(Verdict verdict);
 
 struct Judgement {
-  GarmentFigures garment;
-  std::vector<WrapFigure> wraps;
-  WornFigures worn;
+  GarmentMeasurements garment;
+  std::vector<WrapMeasurement> wraps;
+  WearFindings worn;
   Fit fit;                      ///< apart from the verdict
   int body_intersections = 0;   ///< pairs of a garment's and a body's triangle
   int self_intersections = 0;   ///< pairs of the garment's triangles

@@ -107,9 +107,9 @@ double share_met(const Vec3& station, const Vec3& axis, const std::vector<Vec3>&
 
 }  // namespace
 
-WrapFigure measure_wrap(const PanelMesh& garment, const DressedGarment& dressed,
-                        const Skeleton& skeleton, const std::string& part,
-                        const std::vector<char>& is_counted) {
+WrapMeasurement measure_wrap(const PanelMesh& garment, const DressedGarment& dressed,
+                             const Skeleton& skeleton, const std::string& part,
+                             const std::vector<char>& is_counted) {
   const Bones bones(skeleton, part);
   std::vector<Triangle> triangles;
   std::vector<Corner> corners;
@@ -122,39 +122,39 @@ WrapFigure measure_wrap(const PanelMesh& garment, const DressedGarment& dressed,
       nodes.push_back(dressed.triangles[t][i]);
     }
   }
-  WrapFigure figure{part};
-  if (triangles.empty() || bones.joints.empty()) return figure;
+  WrapMeasurement wrap{part};
+  if (triangles.empty() || bones.joints.empty()) return wrap;
   std::ranges::sort(nodes);
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   const Interval stretch = covered(lies_along(nodes, dressed.points, bones), part, bones, skeleton);
-  figure.from = stretch.low;
-  figure.to = stretch.high;
+  wrap.from = stretch.low;
+  wrap.to = stretch.high;
   if (part == "torso") {
     const double armpit = bones.foot(skeleton.joint("chest"));
-    figure.slid = slid_down(garment, dressed, corners, bones, armpit);
+    wrap.slid = slid_down(garment, dressed, corners, bones, armpit);
   }
   // Cloth that lies at another part only has no stretch of this one to cover.
   for (int i = 0; i < wrap_stations && stretch.low < stretch.high; ++i) {
     const double s = stretch.low + (i + 0.5) / wrap_stations * (stretch.high - stretch.low);
     const auto [station, axis] = bones.at(s);
-    figure.fraction += share_met(station, axis, dressed.points, triangles) / wrap_stations;
+    wrap.fraction += share_met(station, axis, dressed.points, triangles) / wrap_stations;
   }
-  return figure;
+  return wrap;
 }
 
-std::vector<WrapFigure> measure_wraps(const PanelMesh& garment, const DressedGarment& dressed,
-                                      const Skeleton& skeleton) {
+std::vector<WrapMeasurement> measure_wraps(const PanelMesh& garment, const DressedGarment& dressed,
+                                           const Skeleton& skeleton) {
   const std::vector<std::string> parts = panel_parts(garment, skeleton);
-  std::vector<WrapFigure> figures;
+  std::vector<WrapMeasurement> wraps;
   for (const std::string_view name : body_parts) {
     const std::string part(name);
     std::vector<char> is_counted;
     is_counted.reserve(parts.size());
     for (const std::string& p : parts) is_counted.push_back(p == part);
     if (std::ranges::count(is_counted, 1) == 0 || Bones(skeleton, part).joints.empty()) continue;
-    figures.push_back(measure_wrap(garment, dressed, skeleton, part, is_counted));
+    wraps.push_back(measure_wrap(garment, dressed, skeleton, part, is_counted));
   }
-  return figures;
+  return wraps;
 }
 
 }  // namespace toile

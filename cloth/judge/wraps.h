@@ -11,7 +11,7 @@ namespace toile {
 
 /// The share of the directions square to a part's bones that meets the panels of that part. It is
 /// taken over the stretch of bone at which they lie as worn.
-struct WrapFigure {
+struct WrapMeasurement {
   std::string part;
   double from = 0;  ///< metres along the bones from the part's first joint; negative before it
   double to = 0;    ///< metres along the bones from the first joint
@@ -23,12 +23,12 @@ struct WrapFigure {
 /// those that play no part. The stretch is the middle half of where the panels
 /// lie. Cloth above the armpits plays no part, nor cloth of limbs nearer than armpit or crotch.
 /// Where nothing is left, `fraction` is 0. Linear in the triangles times 32 stations.
-WrapFigure measure_wrap(const PanelMesh& garment, const DressedGarment& dressed,
-                        const Skeleton& skeleton, const std::string& part,
-                        const std::vector<char>& is_counted);
+WrapMeasurement measure_wrap(const PanelMesh& garment, const DressedGarment& dressed,
+                             const Skeleton& skeleton, const std::string& part,
+                             const std::vector<char>& is_counted);
 
 /// The same of every part that panels belong to (panel_parts.h).
-std::vector<WrapFigure> measure_wraps(const PanelMesh& garment, const DressedGarment& dressed,
-                                      const Skeleton& skeleton);
+std::vector<WrapMeasurement> measure_wraps(const PanelMesh& garment, const DressedGarment& dressed,
+                                           const Skeleton& skeleton);
 
 }  // namespace toile

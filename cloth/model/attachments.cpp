@@ -30,7 +30,7 @@ std::vector<double> shares_along(const PanelMesh& garment, const std::vector<int
 }
 
 /// A plane at a height of the body.
-struct Level {
+struct TargetLevel {
   Vec3 point;  ///< metres, on the plane
   Vec3 axis;   ///< unit vector, square to the plane
 };
@@ -39,7 +39,7 @@ class Anchors {
  public:
   Anchors(const Scene& scene, double body_offset) : scene_(scene), offset_(body_offset) {}
 
-  Level level(const MeshedAttachment& attached) {
+  TargetLevel level(const MeshedAttachment& attached) {
     const std::string& landmark = attached.how.landmark;
     if (scene_.skeleton == nullptr) {
       throw refused(attached, "there is no skeleton",
@@ -72,7 +72,7 @@ class Anchors {
             "is held at '" + attached.how.landmark + "', but " + why, remedy};
   }
 
-  Level limb_level(const MeshedAttachment& attached, const std::string& side) const {
+  TargetLevel limb_level(const MeshedAttachment& attached, const std::string& side) const {
     const std::string& joint = attached.how.landmark;
     const bool of_arm =
         joint.ends_with("shoulder") || joint.ends_with("elbow") || joint.ends_with("wrist");
@@ -141,7 +141,7 @@ std::vector<AttachedPoint> attached_points(const PanelMesh& garment, const Scene
     const MeshedAttachment& attached = garment.attachments[a];
     const Attachment& how = attached.how;
     if (how.only_if_it_slips) continue;
-    Level level{Vec3::Zero(), Vec3::Zero()};
+    TargetLevel level{Vec3::Zero(), Vec3::Zero()};
     if (how.to == AttachedTo::level) level = anchors.level(attached);
     const std::vector<double> shares = shares_along(garment, attached.points);
     for (std::size_t i = 0; i < shares.size(); ++i) {
@@ -169,29 +169,30 @@ std::vector<AttachedPoint> lasting(std::vector<AttachedPoint> attachments) {
   return attachments;
 }
 
-std::vector<AttachmentFigures> measure_attachments(const PanelMesh& garment,
-                                                   const std::vector<AttachedPoint>& attachments,
-                                                   const std::vector<Vec3>& points) {
-  std::vector<AttachmentFigures> all;
+std::vector<AttachmentMeasurement> measure_attachments(
+    const PanelMesh& garment, const std::vector<AttachedPoint>& attachments,
+    const std::vector<Vec3>& points) {
+  std::vector<AttachmentMeasurement> all;
   for (const MeshedAttachment& each : garment.attachments) {
     all.push_back({each.name, target_of(each.how), each.how.always, !each.how.only_if_it_slips});
   }
   for (const AttachedPoint& attached : attachments) {
-    AttachmentFigures& figures = all[attached.attachment];
+    AttachmentMeasurement& measured = all[attached.attachment];
     const double off = displacement_to_anchor(attached, points[attached.point]).norm();
     const auto count = static_cast<double>(garment.attachments[attached.attachment].points.size());
-    figures.off_mean += off / count;
-    figures.off_max = std::max(figures.off_max, off);
-    figures.pull += attachment_pull(attached, points[attached.point]);
+    measured.off_mean += off / count;
+    measured.off_max = std::max(measured.off_max, off);
+    measured.pull += attachment_pull(attached, points[attached.point]);
   }
   return all;
 }
 
 void measure_lasting(const PanelMesh& garment, const std::vector<AttachedPoint>& attachments,
-                     const std::vector<Vec3>& points, std::vector<AttachmentFigures>& figures) {
-  const std::vector<AttachmentFigures> now = measure_attachments(garment, attachments, points);
+                     const std::vector<Vec3>& points,
+                     std::vector<AttachmentMeasurement>& measured) {
+  const std::vector<AttachmentMeasurement> now = measure_attachments(garment, attachments, points);
   for (std::size_t i = 0; i < now.size(); ++i) {
-    if (now[i].always) figures[i] = now[i];
+    if (now[i].always) measured[i] = now[i];
   }
 }
 

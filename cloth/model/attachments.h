@@ -58,7 +58,7 @@ std::optional<PanelMesh> hold_what_slips(const PanelMesh& garment);
 std::vector<AttachedPoint> lasting(std::vector<AttachedPoint> attachments);
 
 /// An attachment as it is measured.
-struct AttachmentFigures {
+struct AttachmentMeasurement {
   std::string name;
   std::string to;  ///< the landmark, "place", "skin" or "point"
   bool always = false;
@@ -69,13 +69,13 @@ struct AttachmentFigures {
 };
 
 /// Measures each of the garment's attachments on the material points `points` (metres). Those
-/// without points in `attachments` have figures of 0.
-std::vector<AttachmentFigures> measure_attachments(const PanelMesh& garment,
-                                                   const std::vector<AttachedPoint>& attachments,
-                                                   const std::vector<Vec3>& points);
+/// without points in `attachments` measure 0.
+std::vector<AttachmentMeasurement> measure_attachments(
+    const PanelMesh& garment, const std::vector<AttachedPoint>& attachments,
+    const std::vector<Vec3>& points);
 
-/// Measures the attachments that hold for good again, and overwrites their `figures`.
+/// Measures the attachments that hold for good again, and overwrites what `measured` has of them.
 void measure_lasting(const PanelMesh& garment, const std::vector<AttachedPoint>& attachments,
-                     const std::vector<Vec3>& points, std::vector<AttachmentFigures>& figures);
+                     const std::vector<Vec3>& points, std::vector<AttachmentMeasurement>& measured);
 
 }  // namespace toile

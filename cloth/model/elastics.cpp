@@ -43,11 +43,11 @@ std::vector<ElasticSegment> elastic_segments(const PanelMesh& garment, const Sce
   return segments;
 }
 
-std::vector<ElasticFigures> measure_elastics(const PanelMesh& garment,
-                                             const std::vector<Vec3>& points) {
-  std::vector<ElasticFigures> figures;
+std::vector<ElasticMeasurement> measure_elastics(const PanelMesh& garment,
+                                                 const std::vector<Vec3>& points) {
+  std::vector<ElasticMeasurement> segments;
   for (const MeshedElastic& elastic : garment.elastics) {
-    ElasticFigures& segment = figures.emplace_back();
+    ElasticMeasurement& segment = segments.emplace_back();
     segment.name = elastic.name;
     for (std::size_t i = 0; i + 1 < elastic.points.size(); ++i) {
       const int a = elastic.points[i];
@@ -61,7 +61,7 @@ std::vector<ElasticFigures> measure_elastics(const PanelMesh& garment,
     segment.rest = elastic.ratio * segment.flat;
     segment.tension /= segment.flat;
   }
-  return figures;
+  return segments;
 }
 
 }  // namespace toile

@@ -39,7 +39,7 @@ std::vector<ElasticSegment> elastic_segments(const PanelMesh& garment, const Sce
                                              const std::vector<int>& node_of_point);
 
 /// An elastic as worn.
-struct ElasticFigures {
+struct ElasticMeasurement {
   std::string name;
   double flat = 0;     ///< metres, of the edge in the pattern
   double rest = 0;     ///< metres, of the elastic
@@ -48,7 +48,7 @@ struct ElasticFigures {
 };
 
 /// Measures each of the garment's elastics, with its material points at `points` (metres).
-std::vector<ElasticFigures> measure_elastics(const PanelMesh& garment,
-                                             const std::vector<Vec3>& points);
+std::vector<ElasticMeasurement> measure_elastics(const PanelMesh& garment,
+                                                 const std::vector<Vec3>& points);
 
 }  // namespace toile

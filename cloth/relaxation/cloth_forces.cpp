@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "cloth/contact/body_attraction.h"
-#include "cloth/contact/crossings.h"
+#include "cloth/contact/edge_face_intersections.h"
 #include "cloth/relaxation/constants.h"
 #include "cloth/scene/collider.h"
 
@@ -35,13 +35,13 @@ ClothForces::ClothForces(const GarmentModel& model, const ForceOptions& options,
   }
   use_vertices(open_seams);
   if (has_limits()) {
-    if (options.multipliers != nullptr) kernel_->start_multipliers(*options.multipliers);
+    if (options.warm_start != nullptr) kernel_->start_multipliers(options.warm_start->multipliers);
     update_multipliers();
   }
   if (options.warm_start == nullptr || open_seams) return;
-  neighbourhood_->pairs().friction().set_anchors(options.warm_start->cloth);
-  if (edge_contacts_) edge_contacts_->set_anchors(options.warm_start->edges);
-  const auto& skin = options.warm_start->skin;
+  neighbourhood_->pairs().friction().set_anchors(options.warm_start->pair_anchors);
+  if (edge_contacts_) edge_contacts_->set_anchors(options.warm_start->edge_anchors);
+  const auto& skin = options.warm_start->skin_anchors;
   for (std::size_t n = 0; n < std::min(skin.size(), vertices_->count); ++n) {
     if (skin[n]) neighbourhood_->contact(n).set_anchor(*skin[n]);
   }
@@ -51,11 +51,11 @@ WarmStart ClothForces::warm_start() const {
   WarmStart warm_start;
   if (has_limits()) warm_start.multipliers = kernel_->multipliers();
   if (seams_stand_open()) return warm_start;
-  if (edge_contacts_) warm_start.edges = edge_contacts_->anchors();
-  warm_start.cloth = neighbourhood_->pairs().friction().anchors();
-  warm_start.skin.reserve(vertices_->count);
+  if (edge_contacts_) warm_start.edge_anchors = edge_contacts_->anchors();
+  warm_start.pair_anchors = neighbourhood_->pairs().friction().anchors();
+  warm_start.skin_anchors.reserve(vertices_->count);
   for (const BodyContact& contact : neighbourhood_->contacts()) {
-    warm_start.skin.push_back(contact.anchor());
+    warm_start.skin_anchors.push_back(contact.anchor());
   }
   return warm_start;
 }
@@ -189,7 +189,8 @@ const std::vector<int>& ClothForces::leave_cloth() {
   left_cloth_.clear();
   std::vector<char> crossing(vertices_->count, 0);
   std::vector<Vec3> way(model_.nodes, Vec3::Zero());
-  for (const Crossing& found : find_crossings(state(), model_.node_triangles)) {
+  for (const EdgeFaceIntersection& found :
+       find_edge_face_intersections(state(), model_.node_triangles)) {
     const double length = found.way.norm();
     const Vec3 step = crossing_step / std::max(length, min_crossing_way) * found.way;
     double squares = 0;
@@ -237,9 +238,9 @@ void ClothForces::find_attraction() {
   parallel_for_chunks(model_.nodes, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       const double weight = model_.mass[n] / static_cast<double>(vertices_->of_node[n].size()) *
-                            model_.scene.gravity.norm() * options_.pull;
+                            model_.scene.gravity.norm() * options_.body_attraction;
       for (const int v : vertices_->of_node[n]) {
-        attraction_[v] = as_vec4(pull_to_body(model_.scene, as_vec3(positions()[v]), weight));
+        attraction_[v] = as_vec4(body_attraction(model_.scene, as_vec3(positions()[v]), weight));
       }
     }
   });
@@ -251,7 +252,7 @@ void ClothForces::refresh() {
 }
 
 void ClothForces::compute() {
-  const bool attracts = options_.pull > 0 && touches_body(model_.scene);
+  const bool attracts = options_.body_attraction > 0 && touches_body(model_.scene);
   if (attracts && computed_++ % attraction_interval == 0) find_attraction();
   const Vec4s& p = positions();
   PairForces& pairs = neighbourhood_->pairs();

@@ -14,23 +14,32 @@ namespace toile {
 /// Anchors of friction and multipliers of the limits at the end of a run. A run that begins with
 /// them begins with the forces that they hold.
 struct WarmStart {
-  std::vector<std::optional<Vec3>> skin;  ///< metres, per node; none: it slides
-  std::vector<EdgeAnchor> edges;          ///< middles on the skin, of nodes, sorted
-  std::vector<PairAnchor> cloth;          ///< on cloth, of nodes and then of layers' points, sorted
-  std::vector<LimitMultiplier> multipliers;  ///< per triangle; empty: no limits
+  std::vector<std::optional<Vec3>> skin_anchors;  ///< metres, per node; none: it slides
+  std::vector<EdgeAnchor> edge_anchors;           ///< middles on the skin, of nodes, sorted
+  /// On cloth, of nodes and then of layers' points, sorted.
+  std::vector<PairAnchor> pair_anchors;
+  std::vector<LimitMultiplier> multipliers;  ///< per triangle; empty: they begin at 0
+
+  /// Forgets what friction held; the multipliers stay.
+  void drop_anchors() {
+    skin_anchors.clear();
+    edge_anchors.clear();
+    pair_anchors.clear();
+  }
 
   /// Drops the anchors of nodes for which `moved` is not 0. `moved`: one a node.
   void release_anchors(const std::vector<char>& moved) {
-    for (std::size_t n = 0; n < std::min(moved.size(), skin.size()); ++n) {
-      if (moved[n] != 0) skin[n].reset();
+    for (std::size_t n = 0; n < std::min(moved.size(), skin_anchors.size()); ++n) {
+      if (moved[n] != 0) skin_anchors[n].reset();
     }
     const auto any_moved = [&](const auto& vertices) {
       return std::any_of(vertices.begin(), vertices.end(), [&](int v) {
         return static_cast<std::size_t>(v) < moved.size() && moved[v] != 0;
       });
     };
-    std::erase_if(edges, [&](const EdgeAnchor& anchor) { return any_moved(anchor.edge); });
-    std::erase_if(cloth, [&](const PairAnchor& anchor) { return any_moved(anchor.vertices); });
+    std::erase_if(edge_anchors, [&](const EdgeAnchor& anchor) { return any_moved(anchor.edge); });
+    std::erase_if(pair_anchors,
+                  [&](const PairAnchor& anchor) { return any_moved(anchor.vertices); });
   }
 };
 
@@ -43,7 +52,7 @@ struct ForceOptions {
   /// Attraction to the skin, as a multiple of the cloth's weight; it falls to 0 at the skin [Zhong
   /// & Xu 2009, wrapping]. Without it, the middle of a wide panel stays where it was while its
   /// seams close, and folds into one sharp ridge.
-  double pull = 0;
+  double body_attraction = 0;
   bool friction = true;  ///< without it, a garment can slide down into place
   /// Keeps every node within its bound of the last search, so that surfaces that are apart stay
   /// apart. The run must begin without intersections: a tangle would be locked in.
@@ -56,7 +65,7 @@ struct ForceOptions {
   /// Moves cloth out of the body at once wherever it comes into it (BodyBarrier), for seams that
   /// close pull it through any push.
   bool barrier = false;
-  /// Draws cloth that has come through cloth back out of it (crossings.h).
+  /// Draws cloth that has come through cloth back out of it (edge_face_intersections.h).
   bool untangles = false;
   /// Keeps vertices, edges and faces of the cloth apart from those of the scene's layers, too, and
   /// within bounds of them. The run must begin without intersections with the layers.
@@ -72,11 +81,10 @@ struct ForceOptions {
   /// Share of its bound after which a node has near cloth searched for. With 1, it has when it is
   /// stopped. With less, nodes that move freely are never stopped, at the cost of more searches.
   double search_share = 1;
-  /// The end of an earlier run at the same positions, with closed seams. Null: friction holds the
-  /// cloth where it first touches.
+  /// The end of an earlier run. Its anchors are of the same positions, with closed seams; without
+  /// them, and where seams are open, friction holds the cloth where it first touches. Null: all
+  /// begins anew.
   const WarmStart* warm_start = nullptr;
-  /// Multipliers of the limits, one a triangle, to begin with. Null: they begin at 0.
-  const std::vector<LimitMultiplier>* multipliers = nullptr;
 };
 
 }  // namespace toile

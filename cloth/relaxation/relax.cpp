@@ -96,9 +96,8 @@ class Relaxation {
   }
   Vec4 count_stops(std::size_t first, int moved);
   double step_nodes(std::size_t begin, std::size_t end, const ClothForces::Mover& move);
-  /// What becomes of crossing cloth.
-  enum class Crossing { goes_on, gone, stuck };
-  Crossing untangle(int iteration);
+  enum class Untangling { goes_on, done, stuck };
+  Untangling untangle(int iteration);
   Residual measure_residual();
   Residual last_residual();
   std::vector<std::size_t> held() const;
@@ -251,16 +250,17 @@ double Relaxation::step() {
 }
 
 /// Draws crossing cloth apart, when it is due.
-Relaxation::Crossing Relaxation::untangle(int iteration) {
-  if (!options_.untangles || iteration % crossing_interval != 0) return Crossing::goes_on;
+Relaxation::Untangling Relaxation::untangle(int iteration) {
+  if (!options_.untangles || iteration % crossing_interval != 0) return Untangling::goes_on;
   const std::vector<int>& moved = forces_.leave_cloth();
   for (const int n : moved) x_[n] = forces_.node(n);
-  if (moved.empty()) return Crossing::gone;
+  if (moved.empty()) return Untangling::done;
   if (moved.size() < fewest_crossing_) {
     fewest_crossing_ = moved.size();
     fewest_crossing_at_ = iteration;
   }
-  return iteration - fewest_crossing_at_ > crossing_patience ? Crossing::stuck : Crossing::goes_on;
+  return iteration - fewest_crossing_at_ > crossing_patience ? Untangling::stuck
+                                                             : Untangling::goes_on;
 }
 
 /// The residual at the present positions, with contacts found anew.
@@ -389,9 +389,9 @@ RelaxReport Relaxation::run(const RelaxWatcher& watcher) {
         forces_.pass_through_cloth();
       }
     }
-    const Crossing crossing = untangle(i);
-    report.converged = crossing == Crossing::gone;
-    if (crossing != Crossing::goes_on) break;
+    const Untangling untangling = untangle(i);
+    report.converged = untangling == Untangling::done;
+    if (untangling != Untangling::goes_on) break;
     const double power = step();
     adjust_momentum(power, closing);
     report.iterations = i + 1;

@@ -132,14 +132,14 @@ ReleaseReport Release::run() {
     }
   }
   report.released_energy += report.kinetic;
-  report.all = moved_figures(report.moved);
+  report.all = move_statistics(report.moved);
   if (options_.warm_start != nullptr) {
     std::vector<double> moved;
-    for (std::size_t n = 0; n < options_.warm_start->skin.size(); ++n) {
-      if (options_.warm_start->skin[n]) moved.push_back(report.moved[n]);
+    for (std::size_t n = 0; n < options_.warm_start->skin_anchors.size(); ++n) {
+      if (options_.warm_start->skin_anchors[n]) moved.push_back(report.moved[n]);
     }
     report.sticking = static_cast<int>(moved.size());
-    report.of_sticking = moved_figures(moved);
+    report.of_sticking = move_statistics(moved);
   }
   std::vector<double> speeds;
   for (const Vec4& v : v_) speeds.push_back(std::sqrt(squared_length(v)));
@@ -153,7 +153,7 @@ ReleaseReport Release::run() {
 
 }  // namespace
 
-MovedFigures moved_figures(const std::vector<double>& moved) {
+MoveStatistics move_statistics(const std::vector<double>& moved) {
   return {at_share(moved, 0.5), at_share(moved, 0.99), at_share(moved, 1)};
 }
 

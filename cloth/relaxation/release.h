@@ -16,14 +16,14 @@ struct ReleaseOptions : ForceOptions {
   double bending = 1;  ///< factor on the bending stiffness
 };
 
-/// Figures of the distances (metres) that nodes have moved.
-struct MovedFigures {
+/// Statistics of the distances (metres) that nodes have moved.
+struct MoveStatistics {
   double median = 0;
   double p99 = 0;  ///< 99th percentile
   double max = 0;
 };
-/// Figures of `moved` (metres, one a node). Linear.
-MovedFigures moved_figures(const std::vector<double>& moved);
+/// Those of `moved` (metres, one a node). Linear.
+MoveStatistics move_statistics(const std::vector<double>& moved);
 
 struct ReleaseReport {
   double seconds = 0;    ///< simulated
@@ -32,11 +32,11 @@ struct ReleaseReport {
   int searches = 0;  ///< for near cloth
   double wall_seconds = 0;
   std::vector<double> moved;  ///< metres, per node: its largest distance from its start
-  MovedFigures all;
+  MoveStatistics all;
   int sticking = 0;  ///< nodes with an anchor on the skin at the start, by the options' warm_start
-  MovedFigures of_sticking;  ///< distances of those nodes
-  double speed_p99 = 0;      ///< m/s, at the end: 99th percentile
-  double kinetic = 0;        ///< J of kinetic energy at the end
+  MoveStatistics of_sticking;  ///< distances of those nodes
+  double speed_p99 = 0;        ///< m/s, at the end: 99th percentile
+  double kinetic = 0;          ///< J of kinetic energy at the end
   /// Whether 99 % of the nodes stayed within 2 mm.
   bool stays() const { return all.p99 < max_stable_motion; }
   WarmStart warm_start;        ///< anchors and multipliers at the end

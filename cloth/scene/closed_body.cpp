@@ -82,7 +82,7 @@ Skeleton read_skeleton_of(const SurfaceDistance& body, const std::filesystem::pa
     constexpr double far = 10;
     throw Error(path.string(),
                 "joint '" + outside->name + "' lies " +
-                    (outside->by < far ? fixed_number(100 * outside->by, 1) + " cm" : "far") +
+                    (outside->by < far ? centimetres(outside->by, 1) : "far") +
                     " outside of the body",
                 "they are another body's joints: write this one's with clean-body");
   }

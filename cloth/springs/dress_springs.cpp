@@ -181,11 +181,10 @@ StageReport& SpringDressing::stage(const std::string& name, double longest, Spri
 
 void SpringDressing::look(const std::string& name, double progress) {
   const std::vector<Vec3>& points = motion_.points();
-  const double area = largest_change_percent(rest_areas_, panel_areas(garment_, points));
-  const double perimeter =
-      largest_change_percent(rest_perimeters_, panel_perimeters(outlines_, points));
-  result_.during.area_percent = std::max(result_.during.area_percent, area);
-  result_.during.perimeter_percent = std::max(result_.during.perimeter_percent, perimeter);
+  const double area = largest_change(rest_areas_, panel_areas(garment_, points));
+  const double perimeter = largest_change(rest_perimeters_, panel_perimeters(outlines_, points));
+  result_.during.area = std::max(result_.during.area, area);
+  result_.during.perimeter = std::max(result_.during.perimeter, perimeter);
   if (watcher_ && looks_++ % frame_looks == 0) watcher_({garment_, name, points, progress, time_});
 }
 

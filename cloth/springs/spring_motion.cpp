@@ -148,7 +148,7 @@ void SpringMotion::accelerate(const SpringStage& stage) {
       const double mass = sheet_.mass()[n];
       if (mass <= 0) continue;
       Vec3 f = force_[n] + stage.gravity * mass * scene.gravity;
-      if (stage.attraction > 0) f += pull_to_body(scene, x_[n], stage.attraction * mass * g);
+      if (stage.attraction > 0) f += body_attraction(scene, x_[n], stage.attraction * mass * g);
       v_[n] = (v_[n] + dt * f / mass) / (1 + dt * options_.drag);
     }
   });

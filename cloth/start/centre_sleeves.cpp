@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+#include <optional>
 
 #include "cloth/start/constants.h"
+#include "geometry/angles.h"
 #include "geometry/body/bones.h"
 
 namespace toile {
@@ -81,6 +82,107 @@ struct SeamPoint {
   bool above;
 };
 
+/// The panels of an arm, in its plane. Metres.
+struct Sleeve {
+  std::vector<int> points;
+  Vec2 middle{0, 0};             ///< mean of the points
+  Vec2 pivot{0, 0};              ///< mean of the armhole's points, or the middle
+  std::vector<SeamPoint> seams;  ///< of the seams that close around the arm
+
+  bool closes_on_both_sides() const {
+    return std::ranges::any_of(seams, &SeamPoint::above) &&
+           !std::ranges::all_of(seams, &SeamPoint::above);
+  }
+};
+
+/// Whether the cloth that lies beside a seam, within 5 cm along the arm, is below it; none: there
+/// is no cloth.
+std::optional<bool> is_above_cloth(const Vec2& seam, const std::vector<int>& points,
+                                   const ArmPlane& plane, const std::vector<Vec3>& placed) {
+  Vec2 beside = Vec2::Zero();
+  double weight = 0;
+  for (const int p : points) {
+    if (std::abs(plane.at(placed[p]).x() - seam.x()) > 0.05) continue;
+    beside += plane.at(placed[p]);
+    ++weight;
+  }
+  if (weight == 0) return std::nullopt;
+  return seam.y() > beside.y() / weight;
+}
+
+/// The panels of `part` that the skeleton did not position.
+Sleeve sleeve_of(const PanelMesh& garment, const std::vector<std::string>& part_of_point,
+                 const std::string& part, const ArmPlane& plane, const std::vector<Vec3>& placed) {
+  Sleeve sleeve;
+  for (const MeshedPanel& panel : garment.panels) {
+    if (panel.placement.by_part() || part_of_point[panel.first_point] != part) continue;
+    for (int p = panel.first_point; p < panel.first_point + panel.points; ++p) {
+      sleeve.points.push_back(p);
+      sleeve.middle += plane.at(placed[p]);
+    }
+  }
+  if (sleeve.points.empty()) return sleeve;
+  sleeve.middle /= static_cast<double>(sleeve.points.size());
+  int at_armhole = 0;
+  for (const MeshedSeam& seam : garment.seams) {
+    const bool mine_a = part_of_point[seam.a.front()] == part;
+    const bool mine_b = part_of_point[seam.b.front()] == part;
+    if (mine_a != mine_b) {
+      for (const int p : mine_a ? seam.a : seam.b) sleeve.pivot += plane.at(placed[p]);
+      at_armhole += static_cast<int>(seam.a.size());
+    }
+    if (!mine_a || !mine_b) continue;
+    Vec2 middle = Vec2::Zero();
+    double apart = 0;
+    for (std::size_t i = 0; i < seam.a.size(); ++i) {
+      middle += 0.5 * (plane.at(placed[seam.a[i]]) + plane.at(placed[seam.b[i]]));
+      apart += std::abs(placed[seam.a[i]].z() - placed[seam.b[i]].z());
+    }
+    const auto count = static_cast<double>(seam.a.size());
+    if (apart < min_sleeve_depth * count) continue;
+    // Which side of the arm it closes on is told by the panels beside it: their cloth lies there.
+    const auto above = is_above_cloth(middle / count, sleeve.points, plane, placed);
+    if (!above) continue;
+    for (std::size_t i = 0; i < seam.a.size(); ++i) {
+      sleeve.seams.push_back({plane.at(placed[seam.a[i]]), *above});
+      sleeve.seams.push_back({plane.at(placed[seam.b[i]]), *above});
+    }
+  }
+  sleeve.pivot = at_armhole > 0 ? Vec2(sleeve.pivot / at_armhole) : sleeve.middle;
+  return sleeve;
+}
+
+/// A turn about the armhole, radians, and a lift square to the arm, metres.
+struct SleeveMove {
+  double angle = 0;
+  double lift = 0;
+};
+
+/// The move after which the seams are the least too near to the arm.
+SleeveMove best_move(const Sleeve& sleeve, const ArmPlane& plane, const ArmOutline& outline) {
+  const auto cost = [&](double angle, double lift) {
+    double sum = 0;
+    for (const SeamPoint& seam : sleeve.seams) {
+      const double lack = outline.lack(plane.moved(seam.at, sleeve.pivot, angle, lift), seam.above);
+      sum += lack * lack;
+    }
+    const double motion = lift * lift + 0.1 * angle * angle;
+    return sum + centring_reluctance * motion * static_cast<double>(sleeve.seams.size());
+  };
+  SleeveMove move;
+  double best = cost(0, 0);
+  for (int a = -max_sleeve_degrees; a <= max_sleeve_degrees; ++a) {
+    for (int l = -max_sleeve_lifts; l <= max_sleeve_lifts; ++l) {
+      const SleeveMove tried = {to_radians(a), l * sleeve_lift_step};
+      const double found = cost(tried.angle, tried.lift);
+      if (found >= best) continue;
+      best = found;
+      move = tried;
+    }
+  }
+  return move;
+}
+
 }  // namespace
 
 std::map<std::string, double> centre_sleeves(const PanelMesh& garment,
@@ -91,84 +193,17 @@ std::map<std::string, double> centre_sleeves(const PanelMesh& garment,
   for (const char* part : {"left_arm", "right_arm"}) {
     if (Bones(skeleton, part).joints.empty()) continue;
     const ArmPlane plane(skeleton, part);
-    std::vector<int> points;
-    Vec2 middle = Vec2::Zero();
-    for (const MeshedPanel& panel : garment.panels) {
-      if (panel.placement.by_part() || part_of_point[panel.first_point] != part) continue;
-      for (int p = panel.first_point; p < panel.first_point + panel.points; ++p) {
-        points.push_back(p);
-        middle += plane.at(placed[p]);
-      }
-    }
-    if (points.empty()) continue;
-    middle /= static_cast<double>(points.size());
-    Vec2 pivot = Vec2::Zero();
-    int at_armhole = 0;
-    std::vector<SeamPoint> seams;
-    for (const MeshedSeam& seam : garment.seams) {
-      const bool mine_a = part_of_point[seam.a.front()] == part;
-      const bool mine_b = part_of_point[seam.b.front()] == part;
-      if (mine_a != mine_b) {
-        for (const int p : mine_a ? seam.a : seam.b) pivot += plane.at(placed[p]);
-        at_armhole += static_cast<int>(seam.a.size());
-      }
-      if (!mine_a || !mine_b) continue;
-      Vec2 seam_middle = Vec2::Zero();
-      double apart = 0;
-      for (std::size_t i = 0; i < seam.a.size(); ++i) {
-        seam_middle += 0.5 * (plane.at(placed[seam.a[i]]) + plane.at(placed[seam.b[i]]));
-        apart += std::abs(placed[seam.a[i]].z() - placed[seam.b[i]].z());
-      }
-      const auto count = static_cast<double>(seam.a.size());
-      if (apart < min_sleeve_depth * count) continue;
-      // Which side of the arm it closes on is told by the panels beside it: their cloth lies there.
-      Vec2 beside = Vec2::Zero();
-      double weight = 0;
-      for (const int p : points) {
-        if (std::abs(plane.at(placed[p]).x() - seam_middle.x() / count) > 0.05) continue;
-        beside += plane.at(placed[p]);
-        ++weight;
-      }
-      if (weight == 0) continue;
-      const bool above = seam_middle.y() / count > beside.y() / weight;
-      for (std::size_t i = 0; i < seam.a.size(); ++i) {
-        seams.push_back({plane.at(placed[seam.a[i]]), above});
-        seams.push_back({plane.at(placed[seam.b[i]]), above});
-      }
-    }
-    const bool has_both = std::ranges::any_of(seams, [](const SeamPoint& s) { return s.above; }) &&
-                          std::ranges::any_of(seams, [](const SeamPoint& s) { return !s.above; });
-    if (!has_both) continue;
-    pivot = at_armhole > 0 ? Vec2(pivot / at_armhole) : middle;
-    const ArmOutline outline(skin, skeleton, part, plane);
-    const auto cost = [&](double angle, double lift) {
-      double sum = 0;
-      for (const SeamPoint& seam : seams) {
-        const double lack = outline.lack(plane.moved(seam.at, pivot, angle, lift), seam.above);
-        sum += lack * lack;
-      }
-      const double motion = lift * lift + 0.1 * angle * angle;
-      return sum + centring_reluctance * motion * static_cast<double>(seams.size());
+    const Sleeve sleeve = sleeve_of(garment, part_of_point, part, plane, placed);
+    if (!sleeve.closes_on_both_sides()) continue;
+    const SleeveMove move = best_move(sleeve, plane, ArmOutline(skin, skeleton, part, plane));
+    const auto way = [&](const Vec2& from) -> Vec2 {
+      return plane.moved(from, sleeve.pivot, move.angle, move.lift) - from;
     };
-    double best = cost(0, 0);
-    double angle = 0;
-    double lift = 0;
-    for (int a = -max_sleeve_degrees; a <= max_sleeve_degrees; ++a) {
-      for (int l = -max_sleeve_lifts; l <= max_sleeve_lifts; ++l) {
-        const double radians = a * std::numbers::pi / 180;
-        const double found = cost(radians, l * sleeve_lift_step);
-        if (found >= best) continue;
-        best = found;
-        angle = radians;
-        lift = l * sleeve_lift_step;
-      }
+    for (const int p : sleeve.points) {
+      const Vec2 by = way(plane.at(placed[p]));
+      placed[p] += by.x() * plane.along + by.y() * plane.up;
     }
-    for (const int p : points) {
-      const Vec2 from = plane.at(placed[p]);
-      const Vec2 way = plane.moved(from, pivot, angle, lift) - from;
-      placed[p] += way.x() * plane.along + way.y() * plane.up;
-    }
-    moved[part] = (plane.moved(middle, pivot, angle, lift) - middle).norm();
+    moved[part] = way(sleeve.middle).norm();
   }
   return moved;
 }

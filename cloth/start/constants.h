@@ -2,7 +2,7 @@
 // docs/constants.md shows what half and double of many of them do.
 #pragma once
 
-#include <numbers>
+#include "geometry/angles.h"
 
 namespace toile {
 
@@ -67,54 +67,54 @@ inline constexpr double innermost_sleeve = 0.03;
 /// lies in front of both legs, and belongs to the torso.
 inline constexpr double both_sides_share = 0.15;
 
-// Panels laid in two sheets (sheet_layout.h).
+// Panels laid flat, in a front and a back face (flat_layout.h).
 
 /// Points at which a seam between two panels is compared.
-inline constexpr int sheet_seam_samples = 9;
+inline constexpr int flat_seam_samples = 9;
 
 /// Points of a panel, about, that tell how much of it lies upon another one.
-inline constexpr int sheet_overlap_samples = 24;
+inline constexpr int flat_overlap_samples = 24;
 
 /// Ratio of a seam's sides from which on the longer one counts as gathered.
 inline constexpr double min_gather = 1.15;
 
 /// Metres: a seam around the side, from front to back, counts like one with this gap. It keeps the
-/// sheets whole.
-inline constexpr double sheet_side_gap = 0.06;
+/// faces whole.
+inline constexpr double side_seam_gap = 0.06;
 
-/// Metres: square metres that lie upon others in a sheet, times this, count as misfit.
-inline constexpr double sheet_overlap_weight = 0.03;
+/// Metres: square metres that lie upon others in a face, times this, count as misfit.
+inline constexpr double overlap_weight = 0.03;
 
-/// Metres: the square of the sheets' difference in area, over their sum, counts as misfit with
+/// Metres: the square of the faces' difference in area, over their sum, counts as misfit with
 /// this.
-inline constexpr double sheet_balance_weight = 0.01;
+inline constexpr double face_balance_weight = 0.01;
 
-/// Pairs of panels of unknown sheets that are sewn together, up to which arcs change sheets.
+/// Pairs of panels of unknown faces that are sewn together, up to which arcs change faces.
 inline constexpr std::size_t max_arc_seams = 40;
 
-/// Share of a panel that lies upon another one of its sheet, from which on it stands before that.
+/// Share of a panel that lies upon another one of its face, from which on it stands before that.
 inline constexpr double min_share_upon = 0.1;
 
-/// Sweeps over all panels to compare two choices of sheets, and for the layout that is kept.
-inline constexpr int sheet_trial_sweeps = 30;
-inline constexpr int sheet_final_sweeps = 1000;
+/// Sweeps over all panels to compare two choices of faces, and for the layout that is kept.
+inline constexpr int layout_trial_sweeps = 30;
+inline constexpr int layout_final_sweeps = 1000;
 
-/// Panels of unknown sheets up to which all choices are tried.
-inline constexpr std::size_t max_tried_sheets = 11;
+/// Panels of unknown faces up to which all choices are tried.
+inline constexpr std::size_t max_tried_faces = 11;
 
-/// Rounds in which sheets of single panels are changed.
-inline constexpr int max_sheet_rounds = 20;
+/// Rounds in which faces of single panels are changed.
+inline constexpr int max_face_rounds = 20;
 
-// Landmarks of a garment in sheets (sheet_landmarks.h), and its place (find_places.h).
+// Landmarks of a garment that lies flat (flat_landmarks.h), and its place (find_places.h).
 
 /// Metres along the border of a hole that counts as an opening.
-inline constexpr double min_sheet_opening = 0.15;
+inline constexpr double min_flat_opening = 0.15;
 
 /// Metres above and below a seam at which it has cloth or has none.
 inline constexpr double shoulder_probe = 0.03;
 
-/// Metres to either side of the middle where the top of a sheet is measured.
-inline constexpr double sheet_top_width = 0.03;
+/// Metres to either side of the middle where the top of a face is measured.
+inline constexpr double face_top_width = 0.03;
 
 /// Share of a panel's width across a seam that the seam's edges are apart, when it closes around
 /// its part. A sleeve of any length has 0.8 to 1, a dart less than 0.2.
@@ -159,14 +159,14 @@ inline constexpr double shoulder_strip = 0.015;
 /// Metres that shoulder seams start above the shoulders.
 inline constexpr double shoulder_seam_gap = 0.015;
 
-/// Metres from the skin, in front and at the back, to the sheets.
-inline constexpr double sheet_distance = 0.1;
+/// Metres from the skin, in front and at the back, to the faces.
+inline constexpr double face_distance = 0.1;
 
-/// Metres from the bones of an arm to the sheets of its sleeve.
-inline constexpr double sleeve_sheet_distance = 0.15;
+/// Metres from the bones of an arm to the faces of its sleeve.
+inline constexpr double sleeve_face_distance = 0.15;
 
-/// Metres by which a panel stands before one of its sheet that it lies upon.
-inline constexpr double sheet_layer_distance = 0.04;
+/// Metres by which a panel stands before one of its face that it lies upon.
+inline constexpr double face_layer_distance = 0.04;
 
 // Places that a pattern states, against those that its seams tell (places_fit.h).
 
@@ -214,7 +214,7 @@ inline constexpr double turned_misfit = 0.3;
 /// Radians that a sleeve is off its arm before it is turned. T-shirts and a shirt are 3 to 9
 /// degrees off arms like those they were laid out for. They are 12 to 52 degrees off arms that hang
 /// lower, swing or reach forward [measured].
-inline constexpr double min_sleeve_turn = 11 * std::numbers::pi / 180;
+inline constexpr double min_sleeve_turn = to_radians(11);
 
 /// Cosine between a seam and the arm. A seam with at least this runs along the sleeve, not around
 /// it.

@@ -9,8 +9,8 @@
 #include "cloth/start/around_panels.h"
 #include "cloth/start/body_sizes.h"
 #include "cloth/start/constants.h"
-#include "cloth/start/sheet_layout.h"
-#include "cloth/start/worn_sheets.h"
+#include "cloth/start/flat_layout.h"
+#include "cloth/start/worn_layout.h"
 #include "geometry/body/bones.h"
 #include "geometry/body/limbs_through.h"
 #include "geometry/disjoint_sets.h"
@@ -29,10 +29,10 @@ bool names_hood(const std::string& name) {
 }
 
 /// Panels that are sewn together, directly or through others.
-class Piece {
+class Component {
  public:
-  Piece(const PanelMesh& garment, const Skeleton& skeleton, const BodySizes& sizes,
-        const AskedPlaces& asked, std::vector<int> panels)
+  Component(const PanelMesh& garment, const Skeleton& skeleton, const BodySizes& sizes,
+            const AskedPlaces& asked, std::vector<int> panels)
       : garment_(garment),
         skeleton_(skeleton),
         sizes_(sizes),
@@ -51,18 +51,18 @@ class Piece {
     const auto it = asked_.find(panel(p).name);
     return it == asked_.end() ? nullptr : &it->second;
   }
-  /// The number of a panel in the sheets; none: it is not there.
-  std::optional<std::size_t> in_sheets(int p) const {
+  /// The number of a panel in the layout; none: it is not there.
+  std::optional<std::size_t> in_layout(int p) const {
     const auto found = std::ranges::find(flat_, p);
     if (found == flat_.end()) return std::nullopt;
     return static_cast<std::size_t>(found - flat_.begin());
   }
   std::optional<bool> named_back(int p) const;
   void sort_panels();
-  void check_sheets() const;
-  void lay_sheets();
-  void stand_sheets(std::vector<Vec3>& placed);
-  double sheet_depth(std::size_t i, const std::pair<double, double>& trunk) const;
+  void check_sewn() const;
+  void lay_panels();
+  void stand_panels(std::vector<Vec3>& placed);
+  double panel_depth(std::size_t i, const std::pair<double, double>& trunk) const;
   void stand_hood(int p, std::vector<Vec3>& placed) const;
   void roll_all(std::vector<MeshedPanel>& meshed) const;
   void roll(int p, std::vector<MeshedPanel>& meshed) const;
@@ -87,13 +87,13 @@ class Piece {
   const AskedPlaces& asked_;
   std::vector<int> panels_;
   std::vector<int> panel_of_;
-  std::vector<int> flat_;  ///< that lie in sheets
+  std::vector<int> flat_;  ///< that lie in the layout
   std::vector<int> hoods_;
   std::vector<int> around_;
-  std::optional<WornSheets> sheets_;
+  std::optional<WornLayout> worn_;
 };
 
-std::optional<bool> Piece::named_back(int p) const {
+std::optional<bool> Component::named_back(int p) const {
   if (const AskedPlace* place = asked(p)) {
     if (place->side == PlacementSide::front) return false;
     if (place->side == PlacementSide::back) return true;
@@ -103,7 +103,7 @@ std::optional<bool> Piece::named_back(int p) const {
   return face == 0 ? std::nullopt : std::optional(face < 0);
 }
 
-void Piece::sort_panels() {
+void Component::sort_panels() {
   for (const int p : panels_) {
     const AskedPlace* place = asked(p);
     const PlacementSide side = place == nullptr ? PlacementSide::none : place->side;
@@ -126,7 +126,7 @@ void Piece::sort_panels() {
 }
 
 /// Throws Error when seams do not tell where the flat panels belong.
-void Piece::check_sheets() const {
+void Component::check_sewn() const {
   if (flat_.size() == 1 && panels_.size() == 1 && asked(flat_.front()) == nullptr) {
     throw refused(flat_.front(), "is sewn to no other panel, so nothing tells its place");
   }
@@ -134,7 +134,7 @@ void Piece::check_sheets() const {
   for (const MeshedSeam& seam : garment_.seams) {
     const int a = panel_of_[seam.a[1]];
     const int b = panel_of_[seam.b[1]];
-    if (in_sheets(a) && in_sheets(b)) sets.join(a, b);
+    if (in_layout(a) && in_layout(b)) sets.join(a, b);
   }
   for (const int p : flat_) {
     if (sets.of(p) == sets.of(flat_.front())) continue;
@@ -143,7 +143,7 @@ void Piece::check_sheets() const {
   }
 }
 
-void Piece::lay_sheets() {
+void Component::lay_panels() {
   std::vector<std::optional<bool>> back;
   bool faces[2] = {false, false};
   bool is_asked = false;
@@ -155,37 +155,37 @@ void Piece::lay_sheets() {
   // One face alone is no name of a face, as in panels named a, b and c.
   const bool are_named = (faces[0] && faces[1]) || is_asked;
   if (!are_named) back.assign(flat_.size(), std::nullopt);
-  sheets_.emplace(garment_, lay_in_sheets(garment_, flat_, back), around_.size());
-  if (!are_named) sheets_->choose_front();
-  sheets_->straighten_legs(skeleton_);
+  worn_.emplace(garment_, lay_flat(garment_, flat_, back), around_.size());
+  if (!are_named) worn_->choose_front();
+  worn_->straighten_legs(skeleton_);
 }
 
 /// Metres: z of a panel. `trunk`: z of the skin of the trunk behind and in front.
-double Piece::sheet_depth(std::size_t i, const std::pair<double, double>& trunk) const {
-  const double outward = sheets_->layout().back[i] ? -1 : 1;
+double Component::panel_depth(std::size_t i, const std::pair<double, double>& trunk) const {
+  const double outward = worn_->layout().back[i] ? -1 : 1;
   const AskedPlace* place = asked(flat_[i]);
   const bool is_sleeve = place != nullptr && !place->part.empty()
                              ? place->part.ends_with("_arm")
                              : kind(flat_[i]) == PanelKind::sleeve;
-  double depth = outward > 0 ? trunk.second + sheet_distance : trunk.first - sheet_distance;
+  double depth = outward > 0 ? trunk.second + face_distance : trunk.first - face_distance;
   if (is_sleeve) {
     // Nearer to its arm than the front is.
-    const Vec2 centre = sheets_->centre(i);
+    const Vec2 centre = worn_->centre(i);
     const Bones bones(skeleton_, centre.x() > sizes_.middle() ? "left_arm" : "right_arm");
     const double arc = bones.foot({centre.x(), centre.y(), bones.joints.front().z()});
-    depth = bones.at(arc).first.z() + outward * sleeve_sheet_distance;
+    depth = bones.at(arc).first.z() + outward * sleeve_face_distance;
   }
-  return depth + outward * sheets_->layout().layer[i] * sheet_layer_distance;
+  return depth + outward * worn_->layout().layer[i] * face_layer_distance;
 }
 
-void Piece::stand_sheets(std::vector<Vec3>& placed) {
-  sheets_->shift({sizes_.middle() - sheets_->middle(), sheets_->rise(sizes_, skeleton_)});
+void Component::stand_panels(std::vector<Vec3>& placed) {
+  worn_->shift({sizes_.middle() - worn_->middle(), worn_->rise(sizes_, skeleton_)});
   double low = infinity;
   double high = -infinity;
   for (std::size_t i = 0; i < flat_.size(); ++i) {
     const MeshedPanel& of = panel(flat_[i]);
     for (int p = of.first_point; p < of.first_point + of.points; ++p) {
-      const Vec2 at = sheets_->layout().picture(i, garment_.flat[p]);
+      const Vec2 at = worn_->layout().picture(i, garment_.flat[p]);
       placed[p] = {at.x(), at.y(), 0};
       if (kind(flat_[i]) == PanelKind::sleeve) continue;
       low = std::min(low, at.y());
@@ -195,13 +195,13 @@ void Piece::stand_sheets(std::vector<Vec3>& placed) {
   const auto trunk = sizes_.depth(low, std::min(high, skeleton_.joint("neck").y()));
   for (std::size_t i = 0; i < flat_.size(); ++i) {
     const MeshedPanel& of = panel(flat_[i]);
-    const double depth = sheet_depth(i, trunk);
+    const double depth = panel_depth(i, trunk);
     for (int p = of.first_point; p < of.first_point + of.points; ++p) placed[p].z() = depth;
   }
 }
 
 /// A hood's half stands beside the head, its seams to the rest at the height of the neck.
-void Piece::stand_hood(int p, std::vector<Vec3>& placed) const {
+void Component::stand_hood(int p, std::vector<Vec3>& placed) const {
   const MeshedPanel& of = panel(p);
   Vec2 sewn = Vec2::Zero();
   Vec2 there = Vec2::Zero();
@@ -209,9 +209,9 @@ void Piece::stand_hood(int p, std::vector<Vec3>& placed) const {
   // The back of the neck tells the height, for a front may be cut low.
   bool at_back = false;
   each_partner(p, [&](int mine, int other) {
-    const auto partner = in_sheets(panel_of_[other]);
+    const auto partner = in_layout(panel_of_[other]);
     if (!partner) return;
-    const bool is_back = sheets_->layout().back[*partner] != 0;
+    const bool is_back = worn_->layout().back[*partner] != 0;
     if (at_back && !is_back) return;
     if (is_back && !at_back) {
       sewn = there = Vec2::Zero();
@@ -244,7 +244,7 @@ void Piece::stand_hood(int p, std::vector<Vec3>& placed) const {
 
 /// The part that a panel goes around: an arm beside what it is sewn to, a leg beside its twin, or
 /// the torso. A cuff goes around what its sleeve does.
-std::string Piece::rolled_part(int p, const std::vector<MeshedPanel>& meshed) const {
+std::string Component::rolled_part(int p, const std::vector<MeshedPanel>& meshed) const {
   const AskedPlace* place = asked(p);
   if (place != nullptr && !place->part.empty()) return place->part;
   if (!panel(p).part.empty()) return panel(p).part;
@@ -259,9 +259,9 @@ std::string Piece::rolled_part(int p, const std::vector<MeshedPanel>& meshed) co
   each_partner(p, [&](int, int other) {
     const int q = panel_of_[other];
     if (q != p && meshed[q].placement.around > 0) of_rolled = meshed[q].part;
-    const auto partner = in_sheets(q);
+    const auto partner = in_layout(q);
     if (!partner) return;
-    x += sheets_->layout().picture(*partner, garment_.flat[other]).x();
+    x += worn_->layout().picture(*partner, garment_.flat[other]).x();
     ++count;
   });
   if (count == 0 && !of_rolled.empty()) return of_rolled;
@@ -274,15 +274,15 @@ std::string Piece::rolled_part(int p, const std::vector<MeshedPanel>& meshed) co
   return aside > 0 ? "left_arm" : "right_arm";
 }
 
-/// What is sewn to a sheet is rolled first, then what is sewn to that.
-void Piece::roll_all(std::vector<MeshedPanel>& meshed) const {
+/// What is sewn to a flat panel is rolled first, then what is sewn to that.
+void Component::roll_all(std::vector<MeshedPanel>& meshed) const {
   std::vector<int> waiting = around_;
   while (!waiting.empty()) {
     const auto next = std::find_if(waiting.begin(), waiting.end(), [&](int p) {
       bool tells = false;
       each_partner(p, [&](int, int other) {
         const int q = panel_of_[other];
-        tells = tells || in_sheets(q) || (q != p && meshed[q].placement.around > 0);
+        tells = tells || in_layout(q) || (q != p && meshed[q].placement.around > 0);
       });
       return tells;
     });
@@ -292,7 +292,7 @@ void Piece::roll_all(std::vector<MeshedPanel>& meshed) const {
   }
 }
 
-void Piece::roll(int p, std::vector<MeshedPanel>& meshed) const {
+void Component::roll(int p, std::vector<MeshedPanel>& meshed) const {
   MeshedPanel& rolled = meshed[p];
   rolled.part = rolled_part(p, meshed);
   const bool is_arm = rolled.part.ends_with("_arm");
@@ -302,18 +302,18 @@ void Piece::roll(int p, std::vector<MeshedPanel>& meshed) const {
   if (!is_arm) rolled.placement.at = "waist";
 }
 
-std::vector<int> Piece::place(std::vector<Vec3>& placed, std::vector<FoundPlace>& found,
-                              std::vector<MeshedPanel>& meshed) {
+std::vector<int> Component::place(std::vector<Vec3>& placed, std::vector<FoundPlace>& found,
+                                  std::vector<MeshedPanel>& meshed) {
   sort_panels();
   if (!flat_.empty()) {
-    check_sheets();
-    lay_sheets();
-    stand_sheets(placed);
+    check_sewn();
+    lay_panels();
+    stand_panels(placed);
   }
   for (const int p : hoods_) stand_hood(p, placed);
   roll_all(meshed);
   for (std::size_t i = 0; i < flat_.size(); ++i) {
-    found[flat_[i]].side = sheets_->layout().back[i] ? PlacementSide::back : PlacementSide::front;
+    found[flat_[i]].side = worn_->layout().back[i] ? PlacementSide::back : PlacementSide::front;
   }
   for (const int p : hoods_) {
     const double x = placed[panel(p).first_point].x();
@@ -325,13 +325,13 @@ std::vector<int> Piece::place(std::vector<Vec3>& placed, std::vector<FoundPlace>
   }
   std::vector<int> legs;
   for (const bool left : {true, false}) {
-    if (!sheets_) continue;
-    for (const std::size_t i : sheets_->leg_panels(left)) legs.push_back(flat_[i]);
+    if (!worn_) continue;
+    for (const std::size_t i : worn_->leg_panels(left)) legs.push_back(flat_[i]);
   }
   return legs;
 }
 
-/// The part of a panel that stands in a sheet. `is_leg`: it reaches below the crotch. Where its
+/// The part of a panel that stands flat. `is_leg`: it reaches below the crotch. Where its
 /// name does not tell, what lies beyond the shoulder is a sleeve.
 std::string part_of(const PanelMesh& garment, const MeshedPanel& panel, const BodySizes& sizes,
                     const Skeleton& skeleton, bool is_leg) {
@@ -391,19 +391,19 @@ std::vector<FoundPlace> find_places(const TriangleMesh& body, const Skeleton& sk
   DisjointSets sewn(garment.panels.size());
   for (const MeshedSeam& seam : garment.seams) sewn.join(panel_of[seam.a[1]], panel_of[seam.b[1]]);
   std::vector<FoundPlace> found(garment.panels.size());
-  std::map<int, std::vector<int>> pieces;
+  std::map<int, std::vector<int>> components;
   for (std::size_t p = 0; p < garment.panels.size(); ++p) {
     found[p].panel = garment.panels[p].name;
     found[p].asked = asked.contains(garment.panels[p].name);
-    pieces[sewn.of(static_cast<int>(p))].push_back(static_cast<int>(p));
+    components[sewn.of(static_cast<int>(p))].push_back(static_cast<int>(p));
   }
   std::vector<char> is_leg(garment.panels.size(), 0);
   std::vector<Vec3> placed = garment.placed;
   std::vector<MeshedPanel> meshed = garment.panels;
   for (MeshedPanel& panel : meshed) panel.placement = {};
-  for (const auto& [lowest, panels] : pieces) {
+  for (const auto& [lowest, panels] : components) {
     for (const int p :
-         Piece(garment, skeleton, sizes, asked, panels).place(placed, found, meshed)) {
+         Component(garment, skeleton, sizes, asked, panels).place(placed, found, meshed)) {
       is_leg[p] = 1;
     }
   }

@@ -14,10 +14,10 @@ namespace toile {
 ///
 /// - A panel that is sewn to itself across its width goes around its part. That is an arm or the
 ///   torso, and of two without others each a leg. A panel that is asked to goes around, too.
-/// - All others lie in two sheets (sheet_layout.h), by their names (face_by_name()) or by what
-/// fits.
-///   The sheets stand before and behind the body. Panels named as hoods stand at the head's sides.
-/// - Which sheet is the front, and their height on the body: see worn_sheets.h.
+/// - All others lie in a front and a back face (flat_layout.h), by their names (face_by_name()) or
+///   by what fits. The faces stand before and behind the body. Panels named as hoods stand at the
+///   head's sides.
+/// - Which face is the front, and their height on the body: see worn_layout.h.
 ///
 /// Throws Error, naming a panel, where the skeleton lacks joints, where panels are not sewn to
 /// others, and for asked panels that are not there. `body` has the skeleton's joints.

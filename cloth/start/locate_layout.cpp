@@ -7,14 +7,16 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 #include "cloth/start/constants.h"
 #include "cloth/start/positioning.h"
+#include "geometry/angles.h"
 #include "geometry/body/bones.h"
 #include "geometry/body/limbs_through.h"
+#include "geometry/disjoint_sets.h"
+#include "io/text.h"
 #include "pattern/panel_kind.h"
 
 namespace toile {
@@ -162,20 +164,17 @@ bool Layout::has(PanelKind wanted) const {
 /// Whether panels that are sewn together reach to both sides of the layout's middle, as those of
 /// two stockings do not.
 bool Layout::surrounds_middle() const {
-  std::vector<int> piece(middles_.size());
-  std::iota(piece.begin(), piece.end(), 0);
+  DisjointSets sewn(middles_.size());
   const std::vector<int> panel_of = panel_of_points(garment_);
   for (const MeshedSeam& seam : garment_.seams) {
-    const int a = piece[panel_of[seam.a.front()]];
-    const int b = piece[panel_of[seam.b.front()]];
-    std::ranges::replace(piece, b, a);
+    sewn.join(panel_of[seam.a.front()], panel_of[seam.b.front()]);
   }
   Eigen::AlignedBox3d all;
   for (const Vec3& p : placed_) all.extend(p);
   const double middle = all.center().x();
-  std::vector<std::array<bool, 2>> reaches(piece.size(), {false, false});
+  std::vector<std::array<bool, 2>> reaches(middles_.size(), {false, false});
   for (std::size_t p = 0; p < placed_.size(); ++p) {
-    std::array<bool, 2>& sides = reaches[piece[panel_of[p]]];
+    std::array<bool, 2>& sides = reaches[sewn.of(panel_of[p])];
     sides[0] = sides[0] || placed_[p].x() < middle - min_layout_depth;
     sides[1] = sides[1] || placed_[p].x() > middle + min_layout_depth;
   }
@@ -321,19 +320,16 @@ void move_layout(const LayoutMove& move, PanelMesh& garment) {
 
 std::string text_of(const LayoutMove& move, const PanelMesh& garment) {
   const Vec3 middle = middle_of(garment.placed);
-  const auto centimetres = [](double metres) {
-    return std::to_string(std::lround(100 * std::abs(metres))) + " cm";
-  };
   const Vec3 by = move.rotation * middle + move.translation - middle;
   std::string text;
   const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
-  const double angle = Eigen::AngleAxisd(move.rotation).angle() * 180 / std::numbers::pi;
+  const double angle = to_degrees(Eigen::AngleAxisd(move.rotation).angle());
   if (std::lround(angle) != 0) add("turned by " + std::to_string(std::lround(angle)) + " degrees");
   if (std::lround(100 * by.y()) != 0) {
-    add(std::string(by.y() > 0 ? "raised" : "lowered") + " by " + centimetres(by.y()));
+    add(std::string(by.y() > 0 ? "raised" : "lowered") + " by " + centimetres(std::abs(by.y()), 0));
   }
   const double level = std::hypot(by.x(), by.z());
-  if (std::lround(100 * level) != 0) add("moved level by " + centimetres(level));
+  if (std::lround(100 * level) != 0) add("moved level by " + centimetres(level, 0));
   return text.empty() ? "moved by less than 1 cm" : text;
 }
 

@@ -8,6 +8,7 @@
 #include "geometry/body/skeleton.h"
 #include "geometry/disjoint_sets.h"
 #include "geometry/surface_distance.h"
+#include "geometry/triangle_area.h"
 
 namespace toile {
 
@@ -96,7 +97,7 @@ class PanelSides {
       const MeshedPanel& panel = garment_.panels[p];
       for (int t = panel.first_triangle; t < panel.first_triangle + panel.triangles; ++t) {
         const auto& [a, b, c] = garment_.triangles[t];
-        group.area += (at_[b] - at_[a]).cross(at_[c] - at_[a]).norm();
+        group.area += triangle_area(at_[a], at_[b], at_[c]);
       }
     }
     std::erase_if(by_first, [](const Group& group) { return group.panels.empty(); });

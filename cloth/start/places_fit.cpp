@@ -3,9 +3,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "cloth/start/constants.h"
+#include "geometry/angles.h"
 #include "pattern/panel_kind.h"
 
 namespace toile {
@@ -47,7 +47,7 @@ double area_of(const PanelMesh& garment, const MeshedPanel& panel) {
 
 /// Degrees from the upright.
 double lean_of(const Vec3& direction) {
-  return std::acos(std::clamp(direction.normalized().y(), -1.0, 1.0)) * 180 / std::numbers::pi;
+  return to_degrees(std::acos(std::clamp(direction.normalized().y(), -1.0, 1.0)));
 }
 
 /// Indices of the panels whose places tell. `places` may be empty.
@@ -85,7 +85,7 @@ std::string unfit_place(const PanelMesh& given, const PanelMesh& found,
   for (const std::size_t p : telling_panels(given, places)) {
     const Stand here(given, given.panels[p]);
     const Stand there(found, found.panels[p]);
-    // A gore of a round skirt is drawn upright, and lies aslant in its sheet.
+    // A gore of a round skirt is drawn upright, and lies aslant in its face.
     const Vec2 by_seams = there.axes.transpose() * Vec3::UnitY();
     const double lean = std::min(lean_of(here.axes * by_seams), lean_of(here.axes.col(1)));
     if (!(lean <= max_panel_lean)) {

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "cloth/start/constants.h"
 #include "cloth/start/leg_divide.h"
 #include "cloth/start/rolling.h"
+#include "geometry/angles.h"
 #include "geometry/body/bones.h"
 #include "geometry/error.h"
 
@@ -231,8 +231,7 @@ class PanelPose {
   /// `drawn_out`: metres farther along the bones. `bent`: a rolled panel follows their bends.
   PanelPose(const UprightPanel& piece, double drawn_out, bool bent = false)
       : piece_(piece), drawn_out_(drawn_out), bent_(bent) {
-    const double angle =
-        degrees_around(piece.panel.placement, piece.panel.part) * std::numbers::pi / 180;
+    const double angle = to_radians(degrees_around(piece.panel.placement, piece.panel.part));
     turned_ = Eigen::AngleAxisd(angle, Vec3::UnitY()).toRotationMatrix();
     const double a = piece.arc(piece.low.y()) + drawn_out;
     const double b = piece.arc(piece.high.y()) + drawn_out;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/angles.h"
+
 namespace toile {
 
 double to_light(double srgb) {
@@ -17,7 +19,7 @@ double from_light(double light) {
 }
 
 Colour oklch(double lightness, double chroma, double hue_degrees) {
-  const double hue = hue_degrees * std::numbers::pi / 180;
+  const double hue = to_radians(hue_degrees);
   const double a = chroma * std::cos(hue);
   const double b = chroma * std::sin(hue);
   const double l = std::pow(lightness + 0.3963377774 * a + 0.2158037573 * b, 3);

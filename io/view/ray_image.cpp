@@ -1,7 +1,6 @@
 #include "io/view/ray_image.h"
 
 #include <embree3/rtcore.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -9,6 +8,7 @@
 #include <numbers>
 
 #include "geometry/error.h"
+#include "geometry/parallel.h"
 
 namespace toile {
 
@@ -153,7 +153,7 @@ void RayScene::Data::find_openness() {
   const double reach = 0.15 * box.diagonal().norm();
   const double lift = 1e-4 * box.diagonal().norm();
   for (std::size_t m = 0; m < meshes.size(); ++m) {
-    tbb::parallel_for(std::size_t{0}, shadings[m].size(), [&](std::size_t i) {
+    parallel_for_items(shadings[m].size(), [&](std::size_t i) {
       PointShading& shading = shadings[m][i];
       std::array<double, 2> open{}, all{};
       for (const Vec3& direction : directions) {
@@ -308,7 +308,7 @@ Image RayScene::render(const Camera& camera, int width, int height) const {
   const Vec3 eye = camera.centre - eye_distance * camera.forward;
 
   SampleGrid grid(width, height, background);
-  tbb::parallel_for(0, height, [&](int y) {
+  parallel_for_items(height, [&](int y) {
     for (int x = 0; x < width; ++x) {
       RTCRayHit4 hit;
       for (std::size_t lane = 0; lane < 4; ++lane) {

@@ -1,8 +1,8 @@
 #include "io/view/sample_grid.h"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <cmath>
+
+#include "geometry/parallel.h"
 
 namespace toile {
 
@@ -51,7 +51,7 @@ void SampleGrid::draw_borders() {
 Image SampleGrid::image() const {
   Image image{width_, height_, {}};
   image.bytes.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 3);
-  tbb::parallel_for(0, height_, [&](int y) {
+  parallel_for_items(height_, [&](int y) {
     std::uint8_t* byte =
         image.bytes.data() + 3 * static_cast<std::size_t>(y) * static_cast<std::size_t>(width_);
     for (int x = 0; x < width_; ++x) {

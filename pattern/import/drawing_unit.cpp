@@ -23,8 +23,6 @@ std::string unit_name(double metres) {
   return "units of " + number_text(metres * 1000) + " mm";
 }
 
-std::string size_text(double metres) { return fixed_number(metres * 100, 1) + " cm"; }
-
 /// The unit that makes the largest piece one of a garment; 0: none does.
 double unit_of_size(double largest, bool english) {
   if (largest >= 100 && largest <= max_piece_length * 1000) return 1e-3;
@@ -43,7 +41,7 @@ double drawing_unit(const UnitEvidence& evidence, const std::string& source,
     const double size = largest * *evidence.asked;
     if (size < 1e-3 || size > max_asked_length) {
       throw Error(source,
-                  "the largest piece would be " + size_text(size) + " long in " +
+                  "the largest piece would be " + centimetres(size, 1) + " long in " +
                       unit_name(*evidence.asked),
                   "give another --unit");
     }
@@ -53,7 +51,7 @@ double drawing_unit(const UnitEvidence& evidence, const std::string& source,
     const double size = largest * *evidence.stated;
     if (size < min_piece_length || size > max_piece_length) {
       throw Error(source,
-                  "the largest piece would be " + size_text(size) + " long in " +
+                  "the largest piece would be " + centimetres(size, 1) + " long in " +
                       unit_name(*evidence.stated) + ", by " + evidence.stated_by,
                   unit_remedy);
     }
@@ -67,8 +65,9 @@ double drawing_unit(const UnitEvidence& evidence, const std::string& source,
   }
   const bool unsure = unit == 1e-2 || unit == metres_in_inch;
   remarks.push_back({unsure, source + ": states no unit; lengths are taken as " + unit_name(unit) +
-                                 ", so that the largest piece is " + size_text(largest * unit) +
-                                 " long" + (unsure ? "; if that is wrong, give --unit" : "")});
+                                 ", so that the largest piece is " +
+                                 centimetres(largest * unit, 1) + " long" +
+                                 (unsure ? "; if that is wrong, give --unit" : "")});
   return unit;
 }
 

@@ -14,6 +14,7 @@
 #include "pattern/import/half_pieces.h"
 #include "pattern/import/join_paths.h"
 #include "pattern/import/piece_shape.h"
+#include "pattern/row_layout.h"
 #include "pattern/seams/panel_words.h"
 
 namespace toile {
@@ -106,17 +107,9 @@ void lay_out(std::vector<ImportedPanel>& panels) {
     }
   }
   if (!overlap) return;
-  Vec2 corner = Vec2::Zero();
-  double row_height = 0;
+  RowFiller rows(layout_gap, 0, layout_width);
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    const Vec2 size = boxes[i].high - boxes[i].low;
-    if (corner.x() > 0 && corner.x() + size.x() > layout_width) {
-      corner = Vec2(0, corner.y() + row_height + layout_gap);
-      row_height = 0;
-    }
-    move(panels[i], corner - boxes[i].low);
-    corner.x() += size.x() + layout_gap;
-    row_height = std::max(row_height, size.y());
+    move(panels[i], rows.add(boxes[i].high - boxes[i].low) - boxes[i].low);
   }
 }
 

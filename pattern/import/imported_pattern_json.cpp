@@ -1,7 +1,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "geometry/angles.h"
 #include "io/text.h"
 #include "pattern/import/imported_pattern.h"
 
@@ -25,7 +25,7 @@ Json to_centimetres(const std::vector<Vec2>& points) {
   return list;
 }
 
-Json to_degrees(double radians) { return rounded(radians * 180 / std::numbers::pi, 1e4); }
+Json degrees(double radians) { return rounded(to_degrees(radians), 1e4); }
 
 Json edge_json(const EdgedOutline& outline, const OutlineEdge& edge) {
   Json json = {{"endpoints", {edge.from, edge.to}}};
@@ -61,13 +61,13 @@ nlohmann::ordered_json pattern_json(const ImportedPattern& pattern) {
     for (const OutlineEdge& edge : panel.outline.edges) {
       json["edges"].push_back(edge_json(panel.outline, edge));
     }
-    if (panel.grain) json["grain"] = to_degrees(*panel.grain);
+    if (panel.grain) json["grain"] = degrees(*panel.grain);
     if (!panel.fabric.empty()) json["fabric"] = panel.fabric;
     if (!panel.material.empty()) json["material"] = valid_utf8(panel.material);
     if (panel.quantity != 1) json["quantity"] = panel.quantity;
     for (const OutlineNotch& notch : panel.outline.notches) {
       Json entry = {{"vertex", notch.vertex}};
-      if (notch.angle) entry["angle"] = to_degrees(*notch.angle);
+      if (notch.angle) entry["angle"] = degrees(*notch.angle);
       json["notches"].push_back(entry);
     }
     for (const auto& line : panel.internal_lines)

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "geometry/angles.h"
 #include "geometry/error.h"
 #include "pattern/constants.h"
 
@@ -27,10 +27,10 @@ constexpr double notch_at_corner = 3e-3;
 constexpr double notch_reach = 0.06;
 
 /// Radians: sharper points are corners, however their neighbours turn.
-constexpr double sharp_turn = 50 * std::numbers::pi / 180;
+constexpr double sharp_turn = to_radians(50);
 
 /// Radians: sharper points are corners, even if the file declares others.
-constexpr double undeclared_turn = 60 * std::numbers::pi / 180;
+constexpr double undeclared_turn = to_radians(60);
 
 /// Metres: chords of a rounding are shorter.
 constexpr double rounding_chord = 0.02;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/closest_points.h"
 #include "geometry/error.h"
 #include "geometry/inset_polygon.h"
 #include "geometry/polygon.h"
@@ -37,6 +38,18 @@ std::vector<Vec2> cleaned(const std::vector<Vec2>& loop) {
   return kept;
 }
 
+/// The notch where `change` takes it and the point one metre along it.
+template <class Change>
+PieceNotch changed_notch(PieceNotch notch, const Change& change) {
+  if (notch.angle) {
+    const Vec2 tip = notch.at + Vec2(std::cos(*notch.angle), std::sin(*notch.angle));
+    const Vec2 along = change(tip) - change(notch.at);
+    notch.angle = std::atan2(along.y(), along.x());
+  }
+  notch.at = change(notch.at);
+  return notch;
+}
+
 template <class Change>
 void change_points(PieceShape& shape, const Change& change) {
   const auto all = [&](std::vector<Vec2>& points) {
@@ -44,18 +57,124 @@ void change_points(PieceShape& shape, const Change& change) {
   };
   all(shape.outline);
   all(shape.corners);
-  for (PieceNotch& notch : shape.notches) {
-    if (notch.angle) {
-      const Vec2 tip = notch.at + Vec2(std::cos(*notch.angle), std::sin(*notch.angle));
-      const Vec2 along = change(tip) - change(notch.at);
-      notch.angle = std::atan2(along.y(), along.x());
-    }
-    notch.at = change(notch.at);
-  }
+  for (PieceNotch& notch : shape.notches) notch = changed_notch(notch, change);
   for (auto& line : shape.internal_lines) all(line);
   for (auto& loop : shape.cut_outs) all(loop);
   all(shape.drill_holes);
   if (shape.grain) shape.grain = PieceLine{change(shape.grain->from), change(shape.grain->to)};
+}
+
+/// The line on which a piece is folded.
+struct FoldLine {
+  Vec2 from;
+  Vec2 across;  ///< unit vector square to it
+
+  /// Metres from the line, signed.
+  double side(const Vec2& point) const { return (point - from).dot(across); }
+  bool holds(const Vec2& point) const { return std::abs(side(point)) <= fold_reach; }
+  Vec2 onto(const Vec2& point) const { return point - side(point) * across; }
+  Vec2 mirrored(const Vec2& point) const { return point - 2 * side(point) * across; }
+};
+
+/// The points of an outline that lie on its fold: `points` of them, those before `behind`.
+struct FoldRun {
+  std::size_t behind = 0;
+  std::size_t points = 0;
+};
+
+/// `body`: the sign of the side on which the outline lies.
+FoldRun find_fold_run(const std::vector<Vec2>& outline, const FoldLine& fold, double body,
+                      const std::string& place) {
+  const std::size_t count = outline.size();
+  const auto on = [&](std::size_t i) { return fold.holds(outline[i % count]); };
+  std::size_t runs = 0;
+  FoldRun run;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (on(i) && !on(i + 1)) {
+      ++runs;
+      run.behind = i + 1;
+    }
+  }
+  if (runs > 0) {
+    while (run.points < count && on(run.behind + count - 1 - run.points)) ++run.points;
+  }
+  if (runs == 0 || run.points < 2) {
+    throw Error(place, "its outline does not run along its mirror line",
+                "draw the mirror line on the edge where the piece is folded");
+  }
+  if (runs > 1) {
+    throw Error(place,
+                "its outline meets its mirror line in " + std::to_string(runs) +
+                    " places, so that the whole would have holes, which are not cut",
+                "take the mirror line out, and sew the half to a second one along it");
+  }
+  // A curve that leaves the fold gently is near it for a while: its points are not of the fold.
+  double nearest = fold_reach;
+  for (std::size_t i = 1; i <= run.points; ++i) {
+    nearest = std::min(nearest, std::abs(fold.side(outline[(run.behind + count - i) % count])));
+  }
+  const auto leaves = [&](std::size_t i) {
+    return body * fold.side(outline[i % count]) > nearest + fold_noise;
+  };
+  while (run.points > 2 && leaves(run.behind + count - 1)) {
+    run.behind = (run.behind + count - 1) % count;
+    --run.points;
+  }
+  while (run.points > 2 && leaves(run.behind + count - run.points)) --run.points;
+  return run;
+}
+
+/// The outline and its mirror image, joined at the fold.
+std::vector<Vec2> mirrored_outline(const std::vector<Vec2>& outline, const FoldLine& fold,
+                                   const FoldRun& run) {
+  const std::size_t count = outline.size();
+  std::vector<Vec2> path;
+  path.push_back(fold.onto(outline[(run.behind + count - 1) % count]));
+  for (std::size_t i = 0; i < count - run.points; ++i) {
+    path.push_back(outline[(run.behind + i) % count]);
+  }
+  path.push_back(fold.onto(outline[(run.behind + count - run.points) % count]));
+  std::vector<Vec2> whole = path;
+  for (std::size_t i = path.size() - 1; i-- > 1;) whole.push_back(fold.mirrored(path[i]));
+  return cleaned(whole);
+}
+
+std::vector<Vec2> mirrored_points(const std::vector<Vec2>& points, const FoldLine& fold,
+                                  bool keep_on_fold) {
+  std::vector<Vec2> all;
+  for (const Vec2& point : points) {
+    const bool on_fold = fold.holds(point);
+    if (!on_fold || keep_on_fold) all.push_back(point);
+    if (!on_fold) all.push_back(fold.mirrored(point));
+  }
+  return all;
+}
+
+std::vector<std::vector<Vec2>> mirrored_lines(const std::vector<std::vector<Vec2>>& lines,
+                                              const FoldLine& fold) {
+  std::vector<std::vector<Vec2>> all;
+  for (const std::vector<Vec2>& line : lines) {
+    all.push_back(line);
+    if (std::ranges::all_of(line, [&](const Vec2& point) { return fold.holds(point); })) continue;
+    all.push_back(line);
+    for (Vec2& point : all.back()) point = fold.mirrored(point);
+  }
+  return all;
+}
+
+/// Adds the mirror image of what is marked on the half.
+void mirror_marks(const FoldLine& fold, PieceShape& shape) {
+  shape.corners = mirrored_points(shape.corners, fold, false);
+  shape.drill_holes = mirrored_points(shape.drill_holes, fold, true);
+  std::vector<PieceNotch> notches;
+  for (const PieceNotch& notch : shape.notches) {
+    notches.push_back(notch);
+    if (fold.holds(notch.at)) continue;
+    notches.push_back(changed_notch(notch, [&](const Vec2& p) { return fold.mirrored(p); }));
+  }
+  shape.notches = std::move(notches);
+  shape.internal_lines = mirrored_lines(shape.internal_lines, fold);
+  shape.cut_outs = mirrored_lines(shape.cut_outs, fold);
 }
 
 }  // namespace
@@ -65,10 +184,8 @@ OutlinePlace nearest_place(const std::vector<Vec2>& outline, const Vec2& point) 
   best.distance = std::numeric_limits<double>::max();
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vec2& from = outline[i];
-    const Vec2 along = outline[(i + 1) % outline.size()] - from;
-    const double square = along.squaredNorm();
-    const double share = square > 0 ? std::clamp((point - from).dot(along) / square, 0.0, 1.0) : 0;
-    const Vec2 at = from + share * along;
+    const Vec2& to = outline[(i + 1) % outline.size()];
+    const Vec2 at = from + closest_on_segment(point, from, to) * (to - from);
     const double distance = (point - at).norm();
     if (distance < best.distance) best = {i, at, distance};
   }
@@ -115,116 +232,26 @@ std::optional<PieceShape> unfolded_shape(const PieceShape& half, const PieceLine
   if (!along.allFinite() || along.squaredNorm() < 0.5) {
     throw Error(place, "its mirror line has no length", "draw the line where the piece is folded");
   }
-  const Vec2 across(-along.y(), along.x());
-  const auto side = [&](const Vec2& point) { return (point - fold.from).dot(across); };
-  const auto mirror = [&](const Vec2& point) -> Vec2 { return point - 2 * side(point) * across; };
-  const std::size_t count = half.outline.size();
-  double least = std::numeric_limits<double>::max();
-  double most = std::numeric_limits<double>::lowest();
+  const FoldLine line{fold.from, Vec2(-along.y(), along.x())};
+  double min_side = std::numeric_limits<double>::max();
+  double max_side = std::numeric_limits<double>::lowest();
   for (const Vec2& point : half.outline) {
-    least = std::min(least, side(point));
-    most = std::max(most, side(point));
+    min_side = std::min(min_side, line.side(point));
+    max_side = std::max(max_side, line.side(point));
   }
-  if (least < -fold_reach && most > fold_reach) {
+  if (min_side < -fold_reach && max_side > fold_reach) {
     remarks.push_back(
         {true, place + ": lies on both sides of its mirror line; it is taken as whole"});
     return std::nullopt;
   }
-  // The runs of points on the fold: there has to be one, of two points or more.
-  const auto on = [&](std::size_t i) {
-    return std::abs(side(half.outline[i % count])) <= fold_reach;
-  };
-  std::size_t runs = 0;
-  std::size_t first_off = 0;  // the first point behind the run
-  for (std::size_t i = 0; i < count; ++i) {
-    if (on(i) && !on(i + 1)) {
-      ++runs;
-      first_off = i + 1;
-    }
-  }
-  std::size_t run = 0;  // points of the run, backwards from first_off
-  if (runs > 0) {
-    while (run < count && on(first_off + count - 1 - run)) ++run;
-  }
-  if (runs == 0 || run < 2) {
-    throw Error(place, "its outline does not run along its mirror line",
-                "draw the mirror line on the edge where the piece is folded");
-  }
-  if (runs > 1) {
-    throw Error(place,
-                "its outline meets its mirror line in " + std::to_string(runs) +
-                    " places, so that the whole would have holes, which are not cut",
-                "take the mirror line out, and sew the half to a second one along it");
-  }
-  // A curve that leaves the fold gently is near it for a while: its points are not of the fold.
-  const double body = most > -least ? 1 : -1;
-  double nearest = fold_reach;
-  for (std::size_t i = 1; i <= run; ++i) {
-    nearest = std::min(nearest, std::abs(side(half.outline[(first_off + count - i) % count])));
-  }
-  const auto leaves = [&](std::size_t i) {
-    return body * side(half.outline[i % count]) > nearest + fold_noise;
-  };
-  while (run > 2 && leaves(first_off + count - 1)) {
-    first_off = (first_off + count - 1) % count;
-    --run;
-  }
-  while (run > 2 && leaves(first_off + count - run)) --run;
-  const auto onto_fold = [&](const Vec2& point) -> Vec2 { return point - side(point) * across; };
+  const double body = max_side > -min_side ? 1 : -1;
   PieceShape whole = half;
-  std::vector<Vec2> path;
-  path.push_back(onto_fold(half.outline[(first_off + count - 1) % count]));
-  for (std::size_t i = 0; i < count - run; ++i)
-    path.push_back(half.outline[(first_off + i) % count]);
-  path.push_back(onto_fold(half.outline[(first_off + count - run) % count]));
-  whole.outline = path;
-  for (std::size_t i = path.size() - 1; i-- > 1;) whole.outline.push_back(mirror(path[i]));
-  whole.outline = cleaned(whole.outline);
+  whole.outline =
+      mirrored_outline(half.outline, line, find_fold_run(half.outline, line, body, place));
   if (first_crossing(whole.outline)) {
     throw Error(place, "crosses itself when it is unfolded", "check its mirror line");
   }
-
-  const auto both = [&](std::vector<Vec2>& points, bool keep_on_fold) {
-    std::vector<Vec2> all;
-    for (const Vec2& point : points) {
-      if (std::abs(side(point)) <= fold_reach) {
-        if (keep_on_fold) all.push_back(point);
-        continue;
-      }
-      all.push_back(point);
-      all.push_back(mirror(point));
-    }
-    points = std::move(all);
-  };
-  both(whole.corners, false);
-  both(whole.drill_holes, true);
-  whole.notches.clear();
-  for (const PieceNotch& notch : half.notches) {
-    whole.notches.push_back(notch);
-    if (std::abs(side(notch.at)) <= fold_reach) continue;
-    PieceNotch twin = notch;
-    twin.at = mirror(notch.at);
-    if (notch.angle) {
-      const Vec2 tip = mirror(notch.at + Vec2(std::cos(*notch.angle), std::sin(*notch.angle)));
-      twin.angle = std::atan2((tip - twin.at).y(), (tip - twin.at).x());
-    }
-    whole.notches.push_back(twin);
-  }
-  const auto mirror_all = [&](std::vector<std::vector<Vec2>>& lines) {
-    std::vector<std::vector<Vec2>> all;
-    for (const std::vector<Vec2>& line : lines) {
-      const bool lies_on_fold = std::all_of(line.begin(), line.end(), [&](const Vec2& point) {
-        return std::abs(side(point)) <= fold_reach;
-      });
-      all.push_back(line);
-      if (lies_on_fold) continue;
-      all.push_back(line);
-      for (Vec2& point : all.back()) point = mirror(point);
-    }
-    lines = std::move(all);
-  };
-  mirror_all(whole.internal_lines);
-  mirror_all(whole.cut_outs);
+  mirror_marks(line, whole);
   return whole;
 }
 

@@ -243,8 +243,8 @@ void paper_row(Table& table, std::size_t row, const Case& at, const Settings& se
 void blender_row(Table& table, std::size_t row, const Case& at, const Settings& settings) {
   const fs::path output = fs::path(at.mesh).replace_extension("blender.obj");
   try {
-    const PeerFigures peer = run_blender(*settings.blender, at.mesh, at.body, output, at.lift,
-                                         settings.threads, settings.limit);
+    const PeerMeasurements peer = run_blender(*settings.blender, at.mesh, at.body, output, at.lift,
+                                              settings.threads, settings.limit);
     table.set(row, "Blender s", fixed(peer.run.seconds, 1));
     table.set(row, "Blender processor s", fixed(peer.run.processor_seconds, 1));
     if (at.seconds > 0) table.set(row, "Blender/ours", fixed(peer.run.seconds / at.seconds, 1));

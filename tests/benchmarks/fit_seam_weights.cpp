@@ -23,7 +23,7 @@
 #include "pattern/pattern_file.h"
 #include "pattern/seams/seam_search.h"
 #include "pattern/seams/sewn_file.h"
-#include "tests/support/seam_figures.h"
+#include "tests/support/seam_comparison.h"
 
 namespace {
 

@@ -17,7 +17,7 @@
 
 namespace toile::pipeline {
 
-struct PeerFigures {
+struct PeerMeasurements {
   Run run;
   double strain_p99 = 0;  ///< off the seams, a fraction
   double gap_mm = 0;      ///< widest at a seam
@@ -71,12 +71,12 @@ inline DressedGarment welded(const PanelMesh& garment, const std::vector<Vec3>& 
 
 /// Runs peers/blender_cloth.py on `threads` threads, the panels raised by `lift` metres. Throws
 /// when it fails or takes too long.
-inline PeerFigures run_blender(const fs::path& blender, const fs::path& garment_file,
-                               const fs::path& body_file, const fs::path& output, double lift,
-                               int threads, int seconds) {
+inline PeerMeasurements run_blender(const fs::path& blender, const fs::path& garment_file,
+                                    const fs::path& body_file, const fs::path& output, double lift,
+                                    int threads, int seconds) {
   const fs::path script = fs::path(TOILE_SOURCE_DIR) / "tests/benchmarks/peers/blender_cloth.py";
   const fs::path json = fs::path(garment_file).replace_extension("json");
-  PeerFigures figures;
+  PeerMeasurements figures;
   figures.run =
       run(blender.string(),
           {"-b", "-t", std::to_string(threads), "-P", script.string(), "--", garment_file.string(),
@@ -86,11 +86,11 @@ inline PeerFigures run_blender(const fs::path& blender, const fs::path& garment_
   const PanelMesh garment = read_garment(garment_file);
   const std::vector<Vec3> points = read_obj(output).points;
   const TriangleMesh body = fan_triangles(read_mesh(body_file));
-  const GarmentFigures as_is =
+  const GarmentMeasurements as_is =
       measure_garment(garment, as_dressed(garment, points, garment.triangles));
   const Judgement judgement = judge(garment, welded(garment, points), body, nullptr, {});
   figures.strain_p99 = as_is.strain_off_seams.p99;
-  figures.gap_mm = as_is.seams.max_gap_mm;
+  figures.gap_mm = 1000 * as_is.seams.max_gap;
   figures.body = judgement.body_intersections;
   figures.self = judgement.self_intersections;
   return figures;

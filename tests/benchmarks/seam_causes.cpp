@@ -18,7 +18,7 @@
 #include "pattern/pattern_file.h"
 #include "pattern/seams/seam_choice.h"
 #include "pattern/seams/sewn_file.h"
-#include "tests/support/seam_figures.h"
+#include "tests/support/seam_comparison.h"
 
 namespace {
 
@@ -49,7 +49,7 @@ void look(const std::string& file, bool names, Causes& causes) {
     listed.insert(seam_pair(seam.a, seam.b, seam.reversed));
   }
   SeamComparison comparison(pattern, options.drawn_walk, !names);
-  const SeamFigures figures = comparison.compare(stated_seams(pattern), listed);
+  const SeamMatches figures = comparison.compare(stated_seams(pattern), listed);
   ++causes.garments;
   causes.stated += figures.stated;
   causes.found += figures.found;

@@ -33,7 +33,7 @@
 #include "pattern/pattern_file.h"
 #include "pattern/seams/sewn_file.h"
 #include "pattern/seams/shell_panels.h"
-#include "tests/support/seam_figures.h"
+#include "tests/support/seam_comparison.h"
 
 namespace {
 
@@ -93,7 +93,7 @@ void add(Row& row, const std::filesystem::path& file, bool names, const Output& 
   }
   SeamComparison comparison(pattern, options.drawn_walk, !names);
   const std::set<SeamPair> stated = stated_seams(pattern);
-  const SeamFigures figures = comparison.compare(stated, decided);
+  const SeamMatches figures = comparison.compare(stated, decided);
   row.listed_right += comparison.compare(stated, listed).right;
   row.listed += static_cast<int>(listed.size());
   for (const FoundSeam& seam : found.seams) {

@@ -78,6 +78,17 @@ inline MeshedSeam seam(const std::string& name, std::vector<int> a, std::vector<
   return sewn;
 }
 
+/// Two squares of 10 cm side by side, 1 cm apart, sewn together between them.
+inline PanelMesh sewn_pair(int columns = 5) {
+  PanelMesh garment;
+  const PlanarMesh square = grid(0.1, 0.1, columns, columns);
+  add_panel(garment, "left", square, [](const Vec2& p) { return Vec3(p.x(), p.y(), 0); });
+  add_panel(garment, "right", square, [](const Vec2& p) { return Vec3(p.x() + 0.11, p.y(), 0); });
+  garment.seams = {seam("middle", side(garment.panels[0], columns, columns, true),
+                        side(garment.panels[1], columns, columns, false))};
+  return garment;
+}
+
 /// The garment as if it had been dressed with its material points at `points`; sewn points share a
 /// node where `sew` is true.
 inline DressedGarment as_dressed(const PanelMesh& garment, const std::vector<Vec3>& points,

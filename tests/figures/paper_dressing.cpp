@@ -90,7 +90,7 @@ std::string nearest_joint(const Skeleton& skeleton, const Vec3& point) {
 }
 
 void say(const PaperDressing& d) {
-  const GarmentFigures& g = d.judgement.garment;
+  const GarmentMeasurements& g = d.judgement.garment;
   std::cerr << d.name << ": " << to_string(d.judgement.verdict) << "; " << d.result.nodes.size()
             << " nodes, " << d.steps() << " steps of " << 1e6 * d.result.time_step << " us, "
             << 1e3 * d.seconds_per_step() << " ms a step, " << d.seconds << " s; seams open "
@@ -100,7 +100,7 @@ void say(const PaperDressing& d) {
             << 100 * g.strain_off_seams.p99 << " %; on the way area " << d.max_area()
             << " %, perimeter " << d.max_perimeter() << " %; residual median "
             << d.result.residual.median << " rms " << d.result.residual.rms << "; wraps";
-  for (const WrapFigure& wrap : d.judgement.wraps) {
+  for (const WrapMeasurement& wrap : d.judgement.wraps) {
     std::cerr << ' ' << wrap.part << ' ' << wrap.fraction;
   }
   std::cerr << std::endl;

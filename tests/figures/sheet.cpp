@@ -29,7 +29,7 @@ std::string suffix_of(const std::string& text) {
 
 Json garment_row(const PaperDressing& d, const std::string& wanted) {
   const Judgement& judged = d.judgement;
-  const GarmentFigures& g = judged.garment;
+  const GarmentMeasurements& g = judged.garment;
   const SpringOptions& motion = d.options.motion;
   Json row;
   row["name"] = d.name;
@@ -62,7 +62,7 @@ Json garment_row(const PaperDressing& d, const std::string& wanted) {
                           {"self", judged.self_intersections},
                           {"layers", judged.layer_intersections}};
   row["wraps"] = Json::array();
-  for (const WrapFigure& wrap : judged.wraps) {
+  for (const WrapMeasurement& wrap : judged.wraps) {
     row["wraps"].push_back({{"part", wrap.part}, {"fraction", wrap.fraction}});
   }
   row["strain_off_seams"] = {{"max", g.strain_off_seams.max},
@@ -77,9 +77,9 @@ Json garment_row(const PaperDressing& d, const std::string& wanted) {
                                       {"longer", place.longer},
                                       {"height_m", place.at.y()}});
   }
-  row["area_percent"] = {{"during", d.max_area()}, {"end", g.area_max_panel_percent}};
+  row["area_percent"] = {{"during", d.max_area()}, {"end", 100 * g.area_max_panel}};
   row["perimeter_percent"] = {{"during", d.max_perimeter()},
-                              {"end", g.triangle_perimeter_max_panel_percent}};
+                              {"end", 100 * g.triangle_perimeter_max_panel}};
   row["residual"] = {{"median", d.result.residual.median}, {"rms", d.result.residual.rms}};
   row["verdict"] = to_string(judged.verdict);
   row["wanted"] = wanted;

@@ -7,6 +7,13 @@
 namespace toile {
 namespace closest_points_test {
 
+TEST(Nearest, OfASegmentIsBesideThePointOrAnEnd) {
+  EXPECT_EQ(closest_on_segment(Vec2(1, 5), Vec2(0, 0), Vec2(4, 0)), 0.25);
+  EXPECT_EQ(closest_on_segment(Vec3(-1, 2, 3), Vec3(0, 0, 0), Vec3(4, 0, 0)), 0);
+  EXPECT_EQ(closest_on_segment(Vec3(9, 2, 3), Vec3(0, 0, 0), Vec3(4, 0, 0)), 1);
+  EXPECT_EQ(closest_on_segment(Vec2(9, 2), Vec2(1, 1), Vec2(1, 1)), 0);
+}
+
 TEST(Nearest, BeatsEverySampleOfTheTriangle) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> coordinate(-1, 1);

@@ -4,15 +4,13 @@
 
 #include <cmath>
 #include <map>
-#include <numbers>
 
+#include "geometry/angles.h"
 #include "geometry/polygon.h"
 #include "geometry/triangulate.h"
 
 namespace toile {
 namespace mesh_polygon_test {
-
-constexpr double degree = std::numbers::pi / 180;
 
 /// The polygon with its sides cut into steps of about `step`.
 std::vector<Vec2> cut(const std::vector<Vec2>& corners, double step) {
@@ -45,7 +43,7 @@ TEST(MeshPolygon, ARectangleIsNearlyHexagonal) {
   const PlanarMesh mesh = mesh_polygon(outline, 0.02);
   for (std::size_t i = 0; i < outline.size(); ++i) EXPECT_EQ(mesh.points[i], outline[i]);
   EXPECT_EQ(mesh.triangles.size(), 2 * mesh.points.size() - outline.size() - 2);
-  EXPECT_GT(smallest_angle(mesh.points, mesh.triangles), 30 * degree);
+  EXPECT_GT(smallest_angle(mesh.points, mesh.triangles), to_radians(30));
   // Hexagonal cells of side h take sqrt(3)/2 h^2 of area each.
   const double expected = 0.24 / (std::sqrt(3.0) / 2 * 0.02 * 0.02);
   EXPECT_NEAR(static_cast<double>(mesh.points.size()), expected, 0.15 * expected);
@@ -58,7 +56,7 @@ TEST(MeshPolygon, GradesTowardShortSegments) {
   outline[0] = {0.0028, 0};
   outline.insert(outline.begin(), Vec2(0, 0.0028));
   const PlanarMesh mesh = mesh_polygon(outline, 0.04);
-  EXPECT_GT(smallest_angle(mesh.points, mesh.triangles), 12 * degree);
+  EXPECT_GT(smallest_angle(mesh.points, mesh.triangles), to_radians(12));
 }
 
 TEST(MeshPolygon, SurvivesSharpCornersThinStripsAndCoarseLengths) {
@@ -84,12 +82,12 @@ TEST(MeshPolygon, RaisingAnglesMovesOnlyWhatMayMove) {
   PlanarMesh mesh{{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0.05}},
                   {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}};
   const PlanarMesh before = mesh;
-  raise_angles(mesh, {true, true, true, true, true}, 40 * degree);
+  raise_angles(mesh, {true, true, true, true, true}, to_radians(40));
   EXPECT_EQ(mesh.points, before.points);
-  raise_angles(mesh, {true, true, true, true, false}, 44 * degree);
+  raise_angles(mesh, {true, true, true, true, false}, to_radians(44));
   for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(mesh.points[i], before.points[i]);
   // With the free point in the middle of the square, its triangles have angles of 45 degrees.
-  EXPECT_GT(smallest_angle(mesh.points, mesh.triangles), 35 * degree);
+  EXPECT_GT(smallest_angle(mesh.points, mesh.triangles), to_radians(35));
 }
 
 }  // namespace mesh_polygon_test

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <set>
 
+#include "geometry/angles.h"
 #include "geometry/error.h"
 
 namespace toile {
@@ -46,11 +46,10 @@ TEST(Triangulate, RefusesWhatHasNoInside) {
 }
 
 TEST(Triangulate, SmallestAngleIsNegativeForATurnedTriangle) {
-  const double degree = std::numbers::pi / 180;
-  EXPECT_NEAR(smallest_angle({0, 0}, {1, 0}, {0, 1}), 45 * degree, 1e-15);
-  EXPECT_NEAR(smallest_angle({0, 0}, {0, 1}, {1, 0}), -45 * degree, 1e-15);
+  EXPECT_NEAR(smallest_angle({0, 0}, {1, 0}, {0, 1}), to_radians(45), 1e-15);
+  EXPECT_NEAR(smallest_angle({0, 0}, {0, 1}, {1, 0}), to_radians(-45), 1e-15);
   EXPECT_LE(smallest_angle({0, 0}, {1, 0}, {2, 0}), 0);
-  EXPECT_NEAR(smallest_angle(square, {{0, 1, 2}, {0, 2, 3}}), 45 * degree, 1e-15);
+  EXPECT_NEAR(smallest_angle(square, {{0, 1, 2}, {0, 2, 3}}), to_radians(45), 1e-15);
 }
 
 }  // namespace triangulate_test

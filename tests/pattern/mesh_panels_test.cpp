@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "geometry/angles.h"
 #include "geometry/polygon.h"
 #include "geometry/triangulate.h"
 #include "pattern/constants.h"
@@ -23,8 +24,6 @@ namespace mesh_panels_test {
 using samples::curved;
 using samples::file;
 using samples::polygon;
-
-constexpr double degree = std::numbers::pi / 180;
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
@@ -92,7 +91,7 @@ double distance_to_outline(const PatternPanel& panel, const Vec3& placed) {
 /// Everything that holds of any meshed pattern.
 void expect_sound(const Pattern& pattern, const PanelMesh& garment, double smallest) {
   EXPECT_EQ(nesting_problem(garment), std::nullopt);
-  EXPECT_GE(smallest_angle(garment.flat, garment.triangles), smallest * degree);
+  EXPECT_GE(smallest_angle(garment.flat, garment.triangles), to_radians(smallest));
   ASSERT_EQ(garment.panels.size(), pattern.panels.size());
   for (std::size_t p = 0; p < garment.panels.size(); ++p) {
     const MeshedPanel& panel = garment.panels[p];
@@ -365,7 +364,7 @@ TEST(MeshPanels, TheSameInputGivesTheSameBits) {
 TEST(MeshPanels, TheGrainIsMirroredWithItsPanel) {
   const std::string clockwise = "[0,0],[0,20],[20,20],[20,0]";
   const Pattern pattern = samples::parse(file(polygon("p", clockwise, R"("grain": 30)")));
-  EXPECT_DOUBLE_EQ(mesh(pattern, {0.02, 0}).panels[0].grain, -30 * degree);
+  EXPECT_DOUBLE_EQ(mesh(pattern, {0.02, 0}).panels[0].grain, to_radians(-30));
 }
 
 TEST(MeshPanels, TheRealPatternsAreSound) {

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "cloth/model/compile.h"
+#include "geometry/angles.h"
 #include "tests/cloth/panels.h"
 #include "tests/validation/reference_table.h"
 #include "tests/validation/report.h"
@@ -14,7 +14,6 @@
 namespace toile {
 namespace cantilever_test {
 
-constexpr double degree = std::numbers::pi / 180;
 constexpr double length = 0.1, width = 0.05;  // metres
 constexpr double areal_density = 0.2;         // kg/m²
 
@@ -84,7 +83,7 @@ struct Cantilever {
       slope_reach += s.area * along.x();
     }
     EXPECT_GT(tips, 0);
-    return {drop / reach, std::atan2(slope_drop, slope_reach) / degree};
+    return {drop / reach, to_degrees(std::atan2(slope_drop, slope_reach))};
   }
 };
 

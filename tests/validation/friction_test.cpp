@@ -8,6 +8,7 @@
 #include "cloth/relaxation/relax.h"
 #include "cloth/relaxation/release.h"
 #include "cloth/scene/collider.h"
+#include "geometry/angles.h"
 #include "geometry/distance_grid.h"
 #include "tests/cloth/panels.h"
 #include "tests/support/shapes.h"
@@ -20,7 +21,6 @@ namespace toile {
 namespace friction_test {
 
 constexpr double pi = std::numbers::pi;
-constexpr double degree = pi / 180;
 
 Vec3 mean_way(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
   Vec3 way = Vec3::Zero();
@@ -67,7 +67,7 @@ TEST_F(Incline, SticksAndSlidesAsCoulombSays) {
     const double mu = table.at(row, "mu"), slope = table.at(row, "slope_deg");
     if (table.text(row, "set") != "release" || mu == 0) continue;
     if (table.text(row, "state") == "stick") {
-      creep = std::max(creep, std::abs(way(slope * degree, mu, 0.5)) / 0.5);
+      creep = std::max(creep, std::abs(way(to_radians(slope), mu, 0.5)) / 0.5);
       EXPECT_EQ(last_.sticking, 81) << slope;
       EXPECT_TRUE(last_.stays()) << slope;
       nearest = std::min(nearest, table.at(row, "critical_slope_deg") - slope);
@@ -76,7 +76,7 @@ TEST_F(Incline, SticksAndSlidesAsCoulombSays) {
     ++sliding;
     const double acceleration = table.at(row, "acceleration_m_s2");
     const double seconds = acceleration < 0.5 ? 1 : 0.3;
-    const double slid = way(slope * degree, mu, seconds);
+    const double slid = way(to_radians(slope), mu, seconds);
     worst = std::max(worst, std::abs(slid / (0.5 * acceleration * seconds * seconds) - 1));
   }
   ASSERT_GT(sliding, 10);

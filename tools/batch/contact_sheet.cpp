@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "io/text.h"
-#include "tools/batch/figures.h"
+#include "tools/batch/outcome.h"
 
 namespace toile {
 

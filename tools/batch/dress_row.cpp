@@ -9,7 +9,7 @@
 #include "io/checksum.h"
 #include "io/output_file.h"
 #include "io/text.h"
-#include "tools/batch/figures.h"
+#include "tools/batch/outcome.h"
 #include "tools/child.h"
 #include "tools/program.h"
 

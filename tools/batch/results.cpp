@@ -9,7 +9,7 @@
 #include "cloth/judge/verdict.h"
 #include "io/csv.h"
 #include "io/text.h"
-#include "tools/batch/figures.h"
+#include "tools/batch/outcome.h"
 #include "tools/program.h"
 
 namespace toile {

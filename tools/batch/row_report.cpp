@@ -7,7 +7,7 @@
 #include "io/output_file.h"
 #include "io/skeleton_file.h"
 #include "io/text.h"
-#include "tools/batch/figures.h"
+#include "tools/batch/outcome.h"
 #include "tools/program.h"
 
 namespace toile {

@@ -1,5 +1,6 @@
 #include "tools/dress/report.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -38,7 +39,7 @@ Json stages_json(const std::vector<StageReport>& stages) {
   return json;
 }
 
-Json strain_json(const StrainFigures& strain) {
+Json strain_json(const StrainStatistics& strain) {
   return {{"max", strain.max}, {"p99", strain.p99}, {"rms", strain.rms}};
 }
 
@@ -72,17 +73,18 @@ Json tight_regions_json(const TightRegions& tight) {
   return all;
 }
 
-Json attachments_json(const std::vector<AttachmentFigures>& attachments) {
+Json attachments_json(const std::vector<AttachmentMeasurement>& attachments) {
   Json all = Json::array();
-  for (const AttachmentFigures& figures : attachments) {
-    if (!figures.used) continue;
-    Json json = {{"name", figures.name},
-                 {"to", figures.to},
-                 {"while", figures.always ? "always" : "dressing"},
-                 {"off_mm", {{"mean", 1000 * figures.off_mean}, {"max", 1000 * figures.off_max}}}};
-    if (figures.always) {
-      json["force_N"] = figures.pull.norm();
-      json["pull_N"] = {figures.pull.x(), figures.pull.y(), figures.pull.z()};
+  for (const AttachmentMeasurement& measured : attachments) {
+    if (!measured.used) continue;
+    Json json = {
+        {"name", measured.name},
+        {"to", measured.to},
+        {"while", measured.always ? "always" : "dressing"},
+        {"off_mm", {{"mean", 1000 * measured.off_mean}, {"max", 1000 * measured.off_max}}}};
+    if (measured.always) {
+      json["force_N"] = measured.pull.norm();
+      json["pull_N"] = {measured.pull.x(), measured.pull.y(), measured.pull.z()};
     }
     all.push_back(std::move(json));
   }
@@ -97,7 +99,7 @@ Json certified_json(const Certificate& certificate) {
   json["stayed_clean"] = certificate.stayed_clean();
   json["check"] = "exact";
   json["frames"] = Json::array();
-  for (const FrameFigures& frame : certificate.frames()) {
+  for (const FrameCheck& frame : certificate.frames()) {
     json["frames"].push_back({{"frame", json["frames"].size()},
                               {"stage", frame.stage},
                               {"points", frame.points},
@@ -216,27 +218,27 @@ Json scene_json(const WornLayer& layer) {
 }
 
 /// How the cloth is strained and sheared, and what that does to its panels.
-Json shape_json(const GarmentFigures& figures, const DuringDressing& during) {
+Json shape_json(const GarmentMeasurements& measured, const DuringDressing& during) {
   Json json;
-  json["strain"] = strain_json(figures.strain);
-  json["strain_off_seams"] = strain_json(figures.strain_off_seams);
-  json["warp_weft_strain"] = strain_json(figures.warp_weft_strain);
-  json["shear_degrees"] = {{"max", degrees(figures.shear.max)},
-                           {"p99", degrees(figures.shear.p99)},
-                           {"rms", degrees(figures.shear.rms)}};
-  json["area_change_percent"] = {{"total", figures.area_total_percent},
-                                 {"max_panel", figures.area_max_panel_percent},
-                                 {"max_during", during.area_percent}};
+  json["strain"] = strain_json(measured.strain);
+  json["strain_off_seams"] = strain_json(measured.strain_off_seams);
+  json["warp_weft_strain"] = strain_json(measured.warp_weft_strain);
+  json["shear_degrees"] = {{"max", degrees(measured.shear.max)},
+                           {"p99", degrees(measured.shear.p99)},
+                           {"rms", degrees(measured.shear.rms)}};
+  json["area_change_percent"] = {{"total", 100 * measured.area_total},
+                                 {"max_panel", 100 * measured.area_max_panel},
+                                 {"max_during", 100 * during.area}};
   json["perimeter_change_percent"] = {
-      {"max_panel", figures.perimeter_max_panel_percent},
-      {"max_during", during.perimeter_percent},
-      {"triangles_max_panel", figures.triangle_perimeter_max_panel_percent}};
+      {"max_panel", 100 * measured.perimeter_max_panel},
+      {"max_during", 100 * during.perimeter},
+      {"triangles_max_panel", 100 * measured.triangle_perimeter_max_panel}};
   return json;
 }
 
-Json elastics_json(const std::vector<ElasticFigures>& elastics) {
+Json elastics_json(const std::vector<ElasticMeasurement>& elastics) {
   Json all = Json::array();
-  for (const ElasticFigures& segment : elastics) {
+  for (const ElasticMeasurement& segment : elastics) {
     all.push_back({{"name", segment.name},
                    {"flat_cm", 100 * segment.flat},
                    {"rest_cm", 100 * segment.rest},
@@ -246,9 +248,9 @@ Json elastics_json(const std::vector<ElasticFigures>& elastics) {
   return all;
 }
 
-Json wraps_json(const std::vector<WrapFigure>& wraps) {
+Json wraps_json(const std::vector<WrapMeasurement>& wraps) {
   Json all = Json::array();
-  for (const WrapFigure& wrap : wraps) {
+  for (const WrapMeasurement& wrap : wraps) {
     all.push_back({{"part", wrap.part},
                    {"fraction", wrap.fraction},
                    {"slid_cm", 100 * wrap.slid},
@@ -290,17 +292,18 @@ Json verdict_json(const DressResult& result, const Judgement& judgement) {
   Json json;
   json["verdict"] = to_string(judgement.verdict);
   for (const OpenSeam& seam : judgement.garment.seams.open_seams) {
-    json["unsewable_seams"].push_back({{"name", seam.name}, {"gap_cm", seam.missing_cm}});
+    json["unsewable_seams"].push_back({{"name", seam.name}, {"gap_cm", 100 * seam.missing}});
   }
   for (const TightSeam& seam : result.tight_seams) {
-    json["tight_seams"].push_back(
-        {{"name", seam.name}, {"tension_N_per_m", seam.tension}, {"missing_cm", seam.missing_cm}});
+    json["tight_seams"].push_back({{"name", seam.name},
+                                   {"tension_N_per_m", seam.tension},
+                                   {"missing_cm", 100 * seam.missing}});
   }
   if (result.tight_regions) {
     json["tight_regions"] = tight_regions_json(*result.tight_regions);
     json["tight_specks"] = result.tight_regions->specks;
   }
-  const WornFigures& worn = judgement.worn;
+  const WearFindings& worn = judgement.worn;
   json["fit"] = {{"verdict", to_string(judgement.fit)}, {"levels", Json::array()}};
   for (const TooSmallLevel& level : judgement.fit.levels) {
     json["fit"]["levels"].push_back({{"name", level.level}, {"missing_cm", 100 * level.missing}});
@@ -317,9 +320,10 @@ Json verdict_json(const DressResult& result, const Judgement& judgement) {
 
 /// The preset that a garment was draped by, and its error on other garments.
 Json quality_json(const Quality& quality) {
+  const double rms = std::round(1e5 * quality.distance_rms) / 100;  // as measured, to 0.01 mm
   return {{"quality", quality.name},
           {"preset_error",
-           {{"node_distance_rms_mm", quality.distance_rms_mm},
+           {{"node_distance_rms_mm", rms},
             {"against", "the same run brought to rest"},
             {"measured_on", measured_on}}}};
 }
@@ -330,7 +334,7 @@ nlohmann::ordered_json layer_json(const WornLayer& layer, const DressMethod& met
                                   const LayerNotes& notes) {
   const DressResult& result = layer.result;
   const Judgement& judgement = layer.judgement;
-  const GarmentFigures& figures = judgement.garment;
+  const GarmentMeasurements& measured = judgement.garment;
   Json report;
   report["inputs"] = {{"body", notes.body}, {"garment", notes.garment}};
   if (!notes.earlier.empty()) report["inputs"]["continue"] = notes.earlier;
@@ -345,14 +349,14 @@ nlohmann::ordered_json layer_json(const WornLayer& layer, const DressMethod& met
   report["converged"] = result.converged;
   report["residual"] = residual_json(result.residual);
   if (result.release) report["release"] = release_json(*result.release);
-  report.update(shape_json(figures, result.during));
-  report["seams"] = {{"sewn", figures.seams.sewn},
-                     {"open", figures.seams.open},
-                     {"max_gap_mm", figures.seams.max_gap_mm}};
-  if (!figures.elastics.empty()) report["elastics"] = elastics_json(figures.elastics);
+  report.update(shape_json(measured, result.during));
+  report["seams"] = {{"sewn", measured.seams.sewn},
+                     {"open", measured.seams.open},
+                     {"max_gap_mm", 1000 * measured.seams.max_gap}};
+  if (!measured.elastics.empty()) report["elastics"] = elastics_json(measured.elastics);
   if (!result.attachments.empty()) report["attachments"] = attachments_json(result.attachments);
   report["wraps"] = wraps_json(judgement.wraps);
-  report["borders"] = figures.borders;
+  report["borders"] = measured.borders;
   report["openings"] = openings_json(judgement.worn.openings);
   report["intersections"] = {{"body", judgement.body_intersections},
                              {"self", judgement.self_intersections},
@@ -385,7 +389,7 @@ nlohmann::ordered_json coupled_json(const WornOutfit& worn, const std::vector<st
   return json;
 }
 
-nlohmann::ordered_json moved_json(const MovedFigures& moved) {
+nlohmann::ordered_json moved_json(const MoveStatistics& moved) {
   return {{"median", 1000 * moved.median}, {"p99", 1000 * moved.p99}, {"max", 1000 * moved.max}};
 }
 

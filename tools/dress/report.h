@@ -23,7 +23,7 @@ struct LayerNotes {
   std::vector<std::pair<std::string, double>> other_seconds;
 };
 
-/// Every figure of one garment.
+/// All that is measured of one garment.
 nlohmann::ordered_json layer_json(const WornLayer& layer, const DressMethod& method,
                                   const LayerNotes& notes);
 
@@ -31,6 +31,6 @@ nlohmann::ordered_json layer_json(const WornLayer& layer, const DressMethod& met
 nlohmann::ordered_json coupled_json(const WornOutfit& worn, const std::vector<std::string>& names);
 
 /// How far nodes moved, in millimetres.
-nlohmann::ordered_json moved_json(const MovedFigures& moved);
+nlohmann::ordered_json moved_json(const MoveStatistics& moved);
 
 }  // namespace toile

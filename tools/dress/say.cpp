@@ -60,19 +60,19 @@ void say_release(const ReleaseReport& release, DressLog& log) {
 }
 
 /// A line for each, and a warning for one that did not hold.
-void say_attachments(const std::vector<AttachmentFigures>& attachments, DressLog& log) {
-  for (const AttachmentFigures& figures : attachments) {
-    if (!figures.used) continue;
+void say_attachments(const std::vector<AttachmentMeasurement>& attachments, DressLog& log) {
+  for (const AttachmentMeasurement& measured : attachments) {
+    if (!measured.used) continue;
     std::ostringstream line;
-    line << std::fixed << std::setprecision(1) << figures.name << " attached to " << figures.to
-         << ": " << 1000 * figures.off_mean
-         << (figures.always ? " mm off, carries " : " mm off when it was let go");
-    if (figures.always) line << figures.pull.norm() << " N";
+    line << std::fixed << std::setprecision(1) << measured.name << " attached to " << measured.to
+         << ": " << 1000 * measured.off_mean
+         << (measured.always ? " mm off, carries " : " mm off when it was let go");
+    if (measured.always) line << measured.pull.norm() << " N";
     log.say(line.str());
-    if (figures.off_mean < not_held) continue;
+    if (measured.off_mean < not_held) continue;
     std::ostringstream warning;
-    warning << std::fixed << std::setprecision(1) << "attachment " << figures.name << " stands "
-            << 100 * figures.off_mean << " cm off its " << figures.to
+    warning << std::fixed << std::setprecision(1) << "attachment " << measured.name << " stands "
+            << 100 * measured.off_mean << " cm off its " << measured.to
             << ": the cloth does not reach, or needs more than its 'max_N'";
     log.warn(warning.str());
   }
@@ -84,7 +84,7 @@ void warn_of_verdict(const DressResult& result, const Judgement& judgement, Dres
   line << std::fixed << std::setprecision(1);
   const char* separator = "";
   for (const OpenSeam& seam : judgement.garment.seams.open_seams) {
-    line << separator << seam.name << " (" << seam.missing_cm << " cm)";
+    line << separator << seam.name << " (" << 100 * seam.missing << " cm)";
     separator = ", ";
   }
   if (!line.str().empty()) {
@@ -94,7 +94,7 @@ void warn_of_verdict(const DressResult& result, const Judgement& judgement, Dres
   tight << std::fixed << std::setprecision(1);
   separator = "";
   for (const TightSeam& seam : result.tight_seams) {
-    tight << separator << seam.name << " (" << seam.missing_cm << " cm)";
+    tight << separator << seam.name << " (" << 100 * seam.missing << " cm)";
     separator = ", ";
   }
   if (!result.tight_seams.empty()) {
@@ -102,7 +102,7 @@ void warn_of_verdict(const DressResult& result, const Judgement& judgement, Dres
              std::to_string(std::lround(hand_pull)) +
              " N/m (less for soft fabrics); what is missing at each: " + tight.str());
   }
-  const WornFigures& worn = judgement.worn;
+  const WearFindings& worn = judgement.worn;
   if (!worn.is_checked) {
     log.warn(
         "where the garment is worn is not checked: neither joints, parts, labels, names nor "
@@ -147,7 +147,7 @@ void say_certificate(const Certificate& certificate, DressLog& log) {
   std::size_t last = count;
   while (last > 0 && certificate.frames()[last - 1].clean()) --last;
   if (last == 0) return;
-  const FrameFigures& frame = certificate.frames()[last - 1];
+  const FrameCheck& frame = certificate.frames()[last - 1];
   log.warn("not certified: the state did not stay free of intersections; last in frame " +
            std::to_string(last - 1) + " (" + frame.stage + "): " + std::to_string(frame.body) +
            " with the body, " + std::to_string(frame.self) + " with itself, " +
@@ -187,16 +187,16 @@ void say_positions(const Placement& placement, DressLog& log) {
 }
 
 void say_result(const DressResult& result, const Judgement& judgement, DressLog& log) {
-  const GarmentFigures& figures = judgement.garment;
+  const GarmentMeasurements& measured = judgement.garment;
   std::ostringstream residual;
   residual << std::setprecision(2) << result.residual.median << " median, " << result.residual.rms
            << " rms";
-  log.say("seams: " + std::to_string(figures.seams.sewn) + " sewn, " +
-          std::to_string(figures.seams.open) +
+  log.say("seams: " + std::to_string(measured.seams.sewn) + " sewn, " +
+          std::to_string(measured.seams.open) +
           " open; intersections: " + std::to_string(judgement.body_intersections) +
           " with the body, " + std::to_string(judgement.self_intersections) + " with itself, " +
           std::to_string(judgement.layer_intersections) + " with layers below");
-  log.say("strain off the seams: " + percent(figures.strain_off_seams.p99) +
+  log.say("strain off the seams: " + percent(measured.strain_off_seams.p99) +
           " (99th percentile); residual in node weights: " + residual.str());
   if (const ExtraOffset extra = extra_offset_of(result.extra_offset); extra.max > worth_saying) {
     std::ostringstream line;
@@ -208,7 +208,7 @@ void say_result(const DressResult& result, const Judgement& judgement, DressLog&
   say_attachments(result.attachments, log);
   if (result.tight_regions) say_tight_regions(*result.tight_regions, log);
   if (result.release) say_release(*result.release, log);
-  for (const WrapFigure& wrap : judgement.wraps) {
+  for (const WrapMeasurement& wrap : judgement.wraps) {
     log.say("wraps " + wrap.part + ": " + percent(wrap.fraction));
     if (std::abs(wrap.slid) < far_to_slide) continue;
     std::ostringstream line;
@@ -223,8 +223,8 @@ void say_result(const DressResult& result, const Judgement& judgement, DressLog&
         " points of the panels start inside the body, or a layer on it: place the panels clear of "
         "it");
   }
-  if (figures.strain_off_seams.p99 > suspicious_strain) {
-    log.warn("the cloth is strained by " + percent(figures.strain_off_seams.p99) +
+  if (measured.strain_off_seams.p99 > suspicious_strain) {
+    log.warn("the cloth is strained by " + percent(measured.strain_off_seams.p99) +
              " in places: the garment is too small for this body, or caught on it");
   }
   warn_of_verdict(result, judgement, log);

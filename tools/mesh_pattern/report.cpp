@@ -10,8 +10,8 @@
 
 namespace toile {
 
-PanelFigures figures_of(const PanelMesh& garment, const MeshedPanel& panel) {
-  PanelFigures figures{0, std::numbers::pi, 1e300, 0};
+PanelMeasurements measure_panel(const PanelMesh& garment, const MeshedPanel& panel) {
+  PanelMeasurements measured{0, std::numbers::pi, 1e300, 0};
   for (int t = panel.first_triangle; t < panel.first_triangle + panel.triangles; ++t) {
     std::array<Vec2, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -20,20 +20,20 @@ PanelFigures figures_of(const PanelMesh& garment, const MeshedPanel& panel) {
     }
     const Vec2 u = corners[1] - corners[0];
     const Vec2 v = corners[2] - corners[0];
-    figures.area += (u.x() * v.y() - u.y() * v.x()) / 2;
-    figures.smallest_angle =
-        std::min(figures.smallest_angle, smallest_angle(corners[0], corners[1], corners[2]));
+    measured.area += (u.x() * v.y() - u.y() * v.x()) / 2;
+    measured.smallest_angle =
+        std::min(measured.smallest_angle, smallest_angle(corners[0], corners[1], corners[2]));
     for (std::size_t k = 0; k < 3; ++k) {
       const double length = (corners[(k + 1) % 3] - corners[k]).norm();
-      figures.shortest_edge = std::min(figures.shortest_edge, length);
-      figures.longest_edge = std::max(figures.longest_edge, length);
+      measured.shortest_edge = std::min(measured.shortest_edge, length);
+      measured.longest_edge = std::max(measured.longest_edge, length);
     }
   }
-  return figures;
+  return measured;
 }
 
 nlohmann::ordered_json mesh_pattern_json(const std::string& pattern, const PanelMesh& garment,
-                                         const std::vector<PanelFigures>& figures,
+                                         const std::vector<PanelMeasurements>& measured,
                                          const std::vector<Remark>& remarks) {
   using Json = nlohmann::ordered_json;
   constexpr double degrees = 180 / std::numbers::pi;
@@ -50,10 +50,10 @@ nlohmann::ordered_json mesh_pattern_json(const std::string& pattern, const Panel
     report["panels"].push_back({{"name", garment.panels[p].name},
                                 {"material_points", garment.panels[p].points},
                                 {"triangles", garment.panels[p].triangles},
-                                {"area_cm2", 1e4 * figures[p].area},
-                                {"smallest_angle_degrees", figures[p].smallest_angle * degrees},
-                                {"shortest_edge_mm", 1000 * figures[p].shortest_edge},
-                                {"longest_edge_mm", 1000 * figures[p].longest_edge}});
+                                {"area_cm2", 1e4 * measured[p].area},
+                                {"smallest_angle_degrees", measured[p].smallest_angle * degrees},
+                                {"shortest_edge_mm", 1000 * measured[p].shortest_edge},
+                                {"longest_edge_mm", 1000 * measured[p].longest_edge}});
   }
   report["seams"] = Json::array();
   for (const MeshedSeam& seam : garment.seams) {

@@ -11,18 +11,18 @@
 namespace toile {
 
 /// What is measured on a meshed panel.
-struct PanelFigures {
+struct PanelMeasurements {
   double area = 0;            ///< square metres
   double smallest_angle = 0;  ///< radians
   double shortest_edge = 0;   ///< metres
   double longest_edge = 0;
 };
 
-PanelFigures figures_of(const PanelMesh& garment, const MeshedPanel& panel);
+PanelMeasurements measure_panel(const PanelMesh& garment, const MeshedPanel& panel);
 
-/// `figures`: one for each panel.
+/// `measured`: one for each panel.
 nlohmann::ordered_json mesh_pattern_json(const std::string& pattern, const PanelMesh& garment,
-                                         const std::vector<PanelFigures>& figures,
+                                         const std::vector<PanelMeasurements>& measured,
                                          const std::vector<Remark>& remarks);
 
 }  // namespace toile

@@ -51,15 +51,15 @@ std::string line(const char* format, Arguments... arguments) {
 
 constexpr double degrees = 180 / std::numbers::pi;
 
-void say_all(const PanelMesh& garment, const std::vector<PanelFigures>& figures,
+void say_all(const PanelMesh& garment, const std::vector<PanelMeasurements>& measured,
              const CommonSettings& common) {
   double smallest = std::numbers::pi;
   for (std::size_t p = 0; p < garment.panels.size(); ++p) {
     const MeshedPanel& panel = garment.panels[p];
-    smallest = std::min(smallest, figures[p].smallest_angle);
+    smallest = std::min(smallest, measured[p].smallest_angle);
     common.say(line("  panel %-20s %6d points %6d triangles  %7.1f cm2  smallest angle %4.1f deg",
-                    panel.name.c_str(), panel.points, panel.triangles, figures[p].area * 1e4,
-                    figures[p].smallest_angle * degrees));
+                    panel.name.c_str(), panel.points, panel.triangles, measured[p].area * 1e4,
+                    measured[p].smallest_angle * degrees));
   }
   for (const MeshedSeam& seam : garment.seams) {
     common.say(line("  seam %-40s %4zu points  %6.2f cm to %6.2f cm", seam.name.c_str(),
@@ -90,14 +90,14 @@ std::vector<std::string> run_mesh_pattern(const MeshPatternSettings& settings,
   check_pattern(pattern, remarks);
   PanelMesh garment = mesh_panels(pattern, settings.mesh, remarks);
   say_remarks(remarks, common);
-  std::vector<PanelFigures> figures;
-  for (const MeshedPanel& panel : garment.panels) figures.push_back(figures_of(garment, panel));
-  say_all(garment, figures, common);
+  std::vector<PanelMeasurements> measured;
+  for (const MeshedPanel& panel : garment.panels) measured.push_back(measure_panel(garment, panel));
+  say_all(garment, measured, common);
   if (settings.flat) lay_flat(garment);
   OutputFiles files;
   write_garment(files.at(common.output), garment);
   write_report(files, common,
-               mesh_pattern_json(settings.pattern.string(), garment, figures, remarks));
+               mesh_pattern_json(settings.pattern.string(), garment, measured, remarks));
   files.commit();
   return warnings_in(remarks);
 }

@@ -262,7 +262,7 @@ std::string expectations(const Results& results) {
       if (preset.row->value == quality.name) largest = std::max(largest, preset.row->error.rms);
     }
     text += std::string(quality.name) + ": " + mm(largest) + " mm measured, " +
-            fixed_number(quality.distance_rms_mm, 2) + " mm in cloth/dressing/quality.h\n";
+            fixed_number(1000 * quality.distance_rms, 2) + " mm in cloth/dressing/quality.h\n";
   }
   return text;
 }

@@ -11,14 +11,13 @@
 #include "cloth/relaxation/relax.h"
 #include "cloth/relaxation/release.h"
 #include "cloth/scene/collider.h"
+#include "geometry/angles.h"
 #include "geometry/distance_grid.h"
 #include "tests/cloth/panels.h"
 #include "tests/support/tubes.h"
 
 namespace toile {
 namespace pair_friction_test {
-
-constexpr double degree = std::numbers::pi / 180;
 
 /// A patch of cloth on a motionless layer of cloth, both on a slope. Reference case 06, incline.
 class ClothOnCloth : public testing::Test {
@@ -49,7 +48,7 @@ class ClothOnCloth : public testing::Test {
     rest.max_iterations = 1500;
     rest.stop_median = rest.stop_rms = 1e-4;
     const RelaxReport rested = relax(model, rest, x);
-    anchors = rested.warm_start.cloth.size();
+    anchors = rested.warm_start.pair_anchors.size();
     ReleaseOptions options;
     options.layer_contact = true;
     options.bounded = hand_over;  // bounds stop a sliding patch now and then
@@ -73,7 +72,7 @@ class ClothOnCloth : public testing::Test {
 
 TEST_F(ClothOnCloth, SticksBelowTheFrictionAngle) {
   for (const double slope : {5.0, 10.0, 15.0, 16.0}) {  // the friction angle is 16.7
-    const double crept = slid_distance(slope * degree, 0.3, 0.5);
+    const double crept = slid_distance(to_radians(slope), 0.3, 0.5);
     std::cout << slope << " degrees: crept " << 1000 * crept << " mm, at most "
               << 1000 * report.all.max << ", " << anchors << " anchors\n";
     EXPECT_GT(anchors, 100U);
@@ -84,9 +83,9 @@ TEST_F(ClothOnCloth, SticksBelowTheFrictionAngle) {
 
 TEST_F(ClothOnCloth, SlidesBeyondItAsCoulombSays) {
   for (const double slope : {18.0, 20.0, 25.0, 30.0}) {
-    const double slid = slid_distance(slope * degree, 0.3, 0.2, false);
+    const double slid = slid_distance(to_radians(slope), 0.3, 0.2, false);
     const double wanted =
-        0.5 * 9.81 * (std::sin(slope * degree) - 0.3 * std::cos(slope * degree)) * 0.04;
+        0.5 * 9.81 * (std::sin(to_radians(slope)) - 0.3 * std::cos(to_radians(slope))) * 0.04;
     std::cout << slope << " degrees: slid " << 1000 * slid << " of " << 1000 * wanted
               << " mm, off by " << 100 * (slid / wanted - 1) << " %\n";
     EXPECT_NEAR(slid / wanted, 1, 0.05) << slope;
@@ -96,7 +95,7 @@ TEST_F(ClothOnCloth, SlidesBeyondItAsCoulombSays) {
 TEST_F(ClothOnCloth, TheSameBitsForAnyNumberOfThreads) {
   const auto run = [&](int threads) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    slid_distance(18 * degree, 0.3, 0.02);
+    slid_distance(to_radians(18), 0.3, 0.02);
     return report.moved;
   };
   EXPECT_TRUE(run(1) == run(2));

@@ -135,7 +135,7 @@ TEST_F(TwoTubes, TubesThatDoNotTouchStay) {
   const CoupledResult result =
       relax_coupled({wear(inner, 1000), wear(outer, 1000)}, scene, options);
   EXPECT_TRUE(result.contacts.empty());
-  for (const MovedFigures& moved : result.moved) EXPECT_LT(moved.max, 1e-3);
+  for (const MoveStatistics& moved : result.moved) EXPECT_LT(moved.max, 1e-3);
 }
 
 TEST_F(TwoTubes, GarmentsThatIntersectAreRefused) {

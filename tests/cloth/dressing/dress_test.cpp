@@ -96,7 +96,7 @@ TEST(Dress, TheSeamsOfATubeCutTooSmallAreTight) {
   const std::vector<TightSeam> tight = tight_on_a_tube(0.47);
   ASSERT_EQ(tight.size(), 2U);
   // The cloth lies 2 mm off the body: 24 chords, 63.5 cm around.
-  EXPECT_NEAR(tight[0].missing_cm + tight[1].missing_cm, 16.5, 0.3);
+  EXPECT_NEAR(tight[0].missing + tight[1].missing, 0.165, 0.003);
   EXPECT_NEAR(tight[0].tension, 200 * (0.635 / 0.47 - 1), 5);
   EXPECT_TRUE(tight_on_a_tube(0.58).empty());  // 10 % of stretch are worn
 }

@@ -26,7 +26,7 @@ PanelMesh sheet() {
 
 class Certified : public testing::Test {
  protected:
-  const FrameFigures& check(const std::vector<Vec3>& points) {
+  const FrameCheck& check(const std::vector<Vec3>& points) {
     return certificate.check({garment, stage, points, 0.5});
   }
   std::vector<Vec3> moved(int panel, const Vec3& by) const {
@@ -43,44 +43,44 @@ class Certified : public testing::Test {
 };
 
 TEST_F(Certified, WhatIsSewnOrMeetsAtASeamIsClean) {
-  const FrameFigures& figures = check(garment.placed);
-  EXPECT_TRUE(figures.clean());
-  EXPECT_EQ(figures.open_pairs, 0);
-  EXPECT_EQ(figures.points, 50);
-  EXPECT_EQ(figures.stage, "close_seams");
+  const FrameCheck& found = check(garment.placed);
+  EXPECT_TRUE(found.clean());
+  EXPECT_EQ(found.open_pairs, 0);
+  EXPECT_EQ(found.points, 50);
+  EXPECT_EQ(found.stage, "close_seams");
 }
 
 TEST_F(Certified, EachKindOfIntersectionIsToldFromTheOthers) {
   // Half a triangle's width over its neighbour, slanted: it crosses at the seam and beyond it.
   std::vector<Vec3> across = moved(1, Vec3(-0.02, 0, 0));
   for (int p = 25; p < 50; ++p) across[p].z() += 0.1 * (across[p].x() + 0.01);
-  FrameFigures figures = check(across);
-  EXPECT_EQ(figures.open_pairs, 5);
-  EXPECT_GT(figures.self, 0);
-  EXPECT_EQ(figures.across_seams, figures.self);
-  EXPECT_EQ(figures.body + figures.layers + figures.inside, 0);
+  FrameCheck found = check(across);
+  EXPECT_EQ(found.open_pairs, 5);
+  EXPECT_GT(found.self, 0);
+  EXPECT_EQ(found.across_seams, found.self);
+  EXPECT_EQ(found.body + found.layers + found.inside, 0);
 
   // Through its far end, where no seam will make them neighbours.
   std::vector<Vec3> far = moved(1, Vec3(-0.27, 0, 0));
   for (int p = 25; p < 50; ++p) far[p].z() += 0.5 * (far[p].x() + 0.17);
-  figures = check(far);
-  EXPECT_GT(figures.self, 0);
-  EXPECT_EQ(figures.across_seams, 0);
+  found = check(far);
+  EXPECT_GT(found.self, 0);
+  EXPECT_EQ(found.across_seams, 0);
 
   // Stands half in the block, upright.
   std::vector<Vec3> through = garment.placed;
   for (Vec3& p : through) p.z() = p.y() - 0.45;
-  figures = check(through);
-  EXPECT_GT(figures.body, 0);
-  EXPECT_EQ(figures.self + figures.inside, 0);
+  found = check(through);
+  EXPECT_GT(found.body, 0);
+  EXPECT_EQ(found.self + found.inside, 0);
 
   // In the block as a whole, and half of it: nothing intersects.
   std::vector<Vec3> within = garment.placed;
   for (Vec3& p : within) p.z() = 0;
-  figures = check(within);
-  EXPECT_EQ(figures.inside, 1);
-  EXPECT_EQ(figures.body, 0);
-  EXPECT_FALSE(figures.clean());
+  found = check(within);
+  EXPECT_EQ(found.inside, 1);
+  EXPECT_EQ(found.body, 0);
+  EXPECT_FALSE(found.clean());
   EXPECT_EQ(check(moved(1, Vec3(0, 0, -0.3))).inside, 1);
 }
 
@@ -110,9 +110,9 @@ TEST_F(Certified, SaysSinceWhenItIsCleanAndWhetherItStayedSo) {
 TEST_F(Certified, LayersBelowCount) {
   const TriangleMesh layer = test::box({-0.1, 0.45, 0.25}, {0.1, 0.55, 0.35});
   Certificate layered(body, &layer);
-  const FrameFigures& figures = layered.check({garment, stage, garment.placed, 0});
-  EXPECT_GT(figures.layers, 0);
-  EXPECT_EQ(figures.body + figures.self, 0);
+  const FrameCheck& found = layered.check({garment, stage, garment.placed, 0});
+  EXPECT_GT(found.layers, 0);
+  EXPECT_EQ(found.body + found.self, 0);
 }
 
 }  // namespace certify_test

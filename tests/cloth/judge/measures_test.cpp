@@ -24,41 +24,41 @@ TEST(Measures, FlatPanel) {
   EXPECT_NEAR(panel_areas(garment)[0], 0.02, 1e-15);
   EXPECT_NEAR(panel_perimeters(garment)[0], 0.6, 1e-14);
   EXPECT_NEAR(triangle_perimeters(garment)[0], 400 * (0.02 + 0.01 * std::numbers::sqrt2), 1e-11);
-  const GarmentFigures figures =
+  const GarmentMeasurements measured =
       measure_garment(garment, test::as_dressed(garment, garment.placed));
-  EXPECT_LT(figures.strain.max, 1e-12);
-  EXPECT_LT(std::abs(figures.area_total_percent), 1e-10);
-  EXPECT_EQ(figures.borders, 1);
-  EXPECT_EQ(figures.seams.sewn + figures.seams.open, 0);
+  EXPECT_LT(measured.strain.max, 1e-12);
+  EXPECT_LT(std::abs(measured.area_total), 1e-12);
+  EXPECT_EQ(measured.borders, 1);
+  EXPECT_EQ(measured.seams.sewn + measured.seams.open, 0);
 }
 
 TEST(Measures, StretchedInOneDirection) {
   const PanelMesh garment = panel();
   const double e = 0.03;
   const auto points = scaled(garment, 1, 1 + e);
-  const GarmentFigures figures = measure_garment(garment, test::as_dressed(garment, points));
+  const GarmentMeasurements measured = measure_garment(garment, test::as_dressed(garment, points));
   const double diagonal = std::sqrt((1 + (1 + e) * (1 + e)) / 2) - 1;
   // 20·11 edges across, 21·10 along, 200 diagonals.
-  EXPECT_NEAR(figures.strain.max, e, 1e-12);
-  EXPECT_NEAR(figures.strain.p99, e, 1e-12);
-  EXPECT_NEAR(figures.strain.rms, std::sqrt((210 * e * e + 200 * diagonal * diagonal) / 630),
+  EXPECT_NEAR(measured.strain.max, e, 1e-12);
+  EXPECT_NEAR(measured.strain.p99, e, 1e-12);
+  EXPECT_NEAR(measured.strain.rms, std::sqrt((210 * e * e + 200 * diagonal * diagonal) / 630),
               1e-12);
-  EXPECT_NEAR(figures.area_total_percent, 3, 1e-10);
-  EXPECT_NEAR(figures.area_max_panel_percent, 3, 1e-10);
-  EXPECT_NEAR(figures.perimeter_max_panel_percent, 100 * (2 * 0.1 * e) / 0.6, 1e-10);
-  EXPECT_NEAR(figures.triangle_perimeter_max_panel_percent,
-              100 * (e + std::numbers::sqrt2 * diagonal) / (2 + std::numbers::sqrt2), 1e-10);
+  EXPECT_NEAR(measured.area_total, e, 1e-12);
+  EXPECT_NEAR(measured.area_max_panel, e, 1e-12);
+  EXPECT_NEAR(measured.perimeter_max_panel, 2 * 0.1 * e / 0.6, 1e-12);
+  EXPECT_NEAR(measured.triangle_perimeter_max_panel,
+              (e + std::numbers::sqrt2 * diagonal) / (2 + std::numbers::sqrt2), 1e-12);
   EXPECT_NEAR(panel_areas(garment, points)[0], 0.02 * (1 + e), 1e-15);
 }
 
 TEST(Measures, ShrinkingCountsAsMuchAsGrowing) {
   const PanelMesh garment = panel();
-  const GarmentFigures figures =
+  const GarmentMeasurements measured =
       measure_garment(garment, test::as_dressed(garment, scaled(garment, 0.95, 0.95)));
-  EXPECT_NEAR(figures.strain.max, 0.05, 1e-12);
-  EXPECT_NEAR(figures.area_total_percent, 100 * (0.95 * 0.95 - 1), 1e-10);
-  EXPECT_NEAR(figures.area_max_panel_percent, 100 * (1 - 0.95 * 0.95), 1e-10);
-  EXPECT_NEAR(figures.perimeter_max_panel_percent, 5, 1e-10);
+  EXPECT_NEAR(measured.strain.max, 0.05, 1e-12);
+  EXPECT_NEAR(measured.area_total, 0.95 * 0.95 - 1, 1e-12);
+  EXPECT_NEAR(measured.area_max_panel, 1 - 0.95 * 0.95, 1e-12);
+  EXPECT_NEAR(measured.perimeter_max_panel, 0.05, 1e-12);
 }
 
 TEST(Measures, ThePercentileLeavesOneInAHundredOut) {
@@ -66,9 +66,9 @@ TEST(Measures, ThePercentileLeavesOneInAHundredOut) {
   const PanelMesh garment = panel();
   std::vector<Vec3> points = garment.placed;
   points[20] += Vec3(0.01, 0, 0);
-  const GarmentFigures figures = measure_garment(garment, test::as_dressed(garment, points));
-  EXPECT_NEAR(figures.strain.max, 1, 1e-12);
-  EXPECT_LT(figures.strain.p99, 1e-12);
+  const GarmentMeasurements measured = measure_garment(garment, test::as_dressed(garment, points));
+  EXPECT_NEAR(measured.strain.max, 1, 1e-12);
+  EXPECT_LT(measured.strain.p99, 1e-12);
 }
 
 /// Two squares with a seam between; `gap` metres apart there.
@@ -85,26 +85,27 @@ PanelMesh pair() {
 
 TEST(Measures, SeamsAreSewnWithinTenMicrometres) {
   const PanelMesh garment = pair();
-  GarmentFigures figures = measure_garment(garment, test::as_dressed(garment, garment.placed));
-  EXPECT_EQ(figures.seams.sewn, 1);
-  EXPECT_EQ(figures.seams.open, 0);
-  EXPECT_EQ(figures.seams.max_gap_mm, 0);
-  EXPECT_EQ(figures.borders, 1);
+  GarmentMeasurements measured =
+      measure_garment(garment, test::as_dressed(garment, garment.placed));
+  EXPECT_EQ(measured.seams.sewn, 1);
+  EXPECT_EQ(measured.seams.open, 0);
+  EXPECT_EQ(measured.seams.max_gap, 0);
+  EXPECT_EQ(measured.borders, 1);
 
   std::vector<Vec3> apart = garment.placed;
   apart[garment.seams[0].b[4]].z() = 0.9e-5;
-  figures = measure_garment(garment, test::as_dressed(garment, apart, false));
-  EXPECT_EQ(figures.seams.sewn, 1);
-  EXPECT_NEAR(figures.seams.max_gap_mm, 0.009, 1e-9);
+  measured = measure_garment(garment, test::as_dressed(garment, apart, false));
+  EXPECT_EQ(measured.seams.sewn, 1);
+  EXPECT_NEAR(measured.seams.max_gap, 0.9e-5, 1e-12);
 
   apart[garment.seams[0].b[4]].z() = 0.003;
-  figures = measure_garment(garment, test::as_dressed(garment, apart, false));
-  EXPECT_EQ(figures.seams.sewn, 0);
-  EXPECT_EQ(figures.seams.open, 1);
-  ASSERT_EQ(figures.seams.open_seams.size(), 1u);
-  EXPECT_EQ(figures.seams.open_seams[0].name, "middle");
-  EXPECT_NEAR(figures.seams.max_gap_mm, 3, 1e-9);
-  EXPECT_EQ(figures.borders, 2);
+  measured = measure_garment(garment, test::as_dressed(garment, apart, false));
+  EXPECT_EQ(measured.seams.sewn, 0);
+  EXPECT_EQ(measured.seams.open, 1);
+  ASSERT_EQ(measured.seams.open_seams.size(), 1u);
+  EXPECT_EQ(measured.seams.open_seams[0].name, "middle");
+  EXPECT_NEAR(measured.seams.max_gap, 0.003, 1e-12);
+  EXPECT_EQ(measured.borders, 2);
 }
 
 TEST(Measures, StrainOfSeamEdgesIsKeptApart) {
@@ -114,9 +115,9 @@ TEST(Measures, StrainOfSeamEdgesIsKeptApart) {
   std::vector<Vec3> points = garment.placed;
   points[garment.seams[0].a[5]].y() += 0.001;
   points[garment.seams[0].b[5]].y() += 0.001;
-  const GarmentFigures figures = measure_garment(garment, test::as_dressed(garment, points));
-  EXPECT_NEAR(figures.strain.max, 0.1, 1e-9);
-  EXPECT_NEAR(figures.strain_off_seams.max,
+  const GarmentMeasurements measured = measure_garment(garment, test::as_dressed(garment, points));
+  EXPECT_NEAR(measured.strain.max, 0.1, 1e-9);
+  EXPECT_NEAR(measured.strain_off_seams.max,
               std::abs(std::hypot(0.01, 0.011) / std::hypot(0.01, 0.01) - 1), 1e-9);
 }
 
@@ -124,10 +125,10 @@ TEST(Measures, ThePanelThatChangedMostIsReported) {
   const PanelMesh garment = pair();
   std::vector<Vec3> points = garment.placed;
   for (int p = 121; p < 242; ++p) points[p].x() = 0.1 + 1.04 * (points[p].x() - 0.1);
-  const GarmentFigures figures = measure_garment(garment, test::as_dressed(garment, points));
-  EXPECT_NEAR(figures.area_max_panel_percent, 4, 1e-9);
-  EXPECT_NEAR(figures.area_total_percent, 2, 1e-9);
-  EXPECT_NEAR(figures.perimeter_max_panel_percent, 2, 1e-9);
+  const GarmentMeasurements measured = measure_garment(garment, test::as_dressed(garment, points));
+  EXPECT_NEAR(measured.area_max_panel, 0.04, 1e-11);
+  EXPECT_NEAR(measured.area_total, 0.02, 1e-11);
+  EXPECT_NEAR(measured.perimeter_max_panel, 0.02, 1e-11);
 }
 
 TEST(Measures, AnotherGarmentIsRefused) {

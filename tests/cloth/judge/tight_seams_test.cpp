@@ -74,7 +74,7 @@ TEST(TightSeams, TensionIsStiffnessTimesStrainAndHalfOfBothPanelsIsMissing) {
   ASSERT_EQ(tight.size(), 1U);
   EXPECT_EQ(tight[0].name, "ab");
   EXPECT_NEAR(tight[0].tension, 400, 1e-6);
-  EXPECT_NEAR(tight[0].missing_cm, 100 * 0.5 * 0.04 * (0.5 + 0.3), 1e-8);
+  EXPECT_NEAR(tight[0].missing, 0.5 * 0.04 * (0.5 + 0.3), 1e-10);
 }
 
 TEST(TightSeams, BelowAHandsPullThereAreNone) {
@@ -102,7 +102,7 @@ TEST(TightSeams, LessThanTheFleshGivesIsNotMissing) {
   EXPECT_TRUE(pair(20000, 0.02, 0.49, 0.49).tight().empty());
   const std::vector<TightSeam> tight = pair(20000, 0.02, 0.51, 0.51).tight();
   ASSERT_EQ(tight.size(), 1U);
-  EXPECT_NEAR(tight[0].missing_cm, 1.02, 1e-8);
+  EXPECT_NEAR(tight[0].missing, 0.0102, 1e-10);
 }
 
 TEST(TightSeams, APanelsStretchIsSharedByTheSeamsAtItsEnds) {
@@ -112,7 +112,7 @@ TEST(TightSeams, APanelsStretchIsSharedByTheSeamsAtItsEnds) {
   ASSERT_EQ(tight.size(), 2U);
   for (const TightSeam& seam : tight) {
     EXPECT_NEAR(seam.tension, 0.5 * 20000 * 0.05, 1e-6);
-    EXPECT_NEAR(seam.missing_cm, 100 * 0.5 * 0.05 * 0.6, 1e-8);
+    EXPECT_NEAR(seam.missing, 0.5 * 0.05 * 0.6, 1e-10);
   }
 }
 
@@ -139,14 +139,14 @@ TEST(TightSeams, AllSeamsAroundATubeLackWhatTheTubeLacks) {
   Scene scene;
   scene.fabric.stretch_weft = scene.fabric.stretch_warp = 10000;
   const GarmentModel model = compile(garment, scene, garment.placed);
-  double missing_cm = 0;
+  double missing = 0;
   const std::vector<TightSeam> tight = tight_seams(garment, model, model.start);
   ASSERT_EQ(tight.size(), 3U);
   for (const TightSeam& seam : tight) {
     EXPECT_NEAR(seam.tension, 10000 * strain, 1e-6);
-    missing_cm += seam.missing_cm;
+    missing += seam.missing;
   }
-  EXPECT_NEAR(missing_cm, 100 * 3 * width * strain, 1e-8);
+  EXPECT_NEAR(missing, 3 * width * strain, 1e-10);
 }
 
 /// 400 N/m by multipliers on the triangles beside the seam's first `pulled` edges of 1 cm, in
@@ -169,7 +169,7 @@ TEST(TightSeams, TensionIsAMeanOverAHandsBreadth) {
   const std::vector<TightSeam> tight = partly_pulled(8);
   ASSERT_EQ(tight.size(), 1U);
   EXPECT_NEAR(tight[0].tension, 20 + 0.8 * 400, 1e-6);
-  EXPECT_NEAR(tight[0].missing_cm, 2, 1e-8);
+  EXPECT_NEAR(tight[0].missing, 0.02, 1e-10);
 }
 
 }  // namespace

@@ -46,12 +46,12 @@ TEST(Wraps, ATubeIsMeasuredWhereItLies) {
   garment.placed = moved(garment.placed, {0, -0.3, 0});
   for (const double displacement : {-0.4, -0.25, -0.1, 0.0, 0.1}) {
     const auto points = moved(garment.placed, {0, displacement, 0});
-    const WrapFigure figures =
+    const WrapMeasurement wrap =
         measure_wraps(garment, test::as_dressed(garment, points), figure()).at(0);
-    EXPECT_NEAR(figures.fraction, 1, 1e-3);
-    EXPECT_NEAR(figures.slid, -displacement, 1e-9);
-    EXPECT_NEAR(figures.from, -0.3 + displacement + 0.25 * 0.6, 0.02);
-    EXPECT_NEAR(figures.to, -0.3 + displacement + 0.75 * 0.6, 0.02);
+    EXPECT_NEAR(wrap.fraction, 1, 1e-3);
+    EXPECT_NEAR(wrap.slid, -displacement, 1e-9);
+    EXPECT_NEAR(wrap.from, -0.3 + displacement + 0.25 * 0.6, 0.02);
+    EXPECT_NEAR(wrap.to, -0.3 + displacement + 0.75 * 0.6, 0.02);
   }
 }
 

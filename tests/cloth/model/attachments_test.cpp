@@ -206,18 +206,18 @@ TEST(Attachments, CarryTheWeightOfASheetThatHangsFromThem) {
   options.stop_median = options.stop_rms = 0.001;
   std::vector<Vec3> x = model.start;
   EXPECT_TRUE(relax(model, options, x).converged);
-  const auto figures = measure_attachments(garment, model.attachments, point_positions(model, x));
+  const auto measured = measure_attachments(garment, model.attachments, point_positions(model, x));
   const double weight = width * height * scene.fabric.areal_density * 9.81;
-  const Vec3 sum = figures[0].pull + figures[1].pull;
-  std::cout << "pulls " << figures[0].pull.transpose() << " and " << figures[1].pull.transpose()
+  const Vec3 sum = measured[0].pull + measured[1].pull;
+  std::cout << "pulls " << measured[0].pull.transpose() << " and " << measured[1].pull.transpose()
             << " N, weight " << weight << " N\n";
   EXPECT_NEAR(sum.y() / weight, 1, 0.01);
   EXPECT_NEAR(sum.x() / weight, 0, 0.01);
   EXPECT_NEAR(sum.z() / weight, 0, 0.01);
   // Its weight draws its corners together, so each pulls outward.
-  EXPECT_LT(figures[0].pull.x(), -0.1 * weight);
-  EXPECT_GT(figures[1].pull.x(), 0.1 * weight);
-  for (const AttachmentFigures& each : figures) {
+  EXPECT_LT(measured[0].pull.x(), -0.1 * weight);
+  EXPECT_GT(measured[1].pull.x(), 0.1 * weight);
+  for (const AttachmentMeasurement& each : measured) {
     EXPECT_NEAR(each.off_mean, each.pull.norm() / how.stiffness, 1e-12);
   }
 }
@@ -235,13 +235,13 @@ TEST(Attachments, GiveWayToMoreThanTheyHold) {
     options.max_iterations = 2000;
     std::vector<Vec3> x = model.start;
     relax(model, options, x);
-    const auto figures = measure_attachments(garment, model.attachments, x);
+    const auto measured = measure_attachments(garment, model.attachments, x);
     if (share < 1) {
-      EXPECT_GT(figures[0].off_mean, 0.01);
-      EXPECT_NEAR(figures[0].pull.y() / weight, share, 1e-6);
+      EXPECT_GT(measured[0].off_mean, 0.01);
+      EXPECT_NEAR(measured[0].pull.y() / weight, share, 1e-6);
     } else {
-      EXPECT_LT(figures[0].off_mean, 0.001);
-      EXPECT_NEAR(figures[0].pull.y() / weight, 1, 0.01);
+      EXPECT_LT(measured[0].off_mean, 0.001);
+      EXPECT_NEAR(measured[0].pull.y() / weight, 1, 0.01);
     }
   }
 }
@@ -254,12 +254,12 @@ TEST(Attachments, ThoseThatLastAreToldFromTheOthers) {
   const auto left = lasting(all);
   ASSERT_EQ(left.size(), 1u);
   EXPECT_EQ(left[0].attachment, 1);
-  auto figures = measure_attachments(garment, all, garment.placed);
+  auto measured = measure_attachments(garment, all, garment.placed);
   std::vector<Vec3> moved = garment.placed;
   for (Vec3& p : moved) p.z() += 0.5;
-  measure_lasting(garment, left, moved, figures);
-  EXPECT_NEAR(figures[0].off_mean, 1, 1e-3);
-  EXPECT_NEAR(figures[1].off_mean, 1.5, 1e-3);
+  measure_lasting(garment, left, moved, measured);
+  EXPECT_NEAR(measured[0].off_mean, 1, 1e-3);
+  EXPECT_NEAR(measured[1].off_mean, 1.5, 1e-3);
 }
 
 TEST(Attachments, ThoseOfWhatSlipsHoldOnlyThen) {
@@ -270,9 +270,9 @@ TEST(Attachments, ThoseOfWhatSlipsHoldOnlyThen) {
   const auto loose = attached_points(garment, {}, garment.placed, 0.002);
   ASSERT_EQ(loose.size(), 1u);
   EXPECT_EQ(loose[0].attachment, 1);
-  const auto figures = measure_attachments(garment, loose, garment.placed);
-  EXPECT_FALSE(figures[0].used);
-  EXPECT_TRUE(figures[1].used);
+  const auto measured = measure_attachments(garment, loose, garment.placed);
+  EXPECT_FALSE(measured[0].used);
+  EXPECT_TRUE(measured[1].used);
   const auto held = hold_what_slips(garment);
   ASSERT_TRUE(held);
   EXPECT_EQ(attached_points(*held, {}, garment.placed, 0.002).size(), 2u);

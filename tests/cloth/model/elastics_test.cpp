@@ -159,7 +159,7 @@ class ElasticTube : public testing::Test {
   PanelMesh garment_;
   GarmentModel model_;
   std::vector<Vec3> x_;
-  ElasticFigures band_;
+  ElasticMeasurement band_;
 };
 
 TEST_F(ElasticTube, HoldsTheCylinderByItsTension) {

@@ -72,7 +72,7 @@ class CoarseOnASlope : public testing::Test {
     WornGarment worn{&garment, scene.fabric, model.start, {}, 0.002};
     const RelaxReport report = relax(model, options, worn.nodes);
     EXPECT_TRUE(report.converged);
-    EXPECT_EQ(report.warm_start.edges.size(), 33U);
+    EXPECT_EQ(report.warm_start.edge_anchors.size(), 33U);
     worn.warm_start = report.warm_start;
     return worn;
   }
@@ -99,7 +99,7 @@ TEST_F(CoarseOnASlope, IsAtRestWithOthers) {
   together.stop_median = together.stop_rms = 1e-4;
   const CoupledResult result =
       relax_coupled({worn(garments[0]), worn(garments[1])}, scene, together);
-  for (const MovedFigures& moved : result.moved) {
+  for (const MoveStatistics& moved : result.moved) {
     std::cout << "moved by " << 1e6 * moved.max << " micrometres\n";
     EXPECT_LT(moved.max, 1e-7);
   }

@@ -9,6 +9,7 @@
 
 #include "cloth/model/compile.h"
 #include "cloth/scene/collider.h"
+#include "geometry/angles.h"
 #include "geometry/distance_grid.h"
 #include "geometry/intersections.h"
 #include "tests/cloth/panels.h"
@@ -19,7 +20,6 @@ namespace toile {
 namespace relax_test {
 
 constexpr double pi = std::numbers::pi;
-constexpr double degree = pi / 180;
 
 /// The displacement (metres) of a sheet of 20 x 20 cm on a flat box, with gravity at `slope`.
 Vec3 slide(double slope, double height, RelaxReport& report, std::vector<Vec3>& x,
@@ -134,20 +134,20 @@ TEST(Relax, FrictionHoldsBelowItsAngleOnly) {
   RelaxReport report;
   std::vector<Vec3> x;
   for (const double angle : {10.0, 20.0, 21.3}) {
-    const double displacement = slide(angle * degree, 0.002, report, x).norm();
+    const double displacement = slide(to_radians(angle), 0.002, report, x).norm();
     EXPECT_LT(displacement, 1e-5) << angle;
     EXPECT_TRUE(report.converged) << angle;
   }
   // Beyond, the sheet slides as long as the run lasts; without friction, on the smallest slope.
   for (const double angle : {22.3, 25.0}) {
-    const double displacement = slide(angle * degree, 0.002, report, x).x();
+    const double displacement = slide(to_radians(angle), 0.002, report, x).x();
     EXPECT_FALSE(report.converged) << angle;
     EXPECT_GT(displacement, 0.0006) << angle;
-    const double farther = slide(angle * degree, 0.002, report, x, true, 12000).x();
+    const double farther = slide(to_radians(angle), 0.002, report, x, true, 12000).x();
     EXPECT_GT(farther, 2 * displacement) << angle;
     EXPECT_FALSE(report.converged) << angle;
   }
-  EXPECT_GT(slide(2 * degree, 0.002, report, x, false).x(), 0.002);
+  EXPECT_GT(slide(to_radians(2), 0.002, report, x, false).x(), 0.002);
 }
 
 /// Two flat panels on either side of an upright cylinder of 20 cm across.
@@ -172,7 +172,7 @@ RelaxOptions sewing() {
   options.max_iterations = 6000;
   options.bending_from = options.bending_to = 100;
   options.gravity = 0;
-  options.pull = 2;
+  options.body_attraction = 2;
   options.friction = false;
   options.bounded = true;
   options.momentum = 0.99;

@@ -9,7 +9,7 @@
 #include "pattern/pattern_file.h"
 #include "pattern/seams/sewn_file.h"
 #include "pattern/seams/shell_panels.h"
-#include "tests/support/seam_figures.h"
+#include "tests/support/seam_comparison.h"
 
 namespace toile {
 namespace find_seams_test {
@@ -17,8 +17,8 @@ namespace find_seams_test {
 // Bounds at what was reached: 0.93 and 0.96 with names, the same whatever the confidence.
 // bench_seams_found has the whole table.
 TEST(FindSeamsOfSamples, MostAreFoundAgainWithNames) {
-  SeamFigures sum;
-  SeamFigures all;
+  SeamMatches sum;
+  SeamMatches all;
   for (const auto& entry : std::filesystem::directory_iterator(TOILE_SOURCE_DIR "/samples")) {
     if (entry.path().extension() != ".json") continue;
     std::vector<Remark> remarks;
@@ -36,11 +36,11 @@ TEST(FindSeamsOfSamples, MostAreFoundAgainWithNames) {
       }
     }
     SeamComparison comparison(pattern, options.drawn_walk, false);
-    const SeamFigures figures = comparison.compare(stated_seams(pattern), decided);
+    const SeamMatches figures = comparison.compare(stated_seams(pattern), decided);
     sum.stated += figures.stated;
     sum.found += figures.found;
     sum.right += figures.right;
-    const SeamFigures of_all = comparison.compare(stated_seams(pattern), listed);
+    const SeamMatches of_all = comparison.compare(stated_seams(pattern), listed);
     all.found += of_all.found;
     all.right += of_all.right;
   }

@@ -5,7 +5,7 @@
 
 #include "io/output_file.h"
 #include "pattern/pattern_file.h"
-#include "tests/support/seam_figures.h"
+#include "tests/support/seam_comparison.h"
 
 namespace toile {
 namespace seam_choice_test {

@@ -17,7 +17,7 @@ struct Misplaced {
   std::string should_be;  ///< where it belongs
 };
 
-struct WornFigures {
+struct WearFindings {
   /// False: nothing tells where the garment belongs, such as a sheet or a cape, or the skeleton
   /// lacks joints.
   bool is_checked = false;
@@ -29,7 +29,7 @@ struct WornFigures {
 
 /// What a garment is comes from the parts, labels and names of its panels (panel_kind.h), and from
 /// its openings. Where it is worn comes from the limbs that pass through the openings, and from
-/// heights. Each connected piece is checked by itself:
+/// heights. Each connected component is checked by itself:
 ///
 /// - Sleeves: an opening of theirs has their arm, and no other limb.
 /// - Trousers: an opening has the left leg alone, another one the right leg.
@@ -41,14 +41,15 @@ struct WornFigures {
 ///   It lies below two thirds of the way from waist to armpits.
 /// - Sleeves, skirts and tops that are not closed around their part meet 85 % of the directions.
 ///   A cardigan and a wrap skirt do. A shirt that lacks a quarter does not.
-/// - Any other piece: no two openings of 15 cm or more may have nothing in them. An opening around
+/// - Any other component: no two openings of 15 cm or more may have nothing in them. An opening
+/// around
 ///   both legs may not be its highest one and lie below the crotch.
 /// - Panels named front and back, left and right, lie on their sides of the body within 60 degrees.
-/// - No piece hangs below the floor.
+/// - No component hangs below the floor.
 ///
 /// `garment` has panels placed where they started. About O(n log n) in the triangles.
-WornFigures check_worn(const PanelMesh& garment, const DressedGarment& dressed,
-                       const Skeleton& skeleton);
+WearFindings check_worn(const PanelMesh& garment, const DressedGarment& dressed,
+                        const Skeleton& skeleton);
 
 /// Where on the body a point is, such as "shins, 25 cm above the floor".
 std::string place_on_body(const Vec3& point, const Skeleton& skeleton);

@@ -1,4 +1,4 @@
-#include "cloth/start/worn_sheets.h"
+#include "cloth/start/worn_layout.h"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +18,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-WornSheets::WornSheets(const PanelMesh& garment, SheetLayout layout, std::size_t around)
+WornLayout::WornLayout(const PanelMesh& garment, FlatLayout layout, std::size_t around)
     : garment_(garment),
       panel_of_(panel_of_points(garment)),
       layout_(std::move(layout)),
@@ -26,13 +26,13 @@ WornSheets::WornSheets(const PanelMesh& garment, SheetLayout layout, std::size_t
   find_landmarks();
 }
 
-void WornSheets::find_landmarks() {
-  openings_ = sheet_openings(garment_, layout_);
+void WornLayout::find_landmarks() {
+  openings_ = flat_openings(garment_, layout_);
   shoulders_ = shoulder_points(garment_, layout_);
   // Where a frill is sewn on, cloth has an upper border too.
   double low = infinity;
   double high = -infinity;
-  for (const SheetOpening& opening : openings_) {
+  for (const FlatOpening& opening : openings_) {
     low = std::min(low, opening.low);
     high = std::max(high, opening.high);
   }
@@ -40,25 +40,25 @@ void WornSheets::find_landmarks() {
                 [&](const Vec2& p) { return p.y() < high - max_shoulder_drop * (high - low); });
 }
 
-void WornSheets::shift(const Vec2& by) {
+void WornLayout::shift(const Vec2& by) {
   layout_.move(1, {by.x(), by.y()});
   find_landmarks();
 }
 
-bool WornSheets::has(PanelKind wanted) const {
+bool WornLayout::has(PanelKind wanted) const {
   return std::ranges::any_of(layout_.panels, [&](int p) { return kind_of(panel(p)) == wanted; });
 }
 
-/// Whether the piece hangs from the shoulders.
-bool WornSheets::hangs() const {
+/// Whether the garment hangs from the shoulders.
+bool WornLayout::hangs() const {
   const bool is_bottom =
       !has(PanelKind::top) && !has(PanelKind::sleeve) && !has(PanelKind::unknown);
   if (is_bottom || shoulders_.empty()) return false;
   return has(PanelKind::sleeve) || openings_.size() + around_ > 2;
 }
 
-/// Metres: x of the piece's middle in the picture.
-double WornSheets::middle() const {
+/// Metres: x of the garment's middle in the picture.
+double WornLayout::middle() const {
   double moment = 0;
   double area = 0;
   for (std::size_t i = 0; i < layout_.panels.size(); ++i) {
@@ -77,11 +77,11 @@ double WornSheets::middle() const {
   return area > 0 ? moment / area : 0;
 }
 
-void WornSheets::choose_front() {
+void WornLayout::choose_front() {
   const double x = middle();
   if (hangs()) {
-    const double front = sheet_top(garment_, layout_, false, x);
-    const double back = sheet_top(garment_, layout_, true, x);
+    const double front = face_top(garment_, layout_, false, x);
+    const double back = face_top(garment_, layout_, true, x);
     if (std::abs(front - back) > min_neck_difference) {
       if (front > back) layout_.change_faces();
     }
@@ -102,7 +102,7 @@ void WornSheets::choose_front() {
 }
 
 /// Metres: how far the picture has to be raised.
-double WornSheets::rise(const BodySizes& sizes, const Skeleton& skeleton) const {
+double WornLayout::rise(const BodySizes& sizes, const Skeleton& skeleton) const {
   if (hangs()) {
     // What lies beside the neck counts; of a garment with none, the nearest to it.
     const double x = middle();
@@ -125,10 +125,10 @@ double WornSheets::rise(const BodySizes& sizes, const Skeleton& skeleton) const 
     }
     return (count > 0 ? sum / count : nearest_rise) + shoulder_seam_gap;
   }
-  const auto around = std::ranges::find_if(openings_, &SheetOpening::both_sheets);
+  const auto around = std::ranges::find_if(openings_, &FlatOpening::both_faces);
   if (around == openings_.end()) {
     double top = -infinity;
-    for (const SheetOpening& opening : openings_) top = std::max(top, opening.high);
+    for (const FlatOpening& opening : openings_) top = std::max(top, opening.high);
     return skeleton.joint("waist").y() - (std::isfinite(top) ? top : 0);
   }
   if (is_strapless(*around, sizes.waist_girth()))
@@ -139,8 +139,8 @@ double WornSheets::rise(const BodySizes& sizes, const Skeleton& skeleton) const 
   return std::min(rise, skeleton.joint("pelvis").y() - crotch_depth - *crotch);
 }
 
-/// Whether the piece, which does not hang from the shoulders, is worn about the chest.
-bool WornSheets::is_strapless(const SheetOpening& top, double waist_girth) const {
+/// Whether the garment, which does not hang from the shoulders, is worn about the chest.
+bool WornLayout::is_strapless(const FlatOpening& top, double waist_girth) const {
   if (has(PanelKind::top)) return true;
   if (has(PanelKind::skirt) || has(PanelKind::trousers) || has(PanelKind::band)) return false;
   const bool has_elastic =
@@ -153,7 +153,7 @@ bool WornSheets::is_strapless(const SheetOpening& top, double waist_girth) const
          top.mean_height - openings_.back().mean_height < short_tube_height;
 }
 
-std::optional<double> WornSheets::crotch_height() const {
+std::optional<double> WornLayout::crotch_height() const {
   const double x = middle();
   std::optional<double> lowest;
   for (const MeshedSeam& seam : garment_.seams) {
@@ -174,16 +174,16 @@ std::optional<double> WornSheets::crotch_height() const {
 }
 
 /// The opening of a leg below the crotch; null: there is none.
-const SheetOpening* WornSheets::leg_opening(double crotch, bool left) const {
+const FlatOpening* WornLayout::leg_opening(double crotch, bool left) const {
   const double x = middle();
-  const auto found = std::ranges::find_if(openings_, [&](const SheetOpening& opening) {
+  const auto found = std::ranges::find_if(openings_, [&](const FlatOpening& opening) {
     const double aside = 0.5 * (opening.left + opening.right) - x;
     return opening.high < crotch && (left ? aside > min_leg_offset : aside < -min_leg_offset);
   });
   return found == openings_.end() ? nullptr : &*found;
 }
 
-std::vector<std::size_t> WornSheets::leg_panels(bool left) const {
+std::vector<std::size_t> WornLayout::leg_panels(bool left) const {
   std::vector<std::size_t> leg;
   const std::optional<double> crotch = crotch_height();
   if (!crotch) return leg;
@@ -204,7 +204,7 @@ std::vector<std::size_t> WornSheets::leg_panels(bool left) const {
   return leg;
 }
 
-void WornSheets::straighten_legs(const Skeleton& skeleton) {
+void WornLayout::straighten_legs(const Skeleton& skeleton) {
   const std::optional<double> crotch = crotch_height();
   if (!crotch) return;
   const double x = middle();
@@ -224,7 +224,7 @@ void WornSheets::straighten_legs(const Skeleton& skeleton) {
     }
     if (!(inner < outer)) continue;
     const double aside = 0.5 * (inner + outer);
-    const SheetOpening* opening = leg_opening(*crotch, left);
+    const FlatOpening* opening = leg_opening(*crotch, left);
     const std::complex<double> top(x + (left ? aside : -aside), *crotch);
     const std::complex<double> end(0.5 * (opening->left + opening->right), opening->mean_height);
     const std::string side = left ? "left_" : "right_";
@@ -240,7 +240,7 @@ void WornSheets::straighten_legs(const Skeleton& skeleton) {
 }
 
 /// Metres, in the picture: the mean of a panel's points.
-Vec2 WornSheets::centre(std::size_t i) const {
+Vec2 WornLayout::centre(std::size_t i) const {
   const MeshedPanel& of = panel(layout_.panels[i]);
   Vec2 sum = Vec2::Zero();
   for (int p = of.first_point; p < of.first_point + of.points; ++p) {

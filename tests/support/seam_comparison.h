@@ -91,7 +91,7 @@ inline std::vector<char> turned_over(const Pattern& pattern, bool drawn_walk) {
   return {side.begin(), side.end()};
 }
 
-struct SeamFigures {
+struct SeamMatches {
   int stated = 0;
   int found = 0;
   int right = 0;  ///< found, stated, and in the same direction
@@ -116,21 +116,21 @@ class SeamComparison {
     }
   }
 
-  SeamFigures compare(const std::set<SeamPair>& stated, const std::set<SeamPair>& found) {
-    SeamFigures figures;
-    figures.stated = static_cast<int>(stated.size());
-    figures.found = static_cast<int>(found.size());
+  SeamMatches compare(const std::set<SeamPair>& stated, const std::set<SeamPair>& found) {
+    SeamMatches matched;
+    matched.stated = static_cast<int>(stated.size());
+    matched.found = static_cast<int>(found.size());
     stated_ = walks(stated);
     found_ = walks(found);
     best_.clear();
     int plain = 0;
     for (const Walk& walk : found_) plain += matches(walk, {}) ? 1 : 0;
-    figures.right = lay();
-    if (plain >= figures.right) {
-      figures.right = plain;
+    matched.right = lay();
+    if (plain >= matched.right) {
+      matched.right = plain;
       best_.clear();
     }
-    return figures;
+    return matched;
   }
 
   /// Whether a seam of the last compare() was right.

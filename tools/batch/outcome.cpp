@@ -1,4 +1,4 @@
-#include "tools/batch/figures.h"
+#include "tools/batch/outcome.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

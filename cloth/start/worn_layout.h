@@ -1,4 +1,4 @@
-// A garment in its two sheets, and how it is worn: its front, its middle, and its height.
+// A garment that lies flat, and how it is worn: its front, its middle, and its height.
 #pragma once
 
 #include <cstddef>
@@ -6,23 +6,23 @@
 #include <vector>
 
 #include "cloth/start/body_sizes.h"
-#include "cloth/start/sheet_landmarks.h"
-#include "cloth/start/sheet_layout.h"
+#include "cloth/start/flat_landmarks.h"
+#include "cloth/start/flat_layout.h"
 #include "pattern/panel_kind.h"
 #include "pattern/panel_mesh.h"
 
 namespace toile {
 
-/// What hangs together in a SheetLayout. Lengths and heights are metres, in the picture.
-class WornSheets {
+/// What hangs together in a FlatLayout. Lengths and heights are metres, in the picture.
+class WornLayout {
  public:
   /// `around`: how many panels that are sewn to these go around a part by themselves, and are not
   /// in the layout. `garment` has to live as long.
-  WornSheets(const PanelMesh& garment, SheetLayout layout, std::size_t around);
+  WornLayout(const PanelMesh& garment, FlatLayout layout, std::size_t around);
 
-  const SheetLayout& layout() const { return layout_; }
+  const FlatLayout& layout() const { return layout_; }
 
-  /// Lets the sheet be the front that is more like one. It has the deeper neckline. Of what does
+  /// Lets the face be the front that is more like one. It has the deeper neckline. Of what does
   /// not hang from the shoulders it has the smaller area.
   void choose_front();
 
@@ -53,15 +53,15 @@ class WornSheets {
   const MeshedPanel& panel(int p) const { return garment_.panels[p]; }
   bool has(PanelKind wanted) const;
   bool hangs() const;
-  bool is_strapless(const SheetOpening& top, double waist_girth) const;
-  const SheetOpening* leg_opening(double crotch, bool left) const;
+  bool is_strapless(const FlatOpening& top, double waist_girth) const;
+  const FlatOpening* leg_opening(double crotch, bool left) const;
   void find_landmarks();
 
   const PanelMesh& garment_;
   std::vector<int> panel_of_;
-  SheetLayout layout_;
+  FlatLayout layout_;
   std::size_t around_;
-  std::vector<SheetOpening> openings_;
+  std::vector<FlatOpening> openings_;
   std::vector<Vec2> shoulders_;
 };
 

@@ -1,4 +1,6 @@
 // What bends in a model against the bending energy of a plate.
+#include "cloth/model/plate_bending.h"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -7,12 +9,11 @@
 
 #include "cloth/model/compile.h"
 #include "cloth/model/constants.h"
-#include "cloth/model/plate_bending.h"
 #include "tests/cloth/bend_energy.h"
 #include "tests/cloth/panels.h"
 
 namespace toile {
-namespace bending_test {
+namespace plate_bending_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -48,7 +49,7 @@ PlanarMesh unstructured() {
 }
 
 // At the border the jumps of one edge or two tell of a curvature that takes less: up to 3 %.
-TEST(Bend, ARolledSheetHasThePlatesEnergyHoweverItIsCut) {
+TEST(PlateBending, ARolledSheetHasThePlatesEnergyHoweverItIsCut) {
   for (const PlanarMesh& mesh : {unstructured(), test::grid(0.4, 0.4, 40, 40)}) {
     for (const double degrees : {0, 15, 30, 45, 60, 90, 135}) {
       for (const double radius : {0.1, 0.2, 0.5}) {
@@ -61,7 +62,7 @@ TEST(Bend, ARolledSheetHasThePlatesEnergyHoweverItIsCut) {
 // If the sheet is rolled so that the threads of one kind bend, the rigidity of the other kind does
 // not count. On the bias it has the rigidity of an orthotropic plate, in whatever direction the
 // threads run through the mesh.
-TEST(Bend, WarpAndWeftBendByTheirOwnRigidity) {
+TEST(PlateBending, WarpAndWeftBendByTheirOwnRigidity) {
   const PlanarMesh mesh = unstructured();
   for (const double ratio : {0.01, 0.12, 0.5, 1.0, 3.0, 8.0, 100.0}) {
     Fabric fabric;
@@ -82,7 +83,7 @@ TEST(Bend, WarpAndWeftBendByTheirOwnRigidity) {
 }
 
 // Seen from either side, across a seam the sheet goes on, rolled askew to it.
-TEST(Bend, ASewnSheetBendsAsIfItWereNotCut) {
+TEST(PlateBending, ASewnSheetBendsAsIfItWereNotCut) {
   PanelMesh sewn;
   const PlanarMesh half = test::grid(0.1, 0.1, 10, 10);
   for (const double shift : {0.0, 0.1}) {
@@ -114,7 +115,7 @@ std::array<Vec3, 3> random_jumps(std::mt19937& random) {
   return jumps;
 }
 
-TEST(Bend, ATriangleHasThePlatesEnergyAtEveryCurvature) {
+TEST(PlateBending, ATriangleHasThePlatesEnergyAtEveryCurvature) {
   std::mt19937 random(3);
   Fabric fabric;
   fabric.bending_weft = 3e-5;
@@ -148,7 +149,7 @@ TEST(Bend, ATriangleHasThePlatesEnergyAtEveryCurvature) {
 }
 
 // Without a bound, corners on one conic would be stiff beyond measure, and steps as short.
-TEST(Bend, EdgesThatDoNotTellCurvaturesApartAreBounded) {
+TEST(PlateBending, EdgesThatDoNotTellCurvaturesApartAreBounded) {
   Fabric fabric;
   const Vec3 across(0.01, 0, 0), twisted(0, 0.01, 0);
   const Eigen::Matrix3d stiffness =
@@ -161,7 +162,7 @@ TEST(Bend, EdgesThatDoNotTellCurvaturesApartAreBounded) {
 }
 
 // The jump of a sheet bent a little, against that of its flat neighbours.
-TEST(Bend, JumpsAreThoseOfABentSheet) {
+TEST(PlateBending, JumpsAreThoseOfABentSheet) {
   const Vec2 a(0.01, 0.02), b(0.03, 0.01), c(0.03, 0.04), d(0.015, -0.01);
   const double grain = 0.4;
   const Vec2 along = (b - a).normalized();
@@ -183,5 +184,5 @@ TEST(Bend, JumpsAreThoseOfABentSheet) {
   EXPECT_NEAR(felt.dot(curvature), slope(c) - slope(d), 1e-12);
 }
 
-}  // namespace bending_test
+}  // namespace plate_bending_test
 }  // namespace toile

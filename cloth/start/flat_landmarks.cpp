@@ -1,4 +1,4 @@
-#include "cloth/start/sheet_landmarks.h"
+#include "cloth/start/flat_landmarks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,12 +17,12 @@ namespace {
 /// Points and triangles of the layout's panels, in the picture.
 struct Picture {
   const PanelMesh& garment;
-  const SheetLayout& layout;
+  const FlatLayout& layout;
   std::vector<int> number;  ///< per material point, of its panel in the layout; -1: in none
   std::vector<Vec2> at;     ///< per material point
   std::vector<std::vector<Vec2>> outlines;  ///< per panel of the layout
 
-  Picture(const PanelMesh& of, const SheetLayout& in) : garment(of), layout(in) {
+  Picture(const PanelMesh& of, const FlatLayout& in) : garment(of), layout(in) {
     number.assign(garment.flat.size(), -1);
     at.assign(garment.flat.size(), Vec2::Zero());
     for (std::size_t i = 0; i < layout.panels.size(); ++i) {
@@ -50,7 +50,7 @@ struct Picture {
 
 }  // namespace
 
-std::vector<SheetOpening> sheet_openings(const PanelMesh& garment, const SheetLayout& layout) {
+std::vector<FlatOpening> flat_openings(const PanelMesh& garment, const FlatLayout& layout) {
   const Picture picture(garment, layout);
   DisjointSets nodes(garment.flat.size());
   for (const MeshedSeam& seam : garment.seams) {
@@ -62,19 +62,19 @@ std::vector<SheetOpening> sheet_openings(const PanelMesh& garment, const SheetLa
     triangles.insert(triangles.end(), garment.triangles.begin() + panel.first_triangle,
                      garment.triangles.begin() + panel.first_triangle + panel.triangles);
   }
-  // Of a node, the point that stands for it, and the sheets that have one.
+  // Of a node, the point that stands for it, and the faces that have one.
   std::map<int, std::pair<Vec2, int>> of_node;
   for (const Triangle& t : triangles) {
     for (const int p : t) {
-      auto& [at, sheets] = of_node.try_emplace(nodes.of(p), picture.at[p], 0).first->second;
-      sheets |= layout.back[picture.number[p]] ? 2 : 1;
+      auto& [at, faces] = of_node.try_emplace(nodes.of(p), picture.at[p], 0).first->second;
+      faces |= layout.back[picture.number[p]] ? 2 : 1;
     }
   }
-  std::vector<SheetOpening> openings;
+  std::vector<FlatOpening> openings;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   for (const auto& loop : border_loops(nodes.joined(triangles), garment.flat.size())) {
-    SheetOpening opening{0, infinity, -infinity, infinity, -infinity, 0, false};
-    int sheets = 0;
+    FlatOpening opening{0, infinity, -infinity, infinity, -infinity, 0, false};
+    int faces = 0;
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const auto& [p, mine] = of_node.at(loop[i]);
       const auto& [next, others] = of_node.at(loop[(i + 1) % loop.size()]);
@@ -85,19 +85,19 @@ std::vector<SheetOpening> sheet_openings(const PanelMesh& garment, const SheetLa
       opening.high = std::max(opening.high, p.y());
       opening.left = std::min(opening.left, p.x());
       opening.right = std::max(opening.right, p.x());
-      sheets |= mine;
+      faces |= mine;
     }
     opening.mean_height /= std::max(opening.length, 1e-9);
-    opening.both_sheets = sheets == 3;
-    if (opening.length >= min_sheet_opening) openings.push_back(opening);
+    opening.both_faces = faces == 3;
+    if (opening.length >= min_flat_opening) openings.push_back(opening);
   }
-  std::ranges::stable_sort(openings, [](const SheetOpening& a, const SheetOpening& b) {
+  std::ranges::stable_sort(openings, [](const FlatOpening& a, const FlatOpening& b) {
     return a.mean_height > b.mean_height;
   });
   return openings;
 }
 
-std::vector<Vec2> shoulder_points(const PanelMesh& garment, const SheetLayout& layout) {
+std::vector<Vec2> shoulder_points(const PanelMesh& garment, const FlatLayout& layout) {
   const Picture picture(garment, layout);
   std::vector<Vec2> points;
   for (const MeshedSeam& seam : garment.seams) {
@@ -118,14 +118,14 @@ std::vector<Vec2> shoulder_points(const PanelMesh& garment, const SheetLayout& l
   return points;
 }
 
-double sheet_top(const PanelMesh& garment, const SheetLayout& layout, bool back, double x) {
+double face_top(const PanelMesh& garment, const FlatLayout& layout, bool back, double x) {
   double top = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < layout.panels.size(); ++i) {
     if ((layout.back[i] != 0) != back) continue;
     const MeshedPanel& panel = garment.panels[layout.panels[i]];
     for (int p = panel.first_point; p < panel.first_point + panel.points; ++p) {
       const Vec2 at = layout.picture(i, garment.flat[p]);
-      if (std::abs(at.x() - x) < sheet_top_width) top = std::max(top, at.y());
+      if (std::abs(at.x() - x) < face_top_width) top = std::max(top, at.y());
     }
   }
   return top;

@@ -1,4 +1,4 @@
-#include "cloth/judge/worn.h"
+#include "cloth/judge/wear_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,12 @@
 
 #include "cloth/judge/constants.h"
 #include "cloth/judge/wraps.h"
+#include "geometry/angles.h"
 #include "geometry/body/bones.h"
+#include "geometry/body/flaws.h"
 #include "geometry/border_loops.h"
+#include "geometry/triangle_area.h"
+#include "io/text.h"
 #include "pattern/panel_kind.h"
 
 namespace toile {
@@ -24,96 +28,82 @@ constexpr LimbsThrough through_right_leg{false, false, false, true};
 /// Whether the opening lets an arm through: what has it hangs from the shoulders.
 bool has_arm(const Opening& opening) { return opening.limbs.left_arm || opening.limbs.right_arm; }
 
-/// The body part whose bones are nearest.
-std::string nearest_part(const Vec3& point, const Skeleton& skeleton) {
-  std::string nearest;
-  double least = std::numeric_limits<double>::infinity();
-  for (const std::string_view part : body_parts) {
-    const Bones bones(skeleton, std::string(part));
-    if (bones.joints.empty()) continue;
-    const double distance = bones.distance(point);
-    if (distance < least) {
-      least = distance;
-      nearest = part;
-    }
-  }
-  return nearest;
-}
-
 std::string in_words(std::string part) {
   std::ranges::replace(part, '_', ' ');
   return part;
 }
 
-/// Points and panels of one connected piece of the garment.
-struct Piece {
+/// Panels and openings of one connected component of the garment.
+struct Component {
   std::set<int> panels;
   std::vector<const Opening*> openings;
 };
 
-/// Sums of area times middle, to take means of cloth.
-struct Cloth {
+/// Of some cloth: its area, and the sum of area times place, whose quotient is the cloth's middle.
+struct AreaMoment {
   Vec3 moment = Vec3::Zero();
   double area = 0;
 
-  void add(const Cloth& other) {
+  void add(const AreaMoment& other) {
     moment += other.moment;
     area += other.area;
   }
   Vec3 middle() const { return area > 0 ? Vec3(moment / area) : Vec3(moment); }
 };
 
-class WornCheck {
+class WearCheck {
  public:
-  WornCheck(const PanelMesh& garment, const DressedGarment& dressed, const Skeleton& skeleton)
+  WearCheck(const PanelMesh& garment, const DressedGarment& dressed, const Skeleton& skeleton)
       : garment_(garment),
         dressed_(dressed),
         nodes_(dressed.points),
         placed_(dressed.points),
         skeleton_(skeleton),
-        cloth_(garment.panels.size()) {
-    figures_.openings = find_openings(dressed, skeleton);
-    const std::vector<int> piece_of_node = connected_pieces(dressed);
-    std::map<int, Piece> pieces;
+        moments_(garment.panels.size()) {
+    findings_.openings = find_openings(dressed, skeleton);
+    const std::vector<int> component_of_node = connected_components(dressed);
+    std::map<int, Component> components;
     for (std::size_t t = 0; t < dressed.triangles.size(); ++t) {
       const Triangle& corners = dressed.triangles[t];
       const int panel = dressed.panel_of_triangle[t];
-      pieces[piece_of_node[corners[0]]].panels.insert(panel);
+      components[component_of_node[corners[0]]].panels.insert(panel);
       for (int i = 0; i < 3; ++i) placed_[corners[i]] = garment.placed[garment.triangles[t][i]];
       const Vec3& a = dressed.points[corners[0]];
       const Vec3& b = dressed.points[corners[1]];
       const Vec3& c = dressed.points[corners[2]];
-      const double area = (b - a).cross(c - a).norm();
-      cloth_[panel].moment += area * (a + b + c) / 3;
-      cloth_[panel].area += area;
+      const double area = triangle_area(a, b, c);
+      moments_[panel].moment += area * (a + b + c) / 3;
+      moments_[panel].area += area;
     }
-    for (const Opening& opening : figures_.openings) {
-      pieces[opening.component].openings.push_back(&opening);
+    for (const Opening& opening : findings_.openings) {
+      components[opening.component].openings.push_back(&opening);
     }
-    for (auto& [number, piece] : pieces) pieces_.push_back(std::move(piece));
+    for (auto& [number, component] : components) components_.push_back(std::move(component));
     crotch_ = skeleton.joint("pelvis").y();
     waist_ = skeleton.joint("waist").y();
     armpit_ = skeleton.joint("chest").y();
   }
 
-  WornFigures run() {
-    for (const Piece& piece : pieces_) check(piece);
-    return std::move(figures_);
+  WearFindings run() {
+    for (const Component& component : components_) check(component);
+    return std::move(findings_);
   }
 
  private:
   PanelKind kind(int panel) const { return kind_of(garment_.panels[panel]); }
-  std::vector<int> panels_of(const Piece& piece, PanelKind wanted) const {
+  std::vector<int> panels_of(const Component& component, PanelKind wanted) const {
     std::vector<int> panels;
-    for (const int p : piece.panels) {
+    for (const int p : component.panels) {
       if (kind(p) == wanted) panels.push_back(p);
     }
     return panels;
   }
-  bool has(const Piece& piece, PanelKind wanted) const { return !panels_of(piece, wanted).empty(); }
-  Cloth cloth_of(const auto& panels) const {
-    Cloth sum;
-    for (const int p : panels) sum.add(cloth_[p]);
+  bool has(const Component& component, PanelKind wanted) const {
+    return !panels_of(component, wanted).empty();
+  }
+  AreaMoment moment_of(const auto& panels) const {
+    AreaMoment sum;
+    for (const int p : panels) sum.add(moments_[p]);
     return sum;
   }
   /// Whether panels go around a part: closed, as a loop of their border tells, or as far as a
@@ -132,37 +122,37 @@ class WornCheck {
       for (const int node : loop) curve.push_back(nodes_[node]);
       if (limbs_through(curve, skeleton_) == limbs) return true;
     }
-    const WrapFigure wrap = measure_wrap(garment_, dressed_, skeleton_, part, is_counted);
+    const WrapMeasurement wrap = measure_wrap(garment_, dressed_, skeleton_, part, is_counted);
     return wrap.from >= wrap.to || wrap.fraction >= around_share;
   }
 
   void misplace(const std::string& part, const std::string& at, const std::string& should_be) {
-    figures_.is_checked = true;
-    if (!figures_.misplaced) figures_.misplaced = Misplaced{part, at, should_be};
+    findings_.is_checked = true;
+    if (!findings_.misplaced) findings_.misplaced = Misplaced{part, at, should_be};
   }
-  /// Cloth about `at` should go around `part`: misplaced if another part is nearer.
+  /// AreaMoment about `at` should go around `part`: misplaced if another part is nearer.
   void fail(const std::string& part, const Vec3& at, const std::string& should_be) {
-    figures_.is_checked = true;
-    if (nearest_part(at, skeleton_) != part) {
+    findings_.is_checked = true;
+    if (part_near(skeleton_, at) != part) {
       misplace(part, place_on_body(at, skeleton_), should_be);
-    } else if (std::ranges::find(figures_.unwrapped, part) == figures_.unwrapped.end()) {
-      figures_.unwrapped.push_back(part);
+    } else if (std::ranges::find(findings_.unwrapped, part) == findings_.unwrapped.end()) {
+      findings_.unwrapped.push_back(part);
     }
   }
 
-  void check(const Piece& piece) {
-    const Vec3 middle = cloth_of(piece.panels).middle();
-    const std::size_t found = figures_.unwrapped.size();
+  void check(const Component& component) {
+    const Vec3 middle = moment_of(component.panels).middle();
+    const std::size_t found = findings_.unwrapped.size();
     if (middle.y() < 0) {
       misplace("torso", place_on_body(middle, skeleton_), "on the body");
       return;
     }
-    check_sleeves(piece);
-    check_trousers(piece);
-    check_trunk(piece);
-    if (figures_.misplaced || figures_.unwrapped.size() > found) return;
-    check_empty_openings(piece);
-    check_facing(piece);
+    check_sleeves(component);
+    check_trousers(component);
+    check_trunk(component);
+    if (findings_.misplaced || findings_.unwrapped.size() > found) return;
+    check_empty_openings(component);
+    check_facing(component);
   }
 
   /// Panels of one kind, grouped by the side of the body that part or name says.
@@ -194,78 +184,80 @@ class WornCheck {
     return 2 * count > static_cast<std::ptrdiff_t>(opening.panels.size());
   }
 
-  void check_sleeves(const Piece& piece) {
-    for (const auto& group : by_side(panels_of(piece, PanelKind::sleeve), "arm")) {
+  void check_sleeves(const Component& component) {
+    for (const auto& group : by_side(panels_of(component, PanelKind::sleeve), "arm")) {
       const std::string& arm = group.first;
       const std::vector<int>& panels = group.second;
       const LimbsThrough wanted = arm == "left_arm" ? through_left_arm : through_right_arm;
-      const bool has_opening = std::ranges::any_of(piece.openings, [&](const Opening* opening) {
+      const bool has_opening = std::ranges::any_of(component.openings, [&](const Opening* opening) {
         return opening->limbs == wanted && belongs_to(*opening, panels);
       });
-      const Vec3 middle = cloth_of(panels).middle();
-      const bool is_there = has_opening || nearest_part(middle, skeleton_) == arm;
-      figures_.is_checked = true;
+      const Vec3 middle = moment_of(panels).middle();
+      const bool is_there = has_opening || part_near(skeleton_, middle) == arm;
+      findings_.is_checked = true;
       if (is_there && goes_around(panels, arm, wanted)) continue;
       fail(arm, middle, in_words(arm));
     }
   }
 
-  void check_trousers(const Piece& piece) {
-    const std::vector<int> panels = panels_of(piece, PanelKind::trousers);
+  void check_trousers(const Component& component) {
+    const std::vector<int> panels = panels_of(component, PanelKind::trousers);
     if (panels.empty()) return;
-    figures_.is_checked = true;
+    findings_.is_checked = true;
     for (const auto& [leg, half] : by_side(panels, "leg")) {
       const LimbsThrough wanted = leg == "left_leg" ? through_left_leg : through_right_leg;
-      if (std::ranges::any_of(piece.openings,
+      if (std::ranges::any_of(component.openings,
                               [&](const Opening* o) { return o->limbs == wanted; })) {
         continue;
       }
-      fail(leg, cloth_of(half).middle(), in_words(leg));
+      fail(leg, moment_of(half).middle(), in_words(leg));
     }
   }
 
   /// The highest opening that both legs pass through, and no arm; null: none.
-  const Opening* highest_around_trunk(const Piece& piece) const {
+  const Opening* highest_around_trunk(const Component& component) const {
     const Opening* highest = nullptr;
-    for (const Opening* opening : piece.openings) {
+    for (const Opening* opening : component.openings) {
       if (opening->limbs != through_hem) continue;
       if (highest == nullptr || opening->middle.y() > highest->middle.y()) highest = opening;
     }
     return highest;
   }
 
-  void check_trunk(const Piece& piece) {
-    const bool is_top = has(piece, PanelKind::top);
-    const bool is_bottom = has(piece, PanelKind::skirt) || has(piece, PanelKind::trousers);
-    const Opening* highest = highest_around_trunk(piece);
-    check_skirt(piece);
-    if (std::ranges::any_of(piece.openings, [](const Opening* o) { return has_arm(*o); })) {
-      figures_.is_checked = true;
-      for (const Opening* opening : piece.openings) {
+  void check_trunk(const Component& component) {
+    const bool is_top = has(component, PanelKind::top);
+    const bool is_bottom = has(component, PanelKind::skirt) || has(component, PanelKind::trousers);
+    const Opening* highest = highest_around_trunk(component);
+    check_skirt(component);
+    if (std::ranges::any_of(component.openings, [](const Opening* o) { return has_arm(*o); })) {
+      findings_.is_checked = true;
+      for (const Opening* opening : component.openings) {
         if (opening->limbs == through_neckline) check_shoulders(*opening);
       }
-      check_open_front(piece, highest != nullptr);
+      check_open_front(component, highest != nullptr);
       return;
     }
-    const Vec3 middle = cloth_of(piece.panels).middle();
+    const Vec3 middle = moment_of(component.panels).middle();
     const std::string belongs = is_top ? "chest or shoulders" : "waist or hips";
     if (highest == nullptr) {
       if (!is_top && !is_bottom) return;
       // Of a stocking, leg openings were checked.
-      if (std::ranges::any_of(piece.openings, [](const Opening* o) { return o->limbs.any(); })) {
+      if (std::ranges::any_of(component.openings,
+                              [](const Opening* o) { return o->limbs.any(); })) {
         return;
       }
-      figures_.is_checked = true;
-      const bool is_sheet = piece.openings.size() == 1;
+      findings_.is_checked = true;
+      const bool is_sheet = component.openings.size() == 1;
       const double height = middle.y();
-      const bool is_near = height > (is_top ? waist_ : 0.5 * crotch_) && height < armpit_ + 0.3;
-      const std::vector<int> panels(piece.panels.begin(), piece.panels.end());
+      const bool is_near = height > (is_top ? waist_ : min_sheet_share * crotch_) &&
+                           height < armpit_ + max_sheet_rise;
+      const std::vector<int> panels(component.panels.begin(), component.panels.end());
       if (is_sheet && is_near && goes_around(panels, "torso", through_hem)) return;
       fail("torso", middle, belongs);
       return;
     }
     const double height = highest->middle.y();
-    figures_.is_checked = true;
+    findings_.is_checked = true;
     double low = crotch_;
     double high = std::numeric_limits<double>::infinity();
     if (is_top) {
@@ -278,23 +270,23 @@ class WornCheck {
     }
   }
 
-  void check_skirt(const Piece& piece) {
-    const std::vector<int> panels = panels_of(piece, PanelKind::skirt);
+  void check_skirt(const Component& component) {
+    const std::vector<int> panels = panels_of(component, PanelKind::skirt);
     if (panels.empty() || goes_around(panels, "torso", through_hem)) return;
-    fail("torso", cloth_of(panels).middle(), "waist or hips");
+    fail("torso", moment_of(panels).middle(), "waist or hips");
   }
 
   /// What hangs from the shoulders and has no hem around the trunk, as a cardigan has none.
-  void check_open_front(const Piece& piece, bool has_hem) {
+  void check_open_front(const Component& component, bool has_hem) {
     const bool has_legs = std::ranges::any_of(
-        piece.openings, [](const Opening* o) { return o->limbs == through_left_leg; });
+        component.openings, [](const Opening* o) { return o->limbs == through_left_leg; });
     std::vector<int> panels;
-    for (const int p : piece.panels) {
+    for (const int p : component.panels) {
       if (kind(p) != PanelKind::sleeve) panels.push_back(p);
     }
     if (has_hem || has_legs || panels.empty()) return;
     if (goes_around(panels, "torso", through_hem)) return;
-    fail("torso", cloth_of(panels).middle(), "chest or shoulders");
+    fail("torso", moment_of(panels).middle(), "chest or shoulders");
   }
 
   /// On each side the neckline's highest point is where the garment hangs. Straps that started
@@ -319,15 +311,16 @@ class WornCheck {
   }
 
   /// A shirt around the waist has two armholes with nothing in them.
-  void check_empty_openings(const Piece& piece) {
+  void check_empty_openings(const Component& component) {
     const bool hangs =
-        std::ranges::any_of(piece.openings, [](const Opening* o) { return has_arm(*o); });
-    const bool has_neck = std::ranges::any_of(
-        piece.openings, [](const Opening* o) { return o->limbs.left_arm && o->limbs.right_arm; });
+        std::ranges::any_of(component.openings, [](const Opening* o) { return has_arm(*o); });
+    const bool has_neck = std::ranges::any_of(component.openings, [](const Opening* o) {
+      return o->limbs.left_arm && o->limbs.right_arm;
+    });
     int empty = 0;
     double longest = 0;
     Vec3 at = Vec3::Zero();
-    for (const Opening* opening : piece.openings) {
+    for (const Opening* opening : component.openings) {
       if (opening->limbs.any() || opening->length < min_limb_opening) continue;
       ++empty;
       if (opening->length > longest) {
@@ -336,21 +329,21 @@ class WornCheck {
       }
     }
     if (empty == 0 || (hangs && has_neck)) return;
-    if (piece.openings.size() == 1) return;  // a sheet
+    if (component.openings.size() == 1) return;  // a sheet
     if (empty == 1 && longest < min_neck_opening) return;
-    if (empty == 1 && has(piece, PanelKind::skirt)) return;  // a cut-out
+    if (empty == 1 && has(component, PanelKind::skirt)) return;  // a cut-out
     fail(hangs ? "head" : "torso", at, hangs ? "neck" : "shoulders, with the arms in the armholes");
   }
 
   /// Middles of the panels that the sign of `side` sorts, from the negative to the positive ones.
-  std::optional<Vec3> from_to(const Piece& piece, int (*side)(const std::string&)) const {
-    Cloth negative;
-    Cloth positive;
-    for (const int p : piece.panels) {
+  std::optional<Vec3> from_to(const Component& component, int (*side)(const std::string&)) const {
+    AreaMoment negative;
+    AreaMoment positive;
+    for (const int p : component.panels) {
       if (kind(p) == PanelKind::sleeve) continue;
       const int sign = side(garment_.panels[p].name);
-      if (sign < 0) negative.add(cloth_[p]);
-      if (sign > 0) positive.add(cloth_[p]);
+      if (sign < 0) negative.add(moments_[p]);
+      if (sign > 0) positive.add(moments_[p]);
     }
     if (negative.area == 0 || positive.area == 0) return std::nullopt;
     Vec3 across = positive.middle() - negative.middle();
@@ -359,17 +352,17 @@ class WornCheck {
     return across.normalized();
   }
 
-  void check_facing(const Piece& piece) {
+  void check_facing(const Component& component) {
     const auto check = [&](const std::optional<Vec3>& across, const Vec3& wanted,
                            const std::string& what) {
       if (!across || across->dot(wanted) >= min_facing_cosine) return;
-      const double degrees = std::acos(std::clamp(across->dot(wanted), -1.0, 1.0)) * 180 / 3.14159;
+      const double degrees = to_degrees(std::acos(std::clamp(across->dot(wanted), -1.0, 1.0)));
       misplace("torso",
                "turned about the vertical by " + std::to_string(std::lround(degrees)) + " degrees",
                what);
     };
-    check(from_to(piece, face_by_name), Vec3::UnitZ(), "its front before the body");
-    check(from_to(piece, side_by_name), Vec3::UnitX(), "its left side at the wearer's left");
+    check(from_to(component, face_by_name), Vec3::UnitZ(), "its front before the body");
+    check(from_to(component, side_by_name), Vec3::UnitX(), "its left side at the wearer's left");
   }
 
   const PanelMesh& garment_;
@@ -377,23 +370,20 @@ class WornCheck {
   const std::vector<Vec3>& nodes_;
   std::vector<Vec3> placed_;  // of each node, where one of its material points started
   const Skeleton& skeleton_;
-  std::vector<Cloth> cloth_;  // per panel
-  std::vector<Piece> pieces_;
+  std::vector<AreaMoment> moments_;  // per panel
+  std::vector<Component> components_;
   double crotch_ = 0;  // heights, metres
   double waist_ = 0;
   double armpit_ = 0;
-  WornFigures figures_;
+  WearFindings findings_;
 };
 
 }  // namespace
 
 std::string place_on_body(const Vec3& point, const Skeleton& skeleton) {
   const double height = point.y();
-  const auto centimetres = [](double metres) {
-    return std::to_string(std::lround(100 * metres)) + " cm";
-  };
-  if (height < 0) return "below the floor by " + centimetres(-height);
-  const std::string part = nearest_part(point, skeleton);
+  if (height < 0) return "below the floor by " + centimetres(-height, 0);
+  const std::string part = part_near(skeleton, point);
   std::string name = in_words(part);
   const double waist = skeleton.joint("waist").y();
   if (part == "torso") {
@@ -410,13 +400,13 @@ std::string place_on_body(const Vec3& point, const Skeleton& skeleton) {
                                                     : "hips";
   }
   if (Bones(skeleton, part).distance(point) > beside_body) name = "beside the body";
-  return name + ", " + centimetres(height) + " above the floor";
+  return name + ", " + centimetres(height, 0) + " above the floor";
 }
 
-WornFigures check_worn(const PanelMesh& garment, const DressedGarment& dressed,
-                       const Skeleton& skeleton) {
+WearFindings check_worn(const PanelMesh& garment, const DressedGarment& dressed,
+                        const Skeleton& skeleton) {
   if (!has_all_limbs(skeleton)) return {};
-  return WornCheck(garment, dressed, skeleton).run();
+  return WearCheck(garment, dressed, skeleton).run();
 }
 
 }  // namespace toile

@@ -1,4 +1,4 @@
-#include "pattern/export/row_layout.h"
+#include "pattern/row_layout.h"
 
 #include <algorithm>
 #include <numeric>
@@ -11,24 +11,29 @@ RowLayout rows_of(const std::vector<Vec2>& sizes, const std::vector<std::size_t>
                   double width) {
   RowLayout layout;
   layout.corners.resize(sizes.size());
-  Vec2 next(gap, -gap);  // the upper left corner of the next box; y = 0 is the top
-  double row_height = 0;
+  RowFiller rows(gap, gap, width);  // down from the top
   for (const std::size_t i : order) {
-    if (next.x() > gap && next.x() + sizes[i].x() + gap > width) {
-      next = {gap, next.y() - row_height - gap};
-      row_height = 0;
-    }
-    layout.corners[i] = {next.x(), next.y() - sizes[i].y()};
-    next.x() += sizes[i].x() + gap;
-    row_height = std::max(row_height, sizes[i].y());
-    layout.size.x() = std::max(layout.size.x(), next.x());
+    const Vec2 from_top = rows.add(sizes[i]);
+    layout.corners[i] = {from_top.x(), -(from_top.y() + sizes[i].y())};
   }
-  layout.size.y() = row_height + gap - next.y();
+  layout.size = rows.size();
   for (Vec2& corner : layout.corners) corner.y() += layout.size.y();
   return layout;
 }
 
 }  // namespace
+
+Vec2 RowFiller::add(const Vec2& size) {
+  if (next_.x() > border_ && next_.x() + size.x() + border_ > width_) {
+    next_ = {border_, next_.y() + row_height_ + gap_};
+    row_height_ = 0;
+  }
+  const Vec2 corner = next_;
+  next_.x() += size.x() + gap_;
+  row_height_ = std::max(row_height_, size.y());
+  longest_ = std::max(longest_, next_.x());
+  return corner;
+}
 
 RowLayout lay_out_rows(const std::vector<Vec2>& sizes, double gap, double width,
                        double max_height) {

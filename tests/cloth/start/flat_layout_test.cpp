@@ -1,4 +1,4 @@
-#include "cloth/start/sheet_layout.h"
+#include "cloth/start/flat_layout.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "tests/cloth/figure.h"
 
 namespace toile {
-namespace sheet_layout_test {
+namespace flat_layout_test {
 
 std::vector<int> all_panels(const PanelMesh& garment) {
   std::vector<int> panels;
@@ -18,13 +18,13 @@ std::vector<int> all_panels(const PanelMesh& garment) {
   return panels;
 }
 
-SheetLayout laid(const PanelMesh& garment) {
-  return lay_in_sheets(garment, all_panels(garment),
-                       std::vector<std::optional<bool>>(garment.panels.size()));
+FlatLayout laid(const PanelMesh& garment) {
+  return lay_flat(garment, all_panels(garment),
+                  std::vector<std::optional<bool>>(garment.panels.size()));
 }
 
 /// Metres: the largest distance between sewn points in the picture.
-double largest_gap(const PanelMesh& garment, const SheetLayout& layout) {
+double largest_gap(const PanelMesh& garment, const FlatLayout& layout) {
   const std::vector<int> panel_of = panel_of_points(garment);
   double largest = 0;
   for (const MeshedSeam& seam : garment.seams) {
@@ -59,26 +59,26 @@ PanelMesh gores(int count, double top, double bottom, double height) {
   return garment;
 }
 
-TEST(SheetLayout, TwoHalvesOfATubeLieUponEachOther) {
+TEST(FlatLayout, TwoHalvesOfATubeLieUponEachOther) {
   PanelMesh garment = test::tube();
   for (MeshedSeam& seam : garment.seams) seam.length_a = seam.length_b = 0.6;
-  const SheetLayout layout = laid(garment);
+  const FlatLayout layout = laid(garment);
   EXPECT_NE(layout.back[0], layout.back[1]);
   EXPECT_LT(largest_gap(garment, layout), 1e-6);
   EXPECT_NEAR(layout.turn[0].real(), 1, 1e-9);  // upright as drawn
 }
 
-TEST(SheetLayout, AGivenSheetIsKept) {
+TEST(FlatLayout, AGivenFaceIsKept) {
   PanelMesh garment = test::tube();
   for (MeshedSeam& seam : garment.seams) seam.length_a = seam.length_b = 0.6;
   for (const bool back : {false, true}) {
-    const SheetLayout layout = lay_in_sheets(garment, {0, 1}, {back, std::nullopt});
+    const FlatLayout layout = lay_flat(garment, {0, 1}, {back, std::nullopt});
     EXPECT_EQ(layout.back[0] != 0, back);
     EXPECT_EQ(layout.back[1] != 0, !back);
   }
 }
 
-TEST(SheetLayout, TurnedDrawingsAreTurnedBackToMeet) {
+TEST(FlatLayout, TurnedDrawingsAreTurnedBackToMeet) {
   PanelMesh garment = test::tube();
   for (MeshedSeam& seam : garment.seams) seam.length_a = seam.length_b = 0.6;
   const MeshedPanel& back = garment.panels[1];
@@ -90,10 +90,10 @@ TEST(SheetLayout, TurnedDrawingsAreTurnedBackToMeet) {
 }
 
 /// Of a round skirt half of the gores lie before the body, side by side, as of a narrow one.
-TEST(SheetLayout, GoresAreSharedByBothSheetsInOneRun) {
+TEST(FlatLayout, GoresAreSharedByBothFacesInOneRun) {
   for (const double bottom : {0.14, 0.5}) {
     const PanelMesh garment = gores(12, 0.07, bottom, 0.7);
-    const SheetLayout layout = laid(garment);
+    const FlatLayout layout = laid(garment);
     const auto in_back = std::ranges::count_if(layout.back, [](char b) { return b != 0; });
     EXPECT_GE(in_back, 5);
     EXPECT_LE(in_back, 7);
@@ -103,16 +103,16 @@ TEST(SheetLayout, GoresAreSharedByBothSheetsInOneRun) {
   }
 }
 
-TEST(SheetLayout, SeenFromBehindLeftIsRight) {
+TEST(FlatLayout, SeenFromBehindLeftIsRight) {
   PanelMesh garment = test::tube();
   for (MeshedSeam& seam : garment.seams) seam.length_a = seam.length_b = 0.6;
-  SheetLayout layout = laid(garment);
+  FlatLayout layout = laid(garment);
   const Vec2 before = layout.picture(0, garment.flat[5]);
-  const char sheet = layout.back[0];
+  const char face = layout.back[0];
   layout.change_faces();
-  EXPECT_NE(layout.back[0], sheet);
+  EXPECT_NE(layout.back[0], face);
   EXPECT_LT((layout.picture(0, garment.flat[5]) - Vec2(-before.x(), before.y())).norm(), 1e-12);
 }
 
-}  // namespace sheet_layout_test
+}  // namespace flat_layout_test
 }  // namespace toile

@@ -1,4 +1,4 @@
-#include "cloth/start/sheet_layout.h"
+#include "cloth/start/flat_layout.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 using Complex = std::complex<double>;
 
 /// A seam between two panels, sampled.
-struct SheetSeam {
+struct FlatSeam {
   int a = 0;  ///< numbers of the panels in the layout
   int b = 0;
   double length = 0;  ///< metres, of the shorter side
@@ -30,8 +30,8 @@ struct SheetSeam {
 std::vector<Vec2> sampled(const PanelMesh& garment, const std::vector<int>& side, double ratio) {
   std::vector<Vec2> points;
   const double last = static_cast<double>(side.size() - 1);
-  for (int i = 0; i < sheet_seam_samples; ++i) {
-    const double at = last * i / (sheet_seam_samples - 1);
+  for (int i = 0; i < flat_seam_samples; ++i) {
+    const double at = last * i / (flat_seam_samples - 1);
     const auto low = static_cast<std::size_t>(std::min(std::floor(at), last - 1));
     const double t = at - static_cast<double>(low);
     points.emplace_back((1 - t) * garment.flat[side[low]] + t * garment.flat[side[low + 1]]);
@@ -60,7 +60,7 @@ struct Shape {
       for (const int p : loops[longest]) outline.push_back(garment.flat[p]);
     }
     area = std::abs(signed_area(outline));
-    const int step = std::max(1, panel.triangles / sheet_overlap_samples);
+    const int step = std::max(1, panel.triangles / flat_overlap_samples);
     for (int t = step / 2; t < panel.triangles; t += step) {
       const auto& [a, b, c] = triangles[t];
       samples.emplace_back((garment.flat[a] + garment.flat[b] + garment.flat[c]) / 3);
@@ -68,10 +68,10 @@ struct Shape {
   }
 };
 
-class SheetLayer {
+class LayoutSearch {
  public:
-  SheetLayer(const PanelMesh& garment, const std::vector<int>& panels,
-             const std::vector<std::optional<bool>>& is_back)
+  LayoutSearch(const PanelMesh& garment, const std::vector<int>& panels,
+               const std::vector<std::optional<bool>>& is_back)
       : is_back_(is_back) {
     best_.panels = panels;
     std::map<int, int> number;
@@ -85,21 +85,21 @@ class SheetLayer {
       const auto a = number.find(panel_of[seam.a[seam.a.size() / 2]]);
       const auto b = number.find(panel_of[seam.b[seam.b.size() / 2]]);
       if (a == number.end() || b == number.end() || a->second == b->second) continue;
-      SheetSeam sheet{a->second, b->second, std::min(seam.length_a, seam.length_b), {}, {}};
+      FlatSeam flat{a->second, b->second, std::min(seam.length_a, seam.length_b), {}, {}};
       const double ratio = seam.length_a / seam.length_b;
-      sheet.side_a = sampled(garment, seam.a, ratio > min_gather ? 1 / ratio : 1);
-      sheet.side_b = sampled(garment, seam.b, ratio < 1 / min_gather ? ratio : 1);
-      for (const int end : {sheet.a, sheet.b}) {
+      flat.side_a = sampled(garment, seam.a, ratio > min_gather ? 1 / ratio : 1);
+      flat.side_b = sampled(garment, seam.b, ratio < 1 / min_gather ? ratio : 1);
+      for (const int end : {flat.a, flat.b}) {
         seams_at_[end].push_back(static_cast<int>(seams_.size()));
       }
-      seams_.push_back(std::move(sheet));
+      seams_.push_back(std::move(flat));
     }
     order_panels();
   }
 
-  SheetLayout run() {
-    choose_sheets();
-    align(best_, true, sheet_final_sweeps);
+  FlatLayout run() {
+    choose_faces();
+    align(best_, true, layout_final_sweeps);
     best_.misfit = misfit(best_);
     straighten(best_);
     count_layers(best_);
@@ -125,22 +125,15 @@ class SheetLayer {
       done[next] = 1;
       order_.push_back(next);
       for (const int s : seams_at_[next]) {
-        const SheetSeam& seam = seams_[s];
+        const FlatSeam& seam = seams_[s];
         const int other = seam.a == static_cast<int>(next) ? seam.b : seam.a;
         sewn[other] += seam.length;
       }
     }
   }
 
-  static Complex drawn(const SheetLayout& layout, int panel, const Vec2& p) {
-    return {layout.back[panel] ? -p.x() : p.x(), p.y()};
-  }
-  static Complex placed(const SheetLayout& layout, int panel, const Vec2& p) {
-    return layout.turn[panel] * drawn(layout, panel, p) + layout.at[panel];
-  }
-
   /// Lays panel p best against those of its partners that `counts` says.
-  void fit(SheetLayout& layout, std::size_t p, const std::vector<char>& counts) const {
+  void fit(FlatLayout& layout, std::size_t p, const std::vector<char>& counts) const {
     Complex from = 0;
     Complex to = 0;
     double weight = 0;
@@ -148,14 +141,14 @@ class SheetLayer {
     Complex product = 0;
     const int panel = static_cast<int>(p);
     for (const int s : seams_at_[p]) {
-      const SheetSeam& seam = seams_[s];
+      const FlatSeam& seam = seams_[s];
       const int other = seam.a == panel ? seam.b : seam.a;
       if (!counts[other]) continue;
       const auto& mine = seam.a == panel ? seam.side_a : seam.side_b;
       const auto& theirs = seam.a == panel ? seam.side_b : seam.side_a;
       for (std::size_t i = 0; i < mine.size(); ++i) {
-        const Complex m = drawn(layout, panel, mine[i]);
-        const Complex t = placed(layout, other, theirs[i]);
+        const Complex m = layout.shown(p, mine[i]);
+        const Complex t = layout.place(other, theirs[i]);
         from += seam.length * m;
         to += seam.length * t;
         product += seam.length * std::conj(m) * t;
@@ -169,7 +162,7 @@ class SheetLayer {
     layout.at[p] = (to - layout.turn[p] * from) / weight;
   }
 
-  void align(SheetLayout& layout, bool anew, int sweeps) const {
+  void align(FlatLayout& layout, bool anew, int sweeps) const {
     if (anew) {
       layout.turn.assign(count(), 1);
       layout.at.assign(count(), 0);
@@ -185,34 +178,36 @@ class SheetLayer {
     }
   }
 
-  double misfit(const SheetLayout& layout) const {
-    double sum = 0;
-    for (const SheetSeam& seam : seams_) {
-      double gaps = 0;
-      for (std::size_t i = 0; i < seam.side_a.size(); ++i) {
-        gaps += std::norm(placed(layout, seam.a, seam.side_a[i]) -
-                          placed(layout, seam.b, seam.side_b[i]));
-      }
-      sum += seam.length * gaps / sheet_seam_samples;
-      if (layout.back[seam.a] != layout.back[seam.b]) {
-        sum += sheet_side_gap * sheet_side_gap * seam.length;
-      }
+  /// m³: the squared gap of a seam times its length, and what it counts as around the side.
+  static double seam_misfit(const FlatLayout& layout, const FlatSeam& seam) {
+    double gaps = 0;
+    for (std::size_t i = 0; i < seam.side_a.size(); ++i) {
+      gaps +=
+          std::norm(layout.place(seam.a, seam.side_a[i]) - layout.place(seam.b, seam.side_b[i]));
     }
+    const bool is_around = layout.back[seam.a] != layout.back[seam.b];
+    return seam.length * gaps / flat_seam_samples +
+           (is_around ? side_seam_gap * side_seam_gap * seam.length : 0);
+  }
+
+  double misfit(const FlatLayout& layout) const {
+    double sum = 0;
+    for (const FlatSeam& seam : seams_) sum += seam_misfit(layout, seam);
     return sum;
   }
 
-  /// A round skirt of many panels lies well in one sheet, as a plate, and is worn in two.
-  double imbalance(const SheetLayout& layout) const {
+  /// A round skirt of many panels lies well in one face, as a plate, and is worn in two.
+  double imbalance(const FlatLayout& layout) const {
     double all = 0;
     double difference = 0;
     for (std::size_t i = 0; i < count(); ++i) {
       all += shapes_[i].area;
       difference += layout.back[i] ? -shapes_[i].area : shapes_[i].area;
     }
-    return sheet_balance_weight * difference * difference / all;
+    return face_balance_weight * difference * difference / all;
   }
 
-  double overlap(const SheetLayout& layout) const {
+  double overlap(const FlatLayout& layout) const {
     double sum = 0;
     for (std::size_t i = 0; i < count(); ++i) {
       for (std::size_t j = 0; j < count(); ++j) {
@@ -224,10 +219,10 @@ class SheetLayer {
     return sum;
   }
 
-  double upon(const SheetLayout& layout, std::size_t i, std::size_t j) const {
+  double upon(const FlatLayout& layout, std::size_t i, std::size_t j) const {
     int hits = 0;
     for (const Vec2& sample : shapes_[i].samples) {
-      const Complex p = placed(layout, static_cast<int>(i), sample);
+      const Complex p = layout.place(i, sample);
       const Complex q = (p - layout.at[j]) / layout.turn[j];
       hits += inside(shapes_[j].outline, {layout.back[j] ? -q.real() : q.real(), q.imag()});
     }
@@ -235,7 +230,7 @@ class SheetLayer {
   }
 
   /// Larger panels lie below smaller ones.
-  void count_layers(SheetLayout& layout) const {
+  void count_layers(FlatLayout& layout) const {
     layout.layer.assign(count(), 0);
     std::vector<std::size_t> by_area(count());
     std::iota(by_area.begin(), by_area.end(), std::size_t{0});
@@ -251,24 +246,24 @@ class SheetLayer {
     }
   }
 
-  /// Lays the panels in these sheets, and keeps the layout if it is the best so far.
-  bool try_sheets(const std::vector<char>& back) {
-    SheetLayout layout;
+  /// Lays the panels in these faces, and keeps the layout if it is the best so far.
+  bool try_faces(const std::vector<char>& back) {
+    FlatLayout layout;
     layout.panels = best_.panels;
     layout.back = back;
-    align(layout, true, sheet_trial_sweeps);
+    align(layout, true, layout_trial_sweeps);
     layout.misfit = misfit(layout);
     const double bound =
         best_.back.empty() ? std::numeric_limits<double>::infinity() : best_.misfit;
     layout.misfit += imbalance(layout);
     if (layout.misfit >= bound) return false;
-    layout.misfit += sheet_overlap_weight * overlap(layout);
+    layout.misfit += overlap_weight * overlap(layout);
     if (layout.misfit >= bound - 1e-12) return false;
     best_ = std::move(layout);
     return true;
   }
 
-  void choose_sheets() {
+  void choose_faces() {
     std::vector<std::size_t> free;
     std::vector<char> back(count(), 0);
     bool any_known = false;
@@ -284,13 +279,13 @@ class SheetLayer {
       best_.back = back;
       return;
     }
-    // Which sheet is which does not matter when no panel is known.
+    // Which face is which does not matter when no panel is known.
     const std::size_t first = any_known ? 0 : 1;
     const std::size_t open = free.size() - first;
-    if (open <= max_tried_sheets) {
+    if (open <= max_tried_faces) {
       for (std::size_t choice = 0; choice < (std::size_t{1} << open); ++choice) {
         for (std::size_t k = 0; k < open; ++k) back[free[first + k]] = choice >> k & 1;
-        try_sheets(back);
+        try_faces(back);
       }
       return;
     }
@@ -298,9 +293,9 @@ class SheetLayer {
     improve(free);
   }
 
-  /// Gives each free panel, in the order of laying, the sheet in which it fits better.
+  /// Gives each free panel, in the order of laying, the face in which it fits better.
   void lay_greedily(std::vector<char> back) {
-    SheetLayout layout;
+    FlatLayout layout;
     layout.panels = best_.panels;
     layout.back = back;
     layout.turn.assign(count(), 1);
@@ -309,35 +304,27 @@ class SheetLayer {
     for (const std::size_t p : order_) {
       fit(layout, p, counts);
       if (!is_back_[p] && p != order_.front()) {
-        SheetLayout other = layout;
+        FlatLayout other = layout;
         other.back[p] = !other.back[p];
         fit(other, p, counts);
         if (cost_at(other, p, counts) < cost_at(layout, p, counts)) layout = other;
       }
       counts[p] = 1;
     }
-    try_sheets(layout.back);
+    try_faces(layout.back);
   }
 
-  double cost_at(const SheetLayout& layout, std::size_t p, const std::vector<char>& counts) const {
+  double cost_at(const FlatLayout& layout, std::size_t p, const std::vector<char>& counts) const {
     double sum = 0;
     for (const int s : seams_at_[p]) {
-      const SheetSeam& seam = seams_[s];
+      const FlatSeam& seam = seams_[s];
       if (!counts[seam.a] && !counts[seam.b]) continue;
       const std::size_t other = seam.a == static_cast<int>(p) ? seam.b : seam.a;
-      if (!counts[other]) continue;
-      double gaps = 0;
-      for (std::size_t i = 0; i < seam.side_a.size(); ++i) {
-        gaps += std::norm(placed(layout, seam.a, seam.side_a[i]) -
-                          placed(layout, seam.b, seam.side_b[i]));
-      }
-      sum += seam.length *
-             (gaps / sheet_seam_samples +
-              (layout.back[seam.a] != layout.back[seam.b] ? sheet_side_gap * sheet_side_gap : 0));
+      if (counts[other]) sum += seam_misfit(layout, seam);
     }
     for (std::size_t j = 0; j < count(); ++j) {
       if (j == p || !counts[j] || layout.back[j] != layout.back[p]) continue;
-      sum += sheet_overlap_weight * shapes_[p].area * upon(layout, p, j);
+      sum += overlap_weight * shapes_[p].area * upon(layout, p, j);
     }
     return sum;
   }
@@ -346,7 +333,7 @@ class SheetLayer {
   void add_arcs(const std::vector<char>& is_free,
                 std::vector<std::vector<std::size_t>>& flips) const {
     std::set<std::pair<int, int>> pairs;
-    for (const SheetSeam& seam : seams_) {
+    for (const FlatSeam& seam : seams_) {
       if (is_free[seam.a] && is_free[seam.b]) pairs.insert(std::minmax(seam.a, seam.b));
     }
     if (pairs.size() > max_arc_seams) return;
@@ -372,7 +359,7 @@ class SheetLayer {
     std::vector<char> is_free(count(), 0);
     for (const std::size_t p : free) is_free[p] = 1;
     for (const std::size_t p : free) flips.push_back({p});
-    for (const SheetSeam& seam : seams_) {
+    for (const FlatSeam& seam : seams_) {
       if (is_free[seam.a] && is_free[seam.b]) {
         flips.push_back({static_cast<std::size_t>(seam.a), static_cast<std::size_t>(seam.b)});
       }
@@ -400,19 +387,19 @@ class SheetLayer {
       if (branch.size() > 1) flips.push_back(branch);
     }
     add_arcs(is_free, flips);
-    for (int round = 0; round < max_sheet_rounds; ++round) {
+    for (int round = 0; round < max_face_rounds; ++round) {
       bool better = false;
       for (const auto& flip : flips) {
         std::vector<char> back = best_.back;
         for (const std::size_t p : flip) back[p] = !back[p];
-        better = try_sheets(back) || better;
+        better = try_faces(back) || better;
       }
       if (!better) return;
     }
   }
 
   /// Turns the picture so that what is drawn upright stands upright, on average.
-  void straighten(SheetLayout& layout) const {
+  void straighten(FlatLayout& layout) const {
     Complex sum = 0;
     for (std::size_t i = 0; i < count(); ++i) sum += shapes_[i].area * layout.turn[i];
     if (std::abs(sum) < 1e-9) return;
@@ -421,22 +408,22 @@ class SheetLayer {
 
   const std::vector<std::optional<bool>>& is_back_;
   std::vector<Shape> shapes_;
-  std::vector<SheetSeam> seams_;
+  std::vector<FlatSeam> seams_;
   std::vector<std::vector<int>> seams_at_;  // per panel
   std::vector<std::size_t> order_;
-  SheetLayout best_;
+  FlatLayout best_;
 };
 
 }  // namespace
 
-void SheetLayout::move(Complex by_turn, Complex by) {
+void FlatLayout::move(Complex by_turn, Complex by) {
   for (std::size_t i = 0; i < panels.size(); ++i) {
     turn[i] *= by_turn;
     at[i] = by_turn * at[i] + by;
   }
 }
 
-void SheetLayout::change_faces() {
+void FlatLayout::change_faces() {
   // -conj(turn * z + at) = conj(turn) * -conj(z) - conj(at).
   for (std::size_t i = 0; i < panels.size(); ++i) {
     back[i] = !back[i];
@@ -445,9 +432,9 @@ void SheetLayout::change_faces() {
   }
 }
 
-SheetLayout lay_in_sheets(const PanelMesh& garment, const std::vector<int>& panels,
-                          const std::vector<std::optional<bool>>& is_back) {
-  return SheetLayer(garment, panels, is_back).run();
+FlatLayout lay_flat(const PanelMesh& garment, const std::vector<int>& panels,
+                    const std::vector<std::optional<bool>>& is_back) {
+  return LayoutSearch(garment, panels, is_back).run();
 }
 
 }  // namespace toile

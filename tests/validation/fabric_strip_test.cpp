@@ -11,7 +11,7 @@
 #include "tests/support/tubes.h"
 
 namespace toile {
-namespace strip_test {
+namespace fabric_strip_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -77,7 +77,7 @@ double measured(const Fabric& fabric, double grain) {
   return load_strain / strain_strain;
 }
 
-TEST(Strip, EachFabricStretchesAlongWarpWeftAndBiasAsItSays) {
+TEST(FabricStrip, EachFabricStretchesAlongWarpWeftAndBiasAsItSays) {
   double worst = 0;
   for (const std::string& name : fabric_names()) {
     const Fabric fabric = find_fabric(name);
@@ -93,5 +93,5 @@ TEST(Strip, EachFabricStretchesAlongWarpWeftAndBiasAsItSays) {
   EXPECT_LT(worst, 0.02);
 }
 
-}  // namespace strip_test
+}  // namespace fabric_strip_test
 }  // namespace toile

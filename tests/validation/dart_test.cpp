@@ -2,18 +2,16 @@
 #include <gtest/gtest.h>
 
 #include <iostream>
-#include <numbers>
 #include <sstream>
 
 #include "cloth/model/compile.h"
 #include "cloth/relaxation/relax.h"
+#include "geometry/angles.h"
 #include "tests/pattern/samples.h"
 #include "tests/pattern/sewn.h"
 
 namespace toile {
 namespace dart_test {
-
-constexpr double degree = std::numbers::pi / 180;
 
 /// A disc of 15 cm with a sector of `taken` degrees cut out, whose sides are sewn to each other,
 /// placed as a shallow dish.
@@ -21,7 +19,7 @@ PanelMesh disc(double taken) {
   std::ostringstream vertices;
   vertices << "[[0,0]";
   for (int i = 0; i <= 3; ++i) {
-    const double angle = (taken / 2 + i * (360 - taken) / 3) * degree;
+    const double angle = to_radians(taken / 2 + i * (360 - taken) / 3);
     vertices << ",[" << 15 * std::cos(angle) << "," << 15 * std::sin(angle) << "]";
   }
   std::ostringstream panel;
@@ -78,10 +76,10 @@ TEST(Dart, OfADiscMakesACone) {
     }
     for (const Vec3& p : rim) middle += p / static_cast<double>(rim.size());
     const Vec3 axis = (middle - tip).normalized();
-    const double wanted = std::asin(1 - taken / 360) / degree;
+    const double wanted = to_degrees(std::asin(1 - taken / 360));
     double sum = 0, least = 180, most = 0;
     for (const Vec3& p : rim) {
-      const double angle = std::acos((p - tip).normalized().dot(axis)) / degree;
+      const double angle = to_degrees(std::acos((p - tip).normalized().dot(axis)));
       sum += angle / static_cast<double>(rim.size());
       least = std::min(least, angle);
       most = std::max(most, angle);

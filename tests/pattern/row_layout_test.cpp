@@ -1,4 +1,4 @@
-#include "pattern/export/row_layout.h"
+#include "pattern/row_layout.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "cloth/contact/crossings.h"
+#include "cloth/contact/edge_face_intersections.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -40,9 +40,9 @@ std::optional<Pierced> pierced(const Vec3& a, const Vec3& b, const std::array<Ve
 
 }  // namespace
 
-std::vector<Crossing> find_crossings(const std::vector<Vec3>& x,
-                                     const std::vector<Triangle>& triangles) {
-  std::map<std::pair<std::array<int, 2>, int>, Crossing> found;
+std::vector<EdgeFaceIntersection> find_edge_face_intersections(
+    const std::vector<Vec3>& x, const std::vector<Triangle>& triangles) {
+  std::map<std::pair<std::array<int, 2>, int>, EdgeFaceIntersection> found;
   const auto consider = [&](int through, int pierced_face) {
     const Triangle& sheet = triangles[through];
     const Triangle& face = triangles[pierced_face];
@@ -69,7 +69,7 @@ std::vector<Crossing> find_crossings(const std::vector<Vec3>& x,
       const double slant = along.dot(normal);
       const double steep = std::copysign(std::max(std::abs(slant), min_crossing_slant), slant);
       const Vec3 way = line - along.dot(line) / steep * normal;
-      Crossing& crossing = found[{{a, b}, pierced_face}];
+      EdgeFaceIntersection& crossing = found[{{a, b}, pierced_face}];
       crossing.edge = {a, b};
       crossing.face = face;
       crossing.weights = {1 - hit->share, hit->share, hit->corners[0], hit->corners[1],
@@ -81,7 +81,7 @@ std::vector<Crossing> find_crossings(const std::vector<Vec3>& x,
     consider(s, t);
     consider(t, s);
   }
-  std::vector<Crossing> all;
+  std::vector<EdgeFaceIntersection> all;
   all.reserve(found.size());
   for (auto& [where, crossing] : found) all.push_back(crossing);
   return all;

@@ -1,11 +1,11 @@
-#include "cloth/contact/crossings.h"
+#include "cloth/contact/edge_face_intersections.h"
 
 #include <gtest/gtest.h>
 
 #include "geometry/intersections.h"
 
 namespace toile {
-namespace crossings_test {
+namespace edge_face_intersections_test {
 
 /// A large triangle in the plane z = 0, and a small one, square to it, whose tip `below` lies under
 /// it.
@@ -14,13 +14,15 @@ std::vector<Vec3> tip(double below) {
 }
 const std::vector<Triangle> triangles = {{0, 1, 2}, {3, 4, 5}};
 
-TEST(Crossings, CleanClothHasNone) { EXPECT_TRUE(find_crossings(tip(-0.05), triangles).empty()); }
+TEST(EdgeFaceIntersections, CleanClothHasNone) {
+  EXPECT_TRUE(find_edge_face_intersections(tip(-0.05), triangles).empty());
+}
 
-TEST(Crossings, TheEdgesThatPassAFaceAreFoundWithTheirPlaces) {
+TEST(EdgeFaceIntersections, TheEdgesThatPassAFaceAreFoundWithTheirPlaces) {
   const std::vector<Vec3> x = tip(0.05);
-  const std::vector<Crossing> found = find_crossings(x, triangles);
+  const std::vector<EdgeFaceIntersection> found = find_edge_face_intersections(x, triangles);
   ASSERT_EQ(found.size(), 2U);
-  for (const Crossing& crossing : found) {
+  for (const EdgeFaceIntersection& crossing : found) {
     Vec3 on_edge = Vec3::Zero();
     for (int i = 0; i < 2; ++i) on_edge += crossing.weights[i] * x[crossing.edge[i]];
     Vec3 on_face = Vec3::Zero();
@@ -30,18 +32,18 @@ TEST(Crossings, TheEdgesThatPassAFaceAreFoundWithTheirPlaces) {
 }
 
 /// Length of the line along which the two triangles of tip() intersect.
-double line(const std::vector<Crossing>& found, const std::vector<Vec3>& x) {
+double line(const std::vector<EdgeFaceIntersection>& found, const std::vector<Vec3>& x) {
   std::vector<Vec3> ends;
-  for (const Crossing& crossing : found) {
+  for (const EdgeFaceIntersection& crossing : found) {
     ends.push_back(crossing.weights[0] * x[crossing.edge[0]] +
                    crossing.weights[1] * x[crossing.edge[1]]);
   }
   return (ends.at(1) - ends.at(0)).norm();
 }
 
-TEST(Crossings, TheWayIsTheNegativeGradientOfTheLine) {
+TEST(EdgeFaceIntersections, TheWayIsTheNegativeGradientOfTheLine) {
   std::vector<Vec3> x = tip(0.05);
-  const std::vector<Crossing> found = find_crossings(x, triangles);
+  const std::vector<EdgeFaceIntersection> found = find_edge_face_intersections(x, triangles);
   ASSERT_EQ(found.size(), 2U);
   // All of the small triangle moves: the ways of its edges add up.
   const Vec3 sum = found[0].way + found[1].way;
@@ -52,18 +54,18 @@ TEST(Crossings, TheWayIsTheNegativeGradientOfTheLine) {
       up[v][axis] += step;
       down[v][axis] -= step;
     }
-    const double slope =
-        (line(find_crossings(up, triangles), up) - line(find_crossings(down, triangles), down)) /
-        (2 * step);
+    const double slope = (line(find_edge_face_intersections(up, triangles), up) -
+                          line(find_edge_face_intersections(down, triangles), down)) /
+                         (2 * step);
     EXPECT_NEAR(sum[axis], -slope, 1e-6) << axis;
   }
 }
 
-TEST(Crossings, ATipThatCameThroughIsDrawnBack) {
+TEST(EdgeFaceIntersections, ATipThatCameThroughIsDrawnBack) {
   std::vector<Vec3> x = tip(0.05);
   int steps = 0;
   for (; steps < 200 && !self_intersections({x, triangles}).empty(); ++steps) {
-    for (const Crossing& crossing : find_crossings(x, triangles)) {
+    for (const EdgeFaceIntersection& crossing : find_edge_face_intersections(x, triangles)) {
       for (int i = 0; i < 2; ++i) x[crossing.edge[i]] += 0.002 * crossing.way;
     }
   }
@@ -72,5 +74,5 @@ TEST(Crossings, ATipThatCameThroughIsDrawnBack) {
   EXPECT_LT(x[5].z(), 0.02);  // no farther than it needs
 }
 
-}  // namespace crossings_test
+}  // namespace edge_face_intersections_test
 }  // namespace toile

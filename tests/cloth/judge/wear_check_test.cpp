@@ -1,4 +1,4 @@
-#include "cloth/judge/worn.h"
+#include "cloth/judge/wear_check.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "tests/cloth/figure.h"
 
 namespace toile {
-namespace worn_test {
+namespace wear_check_test {
 
 using test::figure;
 using test::pi;
@@ -32,7 +32,7 @@ MeshedPanel& add_tube(PanelMesh& garment, const std::string& name, const Vec3& f
   return garment.panels.back();
 }
 
-WornFigures check(const PanelMesh& garment) {
+WearFindings check(const PanelMesh& garment) {
   const DressedGarment dressed = test::as_dressed(garment, garment.placed);
   return check_worn(garment, dressed, figure());
 }
@@ -55,8 +55,8 @@ PanelMesh sleeve(const std::string& name, double from, double to) {
   return garment;
 }
 
-TEST(Worn, ASkirtAboutTheHips) {
-  const WornFigures worn = check(skirt());
+TEST(WearCheck, ASkirtAboutTheHips) {
+  const WearFindings worn = check(skirt());
   EXPECT_TRUE(worn.is_checked);
   EXPECT_FALSE(worn.misplaced);
   EXPECT_TRUE(worn.unwrapped.empty());
@@ -67,50 +67,50 @@ TEST(Worn, ASkirtAboutTheHips) {
   }
 }
 
-TEST(Worn, ASkirtTooLowOrTooHighIsMisplaced) {
+TEST(WearCheck, ASkirtTooLowOrTooHighIsMisplaced) {
   for (const double up : {-0.3, -0.6, 0.25}) {
-    const WornFigures worn =
+    const WearFindings worn =
         check(moved(skirt(), [&](const Vec3& p) { return Vec3(p + Vec3(0, up, 0)); }));
     ASSERT_TRUE(worn.misplaced) << up;
     EXPECT_EQ(worn.misplaced->should_be, "waist or hips");
   }
-  const WornFigures low =
+  const WearFindings low =
       check(moved(skirt(), [](const Vec3& p) { return Vec3(p + Vec3(0, -0.3, 0)); }));
   EXPECT_EQ(low.misplaced->at, "thighs, 70 cm above the floor");
 }
 
-TEST(Worn, BelowTheFloor) {
-  const WornFigures worn =
+TEST(WearCheck, BelowTheFloor) {
+  const WearFindings worn =
       check(moved(skirt(), [](const Vec3& p) { return Vec3(p + Vec3(0, -1, 0)); }));
   ASSERT_TRUE(worn.misplaced);
   EXPECT_EQ(worn.misplaced->at, "below the floor by 30 cm");
 }
 
-TEST(Worn, AStraplessTopBelongsAboutTheChest) {
+TEST(WearCheck, AStraplessTopBelongsAboutTheChest) {
   PanelMesh top;
   add_tube(top, "top", {0, 0.9, 0}, {0, 1.25, 0}, 0.22);
   EXPECT_FALSE(check(top).misplaced);
-  const WornFigures low =
+  const WearFindings low =
       check(moved(top, [](const Vec3& p) { return Vec3(p + Vec3(0, -0.25, 0)); }));
   ASSERT_TRUE(low.misplaced);
   EXPECT_EQ(low.misplaced->should_be, "chest or shoulders");
 }
 
-TEST(Worn, ASleeveBelongsOnItsArm) {
+TEST(WearCheck, ASleeveBelongsOnItsArm) {
   EXPECT_FALSE(check(sleeve("left_sleeve", 0.3, 0.6)).misplaced);
-  const WornFigures other = check(sleeve("left_sleeve", -0.6, -0.3));
+  const WearFindings other = check(sleeve("left_sleeve", -0.6, -0.3));
   ASSERT_TRUE(other.misplaced);
   EXPECT_EQ(other.misplaced->part, "left_arm");
   EXPECT_EQ(other.misplaced->should_be, "left arm");
   EXPECT_EQ(other.misplaced->at, "right arm, 130 cm above the floor");
   // Beside its arm it is where it should be, and goes around nothing.
-  const WornFigures beside = check(moved(sleeve("left_sleeve", 0.3, 0.6),
-                                         [](const Vec3& p) { return Vec3(p + Vec3(0, 0, 0.2)); }));
+  const WearFindings beside = check(moved(sleeve("left_sleeve", 0.3, 0.6),
+                                          [](const Vec3& p) { return Vec3(p + Vec3(0, 0, 0.2)); }));
   EXPECT_FALSE(beside.misplaced);
   EXPECT_EQ(beside.unwrapped, std::vector<std::string>{"left_arm"});
 }
 
-TEST(Worn, TrousersBelongOnTwoLegs) {
+TEST(WearCheck, TrousersBelongOnTwoLegs) {
   PanelMesh trousers;
   add_tube(trousers, "left_pant", {0.1, 0.1, 0}, {0.1, 0.7, 0}, 0.09);
   add_tube(trousers, "right_pant", {-0.1, 0.1, 0}, {-0.1, 0.7, 0}, 0.09);
@@ -120,7 +120,7 @@ TEST(Worn, TrousersBelongOnTwoLegs) {
   PanelMesh both;
   add_tube(both, "left_pant", {0.1, 0.1, 0}, {0.1, 0.7, 0}, 0.09);
   add_tube(both, "right_pant", {0.1, 0.1, 0}, {0.1, 0.7, 0}, 0.12);
-  const WornFigures worn = check(both);
+  const WearFindings worn = check(both);
   ASSERT_TRUE(worn.misplaced);
   EXPECT_EQ(worn.misplaced->part, "right_leg");
 }
@@ -143,28 +143,28 @@ PanelMesh tube_with_armholes(double low) {
   return garment;
 }
 
-TEST(Worn, AShirtAboutTheWaistHasTwoArmholesWithNothingInThem) {
-  const WornFigures worn = check(tube_with_armholes(0.5));
+TEST(WearCheck, AShirtAboutTheWaistHasTwoArmholesWithNothingInThem) {
+  const WearFindings worn = check(tube_with_armholes(0.5));
   ASSERT_EQ(worn.openings.size(), 4U);
   EXPECT_TRUE(worn.misplaced || !worn.unwrapped.empty());
 }
 
-TEST(Worn, ASheetOfNoKindIsNotChecked) {
+TEST(WearCheck, ASheetOfNoKindIsNotChecked) {
   PanelMesh sheet;
   test::add_panel(sheet, "piece", test::grid(1, 1, 6, 6),
                   [](const Vec2& p) { return Vec3(p.x() - 0.5, 1.9, p.y() - 0.5); });
-  const WornFigures worn = check(sheet);
+  const WearFindings worn = check(sheet);
   EXPECT_FALSE(worn.is_checked);
   EXPECT_FALSE(worn.misplaced);
   // A wrap skirt in front of the body does not go around it.
   sheet.panels[0].name = "skirt";
-  const WornFigures skirt =
+  const WearFindings skirt =
       check(moved(sheet, [](const Vec3& p) { return Vec3(p.x(), p.z() + 0.5, 0.3); }));
   EXPECT_TRUE(skirt.is_checked);
   EXPECT_TRUE(skirt.misplaced || !skirt.unwrapped.empty());
 }
 
-TEST(Worn, AGarmentTurnedAboutTheVertical) {
+TEST(WearCheck, AGarmentTurnedAboutTheVertical) {
   const auto turned = [&](double angle) {
     return check(moved(test::tube(), [&](const Vec3& p) {
       return Vec3(std::cos(angle) * p.x() + std::sin(angle) * p.z(), p.y() - 0.3,
@@ -178,7 +178,7 @@ TEST(Worn, AGarmentTurnedAboutTheVertical) {
   EXPECT_TRUE(turned(pi).misplaced);
 }
 
-TEST(Worn, WithoutAllJointsNothingIsChecked) {
+TEST(WearCheck, WithoutAllJointsNothingIsChecked) {
   Skeleton skeleton = figure();
   skeleton.joints.erase("left_wrist");
   const PanelMesh garment = skirt();
@@ -186,12 +186,12 @@ TEST(Worn, WithoutAllJointsNothingIsChecked) {
   EXPECT_FALSE(check_worn(garment, dressed, skeleton).is_checked);
 }
 
-TEST(Worn, PlacesHaveNames) {
+TEST(WearCheck, PlacesHaveNames) {
   EXPECT_EQ(place_on_body({0, 0.85, 0.1}, figure()), "hips, 85 cm above the floor");
   EXPECT_EQ(place_on_body({0.5, 1.3, 0}, figure()), "left arm, 130 cm above the floor");
   EXPECT_EQ(place_on_body({-0.1, 0.2, 0}, figure()), "shins, 20 cm above the floor");
   EXPECT_EQ(place_on_body({0, 1.0, 2}, figure()), "beside the body, 100 cm above the floor");
 }
 
-}  // namespace worn_test
+}  // namespace wear_check_test
 }  // namespace toile
