@@ -7,6 +7,7 @@
 
 #include "geometry/body/limb_landmarks.h"
 #include "geometry/body/measures.h"
+#include "geometry/slice.h"
 
 namespace toile {
 
@@ -26,6 +27,22 @@ class MeasureTaker {
 
  private:
   using Line = std::vector<Vec3>;
+
+  // The parts of take_side_lengths().
+  void take_shoulder_lengths(int side);
+  void take_bust_lengths(int side);
+  void take_shoulder_slopes(int side);
+  void take_armscye_lengths(int side);
+  void take_neck_to_shoulder(int side);
+  void take_across_widths(int side);
+  void take_vertical_trunk(int side);
+  void take_hip_side_lengths(int side);
+  void take_arm_length(int side);
+
+  Line from_bust_to_waist(const Section& upright, const Vec3& apex, const Vec3& waist) const;
+  Line around_trunk(const Vec3& shoulder_middle, const Vec3& crotch) const;
+  Line hanging_from_waist(int side, const Vec3& waist_side, const Vec3& hip_side,
+                          double crotch_height, double y) const;
 
   /// What a measure needs: landmarks or levels, the first missing one being the reason.
   struct Needs {
