@@ -28,7 +28,7 @@ Vec2 RowFiller::add(const Vec2& size) {
     next_ = {border_, next_.y() + row_height_ + gap_};
     row_height_ = 0;
   }
-  const Vec2 corner = next_;
+  Vec2 corner = next_;
   next_.x() += size.x() + gap_;
   row_height_ = std::max(row_height_, size.y());
   longest_ = std::max(longest_, next_.x());

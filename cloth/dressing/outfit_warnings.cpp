@@ -22,6 +22,7 @@ std::vector<std::string> softened_fabric_warnings(const PanelMesh& garment, cons
         fabric.stiffness_given;
   }
   std::vector<std::string> lines;
+  lines.reserve(given.size());
   for (const auto& [name, stiffness] : given) {
     lines.push_back("fabric: " + name + " has a stiffness of " + fixed_number(stiffness, 0) +
                     " N/m and counts as one of " + fixed_number(max_modulus, 0) +
