@@ -38,6 +38,10 @@ PanelKind kind_of(const MeshedPanel& panel) {
   return by_name;
 }
 
+bool names_hood(const std::string& name) {
+  return read_panel_name(name).says(PanelRole::hood);
+}
+
 bool names_headwear(const std::string& name) {
   const PanelName read = read_panel_name(name);
   return read.says(PanelRole::hood) || read.says(PanelRole::collar);

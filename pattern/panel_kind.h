@@ -23,6 +23,9 @@ enum class PanelKind : std::uint8_t {
 /// top or a skirt.
 PanelKind kind_of(const MeshedPanel& panel);
 
+/// Whether the name says that the panel is of a hood.
+bool names_hood(const std::string& name);
+
 /// Whether the name says that the panel is of a hood or a collar.
 bool names_headwear(const std::string& name);
 

@@ -163,7 +163,8 @@ int run_program(int argc, char** argv, const CommandLineProgram& program) {
   } catch (const std::bad_alloc&) {
     std::cerr << program.name << ": error: out of memory; use a coarser mesh\n";
   } catch (const UsageError& wrong) {
-    return usage_error(program, wrong.what());
+    std::cerr << program.name << ": error: " << wrong.what() << '\n';
+    return exit_usage;
   } catch (const Error& failed) {
     std::cerr << program.name << ": error: " << failed.what() << '\n';
   } catch (const std::filesystem::filesystem_error& failed) {

@@ -23,11 +23,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-bool names_hood(const std::string& name) {
-  return names_headwear(name) &&
-         (name.find("hood") != std::string::npos || name.find("Hood") != std::string::npos);
-}
-
 /// Panels that are sewn together, directly or through others.
 class Component {
  public:

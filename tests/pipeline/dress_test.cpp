@@ -397,7 +397,8 @@ TEST_F(DressInput, SettingsThatMakeNoSense) {
   const auto expect_no_value = [this](const std::string& option, const std::string& value) {
     const pipeline::Run ended = dress({option + "=" + value});
     EXPECT_EQ(ended.exit_code, 2) << option << " " << value;
-    EXPECT_EQ(ended.err.find("dress: " + option), 0U) << ended.err;
+    EXPECT_EQ(ended.err.find("dress: error: " + option), 0U) << ended.err;
+    EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
     EXPECT_FALSE(fs::exists(dressed));
   };
   expect_no_value("--strain-limit", "2");

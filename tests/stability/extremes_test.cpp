@@ -98,7 +98,7 @@ TEST_F(Extremes, NoFriction) {
 
 TEST_F(Extremes, Gravity) {
   const fs::path garment = band();
-  const std::string said = refused("dress", {"--body", mannequin(), garment, "--gravity=0,0,0"});
+  const std::string said = refused("dress", {"--body", mannequin(), garment, "--gravity=0,0,0"}, 2);
   EXPECT_NE(said.find("--gravity"), std::string::npos);
   state("2 no gravity", "both", "error", said);
   for (const char* gravity : {"0,-0.1,0", "0,-100,0"}) {

@@ -121,13 +121,14 @@ void HardCase::check_written(const Ending& ending, const fs::path& body,
   EXPECT_EQ(meets["self"], self_intersections(cloth).size());
 }
 
-std::string HardCase::refused(const std::string& program, std::vector<std::string> words) {
+std::string HardCase::refused(const std::string& program, std::vector<std::string> words,
+                              int exit_code) {
   const fs::path output = folder / "refused.obj";
   words.insert(words.end(), {"-o", output, "-q"});
   const pipeline::Run done = run(program, words, 60);
   Ending ending;
   ending.said = done.err;
-  EXPECT_EQ(done.exit_code, 1) << program << ": " << done.err;
+  EXPECT_EQ(done.exit_code, exit_code) << program << ": " << done.err;
   EXPECT_EQ(std::count(done.err.begin(), done.err.end(), '\n'), 1) << done.err;
   EXPECT_NE(done.err.find(program + ": error: "), std::string::npos) << done.err;
   EXPECT_FALSE(fs::exists(output)) << done.err;

@@ -62,7 +62,8 @@ class HardCase : public testing::Test {
   Ending dress(const fs::path& body, const fs::path& garment, const std::string& method,
                const std::vector<std::string>& options = {}, int seconds = 120);
   /// Runs any program that has to refuse its input, as above, and returns what it said.
-  std::string refused(const std::string& program, std::vector<std::string> words);
+  std::string refused(const std::string& program, std::vector<std::string> words,
+                      int exit_code = 1);
 
   pipeline::ScratchFolder folder;
 

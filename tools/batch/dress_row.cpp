@@ -31,7 +31,7 @@ std::string message_of(const std::string& output) {
   const std::string mark = ": error: ";
   const std::size_t at = output.rfind(mark);
   if (at == std::string::npos) {
-    const std::size_t end = output.find_last_not_of('\n', output.rfind("\nusage: "));
+    const std::size_t end = output.find_last_not_of('\n');
     if (end == std::string::npos) return "";
     const std::size_t start = output.rfind('\n', end);
     const std::size_t first = start == std::string::npos ? 0 : start + 1;
