@@ -207,7 +207,7 @@ TEST_F(OutfitInput, ScenesThatAreNoneAreRefused) {
   write_text(scene, R"({"body": "body.ply", "layering": "glued", )" + layers);
   expect_refused(dress(), "neither 'frozen' nor 'coupled'");
   write_text(scene, R"({"body": "body.ply", "layering": "coupled", )" + layers);
-  expect_refused(dress({"--method", "paper"}), "--method");
+  expect_refused(dress({"--method", "paper"}), "--method", 2);
   fs::remove(scene);
   std::erase(before, "scene.json");
   expect_refused(dress(), "scene.json");

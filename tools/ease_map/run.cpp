@@ -23,18 +23,12 @@ namespace fs = std::filesystem;
 /// Metres: cloth that rests on the skin is held at its offset, and rarely more than this off it.
 constexpr double contact_margin = 0.001;
 
-void note(EaseReport& report, const std::string& line, const CommonSettings& common) {
-  common.say(line);
-  report.notes.push_back(line);
-}
-
 /// What the report of dress beside the garment says; none, with a note, where there is no such
 /// report.
-std::optional<DressReport> dressing_of(EaseReport& report, const EaseMapSettings& settings,
-                                       const CommonSettings& common) {
+std::optional<DressReport> dressing_of(EaseReport& report, const EaseMapSettings& settings) {
   const fs::path file = settings.dress_report.value_or(dress_report_path(settings.garment));
   if (!settings.dress_report && !fs::exists(file)) {
-    note(report, "no verdict: there is no report of dress at " + file.string(), common);
+    report.notes.push_back("no verdict: there is no report of dress at " + file.string());
     return std::nullopt;
   }
   std::optional<DressReport> read = read_dress_report(file, settings.garment);
@@ -43,20 +37,18 @@ std::optional<DressReport> dressing_of(EaseReport& report, const EaseMapSettings
                 "give the file that dress --report wrote with it");
   }
   if (!read) {
-    note(report, "no verdict: " + file.string() + " is not the report of this drape", common);
+    report.notes.push_back("no verdict: " + file.string() + " is not the report of this drape");
   }
   return read;
 }
 
 /// Girths at levels of body and garment; none, with a note, where there are no joints.
 void measure_girths(EaseReport& report, const SurfaceDistance& skin,
-                    const EaseMapSettings& settings, const CommonSettings& common) {
+                    const EaseMapSettings& settings) {
   const fs::path path = settings.skeleton.value_or(skeleton_path(settings.body));
   if (!settings.skeleton && !fs::exists(path)) {
-    note(report,
-         "no girth ease: there are no joints in " + path.string() +
-             "; clean-body writes them beside the body",
-         common);
+    report.notes.push_back("no girth ease: there are no joints in " + path.string() +
+                           "; clean-body writes them beside the body");
     return;
   }
   const Skeleton skeleton = read_skeleton_of(skin, path);
@@ -103,7 +95,7 @@ void run_ease_map(const EaseMapSettings& settings, const CommonSettings& common)
   EaseReport report;
   report.garment = read_dressed(settings.garment);
   report.body = read_closed_body(settings.body);
-  report.dressing = dressing_of(report, settings, common);
+  report.dressing = dressing_of(report, settings);
   if (report.dressing) report.warnings = report.dressing->warnings;
   if (settings.contact) {
     report.options.contact = *settings.contact;
@@ -114,10 +106,11 @@ void run_ease_map(const EaseMapSettings& settings, const CommonSettings& common)
   report.body_name = settings.body.filename().string();
   const SurfaceDistance skin(report.body);
   report.map = measure_ease(report.garment, skin, report.options);
-  measure_girths(report, skin, settings, common);
+  measure_girths(report, skin, settings);
   report.top = settings.top.value_or(suggested_top(report.map));
   warn_if_implausible(report);
   warn_if_too_small(report);
+  for (const std::string& line : report.notes) common.say("note: " + line);
   if (!common.quiet) {
     for (const std::string& line : ease_summary(report)) common.say(line);
   }
