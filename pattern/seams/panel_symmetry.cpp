@@ -168,6 +168,26 @@ std::vector<int> mirror_partners(const std::vector<WalkedEdge>& edges,
     auto& list = alike[fit.from];
     if (std::find(list.begin(), list.end(), fit.to) == list.end()) list.push_back(fit.to);
   }
+  // Halves as drawn: what goes up goes up on the other half, and left and right change places.
+  const auto mirrored_as_drawn = [&](int from, int to) -> const PanelFit* {
+    const PanelFit* best = nullptr;
+    double most = 0;
+    for (const PanelFit& fit : fits) {
+      if (fit.from != from || fit.to != to || !fit.mirrored) continue;
+      double like = 0;
+      for (std::size_t i = 0; i < fit.image.size(); ++i) {
+        if (fit.image[i] < 0) continue;
+        const WalkedEdge& own = edges[panels[from][0] + i];
+        const WalkedEdge& other = edges[fit.image[i]];
+        like += own.length * (own.upwards * other.upwards - own.rise * other.rise);
+      }
+      if (best == nullptr || like > most) {
+        most = like;
+        best = &fit;
+      }
+    }
+    return best;
+  };
   // Of several ways, the one that lays the longest edge onto itself: a band's ends change places.
   const auto mirror_fit = [&](int from, int to, bool only) -> const PanelFit* {
     const PanelFit* best = nullptr;
@@ -188,6 +208,13 @@ std::vector<int> mirror_partners(const std::vector<WalkedEdge>& edges,
     }
     return only && ways != 1 ? nullptr : best;
   };
+  // Of numbered pieces, the one of the front or the back that has no other like it there.
+  const auto is_in_the_middle = [&](int p) {
+    if (words[p].number < 0) return alike[p].size() <= 2;
+    return words[p].face != 0 && std::none_of(alike[p].begin(), alike[p].end(), [&](int q) {
+             return q != p && words[q].face != -words[p].face;
+           });
+  };
   std::vector<int> partner(edges.size(), -1);
   for (int p = 0; p < count; ++p) {
     const PanelWords& name = words[p];
@@ -195,11 +222,11 @@ std::vector<int> mirror_partners(const std::vector<WalkedEdge>& edges,
     if (name.side != 0) {
       for (const int q : alike[p]) {
         if (words[q].side == -name.side && words[q].whole == name.whole) {
-          fit = mirror_fit(p, q, true);
+          fit = mirrored_as_drawn(p, q);
           break;
         }
       }
-    } else if (name.role != PanelRole::unknown && name.number < 0 && alike[p].size() <= 2) {
+    } else if (name.role != PanelRole::unknown && is_in_the_middle(p)) {
       fit = mirror_fit(p, p, false);
     } else if (name.role == PanelRole::unknown) {
       const bool own_mirror = mirror_fit(p, p, false) != nullptr;

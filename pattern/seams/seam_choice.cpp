@@ -14,7 +14,8 @@ namespace {
 /// Searches with the weights as they are: to know the worth, and to be certain.
 constexpr int plain_searches = 4;
 constexpr int all_plain_searches = 8;
-constexpr int patience = 2;  // times as many garments as usual in each of them
+constexpr int more_searches = 16;  // where the others do not agree
+constexpr int patience = 2;        // times as many garments as usual in each of them
 
 /// Searches with shaken weights.
 constexpr int shaken_searches = 10;
@@ -133,6 +134,14 @@ void SeamChooser::take_best_of(const std::vector<SeamSearch::Garment>& garments)
   }
 }
 
+/// How many of the searches with the weights as they are found the best garment.
+int SeamChooser::times_found() const {
+  return static_cast<int>(
+      std::count_if(plain_.begin(), plain_.end(), [&](const SeamSearch::Garment& garment) {
+        return std::abs(garment.worth - best_.worth) < same_garment;
+      }));
+}
+
 SeamChoice SeamChooser::choose() {
   plain_.resize(all_plain_searches);
   parallel_for(all_plain_searches - plain_searches, [&](std::size_t run) {
@@ -140,6 +149,14 @@ SeamChoice SeamChooser::choose() {
     plain_[plain_searches + run] = search.search(plain_searches + static_cast<int>(run), patience);
   });
   take_best_of(plain_);
+  if (times_found() < 2) {
+    std::vector<SeamSearch::Garment> more(more_searches);
+    parallel_for(more_searches, [&](std::size_t run) {
+      SeamSearch search = search_;
+      more[run] = search.search(all_plain_searches + static_cast<int>(run), patience);
+    });
+    take_best_of(more);
+  }
   const std::vector<SeamSearch::Garment> shaken = found_with_shaken_weights();
   std::vector<SeamSearch::Garment> polished(shaken.size());
   parallel_for(shaken.size(), [&](std::size_t i) {
@@ -203,10 +220,7 @@ void SeamChooser::tell_signs(const std::vector<SeamSearch::Garment>& shaken,
   const auto at = [](SeamSigns& signs, SeamSign sign) -> double& {
     return signs[static_cast<int>(sign)];
   };
-  int times = 0;
-  for (const SeamSearch::Garment& garment : plain_) {
-    if (std::abs(garment.worth - best_.worth) < same_garment) ++times;
-  }
+  const int times = times_found();
   choice.settled = times > 1;
   const std::vector<WalkedEdge>& edges = evidence_.edges;
   const double numbered = numbered_share(evidence_.words);

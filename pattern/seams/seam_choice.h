@@ -45,6 +45,7 @@ class SeamChooser {
   std::vector<SeamSearch::Garment> found_without() const;
   /// Makes the best garment of itself and parts of these, as long as it gets better.
   void take_best_of(const std::vector<SeamSearch::Garment>& garments);
+  int times_found() const;
   double share(const std::vector<SeamSearch::Garment>& garments, int a, int b) const;
   void tell_signs(const std::vector<SeamSearch::Garment>& shaken,
                   const std::vector<SeamSearch::Garment>& without, SeamChoice& choice) const;

@@ -20,6 +20,14 @@ constexpr double shortest_seam = 5e-4;
 /// Metres: front and back may meet in a seam that is shorter, as where a sleeve is set in askew.
 constexpr double short_seam = 0.03;
 
+/// Cosine between the warp and the way out of an edge: from here on it is a neckline, no middle
+/// seam.
+constexpr double neck_slant = 0.3;
+
+/// Of the face of a hood: share of the panel's longest edge, and radians that it turns outwards.
+constexpr double long_edge = 0.6;
+constexpr double straight = 10 * degree;
+
 /// How much the curves of two sides speak for a seam, 0 to 1. Straight sides say nothing.
 double curve_match(const std::array<double, 4>& a, const std::array<double, 4>& b) {
   double size = 0;
@@ -106,7 +114,10 @@ bool SeamPairs::possible(int a, int b) const {
 SeamMeasures SeamPairs::measures(int a, int b) const {
   SeamMeasures measures{};
   measure_shapes(a, b, measures);
-  if (edges_[a].ref.panel != edges_[b].ref.panel) measure_names(a, b, measures);
+  if (edges_[a].ref.panel != edges_[b].ref.panel) {
+    measure_names(a, b, measures);
+    if (heed_sides_) measure_halves(a, b, measures);
+  }
   return measures;
 }
 
@@ -146,7 +157,10 @@ void SeamPairs::measure_shapes(int a, int b, SeamMeasures& measures) const {
   const double up = first.upwards * second.upwards;
   at(up_and_down) = std::max(0.0, -up);
   if (first.upwards > 0 && second.upwards > 0) at(both_up) = up;
-  if (first.upwards < 0 && second.upwards < 0) at(both_down) = up;
+  // A sleeve is drawn along the arm or across it.
+  const auto role = [&](const WalkedEdge& edge) { return words_[edge.ref.panel].role; };
+  const bool sleeves = role(first) == PanelRole::sleeve && role(second) == PanelRole::sleeve;
+  if (first.upwards < 0 && second.upwards < 0 && !sleeves) at(both_down) = up;
   // The end of one meets the start of the other.
   const double rise = -first.rise * second.rise;
   at(rise_together) = std::max(0.0, rise);
@@ -154,7 +168,10 @@ void SeamPairs::measure_shapes(int a, int b, SeamMeasures& measures) const {
   at(same_panel) = first.ref.panel == second.ref.panel ? 1 : 0;
   if (shape_[a] == shape_[b]) {
     at(coincide) = 1;
-    at(coincide_curved) = std::min(std::abs(turn_a) + std::abs(turn_b), std::numbers::pi);
+    const bool crotch = at_crotch && words_[first.ref.panel].role == PanelRole::trousers;
+    if (!crotch || turn_a > 0) {
+      at(coincide_curved) = std::min(std::abs(turn_a) + std::abs(turn_b), std::numbers::pi);
+    }
     at(across_grain) = up > -0.5 ? first.across_grain : 0;
     if (are_halves) at(halves) = first.length / longest_of_panel(a);
     return;
@@ -175,6 +192,36 @@ void SeamPairs::measure_shapes(int a, int b, SeamMeasures& measures) const {
   else
     at(curve_gathered) = curve_match(first.turning, second.turning);
   at(grains_differ) = std::abs(first.across_grain - second.across_grain);
+}
+
+/// Cosine between the way from an edge out of its panel and the way to the middle of the body, by
+/// the names of side and face; 0: they do not say it.
+double SeamPairs::inwards(int edge) const {
+  const PanelWords& words = words_[edges_[edge].ref.panel];
+  return -words.side * words.face * edges_[edge].rise;
+}
+
+/// What left and right, front and back say of the edges of a half, as its right side is drawn.
+void SeamPairs::measure_halves(int a, int b, SeamMeasures& measures) const {
+  const auto at = [&](SeamMeasure measure) -> double& {
+    return measures[static_cast<int>(measure)];
+  };
+  using enum SeamMeasure;
+  const PanelWords& first = words_[edges_[a].ref.panel];
+  const PanelWords& second = words_[edges_[b].ref.panel];
+  const bool bodice = first.role == PanelRole::bodice && second.role == PanelRole::bodice;
+  const bool trousers = first.role == PanelRole::trousers && second.role == PanelRole::trousers;
+  if (!bodice && !trousers) return;
+  const double middle = std::max(0.0, std::min(inwards(a), inwards(b)));
+  if (first.side == second.side && first.face * second.face < 0 && bodice) {
+    at(centres_apart) = middle;
+  }
+  if (first.side * second.side < 0 && first.face == second.face) {
+    // A V-neck runs to the middle, but goes on upwards.
+    const double up = std::max({0.0, edges_[a].upwards, edges_[b].upwards});
+    at(centre_seam) = middle * std::max(0.0, 1 - up / neck_slant);
+    at(outsides_meet) = std::max(0.0, std::min(-inwards(a), -inwards(b)));
+  }
 }
 
 /// Logarithm of the length of the edge across a panel of four edges over that of this one.
@@ -201,6 +248,14 @@ bool SeamPairs::is_rare(double length, int a, int b) const {
     }
   }
   return true;
+}
+
+/// Whether the panels of two edges coincide.
+bool SeamPairs::are_alike(int a, int b) const {
+  for (int e = edges_[b].next;; e = edges_[e].next) {
+    if (shape_[e] == shape_[a]) return true;
+    if (e == b) return false;
+  }
 }
 
 /// The lowest number of the pieces of one name.
@@ -258,13 +313,25 @@ void SeamPairs::measure_names(int a, int b, SeamMeasures& measures) const {
   } else {
     const bool faces = first.face * second.face < 0;
     const bool both = first.number >= 0 && second.number >= 0;
-    if (first.side * second.side < 0 && mirror_[a] == b) at(named_halves) = 1;
+    if (first.side * second.side < 0 && mirror_[a] == b) {
+      at(named_halves) = 1;
+      const double part = edges_[a].length / longest_of_panel(a);
+      if (first.role == PanelRole::collar) at(collar_halves) = part;
+      if (first.role == PanelRole::hood && part > long_edge && turning_of(edges_[a]) < straight) {
+        at(hood_face) = 1;
+      }
+    }
+    if (faces) at(end_to_end) = std::max(0.0, -edges_[a].upwards * edges_[b].upwards);
+    if (first.face * second.face > 0 && first.side == second.side &&
+        first.number != second.number) {
+      at(numbered_sides) = std::min(std::abs(edges_[a].rise), std::abs(edges_[b].rise));
+    }
     if (faces && first.number != second.number) {
       at(numbers_differ) = 1;
     } else if (named && faces) {
       at(front_and_back) = 1;
     }
-    if (both && !faces) {
+    if (both && !faces && !are_alike(a, b)) {
       const int apart = std::abs(first.number - second.number);
       if (apart == 1) at(numbers_follow) = 1;
       if (apart > 1) at(numbers_apart) = 1;

@@ -50,8 +50,11 @@ class SeamPairs {
  private:
   void measure_shapes(int a, int b, SeamMeasures& measures) const;
   void measure_names(int a, int b, SeamMeasures& measures) const;
+  void measure_halves(int a, int b, SeamMeasures& measures) const;
+  double inwards(int edge) const;
   double narrowing(int edge) const;
   double longest_of_panel(int edge) const;
+  bool are_alike(int a, int b) const;
   int lowest_number(const std::string& stem) const;
   bool is_rare(double length, int a, int b) const;
 

@@ -41,6 +41,13 @@ enum class SeamMeasure {
   sides_differ,   ///< 1: left and right, and not mirror partners
   faces_agree,    ///< 1: front and front, or back and back, of different pieces
   faces_differ,   ///< 1: front and back of different pieces
+  end_to_end,     ///< the top of a front meets the hem of its back: the product of cosines
+  centres_apart,  ///< middle edges of front and back of a bodice: the lesser way inwards, see below
+  outsides_meet,  ///< side edges of the left and the right half of a bodice or of trousers
+  centre_seam,    ///< middle edges of the left and the right half of these
+  numbered_sides,  ///< sides of two numbered pieces of one name, both front or both back
+  collar_halves,   ///< halves of a collar: the seam's length over the collar's longest edge
+  hood_face,       ///< halves of a hood, at a long edge that is straight or turns inwards
   numbers_follow,  ///< 1: pieces of one name, numbered one after the other
   numbers_apart,   ///< 1: of one name, with numbers between them
   words_alike,     ///< of different pieces: words of the shorter name that the other has, 0 to 1
@@ -51,6 +58,7 @@ enum class SeamMeasure {
   later_number,    ///< 1: of one name without a number, and another number
   cone,            ///< 1: a corner that is no dart's tip closes on itself
   dart_tip,        ///< 1: a corner closes on itself, as the tip of a dart
+  filled_slit,     ///< 1: two corners meet, one of them the tip of a slit that a godet fills
   two_inside,      ///< 1: two corners meet inside the garment
   two_inside_off,  ///< by how much they miss 360 degrees, in units of 90 degrees
   three_inside,    ///< the same of three corners

@@ -155,7 +155,11 @@ void SewnSurface::measure_inside(SeamMeasures& sum) const {
   const bool says_nothing = (*partners_)[corners_.front()] == mirror_[corners_.front()];
   if (notches > 1 && !says_nothing) at(notches_meet) += notches - 1;
   if (notches == 1 && corners == 2) at(notch_alone) += 1;
-  if (corners == 2) {
+  if (corners == 2 && is_filled_slit()) {
+    // A godet adds its own angle to the full turn of the slit.
+    at(filled_slit) += 1;
+    if (angle < 4 * right_angle) at(two_inside_off) += off;
+  } else if (corners == 2) {
     at(two_inside) += 1;
     at(two_inside_off) += off;
   } else if (corners == 3) {
@@ -203,6 +207,13 @@ bool SewnSurface::is_fold() const {
   return std::any_of(corners_.begin(), corners_.end(), [&](int corner) {
     return turned_over_[panel_[corner]] != turned_over_[panel_[corners_.front()]];
   });
+}
+
+/// Whether one corner is the tip of a slit, and a corner of another panel is sewn into it.
+bool SewnSurface::is_filled_slit() const {
+  const auto [corner, tip] = std::minmax(angle_[corners_[0]], angle_[corners_[1]]);
+  return tip > sharpest_dart_tip && corner < 2 * right_angle &&
+         panel_[corners_[0]] != panel_[corners_[1]];
 }
 
 /// Less than 1 beside a short edge, whose direction says little.

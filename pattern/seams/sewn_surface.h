@@ -38,6 +38,7 @@ class SewnSurface {
   double shorter(int corner, bool leaving) const;
   bool is_crossing() const;
   bool is_fold() const;
+  bool is_filled_slit() const;
   double weight_of_point() const;
 
   int edges_ = 0;

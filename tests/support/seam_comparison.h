@@ -10,6 +10,7 @@
 #include "pattern/seam_orientation.h"
 #include "pattern/seams/find_seams.h"
 #include "pattern/seams/panel_symmetry.h"
+#include "pattern/seams/panel_words.h"
 #include "pattern/seams/walked_edges.h"
 
 namespace toile {
@@ -99,14 +100,25 @@ struct SeamMatches {
 };
 
 /// Counts a seam as right where it is a stated one after panels have changed places with panels
-/// that they coincide with. `all`: with any such panel. Otherwise a panel coincides with itself
-/// alone, turned over: then the two sides of a band may change places.
+/// that they coincide with. `all`: with any such panel. Otherwise with panels whose names differ in
+/// the number alone, as godets in a row: the cloth stays the same. And with itself, turned over:
+/// then the two sides of a band may change places.
 class SeamComparison {
  public:
   SeamComparison(const Pattern& pattern, bool drawn_walk, bool all)
       : edges_(walked_edges(pattern, drawn_walk)) {
-    for (PanelFit& fit : panel_fits(edges_)) {
-      if (all || fit.from == fit.to) fits_.push_back(std::move(fit));
+    const std::vector<PanelFit> fits = panel_fits(edges_);
+    std::set<int> own_mirrors;
+    for (const PanelFit& fit : fits) {
+      if (fit.from == fit.to && fit.mirrored) own_mirrors.insert(fit.from);
+    }
+    for (const PanelFit& fit : fits) {
+      const PanelWords from = words_of(pattern.panels[fit.from]);
+      const PanelWords to = words_of(pattern.panels[fit.to]);
+      const bool numbered = from.number >= 0 && to.number >= 0 && from.stem == to.stem &&
+                            from.face == to.face && from.side == to.side;
+      const bool same_cloth = numbered && (!fit.mirrored || own_mirrors.contains(fit.from));
+      if (all || fit.from == fit.to || same_cloth) fits_.push_back(fit);
     }
     panels_ = static_cast<int>(pattern.panels.size());
     first_.assign(panels_, -1);

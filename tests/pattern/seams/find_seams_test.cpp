@@ -9,6 +9,7 @@
 #include "pattern/pattern_file.h"
 #include "pattern/seams/sewn_file.h"
 #include "pattern/seams/shell_panels.h"
+#include "tests/pattern/samples.h"
 #include "tests/support/seam_comparison.h"
 
 namespace toile {
@@ -71,6 +72,49 @@ TEST(FindSeamsOfDrafts, TheMiddleOfAHoodIsSewnToBothSidesAndTheFaceStaysOpen) {
     if (b == "hoodCenter") of_middle.insert(a);
   }
   EXPECT_EQ(of_middle, (std::set<std::string>{"left_hoodSide", "right_hoodSide"}));
+}
+
+// The judge of these tests and of the bench.
+
+// Two equal godets, each in a slit of its own.
+Pattern skirt(const std::string& first, const std::string& second) {
+  const std::string triangle = "[0,0],[10,0],[5,30]";
+  std::vector<Remark> remarks;
+  return parse_drawn_pattern(
+      samples::file(samples::polygon("skirt",
+                                     "[0,0],[20,0],[22,29.6],[24,0],[50,0],[52,29.6],[54,0],[90,0],"
+                                     "[90,60],[0,60]") +
+                    "," + samples::polygon(first, triangle) + "," +
+                    samples::polygon(second, triangle)),
+      "test", remarks);
+}
+
+/// The godets' panels in the two slits.
+std::set<SeamPair> sewn(int first, int second) {
+  std::set<SeamPair> seams;
+  for (const auto& [godet, edge] : {std::pair{first, 1}, std::pair{second, 4}}) {
+    seams.insert(seam_pair({0, edge}, {godet, 2}, true));
+    seams.insert(seam_pair({0, edge + 1}, {godet, 1}, true));
+  }
+  return seams;
+}
+
+TEST(SeamComparisonOfNames, PiecesThatDifferInTheNumberAloneMayChangePlaces) {
+  SeamComparison comparison(skirt("godet_0", "godet_1"), false, false);
+  EXPECT_EQ(comparison.compare(sewn(1, 2), sewn(1, 2)).right, 4);
+  EXPECT_EQ(comparison.compare(sewn(1, 2), sewn(2, 1)).right, 4);
+  // One godet over both slits is another garment.
+  std::set<SeamPair> across = sewn(1, 2);
+  across.erase(seam_pair({0, 2}, {1, 1}, true));
+  across.insert(seam_pair({0, 5}, {1, 1}, true));
+  across.erase(seam_pair({0, 5}, {2, 1}, true));
+  across.insert(seam_pair({0, 2}, {2, 1}, true));
+  EXPECT_LT(comparison.compare(sewn(1, 2), across).right, 4);
+}
+
+TEST(SeamComparisonOfNames, FrontAndBackMayNot) {
+  SeamComparison comparison(skirt("front_godet", "back_godet"), false, false);
+  EXPECT_EQ(comparison.compare(sewn(1, 2), sewn(2, 1)).right, 0);
 }
 
 }  // namespace find_seams_test

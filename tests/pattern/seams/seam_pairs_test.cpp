@@ -1,0 +1,80 @@
+#include "pattern/seams/seam_pairs.h"
+
+#include "tests/pattern/samples.h"
+
+namespace toile {
+namespace seam_pairs_test {
+
+// Rectangles are walked from the lower left corner: hem, right side, top, left side.
+constexpr int hem = 0;
+constexpr int right = 1;
+constexpr int top = 2;
+constexpr int left = 3;
+
+class Halves : public testing::Test {
+ protected:
+  void draw(const std::string& piece) {
+    std::string panels;
+    for (const char* half : {"left_front", "left_back", "right_front", "right_back"}) {
+      panels += (panels.empty() ? "" : ",") +
+                samples::polygon(half + ("_" + piece), "[0,0],[20,0],[20,50],[0,50]");
+    }
+    std::vector<Remark> remarks;
+    evidence = seam_evidence(parse_drawn_pattern(samples::file(panels), "test", remarks), false);
+  }
+
+  double measure(SeamMeasure measure, int panel_a, int edge_a, int panel_b, int edge_b) const {
+    const SeamPairs pairs(evidence, true);
+    return pairs.measures(panel_a * 4 + edge_a, panel_b * 4 + edge_b)[static_cast<int>(measure)];
+  }
+
+  SeamEvidence evidence;
+};
+
+// Seen from outside, the wearer's left front ends at the middle of the body on its left.
+TEST_F(Halves, OfABodiceMeetInTheMiddle) {
+  draw("torso");
+  EXPECT_NEAR(measure(SeamMeasure::centre_seam, 0, left, 2, right), 1, 1e-9);
+  EXPECT_NEAR(measure(SeamMeasure::centre_seam, 1, right, 3, left), 1, 1e-9);
+  EXPECT_NEAR(measure(SeamMeasure::centre_seam, 0, right, 2, left), 0, 1e-9);
+  EXPECT_NEAR(measure(SeamMeasure::outsides_meet, 0, right, 2, left), 1, 1e-9);
+  EXPECT_NEAR(measure(SeamMeasure::outsides_meet, 0, left, 2, right), 0, 1e-9);
+  EXPECT_NEAR(measure(SeamMeasure::centres_apart, 0, left, 1, right), 1, 1e-9);
+  EXPECT_NEAR(measure(SeamMeasure::centres_apart, 0, right, 1, left), 0, 1e-9);
+}
+
+TEST_F(Halves, OfSkirtsSayNothingOfTheMiddle) {
+  draw("skirt");
+  EXPECT_EQ(measure(SeamMeasure::centre_seam, 0, left, 2, right), 0);
+  EXPECT_EQ(measure(SeamMeasure::centres_apart, 0, left, 1, right), 0);
+}
+
+TEST_F(Halves, FrontAndBackAreNotSewnTopToHem) {
+  draw("torso");
+  EXPECT_NEAR(measure(SeamMeasure::end_to_end, 0, top, 1, hem), 1, 1e-9);
+  EXPECT_NEAR(measure(SeamMeasure::end_to_end, 0, top, 1, top), 0, 1e-9);
+  EXPECT_NEAR(measure(SeamMeasure::end_to_end, 0, right, 1, left), 0, 1e-9);
+}
+
+// A rectangle is mirrored in two ways.
+TEST_F(Halves, AreMirroredAsDrawn) {
+  draw("cuff");
+  EXPECT_EQ(evidence.mirror[0 * 4 + top], 2 * 4 + top);
+  EXPECT_EQ(evidence.mirror[0 * 4 + hem], 2 * 4 + hem);
+  EXPECT_EQ(evidence.mirror[0 * 4 + left], 2 * 4 + right);
+}
+
+TEST(NumberedPieces, AreMirroredWhereTheyAreAloneInFront) {
+  const auto mirror = [](const std::string& other) {
+    std::vector<Remark> remarks;
+    const std::string panels = samples::polygon("skirt_front_0", "[0,0],[60,0],[60,20],[0,20]") +
+                               "," + samples::polygon(other, "[0,0],[60,0],[60,20],[0,20]");
+    const Pattern pattern = parse_drawn_pattern(samples::file(panels), "test", remarks);
+    return seam_evidence(pattern, false).mirror;
+  };
+  EXPECT_EQ(mirror("skirt_back_0")[right], left);
+  EXPECT_EQ(mirror("skirt_front_1")[right], -1);
+}
+
+}  // namespace seam_pairs_test
+}  // namespace toile
