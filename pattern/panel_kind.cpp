@@ -38,9 +38,7 @@ PanelKind kind_of(const MeshedPanel& panel) {
   return by_name;
 }
 
-bool names_hood(const std::string& name) {
-  return read_panel_name(name).says(PanelRole::hood);
-}
+bool names_hood(const std::string& name) { return read_panel_name(name).says(PanelRole::hood); }
 
 bool names_headwear(const std::string& name) {
   const PanelName read = read_panel_name(name);

@@ -12,9 +12,8 @@ void write_report(OutputFiles& files, const CommonSettings& common,
                   const nlohmann::ordered_json& report) {
   if (!common.report) return;
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - common.start;
-  nlohmann::ordered_json whole = {{"program", common.program},
-                                  {"version", toile_version()},
-                                  {"seconds", seconds.count()}};
+  nlohmann::ordered_json whole = {
+      {"program", common.program}, {"version", toile_version()}, {"seconds", seconds.count()}};
   whole.update(report);
   write_file(files.at(*common.report), json_text(whole));
 }

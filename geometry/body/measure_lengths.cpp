@@ -237,8 +237,8 @@ void MeasureTaker::take_across_widths(int side) {
   across("across_back", -1, "back");
 }
 
-/// The closed tape around the trunk in the plane of the shoulder's middle and the crotch that holds
-/// z; empty where the trunk has no closed section there.
+/// The closed tape around the trunk, in the plane through both points that holds z. Empty where the
+/// trunk has no closed section there.
 std::vector<Vec3> MeasureTaker::around_trunk(const Vec3& shoulder_middle,
                                              const Vec3& crotch) const {
   constexpr std::size_t min_points = 9;  // fewer are no trunk

@@ -194,8 +194,8 @@ void SeamPairs::measure_shapes(int a, int b, SeamMeasures& measures) const {
   at(grains_differ) = std::abs(first.across_grain - second.across_grain);
 }
 
-/// Cosine between the way from an edge out of its panel and the way to the middle of the body, by
-/// the names of side and face; 0: they do not say it.
+/// Cosine between the way out of the panel and the way to the body's middle, as the names of side
+/// and face tell it. 0: they do not.
 double SeamPairs::inwards(int edge) const {
   const PanelWords& words = words_[edges_[edge].ref.panel];
   return -words.side * words.face * edges_[edge].rise;

@@ -9,10 +9,10 @@ struct Row {
   double weight;
 };
 
-/// Fitted by bench_fit_seam_weights, but for notches, which its garments lack, and for end_to_end
-/// to hood_face and filled_slit: fitting all with these lost seams of real drafts. With half of
-/// these weights the sleeves of FreeSewing's T-shirt are sewn in one notch too far; double changes
-/// nothing.
+/// Fitted by bench_fit_seam_weights. Set by hand are notches, which its garments lack, and
+/// end_to_end to hood_face and filled_slit. Fitting all with these lost seams of real drafts. With
+/// half of these weights the sleeves of FreeSewing's T-shirt are sewn in one notch too far; double
+/// changes nothing.
 constexpr Row rows[] = {
     {"seam", -1.040},
     {"equal_length", -0.501},

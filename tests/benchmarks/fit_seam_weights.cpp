@@ -9,7 +9,7 @@
 // Begins with the weights in use. Measures of the stated garment are compared with those of rivals
 // that short searches find near it; a rival gains something for each wrong seam. Each file is used
 // with and without its names. After each round the rows of pattern/seams/seam_weights.cpp are
-// printed. The weights in use were fitted by an earlier way, from far searches; rows that this one
+// printed. The weights in use were fitted by an earlier way, from far searches. Rows that this one
 // gives find more in the random garments, and less in FreeSewing's drafts.
 #include <algorithm>
 #include <atomic>
@@ -106,8 +106,8 @@ double extra_of(const Example& example, const Partners& partners) {
   return sum;
 }
 
-/// A garment that was found for an example: by how much the stated one has more of each measure,
-/// and what the found one gains for its wrong seams.
+/// A garment that was found for an example. The stated one has `more` of each measure. The found
+/// one gains `loss` for its wrong seams.
 struct Rival {
   SeamMeasures more{};
   double loss = 0;

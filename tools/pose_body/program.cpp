@@ -1,6 +1,4 @@
 // pose-body: brings a standing body into a pose, with its joints.
-#include "geometry/body/pose_body.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -10,6 +8,7 @@
 #include "cloth/scene/closed_body.h"
 #include "geometry/body/flaws.h"
 #include "geometry/body/limb_girths.h"
+#include "geometry/body/pose_body.h"
 #include "geometry/error.h"
 #include "geometry/surface_distance.h"
 #include "io/mesh_file.h"
