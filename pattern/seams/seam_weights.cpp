@@ -10,9 +10,9 @@ struct Row {
 };
 
 /// Fitted by bench_fit_seam_weights. Set by hand are notches, which its garments lack, and
-/// end_to_end to hood_face and filled_slit. Fitting all with these lost seams of real drafts. With
-/// half of these weights the sleeves of FreeSewing's T-shirt are sewn in one notch too far; double
-/// changes nothing.
+/// end_to_end to hood_face and filled_slit: a fit of these too lost seams of real drafts. With
+/// half of the notches' weights the sleeves of FreeSewing's T-shirt are sewn in one notch too far;
+/// double changes nothing.
 constexpr Row rows[] = {
     {"seam", -1.040},
     {"equal_length", -0.501},
