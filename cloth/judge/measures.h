@@ -39,7 +39,7 @@ struct StrainStatistics {
 
 struct OpenSeam {
   std::string name;
-  double missing = 0;  ///< metres: widest gap between two points that should be one
+  double gap = 0;  ///< metres: widest gap between two points that should be one
 };
 
 struct SeamMeasurements {

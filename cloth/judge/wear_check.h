@@ -42,8 +42,7 @@ struct WearFindings {
 /// - Sleeves, skirts and tops that are not closed around their part meet 85 % of the directions.
 ///   A cardigan and a wrap skirt do. A shirt that lacks a quarter does not.
 /// - Any other component: no two openings of 15 cm or more may have nothing in them. An opening
-/// around
-///   both legs may not be its highest one and lie below the crotch.
+///   around both legs may not be its highest one and lie below the crotch.
 /// - Panels named front and back, left and right, lie on their sides of the body within 60 degrees.
 /// - No component hangs below the floor.
 ///

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
+
+#include "geometry/convex_hull.h"
 
 namespace toile {
 
@@ -60,33 +61,6 @@ double mean_along(const std::vector<Vec3>& line, const Vec3& direction) {
   return length > 0 ? sum / length : direction.dot(line.front());
 }
 
-double cross(const Vec2& o, const Vec2& a, const Vec2& b) {
-  return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
-}
-
-/// Indices of the corners of the convex hull, counter-clockwise [Andrew's monotone chain].
-std::vector<int> hull_of(const std::vector<Vec2>& flat) {
-  std::vector<int> order(flat.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
-  std::sort(order.begin(), order.end(), [&](int a, int b) {
-    return std::pair(flat[a].x(), flat[a].y()) < std::pair(flat[b].x(), flat[b].y());
-  });
-  std::vector<int> hull;
-  for (int pass = 0; pass < 2; ++pass) {
-    const std::size_t start = hull.size();
-    for (const int i : order) {
-      while (hull.size() >= start + 2 &&
-             cross(flat[hull[hull.size() - 2]], flat[hull.back()], flat[i]) <= 0) {
-        hull.pop_back();
-      }
-      hull.push_back(i);
-    }
-    hull.pop_back();
-    std::reverse(order.begin(), order.end());
-  }
-  return hull;
-}
-
 /// The corner of the hull that is nearest to a point.
 std::size_t nearest(const std::vector<int>& hull, const std::vector<Vec2>& flat, const Vec2& p) {
   std::size_t best = 0;
@@ -124,7 +98,7 @@ std::vector<Vec3> taut(const std::vector<Vec3>& part, const Vec3& toward) {
   const Vec3 v = (toward - toward.dot(u) * u).normalized();
   std::vector<Vec2> flat;
   for (const Vec3& p : part) flat.emplace_back(u.dot(p - part.front()), v.dot(p - part.front()));
-  const std::vector<int> hull = hull_of(flat);
+  const std::vector<int> hull = convex_hull(flat);
   if (hull.size() < 3) return {part.front(), part.back()};
   const std::size_t first = nearest(hull, flat, flat.front());
   const std::size_t last = nearest(hull, flat, flat.back());
@@ -164,7 +138,7 @@ std::vector<Vec3> tape_around(const Section& section, const Vec3& normal) {
   std::vector<Vec2> flat;
   for (const Vec3& p : section.points) flat.emplace_back(u.dot(p), v.dot(p));
   std::vector<Vec3> line;
-  for (const int i : hull_of(flat)) line.push_back(section.points[i]);
+  for (const int i : convex_hull(flat)) line.push_back(section.points[i]);
   return line;
 }
 

@@ -109,4 +109,17 @@ inline DressedGarment as_dressed(const PanelMesh& garment, const std::vector<Vec
   return toile::as_dressed(garment, std::move(nodes), std::move(triangles));
 }
 
+/// Three parallel panels, sewn at their right sides: the second to the third, then the third to the
+/// first.
+inline PanelMesh three_panels_in_a_chain() {
+  PanelMesh garment;
+  for (int i = 0; i < 3; ++i) {
+    add_panel(garment, "panel", grid(0.1, 0.1, 4, 4),
+              [&](const Vec2& p) { return Vec3(p.x(), p.y(), 0.1 * i); });
+  }
+  const auto right_of = [&](int i) { return side(garment.panels[i], 4, 4, true); };
+  garment.seams = {seam("", right_of(1), right_of(2)), seam("", right_of(2), right_of(0))};
+  return garment;
+}
+
 }  // namespace toile::test

@@ -69,8 +69,8 @@ void write(const SheetSettings& settings) {
   std::vector<std::vector<std::string>> seams;
   double missing = 0;
   for (const OpenSeam& seam : small.judgement.garment.seams.open_seams) {
-    seams.push_back({seam.name, number(100 * seam.missing, 2)});
-    missing += 100 * seam.missing;
+    seams.push_back({seam.name, number(100 * seam.gap, 2)});
+    missing += 100 * seam.gap;
   }
   sheet.table("Seams that can't be closed", {"seam", "missing, cm"}, seams);
   sheet.pictures("(b) Enlarged from the body's measures",

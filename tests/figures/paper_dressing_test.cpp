@@ -35,8 +35,7 @@ TEST(PaperDressing, TheSmallBandIsUnsewableAndTheLargerOneSews) {
   EXPECT_EQ(small.judgement.verdict, Verdict::unsewable);
   ASSERT_EQ(small.judgement.garment.seams.open_seams.size(), 2U);
   double missing = 0;
-  for (const OpenSeam& seam : small.judgement.garment.seams.open_seams)
-    missing += 100 * seam.missing;
+  for (const OpenSeam& seam : small.judgement.garment.seams.open_seams) missing += 100 * seam.gap;
   // Its upper edge lacks 7.1 cm of the waist, its lower one 9.8 of the hips.
   std::cout << "missing: " << missing << " cm\n";
   EXPECT_GT(missing, 5);

@@ -124,7 +124,9 @@ void add_card(std::ostream& page, const Json& report) {
                   fixed_number(ease.get<double>(), 1) + " cm";
       }
     }
-    if (all["fit"] == "too_small") girths += "; cut smaller than the body at a level";
+    if (all["fit"] == "too_small") {
+      girths += std::string(girths.empty() ? "" : "; ") + "cut smaller than the body at a level";
+    }
     figures += ", strain " + fixed_number(100 * all["strain_p99"].get<double>(), 1) +
                " % (99th percentile), attempts " + std::to_string(all["attempts"].get<int>());
   }

@@ -114,9 +114,12 @@ double RowRun::run(const std::string& program, const fs::path& output, Words wor
 }
 
 /// The `warnings` of a program's report.
-Words warnings_in(const fs::path& report) {
-  const Json json = Json::parse(read_file(report));
-  return json.at("warnings").get<Words>();
+Words warnings_of_report(const fs::path& report) {
+  try {
+    return Json::parse(read_file(report)).at("warnings").get<Words>();
+  } catch (const Json::exception&) {
+    throw Error(report.string(), "is no report of a program", "let the program write it");
+  }
 }
 
 }  // namespace
@@ -129,7 +132,7 @@ CleanedBody clean_body_of_batch(const fs::path& body, const fs::path& output,
                                    {end_by(limits), limits.memory});
   write_file(fs::path(output).replace_extension("log.txt"), ended.output);
   CleanedBody cleaned{output, problem_of(ended, limits), {}};
-  if (cleaned.problem.empty()) cleaned.warnings = warnings_in(report);
+  if (cleaned.problem.empty()) cleaned.warnings = warnings_of_report(report);
   return cleaned;
 }
 
@@ -161,7 +164,8 @@ Json dress_row(const BatchRow& row, const CleanedBody& body, const GarmentFiles&
     outcome["dressed_sha256"] = sha256_of_file(files.dressed);
     Words warnings = body.warnings;
     for (const fs::path& report : {files.mesh_report, files.dress_report}) {
-      for (std::string& warning : warnings_in(report)) warnings.push_back(std::move(warning));
+      for (std::string& warning : warnings_of_report(report))
+        warnings.push_back(std::move(warning));
     }
     outcome["warnings"] = warnings;
   } catch (const RowRun::Failed& failed) {

@@ -292,7 +292,7 @@ Json verdict_json(const DressResult& result, const Judgement& judgement) {
   Json json;
   json["verdict"] = to_string(judgement.verdict);
   for (const OpenSeam& seam : judgement.garment.seams.open_seams) {
-    json["unsewable_seams"].push_back({{"name", seam.name}, {"gap_cm", 100 * seam.missing}});
+    json["unsewable_seams"].push_back({{"name", seam.name}, {"gap_cm", 100 * seam.gap}});
   }
   for (const TightSeam& seam : result.tight_seams) {
     json["tight_seams"].push_back({{"name", seam.name},

@@ -84,7 +84,7 @@ void warn_of_verdict(const DressResult& result, const Judgement& judgement, Dres
   line << std::fixed << std::setprecision(1);
   const char* separator = "";
   for (const OpenSeam& seam : judgement.garment.seams.open_seams) {
-    line << separator << seam.name << " (" << 100 * seam.missing << " cm)";
+    line << separator << seam.name << " (" << 100 * seam.gap << " cm)";
     separator = ", ";
   }
   if (!line.str().empty()) {

@@ -15,24 +15,6 @@ namespace {
 namespace po = boost::program_options;
 namespace fs = std::filesystem;
 
-}  // namespace
-
-AskedPlaces read_places(const po::variables_map& given) {
-  AskedPlaces places;
-  if (given.count("place") == 0) return places;
-  for (const std::string& text : given["place"].as<std::vector<std::string>>()) {
-    const auto asked = parse_asked_place(text);
-    if (!places.insert(asked).second) {
-      throw UsageError("--place '" + text + "'",
-                       "is the second place for panel '" + asked.first + "'",
-                       "say one place for each panel");
-    }
-  }
-  return places;
-}
-
-namespace {
-
 /// The garment or the scene that the command line names, with the files to write for it.
 void read_layers(const po::variables_map& given, const fs::path& output, DressSettings& settings) {
   settings.fabrics = read_fabrics(given);
@@ -96,6 +78,20 @@ Vec3 parse_gravity(const std::string& text) {
 }
 
 }  // namespace
+
+AskedPlaces read_places(const po::variables_map& given) {
+  AskedPlaces places;
+  if (given.count("place") == 0) return places;
+  for (const std::string& text : given["place"].as<std::vector<std::string>>()) {
+    const auto asked = parse_asked_place(text);
+    if (!places.insert(asked).second) {
+      throw UsageError("--place '" + text + "'",
+                       "is the second place for panel '" + asked.first + "'",
+                       "say one place for each panel");
+    }
+  }
+  return places;
+}
 
 void add_dress_options(po::options_description& options) {
   using po::value;

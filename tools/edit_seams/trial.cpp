@@ -36,7 +36,7 @@ std::string reason_of(const ChildEnd& ended) {
 }
 
 /// What follows "warning: " in each line that begins so.
-std::vector<std::string> warnings_in(const std::string& output) {
+std::vector<std::string> warnings_said(const std::string& output) {
   constexpr std::string_view mark = "warning: ";
   std::vector<std::string> warnings;
   std::istringstream lines(output);
@@ -107,7 +107,7 @@ std::vector<std::string> Trial::step(const std::string& text, std::vector<std::s
   words.insert(words.end(), {"-q", "--threads", std::to_string(threads_)});
   const ChildEnd ended = run_toile(words, {{}, {}, stop_});
   if (!is_done(ended)) throw Error(words.front(), reason_of(ended), "");
-  return warnings_in(ended.output);
+  return warnings_said(ended.output);
 }
 
 void Trial::run() {

@@ -111,7 +111,7 @@ TEST(Judge, UnsewableWhenASeamIsOpen) {
   const std::vector<OpenSeam>& open = judgement.garment.seams.open_seams;
   ASSERT_EQ(open.size(), 1u);
   EXPECT_EQ(open[0].name, "left");
-  EXPECT_NEAR(open[0].missing, 0.001, 1e-11);
+  EXPECT_NEAR(open[0].gap, 0.001, 1e-11);
 }
 
 TEST(Judge, TooTightWhenASeamWasClosedByForce) {

@@ -104,15 +104,8 @@ TEST(Compile, SewnPointsAreOneNode) {
 }
 
 TEST(Compile, ThreePanelsMeetInOnePoint) {
-  PanelMesh garment;
-  for (int i = 0; i < 3; ++i) {
-    test::add_panel(garment, "panel", test::grid(0.1, 0.1, 4, 4),
-                    [&](const Vec2& p) { return Vec3(p.x(), p.y(), 0.1 * i); });
-  }
+  const PanelMesh garment = test::three_panels_in_a_chain();
   const auto right_of = [&](int i) { return test::side(garment.panels[i], 4, 4, true); };
-  // Sewn in a chain, in the order that has to join two groups of which neither knows the other.
-  garment.seams = {test::seam("", right_of(1), right_of(2)),
-                   test::seam("", right_of(2), right_of(0))};
   const GarmentModel model = compile(garment, {}, garment.placed);
   EXPECT_EQ(model.nodes, 75 - 10);
   for (int row = 0; row < 5; ++row) {

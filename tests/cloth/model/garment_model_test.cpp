@@ -64,14 +64,7 @@ TEST(GarmentModel, WhatTheSceneUsesIsCounted) {
 }
 
 TEST(GarmentModel, SeamsAreCountedByTheirPairsOfPoints) {
-  PanelMesh garment;
-  for (int i = 0; i < 3; ++i) {
-    test::add_panel(garment, "panel", test::grid(0.1, 0.1, 4, 4),
-                    [&](const Vec2& p) { return Vec3(p.x(), p.y(), 0.1 * i); });
-  }
-  const auto right_of = [&](int i) { return test::side(garment.panels[i], 4, 4, true); };
-  garment.seams = {test::seam("", right_of(1), right_of(2)),
-                   test::seam("", right_of(2), right_of(0))};
+  const PanelMesh garment = test::three_panels_in_a_chain();
   EXPECT_EQ(terms(compile(garment, {}, garment.placed))["seam"], 5);
   PanelMesh dart = test::flat_panel(test::grid(0.1, 0.1, 4, 4));
   dart.seams = {test::seam("dart", {12, 16, 20}, {12, 18, 24})};
