@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/convex_hull.h"
+#include "geometry/polygon.h"
 
 namespace toile {
 
@@ -109,6 +110,16 @@ void measure(Section& section, const Vec3& unit_normal) {
 }
 
 }  // namespace
+
+bool contains(const Section& section, const Vec3& point, const Vec3& normal) {
+  if (!section.closed) return false;
+  const Vec3 u = normal.unitOrthogonal();
+  const Vec3 v = normal.normalized().cross(u);
+  std::vector<Vec2> outline;
+  outline.reserve(section.points.size());
+  for (const Vec3& corner : section.points) outline.emplace_back(u.dot(corner), v.dot(corner));
+  return inside(outline, {u.dot(point), v.dot(point)});
+}
 
 double widest_chord(const Section& section) {
   double most = 0;

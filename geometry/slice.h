@@ -27,6 +27,10 @@ struct Section {
 /// triangles, O(k log k) in those cut.
 std::vector<Section> slice(const TriangleMesh& mesh, const Vec3& origin, const Vec3& normal);
 
+/// Whether the section is closed and runs around `point`. `normal` is its plane's, of any length
+/// but zero. Linear in its points.
+bool contains(const Section& section, const Vec3& point, const Vec3& normal);
+
 /// Metres between the two points of a section that are farthest apart. O(n^2) in its points.
 double widest_chord(const Section& section);
 

@@ -4,20 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "cloth/ease/panel_widths.h"
 #include "geometry/body/skeleton.h"
 #include "pattern/panel_mesh.h"
 
 namespace toile {
-
-/// How wide a flat panel is at a level.
-struct PanelWidth {
-  int panel = 0;           ///< index into DressedGarment::panels
-  double flat_height = 0;  ///< metres: mean height of the level's line on the flat panel
-  double width = 0;        ///< metres of cloth on the straight line at that height
-  /// The level runs along an edge of the panel, and the straight line leaves the panel on its way.
-  /// Then `width` is that of the level's own line, less its rise and fall.
-  bool along_edge = false;
-};
 
 /// The girths of body and garment at one height. Lengths in metres.
 struct GirthEase {

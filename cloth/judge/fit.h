@@ -6,13 +6,17 @@
 
 #include "cloth/ease/garment_levels.h"
 #include "cloth/ease/girth_ease.h"
+#include "cloth/ease/limb_ease.h"
 
 namespace toile {
 
-/// A level at which the garment is cut smaller than the body.
+/// A level at which the garment is cut smaller than the body. Lengths in metres.
 struct TooSmallLevel {
-  std::string level;   ///< "bust", "waist" or "hip", or a level of the garment: "waist seam"
-  double missing = 0;  ///< metres: the body's girth less the garment's as cut
+  std::string level;  ///< "bust", "waist", "hip", a GarmentLevel's name or a LimbEase's limb
+  double body = 0;    ///< the body's girth
+  double as_cut = 0;  ///< the garment's girth on the flat panels
+
+  double missing() const { return body - as_cut; }
 };
 
 /// What `fit` says beside the verdict on sewing.
@@ -23,12 +27,14 @@ struct Fit {
 
 /// The levels of body and garment at which more is missing than flesh gives way (`flesh_give`). A
 /// knit that is meant to stretch is named, too.
-Fit fit_of(const std::vector<GirthEase>& girths, const std::vector<GarmentLevel>& garment_levels);
+Fit fit_of(const std::vector<GirthEase>& girths, const std::vector<GarmentLevel>& garment_levels,
+           const std::vector<LimbEase>& limbs);
 
 /// "ok", "too_small" or "not_checked".
 std::string to_string(const Fit& fit);
 
-/// "at the waist the garment is cut 3.2 cm smaller than the body, and stretched by that"
+/// "at the waist the garment is cut 3.2 cm smaller than the body, and stretched by that: 62.0 cm
+/// around 65.2 cm"
 std::string text_of(const TooSmallLevel& level);
 
 }  // namespace toile

@@ -34,7 +34,8 @@ Fit measure_fit(const PanelMesh& pattern, const DressedGarment& dressed, const T
   std::vector<double> grains;
   for (const MeshedPanel& panel : pattern.panels) grains.push_back(panel.grain);
   return fit_of(measure_girth_ease(dressed, body, skeleton, grains, 0).levels,
-                measure_garment_levels(dressed, body, skeleton));
+                measure_garment_levels(dressed, body, skeleton),
+                measure_limb_ease(dressed, body, skeleton, grains));
 }
 
 }  // namespace

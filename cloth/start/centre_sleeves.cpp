@@ -83,7 +83,7 @@ struct SeamPoint {
 };
 
 /// The panels of an arm, in its plane. Metres.
-struct Sleeve {
+struct SleeveInPlane {
   std::vector<int> points;
   Vec2 middle{0, 0};             ///< mean of the points
   Vec2 pivot{0, 0};              ///< mean of the armhole's points, or the middle
@@ -111,9 +111,10 @@ std::optional<bool> is_above_cloth(const Vec2& seam, const std::vector<int>& poi
 }
 
 /// The panels of `part` that the skeleton did not position.
-Sleeve sleeve_of(const PanelMesh& garment, const std::vector<std::string>& part_of_point,
-                 const std::string& part, const ArmPlane& plane, const std::vector<Vec3>& placed) {
-  Sleeve sleeve;
+SleeveInPlane sleeve_of(const PanelMesh& garment, const std::vector<std::string>& part_of_point,
+                        const std::string& part, const ArmPlane& plane,
+                        const std::vector<Vec3>& placed) {
+  SleeveInPlane sleeve;
   for (const MeshedPanel& panel : garment.panels) {
     if (panel.placement.by_part() || part_of_point[panel.first_point] != part) continue;
     for (int p = panel.first_point; p < panel.first_point + panel.points; ++p) {
@@ -159,7 +160,8 @@ struct SleeveMove {
 };
 
 /// The move after which the seams are the least too near to the arm.
-SleeveMove best_move(const Sleeve& sleeve, const ArmPlane& plane, const ArmOutline& outline) {
+SleeveMove best_move(const SleeveInPlane& sleeve, const ArmPlane& plane,
+                     const ArmOutline& outline) {
   const auto cost = [&](double angle, double lift) {
     double sum = 0;
     for (const SeamPoint& seam : sleeve.seams) {
@@ -193,7 +195,7 @@ std::map<std::string, double> centre_sleeves(const PanelMesh& garment,
   for (const char* part : {"left_arm", "right_arm"}) {
     if (Bones(skeleton, part).joints.empty()) continue;
     const ArmPlane plane(skeleton, part);
-    const Sleeve sleeve = sleeve_of(garment, part_of_point, part, plane, placed);
+    const SleeveInPlane sleeve = sleeve_of(garment, part_of_point, part, plane, placed);
     if (!sleeve.closes_on_both_sides()) continue;
     const SleeveMove move = best_move(sleeve, plane, ArmOutline(skin, skeleton, part, plane));
     const auto way = [&](const Vec2& from) -> Vec2 {

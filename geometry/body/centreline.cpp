@@ -4,19 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/polygon.h"
-
 namespace toile {
-
-bool contains(const Section& section, const Vec3& point, const Vec3& normal) {
-  if (!section.closed) return false;
-  const Vec3 u = normal.unitOrthogonal();
-  const Vec3 v = normal.normalized().cross(u);
-  std::vector<Vec2> outline;
-  outline.reserve(section.points.size());
-  for (const Vec3& corner : section.points) outline.emplace_back(u.dot(corner), v.dot(corner));
-  return inside(outline, {u.dot(point), v.dot(point)});
-}
 
 std::optional<Section> section_at(const std::vector<Section>& sections, const Vec3& point,
                                   const Vec3& normal, double min_area, double reach) {

@@ -15,9 +15,6 @@ struct Station {
   Section section;
 };
 
-/// Whether `point` lies inside the section, which has to be closed. `normal` is its plane's.
-bool contains(const Section& section, const Vec3& point, const Vec3& normal);
-
 /// The smallest of the closed `sections` of `min_area` m^2 or more that contains `point`. If none
 /// does, it is the one whose centroid is closest, at most `reach` metres away. Nothing if there is
 /// none. `sections` are in falling area, as slice() returns them.

@@ -28,6 +28,17 @@ std::string names_of_seams(const Json& report, const char* key, const char* leng
   return names;
 }
 
+/// "left forearm: 16.6 cm around 22.4 cm; "; empty: no part is cut smaller than the body.
+std::string girths_too_small(const Json& report) {
+  std::string text;
+  for (const Json& level : report.at("fit").at("levels")) {
+    text += level.at("name").get<std::string>() + ": " +
+            fixed_number(level.at("as_cut_cm").get<double>(), 1) + " cm around " +
+            fixed_number(level.at("body_cm").get<double>(), 1) + " cm; ";
+  }
+  return text;
+}
+
 /// "the body", "itself" or both; empty: nothing.
 std::string crossed(const Json& intersections) {
   const bool body = intersections.at("body").get<int>() > 0;
@@ -72,7 +83,8 @@ std::pair<std::string, std::string> reason_of(const Json& report, const std::str
                 ", wide " + number_text(report.at("residual").at("wide").get<double>(), 2)};
   }
   if (verdict == "too_tight") {
-    return {"a seam pulls more than a hand", names_of_seams(report, "tight_seams", "missing_cm")};
+    return {"a seam pulls more than a hand",
+            girths_too_small(report) + names_of_seams(report, "tight_seams", "missing_cm")};
   }
   return {verdict == "sewn" ? "" : verdict, ""};
 }

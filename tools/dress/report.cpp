@@ -306,7 +306,10 @@ Json verdict_json(const DressResult& result, const Judgement& judgement) {
   const WearFindings& worn = judgement.worn;
   json["fit"] = {{"verdict", to_string(judgement.fit)}, {"levels", Json::array()}};
   for (const TooSmallLevel& level : judgement.fit.levels) {
-    json["fit"]["levels"].push_back({{"name", level.level}, {"missing_cm", 100 * level.missing}});
+    json["fit"]["levels"].push_back({{"name", level.level},
+                                     {"missing_cm", 100 * level.missing()},
+                                     {"as_cut_cm", 100 * level.as_cut},
+                                     {"body_cm", 100 * level.body}});
   }
   json["worn"] = worn.is_checked ? "checked" : "not_checked";
   if (worn.misplaced) {

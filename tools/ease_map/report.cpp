@@ -111,6 +111,21 @@ PageTable garment_level_table(const EaseReport& report) {
   return table;
 }
 
+PageTable limb_table(const EaseReport& report) {
+  PageTable table;
+  table.caption = "Girth ease around arms and legs, cm";
+  table.columns = {"limb", "height", "body", "garment", "ease", "as cut", "ease as cut"};
+  for (const LimbEase& limb : report.limbs) {
+    table.rows.push_back({limb.limb, cm(limb.at.y()), cm(limb.body), cm(limb.garment),
+                          cm(limb.garment - limb.body), cm(limb.as_cut),
+                          cm(limb.as_cut - limb.body)});
+  }
+  table.remark =
+      "Sections square to the bone, where the garment is cut the least for the limb. Heights are "
+      "those of the bone's point.";
+  return table;
+}
+
 nlohmann::ordered_json girths_json(const EaseReport& report) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const GirthEase& girth : report.girths.levels) {
@@ -146,6 +161,21 @@ nlohmann::ordered_json garment_levels_json(const EaseReport& report) {
       row["as_cut_ease_cm"] = rounded(100 * (level.as_cut - *level.body));
     }
     all.push_back(std::move(row));
+  }
+  return all;
+}
+
+nlohmann::ordered_json limbs_json(const EaseReport& report) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const LimbEase& limb : report.limbs) {
+    all.push_back({{"limb", limb.limb},
+                   {"share", rounded(limb.share)},
+                   {"height_cm", rounded(100 * limb.at.y())},
+                   {"body_cm", rounded(100 * limb.body)},
+                   {"garment_cm", rounded(100 * limb.garment)},
+                   {"ease_cm", rounded(100 * (limb.garment - limb.body))},
+                   {"as_cut_cm", rounded(100 * limb.as_cut)},
+                   {"as_cut_ease_cm", rounded(100 * (limb.as_cut - limb.body))}});
   }
   return all;
 }
@@ -212,6 +242,7 @@ nlohmann::ordered_json ease_json(const EaseReport& report) {
     json["levels_left_out"].push_back({{"level", level.level}, {"why", level.why}});
   }
   if (!report.garment_levels.empty()) json["garment_levels"] = garment_levels_json(report);
+  if (!report.limbs.empty()) json["limbs"] = limbs_json(report);
   return json;
 }
 
@@ -244,6 +275,7 @@ std::string ease_page(const EaseReport& report, const std::string& picture) {
   page.tables.push_back(panel_table(report));
   if (!report.girths.levels.empty()) page.tables.push_back(girth_table(report));
   if (!report.garment_levels.empty()) page.tables.push_back(garment_level_table(report));
+  if (!report.limbs.empty()) page.tables.push_back(limb_table(report));
   page.still_png = picture;
   return viewer_page(page);
 }

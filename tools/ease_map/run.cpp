@@ -62,6 +62,7 @@ void measure_girths(EaseReport& report, const SurfaceDistance& skin,
       report.dressing ? report.dressing->grains : std::vector<double>();
   report.girths = measure_girth_ease(report.garment, report.body, skeleton, grains);
   report.garment_levels = measure_garment_levels(report.garment, report.body, skeleton);
+  report.limbs = measure_limb_ease(report.garment, report.body, skeleton, grains);
 }
 
 void warn(EaseReport& report, const std::string& line) {
@@ -82,7 +83,8 @@ void warn_if_implausible(EaseReport& report) {
 
 /// What is cut smaller than the body goes around it by being stretched.
 void warn_if_too_small(EaseReport& report) {
-  for (const TooSmallLevel& level : fit_of(report.girths.levels, report.garment_levels).levels) {
+  for (const TooSmallLevel& level :
+       fit_of(report.girths.levels, report.garment_levels, report.limbs).levels) {
     const std::string line = text_of(level);
     // The dressing may have found it.
     if (std::ranges::find(report.warnings, line) == report.warnings.end()) warn(report, line);
