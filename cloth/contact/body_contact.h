@@ -60,7 +60,9 @@ class alignas(64) BodyContact {
       anchored_ = false;
       return;
     }
-    const double push = body_push_stiffness * slope_ * depth;
+    const double beyond = std::max(depth - firm_depth, 0.0);
+    const double push = body_push_stiffness * slope_ * (depth + (firm_push_factor - 1) * beyond);
+    if (beyond > 0) stiffness += (firm_push_factor - 1) * body_push_stiffness * slope_ * slope_;
     force += push * normal_;
     if (friction <= 0) return;
     if (!anchored_) {

@@ -13,6 +13,11 @@ inline constexpr double full_attraction_distance = 0.05;
 /// sinks in by 0.01 mm.
 inline constexpr double body_push_stiffness = 1000;
 
+/// Metres of depth from which on the body's push is harder, and by how much. Without it a cuff that
+/// is stretched by a half sinks in until its edges cross the arm.
+inline constexpr double firm_depth = 0.001;
+inline constexpr double firm_push_factor = 10;
+
 /// N/m: stiffness of the friction spring that holds a sticking vertex to its anchor on the skin.
 inline constexpr double body_friction_stiffness = 200;
 
