@@ -9,6 +9,9 @@ namespace toile {
 /// notes it, and the cloth of the longer side gives way.
 inline constexpr double gather_threshold = 0.02;
 
+/// Times that steps along an edge are halved where triangles would be needles.
+inline constexpr int max_step_halvings = 2;
+
 /// Share of the shorter side. A seam whose sides differ by more without being declared gathered
 /// gets a warning: it is gathered, or a mistake.
 inline constexpr double seam_warning_threshold = 0.20;

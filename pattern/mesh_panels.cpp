@@ -22,6 +22,8 @@ namespace {
 struct Unmeshable {
   std::string panel;  ///< "panel 'front'", and its edge where one is at fault
   std::string problem;
+  std::vector<int> edges = {};  ///< those that shorter steps may help, indices in the panel
+  std::size_t index = 0;        ///< of the panel
 };
 
 std::string quoted(const PatternPanel& panel) { return "panel '" + panel.name + "'"; }
@@ -57,14 +59,16 @@ class PanelMesher {
     }
     for (int level = 0; level < subdivisions; ++level) subdivide();
     if (smallest_angle(triangulation_.mesh.points, triangulation_.mesh.triangles) < needle_angle) {
-      throw Unmeshable{quoted(panel_) + sharpest_place(), "gets triangles like needles"};
+      const std::vector<int> edges = edges_at_sharpest();
+      const std::string place = edges.empty() ? "" : ", edge " + std::to_string(edges.front());
+      throw Unmeshable{quoted(panel_) + place, "gets triangles like needles", edges};
     }
     return std::move(triangulation_);
   }
 
  private:
-  /// ", edge 3": the edge at the sharpest triangle; empty if it is at none.
-  std::string sharpest_place() const {
+  /// The edges that the sharpest triangle touches, the one with the most of its corners first.
+  std::vector<int> edges_at_sharpest() const {
     const PlanarMesh& mesh = triangulation_.mesh;
     const auto angle = [&](const Triangle& t) {
       return smallest_angle(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
@@ -72,19 +76,17 @@ class PanelMesher {
     const Triangle sharpest = *std::min_element(
         mesh.triangles.begin(), mesh.triangles.end(),
         [&](const Triangle& s, const Triangle& t) { return angle(s) < angle(t); });
-    // The edge that most of its corners lie on.
-    std::string place;
-    std::ptrdiff_t most = 0;
+    std::vector<int> edges;
+    std::vector<std::ptrdiff_t> corners(triangulation_.along.size());
     for (std::size_t e = 0; e < triangulation_.along.size(); ++e) {
       const std::vector<int>& along = triangulation_.along[e];
-      const auto on_edge = std::count_if(sharpest.begin(), sharpest.end(), [&](int corner) {
+      corners[e] = std::count_if(sharpest.begin(), sharpest.end(), [&](int corner) {
         return std::find(along.begin(), along.end(), corner) != along.end();
       });
-      if (on_edge <= most) continue;
-      most = on_edge;
-      place = ", edge " + std::to_string(e);
+      if (corners[e] > 0) edges.push_back(static_cast<int>(e));
     }
-    return place;
+    std::ranges::stable_sort(edges, std::ranges::greater{}, [&](int e) { return corners[e]; });
+    return edges;
   }
 
   Vec2 flat(const Vec2& drawn) const { return {mirrored_ ? -drawn.x() : drawn.x(), drawn.y()}; }
@@ -186,13 +188,19 @@ class PanelMesher {
 
 std::vector<PanelTriangulation> mesh_all(const Pattern& pattern, const Orientation& orientation,
                                          double edge_length, int subdivisions,
-                                         const Corners& split_corners) {
+                                         const EdgeSteps& factors, const Corners& split_corners) {
   const double coarse_length = edge_length * (1 << subdivisions);
-  const EdgeSteps steps = steps_along(pattern, coarse_length);
+  const EdgeSteps steps = steps_along(pattern, coarse_length, factors);
   std::vector<PanelTriangulation> triangulations;
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
     PanelMesher mesher(pattern.panels[p], orientation.mirrored[p]);
-    triangulations.push_back(mesher.mesh(steps[p], coarse_length, subdivisions, split_corners[p]));
+    try {
+      triangulations.push_back(
+          mesher.mesh(steps[p], coarse_length, subdivisions, split_corners[p]));
+    } catch (Unmeshable& unmeshable) {
+      unmeshable.index = p;
+      throw;
+    }
   }
   return triangulations;
 }
@@ -363,19 +371,35 @@ Corners doubled_corners(const PanelMesh& garment,
 }
 
 PanelMesh mesh_garment(const Pattern& pattern, const Orientation& orientation, double edge_length,
-                       int subdivisions) {
+                       int subdivisions, const EdgeSteps& factors) {
   const Corners none(pattern.panels.size());
   std::vector<PanelTriangulation> triangulations =
-      mesh_all(pattern, orientation, edge_length, subdivisions, none);
+      mesh_all(pattern, orientation, edge_length, subdivisions, factors, none);
   PanelMesh garment = assemble(pattern, orientation, triangulations);
   const Corners corners = doubled_corners(garment, triangulations);
   if (corners != none) {
-    triangulations = mesh_all(pattern, orientation, edge_length, subdivisions, corners);
+    triangulations = mesh_all(pattern, orientation, edge_length, subdivisions, factors, corners);
     garment = assemble(pattern, orientation, triangulations);
   }
   garment.subdivisions = subdivisions;
   garment.edge_length = edge_length;
   return garment;
+}
+
+/// Meshes with shorter steps along the edges at which triangles would be needles. Throws Unmeshable
+/// where that does not help.
+PanelMesh mesh_with_shorter_steps(const Pattern& pattern, const Orientation& orientation,
+                                  double edge_length, int subdivisions) {
+  EdgeSteps factors;
+  for (const PatternPanel& panel : pattern.panels) factors.emplace_back(panel.edges.size(), 1);
+  for (int round = 0;; ++round) {
+    try {
+      return mesh_garment(pattern, orientation, edge_length, subdivisions, factors);
+    } catch (const Unmeshable& unmeshable) {
+      if (unmeshable.edges.empty() || round == max_step_halvings) throw;
+      for (const int e : unmeshable.edges) factors[unmeshable.index][e] *= 2;
+    }
+  }
 }
 
 }  // namespace
@@ -390,7 +414,8 @@ PanelMesh mesh_panels(const Pattern& pattern, const MeshSettings& settings,
   std::optional<Unmeshable> failure;
   for (int subdivisions = std::min(wanted, max_subdivisions); subdivisions >= 0; --subdivisions) {
     try {
-      PanelMesh garment = mesh_garment(pattern, orientation, settings.edge_length, subdivisions);
+      PanelMesh garment =
+          mesh_with_shorter_steps(pattern, orientation, settings.edge_length, subdivisions);
       if (failure) {
         remarks.push_back({false, pattern.source + ": " + failure->panel + " " + failure->problem +
                                       " on the coarser level; " + std::to_string(subdivisions) +

@@ -23,7 +23,7 @@ double sharpest_turn(const EdgeCurve& curve, int count) {
 
 }  // namespace
 
-EdgeSteps steps_along(const Pattern& pattern, double edge_length) {
+EdgeSteps steps_along(const Pattern& pattern, double edge_length, const EdgeSteps& factors) {
   EdgeSteps steps;
   const auto wanted = [&](const EdgeCurve& curve) {
     const int by_length = std::max(
@@ -46,6 +46,9 @@ EdgeSteps steps_along(const Pattern& pattern, double edge_length) {
       const std::array<int, 2> ends = corners.ends({static_cast<int>(p), edge});
       if (ends[0] == ends[1]) steps[p][edge] = std::max(steps[p][edge], 2);
     }
+  }
+  for (std::size_t p = 0; p < factors.size(); ++p) {
+    for (std::size_t e = 0; e < factors[p].size(); ++e) steps[p][e] *= factors[p][e];
   }
   for (const Stitch& stitch : pattern.stitches) {
     int& a = steps[stitch.a.panel][stitch.a.edge];

@@ -13,12 +13,12 @@ namespace toile {
 /// The girths of body and garment around one bone, where the garment is cut the least for it.
 /// Lengths in metres.
 struct LimbEase {
-  std::string limb;        ///< "left upper arm", "left forearm", "left thigh" or "left lower leg"
-  double share = 0;        ///< of the bone, from its upper end
-  Vec3 at{0, 0, 0};        ///< the point of the bone
-  double body = 0;         ///< girth of the section's convex hull: what a tape reads
-  double garment = 0;      ///< length along the cloth, folds included
-  double as_cut = 0;       ///< sum of the panels' widths
+  std::string limb;    ///< "left upper arm", "left forearm", "left thigh" or "left lower leg"
+  double share = 0;    ///< of the bone, from its upper end
+  Vec3 at{0, 0, 0};    ///< the point of the bone
+  double body = 0;     ///< girth of the section's convex hull: what a tape reads
+  double garment = 0;  ///< length along the cloth, folds included
+  double as_cut = 0;   ///< sum of the panels' widths
 };
 
 /// Limb ease on planes square to the bones, 1 cm apart. Of each bone there is the plane with the

@@ -32,8 +32,7 @@ DressedGarment left_sleeve(double radius, double from, double to) {
 
 TEST(LimbEase, ACuffOnTheForearmIsMeasuredOnTheFlat) {
   // Two panels of 20 cells of 1 cm, stretched around a radius of 7 cm.
-  const auto limbs =
-      measure_limb_ease(left_sleeve(0.07, 0.52, 0.58), left_arm(), test::figure());
+  const auto limbs = measure_limb_ease(left_sleeve(0.07, 0.52, 0.58), left_arm(), test::figure());
   ASSERT_EQ(limbs.size(), 1U);
   EXPECT_EQ(limbs[0].limb, "left forearm");
   EXPECT_NEAR(limbs[0].body, 2 * pi * 0.04, 1e-4);
