@@ -26,8 +26,8 @@ struct Closing {
 /// others. In place of the second, the third alone brings three clear, and 3,000 with a pull of 0.5
 /// brings three. Of eleven others that tangle with a bending factor of 300, eight do not with
 /// 3,000. With 30,000 most tangle again: gathers can't fold [measured].
-inline constexpr std::array<Closing, 3> closing_attempts = {
-    {{3000, closing_pull}, {10000, 0.5}, {10000, closing_pull}}};
+inline constexpr std::array<Closing, 4> closing_attempts = {
+    {{3000, closing_pull}, {10000, 0.5}, {10000, closing_pull}, {30000, closing_pull}}};
 
 /// Largest momentum while seams close.
 inline constexpr double closing_momentum = 0.99;

@@ -58,6 +58,9 @@ inline constexpr double max_leg_panel_overlap = 0.03;
 /// tangles with 0.01 and 0.02 that does not with this.
 inline constexpr double leg_panel_gap = 0.04;
 
+/// Metres that the seams of a trouser leg keep from the bones once they are moved.
+inline constexpr double leg_seam_clearance = 0.03;
+
 // The body part of a panel (panel_parts.h).
 
 /// Metres from the body's middle: no sleeve begins nearer, not even one cut up to the neck.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "cloth/scene/collider.h"
+#include "cloth/start/centre_legs.h"
 #include "cloth/start/move_off_layers.h"
 #include "cloth/start/narrow_leg_panels.h"
 #include "cloth/start/positioning.h"
@@ -25,7 +26,10 @@ Placement find_start(const PanelMesh& garment, const Scene& scene, double hang) 
   Positioning positioning = position_panels(garment, distance, scene.skeleton);
   PanelMesh positioned = garment;
   positioned.placed = positioning.placed;
-  if (scene.skeleton != nullptr) narrow_leg_panels(garment, *scene.skeleton, positioned.placed);
+  if (scene.skeleton != nullptr) {
+    centre_legs(garment, *scene.skeleton, positioned.placed);
+    narrow_leg_panels(garment, *scene.skeleton, positioned.placed);
+  }
   Placement placement =
       draw_and_lift(positioned, distance, scene.skeleton, hang, &scene.collider->body());
   const std::vector<Vec3> before = placement.placed;
