@@ -26,6 +26,7 @@ void BodyContact::linearize(const Scene& scene, const Vec3& p, double offset,
   normal_ = as_vec4(normal);
   level_ = slope_ * normal.dot(p) - away;
   reach_ = slope_ < ridge_slope ? 0 : linearization_radius;
+  if (away < -firm_depth) reach_ *= firm_reach_share;
   stiffness_ = body_push_stiffness *
                (slope_ * slope_ + scene.collider->grid().gradient_bound() * std::max(-away, 0.0));
 }

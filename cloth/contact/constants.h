@@ -18,6 +18,11 @@ inline constexpr double body_push_stiffness = 1000;
 inline constexpr double firm_depth = 0.001;
 inline constexpr double firm_push_factor = 10;
 
+/// Share of the usual way on which a plane stands for the skin where the push is firm. Such a push
+/// turns with the plane by more than the weight of a node. With 1 two of 18 tight garments never
+/// rest; with 0 all do, in 1.2 times the time [measured].
+inline constexpr double firm_reach_share = 0.1;
+
 /// N/m: stiffness of the friction spring that holds a sticking vertex to its anchor on the skin.
 inline constexpr double body_friction_stiffness = 200;
 
