@@ -26,9 +26,15 @@ void BodyContact::linearize(const Scene& scene, const Vec3& p, double offset,
   normal_ = as_vec4(normal);
   level_ = slope_ * normal.dot(p) - away;
   reach_ = slope_ < ridge_slope ? 0 : linearization_radius;
-  if (away < -firm_depth) reach_ *= firm_reach_share;
+  const double deeper = -away - firm_depth;
+  if (deeper > 0) reach_ *= firm_reach_share;
   stiffness_ = body_push_stiffness *
                (slope_ * slope_ + scene.collider->grid().gradient_bound() * std::max(-away, 0.0));
+  if (deeper > -linearization_radius) {
+    stiffness_ +=
+        (firm_push_factor - 1) * body_push_stiffness *
+        (slope_ * slope_ + scene.collider->grid().gradient_bound() * std::max(deeper, 0.0));
+  }
 }
 
 }  // namespace toile

@@ -34,7 +34,8 @@ class alignas(64) BodyContact {
   /// Makes linearize() due. The anchor stays.
   void forget() { reach_ = -1; }
 
-  /// N/m: a bound of the stiffness that add() adds where a plane stands for the body.
+  /// N/m: a bound of the stiffness that add() adds where a plane stands for the body, and the
+  /// vertex is no deeper than `firm_depth`.
   static constexpr double max_stiffness = body_push_stiffness + body_friction_stiffness;
 
   /// The point (metres) that friction holds the vertex to; none where it does not stick.
@@ -48,9 +49,9 @@ class alignas(64) BodyContact {
   }
 
   /// Adds the force (N) on the vertex at `p` (metres), and a bound of its stiffness (N/m). The push
-  /// is the slope of an energy in proportion to the square of the depth. Coulomb's friction is a
-  /// spring to the anchor, which slides along when the spring pulls too hard. `friction` is the
-  /// coefficient; 0: no friction.
+  /// grows with the depth, and beyond `firm_depth` `firm_push_factor` times as fast. Coulomb's
+  /// friction is a spring to the anchor, which slides along when the spring pulls too hard.
+  /// `friction` is the coefficient; 0: no friction.
   [[gnu::always_inline]] void add(const Vec4& p, double friction, Vec4& force, double& stiffness) {
     if (!near_) return;
     // Also before the touch: a step that ignores this stiffness would throw the vertex back.
@@ -62,7 +63,6 @@ class alignas(64) BodyContact {
     }
     const double beyond = std::max(depth - firm_depth, 0.0);
     const double push = body_push_stiffness * slope_ * (depth + (firm_push_factor - 1) * beyond);
-    if (beyond > 0) stiffness += (firm_push_factor - 1) * body_push_stiffness * slope_ * slope_;
     force += push * normal_;
     if (friction <= 0) return;
     if (!anchored_) {

@@ -13,8 +13,10 @@ inline constexpr double full_attraction_distance = 0.05;
 /// sinks in by 0.01 mm.
 inline constexpr double body_push_stiffness = 1000;
 
-/// Metres of depth from which on the body's push is harder, and by how much. Without it a cuff that
-/// is stretched by a half sinks in until its edges cross the arm.
+/// Metres of depth from which on the body's push is firm, and how much faster it grows there.
+/// Without it a cuff that is stretched by a half sinks in until its edges cross the arm. Of 18
+/// tight garments with 20 mm edges, 14 are dressed with a factor of 1, 17 with 4, 18 with 10 and 16
+/// with 30 [measured].
 inline constexpr double firm_depth = 0.001;
 inline constexpr double firm_push_factor = 10;
 

@@ -319,7 +319,9 @@ void Relaxation::allow_for_loads() {
     const double stiffness = force[3];
     force[3] = 0;
     const double length = std::sqrt(squared_length(force));
-    const double counted = length - balanced_share * forces_.load(n);
+    const double load = forces_.load(n);
+    const double beyond = std::max(load - tight_load * model_.mean_weight, 0.0);
+    const double counted = length - balanced_share * load - tight_balanced_share * beyond;
     force *= counted > 0 ? counted / length : 0;
     force[3] = stiffness;
   }

@@ -15,7 +15,8 @@ namespace toile {
 
 /// What all garments of a batch have in common.
 struct RowLimits {
-  std::optional<double> seconds;        ///< of all programs of a garment, and of a body
+  /// To mesh and dress a garment; then for its tables and pictures; and to clean a body.
+  std::optional<double> seconds;
   std::optional<std::uint64_t> memory;  ///< bytes of addresses, of each program
   int threads = 1;                      ///< of each program
 };

@@ -76,7 +76,8 @@ CommandLineProgram batch_program() {
       "options of dress for garments that name none, such as \"--quality draft\"")(
       "jobs,j", po::value<int>(),
       "garments at once; default: as many as the machine has cores; --threads is of each")(
-      "timeout", po::value<std::string>(), "seconds that a garment may take; default: no limit")(
+      "timeout", po::value<std::string>(),
+      "seconds that a garment may take until it is dressed; default: no limit")(
       "memory", po::value<std::string>(),
       "memory that a garment's programs may ask for, such as 4GB; default: no limit")(
       "resume", po::bool_switch(),
