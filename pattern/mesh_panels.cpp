@@ -59,16 +59,21 @@ class PanelMesher {
     }
     for (int level = 0; level < subdivisions; ++level) subdivide();
     if (smallest_angle(triangulation_.mesh.points, triangulation_.mesh.triangles) < needle_angle) {
-      const std::vector<int> edges = edges_at_sharpest();
-      const std::string place = edges.empty() ? "" : ", edge " + std::to_string(edges.front());
-      throw Unmeshable{quoted(panel_) + place, "gets triangles like needles", edges};
+      const SharpPlace place = sharpest_place();
+      const std::string edge = place.edge < 0 ? "" : ", edge " + std::to_string(place.edge);
+      throw Unmeshable{quoted(panel_) + edge, "gets triangles like needles", place.long_steps};
     }
     return std::move(triangulation_);
   }
 
  private:
-  /// The edges that the sharpest triangle touches, the one with the most of its corners first.
-  std::vector<int> edges_at_sharpest() const {
+  /// The edges of the panel at the sharpest triangle.
+  struct SharpPlace {
+    int edge = -1;                ///< that most of its corners lie on; -1: it is at none
+    std::vector<int> long_steps;  ///< edges that it touches, of steps no shorter than half of it
+  };
+
+  SharpPlace sharpest_place() const {
     const PlanarMesh& mesh = triangulation_.mesh;
     const auto angle = [&](const Triangle& t) {
       return smallest_angle(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
@@ -76,17 +81,29 @@ class PanelMesher {
     const Triangle sharpest = *std::min_element(
         mesh.triangles.begin(), mesh.triangles.end(),
         [&](const Triangle& s, const Triangle& t) { return angle(s) < angle(t); });
-    std::vector<int> edges;
-    std::vector<std::ptrdiff_t> corners(triangulation_.along.size());
+    const auto length = [&](int a, int b) { return (mesh.points[a] - mesh.points[b]).norm(); };
+    const double longest =
+        std::max({length(sharpest[0], sharpest[1]), length(sharpest[1], sharpest[2]),
+                  length(sharpest[2], sharpest[0])});
+    SharpPlace place;
+    std::size_t most = 0;
     for (std::size_t e = 0; e < triangulation_.along.size(); ++e) {
       const std::vector<int>& along = triangulation_.along[e];
-      corners[e] = std::count_if(sharpest.begin(), sharpest.end(), [&](int corner) {
-        return std::find(along.begin(), along.end(), corner) != along.end();
-      });
-      if (corners[e] > 0) edges.push_back(static_cast<int>(e));
+      std::vector<int> corners;
+      for (const int p : along) {
+        if (std::ranges::find(sharpest, p) != sharpest.end()) corners.push_back(p);
+      }
+      if (corners.size() > most) {
+        most = corners.size();
+        place.edge = static_cast<int>(e);
+      }
+      if (corners.empty()) continue;
+      double whole = 0;
+      for (std::size_t i = 0; i + 1 < along.size(); ++i) whole += length(along[i], along[i + 1]);
+      const double step = whole / static_cast<double>(along.size() - 1);
+      if (step >= 0.5 * longest) place.long_steps.push_back(static_cast<int>(e));
     }
-    std::ranges::stable_sort(edges, std::ranges::greater{}, [&](int e) { return corners[e]; });
-    return edges;
+    return place;
   }
 
   Vec2 flat(const Vec2& drawn) const { return {mirrored_ ? -drawn.x() : drawn.x(), drawn.y()}; }

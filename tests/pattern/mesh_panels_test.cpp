@@ -322,6 +322,17 @@ TEST(MeshPanels, AnEdgeThatAsksForNeedlesIsNamed) {
       << error;
 }
 
+TEST(MeshPanels, StepsAreShorterWhereTheChordsOfACurveMakeNeedles) {
+  // One step of 20 cm leaves 2.6 degrees between edges 0 and 1. Two leave more, as edge 1 bulges.
+  const std::string panel = R"("p": {"vertices": [[0,0],[20,0],[0,0.9]], "edges": [
+      {"endpoints": [0,1]},
+      {"endpoints": [1,2], "curvature": {"type": "quadratic", "params": [[0.5, -0.1]]}},
+      {"endpoints": [2,0]}]})";
+  const PanelMesh garment = mesh(samples::parse(file(panel)), {0.25, 0});
+  EXPECT_GT(smallest_angle(garment.flat, garment.triangles), needle_angle);
+  EXPECT_GT(garment.triangles.size(), 1U);
+}
+
 TEST(MeshPanels, ShorterEdgesForTheAskingAndAMessageForTooMany) {
   const Pattern pattern = samples::parse(samples::bag);
   const std::size_t coarse = mesh(pattern, {0.02, -1}).triangles.size();

@@ -134,7 +134,8 @@ CleanedBody clean_body_of_batch(const fs::path& body, const fs::path& output,
                                     report.string(), "--threads", std::to_string(limits.threads)},
                                    {end_by(limits), limits.memory});
   write_file(fs::path(output).replace_extension("log.txt"), ended.output);
-  CleanedBody cleaned{output, problem_of(ended, limits), {}};
+  CleanedBody cleaned{output, problem_of(ended, limits)};
+  cleaned.is_usable = ended.exit_code != exit_negative;
   if (cleaned.problem.empty()) cleaned.warnings = warnings_of_report(report);
   return cleaned;
 }
@@ -179,6 +180,7 @@ Json dress_row(const BatchRow& row, const CleanedBody& body, const GarmentFiles&
     outcome = failure("batch", failed.what());
   }
   outcome.update(times);
+  outcome["body_usable"] = body.is_usable;
   outcome["seconds"] = run.seconds();
   outcome["peak_MiB"] = run.peak_memory();
   return outcome;

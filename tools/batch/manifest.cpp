@@ -228,6 +228,7 @@ const std::vector<std::string>& result_columns() {
                                                    "attempts",
                                                    "nodes",
                                                    "warnings",
+                                                   "body_usable",
                                                    "mesh_seconds",
                                                    "dress_seconds",
                                                    "seconds",

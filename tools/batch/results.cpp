@@ -168,7 +168,9 @@ int exit_code_of(const RowReports& reports) {
   int code = exit_done;
   for (const Json& report : reports) {
     if (report["verdict"] == error_verdict) return exit_error;
-    if (report["verdict"] != to_string(Verdict::sewn)) code = exit_negative;
+    if (report["verdict"] != to_string(Verdict::sewn) || !report["body_usable"].get<bool>()) {
+      code = exit_negative;
+    }
   }
   return code;
 }

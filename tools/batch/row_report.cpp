@@ -73,7 +73,9 @@ std::optional<Json> kept_report(const GarmentFiles& files, const Json& key) {
   try {
     Json report = Json::parse(read_file(files.report));
     const bool is_error = report.at("verdict") == error_verdict;
-    for (const char* told : {"cause", "detail", "warnings", "seconds", "peak_MiB"}) report.at(told);
+    for (const char* told : {"cause", "detail", "warnings", "body_usable", "seconds", "peak_MiB"}) {
+      report.at(told);
+    }
     if (!is_error) {
       for (const char* told : {"mesh_seconds", "dress_seconds", "dressed_sha256"}) report.at(told);
       for (const char* figure : {"strain_p99", "attempts"}) report.at("figures").at(figure);

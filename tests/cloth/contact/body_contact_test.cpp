@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <iostream>
+#include <utility>
 
+#include "cloth/contact/constants.h"
 #include "cloth/scene/collider.h"
 #include "geometry/distance_grid.h"
 #include "tests/support/shapes.h"
@@ -63,6 +65,32 @@ TEST_F(Crevice, TheFartherFromItsMiddleTheHarderItPushesBack) {
   EXPECT_LT(largest_jump, 0.05 * at_wall);
   EXPECT_LT(stiffest, 1.05);
   EXPECT_GT(stiffest, 0.3) << "the bound says nothing";
+}
+
+TEST(BodyContact, ADeepVertexIsPushedFirmly) {
+  const Collider wall{test::box({-0.1, -0.1, -0.1}, {0.1, 0.0, 0.1})};
+  Scene scene;
+  scene.collider = &wall;
+  /// The push (N) at a depth below the offset, and the bound of its stiffness (N/m).
+  const auto push_at = [&](double depth) {
+    const Vec3 p(0.003, offset - depth, 0.001);
+    BodyContact contact;
+    contact.linearize(scene, p, offset, 1.5e-5, 0);
+    Vec4 force = {0, 0, 0, 0};
+    double stiffness = 0;
+    contact.add(as_vec4(p), 0, force, stiffness);
+    return std::pair(force[1], stiffness);
+  };
+  const auto shallow = push_at(0.5 * firm_depth);
+  EXPECT_NEAR(shallow.first, body_push_stiffness * 0.5 * firm_depth, 1e-2 * shallow.first);
+  const auto deep = push_at(3 * firm_depth);
+  EXPECT_NEAR(deep.first, body_push_stiffness * firm_depth * (1 + 2 * firm_push_factor),
+              1e-2 * deep.first);
+  EXPECT_GE(deep.second, 0.99 * firm_push_factor * body_push_stiffness);
+  // It grows without a jump.
+  const auto before = push_at(firm_depth - 1e-6);
+  const auto after = push_at(firm_depth + 1e-6);
+  EXPECT_NEAR(before.first, after.first, 2e-6 * firm_push_factor * body_push_stiffness);
 }
 
 }  // namespace body_contact_test
