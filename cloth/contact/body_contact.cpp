@@ -7,12 +7,13 @@
 namespace toile {
 
 void BodyContact::linearize(const Scene& scene, const Vec3& p, double offset,
-                            double linearization_radius, double approach_bound) {
+                            double linearization_radius, double approach_bound, bool firm) {
   const DistanceGrid::Sample sample = scene.collider->grid().at(p);
   const double away = sample.distance - offset;
   linearized_at_ = p;
   const double near = std::max(body_activation_distance, approach_bound);
   near_ = away < near;
+  firm_ = firm;
   if (!near_) {
     // Beyond the middle between the vertex and the surface, linearize() is due again.
     reach_ = std::max(scene.collider->grid().lower_bound(sample.distance) - offset - 0.5 * near,
@@ -27,10 +28,10 @@ void BodyContact::linearize(const Scene& scene, const Vec3& p, double offset,
   level_ = slope_ * normal.dot(p) - away;
   reach_ = slope_ < ridge_slope ? 0 : linearization_radius;
   const double deeper = -away - firm_depth;
-  if (deeper > 0) reach_ *= firm_reach_share;
+  if (firm && deeper > 0) reach_ *= firm_reach_share;
   stiffness_ = body_push_stiffness *
                (slope_ * slope_ + scene.collider->grid().gradient_bound() * std::max(-away, 0.0));
-  if (deeper > -linearization_radius) {
+  if (firm && deeper > -linearization_radius) {
     stiffness_ +=
         (firm_push_factor - 1) * body_push_stiffness *
         (slope_ * slope_ + scene.collider->grid().gradient_bound() * std::max(deeper, 0.0));

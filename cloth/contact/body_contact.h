@@ -20,9 +20,9 @@ class alignas(64) BodyContact {
   /// the skin, `offset` metres off it, and valid within `linearization_radius` metres. Where the
   /// body curves away on both sides, it is valid at `p` only. The contact is stiff, without a push,
   /// within `approach_bound` metres of the plane, by which the vertex may approach in a step. The
-  /// scene has a body.
+  /// scene has a body. With `firm` the push beyond `firm_depth` is firm.
   void linearize(const Scene& scene, const Vec3& p, double offset, double linearization_radius,
-                 double approach_bound);
+                 double approach_bound, bool firm);
 
   /// Metres that the vertex at `p` may still move before linearize() is due. It is due at 0 and
   /// below.
@@ -49,9 +49,9 @@ class alignas(64) BodyContact {
   }
 
   /// Adds the force (N) on the vertex at `p` (metres), and a bound of its stiffness (N/m). The push
-  /// grows with the depth, and beyond `firm_depth` `firm_push_factor` times as fast. Coulomb's
-  /// friction is a spring to the anchor, which slides along when the spring pulls too hard.
-  /// `friction` is the coefficient; 0: no friction.
+  /// grows with the depth, and beyond `firm_depth` `firm_push_factor` times as fast if it is firm.
+  /// Coulomb's friction is a spring to the anchor, which slides along when the spring pulls too
+  /// hard. `friction` is the coefficient; 0: no friction.
   [[gnu::always_inline]] void add(const Vec4& p, double friction, Vec4& force, double& stiffness) {
     if (!near_) return;
     // Also before the touch: a step that ignores this stiffness would throw the vertex back.
@@ -61,7 +61,7 @@ class alignas(64) BodyContact {
       anchored_ = false;
       return;
     }
-    const double beyond = std::max(depth - firm_depth, 0.0);
+    const double beyond = firm_ ? std::max(depth - firm_depth, 0.0) : 0.0;
     const double push = body_push_stiffness * slope_ * (depth + (firm_push_factor - 1) * beyond);
     force += push * normal_;
     if (friction <= 0) return;
@@ -88,6 +88,7 @@ class alignas(64) BodyContact {
   double level_ = 0;  // metres: depth of the origin below the plane
   double stiffness_ = 0;  // N/m: a bound of the push's stiffness
   bool near_ = false;
+  bool firm_ = false;
   bool anchored_ = false;
   Vec4 anchor_ = {0, 0, 0, 0};
   double reach_ = -1;

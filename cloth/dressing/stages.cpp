@@ -47,6 +47,7 @@ RelaxOptions sewing_options(const Level& level, const Closing& closing) {
   options.linearization_radius = closing_linearization_radius;
   options.friction = false;
   options.barrier = true;
+  options.firm_push = false;
   return options;
 }
 

@@ -67,7 +67,7 @@ void EdgeContacts::push(std::size_t begin, std::size_t end, const GarmentModel& 
     const Vec3 p = as_vec3(middle);
     if (contacts_[e].remaining(p) <= 0) {
       contacts_[e].linearize(model.scene, p, model.body_offset, options.linearization_radius,
-                             approach_bound_[e]);
+                             approach_bound_[e], options.firm_push);
       const double reach = contacts_[e].near() ? 0 : contacts_[e].remaining(p);
       free_balls_[e] = middle;
       free_balls_[e][3] = reach * reach;

@@ -74,6 +74,9 @@ struct ForceOptions {
   /// 6e-9 m off that plane. On a vertex in contact that is a force of 6e-6 N. More is faster where
   /// nothing has to come to rest.
   double linearization_radius = 1.5e-5;
+  /// Whether the body's push is firm where cloth is pressed deep. While arms come down into a long
+  /// sleeve, a firm push drives it through the fingers.
+  bool firm_push = true;
   double self_radius = 0.005;  ///< metres within which near cloth is searched for
   /// Metres before two sides of cloth push each other, from which on the step heeds the stiffness
   /// of the push. A longer step would be thrown back again and again. release() takes 0.

@@ -153,7 +153,7 @@ void Neighbourhood::set_safe_ball(std::size_t v, const Vec3& p) {
     if (contacts_[v].remaining(p) <= 0) {
       const double offset = model_.body_offset + extra_offset(static_cast<int>(v));
       contacts_[v].linearize(model_.scene, p, offset, options_.linearization_radius,
-                             approach_bound_[v]);
+                             approach_bound_[v], options_.firm_push);
       near_body_[v] = contacts_[v].near();
     }
     radius = contacts_[v].remaining(p);

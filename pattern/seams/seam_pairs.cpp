@@ -28,10 +28,6 @@ constexpr double neck_slant = 0.3;
 constexpr double long_edge = 0.6;
 constexpr double straight = 10 * degree;
 
-/// Radians that a line turns by which goes straight on, and the most that a hem looks up.
-constexpr double flat_turn = 1 * degree;
-constexpr double hem_direction = -0.7;
-
 /// How much the curves of two sides speak for a seam, 0 to 1. Straight sides say nothing.
 double curve_match(const std::array<double, 4>& a, const std::array<double, 4>& b) {
   double size = 0;
@@ -158,7 +154,6 @@ void SeamPairs::measure_shapes(int a, int b, SeamMeasures& measures) const {
     if (role == PanelRole::skirt || role == PanelRole::trousers) at(slit) = std::max(0.0, up);
     return;
   }
-  if (is_below_cut(a) && is_below_cut(b)) at(below_cut) = 1;
   const double up = first.upwards * second.upwards;
   at(up_and_down) = std::max(0.0, -up);
   if (first.upwards > 0 && second.upwards > 0) at(both_up) = up;
@@ -204,25 +199,6 @@ void SeamPairs::measure_shapes(int a, int b, SeamMeasures& measures) const {
 double SeamPairs::inwards(int edge) const {
   const PanelWords& words = words_[edges_[edge].ref.panel];
   return -words.side * words.face * edges_[edge].rise;
-}
-
-/// Whether the edge runs from the hem of a skirt or of trousers, by their names, to a point where a
-/// straight side is cut in two. A drawing has no reason for such a cut but the end of a slit. A
-/// notch is one.
-bool SeamPairs::is_below_cut(int edge) const {
-  const WalkedEdge& e = edges_[edge];
-  const PanelRole role = words_[e.ref.panel].role;
-  if (role != PanelRole::skirt && role != PanelRole::trousers) return false;
-  const bool goes_up = e.rise > 0;
-  const WalkedEdge& above = edges_[goes_up ? e.next : e.previous];
-  const WalkedEdge& below = edges_[goes_up ? e.previous : e.next];
-  const WalkedEdge& cut = goes_up ? above : e;  // starts there
-  const auto is_straight = [](const WalkedEdge& other) {
-    return std::ranges::all_of(other.turning,
-                               [](double turn) { return std::abs(turn) < flat_turn; });
-  };
-  return !cut.notch && std::abs(cut.corner - std::numbers::pi) < flat_turn && is_straight(e) &&
-         is_straight(above) && below.upwards < hem_direction;
 }
 
 /// What left and right, front and back say of the edges of a half, as its right side is drawn.

@@ -51,7 +51,6 @@ class SeamPairs {
   void measure_shapes(int a, int b, SeamMeasures& measures) const;
   void measure_names(int a, int b, SeamMeasures& measures) const;
   void measure_halves(int a, int b, SeamMeasures& measures) const;
-  bool is_below_cut(int edge) const;
   double inwards(int edge) const;
   double narrowing(int edge) const;
   double longest_of_panel(int edge) const;

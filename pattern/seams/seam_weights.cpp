@@ -10,9 +10,9 @@ struct Row {
 };
 
 /// Fitted by bench_fit_seam_weights. Set by hand are notches, which its garments lack, and
-/// below_cut, end_to_end to hood_face and filled_slit: a fit of these too lost seams of real
-/// drafts. With half of the notches' weights the sleeves of FreeSewing's T-shirt are sewn in one
-/// notch too far; double changes nothing.
+/// end_to_end to hood_face and filled_slit: a fit of these too lost seams of real drafts. With
+/// half of the notches' weights the sleeves of FreeSewing's T-shirt are sewn in one notch too far;
+/// double changes nothing.
 constexpr Row rows[] = {
     {"seam", -1.040},
     {"equal_length", -0.501},
@@ -38,7 +38,6 @@ constexpr Row rows[] = {
     {"dart", 2.140},
     {"dart_upwards", -0.650},
     {"slit", -4.042},
-    {"below_cut", -8.000},
     {"ends_differ", -0.996},
     {"ends_alike", -0.178},
     {"concave", -4.033},

@@ -34,15 +34,14 @@ enum class SeamMeasure {
   dart,           ///< 1: the legs of a dart
   dart_upwards,   ///< the same: cosine between the warp as drawn and the way to its tip, if above 0
   slit,           ///< the same of a skirt or of trousers, by their names: no darts point up there
-  below_cut,     ///< 1: both edges of a skirt or of trousers lie between the hem and a straight cut
-  ends_differ,   ///< the wider end of a four-sided piece meets the narrower end of another
-  ends_alike,    ///< wider meets wider or narrower narrower: geometric mean of both logarithms
-  concave,       ///< radians by which the edge turns inwards that does so less; 0 if one does not
-  roles_agree,   ///< 1: pieces of two such kinds are sewn together, by their names
-  sides_differ,  ///< 1: left and right, and not mirror partners
-  faces_agree,   ///< 1: front and front, or back and back, of different pieces
-  faces_differ,  ///< 1: front and back of different pieces
-  end_to_end,    ///< the top of a front meets the hem of its back: the product of cosines
+  ends_differ,    ///< the wider end of a four-sided piece meets the narrower end of another
+  ends_alike,     ///< wider meets wider or narrower narrower: geometric mean of both logarithms
+  concave,        ///< radians by which the edge turns inwards that does so less; 0 if one does not
+  roles_agree,    ///< 1: pieces of two such kinds are sewn together, by their names
+  sides_differ,   ///< 1: left and right, and not mirror partners
+  faces_agree,    ///< 1: front and front, or back and back, of different pieces
+  faces_differ,   ///< 1: front and back of different pieces
+  end_to_end,     ///< the top of a front meets the hem of its back: the product of cosines
   centres_apart,  ///< middle edges of front and back of a bodice: the lesser way inwards, see below
   outsides_meet,  ///< side edges of the left and the right half of a bodice or of trousers
   centre_seam,    ///< middle edges of the left and the right half of these

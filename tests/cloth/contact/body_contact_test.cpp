@@ -32,7 +32,7 @@ class Crevice : public testing::Test {
   Push push_at(double x) const {
     const Vec3 p(x, 0.003, 0.001);
     BodyContact contact;
-    contact.linearize(scene, p, offset, 2e-4, 0);
+    contact.linearize(scene, p, offset, 2e-4, 0, true);
     Vec4 force = {0, 0, 0, 0};
     Push push = {};
     contact.add(as_vec4(p), 0, force, push.stiffness);
@@ -75,7 +75,7 @@ TEST(BodyContact, ADeepVertexIsPushedFirmly) {
   const auto push_at = [&](double depth) {
     const Vec3 p(0.003, offset - depth, 0.001);
     BodyContact contact;
-    contact.linearize(scene, p, offset, 1.5e-5, 0);
+    contact.linearize(scene, p, offset, 1.5e-5, 0, true);
     Vec4 force = {0, 0, 0, 0};
     double stiffness = 0;
     contact.add(as_vec4(p), 0, force, stiffness);

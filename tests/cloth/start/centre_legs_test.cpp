@@ -16,10 +16,9 @@ constexpr int points = (cells + 1) * (cells + 1);
 PanelMesh leg(double inner, double outer) {
   PanelMesh garment;
   for (const double z : {0.2, -0.2}) {
-    test::add_panel(garment, z > 0 ? "front" : "back",
-                    test::grid(outer - inner, 0.5, cells, cells), [&](const Vec2& p) {
-                      return Vec3(inner + p.x(), 0.2 + p.y(), z);
-                    }).part = "left_leg";
+    test::add_panel(garment, z > 0 ? "front" : "back", test::grid(outer - inner, 0.5, cells, cells),
+                    [&](const Vec2& p) { return Vec3(inner + p.x(), 0.2 + p.y(), z); })
+        .part = "left_leg";
   }
   std::vector<int> in, out, in_behind, out_behind;
   for (int i = 0; i <= cells; ++i) {
