@@ -15,14 +15,14 @@ inline constexpr double body_push_stiffness = 1000;
 
 /// Metres of depth from which on the body's push is firm, and how much faster it grows there.
 /// Without it a cuff that is stretched by a half sinks in until its edges cross the arm. Of 18
-/// tight garments with 20 mm edges, 14 are dressed with a factor of 1, 17 with 4, 18 with 10 and 16
-/// with 30 [measured].
+/// tight garments with 20 mm edges, 14 are dressed with a factor of 1 and 16 with 10. While all
+/// stages had it, 17 were with 4 and 16 with 30 [measured].
 inline constexpr double firm_depth = 0.001;
 inline constexpr double firm_push_factor = 10;
 
 /// Share of the usual way on which a plane stands for the skin where the push is firm. Such a push
-/// turns with the plane by more than the weight of a node. With 1 two of 18 tight garments never
-/// rest; with 0 all do, in 1.2 times the time [measured].
+/// turns with the plane by more than the weight of a node. With 1 one of 18 tight garments does not
+/// rest. With 0 all do, in 1.2 times the time [measured while all stages had the push].
 inline constexpr double firm_reach_share = 0.1;
 
 /// N/m: stiffness of the friction spring that holds a sticking vertex to its anchor on the skin.

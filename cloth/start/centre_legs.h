@@ -7,8 +7,8 @@
 namespace toile {
 
 /// Moves the panels of a leg sideways where a seam between front and back stands on the wrong side
-/// of the bones: an inner seam outside of them, or an outer one inside. It would close around
-/// nothing, or through the leg. All panels of the leg move as one, until that seam is
+/// of the bones. An inner seam outside of them would close through the leg or beside it, and so
+/// would an outer one inside. All panels of the leg move as one, until that seam is
 /// `leg_seam_clearance` beside the bones. They stay where the seams on the other side would come
 /// nearer to the bones than that.
 ///

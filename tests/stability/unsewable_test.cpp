@@ -24,10 +24,9 @@ TEST_F(Unsewable, ABandThreeSizesSmallLacksCentimetres) {
   });
   for (const std::string& method : both_methods) {
     const Ending ending = dress(mannequin(), garment, method);
-    // The relaxation closes the seams at any tension. Bounds hold most of the band off the skin,
-    // too many nodes to call the rest of them at rest.
+    // The relaxation closes the seams at any tension.
     const bool closes = method == "relaxation";
-    EXPECT_EQ(ending.outcome, closes ? "unconverged" : "unsewable") << ending.said;
+    EXPECT_EQ(ending.outcome, closes ? "too_tight" : "unsewable") << ending.said;
     if (closes) {
       EXPECT_EQ(ending.report["intersections"]["body"], 0);
     }
