@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
+#include <string>
+#include <utility>
 
 #include "cloth/start/constants.h"
 #include "cloth/start/leg_divide.h"

@@ -135,7 +135,7 @@ CleanedBody clean_body_of_batch(const fs::path& body, const fs::path& output,
                                    {end_by(limits), limits.memory});
   write_file(fs::path(output).replace_extension("log.txt"), ended.output);
   CleanedBody cleaned{output, problem_of(ended, limits)};
-  cleaned.is_usable = ended.exit_code != exit_negative;
+  cleaned.is_usable = cleaned.problem.empty() && ended.exit_code == exit_done;
   if (cleaned.problem.empty()) cleaned.warnings = warnings_of_report(report);
   return cleaned;
 }

@@ -26,7 +26,7 @@ struct CleanedBody {
   std::filesystem::path file;
   std::string problem;                     ///< empty: the file is there
   std::vector<std::string> warnings = {};  ///< that clean-body said
-  bool is_usable = true;                   ///< false: what it says of it can't be relied on
+  bool is_usable = true;                   ///< false: it is not there, or can't be relied on
 };
 
 /// Cleans a body by the program, within the limits of a garment. `problem` says why not. What the
