@@ -75,8 +75,8 @@ void centre_legs(const PanelMesh& garment, const Skeleton& skeleton, std::vector
   for (const auto& [part, side] : {std::pair("left_leg", 1.0), std::pair("right_leg", -1.0)}) {
     const Bones leg(skeleton, part);
     if (leg.joints.empty()) continue;
-    std::vector<bool> of_leg;
-    for (const std::string& other : parts) of_leg.push_back(other == part);
+    std::vector<bool> of_leg(parts.size());
+    for (std::size_t panel = 0; panel < parts.size(); ++panel) of_leg[panel] = parts[panel] == part;
     const SeamRoom room = seam_room(garment, of_leg, panel_of, leg, divide, side, placed);
     double out = 0;  // metres
     if (room.inner < 0 && room.outer >= 2 * leg_seam_clearance - room.inner) {
