@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "cloth/contact/constants.h"
-#include "cloth/contact/sphere_grid.h"
+#include "cloth/contact/box_grid.h"
 #include "geometry/closest_points.h"
 #include "geometry/half_edges.h"
 #include "geometry/parallel.h"
@@ -20,19 +20,19 @@ constexpr double min_distance = 1e-9;
 /// the threads.
 constexpr std::size_t chunk = 128;
 
-SphereGrid::Shape shape_of(const std::array<int, 2>& edge, const std::vector<Vec3>& x) {
+BoxGrid::Shape shape_of(const std::array<int, 2>& edge, const std::vector<Vec3>& x) {
   const Vec3& a = x[edge[0]];
   const Vec3& b = x[edge[1]];
   const Vec3 centre = 0.5 * (a + b);
   return {centre, (a - centre).norm(), {a.cwiseMin(b), a.cwiseMax(b)}};
 }
 
-SphereGrid::Box box_of(const Triangle& t, const std::vector<Vec3>& x) {
+BoxGrid::Box box_of(const Triangle& t, const std::vector<Vec3>& x) {
   return {x[t[0]].cwiseMin(x[t[1]]).cwiseMin(x[t[2]]), x[t[0]].cwiseMax(x[t[1]]).cwiseMax(x[t[2]])};
 }
 
 /// Its sphere is not the smallest one.
-SphereGrid::Shape shape_of(const Triangle& t, const std::vector<Vec3>& x) {
+BoxGrid::Shape shape_of(const Triangle& t, const std::vector<Vec3>& x) {
   const Vec3 centre = (x[t[0]] + x[t[1]] + x[t[2]]) / 3;
   return {centre,
           std::sqrt(std::max({(x[t[0]] - centre).squaredNorm(), (x[t[1]] - centre).squaredNorm(),
@@ -41,9 +41,9 @@ SphereGrid::Shape shape_of(const Triangle& t, const std::vector<Vec3>& x) {
 }
 
 template <typename Item>
-std::vector<SphereGrid::Shape> shapes_of(const std::vector<Item>& items,
+std::vector<BoxGrid::Shape> shapes_of(const std::vector<Item>& items,
                                          const std::vector<Vec3>& x) {
-  std::vector<SphereGrid::Shape> shapes;
+  std::vector<BoxGrid::Shape> shapes;
   shapes.reserve(items.size());
   for (const Item& item : items) shapes.push_back(shape_of(item, x));
   return shapes;
@@ -55,7 +55,7 @@ template <typename NearPairs, typename Search>
 NearPairs search_in_chunks(std::size_t items, const Search& search) {
   std::vector<NearPairs> found(chunks_of(items, chunk));
   parallel_for_ranges(items, chunk, [&](std::size_t begin, std::size_t end) {
-    SphereGrid::Scratch scratch;
+    BoxGrid::Scratch scratch;
     for (std::size_t item = begin; item < end; ++item) search(item, scratch, found[begin / chunk]);
   });
   NearPairs all;
@@ -241,9 +241,9 @@ void ProximitySearch::two_edges(int e, int f, const Query& query, NearPairs& fou
 }
 
 ProximitySearch::NearPairs ProximitySearch::triangles_near_vertices(const Query& query) const {
-  const SphereGrid grid(shapes_of(triangles_, query.x), query.radius);
+  const BoxGrid grid(shapes_of(triangles_, query.x), query.radius);
   return search_in_chunks<NearPairs>(
-      query.x.size(), [&](std::size_t v, SphereGrid::Scratch& scratch, NearPairs& found) {
+      query.x.size(), [&](std::size_t v, BoxGrid::Scratch& scratch, NearPairs& found) {
         if (!query.wants(v)) return;
         grid.near({query.x[v], query.x[v]}, scratch,
                   [&](int t) { point_and_triangle(static_cast<int>(v), t, query, found); });
@@ -251,12 +251,12 @@ ProximitySearch::NearPairs ProximitySearch::triangles_near_vertices(const Query&
 }
 
 ProximitySearch::NearPairs ProximitySearch::others_near_wanted_triangles(const Query& query) const {
-  std::vector<SphereGrid::Shape> points;
+  std::vector<BoxGrid::Shape> points;
   points.reserve(query.x.size());
   for (const Vec3& p : query.x) points.push_back({p, 0, {p, p}});
-  const SphereGrid grid(points, query.radius);
+  const BoxGrid grid(points, query.radius);
   return search_in_chunks<NearPairs>(
-      triangles_.size(), [&](std::size_t t, SphereGrid::Scratch& scratch, NearPairs& found) {
+      triangles_.size(), [&](std::size_t t, BoxGrid::Scratch& scratch, NearPairs& found) {
         if (!any_of(query.wanted, triangles_[t])) return;
         grid.near(box_of(triangles_[t], query.x), scratch, [&](int v) {
           if (!query.wants(v)) point_and_triangle(v, static_cast<int>(t), query, found);
@@ -265,18 +265,18 @@ ProximitySearch::NearPairs ProximitySearch::others_near_wanted_triangles(const Q
 }
 
 ProximitySearch::NearPairs ProximitySearch::edges_near_edges(const Query& query) const {
-  const std::vector<SphereGrid::Shape> edges = shapes_of(edges_, query.x);
-  const SphereGrid grid(edges, query.radius);
+  const std::vector<BoxGrid::Shape> edges = shapes_of(edges_, query.x);
+  const BoxGrid grid(edges, query.radius);
   if (query.wanted.empty()) {
     return search_in_chunks<NearPairs>(
-        grid.parts(), [&](std::size_t part, SphereGrid::Scratch& scratch, NearPairs& found) {
+        grid.parts(), [&](std::size_t part, BoxGrid::Scratch& scratch, NearPairs& found) {
           grid.pairs(part, scratch, [&](int e, int f) { two_edges(e, f, query, found); });
         });
   }
   std::vector<char> wanted(edges_.size());
   for (std::size_t e = 0; e < edges_.size(); ++e) wanted[e] = any_of(query.wanted, edges_[e]);
   return search_in_chunks<NearPairs>(
-      edges_.size(), [&](std::size_t i, SphereGrid::Scratch& scratch, NearPairs& found) {
+      edges_.size(), [&](std::size_t i, BoxGrid::Scratch& scratch, NearPairs& found) {
         const int e = static_cast<int>(i);
         if (wanted[e] == 0) return;
         grid.near(edges[e].box, scratch, [&](int f) {

@@ -72,12 +72,12 @@ void turn(BodyFrame& frame, double angle, const std::string& name, bool in_part 
   frame.rotation = rotation * frame.rotation;
   frame.translation = rotation * frame.translation;
   frame.skeleton.reset();
-  frame.lacks.clear();
+  frame.missing.clear();
   try {
     if (in_part) {
       ShownJoints shown = shown_joints(frame.mesh, name);
       frame.skeleton = std::move(shown.skeleton);
-      frame.lacks = std::move(shown.lacks);
+      frame.missing = std::move(shown.missing);
     } else {
       frame.skeleton = find_skeleton(frame.mesh, name);
     }

@@ -27,7 +27,7 @@ constexpr std::array shares = {
 
 class Filling {
  public:
-  Filling(const MeasureValues& given, Figure figure) : given_(given), figure_(figure) {}
+  Filling(const MeasureValues& given, FigureType figure) : given_(given), figure_(figure) {}
 
   MeasureValues run() {
     // Heights that follow from others that were taken.
@@ -71,14 +71,14 @@ class Filling {
       if (!has(level) && !filled_.contains(level)) continue;
       const auto share = std::ranges::find_if(
           shares, [level](const Share& s) { return std::string(s.name) == level; });
-      filled_["height"] = of(level) / (figure_ == Figure::man ? share->man : share->woman);
+      filled_["height"] = of(level) / (figure_ == FigureType::man ? share->man : share->woman);
       return;
     }
   }
   /// Of an adult from 1.60 m on, of a small child at 1.00 m.
   double at_stature(const Share& share) const {
-    const double adult = figure_ == Figure::man ? share.man : share.woman;
-    if (figure_ != Figure::child) return adult;
+    const double adult = figure_ == FigureType::man ? share.man : share.woman;
+    if (figure_ != FigureType::child) return adult;
     const double grown = std::clamp((of("height") - 1.0) / 0.6, 0.0, 1.0);
     return share.child + grown * (adult - share.child);
   }
@@ -89,8 +89,8 @@ class Filling {
   }
 
   void fill_girths() {
-    const bool man = figure_ == Figure::man;
-    const bool child = figure_ == Figure::child;
+    const bool man = figure_ == FigureType::man;
+    const bool child = figure_ == FigureType::child;
     const double bust = of("bust");
     const double hip = of("hip");
     const double mean = (bust + hip) / 2;
@@ -132,13 +132,13 @@ class Filling {
   }
 
   const MeasureValues& given_;
-  Figure figure_;
+  FigureType figure_;
   MeasureValues filled_;
 };
 
 }  // namespace
 
-MeasureValues filled_measures(const MeasureValues& given, Figure figure) {
+MeasureValues filled_measures(const MeasureValues& given, FigureType figure) {
   return Filling(given, figure).run();
 }
 

@@ -14,7 +14,7 @@ namespace toile {
 /// over into an adult's from 1.00 m to 1.60 m. Necks follow the chest [EN 13402-3]. Other girths
 /// follow straight lines through the sizes that European makers publish. All are means: a person
 /// may be 5 % off, a waist 10 %.
-MeasureValues filled_measures(const MeasureValues& given, Figure figure);
+MeasureValues filled_measures(const MeasureValues& given, FigureType figure);
 
 /// A woman's underbust in metres for a bust in metres and a cup. Cups are AA to H in steps of 2 cm
 /// [EN 13402-3]. The bust is 10 to 12 cm more for AA, and 12 to 14 cm more for A. Throws Error for

@@ -9,7 +9,7 @@
 #include "geometry/body/body_frame.h"
 #include "geometry/body/body_unit.h"
 #include "geometry/body/find_skeleton.h"
-#include "geometry/body/lacking_body.h"
+#include "geometry/body/incomplete_body.h"
 #include "geometry/body/limbs_through.h"
 #include "geometry/body/missing_feet.h"
 #include "geometry/body/stand_level.h"
@@ -185,7 +185,7 @@ bool stand_upright(Standing& body, const TriangleMesh& mesh, const std::string& 
 
 /// Whether it stands as a body does that has two legs, but no head or one arm.
 bool lacks_a_part(const TriangleMesh& mesh, const std::string& name) {
-  return !body_frame(mesh, name).lacks.empty();
+  return !body_frame(mesh, name).missing.empty();
 }
 
 Standing stand_up(const TriangleMesh& mesh, const CleanOptions& options, const std::string& name,
@@ -268,9 +268,9 @@ void scale(Standing& body, double factor) {
 /// Gives a body that lacks limbs, in metres, the joints that it shows, and turns it to face +z.
 void take_lacking(Standing& body, const CleanOptions& options, const std::string& name,
                   CleanReport& report) {
-  std::optional<LackingBody> found = lacking_body(body.mesh, name);
+  std::optional<IncompleteBody> found = incomplete_body(body.mesh, name);
   if (!found) return;
-  report.lacks = found->problem;
+  report.missing = found->problem;
   body.skeleton = std::move(found->skeleton);
   if (options.front || std::abs(found->degrees) <= max_askew) return;
   const Matrix turn = about_y(found->degrees);
@@ -329,7 +329,7 @@ std::optional<Standing> as_given(const TriangleMesh& mesh, const CleanOptions& o
     point.y() -= floor;
   }
   const bool has_all = has_all_limbs(*body.skeleton);
-  if (!has_all) report.lacks = "the given joints are those of a body that lacks limbs";
+  if (!has_all) report.missing = "the given joints are those of a body that lacks limbs";
   if (const double degrees = has_all ? askew(*body.skeleton) : 0; std::abs(degrees) > max_askew) {
     body.turn = about_y(degrees);
     for (Vec3& p : body.mesh.points) p = body.turn * p;
@@ -410,11 +410,11 @@ CleanBody clean_body(const PolygonSoup& soup, const std::string& name,
   }
   if (body.skeleton) {
     const std::vector<std::string> cut = missing_feet(body.mesh, *body.skeleton);
-    if (!cut.empty() && !report.lacks.empty()) report.lacks += "; ";
+    if (!cut.empty() && !report.missing.empty()) report.missing += "; ";
     if (cut.size() == 2) {
-      report.lacks += "both legs end before their feet: heights can't be measured";
+      report.missing += "both legs end before their feet: heights can't be measured";
     }
-    if (cut.size() == 1) report.lacks += "the " + cut.front() + " leg ends before a foot";
+    if (cut.size() == 1) report.missing += "the " + cut.front() + " leg ends before a foot";
   }
   report.no_skeleton = std::move(standing.no_skeleton);
   return body;

@@ -38,7 +38,7 @@ struct CleanReport {
   BodyMove move;                 ///< from the mesh in metres to the cleaned body
   std::string skeleton_refused;  ///< why the given joints are not used; empty: they are, or none
   std::string no_skeleton;       ///< why there is no whole skeleton; empty: there is one
-  std::string lacks;  ///< of a skeleton in part: what it lacks; empty: it is whole, or none
+  std::string missing;  ///< of a skeleton in part: what it lacks; empty: it is whole, or none
   std::vector<FilledHole> large_holes;  ///< beyond large_hole; metres, in the cleaned body's frame
   std::optional<Crossings> crossings;   ///< where the cleaned body crosses itself
 };
@@ -75,7 +75,7 @@ inline constexpr double large_hole = 0.05;
 ///
 /// It throws Error as repair() does, when the unit can't be found, or when the height is not 0.1 to
 /// 10 m. A `front` along the vertical is an Error. A body without a skeleton is none.
-/// Where limbs are missing it has the joints of lacking_body(), and is turned to face +z by them.
+/// Where limbs are missing it has the joints of incomplete_body(), and is turned to face +z by them.
 CleanBody clean_body(const PolygonSoup& soup, const std::string& name,
                      const CleanOptions& options = {});
 

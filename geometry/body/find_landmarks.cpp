@@ -43,9 +43,9 @@ double height_of(const TriangleMesh& body) {
   return body.triangles.empty() ? 0 : high - low;
 }
 
-class Finder {
+class LandmarkFinder {
  public:
-  Finder(BodyShape& shape, const std::optional<Vec3>& crotch)
+  LandmarkFinder(BodyShape& shape, const std::optional<Vec3>& crotch)
       : shape_(shape),
         mesh_(shape.frame.mesh),
         levels_(shape.levels),
@@ -96,8 +96,8 @@ class Finder {
  private:
   /// Why the body lacks a part; empty: it is there.
   std::string lack_of(const std::string& part) const {
-    const auto found = shape_.frame.lacks.find(part);
-    return found == shape_.frame.lacks.end() ? "" : found->second;
+    const auto found = shape_.frame.missing.find(part);
+    return found == shape_.frame.missing.end() ? "" : found->second;
   }
 
   std::string no_joints() const {
@@ -361,8 +361,8 @@ class Finder {
 }  // namespace
 
 std::string no_floor(const BodyShape& shape) {
-  const std::map<std::string, std::string>& lacks = shape.frame.lacks;
-  const bool is_cut = lacks.contains("left_foot") && lacks.contains("right_foot");
+  const std::map<std::string, std::string>& missing = shape.frame.missing;
+  const bool is_cut = missing.contains("left_foot") && missing.contains("right_foot");
   return is_cut ? "both legs end before their feet" : "";
 }
 
@@ -379,11 +379,11 @@ BodyShape find_landmarks(const TriangleMesh& body, const std::string& name) {
   if (shape.frame.skeleton) {
     crotch = refine_joints(shape.frame);
     for (const std::string& side : missing_feet(shape.frame.mesh, *shape.frame.skeleton)) {
-      shape.frame.lacks[side + "_foot"] = "the " + side + " leg ends before a foot";
+      shape.frame.missing[side + "_foot"] = "the " + side + " leg ends before a foot";
     }
   }
   shape.levels = facing_trunk_levels(shape.frame);
-  Finder(shape, crotch).find();
+  LandmarkFinder(shape, crotch).find();
   for (std::size_t i = 0; i < body.points.size(); ++i) {
     shape.frame.mesh.points[i] = shape.frame.rotation * body.points[i] + shape.frame.translation;
   }

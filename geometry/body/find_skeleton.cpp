@@ -62,9 +62,9 @@ const Station& min_girth(const std::vector<Station>& stations, double low, doubl
   return least != nullptr ? *least : stations.front();
 }
 
-class Finder {
+class SkeletonFinder {
  public:
-  Finder(const TriangleMesh& body, const std::string& name) : body_(body), name_(name) {
+  SkeletonFinder(const TriangleMesh& body, const std::string& name) : body_(body), name_(name) {
     for (const Vec3& point : body.points) height_ = std::max(height_, point.y());
     walk_.step = height_ / 200;
     walk_.min_area = 3.5e-4 * height_ * height_;  // 10 cm^2 at 1.70 m; a finger is less
@@ -444,11 +444,11 @@ double toes_forward(const TriangleMesh& body, const Skeleton& skeleton) {
 }
 
 Skeleton find_skeleton(const TriangleMesh& body, const std::string& name) {
-  return Finder(body, name).find();
+  return SkeletonFinder(body, name).find();
 }
 
 ShownJoints shown_joints(const TriangleMesh& body, const std::string& name) {
-  return Finder(body, name).find_shown();
+  return SkeletonFinder(body, name).find_shown();
 }
 
 }  // namespace toile

@@ -33,7 +33,7 @@ Skeleton find_skeleton(const TriangleMesh& body, const std::string& name);
 struct ShownJoints {
   /// Segments between the joints that are there. Without a head, `neck` is the trunk's upper end.
   Skeleton skeleton;
-  std::map<std::string, std::string> lacks;  ///< why, by the body's part: an arm, "head"
+  std::map<std::string, std::string> missing;  ///< why, by the body's part: an arm, "head"
 };
 
 /// As find_skeleton(), of a body that has two legs, a trunk and one arm at least. What else is not

@@ -37,7 +37,7 @@ class LimbFinder {
   void find() {
     for (const int side : {1, -1}) {
       find_leg(side);
-      if (!shape_.frame.lacks.contains(side_prefix(side) + "arm")) find_arm(side);
+      if (!shape_.frame.missing.contains(side_prefix(side) + "arm")) find_arm(side);
     }
   }
 
@@ -52,8 +52,8 @@ class LimbFinder {
 
   /// Why the body lacks a part; empty: it is there.
   std::string lack_of(const std::string& part) const {
-    const auto found = shape_.frame.lacks.find(part);
-    return found == shape_.frame.lacks.end() ? "" : found->second;
+    const auto found = shape_.frame.missing.find(part);
+    return found == shape_.frame.missing.end() ? "" : found->second;
   }
 
   std::optional<Section> leg_at(double y, int side) const {
@@ -162,7 +162,7 @@ class LimbFinder {
 
   /// Metres that the arm goes on beyond its wrist; 0 where there is no arm.
   double hand_of(int side) const {
-    if (shape_.frame.lacks.contains(side_prefix(side) + "arm")) return 0;
+    if (shape_.frame.missing.contains(side_prefix(side) + "arm")) return 0;
     const Vec3 wrist = skeleton_->joint(side_prefix(side) + "wrist");
     const Vec3 along = (wrist - skeleton_->joint(side_prefix(side) + "elbow")).normalized();
     double reach = 0;

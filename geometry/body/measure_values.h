@@ -10,6 +10,6 @@ namespace toile {
 using MeasureValues = std::map<std::string, double>;
 
 /// What a body is by its proportions.
-enum class Figure { woman, man, child };
+enum class FigureType { woman, man, child };
 
 }  // namespace toile

@@ -104,8 +104,8 @@ MeasureTaker::Line MeasureTaker::on_skin(const Vec3& a, const Vec3& b) const {
 
 std::string MeasureTaker::lack_of(const std::string& part) const {
   if (skeleton() == nullptr) return shape_.frame.no_skeleton;
-  const auto found = shape_.frame.lacks.find(part);
-  return found == shape_.frame.lacks.end() ? "" : found->second;
+  const auto found = shape_.frame.missing.find(part);
+  return found == shape_.frame.missing.end() ? "" : found->second;
 }
 
 void MeasureTaker::take_heights() {

@@ -41,9 +41,9 @@ constexpr double ball_reach = 0.022;
 // Share of the foot's length from the heel to the ball.
 constexpr double ball_share = 0.74;
 
-class Finder {
+class SkinCoreFinder {
  public:
-  Finder(const TriangleMesh& body, const Skeleton& skeleton, const std::string& name)
+  SkinCoreFinder(const TriangleMesh& body, const Skeleton& skeleton, const std::string& name)
       : body_(body),
         skeleton_(skeleton),
         name_(name),
@@ -264,7 +264,7 @@ class Finder {
 }  // namespace
 
 SkinCores skin_cores(const TriangleMesh& body, const Skeleton& skeleton, const std::string& name) {
-  return Finder(body, skeleton, name).find();
+  return SkinCoreFinder(body, skeleton, name).find();
 }
 
 }  // namespace toile

@@ -142,9 +142,9 @@ std::vector<Profile> smooth_runs(const std::vector<std::optional<Level>>& levels
   return runs;
 }
 
-class Finder {
+class TrunkLevelFinder {
  public:
-  explicit Finder(const BodyFrame& body)
+  explicit TrunkLevelFinder(const BodyFrame& body)
       : body_(body), stature_(body.height), reach_(reach_share * body.height) {}
 
   TrunkLevels find() {
@@ -472,7 +472,7 @@ class Finder {
 
 }  // namespace
 
-TrunkLevels trunk_levels(const BodyFrame& body) { return Finder(body).find(); }
+TrunkLevels trunk_levels(const BodyFrame& body) { return TrunkLevelFinder(body).find(); }
 
 TrunkLevels facing_trunk_levels(BodyFrame& body) {
   TrunkLevels levels = trunk_levels(body);

@@ -13,17 +13,17 @@ namespace toile {
 
 namespace {
 
-/// Worth by which a garment has to be better that does not heed the names of left and right. With
+/// Score by which a garment has to be better that does not heed the names of left and right. With
 /// 2, bands of a collar are turned over to the other half. In the garments that weights were fitted
 /// to, 0.909 of the listed seams are right then, 0.921 with 6.
 constexpr double turned_panels = 6;
 
-/// Worth by which a garment has to be better whose collar shows its wrong side.
+/// Score by which a garment has to be better whose collar shows its wrong side.
 constexpr double turned_collar = 2;
 
-class Finder {
+class SeamFinder {
  public:
-  Finder(const Pattern& pattern, const FindSeamsOptions& options)
+  SeamFinder(const Pattern& pattern, const FindSeamsOptions& options)
       : pattern_(pattern), options_(options) {
     look_at({});
   }
@@ -37,10 +37,10 @@ class Finder {
       const std::vector<char> turned = i == 0 ? std::vector<char>{} : collars[i - 1];
       look_at(turned);
       const KnownSeams known = take_given();
-      const double worth =
-          SeamChooser(evidence_, true, known).worth() - (i == 0 ? 0 : turned_collar);
-      if (i > 0 && worth <= most) continue;
-      most = worth;
+      const double score =
+          SeamChooser(evidence_, true, known).score() - (i == 0 ? 0 : turned_collar);
+      if (i > 0 && score <= most) continue;
+      most = score;
       best = turned;
     }
     if (!collars.empty()) look_at(best);
@@ -48,9 +48,9 @@ class Finder {
     SeamChooser chooser(evidence_, true, known);
     if (names_sides()) {
       // Where drawings show the wrong side, left and right change places: then a garment that does
-      // not heed them is worth much more.
+      // not heed them has a much higher score.
       SeamChooser other(evidence_, false, known);
-      if (other.worth() > chooser.worth() + turned_panels) return found(chosen(other), known);
+      if (other.score() > chooser.score() + turned_panels) return found(chosen(other), known);
     }
     return found(chosen(chooser), known);
   }
@@ -95,14 +95,14 @@ class Finder {
     }
     FoundSeams found;
     found.settled = choice.settled;
-    found.worth = choice.worth;
+    found.score = choice.score;
     for (std::size_t i = 0; i < seams.size(); ++i) {
       const ChosenSeam& chosen = choice.seams[i];
       FoundSeam seam = made(seams[i]);
       seam.given = std::find(known.chosen.begin(), known.chosen.end(),
                              std::array{chosen.a, chosen.b}) != known.chosen.end();
-      seam.signs = chosen.signs;
-      seam.confidence = seam.given ? 1 : certainty_of(chosen.signs);
+      seam.features = chosen.features;
+      seam.confidence = seam.given ? 1 : certainty_of(chosen.features);
       // The alternative is of the panels that were chosen before equal ones changed places.
       const bool stayed = seams[i].a == before[i].a && seams[i].b == before[i].b;
       if (chosen.alternative[0] >= 0 && stayed) {
@@ -174,7 +174,7 @@ class Finder {
 }  // namespace
 
 FoundSeams find_seams(const Pattern& pattern, const FindSeamsOptions& options) {
-  return Finder(pattern, options).run();
+  return SeamFinder(pattern, options).run();
 }
 
 }  // namespace toile

@@ -30,7 +30,7 @@ struct FoundSeam {
   double length_b = 0;   ///< metres
   /// The share of such seams that is right, see certainty_of(); 1 for a seam that was given.
   double confidence = 0;
-  SeamSigns signs{};  ///< what the confidence is told from
+  SeamFeatures features{};  ///< what the confidence is told from
   bool given = false;
   /// The best other seam of one of the two edges. Nothing: that edge stays open, or the seam is one
   /// of equal panels that changed places.
@@ -40,7 +40,7 @@ struct FoundSeam {
 struct FoundSeams {
   std::vector<FoundSeam> seams;
   bool settled = false;  ///< searches from different beginnings found the same seams
-  double worth = 0;      ///< of the garment; only ratios mean something
+  double score = 0;      ///< of the garment; only ratios mean something
 };
 
 /// The seams of the whole garment, as one choice. Stitches of the pattern are not looked at; nor

@@ -14,7 +14,7 @@ constexpr double wrong_side = 10;
 constexpr double turned_over = 0.05;
 
 /// Metres by which an exchange has to bring seams nearer.
-constexpr double worth_it = 0.01;
+constexpr double least_gain = 0.01;
 
 class Exchange {
  public:
@@ -31,7 +31,7 @@ class Exchange {
     double cost = sum(seams);
     if (auto image = mirror_image(mirror, seams); !image.empty()) {
       const double image_cost = sum(image);
-      if (image_cost < cost - worth_it) {
+      if (image_cost < cost - least_gain) {
         seams = std::move(image);
         cost = image_cost;
       }
@@ -39,7 +39,7 @@ class Exchange {
     // Each exchange makes the sum smaller, so this ends; the bound is for safety.
     for (std::size_t round = 0; round < 4 * pattern_.panels.size(); ++round) {
       std::vector<EdgeSeam> best = seams;
-      double least = cost - worth_it;
+      double least = cost - least_gain;
       for (const PanelFit& fit : fits_) {
         for (const PanelFit& back : fits_) {
           if (back.from != fit.to || back.to != fit.from) continue;
@@ -53,7 +53,7 @@ class Exchange {
           }
         }
       }
-      if (least >= cost - worth_it) return;
+      if (least >= cost - least_gain) return;
       seams = std::move(best);
       cost = least;
     }

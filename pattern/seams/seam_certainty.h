@@ -6,14 +6,14 @@
 namespace toile {
 
 /// What tells right seams from wrong ones. Shares are 0 to 1.
-enum class SeamSign {
+enum class SeamFeature {
   one,             ///< 1
-  shaken,          ///< share of the searches with shaken weights that sew it
+  perturbed,          ///< share of the searches with perturbed weights that sew it
   plain,           ///< share of the searches with the weights as they are that sew it
-  gap,             ///< log(1 + what the best garment without it is worth less, at most 6)
-  garment_shaken,  ///< `shaken` of all seams of the garment; the mean
+  gap,             ///< log(1 + by how much the best garment without it scores less, at most 6)
+  garment_perturbed,  ///< `perturbed` of all seams of the garment; the mean
   garment_gap,     ///< `gap` of all of these; the mean
-  settled,         ///< share of the searches that ended with the garment's worth
+  settled,         ///< share of the searches that ended with the garment's score
   edges,           ///< logarithm of the number of edges
   named,           ///< 1: names say what both pieces are
   numbered,        ///< share of the pieces whose names differ from another's in the number alone
@@ -24,11 +24,11 @@ enum class SeamSign {
   count
 };
 
-inline constexpr int seam_signs = static_cast<int>(SeamSign::count);
+inline constexpr int seam_features = static_cast<int>(SeamFeature::count);
 
-using SeamSigns = std::array<double, seam_signs>;
+using SeamFeatures = std::array<double, seam_features>;
 
 /// The share of such seams that is right, 0 to 1: a logistic regression (Cox 1958).
-double certainty_of(const SeamSigns& signs);
+double certainty_of(const SeamFeatures& features);
 
 }  // namespace toile

@@ -11,25 +11,25 @@ namespace toile {
 
 namespace {
 
-/// Searches with the weights as they are: to know the worth, and to be certain.
+/// Searches with the weights as they are: to know the score, and to be certain.
 constexpr int plain_searches = 4;
 constexpr int all_plain_searches = 8;
 constexpr int more_searches = 16;  // where the others do not agree
 constexpr int patience = 2;        // times as many garments as usual in each of them
 
-/// Searches with shaken weights.
-constexpr int shaken_searches = 10;
+/// Searches with perturbed weights.
+constexpr int perturbed_searches = 10;
 
-/// Weights are shaken by this part, up or down.
-constexpr double shake = 0.3;
+/// Weights are perturbed by this part, up or down.
+constexpr double perturbation = 0.3;
 
 /// How often what is better than the best garment is taken.
 constexpr int most_rounds = 3;
 
-/// Metres, of SeamSign::short_seam.
+/// Metres, of SeamFeature::short_seam.
 constexpr double short_length = 0.03;
 
-/// Worth: a garment that lacks more is no rival.
+/// Score: a garment that lacks more is no rival.
 constexpr double widest_gap = 6;
 
 /// 0 to 1, the same for the same number.
@@ -62,7 +62,7 @@ const SeamSearch::Garment& better_of(const std::vector<SeamSearch::Garment>& gar
   const SeamSearch::Garment* better = &best;
   for (const SeamSearch::Garment& garment : garments) {
     if (garment.partners.empty()) continue;
-    if (garment.worth > better->worth + same_garment) better = &garment;
+    if (garment.score > better->score + same_garment) better = &garment;
   }
   return *better;
 }
@@ -84,14 +84,14 @@ SeamChooser::SeamChooser(const SeamEvidence& evidence, bool heed_sides, const Kn
   take_best_of(plain_);
 }
 
-std::vector<SeamSearch::Garment> SeamChooser::found_with_shaken_weights() const {
-  std::vector<SeamSearch::Garment> found(shaken_searches);
-  parallel_for(shaken_searches, [&](std::size_t ask) {
-    SeamMeasures shaken = weights_;
+std::vector<SeamSearch::Garment> SeamChooser::found_with_perturbed_weights() const {
+  std::vector<SeamSearch::Garment> found(perturbed_searches);
+  parallel_for(perturbed_searches, [&](std::size_t ask) {
+    SeamMeasures perturbed = weights_;
     for (int i = 0; i < seam_measures; ++i) {
-      shaken[i] *= 1 + shake * (2 * scatter(static_cast<int>(ask) * seam_measures + i) - 1);
+      perturbed[i] *= 1 + perturbation * (2 * scatter(static_cast<int>(ask) * seam_measures + i) - 1);
     }
-    SeamSearch search(evidence_, pairs_, shaken, known_);
+    SeamSearch search(evidence_, pairs_, perturbed, known_);
     found[ask] = search.best_near(best_.partners, static_cast<int>(ask));
   });
   return found;
@@ -125,11 +125,11 @@ std::vector<SeamSearch::Garment> SeamChooser::found_without() const {
 void SeamChooser::take_best_of(const std::vector<SeamSearch::Garment>& garments) {
   best_ = SeamSearch::Garment(better_of(garments, best_));
   for (int round = 0; round < most_rounds; ++round) {
-    const double before = best_.worth;
+    const double before = best_.score;
     for (const SeamSearch::Garment& garment : garments) {
       best_ = search_.recombined(best_, garment);
     }
-    if (best_.worth < before + same_garment) return;
+    if (best_.score < before + same_garment) return;
     best_ = better_of({search_.near(best_.partners)}, best_);
   }
 }
@@ -138,7 +138,7 @@ void SeamChooser::take_best_of(const std::vector<SeamSearch::Garment>& garments)
 int SeamChooser::times_found() const {
   return static_cast<int>(
       std::count_if(plain_.begin(), plain_.end(), [&](const SeamSearch::Garment& garment) {
-        return std::abs(garment.worth - best_.worth) < same_garment;
+        return std::abs(garment.score - best_.score) < same_garment;
       }));
 }
 
@@ -157,11 +157,11 @@ SeamChoice SeamChooser::choose() {
     });
     take_best_of(more);
   }
-  const std::vector<SeamSearch::Garment> shaken = found_with_shaken_weights();
-  std::vector<SeamSearch::Garment> polished(shaken.size());
-  parallel_for(shaken.size(), [&](std::size_t i) {
+  const std::vector<SeamSearch::Garment> perturbed = found_with_perturbed_weights();
+  std::vector<SeamSearch::Garment> polished(perturbed.size());
+  parallel_for(perturbed.size(), [&](std::size_t i) {
     SeamSearch search = search_;
-    polished[i] = search.near(shaken[i].partners);
+    polished[i] = search.near(perturbed[i].partners);
   });
   take_best_of(polished);
   std::vector<SeamSearch::Garment> without = found_without();
@@ -172,7 +172,7 @@ SeamChoice SeamChooser::choose() {
     without = found_without();
   }
   SeamChoice choice;
-  choice.worth = best_.worth;
+  choice.score = best_.score;
   const int edges = static_cast<int>(evidence_.edges.size());
   for (int a = 0; a < edges; ++a) {
     const int b = best_.partners[a];
@@ -185,13 +185,13 @@ SeamChoice SeamChooser::choose() {
       choice.seams.back().alternative = {std::min(e, other), std::max(e, other)};
     }
   }
-  tell_signs(shaken, without, choice);
+  tell_features(perturbed, without, choice);
   return choice;
 }
 
 SeamChoice SeamChooser::best() const {
   SeamChoice choice;
-  choice.worth = best_.worth;
+  choice.score = best_.score;
   for (int a = 0; a < static_cast<int>(best_.partners.size()); ++a) {
     const int b = best_.partners[a];
     if (b > a) choice.seams.push_back({a, b, {}, {-1, -1}});
@@ -214,47 +214,47 @@ double SeamChooser::share(const std::vector<SeamSearch::Garment>& garments, int 
   return static_cast<double>(count) / static_cast<double>(garments.size());
 }
 
-void SeamChooser::tell_signs(const std::vector<SeamSearch::Garment>& shaken,
+void SeamChooser::tell_features(const std::vector<SeamSearch::Garment>& perturbed,
                              const std::vector<SeamSearch::Garment>& without,
                              SeamChoice& choice) const {
-  const auto at = [](SeamSigns& signs, SeamSign sign) -> double& {
-    return signs[static_cast<int>(sign)];
+  const auto at = [](SeamFeatures& features, SeamFeature feature) -> double& {
+    return features[static_cast<int>(feature)];
   };
   const int times = times_found();
   choice.settled = times > 1;
   const std::vector<WalkedEdge>& edges = evidence_.edges;
   const double numbered = numbered_share(evidence_.words);
-  double shaken_sum = 0;
+  double perturbed_sum = 0;
   double gap_sum = 0;
   for (ChosenSeam& seam : choice.seams) {
-    SeamSigns& signs = seam.signs;
-    at(signs, SeamSign::one) = 1;
-    at(signs, SeamSign::shaken) = share(shaken, seam.a, seam.b);
-    at(signs, SeamSign::plain) = share(plain_, seam.a, seam.b);
+    SeamFeatures& features = seam.features;
+    at(features, SeamFeature::one) = 1;
+    at(features, SeamFeature::perturbed) = share(perturbed, seam.a, seam.b);
+    at(features, SeamFeature::plain) = share(plain_, seam.a, seam.b);
     const double lacks =
-        without[seam.a].partners.empty() ? widest_gap : best_.worth - without[seam.a].worth;
-    at(signs, SeamSign::gap) = std::log1p(std::clamp(lacks, 0.0, widest_gap));
-    at(signs, SeamSign::settled) = static_cast<double>(times) / all_plain_searches;
-    at(signs, SeamSign::edges) = std::log(static_cast<double>(edges.size()));
+        without[seam.a].partners.empty() ? widest_gap : best_.score - without[seam.a].score;
+    at(features, SeamFeature::gap) = std::log1p(std::clamp(lacks, 0.0, widest_gap));
+    at(features, SeamFeature::settled) = static_cast<double>(times) / all_plain_searches;
+    at(features, SeamFeature::edges) = std::log(static_cast<double>(edges.size()));
     const auto role = [&](int e) { return evidence_.words[edges[e].ref.panel].role; };
-    at(signs, SeamSign::named) =
+    at(features, SeamFeature::named) =
         role(seam.a) != PanelRole::unknown && role(seam.b) != PanelRole::unknown ? 1 : 0;
-    at(signs, SeamSign::numbered) = numbered;
+    at(features, SeamFeature::numbered) = numbered;
     const double ratio = std::abs(std::log(edges[seam.a].length / edges[seam.b].length));
-    at(signs, SeamSign::equal_length) = std::exp(-ratio / 0.005);
-    at(signs, SeamSign::gathered) = ratio;
+    at(features, SeamFeature::equal_length) = std::exp(-ratio / 0.005);
+    at(features, SeamFeature::gathered) = ratio;
     const std::vector<int>& shape = evidence_.shapes.shape;
-    at(signs, SeamSign::coincide) = shape[seam.a] == shape[seam.b] ? 1 : 0;
+    at(features, SeamFeature::coincide) = shape[seam.a] == shape[seam.b] ? 1 : 0;
     const double shorter = std::min(edges[seam.a].length, edges[seam.b].length);
-    at(signs, SeamSign::short_seam) = shorter < short_length ? 1 : 0;
-    shaken_sum += at(signs, SeamSign::shaken);
-    gap_sum += at(signs, SeamSign::gap);
+    at(features, SeamFeature::short_seam) = shorter < short_length ? 1 : 0;
+    perturbed_sum += at(features, SeamFeature::perturbed);
+    gap_sum += at(features, SeamFeature::gap);
   }
   const double count = static_cast<double>(std::max<std::size_t>(1, choice.seams.size()));
   for (ChosenSeam& seam : choice.seams) {
-    SeamSigns& signs = seam.signs;
-    at(signs, SeamSign::garment_shaken) = shaken_sum / count;
-    at(signs, SeamSign::garment_gap) = gap_sum / count;
+    SeamFeatures& features = seam.features;
+    at(features, SeamFeature::garment_perturbed) = perturbed_sum / count;
+    at(features, SeamFeature::garment_gap) = gap_sum / count;
   }
 }
 

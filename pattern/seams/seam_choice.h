@@ -11,7 +11,7 @@ struct ChosenSeam {
   int b = 0;  ///< edge
   /// What its certainty is told from. Seams that differ in which of equal pieces they join count
   /// as one.
-  SeamSigns signs{};
+  SeamFeatures features{};
   /// What one of the two edges is sewn to in the best garment without this seam; -1: they stay
   /// open.
   std::array<int, 2> alternative = {-1, -1};
@@ -19,19 +19,19 @@ struct ChosenSeam {
 
 struct SeamChoice {
   std::vector<ChosenSeam> seams;  ///< ascending
-  double worth = 0;
-  bool settled = false;  ///< searches from different beginnings ended with the same worth
+  double score = 0;
+  bool settled = false;  ///< searches from different beginnings ended with the same score
 };
 
 /// Chooses the seams with searches from several beginnings, then asks how certain each is. Searches
-/// are repeated with shaken weights (perturb and MAP; Papandreou, Yuille 2011), and without each
+/// are repeated with perturbed weights (perturb and MAP; Papandreou, Yuille 2011), and without each
 /// seam. Searches run in parallel. The same evidence gives the same bits for any number of threads.
 class SeamChooser {
  public:
   /// Runs the searches with the weights as they are.
   SeamChooser(const SeamEvidence& evidence, bool heed_sides, const KnownSeams& known);
 
-  double worth() const { return best_.worth; }
+  double score() const { return best_.score; }
 
   /// Runs the others. What they find that is better is taken.
   SeamChoice choose();
@@ -40,14 +40,14 @@ class SeamChooser {
   SeamChoice best() const;
 
  private:
-  std::vector<SeamSearch::Garment> found_with_shaken_weights() const;
+  std::vector<SeamSearch::Garment> found_with_perturbed_weights() const;
   /// Per edge of the best garment: the best one without its seam; empty where the edge is open.
   std::vector<SeamSearch::Garment> found_without() const;
   /// Makes the best garment of itself and parts of these, as long as it gets better.
   void take_best_of(const std::vector<SeamSearch::Garment>& garments);
   int times_found() const;
   double share(const std::vector<SeamSearch::Garment>& garments, int a, int b) const;
-  void tell_signs(const std::vector<SeamSearch::Garment>& shaken,
+  void tell_features(const std::vector<SeamSearch::Garment>& perturbed,
                   const std::vector<SeamSearch::Garment>& without, SeamChoice& choice) const;
 
   const SeamEvidence& evidence_;

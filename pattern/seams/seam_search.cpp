@@ -14,10 +14,10 @@ namespace {
 /// Partners of an edge that the search tries by themselves.
 constexpr std::size_t most_partners = 16;
 
-/// Worth by which a partner is e times as likely to be tried.
+/// Score by which a partner is e times as likely to be tried.
 constexpr double trial_scale = 0.7;
 
-/// Worths at which a search begins and ends to take what is worse.
+/// Scores at which a search begins and ends to take what is worse.
 constexpr double hot = 6;
 constexpr double warm = 1;
 constexpr double cold = 0.2;
@@ -25,8 +25,8 @@ constexpr double cold = 0.2;
 /// Garments that a search looks at, for each edge of the pattern.
 constexpr int looks_of_search = 1000;
 
-/// Worths that differ by less are the same.
-constexpr double same_worth = 1e-6;
+/// Scores that differ by less are the same.
+constexpr double same_score = 1e-6;
 
 constexpr double impossible = -1e9;
 
@@ -50,7 +50,7 @@ SeamSearch::SeamSearch(const SeamEvidence& evidence, const SeamPairs& pairs,
     previous_.push_back(edge.previous);
   }
   const std::size_t all = evidence.edges.size() * evidence.edges.size();
-  worth_.assign(all, impossible);
+  scores_.assign(all, impossible);
   kind_.assign(all, -1);
   std::map<std::array<int, 3>, int> kinds;
   const EdgeShapes& shapes = evidence.shapes;
@@ -64,30 +64,30 @@ SeamSearch::SeamSearch(const SeamEvidence& evidence, const SeamPairs& pairs,
       kind_[static_cast<std::size_t>(b) * edges_ + a] = kind;
       if (!pairs.possible(a, b)) continue;
       // A little more for what comes first, so that equal garments have one best.
-      double worth = toile::worth_of(pairs.measures(a, b), weights) - 1e-9 * (a * edges_ + b);
-      if (!extra.empty()) worth += extra[static_cast<std::size_t>(a) * edges_ + b];
-      pair_worth(a, b) = pair_worth(b, a) = worth;
+      double score = toile::score_of(pairs.measures(a, b), weights) - 1e-9 * (a * edges_ + b);
+      if (!extra.empty()) score += extra[static_cast<std::size_t>(a) * edges_ + b];
+      pair_score(a, b) = pair_score(b, a) = score;
     }
   }
   shortlist_.resize(edges_);
   for (int a = 0; a < edges_; ++a) {
     std::vector<int> order;
     for (int b = 0; b < edges_; ++b) {
-      if (b != a && pair_worth(a, b) > impossible / 2) order.push_back(b);
+      if (b != a && pair_score(a, b) > impossible / 2) order.push_back(b);
     }
     std::stable_sort(order.begin(), order.end(),
-                     [&](int x, int y) { return pair_worth(a, x) > pair_worth(a, y); });
+                     [&](int x, int y) { return pair_score(a, x) > pair_score(a, y); });
     if (order.size() > most_partners) order.resize(most_partners);
     double sum = 0;
     for (const int b : order) {
-      sum += std::exp((pair_worth(a, b) - pair_worth(a, order.front())) / trial_scale);
+      sum += std::exp((pair_score(a, b) - pair_score(a, order.front())) / trial_scale);
       shortlist_[a].push_back({b, sum});
     }
     for (Partner& partner : shortlist_[a]) partner.chance /= sum;
   }
   begin_.assign(edges_, -1);
   for (const auto& [a, b] : known.chosen) {
-    if (pair_worth(a, b) < impossible / 2) pair_worth(a, b) = pair_worth(b, a) = 0;
+    if (pair_score(a, b) < impossible / 2) pair_score(a, b) = pair_score(b, a) = 0;
     begin_[a] = b;
     begin_[b] = a;
     locked_[a] = locked_[b] = 1;
@@ -103,7 +103,7 @@ std::uint32_t SeamSearch::random(std::uint32_t below) {
 double SeamSearch::random_part() { return random(1U << 24) / static_cast<double>(1U << 24); }
 
 bool SeamSearch::allowed(int a, int b) const {
-  return a != b && locked_[a] == 0 && locked_[b] == 0 && pair_worth(a, b) > impossible / 2;
+  return a != b && locked_[a] == 0 && locked_[b] == 0 && pair_score(a, b) > impossible / 2;
 }
 
 void SeamSearch::join(int a, int b) {
@@ -198,14 +198,14 @@ void SeamSearch::move() {
   sew_on(a, b, false);
 }
 
-double SeamSearch::worth_of_partners() {
+double SeamSearch::score_of_partners() {
   SeamMeasures sum{};
   surface_.measure(now_, sum);
-  double worth = toile::worth_of(sum, weights_);
+  double score = toile::score_of(sum, weights_);
   for (int a = 0; a < edges_; ++a) {
-    if (now_[a] > a) worth += pair_worth(a, now_[a]);
+    if (now_[a] > a) score += pair_score(a, now_[a]);
   }
-  return worth;
+  return score;
 }
 
 SeamMeasures SeamSearch::measures(const Partners& partners) {
@@ -221,21 +221,21 @@ SeamMeasures SeamSearch::measures(const Partners& partners) {
 
 void SeamSearch::anneal(Garment& best, double from, double to, int looks) {
   now_ = best.partners;
-  double worth = worth_of_partners();
-  best.worth = worth;
+  double score = score_of_partners();
+  best.score = score;
   border_ = surface_.border();
   Partners before = now_;
   for (int look = 0; look < looks; ++look) {
     const double heat = from * std::pow(to / from, static_cast<double>(look) / looks);
     move();
     if (now_ == before) continue;
-    const double trial = worth_of_partners();
-    if (trial >= worth || random_part() < std::exp((trial - worth) / heat)) {
-      worth = trial;
+    const double trial = score_of_partners();
+    if (trial >= score || random_part() < std::exp((trial - score) / heat)) {
+      score = trial;
       before = now_;
       border_ = surface_.border();
-      if (worth > best.worth + same_worth) {
-        best.worth = worth;
+      if (score > best.score + same_score) {
+        best.score = score;
         best.partners = now_;
       }
     } else {
@@ -266,7 +266,7 @@ SeamSearch::Garment SeamSearch::near(const Partners& partners) {
 SeamSearch::Garment SeamSearch::best_near(const Partners& partners, int run) {
   Garment best = search(run);
   Garment other = near(partners);
-  return other.worth > best.worth ? other : best;
+  return other.score > best.score ? other : best;
 }
 
 /// Edges that change partners together, and their mirror images.
@@ -299,9 +299,9 @@ SeamSearch::Garment SeamSearch::recombined(const Garment& best, const Garment& o
       for (const std::size_t block : chosen) {
         for (const int e : all[block]) now_[e] = other.partners[e];
       }
-      const double worth = worth_of_partners();
-      if (worth <= better.worth + same_worth) return;
-      better.worth = worth;
+      const double score = score_of_partners();
+      if (score <= better.score + same_score) return;
+      better.score = score;
       better.partners = now_;
       again = true;
     };
@@ -325,7 +325,7 @@ SeamSearch::Garment SeamSearch::recombined(const Garment& best, const Garment& o
 
 void SeamSearch::forbid(int kind) {
   for (std::size_t pair = 0; pair < kind_.size(); ++pair) {
-    if (kind_[pair] == kind) worth_[pair] = impossible;
+    if (kind_[pair] == kind) scores_[pair] = impossible;
   }
 }
 

@@ -9,7 +9,7 @@
 
 namespace toile {
 
-/// Worths of garments that differ by less are the same.
+/// Scores of garments that differ by less are the same.
 inline constexpr double same_garment = 1e-3;
 
 /// What is known of the seams beforehand.
@@ -23,13 +23,13 @@ struct KnownSeams {
 /// same seams. The work grows with the square of the number of edges.
 class SeamSearch {
  public:
-  /// `extra`: added to the worth of each pair, edges * edges in rows; empty: nothing.
+  /// `extra`: added to the score of each pair, edges * edges in rows; empty: nothing.
   SeamSearch(const SeamEvidence& evidence, const SeamPairs& pairs, const SeamMeasures& weights,
              const KnownSeams& known, const std::vector<double>& extra = {});
 
   struct Garment {
     Partners partners;
-    double worth = 0;
+    double score = 0;
   };
   /// The garment that one search finds; searches with other numbers begin otherwise.
   /// `patience`: it looks at so many times as many garments.
@@ -54,7 +54,7 @@ class SeamSearch {
   SeamMeasures measures(const Partners& partners);
 
  private:
-  double worth_of_partners();
+  double score_of_partners();
   bool allowed(int a, int b) const;
   void join(int a, int b);
   void part(int a);
@@ -64,8 +64,8 @@ class SeamSearch {
   void move();
   std::vector<std::vector<int>> blocks(const Partners& a, const Partners& b) const;
   void anneal(Garment& best, double hot, double cold, int looks);
-  double& pair_worth(int a, int b) { return worth_[static_cast<std::size_t>(a) * edges_ + b]; }
-  double pair_worth(int a, int b) const { return worth_[static_cast<std::size_t>(a) * edges_ + b]; }
+  double& pair_score(int a, int b) { return scores_[static_cast<std::size_t>(a) * edges_ + b]; }
+  double pair_score(int a, int b) const { return scores_[static_cast<std::size_t>(a) * edges_ + b]; }
   std::uint32_t random(std::uint32_t below);
   double random_part();
 
@@ -76,7 +76,7 @@ class SeamSearch {
   std::vector<int> next_;
   std::vector<int> previous_;
   std::vector<int> mirror_;
-  std::vector<double> worth_;  // of pairs
+  std::vector<double> scores_;  // of pairs
   std::vector<int> kind_;      // of pairs
   struct Partner {
     int edge = 0;

@@ -109,7 +109,7 @@ const SeamMeasures seam_weights = weights_of_rows();
 
 const char* name_of(SeamMeasure measure) { return rows[static_cast<int>(measure)].name; }
 
-double worth_of(const SeamMeasures& measures, const SeamMeasures& weights) {
+double score_of(const SeamMeasures& measures, const SeamMeasures& weights) {
   double sum = 0;
   for (int i = 0; i < seam_measures; ++i) sum += measures[i] * weights[i];
   return sum;

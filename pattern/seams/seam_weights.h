@@ -5,7 +5,7 @@
 
 namespace toile {
 
-/// What is measured of a seam, or of corners that meet. A worth is the sum of each measure times
+/// What is measured of a seam, or of corners that meet. A score is the sum of each measure times
 /// its weight; only ratios of weights matter. The measures of lengths are 0 where the two edges
 /// coincide: such edges are equally long without being meant for each other.
 enum class SeamMeasure {
@@ -99,7 +99,7 @@ using SeamMeasures = std::array<double, seam_measures>;
 
 const char* name_of(SeamMeasure measure);
 
-double worth_of(const SeamMeasures& measures, const SeamMeasures& weights);
+double score_of(const SeamMeasures& measures, const SeamMeasures& weights);
 
 /// The weights in use. bench_fit_seam_weights fitted them to the samples and to three fifths of 160
 /// random GarmentCode garments.

@@ -29,14 +29,14 @@ constexpr double most_lack = 0.1;
 /// Logarithm of the lengths of a seam's sides: an edge of such a seam is free to be cut.
 constexpr double poor_seam = 0.02;
 
-/// Worth by which a garment with cut edges has to be better, for each cut. With half, edges of
+/// Score by which a garment with cut edges has to be better, for each cut. With half, edges of
 /// random garments are cut that are sewn to one; with double, the sleeves of Valentina's T-shirt
 /// stay whole.
-constexpr double worth_of_cut = 4;
+constexpr double cut_gain = 4;
 
 /// The same of a cut at a notch of the other side. With four times as much, the side seams of
 /// FreeSewing's Simon are not found: only its fronts have a notch at the waist.
-constexpr double worth_of_notched_cut = 1;
+constexpr double notched_cut_gain = 1;
 
 /// Garments with cut edges that are looked at after each search: fewer of large garments, where
 /// each takes longer. Of one with 35 edges, 12.
@@ -296,9 +296,9 @@ SplitSeams find_split_seams(const std::string& text, const std::string& name,
       SplitSeams trial{best.text, best.pattern, best.splits, {}};
       make_cuts(chains, all[i], name, trial);
       const double cuts = static_cast<double>(trial.splits.size() - best.splits.size()) *
-                          (all[i].notched ? worth_of_notched_cut : worth_of_cut);
+                          (all[i].notched ? notched_cut_gain : cut_gain);
       trial.found = find_seams(trial.pattern, quick);
-      const double gain = trial.found.worth - best.found.worth - cuts;
+      const double gain = trial.found.score - best.found.score - cuts;
       if (gain <= most) continue;
       most = gain;
       better = std::move(trial);

@@ -17,7 +17,7 @@ struct SplitSeams {
   FoundSeams found;
 };
 
-/// As find_seams(), with edges cut where that makes a garment that is worth more. An edge is cut
+/// As find_seams(), with edges cut where that makes a garment of a higher score. An edge is cut
 /// where it is about as long as several that follow each other on the border of the garment found
 /// before. Edges of given seams are not cut, and none unless seams of all parts are likely then.
 ///

@@ -1,7 +1,7 @@
 """Fits the confidence of find-seams to seams that are known to be right or wrong. By hand:
 
-    build/release/tests/bench_seams_found --part fit --signs signs.txt ../shared/data/patterns/garmentcode-random
-    python3 tests/benchmarks/fit_seam_certainty.py signs.txt [OTHER.txt]
+    build/release/tests/bench_seams_found --part fit --features features.txt ../shared/data/patterns/garmentcode-random
+    python3 tests/benchmarks/fit_seam_certainty.py features.txt [OTHER.txt]
 
 Logistic regression by Newton's method. Prints the row of pattern/seams/seam_certainty.cpp, and for
 several thresholds the share of right seams among those above, and the right ones above over all
@@ -22,13 +22,13 @@ def read(path):
     rows = []
     with open(path, encoding="utf-8") as file:
         for line in file:
-            name, named, right, _, *signs = line.split()
-            rows.append((name, named == "1", int(right), [float(sign) for sign in signs]))
+            name, named, right, _, *features = line.split()
+            rows.append((name, named == "1", int(right), [float(feature) for feature in features]))
     return rows
 
 
-def certainty(weights, signs):
-    total = sum(weight * sign for weight, sign in zip(weights, signs))
+def certainty(weights, features):
+    total = sum(weight * feature for weight, feature in zip(weights, features))
     return 1 / (1 + math.exp(-max(-30, min(30, total))))
 
 
@@ -55,15 +55,15 @@ def fit(rows):
     for _ in range(12):
         slope = [-RIDGE * weight for weight in weights]
         bend = [[RIDGE if i == j else 0.0 for j in range(size)] for i in range(size)]
-        for _, _, right, signs in rows:
-            chance = certainty(weights, signs)
+        for _, _, right, features in rows:
+            chance = certainty(weights, features)
             part = chance * (1 - chance)
-            for i, sign in enumerate(signs):
-                if sign == 0:
+            for i, feature in enumerate(features):
+                if feature == 0:
                     continue
-                slope[i] += (right - chance) * sign
-                for j, other in enumerate(signs):
-                    bend[i][j] += part * sign * other
+                slope[i] += (right - chance) * feature
+                for j, other in enumerate(features):
+                    bend[i][j] += part * feature * other
         weights = [weight + step for weight, step in zip(weights, solve(bend, slope))]
     return weights
 
@@ -90,14 +90,14 @@ def main():
     judged = []
     for k in range(FOLDS):
         weights = fit([row for row in rows if fold(row[0]) != k])
-        judged += [(named, right, certainty(weights, signs))
-                   for name, named, right, signs in rows if fold(name) == k]
+        judged += [(named, right, certainty(weights, features))
+                   for name, named, right, features in rows if fold(name) == k]
     table("others' fit", judged)
     weights = fit(rows)
     print("{" + ", ".join(f"{weight:.3f}" for weight in weights) + "}")
     for path in sys.argv[2:]:
-        table(path, [(named, right, certainty(weights, signs))
-                     for _, named, right, signs in read(path)])
+        table(path, [(named, right, certainty(weights, features))
+                     for _, named, right, features in read(path)])
 
 
 if __name__ == "__main__":

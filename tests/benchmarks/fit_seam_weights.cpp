@@ -30,7 +30,7 @@ namespace {
 
 using namespace toile;
 
-/// Worth that a wrong seam gains while weights are fitted.
+/// Score that a wrong seam gains while weights are fitted.
 double wrong_seam = 0.5;
 /// The largest step of one update.
 double largest_step = 0.03;
@@ -114,7 +114,7 @@ struct Rival {
   double step = 0;  // share of `more` in the weights
 };
 
-/// The weights nearest to `from` by which stated garments are worth more than their rivals, by the
+/// The weights nearest to `from` by which stated garments score higher than their rivals, by the
 /// rivals' losses. Dual coordinate ascent (Hsieh et al. 2008): `steps` of one example's rivals add
 /// up to `cap` at most.
 SeamMeasures fit(const SeamMeasures& from, std::vector<std::vector<Rival>>& rivals, double cap) {
@@ -133,7 +133,7 @@ SeamMeasures fit(const SeamMeasures& from, std::vector<std::vector<Rival>>& riva
         double square = 0;
         for (const double value : rival.more) square += value * value;
         if (square < 1e-9) continue;
-        const double lack = rival.loss - worth_of(rival.more, weights);
+        const double lack = rival.loss - score_of(rival.more, weights);
         const double most = std::max(0.0, cap - used + rival.step);
         const double step = std::clamp(rival.step + lack / square, 0.0, most);
         for (int m = 0; m < seam_measures; ++m) {
@@ -202,18 +202,18 @@ int main(int argc, char** argv) {
     int beaten = 0;
     double wrong = 0;
     for (std::size_t i = 0; i < examples.size(); ++i) {
-      const double worth = worth_of(found[i].more, weights);
+      const double score = score_of(found[i].more, weights);
       wrong += found[i].loss / wrong_seam;
-      if (worth < -1e-6) {
+      if (score < -1e-6) {
         ++beaten;
-        std::printf("# %s is worth %.2f less\n", examples[i].name.c_str(), -worth);
+        std::printf("# %s scores %.2f less\n", examples[i].name.c_str(), -score);
       }
-      if (found[i].loss - worth <= 1e-6) continue;
-      lack += found[i].loss - worth;
+      if (found[i].loss - score <= 1e-6) continue;
+      lack += found[i].loss - score;
       rivals[i].push_back(found[i]);
     }
     weights = fit(seam_weights, rivals, cap);
-    std::printf("# round %d: %d of %zu garments worth less than a rival, lack %.1f, %.0f errors\n",
+    std::printf("# round %d: %d of %zu garments score less than a rival, lack %.1f, %.0f errors\n",
                 round, beaten, examples.size(), lack, wrong);
     for (int m = 0; m < seam_measures; ++m) {
       std::printf("    {\"%s\", %.3f},\n", name_of(static_cast<SeamMeasure>(m)), weights[m]);

@@ -1,6 +1,6 @@
-// Why find-seams errs, for each garment whose seams are not all found. Is the stated garment worth
-// more than the found one, the search failed; is it worth less, the weights did. Lists the measures
-// that speak for the found one, and those that speak for the stated one. By hand:
+// Why find-seams errs, for each garment whose seams are not all found. Where the stated garment
+// scores higher than the found one, the search failed. Where it scores lower, the weights did. Lists
+// the measures that speak for the found one, and those that speak for the stated one. By hand:
 //
 //   cmake --build build/release --target bench_seam_causes
 //   build/release/tests/bench_seam_causes FILE...
@@ -89,16 +89,16 @@ void look(const std::string& file, bool names, Causes& causes) {
   SeamSearch search(evidence, pairs, seam_weights, {});
   const SeamMeasures is = search.measures(best);
   const SeamMeasures should = search.measures(stated);
-  const double lack = worth_of(is, seam_weights) - worth_of(should, seam_weights);
+  const double lack = score_of(is, seam_weights) - score_of(should, seam_weights);
   const char* cause = !lost.empty() ? "impossible" : lack < -1e-3 ? "search" : "weights";
   ++(!lost.empty() ? causes.impossible : lack < -1e-3 ? causes.search : causes.weights);
   std::printf(
-      "%s%s: %s, %d edges, worth %.2f, of the stated one %.2f, sides %s; %d stated, %d found, %d "
+      "%s%s: %s, %d edges, score %.2f, of the stated one %.2f, sides %s; %d stated, %d found, %d "
       "right\n",
       file.substr(file.rfind('/') + 1).c_str(), names ? "" : " nameless", cause,
-      static_cast<int>(evidence.edges.size()), worth_of(is, seam_weights),
-      worth_of(should, seam_weights),
-      std::abs(found.worth - worth_of(is, seam_weights)) < 0.01 ? "heeded" : "turned",
+      static_cast<int>(evidence.edges.size()), score_of(is, seam_weights),
+      score_of(should, seam_weights),
+      std::abs(found.score - score_of(is, seam_weights)) < 0.01 ? "heeded" : "turned",
       figures.stated, figures.found, figures.right);
   if (!lost.empty()) std::printf("  lost: %s\n", lost.c_str());
   for (const std::string& line : comparison.mistakes(pattern)) std::printf("  %s\n", line.c_str());

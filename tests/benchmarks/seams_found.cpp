@@ -7,7 +7,7 @@
 // three fifths of a folder whose names have the lower SHA-256, `--part held` the others. Weights
 // were fitted to the first and to the samples; the others were kept aside.
 //
-// With `--signs FILE` a line is written for each seam: file, names kept, whether it is right, its
+// With `--features FILE` a line is written for each seam: file, names kept, whether it is right, its
 // confidence, and what that is told from. fit_seam_certainty.py reads it.
 //
 // With names, panels that are no pieces of the shell are left out, as find-seams does. Their seams
@@ -63,7 +63,7 @@ double median(std::vector<double> values) {
 
 /// What is written besides the table.
 struct Output {
-  std::FILE* signs = nullptr;
+  std::FILE* features = nullptr;
   bool mistakes = false;
 };
 
@@ -102,11 +102,11 @@ void add(Row& row, const std::filesystem::path& file, bool names, const Output& 
     while (seam.confidence < bin_starts[bin]) --bin;
     ++row.bin[bin][0];
     row.bin[bin][1] += right ? 1 : 0;
-    if (output.signs == nullptr) continue;
-    std::fprintf(output.signs, "%s %d %d %.4f", file.filename().c_str(), names ? 1 : 0,
+    if (output.features == nullptr) continue;
+    std::fprintf(output.features, "%s %d %d %.4f", file.filename().c_str(), names ? 1 : 0,
                  right ? 1 : 0, seam.confidence);
-    for (const double sign : seam.signs) std::fprintf(output.signs, " %.5f", sign);
-    std::fprintf(output.signs, "\n");
+    for (const double feature : seam.features) std::fprintf(output.features, " %.5f", feature);
+    std::fprintf(output.features, "\n");
   }
   if (output.mistakes) {
     std::fprintf(stderr, "%s%s\n", file.filename().c_str(), names ? "" : " nameless");
@@ -152,8 +152,8 @@ int main(int argc, char** argv) {
         part = argv[++i];
         continue;
       }
-      if (argument == "--signs" && i + 1 < argc) {
-        output.signs = std::fopen(argv[++i], "w");
+      if (argument == "--features" && i + 1 < argc) {
+        output.features = std::fopen(argv[++i], "w");
         continue;
       }
       if (argument == "--names" && i + 1 < argc) {
@@ -204,6 +204,6 @@ int main(int argc, char** argv) {
   for (const double start : bin_starts) std::printf(" from %.2f |", start);
   std::printf("\n|---|---|---|---|---|---|---|\n");
   for (const std::string& range : ranges) std::printf("%s\n", range.c_str());
-  if (output.signs != nullptr) std::fclose(output.signs);
+  if (output.features != nullptr) std::fclose(output.features);
   return 0;
 }

@@ -65,7 +65,7 @@ int main(int argc, char** argv) {
     } catch (const Error&) {
     }
     try {
-      filled_measures(set.values, Figure::woman);
+      filled_measures(set.values, FigureType::woman);
     } catch (const Error&) {
     }
   });

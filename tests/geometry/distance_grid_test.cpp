@@ -15,13 +15,13 @@ namespace distance_grid_test {
 
 constexpr double radius = 0.1;
 
-class SphereGrid : public testing::Test {
+class BoxGrid : public testing::Test {
  protected:
   SurfaceDistance body{test::sphere(radius, 6)};
   DistanceGrid grid{body};
 };
 
-TEST_F(SphereGrid, IsTheDistanceNearTheSkinUpToTheStatedSmoothing) {
+TEST_F(BoxGrid, IsTheDistanceNearTheSkinUpToTheStatedSmoothing) {
   // The B-spline adds cell² / 8 times the sum of the principal curvatures, 2/R on a sphere.
   const double smoothing = 0.005 * 0.005 / 8 * 2 / radius;
   for (int i = 0; i < 500; ++i) {
@@ -34,7 +34,7 @@ TEST_F(SphereGrid, IsTheDistanceNearTheSkinUpToTheStatedSmoothing) {
   }
 }
 
-TEST_F(SphereGrid, HasAContinuousGradient) {
+TEST_F(BoxGrid, HasAContinuousGradient) {
   // The jumps of a trilinear gradient are of the order cell/R = 0.05 and stall a solver.
   double largest = 0;
   for (int i = 0; i < 2000; ++i) {
@@ -45,7 +45,7 @@ TEST_F(SphereGrid, HasAContinuousGradient) {
   EXPECT_LT(largest, 1e-4);
 }
 
-TEST_F(SphereGrid, TellsInsideFromOutsideEverywhere) {
+TEST_F(BoxGrid, TellsInsideFromOutsideEverywhere) {
   EXPECT_LT(grid.at({0, 0, 0}).distance, -0.05);
   EXPECT_GT(grid.at({0.13, 0, 0}).distance, 0.02);
   EXPECT_GT(grid.at({9, 9, 9}).distance, 0.02);
@@ -65,7 +65,7 @@ std::vector<Vec3> scattered(const TriangleMesh& mesh, int count) {
   return points;
 }
 
-TEST_F(SphereGrid, RemembersWhatAnotherKnew) {
+TEST_F(BoxGrid, RemembersWhatAnotherKnew) {
   const std::vector<Vec3> points = scattered(body.mesh(), 2000);
   for (const Vec3& p : points) grid.at(p);
   const DistanceCache cache = grid.cache();
@@ -86,7 +86,7 @@ TEST_F(SphereGrid, RemembersWhatAnotherKnew) {
   EXPECT_GT(again.computed_nodes(), 0U);
 }
 
-TEST_F(SphereGrid, TakesNothingFromAnotherSurfacesGrid) {
+TEST_F(BoxGrid, TakesNothingFromAnotherSurfacesGrid) {
   grid.at({radius, 0, 0});
   DistanceCache cache = grid.cache();
   DistanceGridOptions options;
@@ -106,7 +106,7 @@ TEST_F(SphereGrid, TakesNothingFromAnotherSurfacesGrid) {
   }
 }
 
-TEST_F(SphereGrid, HasTheSameBitsForAnyThreadsAndOrderOfAsking) {
+TEST_F(BoxGrid, HasTheSameBitsForAnyThreadsAndOrderOfAsking) {
   const std::vector<Vec3> points = scattered(body.mesh(), 3000);
   const DistanceGrid backward(body);
   for (std::size_t i = points.size(); i-- > 0;) backward.at(points[i]);
@@ -128,7 +128,7 @@ TEST_F(SphereGrid, HasTheSameBitsForAnyThreadsAndOrderOfAsking) {
   }
 }
 
-TEST_F(SphereGrid, NeverSaysMoreThanAtLeastAllows) {
+TEST_F(BoxGrid, NeverSaysMoreThanAtLeastAllows) {
   double largest = 0;
   for (const Vec3& p : scattered(body.mesh(), 3000)) {
     const double said = grid.at(p).distance;

@@ -250,7 +250,7 @@ CleanBodyResult run_clean_body(const CleanBodySettings& settings, const CommonSe
   const std::filesystem::path joints = skeleton_path(common.output);
   const bool is_stale = !body.skeleton && is_stale_skeleton(joints);
   if (!body.skeleton) warnings.push_back(body.report.no_skeleton);
-  if (!body.report.lacks.empty()) warnings.push_back(input.name + ": " + body.report.lacks);
+  if (!body.report.missing.empty()) warnings.push_back(input.name + ": " + body.report.missing);
   if (is_stale) {
     warnings.push_back(joints.string() + " was another body's skeleton and is removed");
   }

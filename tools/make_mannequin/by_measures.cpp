@@ -69,19 +69,19 @@ Asked asked_measures(const MeasureSettings& settings) {
   return asked;
 }
 
-Figure figure_of(const MeasureSettings& settings, const Asked& asked) {
-  if (settings.figure == "woman") return Figure::woman;
-  if (settings.figure == "man") return Figure::man;
-  if (settings.figure == "child") return Figure::child;
+FigureType figure_of(const MeasureSettings& settings, const Asked& asked) {
+  if (settings.figure == "woman") return FigureType::woman;
+  if (settings.figure == "man") return FigureType::man;
+  if (settings.figure == "child") return FigureType::child;
   // Metres: adults of less are rare, and they can say so.
   constexpr double grown = 1.45;
   const auto height = asked.measures.find("height");
-  if (height != asked.measures.end() && height->second < grown) return Figure::child;
-  return asked.gender == "male" ? Figure::man : Figure::woman;
+  if (height != asked.measures.end() && height->second < grown) return FigureType::child;
+  return asked.gender == "male" ? FigureType::man : FigureType::woman;
 }
 
-const char* name_of(Figure figure) {
-  return figure == Figure::woman ? "woman" : figure == Figure::man ? "man" : "child";
+const char* name_of(FigureType figure) {
+  return figure == FigureType::woman ? "woman" : figure == FigureType::man ? "man" : "child";
 }
 
 bool is_girth(const std::string& name) {
@@ -140,9 +140,9 @@ Json table(const FittedMannequin& fitted, const CommonSettings& common,
 Mannequin mannequin_by_measures(const MeasureSettings& settings, MannequinOptions options,
                                 const CommonSettings& common, Json& report) {
   Asked asked = asked_measures(settings);
-  const Figure figure = figure_of(settings, asked);
+  const FigureType figure = figure_of(settings, asked);
   if (!settings.cup.empty()) {
-    if (figure != Figure::woman || asked.measures.contains("underbust")) {
+    if (figure != FigureType::woman || asked.measures.contains("underbust")) {
       throw UsageError("--cup", "is for a woman whose underbust is not given", "leave one out");
     }
     if (asked.measures.contains("bust")) {

@@ -107,7 +107,7 @@ int run_measure_body(const MeasureBodySettings& settings, const CommonSettings& 
   std::vector<MeasureDifference> differences;
   if (settings.against) differences = differences_to(*settings.against, all, common);
   if (!all.no_joints.empty()) all.remarks.push_back({true, all.no_joints});
-  for (const auto& [part, why] : shape.frame.lacks) {
+  for (const auto& [part, why] : shape.frame.missing) {
     all.remarks.push_back({true, all.body_name + ": nothing is measured of the " +
                                      boost::replace_all_copy(part, "_", " ") + ": " + why});
   }

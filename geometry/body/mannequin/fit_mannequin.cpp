@@ -99,7 +99,7 @@ class Problem {
  public:
   /// `girths_first`: lengths between two levels of the trunk and legs pull nothing.
   Problem(const MeasureValues& given, const MeasureValues& filled, const MeasureValues& sample,
-          Figure figure, bool girths_first) {
+          FigureType figure, bool girths_first) {
     for (const Moved& measure : moved_measures()) {
       const bool is_given = given.contains(measure.name);
       if (!is_given && !filled.contains(measure.name)) continue;
@@ -131,9 +131,9 @@ class Problem {
     }
     start_[column(Part::chest)] = start_[column(Part::underbust)];
     start_[column(Part::breast)] =
-        std::log(figure == Figure::woman ? breast_factor(sample, given, filled) : flat_breast);
+        std::log(figure == FigureType::woman ? breast_factor(sample, given, filled) : flat_breast);
     start_[column(Part::shoulder_width)] =
-        girths / std::max(counted, 1) + (figure == Figure::man ? std::log(1.06) : 0);
+        girths / std::max(counted, 1) + (figure == FigureType::man ? std::log(1.06) : 0);
     keep_hip_clear(start_);
   }
 
@@ -414,7 +414,7 @@ Fit fit_rounds(Problem problem, const MeasureValues& given, const MeasureValues&
 }  // namespace
 
 FittedMannequin fit_mannequin(const MeasureValues& given, const MeasureValues& filled,
-                              Figure figure, const MannequinOptions& options, bool keeps_pose) {
+                              FigureType figure, const MannequinOptions& options, bool keeps_pose) {
   static const MeasureValues sample = [] {
     MannequinOptions coarse;
     coarse.edge_length = 0.015;

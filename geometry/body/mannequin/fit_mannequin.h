@@ -39,7 +39,7 @@ struct FittedMannequin {
 /// measure that can be read is within 1 mm, or after 12 rounds with the best one. Throws Error
 /// where levels of the body would not rise, and as mesh_mannequin() does.
 FittedMannequin fit_mannequin(const MeasureValues& given, const MeasureValues& filled,
-                              Figure figure, const MannequinOptions& options,
+                              FigureType figure, const MannequinOptions& options,
                               bool keeps_pose = false);
 
 }  // namespace toile

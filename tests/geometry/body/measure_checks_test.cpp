@@ -35,25 +35,25 @@ TEST(MeasureChecks, LevelsThatWereDerivedContradictNoSum) {
   const MeasureValues given = {{"waist_to_floor", 1.184}, {"inside_leg", 0.790},
                                {"crotch_depth", 0.352},   {"waist_to_knee", 0.662},
                                {"bust", 1.053},           {"hip", 1.052}};
-  const MeasureValues filled = filled_measures(given, Figure::man);
+  const MeasureValues filled = filled_measures(given, FigureType::man);
   EXPECT_DOUBLE_EQ(filled.at("crotch_height"), 0.790);
   EXPECT_TRUE(contradictions(given, filled).empty());
   MeasureValues wrong = given;
   wrong["inside_leg"] = 0.70;
-  EXPECT_TRUE(names(contradictions(wrong, filled_measures(wrong, Figure::man)), "inside_leg 70 cm",
+  EXPECT_TRUE(names(contradictions(wrong, filled_measures(wrong, FigureType::man)), "inside_leg 70 cm",
                     "crotch_depth 35.2 cm"));
 }
 
 // What is filled in contradicts nothing, from a small child to a large adult.
 TEST(MeasureChecks, FilledMeasuresAgree) {
   struct Person {
-    Figure figure;
+    FigureType figure;
     double height, bust, hip;
   };
   for (const Person& p :
-       {Person{Figure::child, 0.98, 0.55, 0.57}, Person{Figure::child, 1.4, 0.7, 0.75},
-        Person{Figure::woman, 1.5, 0.76, 0.84}, Person{Figure::woman, 1.8, 1.4, 1.45},
-        Person{Figure::man, 1.6, 0.84, 0.88}, Person{Figure::man, 2.0, 1.4, 1.35}}) {
+       {Person{FigureType::child, 0.98, 0.55, 0.57}, Person{FigureType::child, 1.4, 0.7, 0.75},
+        Person{FigureType::woman, 1.5, 0.76, 0.84}, Person{FigureType::woman, 1.8, 1.4, 1.45},
+        Person{FigureType::man, 1.6, 0.84, 0.88}, Person{FigureType::man, 2.0, 1.4, 1.35}}) {
     MeasureValues given = {{"height", p.height}, {"bust", p.bust}, {"hip", p.hip}};
     const MeasureValues filled = filled_measures(given, p.figure);
     given.insert(filled.begin(), filled.end());
@@ -63,11 +63,11 @@ TEST(MeasureChecks, FilledMeasuresAgree) {
 }
 
 TEST(BodyProportions, NeedThreeMeasuresAndTakeCups) {
-  EXPECT_THROW(filled_measures({{"height", 1.7}, {"bust", 0.9}}, Figure::woman), Error);
-  EXPECT_THROW(filled_measures({{"bust", 0.9}, {"hip", 0.9}}, Figure::woman), Error);
+  EXPECT_THROW(filled_measures({{"height", 1.7}, {"bust", 0.9}}, FigureType::woman), Error);
+  EXPECT_THROW(filled_measures({{"bust", 0.9}, {"hip", 0.9}}, FigureType::woman), Error);
   // FreeSewing has no height: the waist's stands for it.
   const MeasureValues by_waist =
-      filled_measures({{"waist_to_floor", 1.054}, {"bust", 0.9}, {"hip", 0.95}}, Figure::woman);
+      filled_measures({{"waist_to_floor", 1.054}, {"bust", 0.9}, {"hip", 0.95}}, FigureType::woman);
   EXPECT_NEAR(by_waist.at("height"), 1.70, 1e-9);
   EXPECT_NEAR(underbust_of_cup(0.92, "B"), 0.77, 1e-12);
   EXPECT_THROW(underbust_of_cup(0.92, "Z"), Error);

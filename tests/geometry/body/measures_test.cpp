@@ -141,7 +141,7 @@ TEST(FindLandmarks, AFlatChestKeepsItsLevelUnderAMillimetreOfNoise) {
   MannequinOptions options;
   options.edge_length = 0.009;
   const TriangleMesh child =
-      fit_mannequin(given, filled_measures(given, Figure::child), Figure::child, options)
+      fit_mannequin(given, filled_measures(given, FigureType::child), FigureType::child, options)
           .mannequin.surface;
   const TrunkLevel bust = find_landmarks(child, "child").levels.bust;
   ASSERT_TRUE(bust.height);

@@ -29,12 +29,12 @@ TEST_F(SeamsOfTshirt, AreTheSameBitsForAnyNumberOfThreads) {
   };
   const SeamChoice one = choose(1);
   const SeamChoice four = choose(4);
-  EXPECT_EQ(one.worth, four.worth);
+  EXPECT_EQ(one.score, four.score);
   ASSERT_EQ(one.seams.size(), four.seams.size());
   for (std::size_t i = 0; i < one.seams.size(); ++i) {
     EXPECT_EQ(one.seams[i].a, four.seams[i].a);
     EXPECT_EQ(one.seams[i].b, four.seams[i].b);
-    EXPECT_EQ(one.seams[i].signs, four.seams[i].signs);
+    EXPECT_EQ(one.seams[i].features, four.seams[i].features);
     EXPECT_EQ(one.seams[i].alternative, four.seams[i].alternative);
   }
 }
@@ -67,19 +67,19 @@ TEST_F(SeamsOfTshirt, NoForbiddenKindIsSewn) {
 }
 
 TEST(SeamCertainty, IsHighWhereAllSignsSpeakForASeam) {
-  SeamSigns good{};
-  for (const SeamSign sign : {SeamSign::one, SeamSign::shaken, SeamSign::plain,
-                              SeamSign::garment_shaken, SeamSign::settled, SeamSign::named}) {
-    good[static_cast<int>(sign)] = 1;
+  SeamFeatures good{};
+  for (const SeamFeature feature : {SeamFeature::one, SeamFeature::perturbed, SeamFeature::plain,
+                              SeamFeature::garment_perturbed, SeamFeature::settled, SeamFeature::named}) {
+    good[static_cast<int>(feature)] = 1;
   }
-  for (const SeamSign sign : {SeamSign::gap, SeamSign::garment_gap}) {
-    good[static_cast<int>(sign)] = 1.8;
+  for (const SeamFeature feature : {SeamFeature::gap, SeamFeature::garment_gap}) {
+    good[static_cast<int>(feature)] = 1.8;
   }
-  good[static_cast<int>(SeamSign::edges)] = 3;
-  SeamSigns bad{};
-  bad[static_cast<int>(SeamSign::one)] = 1;
-  bad[static_cast<int>(SeamSign::edges)] = 5;
-  bad[static_cast<int>(SeamSign::numbered)] = 1;
+  good[static_cast<int>(SeamFeature::edges)] = 3;
+  SeamFeatures bad{};
+  bad[static_cast<int>(SeamFeature::one)] = 1;
+  bad[static_cast<int>(SeamFeature::edges)] = 5;
+  bad[static_cast<int>(SeamFeature::numbered)] = 1;
   EXPECT_GT(certainty_of(good), decided_confidence);
   EXPECT_LT(certainty_of(bad), 0.5);
 }

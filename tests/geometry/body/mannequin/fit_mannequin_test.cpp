@@ -9,7 +9,7 @@
 namespace toile {
 namespace fit_mannequin_test {
 
-FittedMannequin fitted(const MeasureValues& given, Figure figure) {
+FittedMannequin fitted(const MeasureValues& given, FigureType figure) {
   MannequinOptions options;
   options.edge_length = 0.014;
   return fit_mannequin(given, filled_measures(given, figure), figure, options);
@@ -28,7 +28,7 @@ double girth_near(const TriangleMesh& mesh, double height, bool largest) {
 TEST(FitMannequin, ALargerWomanHasTheMeasuresThatWereGiven) {
   const MeasureValues given = {{"height", 1.64}, {"bust", 1.10}, {"waist", 0.94},    {"hip", 1.17},
                                {"neck", 0.39},   {"knee", 0.42}, {"upper_arm", 0.35}};
-  const FittedMannequin made = fitted(given, Figure::woman);
+  const FittedMannequin made = fitted(given, FigureType::woman);
   double top = 0;
   for (const Vec3& p : made.mannequin.surface.points) top = std::max(top, p.y());
   EXPECT_NEAR(top, 1.64, 0.003);
@@ -53,7 +53,7 @@ TEST(FitMannequin, ALargerWomanHasTheMeasuresThatWereGiven) {
 
 TEST(FitMannequin, ArmsLeaveTheBustOfALargeWomanFree) {
   const MeasureValues given = {{"height", 1.65}, {"bust", 1.35}, {"hip", 1.42}};
-  const FittedMannequin made = fitted(given, Figure::woman);
+  const FittedMannequin made = fitted(given, FigureType::woman);
   EXPECT_GT(made.pose.left.shoulder_abduction, standing_pose().left.shoulder_abduction);
   for (const FittedMeasure& measure : made.measures) {
     if (!measure.is_given) continue;
@@ -71,11 +71,11 @@ TEST(FitMannequin, ArmsLeaveTheBustOfALargeWomanFree) {
 
 TEST(FitMannequin, AChildIsOneSurfaceAndPosesKeepItsBones) {
   const MeasureValues given = {{"height", 1.16}, {"bust", 0.59}, {"hip", 0.63}};
-  const MeasureValues filled = filled_measures(given, Figure::child);
+  const MeasureValues filled = filled_measures(given, FigureType::child);
   MannequinOptions options;
   options.edge_length = 0.009;
   options.pose = walking_pose();
-  const FittedMannequin made = fit_mannequin(given, filled, Figure::child, options);
+  const FittedMannequin made = fit_mannequin(given, filled, FigureType::child, options);
   for (const FittedMeasure& measure : made.measures) {
     if (!measure.is_given) continue;
     EXPECT_NEAR(measure.measured, measure.wanted, 0.002) << measure.name;

@@ -12,7 +12,7 @@ namespace toile {
 
 /// Shapes of about one size, filed by the centres of spheres around them. The few that are much
 /// larger than the others are compared with every query.
-class SphereGrid {
+class BoxGrid {
  public:
   /// A box in space, from `low` to `high` (metres).
   struct Box {
@@ -29,7 +29,7 @@ class SphereGrid {
   using Scratch = std::vector<int>;
 
   /// Files `shapes` for queries within `reach` metres of a box. O(n).
-  SphereGrid(const std::vector<Shape>& shapes, double reach);
+  BoxGrid(const std::vector<Shape>& shapes, double reach);
 
   /// Calls `visit` with the index of each shape whose box is less than the reach away from `box`
   /// along each axis. Some may be a few micrometres farther. The order depends on the shapes only.

@@ -1,4 +1,4 @@
-#include "cloth/contact/sphere_grid.h"
+#include "cloth/contact/box_grid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ constexpr double rounding = 4e-6;
 
 }  // namespace
 
-SphereGrid::SphereGrid(const std::vector<Shape>& shapes, double reach) : reach_(reach) {
+BoxGrid::BoxGrid(const std::vector<Shape>& shapes, double reach) : reach_(reach) {
   low_ = Vec3::Constant(std::numeric_limits<double>::max());
   Vec3 high = -low_;
   double sum = 0;
@@ -80,7 +80,7 @@ SphereGrid::SphereGrid(const std::vector<Shape>& shapes, double reach) : reach_(
   }
 }
 
-SphereGrid::FloatBox SphereGrid::widened(const Box& box) const {
+BoxGrid::FloatBox BoxGrid::widened(const Box& box) const {
   FloatBox result;
   for (int axis = 0; axis < 3; ++axis) {
     result.low[axis] = static_cast<float>(box.low[axis] - reach_);
@@ -89,7 +89,7 @@ SphereGrid::FloatBox SphereGrid::widened(const Box& box) const {
   return result;
 }
 
-SphereGrid::FloatBox SphereGrid::widened(std::size_t item) const {
+BoxGrid::FloatBox BoxGrid::widened(std::size_t item) const {
   FloatBox result;
   for (int axis = 0; axis < 3; ++axis) {
     result.low[axis] = static_cast<float>(lows_[axis][item] - reach_);
@@ -98,12 +98,12 @@ SphereGrid::FloatBox SphereGrid::widened(std::size_t item) const {
   return result;
 }
 
-int SphereGrid::column(double coordinate, int axis) const {
+int BoxGrid::column(double coordinate, int axis) const {
   return static_cast<int>(std::clamp((coordinate - low_[axis]) / cell_, 0.0, size_[axis] - 1.0));
 }
 
 /// All indices are written, and those that do not meet the box overwritten: that takes no branch.
-[[gnu::always_inline]] inline std::size_t SphereGrid::collect(std::size_t begin, std::size_t end,
+[[gnu::always_inline]] inline std::size_t BoxGrid::collect(std::size_t begin, std::size_t end,
                                                               const FloatBox& box,
                                                               std::size_t count,
                                                               Scratch& found) const {
@@ -126,7 +126,7 @@ int SphereGrid::column(double coordinate, int axis) const {
 }
 
 TOILE_CLONES
-std::size_t SphereGrid::meeting(std::size_t start, int first_row, const FloatBox& box,
+std::size_t BoxGrid::meeting(std::size_t start, int first_row, const FloatBox& box,
                                 Scratch& found) const {
   // An item whose box meets this one has its centre not much farther.
   const double around = filed_radius_ + margin_;

@@ -1,4 +1,4 @@
-#include "geometry/body/lacking_body.h"
+#include "geometry/body/incomplete_body.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile {
-namespace lacking_body_test {
+namespace incomplete_body_test {
 
 const TriangleMesh& mannequin() {
   static const TriangleMesh made = [] {
@@ -65,7 +65,7 @@ std::vector<Measure> measured(const TriangleMesh& body) {
   return measure_body(find_landmarks(body, "body"));
 }
 
-TEST(LackingBody, OneArmTakesNothingFromTheOthersMeasures) {
+TEST(IncompleteBody, OneArmTakesNothingFromTheOthersMeasures) {
   const std::vector<Measure> whole = measured(mannequin());
   // A body askew is measured in its own frame.
   for (const double degrees : {130.0, 180.0}) {
@@ -85,11 +85,11 @@ TEST(LackingBody, OneArmTakesNothingFromTheOthersMeasures) {
   }
 }
 
-TEST(LackingBody, OfWhomAPartIsMissingIsTurnedAndHasItsOtherJoints) {
+TEST(IncompleteBody, OfWhomAPartIsMissingIsTurnedAndHasItsOtherJoints) {
   const TriangleMesh lying = turned(turned(one_armed(), 40), -90, Vec3::UnitX());
   const CleanBody body = clean_body(test::soup(lying), "lying");
   ASSERT_TRUE(body.skeleton);
-  EXPECT_NE(body.report.lacks.find("right arm"), std::string::npos) << body.report.lacks;
+  EXPECT_NE(body.report.missing.find("right arm"), std::string::npos) << body.report.missing;
   EXPECT_NEAR(body.report.height, 1.70, 0.01);
   EXPECT_TRUE(body.skeleton->joints.contains("left_wrist"));
   EXPECT_FALSE(body.skeleton->joints.contains("right_shoulder"));
@@ -99,7 +99,7 @@ TEST(LackingBody, OfWhomAPartIsMissingIsTurnedAndHasItsOtherJoints) {
   EXPECT_FALSE(joint_outside(*body.skeleton, SurfaceDistance(body.mesh)));
 }
 
-TEST(LackingBody, ACutArmHasNoWrist) {
+TEST(IncompleteBody, ACutArmHasNoWrist) {
   const TriangleMesh body = without([](const Vec3& p) { return p.x() < -0.5 && p.y() > 0.6; });
   const std::vector<Measure> found = measured(body);
   EXPECT_FALSE(value(found, "right_wrist"));
@@ -108,7 +108,7 @@ TEST(LackingBody, ACutArmHasNoWrist) {
   EXPECT_TRUE(value(found, "right_upper_arm"));
 }
 
-TEST(LackingBody, ArmsThatBothEndInTheForearmKeepTheirElbows) {
+TEST(IncompleteBody, ArmsThatBothEndInTheForearmKeepTheirElbows) {
   const TriangleMesh body =
       without([](const Vec3& p) { return std::abs(p.x()) > 0.48 && p.y() > 0.6; });
   const BodyShape whole = find_landmarks(mannequin(), "whole");
@@ -124,7 +124,7 @@ TEST(LackingBody, ArmsThatBothEndInTheForearmKeepTheirElbows) {
               0.005);
 }
 
-TEST(LackingBody, LegsWithoutFeetTellNoHeights) {
+TEST(IncompleteBody, LegsWithoutFeetTellNoHeights) {
   const std::vector<Measure> whole = measured(mannequin());
   const TriangleMesh body = without([](const Vec3& p) { return p.y() < 0.13; });
   const std::vector<Measure> found = measured(body);
@@ -136,10 +136,10 @@ TEST(LackingBody, LegsWithoutFeetTellNoHeights) {
   for (const char* name : {"bust", "waist", "hip", "left_upper_thigh"}) {
     EXPECT_NEAR(value(found, name).value_or(0), *value(whole, name), 0.004) << name;
   }
-  EXPECT_NE(clean_body(test::soup(body), "cut").report.lacks.find("feet"), std::string::npos);
+  EXPECT_NE(clean_body(test::soup(body), "cut").report.missing.find("feet"), std::string::npos);
 }
 
-TEST(LackingBody, AGirthAtTheCutOfALegIsNoCalf) {
+TEST(IncompleteBody, AGirthAtTheCutOfALegIsNoCalf) {
   const std::vector<Measure> whole = measured(mannequin());
   for (const double cut : {0.12, 0.27, 0.34}) {
     const std::vector<Measure> found =
@@ -152,7 +152,7 @@ TEST(LackingBody, AGirthAtTheCutOfALegIsNoCalf) {
   }
 }
 
-TEST(LackingBody, AnArmWithoutAForearmIsNotMeasured) {
+TEST(IncompleteBody, AnArmWithoutAForearmIsNotMeasured) {
   const TriangleMesh body = without([](const Vec3& p) { return p.x() < -0.38 && p.y() > 0.6; });
   const std::vector<Measure> whole = measured(mannequin());
   for (const double degrees : {0.0, 130.0, 180.0}) {
@@ -171,19 +171,19 @@ TEST(LackingBody, AnArmWithoutAForearmIsNotMeasured) {
   EXPECT_GT(toes_forward(cleaned.mesh, *cleaned.skeleton), 0.02);
 }
 
-TEST(LackingBody, ItsJointsAreTakenAgain) {
+TEST(IncompleteBody, ItsJointsAreTakenAgain) {
   const CleanBody first = clean_body(test::soup(one_armed()), "first");
   CleanOptions options;
   options.skeleton = first.skeleton;
   options.metres_per_unit = 1;
   const CleanBody again = clean_body(test::soup(first.mesh), "again", options);
   EXPECT_EQ(again.report.skeleton_refused, "");
-  EXPECT_FALSE(again.report.lacks.empty());
+  EXPECT_FALSE(again.report.missing.empty());
   ASSERT_TRUE(again.skeleton);
   EXPECT_EQ(again.skeleton->joints.size(), first.skeleton->joints.size());
 }
 
-TEST(LackingBody, GirthLevelsOfAFormAreThoseThatAreMeasured) {
+TEST(IncompleteBody, GirthLevelsOfAFormAreThoseThatAreMeasured) {
   const CleanBody body = clean_body(test::soup(form()), "form");
   ASSERT_TRUE(body.skeleton);
   const std::vector<NamedLevel> levels = girth_levels(body.mesh, *body.skeleton);
@@ -194,7 +194,7 @@ TEST(LackingBody, GirthLevelsOfAFormAreThoseThatAreMeasured) {
   EXPECT_NEAR(levels[2].height, *measured.hip.height, 0.002);
 }
 
-TEST(LackingBody, AFormFacesForwardAndHasATorso) {
+TEST(IncompleteBody, AFormFacesForwardAndHasATorso) {
   const std::vector<Measure> whole = measured(mannequin());
   for (const double degrees : {0.0, 180.0}) {
     const CleanBody body = clean_body(test::soup(turned(form(), degrees)), "form");
@@ -213,10 +213,10 @@ TEST(LackingBody, AFormFacesForwardAndHasATorso) {
   }
 }
 
-TEST(LackingBody, WhatIsNoBodyHasNone) {
-  EXPECT_FALSE(lacking_body(test::sphere(0.5, 3), "sphere"));
-  EXPECT_FALSE(lacking_body(test::box({-0.2, 0, -0.2}, {0.2, 1, 0.2}), "box"));
+TEST(IncompleteBody, WhatIsNoBodyHasNone) {
+  EXPECT_FALSE(incomplete_body(test::sphere(0.5, 3), "sphere"));
+  EXPECT_FALSE(incomplete_body(test::box({-0.2, 0, -0.2}, {0.2, 1, 0.2}), "box"));
 }
 
-}  // namespace lacking_body_test
+}  // namespace incomplete_body_test
 }  // namespace toile

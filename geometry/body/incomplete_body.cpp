@@ -1,4 +1,4 @@
-#include "geometry/body/lacking_body.h"
+#include "geometry/body/incomplete_body.h"
 
 #include <cmath>
 #include <numbers>
@@ -9,15 +9,15 @@
 
 namespace toile {
 
-std::optional<LackingBody> lacking_body(const TriangleMesh& body, const std::string& name) {
+std::optional<IncompleteBody> incomplete_body(const TriangleMesh& body, const std::string& name) {
   BodyFrame frame = body_frame(body, name);
-  LackingBody found;
+  IncompleteBody found;
   if (frame.skeleton) {
-    if (frame.lacks.empty()) return std::nullopt;
+    if (frame.missing.empty()) return std::nullopt;
     found.skeleton = *frame.skeleton;
     found.problem = "a part of the body is not found, and has no joints: ";
     std::string between;
-    for (const auto& [part, why] : frame.lacks) found.problem += std::exchange(between, ", ") + why;
+    for (const auto& [part, why] : frame.missing) found.problem += std::exchange(between, ", ") + why;
   } else {
     const TrunkLevels levels = facing_trunk_levels(frame);
     auto torso = torso_joints(frame, levels);
