@@ -104,9 +104,8 @@ int BoxGrid::column(double coordinate, int axis) const {
 
 /// All indices are written, and those that do not meet the box overwritten: that takes no branch.
 [[gnu::always_inline]] inline std::size_t BoxGrid::collect(std::size_t begin, std::size_t end,
-                                                              const FloatBox& box,
-                                                              std::size_t count,
-                                                              Scratch& found) const {
+                                                           const FloatBox& box, std::size_t count,
+                                                           Scratch& found) const {
   if (begin >= end) return count;
   constexpr LaneMasks places = {0, 1, 2, 3, 4, 5, 6, 7};
   if (found.size() < count + (end - begin) + width) found.resize(2 * (count + end - begin) + width);
@@ -127,7 +126,7 @@ int BoxGrid::column(double coordinate, int axis) const {
 
 TOILE_CLONES
 std::size_t BoxGrid::meeting(std::size_t start, int first_row, const FloatBox& box,
-                                Scratch& found) const {
+                             Scratch& found) const {
   // An item whose box meets this one has its centre not much farther.
   const double around = filed_radius_ + margin_;
   const int x0 = column(box.low[0] - around, 0);

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cloth/contact/constants.h"
 #include "cloth/contact/box_grid.h"
+#include "cloth/contact/constants.h"
 #include "geometry/closest_points.h"
 #include "geometry/half_edges.h"
 #include "geometry/parallel.h"
@@ -41,8 +41,7 @@ BoxGrid::Shape shape_of(const Triangle& t, const std::vector<Vec3>& x) {
 }
 
 template <typename Item>
-std::vector<BoxGrid::Shape> shapes_of(const std::vector<Item>& items,
-                                         const std::vector<Vec3>& x) {
+std::vector<BoxGrid::Shape> shapes_of(const std::vector<Item>& items, const std::vector<Vec3>& x) {
   std::vector<BoxGrid::Shape> shapes;
   shapes.reserve(items.size());
   for (const Item& item : items) shapes.push_back(shape_of(item, x));

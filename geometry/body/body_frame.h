@@ -21,7 +21,7 @@ struct BodyFrame {
   Vec3 translation = Vec3::Zero();
   double height = 0;  ///< metres
   /// Of a skeleton without an arm or a head: why, by part. Empty: it is whole, or there is none.
-  std::map<std::string, std::string> lacks = {};
+  std::map<std::string, std::string> missing = {};
 
   /// The point of the given body that came to `p`.
   Vec3 given(const Vec3& p) const { return rotation.transpose() * (p - translation); }

@@ -75,7 +75,8 @@ inline constexpr double large_hole = 0.05;
 ///
 /// It throws Error as repair() does, when the unit can't be found, or when the height is not 0.1 to
 /// 10 m. A `front` along the vertical is an Error. A body without a skeleton is none.
-/// Where limbs are missing it has the joints of incomplete_body(), and is turned to face +z by them.
+/// Where limbs are missing it has the joints of incomplete_body(), and is turned to face +z by
+/// them.
 CleanBody clean_body(const PolygonSoup& soup, const std::string& name,
                      const CleanOptions& options = {});
 

@@ -89,7 +89,8 @@ std::vector<SeamSearch::Garment> SeamChooser::found_with_perturbed_weights() con
   parallel_for(perturbed_searches, [&](std::size_t ask) {
     SeamMeasures perturbed = weights_;
     for (int i = 0; i < seam_measures; ++i) {
-      perturbed[i] *= 1 + perturbation * (2 * scatter(static_cast<int>(ask) * seam_measures + i) - 1);
+      perturbed[i] *=
+          1 + perturbation * (2 * scatter(static_cast<int>(ask) * seam_measures + i) - 1);
     }
     SeamSearch search(evidence_, pairs_, perturbed, known_);
     found[ask] = search.best_near(best_.partners, static_cast<int>(ask));
@@ -215,8 +216,8 @@ double SeamChooser::share(const std::vector<SeamSearch::Garment>& garments, int 
 }
 
 void SeamChooser::tell_features(const std::vector<SeamSearch::Garment>& perturbed,
-                             const std::vector<SeamSearch::Garment>& without,
-                             SeamChoice& choice) const {
+                                const std::vector<SeamSearch::Garment>& without,
+                                SeamChoice& choice) const {
   const auto at = [](SeamFeatures& features, SeamFeature feature) -> double& {
     return features[static_cast<int>(feature)];
   };

@@ -48,7 +48,7 @@ class SeamChooser {
   int times_found() const;
   double share(const std::vector<SeamSearch::Garment>& garments, int a, int b) const;
   void tell_features(const std::vector<SeamSearch::Garment>& perturbed,
-                  const std::vector<SeamSearch::Garment>& without, SeamChoice& choice) const;
+                     const std::vector<SeamSearch::Garment>& without, SeamChoice& choice) const;
 
   const SeamEvidence& evidence_;
   const KnownSeams& known_;

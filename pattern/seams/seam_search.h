@@ -65,7 +65,9 @@ class SeamSearch {
   std::vector<std::vector<int>> blocks(const Partners& a, const Partners& b) const;
   void anneal(Garment& best, double hot, double cold, int looks);
   double& pair_score(int a, int b) { return scores_[static_cast<std::size_t>(a) * edges_ + b]; }
-  double pair_score(int a, int b) const { return scores_[static_cast<std::size_t>(a) * edges_ + b]; }
+  double pair_score(int a, int b) const {
+    return scores_[static_cast<std::size_t>(a) * edges_ + b];
+  }
   std::uint32_t random(std::uint32_t below);
   double random_part();
 
@@ -77,7 +79,7 @@ class SeamSearch {
   std::vector<int> previous_;
   std::vector<int> mirror_;
   std::vector<double> scores_;  // of pairs
-  std::vector<int> kind_;      // of pairs
+  std::vector<int> kind_;       // of pairs
   struct Partner {
     int edge = 0;
     double chance = 0;  // of this partner or one before it

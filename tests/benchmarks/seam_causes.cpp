@@ -1,6 +1,7 @@
 // Why find-seams errs, for each garment whose seams are not all found. Where the stated garment
-// scores higher than the found one, the search failed. Where it scores lower, the weights did. Lists
-// the measures that speak for the found one, and those that speak for the stated one. By hand:
+// scores higher than the found one, the search failed. Where it scores lower, the weights did.
+// Lists the measures that speak for the found one, and those that speak for the stated one. By
+// hand:
 //
 //   cmake --build build/release --target bench_seam_causes
 //   build/release/tests/bench_seam_causes FILE...

@@ -7,8 +7,8 @@
 // three fifths of a folder whose names have the lower SHA-256, `--part held` the others. Weights
 // were fitted to the first and to the samples; the others were kept aside.
 //
-// With `--features FILE` a line is written for each seam: file, names kept, whether it is right, its
-// confidence, and what that is told from. fit_seam_certainty.py reads it.
+// With `--features FILE` a line is written for each seam: file, names kept, whether it is right,
+// its confidence, and what that is told from. fit_seam_certainty.py reads it.
 //
 // With names, panels that are no pieces of the shell are left out, as find-seams does. Their seams
 // count as missed.

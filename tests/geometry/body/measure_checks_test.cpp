@@ -40,8 +40,8 @@ TEST(MeasureChecks, LevelsThatWereDerivedContradictNoSum) {
   EXPECT_TRUE(contradictions(given, filled).empty());
   MeasureValues wrong = given;
   wrong["inside_leg"] = 0.70;
-  EXPECT_TRUE(names(contradictions(wrong, filled_measures(wrong, FigureType::man)), "inside_leg 70 cm",
-                    "crotch_depth 35.2 cm"));
+  EXPECT_TRUE(names(contradictions(wrong, filled_measures(wrong, FigureType::man)),
+                    "inside_leg 70 cm", "crotch_depth 35.2 cm"));
 }
 
 // What is filled in contradicts nothing, from a small child to a large adult.

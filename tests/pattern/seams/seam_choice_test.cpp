@@ -68,8 +68,9 @@ TEST_F(SeamsOfTshirt, NoForbiddenKindIsSewn) {
 
 TEST(SeamCertainty, IsHighWhereAllSignsSpeakForASeam) {
   SeamFeatures good{};
-  for (const SeamFeature feature : {SeamFeature::one, SeamFeature::perturbed, SeamFeature::plain,
-                              SeamFeature::garment_perturbed, SeamFeature::settled, SeamFeature::named}) {
+  for (const SeamFeature feature :
+       {SeamFeature::one, SeamFeature::perturbed, SeamFeature::plain,
+        SeamFeature::garment_perturbed, SeamFeature::settled, SeamFeature::named}) {
     good[static_cast<int>(feature)] = 1;
   }
   for (const SeamFeature feature : {SeamFeature::gap, SeamFeature::garment_gap}) {
