@@ -24,6 +24,9 @@ constexpr double short_seam = 0.03;
 /// seam.
 constexpr double neck_slant = 0.3;
 
+/// Metres: a longer cut into a skirt or trousers is a slit, whichever way it points.
+constexpr double longest_dart = 0.25;
+
 /// Of the face of a hood: share of the panel's longest edge, and radians that it turns outwards.
 constexpr double long_edge = 0.6;
 constexpr double straight = 10 * degree;
@@ -61,6 +64,15 @@ bool may_meet(PanelRole a, PanelRole b) {
     default:
       return false;
   }
+}
+
+/// Whether a piece hangs from another by its upper edge: a skirt from its waistband, a flounce from
+/// a cuff or a sleeve.
+bool hangs_from(const PanelWords& hung, const PanelWords& held_by) {
+  using enum PanelRole;
+  if (held_by.role == waistband) return hung.role == skirt || hung.role == trousers;
+  const bool is_flounce = hung.role == cuff && hung.says(skirt);
+  return is_flounce && hung.stem != held_by.stem;
 }
 
 }  // namespace
@@ -151,15 +163,16 @@ void SeamPairs::measure_shapes(int a, int b, SeamMeasures& measures) const {
     const double up = (leads ? first.rise - second.rise : second.rise - first.rise) / 2;
     at(dart_upwards) = std::max(0.0, up);
     const PanelRole role = words_[first.ref.panel].role;
-    if (role == PanelRole::skirt || role == PanelRole::trousers) at(slit) = std::max(0.0, up);
+    if (role == PanelRole::skirt || role == PanelRole::trousers) {
+      at(slit) = first.length > longest_dart ? 1 : std::max(0.0, up);
+    }
     return;
   }
   const double up = first.upwards * second.upwards;
   at(up_and_down) = std::max(0.0, -up);
   if (first.upwards > 0 && second.upwards > 0) at(both_up) = up;
   // A sleeve is drawn along the arm or across it.
-  const auto role = [&](const WalkedEdge& edge) { return words_[edge.ref.panel].role; };
-  const bool sleeves = role(first) == PanelRole::sleeve && role(second) == PanelRole::sleeve;
+  const bool sleeves = role(a) == PanelRole::sleeve && role(b) == PanelRole::sleeve;
   if (first.upwards < 0 && second.upwards < 0 && !sleeves) at(both_down) = up;
   // The end of one meets the start of the other.
   const double rise = -first.rise * second.rise;
@@ -172,7 +185,8 @@ void SeamPairs::measure_shapes(int a, int b, SeamMeasures& measures) const {
     if (!crotch || turn_a > 0) {
       at(coincide_curved) = std::min(std::abs(turn_a) + std::abs(turn_b), std::numbers::pi);
     }
-    at(across_grain) = up > -0.5 ? first.across_grain : 0;
+    const bool at_crown = are_halves && frames_face;
+    at(across_grain) = up > -0.5 && !at_crown ? first.across_grain : 0;
     if (are_halves) at(halves) = first.length / longest_of_panel(a);
     return;
   }
@@ -223,6 +237,8 @@ void SeamPairs::measure_halves(int a, int b, SeamMeasures& measures) const {
     at(outsides_meet) = std::max(0.0, std::min(-inwards(a), -inwards(b)));
   }
 }
+
+PanelRole SeamPairs::role(int edge) const { return words_[edges_[edge].ref.panel].role; }
 
 /// Logarithm of the length of the edge across a panel of four edges over that of this one.
 double SeamPairs::narrowing(int edge) const {
@@ -303,6 +319,12 @@ void SeamPairs::measure_names(int a, int b, SeamMeasures& measures) const {
   const bool named = first.role != PanelRole::unknown && second.role != PanelRole::unknown;
   if (named && first.role != second.role) at(roles_agree) = 1;
   if (first.side * second.side < 0 && mirror_[a] != b) at(sides_differ) = 1;
+  for (const auto& [holds, hung] : {std::pair(a, b), std::pair(b, a)}) {
+    if (hangs_from(words_[edges_[hung].ref.panel], words_[edges_[holds].ref.panel])) {
+      at(hangs_turned) = 1 - edges_[hung].upwards;
+      if (role(holds) == PanelRole::waistband) at(hangs_turned) += 1 + edges_[holds].upwards;
+    }
+  }
   if (first.stem != second.stem) {
     if (first.face * second.face < 0) {
       const double shorter = std::min(edges_[a].length, edges_[b].length);

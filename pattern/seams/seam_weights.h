@@ -8,6 +8,9 @@ namespace toile {
 /// What is measured of a seam, or of corners that meet. A score is the sum of each measure times
 /// its weight; only ratios of weights matter. The measures of lengths are 0 where the two edges
 /// coincide: such edges are equally long without being meant for each other.
+///
+/// A curve is cut in two for a reason: a notch, another piece, or fullness that begins there. Where
+/// none is seen, one part is a slit and stays open, the lower one.
 enum class SeamMeasure {
   seam,             ///< 1 for each seam
   equal_length,     ///< 1: lengths agree to 0.1 mm
@@ -33,15 +36,17 @@ enum class SeamMeasure {
   same_panel,     ///< 1: both edges are of one panel, not the legs of a dart
   dart,           ///< 1: the legs of a dart
   dart_upwards,   ///< the same: cosine between the warp as drawn and the way to its tip, if above 0
-  slit,           ///< the same of a skirt or of trousers, by their names: no darts point up there
-  ends_differ,    ///< the wider end of a four-sided piece meets the narrower end of another
-  ends_alike,     ///< wider meets wider or narrower narrower: geometric mean of both logarithms
-  concave,        ///< radians by which the edge turns inwards that does so less; 0 if one does not
-  roles_agree,    ///< 1: pieces of two such kinds are sewn together, by their names
-  sides_differ,   ///< 1: left and right, and not mirror partners
-  faces_agree,    ///< 1: front and front, or back and back, of different pieces
-  faces_differ,   ///< 1: front and back of different pieces
-  end_to_end,     ///< the top of a front meets the hem of its back: the product of cosines
+  slit,  ///< the same of a skirt or of trousers, where no darts point up; 1: longer than 25 cm
+  ends_differ,   ///< the wider end of a four-sided piece meets the narrower end of another
+  ends_alike,    ///< wider meets wider or narrower narrower: geometric mean of both logarithms
+  concave,       ///< radians by which the edge turns inwards that does so less; 0 if one does not
+  roles_agree,   ///< 1: pieces of two such kinds are sewn together, by their names
+  sides_differ,  ///< 1: left and right, and not mirror partners
+  hangs_turned,  ///< what hangs from a band or a sleeve does so by another edge than its upper one:
+                 ///< 1 less the cosine upwards
+  faces_agree,   ///< 1: front and front, or back and back, of different pieces
+  faces_differ,  ///< 1: front and back of different pieces
+  end_to_end,    ///< the top of a front meets the hem of its back: the product of cosines
   centres_apart,  ///< middle edges of front and back of a bodice: the lesser way inwards, see below
   outsides_meet,  ///< side edges of the left and the right half of a bodice or of trousers
   centre_seam,    ///< middle edges of the left and the right half of these
@@ -59,6 +64,7 @@ enum class SeamMeasure {
   cone,            ///< 1: a corner that is no dart's tip closes on itself
   dart_tip,        ///< 1: a corner closes on itself, as the tip of a dart
   filled_slit,     ///< 1: two corners meet, one of them the tip of a slit that a godet fills
+  needless_cut,    ///< 1: two seams of two panels, whose edges are two curves cut in two
   two_inside,      ///< 1: two corners meet inside the garment
   two_inside_off,  ///< by how much they miss 360 degrees, in units of 90 degrees
   three_inside,    ///< the same of three corners
@@ -75,21 +81,24 @@ enum class SeamMeasure {
   notch_in_border,    ///< 1: another corner between two open edges, beyond 180 degrees
   two_at_border,      ///< 1: two corners meet at the border
   two_at_border_off,  ///< by how much they miss 180 degrees, in units of 90 degrees
-  more_at_border,     ///< the same of three and four corners
+  slit_above,  ///< curves cut in two, of which the upper parts are open: the lesser sine of their
+               ///< rise
+  more_at_border,  ///< the same of three and four corners
   more_at_border_off,
   unlike,  ///< radians by which two edges turn differently that continue each other over a seam
   jump,    ///< change of the fullness along a seam that runs on straight, 1 is 20 % or more
   fold,    ///< points where panels meet that are turned over and others that are not
-  same_fullness,   ///< seams that run on straight, both gathered, and by the same ratio
-  narrow_open,     ///< open edges whose edge across is sewn and longer: the logarithms, at most 1
-  border_hole,     ///< borders shorter than 8 cm
-  border_small,    ///< borders of 8 to 16 cm
-  one_border,      ///< 1: the garment has one border, or none
-  two_borders,     ///< 1: it has two
-  many_borders,    ///< borders beyond four, at most six
-  part_left_over,  ///< parts of the garment that are sewn to nothing else, less one
-  handle,          ///< handles of the garment, as a twisted sleeve would make
-  lopsided_seam,   ///< seams whose mirror image is not sewn
+  same_fullness,    ///< seams that run on straight, both gathered, and by the same ratio
+  narrow_open,      ///< open edges whose edge across is sewn and longer: the logarithms, at most 1
+  border_hole,      ///< borders shorter than 8 cm
+  border_small,     ///< borders of 8 to 16 cm
+  one_border,       ///< 1: the garment has one border, or none
+  two_borders,      ///< 1: it has two
+  borders_missing,  ///< of those that sleeves, legs, and a neck or waist have, by their names
+  many_borders,     ///< borders beyond four, at most six
+  part_left_over,   ///< parts of the garment that are sewn to nothing else, less one
+  handle,           ///< handles of the garment, as a twisted sleeve would make
+  lopsided_seam,    ///< seams whose mirror image is not sewn
   count
 };
 

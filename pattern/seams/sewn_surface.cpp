@@ -26,9 +26,40 @@ constexpr double short_edge = 0.03;
 constexpr double gathered = 0.03;
 constexpr double alike = 0.004;
 
+/// Of two edges that are one curve cut in two: the corner between them, less 180 degrees, and the
+/// change of curvature, 1/m. Of 160 random garments no other edges come near both.
+constexpr double most_kink = 0.15 * one_degree;
+constexpr double curvature_change = 0.1;
+
 /// Metres: borders of a garment that are shorter are holes, or small.
 constexpr double hole = 0.08;
 constexpr double small_border = 0.16;
+
+/// Whether one curve, without a notch, was cut in two where this edge starts.
+bool cuts_a_curve(const WalkedEdge& before, const WalkedEdge& edge) {
+  const double curvature = 4 * edge.turning.front() / edge.length;
+  const double curvature_before = 4 * before.turning.back() / before.length;
+  return !edge.notch && std::abs(edge.corner - 2 * right_angle) < most_kink &&
+         std::abs(curvature - curvature_before) < curvature_change;
+}
+
+/// Borders that a garment of these pieces has at least, by their names: one for each sleeve and
+/// each leg, and one at neck or waist.
+int least_borders(const std::vector<PanelWords>& words) {
+  bool arms[2] = {};
+  bool legs[2] = {};
+  bool named = false;
+  for (const PanelWords& panel : words) {
+    named = named || panel.role != PanelRole::unknown;
+    if (panel.side == 0) continue;
+    const bool is_leg = panel.says(PanelRole::trousers);
+    const bool is_arm =
+        !is_leg && (panel.role == PanelRole::sleeve || panel.role == PanelRole::cuff);
+    arms[panel.side > 0] |= is_arm;
+    legs[panel.side > 0] |= is_leg;
+  }
+  return (named ? 1 : 0) + arms[0] + arms[1] + legs[0] + legs[1];
+}
 
 }  // namespace
 
@@ -44,9 +75,12 @@ SewnSurface::SewnSurface(const SeamEvidence& evidence)
     log_length_.push_back(std::log(edge.length));
     angle_.push_back(edge.corner);
     notch_.push_back(edge.notch ? 1 : 0);
+    cut_curve_.push_back(cuts_a_curve(evidence.edges[edge.previous], edge) ? 1 : 0);
     turning_.push_back(turning_of(edge));
+    rise_.push_back(edge.rise);
   }
   panels_ = panel_.back() + 1;
+  least_borders_ = least_borders(evidence.words);
   for (int e = 0; e < edges_; ++e) across_.push_back(edge_across(evidence.edges, e));
 }
 
@@ -110,6 +144,7 @@ void SewnSurface::measure(const Partners& partners, SeamMeasures& sum) {
   at(lopsided_seam) += lopsided;
   if (borders <= 1) at(one_border) += 1;
   if (borders == 2) at(two_borders) += 1;
+  at(borders_missing) += std::max(0, least_borders_ - borders);
   if (borders > 4) at(many_borders) += std::min(borders - 4, 6);
 }
 
@@ -160,6 +195,7 @@ void SewnSurface::measure_inside(SeamMeasures& sum) const {
     at(filled_slit) += 1;
     if (angle < 4 * right_angle) at(two_inside_off) += off;
   } else if (corners == 2) {
+    if (is_needless_cut()) at(needless_cut) += 1;
     at(two_inside) += 1;
     at(two_inside_off) += off;
   } else if (corners == 3) {
@@ -196,6 +232,7 @@ void SewnSurface::measure_at_border(SeamMeasures& sum) const {
     at(fold) += 1;
     return;
   }
+  if (corners == 2) at(slit_above) += slit_above_here();
   at(corners == 2 ? two_at_border : more_at_border) += 1;
   at(corners == 2 ? two_at_border_off : more_at_border_off) += off;
   measure_fullness(false, sum);
@@ -214,6 +251,20 @@ bool SewnSurface::is_filled_slit() const {
   const auto [corner, tip] = std::minmax(angle_[corners_[0]], angle_[corners_[1]]);
   return tip > sharpest_dart_tip && corner < 2 * right_angle &&
          panel_[corners_[0]] != panel_[corners_[1]];
+}
+
+/// Whether two seams of two panels continue each other, and nothing tells why they are two.
+bool SewnSurface::is_needless_cut() const {
+  const auto [a, b] = std::pair(corners_[0], corners_[1]);
+  return panel_[a] != panel_[b] && cut_curve_[a] != 0 && cut_curve_[b] != 0 &&
+         std::abs(fullness(a, false) - fullness(a, true)) < gathered;
+}
+
+/// Whether two panels are sewn up to here, and open upwards from here on: the lesser sine.
+double SewnSurface::slit_above_here() const {
+  const auto [a, b] = std::pair(corners_[0], corners_[1]);
+  if (panel_[a] == panel_[b] || cut_curve_[a] == 0 || cut_curve_[b] == 0) return 0;
+  return std::max(0.0, std::min(-rise_[previous_[a]], rise_[b]));
 }
 
 /// Less than 1 beside a short edge, whose direction says little.

@@ -39,10 +39,13 @@ class SewnSurface {
   bool is_crossing() const;
   bool is_fold() const;
   bool is_filled_slit() const;
+  bool is_needless_cut() const;
+  double slit_above_here() const;
   double weight_of_point() const;
 
   int edges_ = 0;
   int panels_ = 0;
+  int least_borders_ = 0;  // that a garment of these pieces has
   std::vector<int> next_;
   std::vector<int> previous_;
   std::vector<int> panel_;
@@ -50,10 +53,12 @@ class SewnSurface {
   std::vector<double> log_length_;
   std::vector<double> angle_;    // of the corner where the edge starts
   std::vector<double> turning_;  // of the edge
+  std::vector<double> rise_;     // of the edge
   std::vector<int> mirror_;
   std::vector<char> turned_over_;  // per panel
   std::vector<int> across_;        // see edge_across()
   std::vector<char> notch_;        // where the edge starts
+  std::vector<char> cut_curve_;    // where the edge starts: one curve goes on, cut in two
 
   const Partners* partners_ = nullptr;
   std::vector<int> corners_;  // that meet, in their order
