@@ -188,21 +188,22 @@ std::vector<int> mirror_partners(const std::vector<WalkedEdge>& edges,
     }
     return best;
   };
-  // Of several ways, the one that lays the longest edge onto itself: a band's ends change places.
+  const auto middle = [&](int e) { return edges[e].points[edges[e].points.size() / 2]; };
+  // Of several ways, the one that moves an edge farthest: a band's ends change places.
   const auto mirror_fit = [&](int from, int to, bool only) -> const PanelFit* {
     const PanelFit* best = nullptr;
     int ways = 0;
-    double longest = -1;
+    double farthest = -1;  // metres
     for (const PanelFit& fit : fits) {
       if (fit.from != from || fit.to != to || !fit.mirrored) continue;
       ++ways;
-      double kept = 0;
+      double moved = 0;
       for (std::size_t i = 0; i < fit.image.size(); ++i) {
         const int e = panels[from][0] + static_cast<int>(i);
-        if (fit.image[i] == e) kept = std::max(kept, edges[e].length);
+        if (fit.image[i] >= 0) moved = std::max(moved, (middle(fit.image[i]) - middle(e)).norm());
       }
-      if (kept > longest) {
-        longest = kept;
+      if (moved > farthest) {
+        farthest = moved;
         best = &fit;
       }
     }

@@ -14,8 +14,12 @@ namespace {
 /// Searches with the weights as they are: to know the score, and to be certain.
 constexpr int plain_searches = 4;
 constexpr int all_plain_searches = 8;
-constexpr int more_searches = 16;  // where the others do not agree
-constexpr int patience = 2;        // times as many garments as usual in each of them
+constexpr int patience = 2;  // times as many garments as usual in each of them
+
+/// Searches, and their patience, where the others do not agree. With 16 of the usual patience, the
+/// tiers of four random skirts are sewn in a wrong order.
+constexpr int long_searches = 8;
+constexpr int long_patience = 6;
 
 /// Searches with perturbed weights.
 constexpr int perturbed_searches = 10;
@@ -75,11 +79,7 @@ SeamChooser::SeamChooser(const SeamEvidence& evidence, bool heed_sides, const Kn
       pairs_(evidence, heed_sides),
       weights_(weights_with(heed_sides)),
       search_(evidence, pairs_, weights_, known),
-      plain_(plain_searches) {
-  parallel_for(plain_searches, [&](std::size_t run) {
-    SeamSearch search = search_;
-    plain_[run] = search.search(static_cast<int>(run), patience);
-  });
+      plain_(searched(0, plain_searches, patience)) {
   best_ = plain_.front();
   take_best_of(plain_);
 }
@@ -130,6 +130,7 @@ void SeamChooser::take_best_of(const std::vector<SeamSearch::Garment>& garments)
     for (const SeamSearch::Garment& garment : garments) {
       best_ = search_.recombined(best_, garment);
     }
+    best_ = search_.climbed(best_);
     if (best_.score < before + same_garment) return;
     best_ = better_of({search_.near(best_.partners)}, best_);
   }
@@ -143,21 +144,27 @@ int SeamChooser::times_found() const {
       }));
 }
 
-SeamChoice SeamChooser::choose() {
-  plain_.resize(all_plain_searches);
-  parallel_for(all_plain_searches - plain_searches, [&](std::size_t run) {
+/// Searches with the weights as they are, numbered from `first` on.
+std::vector<SeamSearch::Garment> SeamChooser::searched(int first, int count, int looks) const {
+  std::vector<SeamSearch::Garment> found(count);
+  parallel_for(count, [&](std::size_t run) {
     SeamSearch search = search_;
-    plain_[plain_searches + run] = search.search(plain_searches + static_cast<int>(run), patience);
+    found[run] = search.search(first + static_cast<int>(run), looks);
   });
+  return found;
+}
+
+void SeamChooser::settle() {
+  if (plain_.size() == all_plain_searches) return;
+  const std::vector<SeamSearch::Garment> others =
+      searched(plain_searches, all_plain_searches - plain_searches, patience);
+  plain_.insert(plain_.end(), others.begin(), others.end());
   take_best_of(plain_);
-  if (times_found() < 2) {
-    std::vector<SeamSearch::Garment> more(more_searches);
-    parallel_for(more_searches, [&](std::size_t run) {
-      SeamSearch search = search_;
-      more[run] = search.search(all_plain_searches + static_cast<int>(run), patience);
-    });
-    take_best_of(more);
-  }
+  if (times_found() < 2) take_best_of(searched(all_plain_searches, long_searches, long_patience));
+}
+
+SeamChoice SeamChooser::choose() {
+  settle();
   const std::vector<SeamSearch::Garment> perturbed = found_with_perturbed_weights();
   std::vector<SeamSearch::Garment> polished(perturbed.size());
   parallel_for(perturbed.size(), [&](std::size_t i) {

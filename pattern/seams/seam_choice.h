@@ -33,13 +33,17 @@ class SeamChooser {
 
   double score() const { return best_.score; }
 
-  /// Runs the others. What they find that is better is taken.
+  /// Runs more of these, and longer ones where they do not agree. Does nothing when called again.
+  void settle();
+
+  /// Settles, and runs the others. What they find that is better is taken.
   SeamChoice choose();
 
   /// The seams that are found without those, which tell no certainty.
   SeamChoice best() const;
 
  private:
+  std::vector<SeamSearch::Garment> searched(int first, int count, int looks) const;
   std::vector<SeamSearch::Garment> found_with_perturbed_weights() const;
   /// Per edge of the best garment: the best one without its seam; empty where the edge is open.
   std::vector<SeamSearch::Garment> found_without() const;

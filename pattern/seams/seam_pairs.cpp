@@ -29,6 +29,8 @@ constexpr double longest_dart = 0.25;
 
 /// Of the face of a hood: share of the panel's longest edge, and radians that it turns outwards.
 constexpr double long_edge = 0.6;
+/// The same of its crown.
+constexpr double crown_edge = 0.3;
 constexpr double straight = 10 * degree;
 
 /// How much the curves of two sides speak for a seam, 0 to 1. Straight sides say nothing.
@@ -185,7 +187,8 @@ void SeamPairs::measure_shapes(int a, int b, SeamMeasures& measures) const {
     if (!crotch || turn_a > 0) {
       at(coincide_curved) = std::min(std::abs(turn_a) + std::abs(turn_b), std::numbers::pi);
     }
-    const bool at_crown = are_halves && frames_face;
+    const bool at_crown =
+        are_halves && frames_face && first.length > crown_edge * longest_of_panel(a);
     at(across_grain) = up > -0.5 && !at_crown ? first.across_grain : 0;
     if (are_halves) at(halves) = first.length / longest_of_panel(a);
     return;
@@ -356,7 +359,7 @@ void SeamPairs::measure_names(int a, int b, SeamMeasures& measures) const {
     if (both && !faces && !are_alike(a, b)) {
       const int apart = std::abs(first.number - second.number);
       if (apart == 1) at(numbers_follow) = 1;
-      if (apart > 1) at(numbers_apart) = 1;
+      if (apart > 1) at(numbers_apart) = named ? 1 : 1.0 / 3;
     } else if (!faces && first.number != second.number) {
       at(std::max(first.number, second.number) == lowest_number(first.stem) ? first_number
                                                                             : later_number) = 1;

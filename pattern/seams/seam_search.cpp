@@ -30,6 +30,9 @@ constexpr double same_score = 1e-6;
 
 constexpr double impossible = -1e9;
 
+/// Seams that climbed() sews on from a new one at once, at each end.
+constexpr int most_steps_on = 3;
+
 /// Blocks of seams that two garments differ in: all choices are tried of so many, single ones and
 /// pairs of more.
 constexpr std::size_t few_blocks = 8;
@@ -144,18 +147,25 @@ void SeamSearch::unsew(int a) {
   if (c >= 0 && d >= 0 && now_[c] == d && locked_[c] == 0) part(c);
 }
 
+/// Sews the open edges that meet where the seam of a ends and that of b starts, and goes on to
+/// them.
+bool SeamSearch::sew_next(int& a, int& b) {
+  int x = next_[a];
+  while (now_[x] >= 0 && x != b) x = next_[now_[x]];
+  if (x == b) return false;
+  int y = previous_[b];
+  while (now_[y] >= 0) y = previous_[now_[y]];
+  if (x == y || !sew(x, y)) return false;
+  a = x;
+  b = y;
+  return true;
+}
+
 void SeamSearch::sew_on(int a, int b, bool forward) {
   // From the end of a and the start of b, or the other way round.
   if (!forward) std::swap(a, b);
   while (now_[a] == b && random(3) != 0) {
-    int x = next_[a];
-    while (now_[x] >= 0 && x != b) x = next_[now_[x]];
-    if (x == b) return;
-    int y = previous_[b];
-    while (now_[y] >= 0) y = previous_[now_[y]];
-    if (x == y || !sew(x, y)) return;
-    a = x;
-    b = y;
+    if (!sew_next(a, b)) return;
   }
 }
 
@@ -267,6 +277,50 @@ SeamSearch::Garment SeamSearch::best_near(const Partners& partners, int run) {
   Garment best = search(run);
   Garment other = near(partners);
   return other.score > best.score ? other : best;
+}
+
+/// Sews a and b in the ways of climbed(), and asks after each whether to keep it.
+void SeamSearch::try_seam(int a, int b, const std::function<bool()>& take) {
+  const Partners before = now_;
+  const int old_a = now_[a];
+  const int old_b = now_[b];
+  if (!sew(a, b) || take()) return;
+  if (old_a >= 0 && old_b >= 0 && now_[old_a] < 0 && now_[old_b] < 0) {
+    if (sew(old_a, old_b) && take()) return;
+  }
+  for (auto [from, to] : {std::pair(a, b), std::pair(b, a)}) {
+    now_ = before;
+    if (!sew(a, b)) continue;
+    for (int steps = 0; steps < most_steps_on && now_[from] == to; ++steps) {
+      if (!sew_next(from, to)) break;
+      if (take()) return;
+    }
+  }
+  now_ = before;
+}
+
+SeamSearch::Garment SeamSearch::climbed(const Garment& from) {
+  Garment best = from;
+  now_ = best.partners;
+  const auto take = [&] {
+    const double score = score_of_partners();
+    if (score <= best.score + same_score) return false;
+    best = {now_, score};
+    return true;
+  };
+  for (double before = best.score - 1; best.score > before + same_score;) {
+    before = best.score;
+    for (int a = 0; a < edges_; ++a) {
+      if (locked_[a] != 0) continue;
+      unsew(a);
+      if (!take()) now_ = best.partners;
+      for (int b = a + 1; b < edges_; ++b) {
+        if (now_[a] != b && allowed(a, b)) try_seam(a, b, take);
+        now_ = best.partners;
+      }
+    }
+  }
+  return best;
 }
 
 /// Edges that change partners together, and their mirror images.

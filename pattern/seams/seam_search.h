@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "pattern/seams/sewn_surface.h"
@@ -39,6 +40,11 @@ class SeamSearch {
   /// The better one of near() and search().
   Garment best_near(const Partners& partners, int run);
 
+  /// A garment that no single move betters: a seam is sewn, alone, with the two edges that it
+  /// parts, or with the next one at either end, or it is opened. Annealing passes over partners
+  /// that look unlikely by themselves.
+  Garment climbed(const Garment& from);
+
   /// The best garment that has each block of seams from the one or from the other. Blocks are the
   /// parts of the difference of both matchings (partition crossover; Whitley et al. 2009).
   Garment recombined(const Garment& best, const Garment& other);
@@ -61,6 +67,8 @@ class SeamSearch {
   bool sew(int a, int b);
   void unsew(int a);
   void sew_on(int a, int b, bool forward);
+  bool sew_next(int& a, int& b);
+  void try_seam(int a, int b, const std::function<bool()>& take);
   void move();
   std::vector<std::vector<int>> blocks(const Partners& a, const Partners& b) const;
   void anneal(Garment& best, double hot, double cold, int looks);

@@ -76,5 +76,34 @@ TEST(NumberedPieces, AreMirroredWhereTheyAreAloneInFront) {
   EXPECT_EQ(mirror("skirt_front_1")[right], -1);
 }
 
+// Reflected across its length, too, it would coincide with itself.
+TEST(Bands, ChangeTheirEndsInTheMirrorWhereverTheirEdgesAreCut) {
+  std::vector<Remark> remarks;
+  const std::string band = samples::polygon("wb_front", "[0,0],[30,0],[60,0],[60,5],[30,5],[0,5]");
+  const SeamEvidence evidence =
+      seam_evidence(parse_drawn_pattern(samples::file(band), "test", remarks), false);
+  EXPECT_EQ(evidence.mirror, (std::vector<int>{1, 0, 5, 4, 3, 2}));
+}
+
+TEST(WhatHangs, HangsByItsUpperEdge) {
+  const auto turned = [](const std::string& holder, const std::string& hung, int holds, int hangs) {
+    std::vector<Remark> remarks;
+    const std::string panels = samples::polygon(holder, "[0,0],[20,0],[20,6],[0,6]") + "," +
+                               samples::polygon(hung, "[0,0],[20,0],[20,50],[0,50]");
+    const SeamEvidence evidence =
+        seam_evidence(parse_drawn_pattern(samples::file(panels), "test", remarks), false);
+    const SeamPairs pairs(evidence, true);
+    return pairs.measures(holds, 4 + hangs)[static_cast<int>(SeamMeasure::hangs_turned)];
+  };
+  EXPECT_NEAR(turned("waistband", "skirt", hem, top), 0, 1e-9);
+  EXPECT_NEAR(turned("waistband", "skirt", hem, hem), 2, 1e-9);
+  EXPECT_NEAR(turned("waistband", "skirt", top, top), 2, 1e-9);
+  EXPECT_NEAR(turned("waistband", "skirt", hem, left), 1, 1e-9);
+  // A cuff may be drawn along the arm or across it; its flounce is drawn as it hangs.
+  EXPECT_NEAR(turned("left_cuff", "left_cuff_skirt", top, top), 0, 1e-9);
+  EXPECT_NEAR(turned("left_cuff", "left_cuff_skirt", hem, hem), 2, 1e-9);
+  EXPECT_EQ(turned("front", "skirt", hem, hem), 0) << "a bodice holds a peplum by either";
+}
+
 }  // namespace seam_pairs_test
 }  // namespace toile
