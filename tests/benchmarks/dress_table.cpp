@@ -24,13 +24,13 @@ using Json = nlohmann::json;
 
 constexpr const char* none = "–";
 
-struct Collider {
+struct Garment {
   std::string name;
   std::string pattern;  ///< of the samples, or of the real data
   std::string body;     ///< standing, walking or mean_all
 };
 
-const std::vector<Collider> subjects = {
+const std::vector<Garment> garments = {
     {"tshirt", "tshirt.json", "standing"},
     {"walking_dress", "walking_dress.json", "walking"},
     {"trousers", "trousers.json", "standing"},
@@ -268,19 +268,19 @@ std::string load() {
 std::vector<Case> mesh_all(const Settings& settings, const fs::path& folder) {
   Bodies bodies(folder);
   std::vector<Case> cases;
-  for (const Collider& collider : subjects) {
+  for (const Garment& garment : garments) {
     const auto& wanted = settings.garments;
-    if (std::find(wanted.begin(), wanted.end(), collider.name) == wanted.end()) continue;
-    const auto pattern = pattern_for(collider.body, collider.pattern);
-    const auto body = pattern ? bodies.get(collider.body) : std::nullopt;
+    if (std::find(wanted.begin(), wanted.end(), garment.name) == wanted.end()) continue;
+    const auto pattern = pattern_for(garment.body, garment.pattern);
+    const auto body = pattern ? bodies.get(garment.body) : std::nullopt;
     if (!body) {
-      std::cerr << collider.name
+      std::cerr << garment.name
                 << " is left out: its data is not in ../shared/data or TOILE_DATA\n";
       continue;
     }
     for (const double edge : settings.edges_mm) {
-      const std::string name = collider.name + "-" + std::to_string(cases.size());
-      Case at{collider.name, edge, folder / (name + ".obj"), *body};
+      const std::string name = garment.name + "-" + std::to_string(cases.size());
+      Case at{garment.name, edge, folder / (name + ".obj"), *body};
       std::ostringstream length;
       length << edge << "mm";
       run_or_throw("mesh-pattern", {pattern->string(), "-o", at.mesh.string(), "--edge-length",
@@ -327,7 +327,7 @@ std::string measure(const Settings& settings, const fs::path& csv) {
 int measured(int argc, char** argv) {
   namespace po = boost::program_options;
   Settings settings;
-  for (const Collider& collider : subjects) settings.garments.push_back(collider.name);
+  for (const Garment& garment : garments) settings.garments.push_back(garment.name);
   settings.edges_mm = {25, 10};
   settings.threads = static_cast<int>(std::thread::hardware_concurrency());
   fs::path csv;
@@ -350,8 +350,8 @@ int measured(int argc, char** argv) {
     return 0;
   }
   for (const std::string& name : settings.garments) {
-    if (std::none_of(subjects.begin(), subjects.end(),
-                     [&](const Collider& collider) { return collider.name == name; })) {
+    if (std::none_of(garments.begin(), garments.end(),
+                     [&](const Garment& garment) { return garment.name == name; })) {
       throw po::error("no garment is called " + name);
     }
   }

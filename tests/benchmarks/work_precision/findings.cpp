@@ -17,13 +17,13 @@ std::string join(const std::vector<std::string>& words) {
 }
 
 /// On one scene: how many times as long, and from which distance on never. Empty: nowhere.
-std::string slower_on(const Results& results, const Collider& collider, const std::string& loser,
+std::string slower_on(const Results& results, const MeshedScene& scene, const std::string& loser,
                       const std::string& winner) {
   double least = 0, most = 0;
   std::optional<double> never;
   for (const double distance : asked_distances) {
-    const auto mine = seconds_within(results.rows, collider, loser, distance);
-    const auto other = seconds_within(results.rows, collider, winner, distance);
+    const auto mine = seconds_within(results.rows, scene, loser, distance);
+    const auto other = seconds_within(results.rows, scene, winner, distance);
     if (!other || (mine && *mine <= *other)) continue;
     if (!mine) {
       never = never.value_or(distance);
@@ -37,16 +37,16 @@ std::string slower_on(const Results& results, const Collider& collider, const st
   if (most > 0)
     text = number(least, 2) + (least < most ? " to " + number(most, 2) : "") + " times as long";
   if (never) text += (text.empty() ? "" : ", ") + ("never within " + mm(*never, 1) + " mm");
-  return text.empty() ? "" : collider.scene + " (" + text + ")";
+  return text.empty() ? "" : scene.name + " (" + text + ")";
 }
 
 /// Where `loser` needs longer than `winner` for the same distance, or never comes as near.
 std::string slower(const Results& results, const std::string& loser, const std::string& winner) {
   std::vector<std::string> places;
-  for (const Collider& collider : subjects(results.rows)) {
+  for (const MeshedScene& scene : meshed_scenes(results.rows)) {
     // What was not run has not lost.
-    if (rows_of(results.rows, collider, loser).empty()) continue;
-    const std::string place = slower_on(results, collider, loser, winner);
+    if (rows_of(results.rows, scene, loser).empty()) continue;
+    const std::string place = slower_on(results, scene, loser, winner);
     if (!place.empty()) places.push_back(place);
   }
   const std::string start = "To come as near to its own rest, in processor time, the " + loser;
@@ -58,13 +58,13 @@ std::string slower(const Results& results, const std::string& loser, const std::
 std::string never_near(const Results& results, const std::string& method) {
   constexpr double near = 0.001;
   std::vector<std::string> places;
-  for (const Collider& collider : subjects(results.rows)) {
-    const auto rows = rows_of(results.rows, collider, method);
-    if (rows.empty() || seconds_within(results.rows, collider, method, near)) continue;
+  for (const MeshedScene& scene : meshed_scenes(results.rows)) {
+    const auto rows = rows_of(results.rows, scene, method);
+    if (rows.empty() || seconds_within(results.rows, scene, method, near)) continue;
     const Row* best = *std::min_element(rows.begin(), rows.end(), [](const Row* a, const Row* b) {
       return a->error.rms < b->error.rms;
     });
-    places.push_back(collider.scene + " (" + mm(best->error.rms) + " mm at best, after " +
+    places.push_back(scene.name + " (" + mm(best->error.rms) + " mm at best, after " +
                      number(best->outcome.processor, 3) + " s)");
   }
   if (places.empty()) return "";
@@ -75,12 +75,12 @@ std::string never_near(const Results& results, const std::string& method) {
 /// What the paper's three passes a step leave of the strain limit, which its references hold.
 std::string passes(const Results& results) {
   std::vector<std::string> places;
-  for (const Collider& collider : subjects(results.rows)) {
-    const Row* usual = find_row(results.rows, collider, "paper", "default", "");
-    const Row* exact = find_row(results.rows, collider, "paper", "exact limit", "");
+  for (const MeshedScene& scene : meshed_scenes(results.rows)) {
+    const Row* usual = find_row(results.rows, scene, "paper", "default", "");
+    const Row* exact = find_row(results.rows, scene, "paper", "exact limit", "");
     if (usual == nullptr || exact == nullptr) continue;
-    places.push_back(collider.scene + " " + mm(usual->error.rms) + " mm, and " +
-                     mm(exact->error.rms) + " mm with the limit held");
+    places.push_back(scene.name + " " + mm(usual->error.rms) + " mm, and " + mm(exact->error.rms) +
+                     " mm with the limit held");
   }
   if (places.empty()) return "";
   return "The paper's method holds its strain limit by three passes a step, its references hold "
@@ -134,10 +134,10 @@ std::string out_of_order(const Results& results) {
 
 std::string models(const Results& results) {
   std::vector<std::string> places;
-  for (const Collider& collider : subjects(results.rows)) {
-    const Row* row = find_row(results.rows, collider, "relaxation", "reference", "");
+  for (const MeshedScene& scene : meshed_scenes(results.rows)) {
+    const Row* row = find_row(results.rows, scene, "relaxation", "reference", "");
     if (row == nullptr || !row->models_apart) continue;
-    places.push_back(collider.scene + " " + mm(*row->models_apart, 1) + " mm");
+    places.push_back(scene.name + " " + mm(*row->models_apart, 1) + " mm");
   }
   if (places.empty()) return "";
   return "Both at rest on the same mesh, the two models are apart by (rms): " + join(places) +
@@ -147,16 +147,16 @@ std::string models(const Results& results) {
 
 }  // namespace
 
-std::vector<Collider> subjects(const std::vector<Row>& rows) {
-  std::vector<Collider> all;
+std::vector<MeshedScene> meshed_scenes(const std::vector<Row>& rows) {
+  std::vector<MeshedScene> all;
   std::vector<std::size_t> counts;
   for (const Row& row : rows) {
-    const Collider at{row.scene, row.edge_mm};
+    const MeshedScene at{row.scene, row.edge_mm};
     const auto count =
         static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), [&](const Row& other) {
-          return other.scene == at.scene && other.edge_mm == at.edge_mm;
+          return other.scene == at.name && other.edge_mm == at.edge_mm;
         }));
-    if (all.empty() || all.back().scene != at.scene) {
+    if (all.empty() || all.back().name != at.name) {
       all.push_back(at);
       counts.push_back(count);
     } else if (count > counts.back()) {
@@ -167,30 +167,30 @@ std::vector<Collider> subjects(const std::vector<Row>& rows) {
   return all;
 }
 
-std::vector<const Row*> rows_of(const std::vector<Row>& rows, const Collider& collider,
+std::vector<const Row*> rows_of(const std::vector<Row>& rows, const MeshedScene& scene,
                                 const std::string& method) {
   std::vector<const Row*> found;
   for (const Row& row : rows) {
-    if (row.scene != collider.scene || row.edge_mm != collider.edge_mm) continue;
+    if (row.scene != scene.name || row.edge_mm != scene.edge_mm) continue;
     if (row.knob == "reference" || (!method.empty() && row.method != method)) continue;
     found.push_back(&row);
   }
   return found;
 }
 
-const Row* find_row(const std::vector<Row>& rows, const Collider& collider,
+const Row* find_row(const std::vector<Row>& rows, const MeshedScene& scene,
                     const std::string& method, const std::string& knob, const std::string& value) {
   const auto found = std::find_if(rows.begin(), rows.end(), [&](const Row& row) {
-    return row.scene == collider.scene && row.edge_mm == collider.edge_mm && row.method == method &&
+    return row.scene == scene.name && row.edge_mm == scene.edge_mm && row.method == method &&
            row.knob == knob && row.value == value;
   });
   return found == rows.end() ? nullptr : &*found;
 }
 
-std::optional<double> seconds_within(const std::vector<Row>& rows, const Collider& collider,
+std::optional<double> seconds_within(const std::vector<Row>& rows, const MeshedScene& scene,
                                      const std::string& method, double distance) {
   std::optional<double> least;
-  for (const Row* row : rows_of(rows, collider, method)) {
+  for (const Row* row : rows_of(rows, scene, method)) {
     // What is not sewn ends near to what is not sewn either: that is no rest.
     if (!row->outcome.sewn || row->error.rms > distance) continue;
     least = std::min(least.value_or(row->outcome.processor), row->outcome.processor);
@@ -218,7 +218,7 @@ std::vector<Preset> presets(const Results& results) {
   for (const Row& row : results.rows) {
     if (row.edge_mm != results.presets_mm || !row.error.ease) continue;
     if (!seen.insert(row.scene).second) continue;
-    const Collider at{row.scene, row.edge_mm};
+    const MeshedScene at{row.scene, row.edge_mm};
     const Row* standard =
         find_row(results.rows, at, "relaxation", "quality", standard_quality.name);
     for (const Quality& quality : qualities) {

@@ -10,20 +10,20 @@
 namespace toile::precision {
 
 /// Scenes in their order; the mesh of each on which all knobs were turned.
-struct Collider {
-  std::string scene;
+struct MeshedScene {
+  std::string name;
   double edge_mm = 0;
 };
-std::vector<Collider> subjects(const std::vector<Row>& rows);
+std::vector<MeshedScene> meshed_scenes(const std::vector<Row>& rows);
 
 /// Rows of a scene, a mesh and a method ("": both), the references left out.
-std::vector<const Row*> rows_of(const std::vector<Row>& rows, const Collider& collider,
+std::vector<const Row*> rows_of(const std::vector<Row>& rows, const MeshedScene& scene,
                                 const std::string& method);
-const Row* find_row(const std::vector<Row>& rows, const Collider& collider,
+const Row* find_row(const std::vector<Row>& rows, const MeshedScene& scene,
                     const std::string& method, const std::string& knob, const std::string& value);
 
 /// Least processor time of the runs that ended no farther than that (metres, rms) from their rest.
-std::optional<double> seconds_within(const std::vector<Row>& rows, const Collider& collider,
+std::optional<double> seconds_within(const std::vector<Row>& rows, const MeshedScene& scene,
                                      const std::string& method, double distance);
 /// Distances that seconds_within() is asked for, metres.
 inline constexpr double asked_distances[] = {0.1, 0.03, 0.01, 0.003, 0.001, 0.0003};

@@ -55,15 +55,15 @@ std::string within_html(const Results& results) {
   std::vector<std::string> columns = {"scene", "method"};
   for (const double distance : asked_distances) columns.push_back(mm(distance, 1) + " mm");
   Lines lines;
-  for (const Collider& collider : subjects(results.rows)) {
-    if (rows_of(results.rows, collider, "paper").empty()) continue;
+  for (const MeshedScene& scene : meshed_scenes(results.rows)) {
+    if (rows_of(results.rows, scene, "paper").empty()) continue;
     for (const char* method : {"relaxation", "paper"}) {
       const char* other = method == std::string("paper") ? "relaxation" : "paper";
-      std::vector<Cell> line = {{collider.scene + ", " + number(collider.edge_mm, 3) + " mm", ""},
+      std::vector<Cell> line = {{scene.name + ", " + number(scene.edge_mm, 3) + " mm", ""},
                                 {method, ""}};
       for (const double distance : asked_distances) {
-        const auto mine = seconds_within(results.rows, collider, method, distance);
-        const auto others = seconds_within(results.rows, collider, other, distance);
+        const auto mine = seconds_within(results.rows, scene, method, distance);
+        const auto others = seconds_within(results.rows, scene, other, distance);
         const bool loses = others && (!mine || *mine > *others);
         line.push_back({mine ? seconds(*mine) : "never", loses ? "bad" : mine ? "good" : ""});
       }
@@ -87,19 +87,19 @@ struct Quantity {
   std::function<double(const Row&)> of;
 };
 
-Json curves_of(const Results& results, const Collider& collider, const Quantity& quantity) {
+Json curves_of(const Results& results, const MeshedScene& scene, const Quantity& quantity) {
   constexpr std::array shapes = {"circle", "triangle", "rect", "crossRot", "rectRot"};
   Json curves = Json::array();
   for (const std::string method : {"relaxation", "paper"}) {
     std::vector<std::string> knobs;
-    for (const Row* row : rows_of(results.rows, collider, method)) {
+    for (const Row* row : rows_of(results.rows, scene, method)) {
       if (std::find(knobs.begin(), knobs.end(), row->knob) == knobs.end()) {
         knobs.push_back(row->knob);
       }
     }
     for (std::size_t k = 0; k < knobs.size(); ++k) {
       Json points = Json::array();
-      for (const Row* row : rows_of(results.rows, collider, method)) {
+      for (const Row* row : rows_of(results.rows, scene, method)) {
         const double y = quantity.of(*row);
         // No logarithm of nothing.
         if (row->knob != knobs[k] || !(y > 0)) continue;
@@ -123,10 +123,10 @@ std::string charts_html(const Results& results, Json& charts) {
       {"strain p99, error in points", [](const Row& row) { return 1e2 * row.error.strain_p99; }},
       {"ease, mean error in mm", [](const Row& row) { return 1e3 * row.error.ease.value_or(0); }}};
   std::string html = "<h2>Error against time</h2>\n";
-  for (const Collider& collider : subjects(results.rows)) {
-    const auto rows = rows_of(results.rows, collider, "");
-    html += "<h3>" + html_escaped(collider.scene) + ", edges of " + number(collider.edge_mm, 3) +
-            " mm, " + std::to_string(rows.front()->nodes) + " nodes</h3>\n<div class=\"charts\">";
+  for (const MeshedScene& scene : meshed_scenes(results.rows)) {
+    const auto rows = rows_of(results.rows, scene, "");
+    html += "<h3>" + html_escaped(scene.name) + ", edges of " + number(scene.edge_mm, 3) + " mm, " +
+            std::to_string(rows.front()->nodes) + " nodes</h3>\n<div class=\"charts\">";
     for (const Quantity& quantity : quantities) {
       if (std::all_of(rows.begin(), rows.end(),
                       [&](const Row* row) { return !(quantity.of(*row) > 0); })) {
@@ -134,9 +134,9 @@ std::string charts_html(const Results& results, Json& charts) {
       }
       html += "<div class=\"chart\"><canvas data-chart=\"" + std::to_string(charts.size()) +
               "\"></canvas></div>";
-      charts.push_back({{"title", collider.scene},
+      charts.push_back({{"title", scene.name},
                         {"y", quantity.name},
-                        {"curves", curves_of(results, collider, quantity)}});
+                        {"curves", curves_of(results, scene, quantity)}});
     }
     html += "</div>\n";
   }

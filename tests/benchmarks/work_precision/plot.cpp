@@ -97,8 +97,8 @@ std::string method_svg(const std::vector<const Row*>& rows, const Axis& x, const
          "\" stroke-width=\"1.4\"/>\n" + svg;
 }
 
-std::string frame_svg(const Results& results, const Collider& collider, double x0, double y0) {
-  const auto rows = rows_of(results.rows, collider, "");
+std::string frame_svg(const Results& results, const MeshedScene& scene, double x0, double y0) {
+  const auto rows = rows_of(results.rows, scene, "");
   std::vector<double> times, errors;
   for (const Row* row : rows) {
     if (!drawn(*row)) continue;
@@ -109,7 +109,7 @@ std::string frame_svg(const Results& results, const Collider& collider, double x
   const double x1 = x0 + frame_width, y1 = y0 + frame_height;
   const Axis x(times, x0, x1), y(errors, y1, y0);
   std::string svg =
-      text(x0, y0 - 10, collider.scene + ", " + std::to_string(rows.front()->nodes) + " nodes",
+      text(x0, y0 - 10, scene.name + ", " + std::to_string(rows.front()->nodes) + " nodes",
            "font-weight=\"bold\"");
   for (const double tick : x.ticks()) {
     svg += line(x.at(tick), y0, x.at(tick), y1, "#e0e0e0");
@@ -124,7 +124,7 @@ std::string frame_svg(const Results& results, const Collider& collider, double x
   svg += "<text transform=\"translate(" + middle +
          ") rotate(-90)\" text-anchor=\"middle\">distance from rest, rms, mm</text>\n";
   for (const char* method : {"paper", "relaxation"}) {
-    svg += method_svg(rows_of(results.rows, collider, method), x, y);
+    svg += method_svg(rows_of(results.rows, scene, method), x, y);
   }
   return svg;
 }
@@ -132,9 +132,9 @@ std::string frame_svg(const Results& results, const Collider& collider, double x
 }  // namespace
 
 std::string headline_plot(const Results& results) {
-  std::vector<Collider> shown;
-  for (const Collider& collider : subjects(results.rows)) {
-    if (!rows_of(results.rows, collider, "paper").empty()) shown.push_back(collider);
+  std::vector<MeshedScene> shown;
+  for (const MeshedScene& scene : meshed_scenes(results.rows)) {
+    if (!rows_of(results.rows, scene, "paper").empty()) shown.push_back(scene);
   }
   const std::size_t rows = (shown.size() + frames_across - 1) / frames_across;
   const double width = left + frames_across * (frame_width + between_x) - between_x + 30;
