@@ -27,6 +27,9 @@ constexpr double neck_slant = 0.3;
 /// Metres: a longer cut into a skirt or trousers is a slit, whichever way it points.
 constexpr double longest_dart = 0.25;
 
+/// Radians that the hem of a circle skirt turns outwards at least. Its waist turns inwards.
+constexpr double least_hem_turn = 0.2;
+
 /// Of the face of a hood: share of the panel's longest edge, and radians that it turns outwards.
 constexpr double long_edge = 0.6;
 /// The same of its crown.
@@ -66,6 +69,11 @@ bool may_meet(PanelRole a, PanelRole b) {
     default:
       return false;
   }
+}
+
+/// Whether an edge of a skirt faces down, or is the outer one of a circle.
+bool is_hem(const WalkedEdge& edge) {
+  return edge.upwards < -0.5 || turning_of(edge) > least_hem_turn;
 }
 
 /// Whether a piece hangs from another by its upper edge: a skirt from its waistband, a flounce from
@@ -166,7 +174,10 @@ void SeamPairs::measure_shapes(int a, int b, SeamMeasures& measures) const {
     at(dart_upwards) = std::max(0.0, up);
     const PanelRole role = words_[first.ref.panel].role;
     if (role == PanelRole::skirt || role == PanelRole::trousers) {
-      at(slit) = first.length > longest_dart ? 1 : std::max(0.0, up);
+      const int opening = leads ? first.previous : second.previous;
+      const int closing = leads ? second.next : first.next;
+      const bool cuts_hem = is_hem(edges_[opening]) && is_hem(edges_[closing]);
+      at(slit) = cuts_hem || first.length > longest_dart ? 1 : std::max(0.0, up);
     }
     return;
   }
@@ -346,7 +357,11 @@ void SeamPairs::measure_names(int a, int b, SeamMeasures& measures) const {
         at(hood_face) = 1;
       }
     }
-    if (faces) at(end_to_end) = std::max(0.0, -edges_[a].upwards * edges_[b].upwards);
+    if (faces) {
+      const double up = edges_[a].upwards * edges_[b].upwards;
+      const bool hems = first.role == PanelRole::skirt && edges_[a].upwards < 0 && up > 0;
+      at(end_to_end) = hems ? up : std::max(0.0, -up);
+    }
     if (first.face * second.face > 0 && first.side == second.side &&
         first.number != second.number) {
       at(numbered_sides) = std::min(std::abs(edges_[a].rise), std::abs(edges_[b].rise));

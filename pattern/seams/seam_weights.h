@@ -36,7 +36,8 @@ enum class SeamMeasure {
   same_panel,     ///< 1: both edges are of one panel, not the legs of a dart
   dart,           ///< 1: the legs of a dart
   dart_upwards,   ///< the same: cosine between the warp as drawn and the way to its tip, if above 0
-  slit,  ///< the same of a skirt or of trousers, where no darts point up; 1: longer than 25 cm
+  slit,  ///< the same of a skirt or of trousers, where none point up; 1: it is 25 cm long, or
+         ///< cuts the hem
   ends_differ,   ///< the wider end of a four-sided piece meets the narrower end of another
   ends_alike,    ///< wider meets wider or narrower narrower: geometric mean of both logarithms
   concave,       ///< radians by which the edge turns inwards that does so less; 0 if one does not
@@ -46,7 +47,8 @@ enum class SeamMeasure {
                  ///< 1 less the cosine upwards
   faces_agree,   ///< 1: front and front, or back and back, of different pieces
   faces_differ,  ///< 1: front and back of different pieces
-  end_to_end,    ///< the top of a front meets the hem of its back: the product of cosines
+  end_to_end,    ///< the top of a front meets the hem of its back, or a hem of a skirt the other:
+                 ///< the product of cosines
   centres_apart,  ///< middle edges of front and back of a bodice: the lesser way inwards, see below
   outsides_meet,  ///< side edges of the left and the right half of a bodice or of trousers
   centre_seam,    ///< middle edges of the left and the right half of these
