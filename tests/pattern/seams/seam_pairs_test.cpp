@@ -49,6 +49,28 @@ TEST_F(Halves, OfSkirtsSayNothingOfTheMiddle) {
   EXPECT_EQ(measure(SeamMeasure::centres_apart, 0, left, 1, right), 0);
 }
 
+TEST_F(Halves, HemsOfSkirtsAreNotSewnToEachOther) {
+  draw("skirt");
+  EXPECT_NEAR(measure(SeamMeasure::end_to_end, 0, hem, 1, hem), 1, 1e-9);
+  EXPECT_NEAR(measure(SeamMeasure::end_to_end, 0, top, 1, top), 0, 1e-9);
+  draw("torso");
+  EXPECT_NEAR(measure(SeamMeasure::end_to_end, 0, hem, 1, hem), 0, 1e-9);
+}
+
+TEST(CutsIntoASkirt, AreSlitsAtTheHemAndDartsAtTheWaist) {
+  const auto slit = [](const std::string& vertices, int leg) {
+    std::vector<Remark> remarks;
+    const std::string panels = samples::polygon("skirt_front", vertices);
+    const SeamEvidence evidence =
+        seam_evidence(parse_drawn_pattern(samples::file(panels), "test", remarks), false);
+    const SeamPairs pairs(evidence, true);
+    return pairs.measures(leg, leg + 1)[static_cast<int>(SeamMeasure::slit)];
+  };
+  EXPECT_EQ(slit("[0,0],[28,0],[25.79,9.88],[31,1.2],[60,0],[60,60],[0,60]", 1), 1) << "slanted";
+  EXPECT_EQ(slit("[0,0],[60,0],[60,60],[32,60],[30,48],[28,60],[0,60]", 3), 0);
+  EXPECT_EQ(slit("[0,0],[60,0],[60,60],[32,60],[30,30],[28,60],[0,60]", 3), 1) << "30 cm long";
+}
+
 TEST_F(Halves, FrontAndBackAreNotSewnTopToHem) {
   draw("torso");
   EXPECT_NEAR(measure(SeamMeasure::end_to_end, 0, top, 1, hem), 1, 1e-9);
