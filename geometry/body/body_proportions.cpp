@@ -126,7 +126,7 @@ class Filling {
                        : 0.158 + 0.15 * (arm - 0.28));
     set("upper_thigh", (child ? 0.545 : man ? 0.565 : 0.572) * hip);
     set("mid_thigh", 0.86 * of("upper_thigh"));
-    set("knee", (child ? 0.385 : man ? 0.365 : 0.365) * hip);
+    set("knee", (child ? 0.385 : 0.365) * hip);
     set("calf", of("knee"));
     set("ankle", child ? 0.26 * hip : 0.120 + 0.115 * hip);
   }
