@@ -92,6 +92,7 @@ bool coincide(const Outline& p, double from_p, const Outline& q, double from_q, 
 std::vector<PanelFit> panel_fits(const std::vector<WalkedEdge>& edges) {
   const auto panels = panels_of(edges);
   std::vector<Outline> outlines;
+  outlines.reserve(panels.size());
   for (const auto& [first, count] : panels) outlines.emplace_back(edges, first, count);
   std::vector<PanelFit> fits;
   for (int p = 0; p < static_cast<int>(panels.size()); ++p) {

@@ -40,9 +40,9 @@ class SeamSearch {
   /// The better one of near() and search().
   Garment best_near(const Partners& partners, int run);
 
-  /// A garment that no single move betters: a seam is sewn, alone, with the two edges that it
-  /// parts, or with the next one at either end, or it is opened. Annealing passes over partners
-  /// that look unlikely by themselves.
+  /// A garment that no single move betters. A move opens a seam, or sews one: alone, with the two
+  /// edges that it parts, or with the next seams at either end. Annealing passes over partners that
+  /// look unlikely by themselves.
   Garment climbed(const Garment& from);
 
   /// The best garment that has each block of seams from the one or from the other. Blocks are the

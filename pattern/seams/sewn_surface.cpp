@@ -43,8 +43,8 @@ bool cuts_a_curve(const WalkedEdge& before, const WalkedEdge& edge) {
          std::abs(curvature - curvature_before) < curvature_change;
 }
 
-/// Borders that a garment of these pieces has at least, by their names: one for each sleeve and
-/// each leg, and one at neck or waist.
+/// Borders that a garment of these pieces has at least, by their names. Each sleeve and each leg
+/// has one, and a neck or waist.
 int least_borders(const std::vector<PanelWords>& words) {
   bool arms[2] = {};
   bool legs[2] = {};

@@ -109,10 +109,10 @@ class Problem {
       rows_.push_back({&measure, (is_given ? given : filled).at(measure.name), is_given, pulls});
     }
     waist_is_given_ = given.contains("waist");
-    jacobian = MatrixXd::Zero(size(), build_parts);
+    jacobian_ = MatrixXd::Zero(size(), build_parts);
     for (int row = 0; row < size(); ++row) {
       for (const auto& [part, share] : rows_[row].measure->parts) {
-        jacobian(row, column(part)) = share;
+        jacobian_(row, column(part)) = share;
       }
     }
     start_ = VectorXd::Zero(build_parts);
@@ -172,7 +172,7 @@ class Problem {
       // proportion has, what is read there says nothing of the part.
       if (!rows_[row].pulls || !std::isfinite(off[row])) continue;
       const double weight = rows_[row].measure->weight * rows_[row].wanted / tolerance;
-      left.row(row) = weight * jacobian.row(row);
+      left.row(row) = weight * jacobian_.row(row);
       right[row] = -weight * off[row];
     }
     for (int part = 0; part < build_parts; ++part) {
@@ -234,13 +234,13 @@ class Problem {
       double predicted = 0;
       double square = 0;
       for (const auto& [part, share] : rows_[row].measure->parts) {
-        predicted += jacobian(row, column(part)) * step[column(part)];
+        predicted += jacobian_(row, column(part)) * step[column(part)];
         square += step[column(part)] * step[column(part)];
       }
       // A step of less than 0.2 % shows what other parts do.
       if (square < 4e-6 || !std::isfinite(change[row])) continue;
       for (const auto& [part, share] : rows_[row].measure->parts) {
-        double& entry = jacobian(row, column(part));
+        double& entry = jacobian_(row, column(part));
         entry += (change[row] - predicted) * step[column(part)] / square;
         const double bound = entry * share > 0 ? std::abs(entry / share) : 0;
         entry = share * std::clamp(bound, 0.6, 1.8);
@@ -257,7 +257,7 @@ class Problem {
         const double is =
             found == measured.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
         const bool is_fitted = std::ranges::any_of(
-            rows_, [&name](const Row& row) { return name == row.measure->name; });
+            rows_, [&name = name](const Row& row) { return name == row.measure->name; });
         all.push_back({name, value, is, is_given, is_fitted});
       }
     };
@@ -294,7 +294,7 @@ class Problem {
   std::vector<Row> rows_;
   bool waist_is_given_ = false;
   VectorXd start_;
-  MatrixXd jacobian;
+  MatrixXd jacobian_;
 };
 
 /// The mesh of a build; nothing, and `why`, where it can't be made.
