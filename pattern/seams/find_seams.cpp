@@ -50,6 +50,7 @@ class SeamFinder {
       // Where drawings show the wrong side, left and right change places: then a garment that does
       // not heed them has a much higher score.
       SeamChooser other(evidence_, false, known);
+      // A search that failed is no reason to turn panels.
       if (options_.certain && other.score() > chooser.score() + turned_panels) chooser.settle();
       if (other.score() > chooser.score() + turned_panels) return found(chosen(other), known);
     }

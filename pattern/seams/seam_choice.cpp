@@ -144,12 +144,12 @@ int SeamChooser::times_found() const {
       }));
 }
 
-/// Searches with the weights as they are, numbered from `first` on.
-std::vector<SeamSearch::Garment> SeamChooser::searched(int first, int count, int looks) const {
+/// Searches with the weights as they are, numbered from `first` on, of `times` the usual length.
+std::vector<SeamSearch::Garment> SeamChooser::searched(int first, int count, int times) const {
   std::vector<SeamSearch::Garment> found(count);
   parallel_for(count, [&](std::size_t run) {
     SeamSearch search = search_;
-    found[run] = search.search(first + static_cast<int>(run), looks);
+    found[run] = search.search(first + static_cast<int>(run), times);
   });
   return found;
 }

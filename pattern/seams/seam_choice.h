@@ -43,7 +43,7 @@ class SeamChooser {
   SeamChoice best() const;
 
  private:
-  std::vector<SeamSearch::Garment> searched(int first, int count, int looks) const;
+  std::vector<SeamSearch::Garment> searched(int first, int count, int times) const;
   std::vector<SeamSearch::Garment> found_with_perturbed_weights() const;
   /// Per edge of the best garment: the best one without its seam; empty where the edge is open.
   std::vector<SeamSearch::Garment> found_without() const;

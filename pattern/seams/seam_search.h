@@ -93,6 +93,7 @@ class SeamSearch {
     double chance = 0;  // of this partner or one before it
   };
   std::vector<std::vector<Partner>> shortlist_;  // per edge
+  std::vector<std::vector<int>> climbing_;       // per edge: partners, the likeliest first
   std::vector<char> locked_;
   Partners begin_;
   Partners now_;
