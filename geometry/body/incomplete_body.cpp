@@ -17,8 +17,9 @@ std::optional<IncompleteBody> incomplete_body(const TriangleMesh& body, const st
     found.skeleton = *frame.skeleton;
     found.problem = "a part of the body is not found, and has no joints: ";
     std::string between;
-    for (const auto& [part, why] : frame.missing)
+    for (const auto& [part, why] : frame.missing) {
       found.problem += std::exchange(between, ", ") + why;
+    }
   } else {
     const TrunkLevels levels = facing_trunk_levels(frame);
     auto torso = torso_joints(frame, levels);

@@ -16,8 +16,8 @@ constexpr int plain_searches = 4;
 constexpr int all_plain_searches = 8;
 constexpr int patience = 2;  // times as many garments as usual in each of them
 
-/// Searches, and their patience, where the others do not agree. With 16 of the usual patience, the
-/// tiers of four random skirts are sewn in a wrong order.
+/// Searches, and their patience, where the others do not agree. Of three random skirts whose tiers
+/// are sewn in a wrong order with 16 of the usual patience, one is right with these.
 constexpr int long_searches = 8;
 constexpr int long_patience = 6;
 

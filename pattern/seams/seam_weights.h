@@ -44,7 +44,7 @@ enum class SeamMeasure {
   roles_agree,   ///< 1: pieces of two such kinds are sewn together, by their names
   sides_differ,  ///< 1: left and right, and not mirror partners
   hangs_turned,  ///< what hangs from a band or a sleeve does so by another edge than its upper one:
-                 ///< 1 less the cosine upwards
+                 ///< 1 less the cosine upwards. The lower edge of a waistband is judged likewise
   faces_agree,   ///< 1: front and front, or back and back, of different pieces
   faces_differ,  ///< 1: front and back of different pieces
   end_to_end,    ///< the top of a front meets the hem of its back, or a hem of a skirt the other:

@@ -66,7 +66,7 @@ TEST_F(SeamsOfTshirt, NoForbiddenKindIsSewn) {
   }
 }
 
-TEST(SeamCertainty, IsHighWhereAllSignsSpeakForASeam) {
+TEST(SeamCertainty, IsHighWhereAllFeaturesSpeakForASeam) {
   SeamFeatures good{};
   for (const SeamFeature feature :
        {SeamFeature::one, SeamFeature::perturbed, SeamFeature::plain,
