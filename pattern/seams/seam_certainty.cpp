@@ -7,9 +7,9 @@ namespace toile {
 namespace {
 
 /// fit_seam_certainty.py fitted them to what is found in the 96 random garments that seam_weights
-/// were fitted to, in 48 of these without names too. It overstates: see docs/programs.md.
-constexpr SeamFeatures feature_weights = {-1.383, -0.196, 3.698,  1.658, -1.915, 0.303,  0.945,
-                                          -0.173, 0.185,  -0.618, 0.026, -0.786, -0.089, -0.670};
+/// were fitted to, with and without names.
+constexpr SeamFeatures feature_weights = {-3.020, 0.258, 2.893, 1.764, -0.511, 1.877,  1.129,
+                                          -0.835, 1.057, 0.331, 0.265, -0.509, -0.482, 0.032};
 
 }  // namespace
 

@@ -17,6 +17,9 @@ constexpr double max_fullness = 4;
 /// Metres: what is shorter is not meant to be sewn. mesh-pattern merges it with its neighbour.
 constexpr double shortest_seam = 5e-4;
 
+/// Places in the file: pieces that stand farther from each other are as rarely sewn together.
+constexpr int farthest_in_file = 8;
+
 /// Metres: front and back may meet in a seam that is shorter, as where a sleeve is set in askew.
 constexpr double short_seam = 0.03;
 
@@ -192,6 +195,10 @@ void SeamPairs::measure_shapes(int a, int b, SeamMeasures& measures) const {
   at(rise_together) = std::max(0.0, rise);
   at(rise_apart) = std::max(0.0, -rise);
   at(same_panel) = first.ref.panel == second.ref.panel ? 1 : 0;
+  const int places = std::abs(first.ref.panel - second.ref.panel);
+  if (places > 0 && !are_named_halves(a, b)) {
+    at(far_in_file) = std::log(std::min(places, farthest_in_file));
+  }
   if (shape_[a] == shape_[b]) {
     at(coincide) = 1;
     const bool crotch = at_crotch && words_[first.ref.panel].role == PanelRole::trousers;
@@ -250,6 +257,13 @@ void SeamPairs::measure_halves(int a, int b, SeamMeasures& measures) const {
     at(centre_seam) = middle * std::max(0.0, 1 - up / neck_slant);
     at(outsides_meet) = std::max(0.0, std::min(-inwards(a), -inwards(b)));
   }
+}
+
+/// Whether names say that the edges' pieces are the left and the right half of one.
+bool SeamPairs::are_named_halves(int a, int b) const {
+  const PanelWords& first = words_[edges_[a].ref.panel];
+  const PanelWords& second = words_[edges_[b].ref.panel];
+  return first.stem == second.stem && first.side * second.side < 0;
 }
 
 PanelRole SeamPairs::role(int edge) const { return words_[edges_[edge].ref.panel].role; }
@@ -349,7 +363,7 @@ void SeamPairs::measure_names(int a, int b, SeamMeasures& measures) const {
   } else {
     const bool faces = first.face * second.face < 0;
     const bool both = first.number >= 0 && second.number >= 0;
-    if (first.side * second.side < 0 && mirror_[a] == b) {
+    if (are_named_halves(a, b) && mirror_[a] == b) {
       at(named_halves) = 1;
       const double part = edges_[a].length / longest_of_panel(a);
       if (first.role == PanelRole::collar) at(collar_halves) = part;
@@ -371,13 +385,12 @@ void SeamPairs::measure_names(int a, int b, SeamMeasures& measures) const {
     } else if (named && faces) {
       at(front_and_back) = 1;
     }
-    if (both && !faces && !are_alike(a, b)) {
-      const int apart = std::abs(first.number - second.number);
-      if (apart == 1) at(numbers_follow) = 1;
-      if (apart > 1) at(numbers_apart) = named ? 1 : 1.0 / 3;
-    } else if (!faces && first.number != second.number) {
+    if (faces || first.number == second.number) return;
+    if (!both) {
       at(std::max(first.number, second.number) == lowest_number(first.stem) ? first_number
                                                                             : later_number) = 1;
+    } else if (named && !are_alike(a, b)) {
+      at(std::abs(first.number - second.number) == 1 ? numbers_follow : numbers_apart) = 1;
     }
   }
 }

@@ -52,6 +52,7 @@ class SeamPairs {
   void measure_names(int a, int b, SeamMeasures& measures) const;
   void measure_halves(int a, int b, SeamMeasures& measures) const;
   double inwards(int edge) const;
+  bool are_named_halves(int a, int b) const;
   PanelRole role(int edge) const;
   double narrowing(int edge) const;
   double longest_of_panel(int edge) const;

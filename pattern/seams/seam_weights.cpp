@@ -43,6 +43,7 @@ constexpr Row rows[] = {
     {"ends_differ", -0.996},
     {"ends_alike", -0.178},
     {"concave", -4.033},
+    {"far_in_file", -0.750},
     {"roles_agree", 0.155},
     {"sides_differ", -1.738},
     {"hangs_turned", -4.000},

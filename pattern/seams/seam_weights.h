@@ -41,6 +41,9 @@ enum class SeamMeasure {
   ends_differ,   ///< the wider end of a four-sided piece meets the narrower end of another
   ends_alike,    ///< wider meets wider or narrower narrower: geometric mean of both logarithms
   concave,       ///< radians by which the edge turns inwards that does so less; 0 if one does not
+  far_in_file,   ///< of different pieces: logarithm of how many places on in the file the other one
+                 ///< stands, 8 at most; 0 of the left and the right half of one piece, by their
+                 ///< names
   roles_agree,   ///< 1: pieces of two such kinds are sewn together, by their names
   sides_differ,  ///< 1: left and right, and not mirror partners
   hangs_turned,  ///< what hangs from a band or a sleeve does so by another edge than its upper one:
@@ -56,7 +59,7 @@ enum class SeamMeasure {
   collar_halves,   ///< halves of a collar: the seam's length over the collar's longest edge
   hood_face,       ///< halves of a hood, at a long edge that is straight or turns inwards
   numbers_follow,  ///< 1: pieces of one name, numbered one after the other
-  numbers_apart,   ///< 1: of one name, with numbers between them
+  numbers_apart,   ///< 1: of one name, not of one shape, with numbers between them
   words_alike,     ///< of different pieces: words of the shorter name that the other has, 0 to 1
   named_halves,    ///< 1: the left and the right half of one piece, mirror partners
   front_and_back,  ///< 1: front and back of one piece, with one number or none
