@@ -8,8 +8,8 @@ namespace {
 
 /// fit_seam_certainty.py fitted them to what is found in the 96 random garments that seam_weights
 /// were fitted to, with and without names.
-constexpr SeamFeatures feature_weights = {-3.020, 0.258, 2.893, 1.764, -0.511, 1.877,  1.129,
-                                          -0.835, 1.057, 0.331, 0.265, -0.509, -0.482, 0.032};
+constexpr SeamFeatures feature_weights = {-2.297, 2.804, 2.010, 1.500,  0.939,
+                                          -0.962, 1.359, 0.203, -0.529, -0.496};
 
 }  // namespace
 

@@ -7,20 +7,16 @@ namespace toile {
 
 /// What tells right seams from wrong ones. Shares are 0 to 1.
 enum class SeamFeature {
-  one,                ///< 1
-  perturbed,          ///< share of the searches with perturbed weights that sew it
-  plain,              ///< share of the searches with the weights as they are that sew it
-  gap,                ///< log(1 + by how much the best garment without it scores less, at most 6)
-  garment_perturbed,  ///< `perturbed` of all seams of the garment; the mean
-  garment_gap,        ///< `gap` of all of these; the mean
-  settled,            ///< share of the searches that ended with the garment's score
-  edges,              ///< logarithm of the number of edges
-  named,              ///< 1: names say what both pieces are
-  numbered,           ///< share of the pieces whose names differ from another's in the number alone
-  equal_length,       ///< 1, falling by e for each 0.5 % by which the lengths differ
-  gathered,           ///< logarithm of the longer over the shorter side
-  coincide,           ///< 1: the edges coincide
-  short_seam,         ///< 1: shorter than 3 cm
+  one,           ///< 1
+  plain,         ///< share of the searches with the weights as they are that sew it
+  gap,           ///< log(1 + by how much the best garment without it scores less, at most 6)
+  garment_gap,   ///< `gap` of all of these; the mean
+  settled,       ///< share of the searches that ended with the garment's score
+  edges,         ///< logarithm of the number of edges
+  named,         ///< 1: names say what both pieces are
+  equal_length,  ///< 1, falling by e for each 0.5 % by which the lengths differ
+  gathered,      ///< logarithm of the longer over the shorter side
+  coincide,      ///< 1: the edges coincide
   count
 };
 

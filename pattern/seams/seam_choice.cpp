@@ -5,7 +5,6 @@
 #include <map>
 
 #include "geometry/parallel.h"
-#include "pattern/seams/splitmix.h"
 
 namespace toile {
 
@@ -21,44 +20,16 @@ constexpr int patience = 2;  // times as many garments as usual in each of them
 constexpr int long_searches = 8;
 constexpr int long_patience = 6;
 
-/// Searches with perturbed weights.
-constexpr int perturbed_searches = 10;
-
-/// Weights are perturbed by this part, up or down.
-constexpr double perturbation = 0.3;
-
 /// How often what is better than the best garment is taken.
 constexpr int most_rounds = 3;
 
-/// Metres, of SeamFeature::short_seam.
-constexpr double short_length = 0.03;
-
 /// Score: a garment that lacks more is no rival.
 constexpr double widest_gap = 6;
-
-/// 0 to 1, the same for the same number.
-double scatter(int number) {
-  return unit_part(mixed(golden_step * (static_cast<std::uint64_t>(number) + 1)));
-}
 
 SeamMeasures weights_with(bool heed_sides) {
   SeamMeasures all = seam_weights;
   if (!heed_sides) all[static_cast<int>(SeamMeasure::sides_differ)] = 0;
   return all;
-}
-
-/// The share of panels whose names differ from another panel's in the number alone.
-double numbered_share(const std::vector<PanelWords>& words) {
-  const auto alike = [](const PanelWords& a, const PanelWords& b) {
-    return a.role != PanelRole::unknown && a.number >= 0 && b.number >= 0 && a.stem == b.stem &&
-           a.face == b.face && a.side == b.side;
-  };
-  const auto is_one_of_several = [&](const PanelWords& one) {
-    return std::count_if(words.begin(), words.end(),
-                         [&](const PanelWords& other) { return alike(one, other); }) > 1;
-  };
-  return static_cast<double>(std::count_if(words.begin(), words.end(), is_one_of_several)) /
-         static_cast<double>(std::max<std::size_t>(1, words.size()));
 }
 
 const SeamSearch::Garment& better_of(const std::vector<SeamSearch::Garment>& garments,
@@ -82,20 +53,6 @@ SeamChooser::SeamChooser(const SeamEvidence& evidence, bool heed_sides, const Kn
       plain_(searched(0, plain_searches, patience)) {
   best_ = plain_.front();
   take_best_of(plain_);
-}
-
-std::vector<SeamSearch::Garment> SeamChooser::found_with_perturbed_weights() const {
-  std::vector<SeamSearch::Garment> found(perturbed_searches);
-  parallel_for(perturbed_searches, [&](std::size_t ask) {
-    SeamMeasures perturbed = weights_;
-    for (int i = 0; i < seam_measures; ++i) {
-      perturbed[i] *=
-          1 + perturbation * (2 * scatter(static_cast<int>(ask) * seam_measures + i) - 1);
-    }
-    SeamSearch search(evidence_, pairs_, perturbed, known_);
-    found[ask] = search.best_near(best_.partners, static_cast<int>(ask));
-  });
-  return found;
 }
 
 std::vector<SeamSearch::Garment> SeamChooser::found_without() const {
@@ -165,13 +122,6 @@ void SeamChooser::settle() {
 
 SeamChoice SeamChooser::choose() {
   settle();
-  const std::vector<SeamSearch::Garment> perturbed = found_with_perturbed_weights();
-  std::vector<SeamSearch::Garment> polished(perturbed.size());
-  parallel_for(perturbed.size(), [&](std::size_t i) {
-    SeamSearch search = search_;
-    polished[i] = search.near(perturbed[i].partners);
-  });
-  take_best_of(polished);
   std::vector<SeamSearch::Garment> without = found_without();
   for (int round = 1; round < most_rounds; ++round) {
     const SeamSearch::Garment& better = better_of(without, best_);
@@ -193,7 +143,7 @@ SeamChoice SeamChooser::choose() {
       choice.seams.back().alternative = {std::min(e, other), std::max(e, other)};
     }
   }
-  tell_features(perturbed, without, choice);
+  tell_features(without, choice);
   return choice;
 }
 
@@ -222,8 +172,7 @@ double SeamChooser::share(const std::vector<SeamSearch::Garment>& garments, int 
   return static_cast<double>(count) / static_cast<double>(garments.size());
 }
 
-void SeamChooser::tell_features(const std::vector<SeamSearch::Garment>& perturbed,
-                                const std::vector<SeamSearch::Garment>& without,
+void SeamChooser::tell_features(const std::vector<SeamSearch::Garment>& without,
                                 SeamChoice& choice) const {
   const auto at = [](SeamFeatures& features, SeamFeature feature) -> double& {
     return features[static_cast<int>(feature)];
@@ -231,13 +180,10 @@ void SeamChooser::tell_features(const std::vector<SeamSearch::Garment>& perturbe
   const int times = times_found();
   choice.settled = times > 1;
   const std::vector<WalkedEdge>& edges = evidence_.edges;
-  const double numbered = numbered_share(evidence_.words);
-  double perturbed_sum = 0;
   double gap_sum = 0;
   for (ChosenSeam& seam : choice.seams) {
     SeamFeatures& features = seam.features;
     at(features, SeamFeature::one) = 1;
-    at(features, SeamFeature::perturbed) = share(perturbed, seam.a, seam.b);
     at(features, SeamFeature::plain) = share(plain_, seam.a, seam.b);
     const double lacks =
         without[seam.a].partners.empty() ? widest_gap : best_.score - without[seam.a].score;
@@ -247,21 +193,16 @@ void SeamChooser::tell_features(const std::vector<SeamSearch::Garment>& perturbe
     const auto role = [&](int e) { return evidence_.words[edges[e].ref.panel].role; };
     at(features, SeamFeature::named) =
         role(seam.a) != PanelRole::unknown && role(seam.b) != PanelRole::unknown ? 1 : 0;
-    at(features, SeamFeature::numbered) = numbered;
     const double ratio = std::abs(std::log(edges[seam.a].length / edges[seam.b].length));
     at(features, SeamFeature::equal_length) = std::exp(-ratio / 0.005);
     at(features, SeamFeature::gathered) = ratio;
     const std::vector<int>& shape = evidence_.shapes.shape;
     at(features, SeamFeature::coincide) = shape[seam.a] == shape[seam.b] ? 1 : 0;
-    const double shorter = std::min(edges[seam.a].length, edges[seam.b].length);
-    at(features, SeamFeature::short_seam) = shorter < short_length ? 1 : 0;
-    perturbed_sum += at(features, SeamFeature::perturbed);
     gap_sum += at(features, SeamFeature::gap);
   }
   const double count = static_cast<double>(std::max<std::size_t>(1, choice.seams.size()));
   for (ChosenSeam& seam : choice.seams) {
     SeamFeatures& features = seam.features;
-    at(features, SeamFeature::garment_perturbed) = perturbed_sum / count;
     at(features, SeamFeature::garment_gap) = gap_sum / count;
   }
 }

@@ -24,8 +24,8 @@ struct SeamChoice {
 };
 
 /// Chooses the seams with searches from several beginnings, then asks how certain each is. Searches
-/// are repeated with perturbed weights (perturb and MAP; Papandreou, Yuille 2011), and without each
-/// seam. Searches run in parallel. The same evidence gives the same bits for any number of threads.
+/// are repeated without each seam. Searches run in parallel. The same evidence gives the same bits
+/// for any number of threads.
 class SeamChooser {
  public:
   /// Runs the searches with the weights as they are.
@@ -44,15 +44,13 @@ class SeamChooser {
 
  private:
   std::vector<SeamSearch::Garment> searched(int first, int count, int times) const;
-  std::vector<SeamSearch::Garment> found_with_perturbed_weights() const;
   /// Per edge of the best garment: the best one without its seam; empty where the edge is open.
   std::vector<SeamSearch::Garment> found_without() const;
   /// Makes the best garment of itself and parts of these, as long as it gets better.
   void take_best_of(const std::vector<SeamSearch::Garment>& garments);
   int times_found() const;
   double share(const std::vector<SeamSearch::Garment>& garments, int a, int b) const;
-  void tell_features(const std::vector<SeamSearch::Garment>& perturbed,
-                     const std::vector<SeamSearch::Garment>& without, SeamChoice& choice) const;
+  void tell_features(const std::vector<SeamSearch::Garment>& without, SeamChoice& choice) const;
 
   const SeamEvidence& evidence_;
   const KnownSeams& known_;

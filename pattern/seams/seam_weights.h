@@ -41,9 +41,8 @@ enum class SeamMeasure {
   ends_differ,   ///< the wider end of a four-sided piece meets the narrower end of another
   ends_alike,    ///< wider meets wider or narrower narrower: geometric mean of both logarithms
   concave,       ///< radians by which the edge turns inwards that does so less; 0 if one does not
-  far_in_file,   ///< of different pieces: logarithm of how many places on in the file the other one
-                 ///< stands, 8 at most; 0 of the left and the right half of one piece, by their
-                 ///< names
+  far_in_file,   ///< of different pieces: logarithm of the places between them in the file, at most
+                 ///< 8. The two halves of one piece, by their names, have 0
   roles_agree,   ///< 1: pieces of two such kinds are sewn together, by their names
   sides_differ,  ///< 1: left and right, and not mirror partners
   hangs_turned,  ///< what hangs from a band or a sleeve does so by another edge than its upper one:

@@ -28,6 +28,26 @@ std::pair<std::size_t, std::size_t> line_at(const std::string& text, std::size_t
           after == std::string::npos ? text.size() : after + 1};
 }
 
+/// Where the number, name or quoted text around `at` begins, and where it ends.
+std::pair<std::size_t, std::size_t> token_at(const std::string& text, std::size_t at) {
+  const char* const borders = " \t\r\n,:;=<>(){}[]";
+  const std::size_t before = at == 0 ? std::string::npos : text.find_last_of(borders, at - 1);
+  const std::size_t after = text.find_first_of(borders, at);
+  return {before == std::string::npos ? 0 : before + 1,
+          after == std::string::npos ? text.size() : after};
+}
+
+/// Puts a word, or another token of the text, in a token's place: the form of the file stays.
+void exchange_token(std::string& text, const std::vector<std::string>& words, Random& random) {
+  const auto [from, to] = token_at(text, below(random, text.size()));
+  std::string instead = words[below(random, words.size())];
+  if (below(random, 2) == 0) {
+    const auto [first, last] = token_at(text, below(random, text.size()));
+    instead = text.substr(first, last - first);
+  }
+  text.replace(from, to - from, instead);
+}
+
 void damage(std::string& text, const std::string& other, const std::vector<std::string>& words,
             Random& random) {
   const std::size_t at = below(random, text.size());
@@ -102,7 +122,14 @@ int run(int argc, char** argv, const std::vector<std::filesystem::path>& seeds,
   while (since(start) < seconds) {
     std::string text = texts[below(random, texts.size())];
     const std::string& other = texts[below(random, texts.size())];
-    for (std::size_t k = 0; k <= below(random, 6); ++k) damage(text, other, words, random);
+    const bool keeps_form = below(random, 2) == 0;
+    for (std::size_t k = 0; k <= below(random, 6); ++k) {
+      if (keeps_form) {
+        exchange_token(text, words, random);
+      } else {
+        damage(text, other, words, random);
+      }
+    }
     std::ofstream(kept, std::ios::binary) << text;
     const auto begun = Clock::now();
     try {

@@ -61,7 +61,7 @@ TEST(ValentinasTshirt, IsSewnOnTheAverageWoman) {
   }
   const auto found = run("find-seams",
                          {file("pieces.json"), "-o", file("joined.json"), "--report",
-                          file("seams.json"), "--min-confidence", "0.7"},
+                          file("seams.json"), "--min-confidence", "0.5"},
                          120);
   EXPECT_EQ(found.exit_code, 0) << found.err;
   const auto report = nlohmann::json::parse(read_text(folder / "seams.json"));

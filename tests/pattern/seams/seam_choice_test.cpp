@@ -69,8 +69,7 @@ TEST_F(SeamsOfTshirt, NoForbiddenKindIsSewn) {
 TEST(SeamCertainty, IsHighWhereAllFeaturesSpeakForASeam) {
   SeamFeatures good{};
   for (const SeamFeature feature :
-       {SeamFeature::one, SeamFeature::perturbed, SeamFeature::plain,
-        SeamFeature::garment_perturbed, SeamFeature::settled, SeamFeature::named}) {
+       {SeamFeature::one, SeamFeature::plain, SeamFeature::settled, SeamFeature::named}) {
     good[static_cast<int>(feature)] = 1;
   }
   for (const SeamFeature feature : {SeamFeature::gap, SeamFeature::garment_gap}) {
@@ -80,7 +79,6 @@ TEST(SeamCertainty, IsHighWhereAllFeaturesSpeakForASeam) {
   SeamFeatures bad{};
   bad[static_cast<int>(SeamFeature::one)] = 1;
   bad[static_cast<int>(SeamFeature::edges)] = 5;
-  bad[static_cast<int>(SeamFeature::numbered)] = 1;
   EXPECT_GT(certainty_of(good), decided_confidence);
   EXPECT_LT(certainty_of(bad), 0.5);
 }
