@@ -8,7 +8,7 @@ namespace toile {
 /// What tells right seams from wrong ones. Shares are 0 to 1.
 enum class SeamFeature {
   one,           ///< 1
-  plain,         ///< share of the searches with the weights as they are that sew it
+  found,         ///< share of the searches that sew it
   gap,           ///< log(1 + by how much the best garment without it scores less, at most 6)
   garment_gap,   ///< `gap` of all of these; the mean
   settled,       ///< share of the searches that ended with the garment's score

@@ -10,9 +10,9 @@ namespace toile {
 
 namespace {
 
-/// Searches with the weights as they are: to know the score, and to be certain.
-constexpr int plain_searches = 4;
-constexpr int all_plain_searches = 8;
+/// Searches: to know the score, and to be certain.
+constexpr int first_searches = 4;
+constexpr int all_searches = 8;
 constexpr int patience = 2;  // times as many garments as usual in each of them
 
 /// Searches, and their patience, where the others do not agree. Of three random skirts whose tiers
@@ -50,9 +50,9 @@ SeamChooser::SeamChooser(const SeamEvidence& evidence, bool heed_sides, const Kn
       pairs_(evidence, heed_sides),
       weights_(weights_with(heed_sides)),
       search_(evidence, pairs_, weights_, known),
-      plain_(searched(0, plain_searches, patience)) {
-  best_ = plain_.front();
-  take_best_of(plain_);
+      found_(searched(0, first_searches, patience)) {
+  best_ = found_.front();
+  take_best_of(found_);
 }
 
 std::vector<SeamSearch::Garment> SeamChooser::found_without() const {
@@ -93,15 +93,15 @@ void SeamChooser::take_best_of(const std::vector<SeamSearch::Garment>& garments)
   }
 }
 
-/// How many of the searches with the weights as they are found the best garment.
+/// How many of the searches found the best garment.
 int SeamChooser::times_found() const {
   return static_cast<int>(
-      std::count_if(plain_.begin(), plain_.end(), [&](const SeamSearch::Garment& garment) {
+      std::count_if(found_.begin(), found_.end(), [&](const SeamSearch::Garment& garment) {
         return std::abs(garment.score - best_.score) < same_garment;
       }));
 }
 
-/// Searches with the weights as they are, numbered from `first` on, of `times` the usual length.
+/// Searches numbered from `first` on, of `times` the usual length.
 std::vector<SeamSearch::Garment> SeamChooser::searched(int first, int count, int times) const {
   std::vector<SeamSearch::Garment> found(count);
   parallel_for(count, [&](std::size_t run) {
@@ -112,12 +112,12 @@ std::vector<SeamSearch::Garment> SeamChooser::searched(int first, int count, int
 }
 
 void SeamChooser::settle() {
-  if (plain_.size() == all_plain_searches) return;
+  if (found_.size() == all_searches) return;
   const std::vector<SeamSearch::Garment> others =
-      searched(plain_searches, all_plain_searches - plain_searches, patience);
-  plain_.insert(plain_.end(), others.begin(), others.end());
-  take_best_of(plain_);
-  if (times_found() < 2) take_best_of(searched(all_plain_searches, long_searches, long_patience));
+      searched(first_searches, all_searches - first_searches, patience);
+  found_.insert(found_.end(), others.begin(), others.end());
+  take_best_of(found_);
+  if (times_found() < 2) take_best_of(searched(all_searches, long_searches, long_patience));
 }
 
 SeamChoice SeamChooser::choose() {
@@ -184,11 +184,11 @@ void SeamChooser::tell_features(const std::vector<SeamSearch::Garment>& without,
   for (ChosenSeam& seam : choice.seams) {
     SeamFeatures& features = seam.features;
     at(features, SeamFeature::one) = 1;
-    at(features, SeamFeature::plain) = share(plain_, seam.a, seam.b);
+    at(features, SeamFeature::found) = share(found_, seam.a, seam.b);
     const double lacks =
         without[seam.a].partners.empty() ? widest_gap : best_.score - without[seam.a].score;
     at(features, SeamFeature::gap) = std::log1p(std::clamp(lacks, 0.0, widest_gap));
-    at(features, SeamFeature::settled) = static_cast<double>(times) / all_plain_searches;
+    at(features, SeamFeature::settled) = static_cast<double>(times) / all_searches;
     at(features, SeamFeature::edges) = std::log(static_cast<double>(edges.size()));
     const auto role = [&](int e) { return evidence_.words[edges[e].ref.panel].role; };
     at(features, SeamFeature::named) =

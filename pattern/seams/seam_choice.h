@@ -28,7 +28,7 @@ struct SeamChoice {
 /// for any number of threads.
 class SeamChooser {
  public:
-  /// Runs the searches with the weights as they are.
+  /// Runs the first searches.
   SeamChooser(const SeamEvidence& evidence, bool heed_sides, const KnownSeams& known);
 
   double score() const { return best_.score; }
@@ -57,7 +57,7 @@ class SeamChooser {
   SeamPairs pairs_;
   SeamMeasures weights_;
   SeamSearch search_;
-  std::vector<SeamSearch::Garment> plain_;
+  std::vector<SeamSearch::Garment> found_;
   SeamSearch::Garment best_;
 };
 

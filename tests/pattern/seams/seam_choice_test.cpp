@@ -69,7 +69,7 @@ TEST_F(SeamsOfTshirt, NoForbiddenKindIsSewn) {
 TEST(SeamCertainty, IsHighWhereAllFeaturesSpeakForASeam) {
   SeamFeatures good{};
   for (const SeamFeature feature :
-       {SeamFeature::one, SeamFeature::plain, SeamFeature::settled, SeamFeature::named}) {
+       {SeamFeature::one, SeamFeature::found, SeamFeature::settled, SeamFeature::named}) {
     good[static_cast<int>(feature)] = 1;
   }
   for (const SeamFeature feature : {SeamFeature::gap, SeamFeature::garment_gap}) {
