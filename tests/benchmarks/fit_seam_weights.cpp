@@ -32,8 +32,6 @@ using namespace toile;
 
 /// Score that a wrong seam gains while weights are fitted.
 double wrong_seam = 0.5;
-/// The largest step of one update.
-double largest_step = 0.03;
 
 struct Example {
   std::string name;
