@@ -10,7 +10,8 @@ struct Quality {
   const char* name;
   double residual;  ///< DressOptions::stop_median and stop_wide
   /// Metres, root of the mean square: how far nodes are from where the same run ends when it is
-  /// brought to rest. The largest of the drapes below [measured].
+  /// brought to rest. The largest of the drapes below [measured by
+  /// tests/benchmarks/preset_distances].
   double distance_rms;
 };
 

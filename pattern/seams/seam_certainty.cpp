@@ -8,8 +8,8 @@ namespace {
 
 /// fit_seam_certainty.py fitted them to what is found in the 96 random garments that seam_weights
 /// were fitted to, with and without names.
-constexpr SeamFeatures feature_weights = {-2.297, 2.804, 2.010, 1.500,  0.939,
-                                          -0.962, 1.359, 0.203, -0.529, -0.496};
+constexpr SeamFeatures feature_weights = {-1.884, 2.460, 2.090, 1.468,  0.923,
+                                          -0.998, 1.357, 0.305, -0.661, -0.628};
 
 }  // namespace
 

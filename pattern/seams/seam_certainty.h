@@ -13,7 +13,7 @@ enum class SeamFeature {
   garment_gap,   ///< `gap` of all of these; the mean
   settled,       ///< share of the searches that ended with the garment's score
   edges,         ///< logarithm of the number of edges
-  named,         ///< 1: names say what both pieces are
+  named,         ///< 1: the name of a piece says its kind, face or side, of any of the garment
   equal_length,  ///< 1, falling by e for each 0.5 % by which the lengths differ
   gathered,      ///< logarithm of the longer over the shorter side
   coincide,      ///< 1: the edges coincide

@@ -180,6 +180,10 @@ void SeamChooser::tell_features(const std::vector<SeamSearch::Garment>& without,
   const int times = times_found();
   choice.settled = times > 1;
   const std::vector<WalkedEdge>& edges = evidence_.edges;
+  const bool names_tell =
+      std::any_of(evidence_.words.begin(), evidence_.words.end(), [](const PanelWords& words) {
+        return words.role != PanelRole::unknown || words.face != 0 || words.side != 0;
+      });
   double gap_sum = 0;
   for (ChosenSeam& seam : choice.seams) {
     SeamFeatures& features = seam.features;
@@ -190,9 +194,7 @@ void SeamChooser::tell_features(const std::vector<SeamSearch::Garment>& without,
     at(features, SeamFeature::gap) = std::log1p(std::clamp(lacks, 0.0, widest_gap));
     at(features, SeamFeature::settled) = static_cast<double>(times) / all_searches;
     at(features, SeamFeature::edges) = std::log(static_cast<double>(edges.size()));
-    const auto role = [&](int e) { return evidence_.words[edges[e].ref.panel].role; };
-    at(features, SeamFeature::named) =
-        role(seam.a) != PanelRole::unknown && role(seam.b) != PanelRole::unknown ? 1 : 0;
+    at(features, SeamFeature::named) = names_tell ? 1 : 0;
     const double ratio = std::abs(std::log(edges[seam.a].length / edges[seam.b].length));
     at(features, SeamFeature::equal_length) = std::exp(-ratio / 0.005);
     at(features, SeamFeature::gathered) = ratio;

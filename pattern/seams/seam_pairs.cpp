@@ -263,7 +263,7 @@ void SeamPairs::measure_halves(int a, int b, SeamMeasures& measures) const {
 bool SeamPairs::are_named_halves(int a, int b) const {
   const PanelWords& first = words_[edges_[a].ref.panel];
   const PanelWords& second = words_[edges_[b].ref.panel];
-  return first.stem == second.stem && first.side * second.side < 0;
+  return first.stem == second.stem && first.face == second.face && first.side * second.side < 0;
 }
 
 PanelRole SeamPairs::role(int edge) const { return words_[edges_[edge].ref.panel].role; }

@@ -14,7 +14,8 @@ struct Row {
 /// hand from the mistakes on 64 random garments are needless_cut, slit_above, hangs_turned,
 /// numbers_apart and borders_missing. With half of the notches' weights the sleeves of FreeSewing's
 /// T-shirt are sewn in one notch too far; double changes nothing. With half of needless_cut, eight
-/// of 28 garments get mistakes; with double, none does.
+/// of 28 garments get mistakes; with double, none does. far_in_file was chosen on 22 garments
+/// without names: with 0.5, 0.75 and 1, 0.88, 0.93 and 0.91 of their seams are found.
 constexpr Row rows[] = {
     {"seam", -1.040},
     {"equal_length", -0.501},

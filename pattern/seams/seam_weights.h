@@ -57,8 +57,8 @@ enum class SeamMeasure {
   numbered_sides,  ///< sides of two numbered pieces of one name, both front or both back
   collar_halves,   ///< halves of a collar: the seam's length over the collar's longest edge
   hood_face,       ///< halves of a hood, at a long edge that is straight or turns inwards
-  numbers_follow,  ///< 1: pieces of one name, numbered one after the other
-  numbers_apart,   ///< 1: of one name, not of one shape, with numbers between them
+  numbers_follow,  ///< 1: pieces of one name, not of one shape, numbered one after the other
+  numbers_apart,   ///< 1: the same with numbers between them
   words_alike,     ///< of different pieces: words of the shorter name that the other has, 0 to 1
   named_halves,    ///< 1: the left and the right half of one piece, mirror partners
   front_and_back,  ///< 1: front and back of one piece, with one number or none

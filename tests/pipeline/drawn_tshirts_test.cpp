@@ -57,11 +57,11 @@ TEST(ValentinasTshirt, IsSewnOnTheAverageWoman) {
   EXPECT_EQ(left.size(), 4u);
   for (const auto& seam : left) {
     EXPECT_HOLDS(seam["a"]["panel"].get<std::string>(), "sleeve");
-    EXPECT_GT(seam["confidence"].get<double>(), 0.5);
+    EXPECT_GT(seam["confidence"].get<double>(), 0.7);
   }
   const auto found = run("find-seams",
                          {file("pieces.json"), "-o", file("joined.json"), "--report",
-                          file("seams.json"), "--min-confidence", "0.5"},
+                          file("seams.json"), "--min-confidence", "0.7"},
                          120);
   EXPECT_EQ(found.exit_code, 0) << found.err;
   const auto report = nlohmann::json::parse(read_text(folder / "seams.json"));

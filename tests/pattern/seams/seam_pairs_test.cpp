@@ -57,6 +57,33 @@ TEST_F(Halves, HemsOfSkirtsAreNotSewnToEachOther) {
   EXPECT_NEAR(measure(SeamMeasure::end_to_end, 0, hem, 1, hem), 0, 1e-9);
 }
 
+TEST_F(Halves, StandFarApartInTheFileUnlessTheyAreOfOnePiece) {
+  draw("torso");
+  EXPECT_EQ(measure(SeamMeasure::far_in_file, 0, left, 1, right), 0) << "beside each other";
+  EXPECT_NEAR(measure(SeamMeasure::far_in_file, 0, left, 3, right), std::log(3.0), 1e-12);
+  EXPECT_EQ(measure(SeamMeasure::far_in_file, 0, left, 2, right), 0) << "left and right front";
+}
+
+// Nothing tells which of equal pieces a number means, nor what a number means without a name.
+TEST(NumbersOfPieces, SayNothingOfEqualPiecesAndOfPiecesWithoutAKind) {
+  const auto numbers = [](const std::string& name, const std::string& corner) {
+    std::vector<Remark> remarks;
+    const std::string panels = samples::polygon(name + "1", "[0,0],[20,0],[20,50],[0,50]") + "," +
+                               samples::polygon(name + "3", "[0,0],[20,0],[20,50]," + corner);
+    const SeamEvidence evidence =
+        seam_evidence(parse_drawn_pattern(samples::file(panels), "test", remarks), false);
+    const SeamMeasures found = SeamPairs(evidence, true).measures(right, 4 + left);
+    const auto at = [&](SeamMeasure measure) { return found[static_cast<int>(measure)]; };
+    return std::array{at(SeamMeasure::numbers_apart), at(SeamMeasure::first_number),
+                      at(SeamMeasure::later_number)};
+  };
+  const std::array nothing = {0.0, 0.0, 0.0};
+  EXPECT_EQ(numbers("piece", "[0,50]"), nothing);
+  EXPECT_EQ(numbers("piece", "[0,60]"), nothing);
+  EXPECT_EQ(numbers("skirt_", "[0,50]"), nothing);
+  EXPECT_EQ(numbers("skirt_", "[0,60]"), (std::array{1.0, 0.0, 0.0}));
+}
+
 TEST(CutsIntoASkirt, AreSlitsAtTheHemAndDartsAtTheWaist) {
   const auto slit = [](const std::string& vertices, int leg) {
     std::vector<Remark> remarks;
