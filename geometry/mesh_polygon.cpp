@@ -60,16 +60,20 @@ struct Box {
 
 class Filler {
  public:
-  Filler(const std::vector<Vec2>& outline, double edge_length)
+  Filler(const std::vector<Vec2>& outline, const std::vector<std::vector<Vec2>>& holes,
+         double edge_length)
       : outline_(outline),
+        holes_(holes),
         edge_length_(edge_length),
-        border_(static_cast<int>(outline.size())),
         box_(outline),
         segments_(box_.low, box_.high, edge_length),
         points_(box_.low, box_.high, edge_length) {
+    add_polygon(outline);
+    for (const std::vector<Vec2>& hole : holes) add_polygon(hole);
+    border_ = static_cast<int>(border_points_.size());
     for (int i = 0; i < border_; ++i) {
-      const Vec2& a = outline_[i];
-      const Vec2& b = outline_[(i + 1) % border_];
+      const Vec2& a = border_points_[i];
+      const Vec2& b = border_points_[next_[i]];
       middles_.push_back((a + b) / 2);
       lengths_.push_back((b - a).norm());
       segments_.add(a, b, i);
@@ -93,6 +97,18 @@ class Filler {
   }
 
  private:
+  void add_polygon(const std::vector<Vec2>& polygon) {
+    const int first = static_cast<int>(border_points_.size());
+    const int last = first + static_cast<int>(polygon.size()) - 1;
+    border_points_.insert(border_points_.end(), polygon.begin(), polygon.end());
+    for (int i = first; i <= last; ++i) next_.push_back(i < last ? i + 1 : first);
+  }
+
+  bool is_within(const Vec2& point) const {
+    return inside(outline_, point) &&
+           std::ranges::none_of(holes_, [&](const auto& hole) { return inside(hole, point); });
+  }
+
   /// The wanted edge length at `point`, metres.
   double size(const Vec2& point) const {
     double wanted = edge_length_;
@@ -108,16 +124,17 @@ class Filler {
   double border_distance(const Vec2& point) const {
     double distance = std::numeric_limits<double>::max();
     segments_.near(point, edge_length_, [&](int i) {
-      distance =
-          std::min(distance, distance_to_segment(point, outline_[i], outline_[(i + 1) % border_]));
+      distance = std::min(distance,
+                          distance_to_segment(point, border_points_[i], border_points_[next_[i]]));
     });
     return distance;
   }
 
   /// Adds a point in the triangle of an outline point and its neighbours, toward the far side.
   void split(int corner) {
-    const Vec2& before = outline_[(corner + border_ - 1) % border_];
-    const Vec2& after = outline_[(corner + 1) % border_];
+    const int count = static_cast<int>(outline_.size());
+    const Vec2& before = outline_[(corner + count - 1) % count];
+    const Vec2& after = outline_[(corner + 1) % count];
     const Vec2 point = 0.25 * outline_[corner] + 0.375 * (before + after);
     points_.add(point, border_ + static_cast<int>(interior_.size()));
     interior_.push_back(point);
@@ -129,7 +146,7 @@ class Filler {
     bool free = true;
     points_.near(point, wanted, [&](int i) {
       const bool border = i < border_;
-      const Vec2& other = border ? outline_[i] : interior_[i - border_];
+      const Vec2& other = border ? border_points_[i] : interior_[i - border_];
       const double spacing = border ? border_point_spacing : first_spacing;
       if ((other - point).norm() < spacing * wanted) free = false;
     });
@@ -140,8 +157,8 @@ class Filler {
   std::vector<double> crossings(double y) const {
     std::vector<double> xs;
     for (int i = 0; i < border_; ++i) {
-      const Vec2& a = outline_[i];
-      const Vec2& b = outline_[(i + 1) % border_];
+      const Vec2& a = border_points_[i];
+      const Vec2& b = border_points_[next_[i]];
       if ((a.y() > y) == (b.y() > y)) continue;
       xs.push_back(a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
     }
@@ -179,9 +196,9 @@ class Filler {
   }
 
   void connect() {
-    mesh_.points = outline_;
+    mesh_.points = border_points_;
     mesh_.points.insert(mesh_.points.end(), interior_.begin(), interior_.end());
-    mesh_.triangles = triangulate(outline_, interior_);
+    mesh_.triangles = triangulate(outline_, interior_, holes_);
   }
 
   /// Moves each interior point to the weighted centre of the triangles around it.
@@ -209,7 +226,7 @@ class Filler {
       const Vec2 moved = sum[i] / weight[i];
       // A point that moves by less than its distance from the border can't leave the polygon.
       const double room = std::min(border_distance(interior_[i]), edge_length_);
-      if ((moved - interior_[i]).norm() >= room && !inside(outline_, moved)) continue;
+      if ((moved - interior_[i]).norm() >= room && !is_within(moved)) continue;
       if (border_distance(moved) >= border_clearance * size(moved)) interior_[i] = moved;
     }
   }
@@ -253,8 +270,11 @@ class Filler {
   }
 
   const std::vector<Vec2>& outline_;
+  const std::vector<std::vector<Vec2>>& holes_;
   double edge_length_;
-  int border_;
+  std::vector<Vec2> border_points_;  ///< of the outline, then of the holes
+  std::vector<int> next_;            ///< per border point, the next one of its polygon
+  int border_ = 0;                   ///< number of border points
   Box box_;
   BucketGrid segments_;  ///< border segments
   BucketGrid points_;    ///< border points, and interior points as they are placed
@@ -310,8 +330,9 @@ void raise_angles(PlanarMesh& mesh, const std::vector<bool>& fixed, double good)
 }
 
 PlanarMesh mesh_polygon(const std::vector<Vec2>& outline, double edge_length,
-                        const std::vector<int>& split_corners) {
-  return Filler(outline, edge_length).fill(split_corners);
+                        const std::vector<int>& split_corners,
+                        const std::vector<std::vector<Vec2>>& holes) {
+  return Filler(outline, holes, edge_length).fill(split_corners);
 }
 
 }  // namespace toile

@@ -23,13 +23,17 @@ struct PlanarMesh {
 /// centres of their surroundings (centroidal patch smoothing [Chen & Holst 2011]). At last each
 /// moves to where its smallest angle is largest. About O(n log n).
 ///
+/// `holes` are simple polygons inside the outline that stay empty. Their points follow the
+/// outline's, and are border like these.
+///
 /// `split_corners` holds indices of outline points. Each of them gets an interior point in the
 /// triangle with its two neighbours on the outline, even if that makes sharp triangles. That
 /// triangle has to lie inside the polygon, free of other outline points.
 ///
 /// Throws Error as triangulate() does.
 PlanarMesh mesh_polygon(const std::vector<Vec2>& outline, double edge_length,
-                        const std::vector<int>& split_corners = {});
+                        const std::vector<int>& split_corners = {},
+                        const std::vector<std::vector<Vec2>>& holes = {});
 
 /// Moves points that have an angle below `good` radians to where their smallest angle is larger. It
 /// keeps the triangles and the points that are `fixed`, one flag a point. No angle becomes smaller

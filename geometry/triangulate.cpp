@@ -29,31 +29,42 @@ using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
   throw Error("triangulation", problem, "check the outline");
 }
 
-/// Sets info() to 1 for faces that can be reached from outside without crossing the outline, and to
-/// 0 for the others.
-void mark_outside(Triangulation& mesh) {
-  for (auto face : mesh.all_face_handles()) face->info() = 0;
+/// Sets info() of each face to the number of polygons that part it from outside.
+void count_polygons(Triangulation& mesh) {
+  for (auto face : mesh.all_face_handles()) face->info() = -1;
   std::vector<Triangulation::Face_handle> front = {mesh.infinite_face()};
-  mesh.infinite_face()->info() = 1;
-  while (!front.empty()) {
-    const auto face = front.back();
-    front.pop_back();
-    for (int i = 0; i < 3; ++i) {
-      const auto next = face->neighbor(i);
-      if (next->info() == 1 || face->is_constrained(i)) continue;
-      next->info() = 1;
-      front.push_back(next);
+  mesh.infinite_face()->info() = 0;
+  for (int polygons = 0; !front.empty(); ++polygons) {
+    std::vector<Triangulation::Face_handle> beyond;
+    while (!front.empty()) {
+      const auto face = front.back();
+      front.pop_back();
+      for (int i = 0; i < 3; ++i) {
+        const auto next = face->neighbor(i);
+        if (next->info() >= 0) continue;
+        if (face->is_constrained(i)) {
+          beyond.push_back(next);
+          continue;
+        }
+        next->info() = polygons;
+        front.push_back(next);
+      }
     }
+    std::erase_if(beyond, [](const auto& face) { return face->info() >= 0; });
+    for (const auto& face : beyond) face->info() = polygons + 1;
+    front = std::move(beyond);
   }
 }
 
 }  // namespace
 
 std::vector<Triangle> triangulate(const std::vector<Vec2>& outline,
-                                  const std::vector<Vec2>& interior) {
-  if (outline.size() < 3) fail("an outline has fewer than three points");
+                                  const std::vector<Vec2>& interior,
+                                  const std::vector<std::vector<Vec2>>& holes) {
+  std::vector<const std::vector<Vec2>*> polygons = {&outline};
+  for (const std::vector<Vec2>& hole : holes) polygons.push_back(&hole);
   Triangulation mesh;
-  std::vector<Triangulation::Vertex_handle> border;
+  std::vector<std::vector<Triangulation::Vertex_handle>> border;
   int index = 0;
   // Neighbours in the list are mostly close together, so each search starts at the last point.
   Triangulation::Face_handle near;
@@ -64,29 +75,37 @@ std::vector<Triangle> triangulate(const std::vector<Vec2>& outline,
     if (mesh.number_of_vertices() != static_cast<std::size_t>(index)) fail("two points coincide");
     return vertex;
   };
-  for (const Vec2& point : outline) border.push_back(insert(point));
+  std::size_t border_points = 0;
+  for (const std::vector<Vec2>* polygon : polygons) {
+    if (polygon->size() < 3) fail("an outline has fewer than three points");
+    border.emplace_back();
+    for (const Vec2& point : *polygon) border.back().push_back(insert(point));
+    border_points += polygon->size();
+  }
   for (const Vec2& point : interior) insert(point);
   try {
-    for (std::size_t i = 0; i < border.size(); ++i) {
-      mesh.insert_constraint(border[i], border[(i + 1) % border.size()]);
+    for (const auto& polygon : border) {
+      for (std::size_t i = 0; i < polygon.size(); ++i) {
+        mesh.insert_constraint(polygon[i], polygon[(i + 1) % polygon.size()]);
+      }
     }
   } catch (const Triangulation::Intersection_of_constraints_exception&) {
     fail("the outline crosses itself");
   }
-  mark_outside(mesh);
+  count_polygons(mesh);
 
   std::vector<Triangle> triangles;
   for (auto face : mesh.finite_face_handles()) {
-    if (face->info() == 1) continue;
+    if (face->info() != 1) continue;
     Triangle triangle = {face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()};
     std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()),
                 triangle.end());
     triangles.push_back(triangle);
   }
   std::sort(triangles.begin(), triangles.end());
-  // Euler's formula gives this number of triangles for a disc. Any other number means that a point
-  // splits an outline segment or lies outside.
-  if (triangles.size() != outline.size() + 2 * interior.size() - 2) {
+  // Euler's formula gives this number of triangles for a disc with holes. Any other number means
+  // that a point splits an outline segment or lies outside.
+  if (triangles.size() != border_points + 2 * (interior.size() + holes.size()) - 2) {
     fail("a point lies on or outside the outline");
   }
   return triangles;

@@ -201,13 +201,17 @@ void check_pattern(const Pattern& pattern, std::vector<Remark>& remarks) {
     const Stitch& stitch = pattern.stitches[s];
     const std::string number = "stitch " + std::to_string(s);
     for (const EdgeRef& ref : {stitch.a, stitch.b}) {
+      const bool is_itself = stitch.a.panel == stitch.b.panel && stitch.a.edge == stitch.b.edge;
+      if (stitch.layered && !is_itself) continue;
       const auto [found, added] = stitch_of.try_emplace({ref.panel, ref.edge}, s);
       if (added) continue;
-      throw Error(pattern.source + ": " + edge_name(pattern, ref),
-                  found->second == s ? number + " sews it to itself"
-                                     : "is in stitches " + std::to_string(found->second) + " and " +
-                                           std::to_string(s),
-                  "an edge is sewn once; split it where another seam begins");
+      throw Error(
+          pattern.source + ": " + edge_name(pattern, ref),
+          found->second == s
+              ? number + " sews it to itself"
+              : "is in stitches " + std::to_string(found->second) + " and " + std::to_string(s),
+          "an edge is sewn once; split it where another seam begins, or say \"layer\": true in "
+          "the stitch of a panel that lies upon it");
     }
   }
   remark_on_lengths(pattern, remarks);

@@ -13,8 +13,8 @@ namespace toile {
 /// meet end to end share one remark. Adds gathers whose drawn fullness is not the declared one.
 ///
 /// Throws Error, naming panel and edge, for an edge that ends where it starts. Throws it for an
-/// edge in two stitches, or one that is sewn to itself. Throws it for an outline that crosses or
-/// touches itself, as outline_polygon() draws it.
+/// edge in two stitches that are not layered, or one that is sewn to itself. Throws it for an
+/// outline that crosses or touches itself, as outline_polygon() draws it.
 void check_pattern(const Pattern& pattern, std::vector<Remark>& remarks);
 
 }  // namespace toile

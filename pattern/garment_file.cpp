@@ -43,6 +43,7 @@ std::string garment_json(const PanelMesh& garment) {
                  {"points", panel.points},
                  {"first_triangle", panel.first_triangle},
                  {"triangles", panel.triangles}};
+    if (panel.layered) json["layered"] = true;
     if (!panel.label.empty()) json["label"] = panel.label;
     if (panel.placement.by_part()) json["placement"] = placement_json(panel.placement);
     text += separator;
@@ -79,7 +80,19 @@ std::string garment_json(const PanelMesh& garment) {
     text += separator + json.dump();
     separator = ",\n";
   }
-  return text + (garment.attachments.empty() ? "}\n" : "]}\n");
+  if (!garment.attachments.empty()) text += "]";
+  separator = ",\n\"marks\": [\n";
+  for (const MeshedMark& mark : garment.marks) {
+    text += separator + Json({{"name", mark.name}, {"points", mark.points}}).dump();
+    separator = ",\n";
+  }
+  if (!garment.marks.empty()) text += "]";
+  separator = ",\n\"cut_outs\": [\n";
+  for (const MeshedCutOut& cut_out : garment.cut_outs) {
+    text += separator + Json({{"name", cut_out.name}, {"points", cut_out.points}}).dump();
+    separator = ",\n";
+  }
+  return text + (garment.cut_outs.empty() ? "}\n" : "]}\n");
 }
 
 int count_of(const JsonValue& value) { return value.index(std::numeric_limits<int>::max() / 2); }
@@ -103,6 +116,7 @@ MeshedPanel panel_of(const JsonValue& value) {
                     count_of(value.get("points")),
                     count_of(value.get("first_triangle")),
                     count_of(value.get("triangles"))};
+  if (const auto layered = value.find("layered")) panel.layered = layered->flag();
   panel.label = text_or(value, "label", "");
   if (const auto placement = value.find("placement")) {
     panel.placement = read_placement(*placement, panel.part, 1);
@@ -315,6 +329,20 @@ PanelMesh read_garment(const fs::path& obj, const fs::path& json) {
       garment.attachments.push_back(
           attachment_of(attachments->item(i).called(name + ": attachment " + std::to_string(i)),
                         garment.flat.size()));
+    }
+  }
+  if (const auto marks = root.find("marks")) {
+    for (std::size_t i = 0; i < marks->size(); ++i) {
+      const JsonValue mark = marks->item(i).called(name + ": mark " + std::to_string(i));
+      garment.marks.push_back(
+          {mark.get("name").text(), points_of(mark.get("points"), garment.flat.size(), 1)});
+    }
+  }
+  if (const auto cut_outs = root.find("cut_outs")) {
+    for (std::size_t i = 0; i < cut_outs->size(); ++i) {
+      const JsonValue hole = cut_outs->item(i).called(name + ": cut-out " + std::to_string(i));
+      garment.cut_outs.push_back(
+          {hole.get("name").text(), points_of(hole.get("points"), garment.flat.size(), 3)});
     }
   }
   if (const auto problem = nesting_problem(garment)) fail(name, *problem);

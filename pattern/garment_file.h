@@ -15,7 +15,8 @@ namespace toile {
 /// - garment.obj: `v` are the placed points and `vt` the flat coordinates, both in metres and in
 ///   the same order. One group a panel; `l` are the seam pairs.
 /// - garment.json of the same stem: panels with their ranges, grain, fabric, part and placement;
-///   seams with their pairs and lengths; elastics, attachments and subdivisions.
+///   seams with their pairs and lengths. Then elastics, attachments, marks, cut-outs and
+///   subdivisions.
 ///
 /// Both files are new or neither. Throws Error as OutputFile does.
 void write_garment(const OutputPath& obj, const PanelMesh& garment);

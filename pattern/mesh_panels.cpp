@@ -2,218 +2,48 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 
 #include "geometry/error.h"
-#include "geometry/mesh_polygon.h"
 #include "geometry/polygon.h"
-#include "geometry/triangulate.h"
 #include "pattern/constants.h"
+#include "pattern/cut_outs.h"
 #include "pattern/doubled_triangles.h"
 #include "pattern/seam_orientation.h"
 #include "pattern/seam_steps.h"
+#include "pattern/triangulate_panel.h"
 
 namespace toile {
 
 namespace {
 
-/// A panel that cannot be meshed with as many subdivisions, and why.
-struct Unmeshable {
-  std::string panel;  ///< "panel 'front'", and its edge where one is at fault
-  std::string problem;
-  std::vector<int> edges = {};  ///< those that shorter steps may help, indices in the panel
-  std::size_t index = 0;        ///< of the panel
-};
-
-std::string quoted(const PatternPanel& panel) { return "panel '" + panel.name + "'"; }
-
-/// The mesh of one panel. Indices count the points of this panel.
-struct PanelTriangulation {
-  PlanarMesh mesh;
-  std::vector<std::vector<int>> along;  ///< per edge, points from its start to its end
-  int coarse_border = 0;                ///< border points of the coarsest level; they come first
-};
+/// Lines or drill holes of a panel that a note names one by one.
+constexpr std::size_t max_named_marks = 8;
 
 /// Per panel, points of its coarse outline that need an interior point in the triangle with their
 /// two neighbours on the outline.
 using Corners = std::vector<std::vector<int>>;
 
-class PanelMesher {
- public:
-  PanelMesher(const PatternPanel& panel, bool mirrored) : panel_(panel), mirrored_(mirrored) {}
-
-  PanelTriangulation mesh(const std::vector<int>& steps, double coarse_length, int subdivisions,
-                          const std::vector<int>& split_corners) {
-    steps_ = steps;
-    const std::vector<Vec2> outline = coarse_outline();
-    if (outline.size() < 3) throw Unmeshable{quoted(panel_), "has too few border points"};
-    if (first_crossing(outline)) {
-      throw Unmeshable{quoted(panel_), "has an outline that crosses itself"};
-    }
-    triangulation_.coarse_border = static_cast<int>(outline.size());
-    try {
-      triangulation_.mesh = mesh_polygon(outline, coarse_length, split_corners);
-    } catch (const Error&) {
-      throw Unmeshable{quoted(panel_), "can't be triangulated"};
-    }
-    for (int level = 0; level < subdivisions; ++level) subdivide();
-    if (smallest_angle(triangulation_.mesh.points, triangulation_.mesh.triangles) < needle_angle) {
-      const SharpPlace place = sharpest_place();
-      const std::string edge = place.edge < 0 ? "" : ", edge " + std::to_string(place.edge);
-      throw Unmeshable{quoted(panel_) + edge, "gets triangles like needles", place.long_steps};
-    }
-    return std::move(triangulation_);
-  }
-
- private:
-  /// The edges of the panel at the sharpest triangle.
-  struct SharpPlace {
-    int edge = -1;                ///< that most of its corners lie on; -1: it is at none
-    std::vector<int> long_steps;  ///< edges that it touches, of steps no shorter than half of it
-  };
-
-  SharpPlace sharpest_place() const {
-    const PlanarMesh& mesh = triangulation_.mesh;
-    const auto angle = [&](const Triangle& t) {
-      return smallest_angle(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
-    };
-    const Triangle sharpest = *std::min_element(
-        mesh.triangles.begin(), mesh.triangles.end(),
-        [&](const Triangle& s, const Triangle& t) { return angle(s) < angle(t); });
-    const auto length = [&](int a, int b) { return (mesh.points[a] - mesh.points[b]).norm(); };
-    const double longest =
-        std::max({length(sharpest[0], sharpest[1]), length(sharpest[1], sharpest[2]),
-                  length(sharpest[2], sharpest[0])});
-    SharpPlace place;
-    std::size_t most = 0;
-    for (std::size_t e = 0; e < triangulation_.along.size(); ++e) {
-      const std::vector<int>& along = triangulation_.along[e];
-      std::vector<int> corners;
-      for (const int p : along) {
-        if (std::ranges::find(sharpest, p) != sharpest.end()) corners.push_back(p);
-      }
-      if (corners.size() > most) {
-        most = corners.size();
-        place.edge = static_cast<int>(e);
-      }
-      if (corners.empty()) continue;
-      double whole = 0;
-      for (std::size_t i = 0; i + 1 < along.size(); ++i) whole += length(along[i], along[i + 1]);
-      const double step = whole / static_cast<double>(along.size() - 1);
-      if (step >= 0.5 * longest) place.long_steps.push_back(static_cast<int>(e));
-    }
-    return place;
-  }
-
-  Vec2 flat(const Vec2& drawn) const { return {mirrored_ ? -drawn.x() : drawn.x(), drawn.y()}; }
-
-  /// The outline's walk, turned so that it runs counter-clockwise in flat coordinates.
-  std::vector<OutlineStep> walk() const {
-    std::vector<Vec2> points;
-    for (const OutlineStep& step : panel_.outline) {
-      std::vector<Vec2> sample = panel_.edges[step.edge].curve.sample(8 * steps_[step.edge]);
-      if (!step.forward) std::reverse(sample.begin(), sample.end());
-      for (const Vec2& point : sample) points.push_back(flat(point));
-    }
-    std::vector<OutlineStep> steps = panel_.outline;
-    if (signed_area(points) < 0) {
-      std::reverse(steps.begin(), steps.end());
-      for (OutlineStep& step : steps) step.forward = !step.forward;
-    }
-    return steps;
-  }
-
-  std::vector<Vec2> coarse_outline() {
-    std::vector<Vec2> outline;
-    triangulation_.along.assign(panel_.edges.size(), {});
-    const std::vector<OutlineStep> steps = walk();
-    for (const OutlineStep& step : steps) {
-      const int count = steps_[step.edge];
-      std::vector<Vec2> sample = panel_.edges[step.edge].curve.sample(count);
-      if (!step.forward) std::reverse(sample.begin(), sample.end());
-      for (int i = 0; i < count; ++i) {
-        triangulation_.along[step.edge].push_back(static_cast<int>(outline.size()));
-        outline.push_back(flat(sample[i]));
-      }
-    }
-    for (std::size_t s = 0; s < steps.size(); ++s) {
-      std::vector<int>& along = triangulation_.along[steps[s].edge];
-      along.push_back(triangulation_.along[steps[(s + 1) % steps.size()].edge].front());
-    }
-    for (const OutlineStep& step : steps) {
-      std::vector<int>& along = triangulation_.along[step.edge];
-      if (!step.forward) std::reverse(along.begin(), along.end());
-    }
-    return outline;
-  }
-
-  /// Splits every triangle in four, in the order that PanelMesh states.
-  void subdivide() {
-    std::map<std::array<int, 2>, int> middles;
-    std::vector<Vec2>& points = triangulation_.mesh.points;
-    const auto key = [](int a, int b) { return std::array{std::min(a, b), std::max(a, b)}; };
-    for (std::size_t e = 0; e < triangulation_.along.size(); ++e) {
-      const std::vector<int> coarse = triangulation_.along[e];
-      if (coarse.empty()) continue;  // merged with another edge
-      std::vector<int> fine;
-      const double spans = 2.0 * static_cast<double>(coarse.size() - 1);
-      for (std::size_t i = 0; i + 1 < coarse.size(); ++i) {
-        const int middle = static_cast<int>(points.size());
-        middles[key(coarse[i], coarse[i + 1])] = middle;
-        points.push_back(
-            flat(panel_.edges[e].curve.at((2.0 * static_cast<double>(i) + 1) / spans)));
-        fine.push_back(coarse[i]);
-        fine.push_back(middle);
-      }
-      fine.push_back(coarse.back());
-      triangulation_.along[e] = std::move(fine);
-    }
-    const auto middle_of = [&](int a, int b) {
-      const auto [found, added] = middles.try_emplace(key(a, b), static_cast<int>(points.size()));
-      if (added) {
-        const Vec2 middle = (points[a] + points[b]) / 2;
-        points.push_back(middle);
-      }
-      return found->second;
-    };
-    std::vector<Triangle> fine;
-    fine.reserve(4 * triangulation_.mesh.triangles.size());
-    for (const auto& [c0, c1, c2] : triangulation_.mesh.triangles) {
-      const int m01 = middle_of(c0, c1);
-      const int m12 = middle_of(c1, c2);
-      const int m20 = middle_of(c2, c0);
-      fine.push_back({c0, m01, m20});
-      fine.push_back({m01, c1, m12});
-      fine.push_back({m20, m12, c2});
-      fine.push_back({m01, m12, m20});
-    }
-    triangulation_.mesh.triangles = std::move(fine);
-    // Where a curve bulges inward, its new points come too close to the middles opposite.
-    std::vector<bool> border(points.size(), false);
-    for (const std::vector<int>& along : triangulation_.along) {
-      for (const int point : along) border[point] = true;
-    }
-    raise_angles(triangulation_.mesh, border, acceptable_angle);
-  }
-
-  const PatternPanel& panel_;
-  bool mirrored_;
-  std::vector<int> steps_;
-  PanelTriangulation triangulation_;
+/// A pattern and how all of its panels are meshed, on any number of levels.
+struct Meshing {
+  const Pattern& pattern;
+  const Orientation& orientation;
+  double edge_length = 0;
+  std::vector<std::vector<CutOut>> cut_outs;  ///< per panel
 };
 
-std::vector<PanelTriangulation> mesh_all(const Pattern& pattern, const Orientation& orientation,
-                                         double edge_length, int subdivisions,
+std::vector<PanelTriangulation> mesh_all(const Meshing& meshing, int subdivisions,
                                          const EdgeSteps& factors, const Corners& split_corners) {
-  const double coarse_length = edge_length * (1 << subdivisions);
-  const EdgeSteps steps = steps_along(pattern, coarse_length, factors);
+  const double coarse_length = meshing.edge_length * (1 << subdivisions);
+  const EdgeSteps steps = steps_along(meshing.pattern, coarse_length, factors);
   std::vector<PanelTriangulation> triangulations;
-  for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
-    PanelMesher mesher(pattern.panels[p], orientation.mirrored[p]);
+  for (std::size_t p = 0; p < meshing.pattern.panels.size(); ++p) {
     try {
-      triangulations.push_back(
-          mesher.mesh(steps[p], coarse_length, subdivisions, split_corners[p]));
+      triangulations.push_back(triangulate_panel(
+          meshing.pattern.panels[p], {meshing.orientation.mirrored[p], coarse_length, subdivisions,
+                                      steps[p], split_corners[p], meshing.cut_outs[p]}));
     } catch (Unmeshable& unmeshable) {
       unmeshable.index = p;
       throw;
@@ -289,8 +119,29 @@ std::optional<Attachment> held_by_label(const std::string& label) {
   return std::nullopt;
 }
 
-PanelMesh assemble(const Pattern& pattern, const Orientation& orientation,
-                   const std::vector<PanelTriangulation>& triangulations) {
+/// The cut-outs of a panel, whose points are counted from `first_point` on.
+std::vector<MeshedCutOut> meshed_cut_outs(const std::string& panel,
+                                          const std::vector<CutOut>& cut_outs,
+                                          const PanelTriangulation& triangulation,
+                                          int first_point) {
+  std::vector<MeshedCutOut> meshed;
+  std::size_t run = 0;
+  for (const CutOut& cut_out : cut_outs) {
+    MeshedCutOut hole{panel + ".cut_out." + std::to_string(cut_out.index), {}};
+    for (std::size_t c = 0; c < cut_out.curves.size(); ++c) {
+      const std::vector<int>& along = triangulation.cut_along[run++];
+      for (std::size_t i = 0; i + 1 < along.size(); ++i) {
+        hole.points.push_back(first_point + along[i]);
+      }
+    }
+    meshed.push_back(std::move(hole));
+  }
+  return meshed;
+}
+
+PanelMesh assemble(const Meshing& meshing, const std::vector<PanelTriangulation>& triangulations) {
+  const Pattern& pattern = meshing.pattern;
+  const Orientation& orientation = meshing.orientation;
   PanelMesh garment;
   garment.has_places = has_places(pattern);
   for (std::size_t p = 0; p < triangulations.size(); ++p) {
@@ -301,6 +152,9 @@ PanelMesh assemble(const Pattern& pattern, const Orientation& orientation,
     meshed.part = panel.part;
     meshed.label = panel.label;
     meshed.fabric = panel.fabric;
+    meshed.layered = std::ranges::any_of(pattern.stitches, [&](const Stitch& stitch) {
+      return stitch.layered && stitch.b.panel == static_cast<int>(p);
+    });
     meshed.placement = orientation.mirrored[p] ? mirrored(panel.placement) : panel.placement;
     meshed.grain = orientation.mirrored[p] ? -panel.grain : panel.grain;
     meshed.first_point = static_cast<int>(garment.flat.size());
@@ -337,6 +191,16 @@ PanelMesh assemble(const Pattern& pattern, const Orientation& orientation,
       for (int& point : meshed_attachment.points) point += meshed.first_point;
       garment.attachments.push_back(std::move(meshed_attachment));
     }
+    std::vector<MeshedCutOut> holes =
+        meshed_cut_outs(panel.name, meshing.cut_outs[p], triangulations[p], meshed.first_point);
+    std::move(holes.begin(), holes.end(), std::back_inserter(garment.cut_outs));
+    for (const PointedMark& mark : triangulations[p].marks.marks) {
+      MeshedMark meshed_mark{panel.name + (mark.is_line ? ".internal_line." : ".drill_hole.") +
+                                 std::to_string(mark.index),
+                             mark.points};
+      for (int& point : meshed_mark.points) point += meshed.first_point;
+      garment.marks.push_back(std::move(meshed_mark));
+    }
     garment.panels.push_back(std::move(meshed));
   }
   for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
@@ -365,7 +229,7 @@ Corners doubled_corners(const PanelMesh& garment,
   std::size_t p = 0;
   for (const int t : doubled_triangles(garment)) {
     while (t >= garment.panels[p].first_triangle + garment.panels[p].triangles) ++p;
-    const int border = triangulations[p].coarse_border;
+    const int border = triangulations[p].coarse_outline;
     Triangle local = garment.triangles[t];
     std::vector<int> coarse;
     for (int& corner : local) {
@@ -387,31 +251,60 @@ Corners doubled_corners(const PanelMesh& garment,
   return corners;
 }
 
-PanelMesh mesh_garment(const Pattern& pattern, const Orientation& orientation, double edge_length,
-                       int subdivisions, const EdgeSteps& factors) {
-  const Corners none(pattern.panels.size());
-  std::vector<PanelTriangulation> triangulations =
-      mesh_all(pattern, orientation, edge_length, subdivisions, factors, none);
-  PanelMesh garment = assemble(pattern, orientation, triangulations);
+/// A note for each panel with lines and drill holes that no mesh point lies on.
+std::vector<Remark> lost_marks(const Pattern& pattern,
+                               const std::vector<PanelTriangulation>& triangulations) {
+  std::vector<Remark> notes;
+  for (std::size_t p = 0; p < triangulations.size(); ++p) {
+    const PointedMarks& marks = triangulations[p].marks;
+    std::string text;
+    const auto list = [&](const std::string& one, const std::vector<int>& lost) {
+      if (lost.empty()) return;
+      text += (text.empty() ? "" : ", ") + one + (lost.size() > 1 ? "s" : "");
+      for (std::size_t i = 0; i < std::min(lost.size(), max_named_marks); ++i) {
+        text += (i == 0 ? " " : ", ") + std::to_string(lost[i]);
+      }
+      if (lost.size() > max_named_marks) {
+        text += " and " + std::to_string(lost.size() - max_named_marks) + " others";
+      }
+    };
+    list("internal line", marks.lost_lines);
+    list("drill hole", marks.lost_holes);
+    if (text.empty()) continue;
+    notes.push_back({false, pattern.source + ": " + quoted(pattern.panels[p]) + ", " + text +
+                                ": not marked in the mesh; at this edge length too near to the "
+                                "outline or to each other, or outside"});
+  }
+  return notes;
+}
+
+/// `notes` tells of marks that are lost.
+PanelMesh mesh_garment(const Meshing& meshing, int subdivisions, const EdgeSteps& factors,
+                       std::vector<Remark>& notes) {
+  const Corners none(meshing.pattern.panels.size());
+  std::vector<PanelTriangulation> triangulations = mesh_all(meshing, subdivisions, factors, none);
+  PanelMesh garment = assemble(meshing, triangulations);
   const Corners corners = doubled_corners(garment, triangulations);
   if (corners != none) {
-    triangulations = mesh_all(pattern, orientation, edge_length, subdivisions, factors, corners);
-    garment = assemble(pattern, orientation, triangulations);
+    triangulations = mesh_all(meshing, subdivisions, factors, corners);
+    garment = assemble(meshing, triangulations);
   }
+  notes = lost_marks(meshing.pattern, triangulations);
   garment.subdivisions = subdivisions;
-  garment.edge_length = edge_length;
+  garment.edge_length = meshing.edge_length;
   return garment;
 }
 
 /// Meshes with shorter steps along the edges at which triangles would be needles. Throws Unmeshable
 /// where that does not help.
-PanelMesh mesh_with_shorter_steps(const Pattern& pattern, const Orientation& orientation,
-                                  double edge_length, int subdivisions) {
+PanelMesh mesh_with_shorter_steps(const Meshing& meshing, int subdivisions,
+                                  std::vector<Remark>& notes) {
   EdgeSteps factors;
-  for (const PatternPanel& panel : pattern.panels) factors.emplace_back(panel.edges.size(), 1);
+  for (const PatternPanel& panel : meshing.pattern.panels)
+    factors.emplace_back(panel.edges.size(), 1);
   for (int round = 0;; ++round) {
     try {
-      return mesh_garment(pattern, orientation, edge_length, subdivisions, factors);
+      return mesh_garment(meshing, subdivisions, factors, notes);
     } catch (const Unmeshable& unmeshable) {
       if (unmeshable.edges.empty() || round == max_step_halvings) throw;
       for (const int e : unmeshable.edges) factors[unmeshable.index][e] *= 2;
@@ -425,14 +318,20 @@ PanelMesh mesh_panels(const Pattern& pattern, const MeshSettings& settings,
                       std::vector<Remark>& remarks) {
   check_size(pattern, settings.edge_length);
   const Orientation orientation = orient(pattern, remarks);
+  Meshing meshing{pattern, orientation, settings.edge_length, {}};
+  for (const PatternPanel& panel : pattern.panels) {
+    meshing.cut_outs.push_back(cut_outs_to_mesh(panel, settings.edge_length,
+                                                pattern.source + ": " + quoted(panel), remarks));
+  }
   const int wanted = settings.subdivisions >= 0
                          ? settings.subdivisions
                          : default_subdivisions(pattern, settings.edge_length);
   std::optional<Unmeshable> failure;
   for (int subdivisions = std::min(wanted, max_subdivisions); subdivisions >= 0; --subdivisions) {
     try {
-      PanelMesh garment =
-          mesh_with_shorter_steps(pattern, orientation, settings.edge_length, subdivisions);
+      std::vector<Remark> notes;
+      PanelMesh garment = mesh_with_shorter_steps(meshing, subdivisions, notes);
+      remarks.insert(remarks.end(), notes.begin(), notes.end());
       if (failure) {
         remarks.push_back({false, pattern.source + ": " + failure->panel + " " + failure->problem +
                                       " on the coarser level; " + std::to_string(subdivisions) +

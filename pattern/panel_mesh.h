@@ -22,6 +22,7 @@ struct MeshedPanel {
   int first_triangle = 0;
   int triangles = 0;
   PanelPlacement placement{};  ///< how the skeleton positions it; by default it does not
+  bool layered = false;        ///< it lies upon other panels, as a facing or a pocket does
   std::string label = {};      ///< "body", "arm" or "leg", as GarmentCode has it; empty: not stated
 };
 
@@ -43,6 +44,18 @@ struct MeshedElastic {
   double stiffness = 0;     ///< N: its tension is this times the strain
 };
 
+/// An internal line or a drill hole of a panel.
+struct MeshedMark {
+  std::string name;         ///< "panel.internal_line.0" or "panel.drill_hole.0"
+  std::vector<int> points;  ///< material points: one of a hole, each of a line joined to the next
+};
+
+/// A hole that is cut into a panel.
+struct MeshedCutOut {
+  std::string name;         ///< "panel.cut_out.0"
+  std::vector<int> points;  ///< material points in order around it
+};
+
 /// Panels as triangulated, before anything is sewn. A *material point* belongs to one panel and has
 /// flat coordinates there. Where panels are sewn, two material points share one node. Flat
 /// coordinates show the cloth's right side, so all triangles face out of the sewn garment.
@@ -62,6 +75,8 @@ struct PanelMesh {
   std::vector<MeshedSeam> seams;
   std::vector<MeshedElastic> elastics;
   std::vector<MeshedAttachment> attachments;
+  std::vector<MeshedMark> marks;
+  std::vector<MeshedCutOut> cut_outs;
   int subdivisions = 0;
   /// False: all panels of the pattern share one origin, as in files that state no places. Those
   /// that the skeleton positions do not count.

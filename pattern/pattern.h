@@ -66,7 +66,7 @@ struct PatternPanel {
   /// One closed loop through all edges but those that are merged with others.
   std::vector<OutlineStep> outline;
   std::vector<PanelAttachment> attachments;
-  // What a pattern maker draws besides. None of it is meshed.
+  // What a pattern maker draws besides. Cut-outs, lines and holes are meshed; notches are not.
   std::vector<PanelNotch> notches;
   std::vector<std::vector<Vec2>> internal_lines;  ///< chords
   std::vector<std::vector<Vec2>> cut_outs;        ///< closed, the first point not repeated
@@ -106,7 +106,10 @@ struct Stitch {
   EdgeRef b;
   StitchDirection direction = StitchDirection::by_position;
   bool gathered = false;  ///< the longer side is meant to be gathered
-  double fullness = 0;    ///< declared length of the longer side over the shorter's; 0: as drawn
+  /// The second panel lies upon the first one, facing the same way, as a facing or a pocket does.
+  /// Its edge may be sewn to an edge that is in another stitch already.
+  bool layered = false;
+  double fullness = 0;  ///< declared length of the longer side over the shorter's; 0: as drawn
 };
 
 /// A whole pattern.

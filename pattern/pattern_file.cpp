@@ -221,13 +221,6 @@ class Reader {
       panel.quantity = quantity->index(max_quantity + 1);
       if (panel.quantity < 1) quantity->fail("is no number of pieces");
     }
-    const std::size_t unmeshed =
-        panel.internal_lines.size() + panel.cut_outs.size() + panel.drill_holes.size();
-    if (unmeshed > 0) {
-      note(value.place() + ": " + std::to_string(panel.internal_lines.size()) +
-           " internal lines, " + std::to_string(panel.cut_outs.size()) + " cut-outs and " +
-           std::to_string(panel.drill_holes.size()) + " drill holes are not meshed");
-    }
   }
 
   static JsonValue side_of(const JsonValue& stitch, std::size_t which) {
@@ -270,8 +263,10 @@ class Reader {
         stitch.direction = StitchDirection::start_to_start;
       } else {
         if (!extra.is_object()) extra.fail("is neither 'right_wrong' nor an object");
-        unread(extra, {"name", "reversed", "gather"});
+        unread(extra, {"name", "reversed", "gather", "layer"});
         if (const auto name = extra.find("name")) stitch.name = name->text();
+        if (const auto layer = extra.find("layer")) stitch.layered = layer->flag();
+        if (stitch.layered) stitch.direction = StitchDirection::start_to_start;
         if (const auto gather = extra.find("gather")) {
           stitch.gathered = true;
           if (gather->is_flag()) {

@@ -49,7 +49,8 @@ struct SeamRun {
   bool stated = false;
   /// Metres: the sum of the placed end points' distances, the other way round less this way.
   double nearer = 0;
-  bool along = false;  ///< the edges run alike around their panels, both seen from the right side
+  bool layered = false;  ///< one panel lies upon the other, facing the same way
+  bool along = false;    ///< the edges run alike around their panels, both seen from the right side
 };
 
 SeamRun run_of(const Pattern& pattern, const Stitch& stitch, const std::vector<PanelFace>& faces) {
@@ -72,6 +73,7 @@ SeamRun run_of(const Pattern& pattern, const Stitch& stitch, const std::vector<P
     const PanelFace& face = faces[ref.panel];
     return face.forward[ref.edge] == (face.area > 0);
   };
+  run.layered = stitch.layered;
   run.along = counter_clockwise(stitch.a) == counter_clockwise(stitch.b);
   return run;
 }
@@ -113,7 +115,8 @@ class FaceGroups {
 
 /// Whether the panels of a seam show the same face. A seam joins right to right when its edges run
 /// against each other around their panels, both seen from the right side.
-bool shows_same(const SeamRun& run) { return run.along == run.reversed; }
+/// Panels that lie upon each other face the same way where they run side by side.
+bool shows_same(const SeamRun& run) { return (run.along == run.reversed) != run.layered; }
 
 /// Numbers of the stitches: stated ones first, and the ones nearer than the other way round first.
 std::vector<std::size_t> by_certainty(const std::vector<SeamRun>& runs) {

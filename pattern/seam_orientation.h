@@ -21,6 +21,7 @@ struct Orientation {
 /// - Right sides are chosen so that every seam joins right side to right side, and that they face
 ///   out of the garment as placed. Where the placement does not decide, a panel drawn
 ///   counter-clockwise shows its right side, which is GarmentCode's rule too.
+/// - A layered stitch joins panels that face the same way.
 /// - Stated seams may not all join right to right, as in a twisted band. Then the one that the
 ///   placement speaks against most gets a warning in `remarks`. Such a garment's right sides are
 ///   those of GarmentCode's rule.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "cloth/judge/constants.h"
@@ -59,9 +60,23 @@ void look_out_below_the_hood(const DressedGarment& dressed, const Skeleton& skel
 
 }  // namespace
 
-std::vector<Opening> find_openings(const DressedGarment& dressed, const Skeleton& skeleton) {
+std::vector<Opening> find_openings(const PanelMesh& garment, const DressedGarment& dressed,
+                                   const Skeleton& skeleton) {
   const std::vector<int> component = connected_components(dressed);
-  std::vector<std::vector<int>> loops = border_loops(dressed.triangles, dressed.points.size());
+  std::vector<Triangle> triangles;
+  std::set<int> cut;  // material points
+  for (const MeshedCutOut& cut_out : garment.cut_outs) {
+    cut.insert(cut_out.points.begin(), cut_out.points.end());
+  }
+  std::set<int> cut_nodes;
+  for (std::size_t t = 0; t < dressed.triangles.size(); ++t) {
+    if (garment.panels[dressed.panel_of_triangle[t]].layered) continue;
+    triangles.push_back(dressed.triangles[t]);
+    for (int i = 0; i < 3 && !cut.empty(); ++i) {
+      if (cut.contains(dressed.flat_triangles[t][i])) cut_nodes.insert(dressed.triangles[t][i]);
+    }
+  }
+  std::vector<std::vector<int>> loops = border_loops(triangles, dressed.points.size());
   // Of each border edge, its flat length and its panel.
   std::map<std::pair<int, int>, std::pair<double, int>> edges;
   for (const std::vector<int>& loop : loops) {
@@ -70,6 +85,7 @@ std::vector<Opening> find_openings(const DressedGarment& dressed, const Skeleton
     }
   }
   for (std::size_t t = 0; t < dressed.triangles.size(); ++t) {
+    if (garment.panels[dressed.panel_of_triangle[t]].layered) continue;
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3;
       const auto edge = edges.find(std::minmax(dressed.triangles[t][i], dressed.triangles[t][j]));
@@ -88,6 +104,8 @@ std::vector<Opening> find_openings(const DressedGarment& dressed, const Skeleton
       opening.panels.push_back(panel);
       opening.middle += dressed.points[loop[i]] / static_cast<double>(loop.size());
     }
+    opening.is_cut_out =
+        std::ranges::all_of(loop, [&](int node) { return cut_nodes.contains(node); });
     opening.component = component[loop.front()];
     opening.nodes = std::move(loop);
     opening.limbs = limbs_through(curve_of(opening, dressed), skeleton);

@@ -17,10 +17,13 @@ struct Opening {
   Vec3 middle{0, 0, 0};     ///< metres, mean of the nodes as worn
   int component = 0;        ///< connected component of the garment, from 0
   std::vector<int> panels;  ///< panel beside each of `nodes`, an index
+  bool is_cut_out = false;  ///< the pattern cuts it into a panel
 };
 
-/// All openings. `skeleton` has all limbs. About O(n log n) in the triangles.
-std::vector<Opening> find_openings(const DressedGarment& dressed, const Skeleton& skeleton);
+/// All openings of a dressed garment without its layered panels. `skeleton` has all limbs. About
+/// O(n log n) in the triangles.
+std::vector<Opening> find_openings(const PanelMesh& garment, const DressedGarment& dressed,
+                                   const Skeleton& skeleton);
 
 /// Per node, the connected component of the garment that it belongs to, from 0. -1: to no triangle.
 std::vector<int> connected_components(const DressedGarment& dressed);

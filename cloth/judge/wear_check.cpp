@@ -33,7 +33,7 @@ std::string in_words(std::string part) {
   return part;
 }
 
-/// Panels and openings of one connected component of the garment.
+/// Panels and openings of one connected component of the garment, without layered panels.
 struct Component {
   std::set<int> panels;
   std::vector<const Opening*> openings;
@@ -60,14 +60,15 @@ class WearCheck {
         placed_(dressed.points),
         skeleton_(skeleton),
         moments_(garment.panels.size()) {
-    findings_.openings = find_openings(dressed, skeleton);
+    findings_.openings = find_openings(garment, dressed, skeleton);
     const std::vector<int> component_of_node = connected_components(dressed);
     std::map<int, Component> components;
     for (std::size_t t = 0; t < dressed.triangles.size(); ++t) {
       const Triangle& corners = dressed.triangles[t];
       const int panel = dressed.panel_of_triangle[t];
-      components[component_of_node[corners[0]]].panels.insert(panel);
       for (int i = 0; i < 3; ++i) placed_[corners[i]] = garment.placed[garment.triangles[t][i]];
+      if (garment.panels[panel].layered) continue;
+      components[component_of_node[corners[0]]].panels.insert(panel);
       const Vec3& a = dressed.points[corners[0]];
       const Vec3& b = dressed.points[corners[1]];
       const Vec3& c = dressed.points[corners[2]];
@@ -76,6 +77,7 @@ class WearCheck {
       moments_[panel].area += area;
     }
     for (const Opening& opening : findings_.openings) {
+      if (opening.is_cut_out && !opening.limbs.any()) continue;
       components[opening.component].openings.push_back(&opening);
     }
     for (auto& [number, component] : components) components_.push_back(std::move(component));

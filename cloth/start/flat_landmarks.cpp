@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "cloth/start/constants.h"
 #include "geometry/border_loops.h"
@@ -72,7 +73,12 @@ std::vector<FlatOpening> flat_openings(const PanelMesh& garment, const FlatLayou
   }
   std::vector<FlatOpening> openings;
   constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::set<int> cut;
+  for (const MeshedCutOut& cut_out : garment.cut_outs) {
+    cut.insert(cut_out.points.begin(), cut_out.points.end());
+  }
   for (const auto& loop : border_loops(nodes.joined(triangles), garment.flat.size())) {
+    if (cut.contains(loop.front())) continue;
     FlatOpening opening{0, infinity, -infinity, infinity, -infinity, 0, false};
     int faces = 0;
     for (std::size_t i = 0; i < loop.size(); ++i) {

@@ -20,7 +20,7 @@ struct FlatOpening {
 };
 
 /// The openings of the sewn panels of `layout`, the highest mean first. Holes of less than 15 cm
-/// do not count. O(n log n).
+/// and cut-outs do not count. O(n log n).
 std::vector<FlatOpening> flat_openings(const PanelMesh& garment, const FlatLayout& layout);
 
 /// Points of the picture on seams between the faces that have cloth below them and none above, and

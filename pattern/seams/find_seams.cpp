@@ -145,6 +145,16 @@ class SeamFinder {
     for (const Stitch& stitch : options_.given) {
       int a = number_.at({stitch.a.panel, stitch.a.edge});
       int b = number_.at({stitch.b.panel, stitch.b.edge});
+      if (stitch.layered) {
+        const bool alike = evidence_.edges[a].forward == evidence_.edges[b].forward;
+        turned_.push_back({a, b, alike != (stitch.direction == StitchDirection::end_to_start)});
+        // What else of such a panel is sewn, and to which layer, nothing tells.
+        for (std::size_t e = 0; e < evidence_.edges.size(); ++e) {
+          if (evidence_.edges[e].ref.panel != stitch.b.panel) continue;
+          known.taken.push_back(static_cast<int>(e));
+        }
+        continue;
+      }
       for (const auto& [e, ref] : {std::pair{a, stitch.a}, std::pair{b, stitch.b}}) {
         if (!used.insert(e).second) {
           throw Error(pattern_.source + ": " + edge_name(pattern_, ref), "is given in two seams",
@@ -170,7 +180,7 @@ class SeamFinder {
   const FindSeamsOptions& options_;
   SeamEvidence evidence_;
   std::map<std::array<int, 2>, int> number_;
-  std::vector<EdgeSeam> turned_;  ///< given seams that turn a panel over
+  std::vector<EdgeSeam> turned_;  ///< given seams that turn a panel over, or lay it upon another
 };
 
 }  // namespace

@@ -46,7 +46,7 @@ struct FoundSeams {
 /// The seams of the whole garment, as one choice. Stitches of the pattern are not looked at; nor
 /// are placement, rotation and translation, unless `by_place`.
 ///
-/// Throws Error for given seams that share an edge.
+/// Throws Error for given seams that share an edge and are not layered.
 FoundSeams find_seams(const Pattern& pattern, const FindSeamsOptions& options);
 
 /// Confidence from which on a seam is decided. It was chosen on garments that weights were fitted

@@ -78,6 +78,24 @@ TEST(MeshPolygon, SurvivesSharpCornersThinStripsAndCoarseLengths) {
   }
 }
 
+TEST(MeshPolygon, HolesStayEmptyAndKeepTheirPoints) {
+  const std::vector<Vec2> outline = cut({{0, 0}, {0.6, 0}, {0.6, 0.4}, {0, 0.4}}, 0.02);
+  const std::vector<std::vector<Vec2>> holes = {
+      cut({{0.1, 0.1}, {0.2, 0.1}, {0.2, 0.3}, {0.1, 0.3}}, 0.02),
+      cut({{0.4, 0.3}, {0.5, 0.3}, {0.45, 0.1}}, 0.01)};
+  const PlanarMesh mesh = mesh_polygon(outline, 0.02, {}, holes);
+  std::size_t point = outline.size();
+  for (const std::vector<Vec2>& hole : holes) {
+    for (const Vec2& p : hole) EXPECT_EQ(mesh.points[point++], p);
+  }
+  for (const Triangle& t : mesh.triangles) {
+    const Vec2 middle = (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3;
+    for (const std::vector<Vec2>& hole : holes) EXPECT_FALSE(inside(hole, middle));
+  }
+  EXPECT_EQ(mesh.triangles.size(), 2 * mesh.points.size() - point - 2 + 4);
+  EXPECT_GT(smallest_angle(mesh.points, mesh.triangles), to_radians(20));
+}
+
 TEST(MeshPolygon, RaisingAnglesMovesOnlyWhatMayMove) {
   PlanarMesh mesh{{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0.05}},
                   {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}};

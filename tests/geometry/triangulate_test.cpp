@@ -37,6 +37,16 @@ TEST(Triangulate, KeepsEverySegmentOfANotchedOutline) {
   EXPECT_NEAR(area, 16 - 0.5 * 4 * 3.9, 1e-12);
 }
 
+TEST(Triangulate, HolesStayEmpty) {
+  const std::vector<Vec2> hole = {{0.3, 0.3}, {0.6, 0.3}, {0.3, 0.6}};
+  // Four corners, three of the hole, two inner points.
+  EXPECT_EQ(triangulate(square, {{0.1, 0.5}, {0.8, 0.8}}, {hole}).size(), 7u + 2u * 2u);
+  EXPECT_EQ(triangulate(square, {}, {hole, {{0.7, 0.7}, {0.8, 0.7}, {0.7, 0.8}}}).size(), 12u);
+  EXPECT_THROW(triangulate(square, {{0.35, 0.35}}, {hole}), Error) << "a point in the hole";
+  EXPECT_THROW(triangulate(square, {}, {{{0.5, 0.5}, {1.5, 0.5}, {0.5, 0.7}}}), Error);
+  EXPECT_THROW(triangulate(square, {}, {{{2, 2}, {3, 2}, {2, 3}}}), Error) << "outside";
+}
+
 TEST(Triangulate, RefusesWhatHasNoInside) {
   EXPECT_THROW(triangulate({{0, 0}, {1, 0}}, {}), Error);
   EXPECT_THROW(triangulate({{0, 0}, {1, 1}, {1, 0}, {0, 1}}, {}), Error);

@@ -88,6 +88,19 @@ TEST(Check, AnEdgeIsSewnOnce) {
                "panel 'b', edge 3: is in stitches 0 and 1");
   EXPECT_HOLDS(check_error(file(panels, R"([{"panel":"a","edge":1},{"panel":"a","edge":1}])")),
                "panel 'a', edge 1: stitch 0 sews it to itself");
+  EXPECT_HOLDS(check_error(file(
+                   panels, R"([{"panel":"a","edge":1},{"panel":"a","edge":1},{"layer":true}])")),
+               "panel 'a', edge 1: stitch 0 sews it to itself");
+}
+
+TEST(Check, AnEdgeIsInAnyNumberOfLayeredStitches) {
+  const std::string square = "[0,0],[20,0],[20,20],[0,20]";
+  EXPECT_EQ(check_error(file(polygon("a", square) + "," + polygon("b", square) + "," +
+                                 polygon("c", square) + "," + polygon("d", square),
+                             R"([{"panel":"a","edge":1},{"panel":"b","edge":3}],
+                                [{"panel":"a","edge":1},{"panel":"c","edge":1},{"layer":true}],
+                                [{"panel":"a","edge":1},{"panel":"d","edge":1},{"layer":true}])")),
+            "");
 }
 
 TEST(Check, SeamSidesOfDifferentLengthAreRemarkedOn) {

@@ -61,6 +61,8 @@ PanelMesh bag(int subdivisions = 1) {
                                  1 / 3.0};
   pattern.panels[1].grain = 0.1;
   pattern.panels[0].edges[2].elastic = {0.7, 12.5};
+  pattern.panels[0].drill_holes = {{0.1, 0.1}};
+  pattern.panels[0].cut_outs = {{{0.1, 0.2}, {0.2, 0.2}, {0.15, 0.3}}};
   using Share = PanelAttachment::Share;
   pattern.panels[1].attachments = {
       {"1", 1, Share::whole, {AttachedTo::level, "bust", 1 / 3.0, Vec3::Zero(), true, 70, 1 / 7.0}},
@@ -108,6 +110,14 @@ void expect_equal(const PanelMesh& a, const PanelMesh& b) {
     EXPECT_EQ(a.attachments[i].points, b.attachments[i].points);
     EXPECT_EQ(a.attachments[i].how, b.attachments[i].how);
   }
+  ASSERT_EQ(a.marks.size(), 1u);
+  ASSERT_EQ(b.marks.size(), 1u);
+  EXPECT_EQ(a.marks[0].name, b.marks[0].name);
+  EXPECT_EQ(a.marks[0].points, b.marks[0].points);
+  ASSERT_EQ(a.cut_outs.size(), 1u);
+  ASSERT_EQ(b.cut_outs.size(), 1u);
+  EXPECT_EQ(a.cut_outs[0].name, b.cut_outs[0].name);
+  EXPECT_EQ(a.cut_outs[0].points, b.cut_outs[0].points);
   // Vertex 2 is the end of edge 1.
   EXPECT_EQ(a.attachments[0].name, "back.1");
   EXPECT_EQ(a.attachments[1].name, "back.v2");

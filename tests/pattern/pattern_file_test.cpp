@@ -100,11 +100,6 @@ TEST(PatternFile, NotchesAndInnerLinesAreRead) {
   EXPECT_TRUE(panel.drill_holes.at(0).isApprox(Vec2(0.07, 0.08)));
   EXPECT_EQ(panel.material, "twill");
   EXPECT_EQ(panel.quantity, 2);
-  const std::vector<std::string> remarks = remarks_of(file(marked));
-  EXPECT_TRUE(std::any_of(remarks.begin(), remarks.end(), [](const std::string& remark) {
-    return remark.find("1 internal lines, 1 cut-outs and 1 drill holes are not meshed") !=
-           std::string::npos;
-  }));
   EXPECT_HOLDS(
       parse_error(file(polygon("p", "[0,0],[20,0],[20,20]", R"("notches": [{"vertex": 3}])"))),
       "notch 0");

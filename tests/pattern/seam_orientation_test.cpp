@@ -134,6 +134,22 @@ TEST(Orient, WithoutPlacesEdgesRunEndToStart) {
   EXPECT_TRUE(neither.reversed[0]);
 }
 
+TEST(Orient, LayeredPanelsFaceTheSameWay) {
+  const auto mirrored = [](const std::string& how) {
+    std::vector<Remark> remarks;
+    const Orientation orientation = orientation_of(
+        squares(R"("translation": [0,0,9])",
+                R"([{"panel":"front","edge":1},{"panel":"back","edge":1},)" + how + "]"),
+        remarks);
+    EXPECT_TRUE(remarks.empty());
+    EXPECT_FALSE(orientation.reversed[0]);
+    return orientation.mirrored[0] != orientation.mirrored[1];
+  };
+  EXPECT_FALSE(mirrored(R"({"layer": true})"));
+  EXPECT_FALSE(mirrored(R"({"layer": true, "reversed": false})"));
+  EXPECT_TRUE(mirrored("{}"));
+}
+
 // Both squares are drawn alike, the back behind the front: by distance edge 1 runs start to start.
 TEST(Orient, GarmentCodesConventionComesBeforeThePlacement) {
   const auto reversed = [](const std::string& how, const std::string& properties) -> bool {

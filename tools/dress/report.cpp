@@ -282,7 +282,8 @@ Json openings_json(const std::vector<Opening>& openings) {
   for (const Opening& opening : openings) {
     all.push_back({{"around", around_words(opening.limbs)},
                    {"length_cm", 100 * opening.length},
-                   {"height_cm", 100 * opening.middle.y()}});
+                   {"height_cm", 100 * opening.middle.y()},
+                   {"is_cut_out", opening.is_cut_out}});
   }
   return all;
 }

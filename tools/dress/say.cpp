@@ -111,7 +111,7 @@ void warn_of_verdict(const DressResult& result, const Judgement& judgement, Dres
   // Where seams are open, every panel has an opening.
   for (const Opening& opening : worn.openings) {
     if (judgement.garment.seams.open > 0) break;
-    if (opening.limbs.any() || opening.length < worth_an_opening) continue;
+    if (opening.limbs.any() || opening.is_cut_out || opening.length < worth_an_opening) continue;
     std::ostringstream text;
     text << std::fixed << std::setprecision(0) << "an opening of " << 100 * opening.length
          << " cm, " << 100 * opening.middle.y()

@@ -39,10 +39,10 @@ nlohmann::ordered_json mesh_pattern_json(const std::string& pattern, const Panel
   constexpr double degrees = 180 / std::numbers::pi;
   Json report;
   report["pattern"] = pattern;
-  report["garment"] = {{"material_points", garment.flat.size()},
-                       {"triangles", garment.triangles.size()},
-                       {"panels", garment.panels.size()},
-                       {"seams", garment.seams.size()}};
+  report["garment"] = {
+      {"material_points", garment.flat.size()}, {"triangles", garment.triangles.size()},
+      {"panels", garment.panels.size()},        {"seams", garment.seams.size()},
+      {"cut_outs", garment.cut_outs.size()},    {"marks", garment.marks.size()}};
   report["edge_length_mm"] = 1000 * garment.edge_length;
   report["subdivisions"] = garment.subdivisions;
   report["panels"] = Json::array();

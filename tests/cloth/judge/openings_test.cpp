@@ -10,9 +10,9 @@
 namespace toile {
 namespace openings_test {
 
-/// A sack from under the arms over the head, whose mouth stands before the face. `mouth`: metres,
-/// height of the middle of the mouth, 10 cm in radius.
-DressedGarment sack(double mouth) {
+/// Openings of a sack from under the arms over the head, whose mouth stands before the face.
+/// `mouth`: metres, height of the middle of the mouth, 10 cm in radius.
+std::vector<Opening> openings_of_sack(double mouth) {
   PanelMesh garment;
   const int around = 24;
   const int along = 12;
@@ -31,7 +31,7 @@ DressedGarment sack(double mouth) {
       test::add_panel(garment, "hood", test::grid(girth, 0.8, around, along), place);
   garment.seams.push_back(test::seam("back", test::side(panel, around, along, false),
                                      test::side(panel, around, along, true)));
-  return test::as_dressed(garment, garment.placed);
+  return find_openings(garment, test::as_dressed(garment, garment.placed), test::figure());
 }
 
 /// How many openings of the sack the limbs pass through.
@@ -40,7 +40,7 @@ std::ptrdiff_t count(const std::vector<Opening>& openings, const LimbsThrough& l
 }
 
 TEST(Openings, AHoodsOpeningIsANeckline) {
-  const std::vector<Opening> openings = find_openings(sack(1.58), test::figure());
+  const std::vector<Opening> openings = openings_of_sack(1.58);
   ASSERT_EQ(openings.size(), 2U);
   EXPECT_EQ(count(openings, through_hem), 1);
   EXPECT_EQ(count(openings, through_neckline), 1);
@@ -48,13 +48,13 @@ TEST(Openings, AHoodsOpeningIsANeckline) {
 
 TEST(Openings, AFaceLooksOutBelowAHoodThatHangsOverTheEyes) {
   // The eyes are at about 1.6 m, and the mouth of the sack ends at 1.57 m.
-  const std::vector<Opening> openings = find_openings(sack(1.47), test::figure());
+  const std::vector<Opening> openings = openings_of_sack(1.47);
   EXPECT_EQ(count(openings, through_hem), 1);
   EXPECT_EQ(count(openings, through_neckline), 1);
 }
 
 TEST(Openings, AnOpeningBelowTheFaceHasNothingInIt) {
-  const std::vector<Opening> openings = find_openings(sack(1.28), test::figure());
+  const std::vector<Opening> openings = openings_of_sack(1.28);
   EXPECT_EQ(count(openings, LimbsThrough{}), 1);
 }
 
