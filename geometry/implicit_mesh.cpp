@@ -195,21 +195,28 @@ Vec3 onto_surface(const ImplicitFunction& shape, Vec3 point, double tolerance) {
 /// Moves each point toward the middle of its neighbours and back onto the surface. The grid's
 /// pattern spreads out; the surface stays.
 void even_out(const ImplicitFunction& shape, const std::vector<Quad>& quads, int rounds,
-              double tolerance, std::vector<Vec3>& points) {
+              bool keeps_clefts, double tolerance, std::vector<Vec3>& points) {
   const int count = static_cast<int>(points.size());
   std::vector<Vec3> next(points.size());
   for (int round = 0; round <= rounds; ++round) {
     const bool last = round == rounds;
     std::vector<Vec3> sum(points.size(), Vec3::Zero());
     std::vector<int> neighbours(points.size(), 0);
+    std::vector<Vec3> normals(points.size(), Vec3::Zero());
     for (const Quad& q : quads) {
+      const Vec3 area = (points[q[2]] - points[q[0]]).cross(points[q[3]] - points[q[1]]);
       for (int i = 0; i < 4; ++i) {
+        normals[q[i]] += area;
         sum[q[i]] += points[q[(i + 1) % 4]] + points[q[(i + 3) % 4]];
         neighbours[q[i]] += 2;
       }
     }
     parallel_for_items(count, [&](int i) {
-      const Vec3 target = last ? points[i] : Vec3((points[i] + sum[i] / neighbours[i]) / 2);
+      Vec3 target = last ? points[i] : Vec3((points[i] + sum[i] / neighbours[i]) / 2);
+      if (keeps_clefts) {
+        const Vec3 normal = normals[i].normalized();
+        target -= normal.dot(target - points[i]) * normal;
+      }
       next[i] = onto_surface(shape, target, last ? 1e-9 : tolerance);
     });
     points.swap(next);
@@ -364,7 +371,8 @@ TriangleMesh mesh_implicit(const ImplicitFunction& shape, const ImplicitMeshOpti
   std::vector<std::size_t> inside_ends;
   TriangleMesh mesh;
   build_net(grid, mesh.points, quads, inside_ends);
-  even_out(shape, quads, options.smoothing, options.spacing / 50, mesh.points);
+  even_out(shape, quads, options.smoothing, options.keeps_clefts, options.spacing / 50,
+           mesh.points);
   const std::vector<SheetPoint> sheets = part_sheets(quads, inside_ends, mesh.points);
   mesh.triangles = cut_quads(quads, inside_ends, sheets, mesh.points);
   if (!is_closed(mesh.triangles)) {

@@ -66,8 +66,7 @@ Loop without_repeats(const Loop& drawn) {
 bool is_corner(const Loop& loop, std::size_t i) {
   const Vec2 in = loop[i] - loop[(i + loop.size() - 1) % loop.size()];
   const Vec2 out = loop[(i + 1) % loop.size()] - loop[i];
-  return std::abs(std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out))) >
-         max_turn_per_step;
+  return std::abs(std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out))) > max_turn_per_step;
 }
 
 std::vector<EdgeCurve> curves_of(const Loop& loop) {

@@ -8,8 +8,8 @@
 
 namespace toile {
 
-/// A hole, by its edge from corner to corner, in the drawing. Each curve starts where the one before
-/// it ends, and the first where the last ends.
+/// A hole, by its edge from corner to corner, in the drawing. Each curve starts where the one
+/// before it ends, and the first where the last ends.
 struct CutOut {
   int index = 0;  ///< into PatternPanel::cut_outs
   std::vector<EdgeCurve> curves;

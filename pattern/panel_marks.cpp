@@ -78,8 +78,7 @@ std::vector<Line> inside_parts(const Line& line, const Line& outline) {
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     std::vector<double> cuts = {0, 1};
     for (std::size_t j = 0; j < outline.size(); ++j) {
-      const auto at =
-          crossing(line[i], line[i + 1], outline[j], outline[(j + 1) % outline.size()]);
+      const auto at = crossing(line[i], line[i + 1], outline[j], outline[(j + 1) % outline.size()]);
       if (at) cuts.push_back((*at)[0]);
     }
     std::sort(cuts.begin(), cuts.end());
@@ -167,8 +166,8 @@ struct Piece {
   std::vector<double> stops;
 };
 
-/// Lengths of corners and crossings, and of others where a curve turns. None are nearer to each other
-/// than triangles allow; both ends stay.
+/// Lengths of corners and crossings, and of others where a curve turns. None are nearer to each
+/// other than triangles allow; both ends stay.
 std::vector<double> stops_of(const Line& line, std::vector<double> crossings, double edge_length) {
   const Walk walk(line);
   std::vector<double> wanted = std::move(crossings);
@@ -412,7 +411,8 @@ class Marker {
     return all;
   }
 
-  /// Lengths of the walk for the points of a path: near to where they are, in order, and evened out.
+  /// Lengths of the walk for the points of a path: near to where they are, in order, and evened
+  /// out.
   std::vector<double> spread(const Walk& walk, double from, double to,
                              const std::vector<int>& path) const {
     std::vector<double> lengths = {from};
@@ -431,8 +431,7 @@ class Marker {
   /// The shortest way from point to point over free points beside the line. It does not begin with
   /// a point beside `before`, the last one on the line up to `from`: all three would be one flat
   /// triangle.
-  std::optional<std::vector<int>> path_along(const Line& line, int from, int to,
-                                             int before) const {
+  std::optional<std::vector<int>> path_along(const Line& line, int from, int to, int before) const {
     if (from == to) return std::nullopt;
     std::map<int, std::pair<double, int>> best;  // per point, the cost of the way, and its last one
     using Entry = std::pair<double, int>;
@@ -445,7 +444,8 @@ class Marker {
       if (cost > best[at].first) continue;
       if (at == to) break;
       for (const int next : beside_[at]) {
-        if (at == from && before >= 0 && std::ranges::binary_search(beside_[before], next)) continue;
+        if (at == from && before >= 0 && std::ranges::binary_search(beside_[before], next))
+          continue;
         double off = 0;
         if (next != to) {
           if (border_[next] || taken_.contains(next)) continue;
@@ -502,7 +502,8 @@ class Marker {
     }
   }
 
-  static void report_lost(std::size_t lines, const std::vector<Piece>& pieces, const std::vector<char>& is_hole_lost,
+  static void report_lost(std::size_t lines, const std::vector<Piece>& pieces,
+                          const std::vector<char>& is_hole_lost,
                           const std::vector<char>& is_piece_lost, PointedMarks& found) {
     for (std::size_t h = 0; h < is_hole_lost.size(); ++h) {
       if (is_hole_lost[h]) found.lost_holes.push_back(static_cast<int>(h));
@@ -520,11 +521,11 @@ class Marker {
   PlanarMesh& mesh_;
   const std::vector<bool>& border_;
   double edge_length_;
-  std::vector<Vec2> drawn_;                   ///< points before any was moved
-  std::vector<std::vector<int>> around_;      ///< triangles at each point
-  std::vector<std::vector<int>> beside_;      ///< points that share an edge with each, in order
-  std::optional<BucketGrid> grid_;            ///< of all points
-  std::set<int> taken_;                       ///< points on marks
+  std::vector<Vec2> drawn_;               ///< points before any was moved
+  std::vector<std::vector<int>> around_;  ///< triangles at each point
+  std::vector<std::vector<int>> beside_;  ///< points that share an edge with each, in order
+  std::optional<BucketGrid> grid_;        ///< of all points
+  std::set<int> taken_;                   ///< points on marks
 };
 
 }  // namespace

@@ -24,7 +24,7 @@ struct PanelTriangulation {
   PlanarMesh mesh;
   std::vector<std::vector<int>> along;      ///< per edge, points from its start to its end
   std::vector<std::vector<int>> cut_along;  ///< per curve of the cut-outs, likewise
-  PointedMarks marks;      ///< internal lines and drill holes
+  PointedMarks marks;                       ///< internal lines and drill holes
   int coarse_outline = 0;  ///< points of the outline on the coarsest level; they come first
 };
 
@@ -41,9 +41,9 @@ struct PanelMeshing {
 /// "panel 'front'", for messages.
 std::string quoted(const PatternPanel& panel);
 
-/// Meshes the panel. Border points lie on the curves of edges and cut-outs on every level. Points of
-/// the finest level lie on what is drawn within. Throws Unmeshable where an outline crosses itself
-/// or triangles would be needles. O(n log n).
+/// Meshes the panel. Border points lie on the curves of edges and cut-outs on every level. Points
+/// of the finest level lie on what is drawn within. Throws Unmeshable where an outline crosses
+/// itself or triangles would be needles. O(n log n).
 PanelTriangulation triangulate_panel(const PatternPanel& panel, const PanelMeshing& how);
 
 }  // namespace toile

@@ -155,13 +155,6 @@ SmoothDistanceOptions resolution(const ScanSamples& samples) {
   return options;
 }
 
-/// Tunnels through a closed surface of one piece.
-int tunnels(const TriangleMesh& mesh) {
-  const auto points = static_cast<int>(mesh.points.size());
-  const auto triangles = static_cast<int>(mesh.triangles.size());
-  return 1 - (points - triangles / 2) / 2;
-}
-
 /// Meshes the body within the box of its points, which it leaves by no more than a missing crown,
 /// and above the floor.
 TriangleMesh mesh_of(const ImplicitFunction& distance, const SmoothDistance& box_of,
@@ -182,6 +175,7 @@ TriangleMesh mesh_of(const ImplicitFunction& distance, const SmoothDistance& box
   net.low = box_of.low();
   net.high = box_of.high();
   net.spacing = options.edge_length / 0.9;
+  net.keeps_clefts = true;
   // Where a coarse net can't part two sheets, a finer one does.
   for (int round = 0;; ++round) {
     try {
@@ -194,36 +188,6 @@ TriangleMesh mesh_of(const ImplicitFunction& distance, const SmoothDistance& box
       net.spacing *= 0.85;
     }
   }
-}
-
-/// The body without tunnels. Where thighs or an arm come near to the body and nothing was seen of
-/// them, a film may lie between them. So unseen surface is moved inward in steps until films are
-/// gone. Heads and feet stay: a crown is a dome, soles are flat. Where no step takes all tunnels
-/// away, that with the fewest counts, and of equal ones the first. Before clefts were cut, three of
-/// ten scans of the mannequin, 50,000 points, had no skeleton without this, and one with it.
-TriangleMesh without_tunnels(const ImplicitFunction& distance, const SmoothDistance& box_of,
-                             const Unseen& unseen, const ScanParts& parts, double unit,
-                             const std::vector<Vec3>& points, const ScanOptions& options,
-                             const std::string& name) {
-  constexpr double step = 0.003;  // metres: with 0.005, tunnels come through thin unseen parts
-  constexpr int steps = 3;
-  const Vec3 up = parts.up.vector();
-  const double height = parts.height * unit;
-  const double floor = parts.floor * unit;
-  TriangleMesh best;
-  for (int i = 0; i <= steps; ++i) {
-    const auto shape = [&](const Vec3& p) {
-      const double at = distance(p);
-      constexpr double skin = 0.06;  // metres: farther in or out no step brings a surface
-      if (i == 0 || std::abs(at) > skin) return at;
-      const double share = (up.dot(p) - floor) / height;
-      return share < 0.2 || share > 0.85 ? at : at + i * step * unseen(p);
-    };
-    TriangleMesh mesh = largest_piece(mesh_of(shape, box_of, parts, unit, points, options, name));
-    if (best.points.empty() || tunnels(mesh) < tunnels(best)) best = std::move(mesh);
-    if (tunnels(best) <= 0) break;
-  }
-  return best;
 }
 
 /// The distance, with clefts between the thighs and under the arms. Where no rough mesh shows the
@@ -330,7 +294,7 @@ ReconstructedScan reconstruct_scan(const PointCloud& given, const std::string& n
   const Unseen unseen(samples.points, std::max(0.008, 2.5 * samples.spacing));
   const ImplicitFunction shape =
       with_clefts(distance, unseen, samples, parts, unit, body.points, options, name);
-  result.mesh = without_tunnels(shape, distance, unseen, parts, unit, body.points, options, name);
+  result.mesh = largest_piece(mesh_of(shape, distance, parts, unit, body.points, options, name));
   find_holes(result.mesh, unseen, report);
   if (report.seen < least_seen) {
     throw Error(name,

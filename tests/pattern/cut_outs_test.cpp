@@ -21,8 +21,8 @@ std::string circle(double x, double y, double radius) {
 }
 
 std::string panel(const std::string& cut_outs) {
-  return samples::file(samples::polygon("front", "[0,0],[40,0],[40,40],[0,40]",
-                                        "\"cut_outs\": [" + cut_outs + "]"));
+  return samples::file(
+      samples::polygon("front", "[0,0],[40,0],[40,40],[0,40]", "\"cut_outs\": [" + cut_outs + "]"));
 }
 
 double area_of(const PanelMesh& garment) {
@@ -53,8 +53,8 @@ TEST(CutOuts, AreHolesOfTheMeshWithTheirArea) {
     std::vector<Vec2> corners;
     for (const int p : garment.cut_outs[0].points) corners.push_back(garment.flat[p]);
     for (const Vec2& corner : {Vec2(0.1, 0.1), Vec2(0.16, 0.1), Vec2(0.16, 0.18)}) {
-      EXPECT_TRUE(std::ranges::any_of(
-          corners, [&](const Vec2& p) { return (p - corner).norm() < 1e-9; }));
+      EXPECT_TRUE(
+          std::ranges::any_of(corners, [&](const Vec2& p) { return (p - corner).norm() < 1e-9; }));
     }
   }
 }

@@ -21,8 +21,8 @@ struct Marked {
   std::set<std::array<int, 2>> edges;
 
   explicit Marked(const std::string& keys) {
-    garment = mesh_panels(samples::parse(samples::file(samples::polygon(
-                              "front", "[0,0],[40,0],[40,40],[0,40]", keys))),
+    garment = mesh_panels(samples::parse(samples::file(
+                              samples::polygon("front", "[0,0],[40,0],[40,40],[0,40]", keys))),
                           {0.01, -1}, remarks);
     for (const Triangle& t : garment.triangles) {
       for (int k = 0; k < 3; ++k) {
@@ -87,9 +87,8 @@ TEST(PanelMarks, LinesKeepTheirCornersAndMeetWhereTheyCross) {
   marked.expect_on(marked.garment.marks[1], {{8, 12}, {30, 35}});
   const std::vector<int>& bent = marked.garment.marks[0].points;
   const std::vector<int>& straight = marked.garment.marks[1].points;
-  EXPECT_TRUE(std::ranges::any_of(bent, [&](int p) {
-    return (100 * marked.garment.flat[p] - Vec2(25, 22)).norm() < 1e-9;
-  }));
+  EXPECT_TRUE(std::ranges::any_of(
+      bent, [&](int p) { return (100 * marked.garment.flat[p] - Vec2(25, 22)).norm() < 1e-9; }));
   EXPECT_EQ(std::ranges::count_if(
                 bent, [&](int p) { return std::ranges::find(straight, p) != straight.end(); }),
             1);
@@ -109,8 +108,7 @@ TEST(PanelMarks, OfAMirroredPanelAreMirrored) {
   std::vector<Remark> remarks;
   const PanelMesh garment = mesh_panels(
       samples::parse(samples::file(
-          samples::polygon("front", square,
-                           R"("translation": [0,0,20], "drill_holes": [[5,10]])") +
+          samples::polygon("front", square, R"("translation": [0,0,20], "drill_holes": [[5,10]])") +
               "," +
               samples::polygon("back", square,
                                R"("translation": [0,0,-20], "drill_holes": [[5,10]])"),
