@@ -215,7 +215,7 @@ void even_out(const ImplicitFunction& shape, const std::vector<Quad>& quads, int
       Vec3 target = last ? points[i] : Vec3((points[i] + sum[i] / neighbours[i]) / 2);
       if (keeps_clefts) {
         const Vec3 normal = normals[i].normalized();
-        target -= normal.dot(target - points[i]) * normal;
+        target -= std::max(0.0, normal.dot(target - points[i])) * normal;
       }
       next[i] = onto_surface(shape, target, last ? 1e-9 : tolerance);
     });

@@ -16,8 +16,8 @@ struct ImplicitMeshOptions {
   Vec3 high = Vec3::Constant(1);  ///< metres, upper corner
   double spacing = 0.01;  ///< metres, of the sampling grid; the mean edge is about 0.9 of it
   int smoothing = 12;     ///< rounds of evening out the triangles on the surface
-  /// Points are evened out along the surface only, so that the ends of narrow clefts stay. Without
-  /// it they are drawn out of these by a spacing or so.
+  /// Points are evened out along the surface or inward, so that the ends of narrow clefts stay.
+  /// Without it they are drawn out of these by a spacing or so.
   bool keeps_clefts = false;
 };
 

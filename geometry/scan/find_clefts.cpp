@@ -20,7 +20,7 @@ constexpr double tube_step = 0.003;  // between the nodes of tubes
 /// of three bodies is the same to 0.1 mm.
 constexpr double leg_overlap = 0.03;
 /// Metres by which the crotch is higher than its outline goes on: the mesh ends about as much
-/// below. The crotch of four bodies is 0 to 4 mm too low with it, and as much more without. Each
+/// below. The crotch of four bodies is 0 to 4 mm too low with it, and 4 mm lower without. Each
 /// millimetre makes the girths of thighs 1.4 mm larger, as they are taken higher up.
 constexpr double leg_lift = 0.004;
 /// Most of a sample's normal that points across: farther, it is a thigh's and not the crotch's. At
