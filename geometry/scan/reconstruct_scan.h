@@ -66,7 +66,7 @@ inline constexpr double listed_hole = 4e-4;
 ///
 /// CGAL's Poisson reconstruction of points averaged in 5 to 8 mm cells was tried on 500k points of
 /// another model of a scanner. It took 7 to 8 s, and 98.2 % of mean_all lay within 2 mm, 99.0 %
-/// within 5 mm. This one has 98.8 % and 99.6 % with the model of tests/support/scanner.h.
+/// within 5 mm. This one has 98.6 % and 99.6 % with the model of tests/support/scanner.h.
 ///
 /// It throws Error, with the place `name`:
 /// - for fewer than 1000 points, or points farther apart than a fiftieth of the body's height;
