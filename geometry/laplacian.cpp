@@ -26,22 +26,30 @@ constexpr double least_area = 0.1;
 
 }  // namespace
 
+std::array<double, 3> cotangent_weights(const TriangleMesh& mesh, const Triangle& triangle) {
+  std::array<double, 3> weights;
+  for (int c = 0; c < 3; ++c) {
+    const Vec3 a = mesh.points[triangle[(c + 1) % 3]] - mesh.points[triangle[c]];
+    const Vec3 b = mesh.points[triangle[(c + 2) % 3]] - mesh.points[triangle[c]];
+    const double area = a.cross(b).norm();
+    const double cotangent = area > 0 ? a.dot(b) / area : 0;
+    weights[c] = std::clamp(cotangent / 2, min_cotangent, max_cotangent);
+  }
+  return weights;
+}
+
 Sparse cotangent_laplacian(const TriangleMesh& mesh) {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(12 * mesh.triangles.size());
   for (const Triangle& t : mesh.triangles) {
+    const std::array<double, 3> weights = cotangent_weights(mesh, t);
     for (int c = 0; c < 3; ++c) {
       const int i = t[(c + 1) % 3];
       const int j = t[(c + 2) % 3];
-      const Vec3 a = mesh.points[i] - mesh.points[t[c]];
-      const Vec3 b = mesh.points[j] - mesh.points[t[c]];
-      const double area = a.cross(b).norm();
-      const double cotangent = area > 0 ? a.dot(b) / area : 0;
-      const double weight = std::clamp(cotangent / 2, min_cotangent, max_cotangent);
-      entries.emplace_back(i, j, -weight);
-      entries.emplace_back(j, i, -weight);
-      entries.emplace_back(i, i, weight);
-      entries.emplace_back(j, j, weight);
+      entries.emplace_back(i, j, -weights[c]);
+      entries.emplace_back(j, i, -weights[c]);
+      entries.emplace_back(i, i, weights[c]);
+      entries.emplace_back(j, j, weights[c]);
     }
   }
   const auto n = static_cast<Eigen::Index>(mesh.points.size());

@@ -2,10 +2,15 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <array>
 
 #include "geometry/types.h"
 
 namespace toile {
+
+/// Half the cotangents of a triangle's angles, by corner: the weight of the edge opposite to each.
+/// They are bounded to [0.001, 10], for needles and obtuse corners.
+std::array<double, 3> cotangent_weights(const TriangleMesh& mesh, const Triangle& triangle);
 
 /// The cotangent Laplacian [Pinkall & Polthier 1993], positive semidefinite, a row a point. It is
 /// the surface's stiffness: it has to be divided by the points' areas. O(n).

@@ -128,6 +128,21 @@ inline constexpr double min_search_margin = 0.0004;
 /// Metres: the largest such radius.
 inline constexpr double max_search_radius = 0.02;
 
+// Following a body into its pose.
+
+/// Metres that skin near the cloth moves in a step at most. With half and double, shorts and a
+/// skirt that sit end alike, in 1.1 and 0.8 of the time. Shorts that catch at the groin cross the
+/// body at 55 and 185 pairs for 122, and take 0.8 and 0.5 of the time.
+inline constexpr double near_step = 0.015;
+/// Metres that any other skin moves in a step at most, as of a hand that comes to a skirt.
+inline constexpr double far_step = 0.04;
+/// Share of a step to which it is cut where moved cloth would cross itself, at least. With 0.05 and
+/// 0.6 two garments that sit end alike; with 0.6 those shorts cross at 201 pairs.
+inline constexpr double least_step_share = 0.2;
+/// Iterations in which cloth gives way to the body after a step. With half and double, two garments
+/// end alike, in 1.1 and 1.0 of the time; those shorts cross at 168 and at no pairs.
+inline constexpr int following_iterations = 150;
+
 // Rest.
 
 /// Iterations in which the finest mesh gets all of its stiffness and is pushed back to its own

@@ -7,6 +7,7 @@
 
 #include "cloth/dressing/carry_drape.h"
 #include "cloth/dressing/constants.h"
+#include "cloth/dressing/follow_body.h"
 #include "cloth/dressing/level.h"
 #include "cloth/dressing/sew.h"
 #include "cloth/dressing/stability_test.h"
@@ -15,6 +16,7 @@
 #include "cloth/model/nested_meshes.h"
 #include "cloth/relaxation/release.h"
 #include "cloth/scene/collider.h"
+#include "cloth/scene/standing_body.h"
 #include "cloth/start/positioning.h"
 #include "geometry/error.h"
 #include "geometry/intersections.h"
@@ -56,6 +58,28 @@ struct SettledGarment {
   bool friction = false;
 };
 
+/// Around the body as it stood, if the scene has it.
+Scene standing_scene(const Scene& scene) {
+  if (scene.standing == nullptr) return scene;
+  Scene standing = scene;
+  standing.collider = &scene.standing->collider;
+  standing.skeleton = &scene.standing->skeleton;
+  standing.standing = nullptr;
+  return standing;
+}
+
+/// Takes a garment that has settled on the standing body along into the pose, and settles it there.
+void follow_and_settle(const Scene& scene, double resting_offset, SettledGarment& settled,
+                       Journal& journal) {
+  settled.is_clear = follow_body(settled.level, settled.state, scene, resting_offset,
+                                 settled.friction, settled.is_clear, journal);
+  settled.placement.placed = settled.level.placed;
+  settled.state =
+      first_settled(settled.level, settled.state, settled.is_clear, settled.friction, journal);
+  settled.is_clear = settled.is_clear || is_clear_of_itself(settled.level, settled.state);
+  settled.is_in_place = is_in_place(settled.level, settled.state);
+}
+
 SettledGarment sew_and_settle(const PanelMesh& garment, const Scene& scene, double resting_offset,
                               Journal& journal) {
   SettledGarment settled;
@@ -69,6 +93,30 @@ SettledGarment sew_and_settle(const PanelMesh& garment, const Scene& scene, doub
       first_settled(settled.level, sewn.state, sewn.is_clear, settled.friction, journal);
   settled.is_clear = sewn.is_clear || is_clear_of_itself(settled.level, settled.state);
   settled.is_in_place = is_in_place(settled.level, settled.state);
+  return settled;
+}
+
+/// Sews the garment around the body, as it stood if the scene has it, and takes it into the pose.
+/// What does not stay where it belongs is sewn anew, and held there.
+SettledGarment put_on(const PanelMesh& garment, const Scene& scene, double resting_offset,
+                      Journal& journal) {
+  const Scene standing = standing_scene(scene);
+  SettledGarment settled = sew_and_settle(garment, standing, resting_offset, journal);
+  const std::optional<PanelMesh> held = hold_what_slips(garment);
+  bool is_posed = scene.standing == nullptr;
+  const auto bring_into_pose = [&](SettledGarment& one) {
+    if (scene.standing != nullptr) follow_and_settle(scene, resting_offset, one, journal);
+  };
+  if (settled.is_in_place || !held) {
+    bring_into_pose(settled);
+    is_posed = true;
+  }
+  if (settled.is_in_place || !held) return settled;
+  journal.begin_attempt(journal.attempt() + 1);
+  SettledGarment anew = sew_and_settle(*held, standing, resting_offset, journal);
+  if (anew.is_in_place && anew.is_clear) bring_into_pose(anew);
+  if (anew.is_in_place && anew.is_clear) return anew;
+  if (!is_posed) bring_into_pose(settled);
   return settled;
 }
 
@@ -155,14 +203,7 @@ DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptio
   DressResult result;
   result.body_offset = resting_offset(garment, scene);
 
-  SettledGarment settled = sew_and_settle(garment, scene, result.body_offset, journal);
-  if (!settled.is_in_place) {
-    if (const std::optional<PanelMesh> held = hold_what_slips(garment)) {
-      journal.begin_attempt(journal.attempt() + 1);
-      SettledGarment anew = sew_and_settle(*held, scene, result.body_offset, journal);
-      if (anew.is_in_place && anew.is_clear) settled = std::move(anew);
-    }
-  }
+  SettledGarment settled = put_on(garment, scene, result.body_offset, journal);
   auto& [meshes, placement, level, state, is_clear, is_in_place, friction] = settled;
   result.placement = std::move(placement);
   for (std::size_t depth = meshes.size() - 1; depth > 0; --depth) {
@@ -174,6 +215,9 @@ DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptio
   const auto is_lost = [&] {
     return is_tangled || fallen(level, state, result.placement.placed) > fallen_off_drop;
   };
+  if (scene.standing != nullptr) {
+    result.placement.initial = taken_along(std::move(result.placement.initial), scene);
+  }
   while (level.depth > 0) {
     level = finer_level(level, meshes[level.depth - 1], scene, result.body_offset, state);
     if (level.depth == 0) break;

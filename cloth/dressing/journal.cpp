@@ -55,6 +55,25 @@ void Journal::add(const StageReport& stage, const PanelMesh& mesh,
   if (watcher_) show(mesh, stage.name, points);
 }
 
+void Journal::join_stages(const std::string& name) {
+  const auto is_one = [&](const StageReport& stage) {
+    return stage.name == name && stage.attempt == attempt_;
+  };
+  const auto first = std::ranges::find_if(stages_, is_one);
+  if (first == stages_.end()) return;
+  StageReport joined = *first;
+  for (auto stage = first + 1; stage != stages_.end(); ++stage) {
+    if (!is_one(*stage)) continue;
+    joined.steps += stage->steps;
+    joined.searches += stage->searches;
+    joined.seconds += stage->seconds;
+    joined.converged = stage->converged;
+    joined.residual = stage->residual;
+  }
+  stages_.erase(std::remove_if(first + 1, stages_.end(), is_one), stages_.end());
+  *first = joined;
+}
+
 void Journal::show(const PanelMesh& mesh, const std::string& stage,
                    std::vector<Vec3> points) const {
   if (view_) std::ranges::transform(points, points.begin(), view_);

@@ -53,6 +53,9 @@ class Journal {
   /// Records a stage that is no run; its garment stands at `points`, per material point of `mesh`.
   void add(const StageReport& stage, const PanelMesh& mesh, const std::vector<Vec3>& points);
 
+  /// Makes one stage of all stages of that name in this attempt, at the place of the first.
+  void join_stages(const std::string& name);
+
   /// The last stage did what it is for, though it did not come to rest.
   void mark_converged() { stages_.back().converged = true; }
 

@@ -6,6 +6,7 @@
 
 #include "cloth/dressing/outfit_warnings.h"
 #include "cloth/dressing/panels_over.h"
+#include "cloth/scene/standing_body.h"
 #include "cloth/start/place_panels.h"
 #include "geometry/error.h"
 
@@ -77,6 +78,7 @@ Scene OutfitDresser::scene_of(const OutfitLayer& layer) const {
   scene.collider = &collider_;
   scene.skeleton = skeleton_;
   scene.raised_distances = outfit_.raised_distances;
+  scene.standing = outfit_.standing;
   scene.gravity = outfit_.gravity;
   scene.strain_limit = outfit_.strain_limit;
   scene.shear_limit = outfit_.shear_limit;
@@ -125,7 +127,10 @@ Collider OutfitDresser::collider_of(std::size_t layers, std::size_t under,
 
 /// Places the panels, and notes what was moved.
 void OutfitDresser::put_in_place(const OutfitLayer& layer, WornLayer& worn) const {
-  PlacedPanels placed = place_panels(collider_.body(), skeleton_, layer.places, worn.garment);
+  const StandingBody* standing = outfit_.standing;
+  PlacedPanels placed = place_panels(
+      standing != nullptr ? standing->collider.body() : collider_.body(),
+      standing != nullptr ? &standing->skeleton : skeleton_, layer.places, worn.garment);
   if (placed.moved) worn.warnings.push_back(moved_layout_warning(*placed.moved, layer.garment));
   worn.moved = placed.moved;
   worn.places = std::move(placed.places);
@@ -309,6 +314,7 @@ WornOutfit OutfitDresser::run() {
   for (WornLayer& worn : worn_.layers) {
     worn.scene.collider = nullptr;
     worn.scene.raised_distances = nullptr;
+    worn.scene.standing = nullptr;
   }
   return std::move(worn_);
 }

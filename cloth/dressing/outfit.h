@@ -55,6 +55,7 @@ struct Outfit {
   std::optional<double> strain_limit = {};            ///< see Scene
   std::optional<double> shear_limit = {};             ///< see Scene
   const RaisedDistances* raised_distances = nullptr;  ///< see Scene
+  const StandingBody* standing = nullptr;             ///< see Scene; of an outfit of one layer
   bool certify = false;  ///< check every state on the way with exact predicates
   OutfitMethod method = relaxation_method({}, false);
 };

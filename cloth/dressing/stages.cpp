@@ -188,6 +188,18 @@ Staged settle(const Level& level, State state, bool bounded, bool friction, Jour
              journal);
 }
 
+Staged follow(const Level& level, State state, bool bounded, bool friction, Journal& journal) {
+  RelaxOptions options = level_options(level);
+  options.compression = compression_of(level);
+  options.friction = friction;
+  options.bounded = bounded;
+  options.max_iterations = following_iterations;
+  Staged staged =
+      run("follow", level, level.model, std::move(state), options, journal.progress(), journal);
+  journal.mark_converged();
+  return staged;
+}
+
 Staged release_attachments(const Level& level, State state, bool bounded, int max_iterations,
                            Journal& journal) {
   RelaxOptions options = level_options(level);

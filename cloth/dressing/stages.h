@@ -48,6 +48,10 @@ Staged untangle_worn(const Level& level, State state, Journal& journal);
 /// `bounded`: the cloth is clear of itself, and stays so. Without `friction` it finds its way down.
 Staged settle(const Level& level, State state, bool bounded, bool friction, Journal& journal);
 
+/// `follow`: lets the cloth give way to a body that has moved a little, and fall. The same options
+/// as settle()'s. It ends after following_iterations, not at rest.
+Staged follow(const Level& level, State state, bool bounded, bool friction, Journal& journal);
+
 /// `release_attachments`: brings the finest mesh to its full stiffness while attachments hold it,
 /// since what is released before friction holds it would slide off. `max_iterations` at most.
 Staged release_attachments(const Level& level, State state, bool bounded, int max_iterations,

@@ -267,9 +267,21 @@ class WearCheck {
     } else if (is_bottom) {
       high = waist_ + max_skirt_top_share * (armpit_ - waist_);
     }
-    if (height < low || height > high) {
+    const bool is_on_thighs = !is_top && is_bottom && down_the_thighs(highest->middle) > 0;
+    if (height < low || height > high || is_on_thighs) {
       misplace("torso", place_on_body(highest->middle, skeleton_), belongs);
     }
+  }
+
+  /// Metres that a point lies farther down the thighs than the crotch. Those of a body that sits
+  /// point forward, and what lies on them is as high as its hips.
+  double down_the_thighs(const Vec3& point) const {
+    const auto mean = [&](const std::string& joint) {
+      return Vec3((skeleton_.joint("left_" + joint) + skeleton_.joint("right_" + joint)) / 2);
+    };
+    const Vec3 hips = mean("hip");
+    const Vec3 along = (mean("knee") - hips).normalized();
+    return along.dot(point - hips) - (hips.y() - crotch_);
   }
 
   void check_skirt(const Component& component) {

@@ -16,6 +16,7 @@ class RaisedDistances;
 struct MeshedPanel;
 struct PanelMesh;
 struct Skeleton;
+struct StandingBody;
 
 /// The parts of the cloth that the body pushes at.
 enum class BodyContactTerm {
@@ -33,6 +34,9 @@ struct Scene {
   /// Of the body with its arms raised; null: they are not kept.
   const RaisedDistances* raised_distances = nullptr;
   const Skeleton* skeleton = nullptr;  ///< null: panels start as the pattern places them
+  /// The body before it came into its pose: the garment is put on there, and follows. Null: it is
+  /// put on as the body is. It needs a skeleton.
+  const StandingBody* standing = nullptr;
   BodyContactTerm body_contact = BodyContactTerm::faces;
   double body_offset = 0.002;  ///< metres: least distance of skin and cloth's middle
   bool self_contact = true;

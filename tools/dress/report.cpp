@@ -341,6 +341,7 @@ nlohmann::ordered_json layer_json(const WornLayer& layer, const DressMethod& met
   const GarmentMeasurements& measured = judgement.garment;
   Json report;
   report["inputs"] = {{"body", notes.body}, {"garment", notes.garment}};
+  if (!notes.standing.empty()) report["inputs"]["from"] = notes.standing;
   if (!notes.earlier.empty()) report["inputs"]["continue"] = notes.earlier;
   report["dressed_sha256"] = notes.dressed_sha256;
   report["garment"] = garment_json(layer);

@@ -14,6 +14,7 @@ namespace toile {
 /// What the program itself adds to a layer's entry.
 struct LayerNotes {
   std::string body;            ///< the file
+  std::string standing;        ///< the file of the body before its pose; empty: none
   std::string garment;         ///< the file
   std::string earlier;         ///< the file of the drape to go on from; empty: none
   std::string dressed_sha256;  ///< of the file that holds the drape

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cloth/scene/closed_body.h"
+#include "cloth/scene/standing_body.h"
 #include "geometry/error.h"
 #include "io/checksum.h"
 #include "io/output_file.h"
@@ -40,6 +41,7 @@ class DressRun {
  private:
   Outfit read_outfit();
   void read_body();
+  void read_standing();
   OutfitHooks hooks();
   std::vector<std::string> names() const;
   FrameWatcher watch(std::size_t layer) const;
@@ -55,8 +57,10 @@ class DressRun {
   DressLog log_;
   OutputFiles files_;  // but for the states on the way and the cache
   std::optional<KeptDistances> distances_;
+  std::optional<KeptDistances> standing_distances_;
   std::optional<Collider> collider_;
   std::optional<Skeleton> skeleton_;
+  std::optional<StandingBody> standing_;
   double read_seconds_ = 0;
   double grid_seconds_ = 0;
   std::optional<double> cache_seconds_;  // to write it
@@ -114,6 +118,20 @@ void DressRun::read_body() {
   }
 }
 
+/// The body before its pose; read_body() has read the posed one.
+void DressRun::read_standing() {
+  const fs::path& path = *settings_.standing;
+  const auto start = Clock::now();
+  const TriangleMesh body = read_closed_body(path);
+  SurfaceMorph motion(body, collider_->body(), path.string());
+  if (settings_.cache) standing_distances_.emplace(distances_path(path), log_);
+  Collider collider(body,
+                    standing_distances_ ? standing_distances_->of_body(body) : DistanceCache());
+  Skeleton skeleton = read_skeleton_of(collider.skin(), skeleton_path(path));
+  standing_.emplace(std::move(collider), std::move(skeleton), std::move(motion));
+  read_seconds_ += seconds_since(start);
+}
+
 FrameWatcher DressRun::watch(std::size_t layer) const {
   std::optional<fs::path> frames = settings_.frames;
   const bool is_whole = layer == settings_.layers.size();
@@ -134,6 +152,10 @@ void DressRun::keep_distances(std::size_t computed) {
   const auto start = Clock::now();
   if (distances_ && distances_->keep_body(*collider_, computed)) {
     cache_seconds_ = seconds_since(start);
+  }
+  if (standing_distances_) {
+    const Collider& standing = standing_->collider;
+    standing_distances_->keep_body(standing, standing.grid().computed_nodes());
   }
 }
 
@@ -174,6 +196,7 @@ Json DressRun::layer_report(const WornOutfit& worn, std::size_t layer) const {
   const WornLayer& one = worn.layers[layer];
   LayerNotes notes;
   notes.body = settings_.body.string();
+  if (settings_.standing) notes.standing = settings_.standing->string();
   notes.garment = settings_.layers[layer].garment.string();
   if (settings_.layers[layer].earlier) notes.earlier = settings_.layers[layer].earlier->string();
   notes.dressed_sha256 = sha256_of_file(files_.written(settings_.layers[layer].output));
@@ -230,7 +253,10 @@ bool is_certified(const WornOutfit& worn) {
 DressEnd DressRun::run() {
   Outfit outfit = read_outfit();
   read_body();
-  if (distances_) outfit.raised_distances = &*distances_;
+  if (settings_.standing) read_standing();
+  if (standing_) outfit.standing = &*standing_;
+  // Arms are raised where the garment is put on.
+  if (distances_) outfit.raised_distances = standing_ ? &*standing_distances_ : &*distances_;
   warnings_ = settings_.earlier_warnings;
   for (std::string& line : log_.take_warnings()) warnings_.push_back(std::move(line));
   const WornOutfit worn =

@@ -121,6 +121,9 @@ void add_drape_options(po::options_description& options) {
   using po::value;
   using std::string;
   options.add_options()(
+      "from", value<string>(),
+      "the body as it stood before pose-body: the garment is put on there, and goes with the body "
+      "into its pose; its joints are beside it")(
       "place", value<std::vector<string>>()->composing(),
       "PANEL=PART:SIDE, as in front=torso:front or sleeve=left_arm:around: where a panel stands; "
       "all others are found anew, whatever places the pattern states; may be repeated")(
@@ -152,6 +155,13 @@ void check_dress_options(const po::variables_map& given) {
     throw po::error(
         "--place says where panels start, and --continue goes on from a drape: give one");
   }
+  if (has_scene && given.count("from") != 0) {
+    throw po::error("--from is for one garment: dress the garments of a scene without it");
+  }
+  if (given.count("continue") != 0 && given.count("from") != 0) {
+    throw po::error(
+        "--from puts the garment on anew, and --continue goes on from a drape: give one");
+  }
   if (given.count("continue") != 0 && given["method"].as<std::string>() == "paper") {
     throw po::error("--continue: the paper's method starts from flat panels only");
   }
@@ -169,6 +179,14 @@ DressSettings read_dress_settings(const po::variables_map& given, const fs::path
 }
 
 void read_drape_settings(const po::variables_map& given, DressSettings& settings) {
+  if (given.count("from") != 0) {
+    if (given["method"].as<std::string>() == "paper") {
+      throw UsageError("--from", "asks the paper's method to dress a body that moves",
+                       "leave out --method paper, or --from");
+    }
+    settings.standing = given["from"].as<std::string>();
+    settings.needs_skeleton = true;
+  }
   if (given.count("gravity")) settings.gravity = parse_gravity(given["gravity"].as<std::string>());
   settings.strain_limit = read_strain_limit(given);
   settings.shear_limit = read_shear_limit(given);
@@ -184,6 +202,15 @@ ProgramFiles files_of(const DressSettings& settings) {
   if (settings.cache) {
     files.keeps.push_back(*settings.cache);
     files.keeps.push_back(raised_distances_path(*settings.cache));
+  }
+  if (settings.standing) {
+    files.reads.push_back(*settings.standing);
+    files.reads.push_back(skeleton_path(*settings.standing));
+    if (settings.cache) {
+      const fs::path kept = distances_path(*settings.standing);
+      files.keeps.push_back(kept);
+      files.keeps.push_back(raised_distances_path(kept));
+    }
   }
   for (const LayerFiles& layer : settings.layers) {
     files.reads.push_back(layer.garment);

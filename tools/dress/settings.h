@@ -34,6 +34,9 @@ struct DressSettings {
   std::optional<std::filesystem::path> scene;
   std::filesystem::path body;
   std::filesystem::path skeleton;
+  /// The body as it stood before it came into its pose, its joints beside it; none: the garment is
+  /// put on as the body is.
+  std::optional<std::filesystem::path> standing;
   bool needs_skeleton = false;  ///< it was asked for, not looked for
   std::vector<LayerFiles> layers;
   bool coupled = false;  ///< the layers move together once all are dressed
@@ -53,8 +56,8 @@ void add_dress_options(boost::program_options::options_description& options);
 
 /// Those of them that are of the drape itself, and of no file but fabrics'.
 void add_drape_options(boost::program_options::options_description& options);
-/// Gravity, limits and the method. `settings` says whether layers are coupled. Throws UsageError
-/// for a value that an option can't take.
+/// The standing body, gravity, limits and the method. `settings` says whether layers are coupled.
+/// Throws UsageError for a value that an option can't take.
 void read_drape_settings(const boost::program_options::variables_map& given,
                          DressSettings& settings);
 /// What --place asks for. Throws UsageError for a panel with two places.

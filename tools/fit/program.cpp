@@ -59,8 +59,9 @@ void remove_earlier(const FitFiles& files) {
 
 DressSettings dress_settings(const po::variables_map& given, const FitFiles& files) {
   DressSettings settings;
-  settings.body = files.body;
-  settings.skeleton = files.skeleton;
+  // A posed body has the triangles of the standing one, and is dressed as it is.
+  settings.body = given.count("from") != 0 ? fs::path(given["body"].as<std::string>()) : files.body;
+  settings.skeleton = skeleton_path(settings.body);
   settings.fabrics = read_fabrics(given);
   LayerFiles layer;
   layer.garment = files.garment;
@@ -68,7 +69,7 @@ DressSettings dress_settings(const po::variables_map& given, const FitFiles& fil
   layer.output = files.dressed;
   layer.places = read_places(given);
   settings.layers = {layer};
-  if (given.count("cache") != 0) settings.cache = distances_path(files.body);
+  if (given.count("cache") != 0) settings.cache = distances_path(settings.body);
   read_drape_settings(given, settings);
   return settings;
 }
@@ -98,9 +99,11 @@ ExitCode fit(const FitSettings& settings, const FitFiles& files, const CommonSet
   };
   check_pattern_file(settings.pattern.pattern);
   remove_earlier(files);
-  common.say("Cleaning the body:");
-  const CleanBodyResult body =
-      run_clean_body(settings.body, step("clean-body", files.body, files.body_report));
+  CleanBodyResult body;
+  if (!settings.dress.standing) {
+    common.say("Cleaning the body:");
+    body = run_clean_body(settings.body, step("clean-body", files.body, files.body_report));
+  }
   common.say("Meshing the pattern:");
   const std::vector<std::string> of_meshing =
       run_mesh_pattern(settings.pattern, step("mesh-pattern", files.garment, files.mesh_report));
@@ -114,12 +117,12 @@ ExitCode fit(const FitSettings& settings, const FitFiles& files, const CommonSet
   EaseMapSettings ease;
   ease.garment = files.dressed;
   ease.dress_report = files.report;
-  ease.body = files.body;
+  ease.body = settings.dress.body;
   if (settings.pictures) ease.png = files.ease_picture;
   run_ease_map(ease, step("ease-map", files.ease, files.ease_report));
   if (settings.pictures) {
     RenderSettings render;
-    render.body = files.body.string();
+    render.body = settings.dress.body.string();
     render.garments = {files.dressed.string()};
     CommonSettings drawing = common;
     drawing.output = files.drape_picture;
@@ -134,6 +137,11 @@ Job prepare_fit(const po::variables_map& given, const CommonSettings& common) {
   const FitFiles files(common.output);
   FitSettings settings;
   settings.body.inputs = {given["body"].as<std::string>()};
+  for (const char* option : {"unit", "up", "front", "points"}) {
+    if (given.count("from") == 0 || given[option].empty() || given[option].defaulted()) continue;
+    throw UsageError("--" + std::string(option), "is for a body that is cleaned",
+                     "leave it out: with --from the body is taken as pose-body wrote it");
+  }
   read_body_options(given, settings.body);
   settings.pattern.pattern = given["pattern"].as<std::string>();
   settings.pattern.mesh.edge_length = read_edge_length(given);
@@ -144,9 +152,18 @@ Job prepare_fit(const po::variables_map& given, const CommonSettings& common) {
   job.files.reads.push_back(settings.body.inputs.front());
   job.files.reads.push_back(skeleton_path(settings.body.inputs.front()));
   job.files.reads.push_back(settings.pattern.pattern);
+  if (settings.dress.standing) {
+    job.files.reads.push_back(*settings.dress.standing);
+    job.files.reads.push_back(skeleton_path(*settings.dress.standing));
+  }
   job.files.writes = files.all();
-  const fs::path distances = distances_path(files.body);
-  job.files.keeps = {distances, raised_distances_path(distances)};
+  std::vector<fs::path> bodies = {settings.dress.body};
+  if (settings.dress.standing) bodies.push_back(*settings.dress.standing);
+  for (const fs::path& body : bodies) {
+    const fs::path distances = distances_path(body);
+    job.files.keeps.push_back(distances);
+    job.files.keeps.push_back(raised_distances_path(distances));
+  }
   job.work = [settings, files, &common] { return fit(settings, files, common); };
   return job;
 }
@@ -160,15 +177,16 @@ CommandLineProgram fit_program() {
       "dresses a body with a pattern, from both files to the ease map and the verdict";
   program.usage = "--body BODY PATTERN.json -o OUT/ [options]";
   program.options.add_options()("body", po::value<std::string>()->required(),
-                                "a mesh or scan of a standing person")(
+                                "a mesh or scan of a standing person; with --from, a posed body")(
       "pattern", po::value<std::string>()->required(), "the sewing pattern; also as argument");
   add_body_options(program.options);
   add_edge_length_option(program.options);
   add_drape_options(program.options);
-  program.options.add_options()(
-      "cache",
-      "keep the body's distances in OUT/body.distances: later fits of this body take less time")(
-      "png", po::bool_switch(), "write pictures, too: OUT/ease.png and OUT/drape.png");
+  program.options.add_options()("cache",
+                                "keep the body's distances in OUT/body.distances, with --from "
+                                "beside both bodies: later fits take less "
+                                "time")("png", po::bool_switch(),
+                                        "write pictures, too: OUT/ease.png and OUT/drape.png");
   program.positional.add("pattern", 1);
   program.writes_folder = true;
   program.check = [](const po::variables_map& given) {

@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <functional>
+#include <string>
+#include <utility>
 
 #include "tests/cloth/figure.h"
 
@@ -32,9 +34,19 @@ MeshedPanel& add_tube(PanelMesh& garment, const std::string& name, const Vec3& f
   return garment.panels.back();
 }
 
-WearFindings check(const PanelMesh& garment) {
+WearFindings check(const PanelMesh& garment, const Skeleton& skeleton = figure()) {
   const DressedGarment dressed = test::as_dressed(garment, garment.placed);
-  return check_worn(garment, dressed, figure());
+  return check_worn(garment, dressed, skeleton);
+}
+
+/// The figure with its thighs level.
+Skeleton sitting() {
+  Skeleton sits = figure();
+  for (const auto& [side, x] : {std::pair("left", 0.1), std::pair("right", -0.1)}) {
+    sits.joints[std::string(side) + "_knee"] = {x, 0.85, 0.4};
+    sits.joints[std::string(side) + "_ankle"] = {x, 0.45, 0.4};
+  }
+  return sits;
 }
 
 PanelMesh moved(PanelMesh garment, const std::function<Vec3(const Vec3&)>& move) {
@@ -77,6 +89,17 @@ TEST(WearCheck, ASkirtTooLowOrTooHighIsMisplaced) {
   const WearFindings low =
       check(moved(skirt(), [](const Vec3& p) { return Vec3(p + Vec3(0, -0.3, 0)); }));
   EXPECT_EQ(low.misplaced->at, "thighs, 70 cm above the floor");
+}
+
+TEST(WearCheck, ASkirtOnTheThighsOfOneWhoSitsIsMisplaced) {
+  PanelMesh garment;
+  add_tube(garment, "skirt", {0, 0.85, 0.39}, {0, 0.85, 0.2}, 0.25);
+  const WearFindings slid = check(garment, sitting());
+  ASSERT_TRUE(slid.misplaced);
+  EXPECT_EQ(slid.misplaced->should_be, "waist or hips");
+  garment = {};
+  add_tube(garment, "skirt", {0, 0.9, 0}, {0, 1.0, 0}, 0.25);
+  EXPECT_FALSE(check(garment, sitting()).misplaced);
 }
 
 TEST(WearCheck, BelowTheFloor) {
