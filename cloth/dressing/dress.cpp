@@ -204,8 +204,11 @@ DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptio
   result.body_offset = resting_offset(garment, scene);
 
   SettledGarment settled = put_on(garment, scene, result.body_offset, journal);
-  auto& [meshes, placement, level, state, is_clear, is_in_place, friction] = settled;
-  result.placement = std::move(placement);
+  const std::vector<PanelMesh>& meshes = settled.meshes;
+  Level& level = settled.level;
+  State& state = settled.state;
+  bool& is_clear = settled.is_clear;
+  result.placement = std::move(settled.placement);
   for (std::size_t depth = meshes.size() - 1; depth > 0; --depth) {
     result.placement.initial =
         refine_placed(meshes[depth], result.placement.initial, meshes[depth - 1]);
@@ -221,7 +224,8 @@ DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptio
   while (level.depth > 0) {
     level = finer_level(level, meshes[level.depth - 1], scene, result.body_offset, state);
     if (level.depth == 0) break;
-    if (!is_lost()) state = settle(level, std::move(state), is_clear, friction, journal).state;
+    if (!is_lost())
+      state = settle(level, std::move(state), is_clear, settled.friction, journal).state;
     is_clear = is_clear || is_clear_of_itself(level, state);
   }
 

@@ -36,7 +36,7 @@ RelaxReport Journal::run(const std::string& stage, const PanelMesh& mesh, const 
   const std::vector<double> perimeters = panel_perimeters(mesh);
   const double begin = progress_;
   int calls = 0;
-  const RelaxReport report = relax(model, options, x, [&](const RelaxProgress& at) {
+  RelaxReport report = relax(model, options, x, [&](const RelaxProgress& at) {
     const std::vector<Vec3> points = point_positions(model, at.nodes, at.open);
     measure(mesh, areas, outlines, perimeters, points);
     progress_ = begin + (end - begin) * at.iteration / options.max_iterations;

@@ -12,6 +12,7 @@
 #include "geometry/error.h"
 #include "io/checksum.h"
 #include "io/output_file.h"
+#include "io/skeleton_file.h"
 #include "pattern/garment_file.h"
 #include "tools/dress/kept_distances.h"
 #include "tools/dress/report.h"
@@ -128,7 +129,7 @@ void DressRun::read_standing() {
   Collider collider(body,
                     standing_distances_ ? standing_distances_->of_body(body) : DistanceCache());
   Skeleton skeleton = read_skeleton_of(collider.skin(), skeleton_path(path));
-  standing_.emplace(std::move(collider), std::move(skeleton), std::move(motion));
+  standing_.emplace(StandingBody{std::move(collider), std::move(skeleton), std::move(motion)});
   read_seconds_ += seconds_since(start);
 }
 
