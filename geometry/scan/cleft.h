@@ -11,7 +11,7 @@ namespace toile {
 struct CleftOptions {
   double least_gap = 0.01;  ///< metres of air that are left between the tubes below the roof
   double overlap = 0;       ///< metres: tubes that overlap by more have no air between them
-  double lift = 0;          ///< metres by which the roof is higher than its tube
+  double lift = 0;          ///< metres by which the roof is higher than its tube; lower if negative
 };
 
 /// Two tubes, and the roof where they grow together. The roof is a tube, too: a plane between both

@@ -20,7 +20,8 @@ struct RoughBody {
 /// The cleft between the thighs; nothing where there are no two legs, or where no tubes fit them.
 std::optional<Cleft> leg_cleft(const RoughBody& body, const ScanSamples& samples, double least_gap);
 
-/// Those between arms and trunk, if the body has a skeleton.
+/// Those between arms and trunk, if the body has a skeleton. Where no camera sees an armpit, its
+/// height is told from the shoulder's by proportion.
 std::vector<Cleft> arm_clefts(const RoughBody& body, const ScanSamples& samples, double least_gap);
 
 }  // namespace toile

@@ -222,15 +222,7 @@ ImplicitFunction with_clefts(const SmoothDistance& distance, const Unseen& unsee
       clefts.push_back(std::move(*legs));
       mesh();
     }
-    // What is found under closed armpits is less true: once more.
-    const std::size_t own = clefts.size();
-    for (int round = 0; round < 2; ++round) {
-      std::vector<Cleft> arms = arm_clefts(body, samples, least_gap);
-      if (arms.empty()) break;
-      clefts.erase(clefts.begin() + static_cast<std::ptrdiff_t>(own), clefts.end());
-      for (Cleft& cleft : arms) clefts.push_back(std::move(cleft));
-      if (round == 0) mesh();
-    }
+    for (Cleft& cleft : arm_clefts(body, samples, least_gap)) clefts.push_back(std::move(cleft));
   } catch (const Error&) {
     // The mesh of the result is finer, and says what is wrong.
     return shape(clefts);
