@@ -34,8 +34,8 @@ constexpr double crotch_slab = 0.008;
 /// of three bodies are the same; with 0.02, armpits of two are 4 mm lower.
 constexpr double arm_overlap = 0.06;
 /// Share of the height that an armpit is below the shoulder above it. It is 0.0746 to 0.0759 of
-/// mean_all, mean_male and makehuman_base, 0.079 to 0.09 of mannequins. With 0.072 the armpits of
-/// scans of these are 6 mm too low to 19 too high; with 0.0765, 15 too low to 8 too high.
+/// mean_all, mean_male and makehuman_base, 0.079 to 0.09 of mannequins. With 0.072 armpits of their
+/// scans are 7 mm too low to 19 too high. With 0.0765 they are 15 too low to 8 too high.
 constexpr double armpit_depth = 0.0755;
 /// Metres, most that an armpit is higher or lower than its outline goes on.
 constexpr double most_arm_lift = 0.08;
