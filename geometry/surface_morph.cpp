@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <numeric>
 #include <queue>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -70,7 +73,7 @@ struct SurfaceMorph::Parts {
   TriangleMesh from, to;
   std::vector<Change> changes;                 // per triangle
   std::vector<std::array<double, 3>> weights;  // per triangle, of the edge opposite to each corner
-  std::vector<int> anchors;  // a point of each connected part, which goes straight
+  std::vector<int> held;  // points that go straight: one of each part, and loose ones
   Eigen::SimplicialLDLT<Sparse> solver;
 
   void find_changes();
@@ -96,23 +99,31 @@ void SurfaceMorph::Parts::find_changes() {
 void SurfaceMorph::Parts::unwrap_and_anchor() {
   const std::vector<std::array<int, 3>> neighbours = neighbours_of(from);
   std::vector<int> by_angle(changes.size());
-  for (std::size_t t = 0; t < by_angle.size(); ++t) by_angle[t] = static_cast<int>(t);
+  std::iota(by_angle.begin(), by_angle.end(), 0);
   std::ranges::stable_sort(by_angle, {}, [&](int t) { return changes[t].rotation.norm(); });
   std::vector<bool> is_reached(changes.size(), false);
+  // Neighbours whose turns differ least come first, so a fold turns nothing behind it the wrong
+  // way.
+  using Step = std::tuple<double, int, int>;  // the difference, a triangle, and where it comes from
+  std::priority_queue<Step, std::vector<Step>, std::greater<>> front;
+  const auto reach = [&](int triangle) {
+    is_reached[triangle] = true;
+    const Vec3& here = changes[triangle].rotation;
+    for (const int next : neighbours[triangle]) {
+      if (next < 0 || is_reached[next]) continue;
+      front.emplace((unwrapped(changes[next].rotation, here) - here).norm(), next, triangle);
+    }
+  };
   for (const int seed : by_angle) {
     if (is_reached[seed]) continue;
-    anchors.push_back(from.triangles[seed][0]);
-    is_reached[seed] = true;
-    std::queue<int> front({seed});
+    held.push_back(from.triangles[seed][0]);
+    reach(seed);
     while (!front.empty()) {
-      const int t = front.front();
+      const auto [difference, triangle, before] = front.top();
       front.pop();
-      for (const int next : neighbours[t]) {
-        if (next < 0 || is_reached[next]) continue;
-        is_reached[next] = true;
-        changes[next].rotation = unwrapped(changes[next].rotation, changes[t].rotation);
-        front.push(next);
-      }
+      if (is_reached[triangle]) continue;
+      changes[triangle].rotation = unwrapped(changes[triangle].rotation, changes[before].rotation);
+      reach(triangle);
     }
   }
 }
@@ -120,15 +131,14 @@ void SurfaceMorph::Parts::unwrap_and_anchor() {
 void SurfaceMorph::Parts::factorise(const std::string& name) {
   Sparse system = cotangent_laplacian(from);
   const auto n = static_cast<Eigen::Index>(from.points.size());
-  std::vector<Eigen::Triplet<double>> held;
-  for (const int point : anchors) held.emplace_back(point, point, 1.0);
-  // What belongs to no triangle stays.
   for (Eigen::Index i = 0; i < n; ++i) {
-    if (system.coeff(i, i) == 0) held.emplace_back(i, i, 1.0);
+    if (system.coeff(i, i) == 0) held.push_back(static_cast<int>(i));
   }
-  Sparse at_anchors(n, n);
-  at_anchors.setFromTriplets(held.begin(), held.end());
-  solver.compute(system + at_anchors);
+  std::vector<Eigen::Triplet<double>> ones;
+  for (const int point : held) ones.emplace_back(point, point, 1.0);
+  Sparse at_held(n, n);
+  at_held.setFromTriplets(ones.begin(), ones.end());
+  solver.compute(system + at_held);
   if (solver.info() != Eigen::Success) {
     throw Error(name, "the way between its shapes can't be solved for", "let clean-body repair it");
   }
@@ -180,7 +190,7 @@ TriangleMesh SurfaceMorph::at(double share) const {
   const auto straight = [&](int point) {
     return Vec3((1 - share) * from.points[point] + share * to.points[point]);
   };
-  for (const int point : parts_->anchors) pull.row(point) += straight(point);
+  for (const int point : parts_->held) pull.row(point) += straight(point);
   const Eigen::MatrixX3d solved = parts_->solver.solve(pull);
   TriangleMesh between{{}, from.triangles};
   between.points.reserve(from.points.size());

@@ -130,9 +130,9 @@ inline constexpr double max_search_radius = 0.02;
 
 // Following a body into its pose.
 
-/// Metres that skin near the cloth moves in a step at most. With half and double, shorts and a
-/// skirt that sit end alike, in 1.1 and 0.8 of the time. Shorts that catch at the groin cross the
-/// body at 55 and 185 pairs for 122, and take 0.8 and 0.5 of the time.
+/// Metres that skin near the cloth moves in a step at most, on average over its way. With half and
+/// double, shorts and a skirt that sit end alike, in 1.1 and 0.8 of the time. Shorts that catch at
+/// the groin cross the body at 55 and 185 pairs for 122, and take 0.8 and 0.5 of the time.
 inline constexpr double near_step = 0.015;
 /// Metres that any other skin moves in a step at most, as of a hand that comes to a skirt.
 inline constexpr double far_step = 0.04;

@@ -58,28 +58,6 @@ struct SettledGarment {
   bool friction = false;
 };
 
-/// Around the body as it stood, if the scene has it.
-Scene standing_scene(const Scene& scene) {
-  if (scene.standing == nullptr) return scene;
-  Scene standing = scene;
-  standing.collider = &scene.standing->collider;
-  standing.skeleton = &scene.standing->skeleton;
-  standing.standing = nullptr;
-  return standing;
-}
-
-/// Takes a garment that has settled on the standing body along into the pose, and settles it there.
-void follow_and_settle(const Scene& scene, double resting_offset, SettledGarment& settled,
-                       Journal& journal) {
-  settled.is_clear = follow_body(settled.level, settled.state, scene, resting_offset,
-                                 settled.friction, settled.is_clear, journal);
-  settled.placement.placed = settled.level.placed;
-  settled.state =
-      first_settled(settled.level, settled.state, settled.is_clear, settled.friction, journal);
-  settled.is_clear = settled.is_clear || is_clear_of_itself(settled.level, settled.state);
-  settled.is_in_place = is_in_place(settled.level, settled.state);
-}
-
 SettledGarment sew_and_settle(const PanelMesh& garment, const Scene& scene, double resting_offset,
                               Journal& journal) {
   SettledGarment settled;
@@ -97,27 +75,21 @@ SettledGarment sew_and_settle(const PanelMesh& garment, const Scene& scene, doub
 }
 
 /// Sews the garment around the body, as it stood if the scene has it, and takes it into the pose.
-/// What does not stay where it belongs is sewn anew, and held there.
+/// What is tangled is lost, and comes there at once.
 SettledGarment put_on(const PanelMesh& garment, const Scene& scene, double resting_offset,
                       Journal& journal) {
-  const Scene standing = standing_scene(scene);
-  SettledGarment settled = sew_and_settle(garment, standing, resting_offset, journal);
-  const std::optional<PanelMesh> held = hold_what_slips(garment);
-  bool is_posed = scene.standing == nullptr;
-  const auto bring_into_pose = [&](SettledGarment& one) {
-    if (scene.standing != nullptr) follow_and_settle(scene, resting_offset, one, journal);
-  };
-  if (settled.is_in_place || !held) {
-    bring_into_pose(settled);
-    is_posed = true;
+  SettledGarment worn = sew_and_settle(garment, standing_scene(scene), resting_offset, journal);
+  if (scene.standing == nullptr) return worn;
+  if (worn.is_clear) {
+    worn.is_clear = follow_body(worn.level, worn.state, scene, resting_offset, worn.is_clear,
+                                worn.friction, journal);
+    worn.state = first_settled(worn.level, worn.state, worn.is_clear, worn.friction, journal);
+  } else {
+    take_along(worn.level, worn.state, scene, resting_offset);
   }
-  if (settled.is_in_place || !held) return settled;
-  journal.begin_attempt(journal.attempt() + 1);
-  SettledGarment anew = sew_and_settle(*held, standing, resting_offset, journal);
-  if (anew.is_in_place && anew.is_clear) bring_into_pose(anew);
-  if (anew.is_in_place && anew.is_clear) return anew;
-  if (!is_posed) bring_into_pose(settled);
-  return settled;
+  worn.placement.placed = worn.level.placed;
+  worn.is_in_place = is_in_place(worn.level, worn.state);
+  return worn;
 }
 
 bool has_temporary_attachments(const Level& level) {
@@ -204,6 +176,13 @@ DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptio
   result.body_offset = resting_offset(garment, scene);
 
   SettledGarment settled = put_on(garment, scene, result.body_offset, journal);
+  if (!settled.is_in_place) {
+    if (const std::optional<PanelMesh> held = hold_what_slips(garment)) {
+      journal.begin_attempt(journal.attempt() + 1);
+      SettledGarment anew = put_on(*held, scene, result.body_offset, journal);
+      if (anew.is_in_place && anew.is_clear) settled = std::move(anew);
+    }
+  }
   const std::vector<PanelMesh>& meshes = settled.meshes;
   Level& level = settled.level;
   State& state = settled.state;
@@ -218,9 +197,6 @@ DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptio
   const auto is_lost = [&] {
     return is_tangled || fallen(level, state, result.placement.placed) > fallen_off_drop;
   };
-  if (scene.standing != nullptr) {
-    result.placement.initial = taken_along(std::move(result.placement.initial), scene);
-  }
   while (level.depth > 0) {
     level = finer_level(level, meshes[level.depth - 1], scene, result.body_offset, state);
     if (level.depth == 0) break;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "cloth/dressing/constants.h"
@@ -14,31 +15,8 @@ namespace toile {
 
 namespace {
 
-/// Joints between those of two poses. They go straight, as those of the trunk do; limbs' do not,
-/// but nothing on the way asks for them.
-Skeleton between(Skeleton from, const Skeleton& to, double share) {
-  for (auto& [name, joint] : from.joints) {
-    const auto end = to.joints.find(name);
-    if (end != to.joints.end()) joint = (1 - share) * joint + share * end->second;
-  }
-  return from;
-}
-
-/// The body at a share of its way, and the scene around it.
-struct Station {
-  Station(const Scene& posed, double at)
-      : collider(posed.standing->motion.at(at)),
-        skeleton(between(posed.standing->skeleton, *posed.skeleton, at)),
-        scene(posed) {
-    scene.collider = &collider;
-    scene.skeleton = &skeleton;
-    scene.standing = nullptr;
-  }
-
-  const Collider collider;
-  const Skeleton skeleton;
-  Scene scene;
-};
+/// Share of the way that is nothing.
+constexpr double rounding = 1e-9;
 
 /// The points, each moved with the skin that is nearest to it.
 std::vector<Vec3> moved_with_skin(std::vector<Vec3> points, const Collider& from, double from_share,
@@ -56,6 +34,44 @@ std::vector<Vec3> moved_with_skin(std::vector<Vec3> points, const Collider& from
   }
   return points;
 }
+
+/// Whether a joint moves with a limb; those of the trunk go straight.
+bool is_of_limb(const std::string& joint) {
+  return joint.ends_with("_elbow") || joint.ends_with("_wrist") || joint.ends_with("_knee") ||
+         joint.ends_with("_ankle");
+}
+
+/// The joints at a share of the way, where `body` is.
+Skeleton joints_at(const StandingBody& standing, const Skeleton& posed, const TriangleMesh& body,
+                   double share) {
+  Skeleton skeleton = standing.skeleton;
+  for (auto& [name, joint] : skeleton.joints) {
+    const auto end = posed.joints.find(name);
+    if (is_of_limb(name)) {
+      joint = moved_with_skin({joint}, standing.collider, 0, body.points, share, standing.motion)
+                  .front();
+    } else if (end != posed.joints.end()) {
+      joint = (1 - share) * joint + share * end->second;
+    }
+  }
+  return skeleton;
+}
+
+/// The body at a share of its way, and the scene around it.
+struct Station {
+  Station(const Scene& posed, const TriangleMesh& body, double share)
+      : collider(body),
+        skeleton(joints_at(*posed.standing, *posed.skeleton, body, share)),
+        scene(posed) {
+    scene.collider = &collider;
+    scene.skeleton = &skeleton;
+    scene.standing = nullptr;
+  }
+
+  const Collider collider;
+  const Skeleton skeleton;
+  Scene scene;
+};
 
 /// Steps in which no skin near the cloth moves by more than near_step, and no other by far_step.
 int step_count(const std::vector<Vec3>& cloth, const StandingBody& standing) {
@@ -87,31 +103,33 @@ std::vector<Vec3> taken_along(std::vector<Vec3> points, const Scene& scene) {
 }
 
 bool follow_body(Level& level, State& state, const Scene& scene, double resting_offset,
-                 bool friction, bool bounded, Journal& journal) {
+                 bool bounded, bool friction, Journal& journal) {
   const StandingBody& standing = *scene.standing;
   const PanelMesh& mesh = *level.mesh;
   const double step = 1.0 / step_count(state.nodes, standing);
+  const std::size_t first_stage = journal.stages().size();
   std::vector<Vec3> placed = level.placed;
 
   double share = 0;
   double ahead = step;
   std::unique_ptr<Station> station;
   while (share < 1) {
-    const double next = share + ahead > 1 - 1e-9 ? 1 : share + ahead;
+    ahead = std::min(ahead, 1 - share);
+    const double next = share + ahead > 1 - rounding ? 1 : share + ahead;
     const Collider& from = station ? station->collider : standing.collider;
-    auto there = std::make_unique<Station>(scene, next);
-    const std::vector<Vec3>& to = there->collider.body().points;
+    const TriangleMesh body = standing.motion.at(next);
     State moved;
-    moved.nodes = moved_with_skin(state.nodes, from, share, to, next, standing.motion);
+    moved.nodes = moved_with_skin(state.nodes, from, share, body.points, next, standing.motion);
     moved.warm_start.multipliers = state.warm_start.multipliers;
     if (bounded && !is_clear_of_itself(level, moved)) {
-      if (ahead > step * least_step_share) {
-        ahead /= 2;
+      if (ahead > least_step_share * step) {
+        ahead = std::max(ahead / 2, least_step_share * step);
         continue;
       }
       moved.nodes = state.nodes;
     }
-    placed = moved_with_skin(std::move(placed), from, share, to, next, standing.motion);
+    placed = moved_with_skin(std::move(placed), from, share, body.points, next, standing.motion);
+    auto there = std::make_unique<Station>(scene, body, next);
     level =
         compiled_level(mesh, level.depth, next == 1 ? scene : there->scene, placed, resting_offset);
     state = follow(level, std::move(moved), bounded, friction, journal).state;
@@ -119,8 +137,14 @@ bool follow_body(Level& level, State& state, const Scene& scene, double resting_
     share = next;
     ahead = step;
   }
-  journal.join_stages("follow");
+  journal.join_stages(first_stage);
   return bounded || is_clear_of_itself(level, state);
+}
+
+void take_along(Level& level, State& state, const Scene& scene, double resting_offset) {
+  state.nodes = taken_along(std::move(state.nodes), scene);
+  level = compiled_level(*level.mesh, level.depth, scene, taken_along(level.placed, scene),
+                         resting_offset);
 }
 
 }  // namespace toile

@@ -55,23 +55,16 @@ void Journal::add(const StageReport& stage, const PanelMesh& mesh,
   if (watcher_) show(mesh, stage.name, points);
 }
 
-void Journal::join_stages(const std::string& name) {
-  const auto is_one = [&](const StageReport& stage) {
-    return stage.name == name && stage.attempt == attempt_;
-  };
-  const auto first = std::ranges::find_if(stages_, is_one);
-  if (first == stages_.end()) return;
-  StageReport joined = *first;
-  for (auto stage = first + 1; stage != stages_.end(); ++stage) {
-    if (!is_one(*stage)) continue;
-    joined.steps += stage->steps;
-    joined.searches += stage->searches;
-    joined.seconds += stage->seconds;
-    joined.converged = stage->converged;
-    joined.residual = stage->residual;
+void Journal::join_stages(std::size_t first) {
+  if (first >= stages_.size()) return;
+  StageReport joined = stages_.back();
+  for (std::size_t i = first; i + 1 < stages_.size(); ++i) {
+    joined.steps += stages_[i].steps;
+    joined.searches += stages_[i].searches;
+    joined.seconds += stages_[i].seconds;
   }
-  stages_.erase(std::remove_if(first + 1, stages_.end(), is_one), stages_.end());
-  *first = joined;
+  stages_.resize(first);
+  stages_.push_back(joined);
 }
 
 void Journal::show(const PanelMesh& mesh, const std::string& stage,

@@ -1,6 +1,7 @@
 // What is recorded while a garment is dressed: its stages, its largest changes, and its progress.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <utility>
@@ -53,8 +54,8 @@ class Journal {
   /// Records a stage that is no run; its garment stands at `points`, per material point of `mesh`.
   void add(const StageReport& stage, const PanelMesh& mesh, const std::vector<Vec3>& points);
 
-  /// Makes one stage of all stages of that name in this attempt, at the place of the first.
-  void join_stages(const std::string& name);
+  /// Makes one stage of those from index `first` on, which are of one name.
+  void join_stages(std::size_t first);
 
   /// The last stage did what it is for, though it did not come to rest.
   void mark_converged() { stages_.back().converged = true; }

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "cloth/dressing/follow_body.h"
 #include "cloth/dressing/outfit_warnings.h"
 #include "cloth/dressing/panels_over.h"
 #include "cloth/scene/standing_body.h"
@@ -28,6 +29,11 @@ class OutfitDresser {
   OutfitDresser(const Outfit& outfit, Collider& collider, const Skeleton* skeleton,
                 const OutfitHooks& hooks)
       : outfit_(outfit), collider_(collider), skeleton_(skeleton), hooks_(hooks) {
+    const bool is_one = count() == 1 && !outfit.layers.front().earlier;
+    if (outfit.standing != nullptr && !is_one) {
+      throw Error("outfit", "can't be taken along into a pose",
+                  "give one garment, without an earlier drape");
+    }
     if (count() > 1) cache_ = collider.grid().cache();
     for (std::size_t i = 0; i < count(); ++i) {
       for (std::size_t other = 0; other < count(); ++other) panels_over(i, other);
@@ -176,9 +182,13 @@ WornLayer OutfitDresser::dress_layer(std::size_t layer) const {
     }
     // Where the panels stood decides what is judged, too.
     worn.garment.placed = worn.result.placement.initial;
+    std::ranges::copy(start_warnings(worn.garment, standing_scene(worn.scene)),
+                      std::back_inserter(worn.warnings));
+    if (outfit_.standing != nullptr) {
+      worn.garment.placed = taken_along(std::move(worn.garment.placed), worn.scene);
+    }
     watcher({worn.garment, "dressed", material_points(worn.garment, worn.result), 1});
   }
-  std::ranges::copy(start_warnings(worn.garment, worn.scene), std::back_inserter(worn.warnings));
   for (const std::string& line : worn.warnings) warn(line);
   worn.distances_computed = collider_.grid().computed_nodes() - known_before;
   worn.dress_seconds = seconds_since(start);

@@ -196,7 +196,9 @@ Staged follow(const Level& level, State state, bool bounded, bool friction, Jour
   options.max_iterations = following_iterations;
   Staged staged =
       run("follow", level, level.model, std::move(state), options, journal.progress(), journal);
+  // This stage ends with its iterations, not with rest.
   journal.mark_converged();
+  staged.report.converged = true;
   return staged;
 }
 

@@ -273,15 +273,18 @@ class WearCheck {
     }
   }
 
-  /// Metres that a point lies farther down the thighs than the crotch. Those of a body that sits
-  /// point forward, and what lies on them is as high as its hips.
+  /// Of a body that sits: metres that a point lies farther down the thighs than the crotch. What
+  /// lies on level thighs is as high as the hips. 0 unless both thighs are nearer to level than to
+  /// upright.
   double down_the_thighs(const Vec3& point) const {
-    const auto mean = [&](const std::string& joint) {
-      return Vec3((skeleton_.joint("left_" + joint) + skeleton_.joint("right_" + joint)) / 2);
+    const auto thigh = [&](const std::string& side) {
+      return Vec3((skeleton_.joint(side + "knee") - skeleton_.joint(side + "hip")).normalized());
     };
-    const Vec3 hips = mean("hip");
-    const Vec3 along = (mean("knee") - hips).normalized();
-    return along.dot(point - hips) - (hips.y() - crotch_);
+    const Vec3 left = thigh("left_");
+    const Vec3 right = thigh("right_");
+    if (std::max(-left.y(), -right.y()) > std::sqrt(0.5)) return 0;
+    const Vec3 hips = (skeleton_.joint("left_hip") + skeleton_.joint("right_hip")) / 2;
+    return (left + right).normalized().dot(point - hips) - (hips.y() - crotch_);
   }
 
   void check_skirt(const Component& component) {

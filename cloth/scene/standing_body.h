@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cloth/scene/collider.h"
+#include "cloth/scene/scene.h"
 #include "geometry/body/skeleton.h"
 #include "geometry/surface_morph.h"
 
@@ -13,5 +14,8 @@ struct StandingBody {
   Skeleton skeleton;
   SurfaceMorph motion;  ///< from this body to the scene's
 };
+
+/// The scene around the body as it stood, or the scene itself where it has none.
+Scene standing_scene(const Scene& scene);
 
 }  // namespace toile

@@ -358,10 +358,10 @@ class SkeletonFinder {
     const double low = 0.62 * whole - back;
     const double high = 0.88 * whole - back;
     // A walk may go on along a finger, which is much thinner all at once.
-    const auto finger =
-        std::adjacent_find(arm.begin(), arm.end(), [](const auto& a, const auto& b) {
-          return b.section.girth < finger_share * a.section.girth;
-        });
+    const auto from = std::ranges::find_if(arm, [&](const Station& at) { return at.along >= low; });
+    const auto finger = std::adjacent_find(from, arm.end(), [](const auto& a, const auto& b) {
+      return b.section.girth < finger_share * a.section.girth;
+    });
     const double end = finger == arm.end() ? high : std::min(high, finger->along);
     // The thinnest station that a thicker hand is beyond: fingers may be thinner.
     const Station* thin = nullptr;

@@ -105,6 +105,14 @@ TEST(SurfaceMorph, EachPartGoesItsOwnWay) {
   }
 }
 
+TEST(SurfaceMorph, LoosePointsGoStraight) {
+  TriangleMesh from = straight();
+  TriangleMesh to = bent(1);
+  from.points.emplace_back(1, 2, 3);
+  to.points.emplace_back(1, 2, 5);
+  EXPECT_LT((SurfaceMorph(from, to, "limb").at(0.5).points.back() - Vec3(1, 2, 4)).norm(), 1e-9);
+}
+
 TEST(SurfaceMorph, OtherTrianglesAreAnError) {
   TriangleMesh other = straight();
   other.triangles.pop_back();

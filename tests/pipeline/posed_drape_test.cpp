@@ -91,8 +91,12 @@ TEST_F(PosedDrape, AnotherBodyIsRefused) {
   EXPECT_EQ(other.exit_code, 1);
   EXPECT_NE(other.err.find("standing.ply: has other triangles"), std::string::npos) << other.err;
   EXPECT_FALSE(fs::exists(folder / "other.obj"));
+  pose("walking");
   fs::remove(folder / "standing.json");
-  EXPECT_EQ(follow("bare").exit_code, 1);
+  const auto bare = follow("bare");
+  EXPECT_EQ(bare.exit_code, 1);
+  EXPECT_NE(bare.err.find("standing.json"), std::string::npos) << bare.err;
+  EXPECT_EQ(follow("certified", {"--certify-frames"}).exit_code, 2);
   EXPECT_EQ(follow("paper", {"--method", "paper"}).exit_code, 2);
   EXPECT_EQ(follow("both", {"--continue", folder / "first.obj"}).exit_code, 2);
 }

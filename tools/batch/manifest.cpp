@@ -120,8 +120,8 @@ void read_fabrics(BatchRow& row, const fs::path& folder) {
 
 /// Options of dress, but for those of its files, which are the batch's.
 void read_options(BatchRow& row, const std::string& place) {
-  const std::set<std::string> own = {"body",   "garment",  "garment-json", "scene",   "fabric",
-                                     "frames", "skeleton", "cache",        "continue"};
+  const std::set<std::string> own = {"body",   "garment",  "garment-json", "scene",    "fabric",
+                                     "frames", "skeleton", "cache",        "continue", "from"};
   po::options_description dress;
   add_dress_options(dress);
   try {

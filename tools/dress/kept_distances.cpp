@@ -53,4 +53,9 @@ fs::path raised_distances_path(const fs::path& distances) {
   return fs::path(distances).replace_extension("raised.distances");
 }
 
+std::vector<fs::path> kept_distances_of(const fs::path& body) {
+  const fs::path distances = distances_path(body);
+  return {distances, raised_distances_path(distances)};
+}
+
 }  // namespace toile

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <vector>
 
 #include "cloth/scene/collider.h"
 #include "tools/dress/say.h"
@@ -33,5 +34,7 @@ class KeptDistances : public RaisedDistances {
 std::filesystem::path distances_path(const std::filesystem::path& body);
 /// Those of the raised body: body.raised.distances for body.distances.
 std::filesystem::path raised_distances_path(const std::filesystem::path& distances);
+/// Both files of a body.
+std::vector<std::filesystem::path> kept_distances_of(const std::filesystem::path& body);
 
 }  // namespace toile

@@ -1,5 +1,7 @@
 #include "tools/dress/settings.h"
 
+#include <algorithm>
+#include <iterator>
 #include <sstream>
 
 #include "cloth/scene/scene_file.h"
@@ -158,6 +160,9 @@ void check_dress_options(const po::variables_map& given) {
   if (has_scene && given.count("from") != 0) {
     throw po::error("--from is for one garment: dress the garments of a scene without it");
   }
+  if (given.count("certify-frames") != 0 && given.count("from") != 0) {
+    throw po::error("--certify-frames checks against a body that does not move: leave out --from");
+  }
   if (given.count("continue") != 0 && given.count("from") != 0) {
     throw po::error(
         "--from puts the garment on anew, and --continue goes on from a drape: give one");
@@ -199,18 +204,14 @@ ProgramFiles files_of(const DressSettings& settings) {
   files.reads.push_back(settings.body);
   files.reads.push_back(settings.skeleton);
   if (settings.scene) files.reads.push_back(*settings.scene);
-  if (settings.cache) {
-    files.keeps.push_back(*settings.cache);
-    files.keeps.push_back(raised_distances_path(*settings.cache));
-  }
+  std::vector<fs::path> bodies = {settings.body};
   if (settings.standing) {
+    bodies.push_back(*settings.standing);
     files.reads.push_back(*settings.standing);
     files.reads.push_back(skeleton_path(*settings.standing));
-    if (settings.cache) {
-      const fs::path kept = distances_path(*settings.standing);
-      files.keeps.push_back(kept);
-      files.keeps.push_back(raised_distances_path(kept));
-    }
+  }
+  for (const fs::path& body : bodies) {
+    if (settings.cache) std::ranges::copy(kept_distances_of(body), std::back_inserter(files.keeps));
   }
   for (const LayerFiles& layer : settings.layers) {
     files.reads.push_back(layer.garment);

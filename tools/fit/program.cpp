@@ -157,12 +157,10 @@ Job prepare_fit(const po::variables_map& given, const CommonSettings& common) {
     job.files.reads.push_back(skeleton_path(*settings.dress.standing));
   }
   job.files.writes = files.all();
-  std::vector<fs::path> bodies = {settings.dress.body};
-  if (settings.dress.standing) bodies.push_back(*settings.dress.standing);
-  for (const fs::path& body : bodies) {
-    const fs::path distances = distances_path(body);
-    job.files.keeps.push_back(distances);
-    job.files.keeps.push_back(raised_distances_path(distances));
+  job.files.keeps = kept_distances_of(settings.dress.body);
+  if (settings.dress.standing) {
+    const std::vector<fs::path> kept = kept_distances_of(*settings.dress.standing);
+    job.files.keeps.insert(job.files.keeps.end(), kept.begin(), kept.end());
   }
   job.work = [settings, files, &common] { return fit(settings, files, common); };
   return job;
