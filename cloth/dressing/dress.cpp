@@ -200,8 +200,9 @@ DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptio
   while (level.depth > 0) {
     level = finer_level(level, meshes[level.depth - 1], scene, result.body_offset, state);
     if (level.depth == 0) break;
-    if (!is_lost())
+    if (!is_lost()) {
       state = settle(level, std::move(state), is_clear, settled.friction, journal).state;
+    }
     is_clear = is_clear || is_clear_of_itself(level, state);
   }
 
