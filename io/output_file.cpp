@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/predicate.hpp>
+#include <cerrno>
+#include <fstream>
 #include <system_error>
 
 #include "geometry/error.h"
@@ -39,20 +41,65 @@ void check_kind(const fs::path& path, const fs::path& target) {
   }
 }
 
+/// Where a file is to be put in place. Nothing may be made beside what can't be replaced.
+fs::path target_of(const fs::path& path) {
+  fs::path target = followed(path);
+  check_kind(path, target);
+  return target;
+}
+
 }  // namespace
 
+DescriptorBuffer::DescriptorBuffer(int descriptor)
+    : descriptor_(descriptor), waiting_(std::size_t{1} << 16) {
+  setp(waiting_.data(), waiting_.data() + waiting_.size());
+}
+
+bool DescriptorBuffer::write(const char* text, std::size_t size) const {
+  while (size > 0) {
+    const ssize_t written = ::write(descriptor_, text, size);
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    text += written;
+    size -= static_cast<std::size_t>(written);
+  }
+  return true;
+}
+
+int DescriptorBuffer::sync() {
+  const bool done = write(pbase(), static_cast<std::size_t>(pptr() - pbase()));
+  setp(waiting_.data(), waiting_.data() + waiting_.size());
+  return done ? 0 : -1;
+}
+
+DescriptorBuffer::int_type DescriptorBuffer::overflow(int_type c) {
+  if (sync() != 0) return traits_type::eof();
+  if (traits_type::eq_int_type(c, traits_type::eof())) return traits_type::not_eof(c);
+  return sputc(traits_type::to_char_type(c));
+}
+
+std::streamsize DescriptorBuffer::xsputn(const char* text, std::streamsize size) {
+  if (size < epptr() - pptr()) return std::streambuf::xsputn(text, size);
+  return sync() == 0 && write(text, static_cast<std::size_t>(size)) ? size : 0;
+}
+
 OutputFile::OutputFile(fs::path path)
-    : path_(std::move(path)), target_(followed(path_)), temporary_(target_) {
-  check_kind(path_, target_);
-  stream_.open(temporary_.name(), std::ios::binary | std::ios::trunc);
-  if (!stream_) {
+    : path_(std::move(path)),
+      target_(target_of(path_)),
+      temporary_(target_),
+      buffer_(temporary_.descriptor()),
+      stream_(&buffer_) {
+  if (!temporary_.is_open()) {
     throw Error(path_.string(), "can't be written",
                 "check that its folder exists and that you may write there");
   }
 }
 
 void OutputFile::finish() {
-  if (stream_.is_open()) stream_.close();
+  if (temporary_.is_open()) {
+    stream_.flush();
+    if (!temporary_.close()) stream_.setstate(std::ios::badbit);
+  }
   if (!stream_) throw Error(path_.string(), "could not be written whole", "is the disk full?");
 }
 

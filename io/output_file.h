@@ -3,8 +3,9 @@
 
 #include <concepts>
 #include <filesystem>
-#include <fstream>
 #include <list>
+#include <ostream>
+#include <streambuf>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,23 @@
 #include "io/temporary_file.h"
 
 namespace toile {
+
+/// What a stream writes by, to a file that is open.
+class DescriptorBuffer : public std::streambuf {
+ public:
+  explicit DescriptorBuffer(int descriptor);
+
+ protected:
+  int_type overflow(int_type c) override;
+  std::streamsize xsputn(const char* text, std::streamsize size) override;
+  int sync() override;
+
+ private:
+  bool write(const char* text, std::size_t size) const;
+
+  int descriptor_;
+  std::vector<char> waiting_;
+};
 
 /// Writes to a temporary file beside `path`. commit() renames it to `path`. A run that is killed or
 /// throws before commit() leaves `path` as it was. A symbolic link stays, the file that it points
@@ -37,7 +55,8 @@ class OutputFile {
   std::filesystem::path path_;
   std::filesystem::path target_;  // path_, or what it is a link to
   TemporaryFile temporary_;
-  std::ofstream stream_;
+  DescriptorBuffer buffer_;
+  std::ostream stream_;
 };
 
 class OutputFiles;

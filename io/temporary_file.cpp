@@ -1,12 +1,17 @@
 #include "io/temporary_file.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <random>
+#include <string>
+#include <string_view>
 #include <system_error>
 
 #include "geometry/error.h"
@@ -64,15 +69,53 @@ extern "C" void on_signal(int signal) {
   }
 }
 
+/// The end of a temporary file's name: 36^8 of them, from the system's source of chance.
+std::string random_ending() {
+  constexpr std::string_view characters = "abcdefghijklmnopqrstuvwxyz0123456789";
+  constexpr int length = 8;  // a longer name than the file's own might be too long for the disk
+  std::random_device source;
+  std::uniform_int_distribution<std::size_t> any(0, characters.size() - 1);
+  std::string ending = ".part";
+  for (int i = 0; i < length; ++i) ending += characters[any(source)];
+  return ending;
+}
+
 }  // namespace
 
-TemporaryFile::TemporaryFile(const fs::path& path) : name_(path) {
-  // The process id keeps the temporary files of two runs apart that write the same file.
-  name_ += ".part" + std::to_string(getpid());
-  slot_ = take_slot(fs::absolute(name_).string());
+int make_new_file(const fs::path& name) {
+  constexpr mode_t mode = 0666;  // less what the umask takes away
+  int descriptor = -1;
+  do {
+    descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
+  } while (descriptor < 0 && errno == EINTR);
+  return descriptor;
+}
+
+TemporaryFile::TemporaryFile(const fs::path& path) : slot_(slots_count) {
+  constexpr int tries = 100;
+  const SignalsWait wait;  // a file that is made has its slot
+  for (int i = 0; i < tries && !is_open(); ++i) {
+    name_ = path;
+    name_ += random_ending();
+    descriptor_ = make_new_file(name_);
+    if (!is_open() && errno != EEXIST) break;
+  }
+  if (is_open()) {
+    slot_ = take_slot(fs::absolute(name_).string());
+  } else {
+    name_.clear();
+  }
+}
+
+bool TemporaryFile::close() {
+  if (!is_open()) return true;
+  const int descriptor = descriptor_;
+  descriptor_ = -1;
+  return ::close(descriptor) == 0;
 }
 
 TemporaryFile::~TemporaryFile() {
+  close();
   std::error_code ignored;
   if (!name_.empty()) fs::remove(name_, ignored);
   free_slot(slot_);

@@ -6,22 +6,33 @@
 
 namespace toile {
 
-/// The name of a file beside `path`. The file is the caller's to make. It is removed at the end of
-/// the scope, unless put_in_place() was called.
+/// Makes a file for writing and returns its descriptor; -1 where it can't. What is at `name`
+/// already stays as it is and makes it fail, a link to nowhere among it.
+int make_new_file(const std::filesystem::path& name);
+
+/// A new, empty file beside `path`, with a name that nobody can foresee. It is removed at the end
+/// of the scope, unless put_in_place() was called.
 class TemporaryFile {
  public:
+  /// Does not throw where no file can be made: is_open() tells.
   explicit TemporaryFile(const std::filesystem::path& path);
   ~TemporaryFile();
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
   const std::filesystem::path& name() const { return name_; }
+  bool is_open() const { return descriptor_ >= 0; }
+  /// What the file is written by, for nobody can lay another file under it.
+  int descriptor() const { return descriptor_; }
+  /// False where the file's end could not be written. Closing a closed file is well.
+  bool close();
   /// Renames the file to `path`. Throws Error when that is not possible.
   void put_in_place(const std::filesystem::path& path);
 
  private:
   std::filesystem::path name_;
-  std::size_t slot_;
+  int descriptor_ = -1;
+  std::size_t slot_ = 0;
 };
 
 /// From here on, a signal that ends the program removes all temporary files first: hang-up,
