@@ -27,6 +27,10 @@ void read_joint(const std::string& joint, const JsonValue& motions, SidePose& si
   }
   if (known.empty()) motions.fail("is no joint of a pose", "use " + known_joints());
   refuse_other_keys(motions, known);
+  for (const std::string& key : motions.keys()) {
+    if (motions.find(key)) continue;
+    motions.fail("the angle " + in_quotes(key) + " is null", "give it in degrees, or leave it out");
+  }
   for (const JointMotion& motion : joint_motions) {
     if (motion.joint != joint) continue;
     const auto angle = motions.find(std::string(motion.motion));

@@ -15,8 +15,8 @@ namespace toile {
 /// does not name are those of standing_pose(). `format`, `version` and `units` may be left out.
 ///
 /// It throws Error, with the file and the joint, for text that is not JSON and for an unknown key,
-/// joint or motion. An angle that is no number or beyond its joint's range in the figure is an
-/// Error, too.
+/// joint or motion. An angle that is null, no number or beyond its joint's range in the figure is
+/// an Error, too.
 Pose read_pose(const std::filesystem::path& path, PosedFigure figure = PosedFigure::mannequin);
 
 }  // namespace toile

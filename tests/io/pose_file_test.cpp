@@ -71,6 +71,10 @@ TEST_F(PoseFile, ErrorsNameTheJoint) {
   expect_error(R"({"joints": {"left_knee": {"abduction": 1}}})", "'abduction'");
   expect_error(R"({"joints": {"left_knee": {"flexion": "much"}}})", "left_knee");
   expect_error(R"({"joints": {"left_knee": 20}})", "left_knee");
+  expect_error(R"({"joints": {"left_hip": {"flexion": null}}})",
+               "left_hip: the angle 'flexion' is null");
+  expect_error(R"({"joints": {"left_hip": {"flexion": 1, "abduction": null}}})", "'abduction'");
+  expect_error(R"({"joints": {"left_hip": null}})", "left_hip");
   expect_error(R"({"joints": {"left_knee": {"flexion": 170}}})", "left_knee");
   expect_error(R"({"joints": {"left_knee": {"flexion": 1e999}}})", "");
   expect_error(R"({"units": "radians", "joints": {}})", "units");
