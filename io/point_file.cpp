@@ -168,6 +168,12 @@ Eigen::Matrix4d read_scan_pose(const fs::path& path) {
     for (int column = 0; column < 4; ++column) {
       pose(row, column) = scanner.number("column " + std::to_string(column + 1) + " of the pose");
     }
+    if (!scanner.word().empty()) {
+      scanner.fail("has more than four numbers", "a pose has four rows of four numbers");
+    }
+  }
+  if (scanner.next_line('#')) {
+    scanner.fail("is a fifth row", "a pose has four rows of four numbers");
   }
   const Eigen::Matrix3d turn = pose.topLeftCorner<3, 3>();
   const bool is_rotation = (turn * turn.transpose() - Eigen::Matrix3d::Identity()).norm() < 1e-3 &&

@@ -90,6 +90,16 @@ TEST(PointFile, PosesAreRotationsWithATranslation) {
   EXPECT_THROW(pose("1 0 0 0\n0 1 0 0\n0 0 -1 0\n0 0 0 1\n"), Error);
   EXPECT_THROW(pose("1 0 0 0\n0 1 0 0\n0 0 1 0\n"), Error);
   EXPECT_THROW(pose("1 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n"), Error);
+  const std::string rows = "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n";
+  EXPECT_TRUE(pose(rows + "\n# the end\n").isIdentity(0));
+  EXPECT_THROW(pose("1 0 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n"), Error);
+  try {
+    pose(rows + "0 0 0 1\n");
+    ADD_FAILURE() << "a fifth row was read";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("pose.txt:5: is a fifth row"), std::string::npos)
+        << error.what();
+  }
 }
 
 }  // namespace point_file_test
