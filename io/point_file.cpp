@@ -30,13 +30,18 @@ std::string extension_of(const fs::path& path) {
   return extension;
 }
 
-bool is_column_gap(char c) { return c == ' ' || c == '\t' || c == ',' || c == ';'; }
+/// What a comma in a table is.
+enum class Comma { gap, decimal };
+
+bool is_column_gap(char c, Comma comma) {
+  return c == ' ' || c == '\t' || c == ';' || (c == ',' && comma == Comma::gap);
+}
 
 /// Removes the first word from `rest`; empty at its end.
-std::string_view next_column(std::string_view& rest) {
-  while (!rest.empty() && is_column_gap(rest.front())) rest.remove_prefix(1);
+std::string_view next_column(std::string_view& rest, Comma comma) {
+  while (!rest.empty() && is_column_gap(rest.front(), comma)) rest.remove_prefix(1);
   std::size_t end = 0;
-  while (end < rest.size() && !is_column_gap(rest[end])) ++end;
+  while (end < rest.size() && !is_column_gap(rest[end], comma)) ++end;
   const std::string_view word = rest.substr(0, end);
   rest.remove_prefix(end);
   return word;
@@ -51,14 +56,48 @@ struct Columns {
   Vec3 triple(int first) const { return {value[first], value[first + 1], value[first + 2]}; }
 };
 
+/// The line without its comment.
+std::string_view content_of(std::string_view line) {
+  return line.substr(0, std::min(line.find('#'), line.find("//")));
+}
+
+/// Reads "0,25" as 0.25 where commas are decimal.
+std::optional<double> parse_column(std::string_view word, Comma comma) {
+  if (comma == Comma::gap || word.find(',') == word.npos) return parse_number(word);
+  if (word.find(',') != word.rfind(',')) return std::nullopt;
+  std::string pointed(word);
+  pointed[pointed.find(',')] = '.';
+  return parse_number(pointed);
+}
+
+/// What a line of coordinates tells of its commas; nothing where it has none. They are decimal if
+/// gaps of other kinds leave three numbers, of which none has a point or a second comma.
+std::optional<Comma> comma_of(std::string_view line) {
+  bool any = false;
+  for (int column = 0; column < 3; ++column) {
+    const std::string_view word = next_column(line, Comma::decimal);
+    const std::size_t comma = word.find(',');
+    if (comma == word.npos && !word.empty() && word.find('.') == word.npos) continue;
+    if (comma == word.npos) return any ? std::optional(Comma::gap) : std::nullopt;
+    const auto is_digit = [&](std::size_t i) {
+      return i < word.size() && std::isdigit(static_cast<unsigned char>(word[i])) != 0;
+    };
+    if (comma == 0 || !is_digit(comma - 1) || !is_digit(comma + 1) ||
+        !parse_column(word, Comma::decimal) || word.find('.') != word.npos) {
+      return Comma::gap;
+    }
+    any = true;
+  }
+  return any ? std::optional(Comma::decimal) : std::nullopt;
+}
+
 /// The line's numbers; nothing for a heading, which only the first line can be.
-std::optional<Columns> read_columns(const LineScanner& scanner, bool is_first) {
+std::optional<Columns> read_columns(const LineScanner& scanner, bool is_first, Comma comma) {
   Columns columns;
-  std::string_view rest = scanner.rest();
-  rest = rest.substr(0, std::min(rest.find('#'), rest.find("//")));
-  for (std::string_view word = next_column(rest); !word.empty() && columns.count < most_columns;
-       word = next_column(rest)) {
-    const std::optional<double> value = parse_number(word);
+  std::string_view rest = content_of(scanner.rest());
+  for (std::string_view word = next_column(rest, comma);
+       !word.empty() && columns.count < most_columns; word = next_column(rest, comma)) {
+    const std::optional<double> value = parse_column(word, comma);
     if (!value) {
       if (is_first && columns.count == 0) return std::nullopt;
       if (columns.count < 3) scanner.fail(shown(word) + " is not a number", "");
@@ -107,8 +146,12 @@ PointCloud parse_points(std::string_view data, const std::string& name) {
   NormalColumns seventh(6);
   bool counted = false;
   double announced = 0;
+  std::optional<Comma> comma;  // the same in all lines, by the first that tells
   for (bool is_first = true; scanner.next_line(); is_first = false) {
-    const std::optional<Columns> columns = read_columns(scanner, is_first);
+    const std::optional<Comma> told = comma ? comma : comma_of(content_of(scanner.rest()));
+    const std::optional<Columns> columns =
+        read_columns(scanner, is_first, told.value_or(Comma::gap));
+    if (columns && columns->count >= 3) comma = told;
     if (!columns || columns->count == 0) continue;
     if (columns->count == 1 && columns->is_whole) {
       if (static_cast<double>(cloud.points.size()) != announced) break;

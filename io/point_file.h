@@ -30,6 +30,8 @@ bool is_point_table(const std::filesystem::path& path);
 ///   wrong is an Error.
 /// - Further columns are normals if columns 4 to 6, or 7 to 9, have unit length on every line.
 ///   Others are intensities and colours and are skipped.
+/// - Commas are decimal, as in "0,25 1,5 -0,5", if the first line with commas has three such
+///   numbers between spaces, tabs or semicolons.
 /// - `#` and `//` begin comments. A first line of words is a heading.
 /// Throws Error with "name:line" for what is no number, missing, not finite or beyond
 /// max_coordinate.

@@ -35,6 +35,25 @@ TEST(PointFile, TablesHaveAnySeparatorCommentsAndHeading) {
   }
 }
 
+TEST(PointFile, CommasAreDecimalWhereOtherGapsLeaveThreeNumbers) {
+  for (const char* text : {"0,25 1,5 -0,5\n1 2,5 3e0\n", "x;y;z\n0,25;1,5;-0,5\r\n1;2,5;3\r\n",
+                           "2\n0,25\t1,5\t-0,5\t255\n1,0\t2,50\t3,0\t7\n",
+                           "0.25,1.5,-0.5\n1,2.5,3\n", "x,y,z\n0,25 1,5 -0,5\n1 2,5 3\n",
+                           "0.25 , 1.5 , -0.5\n1 ,2.5 ,3\n", "0.25 1.5 -0.5 7,5\n1 2.5 3 7,5\n"}) {
+    const PointCloud cloud = parse_points(text, "scan");
+    ASSERT_EQ(cloud.points.size(), 2u) << text;
+    EXPECT_EQ(cloud.points[0], Vec3(0.25, 1.5, -0.5)) << text;
+    EXPECT_EQ(cloud.points[1], Vec3(1, 2.5, 3)) << text;
+  }
+  const PointCloud whole = parse_points("1 2 3\n1,5 2,5 3,5\n", "scan");
+  EXPECT_EQ(whole.points[1], Vec3(1.5, 2.5, 3.5));
+  const PointCloud normals = parse_points("1,5 2,5 3,5 0,6 0,8 0,0\n", "scan");
+  ASSERT_EQ(normals.normals.size(), 1u);
+  EXPECT_NEAR(normals.normals[0].y(), 0.8, 1e-15);
+  EXPECT_TRUE(begins(error_of("1,5 2,5 3,5\n1,5 2,5\n"), "scan.pts:2: has 2 of the numbers"));
+  EXPECT_TRUE(begins(error_of("1,5 2,5 3,5\n1,5 2,5,1 2\n"), "scan.pts:2: '2,5,1' is not a"));
+}
+
 TEST(PointFile, ColumnsOfUnitLengthAreNormals) {
   const PointCloud fourth = parse_points("1 2 3 0 0 1\n4 5 6 0.6 0.8 0\n", "scan");
   ASSERT_EQ(fourth.normals.size(), 2u);
