@@ -169,13 +169,12 @@ std::string JsonValue::text() const {
   return json_->get<std::string>();
 }
 
-JsonDocument::JsonDocument(const std::string& text, const std::string& name) : name_(name) {
+nlohmann::ordered_json parse_json(const std::string& text, const std::string& name) {
   using Json = nlohmann::ordered_json;
   refuse_deep_nesting(text, name);
   KeyWatch watch(name);
   try {
-    json_ = std::make_unique<Json>(Json::parse(text, std::ref(watch)));
-    return;
+    return Json::parse(text, std::ref(watch));
   } catch (const Json::exception&) {
   }
   StopFinder stop;
@@ -187,6 +186,9 @@ JsonDocument::JsonDocument(const std::string& text, const std::string& name) : n
   throw Error(place, "is not JSON here",
               "look for a missing or extra comma, quote or bracket at or before this place");
 }
+
+JsonDocument::JsonDocument(const std::string& text, const std::string& name)
+    : json_(std::make_unique<nlohmann::ordered_json>(parse_json(text, name))), name_(name) {}
 
 JsonDocument::~JsonDocument() = default;
 

@@ -60,12 +60,18 @@ inline constexpr int max_json_depth = 100;
 /// Keys of one object. Searching an object takes time linear in them.
 inline constexpr std::size_t max_json_keys = 10'000;
 
+/// The only way from a text to JSON: nlohmann's own parser has no bounds, and deep nesting ends the
+/// program.
+///
+/// Throws Error with the place "name:line:column" for text that is not JSON and for a number too
+/// large for a double. Nesting deeper than max_json_depth is an Error, too. A key that an object
+/// has twice, and more keys than max_json_keys, are Errors with the place "name".
+nlohmann::ordered_json parse_json(const std::string& text, const std::string& name);
+
 /// A JSON text, parsed.
 class JsonDocument {
  public:
-  /// Throws Error with the place "name:line:column" for text that is not JSON and for a number too
-  /// large for a double. Nesting deeper than max_json_depth is an Error, too. A key that an object
-  /// has twice, and more keys than max_json_keys, are Errors with the place "name".
+  /// Throws Error as parse_json() does.
   JsonDocument(const std::string& text, const std::string& name);
   ~JsonDocument();
   JsonDocument(const JsonDocument&) = delete;

@@ -195,4 +195,19 @@ PanelEdges read_edges(const JsonValue& list, const std::vector<Vec2>& vertices,
   return panel;
 }
 
+int read_sewn_edge(const JsonValue& stitch, std::size_t which, const std::string& panel,
+                   std::size_t edges) {
+  const JsonValue side =
+      stitch.item(which).called(stitch.place() + ", side " + std::to_string(which));
+  const JsonValue edge = side.get("edge");
+  const double number = edge.number();
+  if (number < 0 || number >= static_cast<double>(edges)) {
+    constexpr int digits = 10;
+    stitch.fail("names edge " + number_text(number, digits) + " of panel " + in_quotes(panel) +
+                    ", which has edges 0 to " + std::to_string(edges - 1),
+                "correct the edge or remove the stitch");
+  }
+  return edge.index();
+}
+
 }  // namespace toile

@@ -45,4 +45,9 @@ PanelEdges read_edges(const JsonValue& list, const std::vector<Vec2>& vertices,
                       const DrawingFrame& frame, const std::string& place,
                       std::vector<Remark>& remarks);
 
+/// The edge that side `which` of a stitch names, of a panel with `edges` edges, edges > 0. Throws
+/// Error for one that is not there.
+int read_sewn_edge(const JsonValue& stitch, std::size_t which, const std::string& panel,
+                   std::size_t edges);
+
 }  // namespace toile

@@ -230,20 +230,16 @@ class Reader {
   EdgeRef side(const JsonValue& stitch, std::size_t which) const {
     const JsonValue value = side_of(stitch, which);
     const std::string name = value.get("panel").text();
-    const int edge = value.get("edge").index();
     const auto found = std::find_if(pattern_.panels.begin(), pattern_.panels.end(),
                                     [&](const PatternPanel& panel) { return panel.name == name; });
     if (found == pattern_.panels.end()) {
-      stitch.fail("names panel " + in_quotes(name) + " (edge " + std::to_string(edge) +
+      stitch.fail("names panel " + in_quotes(name) + " (edge " +
+                      std::to_string(value.get("edge").index()) +
                       "), which the pattern does not have",
                   "correct the name or remove the stitch");
     }
-    if (edge >= static_cast<int>(found->edges.size())) {
-      stitch.fail("names edge " + std::to_string(edge) + " of panel " + in_quotes(name) +
-                      ", which has edges 0 to " + std::to_string(found->edges.size() - 1),
-                  "correct the edge or remove the stitch");
-    }
-    return {static_cast<int>(found - pattern_.panels.begin()), edge};
+    return {static_cast<int>(found - pattern_.panels.begin()),
+            read_sewn_edge(stitch, which, name, found->edges.size())};
   }
 
   void stitch(const JsonValue& value) {

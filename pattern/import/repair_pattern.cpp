@@ -7,8 +7,10 @@
 #include <set>
 
 #include "geometry/error.h"
+#include "io/json_value.h"
 #include "io/json_words.h"
 #include "io/text.h"
+#include "pattern/edge_json.h"
 #include "pattern/seams/sewn_file.h"
 
 namespace toile {
@@ -24,7 +26,7 @@ constexpr double no_length = 1e-5;
 class PatternRepair {
  public:
   PatternRepair(const std::string& text, const std::string& name, std::vector<Remark>& remarks)
-      : file_(Json::parse(text)), name_(name), remarks_(remarks) {
+      : file_(parse_json(text, name)), name_(name), remarks_(remarks) {
     const auto properties = file_.find("properties");
     if (properties != file_.end()) unit_ = 1 / properties->value("units_in_meter", 100.0);
   }
@@ -32,6 +34,7 @@ class PatternRepair {
   /// Whether anything was repaired.
   bool run() {
     Json& pattern = file_.at("pattern");
+    check_stitches(pattern);
     for (auto& [name, panel] : pattern.at("panels").items()) {
       place_ = name_ + ": panel " + in_quotes(name);
       close_gaps(panel);
@@ -44,6 +47,22 @@ class PatternRepair {
   const Json& file() const { return file_; }
 
  private:
+  /// Throws Error for a stitch to an edge that its panel does not have. Repairs give edges other
+  /// numbers, so this comes before them.
+  void check_stitches(const Json& pattern) const {
+    if (!pattern.contains("stitches")) return;
+    const Json& panels = pattern.at("panels");
+    const Json& stitches = pattern.at("stitches");
+    for (std::size_t s = 0; s < stitches.size(); ++s) {
+      const JsonValue stitch(stitches.at(s), name_ + ": stitch " + std::to_string(s));
+      for (std::size_t i = 0; i < 2; ++i) {
+        const auto panel = panels.find(stitches.at(s).at(i).at("panel").get<std::string>());
+        if (panel == panels.end() || panel->at("edges").empty()) continue;
+        read_sewn_edge(stitch, i, panel.key(), panel->at("edges").size());
+      }
+    }
+  }
+
   void say(const std::string& what) {
     remarks_.push_back({true, what});
     ++repairs_;
@@ -56,8 +75,16 @@ class PatternRepair {
     return Vec2(at(a, 0) - at(b, 0), at(a, 1) - at(b, 1)).norm() * unit_;
   }
 
+  static int vertex_of(const Json& number) {
+    const double vertex = number.get<double>();
+    if (!number.is_number_integer() || !(vertex >= 0 && vertex < std::numeric_limits<int>::max())) {
+      throw std::out_of_range("vertex");
+    }
+    return number.get<int>();
+  }
+
   static std::array<int, 2> ends(const Json& edge) {
-    return {edge.at("endpoints").at(0).get<int>(), edge.at("endpoints").at(1).get<int>()};
+    return {vertex_of(edge.at("endpoints").at(0)), vertex_of(edge.at("endpoints").at(1))};
   }
 
   static void merge(Json& panel, int kept, int gone) {

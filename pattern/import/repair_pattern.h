@@ -16,7 +16,8 @@ namespace toile {
 /// - An edge without length is left out, and the edges behind it get lower numbers. Its stitch
 /// goes.
 ///
-/// All else is left to parse_pattern() and check_pattern(), which refuse it.
+/// Throws Error for text that is not JSON, and for a stitch to an edge that its panel does not
+/// have. All else is left to parse_pattern() and check_pattern(), which refuse it.
 std::string repaired_pattern(const std::string& text, const std::string& name,
                              std::vector<Remark>& remarks);
 

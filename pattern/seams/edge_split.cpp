@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "io/json_value.h"
 #include "pattern/seams/sewn_file.h"
 
 namespace toile {
@@ -91,7 +92,7 @@ bool has_absolute_curves(const Json& file) {
 
 std::string with_split_edge(const std::string& text, const Pattern& pattern,
                             const EdgeSplit& split) {
-  Json file = Json::parse(text);
+  Json file = parse_json(text, pattern.source);
   const bool absolute = has_absolute_curves(file);
   const PatternPanel& panel = pattern.panels[split.edge.panel];
   const EdgeCurve& curve = panel.edges[split.edge.edge].curve;

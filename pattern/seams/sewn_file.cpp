@@ -44,7 +44,7 @@ bool has_drawn_walk(const std::string& text, const std::string& name) {
 
 std::string with_stitches(const std::string& text, const Pattern& pattern,
                           const std::vector<FoundSeam>& seams, bool drawn_walk) {
-  Json file = Json::parse(text);
+  Json file = parse_json(text, pattern.source);
   Json stitches = Json::array();
   const Json drawn = file["pattern"].value("stitches", Json::array());
   for (const FoundSeam& seam : seams) {

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "io/json_value.h"
 #include "pattern/seams/panel_words.h"
 #include "pattern/seams/sewn_file.h"
 
@@ -19,13 +20,13 @@ std::map<int, std::string> panels_beside_shell(const Pattern& pattern) {
   return beside.size() == pattern.panels.size() ? marked : beside;
 }
 
-std::string with_left_out(const std::string& text,
+std::string with_left_out(const std::string& text, const std::string& name,
                           const std::map<std::string, std::string>& kinds) {
   using Json = nlohmann::ordered_json;
-  Json file = Json::parse(text);
+  Json file = parse_json(text, name);
   bool changed = false;
-  for (auto& [name, panel] : file["pattern"]["panels"].items()) {
-    const auto kind = kinds.find(name);
+  for (auto& [called, panel] : file["pattern"]["panels"].items()) {
+    const auto kind = kinds.find(called);
     if (kind == kinds.end()) {
       changed = panel.erase("left_out") > 0 || changed;
     } else if (panel.value("left_out", "") != kind->second) {

@@ -15,6 +15,7 @@ std::map<int, std::string> panels_beside_shell(const Pattern& pattern);
 
 /// The text of a pattern file that leaves out these panels, by name, and no others. The values say
 /// why. All else stays as it is; where nothing changes, the text itself.
-std::string with_left_out(const std::string& text, const std::map<std::string, std::string>& kinds);
+std::string with_left_out(const std::string& text, const std::string& name,
+                          const std::map<std::string, std::string>& kinds);
 
 }  // namespace toile

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <nlohmann/json.hpp>
 
 #include "geometry/error.h"
 
@@ -79,6 +80,16 @@ TEST(JsonValue, DeepNestingAndDoubledKeysAreRefused) {
   std::string many = "{\"k\": 0";
   for (std::size_t i = 0; i < max_json_keys; ++i) many += ",\"k" + std::to_string(i) + "\": 0";
   EXPECT_NE(message(many + "}").find("more than 10000 keys"), std::string::npos);
+}
+
+TEST(ParseJson, KeepsTheOrderOfKeysAndHasTheBoundsOfADocument) {
+  EXPECT_EQ(parse_json(R"({"b": 1, "a": [2]})", "f.json").dump(), R"({"b":1,"a":[2]})");
+  const auto message = [](const std::string& text) {
+    return error_of([&] { parse_json(text, "f.json"); });
+  };
+  EXPECT_EQ(message(std::string(200000, '[')).substr(0, 37),
+            "f.json:1:101: more than 100 lists and");
+  EXPECT_EQ(message("{\"a\": 1,}").substr(0, 30), "f.json:1:9: is not JSON here; ");
 }
 
 }  // namespace json_value_test

@@ -224,6 +224,15 @@ TEST(PatternFile, StitchesNameWhatIsMissing) {
   EXPECT_HOLDS(
       parse_error(file(square, R"([{"panel":"square","edge":0},{"panel":"square","edge":9}])")),
       "stitch 0: names edge 9 of panel 'square', which has edges 0 to 3");
+  EXPECT_HOLDS(
+      parse_error(file(square, R"([{"panel":"square","edge":0},{"panel":"square","edge":-1}])")),
+      "stitch 0: names edge -1 of panel 'square', which has edges 0 to 3");
+  EXPECT_HOLDS(
+      parse_error(file(square, R"([{"panel":"square","edge":1e10},{"panel":"square","edge":1}])")),
+      "stitch 0: names edge 1e+10 of panel 'square', which has edges 0 to 3");
+  EXPECT_HOLDS(
+      parse_error(file(square, R"([{"panel":"square","edge":0},{"panel":"square","edge":1.5}])")),
+      "stitch 0, side 1, edge: is not a whole number");
   EXPECT_HOLDS(parse_error(file(square, R"([{"panel":"square","edge":0}])")), "stitch 0");
 }
 

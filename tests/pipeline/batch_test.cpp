@@ -158,6 +158,18 @@ TEST_F(ToileBatch, ResumeRedoesWhatChanged) {
   EXPECT_FALSE(fs::exists(out / "top" / "dressed.obj"));
 }
 
+TEST_F(ToileBatch, ResumeRedoesWhatHasADamagedReport) {
+  const fs::path out = copy_of_batch();
+  write_text(out / "band" / "report.json", std::string(200000, '[') + std::string(200000, ']'));
+  Json wrong = Json::parse(read_text(out / "top" / "report.json"));
+  wrong["cause"] = 3;
+  write_text(out / "top" / "report.json", wrong.dump());
+  const pipeline::Run again = batch({*shared / "garments.csv", "-o", out, "--resume"});
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(again.err.find("done already"), std::string::npos) << again.err;
+  for (auto& [name, row] : results(out)) EXPECT_EQ(row["verdict"], "sewn") << name;
+}
+
 TEST_F(ToileBatch, ResumeOfAllThatIsDoneRunsNothing) {
   const fs::path out = copy_of_batch();
   const pipeline::Run again = batch({*shared / "garments.csv", "-o", out, "--resume"});

@@ -7,6 +7,7 @@
 
 #include "geometry/error.h"
 #include "io/checksum.h"
+#include "io/json_value.h"
 #include "io/output_file.h"
 #include "io/text.h"
 #include "tools/batch/outcome.h"
@@ -119,7 +120,7 @@ double RowRun::run(const std::string& program, const fs::path& output, Words wor
 /// The `warnings` of a program's report.
 Words warnings_of_report(const fs::path& report) {
   try {
-    return Json::parse(read_file(report)).at("warnings").get<Words>();
+    return parse_json(read_file(report), report.string()).at("warnings").get<Words>();
   } catch (const Json::exception&) {
     throw Error(report.string(), "is no report of a program", "let the program write it");
   }

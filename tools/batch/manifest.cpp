@@ -10,6 +10,7 @@
 #include "cloth/scene/fabric.h"
 #include "geometry/error.h"
 #include "io/csv.h"
+#include "io/json_value.h"
 #include "io/output_file.h"
 #include "io/text.h"
 #include "tools/dress/settings.h"
@@ -154,8 +155,8 @@ void read_options(BatchRow& row, const std::string& place) {
 /// been a pattern.
 bool holds_no_pattern(const fs::path& file) {
   try {
-    const nlohmann::json json = nlohmann::json::parse(read_file(file), nullptr, false);
-    return !json.is_discarded() && !(json.is_object() && json.contains("pattern"));
+    const nlohmann::ordered_json json = parse_json(read_file(file), file.string());
+    return !(json.is_object() && json.contains("pattern"));
   } catch (const Error&) {
     return false;
   }

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/error.h"
+#include "io/json_value.h"
 #include "io/text.h"
 
 namespace toile {
@@ -140,7 +141,7 @@ std::string kind_of(const std::string& message) {
 
 Json outcome_of(const std::string& dress_report, const std::string& file) {
   try {
-    const Json report = Json::parse(dress_report);
+    const Json report = parse_json(dress_report, file);
     const auto verdict = report.at("verdict").get<std::string>();
     const auto [cause, detail] = reason_of(report, verdict);
     return {{"verdict", verdict},
@@ -163,7 +164,7 @@ Json failure(const std::string& program, const std::string& message) {
 
 void add_girth_ease(const std::string& ease_report, const std::string& file, Json& figures) {
   try {
-    const Json report = Json::parse(ease_report);
+    const Json report = parse_json(ease_report, file);
     for (const char* level : {"bust", "waist", "hip"}) {
       Json& ease = figures[std::string(level) + "_ease_cm"];
       for (const Json& girth : report.value("girths", Json::array())) {

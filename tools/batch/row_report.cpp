@@ -4,6 +4,7 @@
 
 #include "geometry/error.h"
 #include "io/checksum.h"
+#include "io/json_value.h"
 #include "io/output_file.h"
 #include "io/skeleton_file.h"
 #include "io/text.h"
@@ -34,6 +35,29 @@ Json input_json(const fs::path& file, const std::optional<std::string>& checksum
 Json limits_json(const RowLimits& limits) {
   return {{"timeout_s", limits.seconds ? Json(*limits.seconds) : Json()},
           {"memory_bytes", limits.memory ? Json(*limits.memory) : Json()}};
+}
+
+/// Throws Error where an outcome lacks what results and pictures tell of it, or has it in another
+/// type.
+void check_outcome(const JsonValue& outcome) {
+  for (const char* told : {"cause", "detail"}) outcome.get(told).text();
+  for (const char* told : {"seconds", "peak_MiB"}) outcome.get(told).number();
+  const JsonValue usable = outcome.get("body_usable");
+  if (!usable.is_flag()) usable.fail("is neither true nor false");
+  const JsonValue warnings = outcome.get("warnings");
+  for (std::size_t i = 0; i < warnings.size(); ++i) warnings.item(i).text();
+  const JsonValue figures = outcome.get("figures");
+  if (outcome.get("verdict").text() == error_verdict) {
+    if (!figures.keys().empty()) figures.fail("a row that failed has figures");
+    return;
+  }
+  for (const char* told : {"mesh_seconds", "dress_seconds"}) outcome.get(told).number();
+  outcome.get("dressed_sha256").text();
+  figures.get("strain_p99").number();
+  figures.get("attempts").index();
+  for (const char* ease : {"bust_ease_cm", "waist_ease_cm", "hip_ease_cm"}) {
+    if (const auto given = figures.find(ease)) given->number();
+  }
 }
 
 }  // namespace
@@ -71,15 +95,9 @@ std::optional<Json> kept_report(const GarmentFiles& files, const Json& key) {
   std::error_code unreachable;
   if (!fs::is_regular_file(files.report, unreachable)) return std::nullopt;
   try {
-    Json report = Json::parse(read_file(files.report));
+    Json report = parse_json(read_file(files.report), files.report.string());
+    check_outcome(JsonValue(report, files.report.string()));
     const bool is_error = report.at("verdict") == error_verdict;
-    for (const char* told : {"cause", "detail", "warnings", "body_usable", "seconds", "peak_MiB"}) {
-      report.at(told);
-    }
-    if (!is_error) {
-      for (const char* told : {"mesh_seconds", "dress_seconds", "dressed_sha256"}) report.at(told);
-      for (const char* figure : {"strain_p99", "attempts"}) report.at("figures").at(figure);
-    }
     for (const auto& [name, value] : key.items()) {
       if (name == "limits" && !is_error) continue;
       if (report.at(name) != value) return std::nullopt;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "io/json_value.h"
 #include "io/mesh_file.h"
 #include "io/output_file.h"
 #include "pattern/garment_file.h"
@@ -53,15 +54,17 @@ std::string drape_json(const std::filesystem::path& garment, const std::filesyst
   for (const auto& polygon : skin.polygons) {
     if (polygon.size() == 3) facets.push_back({polygon[0], polygon[1], polygon[2]});
   }
-  const json said = json::parse(read_file(report));
-  for (std::string& warning : said.at("warnings").get<std::vector<std::string>>()) {
-    warnings.push_back(std::move(warning));
+  const JsonDocument document(read_file(report), report.string());
+  const JsonValue said = document.root();
+  const JsonValue more = said.get("warnings");
+  for (std::size_t i = 0; i < more.size(); ++i) {
+    warnings.push_back(more.item(i).text());
   }
   return json{{"garment", mesh_json(worn.points, worn.triangles)},
               {"panels", worn.panel_of_triangle},
               {"seams", std::move(seams)},
               {"body", mesh_json(skin.points, facets)},
-              {"verdict", said.at("verdict")},
+              {"verdict", said.get("verdict").text()},
               {"warnings", warnings}}
       .dump();
 }

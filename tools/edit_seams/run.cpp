@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/error.h"
+#include "io/json_value.h"
 #include "io/output_file.h"
 #include "io/view/seam_editor_page.h"
 #include "pattern/pattern_file.h"
@@ -21,7 +22,7 @@ namespace fs = std::filesystem;
 /// The JSON of a file, as text. Throws Error when it is none.
 std::string json_of(const fs::path& path) {
   std::string text = read_file(path);
-  if (!nlohmann::json::accept(text)) throw Error(path.string(), "is no JSON", "give another file");
+  parse_json(text, path.string());
   return text;
 }
 

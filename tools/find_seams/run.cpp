@@ -139,7 +139,7 @@ int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& comm
   const std::vector<LeftOut> out = left_out(drawn, settings);
   std::map<std::string, std::string> kinds;
   for (const LeftOut& panel : out) kinds[panel.name] = panel.kind;
-  drawn_text = with_left_out(drawn_text, kinds);
+  drawn_text = with_left_out(drawn_text, name, kinds);
   remarks.clear();
   std::vector<Remark> told_below;
   drawn = without_left_out(parse_drawn_pattern(drawn_text, name, remarks), told_below);

@@ -70,8 +70,26 @@ TEST(RepairPattern, OtherFormsAreLeftToTheReader) {
   for (const char* text :
        {"3", "{}", "[]", R"({"pattern": {"panels": 3}})", R"({"pattern": {"panels": {"a": 3}}})",
         R"({"pattern": {"panels": {"a": {"vertices": [], "edges": [{"endpoints": [0, 9]}]}}}})",
-        R"({"pattern": {"panels": {}, "stitches": [[{"panel": "a"}]]}})", "{"}) {
+        R"({"pattern": {"panels": {}, "stitches": [[{"panel": "a"}]]}})"}) {
     EXPECT_EQ(repair(text).text, text);
+  }
+}
+
+TEST(RepairPattern, TextThatIsNotJsonIsRefused) {
+  EXPECT_HOLDS(error_of([] { repair("{"); }), "net.json:1:1: is not JSON here");
+  EXPECT_HOLDS(error_of([] { repair(std::string(200000, '[')); }), "net.json:1:101: more than 100");
+}
+
+TEST(RepairPattern, AStitchToNoEdgeIsRefusedBeforeAnyRepair) {
+  // Panel a has an edge without length.
+  const std::string panels =
+      polygon("a", "[0,0],[30,0],[30,0],[30,40],[0,40]") + "," + polygon("b", square);
+  for (const char* edge : {"-1", "1e+10", "5"}) {
+    const std::string text = file(panels, std::string(R"([{"panel": "a", "edge": )") + edge +
+                                              R"(}, {"panel": "b", "edge": 3}])");
+    EXPECT_HOLDS(error_of([&] { repair(text); }), std::string("net.json: stitch 0: names edge ") +
+                                                      edge +
+                                                      " of panel 'a', which has edges 0 to 4");
   }
 }
 

@@ -58,13 +58,13 @@ TEST(ShellPanels, WhatThePatternLeavesOutIsBesideWhateverItsName) {
 
 TEST(ShellPanels, AreMarkedInTheFileAndNothingElseChanges) {
   const std::string text = file_of({{"a", band}, {"b", marked("lining")}, {"pocket", band}});
-  Json other = Json::parse(with_left_out(text, {{"pocket", "pocket"}}));
+  Json other = Json::parse(with_left_out(text, "a.json", {{"pocket", "pocket"}}));
   EXPECT_EQ(other["pattern"]["panels"]["pocket"]["left_out"], "pocket");
   EXPECT_FALSE(other["pattern"]["panels"]["b"].contains("left_out"));
   other["pattern"]["panels"]["pocket"].erase("left_out");
   other["pattern"]["panels"]["b"]["left_out"] = "lining";
   EXPECT_EQ(other.dump(), text);
-  EXPECT_EQ(with_left_out(text, {{"b", "lining"}}), text);
+  EXPECT_EQ(with_left_out(text, "a.json", {{"b", "lining"}}), text);
 }
 
 }  // namespace shell_panels_test
