@@ -30,7 +30,7 @@ PanelKind kind_of(const MeshedPanel& panel) {
   const PanelKind by_name = kind_by_name(panel.name);
   if (panel.part.ends_with("_arm") || panel.label == "arm") return PanelKind::sleeve;
   if (panel.part.ends_with("_leg")) return PanelKind::trousers;
-  if (panel.part == "head") return PanelKind::top;
+  if (panel.part == "head" && by_name == PanelKind::unknown) return PanelKind::top;
   if (panel.label == "leg") {
     return by_name == PanelKind::trousers ? PanelKind::trousers : PanelKind::skirt;
   }

@@ -19,8 +19,8 @@ enum class PanelKind : std::uint8_t {
 };
 
 /// The kind by the panel's part and label (`body`, `arm`, `leg`), then by its name
-/// (panel_name.h). A part of `torso` without a name that tells is `unknown`: a tube there may be a
-/// top or a skirt.
+/// (panel_name.h). At the head a name that tells comes first. A part of `torso` without a name that
+/// tells is `unknown`: a tube there may be a top or a skirt.
 PanelKind kind_of(const MeshedPanel& panel);
 
 /// Whether the name says that the panel is of a hood.

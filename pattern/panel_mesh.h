@@ -25,6 +25,7 @@ struct MeshedPanel {
   PanelPlacement placement{};  ///< how the skeleton positions it; by default it does not
   bool layered = false;        ///< it lies upon other panels, as a facing or a pocket does
   std::string label = {};      ///< "body", "arm" or "leg", as GarmentCode has it; empty: not stated
+  bool part_is_asked = false;  ///< `part` is the user's word, which beats the panel's name
 };
 
 /// Two outline edges that are sewn together: the i-th point of side a meets the i-th of side b. The

@@ -81,6 +81,20 @@ inline constexpr double min_facing_cosine = 0.5;
 /// Metres beyond the shoulder joint at which a strap has slid off the shoulder.
 inline constexpr double slid_off_shoulder = 0.025;
 
+/// Metres: sleeves whose seam with the trunk is flatter have no crown to tell up from down.
+inline constexpr double min_crown_height = 0.03;
+
+/// Correlation of how far an armhole seam reaches up the flat sleeve with its height as worn. Below
+/// this the sleeve is set in upside down.
+inline constexpr double upside_down_correlation = -0.3;
+
+/// Share of directions that a garment meets which is open as its seams leave it. Boleros meet 75 %.
+inline constexpr double open_front_share = 0.5;
+
+/// Metres by which the top edge of skirts and trousers may come down from where it started, or from
+/// the waist. It is beyond the height's error on meshes of 25 mm, 5 cm.
+inline constexpr double max_slid = 0.08;
+
 /// Metres from the bones beyond which cloth lies beside the body.
 inline constexpr double beside_body = 0.5;
 

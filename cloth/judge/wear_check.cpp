@@ -1,9 +1,11 @@
 #include "cloth/judge/wear_check.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <ranges>
 #include <set>
 
 #include "cloth/judge/constants.h"
@@ -109,7 +111,7 @@ class WearCheck {
     return sum;
   }
   /// Whether panels go around a part: closed, as a loop of their border tells, or as far as a
-  /// cardigan does. Panels that do not reach it have nothing to go around.
+  /// cardigan does. Panels that do not reach it do not go around it.
   bool goes_around(const std::vector<int>& panels, const std::string& part,
                    const LimbsThrough& limbs) const {
     std::vector<char> is_counted(garment_.panels.size(), 0);
@@ -125,7 +127,7 @@ class WearCheck {
       if (limbs_through(curve, skeleton_) == limbs) return true;
     }
     const WrapMeasurement wrap = measure_wrap(garment_, dressed_, skeleton_, part, is_counted);
-    return wrap.from >= wrap.to || wrap.fraction >= around_share;
+    return wrap.fraction >= around_share;
   }
 
   void misplace(const std::string& part, const std::string& at, const std::string& should_be) {
@@ -164,7 +166,10 @@ class WearCheck {
     for (const int p : panels) {
       const MeshedPanel& panel = garment_.panels[p];
       int side = side_by_name(panel.name);
-      if (!panel.part.empty()) side = panel.part.starts_with("left") ? 1 : -1;
+      const bool says_side = panel.part.starts_with("left") || panel.part.starts_with("right");
+      if (says_side && (side == 0 || panel.part_is_asked)) {
+        side = panel.part.starts_with("left") ? 1 : -1;
+      }
       if (side == 0) side = placed_side(panel);
       groups[(side > 0 ? "left_" : "right_") + limb].push_back(p);
     }
@@ -197,9 +202,87 @@ class WearCheck {
       const Vec3 middle = moment_of(panels).middle();
       const bool is_there = has_opening || part_near(skeleton_, middle) == arm;
       findings_.is_checked = true;
-      if (is_there && goes_around(panels, arm, wanted)) continue;
-      fail(arm, middle, in_words(arm));
+      if (!is_there || !goes_around(panels, arm, wanted)) {
+        fail(arm, middle, in_words(arm));
+      } else if (hangs_from_its_underarm(component, panels, arm)) {
+        misplace(arm, "the sleeve is upside down, its crown at the armpit",
+                 "the sleeve's crown at the shoulder");
+      }
     }
+  }
+
+  /// Metres along `bones` as a linear function of a panel's flat coordinates: its unit gradient.
+  Vec2 flat_direction_along(const Bones& bones, int panel) const {
+    Vec2 flat_sum = Vec2::Zero();
+    double foot_sum = 0;
+    std::vector<std::pair<Vec2, double>> samples;
+    const MeshedPanel& meshed = garment_.panels[panel];
+    for (int t = meshed.first_triangle; t < meshed.first_triangle + meshed.triangles; ++t) {
+      for (int i = 0; i < 3; ++i) {
+        const Vec2& flat = garment_.flat[garment_.triangles[t][i]];
+        samples.emplace_back(flat, bones.foot(nodes_[dressed_.triangles[t][i]]));
+        flat_sum += flat;
+        foot_sum += samples.back().second;
+      }
+    }
+    const auto count = static_cast<double>(samples.size());
+    Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+    Vec2 slope = Vec2::Zero();
+    for (const auto& [flat, foot] : samples) {
+      const Vec2 from_middle = flat - flat_sum / count;
+      spread += from_middle * from_middle.transpose();
+      slope += (foot - foot_sum / count) * from_middle;
+    }
+    return spread.ldlt().solve(slope).normalized();
+  }
+
+  /// Whether a sleeve is set in upside down. Along its seam with the trunk, what reaches farthest
+  /// up the flat sleeve is the crown. It belongs above what reaches least far, the underarm.
+  bool hangs_from_its_underarm(const Component& component, const std::vector<int>& panels,
+                               const std::string& arm) const {
+    const auto is_of_sleeve = [&](int p) { return std::ranges::find(panels, p) != panels.end(); };
+    std::set<int> of_trunk;
+    for (std::size_t t = 0; t < dressed_.triangles.size(); ++t) {
+      const int p = dressed_.panel_of_triangle[t];
+      if (!component.panels.contains(p) || kind(p) == PanelKind::sleeve) continue;
+      of_trunk.insert(dressed_.triangles[t].begin(), dressed_.triangles[t].end());
+    }
+    const Bones bones(skeleton_, arm);
+    double together = 0;  // sums over both sides of the seam, about the middle of each panel's part
+    double of_reach = 0;
+    double of_height = 0;
+    double widest = 0;
+    for (const int p : component.panels) {
+      if (!is_of_sleeve(p)) continue;
+      std::map<int, double> reach;  // of a node on the seam: metres up the flat panel
+      const Vec2 down = flat_direction_along(bones, p);
+      const MeshedPanel& meshed = garment_.panels[p];
+      for (int t = meshed.first_triangle; t < meshed.first_triangle + meshed.triangles; ++t) {
+        for (int i = 0; i < 3; ++i) {
+          const int node = dressed_.triangles[t][i];
+          if (of_trunk.contains(node)) {
+            reach[node] = -down.dot(garment_.flat[garment_.triangles[t][i]]);
+          }
+        }
+      }
+      if (reach.empty()) continue;
+      double mean_reach = 0;
+      double mean_height = 0;
+      for (const auto& [node, r] : reach) {
+        mean_reach += r / static_cast<double>(reach.size());
+        mean_height += nodes_[node].y() / static_cast<double>(reach.size());
+      }
+      const auto [low, high] = std::ranges::minmax(reach | std::views::values);
+      widest = std::max(widest, high - low);
+      for (const auto& [node, r] : reach) {
+        const double height = nodes_[node].y() - mean_height;
+        together += (r - mean_reach) * height;
+        of_reach += (r - mean_reach) * (r - mean_reach);
+        of_height += height * height;
+      }
+    }
+    if (widest < min_crown_height || of_height == 0) return false;
+    return together / std::sqrt(of_reach * of_height) < upside_down_correlation;
   }
 
   void check_trousers(const Component& component) {
@@ -270,7 +353,23 @@ class WearCheck {
     const bool is_on_thighs = !is_top && is_bottom && down_the_thighs(highest->middle) > 0;
     if (height < low || height > high || is_on_thighs) {
       misplace("torso", place_on_body(highest->middle, skeleton_), belongs);
+    } else if (!is_top && is_bottom) {
+      check_slid(*highest);
     }
+  }
+
+  /// What hangs from waist or hips is misplaced where its top edge came down by more than the
+  /// bound. It came down from where it started, at most from the waist.
+  void check_slid(const Opening& top) {
+    double started = 0;
+    for (const int node : top.nodes) started += placed_[node].y();
+    const double level = std::min(started / static_cast<double>(top.nodes.size()), waist_);
+    const double slid = level - top.middle.y();
+    if (slid <= max_slid) return;
+    misplace("torso",
+             place_on_body(top.middle, skeleton_) + ": slid down by " + centimetres(slid, 0) +
+                 ", its top edge is cut " + centimetres(top.length, 0) + " long",
+             "its top edge " + centimetres(level, 0) + " above the floor");
   }
 
   /// Of a body that sits: metres that a point lies farther down the thighs than the crotch. What
@@ -293,6 +392,22 @@ class WearCheck {
     fail("torso", moment_of(panels).middle(), "waist or hips");
   }
 
+  /// Whether a garment that hangs from both shoulders is open by its seams, in front or at the
+  /// back. Each arm has an opening of its own then. A shirt that lacks a panel at one shoulder has
+  /// no armhole there.
+  bool is_open_by_its_seams(const Component& component, const std::vector<int>& panels) const {
+    for (const LimbsThrough& arm : {through_left_arm, through_right_arm}) {
+      if (std::ranges::none_of(component.openings,
+                               [&](const Opening* o) { return o->limbs == arm; })) {
+        return false;
+      }
+    }
+    std::vector<char> is_counted(garment_.panels.size(), 0);
+    for (const int p : panels) is_counted[p] = 1;
+    return measure_wrap(garment_, dressed_, skeleton_, "torso", is_counted).fraction >=
+           open_front_share;
+  }
+
   /// What hangs from the shoulders and has no hem around the trunk, as a cardigan has none.
   void check_open_front(const Component& component, bool has_hem) {
     const bool has_legs = std::ranges::any_of(
@@ -302,6 +417,7 @@ class WearCheck {
       if (kind(p) != PanelKind::sleeve) panels.push_back(p);
     }
     if (has_hem || has_legs || panels.empty()) return;
+    if (is_open_by_its_seams(component, panels)) return;
     if (goes_around(panels, "torso", through_hem)) return;
     fail("torso", moment_of(panels).middle(), "chest or shoulders");
   }

@@ -31,16 +31,19 @@ struct WearFindings {
 /// its openings. Where it is worn comes from the limbs that pass through the openings, and from
 /// heights. Each connected component is checked by itself:
 ///
-/// - Sleeves: an opening of theirs has their arm, and no other limb.
+/// - Sleeves: an opening of theirs has their arm, and no other limb. Their crown, the part of the
+///   armhole seam that reaches farthest up the flat sleeve, lies above the underarm.
 /// - Trousers: an opening has the left leg alone, another one the right leg.
 /// - What hangs from the shoulders: an opening separates an arm from the legs. Where it hangs, no
 ///   strap has slid off its shoulder.
 /// - Strapless tops: the highest opening around the trunk lies a quarter of the way from waist to
 ///   armpits at least.
 /// - Skirts and trousers without a top: the highest opening around the trunk lies above the crotch.
-///   It lies below two thirds of the way from waist to armpits.
+///   It lies below two thirds of the way from waist to armpits. It came down by 8 cm at most from
+///   where it started, or from the waist where it started higher.
 /// - Sleeves, skirts and tops that are not closed around their part meet 85 % of the directions.
-///   A cardigan and a wrap skirt do. A shirt that lacks a quarter does not.
+///   A wrap skirt does. A shirt that lacks a quarter does not. What is open in front
+///   or at the back by its seams meets half of them: each arm has an opening of its own there.
 /// - Any other component: no two openings of 15 cm or more may have nothing in them. An opening
 ///   around both legs may not be its highest one and lie below the crotch.
 /// - Panels named front and back, left and right, lie on their sides of the body within 60 degrees.

@@ -408,7 +408,10 @@ std::vector<FoundPlace> find_places(const TriangleMesh& body, const Skeleton& sk
   for (std::size_t p = 0; p < found.size(); ++p) {
     MeshedPanel& panel = garment.panels[p];
     const auto place = asked.find(panel.name);
-    if (place != asked.end() && !place->second.part.empty()) panel.part = place->second.part;
+    if (place != asked.end() && !place->second.part.empty()) {
+      panel.part = place->second.part;
+      panel.part_is_asked = true;
+    }
     if (panel.part.empty()) {
       found[p].part = part_of(garment, panel, sizes, skeleton, is_leg[p] != 0);
       // What a garment wraps, and whether it is worn where it belongs, goes by parts.

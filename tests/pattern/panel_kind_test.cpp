@@ -58,6 +58,8 @@ TEST(PanelKind, LabelAndPartComeFirst) {
   EXPECT_EQ(kind("front", "", "right_arm"), PanelKind::sleeve);
   EXPECT_EQ(kind("front", "", "torso"), PanelKind::unknown);
   EXPECT_EQ(kind("skirt_front", "", "torso"), PanelKind::skirt);
+  EXPECT_EQ(kind("skirt_front", "", "head"), PanelKind::skirt);
+  EXPECT_EQ(kind("piece1", "", "head"), PanelKind::top);
 }
 
 TEST(PanelKind, SidesAndFaces) {

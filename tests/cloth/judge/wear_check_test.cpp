@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -131,6 +132,84 @@ TEST(WearCheck, ASleeveBelongsOnItsArm) {
                                           [](const Vec3& p) { return Vec3(p + Vec3(0, 0, 0.2)); }));
   EXPECT_FALSE(beside.misplaced);
   EXPECT_EQ(beside.unwrapped, std::vector<std::string>{"left_arm"});
+}
+
+/// A left sleeve with a crown of 5 cm, sewn to a ring about the shoulder. `turn` radians about the
+/// arm bring the crown away from the top.
+PanelMesh set_in_sleeve(double turn) {
+  constexpr double radius = 0.07;
+  constexpr double length = 0.3;
+  PanelMesh garment;
+  const auto around = [&](double x, double flat_x) {
+    const double angle = flat_x / radius + turn;
+    return Vec3(x, 1.3 + radius * std::cos(angle), radius * std::sin(angle));
+  };
+  test::add_panel(garment, "left_sleeve", test::grid(2 * pi * radius, length, 24, 8),
+                  [&](const Vec2& p) { return around(0.6 - p.y(), p.x()); });
+  for (Vec2& p : garment.flat) p.y() *= 1 + 0.05 / length * std::cos(p.x() / radius);
+  test::add_panel(garment, "left_front", test::grid(2 * pi * radius, 0.05, 24, 2),
+                  [&](const Vec2& p) { return around(0.25 + p.y(), p.x()); });
+  std::vector<int> of_sleeve;
+  std::vector<int> of_front;
+  for (int i = 0; i <= 24; ++i) {
+    of_sleeve.push_back(8 * 25 + i);
+    of_front.push_back(garment.panels[1].first_point + 2 * 25 + i);
+  }
+  garment.seams = {test::seam("underarm", test::side(garment.panels[0], 24, 8, false),
+                              test::side(garment.panels[0], 24, 8, true)),
+                   test::seam("ring", test::side(garment.panels[1], 24, 2, false),
+                              test::side(garment.panels[1], 24, 2, true)),
+                   test::seam("armhole", of_sleeve, of_front)};
+  return garment;
+}
+
+TEST(WearCheck, ASleeveSetInUpsideDownIsMisplaced) {
+  const auto at = [](double turn) {
+    const WearFindings worn = check(set_in_sleeve(turn));
+    return worn.misplaced ? worn.misplaced->at : "";
+  };
+  const std::string upside_down = "the sleeve is upside down, its crown at the armpit";
+  EXPECT_EQ(at(pi), upside_down);
+  EXPECT_EQ(at(0.8 * pi), upside_down);
+  EXPECT_NE(at(0), upside_down);
+  EXPECT_NE(at(0.3), upside_down);
+}
+
+TEST(WearCheck, ANameTellsTheSideBeforeAPartThatNobodyAskedFor) {
+  PanelMesh garment = sleeve("right_sleeve", 0.3, 0.6);
+  garment.panels[0].part = "left_arm";
+  ASSERT_TRUE(check(garment).misplaced);
+  EXPECT_EQ(check(garment).misplaced->should_be, "right arm");
+  garment.panels[0].part_is_asked = true;
+  EXPECT_FALSE(check(garment).misplaced);
+}
+
+TEST(WearCheck, ASleeveThatDoesNotReachDownItsArmDoesNotGoAroundIt) {
+  // A strip at the shoulder, open below.
+  PanelMesh strip;
+  test::add_panel(strip, "left_sleeve", test::grid(0.1, 0.1, 4, 4),
+                  [](const Vec2& p) { return Vec3(0.2 + p.x(), 1.42, p.y() - 0.05); });
+  const WearFindings worn = check(strip);
+  EXPECT_TRUE(worn.misplaced || !worn.unwrapped.empty());
+}
+
+TEST(WearCheck, ASkirtThatSlidDownIsMisplaced) {
+  PanelMesh garment;
+  add_tube(garment, "skirt", {0, 0.4, 0}, {0, 1.05, 0}, 0.25);
+  const auto let_down = [&](double by) {
+    std::vector<Vec3> points = garment.placed;
+    for (Vec3& p : points) p.y() -= by;
+    return check_worn(garment, test::as_dressed(garment, points), figure());
+  };
+  EXPECT_FALSE(let_down(0).misplaced);
+  const double waist = figure().joint("waist").y();
+  const double level = std::min(waist, 1.05);
+  EXPECT_FALSE(let_down(1.05 - level + 0.07).misplaced);
+  const WearFindings slid = let_down(1.05 - level + 0.09);
+  ASSERT_TRUE(slid.misplaced);
+  EXPECT_NE(slid.misplaced->at.find("slid down by 9 cm, its top edge is cut 157 cm long"),
+            std::string::npos)
+      << slid.misplaced->at;
 }
 
 TEST(WearCheck, TrousersBelongOnTwoLegs) {
