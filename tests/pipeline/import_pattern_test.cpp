@@ -55,5 +55,26 @@ TEST(ImportPattern, WhatIsNoPatternIsRefusedInOneLine) {
   }
 }
 
+TEST(ImportPattern, APieceThatIsGivenTwoNamesIsAWrongOption) {
+  const ScratchFolder folder;
+  const auto named = [&](const std::string& first, const std::string& second) {
+    return run("import-pattern",
+               {source + "/tests/io/drawings/r12.dxf", "-o", (folder / "p.json").string(), "--name",
+                first, "--name", second},
+               60);
+  };
+  const auto refused = named("A=B", "A=C");
+  EXPECT_EQ(refused.exit_code, 2) << refused.err;
+  EXPECT_HOLDS(refused.err, "--name: calls 'A' both 'B' and 'C'");
+  EXPECT_FALSE(std::filesystem::exists(folder / "p.json"));
+  // One name twice is no contradiction, and no second panel has it.
+  const std::string piece = "Vorderteil Größe=front";
+  const auto same = named(piece, piece);
+  EXPECT_EQ(same.exit_code, 0) << same.err;
+  const std::string pattern = read_text(folder / "p.json");
+  EXPECT_HOLDS(pattern, "front");
+  EXPECT_EQ(pattern.find("front_2"), std::string::npos);
+}
+
 }  // namespace import_pattern_test
 }  // namespace toile

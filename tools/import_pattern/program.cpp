@@ -1,5 +1,9 @@
 // import-pattern: from a pattern maker's drawing to a pattern in JSON.
+#include <algorithm>
+#include <map>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "geometry/error.h"
 #include "io/text.h"
@@ -44,6 +48,27 @@ double read_corner_angle(double degrees) {
   return degrees * std::numbers::pi / 180;
 }
 
+/// The names as given, each once. Throws UsageError where a piece is given two.
+std::vector<std::string> read_names(const std::vector<std::string>& names) {
+  std::vector<std::string> once;
+  std::map<std::string, std::string> given;
+  for (const std::string& text : names) {
+    if (std::find(once.begin(), once.end(), text) != once.end()) continue;
+    once.push_back(text);
+    const std::size_t equals = text.rfind('=');
+    if (equals == std::string::npos) continue;  // refused with the drawing's pieces at hand
+    const std::string piece = text.substr(0, equals);
+    const std::string name = text.substr(equals + 1);
+    const std::string& first = given.emplace(piece, name).first->second;
+    if (first == name) continue;
+    throw UsageError("--name",
+                     "calls '" + shown_text(piece) + "' both '" + shown_text(first) + "' and '" +
+                         shown_text(name) + "'",
+                     "give a piece one name");
+  }
+  return once;
+}
+
 }  // namespace
 
 CommandLineProgram import_pattern_program() {
@@ -82,7 +107,7 @@ CommandLineProgram import_pattern_program() {
       settings.pieces.unfold = given["unfold"].as<std::vector<std::string>>();
     }
     if (given.count("name") > 0) {
-      settings.pieces.names = given["name"].as<std::vector<std::string>>();
+      settings.pieces.names = read_names(given["name"].as<std::vector<std::string>>());
     }
     if (given.count("pair") > 0) {
       settings.pieces.pairs = given["pair"].as<std::vector<std::string>>();
