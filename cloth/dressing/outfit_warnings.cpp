@@ -6,6 +6,7 @@
 #include "cloth/scene/constants.h"
 #include "cloth/start/placement_warnings.h"
 #include "geometry/error.h"
+#include "io/floor_height.h"
 #include "io/text.h"
 
 namespace toile {
@@ -66,8 +67,8 @@ std::string hardest_pulled_warning(const PanelMesh& garment, const DressResult& 
   const double height = result.nodes[static_cast<std::size_t>(node)].y();
   return "the garment did not come to rest: panel '" +
          garment.panels[static_cast<std::size_t>(panel)].name + "' is pulled the hardest, " +
-         number_text(100 * height, 3) + " cm above the floor, by " +
-         number_text(result.residual.max, 2) + " times the weight of a point";
+         floor_height(height, 1) + ", by " + number_text(result.residual.max, 2) +
+         " times the weight of a point";
 }
 
 std::string turned_out_warning(const std::string& layer, Verdict verdict, const std::string& over) {

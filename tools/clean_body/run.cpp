@@ -8,6 +8,7 @@
 #include "geometry/body/clean_body.h"
 #include "geometry/body/find_landmarks.h"
 #include "geometry/error.h"
+#include "io/floor_height.h"
 #include "io/mesh_file.h"
 #include "io/output_file.h"
 #include "io/skeleton_file.h"
@@ -99,7 +100,7 @@ void say_changes(const CleanReport& report, const ScanReport* scan, const Common
 std::string place_of(const Vec3& point, const std::optional<Skeleton>& skeleton) {
   std::string part = skeleton ? part_near(*skeleton, point) : "";
   std::replace(part.begin(), part.end(), '_', ' ');
-  return number(100 * point.y(), "%.0f") + " cm above the floor, at " +
+  return floor_height(point.y()) + ", at " +
          (part.empty()
               ? "x " + number(point.x(), "%.2f") + " m, z " + number(point.z(), "%.2f") + " m"
               : "the " + part);
@@ -110,8 +111,7 @@ std::string crossing_warning(const Crossings& crossings) {
   std::replace(part.begin(), part.end(), '_', ' ');
   const std::string where = count(crossings.pairs, "pair", "pairs") + " of triangles cross on " +
                             number(100 * crossings.area_share, "%.2g") + " % of the surface, " +
-                            number(100 * crossings.low, "%.0f") + " to " +
-                            number(100 * crossings.high, "%.0f") + " cm above the floor" +
+                            floor_heights(crossings.low, crossings.high) +
                             (part.empty() ? "" : ", most at the " + part);
   if (is_usable(crossings)) {
     return where +

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "io/floor_height.h"
 #include "io/point_file.h"
 #include "io/text.h"
 
@@ -48,7 +49,7 @@ std::string place_name(const Skeleton& skeleton, const Vec3& at) {
 
 std::string hole_text(const PlacedHole& hole) {
   return fixed_number(1e4 * hole.area, 0) + " cm² that no point is near, " +
-         fixed_number(100 * hole.centre.y(), 0) + " cm above the floor, at " +
+         floor_height(hole.centre.y()) + ", at " +
          (hole.place.empty() ? "x " + fixed_number(hole.centre.x(), 2) + " m, z " +
                                    fixed_number(hole.centre.z(), 2) + " m"
                              : "the " + hole.place);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cloth/scene/constants.h"
+#include "io/floor_height.h"
 #include "tools/dress/extra_offset.h"
 
 namespace toile {
@@ -114,8 +115,8 @@ void warn_of_verdict(const DressResult& result, const Judgement& judgement, Dres
     if (opening.limbs.any() || opening.is_cut_out || opening.length < worth_an_opening) continue;
     std::ostringstream text;
     text << std::fixed << std::setprecision(0) << "an opening of " << 100 * opening.length
-         << " cm, " << 100 * opening.middle.y()
-         << " cm above the floor, has nothing in it: a cut-out, or a stitch is missing";
+         << " cm, " << floor_height(opening.middle.y())
+         << ", has nothing in it: a cut-out, or a stitch is missing";
     log.warn(text.str());
   }
   if (worn.misplaced) {

@@ -11,6 +11,7 @@
 #include "geometry/body/pose_body.h"
 #include "geometry/error.h"
 #include "geometry/surface_distance.h"
+#include "io/floor_height.h"
 #include "io/mesh_file.h"
 #include "io/output_file.h"
 #include "io/skeleton_file.h"
@@ -66,7 +67,7 @@ std::string crossing_warning(const Crossings& crossings) {
   std::replace(part.begin(), part.end(), '_', ' ');
   return "the pose folds the body into itself: " + std::to_string(crossings.pairs) +
          (crossings.pairs == 1 ? " pair" : " pairs") + " of triangles cross, " +
-         formatted("%.0f to %.0f cm above the floor", 100 * crossings.low, 100 * crossings.high) +
+         floor_heights(crossings.low, crossings.high) +
          (part.empty() ? "" : ", most at the " + part) + "; move the limbs apart";
 }
 
