@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <set>
 #include <string>
 #include <vector>
@@ -11,6 +12,13 @@
 #include "pattern/panel_placement.h"
 
 namespace toile {
+
+/// Whose word the body part of a panel is.
+enum class PartSource : std::uint8_t {
+  stated,  ///< the pattern's
+  found,   ///< by its place and seams, where the pattern states none
+  asked,   ///< the user's, which beats the pattern
+};
 
 /// One flat pattern piece as meshed. Its material points and triangles are contiguous ranges.
 struct MeshedPanel {
@@ -25,7 +33,7 @@ struct MeshedPanel {
   PanelPlacement placement{};  ///< how the skeleton positions it; by default it does not
   bool layered = false;        ///< it lies upon other panels, as a facing or a pocket does
   std::string label = {};      ///< "body", "arm" or "leg", as GarmentCode has it; empty: not stated
-  bool part_is_asked = false;  ///< `part` is the user's word, which beats the panel's name
+  PartSource part_source = PartSource::stated;
 };
 
 /// Two outline edges that are sewn together: the i-th point of side a meets the i-th of side b. The

@@ -1,11 +1,9 @@
 #include "cloth/judge/wear_check.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <ranges>
 #include <set>
 
 #include "cloth/judge/constants.h"
@@ -159,7 +157,9 @@ class WearCheck {
     check_facing(component);
   }
 
-  /// Panels of one kind, grouped by the side of the body that part or name says.
+  /// Panels of one kind, grouped by the side of the body that they are for. A name beats a part
+  /// that the pattern states. Where a part was found by seams, the sleeve's shape tells whether it
+  /// is right there: names of mirrored pieces are often exchanged in drawings.
   std::map<std::string, std::vector<int>> by_side(const std::vector<int>& panels,
                                                   const std::string& limb) const {
     std::map<std::string, std::vector<int>> groups;
@@ -167,7 +167,7 @@ class WearCheck {
       const MeshedPanel& panel = garment_.panels[p];
       int side = side_by_name(panel.name);
       const bool says_side = panel.part.starts_with("left") || panel.part.starts_with("right");
-      if (says_side && (side == 0 || panel.part_is_asked)) {
+      if (says_side && (side == 0 || panel.part_source != PartSource::stated)) {
         side = panel.part.starts_with("left") ? 1 : -1;
       }
       if (side == 0) side = placed_side(panel);
@@ -204,84 +204,81 @@ class WearCheck {
       findings_.is_checked = true;
       if (!is_there || !goes_around(panels, arm, wanted)) {
         fail(arm, middle, in_words(arm));
-      } else if (hangs_from_its_underarm(component, panels, arm)) {
+      } else if (is_upside_down(component, panels, wanted)) {
         misplace(arm, "the sleeve is upside down, its crown at the armpit",
                  "the sleeve's crown at the shoulder");
       }
     }
   }
 
-  /// Metres along `bones` as a linear function of a panel's flat coordinates: its unit gradient.
-  Vec2 flat_direction_along(const Bones& bones, int panel) const {
-    Vec2 flat_sum = Vec2::Zero();
-    double foot_sum = 0;
-    std::vector<std::pair<Vec2, double>> samples;
-    const MeshedPanel& meshed = garment_.panels[panel];
-    for (int t = meshed.first_triangle; t < meshed.first_triangle + meshed.triangles; ++t) {
+  /// Per node of the sleeve, metres over the flat cloth to its opening at the hand.
+  std::map<int, double> reach_from_cuff(const Component& component, const std::vector<int>& panels,
+                                        const LimbsThrough& wanted) const {
+    std::map<int, std::vector<std::pair<int, double>>> neighbours;
+    for (std::size_t t = 0; t < dressed_.triangles.size(); ++t) {
+      if (std::ranges::find(panels, dressed_.panel_of_triangle[t]) == panels.end()) continue;
       for (int i = 0; i < 3; ++i) {
-        const Vec2& flat = garment_.flat[garment_.triangles[t][i]];
-        samples.emplace_back(flat, bones.foot(nodes_[dressed_.triangles[t][i]]));
-        flat_sum += flat;
-        foot_sum += samples.back().second;
+        const int j = (i + 1) % 3;
+        const double length =
+            (garment_.flat[garment_.triangles[t][i]] - garment_.flat[garment_.triangles[t][j]])
+                .norm();
+        const int from = dressed_.triangles[t][i];
+        const int to = dressed_.triangles[t][j];
+        neighbours[from].emplace_back(to, length);
+        neighbours[to].emplace_back(from, length);
       }
     }
-    const auto count = static_cast<double>(samples.size());
-    Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
-    Vec2 slope = Vec2::Zero();
-    for (const auto& [flat, foot] : samples) {
-      const Vec2 from_middle = flat - flat_sum / count;
-      spread += from_middle * from_middle.transpose();
-      slope += (foot - foot_sum / count) * from_middle;
+    std::map<int, double> reach;
+    std::set<std::pair<double, int>> open;
+    for (const Opening* opening : component.openings) {
+      if (opening->limbs != wanted || !belongs_to(*opening, panels)) continue;
+      for (const int node : opening->nodes) open.emplace(0, node);
     }
-    return spread.ldlt().solve(slope).normalized();
+    while (!open.empty()) {
+      const auto [length, node] = *open.begin();
+      open.erase(open.begin());
+      if (!reach.emplace(node, length).second) continue;
+      const auto at = neighbours.find(node);
+      if (at == neighbours.end()) continue;
+      for (const auto& [next, step] : at->second) {
+        if (!reach.contains(next)) open.emplace(length + step, next);
+      }
+    }
+    return reach;
   }
 
-  /// Whether a sleeve is set in upside down. Along its seam with the trunk, what reaches farthest
-  /// up the flat sleeve is the crown. It belongs above what reaches least far, the underarm.
-  bool hangs_from_its_underarm(const Component& component, const std::vector<int>& panels,
-                               const std::string& arm) const {
-    const auto is_of_sleeve = [&](int p) { return std::ranges::find(panels, p) != panels.end(); };
+  /// Whether a sleeve is set in upside down. Along its seam with the trunk, what is farthest from
+  /// the cuff is the crown. It belongs above what is nearest to the cuff, the underarm.
+  bool is_upside_down(const Component& component, const std::vector<int>& panels,
+                      const LimbsThrough& wanted) const {
     std::set<int> of_trunk;
     for (std::size_t t = 0; t < dressed_.triangles.size(); ++t) {
       const int p = dressed_.panel_of_triangle[t];
       if (!component.panels.contains(p) || kind(p) == PanelKind::sleeve) continue;
       of_trunk.insert(dressed_.triangles[t].begin(), dressed_.triangles[t].end());
     }
-    const Bones bones(skeleton_, arm);
-    double together = 0;  // sums over both sides of the seam, about the middle of each panel's part
+    std::vector<std::pair<double, double>> seam;  // metres to the cuff, metres above the floor
+    for (const auto& [node, reach] : reach_from_cuff(component, panels, wanted)) {
+      if (of_trunk.contains(node)) seam.emplace_back(reach, nodes_[node].y());
+    }
+    if (seam.empty()) return false;
+    const auto count = static_cast<double>(seam.size());
+    double mean_reach = 0;
+    double mean_height = 0;
+    for (const auto& [reach, height] : seam) {
+      mean_reach += reach / count;
+      mean_height += height / count;
+    }
+    double together = 0;
     double of_reach = 0;
     double of_height = 0;
-    double widest = 0;
-    for (const int p : component.panels) {
-      if (!is_of_sleeve(p)) continue;
-      std::map<int, double> reach;  // of a node on the seam: metres up the flat panel
-      const Vec2 down = flat_direction_along(bones, p);
-      const MeshedPanel& meshed = garment_.panels[p];
-      for (int t = meshed.first_triangle; t < meshed.first_triangle + meshed.triangles; ++t) {
-        for (int i = 0; i < 3; ++i) {
-          const int node = dressed_.triangles[t][i];
-          if (of_trunk.contains(node)) {
-            reach[node] = -down.dot(garment_.flat[garment_.triangles[t][i]]);
-          }
-        }
-      }
-      if (reach.empty()) continue;
-      double mean_reach = 0;
-      double mean_height = 0;
-      for (const auto& [node, r] : reach) {
-        mean_reach += r / static_cast<double>(reach.size());
-        mean_height += nodes_[node].y() / static_cast<double>(reach.size());
-      }
-      const auto [low, high] = std::ranges::minmax(reach | std::views::values);
-      widest = std::max(widest, high - low);
-      for (const auto& [node, r] : reach) {
-        const double height = nodes_[node].y() - mean_height;
-        together += (r - mean_reach) * height;
-        of_reach += (r - mean_reach) * (r - mean_reach);
-        of_height += height * height;
-      }
+    for (const auto& [reach, height] : seam) {
+      together += (reach - mean_reach) * (height - mean_height);
+      of_reach += (reach - mean_reach) * (reach - mean_reach);
+      of_height += (height - mean_height) * (height - mean_height);
     }
-    if (widest < min_crown_height || of_height == 0) return false;
+    const auto [nearest, farthest] = std::ranges::minmax_element(seam);
+    if (farthest->first - nearest->first < min_crown_height || of_height == 0) return false;
     return together / std::sqrt(of_reach * of_height) < upside_down_correlation;
   }
 

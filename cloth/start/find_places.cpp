@@ -410,12 +410,13 @@ std::vector<FoundPlace> find_places(const TriangleMesh& body, const Skeleton& sk
     const auto place = asked.find(panel.name);
     if (place != asked.end() && !place->second.part.empty()) {
       panel.part = place->second.part;
-      panel.part_is_asked = true;
+      panel.part_source = PartSource::asked;
     }
     if (panel.part.empty()) {
       found[p].part = part_of(garment, panel, sizes, skeleton, is_leg[p] != 0);
       // What a garment wraps, and whether it is worn where it belongs, goes by parts.
       if (found[p].part != "head") panel.part = found[p].part;
+      panel.part_source = PartSource::found;
     } else {
       found[p].part = panel.part;
     }

@@ -175,13 +175,15 @@ TEST(WearCheck, ASleeveSetInUpsideDownIsMisplaced) {
   EXPECT_NE(at(0.3), upside_down);
 }
 
-TEST(WearCheck, ANameTellsTheSideBeforeAPartThatNobodyAskedFor) {
+TEST(WearCheck, ANameTellsTheSideBeforeAPartThatThePatternStates) {
   PanelMesh garment = sleeve("right_sleeve", 0.3, 0.6);
   garment.panels[0].part = "left_arm";
   ASSERT_TRUE(check(garment).misplaced);
   EXPECT_EQ(check(garment).misplaced->should_be, "right arm");
-  garment.panels[0].part_is_asked = true;
-  EXPECT_FALSE(check(garment).misplaced);
+  for (const PartSource source : {PartSource::found, PartSource::asked}) {
+    garment.panels[0].part_source = source;
+    EXPECT_FALSE(check(garment).misplaced);
+  }
 }
 
 TEST(WearCheck, ASleeveThatDoesNotReachDownItsArmDoesNotGoAroundIt) {
