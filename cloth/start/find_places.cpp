@@ -289,6 +289,7 @@ void Component::roll_all(std::vector<MeshedPanel>& meshed) const {
 
 void Component::roll(int p, std::vector<MeshedPanel>& meshed) const {
   MeshedPanel& rolled = meshed[p];
+  if (rolled.part.empty()) rolled.part_source = PartSource::found;
   rolled.part = rolled_part(p, meshed);
   const bool is_arm = rolled.part.ends_with("_arm");
   rolled.placement = {};
