@@ -84,8 +84,8 @@ inline constexpr double slid_off_shoulder = 0.025;
 /// Metres: sleeves whose seam with the trunk is flatter have no crown to tell up from down.
 inline constexpr double min_crown_height = 0.03;
 
-/// Correlation of how far an armhole seam is from the cuff with its height as worn. Below this the
-/// sleeve is set in upside down.
+/// Correlation of how far an armhole seam is from the line of the cuff with its height as worn.
+/// Below this the sleeve is set in upside down.
 inline constexpr double upside_down_correlation = -0.3;
 
 /// Share of directions that a garment meets which is open as its seams leave it. Boleros meet 75 %.

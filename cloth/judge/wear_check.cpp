@@ -1,5 +1,6 @@
 #include "cloth/judge/wear_check.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -211,74 +212,88 @@ class WearCheck {
     }
   }
 
-  /// Per node of the sleeve, metres over the flat cloth to its opening at the hand.
-  std::map<int, double> reach_from_cuff(const Component& component, const std::vector<int>& panels,
-                                        const LimbsThrough& wanted) const {
-    std::map<int, std::vector<std::pair<int, double>>> neighbours;
-    for (std::size_t t = 0; t < dressed_.triangles.size(); ++t) {
-      if (std::ranges::find(panels, dressed_.panel_of_triangle[t]) == panels.end()) continue;
+  /// Per panel, its nodes and where they are on the flat panel.
+  using FlatNodes = std::map<int, Vec2>;
+  FlatNodes flat_nodes(int panel) const {
+    FlatNodes flat;
+    const MeshedPanel& meshed = garment_.panels[panel];
+    for (int t = meshed.first_triangle; t < meshed.first_triangle + meshed.triangles; ++t) {
       for (int i = 0; i < 3; ++i) {
-        const int j = (i + 1) % 3;
-        const double length =
-            (garment_.flat[garment_.triangles[t][i]] - garment_.flat[garment_.triangles[t][j]])
-                .norm();
-        const int from = dressed_.triangles[t][i];
-        const int to = dressed_.triangles[t][j];
-        neighbours[from].emplace_back(to, length);
-        neighbours[to].emplace_back(from, length);
+        flat.emplace(dressed_.triangles[t][i], garment_.flat[garment_.triangles[t][i]]);
       }
     }
-    std::map<int, double> reach;
-    std::set<std::pair<double, int>> open;
-    for (const Opening* opening : component.openings) {
-      if (opening->limbs != wanted || !belongs_to(*opening, panels)) continue;
-      for (const int node : opening->nodes) open.emplace(0, node);
-    }
-    while (!open.empty()) {
-      const auto [length, node] = *open.begin();
-      open.erase(open.begin());
-      if (!reach.emplace(node, length).second) continue;
-      const auto at = neighbours.find(node);
-      if (at == neighbours.end()) continue;
-      for (const auto& [next, step] : at->second) {
-        if (!reach.contains(next)) open.emplace(length + step, next);
-      }
-    }
-    return reach;
+    return flat;
   }
 
-  /// Whether a sleeve is set in upside down. Along its seam with the trunk, what is farthest from
-  /// the cuff is the crown. It belongs above what is nearest to the cuff, the underarm.
+  /// Per panel of a sleeve, its edge towards the hand: at the sleeve's opening, or at a cuff.
+  std::map<int, std::vector<Vec2>> cuff_edges(const Component& component,
+                                              const std::map<int, FlatNodes>& sleeve,
+                                              const LimbsThrough& wanted) const {
+    std::set<int> ends;  // nodes
+    for (const Opening* opening : component.openings) {
+      if (opening->limbs == wanted) ends.insert(opening->nodes.begin(), opening->nodes.end());
+    }
+    std::map<int, std::vector<Vec2>> edges;
+    const auto add_edges = [&] {
+      std::vector<int> added;
+      for (const auto& [p, flat] : sleeve) {
+        std::vector<Vec2> edge;
+        for (const auto& [node, place] : flat) {
+          if (ends.contains(node)) edge.push_back(place);
+        }
+        if (edge.size() > 2 && edges.emplace(p, edge).second) added.push_back(p);
+      }
+      return added;
+    };
+    for (const int p : add_edges()) {
+      for (const auto& [node, place] : sleeve.at(p)) ends.insert(node);
+    }
+    add_edges();
+    return edges;
+  }
+
+  /// Whether a sleeve is set in upside down. Along its seam with the trunk, what lies farthest from
+  /// the line of the cuff is the crown. It belongs above what lies nearest, the underarm.
   bool is_upside_down(const Component& component, const std::vector<int>& panels,
                       const LimbsThrough& wanted) const {
     std::set<int> of_trunk;
-    for (std::size_t t = 0; t < dressed_.triangles.size(); ++t) {
-      const int p = dressed_.panel_of_triangle[t];
-      if (!component.panels.contains(p) || kind(p) == PanelKind::sleeve) continue;
-      of_trunk.insert(dressed_.triangles[t].begin(), dressed_.triangles[t].end());
+    for (const int p : component.panels) {
+      if (kind(p) == PanelKind::sleeve) continue;
+      for (const auto& [node, place] : flat_nodes(p)) of_trunk.insert(node);
     }
-    std::vector<std::pair<double, double>> seam;  // metres to the cuff, metres above the floor
-    for (const auto& [node, reach] : reach_from_cuff(component, panels, wanted)) {
-      if (of_trunk.contains(node)) seam.emplace_back(reach, nodes_[node].y());
-    }
-    if (seam.empty()) return false;
-    const auto count = static_cast<double>(seam.size());
-    double mean_reach = 0;
-    double mean_height = 0;
-    for (const auto& [reach, height] : seam) {
-      mean_reach += reach / count;
-      mean_height += height / count;
-    }
-    double together = 0;
+    std::map<int, FlatNodes> sleeve;
+    for (const int p : panels) sleeve.emplace(p, flat_nodes(p));
+    double widest = 0;
+    double together = 0;  // sums about the middle of each panel's part of the seam
     double of_reach = 0;
     double of_height = 0;
-    for (const auto& [reach, height] : seam) {
-      together += (reach - mean_reach) * (height - mean_height);
-      of_reach += (reach - mean_reach) * (reach - mean_reach);
-      of_height += (height - mean_height) * (height - mean_height);
+    for (const auto& [p, edge] : cuff_edges(component, sleeve, wanted)) {
+      Vec2 middle = Vec2::Zero();
+      for (const Vec2& place : edge) middle += place / static_cast<double>(edge.size());
+      Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+      for (const Vec2& place : edge) spread += (place - middle) * (place - middle).transpose();
+      const Vec2 across =
+          Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvectors().col(0);
+      std::vector<Vec2> seam;  // metres from the cuff's line, metres above the floor
+      Vec2 mean = Vec2::Zero();
+      for (const auto& [node, place] : sleeve.at(p)) {
+        if (!of_trunk.contains(node)) continue;
+        seam.emplace_back(std::abs(across.dot(place - middle)), nodes_[node].y());
+        mean += seam.back();
+      }
+      if (seam.empty()) continue;
+      mean /= static_cast<double>(seam.size());
+      const auto [nearest, farthest] =
+          std::ranges::minmax_element(seam, {}, [](const Vec2& at) { return at.x(); });
+      widest = std::max(widest, farthest->x() - nearest->x());
+      for (const Vec2& at : seam) {
+        const Vec2 off = at - mean;
+        together += off.x() * off.y();
+        of_reach += off.x() * off.x();
+        of_height += off.y() * off.y();
+      }
     }
-    const auto [nearest, farthest] = std::ranges::minmax_element(seam);
-    if (farthest->first - nearest->first < min_crown_height || of_height == 0) return false;
+    if (widest < min_crown_height || of_height == 0) return false;
     return together / std::sqrt(of_reach * of_height) < upside_down_correlation;
   }
 

@@ -32,7 +32,7 @@ struct WearFindings {
 /// heights. Each connected component is checked by itself:
 ///
 /// - Sleeves: an opening of theirs has their arm, and no other limb. Their crown, the part of the
-///   armhole seam that is farthest from the cuff, lies above the underarm.
+///   armhole seam that is farthest from the line of the cuff, lies above the underarm.
 /// - Trousers: an opening has the left leg alone, another one the right leg.
 /// - What hangs from the shoulders: an opening separates an arm from the legs. Where it hangs, no
 ///   strap has slid off its shoulder.
