@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/text.h"
+#include "tools/report.h"
 
 namespace toile {
 
@@ -26,9 +27,9 @@ std::vector<std::string> warnings_in(const std::vector<Remark>& remarks) {
 
 void add_remarks(const std::vector<Remark>& remarks, nlohmann::ordered_json& report) {
   report["notes"] = nlohmann::ordered_json::array();
-  report["warnings"] = nlohmann::ordered_json::array();
+  report["warnings"] = warnings_json(warnings_of("pattern", warnings_in(remarks)));
   for (const Remark& remark : remarks) {
-    report[remark.warning ? "warnings" : "notes"].push_back(valid_utf8(remark.text));
+    if (!remark.warning) report["notes"].push_back(valid_utf8(remark.text));
   }
 }
 

@@ -2,10 +2,38 @@
 
 #include <nlohmann/json.hpp>
 
+#include "io/text.h"
+
 namespace toile {
 
 std::string json_text(const nlohmann::ordered_json& json) {
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+nlohmann::ordered_json warnings_json(const std::vector<Warning>& warnings) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const Warning& warning : warnings) {
+    json.push_back({{"code", warning.code},
+                    {"place", valid_utf8(warning.place)},
+                    {"text", valid_utf8(warning.text)}});
+  }
+  return json;
+}
+
+std::vector<Warning> read_warnings(const JsonValue& report) {
+  std::vector<Warning> warnings;
+  const JsonValue all = report.get("warnings");
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const JsonValue one = all.item(i);
+    warnings.push_back({one.get("code").text(), one.get("place").text(), one.get("text").text()});
+  }
+  return warnings;
+}
+
+std::vector<Warning> warnings_of(const std::string& code, const std::vector<std::string>& texts) {
+  std::vector<Warning> warnings;
+  for (const std::string& text : texts) warnings.push_back({code, "", text});
+  return warnings;
 }
 
 void write_report(OutputFiles& files, const CommonSettings& common,

@@ -3,14 +3,26 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
+#include "io/json_value.h"
 #include "io/output_file.h"
+#include "io/warning.h"
 #include "tools/program.h"
 
 namespace toile {
 
 /// JSON as a file's text. Bytes that are no UTF-8, as in names of files, are replaced.
 std::string json_text(const nlohmann::ordered_json& json);
+
+/// Warnings as a report's list of `code`, `place` and `text`.
+nlohmann::ordered_json warnings_json(const std::vector<Warning>& warnings);
+
+/// The `warnings` of a report that a program wrote. Throws Error where they are none.
+std::vector<Warning> read_warnings(const JsonValue& report);
+
+/// Texts as warnings of one `code` that are about the whole.
+std::vector<Warning> warnings_of(const std::string& code, const std::vector<std::string>& texts);
 
 /// Writes the file of --report, where it was given. It has `program`, Toile's `version`, the
 /// `seconds` since the program began, then the members of `report`, which may have its own seconds.

@@ -50,12 +50,12 @@ class OutfitDresser {
     return collider_.cloth().triangles.empty() ? nullptr : &collider_.cloth();
   }
   FrameWatcher watcher_of(std::size_t layer, Certificate* certificate) const;
-  void warn(const std::string& line) const {
-    if (hooks_.warn) hooks_.warn(line);
+  void warn(const Warning& warning) const {
+    if (hooks_.warn) hooks_.warn(warning);
   }
-  void warn_of(const std::string& line, WornLayer& worn) const {
-    worn.warnings.push_back(line);
-    warn(line);
+  void warn_of(const Warning& warning, WornLayer& worn) const {
+    worn.warnings.push_back(warning);
+    warn(warning);
   }
   std::vector<int> panels_over(std::size_t layer, std::size_t other) const;
   bool lies_under_panels(std::size_t layer) const;
@@ -189,7 +189,7 @@ WornLayer OutfitDresser::dress_layer(std::size_t layer) const {
     }
     watcher({worn.garment, "dressed", material_points(worn.garment, worn.result), 1});
   }
-  for (const std::string& line : worn.warnings) warn(line);
+  for (const Warning& warning : worn.warnings) warn(warning);
   worn.distances_computed = collider_.grid().computed_nodes() - known_before;
   worn.dress_seconds = seconds_since(start);
   return worn;
@@ -208,8 +208,8 @@ void OutfitDresser::write_and_judge(std::size_t layer, const TriangleMesh* other
   worn.cloth = {std::move(dressed.points), std::move(dressed.triangles)};
   // A layer of several can come to rest yet, with the others.
   if (count() == 1 && worn.judgement.verdict == Verdict::unconverged) {
-    const std::string line = hardest_pulled_warning(worn.garment, result);
-    if (!line.empty()) warn_of(line, worn);
+    const std::optional<Warning> warning = hardest_pulled_warning(worn.garment, result);
+    if (warning) warn_of(*warning, worn);
   }
   if (worn.continued && worn.continued->refusal.empty() &&
       worn.judgement.verdict != Verdict::sewn) {

@@ -14,6 +14,7 @@
 #include "cloth/scene/collider.h"
 #include "cloth/start/find_places.h"
 #include "cloth/start/locate_layout.h"
+#include "io/warning.h"
 
 namespace toile {
 
@@ -71,7 +72,7 @@ struct WornLayer {
   Scene scene;  ///< fabrics and options; without its collider, which layers have joined since
   DressResult result;
   Judgement judgement;
-  std::vector<std::string> warnings;       ///< of panels placed wrongly and fabrics too stiff
+  std::vector<Warning> warnings;           ///< of panels placed wrongly and fabrics too stiff
   std::optional<Certificate> certificate;  ///< for its frames: the body it checked may be gone
   TriangleMesh cloth;                      ///< as it was judged
   std::size_t distances_computed = 0;      ///< of the collider, for this layer
@@ -96,7 +97,7 @@ struct OutfitHooks {
   std::function<void(std::size_t layer)> begin;
   /// Who watches this dressing; the watcher lives until the dressing ends.
   std::function<FrameWatcher(std::size_t layer)> watch;
-  std::function<void(const std::string& warning)> warn;
+  std::function<void(const Warning&)> warn;
   /// The layer has come to rest, and is neither written nor judged.
   std::function<void(std::size_t layer, const WornLayer&)> dressed;
   /// Writes the garment and reads it back, so that the judge sees what others will read. It may be

@@ -14,7 +14,7 @@ namespace toile {
 namespace {
 
 /// A line for each fabric of the garment that counts as less stiff than it is.
-std::vector<std::string> softened_fabric_warnings(const PanelMesh& garment, const Scene& scene) {
+std::vector<Warning> softened_fabric_warnings(const PanelMesh& garment, const Scene& scene) {
   std::map<std::string, double> given;
   for (const MeshedPanel& panel : garment.panels) {
     const Fabric& fabric = fabric_of(scene, panel);
@@ -22,42 +22,46 @@ std::vector<std::string> softened_fabric_warnings(const PanelMesh& garment, cons
     given[panel.fabric.empty() ? "the garment's" : "'" + panel.fabric + "'"] =
         fabric.stiffness_given;
   }
-  std::vector<std::string> lines;
+  std::vector<Warning> lines;
   lines.reserve(given.size());
   for (const auto& [name, stiffness] : given) {
-    lines.push_back("fabric: " + name + " has a stiffness of " + fixed_number(stiffness, 0) +
-                    " N/m and counts as one of " + fixed_number(max_modulus, 0) +
-                    " N/m: the real fabric strains less than the report says");
+    lines.push_back({"fabric_softened", name,
+                     "fabric: " + name + " has a stiffness of " + fixed_number(stiffness, 0) +
+                         " N/m and counts as one of " + fixed_number(max_modulus, 0) +
+                         " N/m: the real fabric strains less than the report says"});
   }
   return lines;
 }
 
 }  // namespace
 
-std::string moved_layout_warning(const LayoutMove& move, const PanelMesh& garment) {
-  return "the pattern does not stand where the body does: all panels were " +
-         text_of(move, garment) + ", as one piece";
+Warning moved_layout_warning(const LayoutMove& move, const PanelMesh& garment) {
+  return {"moved_layout", "",
+          "the pattern does not stand where the body does: all panels were " +
+              text_of(move, garment) + ", as one piece"};
 }
 
-std::vector<std::string> start_warnings(const PanelMesh& garment, const Scene& scene) {
-  std::vector<std::string> lines;
+std::vector<Warning> start_warnings(const PanelMesh& garment, const Scene& scene) {
+  std::vector<Warning> lines;
   for (const PlacementWarning& warning : placement_warnings(garment, scene)) {
-    lines.push_back(text_of(warning));
+    lines.push_back({code_of(warning.kind), warning.panel, text_of(warning)});
   }
   std::ranges::copy(softened_fabric_warnings(garment, scene), std::back_inserter(lines));
   return lines;
 }
 
-std::string refused_drape_warning(const std::string& refusal) {
-  return "dressed from flat panels, not from the earlier drape: " + refusal;
+Warning refused_drape_warning(const std::string& refusal) {
+  return {"earlier_drape_refused", "",
+          "dressed from flat panels, not from the earlier drape: " + refusal};
 }
 
-std::string continued_drape_warning() {
-  return "the garment went on from an earlier drape: dressed from flat panels, without "
-         "--continue, it may end otherwise";
+Warning continued_drape_warning() {
+  return {"continued_drape", "",
+          "the garment went on from an earlier drape: dressed from flat panels, without "
+          "--continue, it may end otherwise"};
 }
 
-std::string hardest_pulled_warning(const PanelMesh& garment, const DressResult& result) {
+std::optional<Warning> hardest_pulled_warning(const PanelMesh& garment, const DressResult& result) {
   const int node = result.residual.hardest;
   const auto has_node = [node](const Triangle& t) { return std::ranges::find(t, node) != t.end(); };
   const auto at = std::ranges::find_if(result.triangles, has_node);
@@ -65,19 +69,22 @@ std::string hardest_pulled_warning(const PanelMesh& garment, const DressResult& 
   const int panel =
       panel_of_triangles(garment)[static_cast<std::size_t>(at - result.triangles.begin())];
   const double height = result.nodes[static_cast<std::size_t>(node)].y();
-  return "the garment did not come to rest: panel '" +
-         garment.panels[static_cast<std::size_t>(panel)].name + "' is pulled the hardest, " +
-         floor_height(height, 1) + ", by " + number_text(result.residual.max, 2) +
-         " times the weight of a point";
+  const std::string& name = garment.panels[static_cast<std::size_t>(panel)].name;
+  return Warning{"unconverged", name,
+                 "the garment did not come to rest: panel '" + name + "' is pulled the hardest, " +
+                     floor_height(height, 1) + ", by " + number_text(result.residual.max, 2) +
+                     " times the weight of a point"};
 }
 
-std::string turned_out_warning(const std::string& layer, Verdict verdict, const std::string& over) {
-  return "layer " + layer + " is " + to_string(verdict) + " once its panels lie over " + over +
-         ": the seams that join them to the rest have to be clear of it";
+Warning turned_out_warning(const std::string& layer, Verdict verdict, const std::string& over) {
+  return {"turned_out", layer,
+          "layer " + layer + " is " + to_string(verdict) + " once its panels lie over " + over +
+              ": the seams that join them to the rest have to be clear of it"};
 }
 
-std::string last_layer_warning(const std::string& layer, Verdict verdict) {
-  return "layer " + layer + " is " + to_string(verdict) + ": the layers over it are not dressed";
+Warning last_layer_warning(const std::string& layer, Verdict verdict) {
+  return {"layers_not_dressed", layer,
+          "layer " + layer + " is " + to_string(verdict) + ": the layers over it are not dressed"};
 }
 
 }  // namespace toile

@@ -1,35 +1,37 @@
-// Warnings about the garments of an outfit, as sentences for people.
+// Warnings about the garments of an outfit, for people and scripts.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cloth/dressing/dress.h"
 #include "cloth/judge/verdict.h"
 #include "cloth/start/locate_layout.h"
+#include "io/warning.h"
 
 namespace toile {
 
 /// All panels of `garment`, which stands as its pattern says, were moved as one piece.
-std::string moved_layout_warning(const LayoutMove& move, const PanelMesh& garment);
+Warning moved_layout_warning(const LayoutMove& move, const PanelMesh& garment);
 
 /// Of panels that seem to be placed wrongly (placement_warnings.h), and of fabrics that count as
 /// less stiff than they are. Costs placement_warnings().
-std::vector<std::string> start_warnings(const PanelMesh& garment, const Scene& scene);
+std::vector<Warning> start_warnings(const PanelMesh& garment, const Scene& scene);
 
 /// The garment could not go on from an earlier drape, as `refusal` says.
-std::string refused_drape_warning(const std::string& refusal);
+Warning refused_drape_warning(const std::string& refusal);
 
 /// The garment went on from an earlier drape, and is not sewn.
-std::string continued_drape_warning();
+Warning continued_drape_warning();
 
-/// Where a garment that did not come to rest is pulled the hardest. Empty: that is not known.
-std::string hardest_pulled_warning(const PanelMesh& garment, const DressResult& result);
+/// Where a garment that did not come to rest is pulled the hardest. None: that is not known.
+std::optional<Warning> hardest_pulled_warning(const PanelMesh& garment, const DressResult& result);
 
 /// Panels of `layer` were turned out over the layer `over`, and now it has this verdict.
-std::string turned_out_warning(const std::string& layer, Verdict verdict, const std::string& over);
+Warning turned_out_warning(const std::string& layer, Verdict verdict, const std::string& over);
 
 /// A layer with this verdict carries no layers over it.
-std::string last_layer_warning(const std::string& layer, Verdict verdict);
+Warning last_layer_warning(const std::string& layer, Verdict verdict);
 
 }  // namespace toile

@@ -50,6 +50,21 @@ inline constexpr double limb_cover_end = 0.75;
 /// Share of a part's nodes at either end that play no part in where the cloth lies.
 inline constexpr double stray_share = 0.01;
 
+// Slits (slits.h).
+
+/// Radians, 330 degrees: cloth that turns so far about a point of the border ends a slit there. The
+/// point of a V neckline has less; a dart that is not sewn and has 20 degrees has 340.
+inline constexpr double min_slit_turn = 5.76;
+
+/// Radians, 30 degrees: where the border turns by more, a slit's edge ends.
+inline constexpr double slit_corner = 0.52;
+
+/// Metres: shorter slits are vents and notches.
+inline constexpr double min_slit = 0.05;
+
+/// Share of the body's girth at a top edge. What is cut smaller can't be put on there.
+inline constexpr double shut_opening_share = 0.8;
+
 // Where a garment is worn (wear_check.h).
 
 /// Metres: border of the smallest opening that a limb is meant to pass through.

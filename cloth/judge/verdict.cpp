@@ -44,6 +44,7 @@ Judgement judge(const PanelMesh& pattern, const DressedGarment& dressed, const T
                 const Skeleton* skeleton, const DressingEnd& end, const TriangleMesh* layers) {
   Judgement judgement;
   judgement.garment = measure_garment(pattern, dressed);
+  judgement.slits = find_slits(pattern, dressed);
   if (skeleton != nullptr) {
     judgement.wraps = measure_wraps(pattern, dressed, *skeleton);
     judgement.worn = check_worn(pattern, dressed, *skeleton);

@@ -8,6 +8,7 @@
 
 #include "cloth/judge/fit.h"
 #include "cloth/judge/measures.h"
+#include "cloth/judge/slits.h"
 #include "cloth/judge/tight_seams.h"
 #include "cloth/judge/wear_check.h"
 #include "cloth/judge/wraps.h"
@@ -34,6 +35,7 @@ struct Judgement {
   GarmentMeasurements garment;
   std::vector<WrapMeasurement> wraps;
   WearFindings worn;
+  std::vector<Slit> slits;
   Fit fit;                      ///< apart from the verdict
   int body_intersections = 0;   ///< pairs of a garment's and a body's triangle
   int self_intersections = 0;   ///< pairs of the garment's triangles

@@ -224,6 +224,18 @@ std::vector<PlacementWarning> placement_warnings(const PanelMesh& garment, const
   return warnings;
 }
 
+std::string code_of(PlacementWarning::Kind kind) {
+  switch (kind) {
+    case PlacementWarning::Kind::swapped:
+      return "swapped";
+    case PlacementWarning::Kind::other_side:
+      return "other_side";
+    case PlacementWarning::Kind::inside_out:
+      return "inside_out";
+  }
+  return "";
+}
+
 std::string text_of(const PlacementWarning& warning) {
   const std::string panel = "panel '" + warning.panel + "' ";
   if (warning.kind == PlacementWarning::Kind::other_side) {

@@ -41,6 +41,9 @@ std::vector<PlacementWarning> placement_warnings(const PanelMesh& garment, const
 /// area. It is 1 when all of the right side faces out.
 std::vector<double> facing_out(const PanelMesh& garment, const SurfaceDistance& skin);
 
+/// The word that scripts go by: "swapped", "other_side" or "inside_out".
+std::string code_of(PlacementWarning::Kind kind);
+
 /// The warning and its remedy, in a line.
 std::string text_of(const PlacementWarning& warning);
 

@@ -208,7 +208,8 @@ Json expect_warned(const TriangleMesh& mesh, const std::string& words, int exit_
   EXPECT_TRUE(says(ended, words)) << ended.err;
   Json report = Json::parse(pipeline::read_text(folder / "report.json"));
   bool kept = false;
-  for (const std::string warning : report["warnings"]) {
+  for (const Json& said : report["warnings"]) {
+    const std::string warning = said["text"];
     EXPECT_TRUE(says(ended, "warning: " + warning + "\n"));
     kept = kept || warning.find(words) != std::string::npos;
   }

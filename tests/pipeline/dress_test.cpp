@@ -443,8 +443,9 @@ TEST_F(DressInput, WhatFindsNoRestIsWrittenWithItsVerdict) {
   EXPECT_HOLDS(done.err, "warning: " + restless);
   const Json said = Json::parse(read_text(report));
   EXPECT_EQ(said["verdict"], "unconverged");
-  EXPECT_TRUE(std::ranges::any_of(said["warnings"], [&](const Json& line) {
-    return line.get<std::string>().rfind(restless, 0) == 0;
+  EXPECT_TRUE(std::ranges::any_of(said["warnings"], [&](const Json& warning) {
+    return warning["code"] == "unconverged" &&
+           warning["text"].get<std::string>().rfind(restless, 0) == 0;
   }));
   EXPECT_FALSE(said["converged"].get<bool>());
   EXPECT_TRUE(said["wraps"].empty());

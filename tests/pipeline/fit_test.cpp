@@ -46,7 +46,8 @@ TEST_F(ToileFit, EveryWarningIsInTheReportAndOnTheEaseMap) {
   // What stands on the screen as a warning of the drape stands in its report and on the page.
   ASSERT_FALSE(said["warnings"].empty());
   for (const Json& warning : said["warnings"]) {
-    const std::string line = warning.get<std::string>();
+    const std::string line = warning["text"].get<std::string>();
+    EXPECT_FALSE(warning["code"].get<std::string>().empty()) << line;
     EXPECT_NE(done.err.find("warning: " + line), std::string::npos) << line;
     EXPECT_NE(page.find("Warning: " + line.substr(0, line.find('\''))), std::string::npos) << line;
   }

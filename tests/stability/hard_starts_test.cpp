@@ -63,7 +63,8 @@ class HardStarts : public testing::Test {
   /// That what is said of the placement is this of these panels, and that the report has it too.
   void expect_warned(const std::vector<std::string>& panels, const std::string& words) {
     std::vector<std::string> of_panels;
-    for (const std::string warning : report["warnings"]) {
+    for (const Json& said : report["warnings"]) {
+      const std::string warning = said["text"];
       if (warning.starts_with("panel '")) of_panels.push_back(warning);
       EXPECT_NE(done.err.find("warning: " + warning + "\n"), std::string::npos) << done.err;
     }

@@ -111,7 +111,7 @@ void add_card(std::ostream& page, const Json& report) {
        << html_escaped(report["cause"].get<std::string>()) << "</p>\n";
   line(report["detail"].get<std::string>(), "");
   for (const Json& warning : report["warnings"]) {
-    line("warning: " + warning.get<std::string>(), " class=\"small\"");
+    line("warning: " + warning["text"].get<std::string>(), " class=\"small\"");
   }
   std::string girths;
   std::string figures = fixed_number(report["seconds"].get<double>(), 1) + " s";

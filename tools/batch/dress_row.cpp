@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "geometry/error.h"
@@ -13,6 +14,7 @@
 #include "tools/batch/outcome.h"
 #include "tools/child.h"
 #include "tools/program.h"
+#include "tools/report.h"
 
 namespace toile {
 
@@ -118,12 +120,9 @@ double RowRun::run(const std::string& program, const fs::path& output, Words wor
 }
 
 /// The `warnings` of a program's report.
-Words warnings_of_report(const fs::path& report) {
-  try {
-    return parse_json(read_file(report), report.string()).at("warnings").get<Words>();
-  } catch (const Json::exception&) {
-    throw Error(report.string(), "is no report of a program", "let the program write it");
-  }
+std::vector<Warning> warnings_of_report(const fs::path& report) {
+  const JsonDocument document(read_file(report), report.string());
+  return read_warnings(document.root());
 }
 
 }  // namespace
@@ -169,12 +168,11 @@ Json dress_row(const BatchRow& row, const CleanedBody& body, const GarmentFiles&
     run.run("render", files.front, with({"--views", "front", "--whole", "--width", "420"}));
     run.run("render", files.back, with({"--views", "back", "--whole", "--width", "420"}));
     outcome["dressed_sha256"] = sha256_of_file(files.dressed);
-    Words warnings = body.warnings;
+    std::vector<Warning> warnings = body.warnings;
     for (const fs::path& report : {files.mesh_report, files.dress_report}) {
-      for (std::string& warning : warnings_of_report(report))
-        warnings.push_back(std::move(warning));
+      std::ranges::move(warnings_of_report(report), std::back_inserter(warnings));
     }
-    outcome["warnings"] = warnings;
+    outcome["warnings"] = warnings_json(warnings);
   } catch (const RowRun::Failed& failed) {
     outcome = failure(failed.program, failed.problem);
   } catch (const Error& failed) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "io/warning.h"
 #include "tools/batch/files.h"
 #include "tools/batch/manifest.h"
 
@@ -24,9 +25,9 @@ struct RowLimits {
 /// A body that was cleaned, or why it could not be.
 struct CleanedBody {
   std::filesystem::path file;
-  std::string problem;                     ///< empty: the file is there
-  std::vector<std::string> warnings = {};  ///< that clean-body said
-  bool is_usable = true;                   ///< false: it is not there, or can't be relied on
+  std::string problem;                 ///< empty: the file is there
+  std::vector<Warning> warnings = {};  ///< that clean-body said
+  bool is_usable = true;               ///< false: it is not there, or can't be relied on
 };
 
 /// Cleans a body by the program, within the limits of a garment. `problem` says why not. What the

@@ -43,7 +43,7 @@ std::string field_of(const BatchRow& row, const Json& report, const std::string&
   if (column == "warnings") {
     std::string text;
     for (const Json& warning : report["warnings"]) {
-      text += (text.empty() ? "" : " | ") + field_of(warning);
+      text += (text.empty() ? "" : " | ") + field_of(warning["text"]);
     }
     return text;
   }

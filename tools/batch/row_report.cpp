@@ -10,6 +10,7 @@
 #include "io/text.h"
 #include "tools/batch/outcome.h"
 #include "tools/program.h"
+#include "tools/report.h"
 
 namespace toile {
 
@@ -44,8 +45,7 @@ void check_outcome(const JsonValue& outcome) {
   for (const char* told : {"seconds", "peak_MiB"}) outcome.get(told).number();
   const JsonValue usable = outcome.get("body_usable");
   if (!usable.is_flag()) usable.fail("is neither true nor false");
-  const JsonValue warnings = outcome.get("warnings");
-  for (std::size_t i = 0; i < warnings.size(); ++i) warnings.item(i).text();
+  read_warnings(outcome);
   const JsonValue figures = outcome.get("figures");
   if (outcome.get("verdict").text() == error_verdict) {
     if (!figures.keys().empty()) figures.fail("a row that failed has figures");

@@ -155,8 +155,8 @@ void BatchRun::clean_bodies() {
     all[i]->second = clean_body_of_batch(all[i]->first, all[i]->second.file, settings_.limits);
   });
   for (const auto& [body, cleaned] : bodies_) {
-    for (const std::string& warning : cleaned.warnings) {
-      CommonSettings::warn(body.string() + ": " + warning);
+    for (const Warning& warning : cleaned.warnings) {
+      CommonSettings::warn(body.string() + ": " + warning.text);
     }
   }
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "tools/report.h"
+
 namespace toile {
 
 double largest_hole(const RepairReport& report) {
@@ -46,7 +48,7 @@ nlohmann::ordered_json clean_body_json(const CleanBody& body, bool skeleton_give
             {"usable", is_usable(report.crossings)}}},
           {"skeleton", body.skeleton.has_value()},
           {"skeleton_given", skeleton_given},
-          {"warnings", warnings}};
+          {"warnings", warnings_json(warnings_of("body", warnings))}};
 }
 
 }  // namespace toile

@@ -19,7 +19,8 @@ bool keep_distances(const fs::path& path, const Collider& body, std::size_t comp
   try {
     write_distance_cache(path, body.body(), body.grid().cache());
   } catch (const Error& error) {
-    log.warn(std::string("the body's distances are not kept: ") + error.what());
+    log.warn({"distances_not_kept", "",
+              std::string("the body's distances are not kept: ") + error.what()});
     return false;
   }
   return true;

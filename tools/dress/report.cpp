@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "tools/dress/extra_offset.h"
+#include "tools/report.h"
 
 namespace toile {
 
@@ -368,7 +369,7 @@ nlohmann::ordered_json layer_json(const WornLayer& layer, const DressMethod& met
                              {"layers", judgement.layer_intersections},
                              {"check", "exact"}};
   report.update(verdict_json(result, judgement));
-  report["warnings"] = notes.warnings;
+  report["warnings"] = warnings_json(notes.warnings);
   report["other_seconds"] = Json::object();
   for (const auto& [what, seconds] : notes.other_seconds) report["other_seconds"][what] = seconds;
   report["body_distances_computed"] = layer.distances_computed;

@@ -18,7 +18,7 @@ struct LayerNotes {
   std::string garment;         ///< the file
   std::string earlier;         ///< the file of the drape to go on from; empty: none
   std::string dressed_sha256;  ///< of the file that holds the drape
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   double seconds = 0;  ///< all that the layer took
   /// What took them besides the dressing, in the order in which it was done.
   std::vector<std::pair<std::string, double>> other_seconds;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -65,8 +66,8 @@ class DressRun {
   double read_seconds_ = 0;
   double grid_seconds_ = 0;
   std::optional<double> cache_seconds_;  // to write it
-  std::vector<std::string> warnings_;    // of the whole
-  std::vector<std::vector<std::string>> layer_warnings_;
+  std::vector<Warning> warnings_;        // of the whole
+  std::vector<std::vector<Warning>> layer_warnings_;
   bool together_ = false;  // the layers are dressed and move as one
 };
 
@@ -83,10 +84,12 @@ Outfit DressRun::read_outfit() {
     garments.push_back(read_garment(layer.garment, layer.garment_json));
     if (settings_.method.name != "paper") continue;
     if (!garments.back().elastics.empty()) {
-      log_.warn("elastics are left out: --method paper does not know them");
+      log_.warn(
+          {"elastics_left_out", "", "elastics are left out: --method paper does not know them"});
     }
     if (!garments.back().attachments.empty()) {
-      log_.warn("attachments are left out: --method paper does not know them");
+      log_.warn({"attachments_left_out", "",
+                 "attachments are left out: --method paper does not know them"});
     }
   }
   outfit.fabrics = panel_fabrics(garments, settings_.fabrics);
@@ -114,8 +117,9 @@ void DressRun::read_body() {
   if (fs::exists(settings_.skeleton) || settings_.needs_skeleton) {
     skeleton_ = read_skeleton_of(collider_->skin(), settings_.skeleton);
   } else {
-    log_.warn(settings_.skeleton.string() +
-              " is missing: what the garment wraps is not measured; clean-body makes it");
+    log_.warn({"no_joints", "",
+               settings_.skeleton.string() +
+                   " is missing: what the garment wraps is not measured; clean-body makes it"});
   }
 }
 
@@ -168,7 +172,7 @@ void DressRun::say_judged(std::size_t layer, const WornLayer& worn) {
     layer_warnings_.emplace_back();
   }
   say_result(worn.result, worn.judgement, log_);
-  for (std::string& line : log_.take_warnings()) layer_warnings_[layer].push_back(std::move(line));
+  std::ranges::move(log_.take_warnings(), std::back_inserter(layer_warnings_[layer]));
 }
 
 OutfitHooks DressRun::hooks() {
@@ -182,7 +186,7 @@ OutfitHooks DressRun::hooks() {
     }
   };
   hooks.watch = [this](std::size_t layer) { return watch(layer); };
-  hooks.warn = [this](const std::string& line) { log_.warn(line); };
+  hooks.warn = [this](const Warning& warning) { log_.warn(warning); };
   hooks.dressed = [this](std::size_t layer, const WornLayer& worn) { say_dressed(layer, worn); };
   hooks.write = [this](std::size_t layer, const DressedGarment& garment) {
     const fs::path& output = settings_.layers[layer].output;
@@ -236,7 +240,7 @@ Json DressRun::scene_report(const WornOutfit& worn) const {
     report["not_dressed"].push_back(settings_.layers[i].name);
   }
   if (worn.coupled) report["coupled"] = coupled_json(worn, names());
-  report["warnings"] = warnings_;
+  report["warnings"] = warnings_json(warnings_);
   report["seconds"] = seconds_since(start_);
   report["verdict"] = to_string(worn.verdict());
   return report;
@@ -259,14 +263,14 @@ DressEnd DressRun::run() {
   // Arms are raised where the garment is put on.
   if (distances_) outfit.raised_distances = standing_ ? &*standing_distances_ : &*distances_;
   warnings_ = settings_.earlier_warnings;
-  for (std::string& line : log_.take_warnings()) warnings_.push_back(std::move(line));
+  std::ranges::move(log_.take_warnings(), std::back_inserter(warnings_));
   const WornOutfit worn =
       dress_outfit(outfit, *collider_, skeleton_ ? &*skeleton_ : nullptr, hooks());
   if (worn.coupled) {
     if (worn.coupled_certificate) say_certificate(*worn.coupled_certificate, log_);
     say_pressing(*worn.coupled, names(), log_);
   }
-  for (std::string& line : log_.take_warnings()) warnings_.push_back(std::move(line));
+  std::ranges::move(log_.take_warnings(), std::back_inserter(warnings_));
   write_report(files_, common_, settings_.scene ? scene_report(worn) : layer_report(worn, 0));
   files_.commit();
   if (settings_.scene) log_.say("outfit: " + to_string(worn.verdict()));

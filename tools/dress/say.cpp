@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "cloth/judge/constants.h"
 #include "cloth/scene/constants.h"
 #include "io/floor_height.h"
 #include "tools/dress/extra_offset.h"
@@ -55,9 +56,9 @@ void say_release(const ReleaseReport& release, DressLog& log) {
        << 1000 * release.all.max << " mm";
   log.say(line.str());
   if (release.stays()) return;
-  log.warn(
-      "the garment does not stay where it was draped: let go, a hundredth of its nodes "
-      "moves 2 mm and more; a smaller --residual can bring it nearer to rest");
+  log.warn({"unstable", "",
+            "the garment does not stay where it was draped: let go, a hundredth of its nodes "
+            "moves 2 mm and more; a smaller --residual can bring it nearer to rest"});
 }
 
 /// A line for each, and a warning for one that did not hold.
@@ -75,7 +76,7 @@ void say_attachments(const std::vector<AttachmentMeasurement>& attachments, Dres
     warning << std::fixed << std::setprecision(1) << "attachment " << measured.name << " stands "
             << 100 * measured.off_mean << " cm off its " << measured.to
             << ": the cloth does not reach, or needs more than its 'max_N'";
-    log.warn(warning.str());
+    log.warn({"attachment_off", measured.name, warning.str()});
   }
 }
 
@@ -89,7 +90,8 @@ void warn_of_verdict(const DressResult& result, const Judgement& judgement, Dres
     separator = ", ";
   }
   if (!line.str().empty()) {
-    log.warn("these seams could not be closed; how far they stand open: " + line.str());
+    log.warn({"seams_open", judgement.garment.seams.open_seams.front().name,
+              "these seams could not be closed; how far they stand open: " + line.str()});
   }
   std::ostringstream tight;
   tight << std::fixed << std::setprecision(1);
@@ -99,15 +101,16 @@ void warn_of_verdict(const DressResult& result, const Judgement& judgement, Dres
     separator = ", ";
   }
   if (!result.tight_seams.empty()) {
-    log.warn("too tight: closing these seams takes more than a hand's pull, " +
-             std::to_string(std::lround(hand_pull)) +
-             " N/m (less for soft fabrics); what is missing at each: " + tight.str());
+    log.warn({"too_tight", result.tight_seams.front().name,
+              "too tight: closing these seams takes more than a hand's pull, " +
+                  std::to_string(std::lround(hand_pull)) +
+                  " N/m (less for soft fabrics); what is missing at each: " + tight.str()});
   }
   const WearFindings& worn = judgement.worn;
   if (!worn.is_checked) {
-    log.warn(
-        "where the garment is worn is not checked: neither joints, parts, labels, names nor "
-        "openings tell where it belongs");
+    log.warn({"not_checked", "",
+              "where the garment is worn is not checked: neither joints, parts, labels, names nor "
+              "openings tell where it belongs"});
   }
   // Where seams are open, every panel has an opening.
   for (const Opening& opening : worn.openings) {
@@ -117,26 +120,44 @@ void warn_of_verdict(const DressResult& result, const Judgement& judgement, Dres
     text << std::fixed << std::setprecision(0) << "an opening of " << 100 * opening.length
          << " cm, " << floor_height(opening.middle.y())
          << ", has nothing in it: a cut-out, or a stitch is missing";
-    log.warn(text.str());
+    log.warn({"empty_opening", "", text.str()});
+  }
+  for (const Slit& slit : judgement.slits) {
+    if (judgement.garment.seams.open > 0) break;
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(0) << "a slit of " << 100 * slit.length
+         << " cm between panel '" << slit.panel_a << "' and panel '" << slit.panel_b << "', "
+         << floor_height(slit.tip.y()) << ": a vent, or a seam is left open";
+    log.warn({"open_edges", slit.panel_a, text.str()});
+  }
+  for (const TooSmallLevel& level : judgement.fit.levels) {
+    if (level.level != "top edge" || level.as_cut > shut_opening_share * level.body) continue;
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(0) << "nobody gets into this: the top edge opens to "
+         << 100 * level.as_cut << " cm, the body has " << 100 * level.body << " cm there";
+    log.warn({"opening_too_small", level.level, text.str()});
   }
   if (worn.misplaced) {
-    log.warn("the garment is not worn where it belongs (" + worn.misplaced->should_be +
-             "), but lies elsewhere: " + worn.misplaced->at + "; check where its panels start");
+    log.warn({"misplaced", worn.misplaced->part,
+              "the garment is not worn where it belongs (" + worn.misplaced->should_be +
+                  "), but lies elsewhere: " + worn.misplaced->at +
+                  "; check where its panels start"});
   }
   for (const std::string& part : worn.unwrapped) {
-    log.warn("the garment does not go around " + part +
-             ": check where the panels of that part are placed, and what they are sewn to");
+    log.warn({"unwrapped", part,
+              "the garment does not go around " + part +
+                  ": check where the panels of that part are placed, and what they are sewn to"});
   }
 }
 
 }  // namespace
 
-void DressLog::warn(const std::string& line) {
-  CommonSettings::warn(line);
-  warnings_.push_back(line);
+void DressLog::warn(const Warning& warning) {
+  CommonSettings::warn(warning.text);
+  warnings_.push_back(warning);
 }
 
-std::vector<std::string> DressLog::take_warnings() { return std::exchange(warnings_, {}); }
+std::vector<Warning> DressLog::take_warnings() { return std::exchange(warnings_, {}); }
 
 void say_certificate(const Certificate& certificate, DressLog& log) {
   const std::size_t count = certificate.frames().size();
@@ -149,11 +170,12 @@ void say_certificate(const Certificate& certificate, DressLog& log) {
   while (last > 0 && certificate.frames()[last - 1].clean()) --last;
   if (last == 0) return;
   const FrameCheck& frame = certificate.frames()[last - 1];
-  log.warn("not certified: the state did not stay free of intersections; last in frame " +
-           std::to_string(last - 1) + " (" + frame.stage + "): " + std::to_string(frame.body) +
-           " with the body, " + std::to_string(frame.self) + " with itself, " +
-           std::to_string(frame.layers) + " with layers below, " + std::to_string(frame.inside) +
-           " pieces inside the body");
+  log.warn({"not_certified", "",
+            "not certified: the state did not stay free of intersections; last in frame " +
+                std::to_string(last - 1) + " (" + frame.stage + "): " + std::to_string(frame.body) +
+                " with the body, " + std::to_string(frame.self) + " with itself, " +
+                std::to_string(frame.layers) + " with layers below, " +
+                std::to_string(frame.inside) + " pieces inside the body"});
 }
 
 void say_places(const WornLayer& worn, DressLog& log) {
@@ -216,20 +238,23 @@ void say_result(const DressResult& result, const Judgement& judgement, DressLog&
     line << "the garment " << (wrap.slid > 0 ? "slid down " : "rode up ") << wrap.part << " by "
          << std::fixed << std::setprecision(1) << 100 * std::abs(wrap.slid)
          << " cm from where it was placed";
-    log.warn(line.str());
+    log.warn({wrap.slid > 0 ? "slid_down" : "rode_up", wrap.part, line.str()});
   }
   if (result.placement.points_inside > 0) {
-    log.warn(
-        std::to_string(result.placement.points_inside) +
-        " points of the panels start inside the body, or a layer on it: place the panels clear of "
-        "it");
+    log.warn({"starts_inside", "",
+              std::to_string(result.placement.points_inside) +
+                  " points of the panels start inside the body, or a layer on it: place the panels "
+                  "clear of it"});
   }
   if (measured.strain_off_seams.p99 > suspicious_strain) {
-    log.warn("the cloth is strained by " + percent(measured.strain_off_seams.p99) +
-             " in places: the garment is too small for this body, or caught on it");
+    log.warn({"strained", "",
+              "the cloth is strained by " + percent(measured.strain_off_seams.p99) +
+                  " in places: the garment is too small for this body, or caught on it"});
   }
   warn_of_verdict(result, judgement, log);
-  for (const TooSmallLevel& level : judgement.fit.levels) log.warn(text_of(level));
+  for (const TooSmallLevel& level : judgement.fit.levels) {
+    log.warn({"too_small", level.level, text_of(level)});
+  }
   log.say("verdict: " + to_string(judgement.verdict) + "; fit: " + to_string(judgement.fit));
 }
 

@@ -14,13 +14,13 @@ class DressLog {
  public:
   explicit DressLog(const CommonSettings& common) : common_(common) {}
   void say(const std::string& line) const { common_.say(line); }
-  void warn(const std::string& line);
+  void warn(const Warning& warning);
   /// Those since the last call.
-  std::vector<std::string> take_warnings();
+  std::vector<Warning> take_warnings();
 
  private:
   const CommonSettings& common_;
-  std::vector<std::string> warnings_;
+  std::vector<Warning> warnings_;
 };
 
 /// When the dressing became free of intersections; a warning when it did not stay so.

@@ -5,6 +5,7 @@
 #include "io/checksum.h"
 #include "io/json_value.h"
 #include "io/output_file.h"
+#include "tools/report.h"
 
 namespace toile {
 
@@ -45,10 +46,7 @@ std::optional<DressReport> read_dress_report(const fs::path& file, const fs::pat
   DressReport report;
   report.verdict = entry->get("verdict").text();
   report.fit = entry->get("fit").get("verdict").text();
-  const JsonValue warnings = entry->get("warnings");
-  for (std::size_t i = 0; i < warnings.size(); ++i) {
-    report.warnings.push_back(warnings.item(i).text());
-  }
+  report.warnings = read_warnings(*entry);
   report.body_offset = entry->get("scene").get("body_offset_mm").number() / 1000;
   const JsonValue panels = entry->get("panels");
   for (std::size_t i = 0; i < panels.size(); ++i) {

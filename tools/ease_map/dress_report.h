@@ -6,14 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "io/warning.h"
+
 namespace toile {
 
 struct DressReport {
   std::string verdict;
-  std::string fit;                    ///< "ok", "too_small" or "not_checked"
-  std::vector<std::string> warnings;  ///< in their order
-  double body_offset = 0;             ///< metres from the skin at which the cloth was held
-  std::vector<double> grains;         ///< radians, MeshedPanel::grain per panel of the garment
+  std::string fit;                ///< "ok", "too_small" or "not_checked"
+  std::vector<Warning> warnings;  ///< in their order
+  double body_offset = 0;         ///< metres from the skin at which the cloth was held
+  std::vector<double> grains;     ///< radians, MeshedPanel::grain per panel of the garment
 };
 
 /// Where it is looked for: dressed.json beside dressed.obj.

@@ -9,6 +9,7 @@
 #include "io/text.h"
 #include "io/view/picture.h"
 #include "io/view/viewer_page.h"
+#include "tools/report.h"
 
 namespace toile {
 
@@ -222,10 +223,7 @@ nlohmann::ordered_json ease_json(const EaseReport& report) {
     json["verdict"] = report.dressing->verdict;
     json["fit"] = report.dressing->fit;
   }
-  json["warnings"] = nlohmann::ordered_json::array();
-  for (const std::string& warning : report.warnings) {
-    json["warnings"].push_back(valid_utf8(warning));
-  }
+  json["warnings"] = warnings_json(report.warnings);
   json["notes"] = report.notes;
   json["gap"] = definition;
   json["contact_below_mm"] = 1000 * report.options.contact;
@@ -257,8 +255,8 @@ std::string ease_page(const EaseReport& report, const std::string& picture) {
   if (report.dressing) {
     page.paragraphs.insert(page.paragraphs.begin(), "Dressing: " + verdict_line(report) + ".");
   }
-  for (const std::string& warning : report.warnings) {
-    page.paragraphs.push_back("Warning: " + warning + ".");
+  for (const Warning& warning : report.warnings) {
+    page.paragraphs.push_back("Warning: " + warning.text + ".");
   }
   for (const std::string& note : report.notes) page.paragraphs.push_back("Note: " + note + ".");
   page.surface = {report.garment.points, report.garment.triangles};

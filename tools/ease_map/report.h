@@ -25,7 +25,7 @@ struct EaseReport {
   std::vector<GarmentLevel> garment_levels;  ///< empty: not measured
   std::vector<LimbEase> limbs;               ///< empty: not measured
   std::optional<DressReport> dressing;       ///< none: there is no report of dress
-  std::vector<std::string> warnings;         ///< of the dressing and of the ease map
+  std::vector<Warning> warnings;             ///< of the dressing and of the ease map
   std::vector<std::string> notes;            ///< what could not be told, and why
   std::string garment_name;                  ///< shown in titles
   std::string body_name;

@@ -65,19 +65,21 @@ void measure_girths(EaseReport& report, const SurfaceDistance& skin,
   report.limbs = measure_limb_ease(report.garment, report.body, skeleton, grains);
 }
 
-void warn(EaseReport& report, const std::string& line) {
-  CommonSettings::warn(line);
-  report.warnings.push_back(line);
+void warn(EaseReport& report, const Warning& warning) {
+  CommonSettings::warn(warning.text);
+  report.warnings.push_back(warning);
 }
 
 void warn_if_implausible(EaseReport& report) {
   const EaseStatistics& all = report.map.garment;
   if (all.p50 > 0.5) {
-    warn(report, "half of the garment is more than " + std::to_string(std::lround(100 * all.p50)) +
-                     " cm away from the body: are both in metres and in the same place?");
+    warn(report, {"far_from_body", "",
+                  "half of the garment is more than " + std::to_string(std::lround(100 * all.p50)) +
+                      " cm away from the body: are both in metres and in the same place?"});
   } else if (all.inside > 0.01) {
-    warn(report, std::to_string(std::lround(100 * all.inside)) +
-                     " % of the garment's area lies inside the body");
+    warn(report, {"inside_body", "",
+                  std::to_string(std::lround(100 * all.inside)) +
+                      " % of the garment's area lies inside the body"});
   }
 }
 
@@ -87,7 +89,9 @@ void warn_if_too_small(EaseReport& report) {
        fit_of(report.girths.levels, report.garment_levels, report.limbs).levels) {
     const std::string line = text_of(level);
     // The dressing may have found it.
-    if (std::ranges::find(report.warnings, line) == report.warnings.end()) warn(report, line);
+    if (std::ranges::find(report.warnings, line, &Warning::text) == report.warnings.end()) {
+      warn(report, {"too_small", level.level, line});
+    }
   }
 }
 

@@ -7,6 +7,7 @@
 #include "io/mesh_file.h"
 #include "io/output_file.h"
 #include "pattern/garment_file.h"
+#include "tools/report.h"
 
 namespace toile {
 
@@ -56,10 +57,7 @@ std::string drape_json(const std::filesystem::path& garment, const std::filesyst
   }
   const JsonDocument document(read_file(report), report.string());
   const JsonValue said = document.root();
-  const JsonValue more = said.get("warnings");
-  for (std::size_t i = 0; i < more.size(); ++i) {
-    warnings.push_back(more.item(i).text());
-  }
+  for (Warning& warning : read_warnings(said)) warnings.push_back(std::move(warning.text));
   return json{{"garment", mesh_json(worn.points, worn.triangles)},
               {"panels", worn.panel_of_triangle},
               {"seams", std::move(seams)},

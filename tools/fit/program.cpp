@@ -1,5 +1,7 @@
 // toile fit: from a body and a pattern to the verdict, all in one process.
+#include <algorithm>
 #include <iostream>
+#include <iterator>
 
 #include "geometry/error.h"
 #include "io/skeleton_file.h"
@@ -13,6 +15,7 @@
 #include "tools/mesh_pattern/run.h"
 #include "tools/programs.h"
 #include "tools/render/run.h"
+#include "tools/report.h"
 
 namespace toile {
 
@@ -109,9 +112,9 @@ ExitCode fit(const FitSettings& settings, const FitFiles& files, const CommonSet
       run_mesh_pattern(settings.pattern, step("mesh-pattern", files.garment, files.mesh_report));
   common.say("Dressing:");
   DressSettings dressing = settings.dress;
-  dressing.earlier_warnings = body.warnings;
-  dressing.earlier_warnings.insert(dressing.earlier_warnings.end(), of_meshing.begin(),
-                                   of_meshing.end());
+  dressing.earlier_warnings = warnings_of("body", body.warnings);
+  std::ranges::move(warnings_of("pattern", of_meshing),
+                    std::back_inserter(dressing.earlier_warnings));
   const DressEnd end = run_dress(dressing, step("dress", files.dressed, files.report));
   common.say("Measuring the ease:");
   EaseMapSettings ease;

@@ -59,7 +59,7 @@ Json report_json(const PoseBodySettings& settings, const PosedBody& posed,
             {"left", posed.crossings.pairs_left},
             {"largest_move_mm", 1000 * posed.crossings.largest_move}}},
           {"girths", limbs},
-          {"warnings", warnings}};
+          {"warnings", warnings_json(warnings_of("body", warnings))}};
 }
 
 std::string crossing_warning(const Crossings& crossings) {

@@ -67,8 +67,8 @@ TEST_F(OutfitTest, ALayerIsDressedOverTheOneBelow) {
 }
 
 TEST_F(OutfitTest, NothingIsDressedOverALayerThatFailed) {
-  std::vector<std::string> warnings;
-  hooks.warn = [&](const std::string& line) { warnings.push_back(line); };
+  std::vector<Warning> warnings;
+  hooks.warn = [&](const Warning& warning) { warnings.push_back(warning); };
   // The file moves the shirt into the body.
   hooks.write = [](std::size_t, const DressedGarment& garment) {
     DressedGarment moved = garment;
@@ -79,7 +79,10 @@ TEST_F(OutfitTest, NothingIsDressedOverALayerThatFailed) {
   ASSERT_EQ(worn.layers.size(), 1U);
   EXPECT_EQ(worn.verdict(), Verdict::intersecting);
   ASSERT_FALSE(warnings.empty());
-  EXPECT_EQ(warnings.back(), "layer shirt is intersecting: the layers over it are not dressed");
+  EXPECT_EQ(warnings.back().code, "layers_not_dressed");
+  EXPECT_EQ(warnings.back().place, "shirt");
+  EXPECT_EQ(warnings.back().text,
+            "layer shirt is intersecting: the layers over it are not dressed");
 }
 
 TEST_F(OutfitTest, ALayerThatIsTooTightIsDressedOver) {

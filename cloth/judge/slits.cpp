@@ -1,0 +1,76 @@
+#include "cloth/judge/slits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "cloth/judge/constants.h"
+#include "geometry/angles.h"
+#include "geometry/border_loops.h"
+
+namespace toile {
+
+namespace {
+
+/// Radians at corner i of a flat triangle.
+double corner_angle(const PanelMesh& garment, const Triangle& t, int i) {
+  const Vec2 to_next = garment.flat[t[(i + 1) % 3]] - garment.flat[t[i]];
+  const Vec2 to_last = garment.flat[t[(i + 2) % 3]] - garment.flat[t[i]];
+  return std::acos(std::clamp(to_next.normalized().dot(to_last.normalized()), -1.0, 1.0));
+}
+
+/// Of an edge of the border, from its first node to its second.
+struct BorderEdge {
+  double length = 0;  ///< metres, flat
+  int panel = -1;
+};
+
+}  // namespace
+
+std::vector<Slit> find_slits(const PanelMesh& garment, const DressedGarment& dressed) {
+  std::vector<double> turn(dressed.points.size(), 0);  // radians of cloth around each node
+  std::vector<Triangle> triangles;                     // without layered panels
+  std::map<std::pair<int, int>, BorderEdge> edges;
+  for (std::size_t t = 0; t < dressed.triangles.size(); ++t) {
+    const int panel = dressed.panel_of_triangle[t];
+    if (garment.panels[panel].layered) continue;
+    triangles.push_back(dressed.triangles[t]);
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3;
+      const int a = dressed.triangles[t][i];
+      const int b = dressed.triangles[t][j];
+      turn[a] += corner_angle(garment, garment.triangles[t], i);
+      const Vec2 along =
+          garment.flat[garment.triangles[t][j]] - garment.flat[garment.triangles[t][i]];
+      edges[std::minmax(a, b)] = {along.norm(), panel};
+    }
+  }
+  std::vector<Slit> slits;
+  for (const std::vector<int>& loop : border_loops(triangles, dressed.points.size())) {
+    const int count = static_cast<int>(loop.size());
+    const auto node = [&](int i) { return loop[((i % count) + count) % count]; };
+    /// Metres from the tip at `i` to the next corner, one way round.
+    const auto run = [&](int i, int step) {
+      double length = 0;
+      for (int walked = 1; walked < count; ++walked) {
+        const int at = i + step * walked;
+        length += edges[std::minmax(node(at - step), node(at))].length;
+        if (std::abs(turn[node(at)] - std::numbers::pi) > slit_corner) break;
+      }
+      return length;
+    };
+    for (int i = 0; i < count; ++i) {
+      if (turn[node(i)] < min_slit_turn) continue;
+      const double length = std::min(run(i, 1), run(i, -1));
+      if (length < min_slit) continue;
+      const auto panel = [&](int next) {
+        return garment.panels[edges[std::minmax(node(i), node(next))].panel].name;
+      };
+      slits.push_back({panel(i - 1), panel(i + 1), length, dressed.points[node(i)]});
+    }
+  }
+  return slits;
+}
+
+}  // namespace toile

@@ -1,0 +1,56 @@
+#include "cloth/judge/slits.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "tests/cloth/figure.h"
+
+namespace toile {
+namespace slits_test {
+
+/// The tube of two halves, whose right seam is sewn from the row `from` up to the row `to`.
+PanelMesh tube_sewn(int from, int to) {
+  PanelMesh garment = test::tube();
+  for (std::vector<int>* side : {&garment.seams[1].a, &garment.seams[1].b}) {
+    *side = std::vector<int>(side->begin() + from, side->begin() + to + 1);
+  }
+  return garment;
+}
+
+std::vector<Slit> slits_of(const PanelMesh& garment) {
+  return find_slits(garment, test::as_dressed(garment, garment.placed));
+}
+
+TEST(Slits, ASewnTubeHasNone) { EXPECT_TRUE(slits_of(test::tube()).empty()); }
+
+TEST(Slits, ASeamThatIsLeftOpenForAThirdIsOne) {
+  // Rows are 3 cm high.
+  const std::vector<Slit> slits = slits_of(tube_sewn(7, test::tube_rows));
+  ASSERT_EQ(slits.size(), 1U);
+  EXPECT_NEAR(slits[0].length, 0.21, 1e-9);
+  EXPECT_NEAR(slits[0].tip.y(), 0.8 + 0.21, 1e-9);
+  EXPECT_NE(slits[0].panel_a, slits[0].panel_b);
+}
+
+TEST(Slits, ASeamThatIsOpenInItsMiddleHasTwoEnds) {
+  PanelMesh garment = tube_sewn(0, 5);
+  garment.seams.push_back(garment.seams[1]);
+  const PanelMesh whole = test::tube();
+  for (const auto& [side, of] : {std::pair(&garment.seams[2].a, whole.seams[1].a),
+                                 {&garment.seams[2].b, whole.seams[1].b}}) {
+    *side = std::vector<int>(of.end() - 6, of.end());
+  }
+  EXPECT_EQ(slits_of(garment).size(), 2U);
+}
+
+TEST(Slits, AShortOneIsAVent) { EXPECT_TRUE(slits_of(tube_sewn(1, test::tube_rows)).empty()); }
+
+TEST(Slits, ALayeredPanelPlaysNoPart) {
+  PanelMesh garment = tube_sewn(7, test::tube_rows);
+  for (MeshedPanel& panel : garment.panels) panel.layered = true;
+  EXPECT_TRUE(slits_of(garment).empty());
+}
+
+}  // namespace slits_test
+}  // namespace toile
