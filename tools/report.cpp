@@ -32,6 +32,7 @@ std::vector<Warning> read_warnings(const JsonValue& report) {
 
 std::vector<Warning> warnings_of(const std::string& code, const std::vector<std::string>& texts) {
   std::vector<Warning> warnings;
+  warnings.reserve(texts.size());
   for (const std::string& text : texts) warnings.push_back({code, "", text});
   return warnings;
 }

@@ -52,12 +52,12 @@ inline constexpr double stray_share = 0.01;
 
 // Slits (slits.h).
 
-/// Radians, 330 degrees: cloth that turns so far about a point of the border ends a slit there. The
-/// point of a V neckline has less; a dart that is not sewn and has 20 degrees has 340.
-inline constexpr double min_slit_turn = 5.76;
+/// Radians, 340 degrees: cloth that turns so far about a point of the border ends a slit there. The
+/// point of a V neckline has less; a dart of 20 degrees that is not sewn has as much.
+inline constexpr double min_slit_turn = 5.93;
 
-/// Radians, 30 degrees: where the border turns by more, a slit's edge ends.
-inline constexpr double slit_corner = 0.52;
+/// Radians, 30 degrees: where the border has turned by more, a slit's edge ends.
+inline constexpr double max_slit_bend = 0.52;
 
 /// Metres: shorter slits are vents and notches.
 inline constexpr double min_slit = 0.05;

@@ -50,13 +50,15 @@ std::vector<Slit> find_slits(const PanelMesh& garment, const DressedGarment& dre
   for (const std::vector<int>& loop : border_loops(triangles, dressed.points.size())) {
     const int count = static_cast<int>(loop.size());
     const auto node = [&](int i) { return loop[((i % count) + count) % count]; };
-    /// Metres from the tip at `i` to the next corner, one way round.
+    /// Metres from the tip at `i` to where the border has turned, one way round.
     const auto run = [&](int i, int step) {
       double length = 0;
+      double turned = 0;
       for (int walked = 1; walked < count; ++walked) {
         const int at = i + step * walked;
         length += edges[std::minmax(node(at - step), node(at))].length;
-        if (std::abs(turn[node(at)] - std::numbers::pi) > slit_corner) break;
+        turned += turn[node(at)] - std::numbers::pi;
+        if (std::abs(turned) > max_slit_bend) break;
       }
       return length;
     };

@@ -18,8 +18,9 @@ struct Slit {
 };
 
 /// The slits of at least `min_slit` metres. A slit ends where the cloth around a point of the
-/// border makes nearly a full turn. Its edges run from there to the next corner of the border, as
-/// far as the shorter one goes. The neckline of a V turns less. About O(n log n) in the triangles.
+/// border makes nearly a full turn. Its edges run from there until the border has turned by 30
+/// degrees, as far as the shorter one goes. The neckline of a V turns less. About O(n log n) in
+/// the triangles.
 std::vector<Slit> find_slits(const PanelMesh& garment, const DressedGarment& dressed);
 
 }  // namespace toile

@@ -363,10 +363,9 @@ class WearCheck {
       high = waist_ + max_skirt_top_share * (armpit_ - waist_);
     }
     const bool is_on_thighs = !is_top && is_bottom && down_the_thighs(highest->middle) > 0;
+    if (!is_top && is_bottom) check_slid(*highest);
     if (height < low || height > high || is_on_thighs) {
       misplace("torso", place_on_body(highest->middle, skeleton_), belongs);
-    } else if (!is_top && is_bottom) {
-      check_slid(*highest);
     }
   }
 

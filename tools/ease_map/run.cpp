@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "cloth/judge/fit.h"
 #include "cloth/scene/closed_body.h"
