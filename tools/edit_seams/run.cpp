@@ -64,55 +64,63 @@ class Service {
 
  private:
   Answer answer_to(const Request& request);
-  fs::path pattern_of(const Request& request) const;
+  /// Throws Error when the page sent no pattern.
+  static void check_pattern_of(const Request& request);
+  /// The page need not know where the server keeps its files.
+  std::string without_folder(std::string text) const;
 
   fs::path output_;
   std::string html_;
   Trial trial_;
 };
 
-/// The pattern that the page sent, in a file. Throws Error when it is none.
-fs::path Service::pattern_of(const Request& request) const {
-  fs::path file = trial_.folder() / "pattern.json";
-  write_file(OutputPath(file), request.body);
+void Service::check_pattern_of(const Request& request) {
   std::vector<Remark> remarks;
-  read_pattern(file, remarks);
-  return file;
+  parse_pattern(request.body, "pattern", remarks);
 }
 
+// No request waits for a program: others, and the end of the server, would wait with it.
 Answer Service::answer_to(const Request& request) {
   const auto is = [&](const char* method, const char* target) {
     return request.method == method && request.target == target;
   };
+  const auto data = [](std::string text) { return Answer{200, "application/json", text}; };
   if (is("GET", "")) return {200, "text/html; charset=utf-8", html_};
   if (is("PUT", "pattern")) {
-    pattern_of(request);
+    check_pattern_of(request);
     write_file(OutputPath(output_), request.body);
     return {200, "text/plain", "Saved as " + output_.filename().string() + "."};
   }
   if (is("POST", "propose")) {
-    return {200, "application/json", trial_.find_seams(pattern_of(request))};
-  }
-  if (is("POST", "dress")) {
-    trial_.start(pattern_of(request));
+    check_pattern_of(request);
+    trial_.find_seams(request.body);
     return {200, "text/plain", ""};
   }
-  if (is("GET", "progress")) return {200, "application/json", trial_.progress()};
-  if (is("GET", "drape")) return {200, "application/json", trial_.drape()};
+  if (is("POST", "dress")) {
+    check_pattern_of(request);
+    trial_.dress(request.body);
+    return {200, "text/plain", ""};
+  }
+  if (is("GET", "propose/progress")) return data(without_folder(trial_.finding().progress()));
+  if (is("GET", "dress/progress")) return data(without_folder(trial_.dressing().progress()));
+  if (is("GET", "proposals")) return data(trial_.finding().result());
+  if (is("GET", "drape")) return data(trial_.dressing().result());
   return {404, "text/plain", "There is nothing here."};
+}
+
+std::string Service::without_folder(std::string text) const {
+  const std::string folder = trial_.folder().string() + "/";
+  for (std::size_t at = 0; (at = text.find(folder)) != std::string::npos;) {
+    text.erase(at, folder.size());
+  }
+  return text;
 }
 
 Answer Service::answer(const Request& request) {
   try {
     return answer_to(request);
   } catch (const std::exception& problem) {
-    // The page need not know where the server keeps its files.
-    std::string text = problem.what();
-    const std::string folder = trial_.folder().string() + "/";
-    for (std::size_t at = 0; (at = text.find(folder)) != std::string::npos;) {
-      text.erase(at, folder.size());
-    }
-    return {422, "text/plain", text};
+    return {422, "text/plain", without_folder(problem.what())};
   }
 }
 

@@ -30,8 +30,9 @@ class Server {
   /// Such as "http://127.0.0.1:8080/3f…/".
   std::string address() const;
 
-  /// Answers requests one after another, until SIGINT, SIGTERM or SIGHUP. A request has up to
-  /// 64 MiB and 30 seconds.
+  /// Answers requests one after another, until SIGINT, SIGTERM or SIGHUP: `answer` has to be quick.
+  /// A header has 8 KiB and 5 seconds, then a body has 64 MiB and 30 seconds. A body without the
+  /// token is not read. 24 connections are open at most; others wait.
   void run(const std::function<Answer(const Request&)>& answer);
 
  private:

@@ -2,17 +2,16 @@
 #pragma once
 
 #include <filesystem>
-#include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
 
+#include "tools/edit_seams/background.h"
 #include "tools/edit_seams/run.h"
 
 namespace toile {
 
 /// Runs the programs of the chain in a folder of its own, which is gone at the end. What runs then
-/// is ended.
+/// is ended. No call waits for a program.
 class Trial {
  public:
   Trial(const EditSeamsSettings& settings, int threads);
@@ -20,25 +19,21 @@ class Trial {
 
   const std::filesystem::path& folder() const { return folder_; }
 
-  /// The report of find-seams on that pattern, as JSON. Waits for it. Throws Error with what the
-  /// program said.
-  std::string find_seams(const std::filesystem::path& pattern) const;
+  /// Begins to look for the seams of that pattern. Throws Error while it does so already.
+  void find_seams(const std::string& pattern);
+  /// Its result is the report of find-seams, as JSON.
+  const Background& finding() const { return finding_; }
 
-  /// Begins to dress the body in that pattern. Throws Error while another one is being dressed, and
-  /// without a body.
-  void start(const std::filesystem::path& pattern);
-
-  /// JSON: `state` (idle, working, done, failed) and `text` for people.
-  std::string progress() const;
-
-  /// JSON: the last drape, as the page draws it. Throws Error when there is none.
-  std::string drape() const;
+  /// Begins to dress the body in that pattern. Throws Error while it does so already, and without a
+  /// body.
+  void dress(const std::string& pattern);
+  /// Its result is the drape as the page draws it, see drape_json().
+  const Background& dressing() const { return dressing_; }
 
  private:
-  void run();
-  /// Returns the warnings that the program said.
-  std::vector<std::string> step(const std::string& text, std::vector<std::string> words);
-  void set(const std::string& state, const std::string& text);
+  /// Runs a program of the chain. Returns the warnings that it said.
+  std::vector<std::string> run(std::vector<std::string> words) const;
+  std::string drape(const Background::Say& say);
 
   const EditSeamsSettings& settings_;
   int threads_;
@@ -46,11 +41,8 @@ class Trial {
   int stop_;  // a file descriptor that can be read once the programs have to end
   bool body_is_clean_ = false;
   std::vector<std::string> body_warnings_;
-  mutable std::mutex mutex_;  // of what follows
-  std::string state_ = "idle";
-  std::string text_;
-  std::string drape_;
-  std::thread work_;
+  Background finding_{"find-seams"};
+  Background dressing_{"dress"};
 };
 
 }  // namespace toile

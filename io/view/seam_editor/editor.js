@@ -312,30 +312,42 @@
     say('Saved as ' + data.name + ' where the browser puts downloads.');
     return Promise.resolve();
   }
+  // Starts work on the server, and says how far it is. Resolves to whether it was done.
+  async function work(what) {
+    await ask('POST', what, text());
+    for (;;) {
+      const now = JSON.parse(await ask('GET', what + '/progress'));
+      if (now.text) say(now.text);
+      if (now.state === 'done' || now.state === 'failed') return now.state === 'done';
+      await new Promise(done => setTimeout(done, 200));
+    }
+  }
   async function propose() {
-    say('Finding seams …');
+    find('propose').disabled = true;
+    const asked = JSON.stringify(model.panels);
     try {
-      const report = JSON.parse(await ask('POST', 'propose', text()));
-      // Its seams name the edges of the pattern that it has cut.
-      model.act(() => {
-        (report.splits || []).forEach(cut => model.splitEdge(cut, cut.share));
-        (report.left_out || []).filter(out => !model.isSewn(out.panel)).forEach(out => model.leaveOut(out.panel, out.kind));
-      });
-      takeProposals(report);
-      say(`${proposals.length} seams proposed.`);
+      if (await work('propose')) showProposed(asked, JSON.parse(await ask('GET', 'proposals')));
     } catch (failed) { say(failed.message); }
+    find('propose').disabled = false;
+  }
+  // `asked`: the panels that the seams were looked for in.
+  function showProposed(asked, report) {
+    if (JSON.stringify(model.panels) !== asked) {
+      say('The panels were changed meanwhile. Find the seams again.');
+      return;
+    }
+    // Its seams name the edges of the pattern that it has cut.
+    model.act(() => {
+      (report.splits || []).forEach(cut => model.splitEdge(cut, cut.share));
+      (report.left_out || []).filter(out => !model.isSewn(out.panel)).forEach(out => model.leaveOut(out.panel, out.kind));
+    });
+    takeProposals(report);
+    say(`${proposals.length} seams proposed.`);
   }
   async function dress() {
     find('dress').disabled = true;
     try {
-      await ask('POST', 'dress', text());
-      for (;;) {
-        const now = JSON.parse(await ask('GET', 'progress'));
-        say(now.text);
-        if (now.state === 'failed') break;
-        if (now.state === 'done') { showDrape(JSON.parse(await ask('GET', 'drape'))); break; }
-        await new Promise(done => setTimeout(done, 300));
-      }
+      if (await work('dress')) showDrape(JSON.parse(await ask('GET', 'drape')));
     } catch (failed) { say(failed.message); }
     find('dress').disabled = false;
   }
@@ -372,7 +384,7 @@
     o: setAround, l: leaveOut, '+': () => sheet.zoom(1 / 1.25), '-': () => sheet.zoom(1.25), 0: () => sheet.showAll(),
     ArrowLeft: () => sheet.pan(-40 * sheet.pixel, 0), ArrowRight: () => sheet.pan(40 * sheet.pixel, 0),
     ArrowUp: () => sheet.pan(0, -40 * sheet.pixel), ArrowDown: () => sheet.pan(0, 40 * sheet.pixel),
-    p: () => { if (data.served) propose(); }, d: () => { if (data.served && data.body && !find('dress').disabled) dress(); },
+    p: () => { if (data.served && !find('propose').disabled) propose(); }, d: () => { if (data.served && data.body && !find('dress').disabled) dress(); },
   };
   parts.forEach((part, i) => { keys[i + 1] = () => setPart(part); });
   window.addEventListener('keydown', event => {
