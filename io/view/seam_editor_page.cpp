@@ -23,7 +23,8 @@ std::string seam_editor_page(const SeamEditorPage& page) {
   const std::string data = "{\"name\":" + text(page.name) + ",\"pattern\":" + page.pattern +
                            ",\"proposals\":" + (page.proposals.empty() ? "null" : page.proposals) +
                            ",\"served\":" + (page.served ? "true" : "false") +
-                           ",\"body\":" + text(page.body) + "}";
+                           ",\"version\":" + text(page.version) + ",\"body\":" + text(page.body) +
+                           "}";
   return filled(toile_editor_html, [&](std::string_view name) -> std::string {
     if (name == "title") return html_escaped(page.name);
     if (name == "data") return json_in_html(data);

@@ -11,6 +11,7 @@ struct SeamEditorPage {
   std::string pattern;    ///< JSON: the pattern, a GarmentCode file
   std::string proposals;  ///< JSON: the report of find-seams; empty: none
   bool served = false;    ///< a server saves, finds seams and dresses, see tools/edit_seams
+  std::string version;    ///< of the file that saving replaces; empty: none
   std::string body;       ///< name of the body that the server dresses; empty: none
 };
 

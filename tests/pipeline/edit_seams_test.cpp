@@ -39,6 +39,39 @@ TEST(EditSeams, RefusesWhatIsNoPattern) {
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"bag.json"}));
 }
 
+TEST(EditSeams, RefusesProposalsOfAnotherPattern) {
+  const ScratchFolder folder;
+  const auto proposed = [&](const std::string& a, const std::string& more) {
+    write_text(folder / "seams.json", "{\"seams\": [{\"a\": " + a +
+                                          R"(, "b": {"panel": "back", "edge": 1}, )" + more +
+                                          R"("confidence": 1}], "undecided": []})");
+    return edit(
+        folder, samples::bag,
+        {"--proposals", (folder / "seams.json").string(), "-o", (folder / "page.html").string()});
+  };
+  const std::string side = R"({"panel": "front", "edge": 1})";
+  for (const pipeline::Run& refused : {proposed(R"({"panel": "zz", "edge": 1})", ""),
+                                       proposed(R"({"panel": "front", "edge": 4})", ""),
+                                       proposed(side, R"("length_a_cm": 30, )")}) {
+    EXPECT_EQ(refused.exit_code, 1);
+    EXPECT_HOLDS(refused.err, "seams[0], a: ");
+    EXPECT_HOLDS(refused.err, "another pattern than ");
+  }
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"bag.json", "seams.json"}));
+  const pipeline::Run taken = proposed(side, R"("length_a_cm": 40, )");
+  EXPECT_EQ(taken.exit_code, 0) << taken.err;
+}
+
+TEST(EditSeams, RefusesABodyThatCantBeRead) {
+  const ScratchFolder folder;
+  write_text(folder / "body.obj", "v 1 2\n");
+  const auto done = edit(
+      folder, samples::bag,
+      {"--serve", "--body", (folder / "body.obj").string(), "-o", (folder / "sewn.json").string()});
+  EXPECT_EQ(done.exit_code, 1);
+  EXPECT_HOLDS(done.err, "body.obj:1");
+}
+
 TEST(EditSeams, OptionsThatNeedTheServerSaySo) {
   const ScratchFolder folder;
   const std::string page = (folder / "page.html").string();

@@ -9,6 +9,7 @@
   const parts = ['head', 'torso', 'left_arm', 'right_arm', 'left_leg', 'right_leg'];
   const sides = ['front', 'back', 'left', 'right'];
 
+  let version = data.version;  // of the file on disk that this page knows
   let edge = null, taken = null, place = null;  // the chosen edge, the one to sew it to, the clicked share
   let panel = null, lit = null;  // the chosen panel, the seam under the cursor in the drape
   let proposals = [], proposal = -1;
@@ -294,15 +295,25 @@
   function ask(method, where, body) {
     return fetch(where, { method, body }).then(async answer => {
       const said = await answer.text();
-      if (!answer.ok) throw new Error(said || answer.statusText);
+      if (!answer.ok) throw Object.assign(new Error(said || answer.statusText), { status: answer.status });
       return said;
     });
   }
-  function save() {
-    if (data.served) {
-      return ask('PUT', 'pattern', text()).then(said => { model.saved = JSON.stringify(model.json); say(said); },
-                                                failed => say('Not saved: ' + failed.message));
+  // `where` says what may be replaced. Another file there is somebody's work: the user is asked.
+  async function saveOver(where) {
+    const saved = JSON.stringify(model.json);
+    try {
+      const said = JSON.parse(await ask('PUT', where, text()));
+      version = said.version;
+      model.saved = saved;
+      say(said.text);
+    } catch (failed) {
+      if (failed.status !== 409) { say('Not saved: ' + failed.message); return; }
+      if (window.confirm(failed.message + ' Replace it?')) await saveOver('pattern'); else say('Not saved.');
     }
+  }
+  function save() {
+    if (data.served) return saveOver('pattern/over/' + version);
     const link = document.createElement('a');
     link.href = URL.createObjectURL(new Blob([text()], { type: 'application/json' }));
     link.download = data.name;
