@@ -242,6 +242,15 @@ class Reader {
             read_sewn_edge(stitch, which, name, found->edges.size())};
   }
 
+  static StitchDirection stated_direction(const JsonValue& reversed) {
+    // So GarmentCode's convention does not reach a seam that was drawn by hand.
+    if (reversed.is_text()) {
+      if (reversed.text() != "found") reversed.fail(in_quotes(reversed.text()) + " is unknown");
+      return StitchDirection::by_position;
+    }
+    return reversed.flag() ? StitchDirection::end_to_start : StitchDirection::start_to_start;
+  }
+
   void stitch(const JsonValue& value) {
     value.size(2, 3);
     Stitch stitch;
@@ -276,8 +285,7 @@ class Reader {
           }
         }
         if (const auto reversed = extra.find("reversed")) {
-          stitch.direction =
-              reversed->flag() ? StitchDirection::end_to_start : StitchDirection::start_to_start;
+          stitch.direction = stated_direction(*reversed);
         }
       }
     }

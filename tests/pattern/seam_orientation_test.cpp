@@ -169,6 +169,8 @@ TEST(Orient, GarmentCodesConventionComesBeforeThePlacement) {
   EXPECT_TRUE(reversed(R"(, {"name": "side"})", convention));
   EXPECT_FALSE(reversed(R"(, "right_wrong")", convention));
   EXPECT_FALSE(reversed(R"(, {"reversed": false})", convention));
+  // One that was drawn by hand says that it does not keep to the convention.
+  EXPECT_FALSE(reversed(R"(, {"reversed": "found"})", convention));
 }
 
 // Edge 2 lies nearer to edge 0 end to start, as in a hood that lies folded. That would twist it.
