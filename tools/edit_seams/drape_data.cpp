@@ -1,5 +1,6 @@
 #include "tools/edit_seams/drape_data.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -32,6 +33,28 @@ json mesh_json(const std::vector<Vec3>& points, const std::vector<Triangle>& tri
   return {{"points", points_json(points)}, {"triangles", std::move(corners)}};
 }
 
+std::string count_of(const JsonValue& intersections, const char* with) {
+  const auto count = intersections.find(with);
+  return std::to_string(count ? std::lround(count->number()) : 0);
+}
+
+/// Why the verdict is not `sewn`: the warning of dress that says so; empty where there is none.
+/// What crosses is counted, and a panel that starts in the wrong place is why.
+std::string reason_of(const std::string& verdict, const JsonValue& report,
+                      const std::vector<Warning>& warnings) {
+  std::vector<std::string> codes = {verdict == "unsewable" ? "seams_open" : verdict};
+  std::string crossings;
+  if (verdict == "intersecting") {
+    codes = {"inside_out", "swapped", "other_side", "starts_inside"};
+    const JsonValue met = report.get("intersections");
+    crossings = "pairs of triangles that cross: " + count_of(met, "body") + " with the body, " +
+                count_of(met, "self") + " of the garment itself";
+  }
+  const auto why = std::ranges::find_first_of(warnings, codes, {}, &Warning::code);
+  if (why == warnings.end()) return crossings;
+  return crossings + (crossings.empty() ? "" : "; ") + why->text;
+}
+
 }  // namespace
 
 std::string drape_json(const std::filesystem::path& garment, const std::filesystem::path& dressed,
@@ -57,12 +80,15 @@ std::string drape_json(const std::filesystem::path& garment, const std::filesyst
   }
   const JsonDocument document(read_file(report), report.string());
   const JsonValue said = document.root();
-  for (Warning& warning : read_warnings(said)) warnings.push_back(std::move(warning.text));
+  const std::vector<Warning> of_drape = read_warnings(said);
+  for (const Warning& warning : of_drape) warnings.push_back(warning.text);
+  const std::string verdict = said.get("verdict").text();
   return json{{"garment", mesh_json(worn.points, worn.triangles)},
               {"panels", worn.panel_of_triangle},
               {"seams", std::move(seams)},
               {"body", mesh_json(skin.points, facets)},
-              {"verdict", said.get("verdict").text()},
+              {"verdict", verdict},
+              {"reason", reason_of(verdict, said, of_drape)},
               {"warnings", warnings}}
       .dump();
 }

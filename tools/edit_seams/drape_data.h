@@ -13,6 +13,7 @@ namespace toile {
 /// - `panels`: of the garment's triangles, one index each.
 /// - `seams`: by the name of each, the points along it.
 /// - `verdict`: as the report of dress has it.
+/// - `reason`: why that is the verdict; empty where it is `sewn`.
 /// - `warnings`: those given, of body and pattern, then those of the report.
 ///
 /// Throws Error as the readers of these files do.

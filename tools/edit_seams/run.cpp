@@ -10,7 +10,7 @@
 #include "io/view/seam_editor_page.h"
 #include "pattern/pattern_file.h"
 #include "tools/clean_body/scan.h"
-#include "tools/edit_seams/pattern_warnings.h"
+#include "tools/edit_seams/pattern_check.h"
 #include "tools/edit_seams/proposals.h"
 #include "tools/edit_seams/server.h"
 #include "tools/edit_seams/trial.h"
@@ -144,7 +144,7 @@ Answer Service::answer_to(const Request& request) {
   if (request.method == "PUT" && request.target.starts_with(over)) {
     return save(request, request.target.substr(over.size()));
   }
-  if (is("POST", "check")) return data(pattern_warnings_json(request.body));
+  if (is("POST", "check")) return data(pattern_check_json(request.body));
   if (is("POST", "propose")) {
     check_pattern_of(request);
     trial_.find_seams(request.body);

@@ -13,11 +13,14 @@
   let edge = null, taken = null, place = null;  // the chosen edge, the one to sew it to, the clicked share
   let panel = null, lit = null;  // the chosen panel, the seam under the cursor in the drape
   let proposals = [], proposal = -1;
+  let warnings = [], dressWarnings = [];  // of the pattern, and of the last drape
+  let checked = null, checking = Promise.resolve();  // the text that was sent to be checked; resolves when that is done
   const drape = new DrapeView(find('drape'), name => { lit = name; drawSheet(); });
   const sheet = new Sheet(find('sheet'), {
     onEdge: (ref, share) => { place = share; choose(ref); take(); },
     onHover: ref => drape.light(ref && model.seamsOf(ref).length > 0 ? seamName(model.seamsOf(ref)[0]) : null),
-    onPanel: name => { panel = name; show(); },
+    onPanel: name => { letGo(); panel = name; show(); },
+    onNothing: () => { letGo(); panel = null; show(); },
     onView: () => drawSheet(),
   });
 
@@ -33,14 +36,16 @@
     const text = centimetres(a);
     return Math.abs(a - b) < 0.05 ? text : `${text}, ${b > a ? '+' : '−'}${centimetres(Math.abs(b - a))}`;
   }
+  function warningsOf(stitch) { return warnings.filter(w => w.keys.includes(PatternModel.keyOf(stitch))); }
   function markSide(colours, ref, stitch, number, second, proposed) {
     const a = model.length(stitch[0]), b = model.length(stitch[1]);
     const own = second ? b : a, other = second ? a : b;
     const more = own - other;
-    const text = Math.abs(more) < 0.05 ? `${number + 1}` : `${number + 1}: ${more > 0 ? '+' : '−'}${centimetres(Math.abs(more))}`;
+    const warned = !proposed && warningsOf(stitch).length > 0;
+    const text = `${number + 1}` + (Math.abs(more) < 0.05 ? '' : `: ${more > 0 ? '+' : '−'}${centimetres(Math.abs(more))}`) + (warned ? ' !' : '');
     const reversed = model.isReversed(stitch);
-    colours.set(keyOf(ref), { colour: colourOf(number), text, bad: isBad(stitch), proposed,
-                              backwards: second && reversed !== false });
+    colours.set(keyOf(ref), { colour: colourOf(number), text, bad: warned || isBad(stitch), proposed,
+                              runs: reversed === null ? 0 : second && reversed ? -1 : 1 });
   }
   function marks() {
     const colours = new Map();
@@ -75,6 +80,7 @@
 
   // Choices.
 
+  function letGo() { edge = null; taken = null; place = null; }
   function choose(ref) { edge = ref; panel = ref ? ref.panel : panel; }
   // The edge is taken; the second one that is taken is sewn to the first.
   function take() {
@@ -107,14 +113,23 @@
     model.act(() => change(seam));
     show();
   }
-  function split() {
+  async function split() {
     if (!edge) return;
-    const share = splitShare();
-    let rest = -1;
-    model.act(() => { rest = model.splitEdge(edge, share); });
+    const chosen = edge, share = splitShare();
+    await checking;  // a seam that was just drawn has no direction before
+    const isKnown = model.seamsToSplit(chosen) !== null;
+    if (!isKnown && !window.confirm('Which way its seam runs is not known here. Split the edge, and take the seam out?')) return;
+    let cuts = [];
+    model.act(() => {
+      if (isKnown) cuts = model.splitSewn(chosen, share);
+      else cuts = [{ rest: model.splitEdge(chosen, share) }].filter(cut => cut.rest >= 0);
+    });
     taken = null;
     place = null;
-    say(rest < 0 ? 'It cannot be split at its end.' : `Split: the rest is edge ${rest}.`);
+    const [own, ...others] = cuts;
+    say(!own ? 'It cannot be split at its end.'
+      : `Split: the rest is edge ${own.rest}.` + (others.length === 0 ? ''
+        : ` ${others.map(cut => nameOf(cut.ref)).join(', ')} ${others.length === 1 ? 'is' : 'are'} split, too, and both parts are sewn.`));
     show();
   }
   // Where the edge was clicked; the middle without a click.
@@ -130,7 +145,7 @@
     proposal = proposals.length > 0 ? 0 : -1;
     show();
   }
-  // Sews what is proposed instead of what was there. Without a stated direction it runs as usual.
+  // Sews what is proposed instead of what was there.
   function sewProposal(p) {
     [...model.seamsOf(p.a), ...model.seamsOf(p.b)].forEach(s => model.unsew(s));
     model.sew(p.a, p.b, p.reversed === undefined ? {} : { reversed: p.reversed });
@@ -250,7 +265,7 @@
     find('edge').textContent = !edge ? 'Click an edge, then the edge that it is sewn to.'
       : `${nameOf(edge)}: ${centimetres(model.length(edge))}` +
         (seam ? `, sewn to ${nameOf(PatternModel.same(seam[0], edge) ? seam[1] : seam[0])}` : taken ? '. Now click the edge that it is sewn to.' : '') +
-        (seam && model.isReversed(seam) === null ? '. Which way it runs is found when it is meshed.' : '');
+        (seam && model.isReversed(seam) === null && !data.served ? '. Which way it runs is found when it is meshed.' : '');
     for (const id of ['flip', 'gather', 'unsew']) find(id).disabled = !seam;
     find('gather').className = seam && model.isGathered(seam) ? 'on' : '';
     find('split').disabled = !edge;
@@ -261,6 +276,7 @@
       const chosen = edge && (PatternModel.same(stitch[0], edge) || PatternModel.same(stitch[1], edge));
       row(list, colourOf(i), `${i + 1}  ${nameOf(stitch[0])} – ${nameOf(stitch[1])}`, lengthsOf(stitch) + (model.isGathered(stitch) ? ' gathered' : ''),
           isBad(stitch), chosen, () => { choose({ ...stitch[0] }); taken = null; show(); });
+      for (const warning of warningsOf(stitch)) showWarning(list, warning.text).dataset.seam = seamName(stitch);
     });
     const at = panel && model.panels[panel].placement;
     find('panel').textContent = !panel ? 'Click a panel to say where it is worn.'
@@ -276,7 +292,49 @@
     find('undo').disabled = model.past.length === 0;
     find('redo').disabled = model.future.length === 0;
     showProposals();
+    showWarnings();
+    check();
     document.documentElement.dataset.seams = model.stitches.length;
+  }
+  function showWarning(box, text) {
+    const line = document.createElement('p');
+    line.className = 'warning';
+    line.textContent = text;
+    const named = model.names.find(name => text.includes(`'${name}'`)) || model.names.find(name => text.includes(name));
+    if (named) { line.style.cursor = 'pointer'; line.addEventListener('click', () => { panel = named; show(); }); }
+    box.appendChild(line);
+    return line;
+  }
+  // Those of the pattern that name no seam, and those of the last drape. The others stand at their seams.
+  function showWarnings() {
+    const box = find('warnings');
+    box.replaceChildren();
+    const texts = [...warnings.filter(w => w.keys.length === 0).map(w => w.text), ...dressWarnings];
+    if (texts.length === 0) return;
+    const title = document.createElement('h2');
+    title.textContent = 'Warnings';
+    box.appendChild(title);
+    for (const line of new Set(texts)) showWarning(box, line);
+  }
+  // Asks what mesh-pattern would warn of, and which way seams run, as soon as the pattern is another one.
+  function check() {
+    const now = data.served ? text() : checked;
+    if (now === checked) return;
+    checked = now;
+    checking = checkText(now);
+  }
+  async function checkText(now) {
+    try {
+      const said = JSON.parse(await ask('POST', 'check', now));
+      if (now !== checked) return;  // there is a newer one
+      model.setFound(said.reversed);
+      warnings = said.warnings.map(w => ({ ...w, keys: w.seams.map(i => PatternModel.keyOf(model.stitches[i])) }));
+    } catch (failed) {
+      if (failed.status !== 422 || now !== checked) return;
+      warnings = [{ text: failed.message, keys: [] }];
+    }
+    document.documentElement.dataset.warnings = warnings.length;
+    show();
   }
   function undo() { model.undo(); clean(); }
   function redo() { model.redo(); clean(); }
@@ -366,28 +424,15 @@
     find('middle').classList.add('dressed');
     drape.show(result);
     const verdict = find('verdict');
-    verdict.textContent = result.verdict.replace('_', ' ');
+    verdict.textContent = result.verdict.replace('_', ' ') + (result.reason ? ': ' + result.reason : '');
     document.documentElement.dataset.verdict = result.verdict;
-    const box = find('warnings');
-    box.replaceChildren();
-    if (result.warnings.length > 0) {
-      const title = document.createElement('h2');
-      title.textContent = 'Warnings';
-      box.appendChild(title);
-    }
-    for (const warning of result.warnings) {
-      const line = document.createElement('p');
-      line.className = 'warning';
-      line.textContent = warning;
-      const named = model.names.find(name => warning.includes(name));
-      if (named) { line.style.cursor = 'pointer'; line.addEventListener('click', () => { panel = named; show(); }); }
-      box.appendChild(line);
-    }
+    dressWarnings = result.warnings.filter(text => !result.reason.includes(text));
+    showWarnings();
     drawSheet();
   }
 
   const keys = {
-    n: () => nextEdge(1), N: () => nextEdge(-1), Enter: take, Escape: () => { taken = null; edge = null; show(); },
+    n: () => nextEdge(1), N: () => nextEdge(-1), Enter: take, Escape: () => { letGo(); show(); },
     f: () => onSeam(s => model.flip(s)), g: () => onSeam(s => model.gather(s)), x: () => onSeam(s => model.unsew(s)),
     s: split, j: () => nextProposal(1), k: () => nextProposal(-1), a: () => decide('accepted'), r: () => decide('rejected'), w: swap,
     t: () => { panel = model.names[step(model.names, panel ? model.names.indexOf(panel) : -1, 1)]; show(); },

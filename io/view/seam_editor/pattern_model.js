@@ -52,6 +52,7 @@ const PatternModel = (function () {
       this.json = json;
       this.past = [];
       this.future = [];
+      this.found = new Map();  // by seam, the directions that nobody has stated
       this.saved = JSON.stringify(json);
     }
 
@@ -190,20 +191,30 @@ const PatternModel = (function () {
         .filter(v => Number.isInteger(v) && v >= 0 && v < this.panels[panel].vertices.length);
     }
 
+    static keyOf(stitch) { return stitch.slice(0, 2).map(side => side.panel + ':' + side.edge).join(' '); }
     static same(a, b) { return a.panel === b.panel && a.edge === b.edge; }
     seamsOf(ref) { return this.stitches.filter(s => PatternModel.same(s[0], ref) || PatternModel.same(s[1], ref)); }
 
-    // Whether the start of one side meets the end of the other; null: the file leaves it open.
+    // Whether GarmentCode's convention holds: seams run from end to start.
+    get conventional() { return !!(this.json.properties || {}).normalized_edge_loops; }
+    // Whether the start of one side meets the end of the other; null: that is not known here.
     isReversed(stitch) {
       const how = stitch[2];
       if (how === 'right_wrong') return false;
-      if (how && typeof how === 'object' && 'reversed' in how) return how.reversed;
-      return (this.json.properties || {}).normalized_edge_loops ? true : null;
+      if (how && typeof how.reversed === 'boolean') return how.reversed;
+      const isFound = how && how.reversed === 'found';
+      if (!isFound && how && how.layer) return false;
+      if (!isFound && this.conventional) return true;
+      const found = this.found.get(PatternModel.keyOf(stitch));
+      return found === undefined ? null : found;
+    }
+    // Takes over the directions that the server has found for the stitches, in turn.
+    setFound(directions) {
+      this.found = new Map(this.stitches.map((stitch, i) => [PatternModel.keyOf(stitch), directions[i]]));
     }
     isGathered(stitch) { return !!(stitch[2] && stitch[2].gather); }
     detail(stitch) {
-      const reversed = this.isReversed(stitch);
-      if (!stitch[2] || typeof stitch[2] !== 'object') stitch[2] = reversed === null ? {} : { reversed };
+      if (!stitch[2] || typeof stitch[2] !== 'object') stitch[2] = stitch[2] === 'right_wrong' ? { reversed: false } : {};
       return stitch[2];
     }
     // Why the garment is sewn without the panel; an empty reason takes it in.
@@ -214,13 +225,10 @@ const PatternModel = (function () {
     }
     isSewn(panel) { return this.stitches.some(s => s[0].panel === panel || s[1].panel === panel); }
 
-    // Joins two edges, and takes their panels in. Outlines that both run counter-clockwise, seen from the right side, run
-    // against each other along a seam. GarmentCode's files keep to that, whichever side is drawn.
-    // Of others the right side is taken to be drawn.
+    // Joins two edges, and takes their panels in. `how` may state the direction. Else the reader of the
+    // file finds it, once the convention does not say it.
     sew(a, b, how) {
-      const normalized = !!(this.json.properties || {}).normalized_edge_loops;
-      const reversed = normalized || this.isCounterClockwise(a) === this.isCounterClockwise(b);
-      this.stitches.push([{ ...a }, { ...b }, { reversed, ...how }]);
+      this.stitches.push([{ ...a }, { ...b }, { ...(this.conventional ? { reversed: 'found' } : {}), ...how }]);
       for (const { panel } of [a, b]) this.leaveOut(panel, '');
       return this.stitches[this.stitches.length - 1];
     }
@@ -229,8 +237,8 @@ const PatternModel = (function () {
       if (at >= 0) this.stitches.splice(at, 1);
     }
     flip(stitch) {
-      const detail = this.detail(stitch);
-      detail.reversed = !(detail.reversed === undefined ? true : detail.reversed);
+      const runs = this.isReversed(stitch);
+      this.detail(stitch).reversed = runs === false;
     }
     gather(stitch) {
       const detail = this.detail(stitch);
@@ -245,6 +253,55 @@ const PatternModel = (function () {
     // Splits an edge at a share of its length. It keeps its number as far as there, the rest becomes
     // the panel's last edge. Its seams are taken out. Returns the number of the rest, or -1.
     splitEdge(ref, share) {
+      const rest = this.cutEdge(ref, share);
+      if (rest >= 0) this.json.pattern.stitches = this.stitches.filter(s => !PatternModel.same(s[0], ref) && !PatternModel.same(s[1], ref));
+      return rest;
+    }
+    // The seams that the split of an edge has to cut, too; null: it is not known where.
+    seamsToSplit(ref) {
+      const met = this.stitches.filter(s => this.cutsWith(ref, 0.5).some(cut => PatternModel.same(s[0], cut.ref)));
+      return met.some(stitch => this.isReversed(stitch) === null) ? null : met;
+    }
+    // As splitEdge(), but its seams stay, on both parts: what is sewn to it is split in the same place.
+    // Needs seamsToSplit(). Returns the edges that were split, as {ref, share, rest}; none: it can't be split there.
+    splitSewn(ref, share) {
+      if (!(share > 0.001 && share < 0.999)) return [];
+      const cuts = this.cutsWith(ref, share);
+      const met = this.seamsToSplit(ref);
+      const ways = met.map(stitch => this.isReversed(stitch));
+      for (const cut of cuts) cut.rest = this.cutEdge(cut.ref, cut.share);
+      const restOf = side => ({ ...side, edge: cuts.find(cut => PatternModel.same(cut.ref, side)).rest });
+      met.forEach((stitch, i) => {
+        const [a, b] = stitch, name = stitch[2] && stitch[2].name;
+        // Which parts meet was chosen by the direction, so that both have to stay.
+        const how = { ...(typeof stitch[2] === 'object' ? stitch[2] : {}), reversed: ways[i] };
+        const more = name ? { name: this.freeName(name) } : {};
+        // Where they run against each other, the first part of one meets the rest of the other.
+        const pairs = ways[i] ? [[{ ...a }, restOf(b)], [restOf(a), { ...b }]] : [[{ ...a }, { ...b }], [restOf(a), restOf(b)]];
+        this.stitches.splice(this.stitches.indexOf(stitch), 1, [...pairs[0], how], [...pairs[1], { ...how, ...more }]);
+      });
+      return cuts;
+    }
+    // The edge, those that are sewn to it, and so on, each with its share.
+    cutsWith(ref, share) {
+      const cuts = [{ ref: { ...ref }, share }];
+      for (let i = 0; i < cuts.length; ++i) {
+        for (const stitch of this.seamsOf(cuts[i].ref)) {
+          const other = PatternModel.same(stitch[0], cuts[i].ref) ? stitch[1] : stitch[0];
+          if (cuts.some(cut => PatternModel.same(cut.ref, other))) continue;
+          cuts.push({ ref: { ...other }, share: this.isReversed(stitch) ? 1 - cuts[i].share : cuts[i].share });
+        }
+      }
+      return cuts;
+    }
+    freeName(name) {
+      for (let number = 2;; ++number) {
+        const free = `${name} ${number}`;
+        if (!this.stitches.some(s => s[2] && s[2].name === free)) return free;
+      }
+    }
+    // Cuts the edge in two. Its seams stay as they are. Returns the number of the rest, or -1.
+    cutEdge(ref, share) {
       if (!(share > 0.001 && share < 0.999)) return -1;
       const panel = this.panels[ref.panel], edge = panel.edges[ref.edge];
       const parts = this.parts(ref);
@@ -261,8 +318,6 @@ const PatternModel = (function () {
       this.setParts(edge, first);
       this.setParts(rest, second);
       panel.edges.push(rest);
-      this.json.pattern.stitches = this.stitches.filter(
-        s => !PatternModel.same(s[0], ref) && !PatternModel.same(s[1], ref));
       return panel.edges.length - 1;
     }
     partLength(part) {

@@ -16,7 +16,7 @@ const Sheet = (function () {
   }
 
   class Sheet {
-    // `onEdge(ref, share)`, `onHover(ref or null)`, `onPanel(name)` are called on clicks and moves.
+    // `onEdge(ref, share)`, `onHover(ref or null)`, `onPanel(name)`, `onNothing()` are called on clicks and moves.
     constructor(svg, callbacks) {
       this.svg = svg;
       this.callbacks = callbacks;
@@ -57,7 +57,8 @@ const Sheet = (function () {
     }
 
     // `marks`: `chosen` edges (some may be null), `panel`, `parts` by panel, and `colours`: by edge
-    // "panel:number", the {colour, text, bad, proposed, backwards} of its seam.
+    // "panel:number", the {colour, text, bad, proposed, runs} of its seam. `runs`: with the edge 1,
+    // against it -1, and 0 where that is not known.
     draw(model, marks) {
       this.svg.replaceChildren();
       this.svg.setAttribute('viewBox', this.view.join(' '));
@@ -74,7 +75,7 @@ const Sheet = (function () {
         return forward ? line : line.reverse();
       });
       const face = element('path', { d: pathOf(loop) + 'Z', class: 'panel' + (model.leftOut(name) ? ' out' : '') + (marks.panel === name ? ' chosen' : '') }, group);
-      face.addEventListener('click', () => this.callbacks.onPanel(name));
+      face.addEventListener('click', event => { event.stopPropagation(); this.callbacks.onPanel(name); });
       const middle = this.middleOf(loop);
       element('text', { x: middle[0], y: -middle[1], class: 'name', 'font-size': 13 * unit }, group, name);
       const below = model.leftOut(name) ? 'left out: ' + model.leftOut(name) : marks.parts[name];
@@ -136,8 +137,11 @@ const Sheet = (function () {
       const inwards = model.isCounterClockwise(ref) ? 1 : -1;
       const off = [-inwards * along[1], inwards * along[0]];
       const at = (a, b) => [point[0] + a * unit * along[0] + b * unit * off[0], point[1] + a * unit * along[1] + b * unit * off[1]];
-      const way = mark.backwards ? -1 : 1;
-      element('path', { d: pathOf([at(-9 * way, 5), at(9 * way, 5), at(4 * way, 9)]), class: 'arrow', stroke: mark.colour, 'stroke-width': 1.6 * unit }, group);
+      const way = mark.runs;
+      if (way !== 0) {
+        element('path', { d: pathOf([at(-9 * way, 5), at(9 * way, 5), at(4 * way, 9)]), class: 'arrow', stroke: mark.colour, 'stroke-width': 1.6 * unit,
+          'data-arrow': ref.panel + ':' + ref.edge, 'data-runs': way > 0 ? 'with' : 'against' }, group);
+      }
       const label = at(0, 18);
       element('text', { x: label[0], y: -label[1] + 4 * unit, class: mark.bad ? 'seam bad' : 'seam', 'font-size': 11 * unit,
         fill: mark.colour }, group, mark.text);
@@ -172,14 +176,18 @@ const Sheet = (function () {
         event.preventDefault();
         this.zoom(event.deltaY > 0 ? 1.15 : 1 / 1.15, this.pointOf(event, null));
       }, { passive: false });
-      let held = null;
-      this.svg.addEventListener('pointerdown', event => { held = [event.clientX, event.clientY]; });
+      let held = null, moved = false;
+      this.svg.addEventListener('pointerdown', event => { held = [event.clientX, event.clientY]; moved = false; });
+      // The end of a move is a click for the browser, but not for the user.
+      this.svg.addEventListener('click', event => { if (moved) event.stopPropagation(); }, true);
+      this.svg.addEventListener('click', () => { if (!moved) this.callbacks.onNothing(); });
       window.addEventListener('pointerup', () => { held = null; });
       this.svg.addEventListener('pointermove', event => {
         if (!held || event.buttons === 0) return;
         const dx = event.clientX - held[0], dy = event.clientY - held[1];
         if (Math.hypot(dx, dy) < 3) return;
         held = [event.clientX, event.clientY];
+        moved = true;
         this.pan(-dx * this.pixel, -dy * this.pixel);
       });
     }

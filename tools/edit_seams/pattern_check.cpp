@@ -1,4 +1,4 @@
-#include "tools/edit_seams/pattern_warnings.h"
+#include "tools/edit_seams/pattern_check.h"
 
 #include <algorithm>
 #include <array>
@@ -85,14 +85,36 @@ std::vector<std::string> warnings_of(const std::string& text) {
   return warnings;
 }
 
+/// Per stitch whether it is reversed; null where a panel is left out.
+nlohmann::json directions_of(const Pattern& drawn) {
+  std::vector<Remark> said_above;
+  const auto is_left_out = [&](int panel) { return !drawn.panels[panel].left_out.empty(); };
+  nlohmann::json directions = nlohmann::json::array();
+  std::vector<bool> found;
+  if (!std::ranges::all_of(drawn.panels, [](const auto& p) { return !p.left_out.empty(); })) {
+    found = orient(without_left_out(drawn, said_above), said_above).reversed;
+  }
+  auto next = found.begin();
+  for (const Stitch& stitch : drawn.stitches) {
+    if (is_left_out(stitch.a.panel) || is_left_out(stitch.b.panel)) {
+      directions.push_back(nullptr);
+    } else {
+      directions.push_back(bool(*next++));
+    }
+  }
+  return directions;
+}
+
 }  // namespace
 
-std::string pattern_warnings_json(const std::string& pattern) {
+std::string pattern_check_json(const std::string& pattern) {
   std::vector<Remark> said_below;
   const Pattern drawn = parse_drawn_pattern(pattern, pattern_source, said_below);
-  nlohmann::json list = nlohmann::json::array();
-  for (const std::string& text : warnings_of(pattern)) list.push_back(warning_json(text, drawn));
-  return list.dump();
+  nlohmann::json warnings = nlohmann::json::array();
+  for (const std::string& text : warnings_of(pattern)) {
+    warnings.push_back(warning_json(text, drawn));
+  }
+  return nlohmann::json{{"warnings", warnings}, {"reversed", directions_of(drawn)}}.dump();
 }
 
 }  // namespace toile
