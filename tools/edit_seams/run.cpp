@@ -135,7 +135,7 @@ Answer Service::answer_to(const Request& request) {
   const auto is = [&](const char* method, const char* target) {
     return request.method == method && request.target == target;
   };
-  const auto data = [](std::string text) { return Answer{200, "application/json", text}; };
+  const auto data = [](const std::string& text) { return Answer{200, "application/json", text}; };
   if (is("GET", "")) return {200, "text/html; charset=utf-8", page()};
   constexpr std::string_view over = "pattern/over/";  // the version that is replaced follows
   if (request.method == "PUT" && request.target == "pattern") {
