@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cloth/judge/verdict.h"
 #include "io/text.h"
 
 namespace toile {
@@ -35,6 +36,11 @@ std::vector<Warning> warnings_of(const std::string& code, const std::vector<std:
   warnings.reserve(texts.size());
   for (const std::string& text : texts) warnings.push_back({code, "", text});
   return warnings;
+}
+
+std::string verdict_line(const std::string& verdict, const std::string& fit) {
+  return verdict == to_string(Verdict::intersecting) ? "fit: " + fit + "; verdict: " + verdict
+                                                     : "verdict: " + verdict + "; fit: " + fit;
 }
 
 void write_report(OutputFiles& files, const CommonSettings& common,

@@ -24,6 +24,10 @@ std::vector<Warning> read_warnings(const JsonValue& report);
 /// Texts as warnings of one `code` that are about the whole.
 std::vector<Warning> warnings_of(const std::string& code, const std::vector<std::string>& texts);
 
+/// "verdict: sewn; fit: ok". Of what crosses the fit comes first: cloth may cross because it is cut
+/// too small.
+std::string verdict_line(const std::string& verdict, const std::string& fit);
+
 /// Writes the file of --report, where it was given. It has `program`, Toile's `version`, the
 /// `seconds` since the program began, then the members of `report`, which may have its own seconds.
 void write_report(OutputFiles& files, const CommonSettings& common,

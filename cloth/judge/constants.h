@@ -39,9 +39,6 @@ inline constexpr int wrap_stations = 32;
 /// Directions around a station.
 inline constexpr int wrap_directions = 360;
 
-/// Metres: nodes no farther than this from a part's first node count as its top.
-inline constexpr double end_depth = 0.02;
-
 /// Shares of where a part's cloth lies along the bone between which it has to cover the bone. Hems
 /// that slant or swing take up the rest.
 inline constexpr double limb_cover_begin = 0.25;
@@ -106,9 +103,16 @@ inline constexpr double upside_down_correlation = -0.3;
 /// Share of directions that a garment meets which is open as its seams leave it. Boleros meet 75 %.
 inline constexpr double open_front_share = 0.5;
 
-/// Metres by which the top edge of skirts and trousers may come down from where it started, or from
-/// the waist. It is beyond the height's error on meshes of 25 mm, 5 cm.
+/// Metres by which a top edge may come down from where it was drafted to lie. It is beyond the
+/// height's error on meshes of 25 mm.
 inline constexpr double max_slid = 0.08;
+/// Metres that a garment slid or rode up, from which on it is said.
+inline constexpr double worth_saying_slid = 0.02;
+/// Levels between crotch and waist at which hips are measured.
+inline constexpr int hip_stations = 12;
+
+/// Metres: the error of a height on a mesh of that edge length.
+constexpr double height_error(double edge_length) { return edge_length < 0.016 ? 0.008 : 0.05; }
 
 /// Metres from the bones beyond which cloth lies beside the body.
 inline constexpr double beside_body = 0.5;

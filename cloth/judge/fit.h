@@ -1,6 +1,7 @@
 // Whether a garment is cut large enough for the body.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,8 @@
 
 namespace toile {
 
-/// A level at which the garment is cut smaller than the body. Lengths in metres.
-struct TooSmallLevel {
+/// A level at which the garment's cut and the body are compared. Lengths in metres.
+struct FitLevel {
   std::string level;  ///< "bust", "waist", "hip", a GarmentLevel's name or a LimbEase's limb
   double body = 0;    ///< the body's girth
   double as_cut = 0;  ///< the garment's girth on the flat panels
@@ -22,7 +23,10 @@ struct TooSmallLevel {
 /// What `fit` says beside the verdict on sewing.
 struct Fit {
   bool is_checked = false;            ///< false: no named level could be measured
-  std::vector<TooSmallLevel> levels;  ///< empty: large enough
+  std::vector<FitLevel> levels;       ///< those that are too small; empty: large enough
+  /// The level of the trunk at which the cut is nearest to the body, as a share; none: no level of
+  /// the trunk was measured.
+  std::optional<FitLevel> nearest;
 };
 
 /// The levels of body and garment at which more is missing than flesh gives way (`flesh_give`). A
@@ -35,6 +39,9 @@ std::string to_string(const Fit& fit);
 
 /// "at the waist the garment is cut 3.2 cm smaller than the body, and stretched by that: 62.0 cm
 /// around 65.2 cm"
-std::string text_of(const TooSmallLevel& level);
+std::string text_of(const FitLevel& level);
+
+/// "ok", or "too_small, 3.2 cm missing at the waist" with the level that lacks the most.
+std::string text_of(const Fit& fit);
 
 }  // namespace toile

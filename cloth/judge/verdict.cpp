@@ -47,7 +47,7 @@ Judgement judge(const PanelMesh& pattern, const DressedGarment& dressed, const T
   judgement.slits = find_slits(pattern, dressed);
   if (skeleton != nullptr) {
     judgement.wraps = measure_wraps(pattern, dressed, *skeleton);
-    judgement.worn = check_worn(pattern, dressed, *skeleton);
+    judgement.worn = check_worn(pattern, dressed, *skeleton, &body);
     judgement.fit = measure_fit(pattern, dressed, body, *skeleton);
   }
   const TriangleMesh cloth{dressed.points, dressed.triangles};

@@ -12,6 +12,7 @@
 #include "geometry/angles.h"
 #include "geometry/body/bones.h"
 #include "geometry/body/flaws.h"
+#include "geometry/body/torso_section.h"
 #include "geometry/border_loops.h"
 #include "geometry/triangle_area.h"
 #include "io/text.h"
@@ -54,12 +55,14 @@ struct AreaMoment {
 
 class WearCheck {
  public:
-  WearCheck(const PanelMesh& garment, const DressedGarment& dressed, const Skeleton& skeleton)
+  WearCheck(const PanelMesh& garment, const DressedGarment& dressed, const Skeleton& skeleton,
+            const TriangleMesh* body)
       : garment_(garment),
         dressed_(dressed),
         nodes_(dressed.points),
         placed_(dressed.points),
         skeleton_(skeleton),
+        body_(body),
         moments_(garment.panels.size()) {
     findings_.openings = find_openings(garment, dressed, skeleton);
     const std::vector<int> component_of_node = connected_components(dressed);
@@ -125,7 +128,7 @@ class WearCheck {
       for (const int node : loop) curve.push_back(nodes_[node]);
       if (limbs_through(curve, skeleton_) == limbs) return true;
     }
-    const WrapMeasurement wrap = measure_wrap(garment_, dressed_, skeleton_, part, is_counted);
+    const WrapMeasurement wrap = measure_wrap(dressed_, skeleton_, part, is_counted);
     return wrap.fraction >= around_share;
   }
 
@@ -363,24 +366,40 @@ class WearCheck {
       high = waist_ + max_skirt_top_share * (armpit_ - waist_);
     }
     const bool is_on_thighs = !is_top && is_bottom && down_the_thighs(highest->middle) > 0;
-    if (!is_top && is_bottom) check_slid(*highest);
+    check_slid(*highest, is_top ? belongs : "its top edge where it was drafted to lie", is_top);
     if (height < low || height > high || is_on_thighs) {
       misplace("torso", place_on_body(highest->middle, skeleton_), belongs);
     }
   }
 
-  /// What hangs from waist or hips is misplaced where its top edge came down by more than the
-  /// bound. It came down from where it started, at most from the waist.
-  void check_slid(const Opening& top) {
-    double started = 0;
-    for (const int node : top.nodes) started += placed_[node].y();
-    const double level = std::min(started / static_cast<double>(top.nodes.size()), waist_);
-    const double slid = level - top.middle.y();
-    if (slid <= max_slid) return;
-    misplace("torso",
-             place_on_body(top.middle, skeleton_) + ": slid down by " + centimetres(slid, 0) +
-                 ", its top edge is cut " + centimetres(top.length, 0) + " long",
-             "its top edge " + centimetres(level, 0) + " above the floor");
+  /// What hangs from waist, hips or chest is misplaced where its top edge left its level by more
+  /// than the bound.
+  void check_slid(const Opening& top, const std::string& belongs, bool is_top) {
+    double level = 0;
+    for (const int node : top.nodes) {
+      level += placed_[node].y() / static_cast<double>(top.nodes.size());
+    }
+    if (!is_top) level = std::min(level, waist_);
+    Slid slid;
+    slid.down = level - top.middle.y();
+    if (findings_.slid && findings_.slid->down >= slid.down) return;
+    slid.length = top.length;
+    slid.error = height_error(garment_.edge_length);
+    if (slid.down > 0 && slid.is_far()) slid.hip = hip();
+    findings_.slid = slid;
+    if (slid.down <= max_slid) return;
+    misplace("torso", place_on_body(top.middle, skeleton_) + ": it " + text_of(slid), belongs);
+  }
+  /// Metres: the body's largest girth between crotch and waist; 0 without a body.
+  double hip() const {
+    double largest = 0;
+    for (int i = 1; body_ != nullptr && i < hip_stations; ++i) {
+      const double height = crotch_ + (waist_ - crotch_) * i / hip_stations;
+      if (const std::optional<Section> torso = torso_section(*body_, height)) {
+        largest = std::max(largest, torso->girth);
+      }
+    }
+    return largest;
   }
 
   /// Of a body that sits: metres that a point lies farther down the thighs than the crotch. What
@@ -415,7 +434,7 @@ class WearCheck {
     }
     std::vector<char> is_counted(garment_.panels.size(), 0);
     for (const int p : panels) is_counted[p] = 1;
-    return measure_wrap(garment_, dressed_, skeleton_, "torso", is_counted).fraction >=
+    return measure_wrap(dressed_, skeleton_, "torso", is_counted).fraction >=
            open_front_share;
   }
 
@@ -514,6 +533,7 @@ class WearCheck {
   const std::vector<Vec3>& nodes_;
   std::vector<Vec3> placed_;  // of each node, where one of its material points started
   const Skeleton& skeleton_;
+  const TriangleMesh* body_;
   std::vector<AreaMoment> moments_;  // per panel
   std::vector<Component> components_;
   double crotch_ = 0;  // heights, metres
@@ -523,6 +543,16 @@ class WearCheck {
 };
 
 }  // namespace
+
+bool Slid::is_far() const { return std::abs(down) >= std::max(worth_saying_slid, error); }
+
+std::string text_of(const Slid& slid) {
+  std::string text = std::string(slid.down > 0 ? "slid down by " : "rode up by ") +
+                     centimetres(std::abs(slid.down), slid.error < worth_saying_slid ? 1 : 0);
+  if (slid.down > 0) text += ": its top edge is cut " + centimetres(slid.length, 0) + " long";
+  if (slid.hip > 0) text += ", the hips are " + centimetres(slid.hip, 0);
+  return text;
+}
 
 std::string place_on_body(const Vec3& point, const Skeleton& skeleton) {
   const double height = point.y();
@@ -548,9 +578,9 @@ std::string place_on_body(const Vec3& point, const Skeleton& skeleton) {
 }
 
 WearFindings check_worn(const PanelMesh& garment, const DressedGarment& dressed,
-                        const Skeleton& skeleton) {
+                        const Skeleton& skeleton, const TriangleMesh* body) {
   if (!has_all_limbs(skeleton)) return {};
-  return WearCheck(garment, dressed, skeleton).run();
+  return WearCheck(garment, dressed, skeleton, body).run();
 }
 
 }  // namespace toile

@@ -17,12 +17,28 @@ struct Misplaced {
   std::string should_be;  ///< where it belongs
 };
 
+/// How far the top edge of what hangs from waist, hips or chest is from where it was drafted to
+/// lie: where its panels start, below the waist for what has no top. Lengths in metres.
+struct Slid {
+  double down = 0;    ///< negative: up
+  double length = 0;  ///< of the top edge as cut
+  double hip = 0;     ///< the largest girth of the body between crotch and waist; 0: not measured
+  double error = 0;   ///< of a height on this mesh
+
+  /// Whether it is worth a warning.
+  bool is_far() const;
+};
+
+/// "slid down by 24 cm: its top edge is cut 114 cm long, the hips are 110 cm"
+std::string text_of(const Slid& slid);
+
 struct WearFindings {
   /// False: nothing tells where the garment belongs, such as a sheet or a cape, or the skeleton
   /// lacks joints.
   bool is_checked = false;
   std::vector<Opening> openings;
   std::optional<Misplaced> misplaced;  ///< the first thing that is in a wrong place
+  std::optional<Slid> slid;            ///< none: it hangs from the shoulders, or has no top edge
   /// Body parts that cloth lies at and should go around, and does not.
   std::vector<std::string> unwrapped;
 };
@@ -39,8 +55,8 @@ struct WearFindings {
 /// - Strapless tops: the highest opening around the trunk lies a quarter of the way from waist to
 ///   armpits at least.
 /// - Skirts and trousers without a top: the highest opening around the trunk lies above the crotch.
-///   It lies below two thirds of the way from waist to armpits. It came down by 8 cm at most from
-///   where it started, or from the waist where it started higher.
+///   It lies below two thirds of the way from waist to armpits.
+/// - What hangs from waist, hips or chest came down by 8 cm at most (Slid).
 /// - Sleeves, skirts and tops that are not closed around their part meet 85 % of the directions.
 ///   A wrap skirt does. A shirt that lacks a quarter does not. What is open in front
 ///   or at the back by its seams meets half of them: each arm has an opening of its own there.
@@ -49,9 +65,10 @@ struct WearFindings {
 /// - Panels named front and back, left and right, lie on their sides of the body within 60 degrees.
 /// - No component hangs below the floor.
 ///
-/// `garment` has panels placed where they started. About O(n log n) in the triangles.
+/// `garment` has panels placed where they started. The hips of `body` are measured for a garment
+/// that slid down; null: they are not. About O(n log n) in the triangles.
 WearFindings check_worn(const PanelMesh& garment, const DressedGarment& dressed,
-                        const Skeleton& skeleton);
+                        const Skeleton& skeleton, const TriangleMesh* body = nullptr);
 
 /// Where on the body a point is, such as "shins, 25 cm above the floor".
 std::string place_on_body(const Vec3& point, const Skeleton& skeleton);

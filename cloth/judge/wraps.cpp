@@ -20,12 +20,6 @@ struct Interval {
   double high;
 };
 
-/// A corner of a triangle: a material point of the pattern, and its node as dressed.
-struct Corner {
-  int point;
-  int node;
-};
-
 /// Metres along the bones between which a part's cloth lies: a few stray nodes at both ends are
 /// left out. `nodes` are those of the part's panels.
 Interval lies_along(const std::vector<int>& nodes, const std::vector<Vec3>& points,
@@ -51,26 +45,6 @@ Interval covered(Interval lies, const std::string& part, const Bones& bones,
   }
   const double length = lies.high - lies.low;
   return {lies.low + limb_cover_begin * length, lies.low + limb_cover_end * length};
-}
-
-/// Metres by which the top of a part's cloth came down along the torso's bones from where it was
-/// placed. 0 for what starts above the armpits: it hangs from the shoulders.
-double slid_down(const PanelMesh& garment, const DressedGarment& dressed,
-                 const std::vector<Corner>& corners, const Bones& bones, double armpit) {
-  double top = std::numeric_limits<double>::lowest();
-  for (const Corner& c : corners) top = std::max(top, bones.foot(garment.placed[c.point]));
-  if (top >= armpit) return 0;
-  double placed = 0;
-  double lies = 0;
-  int count = 0;
-  for (const Corner& c : corners) {
-    const double foot = bones.foot(garment.placed[c.point]);
-    if (foot < top - end_depth) continue;
-    placed += foot;
-    lies += bones.foot(dressed.points[c.node]);
-    ++count;
-  }
-  return (placed - lies) / count;
 }
 
 /// The share of directions around the station, square to the axis, whose ray meets a triangle.
@@ -107,20 +81,15 @@ double share_met(const Vec3& station, const Vec3& axis, const std::vector<Vec3>&
 
 }  // namespace
 
-WrapMeasurement measure_wrap(const PanelMesh& garment, const DressedGarment& dressed,
-                             const Skeleton& skeleton, const std::string& part,
-                             const std::vector<char>& is_counted) {
+WrapMeasurement measure_wrap(const DressedGarment& dressed, const Skeleton& skeleton,
+                             const std::string& part, const std::vector<char>& is_counted) {
   const Bones bones(skeleton, part);
   std::vector<Triangle> triangles;
-  std::vector<Corner> corners;
   std::vector<int> nodes;
   for (std::size_t t = 0; t < dressed.triangles.size(); ++t) {
     if (!is_counted[dressed.panel_of_triangle[t]]) continue;
     triangles.push_back(dressed.triangles[t]);
-    for (int i = 0; i < 3; ++i) {
-      corners.push_back({garment.triangles[t][i], dressed.triangles[t][i]});
-      nodes.push_back(dressed.triangles[t][i]);
-    }
+    nodes.insert(nodes.end(), dressed.triangles[t].begin(), dressed.triangles[t].end());
   }
   WrapMeasurement wrap{part};
   if (triangles.empty() || bones.joints.empty()) return wrap;
@@ -129,10 +98,6 @@ WrapMeasurement measure_wrap(const PanelMesh& garment, const DressedGarment& dre
   const Interval stretch = covered(lies_along(nodes, dressed.points, bones), part, bones, skeleton);
   wrap.from = stretch.low;
   wrap.to = stretch.high;
-  if (part == "torso") {
-    const double armpit = bones.foot(skeleton.joint("chest"));
-    wrap.slid = slid_down(garment, dressed, corners, bones, armpit);
-  }
   // Cloth that lies at another part only has no stretch of this one to cover.
   for (int i = 0; i < wrap_stations && stretch.low < stretch.high; ++i) {
     const double s = stretch.low + (i + 0.5) / wrap_stations * (stretch.high - stretch.low);
@@ -152,7 +117,7 @@ std::vector<WrapMeasurement> measure_wraps(const PanelMesh& garment, const Dress
     is_counted.reserve(parts.size());
     for (const std::string& p : parts) is_counted.push_back(p == part);
     if (std::ranges::count(is_counted, 1) == 0 || Bones(skeleton, part).joints.empty()) continue;
-    wraps.push_back(measure_wrap(garment, dressed, skeleton, part, is_counted));
+    wraps.push_back(measure_wrap(dressed, skeleton, part, is_counted));
   }
   return wraps;
 }

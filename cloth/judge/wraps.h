@@ -16,16 +16,14 @@ struct WrapMeasurement {
   double from = 0;  ///< metres along the bones from the part's first joint; negative before it
   double to = 0;    ///< metres along the bones from the first joint
   double fraction = 0;
-  double slid = 0;  ///< metres down the trunk from where it was placed; 0: it hangs from shoulders
 };
 
 /// Measures how far some panels go around a part. `is_counted` has an entry for each panel, 0 for
 /// those that play no part. The stretch is the middle half of where the panels
 /// lie. Cloth above the armpits plays no part, nor cloth of limbs nearer than armpit or crotch.
 /// Where nothing is left, `fraction` is 0. Linear in the triangles times 32 stations.
-WrapMeasurement measure_wrap(const PanelMesh& garment, const DressedGarment& dressed,
-                             const Skeleton& skeleton, const std::string& part,
-                             const std::vector<char>& is_counted);
+WrapMeasurement measure_wrap(const DressedGarment& dressed, const Skeleton& skeleton,
+                             const std::string& part, const std::vector<char>& is_counted);
 
 /// The same of every part that panels belong to (panel_parts.h).
 std::vector<WrapMeasurement> measure_wraps(const PanelMesh& garment, const DressedGarment& dressed,

@@ -249,12 +249,13 @@ Json elastics_json(const std::vector<ElasticMeasurement>& elastics) {
   return all;
 }
 
-Json wraps_json(const std::vector<WrapMeasurement>& wraps) {
+Json wraps_json(const Judgement& judgement) {
   Json all = Json::array();
-  for (const WrapMeasurement& wrap : wraps) {
+  for (const WrapMeasurement& wrap : judgement.wraps) {
+    const bool slid = wrap.part == "torso" && judgement.worn.slid;
     all.push_back({{"part", wrap.part},
                    {"fraction", wrap.fraction},
-                   {"slid_cm", 100 * wrap.slid},
+                   {"slid_cm", slid ? 100 * judgement.worn.slid->down : 0},
                    {"from_m", wrap.from},
                    {"to_m", wrap.to}});
   }
@@ -291,8 +292,18 @@ Json openings_json(const std::vector<Opening>& openings) {
 
 /// The verdict, and what it names.
 Json verdict_json(const DressResult& result, const Judgement& judgement) {
+  Json fit = {{"verdict", to_string(judgement.fit)}, {"levels", Json::array()}};
+  for (const FitLevel& level : judgement.fit.levels) {
+    fit["levels"].push_back({{"name", level.level},
+                             {"missing_cm", 100 * level.missing()},
+                             {"as_cut_cm", 100 * level.as_cut},
+                             {"body_cm", 100 * level.body}});
+  }
   Json json;
+  // What crosses may cross because it is cut too small: that comes first.
+  if (judgement.verdict == Verdict::intersecting) json["fit"] = fit;
   json["verdict"] = to_string(judgement.verdict);
+  json["fit"] = fit;
   for (const OpenSeam& seam : judgement.garment.seams.open_seams) {
     json["unsewable_seams"].push_back({{"name", seam.name}, {"gap_cm", 100 * seam.gap}});
   }
@@ -306,13 +317,6 @@ Json verdict_json(const DressResult& result, const Judgement& judgement) {
     json["tight_specks"] = result.tight_regions->specks;
   }
   const WearFindings& worn = judgement.worn;
-  json["fit"] = {{"verdict", to_string(judgement.fit)}, {"levels", Json::array()}};
-  for (const TooSmallLevel& level : judgement.fit.levels) {
-    json["fit"]["levels"].push_back({{"name", level.level},
-                                     {"missing_cm", 100 * level.missing()},
-                                     {"as_cut_cm", 100 * level.as_cut},
-                                     {"body_cm", 100 * level.body}});
-  }
   json["worn"] = worn.is_checked ? "checked" : "not_checked";
   if (worn.misplaced) {
     json["misplaced"] = {{"part", worn.misplaced->part},
@@ -361,7 +365,7 @@ nlohmann::ordered_json layer_json(const WornLayer& layer, const DressMethod& met
                      {"max_gap_mm", 1000 * measured.seams.max_gap}};
   if (!measured.elastics.empty()) report["elastics"] = elastics_json(measured.elastics);
   if (!result.attachments.empty()) report["attachments"] = attachments_json(result.attachments);
-  report["wraps"] = wraps_json(judgement.wraps);
+  report["wraps"] = wraps_json(judgement);
   report["borders"] = measured.borders;
   report["openings"] = openings_json(judgement.worn.openings);
   report["intersections"] = {{"body", judgement.body_intersections},

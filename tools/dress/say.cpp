@@ -9,7 +9,9 @@
 #include "cloth/judge/constants.h"
 #include "cloth/scene/constants.h"
 #include "io/floor_height.h"
+#include "io/text.h"
 #include "tools/dress/extra_offset.h"
+#include "tools/report.h"
 
 namespace toile {
 
@@ -19,8 +21,8 @@ namespace {
 constexpr double worth_saying = 0.002;
 /// Strain (99th percentile, off the seams) that no woven is worn at.
 constexpr double suspicious_strain = 0.1;
-/// Metres from which on a garment is said to have slid.
-constexpr double far_to_slide = 0.05;
+/// Girths of the body: a garment that is nowhere nearer is too wide. Loose shirts have 1.2.
+constexpr double too_wide_factor = 1.35;
 /// Metres of border: a smaller hole than this is meant to be one.
 constexpr double worth_an_opening = 0.05;
 /// Metres, on average: an attachment that stands farther off was not held.
@@ -80,6 +82,23 @@ void say_attachments(const std::vector<AttachmentMeasurement>& attachments, Dres
   }
 }
 
+/// Where it is too small or too wide, and how far it is from where it was drafted to lie.
+void warn_of_fit(const Judgement& judgement, DressLog& log) {
+  const Fit& fit = judgement.fit;
+  for (const FitLevel& level : fit.levels) {
+    log.warn({"too_small", level.level, text_of(level)});
+  }
+  if (fit.nearest && fit.nearest->as_cut > too_wide_factor * fit.nearest->body) {
+    log.warn({"too_wide", fit.nearest->level,
+              "too wide: it is nowhere nearer to the trunk than at the " + fit.nearest->level +
+                  ", cut " + centimetres(fit.nearest->as_cut, 1) + " around " +
+                  centimetres(fit.nearest->body, 1)});
+  }
+  if (const std::optional<Slid>& slid = judgement.worn.slid; slid && slid->is_far()) {
+    log.warn({slid->down > 0 ? "slid_down" : "rode_up", "torso", "the garment " + text_of(*slid)});
+  }
+}
+
 /// Why the verdict is what it is, where that takes a name.
 void warn_of_verdict(const DressResult& result, const Judgement& judgement, DressLog& log) {
   std::ostringstream line;
@@ -130,7 +149,7 @@ void warn_of_verdict(const DressResult& result, const Judgement& judgement, Dres
          << floor_height(slit.tip.y()) << ": a vent, or a seam is left open";
     log.warn({"open_edges", slit.panel_a, text.str()});
   }
-  for (const TooSmallLevel& level : judgement.fit.levels) {
+  for (const FitLevel& level : judgement.fit.levels) {
     if (level.level != "top edge" || level.as_cut > shut_opening_share * level.body) continue;
     std::ostringstream text;
     text << std::fixed << std::setprecision(0) << "nobody gets into this: the top edge opens to "
@@ -233,13 +252,8 @@ void say_result(const DressResult& result, const Judgement& judgement, DressLog&
   if (result.release) say_release(*result.release, log);
   for (const WrapMeasurement& wrap : judgement.wraps) {
     log.say("wraps " + wrap.part + ": " + percent(wrap.fraction));
-    if (std::abs(wrap.slid) < far_to_slide) continue;
-    std::ostringstream line;
-    line << "the garment " << (wrap.slid > 0 ? "slid down " : "rode up ") << wrap.part << " by "
-         << std::fixed << std::setprecision(1) << 100 * std::abs(wrap.slid)
-         << " cm from where it was placed";
-    log.warn({wrap.slid > 0 ? "slid_down" : "rode_up", wrap.part, line.str()});
   }
+  warn_of_fit(judgement, log);
   if (result.placement.points_inside > 0) {
     log.warn({"starts_inside", "",
               std::to_string(result.placement.points_inside) +
@@ -252,10 +266,7 @@ void say_result(const DressResult& result, const Judgement& judgement, DressLog&
                   " in places: the garment is too small for this body, or caught on it"});
   }
   warn_of_verdict(result, judgement, log);
-  for (const TooSmallLevel& level : judgement.fit.levels) {
-    log.warn({"too_small", level.level, text_of(level)});
-  }
-  log.say("verdict: " + to_string(judgement.verdict) + "; fit: " + to_string(judgement.fit));
+  log.say(verdict_line(to_string(judgement.verdict), text_of(judgement.fit)));
 }
 
 void say_pressing(const CoupledResult& coupled, const std::vector<std::string>& names,

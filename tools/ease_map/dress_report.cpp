@@ -33,6 +33,18 @@ std::optional<JsonValue> entry_of(const JsonValue& root, const std::string& dres
   return std::nullopt;
 }
 
+Fit read_fit(const JsonValue& json) {
+  Fit fit;
+  fit.is_checked = json.get("verdict").text() != to_string(Fit());
+  const JsonValue levels = json.get("levels");
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const JsonValue level = levels.item(i);
+    fit.levels.push_back({level.get("name").text(), level.get("body_cm").number() / 100,
+                          level.get("as_cut_cm").number() / 100});
+  }
+  return fit;
+}
+
 }  // namespace
 
 fs::path dress_report_path(const fs::path& garment_file) {
@@ -45,7 +57,7 @@ std::optional<DressReport> read_dress_report(const fs::path& file, const fs::pat
   if (!entry) return std::nullopt;
   DressReport report;
   report.verdict = entry->get("verdict").text();
-  report.fit = entry->get("fit").get("verdict").text();
+  report.fit = read_fit(entry->get("fit"));
   report.warnings = read_warnings(*entry);
   report.body_offset = entry->get("scene").get("body_offset_mm").number() / 1000;
   const JsonValue panels = entry->get("panels");

@@ -6,13 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "cloth/judge/fit.h"
 #include "io/warning.h"
 
 namespace toile {
 
 struct DressReport {
   std::string verdict;
-  std::string fit;                ///< "ok", "too_small" or "not_checked"
+  Fit fit;                        ///< without its nearest level
   std::vector<Warning> warnings;  ///< in their order
   double body_offset = 0;         ///< metres from the skin at which the cloth was held
   std::vector<double> grains;     ///< radians, MeshedPanel::grain per panel of the garment

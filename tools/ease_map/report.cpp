@@ -181,10 +181,8 @@ nlohmann::ordered_json limbs_json(const EaseReport& report) {
   return all;
 }
 
-/// "verdict: misplaced; fit: ok"; empty: not known.
-std::string verdict_line(const EaseReport& report) {
-  if (!report.dressing) return "";
-  return "verdict: " + report.dressing->verdict + "; fit: " + report.dressing->fit;
+std::string dressing_line(const DressReport& dressing) {
+  return verdict_line(dressing.verdict, text_of(dressing.fit));
 }
 
 std::string title_of(const EaseReport& report) {
@@ -221,7 +219,7 @@ nlohmann::ordered_json ease_json(const EaseReport& report) {
   json["body"] = valid_utf8(report.body_name);
   if (report.dressing) {
     json["verdict"] = report.dressing->verdict;
-    json["fit"] = report.dressing->fit;
+    json["fit"] = to_string(report.dressing->fit);
   }
   json["warnings"] = warnings_json(report.warnings);
   json["notes"] = report.notes;
@@ -253,7 +251,7 @@ std::string ease_page(const EaseReport& report, const std::string& picture) {
       "Drag to turn, scroll to zoom, drag with the right button to move. Point at the garment to "
       "read its gap. Left and right are the wearer's."};
   if (report.dressing) {
-    page.paragraphs.insert(page.paragraphs.begin(), "Dressing: " + verdict_line(report) + ".");
+    page.paragraphs.insert(page.paragraphs.begin(), "Dressing: " + dressing_line(*report.dressing) + ".");
   }
   for (const Warning& warning : report.warnings) {
     page.paragraphs.push_back("Warning: " + warning.text + ".");
@@ -334,7 +332,7 @@ std::vector<std::string> ease_summary(const EaseReport& report) {
   for (const LevelLeftOut& level : report.girths.left_out) {
     lines.push_back("no girth ease at the " + level.level + ": " + level.why);
   }
-  if (report.dressing) lines.push_back(verdict_line(report));
+  if (report.dressing) lines.push_back(dressing_line(*report.dressing));
   return lines;
 }
 

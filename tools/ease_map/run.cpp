@@ -86,7 +86,7 @@ void warn_if_implausible(EaseReport& report) {
 
 /// What is cut smaller than the body goes around it by being stretched.
 void warn_if_too_small(EaseReport& report) {
-  for (const TooSmallLevel& level :
+  for (const FitLevel& level :
        fit_of(report.girths.levels, report.garment_levels, report.limbs).levels) {
     const std::string line = text_of(level);
     // The dressing may have found it.

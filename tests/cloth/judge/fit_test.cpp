@@ -24,6 +24,20 @@ TEST(Fit, NamesTheLevelsAtWhichClothIsMissing) {
   EXPECT_EQ(text_of(fit.levels[0]),
             "at the bust the garment is cut 10.0 cm smaller than the body, and stretched by that: "
             "90.0 cm around 100.0 cm");
+  EXPECT_EQ(text_of(fit), "too_small, 10.0 cm missing at the bust");
+  ASSERT_TRUE(fit.nearest);
+  EXPECT_EQ(fit.nearest->level, "bust");
+}
+
+TEST(Fit, TheNearestLevelIsOfTheTrunk) {
+  LimbEase arm;
+  arm.limb = "left upper arm";
+  arm.body = 0.30;
+  arm.as_cut = 0.31;
+  const Fit fit = fit_of({girth("bust", 1.00, 1.40), girth("waist", 0.80, 1.08)}, {}, {arm});
+  ASSERT_TRUE(fit.nearest);
+  EXPECT_EQ(fit.nearest->level, "waist");
+  EXPECT_EQ(text_of(fit), "ok");
 }
 
 TEST(Fit, LevelsOfTheGarmentCountWhereTheyLieOnTheTrunk) {
