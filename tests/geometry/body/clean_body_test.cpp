@@ -155,7 +155,7 @@ PolygonSoup turned_soup(double degrees) {
 
 TEST(CleanBody, IsTurnedAboutTheVerticalToFaceForward) {
   const CleanBody straight = clean_body(mannequin_soup(), "body");
-  for (const double degrees : {30.0, -30.0, 45.0, -62.0, 100.0, 150.0, -170.0, 12.0}) {
+  for (const double degrees : {30.0, -62.0, 100.0, -170.0, 12.0}) {
     const CleanBody body = clean_body(turned_soup(degrees), "body");
     ASSERT_TRUE(body.skeleton) << degrees;
     EXPECT_NEAR(body.report.turned_degrees, -degrees, 0.5);
@@ -190,11 +190,13 @@ TEST(CleanBody, ALeaningScanIsTurnedUpright) {
       EXPECT_NEAR(body.report.levelled_degrees, degrees, 2);
       // 1.5 degrees at the top of 1.70 m.
       EXPECT_LT(farthest(*body.skeleton, *straight.skeleton), 0.045) << degrees;
-      CleanOptions kept;
-      kept.level = false;
-      EXPECT_EQ(clean_body(leaning, "body", kept).report.levelled_degrees, 0);
     }
   }
+  PolygonSoup leaning = mannequin_soup();
+  for (Vec3& p : leaning.points) p = Eigen::AngleAxisd(0.2, Vec3::UnitX()) * p;
+  CleanOptions kept;
+  kept.level = false;
+  EXPECT_EQ(clean_body(leaning, "body", kept).report.levelled_degrees, 0);
 }
 
 TEST(CleanBody, APersonWhoLeansOnLevelSolesStays) {
