@@ -109,6 +109,7 @@ std::vector<LeftOut> left_out(const Pattern& pattern, const FindSeamsSettings& s
     throw Error(pattern.source, "keeps no panel", "take panels in by --with");
   }
   std::vector<LeftOut> named;
+  named.reserve(out.size());
   for (const auto& [panel, kind] : out) named.push_back({pattern.panels[panel].name, kind});
   return named;
 }

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "cloth/start/place_panels.h"
 #include "cloth/start/places_fit.h"
 #include "cloth/start/positioning.h"
 #include "geometry/body/mannequin/mannequin.h"
@@ -119,6 +120,31 @@ TEST(FindPlaces, ATshirtStandsWhereItsSampleDoes) {
   const Vec3 right = middle(garment, "right_front");
   EXPECT_NEAR(left.x(), -right.x(), 0.005);
   EXPECT_NEAR(left.y(), right.y(), 0.005);
+}
+
+TEST(FindPlaces, ADrawingThatLooksUpsideDownIsNamed) {
+  Json pattern = sample("tshirt");
+  strip(pattern);
+  for (const bool turned : {false, true}) {
+    if (turned) {
+      for (auto& [name, panel] : pattern["pattern"]["panels"].items()) {
+        for (Json& vertex : panel["vertices"]) {
+          vertex = {-vertex[0].get<double>(), -vertex[1].get<double>()};
+        }
+      }
+    }
+    PanelMesh garment = meshed(pattern);
+    const PlacedPanels placed = place_panels(body().surface, &body().skeleton, {}, garment);
+    for (const FoundPlace& place : placed.places) EXPECT_EQ(place.upside_down, turned);
+    EXPECT_EQ(placed.reason.find("looks upside down") != std::string::npos, turned)
+        << placed.reason;
+  }
+  for (const std::string name : {"jacket", "bodice_dress", "trousers", "fitted_tshirt"}) {
+    Json other = sample(name);
+    strip(other);
+    PanelMesh garment = meshed(other);
+    for (const FoundPlace& found : place(garment)) EXPECT_FALSE(found.upside_down) << name;
+  }
 }
 
 TEST(FindPlaces, NamesTellFrontFromBackBeforeTheNeckline) {
