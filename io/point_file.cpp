@@ -42,8 +42,10 @@ std::string_view next_column(std::string_view& rest, Comma comma) {
   while (!rest.empty() && is_column_gap(rest.front(), comma)) rest.remove_prefix(1);
   std::size_t end = 0;
   while (end < rest.size() && !is_column_gap(rest[end], comma)) ++end;
-  const std::string_view word = rest.substr(0, end);
+  std::string_view word = rest.substr(0, end);
   rest.remove_prefix(end);
+  // "1,5, 2,5, 3,5": one before a gap separates.
+  if (comma == Comma::decimal && word.size() > 1 && word.back() == ',') word.remove_suffix(1);
   return word;
 }
 
@@ -91,6 +93,14 @@ std::optional<Comma> comma_of(std::string_view line) {
   return any ? std::optional(Comma::decimal) : std::nullopt;
 }
 
+/// Whether the word is the end of a number that was cut at a decimal comma, or its beginning:
+/// "0846" or "-0" of "-0,0846". One in ten of them shows it.
+bool is_fraction_alone(std::string_view word) {
+  if (word == "-0") return true;
+  return word.size() > 1 && word.front() == '0' &&
+         word.find_first_not_of("0123456789") == word.npos;
+}
+
 /// The line's numbers; nothing for a heading, which only the first line can be.
 std::optional<Columns> read_columns(const LineScanner& scanner, bool is_first, Comma comma) {
   Columns columns;
@@ -102,6 +112,11 @@ std::optional<Columns> read_columns(const LineScanner& scanner, bool is_first, C
       if (is_first && columns.count == 0) return std::nullopt;
       if (columns.count < 3) scanner.fail(shown(word) + " is not a number", "");
       break;  // a name or a note after the coordinates
+    }
+    if (comma == Comma::gap && columns.count < 3 && is_fraction_alone(word)) {
+      scanner.fail(shown(word) +
+                       " is no number that programs write: do commas part both digits and columns?",
+                   "write decimal points, or semicolons between columns");
     }
     if (columns.count == 0) columns.is_whole = word.find_first_not_of("0123456789") == word.npos;
     columns.value[columns.count++] = *value;

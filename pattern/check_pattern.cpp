@@ -192,6 +192,17 @@ void remark_on_lengths(const Pattern& pattern, std::vector<Remark>& remarks) {
 
 }  // namespace
 
+void warn_of_outlines(const Pattern& pattern, std::vector<Remark>& remarks) {
+  for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+    if (!pattern.panels[p].left_out.empty()) continue;
+    try {
+      check_outline(pattern, static_cast<int>(p));
+    } catch (const Error& error) {
+      remarks.push_back({true, std::string(error.what()) + "; mesh-pattern refuses it as it is"});
+    }
+  }
+}
+
 void check_pattern(const Pattern& pattern, std::vector<Remark>& remarks) {
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
     check_outline(pattern, static_cast<int>(p));

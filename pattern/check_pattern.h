@@ -17,4 +17,9 @@ namespace toile {
 /// outline that crosses or touches itself, as outline_polygon() draws it.
 void check_pattern(const Pattern& pattern, std::vector<Remark>& remarks);
 
+/// Adds a warning for each panel whose outline check_pattern() would refuse. It is for programs
+/// that read or write patterns and don't mesh them. What the garment is sewn without is not looked
+/// at.
+void warn_of_outlines(const Pattern& pattern, std::vector<Remark>& remarks);
+
 }  // namespace toile

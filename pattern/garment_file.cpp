@@ -146,7 +146,37 @@ MeshedAttachment attachment_of(const JsonValue& value, std::size_t points) {
           read_attachment(value, 1)};
 }
 
-MeshedSeam seam_of(const JsonValue& value, std::size_t points) {
+/// A length that the mesh shows, too. Throws Error where the two are of different garments: the
+/// drape would go by it without a word. Meshes differ by up to 3 from what is asked, curves from
+/// their chords by up to 2. Ten lets both pass; half and double would, too.
+double length_like(const JsonValue& value, double in_mesh) {
+  constexpr double most = 10;
+  const double length = value.number();
+  if (!(length > in_mesh / most && length < in_mesh * most)) {
+    fail(value.place(), number_text(length) + " m does not fit the mesh, which has " +
+                            number_text(in_mesh, 2) + " m there");
+  }
+  return length;
+}
+
+double mean_edge(const PanelMesh& garment) {
+  double sum = 0;
+  for (const Triangle& t : garment.triangles) {
+    for (int i = 0; i < 3; ++i) sum += (garment.flat[t[i]] - garment.flat[t[(i + 1) % 3]]).norm();
+  }
+  return sum / (3 * static_cast<double>(garment.triangles.size()));
+}
+
+double length_along(const PanelMesh& garment, const std::vector<int>& points) {
+  double length = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    length += (garment.flat[points[i]] - garment.flat[points[i - 1]]).norm();
+  }
+  return length;
+}
+
+MeshedSeam seam_of(const JsonValue& value, const PanelMesh& garment) {
+  const std::size_t points = garment.flat.size();
   MeshedSeam seam;
   seam.name = value.get("name").text();
   seam.a = points_of(value.get("a"), points);
@@ -155,8 +185,8 @@ MeshedSeam seam_of(const JsonValue& value, std::size_t points) {
     fail(value.place(), "has sides of " + std::to_string(seam.a.size()) + " and " +
                             std::to_string(seam.b.size()) + " points");
   }
-  seam.length_a = value.get("length_a").number();
-  seam.length_b = value.get("length_b").number();
+  seam.length_a = length_like(value.get("length_a"), length_along(garment, seam.a));
+  seam.length_b = length_like(value.get("length_b"), length_along(garment, seam.b));
   return seam;
 }
 
@@ -293,7 +323,8 @@ void write_garment(const OutputPath& obj, const PanelMesh& garment) {
   pair.commit();
 }
 
-PanelMesh read_garment(const fs::path& obj, const fs::path& json) {
+PanelMesh read_garment(const fs::path& obj, const fs::path& json,
+                       std::vector<std::string>* warnings) {
   PanelMesh garment;
   read_mesh(read_obj(obj, max_metres), obj.string(), garment);
   check_overlaps(garment, obj.string());
@@ -301,7 +332,6 @@ PanelMesh read_garment(const fs::path& obj, const fs::path& json) {
   const std::string name = path.string();
   const JsonDocument document(read_file(path), name);
   const JsonValue root = document.root();
-  garment.edge_length = number_or(root, "edge_length", 0);
   if (const auto subdivisions = root.find("subdivisions")) {
     garment.subdivisions = subdivisions->index();
   }
@@ -313,10 +343,14 @@ PanelMesh read_garment(const fs::path& obj, const fs::path& json) {
   }
   check_ranges(garment, name);
   check_placed(garment, obj.string());
+  if (const auto edge_length = root.find("edge_length");
+      edge_length && edge_length->number() != 0) {
+    garment.edge_length = length_like(*edge_length, mean_edge(garment));
+  }
   const JsonValue seams = root.get("seams");
   for (std::size_t i = 0; i < seams.size(); ++i) {
     garment.seams.push_back(
-        seam_of(seams.item(i).called(name + ": seam " + std::to_string(i)), garment.flat.size()));
+        seam_of(seams.item(i).called(name + ": seam " + std::to_string(i)), garment));
   }
   if (const auto elastics = root.find("elastics")) {
     for (std::size_t i = 0; i < elastics->size(); ++i) {
@@ -326,9 +360,17 @@ PanelMesh read_garment(const fs::path& obj, const fs::path& json) {
   }
   if (const auto attachments = root.find("attachments")) {
     for (std::size_t i = 0; i < attachments->size(); ++i) {
-      garment.attachments.push_back(
-          attachment_of(attachments->item(i).called(name + ": attachment " + std::to_string(i)),
-                        garment.flat.size()));
+      const JsonValue value =
+          attachments->item(i).called(name + ": attachment " + std::to_string(i));
+      // Earlier states of mesh-pattern wrote these for edges that were merged.
+      if (value.get("points").size() == 0) {
+        if (warnings != nullptr) {
+          warnings->push_back(value.place() + " (" + value.get("name").text() +
+                              ") has no points and is left out; mesh the pattern again");
+        }
+        continue;
+      }
+      garment.attachments.push_back(attachment_of(value, garment.flat.size()));
     }
   }
   if (const auto marks = root.find("marks")) {

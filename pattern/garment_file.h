@@ -25,9 +25,10 @@ void write_garment(const OutputPath& obj, const PanelMesh& garment);
 std::filesystem::path garment_json_path(const std::filesystem::path& obj);
 
 /// Reads what write_garment wrote, also after another program has moved the points. If `json` is
-/// empty, the file of the same stem is read. Throws Error, naming the file, when the two do not fit
-/// together.
-PanelMesh read_garment(const std::filesystem::path& obj, const std::filesystem::path& json = {});
+/// empty, the file of the same stem is read. `warnings`, if given, gets what is left out of it:
+/// attachments without points. Throws Error, naming the file, when the two do not fit together.
+PanelMesh read_garment(const std::filesystem::path& obj, const std::filesystem::path& json = {},
+                       std::vector<std::string>* warnings = nullptr);
 
 /// Writes a dressed garment: `v` are the nodes, `vt` the flat coordinates, one group a panel.
 /// Throws Error as OutputFile does.

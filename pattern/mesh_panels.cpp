@@ -119,6 +119,24 @@ std::optional<Attachment> held_by_label(const std::string& label) {
   return std::nullopt;
 }
 
+/// Warns of edges that a label holds and that were merged with others, so that nothing is left to
+/// hold. The edge that took one in has its own label, or none.
+void warn_of_lost_holds(const Pattern& pattern, std::vector<Remark>& remarks) {
+  for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+    const PatternPanel& panel = pattern.panels[p];
+    for (std::size_t e = 0; e < panel.edges.size(); ++e) {
+      const auto is_it = [e](const OutlineStep& step) { return step.edge == static_cast<int>(e); };
+      if (!held_by_label(panel.edges[e].label) || std::ranges::any_of(panel.outline, is_it)) {
+        continue;
+      }
+      remarks.push_back({true, pattern.source + ": " +
+                                   edge_name(pattern, {static_cast<int>(p), static_cast<int>(e)}) +
+                                   " is labelled '" + panel.edges[e].label +
+                                   "', but too short to be held while the garment is dressed"});
+    }
+  }
+}
+
 /// The cut-outs of a panel, whose points are counted from `first_point` on.
 std::vector<MeshedCutOut> meshed_cut_outs(const std::string& panel,
                                           const std::vector<CutOut>& cut_outs,
@@ -179,7 +197,7 @@ PanelMesh assemble(const Meshing& meshing, const std::vector<PanelTriangulation>
     }
     for (std::size_t e = 0; e < panel.edges.size(); ++e) {
       const std::optional<Attachment> how = held_by_label(panel.edges[e].label);
-      if (!how) continue;
+      if (!how || triangulations[p].along[e].empty()) continue;
       MeshedAttachment held{panel.name + "." + std::to_string(e), triangulations[p].along[e], *how};
       for (int& point : held.points) point += meshed.first_point;
       garment.attachments.push_back(std::move(held));
@@ -317,6 +335,7 @@ PanelMesh mesh_with_shorter_steps(const Meshing& meshing, int subdivisions,
 PanelMesh mesh_panels(const Pattern& pattern, const MeshSettings& settings,
                       std::vector<Remark>& remarks) {
   check_size(pattern, settings.edge_length);
+  warn_of_lost_holds(pattern, remarks);
   const Orientation orientation = orient(pattern, remarks);
   Meshing meshing{pattern, orientation, settings.edge_length, {}};
   for (const PatternPanel& panel : pattern.panels) {

@@ -146,6 +146,8 @@ int run_program(int argc, char** argv, const CommandLineProgram& program) {
     return usage_error(program, too_many(argc, argv, all, program));
   } catch (const po::error& wrong) {
     return usage_error(program, wrong.what());
+  } catch (const UsageError& wrong) {
+    return usage_error(program, wrong.what());
   }
 
   std::optional<tbb::global_control> limit;

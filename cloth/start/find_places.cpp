@@ -310,6 +310,7 @@ std::vector<int> Component::place(std::vector<Vec3>& placed, std::vector<FoundPl
   roll_all(meshed);
   for (std::size_t i = 0; i < flat_.size(); ++i) {
     found[flat_[i]].side = worn_->layout().back[i] ? PlacementSide::back : PlacementSide::front;
+    found[flat_[i]].upside_down = worn_->is_upside_down();
   }
   for (const int p : hoods_) {
     const double x = placed[panel(p).first_point].x();

@@ -29,8 +29,9 @@ struct FoundPlace {
   std::string panel;
   std::string part;  ///< one of body_parts
   PlacementSide side = PlacementSide::front;
-  bool around = false;  ///< rolled around its part
-  bool asked = false;   ///< as asked, not found
+  bool around = false;       ///< rolled around its part
+  bool asked = false;        ///< as asked, not found
+  bool upside_down = false;  ///< its drawing looks so, see WornLayout::is_upside_down()
 };
 
 /// "front", "back", "left" or "right".

@@ -77,6 +77,21 @@ double WornLayout::middle() const {
   return area > 0 ? moment / area : 0;
 }
 
+bool WornLayout::is_upside_down() const {
+  // The sample's hem is 2.3 times its neckline. Half of this doubts garments with wide necks,
+  // double doubts none.
+  constexpr double widest_neck = 1.5;  // of the hem
+  if (!has(PanelKind::sleeve)) return false;
+  const double x = middle();
+  std::vector<double> lengths;  // of the openings about the trunk, the highest first
+  for (const FlatOpening& opening : openings_) {
+    if (opening.both_faces && opening.left < x && x < opening.right) {
+      lengths.push_back(opening.length);
+    }
+  }
+  return lengths.size() == 2 && lengths[0] > widest_neck * lengths[1];
+}
+
 void WornLayout::choose_front() {
   const double x = middle();
   if (hangs()) {

@@ -26,6 +26,10 @@ class WornLayout {
   /// not hang from the shoulders it has the smaller area.
   void choose_front();
 
+  /// Whether its drawing seems to be upside down: it has sleeves, and its neckline is far wider
+  /// than its hem.
+  bool is_upside_down() const;
+
   double middle() const;  ///< x of the middle of the cloth, sleeves apart
 
   /// The lowest point of the seams that join a left half to a right one, if an opening for each leg

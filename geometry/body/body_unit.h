@@ -27,7 +27,15 @@ inline double inferred_unit(double height, double depth, const std::string& name
   throw Error(name,
               "a body " + number_text(height) +
                   " units tall is between 0.40 and 2.30 m in none of m, dm, cm, mm, in",
-              "give --unit");
+              "give --unit, or how tall the body is: --height 168cm");
+}
+
+/// Metres in the unit of a body: as `options` state it or the body's height, else inferred_unit().
+template <class Options>
+double body_unit(const Options& options, double height, double depth, const std::string& name) {
+  if (options.metres_per_unit) return *options.metres_per_unit;
+  if (options.height && height > 0) return *options.height / height;
+  return inferred_unit(height, depth, name);
 }
 
 }  // namespace toile

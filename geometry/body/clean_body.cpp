@@ -12,6 +12,7 @@
 #include "geometry/body/incomplete_body.h"
 #include "geometry/body/limbs_through.h"
 #include "geometry/body/missing_feet.h"
+#include "geometry/body/sheet.h"
 #include "geometry/body/stand_level.h"
 #include "geometry/error.h"
 #include "geometry/surface_distance.h"
@@ -315,8 +316,7 @@ std::optional<Standing> as_given(const TriangleMesh& mesh, const CleanOptions& o
   if (!options.skeleton) return std::nullopt;
   const double floor = bounds(mesh).min().y();
   const double tall = bounds(mesh).max().y() - floor;
-  const double unit =
-      options.metres_per_unit ? *options.metres_per_unit : inferred_unit(tall, 0, name);
+  const double unit = body_unit(options, tall, 0, name);
   report.skeleton_refused = refusal(*options.skeleton, mesh, unit);
   if (!report.skeleton_refused.empty()) return std::nullopt;
   Standing body;
@@ -365,6 +365,7 @@ CleanBody clean_body(const PolygonSoup& soup, const std::string& name,
   CleanReport& report = body.report;
   RepairedSurface surface = repair(soup, name, options.repair);
   report.repair = surface.report;
+  refuse_sheet(surface.mesh.points, name);
 
   std::optional<Standing> given = as_given(surface.mesh, options, name, report);
   Standing standing = given ? std::move(*given) : stand_up(surface.mesh, options, name, report);
@@ -372,9 +373,8 @@ CleanBody clean_body(const PolygonSoup& soup, const std::string& name,
   const double units_tall = bounds(standing.mesh).max().y();
   // A whole body may step out or reach forward.
   const double depth = standing.skeleton ? 0 : std::min(size.x(), size.z());
-  report.unit_inferred = !options.metres_per_unit;
-  report.metres_per_unit =
-      options.metres_per_unit ? *options.metres_per_unit : inferred_unit(units_tall, depth, name);
+  report.unit_inferred = !options.metres_per_unit && !options.height;
+  report.metres_per_unit = body_unit(options, units_tall, depth, name);
   report.height = units_tall * report.metres_per_unit;
   if (!(report.height >= 0.1 && report.height <= 10)) {
     throw Error(name, "the body would be " + number_text(report.height) + " m tall",

@@ -16,6 +16,7 @@ namespace toile {
 struct CleanOptions {
   /// Metres in one unit of the file. If absent, height and depth decide, as inferred_unit().
   std::optional<double> metres_per_unit;
+  std::optional<double> height;  ///< metres that the body is tall, where its unit is not given
   RepairOptions repair;
   /// The joints, if they are known: metres, in the frame of the mesh in metres. They are used if
   /// all are there, lie within the body, and the toes point to +z. The body is then not turned.
@@ -73,10 +74,10 @@ inline constexpr double large_hole = 0.05;
 ///
 /// Where `up` or `front` is given, that is not searched for.
 ///
-/// It throws Error as repair() does, when the unit can't be found, or when the height is not 0.1 to
-/// 10 m. A `front` along the vertical is an Error. A body without a skeleton is none.
-/// Where limbs are missing it has the joints of incomplete_body(), and is turned to face +z by
-/// them.
+/// It throws Error as repair() does, when the unit can't be found, when the height is not 0.1 to
+/// 10 m, or as refuse_sheet(). A `front` along the vertical is an Error. A body without a skeleton
+/// is none. Where limbs are missing it has the joints of incomplete_body(), and is turned to face
+/// +z by them.
 CleanBody clean_body(const PolygonSoup& soup, const std::string& name,
                      const CleanOptions& options = {});
 

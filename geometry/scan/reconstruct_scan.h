@@ -13,9 +13,10 @@ namespace toile {
 
 struct ScanOptions {
   /// Metres in one unit of the points. If absent, the body's height decides, as inferred_unit().
-  std::optional<double> metres_per_unit;
-  std::optional<AxisDirection> up;  ///< absent: found, see sort_scan()
-  double edge_length = 0.007;       ///< metres, about the mean edge; 0.003 to 0.02
+  std::optional<double> metres_per_unit = {};
+  std::optional<double> height = {};  ///< metres that the body is tall, where its unit is not given
+  std::optional<AxisDirection> up = {};  ///< absent: found, see sort_scan()
+  double edge_length = 0.007;            ///< metres, about the mean edge; 0.003 to 0.02
 };
 
 /// A part of the surface that no point is near. What is there is a guess.
@@ -70,6 +71,7 @@ inline constexpr double listed_hole = 4e-4;
 ///
 /// It throws Error, with the place `name`:
 /// - for fewer than 1000 points, or points farther apart than a fiftieth of the body's height;
+/// - for points in a sheet, as refuse_sheet(), or such that fill a space;
 /// - when no unit fits;
 /// - when points are near to less than 70 % of the surface.
 ///

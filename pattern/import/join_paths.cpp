@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <unordered_map>
 
 #include "io/text.h"
@@ -19,7 +20,7 @@ constexpr double min_curve_length = 1e-6;
 constexpr int max_curve_steps = 1000;
 
 /// Free ends of paths in square cells as wide as a gap may be. End 2p is the start of path p, end
-/// 2p + 1 its end.
+/// 2p + 1 its end. All ends are opened before the first search.
 class FreeEnds {
  public:
   explicit FreeEnds(const std::vector<PiecePath>& paths) : free_(2 * paths.size(), false) {
@@ -28,8 +29,18 @@ class FreeEnds {
       points_.push_back(path.front().start());
       points_.push_back(path.back().end());
     }
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      cells_[key(cell(points_[i].x()), cell(points_[i].y()))].push_back(static_cast<int>(i));
+    std::vector<int> order(points_.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [this](int a, int b) {
+      const Vec2& p = at(a);
+      const Vec2& q = at(b);
+      return p.x() < q.x() || (p.x() == q.x() && p.y() < q.y());
+    });
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const Vec2& point = at(order[i]);
+      std::vector<Place>& places = cells_[key(cell(point.x()), cell(point.y()))];
+      if (i == 0 || at(order[i - 1]) != point) places.emplace_back();
+      places.back().ends.push_back(order[i]);
     }
   }
 
@@ -39,15 +50,22 @@ class FreeEnds {
   bool is_free(int end) const { return free_[static_cast<std::size_t>(end)]; }
 
   /// The nearest free end within max_outline_gap; -1: none. Of two as near, the first.
-  int nearest(const Vec2& point) const {
+  int nearest(const Vec2& point) {
     int best = -1;
     double least = max_outline_gap;
     for (std::int64_t dx = -1; dx <= 1; ++dx) {
       for (std::int64_t dy = -1; dy <= 1; ++dy) {
         const auto found = cells_.find(key(cell(point.x()) + dx, cell(point.y()) + dy));
         if (found == cells_.end()) continue;
-        for (const int end : found->second) {
-          if (!is_free(end)) continue;
+        std::vector<Place>& places = found->second;
+        for (std::size_t i = 0; i < places.size();) {
+          const int end = first_free(places[i]);
+          if (end < 0) {
+            std::swap(places[i], places.back());
+            places.pop_back();
+            continue;
+          }
+          ++i;
           const double distance = (at(end) - point).norm();
           if (distance > least || (distance == least && best >= 0 && end > best)) continue;
           least = distance;
@@ -59,6 +77,18 @@ class FreeEnds {
   }
 
  private:
+  /// The ends that lie in one point, in rising order. Thousands may: only the first that is free is
+  /// looked at, and what was joined before it never again.
+  struct Place {
+    std::vector<int> ends;
+    std::size_t first = 0;
+  };
+
+  int first_free(Place& place) const {
+    while (place.first < place.ends.size() && !is_free(place.ends[place.first])) ++place.first;
+    return place.first < place.ends.size() ? place.ends[place.first] : -1;
+  }
+
   static std::int64_t cell(double x) {
     return static_cast<std::int64_t>(std::floor(x / max_outline_gap));
   }
@@ -69,7 +99,7 @@ class FreeEnds {
 
   std::vector<Vec2> points_;
   std::vector<bool> free_;
-  std::unordered_map<std::uint64_t, std::vector<int>> cells_;
+  std::unordered_map<std::uint64_t, std::vector<Place>> cells_;
 };
 
 /// The curve with other ends that are near its own.

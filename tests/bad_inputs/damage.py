@@ -301,13 +301,18 @@ def edge_dropped(random, content):
 
 def sewn_wrong(random, content):
     stitches = content["pattern"]["stitches"]
-    side = random.choice(random.choice(stitches)[:2])
+    stitch = random.choice(stitches)
+    side = random.choice(stitch[:2])
     name, panel = panel_of(random, content)
-    kind = random.randrange(4)
+    kind = random.randrange(6)
     if kind == 0:
         side["panel"] = random.choice(WORDS)
     elif kind == 1:
-        side["edge"] = random.choice((len(panel["edges"]), -1, 10**9, 10**20))
+        side["edge"] = random.choice((len(panel["edges"]), -1, 10**9, 10**10, 10**20))
+    elif kind == 4:
+        del side[random.choice(("panel", "edge"))]
+    elif kind == 5:
+        stitch.remove(side)
     elif kind == 2:
         stitches.append([{"panel": name, "edge": 0}, {"panel": name, "edge": 0}])
     else:
@@ -354,6 +359,38 @@ def pattern_changed(change):
     def damage(random, folder):
         return edited(change)(random, folder, good.PATTERNS)
     return damage
+
+
+def sidecar_misfits(random, content):
+    """The garment's JSON tells of another mesh than the OBJ file beside it has."""
+    panel, seam = random.choice(content["panels"]), random.choice(content["seams"])
+    side = seam[random.choice("ab")]
+    shift = random.choice((-1, 1, 1000, 2**31))
+    change = random.choice((
+        lambda: panel.update({(key := random.choice(("first_point", "points", "first_triangle",
+                                                     "triangles"))): panel[key] + shift}),
+        lambda: content["panels"].append(panel), lambda: content["panels"].remove(panel),
+        lambda: side.pop(), lambda: side.__setitem__(0, side[0] + shift), lambda: side.clear(),
+        lambda: side.reverse(), lambda: seam.update(a=seam["b"]),
+        lambda: seam.update(length_a=random.choice((-1, 0, 1e-300, 1e300))),
+        lambda: content.update(edge_length=random.choice((-1, 0, 1e-300, 1e300))),
+        lambda: content.update(subdivisions=random.choice((0, 2, 9, 2**31))),
+        lambda: content.update(attachments=[{"name": "x", "points": random.choice(
+            ([], [0], [-1], [10**9], [0.5])), "to": "level", "level": "waist"}]),
+        lambda: content.update(elastics=[{"name": "x", "points": random.choice(([], [0, 1], [0])),
+                                          "ratio": random.choice((0, 0.5, 2)),
+                                          "stiffness_N": random.choice((-1, 10, 1e300))}]),
+        lambda: content.update(marks=[{"name": "x", "points": [10**9]}]),
+        lambda: content.update(cut_outs=[{"name": "x", "points": [0, 0, 0]}])))
+    change()
+
+
+def another_sidecar(random, folder):
+    """The JSON of another garment lies beside the OBJ file."""
+    name, words, path = take(random, folder, ("garment.json",))
+    shutil.copy(folder.parent / "good" / random.choice(
+        ("other.json", "body.json", "scene.json", "pattern_band.json")), path)
+    return words, [name]
 
 
 def svg_changed(random, folder):
@@ -433,4 +470,7 @@ KINDS = {
     "many entities": drawing_changed(many_entities),
     "inserted in itself": drawing_changed(inserted_in_itself),
     "SVG changed": svg_changed, "option": option,
+    "sidecar misfits": lambda random, folder: edited(sidecar_misfits)(
+        random, folder, ("garment.json",)),
+    "another sidecar": another_sidecar,
 }

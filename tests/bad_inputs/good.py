@@ -41,6 +41,7 @@ def make(folder, tools, source):
     (folder / "mesh.json").unlink()
     program("mesh-pattern", samples / "band_small.json", "--edge-length", "30mm",
             "-o", "garment.obj")
+    program("mesh-pattern", samples / "tube_top.json", "--edge-length", "30mm", "-o", "other.obj")
     program("dress", "--body", "body.ply", "garment.obj", "-o", "dressed.obj")
     for name in ("tshirt", "band", "elastic_skirt", "tube_top"):
         shutil.copy(samples / f"{name}.json", folder / f"pattern_{name}.json")

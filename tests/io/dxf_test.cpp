@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <numbers>
 #include <random>
 
@@ -41,6 +42,18 @@ double area_of(const std::vector<DxfCurve>& curves) {
     }
   }
   return twice / 2;
+}
+
+TEST(Dxf, UnitsAreThoseOfTheHeader) {
+  // By the codes of $INSUNITS in Autodesk's DXF reference.
+  const std::map<int, double> metres = {{0, 0},       {1, 0.0254}, {2, 0.3048},  {4, 1e-3},
+                                        {5, 1e-2},    {6, 1},      {8, 2.54e-8}, {9, 2.54e-5},
+                                        {10, 0.9144}, {13, 1e-6},  {14, 0.1}};
+  for (const auto& [code, metre] : metres) {
+    const std::string text = "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n" + std::to_string(code) +
+                             "\n0\nENDSEC\n0\nEOF\n";
+    EXPECT_DOUBLE_EQ(parse_dxf(text, "unit.dxf").unit_metres, metre) << code;
+  }
 }
 
 TEST(Dxf, ReadsEveryVersionAndItsText) {

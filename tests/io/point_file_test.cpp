@@ -36,10 +36,12 @@ TEST(PointFile, TablesHaveAnySeparatorCommentsAndHeading) {
 }
 
 TEST(PointFile, CommasAreDecimalWhereOtherGapsLeaveThreeNumbers) {
-  for (const char* text : {"0,25 1,5 -0,5\n1 2,5 3e0\n", "x;y;z\n0,25;1,5;-0,5\r\n1;2,5;3\r\n",
-                           "2\n0,25\t1,5\t-0,5\t255\n1,0\t2,50\t3,0\t7\n",
-                           "0.25,1.5,-0.5\n1,2.5,3\n", "x,y,z\n0,25 1,5 -0,5\n1 2,5 3\n",
-                           "0.25 , 1.5 , -0.5\n1 ,2.5 ,3\n", "0.25 1.5 -0.5 7,5\n1 2.5 3 7,5\n"}) {
+  for (const char* text :
+       {"0,25 1,5 -0,5\n1 2,5 3e0\n", "x;y;z\n0,25;1,5;-0,5\r\n1;2,5;3\r\n",
+        "2\n0,25\t1,5\t-0,5\t255\n1,0\t2,50\t3,0\t7\n", "0.25,1.5,-0.5\n1,2.5,3\n",
+        "x,y,z\n0,25 1,5 -0,5\n1 2,5 3\n", "0.25 , 1.5 , -0.5\n1 ,2.5 ,3\n",
+        "0,25, 1,5, -0,5\n1, 2,5, 3,0\n", "0,25,\t1,5,\t-0,5,\n1,\t2,5,\t3\n",
+        "0.25, 1.5, -0.5,\n1, 2.5, 3\n", "0.25 1.5 -0.5 7,5\n1 2.5 3 7,5\n"}) {
     const PointCloud cloud = parse_points(text, "scan");
     ASSERT_EQ(cloud.points.size(), 2u) << text;
     EXPECT_EQ(cloud.points[0], Vec3(0.25, 1.5, -0.5)) << text;
@@ -52,6 +54,15 @@ TEST(PointFile, CommasAreDecimalWhereOtherGapsLeaveThreeNumbers) {
   EXPECT_NEAR(normals.normals[0].y(), 0.8, 1e-15);
   EXPECT_TRUE(begins(error_of("1,5 2,5 3,5\n1,5 2,5\n"), "scan.pts:2: has 2 of the numbers"));
   EXPECT_TRUE(begins(error_of("1,5 2,5 3,5\n1,5 2,5,1 2\n"), "scan.pts:2: '2,5,1' is not a"));
+}
+
+TEST(PointFile, CommasThatPartDigitsAndColumnsAreNamed) {
+  for (const char* text : {"0,25,1,5,-0,5\n0,0846,0,8215,0,1351\n", "-0,0846,0,8215,-0,1351\n"}) {
+    EXPECT_TRUE(error_of(text).find("do commas part both digits and columns") != std::string::npos)
+        << error_of(text);
+  }
+  // Zeros before a point or after the coordinates are no sign of it.
+  EXPECT_EQ(parse_points("0.5,-0.25,0\n0,0,0,007\n", "scan").points.size(), 2u);
 }
 
 TEST(PointFile, ColumnsOfUnitLengthAreNormals) {

@@ -51,6 +51,27 @@ TEST(Check, AnOutlineThatCrossesItselfNamesBothEdges) {
                "panel 'spike'");
 }
 
+TEST(Check, ProgramsThatMeshNothingWarnOfEachSuchOutline) {
+  const std::string square = polygon("square", "[0,0],[20,0],[20,20],[0,20]");
+  const std::string bow = polygon("bow", "[0,0],[10,10],[10,0],[0,10]");
+  std::vector<Remark> remarks;
+  warn_of_outlines(samples::parse(file(square)), remarks);
+  EXPECT_TRUE(remarks.empty());
+  Pattern pattern = samples::parse(
+      file(square + "," + bow + "," + polygon("spike", "[0,0],[10,0],[20,0],[10,0],[5,8]")));
+  warn_of_outlines(pattern, remarks);
+  ASSERT_EQ(remarks.size(), 2u);
+  EXPECT_TRUE(remarks[0].warning);
+  EXPECT_HOLDS(remarks[0].text, "panel 'bow', edge 0: crosses or touches edge 2");
+  EXPECT_HOLDS(remarks[0].text, "mesh-pattern refuses it");
+  EXPECT_HOLDS(remarks[1].text, "panel 'spike'");
+  // Nobody meshes what the garment is sewn without.
+  for (PatternPanel& panel : pattern.panels) panel.left_out = "asked for";
+  remarks.clear();
+  warn_of_outlines(pattern, remarks);
+  EXPECT_TRUE(remarks.empty());
+}
+
 TEST(Check, CurvesAreFollowedIntoACrossing) {
   // Straight, the square is simple; its curved top dips through the bottom edge.
   EXPECT_HOLDS(check_error(file(curved("[0.5, 2.5]"))), "panel 'curved', edge 0: crosses");

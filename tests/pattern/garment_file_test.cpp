@@ -222,6 +222,30 @@ TEST_F(GarmentFile, FlatTrianglesMustNotLieOnEachOther) {
   EXPECT_HOLDS(error_of([&] { read_garment(obj_); }), "covers 0 points");
 }
 
+// They were taken as they stood, and changed the drape without a word.
+TEST_F(GarmentFile, LengthsThatTheMeshDoesNotHaveAreRefused) {
+  write_garment(obj_, bag());
+  EXPECT_HOLDS(message_after(json_, "\"edge_length\": 0.03", "\"edge_length\": 1e300"),
+               "garment.json, edge_length: 1e+300 m does not fit the mesh");
+  EXPECT_HOLDS(message_after(json_, "\"edge_length\": 0.03", "\"edge_length\": -0.03"),
+               "does not fit the mesh");
+  EXPECT_HOLDS(message_after(json_, "\"edge_length\": 0.03", "\"edge_length\": 3"),
+               "does not fit the mesh");
+  EXPECT_HOLDS(message_after(json_, "\"length_a\":", "\"length_a\":1"), "seam 0, length_a: ");
+}
+
+TEST_F(GarmentFile, AnAttachmentWithoutPointsIsLeftOutWithAWarning) {
+  PanelMesh garment = bag();
+  ASSERT_FALSE(garment.attachments.empty());
+  const std::size_t sound = garment.attachments.size();
+  garment.attachments.insert(garment.attachments.begin(), {"front.1", {}, {}});
+  write_garment(obj_, garment);
+  std::vector<std::string> warnings;
+  EXPECT_EQ(read_garment(obj_, {}, &warnings).attachments.size(), sound);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_HOLDS(warnings[0], "attachment 0 (front.1) has no points and is left out");
+}
+
 TEST_F(GarmentFile, MutatedPairsAreReadOrRefusedButNeverCrash) {
   write_garment(obj_, bag());
   const std::string obj = read_file(obj_);

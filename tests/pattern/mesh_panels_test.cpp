@@ -423,5 +423,23 @@ TEST(MeshPanels, HoldsEdgesThatGarmentCodeLabelsForIt) {
   }
 }
 
+// GarmentCode's jumpsuit has such an edge. dress refused the garment, for it had no points.
+TEST(MeshPanels, ALabelledEdgeThatIsMergedIsNotHeldAndSaid) {
+  const std::string skirt = R"("skirt": {"translation": [0,0,0],
+      "vertices": [[0,0],[20,0],[20,20],[0.02,20],[0,20]],
+      "edges": [{"endpoints": [0,1]}, {"endpoints": [1,2]}, {"endpoints": [2,3]},
+                {"endpoints": [3,4], "label": "lower_interface"}, {"endpoints": [4,0]}]})";
+  std::vector<Remark> remarks;
+  Pattern pattern = parse_pattern(file(skirt), "test.json", remarks);
+  remarks.clear();
+  EXPECT_TRUE(mesh_panels(pattern, {0.05}, remarks).attachments.empty());
+  const auto said = std::ranges::count_if(remarks, [](const Remark& remark) {
+    return remark.warning && remark.text ==
+                                 "test.json: panel 'skirt', edge 3 is labelled 'lower_interface', "
+                                 "but too short to be held while the garment is dressed";
+  });
+  EXPECT_EQ(said, 1);
+}
+
 }  // namespace mesh_panels_test
 }  // namespace toile

@@ -90,7 +90,7 @@ class AsCut : public testing::Test {
 
   fs::path mannequin() {
     const fs::path body = folder / "body.ply";
-    EXPECT_EQ(run("make-mannequin", {"-o", body, "-q"}).exit_code, 0);
+    EXPECT_EQ(run("make-mannequin", {"-o", body, "--edge-length", "14mm", "-q"}).exit_code, 0);
     return body;
   }
 

@@ -217,6 +217,39 @@ Json expect_warned(const TriangleMesh& mesh, const std::string& words, int exit_
   return report;
 }
 
+TEST(CleanBodyProgram, AGuessedUnitIsSaidAndAHeightIsTaken) {
+  const ScratchFolder folder;
+  TriangleMesh body = make_mannequin({.edge_length = 0.015}).surface;
+  double tall = 0;
+  for (const Vec3& p : body.points) tall = std::max(tall, p.y());
+  const auto scaled = [&](double height) {
+    TriangleMesh other = body;
+    for (Vec3& p : other.points) p *= height / tall;
+    write_mesh(folder / "in.ply", other);
+    return (folder / "in.ply").string();
+  };
+  const std::string out = (folder / "body.ply").string();
+  pipeline::Run ended = run("clean-body", {scaled(1.7), "-o", out});
+  EXPECT_TRUE(says(ended, "unit taken to be m, since the body is then 1.70 m tall")) << ended.err;
+  EXPECT_FALSE(says(ended, "are a guess")) << ended.err;
+  ended = run("clean-body", {scaled(1.7), "-o", out, "--unit", "m"});
+  EXPECT_FALSE(says(ended, "unit taken to be")) << ended.err;
+  // Models that were scaled to one size.
+  ended = run("clean-body", {scaled(2), "-o", out});
+  EXPECT_TRUE(says(ended, "warning: the body is exactly 2 units tall")) << ended.err;
+  ended = run("clean-body", {scaled(3.1), "-o", out});
+  EXPECT_EQ(ended.exit_code, 1);
+  EXPECT_TRUE(says(ended, "--height 168cm")) << ended.err;
+  ended = run("clean-body", {scaled(3.1), "-o", out, "--height", "168cm"});
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_TRUE(says(ended, "168.00 cm tall")) << ended.err;
+  EXPECT_FALSE(says(ended, "warning")) << ended.err;
+  EXPECT_EQ(run("clean-body", {scaled(3.1), "-o", out, "--height", "168"}).exit_code, 2);
+  EXPECT_EQ(run("clean-body", {scaled(3.1), "-o", out, "--height", "5m"}).exit_code, 2);
+  EXPECT_EQ(
+      run("clean-body", {scaled(3.1), "-o", out, "--height", "168cm", "--unit", "m"}).exit_code, 2);
+}
+
 TEST(CleanBodyProgram, ALeaningBodyIsTurnedUprightAndTheReportSaysByHowMuch) {
   const ScratchFolder folder;
   TriangleMesh body = make_mannequin({.edge_length = 0.014}).surface;

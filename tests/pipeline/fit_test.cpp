@@ -14,14 +14,24 @@ using Json = nlohmann::json;
 
 class ToileFit : public testing::Test {
  protected:
+  static void SetUpTestSuite() {
+    made_ = new ScratchFolder;
+    EXPECT_EQ(run("make-mannequin", {"-o", *made_ / "mannequin.obj", "--edge-length", "14mm", "-q"})
+                  .exit_code,
+              0);
+  }
+  static void TearDownTestSuite() { delete made_; }
+
   ToileFit() {
-    EXPECT_EQ(run("make-mannequin", {"-o", body, "--edge-length", "14mm", "-q"}).exit_code, 0);
+    for (const char* file : {"mannequin.obj", "mannequin.json"}) {
+      fs::copy(*made_ / file, folder / file);
+    }
     pattern = Json::parse(read_text(fs::path(TOILE_SOURCE_DIR) / "samples" / "tshirt.json"));
   }
   pipeline::Run fit() {
     write_text(folder / "pattern.json", pattern.dump());
     return run("toile", {"fit", "--body", body, folder / "pattern.json", "-o", folder / "out",
-                         "--edge-length", "25mm", "--quality", "draft"});
+                         "--edge-length", "35mm", "--quality", "draft"});
   }
   Json report(const std::string& name) { return Json::parse(read_text(folder / "out" / name)); }
   Json& panels() { return pattern["pattern"]["panels"]; }
@@ -29,7 +39,11 @@ class ToileFit : public testing::Test {
   ScratchFolder folder;
   fs::path body = folder / "mannequin.obj";
   Json pattern;
+
+ private:
+  static ScratchFolder* made_;
 };
+ScratchFolder* ToileFit::made_ = nullptr;
 
 TEST_F(ToileFit, EveryWarningIsInTheReportAndOnTheEaseMap) {
   for (auto& [name, panel] : panels().items()) {

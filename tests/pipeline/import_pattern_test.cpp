@@ -10,7 +10,6 @@ namespace toile {
 namespace import_pattern_test {
 
 using pipeline::read_text;
-using pipeline::Run;
 using pipeline::run;
 using pipeline::ScratchFolder;
 using pipeline::write_text;
@@ -39,6 +38,25 @@ TEST(ImportPattern, APatternIsWrittenAsItIs) {
   EXPECT_EQ(done.exit_code, 0) << done.err;
   EXPECT_HOLDS(done.err, "is a pattern already");
   EXPECT_EQ(read_text(folder / "p.json"), read_text(sample));
+}
+
+TEST(ImportPattern, AnOutlineThatNobodyCanMeshIsNamedByAllPatternPrograms) {
+  const ScratchFolder folder;
+  const std::string bow = (folder / "bow.json").string();
+  write_text(folder / "bow.json",
+             samples::file(samples::polygon("square", "[0,0],[20,0],[20,20],[0,20]") + "," +
+                           samples::polygon("bow", "[0,0],[10,10],[10,0],[0,10]")));
+  const std::string words = "panel 'bow', edge 0: crosses or touches edge 2";
+  for (const auto& [program, output] : {std::pair("import-pattern", "o.json"),
+                                        {"find-seams", "o.json"},
+                                        {"export-pattern", "o.svg"}}) {
+    const pipeline::Run done = run(program, {bow, "-q", "-o", (folder / output).string()}, 60);
+    EXPECT_NE(done.exit_code, 1) << program;
+    EXPECT_HOLDS(done.err, "warning: " + bow + ": " + words);
+  }
+  const pipeline::Run refused = run("mesh-pattern", {bow, "-o", (folder / "o.obj").string()}, 60);
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_HOLDS(refused.err, words);
 }
 
 TEST(ImportPattern, WhatIsNoPatternIsRefusedInOneLine) {

@@ -1,9 +1,13 @@
 // The built measure-body: its files, freehand measures, and what it refuses.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "geometry/repair.h"
+#include "io/mesh_file.h"
 #include "tests/support/run_program.h"
+#include "tests/support/shapes.h"
 
 namespace toile::pipeline {
 namespace measure_body_test {
@@ -84,6 +88,41 @@ TEST_F(MeasureBodyProgram, ComparesWithMeasuresTakenBefore) {
   EXPECT_EQ(hip["before"], 38);
   EXPECT_EQ(hip["now"], json["measures"]["hip"]["value"]);
   EXPECT_NEAR(hip["difference"].get<double>(), 98 / 2.54 - 38, 0.1);
+}
+
+TEST_F(MeasureBodyProgram, WhatIsNotTakenIsNeitherCountedNorPassedOver) {
+  const auto counted = [](const std::string& said) {
+    const std::size_t end = said.find(" measures taken");
+    return said.substr(said.rfind('\n', end) + 1, end - said.rfind('\n', end) - 1);
+  };
+  const std::vector<std::string> words = {body(), "-o", folder_ / "m.json"};
+  const std::string alone = counted(run("measure-body", words).err);
+  std::vector<std::string> freehand = words;
+  freehand.insert(freehand.end(), {"--at", "girth plane=1m", "--at", "girth plane=9m"});
+  const std::string with = counted(run("measure-body", freehand).err);
+  const auto number = [](const std::string& text, const char* after) {
+    return std::stoi(text.substr(text.find(after) + std::string(after).size()));
+  };
+  EXPECT_EQ(number(with, ""), number(alone, "") + 1) << alone << with;
+  EXPECT_EQ(number(with, " of "), number(alone, " of ") + 2) << alone << with;
+
+  // Of a body with one arm, a measure of both sides is taken on one.
+  TriangleMesh cut = fan_triangles(read_mesh(body()));
+  std::erase_if(cut.triangles, [&](const Triangle& t) {
+    return std::ranges::any_of(
+        t, [&](int p) { return cut.points[p].x() < -0.215 && cut.points[p].y() > 0.75; });
+  });
+  RepairOptions options;
+  options.largest_hole = 1;
+  write_mesh(folder_ / "cut.ply", repair(test::soup(cut), "cut", options).mesh);
+  write_text(folder_ / "before.csv", "name,value,unit\nwrist,16,cm\n");
+  const pipeline::Run done = run("measure-body", {folder_ / "cut.ply", "-o", folder_ / "m.json",
+                                                  "--against", folder_ / "before.csv"});
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_NE(done.err.find("left_wrist: 16.00 before"), std::string::npos) << done.err;
+  EXPECT_NE(done.err.find("right_wrist of " + (folder_ / "before.csv").string() + " is not taken"),
+            std::string::npos)
+      << done.err;
 }
 
 /// What was written for other programs is read back as it was, whatever unit is shown.

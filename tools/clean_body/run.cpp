@@ -82,9 +82,9 @@ void say_changes(const CleanReport& report, const ScanReport* scan, const Common
     common.say("turned by " + number(report.levelled_degrees, "%.1f") +
                " degrees to stand upright (--up keeps it as it is)");
   }
-  if (inferred && file_unit != 1) {
+  if (inferred) {
     common.say("unit taken to be " + unit_name(file_unit) + ", since the body is then " +
-               number(report.height, "%.2f") + " m tall (--unit states it)");
+               number(report.height, "%.2f") + " m tall (--unit or --height states it)");
   }
   // A scan's floor is never met to the last bit.
   if (std::abs(report.lifted) > (scan == nullptr ? 0 : 5e-5)) {
@@ -126,6 +126,7 @@ std::string crossing_warning(const Crossings& crossings) {
 std::vector<std::string> warnings_about(const CleanBody& body) {
   const CleanReport& report = body.report;
   const RepairReport& r = report.repair;
+  const double unit = report.metres_per_unit;
   std::vector<std::string> warnings;
   for (const FilledHole& hole : report.large_holes) {
     warnings.push_back("a hole " + number(100 * hole.across, "%.1f") + " cm across was filled, " +
@@ -140,6 +141,15 @@ std::vector<std::string> warnings_about(const CleanBody& body) {
   if ((report.height < 1.0 && !is_form) || report.height > 2.3) {
     warnings.push_back("the body is " + number(report.height, "%.2f") +
                        " m tall; is the unit right?");
+  }
+  // Programs that scale all models to one size write 1 or 2 units, to single precision.
+  const double whole = report.height / unit;
+  if (report.unit_inferred && unit == 1 &&
+      (std::abs(whole - 1) < 1e-6 || std::abs(whole - 2) < 1e-6)) {
+    warnings.push_back("the body is exactly " +
+                       count(static_cast<int>(std::lround(whole)), "unit", "units") +
+                       " tall, as files of no true size are; metres are a guess; give --height, "
+                       "or --unit");
   }
   return warnings;
 }
@@ -170,7 +180,9 @@ bool is_stale_skeleton(const std::filesystem::path& path) {
 void add_body_options(po::options_description& options) {
   options.add_options()("unit", po::value<std::string>(),
                         "the unit of the body's file: m, dm, cm, mm or in; told from the body's "
-                        "height when not given")(
+                        "height when not given")("height", po::value<std::string>(),
+                                                 "how tall the body is, such as 168cm, where its "
+                                                 "file has no unit of length: 30cm to 3m")(
       "up", po::value<std::string>(),
       "the axis of the body's file that points up: x, y, z, or --up=-z; found when not given")(
       "front", po::value<std::string>(),
@@ -184,6 +196,14 @@ void read_body_options(const po::variables_map& given, CleanBodySettings& settin
     if (unit == length_units().end()) throw po::error("--unit is one of m, dm, cm, mm, in");
     settings.metres_per_unit = unit->second;
   }
+  if (given.count("height") != 0) {
+    if (settings.metres_per_unit) throw po::error("--unit and --height both state the size");
+    const std::string text = given["height"].as<std::string>();
+    settings.height = parse_length(text, "--height");
+    if (*settings.height < 0.3 || *settings.height > 3) {
+      throw UsageError("--height", "'" + text + "' is out of range", "use 30cm to 3m");
+    }
+  }
   settings.as_points = given["points"].as<bool>();
   settings.up = read_direction(given, "up");
   settings.front = read_direction(given, "front");
@@ -196,6 +216,7 @@ CleanBodyResult run_clean_body(const CleanBodySettings& settings, const CommonSe
   BodyInput input = read_body_input(settings);
   CleanOptions options;
   options.metres_per_unit = settings.metres_per_unit;
+  options.height = settings.height;
   options.up = settings.up;
   options.level = !settings.up;
   options.front = settings.front;
@@ -211,6 +232,7 @@ CleanBodyResult run_clean_body(const CleanBodySettings& settings, const CommonSe
     }
     ScanOptions scan_options;
     scan_options.metres_per_unit = settings.metres_per_unit;
+    scan_options.height = settings.height;
     scan_options.up = settings.up;
     if (settings.edge_length) scan_options.edge_length = *settings.edge_length;
     ReconstructedScan made = reconstruct_scan(input.scan, input.name, scan_options);

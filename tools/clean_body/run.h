@@ -15,6 +15,7 @@ namespace toile {
 struct CleanBodySettings {
   std::vector<std::filesystem::path> inputs;      ///< one or more; several are one scan
   std::optional<double> metres_per_unit = {};     ///< none: found by the body's height
+  std::optional<double> height = {};              ///< metres; none: by the unit
   std::vector<std::filesystem::path> poses = {};  ///< of the inputs' points: one each, or none
   bool as_points = false;                         ///< whether faces are ignored
   std::optional<AxisDirection> up = {};           ///< none: found
@@ -22,7 +23,7 @@ struct CleanBodySettings {
   std::optional<double> edge_length = {};  ///< metres, of a scan's surface; none: its default
 };
 
-/// --unit, --up, --front and --points, of a body's file.
+/// --unit, --height, --up, --front and --points, of a body's file.
 void add_body_options(boost::program_options::options_description& options);
 /// Reads them. Throws boost::program_options::error for a value that they can't take.
 void read_body_options(const boost::program_options::variables_map& given,

@@ -81,7 +81,9 @@ Outfit DressRun::read_outfit() {
   Outfit outfit;
   std::vector<PanelMesh> garments;
   for (const LayerFiles& layer : settings_.layers) {
-    garments.push_back(read_garment(layer.garment, layer.garment_json));
+    std::vector<std::string> warnings;
+    garments.push_back(read_garment(layer.garment, layer.garment_json, &warnings));
+    for (const std::string& warning : warnings) log_.warn({"empty_attachment", "", warning});
     if (settings_.method.name != "paper") continue;
     if (!garments.back().elastics.empty()) {
       log_.warn(

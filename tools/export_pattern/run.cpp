@@ -6,6 +6,7 @@
 
 #include "io/output_file.h"
 #include "io/text.h"
+#include "pattern/check_pattern.h"
 #include "pattern/pattern_file.h"
 #include "tools/remarks.h"
 #include "tools/report.h"
@@ -60,6 +61,7 @@ nlohmann::ordered_json export_pattern_json(const std::string& pattern, const std
 void run_export_pattern(const ExportPatternSettings& settings, const CommonSettings& common) {
   std::vector<Remark> remarks;
   const Pattern pattern = read_pattern(settings.pattern, remarks);
+  warn_of_outlines(pattern, remarks);
   say_remarks(remarks, common);
   const Sheet sheet = pattern_sheet(pattern, settings.sheet);
   const std::string extension = extension_of(common.output);

@@ -10,6 +10,7 @@
 #include "geometry/error.h"
 #include "io/json_words.h"
 #include "io/output_file.h"
+#include "pattern/check_pattern.h"
 #include "pattern/left_out.h"
 #include "pattern/pattern_file.h"
 #include "pattern/seams/find_seams.h"
@@ -108,6 +109,7 @@ std::vector<LeftOut> left_out(const Pattern& pattern, const FindSeamsSettings& s
     throw Error(pattern.source, "keeps no panel", "take panels in by --with");
   }
   std::vector<LeftOut> named;
+  named.reserve(out.size());
   for (const auto& [panel, kind] : out) named.push_back({pattern.panels[panel].name, kind});
   return named;
 }
@@ -166,6 +168,8 @@ int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& comm
   }
   const int undecided = static_cast<int>(found.seams.size() - decided.size());
   warn_of_loose(pattern, decided, remarks);
+  const std::string sewn_text = with_stitches(split.text, pattern, decided, options.drawn_walk);
+  warn_of_outlines(parse_pattern(sewn_text, name, told_below), remarks);
   say_remarks(remarks, common);
   for (const FoundSeam& seam : found.seams) {
     const bool sure = seam.confidence >= settings.min_confidence;
@@ -194,8 +198,7 @@ int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& comm
     open.append(" ").append(side_name(pattern, edge));
   if (!open.empty()) common.say("left open:" + open);
   OutputFiles files;
-  write_file(files.at(common.output),
-             with_stitches(split.text, pattern, decided, options.drawn_walk));
+  write_file(files.at(common.output), sewn_text);
   write_report(files, common, find_seams_json(name, split, out, settings.min_confidence, remarks));
   files.commit();
   return undecided == 0 ? exit_done : exit_negative;

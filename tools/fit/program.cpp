@@ -140,7 +140,7 @@ Job prepare_fit(const po::variables_map& given, const CommonSettings& common) {
   const FitFiles files(common.output);
   FitSettings settings;
   settings.body.inputs = {given["body"].as<std::string>()};
-  for (const char* option : {"unit", "up", "front", "points"}) {
+  for (const char* option : {"unit", "height", "up", "front", "points"}) {
     if (given.count("from") == 0 || given[option].empty() || given[option].defaulted()) continue;
     throw UsageError("--" + std::string(option), "is for a body that is cleaned",
                      "leave it out: with --from the body is taken as pose-body wrote it");

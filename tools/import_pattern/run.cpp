@@ -8,6 +8,7 @@
 #include "geometry/error.h"
 #include "io/output_file.h"
 #include "io/text.h"
+#include "pattern/check_pattern.h"
 #include "pattern/import/drawing_format.h"
 #include "pattern/import/repair_pattern.h"
 #include "pattern/import/svg_pieces.h"
@@ -59,7 +60,9 @@ void run_import_pattern(const ImportPatternSettings& settings, const CommonSetti
                   "leave it out");
     }
     content = repaired_pattern(text, name, remarks);
-    panels = parse_pattern(content, name, remarks).panels.size();
+    const Pattern pattern = parse_pattern(content, name, remarks);
+    panels = pattern.panels.size();
+    warn_of_outlines(pattern, remarks);
     remarks.push_back({false, name + ": is a pattern already; it is written " +
                                   (content == text ? "as it is" : "with these repairs")});
   } else {
@@ -69,7 +72,7 @@ void run_import_pattern(const ImportPatternSettings& settings, const CommonSetti
     panels = imported.panels.size();
     // What is written has to be a pattern, with remarks that are for mesh-pattern to make.
     std::vector<Remark> later;
-    parse_pattern(content, common.output.string(), later);
+    warn_of_outlines(parse_pattern(content, common.output.string(), later), remarks);
   }
   say_remarks(remarks, common);
   say_panels(imported, common);

@@ -49,12 +49,17 @@ std::vector<MeasureDifference> differences_to(const std::filesystem::path& file,
   std::vector<MeasureDifference> differences;
   const MeasureSet set = read_measures(file);
   for (const auto& [name, before] : set.values) {
-    bool is_measured = false;
+    bool is_known = false;
     // A name without a side stands for both.
     for (const std::string side : {"", "left_", "right_"}) {
       const Measure* now = find_measure(all.measures, side + name);
-      if (now == nullptr || !now->value) continue;
-      is_measured = true;
+      if (now == nullptr) continue;
+      is_known = true;
+      if (!now->value) {
+        all.remarks.push_back({false, shown_text(side + name) + " of " + file.string() +
+                                          " is not taken: " + now->reason});
+        continue;
+      }
       const double unit = now->is_angle ? 1 : metres_in(all.unit);
       differences.push_back({side + name, before / unit, all.shown(*now)});
       const MeasureDifference& last = differences.back();
@@ -63,7 +68,7 @@ std::vector<MeasureDifference> differences_to(const std::filesystem::path& file,
                  fixed_number(last.now - last.before, 2) + " " +
                  (now->is_angle ? "degrees" : all.unit));
     }
-    if (!is_measured) {
+    if (!is_known) {
       all.remarks.push_back({false, shown_text(name) + " of " + file.string() + " is not taken"});
     }
   }
@@ -74,8 +79,9 @@ std::vector<MeasureDifference> differences_to(const std::filesystem::path& file,
 }
 
 void say_summary(const BodyMeasures& all, const CommonSettings& common) {
-  std::size_t taken = 0;
-  for (const Measure& measure : all.measures) taken += measure.value ? 1 : 0;
+  const auto is_taken = [](const Measure& measure) { return measure.value.has_value(); };
+  const auto taken =
+      std::ranges::count_if(all.measures, is_taken) + std::ranges::count_if(all.freehand, is_taken);
   for (const char* name : {"height", "bust", "underbust", "waist", "hip", "inside_leg"}) {
     const Measure* measure = find_measure(all.measures, name);
     if (measure == nullptr || !measure->value) continue;
@@ -87,8 +93,8 @@ void say_summary(const BodyMeasures& all, const CommonSettings& common) {
                                     (measure.is_angle ? " degrees" : " " + all.unit)
                               : measure.reason));
   }
-  common.say(std::to_string(taken) + " of " + std::to_string(all.measures.size()) +
-             " measures taken");
+  common.say(std::to_string(taken) + " of " +
+             std::to_string(all.measures.size() + all.freehand.size()) + " measures taken");
 }
 
 }  // namespace

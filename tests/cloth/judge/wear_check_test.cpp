@@ -253,6 +253,33 @@ TEST(WearCheck, AShirtAboutTheWaistHasTwoArmholesWithNothingInThem) {
   EXPECT_TRUE(worn.misplaced || !worn.unwrapped.empty());
 }
 
+// The neckline hangs where it is highest: 0.2 m from the middle, 5 cm beyond the shoulders' joints.
+TEST(WearCheck, AStrapThatSlidOffItsShoulderIsMisplaced) {
+  const PanelMesh wide = tube_with_armholes(0.925);
+  const auto worn_from = [&](double left, double right) {
+    const auto scaled = [&](double to) {
+      return [=](const Vec3& p) {
+        return Vec3(p.x() * (p.x() > 0 ? left : right) / to, p.y(), p.z());
+      };
+    };
+    const PanelMesh started = moved(wide, scaled(0.25));
+    const PanelMesh lies = moved(wide, [](const Vec3& p) {
+      return Vec3(p.x() * 0.8, p.y() + 0.1 * std::abs(p.x()), p.z());
+    });
+    return check_worn(started, test::as_dressed(lies, lies.placed), figure());
+  };
+  const auto at_neckline = [](const Opening& o) { return o.limbs == through_neckline; };
+  const WearFindings off = worn_from(0.1, 0.2);
+  ASSERT_TRUE(std::ranges::any_of(off.openings, at_neckline));
+  ASSERT_TRUE(off.misplaced);
+  EXPECT_EQ(off.misplaced->should_be, "left shoulder");
+  EXPECT_EQ(off.misplaced->part, "left_arm");
+  const WearFindings other = worn_from(0.2, 0.1);
+  ASSERT_TRUE(other.misplaced);
+  EXPECT_EQ(other.misplaced->should_be, "right shoulder");
+  EXPECT_FALSE(worn_from(0.2, 0.2).misplaced) << "it was cut so wide";
+}
+
 TEST(WearCheck, ASheetOfNoKindIsNotChecked) {
   PanelMesh sheet;
   test::add_panel(sheet, "piece", test::grid(1, 1, 6, 6),

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "cloth/start/place_panels.h"
 #include "cloth/start/places_fit.h"
 #include "cloth/start/positioning.h"
 #include "geometry/body/mannequin/mannequin.h"
@@ -39,26 +40,35 @@ void strip(Json& pattern) {
   }
 }
 
-/// The panels renamed to p0, p1 ... in the order of their reversed names, so that no name tells.
-std::map<std::string, std::string> rename(Json& pattern) {
-  Json& panels = pattern["pattern"]["panels"];
+std::vector<std::string> names_in(const Json& pattern) {
   std::vector<std::string> names;
-  for (const auto& [name, panel] : panels.items()) names.push_back(name);
-  std::ranges::sort(
-      names, {}, [](const std::string& name) { return std::string(name.rbegin(), name.rend()); });
-  std::map<std::string, std::string> renamed;
+  for (const auto& [name, panel] : pattern["pattern"]["panels"].items()) names.push_back(name);
+  return names;
+}
+
+/// Calls the panels anew, in the order of their old names in `names`.
+void rename(Json& pattern, const std::vector<std::string>& names,
+            const std::map<std::string, std::string>& renamed) {
+  Json& panels = pattern["pattern"]["panels"];
   Json anew = Json::object();
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    renamed[names[i]] = "p" + std::to_string(i);
-    anew[renamed[names[i]]] = panels[names[i]];
-  }
+  for (const std::string& name : names) anew[renamed.at(name)] = panels[name];
   panels = anew;
   pattern["pattern"].erase("panel_order");
   for (Json& stitch : pattern["pattern"]["stitches"]) {
     for (Json& side : stitch) {
-      if (side.is_object() && side.contains("panel")) side["panel"] = renamed[side["panel"]];
+      if (side.is_object() && side.contains("panel")) side["panel"] = renamed.at(side["panel"]);
     }
   }
+}
+
+/// The panels renamed to p0, p1 ... in the order of their reversed names, so that no name tells.
+std::map<std::string, std::string> rename(Json& pattern) {
+  std::vector<std::string> names = names_in(pattern);
+  std::ranges::sort(
+      names, {}, [](const std::string& name) { return std::string(name.rbegin(), name.rend()); });
+  std::map<std::string, std::string> renamed;
+  for (std::size_t i = 0; i < names.size(); ++i) renamed[names[i]] = "p" + std::to_string(i);
+  rename(pattern, names, renamed);
   return renamed;
 }
 
@@ -110,6 +120,59 @@ TEST(FindPlaces, ATshirtStandsWhereItsSampleDoes) {
   const Vec3 right = middle(garment, "right_front");
   EXPECT_NEAR(left.x(), -right.x(), 0.005);
   EXPECT_NEAR(left.y(), right.y(), 0.005);
+}
+
+TEST(FindPlaces, ADrawingThatLooksUpsideDownIsNamed) {
+  Json pattern = sample("tshirt");
+  strip(pattern);
+  for (const bool turned : {false, true}) {
+    if (turned) {
+      for (auto& [name, panel] : pattern["pattern"]["panels"].items()) {
+        for (Json& vertex : panel["vertices"]) {
+          vertex = {-vertex[0].get<double>(), -vertex[1].get<double>()};
+        }
+      }
+    }
+    PanelMesh garment = meshed(pattern);
+    const PlacedPanels placed = place_panels(body().surface, &body().skeleton, {}, garment);
+    for (const FoundPlace& place : placed.places) EXPECT_EQ(place.upside_down, turned);
+    EXPECT_EQ(placed.reason.find("looks upside down") != std::string::npos, turned)
+        << placed.reason;
+  }
+  for (const std::string name : {"jacket", "bodice_dress", "trousers", "fitted_tshirt"}) {
+    Json other = sample(name);
+    strip(other);
+    PanelMesh garment = meshed(other);
+    for (const FoundPlace& found : place(garment)) EXPECT_FALSE(found.upside_down) << name;
+  }
+}
+
+TEST(FindPlaces, NamesTellFrontFromBackBeforeTheNeckline) {
+  // The deeper neckline is called the back's.
+  Json pattern = sample("tshirt");
+  strip(pattern);
+  std::map<std::string, std::string> swapped;
+  for (const std::string& name : names_in(pattern)) {
+    std::string other = name;
+    const auto swap = [&](const std::string& from, const std::string& to) {
+      if (!other.ends_with(from)) return false;
+      other.replace(other.size() - from.size(), from.size(), to);
+      return true;
+    };
+    EXPECT_TRUE(swap("front", "back") || swap("back", "front") || swap("_f", "_b") ||
+                swap("_b", "_f"))
+        << name;
+    swapped[name] = other;
+  }
+  rename(pattern, names_in(pattern), swapped);
+  PanelMesh garment = meshed(pattern);
+  const auto places = by_name(place(garment));
+  for (const char* side : {"left_", "right_"}) {
+    EXPECT_EQ(places.at(side + std::string("front")).side, PlacementSide::front) << side;
+    EXPECT_EQ(places.at(side + std::string("back")).side, PlacementSide::back) << side;
+    EXPECT_GT(middle(garment, side + std::string("front")).z(),
+              middle(garment, side + std::string("back")).z());
+  }
 }
 
 TEST(FindPlaces, WithoutNamesTheSameParts) {

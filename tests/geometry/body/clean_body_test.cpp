@@ -58,6 +58,36 @@ TEST(CleanBody, UnitIsToldFromTheHeight) {
   EXPECT_THROW(clean_body(giant, "speck", stated), Error);
 }
 
+TEST(CleanBody, TheHeightMayBeStatedWhereNoUnitFits) {
+  PolygonSoup character = mannequin_soup();
+  for (Vec3& p : character.points) p *= 3.1 / 1.7;
+  CleanOptions options;
+  options.height = 1.68;
+  const CleanBody body = clean_body(character, "character", options);
+  EXPECT_NEAR(body.report.height, 1.68, 1e-9);
+  EXPECT_NEAR(body.report.metres_per_unit, 1.68 / 3.1, 0.002);
+  EXPECT_FALSE(body.report.unit_inferred);
+  // Joints beside it are in metres of the same height.
+  options.skeleton = body.skeleton;
+  EXPECT_EQ(clean_body(character, "character", options).report.skeleton_refused, "");
+}
+
+TEST(CleanBody, ASheetIsNoBody) {
+  TriangleMesh sheet = test::box({-0.5, 0, -0.005}, {0.5, 1.7, 0.005});
+  const Eigen::Matrix3d askew =
+      Eigen::AngleAxisd(0.5, Vec3(1, 1, 0).normalized()).toRotationMatrix();
+  for (const bool turned : {false, true}) {
+    for (Vec3& p : sheet.points) p = turned ? Vec3(askew * p) : p;
+    try {
+      clean_body(test::soup(sheet), "sheet.obj");
+      ADD_FAILURE() << "is taken";
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("sheet.obj: is a flat sheet"), std::string::npos)
+          << error.what();
+    }
+  }
+}
+
 TEST(CleanBody, StandsOnTheFloorAndElsewhereStays) {
   PolygonSoup soup = mannequin_soup();
   for (Vec3& p : soup.points) p += Vec3(0.25, -0.8125, 0.5);
@@ -125,7 +155,7 @@ PolygonSoup turned_soup(double degrees) {
 
 TEST(CleanBody, IsTurnedAboutTheVerticalToFaceForward) {
   const CleanBody straight = clean_body(mannequin_soup(), "body");
-  for (const double degrees : {30.0, -30.0, 45.0, -62.0, 100.0, 150.0, -170.0, 12.0}) {
+  for (const double degrees : {30.0, -62.0, 100.0, -170.0, 12.0}) {
     const CleanBody body = clean_body(turned_soup(degrees), "body");
     ASSERT_TRUE(body.skeleton) << degrees;
     EXPECT_NEAR(body.report.turned_degrees, -degrees, 0.5);
@@ -160,11 +190,13 @@ TEST(CleanBody, ALeaningScanIsTurnedUpright) {
       EXPECT_NEAR(body.report.levelled_degrees, degrees, 2);
       // 1.5 degrees at the top of 1.70 m.
       EXPECT_LT(farthest(*body.skeleton, *straight.skeleton), 0.045) << degrees;
-      CleanOptions kept;
-      kept.level = false;
-      EXPECT_EQ(clean_body(leaning, "body", kept).report.levelled_degrees, 0);
     }
   }
+  PolygonSoup leaning = mannequin_soup();
+  for (Vec3& p : leaning.points) p = Eigen::AngleAxisd(0.2, Vec3::UnitX()) * p;
+  CleanOptions kept;
+  kept.level = false;
+  EXPECT_EQ(clean_body(leaning, "body", kept).report.levelled_degrees, 0);
 }
 
 TEST(CleanBody, APersonWhoLeansOnLevelSolesStays) {

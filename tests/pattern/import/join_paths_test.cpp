@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 
 #include "geometry/polygon.h"
@@ -42,6 +43,20 @@ TEST(JoinPaths, LoopsBesideEachOtherStayApart) {
   std::vector<PiecePath> both = square(0);
   for (const PiecePath& path : square(5)) both.push_back(path);
   EXPECT_EQ(join_paths(both).closed.size(), 2u);
+}
+
+TEST(JoinPaths, ThousandsOfEndsInOnePointTakeNoLongerThanApart) {
+  constexpr int lines = 60000;
+  const auto seconds_of = [](double apart) {
+    std::vector<PiecePath> paths;
+    for (int i = 0; i < lines; ++i) paths.push_back(line(apart * i, 0, 1 + apart * i, 1 + i));
+    const auto start = std::chrono::steady_clock::now();
+    const JoinedPaths joined = join_paths(paths);
+    EXPECT_EQ(joined.open.size(), apart > 0 ? lines : lines / 2);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  // Where each search looks at all ends in the point, it is a hundred times.
+  EXPECT_LT(seconds_of(0), 10 * seconds_of(2));
 }
 
 TEST(JoinPaths, PointsFollowCurvesToTheTolerance) {

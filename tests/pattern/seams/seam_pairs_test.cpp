@@ -14,10 +14,14 @@ constexpr int left = 3;
 class Halves : public testing::Test {
  protected:
   void draw(const std::string& piece) {
+    draw_all({"left_front_" + piece, "left_back_" + piece, "right_front_" + piece,
+              "right_back_" + piece});
+  }
+
+  void draw_all(const std::vector<std::string>& names) {
     std::string panels;
-    for (const char* half : {"left_front", "left_back", "right_front", "right_back"}) {
-      panels += (panels.empty() ? "" : ",") +
-                samples::polygon(half + ("_" + piece), "[0,0],[20,0],[20,50],[0,50]");
+    for (const std::string& name : names) {
+      panels += (panels.empty() ? "" : ",") + samples::polygon(name, "[0,0],[20,0],[20,50],[0,50]");
     }
     std::vector<Remark> remarks;
     evidence = seam_evidence(parse_drawn_pattern(samples::file(panels), "test", remarks), false);
@@ -41,6 +45,27 @@ TEST_F(Halves, OfABodiceMeetInTheMiddle) {
   EXPECT_NEAR(measure(SeamMeasure::outsides_meet, 0, left, 2, right), 0, 1e-9);
   EXPECT_NEAR(measure(SeamMeasure::centres_apart, 0, left, 1, right), 1, 1e-9);
   EXPECT_NEAR(measure(SeamMeasure::centres_apart, 0, right, 1, left), 0, 1e-9);
+}
+
+TEST_F(Halves, OfBothSidesAreSewnToTheirLikesAlone) {
+  const auto possible = [this](int panel_a, int panel_b, bool heed_sides) {
+    return SeamPairs(evidence, heed_sides).possible(panel_a * 4 + right, panel_b * 4 + left);
+  };
+  draw_all({"left_torso", "left_yoke", "right_torso", "right_yoke"});
+  EXPECT_TRUE(possible(0, 1, true)) << "left torso and yoke";
+  EXPECT_TRUE(possible(0, 2, true)) << "left and right torso";
+  EXPECT_FALSE(possible(0, 3, true)) << "left torso and right yoke";
+  EXPECT_FALSE(possible(3, 0, true)) << "right yoke and left torso";
+  EXPECT_TRUE(possible(0, 3, false)) << "where sides are not heeded";
+  // Sleeves of both arms never meet.
+  for (const char* piece : {"sleeve", "cuff"}) {
+    draw(piece);
+    for (const bool heed_sides : {false, true}) {
+      EXPECT_TRUE(possible(0, 1, heed_sides)) << piece;
+      EXPECT_FALSE(possible(0, 2, heed_sides)) << piece;
+      EXPECT_FALSE(possible(0, 3, heed_sides)) << piece;
+    }
+  }
 }
 
 TEST_F(Halves, OfSkirtsSayNothingOfTheMiddle) {
