@@ -93,8 +93,8 @@ TEST_F(ToileBatch, EveryGarmentHasItsRowAndFiles) {
     EXPECT_EQ(row["converged"], "true");
     EXPECT_GT(std::stod(row["seconds"]), std::stod(row["dress_seconds"]));
     EXPECT_GT(std::stod(row["peak_MiB"]), 5);
-    for (const char* file :
-         {"garment.obj", "garment.json", "dressed.json", "ease.html", "front.png", "back.png"}) {
+    for (const char* file : {"garment.obj", "garment.garment.json", "dressed.json", "ease.html",
+                             "front.png", "back.png"}) {
       EXPECT_TRUE(fs::exists(out / name / file)) << file;
     }
     const Json report = Json::parse(read_text(out / name / "report.json"));

@@ -79,7 +79,7 @@ Json RowKeys::key_of(const BatchRow& row) {
   key["name"] = row.name;
   key["inputs"]["pattern"] = input_json(row.pattern, checksum_of(row.pattern));
   key["inputs"]["body"] = input_of(row.body);
-  const Json joints = input_of(skeleton_path(row.body));
+  const Json joints = input_of(skeleton_beside(row.body));
   if (!joints["sha256"].is_null()) key["inputs"]["joints"] = joints;
   for (const fs::path& file : row.fabric_files) {
     key["inputs"]["fabrics"].push_back(input_of(file));

@@ -15,6 +15,7 @@
 #include "geometry/error.h"
 #include "io/checksum.h"
 #include "io/output_file.h"
+#include "io/skeleton_file.h"
 #include "io/text.h"
 #include "tools/batch/contact_sheet.h"
 #include "tools/batch/results.h"
@@ -145,8 +146,7 @@ void BatchRun::clean_bodies() {
   std::vector<std::pair<const fs::path, CleanedBody>*> all;
   for (auto& body : bodies_) {
     const fs::path& file = body.second.file;
-    remove_files({file, fs::path(file).replace_extension("json"),
-                  fs::path(file).replace_extension("distances"),
+    remove_files({file, skeleton_path(file), fs::path(file).replace_extension("distances"),
                   fs::path(file).replace_extension("log.txt"),
                   fs::path(file).replace_extension("report.json")});
     all.push_back(&body);
