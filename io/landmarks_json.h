@@ -1,4 +1,4 @@
-// Landmarks as JSON, the same in body.json and in measures.json.
+// Landmarks as JSON, the same in body.body.json and in measures.json.
 #pragma once
 
 #include <nlohmann/json.hpp>

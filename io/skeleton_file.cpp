@@ -9,6 +9,7 @@
 #include "io/landmarks_json.h"
 #include "io/limits.h"
 #include "io/output_file.h"
+#include "io/sidecar.h"
 
 namespace toile {
 
@@ -18,6 +19,13 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 constexpr const char* remedy = "write it anew with clean-body";
+constexpr const char* sidecar_kind = "body";
+
+bool is_skeleton(const JsonValue& root) {
+  if (!root.is_object()) return false;
+  const auto format = root.find("format");
+  return root.find("joints") || (format && format->is_text() && format->text() == "toile-body");
+}
 
 void expect(const JsonValue& root, const std::string& key, const std::string& wanted) {
   const JsonValue value = root.get(key);
@@ -131,16 +139,13 @@ Skeleton read_skeleton(const fs::path& path) {
 
 bool is_skeleton_file(const fs::path& path) {
   if (!fs::is_regular_file(path)) return false;
-  const JsonDocument document(read_file(path), path.string());
-  const JsonValue root = document.root();
-  if (!root.is_object()) return false;
-  const auto format = root.find("format");
-  return root.find("joints") || (format && format->is_text() && format->text() == "toile-body");
+  return is_skeleton(JsonDocument(read_file(path), path.string()).root());
 }
 
-fs::path skeleton_path(const fs::path& body) {
-  fs::path path = body;
-  return path.replace_extension(".json");
+fs::path skeleton_path(const fs::path& body) { return sidecar_path(body, sidecar_kind); }
+
+fs::path skeleton_beside(const fs::path& body) {
+  return sidecar_beside(body, sidecar_kind, is_skeleton);
 }
 
 }  // namespace toile

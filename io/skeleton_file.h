@@ -1,4 +1,4 @@
-// Reads and writes body.json: a body's joints, segments and landmarks.
+// Reads and writes body.body.json: the joints, segments and landmarks of body.ply.
 #pragma once
 
 #include <filesystem>
@@ -29,7 +29,11 @@ Skeleton read_skeleton(const std::filesystem::path& path);
 /// so. False if there is no file. Throws Error for a file that is not JSON.
 bool is_skeleton_file(const std::filesystem::path& path);
 
-/// The path of a body's skeleton by convention: beside it, with the extension .json.
+/// Where a body's skeleton is written: body.body.json beside body.ply.
 std::filesystem::path skeleton_path(const std::filesystem::path& body);
+
+/// Where a body's skeleton is read: skeleton_path(), or body.json of an earlier version if that is
+/// a skeleton file. See sidecar_beside().
+std::filesystem::path skeleton_beside(const std::filesystem::path& body);
 
 }  // namespace toile

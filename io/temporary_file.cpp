@@ -140,6 +140,8 @@ void remove_temporary_files_on_signals() {
 
 SignalsWait::SignalsWait() { ++waits; }
 
+bool SignalsWait::has_come() { return waiting_signal != 0; }
+
 SignalsWait::~SignalsWait() {
   if (--waits > 0) return;
   if (const int signal = waiting_signal.exchange(0); signal != 0) std::raise(signal);

@@ -45,6 +45,8 @@ class SignalsWait {
  public:
   SignalsWait();
   ~SignalsWait();
+  /// Whether a signal waits. Who lets it wait for long asks, and ends soon.
+  static bool has_come();
   SignalsWait(const SignalsWait&) = delete;
   SignalsWait& operator=(const SignalsWait&) = delete;
 };

@@ -12,6 +12,7 @@
 #include "io/json_value.h"
 #include "io/obj.h"
 #include "io/output_file.h"
+#include "io/sidecar.h"
 #include "pattern/attachment_json.h"
 #include "pattern/nesting.h"
 #include "pattern/placement_json.h"
@@ -25,6 +26,16 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const std::string& place, const std::string& problem) {
   throw Error(place, problem, "write both files again with mesh-pattern");
+}
+
+constexpr const char* sidecar_kind = "garment";
+
+/// Neither a pattern has both as lists, nor a report of dress.
+bool has_panels_and_seams(const JsonValue& root) {
+  if (!root.is_object()) return false;
+  const auto panels = root.find("panels");
+  const auto seams = root.find("seams");
+  return panels && panels->is_array() && seams && seams->is_array();
 }
 
 /// JSON of the garment, one panel or seam a line.
@@ -294,7 +305,11 @@ void check_ranges(const PanelMesh& garment, const std::string& name) {
 
 }  // namespace
 
-fs::path garment_json_path(const fs::path& obj) { return fs::path(obj).replace_extension(".json"); }
+fs::path garment_json_path(const fs::path& obj) { return sidecar_path(obj, sidecar_kind); }
+
+fs::path garment_json_beside(const fs::path& obj) {
+  return sidecar_beside(obj, sidecar_kind, has_panels_and_seams);
+}
 
 void write_garment(const OutputPath& obj, const PanelMesh& garment) {
   ObjData data;
@@ -328,8 +343,11 @@ PanelMesh read_garment(const fs::path& obj, const fs::path& json,
   PanelMesh garment;
   read_mesh(read_obj(obj, max_metres), obj.string(), garment);
   check_overlaps(garment, obj.string());
-  const fs::path path = json.empty() ? garment_json_path(obj) : json;
+  const fs::path path = json.empty() ? garment_json_beside(obj) : json;
   const std::string name = path.string();
+  if (json.empty() && !fs::exists(path)) {
+    fail(name, "is missing: it holds the panels and seams of " + obj.string());
+  }
   const JsonDocument document(read_file(path), name);
   const JsonValue root = document.root();
   if (const auto subdivisions = root.find("subdivisions")) {

@@ -1,4 +1,4 @@
-// Garments on disk: garment.obj with garment.json beside it, and dressed.obj.
+// Garments on disk: garment.obj with garment.garment.json beside it, and dressed.obj.
 #pragma once
 
 #include <filesystem>
@@ -14,18 +14,23 @@ namespace toile {
 ///
 /// - garment.obj: `v` are the placed points and `vt` the flat coordinates, both in metres and in
 ///   the same order. One group a panel; `l` are the seam pairs.
-/// - garment.json of the same stem: panels with their ranges, grain, fabric, part and placement;
+/// - garment.garment.json, of the same stem: panels with their ranges, grain, fabric, part and
+/// placement;
 ///   seams with their pairs and lengths. Then elastics, attachments, marks, cut-outs and
 ///   subdivisions.
 ///
 /// Both files are new or neither. Throws Error as OutputFile does.
 void write_garment(const OutputPath& obj, const PanelMesh& garment);
 
-/// Where a garment's panels and seams are: garment.json beside garment.obj.
+/// Where a garment's panels and seams are written: garment.garment.json beside garment.obj.
 std::filesystem::path garment_json_path(const std::filesystem::path& obj);
 
+/// Where they are read: garment_json_path(), or garment.json of an earlier version if that holds
+/// panels and seams. See sidecar_beside().
+std::filesystem::path garment_json_beside(const std::filesystem::path& obj);
+
 /// Reads what write_garment wrote, also after another program has moved the points. If `json` is
-/// empty, the file of the same stem is read. `warnings`, if given, gets what is left out of it:
+/// empty, garment_json_beside() is read. `warnings`, if given, gets what is left out of it:
 /// attachments without points. Throws Error, naming the file, when the two do not fit together.
 PanelMesh read_garment(const std::filesystem::path& obj, const std::filesystem::path& json = {},
                        std::vector<std::string>* warnings = nullptr);

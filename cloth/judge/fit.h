@@ -22,8 +22,8 @@ struct FitLevel {
 
 /// What `fit` says beside the verdict on sewing.
 struct Fit {
-  bool is_checked = false;            ///< false: no named level could be measured
-  std::vector<FitLevel> levels;       ///< those that are too small; empty: large enough
+  bool is_checked = false;       ///< false: no named level could be measured
+  std::vector<FitLevel> levels;  ///< those that are too small; empty: large enough
   /// The level of the trunk at which the cut is nearest to the body, as a share; none: no level of
   /// the trunk was measured.
   std::optional<FitLevel> nearest;

@@ -434,8 +434,7 @@ class WearCheck {
     }
     std::vector<char> is_counted(garment_.panels.size(), 0);
     for (const int p : panels) is_counted[p] = 1;
-    return measure_wrap(dressed_, skeleton_, "torso", is_counted).fraction >=
-           open_front_share;
+    return measure_wrap(dressed_, skeleton_, "torso", is_counted).fraction >= open_front_share;
   }
 
   /// What hangs from the shoulders and has no hem around the trunk, as a cardigan has none.

@@ -387,9 +387,9 @@ def sidecar_misfits(random, content):
 
 def another_sidecar(random, folder):
     """The JSON of another garment lies beside the OBJ file."""
-    name, words, path = take(random, folder, ("garment.json",))
+    name, words, path = take(random, folder, ("garment.garment.json",))
     shutil.copy(folder.parent / "good" / random.choice(
-        ("other.json", "body.json", "scene.json", "pattern_band.json")), path)
+        ("other.garment.json", "body.body.json", "scene.json", "pattern_band.json")), path)
     return words, [name]
 
 
@@ -471,6 +471,6 @@ KINDS = {
     "inserted in itself": drawing_changed(inserted_in_itself),
     "SVG changed": svg_changed, "option": option,
     "sidecar misfits": lambda random, folder: edited(sidecar_misfits)(
-        random, folder, ("garment.json",)),
+        random, folder, ("garment.garment.json",)),
     "another sidecar": another_sidecar,
 }

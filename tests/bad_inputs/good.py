@@ -38,7 +38,7 @@ def make(folder, tools, source):
     program("make-mannequin", "--edge-length", "15mm", "-o", "body.ply")
     for extension in ("obj", "stl", "off"):
         program("clean-body", "body.ply", "-o", f"mesh.{extension}")
-    (folder / "mesh.json").unlink()
+    (folder / "mesh.body.json").unlink()
     program("mesh-pattern", samples / "band_small.json", "--edge-length", "30mm",
             "-o", "garment.obj")
     program("mesh-pattern", samples / "tube_top.json", "--edge-length", "30mm", "-o", "other.obj")
@@ -56,14 +56,15 @@ def make(folder, tools, source):
 BODIES = ("body.ply", "mesh.obj", "mesh.stl", "mesh.off")
 PATTERNS = ("pattern_tshirt.json", "pattern_band.json", "pattern_elastic_skirt.json",
             "pattern_tube_top.json")
-JSONS = PATTERNS + ("garment.json", "body.json", "scene.json", "pose.json", "fabric.json")
+JSONS = PATTERNS + ("garment.garment.json", "body.body.json", "scene.json", "pose.json",
+                    "fabric.json")
 SVGS = ("drawing.svg", "plain.svg")
 TEXTS = JSONS + SVGS + ("mesh.obj", "mesh.off", "garment.obj", "dressed.obj", "drawing.dxf")
 ALL = TEXTS + ("body.ply", "mesh.stl")
 
 # What is beside a file that a command names, and read with it.
-BESIDE = {"body.ply": ["body.json"], "garment.obj": ["garment.json"], "scene.json": [
-    "body.ply", "body.json", "garment.obj", "garment.json"]}
+BESIDE = {"body.ply": ["body.body.json"], "garment.obj": ["garment.garment.json"],
+          "scene.json": ["body.ply", "body.body.json", "garment.obj", "garment.garment.json"]}
 
 
 def needed(words):
@@ -91,7 +92,7 @@ def commands(name):
     if name in BODIES:
         return [of(command, "body.ply") for command in (clean, clean, dress, ease)] + [
             ["render", "--body", name, "-o", "out.png", "--width", "120"]]
-    if name == "body.json":
+    if name == "body.body.json":
         return [dress, ease, clean]
     if name in PATTERNS:
         return [mesh, mesh, ["export-pattern", name, "-o", "out.svg", "--report", "report.json"],
@@ -104,7 +105,7 @@ def commands(name):
         return [["import-pattern", name, "-o", "out.json", "--report", "report.json"]]
     if name == "garment.obj":
         return [dress, dress, render]
-    if name == "garment.json":
+    if name == "garment.garment.json":
         return [dress]
     if name == "dressed.obj":
         return [ease, ease, of(render, "garment.obj")]

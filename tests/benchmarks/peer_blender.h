@@ -75,7 +75,7 @@ inline PeerMeasurements run_blender(const fs::path& blender, const fs::path& gar
                                     const fs::path& body_file, const fs::path& output, double lift,
                                     int threads, int seconds) {
   const fs::path script = fs::path(TOILE_SOURCE_DIR) / "tests/benchmarks/peers/blender_cloth.py";
-  const fs::path json = fs::path(garment_file).replace_extension("json");
+  const fs::path json = garment_json_path(garment_file);
   PeerMeasurements figures;
   figures.run =
       run(blender.string(),

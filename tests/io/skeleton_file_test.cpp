@@ -109,7 +109,15 @@ TEST_F(SkeletonFile, IsToldFromOtherJson) {
 }
 
 TEST(SkeletonPath, LiesBesideTheBody) {
-  EXPECT_EQ(skeleton_path("some/body.v2.ply"), fs::path("some/body.v2.json"));
+  EXPECT_EQ(skeleton_path("some/body.v2.ply"), fs::path("some/body.v2.body.json"));
+}
+
+TEST_F(SkeletonFile, OfAnEarlierVersionIsRead) {
+  const fs::path body = fs::path(path_).replace_extension(".ply");
+  write_skeleton(path_, Skeleton());
+  EXPECT_EQ(skeleton_beside(body), path_);
+  write_file(path_, R"({"format": "toile-measures", "landmarks": {}})");
+  EXPECT_EQ(skeleton_beside(body), skeleton_path(body));
 }
 
 }  // namespace skeleton_file_test

@@ -24,7 +24,7 @@ class GarmentFile : public testing::Test {
     fs::remove_all(folder_);
     fs::create_directories(folder_);
     obj_ = folder_ / "garment.obj";
-    json_ = folder_ / "garment.json";
+    json_ = folder_ / "garment.garment.json";
   }
   void TearDown() override { fs::remove_all(folder_); }
 
@@ -136,8 +136,24 @@ TEST_F(GarmentFile, TheJsonMayStandElsewhere) {
   const PanelMesh garment = bag();
   write_garment(obj_, garment);
   fs::rename(json_, folder_ / "other.json");
-  EXPECT_HOLDS(error_of([&] { read_garment(obj_); }), "garment.json: can't be read");
+  EXPECT_HOLDS(error_of([&] { read_garment(obj_); }),
+               "garment.garment.json: is missing: it holds the panels and seams of ");
   expect_equal(read_garment(obj_, folder_ / "other.json"), garment);
+}
+
+TEST_F(GarmentFile, ReadsTheNameOfEarlierVersions) {
+  const PanelMesh garment = bag();
+  const fs::path earlier = folder_ / "garment.json";
+  write_garment(obj_, garment);
+  fs::rename(json_, earlier);
+  EXPECT_EQ(garment_json_beside(obj_), earlier);
+  expect_equal(read_garment(obj_), garment);
+  // A pattern, a report of dress and a table of that name are something else.
+  for (const char* other :
+       {R"({"pattern": {"panels": {}}})", R"({"panels": [], "seams": {"open": 0}})", "[]"}) {
+    write_file(earlier, other);
+    EXPECT_HOLDS(error_of([&] { read_garment(obj_); }), "garment.garment.json: is missing");
+  }
 }
 
 TEST_F(GarmentFile, ReadsWhatAnotherProgramWrote) {
@@ -176,7 +192,7 @@ TEST_F(GarmentFile, NamesWhatDoesNotFitTogether) {
   EXPECT_HOLDS(message_after(json_, "{", ""), "is not JSON");
   EXPECT_HOLDS(message_after(json_, "\"panels\": [", "\"panels\": [], \"old\": ["),
                "covers 0 points");
-  EXPECT_HOLDS(message_after(obj_, "\nf ", "\n# "), "garment.json: ");
+  EXPECT_HOLDS(message_after(obj_, "\nf ", "\n# "), "garment.garment.json: ");
   EXPECT_HOLDS(message_after(obj_, "\nf ", "\nf 1/2 "), "is no triangle");
   EXPECT_HOLDS(message_after(obj_, "\nvt ", "\nvn "), "garment.obj");
 }

@@ -155,7 +155,7 @@ TEST_F(Attached, WhatIsWrongWithThemIsOneMessage) {
   // A landmark that this body's file does not have.
   write(tube_top());
   mesh(folder / "pattern.json", "25mm");
-  fs::remove(folder / "body.json");
+  fs::remove(folder / "body.body.json");
   Json pattern = handkerchief();
   pattern["pattern"]["panels"]["cloth"]["attach"][0]["to"] = "waist";
   write(pattern);

@@ -7,6 +7,7 @@
 
 #include "io/checksum.h"
 #include "io/csv.h"
+#include "io/skeleton_file.h"
 #include "tests/support/worn_sample.h"
 
 namespace toile::pipeline {
@@ -64,6 +65,20 @@ class ToileBatch : public testing::Test {
     return folder / "out";
   }
 
+  /// Resumes the batch, with no time for what is done again: that is the garment of this name
+  /// alone, or none. Its folder is then as it was.
+  void expect_redone(const fs::path& out, const std::string& redone) const {
+    const pipeline::Run again =
+        batch({*shared / "garments.csv", "-o", out, "--resume", "--timeout", "10ms"});
+    EXPECT_EQ(again.exit_code, redone.empty() ? 0 : 1) << again.err;
+    for (auto& [name, row] : results(out)) {
+      EXPECT_EQ(row["verdict"], name == redone ? "error" : "sewn") << name;
+    }
+    if (redone.empty()) return;
+    fs::remove_all(out / redone);
+    fs::copy(*shared / "out" / redone, out / redone, fs::copy_options::recursive);
+  }
+
   static ScratchFolder* shared;
   static pipeline::Run* done;
   ScratchFolder folder;
@@ -93,8 +108,8 @@ TEST_F(ToileBatch, EveryGarmentHasItsRowAndFiles) {
     EXPECT_EQ(row["converged"], "true");
     EXPECT_GT(std::stod(row["seconds"]), std::stod(row["dress_seconds"]));
     EXPECT_GT(std::stod(row["peak_MiB"]), 5);
-    for (const char* file :
-         {"garment.obj", "garment.json", "dressed.json", "ease.html", "front.png", "back.png"}) {
+    for (const char* file : {"garment.obj", "garment.garment.json", "dressed.json", "ease.html",
+                             "front.png", "back.png"}) {
       EXPECT_TRUE(fs::exists(out / name / file)) << file;
     }
     const Json report = Json::parse(read_text(out / name / "report.json"));
@@ -160,14 +175,185 @@ TEST_F(ToileBatch, ResumeRedoesWhatChanged) {
 
 TEST_F(ToileBatch, ResumeRedoesWhatHasADamagedReport) {
   const fs::path out = copy_of_batch();
-  write_text(out / "band" / "report.json", std::string(200000, '[') + std::string(200000, ']'));
-  Json wrong = Json::parse(read_text(out / "top" / "report.json"));
-  wrong["cause"] = 3;
-  write_text(out / "top" / "report.json", wrong.dump());
-  const pipeline::Run again = batch({*shared / "garments.csv", "-o", out, "--resume"});
-  EXPECT_EQ(again.exit_code, 0) << again.err;
-  EXPECT_EQ(again.err.find("done already"), std::string::npos) << again.err;
-  for (auto& [name, row] : results(out)) EXPECT_EQ(row["verdict"], "sewn") << name;
+  const fs::path report = out / "band" / "report.json";
+  const std::string sound = read_text(report);
+  expect_redone(out, "");  // the control
+  for (const std::string& text :
+       {std::string(200000, '[') + std::string(200000, ']'), std::string("[3]"), std::string("3"),
+        std::string(), sound.substr(0, sound.size() / 2)}) {
+    SCOPED_TRACE(text.substr(0, 20));
+    write_text(report, text);
+    expect_redone(out, "band");
+  }
+  const struct {
+    const char *place, *value;
+  } wrong[] = {
+      {"/verdict", R"("sewed")"},
+      {"/verdict", "3"},
+      {"/verdict", "null"},
+      {"/verdict", R"("error")"},  // and it has figures
+      {"/cause", "3"},
+      {"/detail", "null"},
+      {"/seconds", R"("1")"},
+      {"/mesh_seconds", R"("1")"},
+      {"/dress_seconds", "null"},
+      {"/peak_MiB", "[]"},
+      {"/body_usable", "1"},
+      {"/warnings", R"("none")"},
+      {"/warnings", R"([{"code": "a", "place": "", "text": 3}])"},
+      {"/figures", "null"},
+      {"/figures", "[]"},
+      {"/figures/fit", "3"},
+      {"/figures/strain_p99", R"("1")"},
+      {"/figures/strain_max", "null"},
+      {"/figures/max_gap_mm", "[1]"},
+      {"/figures/seams_open", "-1"},
+      {"/figures/intersections_body", "true"},
+      {"/figures/intersections_self", "1e300"},
+      {"/figures/attempts", "1.5"},
+      {"/figures/nodes", R"("132")"},
+      {"/figures/converged", "1"},
+      {"/figures/bust_ease_cm", R"("wide")"},
+      {"/inputs", "[]"},
+      {"/limits", "3"},
+      {"/outputs", "null"},
+      {"/outputs", "[]"},
+      {"/outputs/dressed.obj", "3"},
+  };
+  for (const auto& [place, value] : wrong) {
+    SCOPED_TRACE(std::string(place) + " " + value);
+    // In the file's order, so that nothing else differs.
+    using Ordered = nlohmann::ordered_json;
+    Ordered damaged = Ordered::parse(sound);
+    damaged[Ordered::json_pointer(place)] = Ordered::parse(value);
+    write_text(report, damaged.dump());
+    // What was allowed does not change what is done.
+    expect_redone(out, std::string(place) == "/limits" ? "" : "band");
+  }
+}
+
+TEST_F(ToileBatch, ResumeRedoesWhatHasAChangedOutput) {
+  const fs::path out = copy_of_batch();
+  for (const char* name : {"garment.obj", "garment.garment.json", "mesh.json", "dressed.obj",
+                           "dressed.json", "ease.html", "ease.json", "front.png", "back.png"}) {
+    SCOPED_TRACE(name);
+    const fs::path file = out / "band" / name;
+    write_text(file, read_text(file) + "\n");
+    expect_redone(out, "band");
+    fs::remove(file);
+    expect_redone(out, "band");
+  }
+}
+
+TEST_F(ToileBatch, ResumeRedoesWhatHasOtherJoints) {
+  const fs::path body = folder / "body.ply", joints = skeleton_path(body);
+  fs::copy_file(*shared / "body.ply", body);
+  write_text(folder / "garments.csv", "name,pattern,body,options\nband," +
+                                          (*shared / "band.json").string() +
+                                          ",body.ply,--quality draft\n");
+  const fs::path out = folder / "out";
+  ASSERT_EQ(batch({folder / "garments.csv", "-o", out}).exit_code, 0);
+  const auto expect = [&](const std::string& kept) {
+    fs::copy(out, folder / "again", fs::copy_options::recursive);
+    const pipeline::Run again =
+        batch({folder / "garments.csv", "-o", folder / "again", "--resume", "--timeout", "10ms"});
+    EXPECT_EQ(results(folder / "again")["band"]["verdict"], kept) << again.err;
+    fs::remove_all(folder / "again");
+  };
+  expect("sewn");
+  // It had none.
+  fs::copy_file(skeleton_path(*shared / "body.ply"), joints);
+  expect("error");
+  // Others, by either name.
+  ASSERT_EQ(batch({folder / "garments.csv", "-o", out}).exit_code, 0);
+  expect("sewn");
+  const std::string text = read_text(joints);
+  write_text(joints, text + "\n");
+  expect("error");
+  write_text(joints, text);
+  expect("sewn");
+  write_text(folder / "body.json", text + "\n");  // of an earlier version, and not read
+  expect("sewn");
+  fs::remove(joints);
+  expect("error");
+}
+
+/// A batch of a missing pattern, a band, and a T-shirt that takes long.
+class BatchUnderWay : public ToileBatch {
+ protected:
+  BatchUnderWay() {
+    write_text(folder / "garments.csv",
+               "name,pattern,edge_length,options\nquick,missing.json,,\n"
+               "band," +
+                   sample("band").string() + ",40mm,--quality draft\nslow," +
+                   sample("tshirt").string() + ",4mm,--quality fine\n");
+    // Runs a batch until `$2` is in the file `$1`, and sends it the signal $3. A half file is seen.
+    write_text(folder / "amid", R"(
+file=$1 words=$2 signal=$3
+shift 3
+"$@" 2>err &
+batch=$!
+until grep -q "$words" "$file" 2>/dev/null; do
+  kill -0 $batch || exit 99
+  sleep 0.02
+done
+kill -$signal $batch
+wait $batch
+)");
+  }
+
+  /// The exit code, as a shell has it.
+  int end_by(const std::string& signal, const std::string& file, const std::string& words,
+             const Words& more = {}) const {
+    Words all = {folder / "amid",
+                 file,
+                 words,
+                 signal,
+                 fs::path(TOILE_TOOLS_DIR) / "toile",
+                 "batch",
+                 "--body",
+                 *shared / "body.ply",
+                 folder / "garments.csv",
+                 "-j",
+                 "1",
+                 "-o",
+                 folder / "out"};
+    all.insert(all.end(), more.begin(), more.end());
+    const fs::path before = fs::current_path();
+    fs::current_path(folder.path());
+    const pipeline::Run ended = run("/bin/sh", all);
+    fs::current_path(before);
+    EXPECT_EQ(ended.err.find("No such process"), std::string::npos) << ended.err;
+    return ended.exit_code;
+  }
+};
+
+TEST_F(BatchUnderWay, WritesItsTableAndItsPageAsItGoes) {
+  EXPECT_EQ(end_by("KILL", "out/results.csv", "^quick,"), 128 + SIGKILL);
+  auto rows = results(folder / "out");
+  EXPECT_EQ(rows["quick"]["verdict"], "error");
+  EXPECT_FALSE(rows.contains("slow"));
+  const std::string page = read_text(folder / "out" / "index.html");
+  EXPECT_NE(page.find(" of 3 garments</h1>"), std::string::npos);
+  EXPECT_NE(page.find("<h2>quick</h2>"), std::string::npos);
+  EXPECT_EQ(page.find("<h2>slow</h2>"), std::string::npos);
+}
+
+// The band ends within the pause after the writing of what was quick.
+TEST_F(BatchUnderWay, WritesWhatIsDoneWhenItIsInterrupted) {
+  EXPECT_EQ(end_by("TERM", "err", "^band: "), 128 + SIGTERM);
+  auto rows = results(folder / "out");
+  EXPECT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows["band"]["verdict"], "sewn");
+  EXPECT_FALSE(fs::exists(folder / "out" / "summary.md"));
+  for (const auto& entry : fs::directory_iterator(folder / "out")) {
+    EXPECT_EQ(entry.path().string().find(".part"), std::string::npos) << entry.path();
+  }
+
+  // What is kept is there from the start.
+  fs::remove(folder / "out" / "results.csv");
+  EXPECT_EQ(end_by("KILL", "out/results.csv", "^quick,", {"--resume"}), 128 + SIGKILL);
+  EXPECT_EQ(results(folder / "out").size(), 2U);
 }
 
 TEST_F(ToileBatch, ResumeOfAllThatIsDoneRunsNothing) {

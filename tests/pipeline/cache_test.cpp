@@ -47,11 +47,12 @@ TEST_F(Cache, IsKeptWhenAskedForAndChangesNothing) {
 
 TEST_F(Cache, OfAnotherBodyIsMadeAnew) {
   const std::string own = ".own";
-  for (const char* file : {"body.ply", "body.json"}) fs::copy(folder / file, folder / (file + own));
+  for (const char* file : {"body.ply", "body.body.json"})
+    fs::copy(folder / file, folder / (file + own));
   succeed("make-mannequin", {"-o", body, "--pose", "walking", "-q"});
   ASSERT_EQ(dress("other", {"--cache", "--quality", "draft"}).exit_code, 0);
   EXPECT_TRUE(fs::exists(cache));
-  for (const char* file : {"body.ply", "body.json"})
+  for (const char* file : {"body.ply", "body.body.json"})
     fs::rename(folder / (file + own), folder / file);
   expect_same("after_another", {"--cache"}, "");
   EXPECT_EQ(computed("after_another"), all);

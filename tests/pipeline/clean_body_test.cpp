@@ -50,7 +50,8 @@ TEST(CleanBodyProgram, MeanAllIsCleanAndHardlyMoved) {
                          (folder / "report.json").string()});
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_EQ(ended.out, "");
-  EXPECT_EQ(folder.names(), (std::vector<std::string>{"body.json", "body.ply", "report.json"}));
+  EXPECT_EQ(folder.names(),
+            (std::vector<std::string>{"body.body.json", "body.ply", "report.json"}));
   const TriangleMesh body = triangles(folder / "body.ply");
   EXPECT_TRUE(test::is_closed(body));
   EXPECT_NEAR(highest(body), 1.7199, 1e-4);
@@ -75,7 +76,7 @@ TEST(CleanBodyProgram, MeanAllIsCleanAndHardlyMoved) {
   EXPECT_GT(report["self_intersections"]["found"], 42);
   EXPECT_TRUE(report["skeleton"].get<bool>());
 
-  const Skeleton skeleton = read_skeleton(folder / "body.json");
+  const Skeleton skeleton = read_skeleton(folder / "body.body.json");
   for (const std::string joint : {"shoulder", "elbow", "wrist", "hip", "knee", "ankle"}) {
     const Vec3 left = skeleton.joint("left_" + joint);
     const Vec3 right = skeleton.joint("right_" + joint);
@@ -100,7 +101,7 @@ TEST(CleanBodyProgram, MakeHumanInDecimetresStands) {
   EXPECT_GT(test::volume(body), 0.04);
   EXPECT_GT(highest(body), 1.5);
   EXPECT_LT(highest(body), 2.0);
-  EXPECT_TRUE(std::filesystem::exists(folder / "body.json"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "body.body.json"));
   EXPECT_TRUE(says(ended, "lifted by 81.68 cm"));
 
   const pipeline::Run inferred =
@@ -184,7 +185,8 @@ TEST(CleanBodyProgram, BadInputIsOneMessageAndNoFile) {
 TEST(CleanBodyProgram, AClosedCubeIsABodyWithoutSkeleton) {
   const ScratchFolder folder;
   pipeline::write_text(folder / "cube.obj", cube_points + five_faces + "f 1 5 8 4\n");
-  // A skeleton of an earlier run would be taken for this body's.
+  // A skeleton of an earlier run would be taken for this body's, by whichever name it has.
+  write_skeleton(folder / "body.body.json", Skeleton{});
   write_skeleton(folder / "body.json", Skeleton{});
   const pipeline::Run ended =
       run("clean-body", {(folder / "cube.obj").string(), "-o", (folder / "body.ply").string()});

@@ -1,4 +1,4 @@
-// A body.json that is there but damaged: each program that reads it says so and writes nothing.
+// A body.body.json that is damaged: each program that reads it says so and writes nothing.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,14 +25,14 @@ class DamagedJoints : public testing::Test {
                                    "-o", *folder_ / "band.obj"})
                   .exit_code,
               0);
-    sound_ = Json::parse(pipeline::read_text(*folder_ / "body.json"));
+    sound_ = Json::parse(pipeline::read_text(*folder_ / "body.body.json"));
   }
   static void TearDownTestSuite() { folder_.reset(); }
 
-  /// Runs each program that reads joints beside the body, with body.json of that content.
+  /// Runs each program that reads joints beside the body, with body.body.json of that content.
   static void expect_refused(const std::string& content, const std::string& words) {
     SCOPED_TRACE(words);
-    pipeline::write_text(*folder_ / "body.json", content);
+    pipeline::write_text(*folder_ / "body.body.json", content);
     const fs::path out = *folder_ / "out";
     const std::string body = *folder_ / "body.ply";
     const std::string band = *folder_ / "band.obj";
@@ -42,7 +42,7 @@ class DamagedJoints : public testing::Test {
           run("ease-map", {"--body", body, band, "-o", out / "ease.html"}),
           run("clean-body", {body, "-o", out / "clean.ply"})}) {
       EXPECT_EQ(ended.exit_code, 1);
-      EXPECT_NE(ended.err.find("body.json" + words), std::string::npos) << ended.err;
+      EXPECT_NE(ended.err.find("body.body.json" + words), std::string::npos) << ended.err;
       EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
     }
     EXPECT_TRUE(fs::is_empty(out));

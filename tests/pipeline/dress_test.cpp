@@ -363,20 +363,20 @@ TEST_F(DressInput, GarmentsThatAreNone) {
   write_text(obj, "");
   expect_refused(dress(), "garment.");
   write_text(obj, good);
-  const std::string json = read_text(folder / "garment.json");
-  write_text(folder / "garment.json", json.substr(0, json.size() / 2));
-  expect_refused(dress(), "garment.json");
-  fs::remove(folder / "garment.json");
-  expect_refused(dress(), "garment.json");
+  const std::string json = read_text(folder / "garment.garment.json");
+  write_text(folder / "garment.garment.json", json.substr(0, json.size() / 2));
+  expect_refused(dress(), "garment.garment.json");
+  fs::remove(folder / "garment.garment.json");
+  expect_refused(dress(), "garment.garment.json");
   fs::remove(obj);
   expect_refused(dress(), "garment.");
 }
 
 TEST_F(DressInput, PanelsNameTheirFabrics) {
-  Json json = Json::parse(read_text(folder / "garment.json"));
+  Json json = Json::parse(read_text(folder / "garment.garment.json"));
   json["panels"][0]["fabric"] = "main";
   json["panels"][1]["fabric"] = "jersey";
-  write_text(folder / "garment.json", json.dump());
+  write_text(folder / "garment.garment.json", json.dump());
   expect_refused(dress(), "--fabric main=FILE.json");
   expect_refused(dress({"--fabric", "main=velvet"}), "velvet");
   expect_refused(dress({"--fabric", "main=denim", "--fabric", "collar=denim"}), "'collar'");

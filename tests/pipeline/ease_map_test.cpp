@@ -79,7 +79,7 @@ TEST_F(EaseMap, MeasuresGirthsWhereThereAreJoints) {
   Skeleton skeleton;
   skeleton.joints = {{"pelvis", {0, 0.85, 0}}, {"waist", {0, 1.05, 0}}, {"chest", {0, 1.25, 0}}};
   skeleton.segments = {{"torso", "pelvis", "waist"}, {"torso", "waist", "chest"}};
-  write_skeleton(scratch / "body.json", skeleton);
+  write_skeleton(scratch / "body.body.json", skeleton);
   const auto done = ease_map({"--report", scratch / "e.json"});
   ASSERT_EQ(done.exit_code, 0) << done.err;
   const nlohmann::json statistics = nlohmann::json::parse(read_text(scratch / "e.json"));
@@ -93,7 +93,7 @@ TEST_F(EaseMap, WhatIsCutTooSmallIsWarnedOf) {
   Skeleton skeleton;
   skeleton.joints = {{"pelvis", {0, 0.85, 0}}, {"waist", {0, 1.05, 0}}, {"chest", {0, 1.25, 0}}};
   skeleton.segments = {{"torso", "pelvis", "waist"}, {"torso", "waist", "chest"}};
-  write_skeleton(scratch / "body.json", skeleton);
+  write_skeleton(scratch / "body.body.json", skeleton);
   // Around the body's 94.2 cm the cloth was cut to 90.
   DressedGarment tight = test::cloth_tube(0.16, 0.16, 0.8, 1.3, 90, 10);
   write_dressed(dressed, tight);
@@ -143,7 +143,7 @@ TEST_F(EaseMap, AnotherBodysJointsAreRefused) {
   Skeleton skeleton;
   skeleton.joints = {{"pelvis", {0, 0.85, 0}}, {"waist", {0, 1.05, 0}}, {"chest", {0.2, 1.25, 0}}};
   skeleton.segments = {{"torso", "pelvis", "waist"}, {"torso", "waist", "chest"}};
-  write_skeleton(scratch / "body.json", skeleton);
+  write_skeleton(scratch / "body.body.json", skeleton);
   const auto done = ease_map({});
   EXPECT_EQ(done.exit_code, 1);
   // The body is a tube of 15 cm radius.

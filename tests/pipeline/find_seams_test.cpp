@@ -96,7 +96,7 @@ TEST_F(FindSeams, PocketsAreLeftOutUnlessTheyAreAskedFor) {
                                            folder / "garment.obj"});
   EXPECT_EQ(meshed.exit_code, 0) << meshed.err;
   EXPECT_HOLDS(meshed.err, "left out: pocket (pocket)");
-  const Json garment = Json::parse(read_text(folder / "garment.json"));
+  const Json garment = Json::parse(read_text(folder / "garment.garment.json"));
   EXPECT_EQ(garment["panels"].size(), 2u);
   const auto drawn =
       run("export-pattern", {folder / "sewn.json", "-o", folder / "sheet.svg", "-q"});

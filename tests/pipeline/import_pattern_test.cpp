@@ -26,7 +26,7 @@ TEST(ImportPattern, WhatItWritesIsMeshed) {
   const auto meshed =
       run("mesh-pattern", {pattern, "-o", (folder / "garment.obj").string(), "--flat"}, 60);
   EXPECT_EQ(meshed.exit_code, 0) << meshed.err;
-  const std::string garment = read_text(folder / "garment.json");
+  const std::string garment = read_text(folder / "garment.garment.json");
   EXPECT_HOLDS(garment, ".cut_out.0");
   EXPECT_HOLDS(garment, ".drill_hole.0");
 }

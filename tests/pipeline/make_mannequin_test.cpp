@@ -34,16 +34,17 @@ TEST(MakeMannequinProgram, WalksWithItsJointsBesideIt) {
       make(folder / "walk.ply", "walking", {"--report", folder / "report.txt"});
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_EQ(ended.out, "");
-  EXPECT_EQ(folder.names(), (std::vector<std::string>{"report.txt", "walk.json", "walk.ply"}));
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"report.txt", "walk.body.json", "walk.ply"}));
   const Json report = Json::parse(read_text(folder / "report.txt"));
   EXPECT_NEAR(report["girths"]["knee"]["girth_cm"].get<double>(), 35.31, 0.3);
 
   // The true joints go through clean-body as they are.
   const pipeline::Run cleaned = run("clean-body", {folder / "walk.ply", "-o", folder / "body.ply"});
   ASSERT_EQ(cleaned.exit_code, 0) << cleaned.err;
-  EXPECT_TRUE(says(cleaned, "joints taken from " + (folder / "walk.json").string())) << cleaned.err;
-  const Skeleton walk = read_skeleton(folder / "walk.json");
-  EXPECT_LT(farthest(walk, read_skeleton(folder / "body.json")), 1e-9);
+  EXPECT_TRUE(says(cleaned, "joints taken from " + (folder / "walk.body.json").string()))
+      << cleaned.err;
+  const Skeleton walk = read_skeleton(folder / "walk.body.json");
+  EXPECT_LT(farthest(walk, read_skeleton(folder / "body.body.json")), 1e-9);
 
   // In centimetres and 30 cm above the floor they come down with the body.
   const PolygonSoup soup = read_mesh(folder / "walk.ply");
@@ -53,25 +54,26 @@ TEST(MakeMannequinProgram, WalksWithItsJointsBesideIt) {
   write_mesh(folder / "raised.ply", raised);
   Skeleton up = walk;
   for (auto& [name, joint] : up.joints) joint.y() += 0.3;
-  write_skeleton(folder / "raised.json", up);
+  write_skeleton(folder / "raised.body.json", up);
   const pipeline::Run lowered =
       run("clean-body", {folder / "raised.ply", "-o", folder / "low.ply"});
   ASSERT_EQ(lowered.exit_code, 0) << lowered.err;
   EXPECT_TRUE(says(lowered, "joints taken from")) << lowered.err;
-  EXPECT_LT(farthest(walk, read_skeleton(folder / "low.json")), 1e-6);
+  EXPECT_LT(farthest(walk, read_skeleton(folder / "low.body.json")), 1e-6);
 }
 
 TEST(MakeMannequinProgram, AnotherBodysJointsAreNotTaken) {
   const ScratchFolder folder;
   ASSERT_EQ(make(folder / "walk.ply", "walking").exit_code, 0);
   ASSERT_EQ(make(folder / "stand.ply", "standing").exit_code, 0);
-  fs::copy_file(folder / "walk.json", folder / "stand.json", fs::copy_options::overwrite_existing);
+  fs::copy_file(skeleton_path(folder / "walk.ply"), skeleton_path(folder / "stand.ply"),
+                fs::copy_options::overwrite_existing);
   const pipeline::Run cleaned =
       run("clean-body", {folder / "stand.ply", "-o", folder / "body.ply"});
   ASSERT_EQ(cleaned.exit_code, 0) << cleaned.err;
   EXPECT_TRUE(says(cleaned, "is not this body's")) << cleaned.err;
-  const Skeleton found = read_skeleton(folder / "body.json");
-  EXPECT_GT(farthest(read_skeleton(folder / "walk.json"), found), 0.05);
+  const Skeleton found = read_skeleton(folder / "body.body.json");
+  EXPECT_GT(farthest(read_skeleton(folder / "walk.body.json"), found), 0.05);
   EXPECT_NEAR(found.joint("left_knee").z(), -0.005, 0.01);
 
   // A body that faces -z is turned, whatever an earlier run left beside it.
@@ -87,7 +89,9 @@ TEST(MakeMannequinProgram, AnotherBodysJointsAreNotTaken) {
     EXPECT_TRUE(says(turned, "turned to face +z")) << which << " run: " << turned.err;
   }
 
-  // Some other program's JSON is none of its business; a broken skeleton is an error.
+  // Of the name of earlier versions, other JSON is none of its business; a broken skeleton is an
+  // error.
+  fs::remove(skeleton_path(folder / "stand.ply"));
   write_text(folder / "stand.json", R"({"bust": 93.6})");
   EXPECT_EQ(run("clean-body", {folder / "stand.ply", "-o", folder / "body.ply"}).exit_code, 0);
   write_text(folder / "stand.json", R"({"format": "toile-body", "units": "ft"})");
@@ -102,7 +106,7 @@ TEST(MakeMannequinProgram, PosesFromFilesAndWrongOnes) {
   const ScratchFolder folder;
   write_text(folder / "stride.json", R"({"joints": {"left_hip": {"flexion": 30}}})");
   EXPECT_EQ(make(folder / "a.ply", folder / "stride.json", {"-q"}).exit_code, 0);
-  const Skeleton posed = read_skeleton(folder / "a.json");
+  const Skeleton posed = read_skeleton(folder / "a.body.json");
   EXPECT_GT(posed.joint("left_knee").z(), posed.joint("right_knee").z() + 0.15);
   for (const auto& [text, words] : std::vector<std::pair<std::string, std::string>>{
            {R"({"joints": {"left_wing": {"flexion": 30}}})", "left_wing"},
@@ -115,7 +119,7 @@ TEST(MakeMannequinProgram, PosesFromFilesAndWrongOnes) {
     EXPECT_TRUE(says(refused, words)) << refused.err;
     EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
     EXPECT_FALSE(fs::exists(folder / "b.ply"));
-    EXPECT_FALSE(fs::exists(folder / "b.json"));
+    EXPECT_FALSE(fs::exists(folder / "b.body.json"));
   }
   EXPECT_EQ(make(folder / "b.ply", "dancing").exit_code, 2);
   EXPECT_EQ(make(folder / "b.ply", folder / "missing.json").exit_code, 1);
@@ -141,7 +145,7 @@ TEST(MakeMannequinProgram, MakesABodyToMeasures) {
   EXPECT_EQ(report["measures"]["waist"]["source"], "filled");
   EXPECT_EQ(report["measures"]["knee"]["wanted_cm"], 37);
   EXPECT_TRUE(says(made, "filled from proportions")) << made.err;
-  EXPECT_TRUE(fs::exists(folder / "me.json"));
+  EXPECT_TRUE(fs::exists(folder / "me.body.json"));
 }
 
 TEST(MakeMannequinProgram, NamesMeasuresThatContradict) {

@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "geometry/repair.h"
 #include "io/mesh_file.h"
+#include "io/skeleton_file.h"
 #include "tests/support/run_program.h"
 #include "tests/support/shapes.h"
 
@@ -64,8 +66,8 @@ TEST_F(MeasureBodyProgram, WritesMeasuresUnderAllNames) {
 TEST_F(MeasureBodyProgram, LandmarksStandBesideTheBody) {
   ASSERT_EQ(run("clean-body", {body(), "-o", folder_ / "clean.ply", "-q"}).exit_code, 0);
   ASSERT_EQ(run("measure-body", {folder_ / "clean.ply", "-o", folder_ / "m.json"}).exit_code, 0);
-  const Json made = Json::parse(read_text(body().replace_extension(".json")))["landmarks"];
-  const Json cleaned = Json::parse(read_text(folder_ / "clean.json"))["landmarks"];
+  const Json made = Json::parse(read_text(skeleton_path(body())))["landmarks"];
+  const Json cleaned = Json::parse(read_text(folder_ / "clean.body.json"))["landmarks"];
   EXPECT_EQ(cleaned, Json::parse(read_text(folder_ / "m.json"))["landmarks"]);
   ASSERT_EQ(made.size(), cleaned.size());
   for (const auto& [name, landmark] : made.items()) {
@@ -165,10 +167,26 @@ TEST_F(MeasureBodyProgram, TwoMeasuresOfOneNameAreAnError) {
 }
 
 TEST_F(MeasureBodyProgram, TheJointsBesideTheBodyStay) {
-  const fs::path beside = fs::path(body()).replace_extension("json");
-  const std::string before = read_text(beside);
-  EXPECT_EQ(run("measure-body", {body(), "-o", beside}).exit_code, 1);
-  EXPECT_EQ(read_text(beside), before);
+  // Those that an earlier version wrote, too.
+  fs::copy_file(body(), folder_ / "old.ply");
+  fs::copy_file(skeleton_path(body()), folder_ / "old.json");
+  for (const auto& [file, beside] : std::map<fs::path, fs::path>{
+           {body(), skeleton_path(body())}, {folder_ / "old.ply", folder_ / "old.json"}}) {
+    const std::string before = read_text(beside);
+    EXPECT_EQ(run("measure-body", {file, "-o", beside}).exit_code, 1);
+    EXPECT_EQ(read_text(beside), before);
+  }
+}
+
+TEST_F(MeasureBodyProgram, MeasuresMayBeCalledAfterTheBody) {
+  const fs::path measures = body().replace_extension(".json");
+  // Twice: what the first wrote are no joints of an earlier version.
+  for (int i = 0; i < 2; ++i) {
+    const pipeline::Run done = run("measure-body", {body(), "-o", measures, "-q"});
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+  }
+  EXPECT_TRUE(Json::parse(read_text(measures)).contains("measures"));
+  EXPECT_TRUE(Json::parse(read_text(skeleton_path(body()))).contains("joints"));
 }
 
 TEST_F(MeasureBodyProgram, RefusesWhatItDoesNotUnderstand) {

@@ -5,11 +5,12 @@
 
 #include "pattern/garment_file.h"
 #include "tests/pattern/samples.h"
-#include "tests/support/run_program.h"
+#include "tests/support/worn_sample.h"
 
 namespace toile {
 namespace mesh_pattern_test {
 
+namespace fs = std::filesystem;
 using pipeline::read_text;
 using pipeline::Run;
 using pipeline::run;
@@ -52,7 +53,7 @@ TEST(MeshPattern, TheSameBitsForAnyNumberOfThreads) {
   ASSERT_EQ(mesh(one, samples::bag, {"--threads", "1", "-q"}).exit_code, 0);
   ASSERT_EQ(mesh(four, samples::bag, {"--threads", "4", "-q"}).exit_code, 0);
   EXPECT_EQ(read_text(one / "garment.obj"), read_text(four / "garment.obj"));
-  EXPECT_EQ(read_text(one / "garment.json"), read_text(four / "garment.json"));
+  EXPECT_EQ(read_text(one / "garment.garment.json"), read_text(four / "garment.garment.json"));
 }
 
 TEST(MeshPattern, FlatLaysThePanelsSideBySide) {
@@ -107,20 +108,64 @@ TEST(MeshPattern, BadInputEndsWithOneMessageAndNoFile) {
 
 TEST(MeshPattern, ThePatternIsNeverOverwritten) {
   const ScratchFolder folder;
-  write_text(folder / "bag.json", samples::bag);
-  // garment.json of bag.obj would be bag.json.
-  const auto beside =
-      run("mesh-pattern", {(folder / "bag.json").string(), "-o", (folder / "bag.obj").string()});
+  const fs::path named_so = folder / "bag.garment.json";
+  write_text(named_so, samples::bag);
+  const auto beside = run("mesh-pattern", {named_so, "-o", folder / "bag.obj"});
   EXPECT_EQ(beside.exit_code, 1);
-  EXPECT_HOLDS(beside.err, "bag.json: would be overwritten; give the output another name");
-  EXPECT_EQ(folder.names(), std::vector<std::string>{"bag.json"});
+  EXPECT_HOLDS(beside.err, "bag.garment.json: would be overwritten; give the output another name");
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"bag.garment.json"});
   write_text(folder / "bag.obj", samples::bag);
   const auto itself =
       run("mesh-pattern", {(folder / "bag.obj").string(), "-o", (folder / "bag.obj").string()});
   EXPECT_EQ(itself.exit_code, 1);
   EXPECT_HOLDS(itself.err, "would be overwritten");
   EXPECT_EQ(read_text(folder / "bag.obj"), samples::bag);
-  EXPECT_EQ(read_text(folder / "bag.json"), samples::bag);
+  EXPECT_EQ(read_text(named_so), samples::bag);
+}
+
+TEST(MeshPattern, AGarmentMayBeCalledAfterItsPattern) {
+  const ScratchFolder folder;
+  const fs::path pattern = folder / "band.json";
+  fs::copy_file(fs::path(TOILE_SOURCE_DIR) / "samples/band.json", pattern);
+  const std::string before = read_text(pattern);
+  // The body has the name, too.
+  pipeline::succeed("make-mannequin", {"-o", folder / "band.ply", "--edge-length", "15mm", "-q"});
+  const auto dress = [&] {
+    return run("dress", {"--body", folder / "band.ply", folder / "band.obj", "-o",
+                         folder / "dressed.obj", "--quality", "draft", "-q"});
+  };
+  pipeline::succeed("mesh-pattern",
+                    {pattern, "-o", folder / "band.obj", "--edge-length", "30mm", "-q"});
+  const auto dressed = dress();
+  EXPECT_EQ(dressed.exit_code, 0) << dressed.err;
+  EXPECT_EQ(folder.names(),
+            (std::vector<std::string>{"band.body.json", "band.garment.json", "band.json",
+                                      "band.obj", "band.ply", "dressed.obj"}));
+  EXPECT_EQ(read_text(pattern), before);
+
+  // The pattern does not pass for the garment's panels and seams.
+  fs::remove(folder / "band.garment.json");
+  const auto bare = dress();
+  EXPECT_EQ(bare.exit_code, 1);
+  EXPECT_HOLDS(bare.err, "band.garment.json: is missing: it holds the panels and seams of ");
+}
+
+TEST(MeshPattern, FilesOfAnEarlierVersionAreDressed) {
+  const ScratchFolder folder;
+  pipeline::succeed("make-mannequin", {"-o", folder / "body.ply", "--edge-length", "15mm", "-q"});
+  pipeline::succeed("mesh-pattern", {fs::path(TOILE_SOURCE_DIR) / "samples/band.json", "-o",
+                                     folder / "band.obj", "--edge-length", "30mm", "-q"});
+  const auto dressed = [&](const std::string& name) {
+    const auto done = run("dress", {"--body", folder / "body.ply", folder / "band.obj", "-o",
+                                    folder / name, "--quality", "draft", "-q"});
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+    EXPECT_EQ(done.err, "");  // no joints would be a warning
+    return read_text(folder / name);
+  };
+  const std::string now = dressed("now.obj");
+  fs::rename(folder / "body.body.json", folder / "body.json");
+  fs::rename(folder / "band.garment.json", folder / "band.json");
+  EXPECT_EQ(dressed("then.obj"), now);
 }
 
 TEST(MeshPattern, TheRealPatternsAreMeshed) {

@@ -229,12 +229,12 @@ TEST_F(OutfitInput, APanelOverAnotherThatIsNotThereIsSaidBeforeAnythingIsDressed
 
 TEST_F(OutfitInput, NoInputIsOverwritten) {
   fs::rename(folder / "tube.obj", folder / "out-first.obj");
-  fs::rename(folder / "tube.json", folder / "out-first.json");
+  fs::rename(folder / "tube.garment.json", folder / "out-first.garment.json");
   write_text(scene, R"({"body": "body.ply",
                         "layers": [{"name": "first", "garment": "out-first.obj"}]})");
   before = folder.names();
   expect_refused(dress(), "would be overwritten");
-  report = folder / "out-first.json";
+  report = folder / "out-first.garment.json";
   output = folder / "other.obj";
   expect_refused(dress(), "would be overwritten");
   report = folder / "other-first.obj";

@@ -24,17 +24,18 @@ class OutputPaths : public testing::Test {
  protected:
   OutputPaths() {
     for (const char* name :
-         {"scan.obj", "scan.json", "body.ply", "body.json", "body.distances", "joints.json",
-          "pose.json", "pattern.json", "garment.obj", "garment.json", "out-coat.obj",
-          "coat-panels.json", "dressed.obj", "dressed.json", "drape-report.json"}) {
+         {"scan.obj", "scan.body.json", "body.ply", "body.body.json", "body.distances",
+          "joints.json", "pose.json", "pattern.json", "garment.obj", "garment.garment.json",
+          "out-coat.obj", "coat-panels.json", "dressed.obj", "dressed.json", "drape-report.json"}) {
       write_text(folder / name, std::string("content of ") + name);
     }
     write_text(folder / "fabric.json", "{}");
     write_text(folder / "scene.json", scene);
     fs::create_symlink(".", folder / "here");
-    for (const char* kind : {".obj", ".ply", ".json", ".html", ".png"}) {
+    for (const char* kind : {".obj", ".ply", ".json", ".garment.json", ".html", ".png"}) {
       const std::string of_kind = kind;
-      const fs::path input = of_kind == ".obj" || of_kind == ".ply" ? "garment.obj" : "body.json";
+      const fs::path input =
+          of_kind == ".obj" || of_kind == ".ply" ? "garment.obj" : "body.body.json";
       fs::create_symlink(input, folder / ("link" + of_kind));
       fs::create_hard_link(folder / input, folder / ("hard" + of_kind));
     }
@@ -84,24 +85,24 @@ TEST_F(OutputPaths, NoInputIsOverwrittenThroughAnyOption) {
            "clean-body scan.obj -o ./scan.obj",
            "clean-body scan.obj -o here/scan.obj",
            "clean-body scan.obj -o SCAN.OBJ",
-           "clean-body scan.obj -o scan.ply",  // its joints, scan.json
+           "clean-body scan.obj -o scan.ply",  // its joints are read, and would be written
            "clean-body scan.obj -o new.ply --report scan.obj",
-           "clean-body scan.obj -o new.ply --report scan.json",
+           "clean-body scan.obj -o new.ply --report scan.body.json",
            "clean-body garment.obj -o link.obj",
            "clean-body garment.obj -o hard.obj",
            "clean-body garment.obj -o hard.ply",
-           "mesh-pattern pattern.json -o pattern.obj",
-           "mesh-pattern pattern.json -o PATTERN.OBJ",
+           "mesh-pattern garment.garment.json -o garment.obj",
+           "mesh-pattern garment.garment.json -o GARMENT.OBJ",
            "mesh-pattern pattern.json -o new.obj --report pattern.json",
-           "mesh-pattern body.json -o link.obj",
-           "mesh-pattern body.json -o new.obj --report hard.json",
+           "mesh-pattern body.body.json -o link.obj",
+           "mesh-pattern body.body.json -o new.obj --report hard.json",
            dress + "-o garment.obj",
            dress + "-o link.obj",
            dress + "-o hard.obj",
            dress + "-o new.obj --report garment.obj",
-           dress + "-o new.obj --report garment.json",
+           dress + "-o new.obj --report garment.garment.json",
            dress + "-o new.obj --report here/body.ply",
-           dress + "-o new.obj --report body.json",
+           dress + "-o new.obj --report body.body.json",
            dress + "-o new.obj --report Body.ply",
            dress + "-o new.obj --report joints.json --skeleton joints.json",
            dress + "-o new.obj --report coat-panels.json --garment-json coat-panels.json",
@@ -112,12 +113,12 @@ TEST_F(OutputPaths, NoInputIsOverwrittenThroughAnyOption) {
            outfit + "-o new.obj --report scene.json",
            outfit + "-o new.obj --report body.ply",
            outfit + "-o new.obj --report joints.json",
-           outfit + "-o new.obj --report garment.json",
+           outfit + "-o new.obj --report garment.garment.json",
            outfit + "-o new.obj --report coat-panels.json",
            outfit + "-o new.obj --report fabric.json",
            ease + "--report dressed.obj",
            ease + "--report dressed.json",  // the report of dress beside it
-           ease + "--report body.json",
+           ease + "--report body.body.json",
            ease + "--csv dressed.obj",
            ease + "--csv body.ply",
            ease + "--csv joints.json --skeleton joints.json",
@@ -126,17 +127,17 @@ TEST_F(OutputPaths, NoInputIsOverwrittenThroughAnyOption) {
            ease + "--report hard.json",
            ease + "--ply body.ply",
            ease + "--ply here/body.ply",
-           "ease-map --body body.json dressed.obj -o link.html",
+           "ease-map --body body.body.json dressed.obj -o link.html",
            "ease-map --body body.ply hard.png -o new.html --png link.png",
            "render --body hard.png garment.obj -o link.png --report new.json",
-           "render --body body.json garment.obj -o link.png",
+           "render --body body.body.json garment.obj -o link.png",
            "render --body body.ply garment.obj -o new.png --report garment.obj",
            "render dressed.obj garment.obj -o new.png --report garment.obj",
            "render --body body.ply -o new.png --report here/body.ply",
-           "make-mannequin --pose pose.json -o pose.ply",
+           "make-mannequin --pose body.body.json -o body.stl",
            "make-mannequin --pose pose.json -o new.ply --report pose.json",
            "toile fit --body body.ply pattern.json -o .",
-           "toile fit --body scan.obj garment.json -o here/",
+           "toile fit --body scan.obj garment.garment.json -o here/",
            "toile fit --body scan.obj pattern.json --fabric dressed.json -o .",
            "toile fit --body scan.obj pattern.json --fabric wool=dressed.json -o .",
            "toile fit --body scan.obj body.distances -o .",
@@ -153,11 +154,11 @@ TEST_F(OutputPaths, NoInputIsOverwrittenThroughAnyOption) {
 TEST_F(OutputPaths, NoOutputIsWrittenOverAnother) {
   const std::string ease = "ease-map --body body.ply dressed.obj ";
   for (const std::string& line : Words{
-           "clean-body garment.obj -o new.ply --report new.json",
+           "clean-body garment.obj -o new.ply --report new.body.json",
            "clean-body garment.obj -o new.ply --report ./new.ply",
-           "mesh-pattern pattern.json -o new.obj --report new.json",
+           "mesh-pattern pattern.json -o new.obj --report new.garment.json",
            "mesh-pattern pattern.json -o new.obj --report here/new.obj",
-           "mesh-pattern pattern.json -o new.OBJ --report NEW.json",
+           "mesh-pattern pattern.json -o new.OBJ --report NEW.Garment.json",
            "dress --body body.ply garment.obj -o new.obj --report new.obj",
            "dress --body body.ply garment.obj -o new.obj --cache --report body.distances",
            "dress --scene scene.json -o new.obj --report new-tee.obj",
@@ -167,7 +168,7 @@ TEST_F(OutputPaths, NoOutputIsWrittenOverAnother) {
            ease + "-o new.html --ply new.ply --report new.ply",
            ease + "-o new.html --png new.png --report ./new.png",
            "render garment.obj -o new.png --report new.png",
-           "make-mannequin -o new.ply --report new.json",
+           "make-mannequin -o new.ply --report new.body.json",
            "make-mannequin -o new.ply --report new.ply",
        }) {
     expect_refused(line, "would be written twice; give each output a name of its own");
@@ -188,9 +189,12 @@ TEST_F(OutputPaths, AFolderForFramesHoldsNoOtherFile) {
 }
 
 TEST_F(OutputPaths, DevicesPipesAndFoldersAreRefused) {
-  ASSERT_EQ(mkfifo((folder / "pipe.json").c_str(), 0600), 0);
+  for (const char* pipe : {"pipe.json", "pipe.garment.json", "pipe.body.json"}) {
+    ASSERT_EQ(mkfifo((folder / pipe).c_str(), 0600), 0);
+  }
   fs::create_symlink("/dev/full", folder / "full.png");
-  fs::create_directory(folder / "held.json");
+  fs::create_directory(folder / "held.body.json");
+  fs::create_directory(folder / "held.garment.json");
   fs::create_directory(folder / "fit");
   ASSERT_EQ(mkfifo((folder / "fit" / "ease.png").c_str(), 0600), 0);
   const std::string device = "is a device, a pipe or a socket; name a file";
@@ -204,8 +208,8 @@ TEST_F(OutputPaths, DevicesPipesAndFoldersAreRefused) {
   expect_refused("render garment.obj -o full.png", device);
   expect_refused("make-mannequin -o pipe.ply", device);
   expect_refused("toile fit --body scan.obj pattern.json -o fit", device);
-  expect_refused("mesh-pattern pattern.json -o held.obj", "held.json: is a folder");
-  expect_refused("clean-body garment.obj -o held.ply", "held.json: is a folder");
+  expect_refused("mesh-pattern pattern.json -o held.obj", "held.garment.json: is a folder");
+  expect_refused("clean-body garment.obj -o held.ply", "held.body.json: is a folder");
   expect_refused("toile fit --body scan.obj pattern.json -o /dev/null", "can't be made");
 }
 

@@ -38,7 +38,7 @@ TEST(PoseBodyProgram, SitsWithItsJointsBesideIt) {
   const Json report = Json::parse(read_text(folder / "report.txt"));
   EXPECT_EQ(report["self_intersections"]["left"], 0);
   EXPECT_LT(worst_change(report), 0.03);
-  const Skeleton sits = read_skeleton(folder / "sits.json");
+  const Skeleton sits = read_skeleton(folder / "sits.body.json");
   EXPECT_NEAR(sits.joint("left_hip").y(), sits.joint("left_knee").y(), 0.02);
   EXPECT_GT(sits.joint("left_knee").z(), sits.joint("left_hip").z() + 0.3);
 }
@@ -55,7 +55,7 @@ TEST(PoseBodyProgram, WrongInputsEndInOneMessage) {
     EXPECT_TRUE(says(ended, words)) << ended.err;
     EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
     EXPECT_FALSE(fs::exists(folder / "out.ply"));
-    EXPECT_FALSE(fs::exists(folder / "out.json"));
+    EXPECT_FALSE(fs::exists(folder / "out.body.json"));
   };
   const pipeline::Run dancing =
       run("pose-body", {folder / "body.ply", "--pose", "dancing", "-o", folder / "out.ply"});
@@ -72,15 +72,15 @@ TEST(PoseBodyProgram, WrongInputsEndInOneMessage) {
   refused("bare.ply", "walking", "holds no joints");
   TriangleMesh ball = test::sphere(0.5, 3);
   write_mesh(folder / "ball.ply", ball);
-  fs::copy_file(folder / "body.json", folder / "ball.json");
+  fs::copy_file(folder / "body.body.json", folder / "ball.body.json");
   refused("ball.ply", "walking", "does not stand on y = 0");
   for (Vec3& p : ball.points) p.y() += 0.5;
   write_mesh(folder / "ball.ply", ball);
   refused("ball.ply", "walking", "outside of the body");
-  Json joints = Json::parse(read_text(folder / "body.json"));
+  Json joints = Json::parse(read_text(folder / "body.body.json"));
   joints["joints"]["left_knee"] = joints["joints"]["left_hip"];
   fs::copy_file(folder / "body.ply", folder / "short.ply");
-  write_text(folder / "short.json", joints.dump());
+  write_text(folder / "short.body.json", joints.dump());
   refused("short.ply", "walking", "left_hip and left_knee are at one place");
 
   // An arm through the trunk is written, with a warning.
@@ -90,7 +90,7 @@ TEST(PoseBodyProgram, WrongInputsEndInOneMessage) {
           {folder / "body.ply", "--pose", folder / "through.json", "-o", folder / "out.ply"});
   EXPECT_EQ(through.exit_code, 3) << through.err;
   EXPECT_TRUE(says(through, "folds the body into itself")) << through.err;
-  EXPECT_TRUE(fs::exists(folder / "out.json"));
+  EXPECT_TRUE(fs::exists(folder / "out.body.json"));
 }
 
 TEST(PoseBodyProgram, MeanAllWalksSitsAndReaches) {

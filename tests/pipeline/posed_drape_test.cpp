@@ -16,7 +16,7 @@ class PosedDrape : public WornSample {
     make_body("12mm");
     standing = folder / "standing.ply";
     fs::rename(body, standing);
-    fs::rename(folder / "body.json", folder / "standing.json");
+    fs::rename(folder / "body.body.json", folder / "standing.body.json");
   }
 
   void pose(const std::string& name) const {
@@ -92,10 +92,10 @@ TEST_F(PosedDrape, AnotherBodyIsRefused) {
   EXPECT_NE(other.err.find("standing.ply: has other triangles"), std::string::npos) << other.err;
   EXPECT_FALSE(fs::exists(folder / "other.obj"));
   pose("walking");
-  fs::remove(folder / "standing.json");
+  fs::remove(folder / "standing.body.json");
   const auto bare = follow("bare");
   EXPECT_EQ(bare.exit_code, 1);
-  EXPECT_NE(bare.err.find("standing.json"), std::string::npos) << bare.err;
+  EXPECT_NE(bare.err.find("standing.body.json"), std::string::npos) << bare.err;
   EXPECT_EQ(follow("certified", {"--certify-frames"}).exit_code, 2);
   EXPECT_EQ(follow("paper", {"--method", "paper"}).exit_code, 2);
   EXPECT_EQ(follow("both", {"--continue", folder / "first.obj"}).exit_code, 2);

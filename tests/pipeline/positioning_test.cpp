@@ -164,7 +164,7 @@ TEST_F(Positioned, TrousersRolledAroundTheLegs) {
     EXPECT_GT(panel["gap_mm"], 50);
   }
   // And without a skeleton nothing says where the legs are.
-  fs::remove(folder / "body.json");
+  fs::remove(folder / "body.body.json");
   const fs::path nothing = folder / "nothing.obj";
   const pipeline::Run done = run("dress", {"--body", body, garment, "-o", nothing});
   EXPECT_EQ(done.exit_code, 1);

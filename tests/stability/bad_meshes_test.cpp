@@ -2,6 +2,7 @@
 // panel of one triangle, one with a hole. 200,000 nodes: very_large_test.cpp.
 #include "geometry/repair.h"
 #include "io/mesh_file.h"
+#include "io/skeleton_file.h"
 #include "pattern/garment_file.h"
 #include "tests/cloth/panels.h"
 #include "tests/stability/hard_case.h"
@@ -196,7 +197,7 @@ class BadBodyMesh : public HardCase {
     ASSERT_TRUE(is_closed(mesh));
     const fs::path body = folder / "body.ply";
     write_mesh(body, mesh);
-    fs::copy_file(fs::path(mannequin()).replace_extension("json"), folder / "body.json");
+    fs::copy_file(skeleton_path(mannequin()), folder / "body.body.json");
     const fs::path garment = band();
     for (const std::string& method : both_methods) {
       const Ending ending = dress(body, garment, method);

@@ -149,11 +149,11 @@ TEST_F(CutShort, KilledWhileDressing) {
 TEST_F(CutShort, KilledWhileMeshing) {
   kill_ten_times({"mesh-pattern", std::string(TOILE_SOURCE_DIR) + "/samples/tshirt.json", "-o",
                   "OUT/garment.obj", "--edge-length", "8mm"},
-                 {"garment.obj", "garment.json"});
+                 {"garment.obj", "garment.garment.json"});
 }
 
 TEST_F(CutShort, KilledWhileCleaning) {
-  kill_ten_times({"clean-body", mannequin(), "-o", "OUT/body.ply"}, {"body.ply", "body.json"});
+  kill_ten_times({"clean-body", mannequin(), "-o", "OUT/body.ply"}, {"body.ply", "body.body.json"});
 }
 
 TEST_F(CutShort, AFileSizeLimitIsAnError) {

@@ -4,6 +4,8 @@
 
 #include "geometry/repair.h"
 #include "io/mesh_file.h"
+#include "io/skeleton_file.h"
+#include "pattern/garment_file.h"
 #include "tests/stability/hard_case.h"
 #include "tests/support/shapes.h"
 
@@ -25,13 +27,13 @@ class WrongBody : public HardCase {
     for (Vec3& p : mesh.points) p *= factor;
     return mesh;
   }
-  static fs::path joints() { return fs::path(mannequin()).replace_extension("json"); }
+  static fs::path joints() { return skeleton_path(mannequin()); }
 
   /// A mesh file of the folder, and the mannequin's joints beside it.
   fs::path written(const TriangleMesh& mesh, const std::string& name) {
     const fs::path path = folder / (name + ".ply");
     write_mesh(path, mesh);
-    fs::copy_file(joints(), folder / (name + ".json"), fs::copy_options::overwrite_existing);
+    fs::copy_file(joints(), skeleton_path(path), fs::copy_options::overwrite_existing);
     return path;
   }
 
@@ -43,7 +45,7 @@ class WrongBody : public HardCase {
     const pipeline::Run done = run("clean-body", {in, "-o", out});
     EXPECT_EQ(done.exit_code, 0) << done.err;
     EXPECT_NE(done.err.find(words), std::string::npos) << done.err;
-    EXPECT_TRUE(fs::exists(folder / "cleaned.json")) << "joints: " << done.err;
+    EXPECT_TRUE(fs::exists(skeleton_path(out))) << "joints: " << done.err;
     EXPECT_TRUE(is_closed(fan_triangles(read_mesh(out))));
     state("6 " + what, "clean-body", "mended", words);
     return out;
@@ -148,7 +150,7 @@ TEST_F(WrongBody, AnotherBodysJoints) {
   Json others = Json::parse(read_text(joints()));
   others["joints"]["chest"] = {0, 1e300, 0};
   write_mesh(folder / "body.ply", body());
-  write_text(folder / "body.json", others.dump());
+  write_text(folder / "body.body.json", others.dump());
   const std::string said = refused("dress", {"--body", folder / "body.ply", band()});
   EXPECT_NE(said.find("joints, chest"), std::string::npos) << said;
   state("6 another body's joints", "both", "error", said);
@@ -189,14 +191,14 @@ TEST_F(NoNumber, InAMesh) {
   const fs::path body = folder / "plain.obj";
   ASSERT_EQ(run("clean-body", {mannequin(), "-o", body, "-q"}).exit_code, 0);
   const fs::path garment = band();
-  const std::string json = read_text(folder / "band.json");
+  const std::string json = read_text(garment_json_path(garment));
   for (const char* number : no_numbers) {
     spoilt(body, "body.obj", "v \\S+ ", number);
     expect_refused("dress", {"--body", folder / "body.obj", garment}, "body.obj:");
     expect_refused("clean-body", {folder / "body.obj"}, "body.obj:");
     for (const char* of : {"v ", "vt "}) {
       spoilt(garment, "spoilt.obj", std::string("\n") + of, number);
-      write_text(folder / "spoilt.json", json);
+      write_text(folder / "spoilt.garment.json", json);
       expect_refused("dress", {"--body", mannequin(), folder / "spoilt.obj"}, "spoilt.obj:");
     }
   }
@@ -221,7 +223,7 @@ TEST_F(NoNumber, InBinaryMeshes) {
 
 TEST_F(NoNumber, InAnyJson) {
   const fs::path garment = band();
-  const fs::path joints = fs::path(mannequin()).replace_extension("json");
+  const fs::path joints = skeleton_path(mannequin());
   fs::copy_file(garment, folder / "spoilt.obj");
   fs::copy_file(mannequin(), folder / "body.ply");
   const std::string fabric =
@@ -235,11 +237,12 @@ TEST_F(NoNumber, InAnyJson) {
                  .dump());
   for (const char* number : {"NaN", "Infinity", "-Infinity", "1e999", "\"12\"", "[]"}) {
     for (const char* key : {"grain", "length_a", "edge_length"}) {
-      spoilt(folder / "band.json", "spoilt.json", after_key(key), number);
-      expect_refused("dress", {"--body", mannequin(), folder / "spoilt.obj"}, "spoilt.json");
+      spoilt(garment_json_path(garment), "spoilt.garment.json", after_key(key), number);
+      expect_refused("dress", {"--body", mannequin(), folder / "spoilt.obj"},
+                     "spoilt.garment.json");
     }
-    spoilt(joints, "body.json", "\"pelvis\": \\[\\s*", number);
-    expect_refused("dress", {"--body", folder / "body.ply", garment}, "body.json");
+    spoilt(joints, "body.body.json", "\"pelvis\": \\[\\s*", number);
+    expect_refused("dress", {"--body", folder / "body.ply", garment}, "body.body.json");
     for (const char* key :
          {"\"vertices\": ?\\[\\[", "\"translation\": ?\\[", "\"units_in_meter\": ?"}) {
       spoilt(folder / "band-pattern.json", "pattern.json", key, number);

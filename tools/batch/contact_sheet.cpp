@@ -150,14 +150,22 @@ void add_button(std::ostream& page, const std::string& verdict, std::size_t coun
 
 std::string contact_sheet(const RowReports& reports) {
   std::map<std::string, std::size_t> counts;
-  for (const Json& report : reports) ++counts[report["verdict"].get<std::string>()];
+  std::size_t done = 0;
+  for (const Json& report : reports) {
+    if (report.is_null()) continue;
+    ++counts[report["verdict"].get<std::string>()];
+    ++done;
+  }
   std::ostringstream page;
-  page << head << "<h1>" << reports.size() << " garments</h1>\n<nav>\n";
-  add_button(page, "", reports.size());
+  page << head << "<h1>" << (done < reports.size() ? std::to_string(done) + " of " : "")
+       << reports.size() << " garments</h1>\n<nav>\n";
+  add_button(page, "", done);
   for (const auto& [verdict, count] : counts) add_button(page, verdict, count);
   page << "<input type=\"search\" placeholder=\"name, cause or warning\" aria-label=\"search\">\n"
        << "</nav>\n<main>\n";
-  for (const Json& report : reports) add_card(page, report);
+  for (const Json& report : reports) {
+    if (!report.is_null()) add_card(page, report);
+  }
   page << "</main>\n" << script;
   return page.str();
 }

@@ -8,7 +8,7 @@
 namespace toile {
 
 /// A page that needs no network. Pictures are files in the garments' folders beside it. Buttons
-/// show the garments of one verdict only.
+/// show the garments of one verdict only. Garments that are not done yet are counted alone.
 std::string contact_sheet(const RowReports& reports);
 
 }  // namespace toile

@@ -167,7 +167,9 @@ Json dress_row(const BatchRow& row, const CleanedBody& body, const GarmentFiles&
     add_girth_ease(read_file(files.ease_report), files.ease_report.string(), outcome["figures"]);
     run.run("render", files.front, with({"--views", "front", "--whole", "--width", "420"}));
     run.run("render", files.back, with({"--views", "back", "--whole", "--width", "420"}));
-    outcome["dressed_sha256"] = sha256_of_file(files.dressed);
+    for (const fs::path& file : files.made()) {
+      outcome["outputs"][file.filename().string()] = sha256_of_file(file);
+    }
     std::vector<Warning> warnings = body.warnings;
     for (const fs::path& report : {files.mesh_report, files.dress_report}) {
       std::ranges::move(warnings_of_report(report), std::back_inserter(warnings));

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "pattern/garment_file.h"
+
 namespace toile {
 
 /// What the folder itself holds.
@@ -24,7 +26,7 @@ struct GarmentFiles {
   explicit GarmentFiles(const std::filesystem::path& folder_of_garment)
       : folder(folder_of_garment),
         garment(folder / "garment.obj"),
-        garment_json(folder / "garment.json"),
+        garment_json(garment_json_path(garment)),
         mesh_report(folder / "mesh.json"),
         dressed(folder / "dressed.obj"),
         dress_report(folder / "dressed.json"),

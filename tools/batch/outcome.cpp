@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "cloth/judge/verdict.h"
 #include "geometry/error.h"
 #include "io/json_value.h"
 #include "io/text.h"
@@ -138,6 +139,15 @@ std::string kind_of(const std::string& message) {
 }
 
 }  // namespace
+
+std::vector<std::string> verdicts_in_order() {
+  std::vector<std::string> names;
+  for (int i = static_cast<int>(Verdict::sewn); i >= 0; --i) {
+    names.push_back(to_string(static_cast<Verdict>(i)));
+  }
+  names.emplace_back(error_verdict);
+  return names;
+}
 
 Json outcome_of(const std::string& dress_report, const std::string& file) {
   try {

@@ -3,11 +3,15 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 namespace toile {
 
 /// The verdict of a garment that could not be done.
 inline constexpr const char* error_verdict = "error";
+
+/// All verdicts of garments, from sewn on; the error is the last.
+std::vector<std::string> verdicts_in_order();
 
 /// The keys `verdict`, `cause`, `detail`, `figures` and `warnings` of a garment's report. `cause`
 /// is the same for garments that fail alike; `detail` names what failed. Both are empty for a sewn

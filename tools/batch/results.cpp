@@ -40,6 +40,8 @@ std::string field_of(const BatchRow& row, const Json& report, const std::string&
   if (column == "body") return valid_utf8(row.body_text);
   if (column == "pattern_sha256") return field_of(report["inputs"]["pattern"]["sha256"]);
   if (column == "body_sha256") return field_of(report["inputs"]["body"]["sha256"]);
+  if (column == "dressed_sha256")
+    return field_of(value_of(value_of(report, "outputs"), "dressed.obj"));
   if (column == "warnings") {
     std::string text;
     for (const Json& warning : report["warnings"]) {
@@ -65,16 +67,6 @@ std::string cell(const std::string& text) {
   return escaped;
 }
 
-/// By the verdicts' order, from sewn on; errors come last.
-std::vector<std::string> verdicts_in_order() {
-  std::vector<std::string> names;
-  for (int i = static_cast<int>(Verdict::sewn); i >= 0; --i) {
-    names.push_back(to_string(static_cast<Verdict>(i)));
-  }
-  names.emplace_back(error_verdict);
-  return names;
-}
-
 /// Of sorted values, the smallest that the share of all does not exceed.
 double quantile(const std::vector<double>& sorted, double of_all) {
   const double rank = std::ceil(of_all * static_cast<double>(sorted.size()));
@@ -97,6 +89,7 @@ std::string results_csv(const Batch& batch, const RowReports& reports) {
   header.insert(header.end(), batch.other_columns.begin(), batch.other_columns.end());
   std::string table = csv_line(header);
   for (std::size_t i = 0; i < batch.rows.size(); ++i) {
+    if (reports[i].is_null()) continue;
     const BatchRow& row = batch.rows[i];
     std::vector<std::string> fields;
     for (const std::string& column : result_columns()) {

@@ -1,5 +1,6 @@
 #include "tools/batch/row_report.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "geometry/error.h"
@@ -38,23 +39,36 @@ Json limits_json(const RowLimits& limits) {
           {"memory_bytes", limits.memory ? Json(*limits.memory) : Json()}};
 }
 
+void check_flag(const JsonValue& value) {
+  if (!value.is_flag()) value.fail("is neither true nor false");
+}
+
 /// Throws Error where an outcome lacks what results and pictures tell of it, or has it in another
 /// type.
 void check_outcome(const JsonValue& outcome) {
   for (const char* told : {"cause", "detail"}) outcome.get(told).text();
   for (const char* told : {"seconds", "peak_MiB"}) outcome.get(told).number();
-  const JsonValue usable = outcome.get("body_usable");
-  if (!usable.is_flag()) usable.fail("is neither true nor false");
+  check_flag(outcome.get("body_usable"));
   read_warnings(outcome);
   const JsonValue figures = outcome.get("figures");
-  if (outcome.get("verdict").text() == error_verdict) {
+  const JsonValue verdict = outcome.get("verdict");
+  const std::vector<std::string> known = verdicts_in_order();
+  if (std::ranges::find(known, verdict.text()) == known.end()) verdict.fail("is unknown");
+  if (verdict.text() == error_verdict) {
     if (!figures.keys().empty()) figures.fail("a row that failed has figures");
+    for (const char* told : {"mesh_seconds", "dress_seconds"}) {
+      if (const auto given = outcome.find(told)) given->number();
+    }
     return;
   }
   for (const char* told : {"mesh_seconds", "dress_seconds"}) outcome.get(told).number();
-  outcome.get("dressed_sha256").text();
-  figures.get("strain_p99").number();
-  figures.get("attempts").index();
+  figures.get("fit").text();
+  for (const char* told : {"strain_p99", "strain_max", "max_gap_mm"}) figures.get(told).number();
+  for (const char* told :
+       {"seams_open", "intersections_body", "intersections_self", "attempts", "nodes"}) {
+    figures.get(told).index();
+  }
+  check_flag(figures.get("converged"));
   for (const char* ease : {"bust_ease_cm", "waist_ease_cm", "hip_ease_cm"}) {
     if (const auto given = figures.find(ease)) given->number();
   }
@@ -79,7 +93,7 @@ Json RowKeys::key_of(const BatchRow& row) {
   key["name"] = row.name;
   key["inputs"]["pattern"] = input_json(row.pattern, checksum_of(row.pattern));
   key["inputs"]["body"] = input_of(row.body);
-  const Json joints = input_of(skeleton_path(row.body));
+  const Json joints = input_of(skeleton_beside(row.body));
   if (!joints["sha256"].is_null()) key["inputs"]["joints"] = joints;
   for (const fs::path& file : row.fabric_files) {
     key["inputs"]["fabrics"].push_back(input_of(file));
@@ -103,10 +117,10 @@ std::optional<Json> kept_report(const GarmentFiles& files, const Json& key) {
       if (report.at(name) != value) return std::nullopt;
     }
     if (is_error) return report;
+    const Json& checksums = report.at("outputs");
     for (const fs::path& file : files.made()) {
-      if (!fs::is_regular_file(file, unreachable)) return std::nullopt;
+      if (checksums.at(file.filename().string()) != sha256_of_file(file)) return std::nullopt;
     }
-    if (report.at("dressed_sha256") != sha256_of_file(files.dressed)) return std::nullopt;
     return report;
   } catch (const Json::exception&) {
     return std::nullopt;  // not ours

@@ -27,8 +27,9 @@ class RowKeys {
   std::map<std::filesystem::path, std::optional<std::string>> checksums_;
 };
 
-/// The report in the garment's folder, if it is of this key and all that it names is there. A
-/// report of a garment that could not be done counts only if the limits were the same.
+/// The report in the garment's folder, if it is of this key, and all files that it names are there
+/// as they were written. A report of a garment that could not be done counts only if the limits
+/// were the same.
 std::optional<nlohmann::ordered_json> kept_report(const GarmentFiles& files,
                                                   const nlohmann::ordered_json& key);
 

@@ -15,10 +15,11 @@
 #include "geometry/error.h"
 #include "io/checksum.h"
 #include "io/output_file.h"
+#include "io/skeleton_file.h"
 #include "io/text.h"
-#include "tools/batch/contact_sheet.h"
 #include "tools/batch/results.h"
 #include "tools/batch/row_report.h"
+#include "tools/batch/running_results.h"
 
 namespace toile {
 
@@ -67,7 +68,6 @@ class BatchRun {
         common_(common),
         rows_(settings.batch.rows),
         files_(settings.output),
-        reports_(rows_.size()),
         keys_(rows_.size()) {}
 
   int run();
@@ -76,17 +76,17 @@ class BatchRun {
   GarmentFiles files_of(std::size_t row) const {
     return GarmentFiles(settings_.output / rows_[row].name);
   }
-  void find_what_is_left();
+  /// The reports of what is kept; null: the row is to be run.
+  RowReports find_what_is_left();
   void remove_earlier() const;
   void clean_bodies();
-  void dress(std::size_t row);
-  void say_progress(std::size_t row);
+  void dress(std::size_t row, RunningResults& results);
+  void say_progress(std::size_t row, const Json& report);
 
   const BatchSettings& settings_;
   const CommonSettings& common_;
   const std::vector<BatchRow>& rows_;
   BatchFiles files_;
-  RowReports reports_;
   std::vector<Json> keys_;
   std::vector<std::size_t> left_;  // rows that are to be run
   std::map<fs::path, CleanedBody> bodies_;
@@ -95,24 +95,25 @@ class BatchRun {
   Clock::time_point start_;
 };
 
-void BatchRun::find_what_is_left() {
+RowReports BatchRun::find_what_is_left() {
   RowKeys keys(settings_.limits);
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    keys_[i] = keys.key_of(rows_[i]);
-    std::optional<Json> kept;
-    if (settings_.resume) kept = kept_report(files_of(i), keys_[i]);
-    if (kept) {
-      reports_[i] = std::move(*kept);
-    } else {
-      left_.push_back(i);
-    }
+  for (std::size_t i = 0; i < rows_.size(); ++i) keys_[i] = keys.key_of(rows_[i]);
+  RowReports kept(rows_.size());
+  if (settings_.resume) {
+    for_each_at_once(rows_.size(), settings_.jobs, [&](std::size_t i) {
+      if (auto report = kept_report(files_of(i), keys_[i])) kept[i] = std::move(*report);
+    });
   }
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (kept[i].is_null()) left_.push_back(i);
+  }
+  return kept;
 }
 
-/// Of all garments that are to be run, before the first: a batch that is killed leaves none of
-/// them.
+/// The files of all garments that are to be run, before the first: a batch that is killed leaves
+/// none of them.
 void BatchRun::remove_earlier() const {
-  remove_files({files_.results, files_.sheet, files_.summary});
+  remove_files({files_.summary});
   for (const std::size_t i : left_) {
     const GarmentFiles files = files_of(i);
     std::error_code failed;
@@ -145,8 +146,7 @@ void BatchRun::clean_bodies() {
   std::vector<std::pair<const fs::path, CleanedBody>*> all;
   for (auto& body : bodies_) {
     const fs::path& file = body.second.file;
-    remove_files({file, fs::path(file).replace_extension("json"),
-                  fs::path(file).replace_extension("distances"),
+    remove_files({file, skeleton_path(file), fs::path(file).replace_extension("distances"),
                   fs::path(file).replace_extension("log.txt"),
                   fs::path(file).replace_extension("report.json")});
     all.push_back(&body);
@@ -161,10 +161,9 @@ void BatchRun::clean_bodies() {
   }
 }
 
-void BatchRun::say_progress(std::size_t row) {
+void BatchRun::say_progress(std::size_t row, const Json& report) {
   const std::size_t left = left_.size() - ++done_;
   const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-  const Json& report = reports_[row];
   std::string line = rows_[row].name + ": " + report["verdict"].get<std::string>();
   if (const auto cause = report["cause"].get<std::string>(); !cause.empty()) line += ", " + cause;
   line += ", " + fixed_number(report["seconds"].get<double>(), 1) +
@@ -176,34 +175,30 @@ void BatchRun::say_progress(std::size_t row) {
   common_.say(line);
 }
 
-void BatchRun::dress(std::size_t row) {
+void BatchRun::dress(std::size_t row, RunningResults& results) {
   const GarmentFiles files = files_of(row);
   const Json outcome = dress_row(rows_[row], bodies_.at(rows_[row].body), files, settings_.limits);
+  const Json report = write_report(files, keys_[row], outcome);
+  results.add(row, report);
   const std::lock_guard lock(of_progress_);
-  reports_[row] = write_report(files, keys_[row], outcome);
-  say_progress(row);
+  say_progress(row, report);
 }
 
 int BatchRun::run() {
   for (const std::string& note : settings_.batch.notes) common_.say("note: " + note);
-  find_what_is_left();
+  RowReports kept_reports = find_what_is_left();
   const std::size_t kept = rows_.size() - left_.size();
   if (kept > 0)
     common_.say(std::to_string(kept) + " of " + std::to_string(rows_.size()) +
                 " garments are done already and kept");
   remove_earlier();
+  RunningResults results(settings_.batch, files_, std::move(kept_reports));
   clean_bodies();
   start_ = Clock::now();
-  for_each_at_once(left_.size(), settings_.jobs, [&](std::size_t i) { dress(left_[i]); });
-
-  OutputFiles output;
-  const std::string summary = summary_of(reports_);
-  output.add(files_.results, results_csv(settings_.batch, reports_));
-  output.add(files_.sheet, contact_sheet(reports_));
-  output.add(files_.summary, summary);
-  output.commit();
-  std::cout << summary << std::flush;
-  return exit_code_of(reports_);
+  for_each_at_once(left_.size(), settings_.jobs, [&](std::size_t i) { dress(left_[i], results); });
+  const RowReports& reports = results.finish();
+  std::cout << summary_of(reports) << std::flush;
+  return exit_code_of(reports);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace po = boost::program_options;
 /// Whether the joints beside the input came with it. Where the output would have the same joints
 /// and is there, they are what an earlier run wrote with it.
 bool has_own_joints(const fs::path& input, const fs::path& output) {
-  const fs::path joints = skeleton_path(input);
+  const fs::path joints = skeleton_beside(input);
   std::error_code unreachable;
   if (!fs::exists(joints, unreachable)) return false;
   return !fs::exists(output, unreachable) || !same_file(joints, skeleton_path(output));
@@ -80,7 +80,7 @@ CommandLineProgram clean_body_program() {
     job.files.reads = settings.inputs;
     job.files.reads.insert(job.files.reads.end(), settings.poses.begin(), settings.poses.end());
     if (has_own_joints(settings.inputs.front(), common.output)) {
-      job.files.reads.push_back(skeleton_path(settings.inputs.front()));
+      job.files.reads.push_back(skeleton_beside(settings.inputs.front()));
     }
     job.files.writes = {common.output, skeleton_path(common.output)};
     job.work = [settings, &common] {

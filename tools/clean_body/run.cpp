@@ -11,6 +11,7 @@
 #include "io/floor_height.h"
 #include "io/mesh_file.h"
 #include "io/output_file.h"
+#include "io/sidecar.h"
 #include "io/skeleton_file.h"
 #include "io/text.h"
 #include "tools/clean_body/report.h"
@@ -220,8 +221,8 @@ CleanBodyResult run_clean_body(const CleanBodySettings& settings, const CommonSe
   options.up = settings.up;
   options.level = !settings.up;
   options.front = settings.front;
-  const std::filesystem::path beside = skeleton_path(settings.inputs.front());
-  if (is_skeleton_file(beside)) options.skeleton = read_skeleton(beside);
+  const std::filesystem::path beside = skeleton_beside(settings.inputs.front());
+  if (std::filesystem::exists(beside)) options.skeleton = read_skeleton(beside);
 
   std::optional<ScanReport> scan;
   if (!input.scan.points.empty()) {
@@ -270,11 +271,14 @@ CleanBodyResult run_clean_body(const CleanBodySettings& settings, const CommonSe
     common.say("joints taken from " + beside.string());
   }
   const std::filesystem::path joints = skeleton_path(common.output);
-  const bool is_stale = !body.skeleton && is_stale_skeleton(joints);
+  std::vector<std::filesystem::path> stale;
+  for (const auto& path : {joints, earlier_sidecar_path(common.output)}) {
+    if (!body.skeleton && is_stale_skeleton(path)) stale.push_back(path);
+  }
   if (!body.skeleton) warnings.push_back(body.report.no_skeleton);
   if (!body.report.missing.empty()) warnings.push_back(input.name + ": " + body.report.missing);
-  if (is_stale) {
-    warnings.push_back(joints.string() + " was another body's skeleton and is removed");
+  for (const auto& path : stale) {
+    warnings.push_back(path.string() + " was another body's skeleton and is removed");
   }
   for (const std::string& warning : warnings) CommonSettings::warn(warning);
   OutputFiles files;
@@ -296,7 +300,7 @@ CleanBodyResult run_clean_body(const CleanBodySettings& settings, const CommonSe
     write_report(files, common, report);
   }
   files.commit();
-  if (is_stale) std::filesystem::remove(joints);
+  for (const auto& path : stale) std::filesystem::remove(path);
   return {warnings, is_usable(body.report.crossings)};
 }
 

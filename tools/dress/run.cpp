@@ -134,7 +134,7 @@ void DressRun::read_standing() {
   if (settings_.cache) standing_distances_.emplace(distances_path(path), log_);
   Collider collider(body,
                     standing_distances_ ? standing_distances_->of_body(body) : DistanceCache());
-  Skeleton skeleton = read_skeleton_of(collider.skin(), skeleton_path(path));
+  Skeleton skeleton = read_skeleton_of(collider.skin(), skeleton_beside(path));
   standing_.emplace(StandingBody{std::move(collider), std::move(skeleton), std::move(motion)});
   read_seconds_ += seconds_since(start);
 }

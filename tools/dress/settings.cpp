@@ -37,7 +37,7 @@ void read_layers(const po::variables_map& given, const fs::path& output, DressSe
     settings.body = scene.body;
     settings.coupled = scene.coupled;
     if (scene.gravity) settings.gravity = *scene.gravity;
-    settings.skeleton = scene.skeleton.value_or(skeleton_path(scene.body));
+    settings.skeleton = scene.skeleton.value_or(skeleton_beside(scene.body));
     settings.needs_skeleton = scene.skeleton.has_value();
     for (const SceneLayer& layer : scene.layers) {
       const std::string file = output.stem().string() + "-" + layer.name + ".obj";
@@ -51,7 +51,7 @@ void read_layers(const po::variables_map& given, const fs::path& output, DressSe
     settings.skeleton = given["skeleton"].as<std::string>();
     settings.needs_skeleton = true;
   } else if (settings.skeleton.empty()) {
-    settings.skeleton = skeleton_path(settings.body);
+    settings.skeleton = skeleton_beside(settings.body);
   }
 }
 
@@ -100,11 +100,12 @@ void add_dress_options(po::options_description& options) {
   using std::string;
   options.add_options()("body", value<string>(), "the body, as clean-body writes it")(
       "garment", value<string>(), "the garment, as mesh-pattern writes it")(
-      "garment-json", value<string>(), "its panels and seams; default: garment.json beside it")(
+      "garment-json", value<string>(),
+      "its panels and seams; default: garment.garment.json beside it")(
       "scene", value<string>(),
       "instead of these: a body and its layers of garments, the innermost first; -o outfit.obj "
       "then gives outfit-NAME.obj for each")(
-      "skeleton", value<string>(), "the body's joints; default: body.json beside the body")(
+      "skeleton", value<string>(), "the body's joints; default: body.body.json beside the body")(
       "continue", value<string>(),
       "an earlier dressed.obj of this garment, before its pattern was changed a little: go on from "
       "there, and not from flat panels")(
@@ -208,14 +209,14 @@ ProgramFiles files_of(const DressSettings& settings) {
   if (settings.standing) {
     bodies.push_back(*settings.standing);
     files.reads.push_back(*settings.standing);
-    files.reads.push_back(skeleton_path(*settings.standing));
+    files.reads.push_back(skeleton_beside(*settings.standing));
   }
   for (const fs::path& body : bodies) {
     if (settings.cache) std::ranges::copy(kept_distances_of(body), std::back_inserter(files.keeps));
   }
   for (const LayerFiles& layer : settings.layers) {
     files.reads.push_back(layer.garment);
-    files.reads.push_back(layer.garment_json.empty() ? garment_json_path(layer.garment)
+    files.reads.push_back(layer.garment_json.empty() ? garment_json_beside(layer.garment)
                                                      : layer.garment_json);
     if (layer.earlier) files.reads.push_back(*layer.earlier);
     files.writes.push_back(layer.output);

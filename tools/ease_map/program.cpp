@@ -32,7 +32,7 @@ CommandLineProgram ease_map_program() {
       "ply", po::value<std::string>(), "write the garment with a colour at each point")(
       "png", po::value<std::string>(), "write a picture, front and back")(
       "skeleton", po::value<std::string>(),
-      "the body's joints, for girths (default: body.json beside the body)")(
+      "the body's joints, for girths (default: body.body.json beside the body)")(
       "dress-report", po::value<std::string>(),
       "the report of dress, for its verdict and warnings (default: dressed.json beside "
       "dressed.obj)")(
@@ -61,7 +61,7 @@ CommandLineProgram ease_map_program() {
     if (settings.png) check_extension(*settings.png, {".png"});
     Job job;
     job.files.reads = {settings.garment, settings.body,
-                       settings.skeleton.value_or(skeleton_path(settings.body)),
+                       settings.skeleton.value_or(skeleton_beside(settings.body)),
                        settings.dress_report.value_or(dress_report_path(settings.garment))};
     job.files.writes = {common.output};
     for (const auto& file : {settings.csv, settings.ply, settings.png}) {

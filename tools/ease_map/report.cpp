@@ -251,7 +251,8 @@ std::string ease_page(const EaseReport& report, const std::string& picture) {
       "Drag to turn, scroll to zoom, drag with the right button to move. Point at the garment to "
       "read its gap. Left and right are the wearer's."};
   if (report.dressing) {
-    page.paragraphs.insert(page.paragraphs.begin(), "Dressing: " + dressing_line(*report.dressing) + ".");
+    page.paragraphs.insert(page.paragraphs.begin(),
+                           "Dressing: " + dressing_line(*report.dressing) + ".");
   }
   for (const Warning& warning : report.warnings) {
     page.paragraphs.push_back("Warning: " + warning.text + ".");

@@ -46,7 +46,7 @@ std::optional<DressReport> dressing_of(EaseReport& report, const EaseMapSettings
 /// Girths at levels of body and garment; none, with a note, where there are no joints.
 void measure_girths(EaseReport& report, const SurfaceDistance& skin,
                     const EaseMapSettings& settings) {
-  const fs::path path = settings.skeleton.value_or(skeleton_path(settings.body));
+  const fs::path path = settings.skeleton.value_or(skeleton_beside(settings.body));
   if (!settings.skeleton && !fs::exists(path)) {
     report.notes.push_back("no girth ease: there are no joints in " + path.string() +
                            "; clean-body writes them beside the body");

@@ -6,6 +6,7 @@
 #include "geometry/error.h"
 #include "io/skeleton_file.h"
 #include "pattern/check_pattern.h"
+#include "pattern/garment_file.h"
 #include "pattern/left_out.h"
 #include "pattern/pattern_file.h"
 #include "tools/clean_body/run.h"
@@ -28,10 +29,10 @@ namespace po = boost::program_options;
 struct FitFiles {
   explicit FitFiles(const fs::path& folder)
       : body(folder / "body.ply"),
-        skeleton(folder / "body.json"),
+        skeleton(skeleton_path(body)),
         body_report(folder / "body.report.json"),
         garment(folder / "garment.obj"),
-        garment_json(folder / "garment.json"),
+        garment_json(garment_json_path(garment)),
         mesh_report(folder / "mesh.json"),
         dressed(folder / "dressed.obj"),
         report(folder / "dressed.json"),
@@ -64,7 +65,8 @@ DressSettings dress_settings(const po::variables_map& given, const FitFiles& fil
   DressSettings settings;
   // A posed body has the triangles of the standing one, and is dressed as it is.
   settings.body = given.count("from") != 0 ? fs::path(given["body"].as<std::string>()) : files.body;
-  settings.skeleton = skeleton_path(settings.body);
+  // What cleaning writes, not what an earlier version left beside it.
+  settings.skeleton = given.count("from") != 0 ? skeleton_beside(settings.body) : files.skeleton;
   settings.fabrics = read_fabrics(given);
   LayerFiles layer;
   layer.garment = files.garment;
@@ -153,11 +155,11 @@ Job prepare_fit(const po::variables_map& given, const CommonSettings& common) {
   Job job;
   job.files.reads = settings.dress.fabrics.files;
   job.files.reads.push_back(settings.body.inputs.front());
-  job.files.reads.push_back(skeleton_path(settings.body.inputs.front()));
+  job.files.reads.push_back(skeleton_beside(settings.body.inputs.front()));
   job.files.reads.push_back(settings.pattern.pattern);
   if (settings.dress.standing) {
     job.files.reads.push_back(*settings.dress.standing);
-    job.files.reads.push_back(skeleton_path(*settings.dress.standing));
+    job.files.reads.push_back(skeleton_beside(*settings.dress.standing));
   }
   job.files.writes = files.all();
   job.files.keeps = kept_distances_of(settings.dress.body);

@@ -80,7 +80,7 @@ CommandLineProgram measure_body_program() {
     if (settings.png) check_extension(*settings.png, {".png"});
     Job job;
     // The joints are not read, and must not be lost either.
-    job.files.reads = {settings.body, skeleton_path(settings.body)};
+    job.files.reads = {settings.body, skeleton_beside(settings.body)};
     for (const auto& file : {settings.freehand_file, settings.against}) {
       if (file) job.files.reads.push_back(*file);
     }

@@ -21,7 +21,7 @@ CommandLineProgram mesh_pattern_program() {
       "flat", po::bool_switch(), "lay the panels out flat instead of placing them")(
       "pattern", po::value<std::string>()->required(), "the pattern; also as argument");
   program.positional.add("pattern", 1);
-  program.output_extensions = {".obj"};  // garment.json is written beside it
+  program.output_extensions = {".obj"};  // garment.garment.json is written beside it
   program.prepare = [](const po::variables_map& given, const CommonSettings& common) {
     MeshPatternSettings settings;
     settings.pattern = given["pattern"].as<std::string>();

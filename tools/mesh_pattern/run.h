@@ -22,7 +22,7 @@ void add_edge_length_option(boost::program_options::options_description& options
 /// Metres. Throws UsageError for what is no length.
 double read_edge_length(const boost::program_options::variables_map& given);
 
-/// Meshes the pattern, writes garment.obj and garment.json beside it. Throws Error for a pattern
+/// Meshes the pattern, writes garment.obj and garment.garment.json. Throws Error for a pattern
 /// that can't be read or meshed. Returns the warnings that were said.
 std::vector<std::string> run_mesh_pattern(const MeshPatternSettings& settings,
                                           const CommonSettings& common);

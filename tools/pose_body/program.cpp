@@ -112,7 +112,7 @@ Job prepare(const po::variables_map& given, const CommonSettings& common) {
   settings.body = given["body"].as<std::string>();
   settings.pose = given["pose"].as<std::string>();
   settings.skeleton = given.count("skeleton") > 0 ? fs::path(given["skeleton"].as<std::string>())
-                                                  : skeleton_path(settings.body);
+                                                  : skeleton_beside(settings.body);
   check_mesh_extension(common.output);
   Job job;
   job.files.reads = {settings.body, settings.skeleton};
@@ -135,7 +135,7 @@ CommandLineProgram pose_body_program() {
       "pose", po::value<std::string>()->required(),
       "standing, walking, sitting, reaching, or a file that gives joints' angles")(
       "skeleton", po::value<std::string>(),
-      "the body's joints; body.json beside it when not given");
+      "the body's joints; body.body.json beside it when not given");
   program.positional.add("body", 1);
   program.prepare = prepare;
   return program;

@@ -1,8 +1,8 @@
 # Dresses a garment by Blender's cloth modifier, to compare:
 #
-#   blender -b -t 2 -P blender_cloth.py -- garment.obj garment.json body.ply out.obj [--frames N] [--lift METRES]
+#   blender -b -t 2 -P blender_cloth.py -- garment.obj garment.garment.json body.ply out.obj [--frames N] [--lift METRES]
 #
-# garment.obj and .json are mesh-pattern's, body.ply is clean-body's. The start is the panels where
+# garment.obj and .garment.json are mesh-pattern's, body.ply is clean-body's. The start is the panels where
 # the pattern places them, raised by --lift metres (a user would move them so that the shoulders
 # clear the body; dress says how far it raised them); seams are sewing springs; the body is a
 # collision object. out.obj is garment.obj with its points moved, out.json the settings and times.
