@@ -18,8 +18,8 @@ struct Misplaced {
 };
 
 /// How far a top edge is from where it was drafted to lie, of a garment that hangs from waist, hips
-/// or chest. It was drafted to lie where its panels start, at most at the waist for what has no top.
-/// Lengths in metres.
+/// or chest. It was drafted to lie where its panels start, at most at the waist for what has no
+/// top. Lengths in metres.
 struct Slid {
   double down = 0;    ///< negative: up
   double length = 0;  ///< of the top edge as cut

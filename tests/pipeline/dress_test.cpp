@@ -304,6 +304,7 @@ class DressInput : public testing::Test {
     };
     garment.seams = {test::seam("left", side_of(0, true), side_of(1, false)),
                      test::seam("right", side_of(1, true), side_of(0, false))};
+    for (MeshedSeam& seam : garment.seams) seam.length_a = seam.length_b = 0.3;
     write_garment(obj, garment);
   }
 

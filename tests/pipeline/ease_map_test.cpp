@@ -116,9 +116,10 @@ TEST_F(EaseMap, WhatIsCutTooSmallIsWarnedOf) {
 TEST_F(EaseMap, TheReportOfAnotherDrapeIsNotTaken) {
   const fs::path report = scratch / "dressed.json";
   const auto verdict_with = [&](const std::string& sha256) {
-    write_text(report, R"({"verdict": "sewn", "fit": {"verdict": "ok"}, "warnings": [],
+    write_text(report,
+               R"({"verdict": "sewn", "fit": {"verdict": "ok", "levels": []}, "warnings": [],
                            "panels": [], "scene": {"body_offset_mm": 2}, "dressed_sha256": ")" +
-                           sha256 + "\"}");
+                   sha256 + "\"}");
     EXPECT_EQ(ease_map({"--report", scratch / "e.json"}).exit_code, 0);
     return nlohmann::json::parse(read_text(scratch / "e.json"));
   };

@@ -23,7 +23,7 @@ class ToileFit : public testing::Test {
   static void TearDownTestSuite() { delete made_; }
 
   ToileFit() {
-    for (const char* file : {"mannequin.obj", "mannequin.json"}) {
+    for (const char* file : {"mannequin.obj", "mannequin.body.json"}) {
       fs::copy(*made_ / file, folder / file);
     }
     pattern = Json::parse(read_text(fs::path(TOILE_SOURCE_DIR) / "samples" / "tshirt.json"));

@@ -160,6 +160,7 @@ class OutfitInput : public testing::Test {
     };
     garment.seams = {test::seam("left", side_of(0, true), side_of(1, false)),
                      test::seam("right", side_of(1, true), side_of(0, false))};
+    for (MeshedSeam& seam : garment.seams) seam.length_a = seam.length_b = 0.1;
     write_garment(folder / "tube.obj", garment);
     write_scene({"first", "second"});
     before = folder.names();
@@ -273,6 +274,7 @@ TEST_F(OutfitInput, NothingIsDressedOverALayerThatFailed) {
   };
   tight.seams = {test::seam("left", side_of(0, true), side_of(1, false)),
                  test::seam("right", side_of(0, false), side_of(1, true))};
+  for (MeshedSeam& seam : tight.seams) seam.length_a = seam.length_b = 0.1;
   write_garment(folder / "tight.obj", tight);
   write_text(scene, R"({"body": "body.ply", "layers": [
       {"name": "tight", "garment": "tight.obj"}, {"name": "coat", "garment": "tube.obj"}]})");
