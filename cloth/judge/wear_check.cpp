@@ -8,6 +8,7 @@
 #include <set>
 
 #include "cloth/judge/constants.h"
+#include "cloth/judge/two_sides.h"
 #include "cloth/judge/wraps.h"
 #include "geometry/angles.h"
 #include "geometry/body/bones.h"
@@ -91,6 +92,12 @@ class WearCheck {
   }
 
   WearFindings run() {
+    if (const auto seam = one_sided_seam(garment_, dressed_)) {
+      misplace("torso",
+               "its cloth has one side only; a stitch of its ring of panels '" + seam->first +
+                   "' and '" + seam->second + "' runs the wrong way",
+               "one side out, the other side in");
+    }
     for (const Component& component : components_) check(component);
     return std::move(findings_);
   }
@@ -112,10 +119,8 @@ class WearCheck {
     for (const int p : panels) sum.add(moments_[p]);
     return sum;
   }
-  /// Whether panels go around a part: closed, as a loop of their border tells, or as far as a
-  /// cardigan does. Panels that do not reach it do not go around it.
-  bool goes_around(const std::vector<int>& panels, const std::string& part,
-                   const LimbsThrough& limbs) const {
+  /// Whether a loop of the panels' border has these limbs through it.
+  bool closes_around(const std::vector<int>& panels, const LimbsThrough& limbs) const {
     std::vector<char> is_counted(garment_.panels.size(), 0);
     for (const int p : panels) is_counted[p] = 1;
     std::vector<Triangle> triangles;
@@ -128,6 +133,15 @@ class WearCheck {
       for (const int node : loop) curve.push_back(nodes_[node]);
       if (limbs_through(curve, skeleton_) == limbs) return true;
     }
+    return false;
+  }
+  /// Whether panels go around a part: closed, as a loop of their border tells, or as far as a
+  /// cardigan does. Panels that do not reach it do not go around it.
+  bool goes_around(const std::vector<int>& panels, const std::string& part,
+                   const LimbsThrough& limbs) const {
+    if (closes_around(panels, limbs)) return true;
+    std::vector<char> is_counted(garment_.panels.size(), 0);
+    for (const int p : panels) is_counted[p] = 1;
     const WrapMeasurement wrap = measure_wrap(dressed_, skeleton_, part, is_counted);
     return wrap.fraction >= around_share;
   }
@@ -423,14 +437,11 @@ class WearCheck {
   }
 
   /// Whether a garment that hangs from both shoulders is open by its seams, in front or at the
-  /// back. Each arm has an opening of its own then. A shirt that lacks a panel at one shoulder has
-  /// no armhole there.
-  bool is_open_by_its_seams(const Component& component, const std::vector<int>& panels) const {
+  /// back. The trunk closes around each arm then. A shirt that lacks a panel at one shoulder does
+  /// not close there, though its sleeve does.
+  bool is_open_by_its_seams(const std::vector<int>& panels) const {
     for (const LimbsThrough& arm : {through_left_arm, through_right_arm}) {
-      if (std::ranges::none_of(component.openings,
-                               [&](const Opening* o) { return o->limbs == arm; })) {
-        return false;
-      }
+      if (!closes_around(panels, arm)) return false;
     }
     std::vector<char> is_counted(garment_.panels.size(), 0);
     for (const int p : panels) is_counted[p] = 1;
@@ -446,7 +457,7 @@ class WearCheck {
       if (kind(p) != PanelKind::sleeve) panels.push_back(p);
     }
     if (has_hem || has_legs || panels.empty()) return;
-    if (is_open_by_its_seams(component, panels)) return;
+    if (is_open_by_its_seams(panels)) return;
     if (goes_around(panels, "torso", through_hem)) return;
     fail("torso", moment_of(panels).middle(), "chest or shoulders");
   }

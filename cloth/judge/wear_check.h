@@ -65,6 +65,7 @@ struct WearFindings {
 ///   around both legs may not be its highest one and lie below the crotch.
 /// - Panels named front and back, left and right, lie on their sides of the body within 60 degrees.
 /// - No component hangs below the floor.
+/// - The cloth has two sides (two_sides.h).
 ///
 /// `garment` has panels placed where they started. The hips of `body` are measured for a garment
 /// that slid down; null: they are not. About O(n log n) in the triangles.
