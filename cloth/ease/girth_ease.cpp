@@ -30,8 +30,8 @@ GirthEases measure_girth_ease(const DressedGarment& garment, const TriangleMesh&
 
   const TriangleMesh cloth{garment.points, garment.triangles};
   for (const NamedLevel& level : levels) {
-    const auto leave_out = [&](const char* why) {
-      if (!level.name.empty()) result.left_out.push_back({level.name, why});
+    const auto leave_out = [&](const char* why, bool is_open = false) {
+      if (!level.name.empty()) result.left_out.push_back({level.name, why, is_open});
     };
     const std::optional<Section> torso = torso_section(body, level.height);
     if (!torso) {
@@ -46,7 +46,8 @@ GirthEases measure_girth_ease(const DressedGarment& garment, const TriangleMesh&
     });
     if (around == sections.end()) {
       leave_out(sections.empty() ? "the garment does not reach it"
-                                 : "the garment is not closed around the body there");
+                                 : "the garment is not closed around the body there",
+                !sections.empty());
       continue;
     }
     GirthEase girth;

@@ -25,6 +25,7 @@ struct GirthEase {
 struct LevelLeftOut {
   std::string level;
   std::string why;
+  bool is_open = false;  ///< the garment reaches it and does not close there
 };
 
 struct GirthEases {

@@ -24,8 +24,8 @@ struct FitLevel {
 struct Fit {
   bool is_checked = false;       ///< false: no named level could be measured
   std::vector<FitLevel> levels;  ///< those that are too small; empty: large enough
-  /// The level of the trunk at which the cut is nearest to the body, as a share; none: no level of
-  /// the trunk was measured.
+  /// The level of the trunk at which the cut is nearest to the body, as a share. None: no level of
+  /// the trunk was measured, or the garment is open at one.
   std::optional<FitLevel> nearest;
 };
 

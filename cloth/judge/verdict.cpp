@@ -1,5 +1,7 @@
 #include "cloth/judge/verdict.h"
 
+#include <algorithm>
+
 #include "geometry/intersections.h"
 
 namespace toile {
@@ -33,9 +35,12 @@ Fit measure_fit(const PanelMesh& pattern, const DressedGarment& dressed, const T
   if (!has_all_limbs(skeleton)) return {};
   std::vector<double> grains;
   for (const MeshedPanel& panel : pattern.panels) grains.push_back(panel.grain);
-  return fit_of(measure_girth_ease(dressed, body, skeleton, grains, 0).levels,
-                measure_garment_levels(dressed, body, skeleton),
-                measure_limb_ease(dressed, body, skeleton, grains));
+  const GirthEases girths = measure_girth_ease(dressed, body, skeleton, grains, 0);
+  Fit fit = fit_of(girths.levels, measure_garment_levels(dressed, body, skeleton),
+                   measure_limb_ease(dressed, body, skeleton, grains));
+  // The nearest level may be one that was not measured.
+  if (std::ranges::any_of(girths.left_out, &LevelLeftOut::is_open)) fit.nearest.reset();
+  return fit;
 }
 
 }  // namespace

@@ -119,10 +119,19 @@ class WearCheck {
     for (const int p : panels) sum.add(moments_[p]);
     return sum;
   }
+  /// Per panel of the garment, 1 for those given.
+  std::vector<char> marked(const std::vector<int>& panels) const {
+    std::vector<char> is_marked(garment_.panels.size(), 0);
+    for (const int p : panels) is_marked[p] = 1;
+    return is_marked;
+  }
+  /// Share of the directions around a part that the panels meet.
+  double share_around(const std::vector<int>& panels, const std::string& part) const {
+    return measure_wrap(dressed_, skeleton_, part, marked(panels)).fraction;
+  }
   /// Whether a loop of the panels' border has these limbs through it.
   bool closes_around(const std::vector<int>& panels, const LimbsThrough& limbs) const {
-    std::vector<char> is_counted(garment_.panels.size(), 0);
-    for (const int p : panels) is_counted[p] = 1;
+    const std::vector<char> is_counted = marked(panels);
     std::vector<Triangle> triangles;
     for (std::size_t t = 0; t < dressed_.triangles.size(); ++t) {
       if (is_counted[dressed_.panel_of_triangle[t]]) triangles.push_back(dressed_.triangles[t]);
@@ -140,10 +149,7 @@ class WearCheck {
   bool goes_around(const std::vector<int>& panels, const std::string& part,
                    const LimbsThrough& limbs) const {
     if (closes_around(panels, limbs)) return true;
-    std::vector<char> is_counted(garment_.panels.size(), 0);
-    for (const int p : panels) is_counted[p] = 1;
-    const WrapMeasurement wrap = measure_wrap(dressed_, skeleton_, part, is_counted);
-    return wrap.fraction >= around_share;
+    return share_around(panels, part) >= around_share;
   }
 
   void misplace(const std::string& part, const std::string& at, const std::string& should_be) {
@@ -443,9 +449,7 @@ class WearCheck {
     for (const LimbsThrough& arm : {through_left_arm, through_right_arm}) {
       if (!closes_around(panels, arm)) return false;
     }
-    std::vector<char> is_counted(garment_.panels.size(), 0);
-    for (const int p : panels) is_counted[p] = 1;
-    return measure_wrap(dressed_, skeleton_, "torso", is_counted).fraction >= open_front_share;
+    return share_around(panels, "torso") >= open_front_share;
   }
 
   /// What hangs from the shoulders and has no hem around the trunk, as a cardigan has none.

@@ -92,13 +92,18 @@ def two_seams_turned(pattern):
 def sleeves_exchanged(pattern):
     def other(name):
         return name.replace("left", "\0").replace("right", "left").replace("\0", "right")
-    seams = [s for s in stitches_of(pattern) if sum(map(is_sleeve, joins(s))) == 1]
-    if not seams or any(other(p) not in panels_of(pattern) for s in seams for p in joins(s)):
+    seams = {}  # by the panels that they join, the sleeve's first: the side of the sleeve
+    for stitch in stitches_of(pattern):
+        if sum(map(is_sleeve, joins(stitch))) == 1:
+            sleeve, body = sorted(stitch[:2], key=lambda side: not is_sleeve(side["panel"]))
+            seams[sleeve["panel"], body["panel"]] = sleeve
+    pairs = [(side, seams.get((other(sleeve), other(body))))
+             for (sleeve, body), side in seams.items() if "left" in sleeve]
+    if not pairs or any(mirrored is None for _, mirrored in pairs):
         return False
-    for stitch in seams:
-        for side in stitch[:2]:
-            if is_sleeve(side["panel"]):
-                side["panel"] = other(side["panel"])
+    for side, mirrored in pairs:
+        for key in ("panel", "edge"):
+            side[key], mirrored[key] = mirrored[key], side[key]
     for panel in panels_of(pattern).values():
         for key in ("translation", "rotation", "placement"):
             panel.pop(key, None)

@@ -21,7 +21,9 @@ namespace {
 constexpr double worth_saying = 0.002;
 /// Strain (99th percentile, off the seams) that no woven is worn at.
 constexpr double suspicious_strain = 0.1;
-/// Girths of the body: a garment that is nowhere nearer is too wide. Loose shirts have 1.2.
+/// Girths of the body: a garment that is nowhere nearer is too wide. Of 19 random garments the
+/// widest has 1.17 at its nearest level; the T-shirt cut at 1.4 has 1.50. Half of what is beyond 1
+/// would name none of the 19, double would miss the T-shirt [measured, 25 mm].
 constexpr double too_wide_factor = 1.35;
 /// Metres of border: a smaller hole than this is meant to be one.
 constexpr double worth_an_opening = 0.05;

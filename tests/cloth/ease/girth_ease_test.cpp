@@ -128,6 +128,7 @@ TEST(GirthEase, ALevelThatIsLeftOutSaysWhy) {
   ASSERT_EQ(girths.left_out.size(), 1U);
   EXPECT_EQ(girths.left_out[0].level, "bust");
   EXPECT_EQ(girths.left_out[0].why, "the garment does not reach it");
+  EXPECT_FALSE(girths.left_out[0].is_open);
 }
 
 TEST(GirthEase, FromTheTopDown) {
