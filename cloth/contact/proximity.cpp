@@ -16,6 +16,14 @@ namespace {
 
 /// Metres below which forces do not grow any more.
 constexpr double min_distance = 1e-9;
+/// Metres that bounds leave between two sides, far above what rounding does to coordinates. Under a
+/// hard pull each search leaves a tenth of a distance. Where that is as small as rounding errors,
+/// the sides pass each other.
+constexpr double last_distance = 1e-12;
+/// Metres from which on last_distance is a share of a distance that is worth taking off.
+constexpr double narrow_distance = 100 * last_distance;
+/// Metres that sides nearer than last_distance may move, so that they get free again.
+constexpr double freeing_distance = 1e-15;
 /// Vertices or edges that one task searches around. It is fixed, so that results don't depend on
 /// the threads.
 constexpr std::size_t chunk = 128;
@@ -75,6 +83,12 @@ bool boxes_apart(const ContactPair& pair, const std::vector<Vec3>& x, double rea
   }
   return ((first_low - second_high).array() >= reach).any() ||
          ((second_low - first_high).array() >= reach).any();
+}
+
+/// Metres that the vertices of a pair may move, whose two sides are `distance` metres apart.
+double bound_of(double distance) {
+  if (distance < narrow_distance) distance = std::max(distance - last_distance, freeing_distance);
+  return proximity_bound_share * distance;
 }
 
 template <std::size_t N>
@@ -307,7 +321,7 @@ void ProximitySearch::find(const std::vector<Vec3>& x, double radius, double gap
   for (NearPair& found : near_pairs({x, radius, {}})) {
     if (skip_neighbours && !of_layer(found.pair) && neighbours(found.pair)) continue;
     for (const int v : found.pair.vertices) {
-      bound[v] = std::min(bound[v], proximity_bound_share * found.distance);
+      bound[v] = std::min(bound[v], bound_of(found.distance));
     }
     found.pair.gap = gap_to_keep(found, gap);
     if (found.pair.gap > 0) pairs.push_back(found.pair);
@@ -341,7 +355,7 @@ void ProximitySearch::update(const std::vector<Vec3>& x, double radius, double g
       proximity_bound_share * 2 * (1 + stale_bound_share) * search_slack * radius;
   for (NearPair& found : near_pairs({x, search_radius, moved})) {
     if (skip_neighbours && !of_layer(found.pair) && neighbours(found.pair)) continue;
-    const double limit = proximity_bound_share * found.distance;
+    const double limit = bound_of(found.distance);
     // How far each side may still go, by its vertex that may go farthest.
     std::array<double, 2> reach = {limit, limit};
     for (std::size_t i = 0; i < 4; ++i) {

@@ -17,6 +17,7 @@ inline constexpr double closing_pull = 2;
 struct Closing {
   double bending;  ///< factor on the bending stiffness
   double pull;     ///< weights of the cloth, toward the skin
+  double size;     ///< factor on the cloth's lengths, for one that is cut too small to close
 };
 
 /// The attempts to close seams, each from where the panels were placed. The next one follows when
@@ -27,8 +28,21 @@ struct Closing {
 /// brings three. Of eleven others that tangle with a bending factor of 300, eight do not with
 /// 3,000. With 30,000 most tangle again, for gathers can't fold; but two of three that tangle three
 /// times do not [measured].
-inline constexpr std::array<Closing, 4> closing_attempts = {
-    {{3000, closing_pull}, {10000, 0.5}, {10000, closing_pull}, {30000, closing_pull}}};
+///
+/// What is cut far too small for an arm or a hip closes through it. Larger cloth closes around it,
+/// and then shrinks.
+inline constexpr std::array<Closing, 7> closing_attempts = {{{3000, closing_pull, 1},
+                                                             {10000, 0.5, 1},
+                                                             {10000, closing_pull, 1},
+                                                             {30000, closing_pull, 1},
+                                                             {3000, closing_pull, 1.3},
+                                                             {3000, closing_pull, 1.6},
+                                                             {3000, closing_pull, 2.1}}};
+
+/// Factor on the size of enlarged cloth at each step of its shrinking.
+inline constexpr double shrinking_ratio = 0.9;
+/// Iterations of each step.
+inline constexpr int shrinking_iterations = 200;
 
 /// Largest momentum while seams close.
 inline constexpr double closing_momentum = 0.99;

@@ -113,11 +113,17 @@ std::vector<Vec3> lowered(const ArmRaise& raise, std::vector<Vec3> nodes) {
   return nodes;
 }
 
-/// Whether the arms would come down into the cloth, as into a wide skirt that stands out.
-bool is_in_the_way(const Level& level, const std::vector<Vec3>& nodes, const ArmRaise& raise) {
-  return !intersections({lowered(raise, nodes), level.model.node_triangles},
+bool crosses_body(const Level& level, const State& state) {
+  return !intersections({state.nodes, level.model.node_triangles},
                         level.model.scene.collider->body())
               .empty();
+}
+
+/// Whether the arms would come down into the cloth, as into a wide skirt that stands out.
+bool is_in_the_way(const Level& level, const std::vector<Vec3>& nodes, const ArmRaise& raise) {
+  State state;
+  state.nodes = lowered(raise, nodes);
+  return crosses_body(level, state);
 }
 
 /// Closes the seams from where the panels start, and lets the cloth come clear of itself.
@@ -156,20 +162,25 @@ Sewn sew(const PanelMesh& mesh, int depth, const Scene& scene, double resting_of
   for (const Closing& closing : closing_attempts) {
     journal.begin_attempt(attempt++);
     if (raise) journal.show_through([&](const Vec3& p) { return raise->lowered(p); });
-    Staged staged = close_and_untangle(sewn.level, closing, journal);
+    const Level large = enlarged(sewn.level, closing.size);
+    Staged staged = close_and_untangle(large, closing, journal);
     // A tangle that falls only gets worse.
     if (raise && staged.report.converged && is_in_the_way(standing, staged.state.nodes, *raise)) {
-      staged = settle(sewn.level, std::move(staged.state), true, true, journal);
+      staged = settle(large, std::move(staged.state), true, true, journal);
     }
     journal.show_through({});
     if (raise) {
       staged.state.nodes = lowered(*raise, std::move(staged.state.nodes));
       staged.state.warm_start = {};  // friction held it on the raised body
-      staged = untangle(standing, std::move(staged.state), closing, journal);
+      staged =
+          untangle(enlarged(standing, closing.size), std::move(staged.state), closing, journal);
     }
+    const Level& worn = raise ? standing : sewn.level;
+    if (staged.report.converged) staged = shrink(worn, std::move(staged), closing, journal);
     sewn.is_clear = staged.report.converged;
     sewn.state = std::move(staged.state);
-    if (sewn.is_clear || sewn.level.model.nodes > max_resewn_nodes) break;
+    const bool is_sewn = sewn.is_clear && !crosses_body(worn, sewn.state);
+    if (is_sewn || sewn.level.model.nodes > max_resewn_nodes) break;
   }
   if (raised && scene.raised_distances != nullptr) scene.raised_distances->keep(raised->collider);
   if (raise) sewn.level = std::move(standing);

@@ -147,7 +147,7 @@ Staged close_seams(const Level& level, State state, const Closing& closing, Jour
 Staged untangle(const Level& level, State state, const Closing& closing, Journal& journal) {
   Staged staged{std::move(state), {}};
   if (!is_clear_of_itself(level, staged.state)) {
-    RelaxOptions options = sewing_options(level, {untangling_stiffness, closing.pull});
+    RelaxOptions options = sewing_options(level, {untangling_stiffness, closing.pull, 1});
     options.max_iterations = untangling_iterations;
     options.untangles = true;
     options.bounded_by_body = true;
@@ -155,7 +155,7 @@ Staged untangle(const Level& level, State state, const Closing& closing, Journal
                  progress_when_sewn(level, journal), journal);
     if (!staged.report.converged) return staged;
   }
-  RelaxOptions options = sewing_options(level, {closing_attempts.front().bending, closing.pull});
+  RelaxOptions options = sewing_options(level, {closing_attempts.front().bending, closing.pull, 1});
   options.max_iterations = softening_iterations;
   options.bending_to = 1;
   options.bounded = true;
@@ -164,6 +164,29 @@ Staged untangle(const Level& level, State state, const Closing& closing, Journal
   // This stage ends with full stiffness, not with rest.
   journal.mark_converged();
   staged.report.converged = true;
+  return staged;
+}
+
+Level enlarged(Level level, double size) {
+  for (StretchTriangle& triangle : level.model.stretch) {
+    for (double& share : triangle.weft) share /= size;
+    for (double& share : triangle.warp) share /= size;
+  }
+  return level;
+}
+
+Staged shrink(const Level& level, Staged staged, const Closing& closing, Journal& journal) {
+  RelaxOptions options = sewing_options(level, {1, closing.pull, 1});
+  options.max_iterations = shrinking_iterations;
+  options.bounded = true;
+  for (double size = closing.size; size > 1;) {
+    size = std::max(shrinking_ratio * size, 1.0);
+    staged = run("shrink", level, enlarged(level, size).model, std::move(staged.state), options,
+                 progress_when_sewn(level, journal), journal);
+    // This stage ends with the cloth's own size, not with rest.
+    journal.mark_converged();
+    staged.report.converged = true;
+  }
   return staged;
 }
 

@@ -40,6 +40,13 @@ Staged close_seams(const Level& level, State state, const Closing& closing, Jour
 /// says whether the cloth is clear of itself.
 Staged untangle(const Level& level, State state, const Closing& closing, Journal& journal);
 
+/// The level with cloth that is `size` times as large in its plane.
+Level enlarged(Level level, double size);
+
+/// `shrink`: lets the cloth that closed as enlarged() to `closing.size` shrink to its own size. It
+/// is clear of the body and of itself, and stays so, whatever the strain. Size 1: nothing is done.
+Staged shrink(const Level& level, Staged staged, const Closing& closing, Journal& journal);
+
 /// `untangle` of a garment that hangs as it is worn: crossing cloth is drawn apart under its
 /// weight. The report's `converged` says whether the cloth is clear of itself.
 Staged untangle_worn(const Level& level, State state, Journal& journal);

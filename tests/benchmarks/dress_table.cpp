@@ -137,9 +137,11 @@ void set_shares(Table& table, std::size_t row, const Json& report, double second
     const std::string name = stage.at("name");
     // Of either method: the paper's wraps, sews and drapes on the garment's own mesh.
     static const std::map<std::string, std::string> columns = {
-        {"position", "position"}, {"close_seams", "sew"}, {"untangle", "sew"},
-        {"wrap", "sew"},          {"sew", "sew"},         {"settle", "settle"},
-        {"drape", "rest"},        {"rest", "rest"},       {"release_attachments", "rest"}};
+        {"position", "position"}, {"close_seams", "sew"},
+        {"untangle", "sew"},      {"shrink", "sew"},
+        {"wrap", "sew"},          {"sew", "sew"},
+        {"settle", "settle"},     {"drape", "rest"},
+        {"rest", "rest"},         {"release_attachments", "rest"}};
     if (const auto column = columns.find(name); column != columns.end()) {
       share(column->second) += stage.at("seconds").get<double>();
     }

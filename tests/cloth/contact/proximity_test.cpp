@@ -393,6 +393,38 @@ TEST(Bounds, NothingThatIsApartComesToIntersect) {
   }
 }
 
+// Two edges that cross each other are pressed together, at every search by all that they may move.
+TEST(Bounds, HoldWhereAPressTakesTwoSidesToRoundingErrors) {
+  const Surface surface{{{0, 1, 2}, {3, 4, 5}},
+                        {{-0.1, 0.78, 0.3},
+                         {0.1, 0.77, 0.31},
+                         {0, 0.9, 0.301},
+                         {0.01, 0.7, 0.31},
+                         {-0.01, 0.85, 0.312},
+                         {0.3, 0.8, 0.319}},
+                        {0, 1, 2, 3, 4, 5}};
+  std::vector<Vec3> x = surface.x;
+  std::vector<ContactPair> pairs;
+  std::vector<double> bound;
+  const auto side = [&] {  // of the second edge, seen from the first
+    return (x[1] - x[0]).cross(x[4] - x[3]).dot(x[3] - x[0]) > 0;
+  };
+  const bool at_first = side();
+  const Vec3 press = (at_first ? 1 : -1) * (x[1] - x[0]).cross(x[4] - x[3]).normalized();
+  for (int step = 0; step < 200; ++step) {
+    surface.search().find(x, 0.05, 0.002, pairs, bound, false);
+    for (const int v : {0, 1, 3, 4}) x[v] += (v < 3 ? 1 : -1) * bound[v] * press;
+    ASSERT_EQ(side(), at_first) << step;
+  }
+  // It comes as near as that, and the two sides get free again.
+  EXPECT_LT(nearest_points(true, {x[0], x[1], x[3], x[4]}).apart.norm(), 1e-10);
+  for (int step = 0; step < 200; ++step) {
+    surface.search().find(x, 0.05, 0.002, pairs, bound, false);
+    for (const int v : {0, 1, 3, 4}) x[v] -= (v < 3 ? 1 : -1) * bound[v] * press;
+  }
+  EXPECT_GT(nearest_points(true, {x[0], x[1], x[3], x[4]}).apart.norm(), 1e-6);
+}
+
 /// Metres that the corners of a pair's sides may still go, at most: of the first and the second.
 std::array<double, 2> reach_of(const Key& key, const std::vector<double>& left) {
   const bool edges = key[0] == 1;

@@ -2,7 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+#include <utility>
+
 #include "cloth/dressing/constants.h"
+#include "cloth/scene/collider.h"
+#include "geometry/intersections.h"
+#include "tests/cloth/panels.h"
+#include "tests/support/tubes.h"
 
 namespace toile {
 namespace stages_test {
@@ -30,6 +38,43 @@ TEST(IsAtRest, ByWhatIsAskedForThoughAReleaseTriesForLess) {
   wanted.release_seconds = 0;
   ask_for_rest(wanted, options);
   EXPECT_EQ(options.stop_wide, wanted.stop_wide);
+}
+
+// A tube half as wide as the body stands around it, enlarged, and gets its own size back.
+TEST(Shrink, ClothFarTooSmallForTheBodyStaysAroundIt) {
+  constexpr int columns = 12;
+  constexpr int rows = 4;
+  constexpr double around = 0.3;
+  const TriangleMesh body = test::closed_tube(0.1, 0.1, 2, 64);
+  const Collider collider(body);
+  PanelMesh garment;
+  for (const int half : {0, 1}) {
+    test::add_panel(garment, half == 0 ? "front" : "back",
+                    test::grid(around / 2, 0.15, columns, rows), [&](const Vec2& p) {
+                      const double angle = std::numbers::pi * (half + 2 * p.x() / around);
+                      return Vec3(0.11 * std::sin(angle), 1 + p.y(), 0.11 * std::cos(angle));
+                    });
+  }
+  for (const std::size_t from : {0, 1}) {
+    garment.seams.push_back(test::seam(from == 0 ? "left" : "right",
+                                       test::side(garment.panels[from], columns, rows, true),
+                                       test::side(garment.panels[1 - from], columns, rows, false)));
+  }
+  Scene scene;
+  scene.collider = &collider;
+  const Level level = compiled_level(garment, 0, closing_scene(scene), garment.placed, 0.002);
+  const Closing closing = {1, closing_pull, 2.3};
+  Staged staged;
+  staged.state.nodes = level.model.start;
+  Journal journal({});
+  staged = shrink(level, std::move(staged), closing, journal);
+  EXPECT_TRUE(intersections({staged.state.nodes, level.model.node_triangles}, body).empty());
+  // 24 chords, at least 2 mm off the skin: it pulled itself to the body.
+  for (const Vec3& p : staged.state.nodes) EXPECT_NEAR(std::hypot(p.x(), p.z()), 0.102, 0.002);
+  // Nothing is done with cloth that closed in its own size.
+  const std::vector<Vec3> before = staged.state.nodes;
+  staged = shrink(level, std::move(staged), closing_attempts.front(), journal);
+  EXPECT_EQ(staged.state.nodes, before);
 }
 
 }  // namespace stages_test
