@@ -49,18 +49,30 @@ inline constexpr double stray_share = 0.01;
 
 // Slits (slits.h).
 
-/// Radians, 340 degrees: cloth that turns so far about a point of the border ends a slit there. The
-/// point of a V neckline has less; a dart of 20 degrees that is not sewn has as much.
-inline constexpr double min_slit_turn = 5.93;
+/// Radians, 310 degrees: cloth that turns so far about a point of the border ends a slit there. An
+/// armpit whose side seam is open has 338 and more on the samples. A V neckline has about as much.
+/// At 340 the fitted T-shirt's open side is missed; at 270 every square corner ends a slit.
+inline constexpr double min_slit_turn = 5.41;
 
-/// Radians, 30 degrees: where the border has turned by more, a slit's edge ends.
+/// Radians, 30 degrees, and metres: where the border turns by more within that length, a slit's
+/// edge ends in a corner. At half the length a rounded corner of 5 cm is none; at double, the curve
+/// from waist to hip is one.
 inline constexpr double max_slit_bend = 0.52;
+inline constexpr double slit_corner = 0.05;
 
 /// Metres: shorter slits are vents and notches.
 inline constexpr double min_slit = 0.05;
 
-/// Share of the body's girth at a top edge. What is cut smaller can't be put on there.
+// Openings (openings.h).
+
+/// Share of the girth that has to pass an opening. What is cut smaller can't be put on: cloth is
+/// worn stretched by a quarter at most. Half names no neckline or waist of which a half is sewn
+/// shut (they have 0.42 to 0.74). Double names every neckline of the samples.
 inline constexpr double shut_opening_share = 0.8;
+
+/// Steps in which a stretch of the trunk is measured for its largest girth. At half and double the
+/// hips of the sample mannequin differ by 0.1 mm.
+inline constexpr int trunk_stations = 12;
 
 // Where a garment is worn (wear_check.h).
 
@@ -100,6 +112,15 @@ inline constexpr double min_crown_height = 0.03;
 /// Below this the sleeve is set in upside down.
 inline constexpr double upside_down_correlation = -0.3;
 
+/// Share of a garment's cloth, without sleeves, that may hang upside down in folds. The samples
+/// have 0.2 % at most, a dress with a fold around its hips has 16 %. So half and double tell the
+/// same.
+inline constexpr double max_folded = 0.05;
+
+/// Sine of the slope, 30 degrees, from which on cloth hangs rather than lies. At half, the elastic
+/// skirt's folds count with 1.1 % of its cloth. At double nothing hangs.
+inline constexpr double min_hang = 0.5;
+
 /// Share of directions that a garment meets which is open as its seams leave it. Boleros meet 75 %.
 inline constexpr double open_front_share = 0.5;
 
@@ -108,8 +129,6 @@ inline constexpr double open_front_share = 0.5;
 inline constexpr double max_slid = 0.08;
 /// Metres that a garment slid or rode up, from which on it is said.
 inline constexpr double worth_saying_slid = 0.02;
-/// Levels between crotch and waist at which hips are measured.
-inline constexpr int hip_stations = 12;
 
 /// Metres: the error of a height on a mesh of that edge length.
 constexpr double height_error(double edge_length) { return edge_length < 0.016 ? 0.008 : 0.05; }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cloth/judge/constants.h"
+#include "geometry/body/torso_section.h"
 #include "geometry/border_loops.h"
 #include "geometry/disjoint_sets.h"
 
@@ -92,6 +93,12 @@ std::vector<Opening> find_openings(const PanelMesh& garment, const DressedGarmen
                       dressed.panel_of_triangle[t]};
     }
   }
+  std::vector<double> drafted(dressed.points.size(), 0);
+  for (std::size_t t = 0; t < dressed.triangles.size(); ++t) {
+    for (int i = 0; i < 3; ++i) {
+      drafted[dressed.triangles[t][i]] = garment.placed[garment.triangles[t][i]].y();
+    }
+  }
   std::vector<Opening> openings;
   for (std::vector<int>& loop : loops) {
     Opening opening;
@@ -100,6 +107,7 @@ std::vector<Opening> find_openings(const PanelMesh& garment, const DressedGarmen
       opening.length += length;
       opening.panels.push_back(panel);
       opening.middle += dressed.points[loop[i]] / static_cast<double>(loop.size());
+      opening.drafted += drafted[loop[i]] / static_cast<double>(loop.size());
     }
     opening.is_cut_out =
         std::ranges::all_of(loop, [&](int node) { return cut_nodes.contains(node); });
@@ -110,6 +118,35 @@ std::vector<Opening> find_openings(const PanelMesh& garment, const DressedGarmen
   }
   look_out_below_the_hood(dressed, skeleton, openings);
   return openings;
+}
+
+double largest_girth(const TriangleMesh& body, double low, double high) {
+  double largest = 0;
+  for (int i = 0; i <= trunk_stations; ++i) {
+    const double height = low + (high - low) * i / trunk_stations;
+    if (const auto torso = torso_section(body, height)) largest = std::max(largest, torso->girth);
+  }
+  return largest;
+}
+
+void measure_passing(std::vector<Opening>& openings, const TriangleMesh& body,
+                     const Skeleton& skeleton) {
+  const double crotch = skeleton.joint("pelvis").y();
+  const double armpit = skeleton.joint("chest").y();
+  for (Opening& opening : openings) {
+    if (opening.limbs == through_neckline) {
+      const auto head = head_section(body, skeleton.joint("neck").y(), skeleton.joint("head").y());
+      if (head) opening.passes = head->girth;
+    }
+    if (opening.limbs != through_hem) continue;
+    const auto [low, high] = std::minmax({opening.middle.y(), opening.drafted});
+    if (high <= crotch || low >= armpit) continue;
+    opening.passes = largest_girth(body, std::max(low, crotch), std::min(high, armpit));
+  }
+}
+
+bool is_too_small(const Opening& opening, double length) {
+  return length < shut_opening_share * opening.passes;
 }
 
 }  // namespace toile

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <map>
 #include <numbers>
+#include <utility>
 
 #include "cloth/judge/constants.h"
 #include "geometry/angles.h"
@@ -50,18 +52,25 @@ std::vector<Slit> find_slits(const PanelMesh& garment, const DressedGarment& dre
   for (const std::vector<int>& loop : border_loops(triangles, dressed.points.size())) {
     const int count = static_cast<int>(loop.size());
     const auto node = [&](int i) { return loop[((i % count) + count) % count]; };
-    /// Metres from the tip at `i` to where the border has turned, one way round.
+    /// Metres from the tip at `i` to the next corner of the border, one way round.
     const auto run = [&](int i, int step) {
       double length = 0;
-      double turned = 0;
+      double turned = 0;  // within the last `slit_corner` metres
+      std::deque<std::pair<double, double>> bends;
       for (int walked = 1; walked < count; ++walked) {
         const int at = i + step * walked;
         length += edges[std::minmax(node(at - step), node(at))].length;
-        turned += turn[node(at)] - std::numbers::pi;
+        bends.emplace_back(length, turn[node(at)] - std::numbers::pi);
+        turned += bends.back().second;
+        for (; bends.front().first < length - slit_corner; bends.pop_front()) {
+          turned -= bends.front().second;
+        }
         if (std::abs(turned) > max_slit_bend) break;
       }
       return length;
     };
+    double ring = 0;
+    for (int i = 0; i < count; ++i) ring += edges[std::minmax(node(i), node(i + 1))].length;
     for (int i = 0; i < count; ++i) {
       if (turn[node(i)] < min_slit_turn) continue;
       const double length = std::min(run(i, 1), run(i, -1));
@@ -69,7 +78,8 @@ std::vector<Slit> find_slits(const PanelMesh& garment, const DressedGarment& dre
       const auto panel = [&](int next) {
         return garment.panels[edges[std::minmax(node(i), node(next))].panel].name;
       };
-      slits.push_back({panel(i - 1), panel(i + 1), length, dressed.points[node(i)]});
+      slits.push_back({panel(i - 1), panel(i + 1), length, dressed.points[node(i)], node(i),
+                       std::max(0.0, ring - 2 * length)});
     }
   }
   return slits;

@@ -54,6 +54,13 @@ Judgement judge(const PanelMesh& pattern, const DressedGarment& dressed, const T
     judgement.wraps = measure_wraps(pattern, dressed, *skeleton);
     judgement.worn = check_worn(pattern, dressed, *skeleton, &body);
     judgement.fit = measure_fit(pattern, dressed, body, *skeleton);
+    // No seam was left open where it would shut the opening: a V neckline has two such edges, too.
+    std::erase_if(judgement.slits, [&](const Slit& slit) {
+      return std::ranges::any_of(judgement.worn.openings, [&](const Opening& opening) {
+        return is_too_small(opening, slit.rest) &&
+               std::ranges::find(opening.nodes, slit.node) != opening.nodes.end();
+      });
+    });
   }
   const TriangleMesh cloth{dressed.points, dressed.triangles};
   judgement.body_intersections = static_cast<int>(intersections(cloth, body).size());

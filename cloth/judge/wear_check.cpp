@@ -1,6 +1,5 @@
 #include "cloth/judge/wear_check.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,12 +7,13 @@
 #include <set>
 
 #include "cloth/judge/constants.h"
+#include "cloth/judge/hangs.h"
+#include "cloth/judge/sleeve_crown.h"
 #include "cloth/judge/two_sides.h"
 #include "cloth/judge/wraps.h"
 #include "geometry/angles.h"
 #include "geometry/body/bones.h"
 #include "geometry/body/flaws.h"
-#include "geometry/body/torso_section.h"
 #include "geometry/border_loops.h"
 #include "geometry/triangle_area.h"
 #include "io/text.h"
@@ -64,8 +64,10 @@ class WearCheck {
         placed_(dressed.points),
         skeleton_(skeleton),
         body_(body),
-        moments_(garment.panels.size()) {
+        moments_(garment.panels.size()),
+        hangs_(measure_hangs(garment, dressed, skeleton)) {
     findings_.openings = find_openings(garment, dressed, skeleton);
+    if (body != nullptr) measure_passing(findings_.openings, *body, skeleton);
     const std::vector<int> component_of_node = connected_components(dressed);
     std::map<int, Component> components;
     for (std::size_t t = 0; t < dressed.triangles.size(); ++t) {
@@ -113,6 +115,13 @@ class WearCheck {
   }
   bool has(const Component& component, PanelKind wanted) const {
     return !panels_of(component, wanted).empty();
+  }
+  std::vector<int> without_sleeves(const Component& component) const {
+    std::vector<int> panels;
+    for (const int p : component.panels) {
+      if (kind(p) != PanelKind::sleeve) panels.push_back(p);
+    }
+    return panels;
   }
   AreaMoment moment_of(const auto& panels) const {
     AreaMoment sum;
@@ -176,6 +185,7 @@ class WearCheck {
     check_sleeves(component);
     check_trousers(component);
     check_trunk(component);
+    check_hangs(component);
     if (findings_.misplaced || findings_.unwrapped.size() > found) return;
     check_empty_openings(component);
     check_facing(component);
@@ -216,6 +226,7 @@ class WearCheck {
   }
 
   void check_sleeves(const Component& component) {
+    const std::vector<int> rest = without_sleeves(component);
     for (const auto& group : by_side(panels_of(component, PanelKind::sleeve), "arm")) {
       const std::string& arm = group.first;
       const std::vector<int>& panels = group.second;
@@ -228,96 +239,12 @@ class WearCheck {
       findings_.is_checked = true;
       if (!is_there || !goes_around(panels, arm, wanted)) {
         fail(arm, middle, in_words(arm));
-      } else if (is_upside_down(component, panels, wanted)) {
+      } else if (is_set_in_upside_down(garment_, dressed_, panels, rest, component.openings,
+                                       wanted)) {
         misplace(arm, "the sleeve is upside down, its crown at the armpit",
                  "the sleeve's crown at the shoulder");
       }
     }
-  }
-
-  /// Per panel, its nodes and where they are on the flat panel.
-  using FlatNodes = std::map<int, Vec2>;
-  FlatNodes flat_nodes(int panel) const {
-    FlatNodes flat;
-    const MeshedPanel& meshed = garment_.panels[panel];
-    for (int t = meshed.first_triangle; t < meshed.first_triangle + meshed.triangles; ++t) {
-      for (int i = 0; i < 3; ++i) {
-        flat.emplace(dressed_.triangles[t][i], garment_.flat[garment_.triangles[t][i]]);
-      }
-    }
-    return flat;
-  }
-
-  /// Per panel of a sleeve, its edge towards the hand: at the sleeve's opening, or at a cuff.
-  std::map<int, std::vector<Vec2>> cuff_edges(const Component& component,
-                                              const std::map<int, FlatNodes>& sleeve,
-                                              const LimbsThrough& wanted) const {
-    std::set<int> ends;  // nodes
-    for (const Opening* opening : component.openings) {
-      if (opening->limbs == wanted) ends.insert(opening->nodes.begin(), opening->nodes.end());
-    }
-    std::map<int, std::vector<Vec2>> edges;
-    const auto add_edges = [&] {
-      std::vector<int> added;
-      for (const auto& [p, flat] : sleeve) {
-        std::vector<Vec2> edge;
-        for (const auto& [node, place] : flat) {
-          if (ends.contains(node)) edge.push_back(place);
-        }
-        if (edge.size() > 2 && edges.emplace(p, edge).second) added.push_back(p);
-      }
-      return added;
-    };
-    for (const int p : add_edges()) {
-      for (const auto& [node, place] : sleeve.at(p)) ends.insert(node);
-    }
-    add_edges();
-    return edges;
-  }
-
-  /// Whether a sleeve is set in upside down. Along its seam with the trunk, what lies farthest from
-  /// the line of the cuff is the crown. It belongs above what lies nearest, the underarm.
-  bool is_upside_down(const Component& component, const std::vector<int>& panels,
-                      const LimbsThrough& wanted) const {
-    std::set<int> of_trunk;
-    for (const int p : component.panels) {
-      if (kind(p) == PanelKind::sleeve) continue;
-      for (const auto& [node, place] : flat_nodes(p)) of_trunk.insert(node);
-    }
-    std::map<int, FlatNodes> sleeve;
-    for (const int p : panels) sleeve.emplace(p, flat_nodes(p));
-    double widest = 0;
-    double together = 0;  // sums about the middle of each panel's part of the seam
-    double of_reach = 0;
-    double of_height = 0;
-    for (const auto& [p, edge] : cuff_edges(component, sleeve, wanted)) {
-      Vec2 middle = Vec2::Zero();
-      for (const Vec2& place : edge) middle += place / static_cast<double>(edge.size());
-      Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
-      for (const Vec2& place : edge) spread += (place - middle) * (place - middle).transpose();
-      const Vec2 across =
-          Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvectors().col(0);
-      std::vector<Vec2> seam;  // metres from the cuff's line, metres above the floor
-      Vec2 mean = Vec2::Zero();
-      for (const auto& [node, place] : sleeve.at(p)) {
-        if (!of_trunk.contains(node)) continue;
-        seam.emplace_back(std::abs(across.dot(place - middle)), nodes_[node].y());
-        mean += seam.back();
-      }
-      if (seam.empty()) continue;
-      mean /= static_cast<double>(seam.size());
-      const auto [nearest, farthest] =
-          std::ranges::minmax_element(seam, {}, [](const Vec2& at) { return at.x(); });
-      widest = std::max(widest, farthest->x() - nearest->x());
-      for (const Vec2& at : seam) {
-        const Vec2 off = at - mean;
-        together += off.x() * off.y();
-        of_reach += off.x() * off.x();
-        of_height += off.y() * off.y();
-      }
-    }
-    if (widest < min_crown_height || of_height == 0) return false;
-    return together / std::sqrt(of_reach * of_height) < upside_down_correlation;
   }
 
   void check_trousers(const Component& component) {
@@ -395,11 +322,7 @@ class WearCheck {
   /// What hangs from waist, hips or chest is misplaced where its top edge left its level by more
   /// than the bound.
   void check_slid(const Opening& top, const std::string& belongs, bool is_top) {
-    double level = 0;
-    for (const int node : top.nodes) {
-      level += placed_[node].y() / static_cast<double>(top.nodes.size());
-    }
-    if (!is_top) level = std::min(level, waist_);
+    const double level = is_top ? top.drafted : std::min(top.drafted, waist_);
     Slid slid;
     slid.down = level - top.middle.y();
     if (findings_.slid && findings_.slid->down >= slid.down) return;
@@ -412,14 +335,8 @@ class WearCheck {
   }
   /// Metres: the body's largest girth between crotch and waist; 0 without a body.
   double hip() const {
-    double largest = 0;
-    for (int i = 1; body_ != nullptr && i < hip_stations; ++i) {
-      const double height = crotch_ + (waist_ - crotch_) * i / hip_stations;
-      if (const std::optional<Section> torso = torso_section(*body_, height)) {
-        largest = std::max(largest, torso->girth);
-      }
-    }
-    return largest;
+    if (body_ == nullptr) return 0;
+    return largest_girth(*body_, crotch_ + (waist_ - crotch_) / trunk_stations, waist_);
   }
 
   /// Of a body that sits: metres that a point lies farther down the thighs than the crotch. What
@@ -456,14 +373,52 @@ class WearCheck {
   void check_open_front(const Component& component, bool has_hem) {
     const bool has_legs = std::ranges::any_of(
         component.openings, [](const Opening* o) { return o->limbs == through_left_leg; });
-    std::vector<int> panels;
-    for (const int p : component.panels) {
-      if (kind(p) != PanelKind::sleeve) panels.push_back(p);
+    const std::vector<int> panels = without_sleeves(component);
+    if (panels.empty()) return;
+    if (has_hem || has_legs) {
+      find_bare_level(component);
+      return;
     }
-    if (has_hem || has_legs || panels.empty()) return;
     if (is_open_by_its_seams(panels)) return;
     if (goes_around(panels, "torso", through_hem)) return;
     fail("torso", moment_of(panels).middle(), "chest or shoulders");
+  }
+
+  /// What is closed about the hips and reaches the shoulders covers the trunk between waist and
+  /// armpits, above its hem.
+  void find_bare_level(const Component& component) {
+    double low = waist_;
+    for (const Opening* opening : component.openings) {
+      if (opening->limbs != through_hem) continue;
+      for (const int node : opening->nodes) low = std::max(low, nodes_[node].y());
+    }
+    const std::vector<int> panels(component.panels.begin(), component.panels.end());
+    const BareLevel barest = barest_level(dressed_, skeleton_, marked(panels), low, armpit_);
+    if (barest.share < around_share) findings_.bare = barest;
+  }
+
+  /// Cloth that is folded upon itself, and panels that hang the other way up than they are placed.
+  /// Sleeves hang as their arms do.
+  void check_hangs(const Component& component) {
+    PanelHang all;
+    int most = -1;
+    const std::vector<int> panels = without_sleeves(component);
+    for (const int p : panels) {
+      all.area += hangs_[p].area;
+      all.folded += hangs_[p].folded;
+      if (most < 0 || hangs_[p].folded > hangs_[most].folded) most = p;
+    }
+    if (all.folded > max_folded * all.area) {
+      misplace("torso",
+               std::to_string(std::lround(100 * all.folded / all.area)) +
+                   " % of its cloth hangs upside down in a fold, of panel '" +
+                   garment_.panels[most].name + "' the most",
+               "its cloth without a fold all around");
+    }
+    for (const int p : panels) {
+      const bool is_stated = garment_.has_places || garment_.panels[p].placement.by_part();
+      if (is_stated && hangs_[p].is_turned()) findings_.turned.push_back(garment_.panels[p].name);
+    }
   }
 
   /// On each side the neckline's highest point is where the garment hangs. Straps that started
@@ -549,6 +504,7 @@ class WearCheck {
   const Skeleton& skeleton_;
   const TriangleMesh* body_;
   std::vector<AreaMoment> moments_;  // per panel
+  std::vector<PanelHang> hangs_;     // per panel
   std::vector<Component> components_;
   double crotch_ = 0;  // heights, metres
   double waist_ = 0;

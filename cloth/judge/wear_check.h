@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cloth/judge/openings.h"
+#include "cloth/judge/wraps.h"
 
 namespace toile {
 
@@ -40,6 +41,9 @@ struct WearFindings {
   std::vector<Opening> openings;
   std::optional<Misplaced> misplaced;  ///< the first thing that is in a wrong place
   std::optional<Slid> slid;            ///< none: it hangs from the shoulders, or has no top edge
+  /// Where what hangs from the shoulders and closes below leaves much of the trunk bare.
+  std::optional<BareLevel> bare;
+  std::vector<std::string> turned;  ///< panels that hang the other way up than they are placed
   /// Body parts that cloth lies at and should go around, and does not.
   std::vector<std::string> unwrapped;
 };
@@ -61,6 +65,7 @@ struct WearFindings {
 /// - Sleeves, skirts and tops that are not closed around their part meet 85 % of the directions.
 ///   A wrap skirt does. A shirt that lacks a quarter does not. What is open in front
 ///   or at the back by its seams meets half of them: each arm has an opening of its own there.
+/// - Of the cloth without sleeves, a tenth at most hangs upside down in folds (hangs.h).
 /// - Any other component: no two openings of 15 cm or more may have nothing in them. An opening
 ///   around both legs may not be its highest one and lie below the crotch.
 /// - Panels named front and back, left and right, lie on their sides of the body within 60 degrees.

@@ -107,6 +107,27 @@ WrapMeasurement measure_wrap(const DressedGarment& dressed, const Skeleton& skel
   return wrap;
 }
 
+BareLevel barest_level(const DressedGarment& dressed, const Skeleton& skeleton,
+                       const std::vector<char>& is_counted, double low, double high) {
+  std::vector<Triangle> triangles;
+  triangles.reserve(dressed.triangles.size());
+  for (std::size_t t = 0; t < dressed.triangles.size(); ++t) {
+    if (is_counted[dressed.panel_of_triangle[t]]) triangles.push_back(dressed.triangles[t]);
+  }
+  const Bones bones(skeleton, "torso");
+  BareLevel barest;
+  for (int i = 0; i < wrap_stations && low < high; ++i) {
+    const double share =
+        limb_cover_begin + (limb_cover_end - limb_cover_begin) * (i + 0.5) / wrap_stations;
+    Vec3 level = skeleton.joint("waist");
+    level.y() = low + share * (high - low);
+    const Vec3 station = bones.at(bones.foot(level)).first;
+    const double met = share_met(station, Vec3::UnitY(), dressed.points, triangles);
+    if (met < barest.share) barest = {station.y(), met};
+  }
+  return barest;
+}
+
 std::vector<WrapMeasurement> measure_wraps(const PanelMesh& garment, const DressedGarment& dressed,
                                            const Skeleton& skeleton) {
   const std::vector<std::string> parts = panel_parts(garment, skeleton);

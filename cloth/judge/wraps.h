@@ -29,4 +29,15 @@ WrapMeasurement measure_wrap(const DressedGarment& dressed, const Skeleton& skel
 std::vector<WrapMeasurement> measure_wraps(const PanelMesh& garment, const DressedGarment& dressed,
                                            const Skeleton& skeleton);
 
+/// A level of the trunk, and the share of the directions around it that meet some panels.
+struct BareLevel {
+  double height = 0;  ///< metres above the floor
+  double share = 1;
+};
+
+/// The level at which some panels go the least way around the trunk. Heights `low` and `high` are
+/// in metres; the middle half of what lies between them counts. Costs as measure_wrap().
+BareLevel barest_level(const DressedGarment& dressed, const Skeleton& skeleton,
+                       const std::vector<char>& is_counted, double low, double high);
+
 }  // namespace toile

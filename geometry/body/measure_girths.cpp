@@ -8,6 +8,7 @@
 #include "geometry/body/measure_taker.h"
 #include "geometry/body/measures.h"
 #include "geometry/body/tape.h"
+#include "geometry/body/torso_section.h"
 
 namespace toile {
 
@@ -82,22 +83,15 @@ void MeasureTaker::take_girths() {
   add_girth("neck_base", base, (back + front + left + right) / 4, sloping,
             "around the neck's base in the plane through cervicale and front neck point");
 
-  double most = 0;
-  Vec3 brow = Vec3::Zero();
+  std::optional<Section> widest;
   const std::string headless = lack_of("head");
   if (headless.empty()) {
-    const double chin = skeleton()->joint("neck").y();
-    for (double y = chin + 0.55 * (h - chin); y < h; y += 0.003 * h) {
-      const std::vector<Section> sections = slice(shape_.frame.mesh, {0, y, 0}, Vec3::UnitY());
-      if (sections.empty() || sections.front().girth <= most) continue;
-      most = sections.front().girth;
-      brow = sections.front().centroid;
-    }
+    widest = head_section(shape_.frame.mesh, skeleton()->joint("neck").y(), h);
   }
   Needs head;
   if (!headless.empty()) head.missing = "no head: " + headless;
-  if (headless.empty() && most == 0) head.missing = "no head: it has no closed section";
-  add_girth("head", head, brow, Vec3::UnitY(),
+  if (headless.empty() && !widest) head.missing = "no head: it has no closed section";
+  add_girth("head", head, widest ? widest->centroid : Vec3(Vec3::Zero()), Vec3::UnitY(),
             "level, the greatest around the upper half of the head");
 }
 

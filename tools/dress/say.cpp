@@ -151,12 +151,39 @@ void warn_of_verdict(const DressResult& result, const Judgement& judgement, Dres
          << floor_height(slit.tip.y()) << ": a vent, or a seam is left open";
     log.warn({"open_edges", slit.panel_a, text.str()});
   }
-  for (const FitLevel& level : judgement.fit.levels) {
-    if (level.level != "top edge" || level.as_cut > shut_opening_share * level.body) continue;
+  for (const Opening& opening : worn.openings) {
+    if (judgement.garment.seams.open > 0) break;
+    const LimbsThrough& limbs = opening.limbs;
+    if (limbs.left_leg && limbs.right_leg && limbs.left_arm != limbs.right_arm) {
+      const std::string side = limbs.left_arm ? "left" : "right";
+      log.warn({"open_edges", side + "_arm",
+                "the " + side +
+                    " armhole and the hem are one opening: a seam is left open at the " + side +
+                    " side"});
+    }
+    if (!is_too_small(opening, opening.length)) continue;
+    const bool is_neck = limbs == through_neckline;
     std::ostringstream text;
-    text << std::fixed << std::setprecision(0) << "nobody gets into this: the top edge opens to "
-         << 100 * level.as_cut << " cm, the body has " << 100 * level.body << " cm there";
-    log.warn({"opening_too_small", level.level, text.str()});
+    text << std::fixed << std::setprecision(0) << "nobody gets into this: the "
+         << (is_neck ? "neckline" : "edge around the trunk") << ", "
+         << floor_height(opening.middle.y()) << ", opens to " << 100 * opening.length << " cm, the "
+         << (is_neck ? "head" : "body") << " has " << 100 * opening.passes
+         << " cm: a closure is left out, or too much is sewn shut";
+    log.warn({"opening_too_small", is_neck ? "neck" : "trunk", text.str()});
+  }
+  if (worn.bare) {
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(0) << "it leaves " << 100 * (1 - worn.bare->share)
+         << " % of the way around the trunk bare, " << floor_height(worn.bare->height)
+         << ": its neckline or armholes are deep, or a panel is missing";
+    log.warn({"open_edges", "torso", text.str()});
+  }
+  for (const std::string& panel : worn.turned) {
+    log.warn(
+        {"upside_down", panel,
+         "panel '" + panel +
+             "' hangs the other way up than the pattern places it: turn it about, or check the "
+             "direction of its stitches"});
   }
   if (worn.misplaced) {
     log.warn({"misplaced", worn.misplaced->part,

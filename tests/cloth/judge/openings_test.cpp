@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "tests/cloth/figure.h"
+#include "tests/support/shapes.h"
+#include "tests/support/tubes.h"
 
 namespace toile {
 namespace openings_test {
@@ -56,6 +58,46 @@ TEST(Openings, AFaceLooksOutBelowAHoodThatHangsOverTheEyes) {
 TEST(Openings, AnOpeningBelowTheFaceHasNothingInIt) {
   const std::vector<Opening> openings = openings_of_sack(1.28);
   EXPECT_EQ(count(openings, LimbsThrough{}), 1);
+}
+
+/// A body 34 cm across up to 1.1 m, and 20 cm above.
+TriangleMesh pear() {
+  TriangleMesh upper = test::closed_tube(0.1, 0.1, 0.7, 60);
+  for (Vec3& p : upper.points) p.y() += 1.1;
+  return test::together(test::closed_tube(0.17, 0.17, 1.1, 60), upper);
+}
+
+/// The girth that has to pass a ring around the trunk that lies at one height and was drafted to
+/// lie at another.
+double passes(double lies, double drafted, const LimbsThrough& limbs = through_hem) {
+  std::vector<Opening> openings(1);
+  openings[0].limbs = limbs;
+  openings[0].middle = {0, lies, 0};
+  openings[0].drafted = drafted;
+  measure_passing(openings, pear(), test::figure());
+  return openings[0].passes;
+}
+
+TEST(Openings, ARingThatRodeUpHasToPassWhereItWasDraftedToLie) {
+  const double wide = 2 * test::pi * 0.17;
+  const double slim = 2 * test::pi * 0.1;
+  EXPECT_NEAR(passes(1.15, 1.18), slim, 0.01);
+  EXPECT_NEAR(passes(1.15, 1.0), wide, 0.01);
+  EXPECT_NEAR(passes(1.0, 1.15), wide, 0.01);
+  // Above the armpits and below the crotch there is no trunk.
+  EXPECT_EQ(passes(1.25, 1.3), 0);
+  EXPECT_EQ(passes(0.7, 0.5), 0);
+}
+
+TEST(Openings, AHeadHasToPassANeckline) {
+  Opening neckline;
+  neckline.passes = passes(1.4, 1.4, through_neckline);
+  EXPECT_NEAR(neckline.passes, 2 * test::pi * 0.1, 0.01);
+  // Cloth stretches by a quarter.
+  EXPECT_TRUE(is_too_small(neckline, 0.79 * neckline.passes));
+  EXPECT_FALSE(is_too_small(neckline, 0.81 * neckline.passes));
+  // An armhole has no such girth.
+  EXPECT_FALSE(is_too_small(Opening{}, 0.01));
 }
 
 }  // namespace openings_test

@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <utility>
 #include <vector>
 
+#include "cloth/judge/verdict.h"
 #include "tests/cloth/figure.h"
+#include "tests/support/tubes.h"
 
 namespace toile {
 namespace slits_test {
@@ -31,6 +35,29 @@ TEST(Slits, ASeamThatIsLeftOpenForAThirdIsOne) {
   EXPECT_NEAR(slits[0].length, 0.21, 1e-9);
   EXPECT_NEAR(slits[0].tip.y(), 0.8 + 0.21, 1e-9);
   EXPECT_NE(slits[0].panel_a, slits[0].panel_b);
+  EXPECT_NEAR(slits[0].rest, 2 * test::pi * test::tube_radius, 1e-9);
+}
+
+TEST(Slits, AnEdgeThatCurvesIsNoCorner) {
+  PanelMesh garment = tube_sewn(10, test::tube_rows);
+  // The side bends by 38 degrees on the way from the hem to its middle.
+  for (Vec2& p : garment.flat) p.x() += 0.15 * std::sin(test::pi * p.y() / 0.6);
+  const std::vector<Slit> slits = slits_of(garment);
+  ASSERT_EQ(slits.size(), 1U);
+  EXPECT_GT(slits[0].length, 0.3);
+  EXPECT_LT(slits[0].length, 0.36);
+}
+
+TEST(Slits, ASlitThatIsNeededToPutItOnIsNone) {
+  const PanelMesh garment = tube_sewn(7, test::tube_rows);
+  const DressedGarment dressed = test::as_dressed(garment, garment.placed);
+  const Skeleton skeleton = test::figure();
+  const auto slits_on = [&](double radius) {
+    return judge(garment, dressed, test::closed_tube(radius, radius, 1.7, 60), &skeleton, {})
+        .slits.size();
+  };
+  EXPECT_EQ(slits_on(0.15), 1U);
+  EXPECT_EQ(slits_on(0.26), 0U);
 }
 
 TEST(Slits, ASeamThatIsOpenInItsMiddleHasTwoEnds) {

@@ -160,5 +160,21 @@ TEST(Wraps, HalfAFrontIsTheTorsosThoughAnArmHangsBehindIt) {
   EXPECT_EQ(panel_parts(garment, skeleton), (std::vector<std::string>{"torso", "left_arm"}));
 }
 
+TEST(Wraps, TheBarestLevelIsWhereAPanelEnds) {
+  PanelMesh garment = tube();
+  const DressedGarment whole = test::as_dressed(garment, garment.placed);
+  EXPECT_NEAR(barest_level(whole, figure(), {1, 1}, 1.0, 1.2).share, 1, 0.01);
+  // The front ends at 1.1 m.
+  for (Vec3& p : garment.placed) {
+    if (p.z() > 0) p.y() = 0.8 + (p.y() - 0.8) / 2;
+  }
+  const DressedGarment low = test::as_dressed(garment, garment.placed);
+  const BareLevel barest = barest_level(low, figure(), {1, 1}, 0.9, 1.3);
+  EXPECT_LT(barest.share, 0.6);
+  EXPECT_GT(barest.height, 1.1);
+  // There is no level between heights that are exchanged.
+  EXPECT_EQ(barest_level(whole, figure(), {1, 1}, 1.2, 1.0).share, 1);
+}
+
 }  // namespace wraps_test
 }  // namespace toile
