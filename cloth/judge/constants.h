@@ -62,6 +62,22 @@ inline constexpr double min_slit = 0.05;
 /// Share of the body's girth at a top edge. What is cut smaller can't be put on there.
 inline constexpr double shut_opening_share = 0.8;
 
+// The drape and its mirror image (asymmetry.h).
+
+/// Metres: the outline of a panel and that of its partner differ by less. Half of it still finds
+/// the samples' pairs; double takes in drawings that differ on purpose by a seam's ease.
+inline constexpr double mirrored_outline = 0.003;
+
+/// Metres between the mirrored points of two that are sewn together. Chords of two meshes differ by
+/// millimetres on coarse ones; another seam is centimetres off.
+inline constexpr double mirrored_seam = 0.01;
+
+/// Points of a panel that are mirrored, about. More find no larger difference on meshes of 25 mm.
+inline constexpr int mirrored_points = 300;
+
+/// Pairs of a seam's points whose mirrored points are compared, about.
+inline constexpr int mirrored_seam_points = 8;
+
 // Where a garment is worn (wear_check.h).
 
 /// Metres: border of the smallest opening that a limb is meant to pass through.
