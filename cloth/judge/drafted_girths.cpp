@@ -10,10 +10,14 @@ namespace toile {
 void set_drafted_girths(const PanelMesh& pattern, const DressedGarment& dressed,
                         const TriangleMesh& body, const Skeleton& skeleton,
                         std::vector<GirthEase>& girths, std::vector<GarmentLevel>& levels) {
-  std::vector<double> drafted(dressed.points.size(), 0);  // per node, metres above the floor
+  // Per node, metres above the floor: the mean of the panels' sides where they are sewn.
+  std::vector<double> drafted(dressed.points.size(), 0);
+  std::vector<int> corners(dressed.points.size(), 0);
   for (std::size_t t = 0; t < dressed.triangles.size(); ++t) {
     for (int i = 0; i < 3; ++i) {
-      drafted[dressed.triangles[t][i]] = pattern.placed[pattern.triangles[t][i]].y();
+      const int node = dressed.triangles[t][i];
+      const double height = pattern.placed[pattern.triangles[t][i]].y();
+      drafted[node] += (height - drafted[node]) / ++corners[node];
     }
   }
   const auto girth_at = [&](const std::vector<int>& nodes) -> std::optional<double> {
