@@ -84,6 +84,8 @@ class MirroredPattern {
     for (const std::vector<int>& loop : border_loops(triangles, pattern_.flat.size())) {
       Outline outline;
       outline.points = loop;
+      outline.flat.reserve(loop.size());
+      outline.shares.reserve(loop.size());
       for (std::size_t i = 0; i < loop.size(); ++i) {
         outline.flat.push_back(pattern_.flat[loop[i]]);
         outline.shares.push_back(outline.length);
@@ -154,6 +156,7 @@ class MirroredPattern {
     std::vector<Outline> outlines;
     outlines.reserve(pattern_.panels.size());
     for (const MeshedPanel& panel : pattern_.panels) outlines.push_back(outline_of(panel));
+    mirrorings_.reserve(outlines.size());
     for (std::size_t a = 0; a < outlines.size(); ++a) {
       const std::size_t first = sharpest(outlines[a]);
       double best = std::numeric_limits<double>::infinity();
