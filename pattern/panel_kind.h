@@ -23,6 +23,10 @@ enum class PanelKind : std::uint8_t {
 /// tells is `unknown`: a tube there may be a top or a skirt.
 PanelKind kind_of(const MeshedPanel& panel);
 
+/// The kind by the name alone. A cuff of trousers is of trousers, and a skirt's band is of the
+/// skirt.
+PanelKind kind_by_name(const std::string& name);
+
 /// Whether the name says that the panel is of a hood.
 bool names_hood(const std::string& name);
 
@@ -34,5 +38,10 @@ int side_by_name(const std::string& name);
 
 /// -1: the name says back, +1: front, 0: neither.
 int face_by_name(const std::string& name);
+
+/// What contradicts the part: "its name says a skirt", "its name says right", "its label is 'leg'".
+/// Empty: nothing does, or the pattern states no part. The label counts before the name, and what a
+/// name says of the piece before its side.
+std::string against_part(const MeshedPanel& panel);
 
 }  // namespace toile

@@ -3,12 +3,13 @@
 #include <algorithm>
 
 #include "cloth/scene/collider.h"
+#include "cloth/scene/floor.h"
 
 namespace toile {
 
 void BodyContact::linearize(const Scene& scene, const Vec3& p, double offset,
                             double linearization_radius, double approach_bound, bool firm) {
-  const DistanceGrid::Sample sample = scene.collider->grid().at(p);
+  const DistanceGrid::Sample sample = obstacle_at(scene, p, offset);
   const double away = sample.distance - offset;
   linearized_at_ = p;
   const double near = std::max(body_activation_distance, approach_bound);

@@ -1,4 +1,4 @@
-// Contact of one vertex of the cloth with the body: push and friction.
+// Contact of one vertex of the cloth with the body, or with the floor: push and friction.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,8 @@
 namespace toile {
 
 /// Contact of one vertex of the cloth with the body, through a run. A plane stands for the body
-/// near the vertex, until the vertex has moved on too far.
+/// near the vertex, until the vertex has moved on too far. Where the scene's floor is nearer, it is
+/// the floor that counts as the body.
 class alignas(64) BodyContact {
  public:
   /// Finds the plane that stands for the body near the vertex at `p` (metres). It is parallel to

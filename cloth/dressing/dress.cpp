@@ -201,7 +201,9 @@ DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptio
     level = finer_level(level, meshes[level.depth - 1], scene, result.body_offset, state);
     if (level.depth == 0) break;
     if (!is_lost()) {
-      state = settle(level, std::move(state), is_clear, settled.friction, journal).state;
+      // Cloth slid into place on the coarsest mesh. Without friction one of two sleeves that are
+      // as tight would slip here, and draw the other one up.
+      state = settle(level, std::move(state), is_clear, true, journal).state;
     }
     is_clear = is_clear || is_clear_of_itself(level, state);
   }

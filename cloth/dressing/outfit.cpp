@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <utility>
 
 #include "cloth/dressing/follow_body.h"
 #include "cloth/dressing/outfit_warnings.h"
 #include "cloth/dressing/panels_over.h"
+#include "cloth/scene/floor.h"
 #include "cloth/scene/standing_body.h"
 #include "cloth/start/place_panels.h"
 #include "geometry/error.h"
@@ -86,6 +88,7 @@ Scene OutfitDresser::scene_of(const OutfitLayer& layer) const {
   scene.raised_distances = outfit_.raised_distances;
   scene.standing = outfit_.standing;
   scene.gravity = outfit_.gravity;
+  if (outfit_.has_floor) scene.floor = floor_below(collider_.body(), outfit_.gravity);
   scene.strain_limit = outfit_.strain_limit;
   scene.shear_limit = outfit_.shear_limit;
   return scene;
@@ -138,6 +141,8 @@ void OutfitDresser::put_in_place(const OutfitLayer& layer, WornLayer& worn) cons
       standing != nullptr ? standing->collider.body() : collider_.body(),
       standing != nullptr ? &standing->skeleton : skeleton_, layer.places, worn.garment);
   if (placed.moved) worn.warnings.push_back(moved_layout_warning(*placed.moved, layer.garment));
+  if (placed.is_upside_down) worn.warnings.push_back(upside_down_drawing_warning());
+  std::ranges::copy(contradiction_warnings(layer.garment), std::back_inserter(worn.warnings));
   worn.moved = placed.moved;
   worn.places = std::move(placed.places);
   worn.place_reason = std::move(placed.reason);
@@ -204,6 +209,7 @@ void OutfitDresser::write_and_judge(std::size_t layer, const TriangleMesh* other
   if (hooks_.write) dressed = hooks_.write(layer, dressed);
   DressingEnd end{result.converged, {}, result.tight_seams};
   if (result.release) end.stays = result.release->stays();
+  if (worn.scene.floor) end.on_floor = *worn.scene.floor + result.body_offset;
   worn.judgement = judge(worn.garment, dressed, collider_.body(), skeleton_, end, others);
   worn.cloth = {std::move(dressed.points), std::move(dressed.triangles)};
   // A layer of several can come to rest yet, with the others.

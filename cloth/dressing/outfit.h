@@ -50,11 +50,12 @@ struct OutfitLayer {
 };
 
 struct Outfit {
-  std::vector<OutfitLayer> layers;                    ///< the innermost first
-  std::map<std::string, Fabric> fabrics = {};         ///< of panels, by the names that they give
-  Vec3 gravity = Scene().gravity;                     ///< m/s²
-  std::optional<double> strain_limit = {};            ///< see Scene
-  std::optional<double> shear_limit = {};             ///< see Scene
+  std::vector<OutfitLayer> layers;             ///< the innermost first
+  std::map<std::string, Fabric> fabrics = {};  ///< of panels, by the names that they give
+  Vec3 gravity = Scene().gravity;              ///< m/s²
+  std::optional<double> strain_limit = {};     ///< see Scene
+  std::optional<double> shear_limit = {};      ///< see Scene
+  bool has_floor = true;  ///< the body stands on a floor that bears cloth (floor.h)
   const RaisedDistances* raised_distances = nullptr;  ///< see Scene
   const StandingBody* standing = nullptr;             ///< see Scene; of an outfit of one layer
   bool certify = false;  ///< check every state on the way with exact predicates

@@ -8,6 +8,7 @@
 #include "geometry/error.h"
 #include "io/floor_height.h"
 #include "io/text.h"
+#include "pattern/panel_kind.h"
 
 namespace toile {
 
@@ -39,6 +40,25 @@ Warning moved_layout_warning(const LayoutMove& move, const PanelMesh& garment) {
   return {"moved_layout", "",
           "the pattern does not stand where the body does: all panels were " +
               text_of(move, garment) + ", as one piece"};
+}
+
+Warning upside_down_drawing_warning() {
+  return {"upside_down_drawing", "",
+          "the drawing looks upside down, for the neckline is far wider than the hem: turn it by "
+          "half a turn if it is"};
+}
+
+std::vector<Warning> contradiction_warnings(const PanelMesh& garment) {
+  std::vector<Warning> lines;
+  lines.reserve(garment.panels.size());
+  for (const MeshedPanel& panel : garment.panels) {
+    const std::string against = against_part(panel);
+    if (against.empty()) continue;
+    lines.push_back({"contradicting_part", panel.name,
+                     "panel '" + panel.name + "' states the part '" + panel.part + "', but " +
+                         against + ": it is dressed as the part says"});
+  }
+  return lines;
 }
 
 std::vector<Warning> start_warnings(const PanelMesh& garment, const Scene& scene) {

@@ -113,6 +113,8 @@ Scene closing_scene(Scene scene) {
   for (auto& [name, fabric] : scene.fabrics) stiffen(fabric);
   scene.strain_limit.reset();
   scene.shear_limit.reset();
+  // Pressed flat by it, a hem that starts below would be sewn in folds.
+  scene.floor.reset();
   return scene;
 }
 

@@ -72,6 +72,7 @@ std::vector<GarmentLevel> measure_garment_levels(const DressedGarment& garment,
   const auto add = [&](const std::string& name, const std::vector<int>& loop) {
     GarmentLevel level;
     level.name = name;
+    level.nodes = loop;
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const int from = loop[i];
       const int to = loop[(i + 1) % loop.size()];

@@ -18,6 +18,9 @@ struct GarmentLevel {
   double garment = 0;          ///< length as worn
   double as_cut = 0;           ///< length on the flat panels; of a gathered seam, its shorter side
   std::optional<double> body;  ///< girth of the trunk at `height`; none: not on the trunk
+  std::vector<int> nodes;      ///< of the garment, along the line
+  /// The body's girth where the line was drafted to lie (drafted_girths.h); none: not known.
+  std::optional<double> drafted_body;
 };
 
 /// The levels that the garment has, from the top down. The waist seam is where panels of

@@ -31,7 +31,7 @@ GirthEases measure_girth_ease(const DressedGarment& garment, const TriangleMesh&
   const TriangleMesh cloth{garment.points, garment.triangles};
   for (const NamedLevel& level : levels) {
     const auto leave_out = [&](const char* why, bool is_open = false) {
-      if (!level.name.empty()) result.left_out.push_back({level.name, why, is_open});
+      if (!level.name.empty()) result.left_out.push_back({level.name, why, is_open, level.height});
     };
     const std::optional<Section> torso = torso_section(body, level.height);
     if (!torso) {
@@ -59,6 +59,7 @@ GirthEases measure_girth_ease(const DressedGarment& garment, const TriangleMesh&
     girth.panels =
         panel_widths(garment, around->triangles, {{0, level.height, 0}, Vec3::UnitY()}, grains);
     for (const PanelWidth& panel : girth.panels) girth.as_cut += panel.width;
+    girth.triangles = around->triangles;
     result.levels.push_back(std::move(girth));
   }
   return result;

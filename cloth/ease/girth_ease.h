@@ -1,6 +1,7 @@
 // Girth ease: the girth of the garment around the torso less the girth of the body.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct GirthEase {
   double ease = 0;     ///< garment - body
   double as_cut = 0;   ///< sum of the panels' widths
   std::vector<PanelWidth> panels;  ///< those that the level cuts
+  std::vector<int> triangles;      ///< of the garment, that the level cuts
+  /// The body's girth where this cloth was drafted to lie (drafted_girths.h); none: not known.
+  std::optional<double> drafted_body;
 };
 
 /// A named level at which there is no girth ease.
@@ -26,6 +30,7 @@ struct LevelLeftOut {
   std::string level;
   std::string why;
   bool is_open = false;  ///< the garment reaches it and does not close there
+  double height = 0;     ///< metres above the floor; 0: the body has no such level
 };
 
 struct GirthEases {

@@ -14,16 +14,19 @@ Fit fit_of(const std::vector<GirthEase>& girths, const std::vector<GarmentLevel>
     fit.is_checked = true;
     if (level.missing() >= flesh_give) fit.levels.push_back(level);
   };
-  const auto compare_trunk = [&](const FitLevel& level) {
+  const auto compare_trunk = [&](FitLevel level, std::optional<double> drafted_body) {
     compare(level);
+    level.body = drafted_body.value_or(level.body);
     const auto share = [](const FitLevel& of) { return of.as_cut / of.body; };
     if (!fit.nearest || share(level) < share(*fit.nearest)) fit.nearest = level;
   };
   for (const GirthEase& girth : girths) {
-    if (!girth.level.empty()) compare_trunk({girth.level, girth.body, girth.as_cut});
+    if (!girth.level.empty()) {
+      compare_trunk({girth.level, girth.body, girth.as_cut}, girth.drafted_body);
+    }
   }
   for (const GarmentLevel& level : garment_levels) {
-    if (level.body) compare_trunk({level.name, *level.body, level.as_cut});
+    if (level.body) compare_trunk({level.name, *level.body, level.as_cut}, level.drafted_body);
   }
   for (const LimbEase& limb : limbs) compare({limb.limb, limb.body, limb.as_cut});
   return fit;

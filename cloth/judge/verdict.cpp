@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "cloth/judge/drafted_girths.h"
+#include "cloth/judge/on_floor.h"
 #include "geometry/intersections.h"
 
 namespace toile {
@@ -30,16 +32,32 @@ std::string to_string(Verdict verdict) {
 
 namespace {
 
+/// Whether a level runs through an armhole. A dress that is far too wide has its armholes at the
+/// bust, and is not open there by its seams.
+bool is_at_armhole(const DressedGarment& dressed, const std::vector<Opening>& openings,
+                   double height) {
+  return std::ranges::any_of(openings, [&](const Opening& opening) {
+    if (opening.limbs.left_arm == opening.limbs.right_arm) return false;
+    const auto is_below = [&](int node) { return dressed.points[node].y() < height; };
+    return std::ranges::any_of(opening.nodes, is_below) &&
+           !std::ranges::all_of(opening.nodes, is_below);
+  });
+}
+
 Fit measure_fit(const PanelMesh& pattern, const DressedGarment& dressed, const TriangleMesh& body,
-                const Skeleton& skeleton) {
+                const Skeleton& skeleton, const std::vector<Opening>& openings) {
   if (!has_all_limbs(skeleton)) return {};
   std::vector<double> grains;
   for (const MeshedPanel& panel : pattern.panels) grains.push_back(panel.grain);
-  const GirthEases girths = measure_girth_ease(dressed, body, skeleton, grains, 0);
-  Fit fit = fit_of(girths.levels, measure_garment_levels(dressed, body, skeleton),
-                   measure_limb_ease(dressed, body, skeleton, grains));
+  GirthEases girths = measure_girth_ease(dressed, body, skeleton, grains, 0);
+  std::vector<GarmentLevel> levels = measure_garment_levels(dressed, body, skeleton);
+  set_drafted_girths(pattern, dressed, body, skeleton, girths.levels, levels);
+  Fit fit = fit_of(girths.levels, levels, measure_limb_ease(dressed, body, skeleton, grains));
   // The nearest level may be one that was not measured.
-  if (std::ranges::any_of(girths.left_out, &LevelLeftOut::is_open)) fit.nearest.reset();
+  const auto is_open = [&](const LevelLeftOut& level) {
+    return level.is_open && !is_at_armhole(dressed, openings, level.height);
+  };
+  if (std::ranges::any_of(girths.left_out, is_open)) fit.nearest.reset();
   return fit;
 }
 
@@ -50,10 +68,11 @@ Judgement judge(const PanelMesh& pattern, const DressedGarment& dressed, const T
   Judgement judgement;
   judgement.garment = measure_garment(pattern, dressed);
   judgement.slits = find_slits(pattern, dressed);
+  if (end.on_floor) judgement.on_floor = panels_on_floor(pattern, dressed, *end.on_floor);
   if (skeleton != nullptr) {
     judgement.wraps = measure_wraps(pattern, dressed, *skeleton);
     judgement.worn = check_worn(pattern, dressed, *skeleton, &body);
-    judgement.fit = measure_fit(pattern, dressed, body, *skeleton);
+    judgement.fit = measure_fit(pattern, dressed, body, *skeleton, judgement.worn.openings);
     // No seam was left open where it would shut the opening: a V neckline has two such edges, too.
     std::erase_if(judgement.slits, [&](const Slit& slit) {
       return std::ranges::any_of(judgement.worn.openings, [&](const Opening& opening) {
@@ -61,6 +80,10 @@ Judgement judge(const PanelMesh& pattern, const DressedGarment& dressed, const T
                std::ranges::find(opening.nodes, slit.node) != opening.nodes.end();
       });
     });
+    const auto pelvis = skeleton->joints.find("pelvis");
+    if (judgement.garment.seams.open == 0 && pelvis != skeleton->joints.end()) {
+      judgement.asymmetry = measure_asymmetry(pattern, dressed, pelvis->second.x());
+    }
   }
   const TriangleMesh cloth{dressed.points, dressed.triangles};
   judgement.body_intersections = static_cast<int>(intersections(cloth, body).size());

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cloth/judge/asymmetry.h"
 #include "cloth/judge/fit.h"
 #include "cloth/judge/measures.h"
 #include "cloth/judge/slits.h"
@@ -36,10 +37,12 @@ struct Judgement {
   std::vector<WrapMeasurement> wraps;
   WearFindings worn;
   std::vector<Slit> slits;
-  Fit fit;                      ///< apart from the verdict
-  int body_intersections = 0;   ///< pairs of a garment's and a body's triangle
-  int self_intersections = 0;   ///< pairs of the garment's triangles
-  int layer_intersections = 0;  ///< pairs of a garment's and a lower layer's triangle
+  std::optional<Asymmetry> asymmetry;  ///< none: the pattern is not symmetric, or no skeleton
+  std::vector<std::string> on_floor;   ///< names of panels that lie on the floor
+  Fit fit;                             ///< apart from the verdict
+  int body_intersections = 0;          ///< pairs of a garment's and a body's triangle
+  int self_intersections = 0;          ///< pairs of the garment's triangles
+  int layer_intersections = 0;         ///< pairs of a garment's and a lower layer's triangle
   Verdict verdict = Verdict::sewn;
 };
 
@@ -48,6 +51,8 @@ struct DressingEnd {
   bool converged = true;                    ///< by the static criterion
   std::optional<bool> stays = {};           ///< when let go; none: not asked for
   std::vector<TightSeam> tight_seams = {};  ///< closed against more than a hand's pull
+  /// Metres: cloth that is no higher lies on the floor; none: there is no floor.
+  std::optional<double> on_floor = {};
 };
 
 /// Measures the dressed garment against its pattern and the body, with exact predicates for

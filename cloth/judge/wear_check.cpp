@@ -8,6 +8,7 @@
 
 #include "cloth/judge/constants.h"
 #include "cloth/judge/hangs.h"
+#include "cloth/judge/place_on_body.h"
 #include "cloth/judge/sleeve_crown.h"
 #include "cloth/judge/two_sides.h"
 #include "cloth/judge/wraps.h"
@@ -30,11 +31,6 @@ constexpr LimbsThrough through_right_leg{false, false, false, true};
 
 /// Whether the opening lets an arm through: what has it hangs from the shoulders.
 bool has_arm(const Opening& opening) { return opening.limbs.left_arm || opening.limbs.right_arm; }
-
-std::string in_words(std::string part) {
-  std::ranges::replace(part, '_', ' ');
-  return part;
-}
 
 /// Panels and openings of one connected component of the garment, without layered panels.
 struct Component {
@@ -179,6 +175,7 @@ class WearCheck {
     const Vec3 middle = moment_of(component.panels).middle();
     const std::size_t found = findings_.unwrapped.size();
     if (middle.y() < 0) {
+      check_fallen(component);
       misplace("torso", place_on_body(middle, skeleton_), "on the body");
       return;
     }
@@ -186,7 +183,10 @@ class WearCheck {
     check_trousers(component);
     check_trunk(component);
     check_hangs(component);
-    if (findings_.misplaced || findings_.unwrapped.size() > found) return;
+    if (findings_.misplaced || findings_.unwrapped.size() > found) {
+      if (!findings_.slid) check_fallen(component);
+      return;
+    }
     check_empty_openings(component);
     check_facing(component);
   }
@@ -294,6 +294,7 @@ class WearCheck {
         return;
       }
       findings_.is_checked = true;
+      if (is_apron(component)) return;
       const bool is_sheet = component.openings.size() == 1;
       const double height = middle.y();
       const bool is_near = height > (is_top ? waist_ : min_sheet_share * crotch_) &&
@@ -322,16 +323,30 @@ class WearCheck {
   /// What hangs from waist, hips or chest is misplaced where its top edge left its level by more
   /// than the bound.
   void check_slid(const Opening& top, const std::string& belongs, bool is_top) {
-    const double level = is_top ? top.drafted : std::min(top.drafted, waist_);
-    Slid slid;
-    slid.down = level - top.middle.y();
+    const Slid slid = slid_of(top, is_top);
     if (findings_.slid && findings_.slid->down >= slid.down) return;
-    slid.length = top.length;
-    slid.error = height_error(garment_.edge_length);
-    if (slid.down > 0 && slid.is_far()) slid.hip = hip();
     findings_.slid = slid;
     if (slid.down <= max_slid) return;
     misplace("torso", place_on_body(top.middle, skeleton_) + ": it " + text_of(slid), belongs);
+  }
+  /// Cloth at the feet may have no edge around the trunk any more. It slid all the same: by what
+  /// the edge came down that was drafted to lie highest.
+  void check_fallen(const Component& component) {
+    if (std::ranges::any_of(component.openings, [](const Opening* o) { return has_arm(*o); })) {
+      return;
+    }
+    const auto top = std::ranges::max_element(component.openings, {}, &Opening::drafted);
+    if (top == component.openings.end()) return;
+    const Slid slid = slid_of(**top, has(component, PanelKind::top));
+    if (slid.down > max_slid) findings_.slid = slid;
+  }
+  Slid slid_of(const Opening& top, bool is_top) const {
+    Slid slid;
+    slid.down = (is_top ? top.drafted : std::min(top.drafted, waist_)) - top.middle.y();
+    slid.length = top.length;
+    slid.error = height_error(garment_.edge_length);
+    if (slid.down > 0 && slid.is_far()) slid.hip = hip();
+    return slid;
   }
   /// Metres: the body's largest girth between crotch and waist; 0 without a body.
   double hip() const {
@@ -356,7 +371,18 @@ class WearCheck {
   void check_skirt(const Component& component) {
     const std::vector<int> panels = panels_of(component, PanelKind::skirt);
     if (panels.empty() || goes_around(panels, "torso", through_hem)) return;
-    fail("torso", moment_of(panels).middle(), "waist or hips");
+    if (!is_apron(component)) fail("torso", moment_of(panels).middle(), "waist or hips");
+  }
+
+  /// Whether a garment covers one side of the trunk, as an apron does. No arm passes through an
+  /// opening of its own. Its edges lie where they were drafted to, so something holds them there.
+  bool is_apron(const Component& component) const {
+    for (const Opening* opening : component.openings) {
+      if (opening->limbs.left_arm != opening->limbs.right_arm) return false;
+      if (std::abs(opening->drafted - opening->middle.y()) > max_slid) return false;
+    }
+    const std::vector<int> panels(component.panels.begin(), component.panels.end());
+    return share_around(panels, "torso") >= open_front_share;
   }
 
   /// Whether a garment that hangs from both shoulders is open by its seams, in front or at the
@@ -379,7 +405,7 @@ class WearCheck {
       find_bare_level(component);
       return;
     }
-    if (is_open_by_its_seams(panels)) return;
+    if (is_open_by_its_seams(panels) || is_apron(component)) return;
     if (goes_around(panels, "torso", through_hem)) return;
     fail("torso", moment_of(panels).middle(), "chest or shoulders");
   }
@@ -522,29 +548,6 @@ std::string text_of(const Slid& slid) {
   if (slid.down > 0) text += ": its top edge is cut " + centimetres(slid.length, 0) + " long";
   if (slid.hip > 0) text += ", the hips are " + centimetres(slid.hip, 0);
   return text;
-}
-
-std::string place_on_body(const Vec3& point, const Skeleton& skeleton) {
-  const double height = point.y();
-  if (height < 0) return "below the floor by " + centimetres(-height, 0);
-  const std::string part = part_near(skeleton, point);
-  std::string name = in_words(part);
-  const double waist = skeleton.joint("waist").y();
-  if (part == "torso") {
-    const double crotch = skeleton.joint("pelvis").y();
-    const double armpit = skeleton.joint("chest").y();
-    name = height < crotch                   ? "thighs"
-           : height < 0.5 * (crotch + waist) ? "hips"
-           : height < 0.5 * (waist + armpit) ? "waist"
-           : height < armpit                 ? "chest"
-                                             : "shoulders";
-  } else if (part.ends_with("_leg")) {
-    name = height < skeleton.joint("left_knee").y() ? "shins"
-           : height < skeleton.joint("pelvis").y()  ? "thighs"
-                                                    : "hips";
-  }
-  if (Bones(skeleton, part).distance(point) > beside_body) name = "beside the body";
-  return name + ", " + centimetres(height, 0) + " above the floor";
 }
 
 WearFindings check_worn(const PanelMesh& garment, const DressedGarment& dressed,

@@ -64,7 +64,8 @@ struct WearFindings {
 /// - What hangs from waist, hips or chest came down by 8 cm at most (Slid).
 /// - Sleeves, skirts and tops that are not closed around their part meet 85 % of the directions.
 ///   A wrap skirt does. A shirt that lacks a quarter does not. What is open in front
-///   or at the back by its seams meets half of them: each arm has an opening of its own there.
+///   or at the back by its seams meets half of them: each arm has an opening of its own there. So
+///   does an apron, which no arm passes through, where it lies as it was drafted to.
 /// - Of the cloth without sleeves, 5 % at most hang upside down in folds (hangs.h).
 /// - Any other component: no two openings of 15 cm or more may have nothing in them. An opening
 ///   around both legs may not be its highest one and lie below the crotch.
@@ -76,8 +77,5 @@ struct WearFindings {
 /// that slid down; null: they are not. About O(n log n) in the triangles.
 WearFindings check_worn(const PanelMesh& garment, const DressedGarment& dressed,
                         const Skeleton& skeleton, const TriangleMesh* body = nullptr);
-
-/// Where on the body a point is, such as "shins, 25 cm above the floor".
-std::string place_on_body(const Vec3& point, const Skeleton& skeleton);
 
 }  // namespace toile

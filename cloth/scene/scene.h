@@ -38,6 +38,9 @@ struct Scene {
   /// put on as the body is. It needs a skeleton.
   const StandingBody* standing = nullptr;
   BodyContactTerm body_contact = BodyContactTerm::faces;
+  /// Metres: the height of a floor that bears what is worn; none: there is no floor. It keeps the
+  /// cloth's nodes off as the body does, so it needs a body.
+  std::optional<double> floor;
   double body_offset = 0.002;  ///< metres: least distance of skin and cloth's middle
   bool self_contact = true;
   double self_gap = 0.002;  ///< metres: least distance of the middles of two layers of cloth

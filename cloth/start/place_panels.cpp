@@ -57,11 +57,7 @@ PlacedPanels place_panels(const TriangleMesh& body, const Skeleton* skeleton,
     placed.places = find_places(body, *skeleton, asked, garment);
     placed.reason = asked.empty() ? "the pattern places no panel on the body"
                                   : "panels are placed as --place asks";
-    if (std::ranges::any_of(placed.places, &FoundPlace::upside_down)) {
-      placed.reason +=
-          ", and their drawing looks upside down, for the neckline is far wider than the hem: turn "
-          "it by half a turn if it is";
-    }
+    placed.is_upside_down = std::ranges::any_of(placed.places, &FoundPlace::upside_down);
     return placed;
   }
   placed.moved = locate_layout(garment, *skeleton);

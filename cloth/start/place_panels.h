@@ -15,6 +15,7 @@ struct PlacedPanels {
   std::optional<LayoutMove> moved;  ///< of all panels as one piece
   std::vector<FoundPlace> places;   ///< of each panel, where it was found; empty: they were not
   std::string reason;               ///< why places were found, in words
+  bool is_upside_down = false;      ///< their drawing looks so, see WornLayout::is_upside_down()
 };
 
 /// Places the panels of `garment`. Panels without places, or that are `asked` for, get them from

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+
 namespace toile {
 namespace panel_kind_test {
 
@@ -69,6 +72,48 @@ TEST(PanelKind, SidesAndFaces) {
   EXPECT_EQ(face_by_name("right_btorso"), -1);
   EXPECT_EQ(face_by_name("pant_f_r"), 1);
   EXPECT_EQ(face_by_name("left_sleeve"), 0);
+}
+
+std::string against(const std::string& name, const std::string& part,
+                    const std::string& label = "") {
+  MeshedPanel panel;
+  panel.name = name;
+  panel.part = part;
+  panel.label = label;
+  return against_part(panel);
+}
+
+TEST(PanelKind, NameAndPartAgree) {
+  for (const auto& [name, part] :
+       {std::pair("left_sleeve", "left_arm"), std::pair("skirt_front", "torso"),
+        std::pair("trousers_front", "torso"), std::pair("right_trousers", "right_leg"),
+        std::pair("hood", "head"), std::pair("collar", "torso"), std::pair("panel_7", "head"),
+        std::pair("front_left", "torso"), std::pair("skirt_front", "")}) {
+    EXPECT_EQ(against(name, part), "") << name;
+  }
+}
+
+TEST(PanelKind, ASkirtIsNoPieceOfTheHead) {
+  EXPECT_EQ(against("skirt_front", "head"), "its name says a skirt");
+  EXPECT_EQ(against("sleeve", "torso"), "its name says a sleeve");
+  EXPECT_EQ(against("bodice", "left_leg"), "its name says a top");
+}
+
+TEST(PanelKind, ARightSleeveIsNotForTheLeftArm) {
+  EXPECT_EQ(against("right_sleeve", "left_arm"), "its name says right");
+}
+
+TEST(PanelKind, ALabelCountsBeforeTheName) {
+  EXPECT_EQ(against("skirt", "torso", "arm"), "its label is 'arm'");
+  EXPECT_EQ(against("skirt", "torso", "leg"), "");
+}
+
+TEST(PanelKind, APartThatWasFoundIsNoWitness) {
+  MeshedPanel panel;
+  panel.name = "right_sleeve";
+  panel.part = "left_arm";
+  panel.part_source = PartSource::found;
+  EXPECT_EQ(against_part(panel), "");
 }
 
 }  // namespace panel_kind_test

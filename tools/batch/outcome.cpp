@@ -71,9 +71,9 @@ std::pair<std::string, std::string> reason_of(const Json& report, const std::str
   }
   if (verdict == "misplaced") {
     const Json& misplaced = report.at("misplaced");
-    return {"not worn where it belongs: " + misplaced.at("part").get<std::string>(),
-            "belongs to: " + misplaced.at("should_be").get<std::string>() +
-                "; lies at: " + misplaced.at("at").get<std::string>()};
+    return {"not worn as it should be: " + misplaced.at("part").get<std::string>(),
+            "wanted: " + misplaced.at("should_be").get<std::string>() +
+                "; found: " + misplaced.at("at").get<std::string>()};
   }
   if (verdict == "unwrapped") {
     const std::string parts = joined(report.at("unwrapped"));

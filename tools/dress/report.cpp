@@ -316,6 +316,7 @@ Json verdict_json(const DressResult& result, const Judgement& judgement) {
     json["tight_regions"] = tight_regions_json(*result.tight_regions);
     json["tight_specks"] = result.tight_regions->specks;
   }
+  if (judgement.asymmetry) json["asymmetry_cm"] = 100 * judgement.asymmetry->largest;
   const WearFindings& worn = judgement.worn;
   json["worn"] = worn.is_checked ? "checked" : "not_checked";
   if (worn.misplaced) {

@@ -102,6 +102,7 @@ Outfit DressRun::read_outfit() {
     if (layer.earlier) outfit.layers.back().earlier = read_dressed(*layer.earlier);
   }
   outfit.gravity = settings_.gravity;
+  outfit.has_floor = settings_.has_floor && settings_.method.name != "paper";
   outfit.strain_limit = settings_.strain_limit;
   outfit.shear_limit = settings_.shear_limit;
   outfit.certify = settings_.certify_frames;

@@ -25,6 +25,8 @@ constexpr double suspicious_strain = 0.1;
 /// widest has 1.17 at its nearest level; the T-shirt cut at 1.4 has 1.50. Half of what is beyond 1
 /// would name none of the 19, double would miss the T-shirt [measured, 25 mm].
 constexpr double too_wide_factor = 1.35;
+/// Metres between a panel and its mirror image, on average, from which on it hangs crooked.
+constexpr double asymmetric = 0.02;
 /// Metres of border: a smaller hole than this is meant to be one.
 constexpr double worth_an_opening = 0.05;
 /// Metres, on average: an attachment that stands farther off was not held.
@@ -93,12 +95,22 @@ void warn_of_fit(const Judgement& judgement, DressLog& log) {
   if (fit.nearest && fit.nearest->as_cut > too_wide_factor * fit.nearest->body) {
     log.warn({"too_wide", fit.nearest->level,
               "too wide: it is nowhere nearer to the trunk than at the " + fit.nearest->level +
-                  ", cut " + centimetres(fit.nearest->as_cut, 1) + " around " +
-                  centimetres(fit.nearest->body, 1)});
+                  ", cut " + centimetres(fit.nearest->as_cut, 1) + " for " +
+                  centimetres(fit.nearest->body, 1) + " where it was drafted to lie"});
   }
   if (const std::optional<Slid>& slid = judgement.worn.slid; slid && slid->is_far()) {
     log.warn({slid->down > 0 ? "slid_down" : "rode_up", "torso", "the garment " + text_of(*slid)});
   }
+}
+
+/// "panel 'left_sleeve' lies 4.6 cm lower than its mirror image 'right_sleeve', ..."
+std::string text_of(const Asymmetry& asymmetry) {
+  const bool is_lower = asymmetry.height > asymmetry.across;
+  return "panel '" + asymmetry.panel + "' lies " + centimetres(asymmetry.crooked(), 1) +
+         (is_lower ? " lower" : " farther out") + ", on average, than " +
+         (asymmetry.panel == asymmetry.mirror ? "its own mirror image"
+                                              : "its mirror image '" + asymmetry.mirror + "'") +
+         ", though the pattern is symmetric: it hangs crooked, or the body is not symmetric";
 }
 
 /// Why the verdict is what it is, where that takes a name.
@@ -185,11 +197,18 @@ void warn_of_verdict(const DressResult& result, const Judgement& judgement, Dres
              "' hangs the other way up than the pattern places it: turn it about, or check the "
              "direction of its stitches"});
   }
+  if (judgement.asymmetry && judgement.asymmetry->crooked() > asymmetric) {
+    log.warn({"asymmetric", judgement.asymmetry->panel, text_of(*judgement.asymmetry)});
+  }
+  for (const std::string& panel : judgement.on_floor) {
+    log.warn({"hem_on_floor", panel,
+              "panel '" + panel + "' lies on the floor: it is too long, or it slid down"});
+  }
   if (worn.misplaced) {
     log.warn({"misplaced", worn.misplaced->part,
-              "the garment is not worn where it belongs (" + worn.misplaced->should_be +
-                  "), but lies elsewhere: " + worn.misplaced->at +
-                  "; check where its panels start"});
+              "the garment is not worn where it belongs, or not as it should be; wanted: " +
+                  worn.misplaced->should_be + "; found: " + worn.misplaced->at +
+                  "; check where its panels start, and what they are sewn to"});
   }
   for (const std::string& part : worn.unwrapped) {
     log.warn({"unwrapped", part,

@@ -132,6 +132,9 @@ void add_drape_options(po::options_description& options) {
       "all others are found anew, whatever places the pattern states; may be repeated")(
       "gravity", value<string>(),
       "x,y,z in m/s²; default: the scene's, or 0,-9.81,0; write --gravity=-9.81,0,0");
+  options.add_options()(
+      "no-floor",
+      "let cloth hang through the floor that the body stands on; the paper's method has no floor");
   add_fabric_option(options);
   add_method_options(options);
 }
@@ -193,6 +196,7 @@ void read_drape_settings(const po::variables_map& given, DressSettings& settings
     settings.standing = given["from"].as<std::string>();
     settings.needs_skeleton = true;
   }
+  settings.has_floor = given.count("no-floor") == 0;
   if (given.count("gravity")) settings.gravity = parse_gravity(given["gravity"].as<std::string>());
   settings.strain_limit = read_strain_limit(given);
   settings.shear_limit = read_shear_limit(given);

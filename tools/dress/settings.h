@@ -48,6 +48,7 @@ struct DressSettings {
   std::optional<double> strain_limit;
   std::optional<double> shear_limit;
   Vec3 gravity = Scene().gravity;
+  bool has_floor = true;
   std::vector<Warning> earlier_warnings;  ///< of body and garment, said already
   DressMethod method;
 };

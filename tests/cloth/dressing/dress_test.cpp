@@ -101,6 +101,27 @@ TEST(Dress, TheSeamsOfATubeCutTooSmallAreTight) {
   EXPECT_TRUE(tight_on_a_tube(0.58).empty());  // 10 % of stretch are worn
 }
 
+/// A sheet beside the body, 3 cm above the floor.
+std::vector<Vec3> fallen_sheet(bool has_floor) {
+  const Collider body{test::box({-0.1, 0, -0.1}, {0.1, 0.5, 0.1})};
+  PanelMesh garment = test::flat_panel(test::grid(0.1, 0.1, 4, 4));
+  for (Vec3& p : garment.placed) p = Vec3(0.5 + p.x(), 0.03, p.y());
+  Scene scene;
+  scene.collider = &body;
+  if (has_floor) scene.floor = 0;
+  DressOptions options;
+  options.max_iterations = 2000;
+  return dress(garment, scene, options).nodes;
+}
+
+TEST(Dress, WhatFallsLiesOnTheFloor) {
+  for (const Vec3& p : fallen_sheet(true)) {
+    EXPECT_GT(p.y(), 0.001);
+    EXPECT_LT(p.y(), 0.006);
+  }
+  for (const Vec3& p : fallen_sheet(false)) EXPECT_LT(p.y(), -0.01);
+}
+
 /// A strip of 10 cm is held upright by its lower end. It is more than twice as long as it can
 /// stand, 3.8 cm [Greenhill 1881: (7.84 B / w)^(1/3)], but nothing says which side it falls to.
 TEST(Dress, LeavesASaddleThatReleaseFinds) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "cloth/judge/place_on_body.h"
 #include "tests/cloth/figure.h"
 
 namespace toile {
@@ -307,6 +308,83 @@ TEST(WearCheck, AGarmentTurnedAboutTheVertical) {
   ASSERT_TRUE(turned(pi / 2).misplaced);
   EXPECT_EQ(turned(pi / 2).misplaced->at, "turned about the vertical by 90 degrees");
   EXPECT_TRUE(turned(pi).misplaced);
+}
+
+/// Adds a panel that covers a share of the directions around the trunk, its middle in front.
+MeshedPanel& add_front(PanelMesh& garment, const std::string& name, double low, double high,
+                       double share) {
+  const double radius = 0.25;
+  const double width = share * 2 * pi * radius;
+  return test::add_panel(garment, name, test::grid(width, high - low, 24, 8), [&](const Vec2& p) {
+    const double angle = (p.x() - width / 2) / radius;
+    return Vec3(radius * std::sin(angle), low + p.y(), radius * std::cos(angle));
+  });
+}
+
+/// A skirt's front, and a waistband on it that does not reach around the body either.
+PanelMesh apron(double share) {
+  PanelMesh garment;
+  const MeshedPanel skirt = add_front(garment, "apron_skirt", 0.5, 0.96, share);
+  const MeshedPanel band = add_front(garment, "waistband", 0.96, 1.0, share);
+  std::vector<int> top;
+  std::vector<int> bottom;
+  for (int column = 0; column <= 24; ++column) {
+    top.push_back(skirt.first_point + 8 * 25 + column);
+    bottom.push_back(band.first_point + column);
+  }
+  garment.seams.push_back(test::seam("waist", top, bottom));
+  return garment;
+}
+
+TEST(WearCheck, AnApronCoversOneSideOfTheBody) {
+  const PanelMesh worn = apron(0.6);
+  const WearFindings findings = check(worn);
+  EXPECT_TRUE(findings.is_checked);
+  EXPECT_FALSE(findings.misplaced);
+  EXPECT_TRUE(findings.unwrapped.empty());
+  EXPECT_EQ(check(apron(0.4)).unwrapped, std::vector<std::string>{"torso"});
+}
+
+TEST(WearCheck, AnApronThatSlidDownIsNotWorn) {
+  const PanelMesh garment = apron(0.6);
+  std::vector<Vec3> points = garment.placed;
+  for (Vec3& p : points) p.y() -= 0.2;
+  const WearFindings findings = check_worn(garment, test::as_dressed(garment, points), figure());
+  EXPECT_TRUE(findings.misplaced || !findings.unwrapped.empty());
+  ASSERT_TRUE(findings.slid);
+  EXPECT_NEAR(findings.slid->down, 0.2, 1e-9);
+}
+
+/// A bib that a strap around the neck holds.
+TEST(WearCheck, ABibApronHangsFromTheNeck) {
+  PanelMesh garment;
+  const MeshedPanel bib = add_front(garment, "apron", 0.6, 1.2, 0.6);
+  // The strap runs from the bib's left upper corner around the neck to the right one.
+  const MeshedPanel strap =
+      test::add_panel(garment, "strap", test::grid(1, 0.1, 24, 1), [](const Vec2& p) {
+        const double angle = 2 * pi * 0.3 + p.x() * 2 * pi * 0.4;
+        const double up = std::sin(pi * p.x()) * 0.35;
+        return Vec3(0.25 * std::sin(angle), 1.1 + p.y() + up, 0.25 * std::cos(angle));
+      });
+  garment.seams = {
+      test::seam("left", {bib.first_point + 7 * 25 + 24, bib.first_point + 8 * 25 + 24},
+                 {strap.first_point, strap.first_point + 25}),
+      test::seam("right", {bib.first_point + 7 * 25, bib.first_point + 8 * 25},
+                 {strap.first_point + 24, strap.first_point + 25 + 24})};
+  const WearFindings findings = check(garment);
+  EXPECT_TRUE(findings.is_checked);
+  EXPECT_FALSE(findings.misplaced) << findings.misplaced->at;
+  EXPECT_TRUE(findings.unwrapped.empty());
+}
+
+TEST(WearCheck, WhatLiesAtTheFeetHasSlid) {
+  const PanelMesh garment = apron(1);
+  std::vector<Vec3> points = garment.placed;
+  for (Vec3& p : points) p = Vec3(p.x() + 0.6, 0.1 * p.y(), p.z());
+  const WearFindings findings = check_worn(garment, test::as_dressed(garment, points), figure());
+  EXPECT_TRUE(findings.misplaced || !findings.unwrapped.empty());
+  ASSERT_TRUE(findings.slid);
+  EXPECT_GT(findings.slid->down, 0.5);
 }
 
 TEST(WearCheck, WithoutAllJointsNothingIsChecked) {
