@@ -39,7 +39,8 @@ std::vector<OutlineStep> closed_loop(const std::string& place,
   for (const auto& [vertex, meeting] : at_vertex) {
     if (meeting.size() == 2) continue;
     throw Error(place + ", edge " + std::to_string(meeting.front()),
-                std::to_string(meeting.size()) + " edges meet at vertex " + std::to_string(vertex),
+                "edges at vertex " + std::to_string(vertex) + ": " +
+                    std::to_string(meeting.size()) + ", not 2",
                 "an outline is one closed loop, two edges at each of its vertices");
   }
   std::vector<OutlineStep> steps;
@@ -70,7 +71,9 @@ Vec2 read_control(const JsonValue& value, const Vec2& start, const Vec2& end,
   const Vec2 relative = read_pair(value);
   const Vec2 run = end - start;
   Vec2 point = start + relative.x() * run + relative.y() * Vec2(-run.y(), run.x());
-  if (!(point.cwiseAbs().maxCoeff() <= max_metres)) value.fail("lies more than a kilometre away");
+  if (!(point.cwiseAbs().maxCoeff() <= max_metres)) {
+    value.fail("lies more than a kilometre away", "correct the curve's points");
+  }
   return point;
 }
 
@@ -159,7 +162,7 @@ void note_unread(const JsonValue& value, const std::vector<std::string>& known,
 void refuse_more(const JsonValue& list, std::size_t count, int max, const std::string& what) {
   if (count <= static_cast<std::size_t>(max)) return;
   list.fail("has " + std::to_string(count) + " " + what + ", more than " + std::to_string(max),
-            "is it really a garment? join short edges to curves");
+            "is it really a garment? split the file, or join short edges to curves");
 }
 
 PanelEdges read_edges(const JsonValue& list, const std::vector<Vec2>& vertices,

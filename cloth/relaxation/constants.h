@@ -163,7 +163,7 @@ inline constexpr double max_approach_bound = 0.004;
 inline constexpr double edge_contact_radius = 0.02;
 
 /// Share of the offset from the body. An edge whose sagitta over the tightest curve uses more of it
-/// touches the body with its middle.
+/// touches the body with its middle. It counts by its product with edge_contact_radius alone.
 inline constexpr double max_sagitta_share = 0.7;
 
 /// Metres between two places of an edge at which the body holds it off while seams close. The way

@@ -184,7 +184,7 @@ TEST(PatternFile, NamesPanelAndEdgeOfWhatIsWrong) {
                "panel 'p', edge 1: names vertex 7, but the panel has 3");
   EXPECT_HOLDS(parse_error(file(R"("p": {"vertices": [[0,0],[1,0],[1,1]], "edges":
                  [{"endpoints":[0,1]},{"endpoints":[1,2]}]})")),
-               "panel 'p', edge 0: 1 edges meet at vertex 0");
+               "panel 'p', edge 0: edges at vertex 0: 1, not 2");
   EXPECT_HOLDS(parse_error(file(R"("p": {"vertices": [[0,0],[1,0],[1,1]], "edges":
                  [{"endpoints":[0,1]},{"endpoints":[1,1]},{"endpoints":[1,0]}]})")),
                "edge 1: starts and ends at the same vertex");

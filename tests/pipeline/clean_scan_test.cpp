@@ -61,6 +61,10 @@ class CleanScan : public testing::Test {
 
 Mannequin* CleanScan::body = nullptr;
 
+// Suites of their own run beside the others.
+using CleanScanAgain = CleanScan;
+using CleanScanFloor = CleanScan;
+
 TEST_F(CleanScan, TwoFilesWithPosesBecomeABodyWithJoints) {
   // The scanner counts in millimetres, z up. Its second file is in a frame of its own.
   std::vector<Vec3> first, second;
@@ -109,7 +113,7 @@ TEST_F(CleanScan, TwoFilesWithPosesBecomeABodyWithJoints) {
   }
 }
 
-TEST_F(CleanScan, GirthsRepeat) {
+TEST_F(CleanScanAgain, GirthsRepeat) {
   const std::vector<std::string> names = {"bust", "underbust", "waist", "abdomen", "hip", "neck"};
   std::map<std::string, std::vector<double>> girths;
   for (const unsigned seed : {1u, 2u, 3u}) {
@@ -136,7 +140,7 @@ double bust_of(const TriangleMesh& mesh) {
   return bust != nullptr && bust->value ? *bust->value : 0;
 }
 
-TEST_F(CleanScan, ASlopingFloorIsLevelled) {
+TEST_F(CleanScanFloor, ASlopingFloorIsLevelled) {
   const double truth = bust_of(body->surface);
   for (const double degrees : {5.0, 15.0}) {
     const Eigen::AngleAxisd turn(degrees * std::numbers::pi / 180, Vec3(1, 0, 0.7).normalized());
@@ -166,7 +170,7 @@ TEST_F(CleanScan, ASlopingFloorIsLevelled) {
   }
 }
 
-TEST_F(CleanScan, ABodyThatLiesOnAFloorIsWarnedOf) {
+TEST_F(CleanScanFloor, ABodyThatLiesOnAFloorIsWarnedOf) {
   // On its back, on a floor of 1.4 m by 2.3 m, seen from above.
   TriangleMesh lying = body->surface;
   double low = 1;
@@ -193,7 +197,7 @@ TEST_F(CleanScan, ABodyThatLiesOnAFloorIsWarnedOf) {
   EXPECT_TRUE(says(ended, "warning: the body lies on a floor")) << ended.err;
 }
 
-TEST_F(CleanScan, TheSameBitsForAnyNumberOfThreads) {
+TEST_F(CleanScanAgain, TheSameBitsForAnyNumberOfThreads) {
   write_text(folder / "scan.xyz", table_of(scanned(1)));
   for (const char* threads : {"1", "2"}) {
     ASSERT_EQ(run("clean-body", {folder / "scan.xyz", "-q", "--threads", threads, "--edge-length",
