@@ -159,7 +159,10 @@ Sewn sew(const PanelMesh& mesh, int depth, const Scene& scene, double resting_of
         compiled_level(mesh, depth, closing_scene(scene), sewn.placement.placed, resting_offset);
   }
   int attempt = journal.attempt();
+  bool crosses = false;
   for (const Closing& closing : closing_attempts) {
+    // Stiffer cloth helps where it came out tangled, larger cloth where it crosses the body.
+    if (closing.size > 1 ? !crosses : sewn.is_clear) continue;
     journal.begin_attempt(attempt++);
     if (raise) journal.show_through([&](const Vec3& p) { return raise->lowered(p); });
     const Level large = enlarged(sewn.level, closing.size);
@@ -179,8 +182,8 @@ Sewn sew(const PanelMesh& mesh, int depth, const Scene& scene, double resting_of
     if (staged.report.converged) staged = shrink(worn, std::move(staged), closing, journal);
     sewn.is_clear = staged.report.converged;
     sewn.state = std::move(staged.state);
-    const bool is_sewn = sewn.is_clear && !crosses_body(worn, sewn.state);
-    if (is_sewn || sewn.level.model.nodes > max_resewn_nodes) break;
+    crosses = crosses_body(worn, sewn.state);
+    if (sewn.level.model.nodes > max_resewn_nodes) break;
   }
   if (raised && scene.raised_distances != nullptr) scene.raised_distances->keep(raised->collider);
   if (raise) sewn.level = std::move(standing);
