@@ -98,6 +98,12 @@ inline constexpr std::array<double, 3> soft_compression = {0.02, 0.05, 0.01};
 /// many.
 inline constexpr int settling_iterations = 2000;
 
+/// Steps in which the floor rises under cloth that hangs below it, and iterations of each. Of a
+/// narrow skirt 8.5 cm too long, a corner is left 5 mm below the floor. With 17 steps 24 mm are,
+/// and with one 47 mm [measured, 15 mm edges].
+inline constexpr int lifting_steps = 8;
+inline constexpr int lifting_iterations = 100;
+
 /// Metres of fall without friction, on average, from which on cloth falls again with friction. A
 /// soft waist slides off the hips that would hold it. Of ten garments in three fabrics, those that
 /// stay fall 0.04 m at most. Those that slide fall 0.1 and 0.2 m, and with friction 0.01 m

@@ -67,6 +67,7 @@ SettledGarment sew_and_settle(const PanelMesh& garment, const Scene& scene, doub
   Sewn sewn = sew(coarsest, depth, scene, resting_offset, journal);
   settled.placement = std::move(sewn.placement);
   settled.level = compiled_level(coarsest, depth, scene, settled.placement.placed, resting_offset);
+  sewn.state = lifted(settled.level, std::move(sewn.state), sewn.is_clear, journal);
   settled.state =
       first_settled(settled.level, sewn.state, sewn.is_clear, settled.friction, journal);
   settled.is_clear = sewn.is_clear || is_clear_of_itself(settled.level, settled.state);

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "cloth/dressing/constants.h"
@@ -211,6 +212,27 @@ Staged settle(const Level& level, State state, bool bounded, bool friction, Jour
   stop_when_settled(options);
   return run("settle", level, level.model, std::move(state), options, progress_when_settled(level),
              journal);
+}
+
+State lifted(const Level& level, State state, bool bounded, Journal& journal) {
+  const std::optional<double> floor = level.model.scene.floor;
+  if (!floor) return state;
+  double low = *floor;
+  for (const Vec3& p : state.nodes) low = std::min(low, p.y());
+  if (low == *floor) return state;
+  RelaxOptions options = level_options(level);
+  options.compression = compression_of(level);
+  options.friction = false;
+  options.bounded = bounded;
+  options.max_iterations = lifting_iterations;
+  Level rising = level;
+  for (int i = 1; i < lifting_steps; ++i) {
+    rising.model.scene.floor = low + (*floor - low) * i / lifting_steps;
+    state =
+        run("settle", rising, rising.model, std::move(state), options, journal.progress(), journal)
+            .state;
+  }
+  return state;
 }
 
 Staged follow(const Level& level, State state, bool bounded, bool friction, Journal& journal) {

@@ -55,6 +55,10 @@ Staged untangle_worn(const Level& level, State state, Journal& journal);
 /// `bounded`: the cloth is clear of itself, and stays so. Without `friction` it finds its way down.
 Staged settle(const Level& level, State state, bool bounded, bool friction, Journal& journal);
 
+/// Lets the floor rise to its height under cloth that hangs below it, as hems that are too long do
+/// once their seams are closed. Pushed up at once, they would be pressed under the soles.
+State lifted(const Level& level, State state, bool bounded, Journal& journal);
+
 /// `follow`: lets the cloth give way to a body that has moved a little, and fall. The same options
 /// as settle()'s. It ends after following_iterations, not at rest.
 Staged follow(const Level& level, State state, bool bounded, bool friction, Journal& journal);
