@@ -171,10 +171,26 @@ class WearCheck {
     }
   }
 
+  /// Whether it lies at the floor, and all of it below all of where it was drafted to lie.
+  bool has_fallen(const Component& component) const {
+    double lowest = std::numeric_limits<double>::infinity();
+    double highest = -std::numeric_limits<double>::infinity();
+    double lowest_drafted = std::numeric_limits<double>::infinity();
+    for (std::size_t t = 0; t < dressed_.triangles.size(); ++t) {
+      if (!component.panels.contains(dressed_.panel_of_triangle[t])) continue;
+      for (const int node : dressed_.triangles[t]) {
+        lowest = std::min(lowest, nodes_[node].y());
+        highest = std::max(highest, nodes_[node].y());
+        lowest_drafted = std::min(lowest_drafted, placed_[node].y());
+      }
+    }
+    return lowest < max_slid && highest < lowest_drafted;
+  }
+
   void check(const Component& component) {
     const Vec3 middle = moment_of(component.panels).middle();
     const std::size_t found = findings_.unwrapped.size();
-    if (middle.y() < 0) {
+    if (middle.y() < 0 || has_fallen(component)) {
       check_fallen(component);
       misplace("torso", place_on_body(middle, skeleton_), "on the body");
       return;
