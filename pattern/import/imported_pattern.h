@@ -36,7 +36,8 @@ struct ImportedPanel {
   std::string fabric;  ///< one that dress knows by name; empty: the garment's
   int quantity = 1;
   double area = 0;            ///< square metres
-  Vec2 moved = Vec2::Zero();  ///< metres from where the drawing has it
+  double turned = 0;          ///< radians, counter-clockwise about the drawing's origin
+  Vec2 moved = Vec2::Zero();  ///< metres, after the turn, from where the drawing has it
 };
 
 /// All panels, and what was remarked on the way.
@@ -52,9 +53,9 @@ struct ImportedPattern {
 /// Options name a piece as its panel is named without `unfold`, `names` and `pairs`. A pair of the
 /// drawing is named without left_ and right_. Remarks name the pieces that look like halves.
 ///
-/// Panels stay where the drawing has them, unless the boxes of two overlap. Then all are laid out
-/// side by side, upright as drawn. Remarks of the drawing and what it ignored are added to
-/// `remarks`.
+/// Panels are turned as upright_turns() says, each with its own marks. They stay where that puts
+/// them, unless the boxes of two overlap. Then all are laid out side by side. Remarks of the
+/// drawing and what it ignored are added to `remarks`.
 ///
 /// Throws Error, naming the piece, as shape_of(), unfolded_shape() and without_allowance() do. It
 /// throws it for sizes and pieces that are not there, and for those that cannot be unfolded. It

@@ -1,5 +1,6 @@
 #include "pattern/import/piece_shape.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -61,7 +62,9 @@ void change_points(PieceShape& shape, const Change& change) {
   for (auto& line : shape.internal_lines) all(line);
   for (auto& loop : shape.cut_outs) all(loop);
   all(shape.drill_holes);
-  if (shape.grain) shape.grain = PieceLine{change(shape.grain->from), change(shape.grain->to)};
+  for (auto* line : {&shape.grain, &shape.fold}) {
+    if (*line) *line = PieceLine{change((*line)->from), change((*line)->to)};
+  }
 }
 
 /// The line on which a piece is folded.
@@ -216,7 +219,16 @@ PieceShape shape_of(const Piece& piece, const std::string& place, double toleran
   }
   shape.drill_holes = piece.drill_holes;
   shape.grain = piece.grain;
+  shape.fold = piece.fold;
   return shape;
+}
+
+PieceShape turned_shape(const PieceShape& shape, double angle) {
+  PieceShape turned = shape;
+  if (angle == 0) return turned;
+  const Eigen::Rotation2Dd turn(angle);
+  change_points(turned, [&](const Vec2& point) -> Vec2 { return turn * point; });
+  return turned;
 }
 
 PieceShape mirrored_shape(const PieceShape& shape) {

@@ -18,6 +18,7 @@ struct PieceShape {
   std::vector<std::vector<Vec2>> cut_outs;  ///< closed, the first point not repeated
   std::vector<Vec2> drill_holes;
   std::optional<PieceLine> grain;
+  std::optional<PieceLine> fold;  ///< where it is a half
 };
 
 /// The shape of a piece. Its chords leave the piece's curves by at most `tolerance` metres.
@@ -25,6 +26,10 @@ struct PieceShape {
 /// Throws Error with the place `place` for an outline without area, and for one that crosses or
 /// touches itself.
 PieceShape shape_of(const Piece& piece, const std::string& place, double tolerance);
+
+/// The shape turned about the origin by `angle` radians, counter-clockwise. An angle of 0 changes
+/// nothing.
+PieceShape turned_shape(const PieceShape& shape, double angle);
 
 /// The shape as seen from behind: mirrored left to right.
 PieceShape mirrored_shape(const PieceShape& shape);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -63,16 +64,15 @@ double farthest_from(const std::vector<Vec2>& points, const std::vector<Vec2>& l
 const std::string square = dxf_polyline("1", rectangle(0, 0, 300, 400));
 
 TEST(ImportedPattern, ASquareIsFourStraightEdges) {
-  const Imported result = import_text(dxf_file(
-      dxf_block("FRONT", square + dxf_segment("7", {10, 10}, {20, 10 + 10 * std::sqrt(3.0)})), ""));
+  const Imported result =
+      import_text(dxf_file(dxf_block("FRONT", square + dxf_segment("7", {10, 10}, {10, 60})), ""));
   ASSERT_EQ(result.read.panels.size(), 1u);
   const PatternPanel& panel = result.read.panels[0];
   EXPECT_EQ(panel.name, "FRONT");
   ASSERT_EQ(panel.edges.size(), 4u);
   for (const PatternEdge& edge : panel.edges) EXPECT_TRUE(edge.curve.straight());
   EXPECT_NEAR(signed_area(outline_of(panel)), 0.12, 1e-9);
-  // The line stands at 60 degrees: 30 clockwise from upright.
-  EXPECT_NEAR(panel.grain, -std::numbers::pi / 6, 1e-6);
+  EXPECT_NEAR(panel.grain, 0, 1e-6);
 }
 
 TEST(ImportedPattern, NotchesCutEdgesAndAreKept) {
@@ -152,8 +152,9 @@ TEST(ImportedPattern, APairIsLeftAndRight) {
   EXPECT_EQ(right.name, "right_SLEEVE");
   EXPECT_EQ(left.quantity, 1);
   EXPECT_NEAR(signed_area(outline_of(left)), signed_area(outline_of(right)), 1e-9);
-  EXPECT_NEAR(left.grain, -right.grain, 1e-6);
-  EXPECT_LT(left.grain, -0.1);
+  EXPECT_NEAR(left.grain, 0, 1e-6);
+  EXPECT_NEAR(right.grain, 0, 1e-6);
+  EXPECT_NEAR(result.made.panels[0].turned, std::atan2(100, 300), 1e-9);
 }
 
 TEST(ImportedPattern, TwoAlikeLayersAcrossTheMiddleAreOnePanel) {
@@ -282,7 +283,8 @@ TEST(ImportedPattern, EveryVersionOfDxfGivesThePieceThatWasDrawn) {
     // The arc runs into the line above it without a corner.
     EXPECT_EQ(panel.edges.size(), 6u) << "five corners and a notch";
     // Inserted turned by 30 degrees, and its grain line is upright in the block.
-    EXPECT_NEAR(panel.grain, std::numbers::pi / 6, 1e-6);
+    EXPECT_NEAR(result.made.panels[0].turned, -std::numbers::pi / 6, 1e-6);
+    EXPECT_NEAR(panel.grain, 0, 1e-6);
     EXPECT_EQ(panel.cut_outs.size(), 1u);
   }
 }
@@ -364,7 +366,8 @@ TEST(ImportedPattern, ValentinasOutlinesAreKeptToATenthOfAMillimetre) {
     ASSERT_EQ(result.read.panels.size(), drawing.pieces.size());
     for (std::size_t i = 0; i < drawing.pieces.size(); ++i) {
       std::vector<Vec2> drawn = loop_points(drawing.pieces[i].outline, 1e-6);
-      for (Vec2& point : drawn) point += result.made.panels[i].moved;
+      const Eigen::Rotation2Dd turn(result.made.panels[i].turned);
+      for (Vec2& point : drawn) point = turn * point + result.made.panels[i].moved;
       const std::vector<Vec2> made = outline_of(result.read.panels[i]);
       EXPECT_LT(farthest_from(drawn, made), 1e-4) << name << " " << i;
       EXPECT_LT(farthest_from(made, drawn), 1e-4) << name << " " << i;
