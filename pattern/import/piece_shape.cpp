@@ -25,6 +25,12 @@ constexpr double fold_noise = 5e-5;
 /// Metres: nearer points of an outline are one. Below, directions are noise.
 constexpr double same_outline_point = 2e-5;
 
+/// Metres: a declared corner is one of the outline if a point of it is nearer.
+constexpr double declared_reach = 1e-3;
+
+/// Metres: shorter chords say nothing of a direction.
+constexpr double telling_chord = 5e-4;
+
 /// Square metres: a smaller piece is a drawing error.
 constexpr double min_piece_area = 1e-5;
 
@@ -180,6 +186,23 @@ void mirror_marks(const FoldLine& fold, PieceShape& shape) {
   shape.cut_outs = mirrored_lines(shape.cut_outs, fold);
 }
 
+/// Where point `i` of a counter-clockwise outline goes when its sides move inwards by `distance`.
+Vec2 inset_point(const std::vector<Vec2>& outline, std::size_t i, double distance) {
+  const std::size_t count = outline.size();
+  const auto normal = [&](std::size_t step) -> Vec2 {
+    Vec2 run = Vec2::Zero();
+    for (std::size_t k = step; k != 0 && k != count && run.norm() < telling_chord;
+         k = (k + step) % count) {
+      run = outline[(i + k) % count] - outline[i];
+    }
+    if (step != 1) run = -run;
+    return Vec2(-run.y(), run.x()).normalized();
+  };
+  const Vec2 both = normal(1) + normal(count - 1);
+  // A spike's tip would go to infinity.
+  return outline[i] + distance * both * (2 / std::max(both.squaredNorm(), 0.04));
+}
+
 }  // namespace
 
 OutlinePlace nearest_place(const std::vector<Vec2>& outline, const Vec2& point) {
@@ -193,6 +216,18 @@ OutlinePlace nearest_place(const std::vector<Vec2>& outline, const Vec2& point) 
     if (distance < best.distance) best = {i, at, distance};
   }
   return best;
+}
+
+std::vector<std::size_t> declared_points(const PieceShape& shape) {
+  std::vector<std::size_t> points;
+  points.reserve(shape.corners.size());
+  for (const Vec2& corner : shape.corners) {
+    const auto nearest = std::ranges::min_element(
+        shape.outline, {}, [&](const Vec2& point) { return (point - corner).squaredNorm(); });
+    if ((*nearest - corner).norm() > declared_reach) continue;
+    points.push_back(static_cast<std::size_t>(nearest - shape.outline.begin()));
+  }
+  return points;
 }
 
 PieceShape shape_of(const Piece& piece, const std::string& place, double tolerance) {
@@ -281,9 +316,11 @@ PieceShape without_allowance(const PieceShape& shape, double allowance, const st
     throw Error(place, "nothing is left of it without its seam allowance",
                 "check --seam-allowance");
   }
-  // Declared corners and notches stand on the cut line: they go to the nearest place inwards.
-  for (Vec2& corner : inner.corners) corner = nearest_place(inner.outline, corner).at;
-  for (PieceNotch& notch : inner.notches) notch.at = nearest_place(inner.outline, notch.at).at;
+  inner.corners.clear();
+  for (const std::size_t i : declared_points(shape)) {
+    const Vec2 at = inset_point(shape.outline, i, allowance);
+    inner.corners.push_back(nearest_place(inner.outline, at).at);
+  }
   return inner;
 }
 

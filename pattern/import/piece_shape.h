@@ -43,8 +43,9 @@ PieceShape mirrored_shape(const PieceShape& shape);
 std::optional<PieceShape> unfolded_shape(const PieceShape& half, const PieceLine& fold,
                                          const std::string& place, std::vector<Remark>& remarks);
 
-/// The shape with `allowance` metres taken off all around. Corners stay corners. Throws Error with
-/// the place `place` when nothing or more than one piece is left.
+/// The shape with `allowance` metres taken off all around. Corners stay corners, declared ones
+/// where they were declared; notches stay on the cut line. Throws Error with the place `place` when
+/// nothing or more than one piece is left.
 PieceShape without_allowance(const PieceShape& shape, double allowance, const std::string& place);
 
 /// The point of a closed outline that is nearest to `point`: on segment `segment`, from its start
@@ -55,5 +56,9 @@ struct OutlinePlace {
   double distance = 0;
 };
 OutlinePlace nearest_place(const std::vector<Vec2>& outline, const Vec2& point);
+
+/// The points of the outline at which corners are declared, by their index. A declaration farther
+/// than 1 mm from all of them is one of another line.
+std::vector<std::size_t> declared_points(const PieceShape& shape);
 
 }  // namespace toile

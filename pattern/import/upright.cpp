@@ -15,8 +15,8 @@ namespace toile {
 namespace {
 
 /// Radians: grains that differ by less are one. A grain as near to 45 or 90 degrees of the
-/// drawing's is cut so on purpose. Half and double of it change nothing in 58 drawings: their grains
-/// differ by 0 or 90 degrees.
+/// drawing's is cut so on purpose. Half and double of it change nothing in 58 drawings: their
+/// grains differ by 0 or 90 degrees.
 constexpr double same_grain = to_radians(5);
 
 /// Share of the outlines' length that has to agree on two directions at right angles, before the
@@ -95,8 +95,7 @@ bool is_all_bias(const std::vector<PieceShape>& shapes, double axis) {
       length += run.norm();
     }
   }
-  return std::abs(sum) > square_share * length &&
-         std::abs(std::arg(-sum)) <= 4 * same_grain;
+  return std::abs(sum) > square_share * length && std::abs(std::arg(-sum)) <= 4 * same_grain;
 }
 
 /// The grain that most of the area has.

@@ -9,11 +9,11 @@ namespace toile {
 
 /// How far each piece is turned, and why. Radians, counter-clockwise, about the drawing's origin.
 struct UprightTurns {
-  std::vector<double> turns;   ///< of each piece
-  double drawing = 0;          ///< what a piece without a grain line is turned by
-  std::vector<bool> off_grain; ///< pieces cut on the bias or across: turned as the drawing is
-  bool has_grain = false;      ///< whether any piece has a grain line
-  bool end_by_shape = false;   ///< whether shapes told the upper end; else it is as drawn
+  std::vector<double> turns;    ///< of each piece
+  double drawing = 0;           ///< what a piece without a grain line is turned by
+  std::vector<bool> off_grain;  ///< pieces cut on the bias or across: turned as the drawing is
+  bool has_grain = false;       ///< whether any piece has a grain line
+  bool end_by_shape = false;    ///< whether shapes told the upper end; else it is as drawn
 };
 
 /// Turns for pieces of these shapes.

@@ -195,6 +195,26 @@ TEST(ImportedPattern, SeamAllowanceIsTakenOff) {
                "nothing is left of it without its seam allowance");
 }
 
+TEST(ImportedPattern, PointsOfOtherLinesAreNoCorners) {
+  // The right side is hollow: it turns by 15 degrees at half its height.
+  const std::vector<Vec2> outline = {{0, 0}, {300, 0}, {273.7, 200}, {300, 400}, {0, 400}};
+  std::string drawn = dxf_polyline("1", outline);
+  for (const Vec2& corner : outline) drawn += dxf_point("2", corner);
+  // The ends of a stripe, of a grain line and of a line for stitches beside the hem.
+  for (const Vec2& end : {Vec2(0, 250), Vec2(286, 250), Vec2(150, 380), Vec2(100, 12)}) {
+    drawn += dxf_point("2", end);
+  }
+  const std::string text = dxf_file(dxf_block("F", drawn), "");
+  ImportOptions options;
+  EXPECT_EQ(import_text(text, options).read.panels[0].edges.size(), 5u);
+  options.seam_allowance = 0.01;
+  const PatternPanel panel = import_text(text, options).read.panels[0];
+  EXPECT_EQ(panel.edges.size(), 5u);
+  EXPECT_TRUE(std::any_of(panel.edges.begin(), panel.edges.end(), [](const PatternEdge& edge) {
+    return (edge.curve.start() - Vec2(0.2636, 0.2)).norm() < 1e-4;
+  }));
+}
+
 TEST(ImportedPattern, TakesTheSizeThatIsAskedFor) {
   std::string blocks;
   for (const int size : {36, 38, 40}) {

@@ -37,7 +37,8 @@ std::vector<Vec2> box(double width, double height) {
 
 /// A front: its neck and its armholes are curved, its hem is wider.
 std::vector<Vec2> front() {
-  std::vector<Vec2> points = {{-0.3, 0}, {0.3, 0}, {0.25, 0.4}, {0.2, 0.5}, {0.2, 0.62}, {0.08, 0.65}};
+  std::vector<Vec2> points = {{-0.3, 0},  {0.3, 0},    {0.25, 0.4},
+                              {0.2, 0.5}, {0.2, 0.62}, {0.08, 0.65}};
   for (int i = 1; i < 12; ++i) {
     const double angle = -std::numbers::pi * i / 12;
     points.emplace_back(0.08 * std::cos(angle), 0.65 + 0.1 * std::sin(angle));
@@ -101,9 +102,9 @@ PieceDrawing changed(PieceDrawing drawing, double degrees, bool mirrored) {
   const auto path = [&](PiecePath& curves) {
     for (EdgeCurve& curve : curves) {
       const std::array<Vec2, 4> p = curve.cubics().front();
-      curve = curve.straight() ? EdgeCurve::line(change * p[0], change * p[3])
-                               : EdgeCurve::cubic(change * p[0], change * p[1], change * p[2],
-                                                  change * p[3]);
+      curve = curve.straight()
+                  ? EdgeCurve::line(change * p[0], change * p[3])
+                  : EdgeCurve::cubic(change * p[0], change * p[1], change * p[2], change * p[3]);
     }
   };
   for (Piece& piece : drawing.pieces) {
@@ -171,8 +172,7 @@ TEST(Upright, TurnedDrawingsGiveTheSamePanelsAndSeams) {
         EXPECT_EQ(a.name, b.name);
         ASSERT_EQ(a.outline.vertices.size(), b.outline.vertices.size()) << name << turned;
         for (std::size_t v = 0; v < a.outline.vertices.size(); ++v) {
-          const Vec2 apart =
-              a.outline.vertices[v] - a.moved - b.outline.vertices[v] + b.moved;
+          const Vec2 apart = a.outline.vertices[v] - a.moved - b.outline.vertices[v] + b.moved;
           EXPECT_LT(apart.norm(), 1e-6) << name << turned << a.name << v;
         }
       }
