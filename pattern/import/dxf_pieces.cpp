@@ -52,7 +52,12 @@ class PieceBuilder {
     piece.pair = piece.pair || (drawn.mirrored_twin && piece.quantity > 1);
     if (texts.others() > 0) result_.ignored["texts without a known key"] += texts.others();
     place_ = source_ + ": piece " + in_quotes(piece.name.empty() ? drawn.name : piece.name);
-    outline(piece);
+    try {
+      outline(piece);
+    } catch (const Error& error) {
+      result_.left_out.push_back({piece.name, piece.size, error});
+      return;
+    }
     result_.pieces.push_back(std::move(piece));
   }
 
@@ -153,11 +158,11 @@ class PieceBuilder {
     }
     for (const PiecePath& path : joined.closed) {
       const std::vector<Vec2> points = loop_points(path, outline_chords);
-      const double area = points.size() < 3 ? 0 : std::abs(signed_area(points));
-      if (area < 1e-6) continue;
+      if (is_line(points)) continue;
+      const double area = std::abs(signed_area(points));
       const bool twin = std::any_of(closed.begin(), closed.end(), [&](const PiecePath& other) {
         const std::vector<Vec2> others = loop_points(other, outline_chords);
-        return std::abs(std::abs(signed_area(others)) - area) < 1e-6 * area &&
+        return std::abs(std::abs(signed_area(others)) - area) <= 1e-6 * area &&
                nearest_place(others, points.front()).distance < max_outline_gap &&
                nearest_place(points, others.front()).distance < max_outline_gap;
       });
@@ -336,11 +341,12 @@ PieceDrawing dxf_pieces(const DxfDrawing& drawing, const std::string& source,
   evidence.english = drawing.measurement == DxfMeasurement::english;
   const double unit = drawing_unit(evidence, source, result.remarks);
 
-  for (DrawnPiece& drawn : loose_pieces(drawing, layered, unit, source, result.ignored)) {
+  for (DrawnPiece& drawn : loose_pieces(drawing, layered, unit, source, result)) {
     pieces.push_back(std::move(drawn));
   }
   PieceBuilder builder(source, unit, layered, options.cut_line, result);
   for (const DrawnPiece& drawn : pieces) builder.add(drawn);
+  if (result.pieces.empty() && !result.left_out.empty()) throw Error(result.left_out.front().error);
   return result;
 }
 

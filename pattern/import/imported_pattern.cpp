@@ -140,11 +140,25 @@ class Importer {
     choose_size();
     choose_pieces();
     take_requests();
+    std::erase_if(chosen_, [&](ChosenPiece& chosen) {
+      return !holds(
+          [&] {
+            chosen.shape = shape_of(chosen.piece, place_of(chosen),
+                                    options_.edges.chord_error * sampling_share);
+          },
+          chosen);
+    });
     stand_upright();
     int cut_lines = 0;
     for (const ChosenPiece& chosen : chosen_) {
+      if (!holds([&] { add(chosen); }, chosen)) continue;
       if (chosen.piece.is_cut_line && !options_.seam_allowance) ++cut_lines;
-      add(chosen);
+    }
+    for (const LeftOutPiece& piece : pattern_.left_out) {
+      remarks_.push_back({true, std::string(piece.error.what()) + "; the piece is left out"});
+    }
+    if (pattern_.panels.empty() && !pattern_.left_out.empty()) {
+      throw Error(pattern_.left_out.front().error);
     }
     if (pattern_.panels.empty()) {
       throw Error(drawing_.source, "holds no piece: no closed outline was found in it",
@@ -182,6 +196,20 @@ class Importer {
 
  private:
   void note(const std::string& text) { remarks_.push_back({false, text}); }
+
+  /// Does the work on a piece; where that fails, the piece is left out. What was asked for has to
+  /// hold.
+  template <class Work, class Chosen>
+  bool holds(const Work& work, const Chosen& chosen) {
+    try {
+      work();
+      return true;
+    } catch (const Error& error) {
+      if (chosen.unfold) throw;
+      pattern_.left_out.push_back({chosen.piece.name, chosen.piece.size, error});
+      return false;
+    }
+  }
 
   void choose_size() {
     pattern_.sizes = sizes_of(drawing_);
@@ -245,10 +273,14 @@ class Importer {
                        [&](const Vec2& across) { return is_mirror_image(outline, across); });
   }
 
+  bool is_of_size(const std::string& size) const {
+    return size.empty() || same_word(size, pattern_.size);
+  }
+
   /// Names all panels before one is changed, so that options name what was written without them.
   void choose_pieces() {
     for (const Piece& piece : drawing_.pieces) {
-      if (!piece.size.empty() && !same_word(piece.size, pattern_.size)) continue;
+      if (!is_of_size(piece.size)) continue;
       ChosenPiece chosen;
       chosen.piece = piece;
       const std::string name = panel_name(piece.name);
@@ -268,9 +300,36 @@ class Importer {
     }
   }
 
-  void take_requests() {
+  /// Leaves out what is not wanted. Pieces that were not read can be named, too.
+  void leave_out() {
+    for (const LeftOutPiece& piece : drawing_.left_out) {
+      if (is_of_size(piece.size)) pattern_.left_out.push_back(piece);
+    }
+    std::string names;
+    for (const std::string& text : options_.without) {
+      const std::size_t unread = std::erase_if(pattern_.left_out, [&](const LeftOutPiece& piece) {
+        return panel_name(piece.name) == text;
+      });
+      const auto found = std::ranges::find(chosen_, text, &ChosenPiece::asked);
+      if (unread == 0 && found == chosen_.end()) {
+        named_piece(text, asked_names(), drawing_.source + ": --without " + in_quotes(text));
+      }
+      if (found != chosen_.end()) chosen_.erase(found);
+      names += (names.empty() ? " " : ", ") + shown_text(text);
+    }
+    if (!names.empty()) note(drawing_.source + ": left out as asked:" + names);
+  }
+
+  std::vector<std::string> asked_names() const {
     std::vector<std::string> names;
+    names.reserve(chosen_.size());
     for (const ChosenPiece& chosen : chosen_) names.push_back(chosen.asked);
+    return names;
+  }
+
+  void take_requests() {
+    leave_out();
+    const std::vector<std::string> names = asked_names();
     for (const std::string& text : options_.unfold) {
       const std::string place = drawing_.source + ": --unfold " + in_quotes(text);
       const NamedPiece named = named_piece(text, names, place);
@@ -319,10 +378,7 @@ class Importer {
   void stand_upright() {
     std::vector<PieceShape> shapes;
     shapes.reserve(chosen_.size());
-    for (const ChosenPiece& chosen : chosen_) {
-      shapes.push_back(
-          shape_of(chosen.piece, place_of(chosen), options_.edges.chord_error * sampling_share));
-    }
+    for (const ChosenPiece& chosen : chosen_) shapes.push_back(chosen.shape);
     const UprightTurns upright = upright_turns(shapes);
     has_grain_ = upright.has_grain;
     std::string off_grain;

@@ -20,6 +20,7 @@ struct ImportOptions {
   std::vector<std::string> unfold;
   std::vector<std::string> names;  ///< "PIECE=NAME": what its panel is called instead
   std::vector<std::string> pairs;  ///< pieces that are cut as a pair, though the file does not say
+  std::vector<std::string> without;  ///< pieces that no panel is wanted of
   EdgeOptions edges;
 };
 
@@ -45,6 +46,7 @@ struct ImportedPattern {
   std::string size;                ///< the one that was taken; empty: the drawing states none
   std::vector<std::string> sizes;  ///< all that the drawing has
   std::vector<ImportedPanel> panels;
+  std::vector<LeftOutPiece> left_out;  ///< pieces of this size that can't be panels, not asked for
 };
 
 /// Makes the panels: of the size asked for, half pieces unfolded, pairs as left_NAME, as drawn, and
@@ -57,9 +59,11 @@ struct ImportedPattern {
 /// them, unless the boxes of two overlap. Then all are laid out side by side. Remarks of the
 /// drawing and what it ignored are added to `remarks`.
 ///
-/// Throws Error, naming the piece, as shape_of(), unfolded_shape() and without_allowance() do. It
-/// throws it for sizes and pieces that are not there, and for those that cannot be unfolded. It
-/// throws it beyond max_panels and max_panel_edges.
+/// A piece for which shape_of(), unfolded_shape() of a drawn fold, without_allowance() or
+/// edges_of() throws is left out, with a warning.
+///
+/// Throws Error, naming the piece, if none is left. It throws it for sizes and pieces that are not
+/// there, for those that cannot be unfolded as asked, and beyond max_panels.
 ImportedPattern import_pieces(const PieceDrawing& drawing, const ImportOptions& options,
                               std::vector<Remark>& remarks);
 

@@ -233,7 +233,7 @@ std::vector<std::size_t> declared_points(const PieceShape& shape) {
 PieceShape shape_of(const Piece& piece, const std::string& place, double tolerance) {
   PieceShape shape;
   shape.outline = cleaned(loop_points(piece.outline, tolerance));
-  if (shape.outline.size() < 3 || std::abs(signed_area(shape.outline)) < min_piece_area) {
+  if (is_line(shape.outline)) {
     throw Error(place, "has no area", "remove it from the drawing, or draw its outline");
   }
   if (signed_area(shape.outline) < 0) std::reverse(shape.outline.begin(), shape.outline.end());
@@ -242,6 +242,9 @@ PieceShape shape_of(const Piece& piece, const std::string& place, double toleran
                 "its outline crosses or touches itself at " +
                     millimetres_text(shape.outline[static_cast<std::size_t>((*crossing)[0])]),
                 "draw it without the crossing");
+  }
+  if (signed_area(shape.outline) < min_piece_area) {
+    throw Error(place, "has no area", "remove it from the drawing, or draw its outline");
   }
   shape.corners = piece.corners;
   shape.notches = piece.notches;

@@ -37,6 +37,11 @@ nlohmann::ordered_json import_pattern_json(const std::string& file, const std::s
     if (panel.grain) entry["grain_degrees"] = *panel.grain * 180 / std::numbers::pi;
     report["panels"].push_back(std::move(entry));
   }
+  report["left_out"] = Json::array();
+  for (const LeftOutPiece& piece : pattern.left_out) {
+    report["left_out"].push_back(
+        {{"piece", valid_utf8(piece.name)}, {"why", valid_utf8(piece.error.what())}});
+  }
   report["ignored"] = Json::object();
   for (const auto& [what, count] : drawing.ignored) report["ignored"][valid_utf8(what)] = count;
   add_remarks(remarks, report);

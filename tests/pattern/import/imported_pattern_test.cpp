@@ -236,6 +236,33 @@ TEST(ImportedPattern, TakesTheSizeThatIsAskedFor) {
                "has no size 'XL'; its sizes are 36, 38, 40");
 }
 
+TEST(ImportedPattern, APieceThatCannotBeAPanelIsLeftOut) {
+  const std::string bow =
+      dxf_block("BOW", dxf_polyline("1", {{0, 0}, {300, 300}, {300, 0}, {0, 300}}));
+  const std::string open = dxf_block("OPEN", dxf_polyline("1", rectangle(0, 0, 200, 300), false));
+  const std::string small = dxf_block("SMALL", dxf_polyline("1", rectangle(0, 0, 200, 15)));
+  const std::string text = dxf_file(bow + dxf_block("FRONT", square) + open + small, "");
+  ImportOptions options;
+  options.seam_allowance = 0.01;
+  const Imported result = import_text(text, options);
+  ASSERT_EQ(result.read.panels.size(), 1u);
+  EXPECT_EQ(result.read.panels[0].name, "FRONT");
+  std::vector<std::string> names;
+  for (const LeftOutPiece& piece : result.made.left_out) names.push_back(piece.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"OPEN", "BOW", "SMALL"}));
+  EXPECT_HOLDS(result.remarks, "piece 'OPEN': its boundary is open: a gap of 300 mm");
+  EXPECT_HOLDS(result.remarks, "piece 'BOW': its outline crosses or touches itself");
+  EXPECT_HOLDS(result.remarks, "piece 'SMALL': nothing is left of it without its seam allowance");
+  // What nobody wants is not missed.
+  options.without = {"OPEN", "BOW", "SMALL"};
+  EXPECT_TRUE(import_text(text, options).made.left_out.empty());
+  options.without = {"FRONT"};
+  EXPECT_HOLDS(error_of([&] { import_text(text, options); }), "a gap of 300 mm");
+  options.without = {"BACK"};
+  EXPECT_HOLDS(error_of([&] { import_text(text, options); }), "--without 'BACK': names no piece");
+  EXPECT_HOLDS(error_of([&] { import_text(dxf_file(bow, "")); }), "crosses or touches itself");
+}
+
 TEST(ImportedPattern, RibbingStretchesAlongItsLongerSide) {
   const auto imported = [](const std::string& material, double width, double height) {
     PieceDrawing drawing;
