@@ -199,9 +199,30 @@ class PieceBuilder {
     return closed;
   }
 
+  /// The closed sew lines. Open ones that end on the boundary are closed along it.
+  std::vector<PiecePath> sew_lines(const std::vector<PiecePath>& boundaries) {
+    if (boundaries.empty()) return loops(sew_, "sew line");
+    if (cut_line_) return {};
+    const JoinedPaths joined = join_paths(sew_);
+    if (joined.closed.empty() && !joined.open.empty()) {
+      const std::vector<Vec2> boundary = loop_points(boundaries.front(), outline_chords);
+      if (auto closed = closed_along(boundary, joined.open)) {
+        ++sew_lines_closed_;
+        if (sew_lines_closed_ == 1) {
+          result_.remarks.push_back(
+              {false, place_ +
+                          ": its sew line ends on its boundary, and is closed along it, where it "
+                          "has no allowance; so it is with other pieces"});
+        }
+        return {*closed};
+      }
+    }
+    return loops(sew_, "sew line");
+  }
+
   void outline(Piece& piece) {
     std::vector<PiecePath> boundaries = loops(boundary_, "boundary");
-    std::vector<PiecePath> sewn = loops(sew_, "sew line");
+    std::vector<PiecePath> sewn = sew_lines(boundaries);
     const JoinedPaths internal = join_paths(internal_);
     std::vector<PiecePath> inner_lines = internal.open;
     inner_lines.insert(inner_lines.end(), internal.closed.begin(), internal.closed.end());
@@ -285,6 +306,7 @@ class PieceBuilder {
   std::vector<PiecePath> internal_;
   std::vector<PiecePath> cut_outs_;
   int sew_lines_found_ = 0;
+  int sew_lines_closed_ = 0;
 };
 
 }  // namespace
@@ -334,9 +356,10 @@ PieceDrawing dxf_pieces(const DxfDrawing& drawing, const std::string& source,
   }
   if (evidence.stated) {
     evidence.stated_by = "'Units: " + shown_text(units) + "'";
-  } else if (drawing.unit_metres > 0) {
-    evidence.stated = drawing.unit_metres;
-    evidence.stated_by = "$INSUNITS";
+  }
+  if (drawing.unit_metres > 0) {
+    (evidence.stated ? evidence.other : evidence.stated) = drawing.unit_metres;
+    (evidence.stated_by.empty() ? evidence.stated_by : evidence.other_by) = "$INSUNITS";
   }
   evidence.english = drawing.measurement == DxfMeasurement::english;
   const double unit = drawing_unit(evidence, source, result.remarks);
