@@ -144,7 +144,7 @@ class Importer {
       return !holds(
           [&] {
             chosen.shape = shape_of(chosen.piece, place_of(chosen),
-                                    options_.edges.chord_error * sampling_share);
+                                    options_.edges.chord_error * sampling_share, remarks_);
           },
           chosen);
     });

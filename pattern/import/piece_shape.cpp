@@ -11,6 +11,7 @@
 #include "geometry/polygon.h"
 #include "io/text.h"
 #include "pattern/import/join_paths.h"
+#include "pattern/import/weak_outline.h"
 
 namespace toile {
 
@@ -230,13 +231,16 @@ std::vector<std::size_t> declared_points(const PieceShape& shape) {
   return points;
 }
 
-PieceShape shape_of(const Piece& piece, const std::string& place, double tolerance) {
+PieceShape shape_of(const Piece& piece, const std::string& place, double tolerance,
+                    std::vector<Remark>& remarks) {
   PieceShape shape;
   shape.outline = cleaned(loop_points(piece.outline, tolerance));
   if (is_line(shape.outline)) {
     throw Error(place, "has no area", "remove it from the drawing, or draw its outline");
   }
   if (signed_area(shape.outline) < 0) std::reverse(shape.outline.begin(), shape.outline.end());
+  PlainOutline plain = plain_outline(std::move(shape.outline));
+  shape.outline = cleaned(plain.outline);
   if (const auto crossing = first_crossing(shape.outline)) {
     throw Error(place,
                 "its outline crosses or touches itself at " +
@@ -248,6 +252,16 @@ PieceShape shape_of(const Piece& piece, const std::string& place, double toleran
   }
   shape.corners = piece.corners;
   shape.notches = piece.notches;
+  shape.notches.insert(shape.notches.end(), plain.notches.begin(), plain.notches.end());
+  shape.cut_outs = std::move(plain.holes);
+  shape.internal_lines = std::move(plain.slashes);
+  const auto note = [&](std::size_t count, const std::string& what) {
+    if (count == 0) return;
+    remarks.push_back({false, place + ": " + std::to_string(count) + what});
+  };
+  note(plain.notches.size(), " notches drawn in its outline are taken out of it, and are notches");
+  note(shape.cut_outs.size(), " loops that a slit joins to its outline are cut-outs");
+  note(shape.internal_lines.size(), " slits of its outline are internal lines");
   for (const PiecePath& path : piece.internal_lines) {
     shape.internal_lines.push_back(path_points(path, tolerance));
   }

@@ -23,9 +23,12 @@ struct PieceShape {
 
 /// The shape of a piece. Its chords leave the piece's curves by at most `tolerance` metres.
 ///
-/// Throws Error with the place `place` for an outline without area, and for one that crosses or
-/// touches itself.
-PieceShape shape_of(const Piece& piece, const std::string& place, double tolerance);
+/// What plain_outline() takes off is a notch, a cut-out or an internal line, with a remark.
+///
+/// Throws Error with the place `place` for an outline without area, and for one that crosses itself
+/// nevertheless.
+PieceShape shape_of(const Piece& piece, const std::string& place, double tolerance,
+                    std::vector<Remark>& remarks);
 
 /// The shape turned about the origin by `angle` radians, counter-clockwise. An angle of 0 changes
 /// nothing.
