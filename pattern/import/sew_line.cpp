@@ -149,8 +149,13 @@ std::optional<PiecePath> closed_along(const std::vector<Vec2>& boundary,
   PiecePath closed;
   for (std::size_t i = 0; i < placed.size(); ++i) {
     const Line& line = placed[i];
-    closed.insert(closed.end(), line.path.begin(), line.path.end());
     const Place& next = placed[(i + 1) % placed.size()].from;
+    // Lines beside the same part of the boundary are not one sew line.
+    if (placed.size() > 1 &&
+        run(line.from.along, line.to.along) > run(line.from.along, next.along)) {
+      return std::nullopt;
+    }
+    closed.insert(closed.end(), line.path.begin(), line.path.end());
     Vec2 last = line.to.at;
     const double way = run(line.to.along, next.along);
     const auto after = static_cast<std::size_t>(std::ranges::upper_bound(lengths, line.to.along) -

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <cstdint>
+#include <map>
 #include <optional>
+#include <utility>
 
 #include "geometry/angles.h"
 #include "geometry/polygon.h"
@@ -35,7 +37,7 @@ constexpr double notch_likeness = 0.3;
 constexpr double mouth_turn = to_radians(20);
 
 /// Loops that are taken off one outline at most.
-constexpr int max_loops_taken = 200;
+constexpr int max_loops_taken = 100;
 
 /// A place where the outline meets itself: the loop is the point `at`, then the points after `from`
 /// up to `to`.
@@ -47,21 +49,30 @@ struct Touch {
 
 /// Two points of the outline that are one, with as few as possible in between.
 std::optional<Touch> touching_points(const std::vector<Vec2>& outline) {
-  std::vector<std::size_t> order(outline.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::sort(order, {}, [&](std::size_t i) { return outline[i].x(); });
+  using Cell = std::pair<std::int64_t, std::int64_t>;
+  const auto cell_of = [](const Vec2& point) -> Cell {
+    return {static_cast<std::int64_t>(std::floor(point.x() / touching)),
+            static_cast<std::int64_t>(std::floor(point.y() / touching))};
+  };
+  std::map<Cell, std::vector<std::size_t>> cells;
   std::optional<Touch> best;
   std::size_t fewest = outline.size();
-  for (std::size_t a = 0; a < order.size(); ++a) {
-    for (std::size_t b = a + 1; b < order.size(); ++b) {
-      const auto [i, k] = std::minmax(order[a], order[b]);
-      if (outline[order[b]].x() - outline[order[a]].x() > touching) break;
-      if ((outline[i] - outline[k]).norm() > touching) continue;
-      const std::size_t between = std::min(k - i, outline.size() - (k - i));
-      if (between < 2 || between >= fewest) continue;
-      fewest = between;
-      best = Touch{i, k - 1, outline[i]};
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    const Cell cell = cell_of(outline[k]);
+    for (std::int64_t x = cell.first - 1; x <= cell.first + 1; ++x) {
+      for (std::int64_t y = cell.second - 1; y <= cell.second + 1; ++y) {
+        const auto found = cells.find({x, y});
+        if (found == cells.end()) continue;
+        for (const std::size_t i : found->second) {
+          const std::size_t between = std::min(k - i, outline.size() - (k - i));
+          if (between < 2 || between >= fewest) continue;
+          if ((outline[i] - outline[k]).norm() > touching) continue;
+          fewest = between;
+          best = Touch{i, k - 1, outline[i]};
+        }
+      }
     }
+    cells[cell].push_back(k);
   }
   return best;
 }
@@ -166,7 +177,8 @@ bool is_notch(const std::vector<Vec2>& outline, std::size_t first, std::size_t s
   const Vec2 in = at(0) - at(count - 1);
   const Vec2 out = at(steps + 1) - at(steps);
   // The mouth of a slit is too narrow for a direction.
-  const Vec2 along = (width < touching ? Vec2(in.normalized() + out.normalized()) : mouth).normalized();
+  const Vec2 along =
+      (width < touching ? Vec2(in.normalized() + out.normalized()) : mouth).normalized();
   if (turn_between(in, along) > mouth_turn || turn_between(along, out) > mouth_turn) return false;
   double depths[2] = {0, 0};
   for (std::size_t i = 1; i < steps; ++i) {
@@ -176,8 +188,8 @@ bool is_notch(const std::vector<Vec2>& outline, std::size_t first, std::size_t s
     if (depth < least_depth || depth > most_depth) return false;
   }
   return are_alike((at(1) - at(0)).norm(), (at(steps) - at(steps - 1)).norm()) &&
-         (steps == 2 || (are_alike(depths[0], depths[1]) &&
-                         are_alike((at(2) - at(1)).norm(), width)));
+         (steps == 2 ||
+          (are_alike(depths[0], depths[1]) && are_alike((at(2) - at(1)).norm(), width)));
 }
 
 void take_notches(PlainOutline& plain) {

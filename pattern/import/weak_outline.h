@@ -10,9 +10,9 @@ namespace toile {
 /// What an outline is when it is drawn without the parts that bound no cloth.
 struct PlainOutline {
   std::vector<Vec2> outline;
-  std::vector<PieceNotch> notches;                ///< their angles point from the mouth to the tip
-  std::vector<std::vector<Vec2>> holes;           ///< such as darts that a slit joins to the edge
-  std::vector<std::vector<Vec2>> slashes;         ///< slits that are longer than a notch
+  std::vector<PieceNotch> notches;         ///< their angles point from the mouth to the tip
+  std::vector<std::vector<Vec2>> holes;    ///< such as darts that a slit joins to the edge
+  std::vector<std::vector<Vec2>> slashes;  ///< slits that are longer than a notch
 };
 
 /// The outline without what touches itself, and without notches.

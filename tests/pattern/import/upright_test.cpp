@@ -65,7 +65,7 @@ void expect_turns(const std::vector<PieceShape>& shapes, const std::vector<doubl
 
 TEST(Upright, TheGrainOfMostOfTheDrawingIsTurnedUpright) {
   expect_turns({shape(box(0.4, 0.6), 0), shape(box(0.2, 0.1), 0)}, {0, 0});
-  expect_turns({shape(box(0.6, 0.4), 90), shape(box(0.2, 0.1), 90)}, {-90, -90});
+  expect_turns({shape(box(0.6, 0.4), 90), shape(box(0.2, 0.1), 90)}, {90, 90});
   // A piece that lies askew is turned on by itself.
   expect_turns({shape(box(0.4, 0.6), 0), shape(box(0.2, 0.1), 20)}, {0, -20});
   PieceShape bare = shape(box(0.2, 0.1), 0);
@@ -77,12 +77,12 @@ TEST(Upright, TheGrainOfMostOfTheDrawingIsTurnedUpright) {
 TEST(Upright, PiecesOnTheBiasAndAcrossTheGrainAreTurnedAsTheRest) {
   const std::vector<PieceShape> shapes = {shape(box(0.6, 0.4), 90), shape(box(0.3, 0.1), 45),
                                           shape(box(0.3, 0.1), 0), shape(box(0.3, 0.1), 88)};
-  expect_turns(shapes, {-90, -90, -90, -88});
+  expect_turns(shapes, {90, 90, 90, 92});
   EXPECT_EQ(upright_turns(shapes).off_grain, (std::vector<bool>{false, true, true, false}));
   // Where all is cut on the bias, edges are turned upright: the longer way.
   expect_turns({shape(box(0.4, 0.6), 45)}, {0});
   expect_turns({turned_shape(shape(box(0.4, 0.6), 45), to_radians(30))}, {-30});
-  expect_turns({shape(box(0.6, 0.4), -45)}, {-90});
+  expect_turns({shape(box(0.6, 0.4), -45)}, {90});
 }
 
 TEST(Upright, ShapesTellTheUpperEnd) {

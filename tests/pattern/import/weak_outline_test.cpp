@@ -51,13 +51,8 @@ TEST(WeakOutline, DartsAndStepsStayInTheOutline) {
 }
 
 TEST(WeakOutline, ADartThatASlitJoinsToTheEdgeIsAHole) {
-  const PlainOutline plain = plain_outline(piece({{0.2, 0},
-                                                  {0.2, 0.05},
-                                                  {0.19, 0.2},
-                                                  {0.2, 0.4},
-                                                  {0.21, 0.2},
-                                                  {0.2, 0.05},
-                                                  {0.2, 0}}));
+  const PlainOutline plain = plain_outline(
+      piece({{0.2, 0}, {0.2, 0.05}, {0.19, 0.2}, {0.2, 0.4}, {0.21, 0.2}, {0.2, 0.05}, {0.2, 0}}));
   EXPECT_NEAR(signed_area(plain.outline), 0.24, 1e-9);
   ASSERT_EQ(plain.holes.size(), 1u);
   EXPECT_NEAR(signed_area(plain.holes[0]), -0.0035, 1e-9);
@@ -70,7 +65,8 @@ TEST(WeakOutline, LongSlitsAreSlashesAndSmallCrossingsGo) {
   EXPECT_NEAR((slit.slashes[0].back() - slit.slashes[0].front()).norm(), 0.2, 1e-9);
   EXPECT_FALSE(first_crossing(slit.outline));
   // The last side ends 0.01 mm beyond the first one.
-  const PlainOutline crossed = plain_outline({{0, 0}, {0.4, 0}, {0.4, 0.6}, {1e-5, 0.6}, {1e-5, -1e-5}, {0, -1e-5}});
+  const PlainOutline crossed =
+      plain_outline({{0, 0}, {0.4, 0}, {0.4, 0.6}, {1e-5, 0.6}, {1e-5, -1e-5}, {0, -1e-5}});
   EXPECT_FALSE(first_crossing(crossed.outline));
   EXPECT_NEAR(signed_area(crossed.outline), 0.24, 1e-5);
   EXPECT_TRUE(crossed.notches.empty() && crossed.holes.empty() && crossed.slashes.empty());
