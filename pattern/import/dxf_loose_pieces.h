@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pattern/import/dxf_blocks.h"
+#include "pattern/import/piece.h"
 
 namespace toile {
 

@@ -343,7 +343,7 @@ class PieceFinder {
       pieces()[p].is_right_one = name.find("sleeve") != std::string::npos;
       return name;
     }
-    if (const std::string named = said_[p].texts.value("piece name"); !named.empty()) return named;
+    if (std::string named = said_[p].texts.value("piece name"); !named.empty()) return named;
     const SvgShape& shape = shape_of(p);
     if (!shape.label.empty()) return shape.label;
     if (!shape.title.empty()) return shape.title;

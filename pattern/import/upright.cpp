@@ -63,7 +63,7 @@ Heights heights_of(const std::vector<Vec2>& outline, double turned) {
   double turning_height = 0;
   double area = 0;
   double area_height = 0;
-  const Vec2 origin = outline.front();  // far from which products lose digits
+  const Vec2& origin = outline.front();  // far from which products lose digits
   const std::size_t count = outline.size();
   for (std::size_t i = 0; i < count; ++i) {
     const Vec2 at = outline[i] - origin;

@@ -201,7 +201,7 @@ void take_notches(PlainOutline& plain) {
       const Vec2 mouth = (outline[i] + outline[(i + steps) % count]) / 2;
       const Vec2 tip = (outline[(i + 1) % count] + outline[(i + steps - 1) % count]) / 2;
       plain.notches.push_back(notch_towards(mouth, tip));
-      std::ranges::rotate(outline, outline.begin() + static_cast<std::ptrdiff_t>(i));
+      std::rotate(outline.begin(), outline.begin() + static_cast<std::ptrdiff_t>(i), outline.end());
       outline.erase(outline.begin() + 1, outline.begin() + static_cast<std::ptrdiff_t>(steps));
       i = 0;
       break;
