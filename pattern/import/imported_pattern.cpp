@@ -441,6 +441,10 @@ class Importer {
     }
     const bool takes_off = piece.is_cut_line && options_.seam_allowance;
     PieceShape shape = chosen.shape;
+    // Sides that touch but for a rounding may cross since the piece was turned.
+    if (first_crossing(shape.outline)) {
+      throw Error(place, "its outline all but touches itself", "draw its sides apart");
+    }
     unfold(chosen, place, shape);
     if (takes_off) shape = without_allowance(shape, *options_.seam_allowance, place);
     if (!shape.grain && !is_ribbing(piece.material)) no_grain_ += piece.pair ? 2 : 1;

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "geometry/error.h"
 #include "geometry/polygon.h"
 #include "io/output_file.h"
 #include "pattern/import/dxf_pieces.h"
@@ -261,6 +262,22 @@ TEST(ImportedPattern, APieceThatCannotBeAPanelIsLeftOut) {
   options.without = {"BACK"};
   EXPECT_HOLDS(error_of([&] { import_text(text, options); }), "--without 'BACK': names no piece");
   EXPECT_HOLDS(error_of([&] { import_text(dxf_file(bow, "")); }), "crosses or touches itself");
+}
+
+TEST(ImportedPattern, AnOutlineThatAllButTouchesItselfIsNoEndlessSkeleton) {
+  // A corner 1e-9 mm from the left side: turned by 30 degrees, it may lie on either side of it.
+  ImportOptions options;
+  options.seam_allowance = 0.008;
+  for (int i = 0; i < 20; ++i) {
+    const std::vector<Vec2> outline = {{0, 0}, {300, 0}, {1e-6, 111.1 + i}, {300, 400}, {0, 400}};
+    const std::string text = dxf_file(
+        dxf_block("F", dxf_polyline("1", outline) + dxf_segment("7", {100, 100}, {150, 187})), "");
+    try {
+      EXPECT_FALSE(first_crossing(outline_of(import_text(text, options).read.panels.at(0))));
+    } catch (const Error& error) {
+      EXPECT_HOLDS(error.what(), "piece 'F'");
+    }
+  }
 }
 
 TEST(ImportedPattern, RibbingStretchesAlongItsLongerSide) {
