@@ -8,6 +8,8 @@
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/ring.hpp>
 
+#include "geometry/polygon.h"
+
 namespace toile {
 
 namespace {
@@ -27,7 +29,8 @@ std::vector<Vec2> thinned(const std::vector<Vec2>& outline) {
   std::vector<Vec2> points;
   for (const Point& point : simple) points.emplace_back(point.x(), point.y());
   if (points.size() > 1 && points.front() == points.back()) points.pop_back();
-  return points.size() < 3 ? outline : points;
+  // Sides that nearly touch may cross without some of their points: the skeleton would not end.
+  return points.size() < 3 || first_crossing(points) ? outline : points;
 }
 
 }  // namespace

@@ -20,8 +20,10 @@ constexpr std::string_view binary_start = "AutoCAD Binary DXF";
 
 class DxfReader {
  public:
-  DxfReader(std::string_view text, const std::string& name) : groups_(text, name) {
-    utf8_ = is_utf8(text);
+  DxfReader(std::string_view text, const std::string& name)
+      : groups_(text, name), utf8_(is_utf8(text)) {
+    const auto is_wide = [](char c) { return static_cast<unsigned char>(c) >= 0xE0; };
+    wide_utf8_ = utf8_ && std::any_of(text.begin(), text.end(), is_wide);
   }
 
   DxfDrawing read() {
@@ -69,6 +71,10 @@ class DxfReader {
             mark == std::string_view::npos ? value : value.substr(mark + 1);
         code_page_ = "CP" + valid_utf8(page);
         if (value.substr(0, 3) == "DOS") code_page_ = "CP" + valid_utf8(value.substr(3));
+        // Two bytes of an East Asian page may look like a character of two bytes in UTF-8.
+        const bool two_bytes = code_page_ == "CP932" || code_page_ == "CP936" ||
+                               code_page_ == "CP949" || code_page_ == "CP950";
+        if (two_bytes && !wide_utf8_) utf8_ = false;
       } else if (variable == "$INSUNITS" && group.code == 70) {
         drawing_.unit_metres = unit(groups_.integer(group));
       } else if (variable == "$MEASUREMENT" && group.code == 70) {
@@ -330,6 +336,7 @@ class DxfReader {
   std::vector<Vec2> bases_;  ///< of blocks: the points that inserts place
   std::string code_page_ = "CP1252";
   bool utf8_ = false;
+  bool wide_utf8_ = false;  ///< with characters of three bytes or more, as East Asian ones are
   int entities_ = 0;
   std::size_t curves_ = 0;
 };

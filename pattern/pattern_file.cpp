@@ -67,7 +67,7 @@ class Reader {
       return;
     }
     unread(*given, {"curvature_coords", "normalize_panel_translation", "normalized_edge_loops",
-                    "units_in_meter", "original_units_in_meter"});
+                    "units_in_meter", "original_units_in_meter", "up"});
     if (const auto units = given->find("units_in_meter")) {
       const double value = units->number();
       if (value < 1e-3 || value > 1e6) units->fail("is not between 0.001 and 1,000,000");

@@ -14,12 +14,17 @@ struct UnitEvidence {
   std::optional<double> asked;   ///< metres: the user's
   std::optional<double> stated;  ///< metres: the file's
   std::string stated_by;         ///< what states it, for messages
-  bool english = false;          ///< the file says that it is not metric
-  double largest = 0;            ///< units: the longer side of the largest piece's box
+  std::optional<double> other;   ///< metres: what another part of the file states
+  std::string other_by;
+  bool english = false;  ///< the file says that it is not metric
+  double largest = 0;    ///< units: the longer side of the largest piece's box
 };
 
 /// Metres in a unit of the drawing. The user's word counts first, the file's next. Without either
 /// the size of the largest piece tells it, with a remark: a garment's is some 20 cm to 2 m long.
+///
+/// A stated unit is questioned where the largest piece is shorter than 15 cm or longer than 4 m. So
+/// is one where the file states another, too. A warning names the units that would fit.
 ///
 /// Throws Error when the largest piece would be shorter than 2 cm or longer than 5 m, and when its
 /// size fits no unit. The user's word is not doubted below 100 m.

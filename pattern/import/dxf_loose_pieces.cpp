@@ -22,8 +22,7 @@ constexpr std::size_t max_loose_pieces = 2'000;
 }  // namespace
 
 std::vector<DrawnPiece> loose_pieces(const DxfDrawing& drawing, bool layered, double unit,
-                                     const std::string& source,
-                                     std::map<std::string, int>& ignored) {
+                                     const std::string& source, PieceDrawing& result) {
   // Which entities each closed outline is made of is found again by where they lie.
   std::vector<PiecePath> paths;
   const auto is_boundary = [&](const DxfEntity& entity) {
@@ -46,10 +45,11 @@ std::vector<DrawnPiece> loose_pieces(const DxfDrawing& drawing, bool layered, do
     longest_loop = std::max(longest_loop, path_length(path));
   for (std::size_t i = 0; i < joined.open.size() && i < joined.gaps.size(); ++i) {
     if (path_length(joined.open[i]) < longest_loop / 4) continue;
-    throw Error(source + ": model space",
-                "an outline is open: a gap of " + number_text(joined.gaps[i].size * 1000) +
-                    " mm at " + millimetres_text(joined.gaps[i].at),
-                "close it in the CAD program; gaps up to 0.5 mm are closed here");
+    const Error error(source + ": model space",
+                      "an outline is open: a gap of " + number_text(joined.gaps[i].size * 1000) +
+                          " mm at " + millimetres_text(joined.gaps[i].at),
+                      "close it in the CAD program; gaps up to 0.5 mm are closed here");
+    result.left_out.push_back({"open outline", "", error});
   }
   std::sort(outlines.begin(), outlines.end(), [](const auto& a, const auto& b) {
     return std::abs(signed_area(a)) > std::abs(signed_area(b));
@@ -90,7 +90,7 @@ std::vector<DrawnPiece> loose_pieces(const DxfDrawing& drawing, bool layered, do
     if (owner < outer.size()) {
       pieces[owner].entities.push_back(entity);
     } else if (entity.kind != DxfEntity::Kind::text) {
-      ++ignored[entity.type + " outside of all pieces"];
+      ++result.ignored[entity.type + " outside of all pieces"];
     }
   }
   for (std::size_t i = 0; i < pieces.size(); ++i) pieces[i].name = "piece" + std::to_string(i + 1);

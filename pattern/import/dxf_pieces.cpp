@@ -52,7 +52,12 @@ class PieceBuilder {
     piece.pair = piece.pair || (drawn.mirrored_twin && piece.quantity > 1);
     if (texts.others() > 0) result_.ignored["texts without a known key"] += texts.others();
     place_ = source_ + ": piece " + in_quotes(piece.name.empty() ? drawn.name : piece.name);
-    outline(piece);
+    try {
+      outline(piece);
+    } catch (const Error& error) {
+      result_.left_out.push_back({piece.name, piece.size, error});
+      return;
+    }
     result_.pieces.push_back(std::move(piece));
   }
 
@@ -153,11 +158,11 @@ class PieceBuilder {
     }
     for (const PiecePath& path : joined.closed) {
       const std::vector<Vec2> points = loop_points(path, outline_chords);
-      const double area = points.size() < 3 ? 0 : std::abs(signed_area(points));
-      if (area < 1e-6) continue;
+      if (is_line(points)) continue;
+      const double area = std::abs(signed_area(points));
       const bool twin = std::any_of(closed.begin(), closed.end(), [&](const PiecePath& other) {
         const std::vector<Vec2> others = loop_points(other, outline_chords);
-        return std::abs(std::abs(signed_area(others)) - area) < 1e-6 * area &&
+        return std::abs(std::abs(signed_area(others)) - area) <= 1e-6 * area &&
                nearest_place(others, points.front()).distance < max_outline_gap &&
                nearest_place(points, others.front()).distance < max_outline_gap;
       });
@@ -194,9 +199,30 @@ class PieceBuilder {
     return closed;
   }
 
+  /// The closed sew lines. Open ones that end on the boundary are closed along it.
+  std::vector<PiecePath> sew_lines(const std::vector<PiecePath>& boundaries) {
+    if (boundaries.empty()) return loops(sew_, "sew line");
+    if (cut_line_) return {};
+    const JoinedPaths joined = join_paths(sew_);
+    if (joined.closed.empty() && !joined.open.empty()) {
+      const std::vector<Vec2> boundary = loop_points(boundaries.front(), outline_chords);
+      if (auto closed = closed_along(boundary, joined.open)) {
+        ++sew_lines_closed_;
+        if (sew_lines_closed_ == 1) {
+          result_.remarks.push_back(
+              {false, place_ +
+                          ": its sew line ends on its boundary, and is closed along it, where it "
+                          "has no allowance; so it is with other pieces"});
+        }
+        return {*closed};
+      }
+    }
+    return loops(sew_, "sew line");
+  }
+
   void outline(Piece& piece) {
     std::vector<PiecePath> boundaries = loops(boundary_, "boundary");
-    std::vector<PiecePath> sewn = loops(sew_, "sew line");
+    std::vector<PiecePath> sewn = sew_lines(boundaries);
     const JoinedPaths internal = join_paths(internal_);
     std::vector<PiecePath> inner_lines = internal.open;
     inner_lines.insert(inner_lines.end(), internal.closed.begin(), internal.closed.end());
@@ -280,6 +306,7 @@ class PieceBuilder {
   std::vector<PiecePath> internal_;
   std::vector<PiecePath> cut_outs_;
   int sew_lines_found_ = 0;
+  int sew_lines_closed_ = 0;
 };
 
 }  // namespace
@@ -329,18 +356,20 @@ PieceDrawing dxf_pieces(const DxfDrawing& drawing, const std::string& source,
   }
   if (evidence.stated) {
     evidence.stated_by = "'Units: " + shown_text(units) + "'";
-  } else if (drawing.unit_metres > 0) {
-    evidence.stated = drawing.unit_metres;
-    evidence.stated_by = "$INSUNITS";
+  }
+  if (drawing.unit_metres > 0) {
+    (evidence.stated ? evidence.other : evidence.stated) = drawing.unit_metres;
+    (evidence.stated_by.empty() ? evidence.stated_by : evidence.other_by) = "$INSUNITS";
   }
   evidence.english = drawing.measurement == DxfMeasurement::english;
   const double unit = drawing_unit(evidence, source, result.remarks);
 
-  for (DrawnPiece& drawn : loose_pieces(drawing, layered, unit, source, result.ignored)) {
+  for (DrawnPiece& drawn : loose_pieces(drawing, layered, unit, source, result)) {
     pieces.push_back(std::move(drawn));
   }
   PieceBuilder builder(source, unit, layered, options.cut_line, result);
   for (const DrawnPiece& drawn : pieces) builder.add(drawn);
+  if (result.pieces.empty() && !result.left_out.empty()) throw Error(result.left_out.front().error);
   return result;
 }
 

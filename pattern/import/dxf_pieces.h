@@ -25,9 +25,10 @@ namespace toile {
 ///   whole boundary, within 60 mm of it, is a sew line: Valentina writes it so.
 /// - A piece is a pair if its texts say so, or if a second insert is mirrored.
 ///
-/// Throws Error, naming the piece, for outlines with a gap wider than max_outline_gap, and for two
-/// outlines beside each other in one block. An outline within the other is a cut-out, with a
-/// warning. Throws it when there is no piece, and as drawing_unit() does.
+/// A piece is left out whose outline has a gap wider than max_outline_gap. So is a block with two
+/// outlines beside each other. An outline within the other is a cut-out, with a warning.
+///
+/// Throws Error when no piece is there, or none but those left out, and as drawing_unit() does.
 PieceDrawing dxf_pieces(const DxfDrawing& drawing, const std::string& source,
                         const DrawingOptions& options);
 

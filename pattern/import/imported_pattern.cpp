@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 
+#include "geometry/angles.h"
 #include "geometry/error.h"
 #include "geometry/polygon.h"
 #include "io/json_words.h"
@@ -14,6 +15,7 @@
 #include "pattern/import/half_pieces.h"
 #include "pattern/import/join_paths.h"
 #include "pattern/import/piece_shape.h"
+#include "pattern/import/upright.h"
 #include "pattern/row_layout.h"
 #include "pattern/seams/panel_words.h"
 
@@ -138,10 +140,25 @@ class Importer {
     choose_size();
     choose_pieces();
     take_requests();
+    std::erase_if(chosen_, [&](ChosenPiece& chosen) {
+      return !holds(
+          [&] {
+            chosen.shape = shape_of(chosen.piece, place_of(chosen),
+                                    options_.edges.chord_error * sampling_share, remarks_);
+          },
+          chosen);
+    });
+    stand_upright();
     int cut_lines = 0;
     for (const ChosenPiece& chosen : chosen_) {
+      if (!holds([&] { add(chosen); }, chosen)) continue;
       if (chosen.piece.is_cut_line && !options_.seam_allowance) ++cut_lines;
-      add(chosen);
+    }
+    for (const LeftOutPiece& piece : pattern_.left_out) {
+      remarks_.push_back({true, std::string(piece.error.what()) + "; the piece is left out"});
+    }
+    if (pattern_.panels.empty() && !pattern_.left_out.empty()) {
+      throw Error(pattern_.left_out.front().error);
     }
     if (pattern_.panels.empty()) {
       throw Error(drawing_.source, "holds no piece: no closed outline was found in it",
@@ -165,7 +182,8 @@ class Importer {
     }
     if (no_grain_ > 0) {
       note(drawing_.source + ": " + std::to_string(no_grain_) +
-           " panels have no grain line; their warp is taken upright in the drawing");
+           " panels have no grain line; their warp is taken " +
+           (has_grain_ ? "along that of most others" : "upright in the drawing"));
     }
     if (!ribbing_.empty()) {
       note(drawing_.source + ": cut of ribbing:" + ribbing_ + "; their fabric is " +
@@ -178,6 +196,20 @@ class Importer {
 
  private:
   void note(const std::string& text) { remarks_.push_back({false, text}); }
+
+  /// Does the work on a piece; where that fails, the piece is left out. What was asked for has to
+  /// hold.
+  template <class Work, class Chosen>
+  bool holds(const Work& work, const Chosen& chosen) {
+    try {
+      work();
+      return true;
+    } catch (const Error& error) {
+      if (chosen.unfold) throw;
+      pattern_.left_out.push_back({chosen.piece.name, chosen.piece.size, error});
+      return false;
+    }
+  }
 
   void choose_size() {
     pattern_.sizes = sizes_of(drawing_);
@@ -219,6 +251,8 @@ class Importer {
     std::string asked;  ///< the name that options have for it
     std::string left;   ///< the panel as drawn; of a pair, the left one
     std::string right;  ///< the mirrored panel of a pair
+    PieceShape shape;   ///< turned upright
+    double turned = 0;  ///< radians
     std::optional<NamedPiece> unfold;
     bool layers = false;  ///< drawn once for the layers that it is cut in
   };
@@ -239,11 +273,16 @@ class Importer {
                        [&](const Vec2& across) { return is_mirror_image(outline, across); });
   }
 
+  bool is_of_size(const std::string& size) const {
+    return size.empty() || same_word(size, pattern_.size);
+  }
+
   /// Names all panels before one is changed, so that options name what was written without them.
   void choose_pieces() {
     for (const Piece& piece : drawing_.pieces) {
-      if (!piece.size.empty() && !same_word(piece.size, pattern_.size)) continue;
-      ChosenPiece chosen{piece, "", "", "", std::nullopt};
+      if (!is_of_size(piece.size)) continue;
+      ChosenPiece chosen;
+      chosen.piece = piece;
       const std::string name = panel_name(piece.name);
       chosen.piece.pair = piece.pair && !is_layered(piece);
       chosen.layers = piece.pair && !chosen.piece.pair;
@@ -261,9 +300,36 @@ class Importer {
     }
   }
 
-  void take_requests() {
+  /// Leaves out what is not wanted. Pieces that were not read can be named, too.
+  void leave_out() {
+    for (const LeftOutPiece& piece : drawing_.left_out) {
+      if (is_of_size(piece.size)) pattern_.left_out.push_back(piece);
+    }
+    std::string names;
+    for (const std::string& text : options_.without) {
+      const std::size_t unread = std::erase_if(pattern_.left_out, [&](const LeftOutPiece& piece) {
+        return panel_name(piece.name) == text;
+      });
+      const auto found = std::ranges::find(chosen_, text, &ChosenPiece::asked);
+      if (unread == 0 && found == chosen_.end()) {
+        named_piece(text, asked_names(), drawing_.source + ": --without " + in_quotes(text));
+      }
+      if (found != chosen_.end()) chosen_.erase(found);
+      names += (names.empty() ? " " : ", ") + shown_text(text);
+    }
+    if (!names.empty()) note(drawing_.source + ": left out as asked:" + names);
+  }
+
+  std::vector<std::string> asked_names() const {
     std::vector<std::string> names;
+    names.reserve(chosen_.size());
     for (const ChosenPiece& chosen : chosen_) names.push_back(chosen.asked);
+    return names;
+  }
+
+  void take_requests() {
+    leave_out();
+    const std::vector<std::string> names = asked_names();
     for (const std::string& text : options_.unfold) {
       const std::string place = drawing_.source + ": --unfold " + in_quotes(text);
       const NamedPiece named = named_piece(text, names, place);
@@ -305,11 +371,40 @@ class Importer {
     }
   }
 
+  std::string place_of(const ChosenPiece& chosen) const {
+    return drawing_.source + ": piece " + in_quotes(chosen.piece.name);
+  }
+
+  void stand_upright() {
+    std::vector<PieceShape> shapes;
+    shapes.reserve(chosen_.size());
+    for (const ChosenPiece& chosen : chosen_) shapes.push_back(chosen.shape);
+    const UprightTurns upright = upright_turns(shapes);
+    has_grain_ = upright.has_grain;
+    std::string off_grain;
+    for (std::size_t i = 0; i < chosen_.size(); ++i) {
+      chosen_[i].turned = upright.turns[i];
+      chosen_[i].shape = turned_shape(shapes[i], upright.turns[i]);
+      if (upright.off_grain[i]) off_grain += (off_grain.empty() ? " " : ", ") + chosen_[i].asked;
+    }
+    if (std::abs(upright.drawing) > to_radians(0.05)) {
+      note(drawing_.source + ": turned by " + fixed_number(to_degrees(upright.drawing), 1) +
+           " degrees, so that " +
+           (has_grain_ ? "the grain of most of it is upright" : "its hems lie below") +
+           (upright.end_by_shape ? "; shapes tell which end is up"
+                                 : "; no shape tells which end is up"));
+    }
+    if (!off_grain.empty()) {
+      note(drawing_.source +
+           ": cut on the bias or across the grain, and turned as the rest is:" + off_grain);
+    }
+  }
+
   /// Unfolds a piece as the drawing or the user says, or notes that it looks like a half.
   void unfold(const ChosenPiece& chosen, const std::string& place, PieceShape& shape) {
-    if (chosen.piece.fold) {
-      if (auto whole = unfolded_shape(shape, *chosen.piece.fold, place, remarks_))
-        shape = std::move(*whole);
+    if (shape.fold) {
+      const PieceLine fold = *shape.fold;
+      if (auto whole = unfolded_shape(shape, fold, place, remarks_)) shape = std::move(*whole);
       return;
     }
     if (!chosen.unfold && chosen.piece.pair) return;
@@ -338,32 +433,38 @@ class Importer {
 
   void add(const ChosenPiece& chosen) {
     const Piece& piece = chosen.piece;
-    const std::string place = drawing_.source + ": piece " + in_quotes(piece.name);
+    const std::string place = place_of(chosen);
     if (chosen.layers) {
       note(place + ": is its own mirror image and cut " + std::to_string(piece.quantity) +
            " times: its layers are drawn as one panel; --pair " + shell_word(chosen.asked) +
            " makes a left and a right one");
     }
     const bool takes_off = piece.is_cut_line && options_.seam_allowance;
-    PieceShape shape = shape_of(piece, place, options_.edges.chord_error * sampling_share);
+    PieceShape shape = chosen.shape;
+    // Sides that touch but for a rounding may cross since the piece was turned.
+    if (first_crossing(shape.outline)) {
+      throw Error(place, "its outline all but touches itself", "draw its sides apart");
+    }
     unfold(chosen, place, shape);
     if (takes_off) shape = without_allowance(shape, *options_.seam_allowance, place);
     if (!shape.grain && !is_ribbing(piece.material)) no_grain_ += piece.pair ? 2 : 1;
     if (!piece.pair) {
-      add(piece, shape, chosen.left, piece.quantity, place);
+      add(chosen, shape, chosen.left, piece.quantity, place);
       return;
     }
     // Of an uneven count, the one that is drawn is cut once more.
     const int mirrored = std::max(1, piece.quantity / 2);
     const bool right = piece.is_right_one;
-    add(piece, shape, right ? chosen.right : chosen.left, std::max(1, piece.quantity - mirrored),
+    add(chosen, shape, right ? chosen.right : chosen.left, std::max(1, piece.quantity - mirrored),
         place);
-    add(piece, mirrored_shape(shape), right ? chosen.left : chosen.right, mirrored, place);
+    add(chosen, mirrored_shape(shape), right ? chosen.left : chosen.right, mirrored, place);
   }
 
-  void add(const Piece& piece, const PieceShape& shape, const std::string& name, int quantity,
-           const std::string& place) {
+  void add(const ChosenPiece& chosen, const PieceShape& shape, const std::string& name,
+           int quantity, const std::string& place) {
+    const Piece& piece = chosen.piece;
     ImportedPanel panel;
+    panel.turned = chosen.turned;
     panel.piece = piece.name;
     panel.outline = edges_of(shape, options_.edges, place);
     if (panel.outline.far_notches > 0) {
@@ -406,6 +507,7 @@ class Importer {
   ImportedPattern pattern_;
   std::vector<ChosenPiece> chosen_;
   std::set<std::string> names_;
+  bool has_grain_ = false;  ///< whether any piece has a grain line
   int no_grain_ = 0;
   std::string ribbing_;  ///< the panels that are cut of it
 };

@@ -20,6 +20,7 @@ struct ImportOptions {
   std::vector<std::string> unfold;
   std::vector<std::string> names;  ///< "PIECE=NAME": what its panel is called instead
   std::vector<std::string> pairs;  ///< pieces that are cut as a pair, though the file does not say
+  std::vector<std::string> without;  ///< pieces that no panel is wanted of
   EdgeOptions edges;
 };
 
@@ -36,7 +37,8 @@ struct ImportedPanel {
   std::string fabric;  ///< one that dress knows by name; empty: the garment's
   int quantity = 1;
   double area = 0;            ///< square metres
-  Vec2 moved = Vec2::Zero();  ///< metres from where the drawing has it
+  double turned = 0;          ///< radians, counter-clockwise about the drawing's origin
+  Vec2 moved = Vec2::Zero();  ///< metres, after the turn, from where the drawing has it
 };
 
 /// All panels, and what was remarked on the way.
@@ -44,6 +46,7 @@ struct ImportedPattern {
   std::string size;                ///< the one that was taken; empty: the drawing states none
   std::vector<std::string> sizes;  ///< all that the drawing has
   std::vector<ImportedPanel> panels;
+  std::vector<LeftOutPiece> left_out;  ///< pieces of this size that can't be panels, not asked for
 };
 
 /// Makes the panels: of the size asked for, half pieces unfolded, pairs as left_NAME, as drawn, and
@@ -52,13 +55,15 @@ struct ImportedPattern {
 /// Options name a piece as its panel is named without `unfold`, `names` and `pairs`. A pair of the
 /// drawing is named without left_ and right_. Remarks name the pieces that look like halves.
 ///
-/// Panels stay where the drawing has them, unless the boxes of two overlap. Then all are laid out
-/// side by side, upright as drawn. Remarks of the drawing and what it ignored are added to
-/// `remarks`.
+/// Panels are turned as upright_turns() says, each with its own marks. They stay where that puts
+/// them, unless the boxes of two overlap. Then all are laid out side by side. Remarks of the
+/// drawing and what it ignored are added to `remarks`.
 ///
-/// Throws Error, naming the piece, as shape_of(), unfolded_shape() and without_allowance() do. It
-/// throws it for sizes and pieces that are not there, and for those that cannot be unfolded. It
-/// throws it beyond max_panels and max_panel_edges.
+/// A piece for which shape_of(), unfolded_shape() of a drawn fold, without_allowance() or
+/// edges_of() throws is left out, with a warning.
+///
+/// Throws Error, naming the piece, if none is left. It throws it for sizes and pieces that are not
+/// there, for those that cannot be unfolded as asked, and beyond max_panels.
 ImportedPattern import_pieces(const PieceDrawing& drawing, const ImportOptions& options,
                               std::vector<Remark>& remarks);
 

@@ -84,6 +84,7 @@ nlohmann::ordered_json pattern_json(const ImportedPattern& pattern) {
   result["properties"] = {{"curvature_coords", "relative"},
                           {"normalize_panel_translation", false},
                           {"normalized_edge_loops", true},
+                          {"up", "unknown"},
                           {"units_in_meter", 100}};
   return result;
 }

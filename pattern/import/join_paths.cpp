@@ -1,5 +1,6 @@
 #include "pattern/import/join_paths.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -154,6 +155,13 @@ std::vector<Vec2> path_points(const PiecePath& path, double tolerance) {
     for (int i = 1; i <= steps; ++i) points.push_back(curve.at(static_cast<double>(i) / steps));
   }
   return points;
+}
+
+bool is_line(const std::vector<Vec2>& points) {
+  constexpr double width = 1e-3;
+  Eigen::AlignedBox2d box;
+  for (const Vec2& point : points) box.extend(point);
+  return points.size() < 3 || box.sizes().minCoeff() < width;
 }
 
 std::vector<Vec2> loop_points(const PiecePath& path, double tolerance) {

@@ -43,6 +43,9 @@ double path_length(const PiecePath& path);
 /// Points along a path, both ends included: chords leave its curves by at most `tolerance` metres.
 std::vector<Vec2> path_points(const PiecePath& path, double tolerance);
 
+/// Whether points enclose nothing: their box is narrower than a millimetre.
+bool is_line(const std::vector<Vec2>& points);
+
 /// path_points() of a closed path, its first point not repeated.
 std::vector<Vec2> loop_points(const PiecePath& path, double tolerance);
 

@@ -17,8 +17,10 @@ constexpr double direction_reach = 5e-4;
 /// Metres: of several corners within this length of the outline, the sharpest counts.
 constexpr double same_corner = 1e-3;
 
-/// Metres: a declared corner is on the outline if it is nearer.
-constexpr double declared_reach = 1e-3;
+/// Radians: a point that the file declares to be a corner is one if the outline turns there by
+/// more. Programs declare the ends of internal lines and points of curves, too. Of the
+/// 832 edges of nine drawings it joins 305 to others; half of it joins 260, double 323.
+constexpr double declared_turn = to_radians(10);
 
 /// Metres: a notch that is nearer to a corner is at the corner.
 constexpr double notch_at_corner = 3e-3;
@@ -113,11 +115,8 @@ std::vector<Cut> corners_of(const PieceShape& shape, const Ring& ring, double co
   const std::vector<double> turns = turns_of(ring);
   refuse_more(shape.corners.size() + shape.notches.size(), place_name);
   std::vector<Cut> declared;
-  for (const Vec2& corner : shape.corners) {
-    const OutlinePlace place = nearest_place(shape.outline, corner);
-    if (place.distance > declared_reach) continue;
-    declared.push_back(
-        {ring.to(place.segment) + (place.at - ring.at(place.segment)).norm(), place.at});
+  for (const std::size_t i : declared_points(shape)) {
+    if (std::abs(turns[i]) >= declared_turn) declared.push_back({ring.to(i), ring.at(i)});
   }
   const double angle =
       declared.size() >= 2 ? std::max(corner_angle, undeclared_turn) : corner_angle;

@@ -39,7 +39,8 @@ struct EdgedOutline {
 
 /// Cuts the shape's outline at its corners and notches, and fits each edge.
 ///
-/// - Corners are the declared ones on the outline. So is every point where it turns by more than
+/// - Corners are the declared ones, where the outline turns by 10 degrees or more. So is every
+/// point where it turns by more than
 ///   the corner angle; by more than 60 degrees if there are declared ones. Points of a rounding
 ///   drawn in coarse chords are none: their neighbours turn as much, less than 2 cm away.
 /// - A notch within 3 mm of a corner is at the corner. One up to 6 cm from the outline is moved

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/error.h"
 #include "geometry/types.h"
 #include "pattern/edge_curve.h"
 #include "pattern/pattern.h"
@@ -47,11 +48,19 @@ struct Piece {
   std::optional<PieceLine> fold;   ///< the piece is half of one that is mirrored about this line
 };
 
+/// A piece that no panel can be made of.
+struct LeftOutPiece {
+  std::string name;  ///< as the file has it
+  std::string size;  ///< empty: not stated
+  Error error;       ///< what is wrong with it
+};
+
 /// What a drawing holds, with the outlines that were understood.
 struct PieceDrawing {
   std::string source;     ///< the file it came from, for messages
   std::string base_size;  ///< the sample size, if the file states it; else empty
   std::vector<Piece> pieces;
+  std::vector<LeftOutPiece> left_out;  ///< of those that were not; `pieces` is not empty
   std::vector<Remark> remarks;
   /// What was not understood: the name of its kind, and how many there were.
   std::map<std::string, int> ignored;

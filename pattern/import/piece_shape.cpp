@@ -1,5 +1,6 @@
 #include "pattern/import/piece_shape.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +11,7 @@
 #include "geometry/polygon.h"
 #include "io/text.h"
 #include "pattern/import/join_paths.h"
+#include "pattern/import/weak_outline.h"
 
 namespace toile {
 
@@ -23,6 +25,12 @@ constexpr double fold_noise = 5e-5;
 
 /// Metres: nearer points of an outline are one. Below, directions are noise.
 constexpr double same_outline_point = 2e-5;
+
+/// Metres: a declared corner is one of the outline if a point of it is nearer.
+constexpr double declared_reach = 1e-3;
+
+/// Metres: shorter chords say nothing of a direction.
+constexpr double telling_chord = 5e-4;
 
 /// Square metres: a smaller piece is a drawing error.
 constexpr double min_piece_area = 1e-5;
@@ -61,7 +69,9 @@ void change_points(PieceShape& shape, const Change& change) {
   for (auto& line : shape.internal_lines) all(line);
   for (auto& loop : shape.cut_outs) all(loop);
   all(shape.drill_holes);
-  if (shape.grain) shape.grain = PieceLine{change(shape.grain->from), change(shape.grain->to)};
+  for (auto* line : {&shape.grain, &shape.fold}) {
+    if (*line) *line = PieceLine{change((*line)->from), change((*line)->to)};
+  }
 }
 
 /// The line on which a piece is folded.
@@ -177,6 +187,23 @@ void mirror_marks(const FoldLine& fold, PieceShape& shape) {
   shape.cut_outs = mirrored_lines(shape.cut_outs, fold);
 }
 
+/// Where point `i` of a counter-clockwise outline goes when its sides move inwards by `distance`.
+Vec2 inset_point(const std::vector<Vec2>& outline, std::size_t i, double distance) {
+  const std::size_t count = outline.size();
+  const auto normal = [&](std::size_t step) -> Vec2 {
+    Vec2 run = Vec2::Zero();
+    for (std::size_t k = step; k != 0 && k != count && run.norm() < telling_chord;
+         k = (k + step) % count) {
+      run = outline[(i + k) % count] - outline[i];
+    }
+    if (step != 1) run = -run;
+    return Vec2(-run.y(), run.x()).normalized();
+  };
+  const Vec2 both = normal(1) + normal(count - 1);
+  // A spike's tip would go to infinity.
+  return outline[i] + distance * both * (2 / std::max(both.squaredNorm(), 0.04));
+}
+
 }  // namespace
 
 OutlinePlace nearest_place(const std::vector<Vec2>& outline, const Vec2& point) {
@@ -192,21 +219,49 @@ OutlinePlace nearest_place(const std::vector<Vec2>& outline, const Vec2& point) 
   return best;
 }
 
-PieceShape shape_of(const Piece& piece, const std::string& place, double tolerance) {
+std::vector<std::size_t> declared_points(const PieceShape& shape) {
+  std::vector<std::size_t> points;
+  points.reserve(shape.corners.size());
+  for (const Vec2& corner : shape.corners) {
+    const auto nearest = std::ranges::min_element(
+        shape.outline, {}, [&](const Vec2& point) { return (point - corner).squaredNorm(); });
+    if ((*nearest - corner).norm() > declared_reach) continue;
+    points.push_back(static_cast<std::size_t>(nearest - shape.outline.begin()));
+  }
+  return points;
+}
+
+PieceShape shape_of(const Piece& piece, const std::string& place, double tolerance,
+                    std::vector<Remark>& remarks) {
   PieceShape shape;
   shape.outline = cleaned(loop_points(piece.outline, tolerance));
-  if (shape.outline.size() < 3 || std::abs(signed_area(shape.outline)) < min_piece_area) {
+  if (is_line(shape.outline)) {
     throw Error(place, "has no area", "remove it from the drawing, or draw its outline");
   }
   if (signed_area(shape.outline) < 0) std::reverse(shape.outline.begin(), shape.outline.end());
+  PlainOutline plain = plain_outline(std::move(shape.outline));
+  shape.outline = cleaned(plain.outline);
   if (const auto crossing = first_crossing(shape.outline)) {
     throw Error(place,
                 "its outline crosses or touches itself at " +
                     millimetres_text(shape.outline[static_cast<std::size_t>((*crossing)[0])]),
                 "draw it without the crossing");
   }
+  if (signed_area(shape.outline) < min_piece_area) {
+    throw Error(place, "has no area", "remove it from the drawing, or draw its outline");
+  }
   shape.corners = piece.corners;
   shape.notches = piece.notches;
+  shape.notches.insert(shape.notches.end(), plain.notches.begin(), plain.notches.end());
+  shape.cut_outs = std::move(plain.holes);
+  shape.internal_lines = std::move(plain.slashes);
+  const auto note = [&](std::size_t count, const std::string& what) {
+    if (count == 0) return;
+    remarks.push_back({false, place + ": " + std::to_string(count) + what});
+  };
+  note(plain.notches.size(), " notches drawn in its outline are taken out of it, and are notches");
+  note(shape.cut_outs.size(), " loops that a slit joins to its outline are cut-outs");
+  note(shape.internal_lines.size(), " slits of its outline are internal lines");
   for (const PiecePath& path : piece.internal_lines) {
     shape.internal_lines.push_back(path_points(path, tolerance));
   }
@@ -216,7 +271,16 @@ PieceShape shape_of(const Piece& piece, const std::string& place, double toleran
   }
   shape.drill_holes = piece.drill_holes;
   shape.grain = piece.grain;
+  shape.fold = piece.fold;
   return shape;
+}
+
+PieceShape turned_shape(const PieceShape& shape, double angle) {
+  PieceShape turned = shape;
+  if (angle == 0) return turned;
+  const Eigen::Rotation2Dd turn(angle);
+  change_points(turned, [&](const Vec2& point) -> Vec2 { return turn * point; });
+  return turned;
 }
 
 PieceShape mirrored_shape(const PieceShape& shape) {
@@ -269,9 +333,11 @@ PieceShape without_allowance(const PieceShape& shape, double allowance, const st
     throw Error(place, "nothing is left of it without its seam allowance",
                 "check --seam-allowance");
   }
-  // Declared corners and notches stand on the cut line: they go to the nearest place inwards.
-  for (Vec2& corner : inner.corners) corner = nearest_place(inner.outline, corner).at;
-  for (PieceNotch& notch : inner.notches) notch.at = nearest_place(inner.outline, notch.at).at;
+  inner.corners.clear();
+  for (const std::size_t i : declared_points(shape)) {
+    const Vec2 at = inset_point(shape.outline, i, allowance);
+    inner.corners.push_back(nearest_place(inner.outline, at).at);
+  }
   return inner;
 }
 

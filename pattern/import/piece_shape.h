@@ -18,13 +18,21 @@ struct PieceShape {
   std::vector<std::vector<Vec2>> cut_outs;  ///< closed, the first point not repeated
   std::vector<Vec2> drill_holes;
   std::optional<PieceLine> grain;
+  std::optional<PieceLine> fold;  ///< where it is a half
 };
 
 /// The shape of a piece. Its chords leave the piece's curves by at most `tolerance` metres.
 ///
-/// Throws Error with the place `place` for an outline without area, and for one that crosses or
-/// touches itself.
-PieceShape shape_of(const Piece& piece, const std::string& place, double tolerance);
+/// What plain_outline() takes off is a notch, a cut-out or an internal line, with a remark.
+///
+/// Throws Error with the place `place` for an outline without area, and for one that crosses itself
+/// nevertheless.
+PieceShape shape_of(const Piece& piece, const std::string& place, double tolerance,
+                    std::vector<Remark>& remarks);
+
+/// The shape turned about the origin by `angle` radians, counter-clockwise. An angle of 0 changes
+/// nothing.
+PieceShape turned_shape(const PieceShape& shape, double angle);
 
 /// The shape as seen from behind: mirrored left to right.
 PieceShape mirrored_shape(const PieceShape& shape);
@@ -38,8 +46,9 @@ PieceShape mirrored_shape(const PieceShape& shape);
 std::optional<PieceShape> unfolded_shape(const PieceShape& half, const PieceLine& fold,
                                          const std::string& place, std::vector<Remark>& remarks);
 
-/// The shape with `allowance` metres taken off all around. Corners stay corners. Throws Error with
-/// the place `place` when nothing or more than one piece is left.
+/// The shape with `allowance` metres taken off all around. Corners stay corners, declared ones
+/// where they were declared; notches stay on the cut line. Throws Error with the place `place` when
+/// nothing or more than one piece is left.
 PieceShape without_allowance(const PieceShape& shape, double allowance, const std::string& place);
 
 /// The point of a closed outline that is nearest to `point`: on segment `segment`, from its start
@@ -50,5 +59,9 @@ struct OutlinePlace {
   double distance = 0;
 };
 OutlinePlace nearest_place(const std::vector<Vec2>& outline, const Vec2& point);
+
+/// The points of the outline at which corners are declared, by their index. A declaration farther
+/// than 1 mm from all of them is one of another line.
+std::vector<std::size_t> declared_points(const PieceShape& shape);
 
 }  // namespace toile

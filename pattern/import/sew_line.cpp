@@ -100,4 +100,77 @@ bool can_be_sew_line(const std::vector<Vec2>& boundary, const PiecePath& path) {
          far_share(boundary, inner) <= max_far_share;
 }
 
+std::optional<PiecePath> closed_along(const std::vector<Vec2>& boundary,
+                                      const std::vector<PiecePath>& lines) {
+  if (lines.empty()) return std::nullopt;
+  const std::size_t count = boundary.size();
+  std::vector<double> lengths(count + 1, 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    lengths[i + 1] = lengths[i] + (boundary[(i + 1) % count] - boundary[i]).norm();
+  }
+  struct Place {
+    double along = 0;  ///< metres from the boundary's first point
+    Vec2 at = Vec2::Zero();
+  };
+  const auto place_of = [&](const Vec2& end) -> std::optional<Place> {
+    const OutlinePlace nearest = nearest_place(boundary, end);
+    if (nearest.distance > drawing_noise) return std::nullopt;
+    return Place{lengths[nearest.segment] + (nearest.at - boundary[nearest.segment]).norm(), end};
+  };
+  const auto run = [&](double from, double to) {
+    return to >= from ? to - from : to - from + lengths.back();
+  };
+  struct Line {
+    PiecePath path;
+    Place from;
+    Place to;
+  };
+  std::vector<Line> placed;
+  for (const PiecePath& path : lines) {
+    const auto from = place_of(path.front().start());
+    const auto to = place_of(path.back().end());
+    if (!from || !to) return std::nullopt;
+    // It runs beside the part of the boundary that its middle is nearest to.
+    const std::vector<Vec2> points = path_points(path, comparing_chords);
+    double rest = path_length(path) / 2;
+    std::size_t middle = 1;
+    while (middle + 1 < points.size() && rest > (points[middle] - points[middle - 1]).norm()) {
+      rest -= (points[middle] - points[middle - 1]).norm();
+      ++middle;
+    }
+    const Vec2 last = (points[middle] - points[middle - 1]).normalized();
+    const OutlinePlace nearest = nearest_place(boundary, points[middle - 1] + rest * last);
+    const double beside =
+        lengths[nearest.segment] + (nearest.at - boundary[nearest.segment]).norm();
+    const bool forward = run(from->along, beside) <= run(from->along, to->along);
+    placed.push_back(forward ? Line{path, *from, *to} : Line{reversed_path(path), *to, *from});
+  }
+  std::ranges::sort(placed, {}, [](const Line& line) { return line.from.along; });
+  PiecePath closed;
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    const Line& line = placed[i];
+    const Place& next = placed[(i + 1) % placed.size()].from;
+    // Lines beside the same part of the boundary are not one sew line.
+    if (placed.size() > 1 &&
+        run(line.from.along, line.to.along) > run(line.from.along, next.along)) {
+      return std::nullopt;
+    }
+    closed.insert(closed.end(), line.path.begin(), line.path.end());
+    Vec2 last = line.to.at;
+    const double way = run(line.to.along, next.along);
+    const auto after = static_cast<std::size_t>(std::ranges::upper_bound(lengths, line.to.along) -
+                                                lengths.begin());
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t corner = (after + k) % count;
+      const double apart = run(line.to.along, lengths[corner]);
+      if (apart >= way) break;
+      if ((boundary[corner] - last).norm() <= drawing_noise) continue;
+      closed.push_back(EdgeCurve::line(last, boundary[corner]));
+      last = boundary[corner];
+    }
+    closed.push_back(EdgeCurve::line(last, next.at));
+  }
+  return closed;
+}
+
 }  // namespace toile

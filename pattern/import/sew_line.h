@@ -1,6 +1,7 @@
 // Whether a line is the sew line of a boundary.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "pattern/import/piece.h"
@@ -17,5 +18,11 @@ bool runs_along(const std::vector<Vec2>& boundary, const PiecePath& path);
 /// beyond it. Programs write others where an allowance fails. Takes some thousand points of
 /// the area, and compares each with at most 400 of both lines.
 bool can_be_sew_line(const std::vector<Vec2>& boundary, const PiecePath& path);
+
+/// One closed path of open sew lines that end on the boundary, within 1 mm. A piece has no
+/// allowance along a part of its boundary: there the path goes on along it, from line to line.
+/// Nothing where an end lies elsewhere. O(n) of the boundary's points, for each line.
+std::optional<PiecePath> closed_along(const std::vector<Vec2>& boundary,
+                                      const std::vector<PiecePath>& lines);
 
 }  // namespace toile

@@ -119,8 +119,11 @@ class OutlineFinder {
       const SvgRole role = sheet_.meanings[s].role;
       const bool can_be_outline =
           role == SvgRole::unknown && !(is_freesewing(sheet_.drawing) && is_freesewing_mark(shape));
-      if (can_be_outline || role == SvgRole::outline || role == SvgRole::allowance ||
-          role == SvgRole::cut_out || role == SvgRole::fold) {
+      if (can_be_outline || role == SvgRole::outline) {
+        sheet_.pieces.left_out.push_back({shape.id, "", *shape.unreadable});
+        continue;
+      }
+      if (role == SvgRole::allowance || role == SvgRole::cut_out || role == SvgRole::fold) {
         throw Error(*shape.unreadable);
       }
       const std::string what = "line that can't be read";
@@ -233,6 +236,7 @@ class OutlineFinder {
                        return outline(a.outline).shape < outline(b.outline).shape;
                      });
     if (!found_.chosen.empty()) return;
+    if (!sheet_.pieces.left_out.empty()) throw Error(sheet_.pieces.left_out.front().error);
     std::string remedy = "join the ends of its lines, or close the path";
     PathGap gap = widest_open();
     throw Error(sheet_.pieces.source,

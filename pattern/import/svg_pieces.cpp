@@ -122,7 +122,7 @@ class PieceFinder {
   }
 
   /// A line that all but closes is an outline with a gap, which must not go missing.
-  void refuse_gap(const SvgLine& open, const SvgMeaning& meaning) const {
+  void refuse_gap(const SvgLine& open, const SvgMeaning& meaning) {
     const Vec2& from = open.path.front().start();
     const Vec2& to = open.path.back().end();
     const double gap = (to - from).norm();
@@ -132,11 +132,12 @@ class PieceFinder {
     // Where classes tell the outlines, a line without one is a mark, such as those of measures.
     if (meaning.role != SvgRole::outline && (outlines_.classed || gap > 0.2 * length)) return;
     const SvgShape& shape = sheet_.drawing.shapes[static_cast<std::size_t>(open.shape)];
-    throw Error(sheet_.pieces.source + ":" + std::to_string(shape.line) + ": " + shape.element +
-                    (shape.id.empty() ? "" : " " + in_quotes(shape.id)),
-                "the outline has a gap of " + number_text(gap * 1000) + " mm at " +
-                    sheet_.where((from + to) / 2),
-                "close it; gaps under 0.5 mm are closed by themselves");
+    const Error error(sheet_.pieces.source + ":" + std::to_string(shape.line) + ": " +
+                          shape.element + (shape.id.empty() ? "" : " " + in_quotes(shape.id)),
+                      "the outline has a gap of " + number_text(gap * 1000) + " mm at " +
+                          sheet_.where((from + to) / 2),
+                      "close it; gaps under 0.5 mm are closed by themselves");
+    sheet_.pieces.left_out.push_back({shape.id, "", error});
   }
 
   /// The smallest piece that the points lie in; -1: none.
@@ -342,7 +343,7 @@ class PieceFinder {
       pieces()[p].is_right_one = name.find("sleeve") != std::string::npos;
       return name;
     }
-    if (const std::string named = said_[p].texts.value("piece name"); !named.empty()) return named;
+    if (std::string named = said_[p].texts.value("piece name"); !named.empty()) return named;
     const SvgShape& shape = shape_of(p);
     if (!shape.label.empty()) return shape.label;
     if (!shape.title.empty()) return shape.title;

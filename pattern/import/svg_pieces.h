@@ -29,9 +29,11 @@ namespace toile {
 /// A drawing that states no unit of length has 96 pixels an inch, with a remark. The user's unit is
 /// that of the numbers in the drawing, whatever its width and viewBox say.
 ///
-/// Throws Error as parse_svg() and drawing_unit() do, and beyond max_panels outlines. Throws it
-/// when no outline is closed. Throws it when one has a gap, and names its size, and its place in
-/// the drawing's numbers.
+/// Outlines that can't be read, and those with a gap, are left out. The gap is named with its size,
+/// and its place in the drawing's numbers.
+///
+/// Throws Error as parse_svg() and drawing_unit() do, beyond max_panels outlines, when no outline
+/// is closed, and for allowances, cut-outs and folds that can't be read.
 PieceDrawing svg_pieces(std::string_view text, const std::string& source,
                         const DrawingOptions& options);
 

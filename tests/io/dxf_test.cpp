@@ -139,6 +139,17 @@ TEST(Dxf, TextIsInTheHeadersCodePage) {
   EXPECT_EQ(read.entities.at(0).text, "\u041f\u0435\u0440\u0435\u0434");
 }
 
+TEST(Dxf, ADeclaredPageOfTwoBytesIsHeeded) {
+  const std::string header = "9\n$ACADVER\n1\nAC1009\n9\n$DWGCODEPAGE\n3\nANSI_936\n";
+  const auto text_of = [&](const std::string& bytes) {
+    return parse_dxf(dxf_file("", dxf_label(bytes), header), "a.dxf").entities.at(0).text;
+  };
+  // All by itself, this word would be UTF-8, too.
+  EXPECT_EQ(text_of("\xC7\xB0\xC6\xAC"), "\u524d\u7247");
+  // Some programs declare a page and write UTF-8.
+  EXPECT_EQ(text_of("\u524d\u7247"), "\u524d\u7247");
+}
+
 TEST(Dxf, SaysWhatIsWrongAndWhere) {
   EXPECT_HOLDS(dxf_error("0\nSECTION\n2\nENTITIES\n0\nLINE\n"), "a.dxf:6: the file ends before");
   EXPECT_HOLDS(dxf_error("0\nSECTION\n2\nENTITIES\nx\nLINE\n"), "a.dxf:5: 'x' is no group code");

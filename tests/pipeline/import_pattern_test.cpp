@@ -31,6 +31,29 @@ TEST(ImportPattern, WhatItWritesIsMeshed) {
   EXPECT_HOLDS(garment, ".drill_hole.0");
 }
 
+TEST(ImportPattern, ABadPieceEndsWithThree) {
+  const ScratchFolder folder;
+  write_text(
+      folder / "d.svg",
+      "<svg xmlns='http://www.w3.org/2000/svg' width='400mm' height='400mm' viewBox='0 0 400 "
+      "400'><path id='good' d='M0 0h200v300h-200z'/>"
+      "<path id='bow' d='M210 0L390 390L390 0L210 200z'/></svg>");
+  const auto import = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words = {(folder / "d.svg").string(), "-o",
+                                      (folder / "p.json").string(), "--report",
+                                      (folder / "r.json").string()};
+    words.insert(words.end(), more.begin(), more.end());
+    return run("import-pattern", words, 60);
+  };
+  const auto done = import({});
+  EXPECT_EQ(done.exit_code, 3) << done.err;
+  EXPECT_HOLDS(done.err, "piece 'bow': its outline crosses or touches itself");
+  EXPECT_HOLDS(read_text(folder / "p.json"), "good");
+  EXPECT_HOLDS(read_text(folder / "r.json"), "left_out\": [\n    {\n      \"piece\": \"bow\"");
+  EXPECT_EQ(import({"--without", "bow"}).exit_code, 0);
+  EXPECT_EQ(import({"--without", "good"}).exit_code, 1);
+}
+
 TEST(ImportPattern, APatternIsWrittenAsItIs) {
   const ScratchFolder folder;
   const std::string sample = source + "/samples/tshirt.json";

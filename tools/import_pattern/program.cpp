@@ -87,6 +87,8 @@ CommandLineProgram import_pattern_program() {
       "PIECE=NAME: what a piece is to be called; may be repeated")(
       "pair", po::value<std::vector<std::string>>()->composing(),
       "PIECE: cut as a pair, left and right; may be repeated")(
+      "without", po::value<std::vector<std::string>>()->composing(),
+      "PIECE: of which no panel is made; may be repeated")(
       "cut-line", po::bool_switch(), "bound pieces by their cut lines, not by their sew lines")(
       "chord-error", po::value<std::string>()->default_value("0.1mm"),
       "from the drawn outline to the pattern's curves at most")(
@@ -112,9 +114,12 @@ CommandLineProgram import_pattern_program() {
     if (given.count("pair") > 0) {
       settings.pieces.pairs = given["pair"].as<std::vector<std::string>>();
     }
+    if (given.count("without") > 0) {
+      settings.pieces.without = given["without"].as<std::vector<std::string>>();
+    }
     settings.drawn.cut_line = given["cut-line"].as<bool>();
     for (const char* option : {"unit", "size", "seam-allowance", "unfold", "name", "pair",
-                               "cut-line", "chord-error", "corner-angle"}) {
+                               "without", "cut-line", "chord-error", "corner-angle"}) {
       if (given.count(option) == 0 || given[option].defaulted()) continue;
       settings.of_drawings.push_back(std::string("--") + option);
     }
@@ -124,8 +129,7 @@ CommandLineProgram import_pattern_program() {
     job.files.reads = {settings.drawing};
     job.files.writes = {common.output};
     job.work = [settings, &common] {
-      run_import_pattern(settings, common);
-      return exit_done;
+      return run_import_pattern(settings, common) ? exit_done : exit_negative;
     };
     return job;
   };

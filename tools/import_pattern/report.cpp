@@ -32,9 +32,15 @@ nlohmann::ordered_json import_pattern_json(const std::string& file, const std::s
                   {"drill_holes", panel.drill_holes.size()},
                   {"quantity", panel.quantity},
                   {"material", valid_utf8(panel.material)},
+                  {"turned_degrees", panel.turned * 180 / std::numbers::pi},
                   {"moved_cm", {100 * panel.moved.x(), 100 * panel.moved.y()}}};
     if (panel.grain) entry["grain_degrees"] = *panel.grain * 180 / std::numbers::pi;
     report["panels"].push_back(std::move(entry));
+  }
+  report["left_out"] = Json::array();
+  for (const LeftOutPiece& piece : pattern.left_out) {
+    report["left_out"].push_back(
+        {{"piece", valid_utf8(piece.name)}, {"why", valid_utf8(piece.error.what())}});
   }
   report["ignored"] = Json::object();
   for (const auto& [what, count] : drawing.ignored) report["ignored"][valid_utf8(what)] = count;

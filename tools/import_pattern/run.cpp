@@ -45,7 +45,7 @@ PieceDrawing read_drawing(DrawingFormat format, const std::string& text, const s
 
 }  // namespace
 
-void run_import_pattern(const ImportPatternSettings& settings, const CommonSettings& common) {
+bool run_import_pattern(const ImportPatternSettings& settings, const CommonSettings& common) {
   const std::string name = settings.drawing.string();
   const std::string text = read_file(settings.drawing);
   const DrawingFormat format = drawing_format(text, name);
@@ -84,6 +84,7 @@ void run_import_pattern(const ImportPatternSettings& settings, const CommonSetti
       files, common,
       import_pattern_json(name, formats[static_cast<int>(format)], drawing, imported, remarks));
   files.commit();
+  return imported.left_out.empty();
 }
 
 }  // namespace toile

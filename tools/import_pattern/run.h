@@ -20,7 +20,8 @@ struct ImportPatternSettings {
 
 /// Reads the drawing and writes the pattern. A GarmentCode JSON is checked and written as
 /// it is, or repaired, see repaired_pattern().
-/// Throws Error for what can't be read or made a pattern.
-void run_import_pattern(const ImportPatternSettings& settings, const CommonSettings& common);
+/// Returns whether no piece had to be left out. Throws Error for what can't be read or made a
+/// pattern.
+bool run_import_pattern(const ImportPatternSettings& settings, const CommonSettings& common);
 
 }  // namespace toile

@@ -84,7 +84,7 @@ TEST(DxfPieces, ASewLineAcrossAPieceIsNotTaken) {
   // Most of the piece lies beyond the line; a mark in a small piece; a line that leaves the piece.
   const std::vector<std::string> wrong = {
       square + dxf_polyline("14", rectangle(10, 10, 90, 380)),
-      dxf_polyline("1", rectangle(0, 0, 100, 100)) + dxf_polyline("14", rectangle(45, 45, 10, 10)),
+      dxf_polyline("1", rectangle(0, 0, 160, 160)) + dxf_polyline("14", rectangle(70, 70, 20, 20)),
       square + dxf_polyline("14", rectangle(-10, 10, 300, 380))};
   for (const std::string& piece : wrong) {
     const PieceDrawing read = pieces_of(dxf_file(dxf_block("P", piece), ""));
@@ -207,6 +207,41 @@ TEST(DxfPieces, TheUnitIsTheUsersTheFilesOrTold) {
   EXPECT_NEAR(height("9\n$INSUNITS\n70\n1\n", "", asked), 0.03, 1e-9);
   EXPECT_HOLDS(pieces_error(dxf_file(dxf_block("P", square), "", "9\n$INSUNITS\n70\n6\n")),
                "would be 40000.0 cm long in metres, by $INSUNITS; say the unit: --unit");
+}
+
+TEST(DxfPieces, AUnitThatMakesNoGarmentIsQuestioned) {
+  const auto remarks = [&](double height, const std::string& units, const std::string& header) {
+    const std::string piece = dxf_polyline("1", rectangle(0, 0, height / 2, height));
+    return all_remarks(
+        pieces_of(dxf_file(dxf_block("P", piece), dxf_label("Units: " + units), header)));
+  };
+  const std::string small = remarks(60, "METRIC", "");
+  EXPECT_HOLDS(small, "the largest piece is 6.0 cm long in millimetres, by 'Units: metric'");
+  EXPECT_HOLDS(small, "it would be 60.0 cm with --unit cm");
+  EXPECT_HOLDS(remarks(4500, "METRIC", ""), "the largest piece is 450.0 cm long in millimetres");
+  const std::string both = remarks(600, "METRIC", "9\n$INSUNITS\n70\n5\n");
+  EXPECT_HOLDS(both, "by 'Units: metric', though $INSUNITS says centimetres");
+  EXPECT_EQ(remarks(600, "METRIC", "9\n$INSUNITS\n70\n4\n"), "");
+}
+
+TEST(DxfPieces, OpenSewLinesAreClosedAlongTheBoundary) {
+  const auto sewn = [&](const std::string& lines) {
+    return area(pieces_of(dxf_file(dxf_block("P", square + lines), "")).pieces.at(0));
+  };
+  const std::vector<Vec2> fold = {{0, 10}, {290, 10}, {290, 390}, {0, 390}};
+  EXPECT_NEAR(sewn(dxf_polyline("14", fold, false)), 0.29 * 0.38, 1e-9);
+  // It ends at a corner of the boundary, too, and runs the other way.
+  const std::vector<Vec2> side = {{0, 400}, {290, 400}, {290, 0}};
+  EXPECT_NEAR(sewn(dxf_polyline("14", side, false)), 0.29 * 0.4, 1e-9);
+  // No allowance at the hem and at the upper end.
+  EXPECT_NEAR(sewn(dxf_segment("14", {10, 0}, {10, 400}) + dxf_segment("14", {280, 0}, {280, 400})),
+              0.27 * 0.4, 1e-9);
+  const std::string open = dxf_polyline("14", {{0, 10}, {290, 10}, {290, 390}, {50, 390}}, false);
+  EXPECT_HOLDS(pieces_error(dxf_file(dxf_block("P", square + open), "")), "its sew line is open");
+  DrawingOptions cut;
+  cut.cut_line = true;
+  const PieceDrawing whole = pieces_of(dxf_file(dxf_block("P", square + open), ""), cut);
+  EXPECT_NEAR(area(whole.pieces.at(0)), 0.12, 1e-9);
 }
 
 TEST(DxfPieces, RefusesWhatHoldsNoPiece) {

@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "geometry/error.h"
 #include "geometry/polygon.h"
 #include "io/output_file.h"
 #include "pattern/import/dxf_pieces.h"
@@ -63,16 +65,15 @@ double farthest_from(const std::vector<Vec2>& points, const std::vector<Vec2>& l
 const std::string square = dxf_polyline("1", rectangle(0, 0, 300, 400));
 
 TEST(ImportedPattern, ASquareIsFourStraightEdges) {
-  const Imported result = import_text(dxf_file(
-      dxf_block("FRONT", square + dxf_segment("7", {10, 10}, {20, 10 + 10 * std::sqrt(3.0)})), ""));
+  const Imported result =
+      import_text(dxf_file(dxf_block("FRONT", square + dxf_segment("7", {10, 10}, {10, 60})), ""));
   ASSERT_EQ(result.read.panels.size(), 1u);
   const PatternPanel& panel = result.read.panels[0];
   EXPECT_EQ(panel.name, "FRONT");
   ASSERT_EQ(panel.edges.size(), 4u);
   for (const PatternEdge& edge : panel.edges) EXPECT_TRUE(edge.curve.straight());
   EXPECT_NEAR(signed_area(outline_of(panel)), 0.12, 1e-9);
-  // The line stands at 60 degrees: 30 clockwise from upright.
-  EXPECT_NEAR(panel.grain, -std::numbers::pi / 6, 1e-6);
+  EXPECT_NEAR(panel.grain, 0, 1e-6);
 }
 
 TEST(ImportedPattern, NotchesCutEdgesAndAreKept) {
@@ -152,8 +153,9 @@ TEST(ImportedPattern, APairIsLeftAndRight) {
   EXPECT_EQ(right.name, "right_SLEEVE");
   EXPECT_EQ(left.quantity, 1);
   EXPECT_NEAR(signed_area(outline_of(left)), signed_area(outline_of(right)), 1e-9);
-  EXPECT_NEAR(left.grain, -right.grain, 1e-6);
-  EXPECT_LT(left.grain, -0.1);
+  EXPECT_NEAR(left.grain, 0, 1e-6);
+  EXPECT_NEAR(right.grain, 0, 1e-6);
+  EXPECT_NEAR(result.made.panels[0].turned, std::atan2(100, 300), 1e-9);
 }
 
 TEST(ImportedPattern, TwoAlikeLayersAcrossTheMiddleAreOnePanel) {
@@ -194,6 +196,26 @@ TEST(ImportedPattern, SeamAllowanceIsTakenOff) {
                "nothing is left of it without its seam allowance");
 }
 
+TEST(ImportedPattern, PointsOfOtherLinesAreNoCorners) {
+  // The right side is hollow: it turns by 15 degrees at half its height.
+  const std::vector<Vec2> outline = {{0, 0}, {300, 0}, {273.7, 200}, {300, 400}, {0, 400}};
+  std::string drawn = dxf_polyline("1", outline);
+  for (const Vec2& corner : outline) drawn += dxf_point("2", corner);
+  // The ends of a stripe, of a grain line and of a line for stitches beside the hem.
+  for (const Vec2& end : {Vec2(0, 250), Vec2(286, 250), Vec2(150, 380), Vec2(100, 12)}) {
+    drawn += dxf_point("2", end);
+  }
+  const std::string text = dxf_file(dxf_block("F", drawn), "");
+  ImportOptions options;
+  EXPECT_EQ(import_text(text, options).read.panels[0].edges.size(), 5u);
+  options.seam_allowance = 0.01;
+  const PatternPanel panel = import_text(text, options).read.panels[0];
+  EXPECT_EQ(panel.edges.size(), 5u);
+  EXPECT_TRUE(std::any_of(panel.edges.begin(), panel.edges.end(), [](const PatternEdge& edge) {
+    return (edge.curve.start() - Vec2(0.2636, 0.2)).norm() < 1e-4;
+  }));
+}
+
 TEST(ImportedPattern, TakesTheSizeThatIsAskedFor) {
   std::string blocks;
   for (const int size : {36, 38, 40}) {
@@ -213,6 +235,49 @@ TEST(ImportedPattern, TakesTheSizeThatIsAskedFor) {
   options.size = "XL";
   EXPECT_HOLDS(error_of([&] { import_text(text, options); }),
                "has no size 'XL'; its sizes are 36, 38, 40");
+}
+
+TEST(ImportedPattern, APieceThatCannotBeAPanelIsLeftOut) {
+  const std::string bow =
+      dxf_block("BOW", dxf_polyline("1", {{0, 0}, {300, 300}, {300, 0}, {0, 300}}));
+  const std::string open = dxf_block("OPEN", dxf_polyline("1", rectangle(0, 0, 200, 300), false));
+  const std::string small = dxf_block("SMALL", dxf_polyline("1", rectangle(0, 0, 200, 15)));
+  const std::string text = dxf_file(bow + dxf_block("FRONT", square) + open + small, "");
+  ImportOptions options;
+  options.seam_allowance = 0.01;
+  const Imported result = import_text(text, options);
+  ASSERT_EQ(result.read.panels.size(), 1u);
+  EXPECT_EQ(result.read.panels[0].name, "FRONT");
+  std::vector<std::string> names;
+  for (const LeftOutPiece& piece : result.made.left_out) names.push_back(piece.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"OPEN", "BOW", "SMALL"}));
+  EXPECT_HOLDS(result.remarks, "piece 'OPEN': its boundary is open: a gap of 300 mm");
+  EXPECT_HOLDS(result.remarks, "piece 'BOW': its outline crosses or touches itself");
+  EXPECT_HOLDS(result.remarks, "piece 'SMALL': nothing is left of it without its seam allowance");
+  // What nobody wants is not missed.
+  options.without = {"OPEN", "BOW", "SMALL"};
+  EXPECT_TRUE(import_text(text, options).made.left_out.empty());
+  options.without = {"FRONT"};
+  EXPECT_HOLDS(error_of([&] { import_text(text, options); }), "a gap of 300 mm");
+  options.without = {"BACK"};
+  EXPECT_HOLDS(error_of([&] { import_text(text, options); }), "--without 'BACK': names no piece");
+  EXPECT_HOLDS(error_of([&] { import_text(dxf_file(bow, "")); }), "crosses or touches itself");
+}
+
+TEST(ImportedPattern, AnOutlineThatAllButTouchesItselfIsNoEndlessSkeleton) {
+  // A corner 1e-9 mm from the left side: turned by 30 degrees, it may lie on either side of it.
+  ImportOptions options;
+  options.seam_allowance = 0.008;
+  for (int i = 0; i < 20; ++i) {
+    const std::vector<Vec2> outline = {{0, 0}, {300, 0}, {1e-6, 111.1 + i}, {300, 400}, {0, 400}};
+    const std::string text = dxf_file(
+        dxf_block("F", dxf_polyline("1", outline) + dxf_segment("7", {100, 100}, {150, 187})), "");
+    try {
+      EXPECT_FALSE(first_crossing(outline_of(import_text(text, options).read.panels.at(0))));
+    } catch (const Error& error) {
+      EXPECT_HOLDS(error.what(), "piece 'F'");
+    }
+  }
 }
 
 TEST(ImportedPattern, RibbingStretchesAlongItsLongerSide) {
@@ -282,7 +347,8 @@ TEST(ImportedPattern, EveryVersionOfDxfGivesThePieceThatWasDrawn) {
     // The arc runs into the line above it without a corner.
     EXPECT_EQ(panel.edges.size(), 6u) << "five corners and a notch";
     // Inserted turned by 30 degrees, and its grain line is upright in the block.
-    EXPECT_NEAR(panel.grain, std::numbers::pi / 6, 1e-6);
+    EXPECT_NEAR(result.made.panels[0].turned, -std::numbers::pi / 6, 1e-6);
+    EXPECT_NEAR(panel.grain, 0, 1e-6);
     EXPECT_EQ(panel.cut_outs.size(), 1u);
   }
 }
@@ -364,7 +430,8 @@ TEST(ImportedPattern, ValentinasOutlinesAreKeptToATenthOfAMillimetre) {
     ASSERT_EQ(result.read.panels.size(), drawing.pieces.size());
     for (std::size_t i = 0; i < drawing.pieces.size(); ++i) {
       std::vector<Vec2> drawn = loop_points(drawing.pieces[i].outline, 1e-6);
-      for (Vec2& point : drawn) point += result.made.panels[i].moved;
+      const Eigen::Rotation2Dd turn(result.made.panels[i].turned);
+      for (Vec2& point : drawn) point = turn * point + result.made.panels[i].moved;
       const std::vector<Vec2> made = outline_of(result.read.panels[i]);
       EXPECT_LT(farthest_from(drawn, made), 1e-4) << name << " " << i;
       EXPECT_LT(farthest_from(made, drawn), 1e-4) << name << " " << i;

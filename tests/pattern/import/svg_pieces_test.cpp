@@ -64,10 +64,14 @@ TEST(SvgPieces, OnlyOutlinesHaveToBeReadable) {
   EXPECT_EQ(drawn.ignored.at("line that can't be read"), 1);
   EXPECT_NE(all_remarks(drawn).find("x.svg:1: path: a number is missing at character 5"),
             std::string::npos);
-  for (const std::string may_be_outline : {"fabric", "fabric sa", "various", ""}) {
-    EXPECT_THROW(read(drawing(may_be_outline), freesewing), Error) << may_be_outline;
+  EXPECT_TRUE(drawn.left_out.empty());
+  for (const std::string may_be_outline : {"fabric", "various", ""}) {
+    const PieceDrawing other = read(drawing(may_be_outline), freesewing);
+    EXPECT_EQ(other.pieces.size(), 1u);
+    EXPECT_EQ(other.left_out.size(), 1u) << may_be_outline;
   }
-  EXPECT_THROW(read(drawing("mark dotted")), Error);
+  EXPECT_EQ(read(drawing("mark dotted")).left_out.size(), 1u);
+  EXPECT_THROW(read(drawing("fabric sa"), freesewing), Error);
 }
 
 TEST(SvgPieces, SeamLinesAreFoundInAllowancesWhoseClassesDiffer) {
@@ -293,8 +297,10 @@ TEST(SvgPieces, SmallGapsAreClosedAndLargeOnesAreNamed) {
   const std::string message = message_of(frame(8));
   EXPECT_NE(message.find("8 mm at (0, 4)"), std::string::npos) << message;
   // An outline beside a sound one goes missing no more than one alone.
-  const std::string beside = message_of("<rect x='300' width='90' height='90'/>" + frame(8));
-  EXPECT_NE(beside.find("gap of 8 mm at (0, 4)"), std::string::npos) << beside;
+  const PieceDrawing beside = read("<rect x='300' width='90' height='90'/>" + frame(8));
+  ASSERT_EQ(beside.left_out.size(), 1u);
+  const std::string why = beside.left_out[0].error.what();
+  EXPECT_NE(why.find("gap of 8 mm at (0, 4)"), std::string::npos) << why;
 }
 
 TEST(SvgPieces, UnitsAreTheFilesOrTheUsers) {
