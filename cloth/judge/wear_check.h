@@ -66,7 +66,7 @@ struct WearFindings {
 ///   A wrap skirt does. A shirt that lacks a quarter does not. What is open in front
 ///   or at the back by its seams meets half of them: each arm has an opening of its own there. So
 ///   does an apron, which no arm passes through, where it lies as it was drafted to.
-/// - Of the cloth without sleeves, 10 % at most hang upside down in folds (hangs.h).
+/// - Of the cloth without sleeves, 13 % at most hang upside down in folds (hangs.h).
 /// - Any other component: no two openings of 15 cm or more may have nothing in them. An opening
 ///   around both legs may not be its highest one and lie below the crotch.
 /// - Panels named front and back, left and right, lie on their sides of the body within 60 degrees.
