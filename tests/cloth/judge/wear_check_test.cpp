@@ -387,6 +387,22 @@ TEST(WearCheck, WhatLiesAtTheFeetHasSlid) {
   EXPECT_GT(findings.slid->down, 0.5);
 }
 
+TEST(WearCheck, WhatFellToTheFloorIsMisplacedWhateverItIs) {
+  PanelMesh sheet;
+  test::add_panel(sheet, "piece", test::grid(1, 0.2, 6, 6),
+                  [](const Vec2& p) { return Vec3(p.x() - 0.5, 0.9 + p.y(), 0.3); });
+  const auto lowered_by = [&](double fall) {
+    std::vector<Vec3> points = sheet.placed;
+    for (Vec3& p : points) p.y() -= fall;
+    return check_worn(sheet, test::as_dressed(sheet, points), figure());
+  };
+  const WearFindings fallen = lowered_by(0.89);
+  ASSERT_TRUE(fallen.misplaced);
+  EXPECT_EQ(fallen.misplaced->should_be, "on the body");
+  // Above the floor something else holds it.
+  EXPECT_FALSE(lowered_by(0.3).misplaced);
+}
+
 TEST(WearCheck, WithoutAllJointsNothingIsChecked) {
   Skeleton skeleton = figure();
   skeleton.joints.erase("left_wrist");
