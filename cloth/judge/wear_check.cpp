@@ -395,6 +395,8 @@ class WearCheck {
   bool is_apron(const Component& component) const {
     for (const Opening* opening : component.openings) {
       if (opening->limbs.left_arm != opening->limbs.right_arm) return false;
+      // What closes around the trunk somewhere is a skirt that lacks a panel.
+      if (opening->limbs == through_hem) return false;
       if (std::abs(opening->drafted - opening->middle.y()) > max_slid) return false;
     }
     const std::vector<int> panels(component.panels.begin(), component.panels.end());
