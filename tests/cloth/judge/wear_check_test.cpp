@@ -345,35 +345,6 @@ TEST(WearCheck, AnApronCoversOneSideOfTheBody) {
   EXPECT_EQ(check(apron(0.4)).unwrapped, std::vector<std::string>{"torso"});
 }
 
-TEST(WearCheck, ASkirtWithoutItsBackIsNoApron) {
-  PanelMesh garment;
-  const MeshedPanel skirt = add_front(garment, "skirt_front", 0.5, 0.96, 0.6);
-  const MeshedPanel front = add_front(garment, "waistband", 0.96, 1.0, 0.6);
-  // The band goes on around the back, and closes.
-  const MeshedPanel back =
-      test::add_panel(garment, "waistband_back", test::grid(0.4, 0.04, 24, 1), [](const Vec2& p) {
-        const double angle = 2 * pi * (0.3 + p.x());
-        return Vec3(0.2 * std::sin(angle), 0.96 + p.y(), 0.2 * std::cos(angle));
-      });
-  std::vector<int> top;
-  std::vector<int> bottom;
-  for (int column = 0; column <= 24; ++column) {
-    top.push_back(skirt.first_point + 8 * 25 + column);
-    bottom.push_back(front.first_point + column);
-  }
-  garment.seams.push_back(test::seam("waist", top, bottom));
-  const auto end_of = [](const MeshedPanel& panel, int column) {
-    std::vector<int> points;
-    for (int p = column; p < panel.points; p += 25) points.push_back(panel.first_point + p);
-    return points;
-  };
-  std::vector<int> left = end_of(front, 24);
-  std::vector<int> right = end_of(front, 0);
-  garment.seams.push_back(test::seam("left", {left.front(), left.back()}, end_of(back, 0)));
-  garment.seams.push_back(test::seam("right", {right.front(), right.back()}, end_of(back, 24)));
-  EXPECT_EQ(check(garment).unwrapped, std::vector<std::string>{"torso"});
-}
-
 TEST(WearCheck, AnApronThatSlidDownIsNotWorn) {
   const PanelMesh garment = apron(0.6);
   std::vector<Vec3> points = garment.placed;
