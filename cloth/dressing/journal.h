@@ -37,8 +37,8 @@ struct DuringDressing {
 
 class Journal {
  public:
-  /// `watcher`, which may be empty, has to outlive the journal.
-  explicit Journal(const FrameWatcher& watcher) : watcher_(watcher) {}
+  /// `watcher` may be empty.
+  explicit Journal(FrameWatcher watcher) : watcher_(std::move(watcher)) {}
 
   /// From here on the watcher sees points as `view` maps them (metres); empty: as they are.
   void show_through(std::function<Vec3(const Vec3&)> view) { view_ = std::move(view); }
@@ -71,7 +71,7 @@ class Journal {
   void measure(const PanelMesh& mesh, const std::vector<double>& areas, const Outlines& outlines,
                const std::vector<double>& perimeters, const std::vector<Vec3>& points);
 
-  const FrameWatcher& watcher_;
+  FrameWatcher watcher_;
   std::function<Vec3(const Vec3&)> view_;
   std::vector<StageReport> stages_;
   DuringDressing during_;
