@@ -179,10 +179,10 @@ def cut(panel, cuts, unit_cm=1.0):
         for begin, end, curve, of in outline.curves:
             if of != number:
                 continue
-            curve = [(x / unit_cm, y / unit_cm) for x, y in curve]
+            whole = curve = [(x / unit_cm, y / unit_cm) for x, y in curve]
             done = 0.0
             for c in [c for c in places if begin < c < end]:
-                t = _parameter(curve, (c - begin) / (end - begin))
+                t = _parameter(whole, (c - begin) / (end - begin))
                 front, curve = split(curve, (t - done) / (1 - done))
                 done = t
                 parts.append(current + [front])
