@@ -56,9 +56,9 @@ class Piece:
 
 
 class Imported:
-    """What import-pattern makes of a drawing."""
+    """What import-pattern makes of a drawing. Pieces that are left out keep their number."""
 
-    def __init__(self, file, options):
+    def __init__(self, file, options, without=()):
         with tempfile.TemporaryDirectory() as folder:
             out = pathlib.Path(folder) / "pattern.json"
             done = program("import-pattern", file, "-o", out, *options)
@@ -71,6 +71,13 @@ class Imported:
                          for name, panel in self.panels.items()}
         self.pieces = []
         self.place = {}  # of a panel: (piece, copy)
+
+        def new_piece():
+            while len(self.pieces) in without:
+                self.pieces.append(Piece())
+            self.pieces.append(Piece())
+            return len(self.pieces) - 1
+
         for name in self.panels:
             side, _, stem = name.partition("_")
             other = {"left": "right_", "right": "left_"}.get(side, "") + stem
@@ -78,11 +85,9 @@ class Imported:
                 if other in self.place:
                     piece, copy = self.place[other][0], side
                 else:
-                    self.pieces.append(Piece())
-                    piece, copy = len(self.pieces) - 1, side
+                    piece, copy = new_piece(), side
             else:
-                self.pieces.append(Piece())
-                piece, copy = len(self.pieces) - 1, ""
+                piece, copy = new_piece(), ""
             self.pieces[piece].panels[copy] = name
             self.place[name] = (piece, copy)
 
@@ -112,11 +117,15 @@ class Label:
         return {i: piece["spare"] for i, piece in enumerate(self.pieces) if "spare" in piece}
 
     def imported(self, file):
-        """As a newcomer imports the drawing, and with what the label knows of halves and pairs."""
+        """As a newcomer imports the drawing, and with what the label knows of its pieces."""
         plain = Imported(file, self.options)
         told = list(self.options)
+        without = [i for i, piece in enumerate(self.pieces) if "without" in piece]
         for i, piece in enumerate(self.pieces):
             name = plain.stem(i)
+            if i in without:
+                told += ["--without", name]
+                continue
             copies = len(plain.pieces[i].panels)
             if "fold" in piece:
                 outline = plain.outlines[next(iter(plain.pieces[i].panels.values()))]
@@ -125,7 +134,7 @@ class Label:
                     told += ["--unfold", f"{name}:{edge}"]
             if piece.get("copies", 1) == 2 and copies == 1:
                 told += ["--pair", name]
-        return plain, plain if told == self.options else Imported(file, told)
+        return plain, plain if told == self.options else Imported(file, told, without)
 
 
 def fold_edge(outline, ends):
