@@ -214,34 +214,38 @@ def _parameter(curve, fraction):
 
 
 class Fit:
-    """A way to lay one outline upon another: `shift`, and whether it is turned over for that."""
+    """A way to lay one outline upon another: where its start lies, and whether it is turned over."""
 
     def __init__(self, source, target, mirrored, shift):
-        self.source, self.target, self.mirrored, self.shift = source, target, mirrored, shift
+        self.outline, self.mirrored, self.shift = target, mirrored, shift
+        self.scale = target.length / source.length
 
     def image(self, at):
-        return self.shift - at if self.mirrored else self.shift + at
+        ahead = at * self.scale
+        return (self.shift - ahead if self.mirrored else self.shift + ahead) % self.outline.length
 
 
 def fits(a, b, tolerance=0.3):
-    """All ways in which outline `a` lies on `b` within the tolerance. One that moves nothing first."""
+    """The ways in which outline `a` lies on `b` within the tolerance, the closest first."""
     if abs(a.length - b.length) > 4 * tolerance:
         return []
-    found = []
     points = [a.point(a.length * i / SAMPLES) for i in range(SAMPLES)]
     scale = b.length / a.length
-    shifts = ({c for c in b.corners} | {0.0})
+    near = max(1.0, 4 * tolerance)  # of two that differ by less, the closer one is meant
+    candidates = []
     for mirrored in (False, True):
-        for shift in sorted(shifts):
-            for corner in a.corners:
-                first = shift + corner * scale if mirrored else shift - corner * scale
-                if any(f.mirrored == mirrored and b.apart(f.shift, first) < 4 * tolerance
-                       for f in found):
-                    continue
-                images = [b.point(first - b.length * i / SAMPLES if mirrored else
-                                  first + b.length * i / SAMPLES) for i in range(SAMPLES)]
-                if _distance(points, images, mirrored) < tolerance:
-                    found.append(Fit(a, b, mirrored, first))
+        shifts = {round((s + c * scale if mirrored else s - c * scale) % b.length, 1)
+                  for s in b.corners for c in a.corners}
+        for shift in shifts:
+            images = [b.point(shift + (-1 if mirrored else 1) * b.length * i / SAMPLES)
+                      for i in range(SAMPLES)]
+            distance = _distance(points, images, mirrored)
+            if distance < tolerance:
+                candidates.append((distance, mirrored, shift))
+    found = []
+    for _, mirrored, shift in sorted(candidates):
+        if all(f.mirrored != mirrored or b.apart(f.shift, shift) >= near for f in found):
+            found.append(Fit(a, b, mirrored, shift))
     return found
 
 
