@@ -15,7 +15,6 @@ BUILD = pathlib.Path(os.environ.get("TOILE_BUILD", ROOT / "build/release"))
 SOURCES = ("freesewing", "industrial-dxf", "valentina")
 NEAR = 0.5  # cm by which two places on an outline may differ and be one
 SHARE = 0.03  # of an arc's length, the same
-CORNER = 0.1  # cm from a corner within which a label's point is the corner
 BOX = 0.2  # cm by which a piece's box may differ from its label's
 
 
@@ -185,7 +184,7 @@ def arc_of(side, imported):
         if far > NEAR:
             raise ValueError(f"piece {side['piece']} is not as labelled: {far:.1f} cm beside a point")
         corner = min(outline.corners, key=lambda c: outline.apart(c, place))
-        ends.append(corner if outline.apart(corner, place) < CORNER else place)
+        ends.append(corner if outline.apart(corner, place) < outlines.SHORT else place)
     return Arc(name, outline, *ends)
 
 

@@ -6,6 +6,7 @@ import bisect
 import math
 
 STEPS = 24  # straight steps that a cubic is measured by
+SHORT = 0.1  # cm: no edge is cut as short as that
 SAMPLES = 96  # points by which two outlines are compared
 
 
@@ -153,8 +154,8 @@ class Outline:
     def edge_at(self, start, end):
         """The number of the edge that is this arc, or None."""
         for number in self.edges:
-            if (self.apart(self.begin[number], start) < 0.05 and
-                    self.apart(self.end[number], end) < 0.05):
+            if (self.apart(self.begin[number], start) < 1.5 * SHORT and
+                    self.apart(self.end[number], end) < 1.5 * SHORT):
                 return number
         return None
 
@@ -166,9 +167,10 @@ class Outline:
 def cut(panel, cuts, unit_cm=1.0):
     """The panel with its outline in the order of the walk, cut at these places besides its corners."""
     outline = Outline(panel, unit_cm)
-    places = sorted({round(c % outline.length, 6) for c in cuts})
-    places = [c for c in places if all(outline.apart(c, corner) > 1e-3
-                                       for corner in outline.corners)]
+    places = []
+    for c in sorted(c % outline.length for c in cuts):
+        if all(outline.apart(c, other) > SHORT for other in places + outline.corners):
+            places.append(c)
     vertices = [tuple(v) for v in panel["vertices"]]
     edges = []
     for number in outline.edges:
