@@ -182,7 +182,7 @@ def arc_of(side, imported):
     for key in ("from", "to"):
         place, far = outline.place(side[key])
         if far > NEAR:
-            raise ValueError(f"piece {side['piece']} is not as labelled: {far:.1f} cm beside a point")
+            raise ValueError(f"piece {side['piece']} is not as labelled, by {far:.1f} cm")
         corner = min(outline.corners, key=lambda c: outline.apart(c, place))
         ends.append(corner if outline.apart(corner, place) < outlines.SHORT else place)
     return Arc(name, outline, *ends)
@@ -209,7 +209,7 @@ def inner(arc):
 
 
 def steps(seam):
-    """Lengths at which both sides of a seam are cut, from their starts. Side b is as side a runs."""
+    """Lengths at which both sides of a seam are cut, from their starts. Both as side a runs."""
     a, b = seam.a, seam.b
     mine = inner(a)
     theirs = [b.length - x for x in reversed(inner(b))] if seam.reversed else inner(b)
@@ -236,7 +236,7 @@ def steps(seam):
 
 
 def labelled_pattern(label, imported):
-    """The imported pattern with its edges cut where the label's seams end, and these as stitches."""
+    """The imported pattern, its edges cut where the label's seams end, and these as stitches."""
     file = json.loads(json.dumps(imported.file))
     panels = file["pattern"]["panels"]
     seams = [seam for seam in seams_of(label, imported) if seam.sewn]

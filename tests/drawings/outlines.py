@@ -1,4 +1,4 @@
-"""Outlines of a pattern's panels as curves by length: places on them, arcs, cuts, and what coincides.
+"""Outlines of panels as curves by length: places on them, arcs, cuts, and what coincides.
 
 Lengths are centimetres. Every outline is walked counter-clockwise, wherever it is drawn.
 """
@@ -165,7 +165,7 @@ class Outline:
 
 
 def cut(panel, cuts, unit_cm=1.0):
-    """The panel with its outline in the order of the walk, cut at these places besides its corners."""
+    """The panel with its outline in the order of the walk, cut at these places, too."""
     outline = Outline(panel, unit_cm)
     places = []
     for c in sorted(c % outline.length for c in cuts):
@@ -176,7 +176,7 @@ def cut(panel, cuts, unit_cm=1.0):
     for number in outline.edges:
         source = panel["edges"][number]
         first, last = source["endpoints"][::-1] if outline.turned[number] else source["endpoints"]
-        rest = {key: value for key, value in source.items() if key not in ("endpoints", "curvature")}
+        rest = {k: v for k, v in source.items() if k not in ("endpoints", "curvature")}
         parts, current = [], []
         for begin, end, curve, of in outline.curves:
             if of != number:
@@ -216,7 +216,7 @@ def _parameter(curve, fraction):
 
 
 class Fit:
-    """A way to lay one outline upon another: where its start lies, and whether it is turned over."""
+    """A way to lay one outline upon another: where it starts, and whether it is turned over."""
 
     def __init__(self, source, target, mirrored, shift):
         self.outline, self.mirrored, self.shift = target, mirrored, shift
