@@ -72,11 +72,16 @@ class Imported:
         self.place = {}  # of a panel: (piece, copy)
 
         def new_piece():
+            number = len(self.pieces)
+            self.pieces.append(Piece())
+            leave_out()
+            return number
+
+        def leave_out():
             while len(self.pieces) in without:
                 self.pieces.append(Piece())
-            self.pieces.append(Piece())
-            return len(self.pieces) - 1
 
+        leave_out()
         for name in self.panels:
             side, _, stem = name.partition("_")
             other = {"left": "right_", "right": "left_"}.get(side, "") + stem
