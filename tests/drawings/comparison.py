@@ -18,6 +18,7 @@ class Found:
             walk = sewn[side["panel"]]
             panel = names[side["panel"]]
             outline = imported.outlines[panel]
+            walk.turn(outline.angle - walk.angle)
             number = side["edge"]
             ends = [outline.place(walk.point(at))[0]
                     for at in (walk.begin[number], walk.end[number])]

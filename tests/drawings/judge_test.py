@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The judge on a made skirt of two panels and a band, and labels on real drawings. By ctest."""
 import json
+import math
 import pathlib
 import tempfile
 import unittest
@@ -53,6 +54,7 @@ class JudgeTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         file = pathlib.Path(folder.name) / "skirt.json"
         file.write_text(json.dumps(PATTERN))
+        self.file = file
         self.label = labels.Label(json.dumps(LABEL))
         self.imported = self.label.imported(file)[1]
 
@@ -78,6 +80,16 @@ class JudgeTest(unittest.TestCase):
         stitches = [tuple((end["panel"], end["edge"]) for end in stitch)
                     for stitch in pattern["stitches"]]
         self.assertEqual(self.judged(*stitches, cuts={"band": [30]}), (5, 0, 0, 0))
+
+    def test_a_label_holds_where_pieces_lie_turned(self):
+        turned = json.loads(json.dumps(PATTERN))
+        for panel, degrees in (("front", 180), ("back", 33)):
+            vertices = turned["pattern"]["panels"][panel]["vertices"]
+            c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+            vertices[:] = [[x * c - y * s, x * s + y * c] for x, y in vertices]
+        self.file.write_text(json.dumps(turned))
+        self.imported = self.label.imported(self.file)[1]
+        self.assertEqual(self.judged(self.LEFT, self.RIGHT), (2, 0, 3, 0))
 
     def test_a_seam_that_runs_the_other_way_is_wrong(self):
         self.assertEqual(self.judged(self.LEFT, (*self.RIGHT, "along")), (1, 1, 4, 0))

@@ -1,6 +1,7 @@
 """Labels of drawings: what a tailor would sew, by points on the outlines of imported pieces."""
 import hashlib
 import json
+import math
 import os
 import pathlib
 import subprocess
@@ -45,6 +46,28 @@ def files_of(source, part=None):
     border = len(files) - round(len(files) / 3)
     files = {None: files, "fit": files[:border], "aside": files[border:]}[part]
     return {name_of(source, file): file for file in files}
+
+
+def turns_to(outline, box):
+    """All degrees by which an outline may be turned to have this box."""
+    def off():
+        return max(abs(a - b) for a, b in zip(outline.box, box))
+
+    def best(angles):
+        rated = []
+        for degrees in angles:
+            outline.turn(degrees)
+            rated.append((off(), degrees))
+            outline.turn(-degrees)
+        return sorted(rated)
+
+    rough = best(range(0, 360, 2))
+    fine = []
+    for _, degrees in rough[:8]:
+        far, exact = best(degrees + k / 10 for k in range(-20, 21))[0]
+        if far <= BOX:
+            fine.append(exact)
+    return fine
 
 
 class Piece:
@@ -100,13 +123,39 @@ class Imported:
         return panels[""] if "" in panels else panels["left"].partition("_")[2]
 
     def is_as_labelled(self, number, fact):
-        """Whether a piece has the label's size and is cut as often."""
+        """Whether a piece has the label's size and is cut as often. It may lie turned."""
         if number >= len(self.pieces):
             return False
         panels = self.pieces[number].panels
-        box = self.outlines[next(iter(panels.values()))].box
-        alike = all(abs(a - b) <= BOX for a, b in zip(box, fact["box"]))
-        return alike and (len(panels) == 2) == (fact.get("copies", 1) == 2)
+        outline = self.outlines[next(iter(panels.values()))]
+        alike = all(abs(a - b) <= BOX for a, b in zip(outline.box, fact["box"]))
+        return ((len(panels) == 2) == (fact.get("copies", 1) == 2) and
+                (alike or bool(turns_to(outline, fact["box"]))))
+
+    def turn_as(self, label):
+        """Turns outlines until the label's points lie on them: an import may turn pieces."""
+        points = {}
+        for seam in label.seams:
+            for side in (seam["a"], seam["b"]):
+                panels = self.pieces[side["piece"]].panels
+                points.setdefault(panels.get(side.get("copy", "")), []).extend(
+                    (side["piece"], side[key]) for key in ("from", "to"))
+        for name, sides in points.items():
+            if name is None:
+                raise ValueError(f"piece {sides[0][0]} is not cut as often as labelled")
+            outline = self.outlines[name]
+
+            def off(degrees):
+                outline.turn(degrees)
+                far = max(outline.place(point)[1] for _, point in sides)
+                outline.turn(-degrees)
+                return far
+
+            if off(0) <= NEAR:
+                continue
+            turns = turns_to(outline, label.pieces[sides[0][0]]["box"])
+            if turns:
+                outline.turn(min(turns, key=off))
 
 
 class Label:
@@ -138,15 +187,19 @@ class Label:
                     told += ["--unfold", f"{name}:{edge}"]
             if piece.get("copies", 1) == 2 and copies == 1:
                 told += ["--pair", name]
-        return plain, plain if told == self.options else Imported(file, told, without)
+        whole = Imported(file, told, without)
+        whole.turn_as(self)
+        return plain, whole
 
 
 def fold_edge(outline, ends):
-    """The edge of an outline that runs between these two points."""
+    """The edge of an outline that runs between these points, or is as long where it is turned."""
     places = [outline.place(point)[0] for point in ends]
-    return min(outline.edges, key=lambda n: min(
-        outline.apart(outline.begin[n], a) + outline.apart(outline.end[n], b)
-        for a, b in (places, places[::-1])))
+    length = math.dist(*ends)
+    return min(outline.edges, key=lambda n: (
+        abs(outline.end[n] - outline.begin[n] - length) > NEAR,
+        min(outline.apart(outline.begin[n], a) + outline.apart(outline.end[n], b)
+            for a, b in (places, places[::-1]))))
 
 
 def has(name):

@@ -113,10 +113,23 @@ class Outline:
                 self.curves.append((first, length, curve, number))
             self.end[number] = length
         self.length = length
+        self.corners = sorted(self.begin.values())
+        self.angle = 0.0  # by which it was turned
+        self._find_box()
+
+    def _find_box(self):
         xs, ys = [p[0] for p in self.points], [p[1] for p in self.points]
         self.low, self.high = (min(xs), min(ys)), (max(xs), max(ys))
         self.box = (self.high[0] - self.low[0], self.high[1] - self.low[1])
-        self.corners = sorted(self.begin.values())
+
+    def turn(self, degrees):
+        """Turns the outline counter-clockwise: its points and its box, its places stay."""
+        if degrees == 0:
+            return
+        c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+        self.points = [(x * c - y * s, x * s + y * c) for x, y in self.points]
+        self.angle += degrees
+        self._find_box()
 
     @staticmethod
     def _area(curves):
