@@ -27,7 +27,7 @@ const RoleWords role_words[] = {
     {PanelRole::waistband,
      {"waistband", "wb", "belt", "bund", "ceinture", "pretina", "cinturilla", "cintur", "cinta"}},
     {PanelRole::yoke, {"yoke", "passe", "sattel", "empiecement", "canesu", "sprone", "carre"}},
-    {PanelRole::sleeve, {"sleeve", "armel", "aermel", "manche", "manga", "manica"}},
+    {PanelRole::sleeve, {"sleeve", "sl", "armel", "aermel", "manche", "manga", "manica"}},
     {PanelRole::skirt, {"skirt", "rock", "jupe", "falda", "gonna", "godet"}},
     {PanelRole::trousers,
      {"trouser", "pant", "jean", "shorts", "leg", "legs", "hose", "bein", "pantalon", "jambe",

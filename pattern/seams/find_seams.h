@@ -10,6 +10,8 @@
 
 namespace toile {
 
+struct FoundSeams;
+
 struct FindSeamsOptions {
   /// Outlines run counter-clockwise as seen from the right side, see walked_edges().
   bool drawn_walk = false;
@@ -18,6 +20,8 @@ struct FindSeamsOptions {
   bool by_place = false;
   /// Tell confidences and alternatives. Without, the seams come in a seventh of the time.
   bool certain = true;
+  /// Seams of the same pattern before edges were cut: the search begins with them, and is short.
+  const FoundSeams* before = nullptr;
   std::vector<Stitch> given;  ///< seams that are known; a direction by position is right to right
 };
 
@@ -41,6 +45,8 @@ struct FoundSeams {
   std::vector<FoundSeam> seams;
   bool settled = false;  ///< searches from different beginnings found the same seams
   double score = 0;      ///< of the garment; only ratios mean something
+  std::vector<char> turned_over;  ///< per panel: 1 for a collar that shows its other side
+  bool heeds_sides = true;        ///< names of left and right counted
 };
 
 /// The seams of the whole garment, as one choice. Stitches of the pattern are not looked at; nor

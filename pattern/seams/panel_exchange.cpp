@@ -10,6 +10,9 @@ namespace {
 /// Metres that a seam between left and right counts as.
 constexpr double wrong_side = 10;
 
+/// Metres that a seam between a front and a back of other names counts as.
+constexpr double wrong_face = 3;
+
 /// Metres that a seam counts as that turns a panel over.
 constexpr double turned_over = 0.05;
 
@@ -94,6 +97,7 @@ class Exchange {
       const PanelWords& a = words_[panel(seam.a)];
       const PanelWords& b = words_[panel(seam.b)];
       if (a.side * b.side < 0 && a.whole != b.whole) total += wrong_side;
+      if (a.face * b.face < 0 && a.stem != b.stem) total += wrong_face;
       if (by_place_) total += distance(seam);
       if (!by_place_ && seam.along) total += turned_over;
     }

@@ -26,12 +26,6 @@ constexpr int most_rounds = 3;
 /// Score: a garment that lacks more is no rival.
 constexpr double widest_gap = 6;
 
-SeamMeasures weights_with(bool heed_sides) {
-  SeamMeasures all = seam_weights;
-  if (!heed_sides) all[static_cast<int>(SeamMeasure::sides_differ)] = 0;
-  return all;
-}
-
 const SeamSearch::Garment& better_of(const std::vector<SeamSearch::Garment>& garments,
                                      const SeamSearch::Garment& best) {
   const SeamSearch::Garment* better = &best;
@@ -44,15 +38,26 @@ const SeamSearch::Garment& better_of(const std::vector<SeamSearch::Garment>& gar
 
 }  // namespace
 
-SeamChooser::SeamChooser(const SeamEvidence& evidence, bool heed_sides, const KnownSeams& known)
+SeamChooser::SeamChooser(const SeamEvidence& evidence, const KnownSeams& known)
     : evidence_(evidence),
       known_(known),
-      pairs_(evidence, heed_sides),
-      weights_(weights_with(heed_sides)),
+      pairs_(evidence),
+      weights_(seam_weights),
       search_(evidence, pairs_, weights_, known),
       found_(searched(0, first_searches, patience)) {
   best_ = found_.front();
   take_best_of(found_);
+}
+
+SeamChooser::SeamChooser(const SeamEvidence& evidence, const KnownSeams& known,
+                         const Partners& begin)
+    : evidence_(evidence),
+      known_(known),
+      pairs_(evidence),
+      weights_(seam_weights),
+      search_(evidence, pairs_, weights_, known),
+      found_{search_.near(begin)} {
+  best_ = search_.climbed(found_.front());
 }
 
 std::vector<SeamSearch::Garment> SeamChooser::found_without() const {

@@ -29,7 +29,10 @@ struct SeamChoice {
 class SeamChooser {
  public:
   /// Runs the first searches.
-  SeamChooser(const SeamEvidence& evidence, bool heed_sides, const KnownSeams& known);
+  SeamChooser(const SeamEvidence& evidence, const KnownSeams& known);
+
+  /// Runs a short search that begins with these seams.
+  SeamChooser(const SeamEvidence& evidence, const KnownSeams& known, const Partners& begin);
 
   double score() const { return best_.score; }
 

@@ -27,7 +27,7 @@ constexpr double warm = 1;
 constexpr double cold = 0.2;
 
 /// Garments that a search looks at, for each edge of the pattern.
-constexpr int looks_of_search = 1000;
+constexpr int looks_of_search = 300;
 
 /// Scores that differ by less are the same.
 constexpr double same_score = 1e-6;

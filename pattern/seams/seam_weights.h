@@ -13,58 +13,7 @@ namespace toile {
 /// none is seen, one part is a slit and stays open, the lower one.
 enum class SeamMeasure {
   seam,             ///< 1 for each seam
-  equal_length,     ///< 1: lengths agree to 0.1 mm
-  rare_length,      ///< 1: they do, and no edge of a third shape is that long
-  close_length,     ///< 1, falling by e for each 0.5 % of difference
-  near_length,      ///< 1, falling by e for each 3 % of difference
-  log_ratio,        ///< logarithm of the longer over the shorter
-  curve,            ///< 1: curved alike or into each other; -1: the contrary; 0: straight
-  coincide,         ///< 1: the edges coincide
-  coincide_curved,  ///< radians that edges turn which coincide, both added up, at most pi
-  halves,  ///< the edges are mirror partners on two panels: their length over the longest edge
-  halves_concave,  ///< the same: radians that both turn inwards, as at the crotch, at most 1
-  folded_over,     ///< 1: one of the two panels is turned over, see SeamEvidence::turned_over
-  across_grain,  ///< the edges coincide, and are no upper and lower one: the sine of their angle to
-                 ///< the warp
-  curve_gathered,  ///< the same as `curve`, where lengths differ by more than 30 %
-  grains_differ,   ///< difference of the sines of the chords' angles to the warp
-  up_and_down,  ///< outlines go up, by the warp as drawn, beyond one edge and down beyond the other
-  both_up,      ///< they go up beyond both, as at a shoulder
-  both_down,    ///< they go down beyond both
-  rise_together,  ///< both go up, or both down, from where they begin to meet: the product of sines
-  rise_apart,     ///< the same where one goes up and the other down
-  same_panel,     ///< 1: both edges are of one panel, not the legs of a dart
-  dart,           ///< 1: the legs of a dart
-  dart_upwards,   ///< the same: cosine between the warp as drawn and the way to its tip, if above 0
-  slit,  ///< the same of a skirt or of trousers, where none point up; 1: it is 25 cm long, or
-         ///< cuts the hem
-  ends_differ,   ///< the wider end of a four-sided piece meets the narrower end of another
-  ends_alike,    ///< wider meets wider or narrower narrower: geometric mean of both logarithms
-  concave,       ///< radians by which the edge turns inwards that does so less; 0 if one does not
-  far_in_file,   ///< of different pieces: logarithm of the places between them in the file, at most
-                 ///< 8. The two halves of one piece, by their names, have 0
-  roles_agree,   ///< 1: pieces of two such kinds are sewn together, by their names
-  sides_differ,  ///< 1: left and right, and not mirror partners
-  hangs_turned,  ///< what hangs from a band or a sleeve does so by another edge than its upper one:
-                 ///< 1 less the cosine upwards. The lower edge of a waistband is judged likewise
-  faces_agree,   ///< 1: front and front, or back and back, of different pieces
-  faces_differ,  ///< 1: front and back of different pieces
-  end_to_end,    ///< the top of a front meets the hem of its back, or a hem of a skirt the other:
-                 ///< the product of cosines
-  centres_apart,  ///< middle edges of front and back of a bodice: the lesser way inwards, see below
-  outsides_meet,  ///< side edges of the left and the right half of a bodice or of trousers
-  centre_seam,    ///< middle edges of the left and the right half of these
-  numbered_sides,  ///< sides of two numbered pieces of one name, both front or both back
-  collar_halves,   ///< halves of a collar: the seam's length over the collar's longest edge
-  hood_face,       ///< halves of a hood, at a long edge that is straight or turns inwards
-  numbers_follow,  ///< 1: pieces of one name, not of one shape, numbered one after the other
-  numbers_apart,   ///< 1: the same with numbers between them
-  words_alike,     ///< of different pieces: words of the shorter name that the other has, 0 to 1
-  named_halves,    ///< 1: the left and the right half of one piece, mirror partners
-  front_and_back,  ///< 1: front and back of one piece, with one number or none
-  numbers_differ,  ///< 1: front and back of one piece, with other numbers
-  first_number,    ///< 1: of one name without a number, and the lowest number
-  later_number,    ///< 1: of one name without a number, and another number
+  likely,           ///< logarithm of the odds that the pair is sewn, see sewn_logit()
   cone,            ///< 1: a corner that is no dart's tip closes on itself
   dart_tip,        ///< 1: a corner closes on itself, as the tip of a dart
   filled_slit,     ///< 1: two corners meet, one of them the tip of a slit that a godet fills

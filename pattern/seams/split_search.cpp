@@ -297,6 +297,7 @@ SplitSeams find_split_seams(const std::string& text, const std::string& name,
       make_cuts(chains, all[i], name, trial);
       const double cuts = static_cast<double>(trial.splits.size() - best.splits.size()) *
                           (all[i].notched ? notched_cut_gain : cut_gain);
+      quick.before = &best.found;
       trial.found = find_seams(trial.pattern, quick);
       const double gain = trial.found.score - best.found.score - cuts;
       if (gain <= most) continue;

@@ -53,7 +53,7 @@ Example example(const std::string& file, bool names) {
   made.evidence =
       seam_evidence(stripped(pattern, names, false), drawn_walk, turned_over(pattern, drawn_walk));
   const auto& edges = made.evidence.edges;
-  const SeamPairs pairs(made.evidence, true);
+  const SeamPairs pairs(made.evidence);
   std::map<std::array<int, 2>, int> number;
   for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
     number[{edges[e].ref.panel, edges[e].ref.edge}] = e;
@@ -184,7 +184,7 @@ int main(int argc, char** argv) {
     const auto work = [&] {
       for (std::size_t i = next++; i < examples.size(); i = next++) {
         const Example& ex = examples[i];
-        const SeamPairs pairs(ex.evidence, true);
+        const SeamPairs pairs(ex.evidence);
         SeamSearch search(ex.evidence, pairs, weights, {}, ex.extra);
         const Partners partners =
             far ? search.best_near(ex.stated, round).partners : search.near(ex.stated).partners;

@@ -61,7 +61,7 @@ void look(const std::string& file, bool names, Causes& causes) {
   }
   const SeamEvidence evidence =
       seam_evidence(bare, options.drawn_walk, turned_over(pattern, options.drawn_walk));
-  const SeamPairs pairs(evidence, true);
+  const SeamPairs pairs(evidence);
   std::map<std::array<int, 2>, int> number;
   for (int e = 0; e < static_cast<int>(evidence.edges.size()); ++e) {
     number[{evidence.edges[e].ref.panel, evidence.edges[e].ref.edge}] = e;
@@ -81,7 +81,7 @@ void look(const std::string& file, bool names, Causes& causes) {
     stated[a] = b;
     stated[b] = a;
   }
-  SeamChooser chooser(evidence, true, {});
+  SeamChooser chooser(evidence, {});
   Partners best(evidence.edges.size(), -1);
   for (const ChosenSeam& seam : chooser.best().seams) {
     best[seam.a] = seam.b;

@@ -25,7 +25,7 @@ class SeamsOfTshirt : public testing::Test {
 TEST_F(SeamsOfTshirt, AreTheSameBitsForAnyNumberOfThreads) {
   const auto choose = [&](std::size_t threads) {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-    return SeamChooser(evidence, true, {}).choose();
+    return SeamChooser(evidence, {}).choose();
   };
   const SeamChoice one = choose(1);
   const SeamChoice four = choose(4);
@@ -41,7 +41,7 @@ TEST_F(SeamsOfTshirt, AreTheSameBitsForAnyNumberOfThreads) {
 
 TEST_F(SeamsOfTshirt, AlternativesAreOtherSeamsOfTheSameEdges) {
   int others = 0;
-  for (const ChosenSeam& seam : SeamChooser(evidence, true, {}).choose().seams) {
+  for (const ChosenSeam& seam : SeamChooser(evidence, {}).choose().seams) {
     if (seam.alternative[0] < 0) continue;
     ++others;
     EXPECT_NE(seam.alternative, (std::array{seam.a, seam.b}));
@@ -52,7 +52,7 @@ TEST_F(SeamsOfTshirt, AlternativesAreOtherSeamsOfTheSameEdges) {
 }
 
 TEST_F(SeamsOfTshirt, NoForbiddenKindIsSewn) {
-  const SeamPairs pairs(evidence, true);
+  const SeamPairs pairs(evidence);
   SeamSearch search(evidence, pairs, seam_weights, {});
   const SeamSearch::Garment best = search.search(0);
   int a = 0;

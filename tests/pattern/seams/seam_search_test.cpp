@@ -16,7 +16,7 @@ SeamEvidence evidence_of(const std::string& panels) {
 }
 
 double measured(const SeamEvidence& evidence, const Partners& partners, SeamMeasure measure) {
-  const SeamPairs pairs(evidence, true);
+  const SeamPairs pairs(evidence);
   SeamSearch search(evidence, pairs, seam_weights, {});
   return search.measures(partners)[static_cast<int>(measure)];
 }
@@ -75,7 +75,7 @@ TEST(Borders, AreCountedAgainstThoseThatThePiecesNeed) {
 TEST(Climbing, EndsWhereNoSingleMoveGains) {
   SeamEvidence evidence = evidence_of(skirt);
   evidence.mirror.assign(evidence.edges.size(), -1);  // mirror partners would move together
-  const SeamPairs pairs(evidence, true);
+  const SeamPairs pairs(evidence);
   SeamSearch search(evidence, pairs, seam_weights, {});
   const auto scored = [&](const Partners& partners) {
     return SeamSearch::Garment{partners, score_of(search.measures(partners), seam_weights)};

@@ -32,25 +32,5 @@ TEST(WalkedEdges, APanelTurnedOverIsWalkedTheOtherWayRound) {
   }
 }
 
-TEST(WalkedEdges, ASlitIsTold) {
-  // A dart from above, and one from below that a skirt would have for walking.
-  const Pattern pattern = pattern_of(samples::polygon(
-      "skirt_front", "[0,0],[19,0],[20,20],[21,0],[40,0],[40,60],[21,60],[20,48],[19,60],[0,60]"));
-  const SeamEvidence evidence = seam_evidence(pattern, false);
-  const SeamPairs pairs(evidence, true);
-  const auto legs = [&](int first) {
-    int e = 0;
-    while (evidence.edges[e].ref.edge != first) ++e;
-    return pairs.measures(e, evidence.edges[e].next);
-  };
-  const SeamMeasures slit = legs(1);
-  const SeamMeasures dart = legs(6);
-  for (const SeamMeasures* measures : {&slit, &dart}) {
-    EXPECT_EQ((*measures)[static_cast<int>(SeamMeasure::dart)], 1);
-  }
-  EXPECT_GT(slit[static_cast<int>(SeamMeasure::slit)], 0.9);
-  EXPECT_EQ(dart[static_cast<int>(SeamMeasure::slit)], 0);
-}
-
 }  // namespace walked_edges_test
 }  // namespace toile
