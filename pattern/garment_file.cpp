@@ -14,6 +14,8 @@
 #include "io/output_file.h"
 #include "io/sidecar.h"
 #include "pattern/attachment_json.h"
+#include "pattern/classify/classify.h"
+#include "pattern/classify/panel_class_json.h"
 #include "pattern/nesting.h"
 #include "pattern/placement_json.h"
 
@@ -46,16 +48,11 @@ std::string garment_json(const PanelMesh& garment) {
       (garment.has_places ? "" : ", \"has_places\": false") + ",\n\"panels\": [";
   const char* separator = "\n";
   for (const MeshedPanel& panel : garment.panels) {
-    Json json = {{"name", panel.name},
-                 {"part", panel.part},
-                 {"fabric", panel.fabric},
-                 {"grain", panel.grain},
-                 {"first_point", panel.first_point},
-                 {"points", panel.points},
-                 {"first_triangle", panel.first_triangle},
-                 {"triangles", panel.triangles}};
+    Json json = {{"name", panel.name},           {"fabric", panel.fabric},
+                 {"grain", panel.grain},         {"first_point", panel.first_point},
+                 {"points", panel.points},       {"first_triangle", panel.first_triangle},
+                 {"triangles", panel.triangles}, {"class", panel_class_json(panel.is)}};
     if (panel.layered) json["layered"] = true;
-    if (!panel.label.empty()) json["label"] = panel.label;
     if (panel.placement.by_part()) json["placement"] = placement_json(panel.placement);
     text += separator;
     text += json.dump();
@@ -118,19 +115,25 @@ double number_or(const JsonValue& value, const char* key, double otherwise) {
   return found ? found->number() : otherwise;
 }
 
+/// What files tell that earlier states of mesh-pattern wrote, without a class.
+PanelWitnesses witnesses_in(const JsonValue& panel) {
+  return {panel.get("name").text(), body_part(text_or(panel, "part", "")),
+          text_or(panel, "label", "")};
+}
+
 MeshedPanel panel_of(const JsonValue& value) {
-  MeshedPanel panel{value.get("name").text(),
-                    text_or(value, "part", ""),
-                    text_or(value, "fabric", ""),
-                    number_or(value, "grain", 0),
-                    count_of(value.get("first_point")),
-                    count_of(value.get("points")),
-                    count_of(value.get("first_triangle")),
+  MeshedPanel panel{value.get("name").text(),        text_or(value, "fabric", ""),
+                    number_or(value, "grain", 0),    count_of(value.get("first_point")),
+                    count_of(value.get("points")),   count_of(value.get("first_triangle")),
                     count_of(value.get("triangles"))};
   if (const auto layered = value.find("layered")) panel.layered = layered->flag();
-  panel.label = text_or(value, "label", "");
+  if (const auto is = value.find("class")) {
+    panel.is = read_panel_class(*is);
+  } else {
+    panel.is.part = {witnesses_in(value).part, PanelSource::stated};
+  }
   if (const auto placement = value.find("placement")) {
-    panel.placement = read_placement(*placement, panel.part, 1);
+    panel.placement = read_placement(*placement, panel.is.part, 1);
   }
   return panel;
 }
@@ -355,9 +358,13 @@ PanelMesh read_garment(const fs::path& obj, const fs::path& json,
   }
   if (const auto has_places = root.find("has_places")) garment.has_places = has_places->flag();
   const JsonValue panels = root.get("panels");
+  std::vector<PanelWitnesses> told;
+  bool has_classes = true;
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    garment.panels.push_back(
-        panel_of(panels.item(i).called(name + ": panel " + std::to_string(i))));
+    const JsonValue panel = panels.item(i).called(name + ": panel " + std::to_string(i));
+    garment.panels.push_back(panel_of(panel));
+    told.push_back(witnesses_in(panel));
+    has_classes = has_classes && panel.find("class").has_value();
   }
   check_ranges(garment, name);
   check_placed(garment, obj.string());
@@ -370,6 +377,7 @@ PanelMesh read_garment(const fs::path& obj, const fs::path& json,
     garment.seams.push_back(
         seam_of(seams.item(i).called(name + ": seam " + std::to_string(i)), garment));
   }
+  if (!has_classes) classify(garment, told);
   if (const auto elastics = root.find("elastics")) {
     for (std::size_t i = 0; i < elastics->size(); ++i) {
       garment.elastics.push_back(elastic_of(

@@ -8,6 +8,7 @@
 
 #include "geometry/error.h"
 #include "geometry/polygon.h"
+#include "pattern/classify/classify.h"
 #include "pattern/constants.h"
 #include "pattern/cut_outs.h"
 #include "pattern/doubled_triangles.h"
@@ -167,8 +168,6 @@ PanelMesh assemble(const Meshing& meshing, const std::vector<PanelTriangulation>
     const PlanarMesh& mesh = triangulations[p].mesh;
     MeshedPanel meshed;
     meshed.name = panel.name;
-    meshed.part = panel.part;
-    meshed.label = panel.label;
     meshed.fabric = panel.fabric;
     meshed.layered = std::ranges::any_of(pattern.stitches, [&](const Stitch& stitch) {
       return stitch.layered && stitch.b.panel == static_cast<int>(p);
@@ -237,6 +236,10 @@ PanelMesh assemble(const Meshing& meshing, const std::vector<PanelTriangulation>
     seam.length_b = pattern.panels[stitch.b.panel].edges[stitch.b.edge].curve.length();
     garment.seams.push_back(std::move(seam));
   }
+  std::vector<PanelWitnesses> told;
+  told.reserve(pattern.panels.size());
+  for (const PatternPanel& panel : pattern.panels) told.push_back(witnesses_of(panel));
+  classify(garment, told);
   return garment;
 }
 

@@ -4,23 +4,9 @@
 #include <string>
 #include <vector>
 
-namespace toile {
+#include "pattern/classify/panel_class.h"
 
-/// What a panel is a piece of.
-enum class PanelRole {
-  unknown,
-  bodice,
-  skirt,
-  trousers,
-  sleeve,
-  cuff,
-  collar,
-  hood,
-  waistband,
-  yoke,
-  facing,
-  pocket,
-};
+namespace toile {
 
 struct PanelName {
   /// All that it may be a piece of. What is sewn onto a piece stands before the piece: a sleeve's

@@ -35,12 +35,12 @@ double up_sign(PlacementAxis axis) {
 }
 
 /// The joint's full name. On a limb its own joints may be named without left_ and right_.
-std::string joint_name(const JsonValue& value, const std::string& part) {
+std::string joint_name(const JsonValue& value, BodyPart part) {
   const std::string given = value.text();
   const auto known = [](const std::string& name) {
     return std::find(joint_names.begin(), joint_names.end(), name) != joint_names.end();
   };
-  const std::string beside = part.substr(0, part.find('_') + 1) + given;
+  const std::string beside = name_of(part).substr(0, name_of(part).find('_') + 1) + given;
   if (known(given)) return given;
   if (known(beside)) return beside;
   value.fail(in_quotes(given) + " is no joint", "use one of " + listed(joint_names));
@@ -48,17 +48,17 @@ std::string joint_name(const JsonValue& value, const std::string& part) {
 
 }  // namespace
 
-std::string read_part(const JsonValue& placement) {
+BodyPart read_part(const JsonValue& placement) {
   const auto part = placement.find("part");
-  if (!part) return "";
+  if (!part) return BodyPart::none;
   const std::string name = part->text();
-  if (std::find(body_parts.begin(), body_parts.end(), name) == body_parts.end()) {
+  if (body_part(name) == BodyPart::none) {
     part->fail(in_quotes(name) + " is no body part", "use one of " + listed(body_parts));
   }
-  return name;
+  return body_part(name);
 }
 
-PanelPlacement read_placement(const JsonValue& value, const std::string& part, double unit) {
+PanelPlacement read_placement(const JsonValue& value, BodyPart part, double unit) {
   PanelPlacement placement;
   refuse_other_keys(value, known_keys);
   if (const auto side = value.find("side")) {
@@ -78,7 +78,7 @@ PanelPlacement read_placement(const JsonValue& value, const std::string& part, d
     }
     return placement;
   }
-  if (part.empty()) {
+  if (part == BodyPart::none) {
     value.fail("says where the panel stands, but not at which body part",
                "add 'part', one of " + listed(body_parts));
   }

@@ -25,10 +25,10 @@ struct PartAxis {
   const char* top;  ///< joint that the upper ends of panels are level with
 };
 
-PartAxis axis_of(const std::string& part) {
-  if (part.ends_with("_arm")) return {0.45, 0.12, "shoulder"};
-  if (part.ends_with("_leg")) return {0.15, 0.12, "waist"};
-  return part == "head" ? PartAxis{0, 0.15, "head"} : PartAxis{0, 0.25, "neck"};
+PartAxis axis_of(BodyPart part) {
+  if (is_arm(part)) return {0.45, 0.12, "shoulder"};
+  if (is_leg(part)) return {0.15, 0.12, "waist"};
+  return part == BodyPart::head ? PartAxis{0, 0.15, "head"} : PartAxis{0, 0.25, "neck"};
 }
 
 }  // namespace
@@ -55,7 +55,7 @@ void stand_schematically(PatternPanel& panel) {
     turned.col(i).head<2>() = upright(placement.axis, Vec2::Unit(i));
   }
   const Eigen::Matrix3d around = Eigen::AngleAxisd(angle, Vec3::UnitY()).toRotationMatrix();
-  const double aside = panel.part.starts_with("right_") ? -axis.aside : axis.aside;
+  const double aside = side_of(panel.part) < 0 ? -axis.aside : axis.aside;
   panel.rotation = around * turned;
   panel.translation =
       Vec3(aside, joint_heights.at(joint), 0) + around * Vec3(-middle, -level, axis.distance);

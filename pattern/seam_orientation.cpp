@@ -5,15 +5,15 @@
 #include <numeric>
 
 #include "geometry/polygon.h"
+#include "pattern/classify/classify.h"
 #include "pattern/constants.h"
-#include "pattern/panel_kind.h"
 
 namespace toile {
 
 namespace {
 
 /// A panel as orientation needs it.
-struct PanelFace {
+struct DrawnFace {
   double area = 0;                   ///< m², as drawn; positive when counter-clockwise
   Vec2 drawn_centre = Vec2::Zero();  ///< metres, of its outline as drawn
   Vec3 centre = Vec3::Zero();        ///< metres, of its outline as placed
@@ -21,8 +21,8 @@ struct PanelFace {
   std::vector<bool> forward;         ///< per edge: whether the outline runs along it
 };
 
-PanelFace face_of(const PatternPanel& panel) {
-  PanelFace face;
+DrawnFace face_of(const PatternPanel& panel) {
+  DrawnFace face;
   face.forward.resize(panel.edges.size());
   std::vector<Vec2> outline;
   for (const OutlineStep& step : panel.outline) {
@@ -53,7 +53,7 @@ struct SeamRun {
   bool along = false;    ///< the edges run alike around their panels, both seen from the right side
 };
 
-SeamRun run_of(const Pattern& pattern, const Stitch& stitch, const std::vector<PanelFace>& faces) {
+SeamRun run_of(const Pattern& pattern, const Stitch& stitch, const std::vector<DrawnFace>& faces) {
   const PatternPanel& a = pattern.panels[stitch.a.panel];
   const PatternPanel& b = pattern.panels[stitch.b.panel];
   const EdgeCurve& edge_a = a.edges[stitch.a.edge].curve;
@@ -70,7 +70,7 @@ SeamRun run_of(const Pattern& pattern, const Stitch& stitch, const std::vector<P
                             : opposite <= same + undecided_seam_direction * (same + opposite);
   run.nearer = run.reversed ? same - opposite : opposite - same;
   const auto counter_clockwise = [&](const EdgeRef& ref) {
-    const PanelFace& face = faces[ref.panel];
+    const DrawnFace& face = faces[ref.panel];
     return face.forward[ref.edge] == (face.area > 0);
   };
   run.layered = stitch.layered;
@@ -160,16 +160,16 @@ void bring_nearer(const Pattern& pattern, const FaceGroups& held, std::vector<Se
 /// they show their wrong sides; negative: their right sides; 0: nothing. Of a front that is seen
 /// from outside, the left half lies to the right of the seam to the right half. Drawings are taken
 /// as upright.
-double inside_out_by_names(const Pattern& pattern, const std::vector<PanelFace>& faces,
+double inside_out_by_names(const Pattern& pattern, const std::vector<DrawnFace>& faces,
                            const std::vector<bool>& mirrored, const std::vector<int>& group) {
   double sum = 0;
-  const auto name = [&](int p) { return pattern.panels[p].name; };
+  const auto is = [&](int p) { return classify(witnesses_of(pattern.panels[p])); };
   for (const Stitch& stitch : pattern.stitches) {
     if (std::ranges::find(group, stitch.a.panel) == group.end()) continue;
-    const int face = face_by_name(name(stitch.a.panel));
-    if (face == 0 || face != face_by_name(name(stitch.b.panel))) continue;
-    const int side = side_by_name(name(stitch.a.panel));
-    if (side == 0 || side != -side_by_name(name(stitch.b.panel))) continue;
+    const int face = face_sign(is(stitch.a.panel));
+    if (face == 0 || face != face_sign(is(stitch.b.panel))) continue;
+    const int side = side_sign(is(stitch.a.panel));
+    if (side == 0 || side != -side_sign(is(stitch.b.panel))) continue;
     for (const auto& [ref, own] : {std::pair(stitch.a, side), std::pair(stitch.b, -side)}) {
       const EdgeCurve& edge = pattern.panels[ref.panel].edges[ref.edge].curve;
       const double aside = faces[ref.panel].drawn_centre.x() - edge.at(0.5).x();
@@ -182,7 +182,7 @@ double inside_out_by_names(const Pattern& pattern, const std::vector<PanelFace>&
 }  // namespace
 
 Orientation orient(const Pattern& pattern, std::vector<Remark>& remarks) {
-  std::vector<PanelFace> faces;
+  std::vector<DrawnFace> faces;
   for (const PatternPanel& panel : pattern.panels) faces.push_back(face_of(panel));
   std::vector<SeamRun> runs;
   const bool placed = has_places(pattern);
@@ -247,7 +247,7 @@ Orientation orient(const Pattern& pattern, std::vector<Remark>& remarks) {
     }
     centre /= area;
     for (const int p : group) {
-      const PanelFace& face = faces[p];
+      const DrawnFace& face = faces[p];
       const double sign = result.mirrored[p] ? -1 : 1;
       outward += sign * std::abs(face.area) * face.normal.dot(face.centre - centre);
       scale += std::abs(face.area) * (face.centre - centre).norm();

@@ -8,7 +8,7 @@
 
 namespace toile {
 
-/// A panel's name, and its role by its part and label where its name says none.
+/// A panel's name, and what the panel is a piece of as classify() says.
 struct PanelWords : PanelName {
   PanelRole role = PanelRole::unknown;
 };

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "pattern/classify/classify.h"
+
 namespace toile {
 
 namespace {
@@ -51,27 +53,6 @@ double curve_match(const std::array<double, 4>& a, const std::array<double, 4>& 
   }
   if (size < 4 * degree) return 0;
   return 1 - 2 * std::min(alike, into) / size;
-}
-
-bool may_meet(PanelRole a, PanelRole b) {
-  using enum PanelRole;
-  if (a > b) std::swap(a, b);
-  if (a == unknown || b == unknown || a == b) return true;
-  if (b == facing || b == pocket || b == yoke) return true;
-  switch (a) {
-    case bodice:
-      return b != cuff;
-    case skirt:
-      return b == waistband;
-    case trousers:
-      return b == waistband || b == cuff;
-    case sleeve:
-      return b == cuff || b == hood || b == collar;
-    case collar:
-      return b == hood;
-    default:
-      return false;
-  }
 }
 
 /// Whether an edge of a skirt faces down, or is the outer one of a circle.

@@ -101,7 +101,7 @@ void say(const PaperDressing& d) {
             << " %, perimeter " << d.max_perimeter() << " %; residual median "
             << d.result.residual.median << " rms " << d.result.residual.rms << "; wraps";
   for (const WrapMeasurement& wrap : d.judgement.wraps) {
-    std::cerr << ' ' << wrap.part << ' ' << wrap.fraction;
+    std::cerr << ' ' << name_of(wrap.part) << ' ' << wrap.fraction;
   }
   std::cerr << std::endl;
 }

@@ -11,7 +11,7 @@ PanelMesh two_triangles() {
   garment.flat = {{0, 0}, {1, 0}, {0, 1}, {0, 0}, {0, 1}, {1, 0}};
   garment.placed.resize(6, Vec3::Zero());
   garment.triangles = {{0, 1, 2}, {3, 5, 4}};
-  garment.panels = {{"one", "", "", 0, 0, 3, 0, 1}, {"two", "", "", 0, 3, 3, 1, 1}};
+  garment.panels = {{"one", "", 0, 0, 3, 0, 1}, {"two", "", 0, 3, 3, 1, 1}};
   garment.seams = {{"first", {0, 1}, {3, 4}, 1, 1}};
   return garment;
 }

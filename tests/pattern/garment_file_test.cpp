@@ -49,7 +49,7 @@ class GarmentFile : public testing::Test {
 PanelMesh bag(int subdivisions = 1) {
   std::vector<Remark> remarks;
   Pattern pattern = samples::parse(samples::bag);
-  pattern.panels[0].part = "torso";
+  pattern.panels[0].part = BodyPart::torso;
   pattern.panels[0].fabric = "denim";
   pattern.panels[0].placement = {PlacementSide::back,
                                  0.5,
@@ -79,7 +79,7 @@ void expect_equal(const PanelMesh& a, const PanelMesh& b) {
   ASSERT_EQ(a.panels.size(), b.panels.size());
   for (std::size_t p = 0; p < a.panels.size(); ++p) {
     EXPECT_EQ(a.panels[p].name, b.panels[p].name);
-    EXPECT_EQ(a.panels[p].part, b.panels[p].part);
+    EXPECT_EQ(a.panels[p].is, b.panels[p].is);
     EXPECT_EQ(a.panels[p].placement, b.panels[p].placement);
     EXPECT_EQ(a.panels[p].fabric, b.panels[p].fabric);
     EXPECT_EQ(a.panels[p].grain, b.panels[p].grain);

@@ -128,7 +128,7 @@ TEST(PatternFile, ReadsToilesOwnKeys) {
                {"name":"underarm","reversed":true}],
               [{"panel":"sleeve","edge":0},{"panel":"sleeve","edge":2},"right_wrong"])"));
   const PatternPanel& panel = pattern.panels[0];
-  EXPECT_EQ(panel.part, "left_arm");
+  EXPECT_EQ(panel.part, BodyPart::left_arm);
   EXPECT_EQ(panel.fabric, "denim");
   EXPECT_DOUBLE_EQ(panel.grain, std::numbers::pi / 4);
   EXPECT_EQ(pattern.stitches[0].name, "underarm");

@@ -31,7 +31,7 @@ std::string refusal(const std::string& placement) {
 TEST(PlacementJson, ReadsEveryKeyInThePatternsUnit) {
   const PatternPanel whole = read(R"({"part": "left_leg", "side": "back", "around": 0.5,
       "axis": "-y", "turn": -30, "shift": 2, "offset": 7, "at": "hip", "level": 12})");
-  EXPECT_EQ(whole.part, "left_leg");
+  EXPECT_EQ(whole.part, BodyPart::left_leg);
   const PanelPlacement expected = {
       PlacementSide::back, 0.5,       PlacementAxis::minus_y, -30, 0.02, 7 * 0.01,
       "left_hip",          -12 * 0.01};
@@ -39,7 +39,7 @@ TEST(PlacementJson, ReadsEveryKeyInThePatternsUnit) {
   EXPECT_TRUE(whole.placement.by_part());
   const PanelPlacement rolled = read(R"({"part": "right_arm", "around": true})").placement;
   EXPECT_EQ(rolled.around, 1);
-  EXPECT_EQ(side_or_default(rolled, "right_arm"), PlacementSide::right);
+  EXPECT_EQ(side_or_default(rolled, BodyPart::right_arm), PlacementSide::right);
   EXPECT_FALSE(read(R"({"part": "torso"})").placement.by_part());
   EXPECT_FALSE(read(R"({"part": "torso", "around": false})").placement.by_part());
 }
@@ -48,7 +48,7 @@ TEST(PlacementJson, WhatIsWrittenIsReadTheSame) {
   const PanelPlacement placement = {
       PlacementSide::left, 1 / 3.0, PlacementAxis::minus_x, 12.3, -0.1, 1 / 7.0, "waist", 0.7};
   const JsonDocument document(placement_json(placement).dump(), "test.json");
-  EXPECT_EQ(read_placement(document.root(), "torso", 1), placement);
+  EXPECT_EQ(read_placement(document.root(), BodyPart::torso, 1), placement);
   EXPECT_EQ(placement_json({}).dump(), "{}");
 }
 
