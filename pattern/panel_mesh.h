@@ -80,7 +80,7 @@ struct PanelMesh {
   std::vector<MeshedCutOut> cut_outs;
   int subdivisions = 0;
   /// False: all panels of the pattern share one origin, as in files that state no places. Those
-  /// that the skeleton positions do not count. Also where one is positioned by a part that it is
+  /// that the skeleton positions do not count. Also where one has the place of a part that it is
   /// not for.
   bool has_places = true;
   double edge_length = 0;  ///< metres, the triangle edges that were asked for; 0: not known

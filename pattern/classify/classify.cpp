@@ -134,8 +134,8 @@ class Hearing {
     PanelClass is;
     is.worn_as = has_two_pieces() && verdict.worn_as.by != PanelSource::none ? verdict.worn_as
                                                                              : by_witnesses();
-    is.side = has_two_sides() && verdict.side.by != PanelSource::none ? verdict.side
-                                                                      : side(is.worn_as);
+    is.side =
+        has_two_sides() && verdict.side.by != PanelSource::none ? verdict.side : side(is.worn_as);
     if (name_.face != 0) is.face = {static_cast<PanelFace>(name_.face), PanelSource::name};
     is.role = role(is.worn_as);
     is.part = part(is);
@@ -205,7 +205,9 @@ class Hearing {
 
   std::string contradiction() const {
     std::string words;
-    const auto add = [&words](const std::string& more) { words += (words.empty() ? "" : ", but ") + more; };
+    const auto add = [&words](const std::string& more) {
+      words += (words.empty() ? "" : ", but ") + more;
+    };
     if (has_two_pieces()) {
       for (const Testimony& said : testimonies_) {
         if (said.may_be != any_piece) add(said.words);
@@ -362,14 +364,31 @@ double width_across(const PanelMesh& garment, const MeshedPanel& panel, double l
   return std::min((high - low).maxCoeff(), shape_of(garment, panel)[0] / std::max(length, 1e-9));
 }
 
-/// Of a panel that the pattern positions by a part which is not its own. Where its seams tell the
-/// other arm or leg, it takes that one's joint. Else it has no place, and seams place the garment.
-void settle_position(BodyPart stated, MeshedPanel& panel, bool& has_places) {
+/// Whether a panel stands on the side of a limb, left or right of the garment's middle.
+bool stands_at(BodyPart limb, const PanelMesh& garment, const MeshedPanel& panel) {
+  double middle = 0;
+  double own = 0;
+  for (const Vec3& p : garment.placed) middle += p.x() / static_cast<double>(garment.placed.size());
+  for (int p = panel.first_point; p < panel.first_point + panel.points; ++p) {
+    own += garment.placed[p].x() / panel.points;
+  }
+  return side_of(limb) * (own - middle) > 0;
+}
+
+/// Of a panel that has the place of a part which is not its own. Where its seams tell the other arm
+/// or leg, a placement takes that one's joint. Else it has no place, and seams place the garment.
+void settle_place(BodyPart stated, PanelMesh& garment, MeshedPanel& panel) {
   const BodyPart part = panel.is.part;
-  if (!panel.placement.by_part() || part == stated) return;
-  if (is_arm(part) != is_arm(stated) || is_leg(part) != is_leg(stated) || !is_limb(part)) {
+  const bool is_other_limb =
+      is_limb(part) && side_of(part) == -side_of(stated) && is_arm(part) == is_arm(stated);
+  if (!panel.placement.by_part()) {
+    if (is_other_limb && stands_at(stated, garment, panel)) garment.has_places = false;
+    return;
+  }
+  if (part == stated) return;
+  if (!is_other_limb) {
     panel.placement = {};
-    has_places = false;
+    garment.has_places = false;
     return;
   }
   std::string& joint = panel.placement.at;
@@ -398,7 +417,7 @@ void classify(PanelMesh& garment, const std::vector<PanelWitnesses>& told) {
   }
   for (std::size_t p = 0; p < judged.size(); ++p) {
     garment.panels[p].is = std::move(judged[p]);
-    settle_position(told[p].part, garment.panels[p], garment.has_places);
+    settle_place(told[p].part, garment, garment.panels[p]);
   }
 }
 

@@ -22,7 +22,8 @@ PanelWitnesses witnesses_of(const PatternPanel& panel);
 
 /// What the witnesses say of a panel. Where they agree, the first of stated part, label and name
 /// that tells is the source. Where they contradict each other, and nothing else is known, it is
-/// believed; of two sides the name's is. A name of one or two letters says no side or face: panels may be named a to f.
+/// believed; of two sides the name's is. A name of one or two letters says no side or face: panels
+/// may be named a to f.
 PanelClass classify(const PanelWitnesses& told);
 
 /// Sets what the panels of `garment` are; `told` has one entry for each. Contradictions are decided
@@ -34,9 +35,9 @@ PanelClass classify(const PanelWitnesses& told);
 /// - a limb's side by what the panel is sewn to: panels of a side, or one half of a front or back;
 /// - else as without seams.
 ///
-/// A panel that was to be positioned by a part that it is not for loses its placement, and
-/// `garment.has_places` is false then. The seams alone tell what goes around. Cost: quadratic in panels that contradict themselves,
-/// linear in points.
+/// A panel that has the place of a part that it is not for loses its placement, and
+/// `garment.has_places` is false then. The seams alone tell what goes around. Cost: linear in the
+/// triangles, times the panels that contradict themselves.
 void classify(PanelMesh& garment, const std::vector<PanelWitnesses>& told);
 
 /// Whether two pieces are sewn to each other in some garment.

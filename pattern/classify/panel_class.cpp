@@ -17,15 +17,15 @@ std::string joined(const std::vector<std::string>& words, const std::string& bet
 }  // namespace
 
 std::string name_of(PanelRole role) {
-  constexpr std::array<const char*, 12> names = {
-      "",       "bodice", "skirt",     "trousers", "sleeve", "cuff",
-      "collar", "hood",   "waistband", "yoke",     "facing", "pocket"};
+  constexpr std::array<const char*, 12> names = {"",          "bodice", "skirt",  "trousers",
+                                                 "sleeve",    "cuff",   "collar", "hood",
+                                                 "waistband", "yoke",   "facing", "pocket"};
   return names[static_cast<std::size_t>(role)];
 }
 
 std::string text_of(const PanelClass& is) {
-  constexpr std::array<const char*, 7> sources = {
-      "", "as stated", "by label", "by name", "by seams", "by shape", "as asked"};
+  constexpr std::array<const char*, 7> sources = {"",         "as stated", "by label", "by name",
+                                                  "by seams", "by shape",  "as asked"};
   std::vector<std::string> words;
   std::vector<std::string> by;
   const auto add = [&](const std::string& word, PanelSource source) {

@@ -182,6 +182,20 @@ TEST(Classify, TheSkeletonPlacesNoSkirtAtAnArm) {
   EXPECT_EQ(is.side, PanelSide::none);
 }
 
+TEST(Classify, WhatStandsAtTheOtherArmHasNoPlace) {
+  for (const bool exchanged : {false, true}) {
+    PanelMesh garment;
+    for (const auto& [name, x] : {std::pair("left_sleeve", 0.3), {"front", -0.2}}) {
+      const double aside = exchanged ? -x : x;
+      test::add_panel(garment, name, test::grid(0.4, 0.4, 4, 4),
+                      [&](const Vec2& p) { return Vec3(aside + p.x(), p.y(), 0); });
+    }
+    classify(garment, {{"left_sleeve", BodyPart::right_arm}, {"front"}});
+    EXPECT_EQ(garment.panels[0].is.part, BodyPart::left_arm);
+    EXPECT_EQ(garment.has_places, !exchanged);
+  }
+}
+
 TEST(Classify, TwoSeamsToAPanelMakeATubeWithIt) {
   PanelMesh garment;
   for (const auto& [name, width] : {std::pair("skirt_front", 0.5), {"skirt_back", 0.6}}) {
