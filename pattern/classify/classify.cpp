@@ -9,8 +9,8 @@
 #include <set>
 #include <utility>
 
+#include "pattern/classify/panel_name.h"
 #include "pattern/constants.h"
-#include "pattern/panel_name.h"
 #include "pattern/pattern.h"
 
 namespace toile {

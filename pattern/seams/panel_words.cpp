@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "pattern/classify/classify.h"
-#include "pattern/name_words.h"
+#include "pattern/classify/name_words.h"
 
 namespace toile {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "pattern/panel_name.h"
+#include "pattern/classify/panel_name.h"
 #include "pattern/pattern.h"
 
 namespace toile {

@@ -7,7 +7,7 @@
 
 #include "geometry/mesh_polygon.h"
 #include "pattern/classify/classify.h"
-#include "pattern/garment_file.h"
+#include "pattern/file/garment_file.h"
 #include "pattern/panel_mesh.h"
 #include "tests/pattern/sewn.h"
 

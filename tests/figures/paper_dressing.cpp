@@ -10,10 +10,10 @@
 #include <set>
 
 #include "cloth/judge/measures.h"
-#include "pattern/check_pattern.h"
-#include "pattern/garment_file.h"
-#include "pattern/mesh_panels.h"
-#include "pattern/pattern_file.h"
+#include "pattern/check/check_pattern.h"
+#include "pattern/file/garment_file.h"
+#include "pattern/file/pattern_file.h"
+#include "pattern/mesh/mesh_panels.h"
 
 namespace toile::figures {
 namespace {

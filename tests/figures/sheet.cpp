@@ -10,7 +10,7 @@
 #include "geometry/error.h"
 #include "io/output_file.h"
 #include "io/text.h"
-#include "pattern/garment_file.h"
+#include "pattern/file/garment_file.h"
 
 namespace toile::figures {
 namespace {

@@ -11,7 +11,7 @@
 #include "geometry/body/mannequin/mannequin.h"
 #include "geometry/slice.h"
 #include "geometry/surface_distance.h"
-#include "pattern/pattern_file.h"
+#include "pattern/file/pattern_file.h"
 
 namespace toile {
 namespace tshirt_sample_test {

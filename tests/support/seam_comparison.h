@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "pattern/seam_orientation.h"
+#include "pattern/mesh/seam_orientation.h"
 #include "pattern/seams/find_seams.h"
 #include "pattern/seams/panel_symmetry.h"
 #include "pattern/seams/panel_words.h"

@@ -10,8 +10,8 @@
 #include "cloth/start/positioning.h"
 #include "geometry/body/mannequin/mannequin.h"
 #include "io/mesh_file.h"
-#include "pattern/mesh_panels.h"
-#include "pattern/pattern_file.h"
+#include "pattern/file/pattern_file.h"
+#include "pattern/mesh/mesh_panels.h"
 #include "tests/support/run_program.h"
 
 namespace toile {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "pattern/mesh_panels.h"
-#include "pattern/pattern_file.h"
+#include "pattern/file/pattern_file.h"
+#include "pattern/mesh/mesh_panels.h"
 #include "tests/cloth/panels.h"
 
 namespace toile {
