@@ -36,11 +36,11 @@ double up_sign(PlacementAxis axis) {
 
 /// The joint's full name. On a limb its own joints may be named without left_ and right_.
 std::string joint_name(const JsonValue& value, BodyPart part) {
-  const std::string given = value.text();
+  std::string given = value.text();
   const auto known = [](const std::string& name) {
     return std::find(joint_names.begin(), joint_names.end(), name) != joint_names.end();
   };
-  const std::string beside = name_of(part).substr(0, name_of(part).find('_') + 1) + given;
+  std::string beside = name_of(part).substr(0, name_of(part).find('_') + 1) + given;
   if (known(given)) return given;
   if (known(beside)) return beside;
   value.fail(in_quotes(given) + " is no joint", "use one of " + listed(joint_names));
