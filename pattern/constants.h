@@ -13,6 +13,19 @@ inline constexpr double gather_threshold = 0.02;
 /// gets a warning: it is gathered, or a mistake.
 inline constexpr double seam_warning_threshold = 0.20;
 
+/// Share of a panel's width across a seam that the seam's edges are apart, when it closes around
+/// its part. A sleeve of any length has 0.8 to 1, a dart less than 0.2.
+inline constexpr double min_around_gap = 0.5;
+
+/// Shares of area and moments by which panels may differ that are each other's like or mirror
+/// image. In the samples and two garments of GarmentCode such panels differ by 0.0002 at most.
+/// Others differ by 0.0104 at least, as a T-shirt's front and back. Half and double tell the same.
+inline constexpr double twin_tolerance = 0.005;
+
+/// Letters of a name that is too short to tell a side or a face: panels may be named a to f. At 1,
+/// `fr` and `bk` tell a face; at 4 `back` does not.
+inline constexpr int most_letters_of_no_side = 2;
+
 /// A declared fullness may differ from the drawn one by this share.
 inline constexpr double fullness_tolerance = 0.05;
 

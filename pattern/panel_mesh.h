@@ -2,28 +2,20 @@
 #pragma once
 
 #include <cmath>
-#include <cstdint>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "geometry/types.h"
 #include "pattern/attachment.h"
+#include "pattern/classify/panel_class.h"
 #include "pattern/panel_placement.h"
 
 namespace toile {
 
-/// Whose word the body part of a panel is.
-enum class PartSource : std::uint8_t {
-  stated,  ///< the pattern's
-  found,   ///< by its place and seams, where the pattern states none
-  asked,   ///< the user's, which beats the pattern
-};
-
 /// One flat pattern piece as meshed. Its material points and triangles are contiguous ranges.
 struct MeshedPanel {
   std::string name;
-  std::string part;    ///< body part that it is for, one of body_parts; empty: found by position
   std::string fabric;  ///< name of its fabric; empty: the garment's
   double grain = 0;    ///< radians, angle of the warp direction against the flat +y axis
   int first_point = 0;
@@ -32,8 +24,7 @@ struct MeshedPanel {
   int triangles = 0;
   PanelPlacement placement{};  ///< how the skeleton positions it; by default it does not
   bool layered = false;        ///< it lies upon other panels, as a facing or a pocket does
-  std::string label = {};      ///< "body", "arm" or "leg", as GarmentCode has it; empty: not stated
-  PartSource part_source = PartSource::stated;
+  PanelClass is = {};          ///< what it is, see classify.h
 };
 
 /// Two outline edges that are sewn together: the i-th point of side a meets the i-th of side b. The
@@ -89,7 +80,8 @@ struct PanelMesh {
   std::vector<MeshedCutOut> cut_outs;
   int subdivisions = 0;
   /// False: all panels of the pattern share one origin, as in files that state no places. Those
-  /// that the skeleton positions do not count.
+  /// that the skeleton positions do not count. Also where one has the place of a part that it is
+  /// not for.
   bool has_places = true;
   double edge_length = 0;  ///< metres, the triangle edges that were asked for; 0: not known
 };

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "geometry/body/body_part.h"
 #include "geometry/types.h"
 
 namespace toile {
@@ -63,16 +64,16 @@ inline PanelPlacement mirrored(PanelPlacement placement) {
 
 /// The side on which the panel's middle stands. If the pattern does not state it, a left limb has
 /// left, a right one right, torso and head front. So a rolled panel closes at the underarm, the
-/// inner leg or the middle of the back. `part` is one of body_parts.
-inline PlacementSide side_or_default(const PanelPlacement& placement, const std::string& part) {
+/// inner leg or the middle of the back.
+inline PlacementSide side_or_default(const PanelPlacement& placement, BodyPart part) {
   if (placement.side != PlacementSide::none) return placement.side;
-  if (part.starts_with("left_")) return PlacementSide::left;
-  return part.starts_with("right_") ? PlacementSide::right : PlacementSide::front;
+  if (!is_limb(part)) return PlacementSide::front;
+  return side_of(part) > 0 ? PlacementSide::left : PlacementSide::right;
 }
 
 /// Degrees around the body part at which the panel's middle stands: 0 in front, 90 on the wearer's
 /// left.
-inline double degrees_around(const PanelPlacement& placement, const std::string& part) {
+inline double degrees_around(const PanelPlacement& placement, BodyPart part) {
   constexpr double degrees[] = {0, 0, 180, 90, -90};
   return degrees[static_cast<int>(side_or_default(placement, part))] + placement.turn_degrees;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/body/body_part.h"
 #include "geometry/types.h"
 #include "pattern/attachment.h"
 #include "pattern/edge_curve.h"
@@ -57,9 +58,9 @@ struct PanelNotch {
 /// A flat piece as drawn, in metres.
 struct PatternPanel {
   std::string name;
-  std::string part;    ///< body part that it is for, one of body_parts; empty: not stated
-  std::string fabric;  ///< empty: the garment's
-  std::string label;   ///< "body", "arm" or "leg", as GarmentCode has it; empty: not stated
+  BodyPart part = BodyPart::none;  ///< that it is for, as its placement states it
+  std::string fabric;              ///< empty: the garment's
+  std::string label;  ///< "body", "arm" or "leg", as GarmentCode has it; empty: not stated
   /// Radians, counter-clockwise: angle of the warp against the drawing's +y axis.
   double grain = 0;
   std::vector<PatternEdge> edges;  ///< in the file's order

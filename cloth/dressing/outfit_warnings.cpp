@@ -8,7 +8,6 @@
 #include "geometry/error.h"
 #include "io/floor_height.h"
 #include "io/text.h"
-#include "pattern/panel_kind.h"
 
 namespace toile {
 
@@ -52,11 +51,10 @@ std::vector<Warning> contradiction_warnings(const PanelMesh& garment) {
   std::vector<Warning> lines;
   lines.reserve(garment.panels.size());
   for (const MeshedPanel& panel : garment.panels) {
-    const std::string against = against_part(panel);
-    if (against.empty()) continue;
+    if (panel.is.contradiction.empty()) continue;
     lines.push_back({"contradicting_part", panel.name,
-                     "panel '" + panel.name + "' states the part '" + panel.part + "', but " +
-                         against + ": it is dressed as the part says"});
+                     "panel '" + panel.name + "': " + panel.is.contradiction +
+                         "; it is taken for: " + text_of(panel.is)});
   }
   return lines;
 }

@@ -18,8 +18,8 @@ Warning moved_layout_warning(const LayoutMove& move, const PanelMesh& garment);
 /// The panels were placed by their seams, and their drawing looks upside down.
 Warning upside_down_drawing_warning();
 
-/// A line for each panel whose name or label contradicts the part that its pattern states
-/// (panel_kind.h). Both witnesses are named. What the user asks for beats all of them.
+/// A line for each panel whose name, label and stated part contradict each other, with what was
+/// decided (classify.h). What the user asks for beats them all.
 std::vector<Warning> contradiction_warnings(const PanelMesh& garment);
 
 /// Of panels that seem to be placed wrongly (placement_warnings.h), and of fabrics that count as

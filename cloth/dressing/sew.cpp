@@ -41,7 +41,7 @@ bool arms_are_in_the_way(const PanelMesh& garment, const Skeleton& skeleton) {
     p.z() = 0;
     return p;
   };
-  for (const char* part : {"left_arm", "right_arm"}) {
+  for (const BodyPart part : {BodyPart::left_arm, BodyPart::right_arm}) {
     Bones arm(skeleton, part);
     if (arm.joints.empty()) continue;
     for (Vec3& joint : arm.joints) joint = flat(joint);
@@ -71,17 +71,18 @@ std::vector<bool> hang_below_pelvis(const PanelMesh& garment, const Skeleton& sk
 /// Radians above the horizontal at which raised arms are above all of a skirt. The upper corners of
 /// a wide one's panels may stand above the shoulders.
 double raised_angle(const PanelMesh& garment, const Skeleton& skeleton) {
-  const std::vector<std::string> parts = panel_parts(garment, skeleton);
+  const std::vector<BodyPart> parts = panel_parts(garment, skeleton);
   const std::vector<int> panel_of = panel_of_points(garment);
   const std::vector<bool> hangs = hang_below_pelvis(garment, skeleton);
   double angle = ArmRaise::usual_angle;
-  for (const auto& [part, side] : {std::pair("left_arm", 1.0), std::pair("right_arm", -1.0)}) {
+  for (const BodyPart part : {BodyPart::left_arm, BodyPart::right_arm}) {
+    const double side = side_of(part);
     const Bones arm(skeleton, part);
     if (arm.joints.empty()) continue;
     const Vec3 shoulder = arm.joints.front();
     const double reach = arm_reach * (arm.joints.back() - shoulder).norm();
     for (std::size_t p = 0; p < garment.placed.size(); ++p) {
-      if (!hangs[panel_of[p]] || parts[panel_of[p]].ends_with("_arm")) continue;
+      if (!hangs[panel_of[p]] || is_arm(parts[panel_of[p]])) continue;
       const Vec3 away = garment.placed[p] - shoulder;
       const double across = side * away.x();
       if (across < min_wing || std::hypot(across, away.y()) > reach) continue;
@@ -100,7 +101,7 @@ std::optional<ArmRaise> arm_raise(const PanelMesh& garment, const Scene& scene) 
 
 /// The garment with its sleeves turned up with the arms.
 PanelMesh with_sleeves_raised(PanelMesh garment, const Skeleton& skeleton, const ArmRaise& raise) {
-  const std::vector<std::string> parts = panel_parts(garment, skeleton);
+  const std::vector<BodyPart> parts = panel_parts(garment, skeleton);
   const std::vector<int> panel_of = panel_of_points(garment);
   for (std::size_t p = 0; p < garment.placed.size(); ++p) {
     garment.placed[p] = raise.turned_with(parts[panel_of[p]], garment.placed[p]);

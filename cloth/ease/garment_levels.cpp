@@ -7,7 +7,7 @@
 #include "geometry/body/limbs_through.h"
 #include "geometry/body/torso_section.h"
 #include "geometry/border_loops.h"
-#include "pattern/panel_kind.h"
+#include "pattern/classify/classify.h"
 
 namespace toile {
 
@@ -16,10 +16,9 @@ namespace {
 using Edge = std::pair<int, int>;  // of nodes, the lower one first
 
 bool is_bottom(const std::string& panel) {
-  MeshedPanel named;
-  named.name = panel;
-  const PanelKind kind = kind_of(named);
-  return kind == PanelKind::skirt || kind == PanelKind::trousers || kind == PanelKind::band;
+  const PanelRole worn_as = classify({panel}).worn_as;
+  return worn_as == PanelRole::skirt || worn_as == PanelRole::trousers ||
+         worn_as == PanelRole::waistband;
 }
 
 /// The border loops of some triangles through which both legs pass, the highest first.

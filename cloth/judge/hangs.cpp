@@ -38,9 +38,9 @@ std::vector<PanelHang> measure_hangs(const PanelMesh& garment, const DressedGarm
     Vec2 slope;
     double outward;  // cosine between its outside and the direction away from the bones
   };
-  std::map<std::string, Bones> bones;
+  std::map<BodyPart, Bones> bones;
   for (const std::string_view part : body_parts) {
-    bones.emplace(part, Bones(skeleton, std::string(part)));
+    bones.emplace(body_part(part), Bones(skeleton, body_part(part)));
   }
   std::vector<PanelHang> hangs(garment.panels.size());
   std::vector<Piece> pieces;

@@ -9,18 +9,19 @@
 
 namespace toile {
 
-std::string in_words(std::string part) {
-  std::ranges::replace(part, '_', ' ');
-  return part;
+std::string in_words(BodyPart part) {
+  std::string words = name_of(part);
+  std::ranges::replace(words, '_', ' ');
+  return words;
 }
 
 std::string place_on_body(const Vec3& point, const Skeleton& skeleton) {
   const double height = point.y();
   if (height < 0) return "below the floor by " + centimetres(-height, 0);
-  const std::string part = part_near(skeleton, point);
+  const BodyPart part = part_near(skeleton, point);
   std::string name = in_words(part);
   const double waist = skeleton.joint("waist").y();
-  if (part == "torso") {
+  if (part == BodyPart::torso) {
     const double crotch = skeleton.joint("pelvis").y();
     const double armpit = skeleton.joint("chest").y();
     name = height < crotch                   ? "thighs"
@@ -28,7 +29,7 @@ std::string place_on_body(const Vec3& point, const Skeleton& skeleton) {
            : height < 0.5 * (waist + armpit) ? "waist"
            : height < armpit                 ? "chest"
                                              : "shoulders";
-  } else if (part.ends_with("_leg")) {
+  } else if (is_leg(part)) {
     name = height < skeleton.joint("left_knee").y() ? "shins"
            : height < skeleton.joint("pelvis").y()  ? "thighs"
                                                     : "hips";

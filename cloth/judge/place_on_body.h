@@ -12,6 +12,6 @@ namespace toile {
 std::string place_on_body(const Vec3& point, const Skeleton& skeleton);
 
 /// A part of the body as people write it: "left arm".
-std::string in_words(std::string part);
+std::string in_words(BodyPart part);
 
 }  // namespace toile

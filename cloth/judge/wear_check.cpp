@@ -18,7 +18,7 @@
 #include "geometry/border_loops.h"
 #include "geometry/triangle_area.h"
 #include "io/text.h"
-#include "pattern/panel_kind.h"
+#include "pattern/classify/panel_class.h"
 
 namespace toile {
 
@@ -91,7 +91,7 @@ class WearCheck {
 
   WearFindings run() {
     if (const auto seam = one_sided_seam(garment_, dressed_)) {
-      misplace("torso",
+      misplace(BodyPart::torso,
                "its cloth has one side only; a stitch of its ring of panels '" + seam->first +
                    "' and '" + seam->second + "' runs the wrong way",
                "one side out, the other side in");
@@ -101,21 +101,21 @@ class WearCheck {
   }
 
  private:
-  PanelKind kind(int panel) const { return kind_of(garment_.panels[panel]); }
-  std::vector<int> panels_of(const Component& component, PanelKind wanted) const {
+  PanelRole kind(int panel) const { return garment_.panels[panel].is.worn_as; }
+  std::vector<int> panels_of(const Component& component, PanelRole wanted) const {
     std::vector<int> panels;
     for (const int p : component.panels) {
       if (kind(p) == wanted) panels.push_back(p);
     }
     return panels;
   }
-  bool has(const Component& component, PanelKind wanted) const {
+  bool has(const Component& component, PanelRole wanted) const {
     return !panels_of(component, wanted).empty();
   }
   std::vector<int> without_sleeves(const Component& component) const {
     std::vector<int> panels;
     for (const int p : component.panels) {
-      if (kind(p) != PanelKind::sleeve) panels.push_back(p);
+      if (kind(p) != PanelRole::sleeve) panels.push_back(p);
     }
     return panels;
   }
@@ -131,7 +131,7 @@ class WearCheck {
     return is_marked;
   }
   /// Share of the directions around a part that the panels meet.
-  double share_around(const std::vector<int>& panels, const std::string& part) const {
+  double share_around(const std::vector<int>& panels, BodyPart part) const {
     return measure_wrap(dressed_, skeleton_, part, marked(panels)).fraction;
   }
   /// Whether a loop of the panels' border has these limbs through it.
@@ -151,18 +151,17 @@ class WearCheck {
   }
   /// Whether panels go around a part: closed, as a loop of their border tells, or as far as a
   /// cardigan does. Panels that do not reach it do not go around it.
-  bool goes_around(const std::vector<int>& panels, const std::string& part,
-                   const LimbsThrough& limbs) const {
+  bool goes_around(const std::vector<int>& panels, BodyPart part, const LimbsThrough& limbs) const {
     if (closes_around(panels, limbs)) return true;
     return share_around(panels, part) >= around_share;
   }
 
-  void misplace(const std::string& part, const std::string& at, const std::string& should_be) {
+  void misplace(BodyPart part, const std::string& at, const std::string& should_be) {
     findings_.is_checked = true;
     if (!findings_.misplaced) findings_.misplaced = Misplaced{part, at, should_be};
   }
   /// AreaMoment about `at` should go around `part`: misplaced if another part is nearer.
-  void fail(const std::string& part, const Vec3& at, const std::string& should_be) {
+  void fail(BodyPart part, const Vec3& at, const std::string& should_be) {
     findings_.is_checked = true;
     if (part_near(skeleton_, at) != part) {
       misplace(part, place_on_body(at, skeleton_), should_be);
@@ -192,7 +191,7 @@ class WearCheck {
     const std::size_t found = findings_.unwrapped.size();
     if (middle.y() < 0 || has_fallen(component)) {
       check_fallen(component);
-      misplace("torso", place_on_body(middle, skeleton_), "on the body");
+      misplace(BodyPart::torso, place_on_body(middle, skeleton_), "on the body");
       return;
     }
     check_sleeves(component);
@@ -207,21 +206,19 @@ class WearCheck {
     check_facing(component);
   }
 
-  /// Panels of one kind, grouped by the side of the body that they are for. A name beats a part
-  /// that the pattern states. Where a part was found by seams, the sleeve's shape tells whether it
-  /// is right there: names of mirrored pieces are often exchanged in drawings.
-  std::map<std::string, std::vector<int>> by_side(const std::vector<int>& panels,
-                                                  const std::string& limb) const {
-    std::map<std::string, std::vector<int>> groups;
+  /// Panels of sleeves or trousers, grouped by the limb that they are for. A part that was found by
+  /// seams, or that the user asked for, beats the side that the pattern says. The sleeve's shape
+  /// tells whether it is right there: names of mirrored pieces are often exchanged in drawings.
+  std::map<BodyPart, std::vector<int>> by_limb(const std::vector<int>& panels,
+                                               BodyPart (*limb_of)(bool)) const {
+    std::map<BodyPart, std::vector<int>> groups;
     for (const int p : panels) {
-      const MeshedPanel& panel = garment_.panels[p];
-      int side = side_by_name(panel.name);
-      const bool says_side = panel.part.starts_with("left") || panel.part.starts_with("right");
-      if (says_side && (side == 0 || panel.part_source != PartSource::stated)) {
-        side = panel.part.starts_with("left") ? 1 : -1;
-      }
-      if (side == 0) side = placed_side(panel);
-      groups[(side > 0 ? "left_" : "right_") + limb].push_back(p);
+      const PanelClass& is = garment_.panels[p].is;
+      const bool is_found = is.part.by == PanelSource::seams || is.part.by == PanelSource::asked;
+      int side = is_found ? side_of(is.part) : 0;
+      if (side == 0) side = side_sign(is);
+      if (side == 0) side = placed_side(garment_.panels[p]);
+      groups[limb_of(side > 0)].push_back(p);
     }
     return groups;
   }
@@ -243,10 +240,10 @@ class WearCheck {
 
   void check_sleeves(const Component& component) {
     const std::vector<int> rest = without_sleeves(component);
-    for (const auto& group : by_side(panels_of(component, PanelKind::sleeve), "arm")) {
-      const std::string& arm = group.first;
+    for (const auto& group : by_limb(panels_of(component, PanelRole::sleeve), arm_of)) {
+      const BodyPart arm = group.first;
       const std::vector<int>& panels = group.second;
-      const LimbsThrough wanted = arm == "left_arm" ? through_left_arm : through_right_arm;
+      const LimbsThrough wanted = arm == BodyPart::left_arm ? through_left_arm : through_right_arm;
       const bool has_opening = std::ranges::any_of(component.openings, [&](const Opening* opening) {
         return opening->limbs == wanted && belongs_to(*opening, panels);
       });
@@ -264,11 +261,11 @@ class WearCheck {
   }
 
   void check_trousers(const Component& component) {
-    const std::vector<int> panels = panels_of(component, PanelKind::trousers);
+    const std::vector<int> panels = panels_of(component, PanelRole::trousers);
     if (panels.empty()) return;
     findings_.is_checked = true;
-    for (const auto& [leg, half] : by_side(panels, "leg")) {
-      const LimbsThrough wanted = leg == "left_leg" ? through_left_leg : through_right_leg;
+    for (const auto& [leg, half] : by_limb(panels, leg_of)) {
+      const LimbsThrough wanted = leg == BodyPart::left_leg ? through_left_leg : through_right_leg;
       if (std::ranges::any_of(component.openings,
                               [&](const Opening* o) { return o->limbs == wanted; })) {
         continue;
@@ -288,8 +285,8 @@ class WearCheck {
   }
 
   void check_trunk(const Component& component) {
-    const bool is_top = has(component, PanelKind::top);
-    const bool is_bottom = has(component, PanelKind::skirt) || has(component, PanelKind::trousers);
+    const bool is_top = has(component, PanelRole::bodice);
+    const bool is_bottom = has(component, PanelRole::skirt) || has(component, PanelRole::trousers);
     const Opening* highest = highest_around_trunk(component);
     check_skirt(component);
     if (std::ranges::any_of(component.openings, [](const Opening* o) { return has_arm(*o); })) {
@@ -316,8 +313,8 @@ class WearCheck {
       const bool is_near = height > (is_top ? waist_ : min_sheet_share * crotch_) &&
                            height < armpit_ + max_sheet_rise;
       const std::vector<int> panels(component.panels.begin(), component.panels.end());
-      if (is_sheet && is_near && goes_around(panels, "torso", through_hem)) return;
-      fail("torso", middle, belongs);
+      if (is_sheet && is_near && goes_around(panels, BodyPart::torso, through_hem)) return;
+      fail(BodyPart::torso, middle, belongs);
       return;
     }
     const double height = highest->middle.y();
@@ -332,7 +329,7 @@ class WearCheck {
     const bool is_on_thighs = !is_top && is_bottom && down_the_thighs(highest->middle) > 0;
     check_slid(*highest, is_top ? belongs : "its top edge where it was drafted to lie", is_top);
     if (height < low || height > high || is_on_thighs) {
-      misplace("torso", place_on_body(highest->middle, skeleton_), belongs);
+      misplace(BodyPart::torso, place_on_body(highest->middle, skeleton_), belongs);
     }
   }
 
@@ -343,7 +340,8 @@ class WearCheck {
     if (findings_.slid && findings_.slid->down >= slid.down) return;
     findings_.slid = slid;
     if (slid.down <= max_slid) return;
-    misplace("torso", place_on_body(top.middle, skeleton_) + ": it " + text_of(slid), belongs);
+    misplace(BodyPart::torso, place_on_body(top.middle, skeleton_) + ": it " + text_of(slid),
+             belongs);
   }
   /// Cloth at the feet may have no edge around the trunk any more. It slid all the same: by what
   /// the edge came down that was drafted to lie highest.
@@ -353,7 +351,7 @@ class WearCheck {
     }
     const auto top = std::ranges::max_element(component.openings, {}, &Opening::drafted);
     if (top == component.openings.end()) return;
-    const Slid slid = slid_of(**top, has(component, PanelKind::top));
+    const Slid slid = slid_of(**top, has(component, PanelRole::bodice));
     if (slid.down > max_slid) findings_.slid = slid;
   }
   Slid slid_of(const Opening& top, bool is_top) const {
@@ -385,9 +383,9 @@ class WearCheck {
   }
 
   void check_skirt(const Component& component) {
-    const std::vector<int> panels = panels_of(component, PanelKind::skirt);
-    if (panels.empty() || goes_around(panels, "torso", through_hem)) return;
-    if (!is_apron(component)) fail("torso", moment_of(panels).middle(), "waist or hips");
+    const std::vector<int> panels = panels_of(component, PanelRole::skirt);
+    if (panels.empty() || goes_around(panels, BodyPart::torso, through_hem)) return;
+    if (!is_apron(component)) fail(BodyPart::torso, moment_of(panels).middle(), "waist or hips");
   }
 
   /// Whether a garment covers one side of the trunk, as an apron does. No arm passes through an
@@ -400,7 +398,7 @@ class WearCheck {
       if (std::abs(opening->drafted - opening->middle.y()) > max_slid) return false;
     }
     const std::vector<int> panels(component.panels.begin(), component.panels.end());
-    return share_around(panels, "torso") >= open_front_share;
+    return share_around(panels, BodyPart::torso) >= open_front_share;
   }
 
   /// Whether a garment that hangs from both shoulders is open by its seams, in front or at the
@@ -410,7 +408,7 @@ class WearCheck {
     for (const LimbsThrough& arm : {through_left_arm, through_right_arm}) {
       if (!closes_around(panels, arm)) return false;
     }
-    return share_around(panels, "torso") >= open_front_share;
+    return share_around(panels, BodyPart::torso) >= open_front_share;
   }
 
   /// What hangs from the shoulders and has no hem around the trunk, as a cardigan has none.
@@ -424,8 +422,8 @@ class WearCheck {
       return;
     }
     if (is_open_by_its_seams(panels) || is_apron(component)) return;
-    if (goes_around(panels, "torso", through_hem)) return;
-    fail("torso", moment_of(panels).middle(), "chest or shoulders");
+    if (goes_around(panels, BodyPart::torso, through_hem)) return;
+    fail(BodyPart::torso, moment_of(panels).middle(), "chest or shoulders");
   }
 
   /// What is closed about the hips and reaches the shoulders covers the trunk between waist and
@@ -453,7 +451,7 @@ class WearCheck {
       if (most < 0 || hangs_[p].folded > hangs_[most].folded) most = p;
     }
     if (all.folded > max_folded * all.area) {
-      misplace("torso",
+      misplace(BodyPart::torso,
                std::to_string(std::lround(100 * all.folded / all.area)) +
                    " % of its cloth hangs upside down in a fold, of panel '" +
                    garment_.panels[most].name + "' the most",
@@ -482,7 +480,8 @@ class WearCheck {
       const double started = sign * (placed_[highest].x() - middle);
       const double lies = sign * (nodes_[highest].x() - middle);
       if (started > reach || lies < reach + slid_off_shoulder) continue;
-      misplace(side + "_arm", place_on_body(nodes_[highest], skeleton_), side + " shoulder");
+      misplace(arm_of(side == "left"), place_on_body(nodes_[highest], skeleton_),
+               side + " shoulder");
     }
   }
 
@@ -507,17 +506,18 @@ class WearCheck {
     if (empty == 0 || (hangs && has_neck)) return;
     if (component.openings.size() == 1) return;  // a sheet
     if (empty == 1 && longest < min_neck_opening) return;
-    if (empty == 1 && has(component, PanelKind::skirt)) return;  // a cut-out
-    fail(hangs ? "head" : "torso", at, hangs ? "neck" : "shoulders, with the arms in the armholes");
+    if (empty == 1 && has(component, PanelRole::skirt)) return;  // a cut-out
+    fail(hangs ? BodyPart::head : BodyPart::torso, at,
+         hangs ? "neck" : "shoulders, with the arms in the armholes");
   }
 
-  /// Middles of the panels that the sign of `side` sorts, from the negative to the positive ones.
-  std::optional<Vec3> from_to(const Component& component, int (*side)(const std::string&)) const {
+  /// Middles of the panels that `sign_of` sorts, from the negative to the positive ones.
+  std::optional<Vec3> from_to(const Component& component, int (*sign_of)(const PanelClass&)) const {
     AreaMoment negative;
     AreaMoment positive;
     for (const int p : component.panels) {
-      if (kind(p) == PanelKind::sleeve) continue;
-      const int sign = side(garment_.panels[p].name);
+      if (kind(p) == PanelRole::sleeve) continue;
+      const int sign = sign_of(garment_.panels[p].is);
       if (sign < 0) negative.add(moments_[p]);
       if (sign > 0) positive.add(moments_[p]);
     }
@@ -533,12 +533,12 @@ class WearCheck {
                            const std::string& what) {
       if (!across || across->dot(wanted) >= min_facing_cosine) return;
       const double degrees = to_degrees(std::acos(std::clamp(across->dot(wanted), -1.0, 1.0)));
-      misplace("torso",
+      misplace(BodyPart::torso,
                "turned about the vertical by " + std::to_string(std::lround(degrees)) + " degrees",
                what);
     };
-    check(from_to(component, face_by_name), Vec3::UnitZ(), "its front before the body");
-    check(from_to(component, side_by_name), Vec3::UnitX(), "its left side at the wearer's left");
+    check(from_to(component, face_sign), Vec3::UnitZ(), "its front before the body");
+    check(from_to(component, side_sign), Vec3::UnitX(), "its left side at the wearer's left");
   }
 
   const PanelMesh& garment_;

@@ -13,7 +13,7 @@ namespace toile {
 
 /// Something that is worn elsewhere than it belongs. Texts are for people.
 struct Misplaced {
-  std::string part;       ///< of the body, one of body_parts
+  BodyPart part = BodyPart::none;
   std::string at;         ///< where the cloth is
   std::string should_be;  ///< where it belongs
 };
@@ -45,10 +45,10 @@ struct WearFindings {
   std::optional<BareLevel> bare;
   std::vector<std::string> turned;  ///< panels that hang the other way up than they are placed
   /// Body parts that cloth lies at and should go around, and does not.
-  std::vector<std::string> unwrapped;
+  std::vector<BodyPart> unwrapped;
 };
 
-/// What a garment is comes from the parts, labels and names of its panels (panel_kind.h), and from
+/// What a garment is comes from what its panels are (classify.h), and from
 /// its openings. Where it is worn comes from the limbs that pass through the openings, and from
 /// heights. Each connected component is checked by itself:
 ///

@@ -34,13 +34,12 @@ Interval lies_along(const std::vector<int>& nodes, const std::vector<Vec3>& poin
 
 /// The middle of where the cloth lies, without what slants at its ends. Above the armpits or the
 /// crotch cloth goes around more than one part, so that is left out, too.
-Interval covered(Interval lies, const std::string& part, const Bones& bones,
-                 const Skeleton& skeleton) {
-  if (part == "torso") {
+Interval covered(Interval lies, BodyPart part, const Bones& bones, const Skeleton& skeleton) {
+  if (part == BodyPart::torso) {
     lies.high = std::min(lies.high, bones.foot(skeleton.joint("chest")));
-  } else if (part != "head") {
+  } else if (part != BodyPart::head) {
     Vec3 fork = bones.joints.front();
-    fork.y() = skeleton.joint(part.ends_with("arm") ? "chest" : "pelvis").y();
+    fork.y() = skeleton.joint(is_arm(part) ? "chest" : "pelvis").y();
     lies.low = std::max(lies.low, bones.foot(fork));
   }
   const double length = lies.high - lies.low;
@@ -81,8 +80,8 @@ double share_met(const Vec3& station, const Vec3& axis, const std::vector<Vec3>&
 
 }  // namespace
 
-WrapMeasurement measure_wrap(const DressedGarment& dressed, const Skeleton& skeleton,
-                             const std::string& part, const std::vector<char>& is_counted) {
+WrapMeasurement measure_wrap(const DressedGarment& dressed, const Skeleton& skeleton, BodyPart part,
+                             const std::vector<char>& is_counted) {
   const Bones bones(skeleton, part);
   std::vector<Triangle> triangles;
   std::vector<int> nodes;
@@ -114,7 +113,7 @@ BareLevel barest_level(const DressedGarment& dressed, const Skeleton& skeleton,
   for (std::size_t t = 0; t < dressed.triangles.size(); ++t) {
     if (is_counted[dressed.panel_of_triangle[t]]) triangles.push_back(dressed.triangles[t]);
   }
-  const Bones bones(skeleton, "torso");
+  const Bones bones(skeleton, BodyPart::torso);
   BareLevel barest;
   for (int i = 0; i < wrap_stations && low < high; ++i) {
     const double share =
@@ -130,13 +129,13 @@ BareLevel barest_level(const DressedGarment& dressed, const Skeleton& skeleton,
 
 std::vector<WrapMeasurement> measure_wraps(const PanelMesh& garment, const DressedGarment& dressed,
                                            const Skeleton& skeleton) {
-  const std::vector<std::string> parts = panel_parts(garment, skeleton);
+  const std::vector<BodyPart> parts = panel_parts(garment, skeleton);
   std::vector<WrapMeasurement> wraps;
   for (const std::string_view name : body_parts) {
-    const std::string part(name);
+    const BodyPart part = body_part(name);
     std::vector<char> is_counted;
     is_counted.reserve(parts.size());
-    for (const std::string& p : parts) is_counted.push_back(p == part);
+    for (const BodyPart p : parts) is_counted.push_back(p == part);
     if (std::ranges::count(is_counted, 1) == 0 || Bones(skeleton, part).joints.empty()) continue;
     wraps.push_back(measure_wrap(dressed, skeleton, part, is_counted));
   }

@@ -12,7 +12,7 @@ namespace toile {
 /// The share of the directions square to a part's bones that meets the panels of that part. It is
 /// taken over the stretch of bone at which they lie as worn.
 struct WrapMeasurement {
-  std::string part;
+  BodyPart part = BodyPart::none;
   double from = 0;  ///< metres along the bones from the part's first joint; negative before it
   double to = 0;    ///< metres along the bones from the first joint
   double fraction = 0;
@@ -22,8 +22,8 @@ struct WrapMeasurement {
 /// those that play no part. The stretch is the middle half of where the panels
 /// lie. Cloth above the armpits plays no part, nor cloth of limbs nearer than armpit or crotch.
 /// Where nothing is left, `fraction` is 0. Linear in the triangles times 32 stations.
-WrapMeasurement measure_wrap(const DressedGarment& dressed, const Skeleton& skeleton,
-                             const std::string& part, const std::vector<char>& is_counted);
+WrapMeasurement measure_wrap(const DressedGarment& dressed, const Skeleton& skeleton, BodyPart part,
+                             const std::vector<char>& is_counted);
 
 /// The same of every part that panels belong to (panel_parts.h).
 std::vector<WrapMeasurement> measure_wraps(const PanelMesh& garment, const DressedGarment& dressed,

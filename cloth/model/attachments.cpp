@@ -45,8 +45,8 @@ class Anchors {
       throw refused(attached, "there is no skeleton",
                     "let clean-body write it beside the body, or name it with --skeleton");
     }
-    for (const char* side : {"left_", "right_"}) {
-      if (landmark.starts_with(side)) return limb_level(attached, side);
+    for (const std::string side : {"left_", "right_"}) {
+      if (landmark.starts_with(side)) return limb_level(attached, side.starts_with("left"));
     }
     const Vec3 up = Vec3::UnitY();
     if (landmark == "bust" || landmark == "hip") {
@@ -72,11 +72,11 @@ class Anchors {
             "is held at '" + attached.how.landmark + "', but " + why, remedy};
   }
 
-  TargetLevel limb_level(const MeshedAttachment& attached, const std::string& side) const {
+  TargetLevel limb_level(const MeshedAttachment& attached, bool left) const {
     const std::string& joint = attached.how.landmark;
     const bool of_arm =
         joint.ends_with("shoulder") || joint.ends_with("elbow") || joint.ends_with("wrist");
-    const Bones bones(*scene_.skeleton, side + (of_arm ? "arm" : "leg"));
+    const Bones bones(*scene_.skeleton, of_arm ? arm_of(left) : leg_of(left));
     if (bones.joints.empty()) {
       throw refused(attached, "the skeleton lacks that limb", "let clean-body write the skeleton");
     }

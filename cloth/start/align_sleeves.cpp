@@ -15,8 +15,8 @@ namespace {
 
 class Sleeve {
  public:
-  Sleeve(const PanelMesh& garment, const std::vector<std::string>& part_of_point, std::string part)
-      : garment_(garment), part_of_point_(part_of_point), part_(std::move(part)) {
+  Sleeve(const PanelMesh& garment, const std::vector<BodyPart>& part_of_point, BodyPart part)
+      : garment_(garment), part_of_point_(part_of_point), part_(part) {
     for (const MeshedPanel& panel : garment.panels) {
       if (is_mine(panel.first_point) && !panel.placement.by_part()) panels_.push_back(&panel);
     }
@@ -47,7 +47,7 @@ class Sleeve {
     int points = 0;
     for (const MeshedSeam& seam : garment_.seams) {
       for (const auto& [side, other] : {std::pair(&seam.a, &seam.b), std::pair(&seam.b, &seam.a)}) {
-        if (!is_mine(side->front()) || part_of_point_[other->front()] != "torso") continue;
+        if (!is_mine(side->front()) || part_of_point_[other->front()] != BodyPart::torso) continue;
         for (const int p : *side) sum += placed[p];
         points += static_cast<int>(side->size());
       }
@@ -69,18 +69,18 @@ class Sleeve {
   bool is_mine(int point) const { return part_of_point_[point] == part_; }
 
   const PanelMesh& garment_;
-  const std::vector<std::string>& part_of_point_;
-  std::string part_;
+  const std::vector<BodyPart>& part_of_point_;
+  BodyPart part_;
   std::vector<const MeshedPanel*> panels_;  // that the pattern itself places
 };
 
 }  // namespace
 
-std::map<std::string, double> turn_sleeves(const PanelMesh& garment,
-                                           const std::vector<std::string>& part_of_point,
-                                           const Skeleton& skeleton, std::vector<Vec3>& placed) {
-  std::map<std::string, double> turned;
-  for (const char* part : {"left_arm", "right_arm"}) {
+std::map<BodyPart, double> turn_sleeves(const PanelMesh& garment,
+                                        const std::vector<BodyPart>& part_of_point,
+                                        const Skeleton& skeleton, std::vector<Vec3>& placed) {
+  std::map<BodyPart, double> turned;
+  for (const BodyPart part : {BodyPart::left_arm, BodyPart::right_arm}) {
     const Bones arm(skeleton, part);
     const Sleeve sleeve(garment, part_of_point, part);
     if (arm.joints.empty() || sleeve.empty()) continue;

@@ -18,8 +18,8 @@ namespace toile {
 /// Each panel turns about the middle of the armhole, at its own depth. So front and back keep
 /// facing each other and what they are sewn to.
 /// Returns radians, for each arm whose sleeve turned.
-std::map<std::string, double> turn_sleeves(const PanelMesh& garment,
-                                           const std::vector<std::string>& part_of_point,
-                                           const Skeleton& skeleton, std::vector<Vec3>& placed);
+std::map<BodyPart, double> turn_sleeves(const PanelMesh& garment,
+                                        const std::vector<BodyPart>& part_of_point,
+                                        const Skeleton& skeleton, std::vector<Vec3>& placed);
 
 }  // namespace toile

@@ -8,46 +8,6 @@
 
 namespace toile {
 
-namespace {
-
-/// Metres: how wide the panel is in the mean across a seam of this length, and at most its size.
-double width_across(const PanelMesh& garment, const MeshedPanel& panel, double length) {
-  Vec2 low = Vec2::Constant(1e300);
-  Vec2 high = -low;
-  for (int i = panel.first_point; i < panel.first_point + panel.points; ++i) {
-    low = low.cwiseMin(garment.flat[i]);
-    high = high.cwiseMax(garment.flat[i]);
-  }
-  double area = 0;
-  for (const Triangle& triangle : garment.triangles) {
-    if (triangle[0] < panel.first_point || triangle[0] >= panel.first_point + panel.points) {
-      continue;
-    }
-    const Vec2 a = garment.flat[triangle[1]] - garment.flat[triangle[0]];
-    const Vec2 b = garment.flat[triangle[2]] - garment.flat[triangle[0]];
-    area += 0.5 * (a.x() * b.y() - a.y() * b.x());
-  }
-  return std::min((high - low).maxCoeff(), area / std::max(length, 1e-9));
-}
-
-}  // namespace
-
-bool closes_around(const PanelMesh& garment, int panel) {
-  const std::vector<int> panel_of = panel_of_points(garment);
-  return std::ranges::any_of(garment.seams, [&](const MeshedSeam& seam) {
-    if (panel_of[seam.a[1]] != panel || panel_of[seam.b[1]] != panel) return false;
-    if (seam.a.front() == seam.b.front() || seam.a.back() == seam.b.back()) return false;
-    double gap = 0;
-    double length = 0;
-    for (std::size_t i = 0; i < seam.a.size(); ++i) {
-      gap += (garment.flat[seam.a[i]] - garment.flat[seam.b[i]]).norm();
-      if (i > 0) length += (garment.flat[seam.a[i]] - garment.flat[seam.a[i - 1]]).norm();
-    }
-    return gap / static_cast<double>(seam.a.size()) >
-           min_around_gap * width_across(garment, garment.panels[panel], length);
-  });
-}
-
 PlacementAxis up_axis(const PanelMesh& garment, int panel, bool to_partners) {
   const std::vector<int> panel_of = panel_of_points(garment);
   const MeshedPanel& of = garment.panels[panel];

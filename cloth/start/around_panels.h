@@ -1,13 +1,9 @@
-// Panels that close around a body part by themselves, as a sleeve of one piece does.
+// Which way up a panel is that closes around its part by itself, as a sleeve of one piece does.
 #pragma once
 
 #include "pattern/panel_mesh.h"
 
 namespace toile {
-
-/// Whether a seam joins two edges of the panel that lie across from each other. A dart's do not.
-/// `panel` is an index into garment.panels. Linear.
-bool closes_around(const PanelMesh& garment, int panel);
 
 /// The direction of the flat panel that points up its part. It runs along the seam that closes the
 /// panel, else along the drawing's y. It points to the seams to other panels where `to_partners`

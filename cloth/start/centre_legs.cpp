@@ -70,9 +70,10 @@ SeamRoom seam_room(const PanelMesh& garment, const std::vector<bool>& of_leg,
 void centre_legs(const PanelMesh& garment, const Skeleton& skeleton, std::vector<Vec3>& placed) {
   if (!skeleton.joints.contains("left_hip") || !skeleton.joints.contains("right_hip")) return;
   const LegDivide divide = leg_divide(skeleton);
-  const std::vector<std::string> parts = panel_parts(garment, skeleton);
+  const std::vector<BodyPart> parts = panel_parts(garment, skeleton);
   const std::vector<int> panel_of = panel_of_points(garment);
-  for (const auto& [part, side] : {std::pair("left_leg", 1.0), std::pair("right_leg", -1.0)}) {
+  for (const BodyPart part : {BodyPart::left_leg, BodyPart::right_leg}) {
+    const double side = side_of(part);
     const Bones leg(skeleton, part);
     if (leg.joints.empty()) continue;
     std::vector<bool> of_leg(parts.size());

@@ -19,7 +19,7 @@ struct ArmPlane {
   Vec3 along;  ///< unit vector down the arm
   Vec3 up;     ///< unit vector square to it
 
-  ArmPlane(const Skeleton& skeleton, const std::string& part) {
+  ArmPlane(const Skeleton& skeleton, BodyPart part) {
     const Bones bones(skeleton, part);
     shoulder = bones.joints.front();
     along = bones.joints.back() - shoulder;
@@ -40,10 +40,10 @@ struct ArmPlane {
 /// The outline of an arm before the plane: its lowest and highest points along it.
 class ArmOutline {
  public:
-  ArmOutline(const TriangleMesh& skin, const Skeleton& skeleton, const std::string& part,
+  ArmOutline(const TriangleMesh& skin, const Skeleton& skeleton, BodyPart part,
              const ArmPlane& plane) {
     const Bones arm(skeleton, part);
-    const Bones torso(skeleton, "torso");
+    const Bones torso(skeleton, BodyPart::torso);
     const double sign = plane.along.x() >= 0 ? 1 : -1;
     for (const Vec3& p : skin.points) {
       if (sign * (p.x() - plane.shoulder.x()) < 0) continue;
@@ -111,9 +111,8 @@ std::optional<bool> is_above_cloth(const Vec2& seam, const std::vector<int>& poi
 }
 
 /// The panels of `part` that the skeleton did not position.
-SleeveInPlane sleeve_of(const PanelMesh& garment, const std::vector<std::string>& part_of_point,
-                        const std::string& part, const ArmPlane& plane,
-                        const std::vector<Vec3>& placed) {
+SleeveInPlane sleeve_of(const PanelMesh& garment, const std::vector<BodyPart>& part_of_point,
+                        BodyPart part, const ArmPlane& plane, const std::vector<Vec3>& placed) {
   SleeveInPlane sleeve;
   for (const MeshedPanel& panel : garment.panels) {
     if (panel.placement.by_part() || part_of_point[panel.first_point] != part) continue;
@@ -187,12 +186,12 @@ SleeveMove best_move(const SleeveInPlane& sleeve, const ArmPlane& plane,
 
 }  // namespace
 
-std::map<std::string, double> centre_sleeves(const PanelMesh& garment,
-                                             const std::vector<std::string>& part_of_point,
-                                             const TriangleMesh& skin, const Skeleton& skeleton,
-                                             std::vector<Vec3>& placed) {
-  std::map<std::string, double> moved;
-  for (const char* part : {"left_arm", "right_arm"}) {
+std::map<BodyPart, double> centre_sleeves(const PanelMesh& garment,
+                                          const std::vector<BodyPart>& part_of_point,
+                                          const TriangleMesh& skin, const Skeleton& skeleton,
+                                          std::vector<Vec3>& placed) {
+  std::map<BodyPart, double> moved;
+  for (const BodyPart part : {BodyPart::left_arm, BodyPart::right_arm}) {
     if (Bones(skeleton, part).joints.empty()) continue;
     const ArmPlane plane(skeleton, part);
     const SleeveInPlane sleeve = sleeve_of(garment, part_of_point, part, plane, placed);

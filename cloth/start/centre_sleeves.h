@@ -23,9 +23,9 @@ namespace toile {
 /// `skin` is the body's surface, of which `skeleton` has the joints. Returns the metres by which
 /// the middle of each sleeve moved, per arm whose sleeve did. Linear in the vertices of the skin;
 /// times some 2,000 moves in the seam points of sleeves.
-std::map<std::string, double> centre_sleeves(const PanelMesh& garment,
-                                             const std::vector<std::string>& part_of_point,
-                                             const TriangleMesh& skin, const Skeleton& skeleton,
-                                             std::vector<Vec3>& placed);
+std::map<BodyPart, double> centre_sleeves(const PanelMesh& garment,
+                                          const std::vector<BodyPart>& part_of_point,
+                                          const TriangleMesh& skin, const Skeleton& skeleton,
+                                          std::vector<Vec3>& placed);
 
 }  // namespace toile

@@ -119,10 +119,6 @@ inline constexpr double shoulder_probe = 0.03;
 /// Metres to either side of the middle where the top of a face is measured.
 inline constexpr double face_top_width = 0.03;
 
-/// Share of a panel's width across a seam that the seam's edges are apart, when it closes around
-/// its part. A sleeve of any length has 0.8 to 1, a dart less than 0.2.
-inline constexpr double min_around_gap = 0.5;
-
 /// Metres from the middle plane to the shoulder joint, as shares, between which shoulder seams lie.
 inline constexpr double inner_shoulder = 0.35;
 inline constexpr double outer_shoulder = 1.0;

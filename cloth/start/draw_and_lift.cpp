@@ -13,29 +13,29 @@ namespace toile {
 namespace {
 
 struct Limb {
-  const char* part;
+  BodyPart part;
   const char* from;
   const char* to;
 };
-constexpr Limb limb_directions[] = {{"left_arm", "left_shoulder", "left_wrist"},
-                                    {"right_arm", "right_shoulder", "right_wrist"},
-                                    {"left_leg", "left_hip", "left_ankle"},
-                                    {"right_leg", "right_hip", "right_ankle"}};
+constexpr Limb limb_directions[] = {{BodyPart::left_arm, "left_shoulder", "left_wrist"},
+                                    {BodyPart::right_arm, "right_shoulder", "right_wrist"},
+                                    {BodyPart::left_leg, "left_hip", "left_ankle"},
+                                    {BodyPart::right_leg, "right_hip", "right_ankle"}};
 
 /// Metres that the panels of a limb have to be drawn out along `direction`.
 /// The depth at which upright panels stand does not count. A sleeve's back may be sewn to the
 /// front, and would be drawn far down an arm that reaches forward. A `slanting` panel passes the
 /// torso's at an angle: there depth counts, and the room it brings is needed [measured].
 double draw_out(const PanelMesh& garment, const std::vector<Vec3>& placed,
-                const std::vector<std::string>& part_of_point, const std::string& part,
-                const Vec3& direction, bool slanting) {
+                const std::vector<BodyPart>& part_of_point, BodyPart part, const Vec3& direction,
+                bool slanting) {
   double farthest = 0;
   for (const MeshedSeam& seam : garment.seams) {
     for (std::size_t i = 0; i < seam.a.size(); ++i) {
       int limb = seam.a[i];
       int torso = seam.b[i];
       if (part_of_point[limb] != part) std::swap(limb, torso);
-      if (part_of_point[limb] != part || part_of_point[torso] != "torso") continue;
+      if (part_of_point[limb] != part || part_of_point[torso] != BodyPart::torso) continue;
       Vec3 apart = placed[torso] - placed[limb];
       if (!slanting) apart.z() = 0;
       farthest = std::max(farthest, apart.dot(direction) + limb_gap);
@@ -49,8 +49,8 @@ double draw_out(const PanelMesh& garment, const std::vector<Vec3>& placed,
 std::vector<double> lifted_points(const PanelMesh& garment) {
   std::vector<double> lifted;
   for (const MeshedPanel& panel : garment.panels) {
-    const bool limb = panel.part.ends_with("_arm") || panel.part.ends_with("_leg");
-    lifted.insert(lifted.end(), panel.points, limb && panel.placement.around > 0 ? 0.0 : 1.0);
+    const bool is_tube = is_limb(panel.is.part) && panel.placement.around > 0;
+    lifted.insert(lifted.end(), panel.points, is_tube ? 0.0 : 1.0);
   }
   return lifted;
 }
@@ -76,13 +76,12 @@ Placement draw_and_lift(const PanelMesh& garment, const DistanceGrid& body,
   placement.placed = garment.placed;
   bool hangs = false;
   bool has_sleeves = false;
-  std::map<std::string, double> on_arms;
-  std::vector<std::string> part_of_point;
+  std::map<BodyPart, double> on_arms;
+  std::vector<BodyPart> part_of_point;
   if (skeleton != nullptr) {
     hangs = hangs_from_shoulders(garment, garment.placed, *skeleton);
-    const std::vector<std::string> parts = panel_parts(garment, *skeleton);
-    has_sleeves =
-        std::ranges::any_of(parts, [](const auto& part) { return part.ends_with("_arm"); });
+    const std::vector<BodyPart> parts = panel_parts(garment, *skeleton);
+    has_sleeves = std::ranges::any_of(parts, is_arm);
     for (const int panel : panel_of_points(garment)) part_of_point.push_back(parts[panel]);
     placement.turned = turn_sleeves(garment, part_of_point, *skeleton, placement.placed);
     if (skin != nullptr) {

@@ -19,8 +19,8 @@ struct Placement {
   std::vector<Vec3> initial;
   std::vector<PositionedPanel> positioned;  ///< panels that the skeleton positioned
   double lift = 0;                          ///< metres, of all panels together
-  std::map<std::string, double> turned;     ///< radians, per arm whose sleeve was turned to it
-  std::map<std::string, double> drawn_out;  ///< metres along the limb, per part that was
+  std::map<BodyPart, double> turned;        ///< radians, per arm whose sleeve was turned to it
+  std::map<BodyPart, double> drawn_out;     ///< metres along the limb, per part that was
   std::map<std::string, double> moved_off_layers;  ///< metres, per panel moved off a layer
   std::map<std::string, double> moved_clear;       ///< metres, per panel that intersected something
   int points_inside = 0;  ///< material points that are still inside the body

@@ -15,13 +15,20 @@
 #include "geometry/body/limbs_through.h"
 #include "geometry/disjoint_sets.h"
 #include "geometry/error.h"
-#include "pattern/panel_kind.h"
+#include "pattern/classify/panel_class.h"
 
 namespace toile {
 
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Whether a part is more than a guess by words. Those of mirrored pieces are often exchanged in
+/// drawings, so that seams tell better.
+bool is_told(const Told<BodyPart>& part) {
+  return part.by != PanelSource::none && part.by != PanelSource::name &&
+         part.by != PanelSource::label;
+}
 
 /// Panels that are sewn together, directly or through others.
 class Component {
@@ -41,7 +48,8 @@ class Component {
 
  private:
   const MeshedPanel& panel(int p) const { return garment_.panels[p]; }
-  PanelKind kind(int p) const { return kind_of(panel(p)); }
+  bool is_sleeve(int p) const { return panel(p).is.worn_as == PanelRole::sleeve; }
+  bool is_hood(int p) const { return panel(p).is.role == PanelRole::hood; }
   const AskedPlace* asked(int p) const {
     const auto it = asked_.find(panel(p).name);
     return it == asked_.end() ? nullptr : &it->second;
@@ -61,7 +69,7 @@ class Component {
   void stand_hood(int p, std::vector<Vec3>& placed) const;
   void roll_all(std::vector<MeshedPanel>& meshed) const;
   void roll(int p, std::vector<MeshedPanel>& meshed) const;
-  std::string rolled_part(int p, const std::vector<MeshedPanel>& meshed) const;
+  BodyPart rolled_part(int p, const std::vector<MeshedPanel>& meshed) const;
   /// Calls use(point of p, point of another panel) for each pair of sewn points.
   void each_partner(int p, const auto& use) const {
     for (const MeshedSeam& seam : garment_.seams) {
@@ -93,9 +101,8 @@ std::optional<bool> Component::named_back(int p) const {
     if (place->side == PlacementSide::front) return false;
     if (place->side == PlacementSide::back) return true;
   }
-  const std::string& name = panel(p).name;
-  const int face = name.size() > 2 ? face_by_name(name) : 0;
-  return face == 0 ? std::nullopt : std::optional(face < 0);
+  const PanelFace face = panel(p).is.face;
+  return face == PanelFace::none ? std::nullopt : std::optional(face == PanelFace::back);
 }
 
 void Component::sort_panels() {
@@ -105,14 +112,14 @@ void Component::sort_panels() {
     const bool is_around = place != nullptr && place->around;
     const bool is_asked = is_around || side != PlacementSide::none;
     const bool is_aside = side == PlacementSide::left || side == PlacementSide::right;
-    if (is_aside && !is_around && place->part != "head" && !names_hood(panel(p).name)) {
+    if (is_aside && !is_around && place->part != BodyPart::head && !is_hood(p)) {
       throw Error("--place, panel '" + panel(p).name + "'",
                   "left and right are sides of the head only, where hoods stand",
                   "say front, back or around");
     }
-    if (is_asked ? is_around : closes_around(garment_, p)) {
+    if (is_asked ? is_around : panel(p).is.around) {
       around_.push_back(p);
-    } else if (is_asked ? is_aside : names_hood(panel(p).name)) {
+    } else if (is_asked ? is_aside : is_hood(p)) {
       hoods_.push_back(p);
     } else {
       flat_.push_back(p);
@@ -159,14 +166,13 @@ void Component::lay_panels() {
 double Component::panel_depth(std::size_t i, const std::pair<double, double>& trunk) const {
   const double outward = worn_->layout().back[i] ? -1 : 1;
   const AskedPlace* place = asked(flat_[i]);
-  const bool is_sleeve = place != nullptr && !place->part.empty()
-                             ? place->part.ends_with("_arm")
-                             : kind(flat_[i]) == PanelKind::sleeve;
+  const bool is_at_arm =
+      place != nullptr && place->part != BodyPart::none ? is_arm(place->part) : is_sleeve(flat_[i]);
   double depth = outward > 0 ? trunk.second + face_distance : trunk.first - face_distance;
-  if (is_sleeve) {
+  if (is_at_arm) {
     // Nearer to its arm than the front is.
     const Vec2 centre = worn_->centre(i);
-    const Bones bones(skeleton_, centre.x() > sizes_.middle() ? "left_arm" : "right_arm");
+    const Bones bones(skeleton_, arm_of(centre.x() > sizes_.middle()));
     const double arc = bones.foot({centre.x(), centre.y(), bones.joints.front().z()});
     depth = bones.at(arc).first.z() + outward * sleeve_face_distance;
   }
@@ -182,7 +188,7 @@ void Component::stand_panels(std::vector<Vec3>& placed) {
     for (int p = of.first_point; p < of.first_point + of.points; ++p) {
       const Vec2 at = worn_->layout().picture(i, garment_.flat[p]);
       placed[p] = {at.x(), at.y(), 0};
-      if (kind(flat_[i]) == PanelKind::sleeve) continue;
+      if (is_sleeve(flat_[i])) continue;
       low = std::min(low, at.y());
       high = std::max(high, at.y());
     }
@@ -239,34 +245,34 @@ void Component::stand_hood(int p, std::vector<Vec3>& placed) const {
 
 /// The part that a panel goes around: an arm beside what it is sewn to, a leg beside its twin, or
 /// the torso. A cuff goes around what its sleeve does.
-std::string Component::rolled_part(int p, const std::vector<MeshedPanel>& meshed) const {
+BodyPart Component::rolled_part(int p, const std::vector<MeshedPanel>& meshed) const {
   const AskedPlace* place = asked(p);
-  if (place != nullptr && !place->part.empty()) return place->part;
-  if (!panel(p).part.empty()) return panel(p).part;
-  if (flat_.empty() && around_.size() == 1) return "torso";
-  const int named = side_by_name(panel(p).name);
+  if (place != nullptr && place->part != BodyPart::none) return place->part;
+  if (is_told(panel(p).is.part)) return panel(p).is.part;
+  if (flat_.empty() && around_.size() == 1) return BodyPart::torso;
+  const int named = side_sign(panel(p).is);
   if (flat_.empty() && around_.size() == 2) {
-    return (named != 0 ? named > 0 : p == around_.back()) ? "left_leg" : "right_leg";
+    return leg_of(named != 0 ? named > 0 : p == around_.back());
   }
   double x = 0;
   int count = 0;
-  std::string of_rolled;
+  BodyPart of_rolled = BodyPart::none;
   each_partner(p, [&](int, int other) {
     const int q = panel_of_[other];
-    if (q != p && meshed[q].placement.around > 0) of_rolled = meshed[q].part;
+    if (q != p && meshed[q].placement.around > 0) of_rolled = meshed[q].is.part;
     const auto partner = in_layout(q);
     if (!partner) return;
     x += worn_->layout().picture(*partner, garment_.flat[other]).x();
     ++count;
   });
-  if (count == 0 && !of_rolled.empty()) return of_rolled;
+  if (count == 0 && of_rolled != BodyPart::none) return of_rolled;
   if (count == 0) throw refused(p, "goes around a part that its seams do not tell");
   const double aside = x / count - sizes_.middle();
   // A skirt of one panel under a bodice goes around the torso.
-  if (kind(p) != PanelKind::sleeve && std::abs(aside) < inner_shoulder * sizes_.shoulder()) {
-    return "torso";
+  if (!is_sleeve(p) && std::abs(aside) < inner_shoulder * sizes_.shoulder()) {
+    return BodyPart::torso;
   }
-  return aside > 0 ? "left_arm" : "right_arm";
+  return arm_of(aside > 0);
 }
 
 /// What is sewn to a flat panel is rolled first, then what is sewn to that.
@@ -289,13 +295,15 @@ void Component::roll_all(std::vector<MeshedPanel>& meshed) const {
 
 void Component::roll(int p, std::vector<MeshedPanel>& meshed) const {
   MeshedPanel& rolled = meshed[p];
-  if (rolled.part.empty()) rolled.part_source = PartSource::found;
-  rolled.part = rolled_part(p, meshed);
-  const bool is_arm = rolled.part.ends_with("_arm");
+  const BodyPart part = rolled_part(p, meshed);
+  if (!is_told(rolled.is.part) || rolled.is.part != part) {
+    rolled.is.part = {part, PanelSource::seams};
+  }
+  const bool goes_around_arm = is_arm(rolled.is.part);
   rolled.placement = {};
   rolled.placement.around = 1;
-  rolled.placement.axis = up_axis(garment_, p, is_arm);
-  if (!is_arm) rolled.placement.at = "waist";
+  rolled.placement.axis = up_axis(garment_, p, goes_around_arm);
+  if (!goes_around_arm) rolled.placement.at = "waist";
 }
 
 std::vector<int> Component::place(std::vector<Vec3>& placed, std::vector<FoundPlace>& found,
@@ -318,7 +326,7 @@ std::vector<int> Component::place(std::vector<Vec3>& placed, std::vector<FoundPl
   }
   for (const int p : around_) {
     found[p].around = true;
-    found[p].side = side_or_default(meshed[p].placement, meshed[p].part);
+    found[p].side = side_or_default(meshed[p].placement, meshed[p].is.part);
   }
   std::vector<int> legs;
   for (const bool left : {true, false}) {
@@ -328,10 +336,10 @@ std::vector<int> Component::place(std::vector<Vec3>& placed, std::vector<FoundPl
   return legs;
 }
 
-/// The part of a panel that stands flat. `is_leg`: it reaches below the crotch. Where its
-/// name does not tell, what lies beyond the shoulder is a sleeve.
-std::string part_of(const PanelMesh& garment, const MeshedPanel& panel, const BodySizes& sizes,
-                    const Skeleton& skeleton, bool is_leg) {
+/// The part of a panel that stands flat. `reaches_down`: below the crotch. Where nothing
+/// else tells, what lies beyond the shoulder is a sleeve.
+BodyPart part_of(const PanelMesh& garment, const MeshedPanel& panel, const BodySizes& sizes,
+                 const Skeleton& skeleton, bool reaches_down) {
   Vec3 centre = Vec3::Zero();
   double innermost = infinity;
   double highest = -infinity;
@@ -341,24 +349,24 @@ std::string part_of(const PanelMesh& garment, const MeshedPanel& panel, const Bo
     highest = std::max(highest, garment.placed[i].y());
   }
   const double x = centre.x() - sizes.middle();
-  const std::string side = x > 0 ? "left_" : "right_";
-  if (names_hood(panel.name)) return "head";
-  switch (kind_of(panel)) {
-    case PanelKind::sleeve:
-      return side + "arm";
-    case PanelKind::trousers:
-      return side + "leg";
-    case PanelKind::unknown: {
-      if (is_leg) return side + "leg";
+  const bool is_left = x > 0;
+  if (panel.is.role == PanelRole::hood) return BodyPart::head;
+  switch (panel.is.worn_as) {
+    case PanelRole::sleeve:
+      return arm_of(is_left);
+    case PanelRole::trousers:
+      return leg_of(is_left);
+    case PanelRole::unknown: {
+      if (reaches_down) return leg_of(is_left);
       // A cuff lies far out; a gore at the waist neither begins at the armhole nor lies so far out.
-      const bool is_arm =
+      const bool is_cuff =
           std::abs(x) > sizes.shoulder() && centre.y() > skeleton.joint("pelvis").y() &&
           innermost > (highest > skeleton.joint("chest").y() ? inner_shoulder : cuff_shoulders) *
                           sizes.shoulder();
-      return is_arm ? side + "arm" : "torso";
+      return is_cuff ? arm_of(is_left) : BodyPart::torso;
     }
     default:
-      return "torso";
+      return BodyPart::torso;
   }
 }
 
@@ -394,14 +402,14 @@ std::vector<FoundPlace> find_places(const TriangleMesh& body, const Skeleton& sk
     found[p].asked = asked.contains(garment.panels[p].name);
     components[sewn.of(static_cast<int>(p))].push_back(static_cast<int>(p));
   }
-  std::vector<char> is_leg(garment.panels.size(), 0);
+  std::vector<char> reaches_down(garment.panels.size(), 0);
   std::vector<Vec3> placed = garment.placed;
   std::vector<MeshedPanel> meshed = garment.panels;
   for (MeshedPanel& panel : meshed) panel.placement = {};
   for (const auto& [lowest, panels] : components) {
     for (const int p :
          Component(garment, skeleton, sizes, asked, panels).place(placed, found, meshed)) {
-      is_leg[p] = 1;
+      reaches_down[p] = 1;
     }
   }
   garment.placed = std::move(placed);
@@ -410,18 +418,15 @@ std::vector<FoundPlace> find_places(const TriangleMesh& body, const Skeleton& sk
   for (std::size_t p = 0; p < found.size(); ++p) {
     MeshedPanel& panel = garment.panels[p];
     const auto place = asked.find(panel.name);
-    if (place != asked.end() && !place->second.part.empty()) {
-      panel.part = place->second.part;
-      panel.part_source = PartSource::asked;
+    if (place != asked.end() && place->second.part != BodyPart::none) {
+      panel.is.part = {place->second.part, PanelSource::asked};
     }
-    if (panel.part.empty()) {
-      found[p].part = part_of(garment, panel, sizes, skeleton, is_leg[p] != 0);
-      // What a garment wraps, and whether it is worn where it belongs, goes by parts.
-      if (found[p].part != "head") panel.part = found[p].part;
-      panel.part_source = PartSource::found;
-    } else {
-      found[p].part = panel.part;
-    }
+    found[p].part = panel.is.part;
+    if (is_told(panel.is.part)) continue;
+    found[p].part = part_of(garment, panel, sizes, skeleton, reaches_down[p] != 0);
+    // What a garment wraps, and whether it is worn where it belongs, goes by parts.
+    panel.is.part = {};
+    if (found[p].part != BodyPart::head) panel.is.part = {found[p].part, PanelSource::seams};
   }
   return found;
 }

@@ -14,7 +14,8 @@ namespace toile {
 ///
 /// - A panel that is sewn to itself across its width goes around its part. That is an arm or the
 ///   torso, and of two without others each a leg. A panel that is asked to goes around, too.
-/// - All others lie in a front and a back face (flat_layout.h), by their names (face_by_name()) or
+/// - All others lie in a front and a back face (flat_layout.h), by the faces that their names say
+/// or
 ///   by what fits. The faces stand before and behind the body. Panels named as hoods stand at the
 ///   head's sides.
 /// - Which face is the front, and their height on the body: see worn_layout.h.

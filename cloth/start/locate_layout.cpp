@@ -17,15 +17,11 @@
 #include "geometry/body/limbs_through.h"
 #include "geometry/disjoint_sets.h"
 #include "io/text.h"
-#include "pattern/panel_kind.h"
+#include "pattern/classify/panel_class.h"
 
 namespace toile {
 
 namespace {
-
-bool is_headwear(const MeshedPanel& panel) {
-  return panel.part == "head" || names_headwear(panel.name);
-}
 
 Vec3 middle_of(const std::vector<Vec3>& points) {
   Vec3 sum = Vec3::Zero();
@@ -65,17 +61,17 @@ class Layout {
   double misfit() const;
 
  private:
-  PanelKind kind(std::size_t p) const { return kind_of(garment_.panels[p]); }
-  /// The level direction from the panels of negative `side` to those of positive ones.
-  std::optional<Vec3> from_to(int (*side)(const std::string&), bool of_sleeves) const;
-  std::optional<Vec3> forward() const { return from_to(face_by_name, false); }
+  PanelRole kind(std::size_t p) const { return garment_.panels[p].is.worn_as; }
+  /// The level direction from the panels of negative sign to those of positive ones.
+  std::optional<Vec3> from_to(int (*sign_of)(const PanelClass&), bool of_sleeves) const;
+  std::optional<Vec3> forward() const { return from_to(face_sign, false); }
   std::optional<Vec3> leftward() const;
   /// Metres: the heights that the top of the garment may have, and the one that it belongs at.
   struct Heights {
     double low;
     double wanted;
   };
-  bool has(PanelKind wanted) const;
+  bool has(PanelRole wanted) const;
   bool has_shoulders() const;
   bool surrounds_middle() const;
   std::optional<Heights> heights() const;
@@ -87,14 +83,12 @@ class Layout {
   std::vector<Vec3> middles_;
 };
 
-std::optional<Vec3> Layout::from_to(int (*side)(const std::string&), bool of_sleeves) const {
+std::optional<Vec3> Layout::from_to(int (*sign_of)(const PanelClass&), bool of_sleeves) const {
   Vec3 sums[2] = {Vec3::Zero(), Vec3::Zero()};
   double counts[2] = {0, 0};
   for (std::size_t p = 0; p < middles_.size(); ++p) {
-    if ((kind(p) == PanelKind::sleeve) != of_sleeves) continue;
-    const std::string& name = garment_.panels[p].name;
-    // Panels named A to F, or f and b, are not named by sides.
-    const int sign = name.size() > 2 ? side(name) : 0;
+    if ((kind(p) == PanelRole::sleeve) != of_sleeves) continue;
+    const int sign = sign_of(garment_.panels[p].is);
     if (sign == 0) continue;
     sums[sign > 0 ? 1 : 0] += middles_[p];
     counts[sign > 0 ? 1 : 0] += 1;
@@ -107,8 +101,8 @@ std::optional<Vec3> Layout::from_to(int (*side)(const std::string&), bool of_sle
 }
 
 std::optional<Vec3> Layout::leftward() const {
-  const std::optional<Vec3> by_sleeves = from_to(side_by_name, true);
-  return by_sleeves ? by_sleeves : from_to(side_by_name, false);
+  const std::optional<Vec3> by_sleeves = from_to(side_sign, true);
+  return by_sleeves ? by_sleeves : from_to(side_sign, false);
 }
 
 double Layout::turn() const {
@@ -134,12 +128,12 @@ double Layout::turn() const {
 /// sideways, and above the middles of a front and a back. They are not of skirts or trousers.
 bool Layout::has_shoulders() const {
   for (std::size_t p = 0; p < middles_.size(); ++p) {
-    if (kind(p) == PanelKind::sleeve || is_headwear(garment_.panels[p])) return true;
+    if (kind(p) == PanelRole::sleeve || garment_.panels[p].is.is_headwear()) return true;
   }
   const std::vector<int> panel_of = panel_of_points(garment_);
   const auto is_shoulder = [&](const std::vector<int>& side) {
     const int panel = panel_of[side.front()];
-    if (kind(panel) != PanelKind::top && kind(panel) != PanelKind::unknown) return false;
+    if (kind(panel) != PanelRole::bodice && kind(panel) != PanelRole::unknown) return false;
     const Vec3 along = placed_[side.back()] - placed_[side.front()];
     return std::hypot(along.x(), along.z()) > std::abs(along.y()) &&
            std::ranges::all_of(side, [&](int p) {
@@ -147,14 +141,14 @@ bool Layout::has_shoulders() const {
            });
   };
   const auto face = [&](const std::vector<int>& side) {
-    return face_by_name(garment_.panels[panel_of[side.front()]].name);
+    return face_sign(garment_.panels[panel_of[side.front()]].is);
   };
   return std::ranges::any_of(garment_.seams, [&](const MeshedSeam& seam) {
     return is_shoulder(seam.a) && is_shoulder(seam.b) && face(seam.a) != face(seam.b);
   });
 }
 
-bool Layout::has(PanelKind wanted) const {
+bool Layout::has(PanelRole wanted) const {
   for (std::size_t p = 0; p < middles_.size(); ++p) {
     if (kind(p) == wanted) return true;
   }
@@ -184,10 +178,11 @@ bool Layout::surrounds_middle() const {
 std::optional<Layout::Heights> Layout::heights() const {
   const double waist = skeleton_.joint("waist").y();
   const double armpit = skeleton_.joint("chest").y();
-  const bool has_bottom = has(PanelKind::skirt) || has(PanelKind::trousers) || has(PanelKind::band);
+  const bool has_bottom =
+      has(PanelRole::skirt) || has(PanelRole::trousers) || has(PanelRole::waistband);
   if (has_shoulders()) return Heights{armpit - layout_slack, skeleton_.joint("neck").y()};
-  if (has(PanelKind::top)) return Heights{waist - layout_slack, armpit};
-  if (has(PanelKind::unknown) || !has_bottom || !surrounds_middle()) return std::nullopt;
+  if (has(PanelRole::bodice)) return Heights{waist - layout_slack, armpit};
+  if (has(PanelRole::unknown) || !has_bottom || !surrounds_middle()) return std::nullopt;
   return Heights{waist - max_low_rise, waist};
 }
 
@@ -195,7 +190,7 @@ std::optional<Layout::Heights> Layout::heights() const {
 std::optional<double> Layout::top() const {
   double highest = -std::numeric_limits<double>::infinity();
   for (std::size_t p = 0; p < middles_.size(); ++p) {
-    if (kind(p) == PanelKind::sleeve || is_headwear(garment_.panels[p])) continue;
+    if (kind(p) == PanelRole::sleeve || garment_.panels[p].is.is_headwear()) continue;
     highest = std::max(highest, highest_of(garment_.panels[p], placed_));
   }
   return std::isfinite(highest) ? std::optional(highest) : std::nullopt;
@@ -211,7 +206,7 @@ Vec3 Layout::shift() const {
   }
   Eigen::AlignedBox3d box;
   for (std::size_t p = 0; p < middles_.size(); ++p) {
-    if (kind(p) == PanelKind::sleeve) continue;
+    if (kind(p) == PanelRole::sleeve) continue;
     const MeshedPanel& panel = garment_.panels[p];
     for (int i = panel.first_point; i < panel.first_point + panel.points; ++i) {
       box.extend(placed_[i]);
@@ -226,14 +221,15 @@ Vec3 Layout::shift() const {
 double Layout::misfit() const {
   double sum = 0;
   for (std::size_t p = 0; p < middles_.size(); ++p) {
-    std::vector<std::string> parts = {"torso"};
-    if (kind(p) == PanelKind::sleeve) parts = {"left_arm", "right_arm"};
-    if (kind(p) == PanelKind::trousers || kind(p) == PanelKind::skirt) {
-      parts = {"left_leg", "right_leg", "torso"};
+    using enum BodyPart;
+    std::vector<BodyPart> parts = {torso};
+    if (kind(p) == PanelRole::sleeve) parts = {left_arm, right_arm};
+    if (kind(p) == PanelRole::trousers || kind(p) == PanelRole::skirt) {
+      parts = {left_leg, right_leg, torso};
     }
-    if (is_headwear(garment_.panels[p])) parts = {"head"};
+    if (garment_.panels[p].is.is_headwear()) parts = {head};
     double least = std::numeric_limits<double>::infinity();
-    for (const std::string& part : parts) {
+    for (const BodyPart part : parts) {
       const Bones bones(skeleton_, part);
       if (!bones.joints.empty()) least = std::min(least, bones.distance(middles_[p]));
     }

@@ -37,12 +37,12 @@ void narrow_leg_panels(const PanelMesh& garment, const Skeleton& skeleton,
                        std::vector<Vec3>& placed) {
   if (!skeleton.joints.contains("left_hip") || !skeleton.joints.contains("right_hip")) return;
   const LegDivide divide = leg_divide(skeleton);
-  const std::vector<std::string> parts = panel_parts(garment, skeleton);
+  const std::vector<BodyPart> parts = panel_parts(garment, skeleton);
   const std::vector<int> panel_of = panel_of_points(garment);
   const std::vector<Vec3> before = placed;
   for (std::size_t i = 0; i < garment.panels.size(); ++i) {
-    if (!parts[i].ends_with("_leg")) continue;
-    const double side = parts[i] == "left_leg" ? 1 : -1;
+    if (!is_leg(parts[i])) continue;
+    const double side = side_of(parts[i]);
     const MeshedPanel& panel = garment.panels[i];
     double inner = std::numeric_limits<double>::infinity();
     for (int p = panel.first_point; p < panel.first_point + panel.points; ++p) {

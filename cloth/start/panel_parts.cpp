@@ -6,32 +6,15 @@
 
 #include "cloth/start/constants.h"
 #include "geometry/body/bones.h"
-#include "pattern/panel_kind.h"
 
 namespace toile {
 
-namespace {
-
-/// "torso", "_arm" or "_leg" as the panel's label says; empty: it says nothing.
-std::string labelled_limb(const MeshedPanel& panel) {
-  if (panel.label == "body") return "torso";
-  if (panel.label == "arm") return "_arm";
-  if (panel.label == "leg") return kind_of(panel) == PanelKind::trousers ? "_leg" : "torso";
-  return "";
-}
-
-}  // namespace
-
-std::vector<std::string> panel_parts(const PanelMesh& garment, const Skeleton& skeleton) {
-  std::vector<std::string> parts;
+std::vector<BodyPart> panel_parts(const PanelMesh& garment, const Skeleton& skeleton) {
+  std::vector<BodyPart> parts;
+  parts.reserve(garment.panels.size());
   for (const MeshedPanel& panel : garment.panels) {
-    if (!panel.part.empty()) {
-      parts.push_back(panel.part);
-      continue;
-    }
-    const std::string limb = labelled_limb(panel);
-    if (limb == "torso") {
-      parts.push_back(limb);
+    if (panel.is.part != BodyPart::none) {
+      parts.push_back(panel.is.part);
       continue;
     }
     Vec3 middle = Vec3::Zero();
@@ -46,13 +29,17 @@ std::vector<std::string> panel_parts(const PanelMesh& garment, const Skeleton& s
     }
     middle /= panel.points;
     const bool both_sides = std::min(left, right) > both_sides_share * (left + right);
-    std::string nearest = "torso";
-    double distance = limb.empty() ? Bones(skeleton, nearest).distance(middle)
-                                   : std::numeric_limits<double>::infinity();
-    for (const std::string part : {"left_arm", "right_arm", "left_leg", "right_leg"}) {
-      if (limb.empty() ? both_sides : !part.ends_with(limb)) continue;
+    const bool is_sleeve = panel.is.worn_as == PanelRole::sleeve;
+    const bool is_of_leg = panel.is.worn_as == PanelRole::trousers && !both_sides;
+    BodyPart nearest = BodyPart::torso;
+    double distance = is_sleeve || is_of_leg ? std::numeric_limits<double>::infinity()
+                                             : Bones(skeleton, nearest).distance(middle);
+    for (const BodyPart part :
+         {BodyPart::left_arm, BodyPart::right_arm, BodyPart::left_leg, BodyPart::right_leg}) {
+      if (both_sides && !is_sleeve) continue;
+      if (is_arm(part) ? is_of_leg : is_sleeve) continue;
       // Before an arm that hangs down or swings, half a front is nearer to that than to the spine.
-      if (limb.empty() && innermost < innermost_sleeve && part.ends_with("_arm")) continue;
+      if (!is_sleeve && innermost < innermost_sleeve && is_arm(part)) continue;
       const Bones bones(skeleton, part);
       if (bones.joints.empty() || bones.distance(middle) >= distance) continue;
       nearest = part;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "geometry/body/skeleton.h"
+#include "geometry/body/body_part.h"
 #include "geometry/error.h"
 
 namespace toile {
@@ -34,8 +34,8 @@ std::pair<std::string, AskedPlace> parse_asked_place(const std::string& text) {
     const std::string word = rest.substr(0, colon);
     rest = colon == std::string::npos ? "" : rest.substr(colon + 1);
     const auto side = std::ranges::find(sides, word, [](const auto& s) { return s.first; });
-    if (std::ranges::find(body_parts, word) != body_parts.end() && place.part.empty()) {
-      place.part = word;
+    if (body_part(word) != BodyPart::none && place.part == BodyPart::none) {
+      place.part = body_part(word);
     } else if (word == "around" && place.side == PlacementSide::none && !place.around) {
       place.around = true;
     } else if (side != sides.end() && place.side == PlacementSide::none && !place.around) {
@@ -53,7 +53,7 @@ std::string side_name(PlacementSide side) {
 }
 
 std::string text_of(const FoundPlace& place) {
-  std::string part = place.part;
+  std::string part = name_of(place.part);
   std::ranges::replace(part, '_', ' ');
   std::string text = place.panel + ": " + part + ", ";
   text += place.around ? "around" : side_name(place.side);

@@ -11,7 +11,7 @@ namespace toile {
 
 /// What is asked of the place of one panel.
 struct AskedPlace {
-  std::string part;                          ///< one of body_parts; empty: not asked
+  BodyPart part = BodyPart::none;            ///< none: not asked
   PlacementSide side = PlacementSide::none;  ///< none: not asked
   bool around = false;                       ///< rolled around its part
 };
@@ -27,7 +27,7 @@ std::pair<std::string, AskedPlace> parse_asked_place(const std::string& text);
 /// Where a panel was placed.
 struct FoundPlace {
   std::string panel;
-  std::string part;  ///< one of body_parts
+  BodyPart part = BodyPart::none;
   PlacementSide side = PlacementSide::front;
   bool around = false;       ///< rolled around its part
   bool asked = false;        ///< as asked, not found

@@ -6,7 +6,7 @@
 
 #include "cloth/start/constants.h"
 #include "geometry/angles.h"
-#include "pattern/panel_kind.h"
+#include "pattern/classify/panel_class.h"
 
 namespace toile {
 
@@ -57,11 +57,11 @@ std::vector<std::size_t> telling_panels(const PanelMesh& garment,
   double largest = 0;
   for (std::size_t p = 0; p < garment.panels.size(); ++p) {
     const MeshedPanel& panel = garment.panels[p];
-    if (panel.placement.by_part() || kind_of(panel) == PanelKind::sleeve) continue;
-    if (names_headwear(panel.name)) continue;
+    if (panel.placement.by_part() || panel.is.worn_as == PanelRole::sleeve) continue;
+    if (panel.is.is_headwear()) continue;
     if (!places.empty()) {
       const FoundPlace& place = places[p];
-      if (place.around || place.part.ends_with("_arm") || place.part == "head") continue;
+      if (place.around || is_arm(place.part) || place.part == BodyPart::head) continue;
     }
     panels.push_back(p);
     largest = std::max(largest, area_of(garment, panel));

@@ -21,7 +21,7 @@ namespace toile {
 
 namespace {
 
-bool runs_up(const std::string& part) { return part == "torso" || part == "head"; }
+bool runs_up(BodyPart part) { return !is_limb(part); }
 
 Error refused(const MeshedPanel& panel, const std::string& problem, const std::string& remedy) {
   return {"panel '" + panel.name + "'", problem, remedy};
@@ -42,18 +42,19 @@ struct UprightPanel {
   std::optional<double> wrist;  ///< arc length; of an arm alone
 
   UprightPanel(const PanelMesh& garment, const MeshedPanel& of, const Skeleton& skeleton)
-      : panel(of), bones(skeleton, of.part) {
+      : panel(of), bones(skeleton, of.is.part) {
     if (bones.joints.empty()) {
-      throw refused(panel, "belongs at part '" + panel.part + "', which the skeleton lacks",
+      throw refused(panel,
+                    "belongs at part '" + name_of(panel.is.part) + "', which the skeleton lacks",
                     "let clean-body write the skeleton, or place it by translation and rotation");
     }
-    if (panel.part.ends_with("_arm")) {
-      wrist = bones.foot(skeleton.joint(panel.part.substr(0, panel.part.size() - 3) + "wrist"));
+    if (is_arm(panel.is.part)) {
+      wrist = bones.foot(skeleton.joint(side_of(panel.is.part) > 0 ? "left_wrist" : "right_wrist"));
     }
-    if (panel.part.ends_with("_leg")) {
+    if (is_leg(panel.is.part)) {
       const LegDivide legs = leg_divide(skeleton);
       divide = legs.at;
-      away = panel.part.starts_with("left") ? legs.left : Vec3(-legs.left);
+      away = side_of(panel.is.part) > 0 ? legs.left : Vec3(-legs.left);
     }
     for (int p = panel.first_point; p < panel.first_point + panel.points; ++p) {
       points.push_back(upright(panel.placement.axis, garment.flat[p]));
@@ -63,7 +64,7 @@ struct UprightPanel {
   }
 
   /// 1 where arc length on the bones grows up the part (torso), -1 where it grows down (limbs).
-  double sign() const { return runs_up(panel.part) ? 1 : -1; }
+  double sign() const { return runs_up(panel.is.part) ? 1 : -1; }
   double arc(double y) const { return *origin + sign() * y; }
   /// Makes the upright y lie at an arc length.
   void level(double y, double s) { origin = s - sign() * y; }
@@ -138,10 +139,10 @@ void level_by_joint(UprightPanel& piece, const Skeleton& skeleton) {
   if (!placement.at.empty()) {
     piece.level(placement.level.value_or(piece.high.y()),
                 piece.bones.foot(skeleton.joint(placement.at)));
-  } else if (piece.panel.part.ends_with("_leg")) {
+  } else if (is_leg(piece.panel.is.part)) {
     piece.level(piece.high.y(), piece.bones.foot(skeleton.joint("waist")));
   } else {
-    piece.level(piece.high.y(), runs_up(piece.panel.part) ? piece.bones.along.back() : 0);
+    piece.level(piece.high.y(), runs_up(piece.panel.is.part) ? piece.bones.along.back() : 0);
   }
 }
 
@@ -181,7 +182,8 @@ class PanelLevels {
   bool meets_another_part(const UprightPanel& piece) const {
     const auto meets = [&](int mine, int other) {
       const MeshedPanel& there = garment_.panels[panel_of_[other]];
-      return &garment_.panels[panel_of_[mine]] == &piece.panel && there.part != piece.panel.part;
+      return &garment_.panels[panel_of_[mine]] == &piece.panel &&
+             there.is.part != piece.panel.is.part;
     };
     return std::any_of(garment_.seams.begin(), garment_.seams.end(), [&](const MeshedSeam& seam) {
       return !seam.a.empty() && (meets(seam.a[0], seam.b[0]) || meets(seam.b[0], seam.a[0]));
@@ -211,7 +213,7 @@ class PanelLevels {
   /// Metres: arc length on the bones of a point of another panel of the same part, if it is known.
   std::optional<double> arc_of(int point, const UprightPanel& piece) const {
     const MeshedPanel& panel = garment_.panels[panel_of_[point]];
-    if (&panel == &piece.panel || panel.part != piece.panel.part) return std::nullopt;
+    if (&panel == &piece.panel || panel.is.part != piece.panel.is.part) return std::nullopt;
     const auto found = piece_of_.find(panel_of_[point]);
     if (found == piece_of_.end()) return piece.bones.foot(garment_.placed[point]);
     const UprightPanel& there = pieces[found->second];
@@ -231,7 +233,7 @@ class PanelPose {
   /// `drawn_out`: metres farther along the bones. `bent`: a rolled panel follows their bends.
   PanelPose(const UprightPanel& piece, double drawn_out, bool bent = false)
       : piece_(piece), drawn_out_(drawn_out), bent_(bent) {
-    const double angle = to_radians(degrees_around(piece.panel.placement, piece.panel.part));
+    const double angle = to_radians(degrees_around(piece.panel.placement, piece.panel.is.part));
     turned_ = Eigen::AngleAxisd(angle, Vec3::UnitY()).toRotationMatrix();
     const double a = piece.arc(piece.low.y()) + drawn_out;
     const double b = piece.arc(piece.high.y()) + drawn_out;
@@ -317,7 +319,7 @@ class PanelPose {
 /// Whether the panel may be drawn down its part to clear the body. Only sleeves may whose place the
 /// pattern leaves open, since the armpit obstructs their upper ends.
 bool may_be_drawn_out(const UprightPanel& piece) {
-  return piece.panel.part.ends_with("_arm") && piece.panel.placement.at.empty();
+  return is_arm(piece.panel.is.part) && piece.panel.placement.at.empty();
 }
 
 /// Metres: lengths to draw out by, from `min_drawn` to `max_drawn` in steps of `draw_step`.
@@ -433,14 +435,14 @@ Positioning position_panels(const PanelMesh& garment, const DistanceGrid& body,
                   "let clean-body write it beside the body, or name it with --skeleton");
   }
   const PanelLevels levels(garment, *skeleton);
-  std::map<std::string, double> drawn_out;  // by part: the panels of one sleeve stay together
+  std::map<BodyPart, double> drawn_out;  // by part: the panels of one sleeve stay together
   for (const UprightPanel& piece : levels.pieces) {
     if (!may_be_drawn_out(piece)) continue;
-    double& drawn = drawn_out[piece.panel.part];
+    double& drawn = drawn_out[piece.panel.is.part];
     drawn = std::max(drawn, position(piece, body, 0, max_drawn_out).drawn_out);
   }
   for (const UprightPanel& piece : levels.pieces) {
-    const double drawn = may_be_drawn_out(piece) ? drawn_out.at(piece.panel.part) : 0;
+    const double drawn = may_be_drawn_out(piece) ? drawn_out.at(piece.panel.is.part) : 0;
     const PositionedPanel how = position(piece, body, drawn, drawn);
     const PanelPose pose(piece, how.drawn_out, how.bent);
     for (int i = 0; i < piece.panel.points; ++i) {

@@ -15,8 +15,8 @@ SeamPaths::SeamPaths(const PanelMesh& garment, const std::vector<Vec3>& placed,
     for (std::size_t i = 0; i < seam.a.size(); ++i) paths_.push_back({seam.a[i], seam.b[i]});
   }
   if (skeleton == nullptr) return;
-  torso_.emplace(*skeleton, "torso");
-  for (const char* part : {"left_arm", "right_arm"}) {
+  torso_.emplace(*skeleton, BodyPart::torso);
+  for (const BodyPart part : {BodyPart::left_arm, BodyPart::right_arm}) {
     const Bones arm(*skeleton, part);
     if (!arm.joints.empty()) arms_.push_back(arm);
   }

@@ -45,16 +45,16 @@ void WornLayout::shift(const Vec2& by) {
   find_landmarks();
 }
 
-bool WornLayout::has(PanelKind wanted) const {
-  return std::ranges::any_of(layout_.panels, [&](int p) { return kind_of(panel(p)) == wanted; });
+bool WornLayout::has(PanelRole wanted) const {
+  return std::ranges::any_of(layout_.panels, [&](int p) { return panel(p).is.worn_as == wanted; });
 }
 
 /// Whether the garment hangs from the shoulders.
 bool WornLayout::hangs() const {
   const bool is_bottom =
-      !has(PanelKind::top) && !has(PanelKind::sleeve) && !has(PanelKind::unknown);
+      !has(PanelRole::bodice) && !has(PanelRole::sleeve) && !has(PanelRole::unknown);
   if (is_bottom || shoulders_.empty()) return false;
-  return has(PanelKind::sleeve) || openings_.size() + around_ > 2;
+  return has(PanelRole::sleeve) || openings_.size() + around_ > 2;
 }
 
 /// Metres: x of the garment's middle in the picture.
@@ -62,7 +62,7 @@ double WornLayout::middle() const {
   double moment = 0;
   double area = 0;
   for (std::size_t i = 0; i < layout_.panels.size(); ++i) {
-    if (kind_of(panel(layout_.panels[i])) == PanelKind::sleeve) continue;
+    if (panel(layout_.panels[i]).is.worn_as == PanelRole::sleeve) continue;
     const MeshedPanel& of = panel(layout_.panels[i]);
     for (int t = of.first_triangle; t < of.first_triangle + of.triangles; ++t) {
       const auto& [a, b, c] = garment_.triangles[t];
@@ -81,7 +81,7 @@ bool WornLayout::is_upside_down() const {
   // The sample's hem is 2.3 times its neckline. Half of this doubts garments with wide necks,
   // double doubts none.
   constexpr double widest_neck = 1.5;  // of the hem
-  if (!has(PanelKind::sleeve)) return false;
+  if (!has(PanelRole::sleeve)) return false;
   const double x = middle();
   std::vector<double> lengths;  // of the openings about the trunk, the highest first
   for (const FlatOpening& opening : openings_) {
@@ -156,8 +156,8 @@ double WornLayout::rise(const BodySizes& sizes, const Skeleton& skeleton) const 
 
 /// Whether the garment, which does not hang from the shoulders, is worn about the chest.
 bool WornLayout::is_strapless(const FlatOpening& top, double waist_girth) const {
-  if (has(PanelKind::top)) return true;
-  if (has(PanelKind::skirt) || has(PanelKind::trousers) || has(PanelKind::band)) return false;
+  if (has(PanelRole::bodice)) return true;
+  if (has(PanelRole::skirt) || has(PanelRole::trousers) || has(PanelRole::waistband)) return false;
   const bool has_elastic =
       std::ranges::any_of(garment_.elastics, [&](const MeshedElastic& elastic) {
         return std::ranges::find(layout_.panels, panel_of_[elastic.points.front()]) !=

@@ -8,7 +8,7 @@
 #include "cloth/start/body_sizes.h"
 #include "cloth/start/flat_landmarks.h"
 #include "cloth/start/flat_layout.h"
-#include "pattern/panel_kind.h"
+#include "pattern/classify/panel_class.h"
 #include "pattern/panel_mesh.h"
 
 namespace toile {
@@ -55,7 +55,7 @@ class WornLayout {
 
  private:
   const MeshedPanel& panel(int p) const { return garment_.panels[p]; }
-  bool has(PanelKind wanted) const;
+  bool has(PanelRole wanted) const;
   bool hangs() const;
   bool is_strapless(const FlatOpening& top, double waist_girth) const;
   const FlatOpening* leg_opening(double crotch, bool left) const;

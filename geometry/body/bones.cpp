@@ -5,9 +5,10 @@
 
 namespace toile {
 
-Bones::Bones(const Skeleton& skeleton, const std::string& part) {
+Bones::Bones(const Skeleton& skeleton, BodyPart part) {
+  const std::string name = name_of(part);
   for (const Segment& segment : skeleton.segments) {
-    if (segment.part != part) continue;
+    if (segment.part != name) continue;
     if (joints.empty()) joints.push_back(skeleton.joint(segment.from));
     joints.push_back(skeleton.joint(segment.to));
   }

@@ -15,8 +15,8 @@ struct Bones {
   std::vector<Vec3> joints;   ///< metres; empty if the skeleton lacks the part
   std::vector<double> along;  ///< arc length at each joint
 
-  /// `part` is one of body_parts. If the skeleton lacks it, no other member may be called.
-  Bones(const Skeleton& skeleton, const std::string& part);
+  /// If the skeleton lacks `part`, no other member may be called.
+  Bones(const Skeleton& skeleton, BodyPart part);
 
   /// Metres from the bones without their extensions.
   double distance(const Vec3& p) const;

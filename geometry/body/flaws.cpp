@@ -20,16 +20,16 @@ double area_of(const TriangleMesh& mesh, const Triangle& t) {
 
 }  // namespace
 
-std::string part_near(const Skeleton& skeleton, const Vec3& point) {
-  std::string nearest;
+BodyPart part_near(const Skeleton& skeleton, const Vec3& point) {
+  BodyPart nearest = BodyPart::none;
   double least = std::numeric_limits<double>::max();
   for (const std::string_view name : body_parts) {
-    const Bones bones(skeleton, std::string(name));
+    const Bones bones(skeleton, body_part(name));
     if (bones.joints.empty()) continue;
     const double distance = bones.distance(point);
     if (distance >= least) continue;
     least = distance;
-    nearest = name;
+    nearest = body_part(name);
   }
   return nearest;
 }
@@ -48,7 +48,7 @@ std::optional<Crossings> crossings_of(const TriangleMesh& mesh,
   double whole = 0;
   for (const Triangle& t : mesh.triangles) whole += area_of(mesh, t);
   std::vector<double> heights;
-  std::map<std::string, int> parts;
+  std::map<BodyPart, int> parts;
   for (const int index : crossing) {
     const Triangle& t = mesh.triangles[index];
     const Vec3 middle = (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3;

@@ -9,8 +9,8 @@
 
 namespace toile {
 
-/// The part of body_parts whose bones are nearest to `point`. Empty if the skeleton has none.
-std::string part_near(const Skeleton& skeleton, const Vec3& point);
+/// The part whose bones are nearest to `point`; none: the skeleton has no bones.
+BodyPart part_near(const Skeleton& skeleton, const Vec3& point);
 
 /// Where a surface crosses itself.
 struct Crossings {
@@ -18,7 +18,7 @@ struct Crossings {
   double area_share = 0;  ///< of the surface: the triangles that cross others
   double low = 0;         ///< metres: nine of ten crossing triangles lie between low and high
   double high = 0;
-  std::string part;  ///< the one of most crossings; empty: there is no skeleton
+  BodyPart part = BodyPart::none;  ///< the one of most crossings; none: there is no skeleton
 };
 
 /// Share of the surface. A body that crosses itself on more has a shape that no person has, and

@@ -65,7 +65,7 @@ ArmRaise::ArmRaise(const Skeleton& skeleton, const TriangleMesh& body, double ra
     const auto none = skeleton.joints.end();
     if (at("_shoulder") == none || at("_elbow") == none || at("_wrist") == none) continue;
     Arm arm;
-    arm.part = side + "_arm";
+    arm.part = arm_of(side == "left");
     arm.joints = {at("_shoulder")->second, at("_elbow")->second, at("_wrist")->second};
     arm.shoulder = arm.joints[0];
     arm.side = side == "left" ? 1 : -1;
@@ -168,7 +168,7 @@ Vec3 ArmRaise::lowered(const Vec3& p) const {
   return q;
 }
 
-Vec3 ArmRaise::turned_with(const std::string& part, const Vec3& p) const {
+Vec3 ArmRaise::turned_with(BodyPart part, const Vec3& p) const {
   for (const Arm& arm : arms_) {
     if (arm.part != part) continue;
     const double across = arm.side * (p.x() - arm.shoulder.x());

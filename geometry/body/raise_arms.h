@@ -36,7 +36,7 @@ class ArmRaise {
   Vec3 lowered(const Vec3& p) const;
   /// Metres: `p` turned with the arm of the part `left_arm` or `right_arm`, as if it were rigid;
   /// `p` itself for other parts.
-  Vec3 turned_with(const std::string& part, const Vec3& p) const;
+  Vec3 turned_with(BodyPart part, const Vec3& p) const;
 
   /// The body's points, raised.
   TriangleMesh raised(TriangleMesh body) const;
@@ -45,13 +45,13 @@ class ArmRaise {
 
  private:
   struct Arm {
-    std::string part;
+    BodyPart part = BodyPart::none;
     Vec3 shoulder;
     double side;                 ///< 1: left, -1: right
     double angle;                ///< radians above the horizontal, as the arm hangs
     double turn;                 ///< radians by which it is raised
     std::array<Vec3, 3> joints;  ///< shoulder, elbow, wrist
-    Vec3 axis;                   ///< unit vector from shoulder to wrist, raised
+    Vec3 axis = Vec3::Zero();    ///< unit vector from shoulder to wrist, raised
     bool leaves_plane = false;   ///< forward or backward, as an arm bent at the elbow
     double radius = 0;           ///< metres around the axis within which the arm lies
   };

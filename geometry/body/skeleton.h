@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/body/body_part.h"
 #include "geometry/error.h"
 #include "geometry/types.h"
 
@@ -58,9 +59,6 @@ inline constexpr std::array<std::string_view, 17> joint_names = {
     "pelvis",     "waist",      "chest",          "neck",        "head",        "left_shoulder",
     "left_elbow", "left_wrist", "right_shoulder", "right_elbow", "right_wrist", "left_hip",
     "left_knee",  "left_ankle", "right_hip",      "right_knee",  "right_ankle"};
-
-inline constexpr std::array<std::string_view, 6> body_parts = {
-    "torso", "head", "left_arm", "right_arm", "left_leg", "right_leg"};
 
 /// The segments of a whole body, between joint_names.
 inline std::vector<Segment> body_segments() {

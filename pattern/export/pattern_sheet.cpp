@@ -10,7 +10,7 @@
 #include "geometry/outset_polygon.h"
 #include "geometry/polygon.h"
 #include "pattern/export/label_places.h"
-#include "pattern/row_layout.h"
+#include "pattern/layout/row_layout.h"
 
 namespace toile {
 

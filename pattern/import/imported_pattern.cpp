@@ -16,7 +16,7 @@
 #include "pattern/import/join_paths.h"
 #include "pattern/import/piece_shape.h"
 #include "pattern/import/upright.h"
-#include "pattern/row_layout.h"
+#include "pattern/layout/row_layout.h"
 #include "pattern/seams/panel_words.h"
 
 namespace toile {

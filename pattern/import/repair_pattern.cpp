@@ -10,7 +10,7 @@
 #include "io/json_value.h"
 #include "io/json_words.h"
 #include "io/text.h"
-#include "pattern/edge_json.h"
+#include "pattern/file/edge_json.h"
 #include "pattern/seams/sewn_file.h"
 
 namespace toile {

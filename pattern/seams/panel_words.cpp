@@ -3,7 +3,8 @@
 #include <initializer_list>
 #include <string_view>
 
-#include "pattern/name_words.h"
+#include "pattern/classify/classify.h"
+#include "pattern/classify/name_words.h"
 
 namespace toile {
 
@@ -43,12 +44,7 @@ const std::initializer_list<std::string_view> ribbing_words = {
 
 PanelWords words_of(const PatternPanel& panel) {
   PanelWords words{read_panel_name(panel.name)};
-  words.role = words.first_role();
-  if (words.role == PanelRole::unknown) {
-    if (panel.part.ends_with("_arm") || panel.label == "arm") words.role = PanelRole::sleeve;
-    if (panel.part.ends_with("_leg")) words.role = PanelRole::trousers;
-    if (panel.part == "head") words.role = PanelRole::hood;
-  }
+  words.role = classify(witnesses_of(panel)).role;
   return words;
 }
 

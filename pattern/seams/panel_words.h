@@ -3,12 +3,12 @@
 
 #include <string>
 
-#include "pattern/panel_name.h"
+#include "pattern/classify/panel_name.h"
 #include "pattern/pattern.h"
 
 namespace toile {
 
-/// A panel's name, and its role by its part and label where its name says none.
+/// A panel's name, and what the panel is a piece of as classify() says.
 struct PanelWords : PanelName {
   PanelRole role = PanelRole::unknown;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "pattern/classify/classify.h"
 #include "pattern/seams/seam_trees.h"
 
 namespace toile {
@@ -13,27 +14,6 @@ constexpr double max_fullness = 4;
 
 /// Metres: what is shorter is not meant to be sewn. mesh-pattern merges it with its neighbour.
 constexpr double shortest_seam = 5e-4;
-
-bool may_meet(PanelRole a, PanelRole b) {
-  using enum PanelRole;
-  if (a > b) std::swap(a, b);
-  if (a == unknown || b == unknown || a == b) return true;
-  if (b == facing || b == pocket || b == yoke) return true;
-  switch (a) {
-    case bodice:
-      return b != cuff;
-    case skirt:
-      return b == waistband;
-    case trousers:
-      return b == waistband || b == cuff;
-    case sleeve:
-      return b == cuff || b == hood || b == collar;
-    case collar:
-      return b == hood;
-    default:
-      return false;
-  }
-}
 
 }  // namespace
 

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <set>
 
-#include "pattern/left_out.h"
-#include "pattern/pattern_file.h"
+#include "pattern/check/left_out.h"
+#include "pattern/file/pattern_file.h"
 #include "pattern/seams/seam_pairs.h"
 
 namespace toile {

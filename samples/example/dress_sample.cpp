@@ -8,9 +8,9 @@
 #include "cloth/scene/collider.h"
 #include "geometry/body/mannequin/mannequin.h"
 #include "geometry/error.h"
-#include "pattern/garment_file.h"
-#include "pattern/mesh_panels.h"
-#include "pattern/pattern_file.h"
+#include "pattern/file/garment_file.h"
+#include "pattern/file/pattern_file.h"
+#include "pattern/mesh/mesh_panels.h"
 
 int main(int argc, char** argv) try {
   using namespace toile;

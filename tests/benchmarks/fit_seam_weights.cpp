@@ -21,7 +21,7 @@
 
 #include "geometry/error.h"
 #include "io/output_file.h"
-#include "pattern/pattern_file.h"
+#include "pattern/file/pattern_file.h"
 #include "pattern/seams/seam_search.h"
 #include "pattern/seams/sewn_file.h"
 #include "tests/support/seam_comparison.h"

@@ -19,10 +19,10 @@
 #include "geometry/half_edges.h"
 #include "geometry/triangulate.h"
 #include "io/output_file.h"
-#include "pattern/check_pattern.h"
-#include "pattern/left_out.h"
-#include "pattern/mesh_panels.h"
-#include "pattern/pattern_file.h"
+#include "pattern/check/check_pattern.h"
+#include "pattern/check/left_out.h"
+#include "pattern/file/pattern_file.h"
+#include "pattern/mesh/mesh_panels.h"
 
 namespace {
 

@@ -12,7 +12,7 @@
 #include "cloth/judge/verdict.h"
 #include "io/mesh_file.h"
 #include "io/obj.h"
-#include "pattern/garment_file.h"
+#include "pattern/file/garment_file.h"
 #include "tests/benchmarks/prepare.h"
 
 namespace toile::pipeline {

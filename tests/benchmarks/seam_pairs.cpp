@@ -21,7 +21,7 @@
 
 #include "geometry/error.h"
 #include "io/output_file.h"
-#include "pattern/pattern_file.h"
+#include "pattern/file/pattern_file.h"
 #include "pattern/seams/edge_split.h"
 #include "pattern/seams/seam_pairs.h"
 #include "pattern/seams/sewn_file.h"

@@ -21,7 +21,7 @@ inline MeshedPanel& add_half(PanelMesh& garment, const std::string& name, double
         const double angle = start + p.x() / tube_radius;
         return Vec3(tube_radius * std::sin(angle), 0.8 + p.y(), tube_radius * std::cos(angle));
       });
-  panel.part = "torso";
+  panel.is = classify({name, BodyPart::torso});
   return panel;
 }
 

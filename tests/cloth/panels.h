@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "geometry/mesh_polygon.h"
-#include "pattern/garment_file.h"
+#include "pattern/classify/classify.h"
+#include "pattern/file/garment_file.h"
 #include "pattern/panel_mesh.h"
 #include "tests/pattern/sewn.h"
 
@@ -32,12 +33,18 @@ inline PlanarMesh grid(double width, double height, int columns, int rows) {
   return mesh;
 }
 
+/// Names a panel, and lets it be what its name says.
+inline void name_panel(MeshedPanel& panel, const std::string& name) {
+  panel.name = name;
+  panel.is = classify({name});
+}
+
 /// Adds a panel; `place` says where a flat point is in space.
 template <typename Place>
 MeshedPanel& add_panel(PanelMesh& garment, const std::string& name, const PlanarMesh& mesh,
                        const Place& place) {
   MeshedPanel panel;
-  panel.name = name;
+  name_panel(panel, name);
   panel.first_point = static_cast<int>(garment.flat.size());
   panel.points = static_cast<int>(mesh.points.size());
   panel.first_triangle = static_cast<int>(garment.triangles.size());

@@ -54,9 +54,9 @@ PictureMesh body_of(const Wearer& wearer, bool with_arms) {
   if (!with_arms) {
     std::vector<Bones> arms;
     std::vector<Bones> others;
-    for (const std::string_view part : body_parts) {
-      (part.ends_with("arm") ? arms : others)
-          .emplace_back(wearer.mannequin.skeleton, std::string(part));
+    for (const std::string_view name : body_parts) {
+      const BodyPart part = body_part(name);
+      (is_arm(part) ? arms : others).emplace_back(wearer.mannequin.skeleton, part);
     }
     std::erase_if(body.mesh.triangles,
                   [&](const Triangle& t) { return on_arm(arms, others, body.mesh.points[t[0]]); });

@@ -10,10 +10,10 @@
 #include <set>
 
 #include "cloth/judge/measures.h"
-#include "pattern/check_pattern.h"
-#include "pattern/garment_file.h"
-#include "pattern/mesh_panels.h"
-#include "pattern/pattern_file.h"
+#include "pattern/check/check_pattern.h"
+#include "pattern/file/garment_file.h"
+#include "pattern/file/pattern_file.h"
+#include "pattern/mesh/mesh_panels.h"
 
 namespace toile::figures {
 namespace {
@@ -101,7 +101,7 @@ void say(const PaperDressing& d) {
             << " %, perimeter " << d.max_perimeter() << " %; residual median "
             << d.result.residual.median << " rms " << d.result.residual.rms << "; wraps";
   for (const WrapMeasurement& wrap : d.judgement.wraps) {
-    std::cerr << ' ' << wrap.part << ' ' << wrap.fraction;
+    std::cerr << ' ' << name_of(wrap.part) << ' ' << wrap.fraction;
   }
   std::cerr << std::endl;
 }

@@ -10,7 +10,7 @@
 #include "geometry/error.h"
 #include "io/output_file.h"
 #include "io/text.h"
-#include "pattern/garment_file.h"
+#include "pattern/file/garment_file.h"
 
 namespace toile::figures {
 namespace {
@@ -63,7 +63,7 @@ Json garment_row(const PaperDressing& d, const std::string& wanted) {
                           {"layers", judged.layer_intersections}};
   row["wraps"] = Json::array();
   for (const WrapMeasurement& wrap : judged.wraps) {
-    row["wraps"].push_back({{"part", wrap.part}, {"fraction", wrap.fraction}});
+    row["wraps"].push_back({{"part", name_of(wrap.part)}, {"fraction", wrap.fraction}});
   }
   row["strain_off_seams"] = {{"max", g.strain_off_seams.max},
                              {"p99", g.strain_off_seams.p99},

@@ -1,9 +1,9 @@
 // DXF, from the bytes to the pattern.
 #include <nlohmann/json.hpp>
 
+#include "pattern/file/pattern_file.h"
 #include "pattern/import/dxf_pieces.h"
 #include "pattern/import/imported_pattern.h"
-#include "pattern/pattern_file.h"
 #include "tests/fuzz/fuzz.h"
 
 int main(int argc, char** argv) {

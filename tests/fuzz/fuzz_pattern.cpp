@@ -1,7 +1,7 @@
 // GarmentCode's JSON, as import-pattern repairs it and as mesh-pattern reads it.
 #include "geometry/error.h"
+#include "pattern/file/pattern_file.h"
 #include "pattern/import/repair_pattern.h"
-#include "pattern/pattern_file.h"
 #include "tests/fuzz/fuzz.h"
 
 int main(int argc, char** argv) {

@@ -9,10 +9,10 @@
 #include <numbers>
 #include <numeric>
 
-#include "pattern/check_pattern.h"
-#include "pattern/mesh_panels.h"
-#include "pattern/pattern_file.h"
-#include "pattern/seam_orientation.h"
+#include "pattern/check/check_pattern.h"
+#include "pattern/file/pattern_file.h"
+#include "pattern/mesh/mesh_panels.h"
+#include "pattern/mesh/seam_orientation.h"
 #include "sewn.h"
 
 namespace toile {

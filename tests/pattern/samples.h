@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "geometry/error.h"
-#include "pattern/check_pattern.h"
-#include "pattern/mesh_panels.h"
-#include "pattern/pattern_file.h"
+#include "pattern/check/check_pattern.h"
+#include "pattern/file/pattern_file.h"
+#include "pattern/mesh/mesh_panels.h"
 
 namespace toile::samples {
 

@@ -11,7 +11,7 @@
 #include "geometry/body/mannequin/mannequin.h"
 #include "geometry/slice.h"
 #include "geometry/surface_distance.h"
-#include "pattern/pattern_file.h"
+#include "pattern/file/pattern_file.h"
 
 namespace toile {
 namespace tshirt_sample_test {
@@ -55,7 +55,7 @@ const Stitch& seam(const std::string& name) {
 }
 
 /// The part's panels together, measured across the drawing between the heights `low` and `high`.
-double min_width(const std::string& part, double low, double high) {
+double min_width(BodyPart part, double low, double high) {
   double sum = 0;
   for (const PatternPanel& panel : tshirt().pattern.panels) {
     if (panel.part != part) continue;
@@ -91,7 +91,7 @@ double open_edges_above(double height) {
   double sum = 0;
   for (int p = 0; p < static_cast<int>(tshirt().pattern.panels.size()); ++p) {
     const PatternPanel& panel = tshirt().pattern.panels[p];
-    if (panel.part != "torso") continue;
+    if (panel.part != BodyPart::torso) continue;
     for (int e = 0; e < static_cast<int>(panel.edges.size()); ++e) {
       if (sewn.contains({p, e}) || panel.edges[e].curve.start().y() < height) continue;
       sum += panel.edges[e].curve.length();
@@ -118,10 +118,10 @@ TEST(TshirtSample, LeftAndRightAreMirrorImages) {
 }
 
 TEST(TshirtSample, HasEaseAtBustHipAndNeck) {
-  const double bust = min_width("torso", 0.30, 0.41) - body_girth("bust");
+  const double bust = min_width(BodyPart::torso, 0.30, 0.41) - body_girth("bust");
   EXPECT_GT(bust, 0.08);
   EXPECT_LT(bust, 0.13);
-  EXPECT_GT(min_width("torso", 0.005, 0.05) - body_girth("hip"), 0.04);
+  EXPECT_GT(min_width(BodyPart::torso, 0.005, 0.05) - body_girth("hip"), 0.04);
   const double neck = open_edges_above(0.5) - body_girth("neck");
   EXPECT_GT(neck, 0.05);
   EXPECT_LT(neck, 0.16);

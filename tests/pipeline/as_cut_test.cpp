@@ -5,7 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "pattern/pattern_file.h"
+#include "pattern/file/pattern_file.h"
 #include "tests/support/run_program.h"
 
 namespace toile::pipeline {

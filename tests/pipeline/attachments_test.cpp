@@ -3,7 +3,7 @@
 
 #include <iostream>
 
-#include "pattern/garment_file.h"
+#include "pattern/file/garment_file.h"
 #include "tests/support/level_line.h"
 #include "tests/support/worn_sample.h"
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "pattern/garment_file.h"
+#include "pattern/file/garment_file.h"
 #include "tests/support/worn_sample.h"
 
 namespace toile::pipeline {

@@ -7,7 +7,7 @@
 #include "io/checksum.h"
 #include "io/mesh_file.h"
 #include "io/skeleton_file.h"
-#include "pattern/garment_file.h"
+#include "pattern/file/garment_file.h"
 #include "tests/support/run_program.h"
 #include "tests/support/tubes.h"
 

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "geometry/polygon.h"
-#include "pattern/pattern_file.h"
+#include "pattern/file/pattern_file.h"
 #include "tests/pattern/samples.h"
 #include "tests/support/run_program.h"
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/error.h"
-#include "pattern/garment_file.h"
+#include "pattern/file/garment_file.h"
 #include "tests/pattern/samples.h"
 #include "tests/support/run_program.h"
 

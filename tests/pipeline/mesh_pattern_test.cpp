@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pattern/garment_file.h"
+#include "pattern/file/garment_file.h"
 #include "tests/pattern/samples.h"
 #include "tests/support/worn_sample.h"
 

@@ -7,7 +7,7 @@
 #include "geometry/intersections.h"
 #include "geometry/surface_distance.h"
 #include "io/mesh_file.h"
-#include "pattern/garment_file.h"
+#include "pattern/file/garment_file.h"
 #include "tests/cloth/panels.h"
 #include "tests/support/tubes.h"
 #include "tests/support/worn_sample.h"

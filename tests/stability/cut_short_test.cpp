@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "io/mesh_file.h"
-#include "pattern/garment_file.h"
+#include "pattern/file/garment_file.h"
 #include "tests/stability/hard_case.h"
 
 namespace toile::test {

@@ -8,7 +8,7 @@
 #include "geometry/intersections.h"
 #include "geometry/repair.h"
 #include "io/mesh_file.h"
-#include "pattern/garment_file.h"
+#include "pattern/file/garment_file.h"
 
 namespace toile::test {
 

@@ -9,7 +9,7 @@
 #include "geometry/repair.h"
 #include "io/mesh_file.h"
 #include "io/skeleton_file.h"
-#include "pattern/garment_file.h"
+#include "pattern/file/garment_file.h"
 #include "tests/cloth/panels.h"
 #include "tests/stability/hard_case.h"
 #include "tests/support/shapes.h"

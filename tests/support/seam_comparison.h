@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "pattern/seam_orientation.h"
+#include "pattern/mesh/seam_orientation.h"
 #include "pattern/seams/find_seams.h"
 #include "pattern/seams/panel_symmetry.h"
 #include "pattern/seams/panel_words.h"
@@ -49,7 +49,7 @@ inline Pattern stripped(Pattern pattern, bool names, bool labels) {
     panel.rotation = Eigen::Matrix3d::Identity();
     panel.translation = Vec3::Zero();
     panel.placement = {};
-    panel.part.clear();
+    panel.part = BodyPart::none;
     panel.attachments.clear();
     if (!names) panel.name = "piece" + std::to_string(++number);
     if (!labels) {

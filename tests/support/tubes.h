@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "pattern/garment_file.h"
+#include "pattern/file/garment_file.h"
 #include "tests/support/shapes.h"
 
 namespace toile::test {

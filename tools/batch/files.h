@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "pattern/garment_file.h"
+#include "pattern/file/garment_file.h"
 
 namespace toile {
 

@@ -99,7 +99,7 @@ void say_changes(const CleanReport& report, const ScanReport* scan, const Common
 
 /// "95 cm above the floor, at the left leg", or at x and z where there are no joints.
 std::string place_of(const Vec3& point, const std::optional<Skeleton>& skeleton) {
-  std::string part = skeleton ? part_near(*skeleton, point) : "";
+  std::string part = skeleton ? name_of(part_near(*skeleton, point)) : "";
   std::replace(part.begin(), part.end(), '_', ' ');
   return floor_height(point.y()) + ", at " +
          (part.empty()
@@ -108,7 +108,7 @@ std::string place_of(const Vec3& point, const std::optional<Skeleton>& skeleton)
 }
 
 std::string crossing_warning(const Crossings& crossings) {
-  std::string part = crossings.part;
+  std::string part = name_of(crossings.part);
   std::replace(part.begin(), part.end(), '_', ' ');
   const std::string where = count(crossings.pairs, "pair", "pairs") + " of triangles cross on " +
                             number(100 * crossings.area_share, "%.2g") + " % of the surface, " +

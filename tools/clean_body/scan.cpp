@@ -42,7 +42,7 @@ std::string place_name(const Skeleton& skeleton, const Vec3& at) {
   const auto nearest = std::min_element(
       places.begin(), places.end(), [&](const auto& a, const auto& b) { return off(a) < off(b); });
   if (off(*nearest) < near) return nearest->first;
-  std::string part = part_near(skeleton, at);
+  std::string part = name_of(part_near(skeleton, at));
   std::replace(part.begin(), part.end(), '_', ' ');
   return part;
 }

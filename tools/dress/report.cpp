@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "pattern/classify/panel_class_json.h"
 #include "tools/dress/extra_offset.h"
 #include "tools/report.h"
 
@@ -126,7 +127,10 @@ Json garment_json(const WornLayer& layer) {
 Json panels_json(const PanelMesh& garment) {
   Json all = Json::array();
   for (const MeshedPanel& panel : garment.panels) {
-    all.push_back({{"name", panel.name}, {"grain_degrees", degrees(panel.grain)}});
+    all.push_back({{"name", panel.name},
+                   {"grain_degrees", degrees(panel.grain)},
+                   {"is", text_of(panel.is)},
+                   {"class", panel_class_json(panel.is)}});
   }
   return all;
 }
@@ -138,10 +142,10 @@ Json start_json(const Placement& placement) {
   json["seam_pairs_inside_at_start"] = placement.seams_inside;
   json["lift_mm"] = 1000 * placement.lift;
   for (const auto& [part, angle] : placement.turned) {
-    json["turned_degrees"][part] = angle * 180 / std::numbers::pi;
+    json["turned_degrees"][name_of(part)] = angle * 180 / std::numbers::pi;
   }
   for (const auto& [part, distance] : placement.drawn_out) {
-    json["drawn_out_mm"][part] = 1000 * distance;
+    json["drawn_out_mm"][name_of(part)] = 1000 * distance;
   }
   for (const PositionedPanel& panel : placement.positioned) {
     Json entry = {{"panel", panel.panel}, {"rolled", panel.rolled}, {"bent", panel.bent}};
@@ -179,7 +183,7 @@ Json places_json(const WornLayer& layer) {
   Json panels = Json::array();
   for (const FoundPlace& place : layer.places) {
     panels.push_back({{"panel", place.panel},
-                      {"part", place.part},
+                      {"part", name_of(place.part)},
                       {"side", side_name(place.side)},
                       {"around", place.around},
                       {"asked", place.asked}});
@@ -252,8 +256,8 @@ Json elastics_json(const std::vector<ElasticMeasurement>& elastics) {
 Json wraps_json(const Judgement& judgement) {
   Json all = Json::array();
   for (const WrapMeasurement& wrap : judgement.wraps) {
-    const bool slid = wrap.part == "torso" && judgement.worn.slid;
-    all.push_back({{"part", wrap.part},
+    const bool slid = wrap.part == BodyPart::torso && judgement.worn.slid;
+    all.push_back({{"part", name_of(wrap.part)},
                    {"fraction", wrap.fraction},
                    {"slid_cm", slid ? 100 * judgement.worn.slid->down : 0},
                    {"from_m", wrap.from},
@@ -320,11 +324,11 @@ Json verdict_json(const DressResult& result, const Judgement& judgement) {
   const WearFindings& worn = judgement.worn;
   json["worn"] = worn.is_checked ? "checked" : "not_checked";
   if (worn.misplaced) {
-    json["misplaced"] = {{"part", worn.misplaced->part},
+    json["misplaced"] = {{"part", name_of(worn.misplaced->part)},
                          {"at", worn.misplaced->at},
                          {"should_be", worn.misplaced->should_be}};
   }
-  for (const std::string& part : worn.unwrapped) json["unwrapped"].push_back(part);
+  for (const BodyPart part : worn.unwrapped) json["unwrapped"].push_back(name_of(part));
   return json;
 }
 

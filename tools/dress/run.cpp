@@ -14,7 +14,7 @@
 #include "io/checksum.h"
 #include "io/output_file.h"
 #include "io/skeleton_file.h"
-#include "pattern/garment_file.h"
+#include "pattern/file/garment_file.h"
 #include "tools/dress/kept_distances.h"
 #include "tools/dress/report.h"
 #include "tools/dress/say.h"

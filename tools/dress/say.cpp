@@ -205,14 +205,14 @@ void warn_of_verdict(const DressResult& result, const Judgement& judgement, Dres
               "panel '" + panel + "' lies on the floor: it is too long, or it slid down"});
   }
   if (worn.misplaced) {
-    log.warn({"misplaced", worn.misplaced->part,
+    log.warn({"misplaced", name_of(worn.misplaced->part),
               "the garment is not worn where it belongs, or not as it should be; wanted: " +
                   worn.misplaced->should_be + "; found: " + worn.misplaced->at +
                   "; check where its panels start, and what they are sewn to"});
   }
-  for (const std::string& part : worn.unwrapped) {
-    log.warn({"unwrapped", part,
-              "the garment does not go around " + part +
+  for (const BodyPart part : worn.unwrapped) {
+    log.warn({"unwrapped", name_of(part),
+              "the garment does not go around " + name_of(part) +
                   ": check where the panels of that part are placed, and what they are sewn to"});
   }
 }
@@ -264,7 +264,7 @@ void say_positions(const Placement& placement, DressLog& log) {
     log.say(line.str());
   }
   for (const auto& [part, angle] : placement.turned) {
-    log.say("the sleeve of " + part + " was turned by " +
+    log.say("the sleeve of " + name_of(part) + " was turned by " +
             std::to_string(std::lround(angle * 180 / std::numbers::pi)) +
             " degrees, to run down the arm");
   }
@@ -299,7 +299,7 @@ void say_result(const DressResult& result, const Judgement& judgement, DressLog&
   if (result.tight_regions) say_tight_regions(*result.tight_regions, log);
   if (result.release) say_release(*result.release, log);
   for (const WrapMeasurement& wrap : judgement.wraps) {
-    log.say("wraps " + wrap.part + ": " + percent(wrap.fraction));
+    log.say("wraps " + name_of(wrap.part) + ": " + percent(wrap.fraction));
   }
   warn_of_fit(judgement, log);
   if (result.placement.points_inside > 0) {

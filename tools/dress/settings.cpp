@@ -7,7 +7,7 @@
 #include "cloth/scene/scene_file.h"
 #include "geometry/error.h"
 #include "io/skeleton_file.h"
-#include "pattern/garment_file.h"
+#include "pattern/file/garment_file.h"
 #include "tools/dress/kept_distances.h"
 
 namespace toile {

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "geometry/error.h"
-#include "pattern/garment_file.h"
+#include "pattern/file/garment_file.h"
 
 namespace toile {
 

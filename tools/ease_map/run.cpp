@@ -11,7 +11,7 @@
 #include "io/output_file.h"
 #include "io/skeleton_file.h"
 #include "io/text.h"
-#include "pattern/garment_file.h"
+#include "pattern/file/garment_file.h"
 #include "tools/ease_map/report.h"
 #include "tools/report.h"
 

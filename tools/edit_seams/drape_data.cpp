@@ -7,7 +7,7 @@
 #include "io/json_value.h"
 #include "io/mesh_file.h"
 #include "io/output_file.h"
-#include "pattern/garment_file.h"
+#include "pattern/file/garment_file.h"
 #include "tools/report.h"
 
 namespace toile {

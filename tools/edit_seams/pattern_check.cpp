@@ -7,10 +7,10 @@
 #include <set>
 #include <vector>
 
-#include "pattern/check_pattern.h"
-#include "pattern/left_out.h"
-#include "pattern/pattern_file.h"
-#include "pattern/seam_orientation.h"
+#include "pattern/check/check_pattern.h"
+#include "pattern/check/left_out.h"
+#include "pattern/file/pattern_file.h"
+#include "pattern/mesh/seam_orientation.h"
 #include "tools/remarks.h"
 
 namespace toile {

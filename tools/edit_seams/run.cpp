@@ -8,7 +8,7 @@
 #include "io/output_file.h"
 #include "io/text.h"
 #include "io/view/seam_editor_page.h"
-#include "pattern/pattern_file.h"
+#include "pattern/file/pattern_file.h"
 #include "tools/clean_body/scan.h"
 #include "tools/edit_seams/pattern_check.h"
 #include "tools/edit_seams/proposals.h"

@@ -6,8 +6,8 @@
 
 #include "io/output_file.h"
 #include "io/text.h"
-#include "pattern/check_pattern.h"
-#include "pattern/pattern_file.h"
+#include "pattern/check/check_pattern.h"
+#include "pattern/file/pattern_file.h"
 #include "tools/remarks.h"
 #include "tools/report.h"
 

@@ -234,7 +234,7 @@ class Taker {
 
   void along_part(Vec3& at, Vec3& normal) {
     const std::string part = word("part");
-    if (std::find(body_parts.begin(), body_parts.end(), part) == body_parts.end()) {
+    if (body_part(part) == BodyPart::none) {
       fail(in_quotes(part) + " is no part", "use one of " + listed(body_parts));
     }
     const auto share = parse_number(word("share"));
@@ -242,7 +242,7 @@ class Taker {
       fail(in_quotes(word("share")) + " is no share", "give 0 to 1");
     }
     if (skeleton() == nullptr) return lack("no joints: " + shape_.frame.no_skeleton);
-    const Bones bones(*skeleton(), part);
+    const Bones bones(*skeleton(), body_part(part));
     if (bones.joints.empty()) return lack("the body has no joints of " + part);
     const auto [middle, direction] = bones.at(*share * bones.along.back());
     at = middle;

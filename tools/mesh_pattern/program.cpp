@@ -1,7 +1,7 @@
 // mesh-pattern: from a flat sewing pattern to meshed panels with paired seams.
 #include "geometry/error.h"
 #include "pattern/constants.h"
-#include "pattern/garment_file.h"
+#include "pattern/file/garment_file.h"
 #include "tools/mesh_pattern/run.h"
 #include "tools/programs.h"
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "geometry/triangulate.h"
+#include "pattern/classify/panel_class_json.h"
 #include "tools/remarks.h"
 
 namespace toile {
@@ -53,7 +54,9 @@ nlohmann::ordered_json mesh_pattern_json(const std::string& pattern, const Panel
                                 {"area_cm2", 1e4 * measured[p].area},
                                 {"smallest_angle_degrees", measured[p].smallest_angle * degrees},
                                 {"shortest_edge_mm", 1000 * measured[p].shortest_edge},
-                                {"longest_edge_mm", 1000 * measured[p].longest_edge}});
+                                {"longest_edge_mm", 1000 * measured[p].longest_edge},
+                                {"is", text_of(garment.panels[p].is)},
+                                {"class", panel_class_json(garment.panels[p].is)}});
   }
   report["seams"] = Json::array();
   for (const MeshedSeam& seam : garment.seams) {

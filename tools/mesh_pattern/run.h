@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "pattern/mesh_panels.h"
+#include "pattern/mesh/mesh_panels.h"
 #include "tools/program.h"
 
 namespace toile {

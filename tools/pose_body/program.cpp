@@ -63,7 +63,7 @@ Json report_json(const PoseBodySettings& settings, const PosedBody& posed,
 }
 
 std::string crossing_warning(const Crossings& crossings) {
-  std::string part = crossings.part;
+  std::string part = name_of(crossings.part);
   std::replace(part.begin(), part.end(), '_', ' ');
   return "the pose folds the body into itself: " + std::to_string(crossings.pairs) +
          (crossings.pairs == 1 ? " pair" : " pairs") + " of triangles cross, " +

@@ -7,7 +7,7 @@
 
 #include "cloth/ease/ease.h"
 #include "cloth/judge/measures.h"
-#include "pattern/garment_file.h"
+#include "pattern/file/garment_file.h"
 
 namespace toile::precision {
 

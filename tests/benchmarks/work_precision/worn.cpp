@@ -8,7 +8,7 @@
 #include "cloth/springs/dress_springs.h"
 #include "io/mesh_file.h"
 #include "io/skeleton_file.h"
-#include "pattern/garment_file.h"
+#include "pattern/file/garment_file.h"
 
 namespace toile::precision {
 

@@ -88,14 +88,14 @@ TEST(Judge, MisplacedWhenATubeGoesAroundNothing) {
   const Judgement judgement = Dressing{.slipped = true}.judgement();
   EXPECT_EQ(judgement.verdict, Verdict::misplaced);
   ASSERT_TRUE(judgement.worn.misplaced);
-  EXPECT_EQ(judgement.worn.misplaced->part, "torso");
+  EXPECT_EQ(judgement.worn.misplaced->part, BodyPart::torso);
   EXPECT_EQ(judgement.body_intersections, 0);
 }
 
 TEST(Judge, UnwrappedWhenATopLiesInFrontOfTheTrunk) {
   const Judgement judgement = Dressing{.flat = true}.judgement();
   EXPECT_EQ(judgement.verdict, Verdict::unwrapped);
-  EXPECT_EQ(judgement.worn.unwrapped, std::vector<std::string>{"torso"});
+  EXPECT_EQ(judgement.worn.unwrapped, std::vector{BodyPart::torso});
 }
 
 TEST(Judge, IntersectingWhenTheBodyIsThickerThanTheTube) {

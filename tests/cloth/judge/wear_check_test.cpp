@@ -125,14 +125,14 @@ TEST(WearCheck, ASleeveBelongsOnItsArm) {
   EXPECT_FALSE(check(sleeve("left_sleeve", 0.3, 0.6)).misplaced);
   const WearFindings other = check(sleeve("left_sleeve", -0.6, -0.3));
   ASSERT_TRUE(other.misplaced);
-  EXPECT_EQ(other.misplaced->part, "left_arm");
+  EXPECT_EQ(other.misplaced->part, BodyPart::left_arm);
   EXPECT_EQ(other.misplaced->should_be, "left arm");
   EXPECT_EQ(other.misplaced->at, "right arm, 130 cm above the floor");
   // Beside its arm it is where it should be, and goes around nothing.
   const WearFindings beside = check(moved(sleeve("left_sleeve", 0.3, 0.6),
                                           [](const Vec3& p) { return Vec3(p + Vec3(0, 0, 0.2)); }));
   EXPECT_FALSE(beside.misplaced);
-  EXPECT_EQ(beside.unwrapped, std::vector<std::string>{"left_arm"});
+  EXPECT_EQ(beside.unwrapped, std::vector{BodyPart::left_arm});
 }
 
 /// A left sleeve with a crown of 5 cm, sewn to a ring about the shoulder. `turn` radians about the
@@ -178,11 +178,11 @@ TEST(WearCheck, ASleeveSetInUpsideDownIsMisplaced) {
 
 TEST(WearCheck, ANameTellsTheSideBeforeAPartThatThePatternStates) {
   PanelMesh garment = sleeve("right_sleeve", 0.3, 0.6);
-  garment.panels[0].part = "left_arm";
+  garment.panels[0].is = classify({"right_sleeve", BodyPart::left_arm});
   ASSERT_TRUE(check(garment).misplaced);
   EXPECT_EQ(check(garment).misplaced->should_be, "right arm");
-  for (const PartSource source : {PartSource::found, PartSource::asked}) {
-    garment.panels[0].part_source = source;
+  for (const PanelSource source : {PanelSource::seams, PanelSource::asked}) {
+    garment.panels[0].is.part = {BodyPart::left_arm, source};
     EXPECT_FALSE(check(garment).misplaced);
   }
 }
@@ -227,7 +227,7 @@ TEST(WearCheck, TrousersBelongOnTwoLegs) {
   add_tube(both, "right_pant", {0.1, 0.1, 0}, {0.1, 0.7, 0}, 0.12);
   const WearFindings worn = check(both);
   ASSERT_TRUE(worn.misplaced);
-  EXPECT_EQ(worn.misplaced->part, "right_leg");
+  EXPECT_EQ(worn.misplaced->part, BodyPart::right_leg);
 }
 
 /// A tube around the trunk with two holes of 36 cm at its sides, as a sleeveless top has.
@@ -274,7 +274,7 @@ TEST(WearCheck, AStrapThatSlidOffItsShoulderIsMisplaced) {
   ASSERT_TRUE(std::ranges::any_of(off.openings, at_neckline));
   ASSERT_TRUE(off.misplaced);
   EXPECT_EQ(off.misplaced->should_be, "left shoulder");
-  EXPECT_EQ(off.misplaced->part, "left_arm");
+  EXPECT_EQ(off.misplaced->part, BodyPart::left_arm);
   const WearFindings other = worn_from(0.2, 0.1);
   ASSERT_TRUE(other.misplaced);
   EXPECT_EQ(other.misplaced->should_be, "right shoulder");
@@ -289,7 +289,7 @@ TEST(WearCheck, ASheetOfNoKindIsNotChecked) {
   EXPECT_FALSE(worn.is_checked);
   EXPECT_FALSE(worn.misplaced);
   // A wrap skirt in front of the body does not go around it.
-  sheet.panels[0].name = "skirt";
+  test::name_panel(sheet.panels[0], "skirt");
   const WearFindings skirt =
       check(moved(sheet, [](const Vec3& p) { return Vec3(p.x(), p.z() + 0.5, 0.3); }));
   EXPECT_TRUE(skirt.is_checked);
@@ -342,7 +342,7 @@ TEST(WearCheck, AnApronCoversOneSideOfTheBody) {
   EXPECT_TRUE(findings.is_checked);
   EXPECT_FALSE(findings.misplaced);
   EXPECT_TRUE(findings.unwrapped.empty());
-  EXPECT_EQ(check(apron(0.4)).unwrapped, std::vector<std::string>{"torso"});
+  EXPECT_EQ(check(apron(0.4)).unwrapped, std::vector{BodyPart::torso});
 }
 
 TEST(WearCheck, AnApronThatSlidDownIsNotWorn) {

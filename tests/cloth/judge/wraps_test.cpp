@@ -27,7 +27,7 @@ std::vector<Vec3> moved(std::vector<Vec3> points, const Vec3& displacement) {
 double torso(const PanelMesh& garment, const std::vector<Vec3>& points) {
   const auto wraps = measure_wraps(garment, test::as_dressed(garment, points), figure());
   EXPECT_EQ(wraps.size(), 1U);
-  EXPECT_EQ(wraps[0].part, "torso");
+  EXPECT_EQ(wraps[0].part, BodyPart::torso);
   return wraps[0].fraction;
 }
 
@@ -95,7 +95,7 @@ void add_sleeve(PanelMesh& garment) {
         const double angle = p.y() / 0.08;
         return Vec3(0.2 + p.x(), 1.3 + 0.08 * std::cos(angle), 0.08 * std::sin(angle));
       });
-  panel.part = "left_arm";
+  panel.is = classify({"", BodyPart::left_arm});
   std::vector<int> low, high;
   for (int i = 0; i <= 20; ++i) {
     low.push_back(panel.first_point + i);
@@ -118,7 +118,7 @@ TEST(Wraps, ASleeveIsMeasuredAroundItsArm) {
     const auto wraps = measure_wraps(garment, test::as_dressed(garment, points), figure());
     EXPECT_EQ(wraps.size(), 2U);
     EXPECT_NEAR(wraps[0].fraction, 1, 1e-3);
-    EXPECT_EQ(wraps[1].part, "left_arm");
+    EXPECT_EQ(wraps[1].part, BodyPart::left_arm);
     return wraps[1].fraction;
   };
   EXPECT_NEAR(share_at({0, 0, 0}), 1, 1e-3);
@@ -140,10 +140,10 @@ TEST(Wraps, PanelsBelongToWhatTheyArePlacedAt) {
   add("left trouser", {0.12, 0.4, 0.1}, 0.2);
   add("skirt", {0, 0.4, 0.2}, 0.5);
   add("told", {0, 1.1, 0.2}, 0.4);
-  garment.panels.back().part = "head";
-  EXPECT_EQ(
-      panel_parts(garment, figure()),
-      (std::vector<std::string>{"torso", "left_arm", "right_arm", "left_leg", "torso", "head"}));
+  garment.panels.back().is = classify({"", BodyPart::head});
+  EXPECT_EQ(panel_parts(garment, figure()),
+            (std::vector{BodyPart::torso, BodyPart::left_arm, BodyPart::right_arm,
+                         BodyPart::left_leg, BodyPart::torso, BodyPart::head}));
 }
 
 TEST(Wraps, HalfAFrontIsTheTorsosThoughAnArmHangsBehindIt) {
@@ -157,7 +157,7 @@ TEST(Wraps, HalfAFrontIsTheTorsosThoughAnArmHangsBehindIt) {
   };
   add("front", 0);
   add("sleeve", 0.08);
-  EXPECT_EQ(panel_parts(garment, skeleton), (std::vector<std::string>{"torso", "left_arm"}));
+  EXPECT_EQ(panel_parts(garment, skeleton), (std::vector{BodyPart::torso, BodyPart::left_arm}));
 }
 
 TEST(Wraps, TheBarestLevelIsWhereAPanelEnds) {

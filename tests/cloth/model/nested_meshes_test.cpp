@@ -8,7 +8,7 @@
 #include "cloth/judge/measures.h"
 #include "cloth/model/compile.h"
 #include "geometry/intersections.h"
-#include "pattern/nesting.h"
+#include "pattern/mesh/nesting.h"
 #include "tests/cloth/panels.h"
 #include "tests/pattern/samples.h"
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/cloth/figure.h"
@@ -21,7 +22,7 @@ PanelMesh shirt(double steep) {
   PanelMesh garment;
   test::add_panel(garment, "body", test::grid(0.2, 0.2, cells, cells), [](const Vec2& p) {
     return Vec3(p.x(), 1.2 + p.y(), 0.25);
-  }).part = "torso";
+  }).is = classify({"", BodyPart::torso});
   for (const double z : {0.2, -0.1}) {
     test::add_panel(garment, z > 0 ? "front" : "back", test::grid(0.3, 0.2, cells, cells),
                     [&](const Vec2& p) {
@@ -29,7 +30,7 @@ PanelMesh shirt(double steep) {
                       return Vec3(0.2 + std::cos(steep) * p.x() + std::sin(steep) * across,
                                   1.3 - std::sin(steep) * p.x() + std::cos(steep) * across, z);
                     })
-        .part = "left_arm";
+        .is = classify({"", BodyPart::left_arm});
   }
   std::vector<int> upper, lower, upper_behind, lower_behind;
   for (int i = 0; i <= cells; ++i) {
@@ -45,9 +46,9 @@ PanelMesh shirt(double steep) {
   return garment;
 }
 
-std::vector<std::string> parts() {
-  std::vector<std::string> parts(points, "torso");
-  parts.insert(parts.end(), 2 * points, "left_arm");
+std::vector<BodyPart> parts() {
+  std::vector<BodyPart> parts(3 * points, BodyPart::left_arm);
+  std::fill_n(parts.begin(), points, BodyPart::torso);
   return parts;
 }
 
@@ -57,7 +58,7 @@ TEST(TurnedSleeves, ASleeveIsTurnedToItsArm) {
   std::vector<Vec3> placed = garment.placed;
   const auto turned = turn_sleeves(garment, parts(), figure(), placed);
   ASSERT_EQ(turned.size(), 1U);
-  EXPECT_NEAR(turned.at("left_arm"), pi / 4, 1e-12);
+  EXPECT_NEAR(turned.at(BodyPart::left_arm), pi / 4, 1e-12);
   // About the middle of the armhole, so the sleeve now is as if drawn level; the body stays.
   for (std::size_t p = 0; p < placed.size(); ++p) {
     EXPECT_LT((placed[p] - level.placed[p]).norm(), 1e-12) << p;
@@ -70,7 +71,7 @@ TEST(TurnedSleeves, FrontAndBackTurnEachAtItsOwnDepth) {
   swung.joints["left_wrist"] = Vec3(0.15, 1.3, 0) + 0.6 * Vec3(std::cos(0.5), 0, std::sin(0.5));
   const PanelMesh garment = shirt(0);
   std::vector<Vec3> placed = garment.placed;
-  EXPECT_NEAR(turn_sleeves(garment, parts(), swung, placed).at("left_arm"), 0.5, 1e-12);
+  EXPECT_NEAR(turn_sleeves(garment, parts(), swung, placed).at(BodyPart::left_arm), 0.5, 1e-12);
   for (int p = points; p < 2 * points; ++p) {
     EXPECT_LT((placed[p] - placed[p + points] - Vec3(0, 0, 0.3)).norm(), 1e-12) << p;
   }

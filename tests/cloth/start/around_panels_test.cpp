@@ -21,19 +21,6 @@ PanelMesh sleeve() {
   return garment;
 }
 
-TEST(AroundPanels, APanelSewnToItselfAcrossItsWidthClosesAround) {
-  EXPECT_TRUE(closes_around(sleeve(), 0));
-}
-
-TEST(AroundPanels, ADartDoesNot) {
-  PanelMesh garment = sleeve();
-  // Both sides begin at the tip.
-  garment.seams[0].b.front() = garment.seams[0].a.front();
-  EXPECT_FALSE(closes_around(garment, 0));
-  garment.seams.clear();
-  EXPECT_FALSE(closes_around(garment, 0));
-}
-
 TEST(AroundPanels, TheSeamsToOthersAreUp) {
   PanelMesh garment = sleeve();
   EXPECT_EQ(up_axis(garment, 0, true), PlacementAxis::plus_y);
@@ -53,7 +40,6 @@ TEST(AroundPanels, ASleeveDrawnLevelRunsAlongX) {
     upper.push_back(24 + i);
   }
   garment.seams = {test::seam("underarm", lower, upper)};
-  EXPECT_TRUE(closes_around(garment, 0));
   EXPECT_EQ(up_axis(garment, 0, true), PlacementAxis::plus_x);
 }
 

@@ -18,7 +18,7 @@ PanelMesh leg(double inner, double outer) {
   for (const double z : {0.2, -0.2}) {
     test::add_panel(garment, z > 0 ? "front" : "back", test::grid(outer - inner, 0.5, cells, cells),
                     [&](const Vec2& p) { return Vec3(inner + p.x(), 0.2 + p.y(), z); })
-        .part = "left_leg";
+        .is = classify({"", BodyPart::left_leg});
   }
   std::vector<int> in, out, in_behind, out_behind;
   for (int i = 0; i <= cells; ++i) {
@@ -65,7 +65,7 @@ TEST(CentreLegs, OtherPartsAndBodiesWithoutHipsStay) {
   std::vector<Vec3> placed = garment.placed;
   centre_legs(garment, torso, placed);
   EXPECT_EQ(placed, garment.placed);
-  for (MeshedPanel& panel : garment.panels) panel.part = "torso";
+  for (MeshedPanel& panel : garment.panels) panel.is = classify({"", BodyPart::torso});
   EXPECT_EQ(shift(garment), 0);
 }
 

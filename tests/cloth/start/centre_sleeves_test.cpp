@@ -37,7 +37,7 @@ PanelMesh sleeve(double low) {
   for (const double z : {0.2, -0.1}) {
     test::add_panel(garment, z > 0 ? "front" : "back", test::grid(0.3, 0.12, cells, cells),
                     [&](const Vec2& p) { return Vec3(0.3 + p.x(), low + p.y(), z); })
-        .part = "left_arm";
+        .is = classify({"", BodyPart::left_arm});
   }
   std::vector<int> upper, lower, upper_behind, lower_behind;
   for (int i = 0; i <= cells; ++i) {
@@ -52,10 +52,10 @@ PanelMesh sleeve(double low) {
 }
 
 /// Heights of the sleeve's seams once it is centred.
-std::pair<double, double> seams(double low, std::map<std::string, double>& moved) {
+std::pair<double, double> seams(double low, std::map<BodyPart, double>& moved) {
   const PanelMesh garment = sleeve(low);
   std::vector<Vec3> placed = garment.placed;
-  const std::vector<std::string> parts(placed.size(), "left_arm");
+  const std::vector<BodyPart> parts(placed.size(), BodyPart::left_arm);
   moved = centre_sleeves(garment, parts, arms(), figure(), placed);
   double lowest = 2, highest = 0;
   for (std::size_t p = 0; p < placed.size(); ++p) {
@@ -67,28 +67,28 @@ std::pair<double, double> seams(double low, std::map<std::string, double>& moved
 }
 
 TEST(CentreSleeves, ASleeveUnderItsArmIsLiftedAroundIt) {
-  std::map<std::string, double> moved;
+  std::map<BodyPart, double> moved;
   // From 1.20 to 1.32: the upper seam would close 1 cm below the top of the arm.
   const auto [lowest, highest] = seams(1.20, moved);
   EXPECT_GT(highest, 1.33 + 0.01);
   EXPECT_LT(lowest, 1.27 - 0.01);
-  EXPECT_GT(moved.at("left_arm"), 0.02);
-  EXPECT_FALSE(moved.contains("right_arm"));
+  EXPECT_GT(moved.at(BodyPart::left_arm), 0.02);
+  EXPECT_FALSE(moved.contains(BodyPart::right_arm));
 }
 
 TEST(CentreSleeves, ASleeveAroundItsArmStays) {
-  std::map<std::string, double> moved;
+  std::map<BodyPart, double> moved;
   const auto [lowest, highest] = seams(1.24, moved);
   EXPECT_NEAR(lowest, 1.24, 1e-12);
   EXPECT_NEAR(highest, 1.36, 1e-12);
-  EXPECT_EQ(moved.at("left_arm"), 0);
+  EXPECT_EQ(moved.at(BodyPart::left_arm), 0);
 }
 
 TEST(CentreSleeves, WithoutSeamsAroundTheArmNothingMoves) {
   PanelMesh garment = sleeve(1.20);
   garment.seams.clear();
   std::vector<Vec3> placed = garment.placed;
-  const std::vector<std::string> parts(placed.size(), "left_arm");
+  const std::vector<BodyPart> parts(placed.size(), BodyPart::left_arm);
   EXPECT_TRUE(centre_sleeves(garment, parts, arms(), figure(), placed).empty());
   EXPECT_EQ(placed, garment.placed);
 }

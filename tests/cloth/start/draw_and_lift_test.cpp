@@ -62,7 +62,7 @@ TEST(Placement, SleevesAreNotLiftedOffTheirArms) {
     for (const double z : {0.1, -0.1}) {
       test::add_panel(garment, z > 0 ? "front" : "back", test::grid(0.2, 0.2, 8, 8),
                       [&](const Vec2& p) { return Vec3(0.3 + p.x(), bottom + p.y(), z); })
-          .part = "left_arm";
+          .is = classify({"", BodyPart::left_arm});
     }
     std::vector<int> lower;
     for (int i = 0; i <= 8; ++i) lower.push_back(i);
@@ -109,16 +109,16 @@ TEST(Placement, SleevesAreDrawnOutPastTheirArmholes) {
   PanelMesh garment;
   test::add_panel(garment, "front", test::grid(0.4, 0.2, 8, 4), [](const Vec2& p) {
     return Vec3(p.x() - 0.2, 1.3 + p.y(), 0.15);
-  }).part = "torso";
+  }).is = classify({"", BodyPart::torso});
   test::add_panel(garment, "sleeve", test::grid(0.4, 0.2, 8, 4), [](const Vec2& p) {
     return Vec3(p.x() + 0.17, 1.3 + p.y(), 0.15);
-  }).part = "left_arm";
+  }).is = classify({"", BodyPart::left_arm});
   // The sleeve starts 3 cm nearer to the body than the armhole it is sewn to.
   garment.seams = {test::seam("armhole", test::side(garment.panels[1], 8, 4, false),
                               test::side(garment.panels[0], 8, 4, true))};
   const Placement placement = draw_and_lift(garment, body, &skeleton);
   ASSERT_EQ(placement.drawn_out.size(), 1U);
-  EXPECT_NEAR(placement.drawn_out.at("left_arm"), 0.03 + 0.01, 1e-12);
+  EXPECT_NEAR(placement.drawn_out.at(BodyPart::left_arm), 0.03 + 0.01, 1e-12);
   for (int p = 0; p < 45; ++p) {
     EXPECT_EQ(placement.placed[p], garment.placed[p]);
     EXPECT_LT((placement.placed[45 + p] - garment.placed[45 + p] - Vec3(0.04, 0, 0)).norm(), 1e-12);
@@ -134,13 +134,13 @@ TEST(Placement, HowFarBehindItsArmholeASleeveStandsDrawsItOutNoFarther) {
     PanelMesh garment;
     test::add_panel(garment, "front", test::grid(0.4, 0.2, 8, 4), [](const Vec2& p) {
       return Vec3(p.x() - 0.2, 1.3 + p.y(), 0.15);
-    }).part = "torso";
+    }).is = classify({"", BodyPart::torso});
     test::add_panel(garment, "sleeve", test::grid(0.4, 0.2, 8, 4), [&](const Vec2& p) {
       return Vec3(p.x() + 0.17, 1.3 + p.y(), z);
-    }).part = "left_arm";
+    }).is = classify({"", BodyPart::left_arm});
     garment.seams = {test::seam("armhole", test::side(garment.panels[1], 8, 4, false),
                                 test::side(garment.panels[0], 8, 4, true))};
-    return draw_and_lift(garment, body, &forward).drawn_out.at("left_arm");
+    return draw_and_lift(garment, body, &forward).drawn_out.at(BodyPart::left_arm);
   };
   EXPECT_NEAR(drawn_out(-0.15), drawn_out(0.15), 1e-12);
   EXPECT_LT(drawn_out(-0.15), 0.04);

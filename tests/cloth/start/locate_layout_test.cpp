@@ -16,8 +16,8 @@ using test::figure;
 /// A strapless top: a tube around the trunk, from the waist to the armpits of figure().
 PanelMesh top() {
   PanelMesh garment = test::tube();
-  garment.panels[0].name = "front_bodice";
-  garment.panels[1].name = "back_bodice";
+  test::name_panel(garment.panels[0], "front_bodice");
+  test::name_panel(garment.panels[1], "back_bodice");
   for (Vec3& p : garment.placed) p.y() -= 0.2;
   return garment;
 }
@@ -69,15 +69,15 @@ TEST(LocateLayout, NamesTellHowItIsTurned) {
     EXPECT_LT(off_when_moved(garment), test::tube_radius * left + 1e-9) << degrees;
   }
   PanelMesh nameless = top();
-  for (MeshedPanel& panel : nameless.panels) panel.name = "bodice";
+  for (MeshedPanel& panel : nameless.panels) test::name_panel(panel, "bodice");
   move_layout(turn(90), nameless);
   EXPECT_FALSE(locate_layout(nameless, figure()));
 }
 
 TEST(LocateLayout, APanelOnTheWrongSideTurnsNothing) {
   PanelMesh garment = top();
-  garment.panels[0].name = "left_bodice";
-  garment.panels[1].name = "right_bodice";
+  test::name_panel(garment.panels[0], "left_bodice");
+  test::name_panel(garment.panels[1], "right_bodice");
   EXPECT_TRUE(locate_layout(garment, figure()));
   // By its sides it is turned by a quarter, by its front and back it is not.
   test::add_half(garment, "front_bodice", -test::pi / 2);

@@ -20,7 +20,7 @@ PanelMesh cuff_with_flounce(double width) {
   const auto add = [&](const std::string& name, double wide, double y) {
     test::add_panel(garment, name, test::grid(wide, 0.1, columns, rows), [=](const Vec2& p) {
       return Vec3(0.1 - 0.5 * wide + p.x(), y + p.y(), 0.2);
-    }).part = "left_leg";
+    }).is = classify({"", BodyPart::left_leg});
   };
   add("cuff", 0.2, 0.3);
   add("flounce", width, 0.1);
@@ -56,7 +56,7 @@ TEST(NarrowLegPanels, WhatKeepsToItsSideStays) {
   EXPECT_EQ(placed, garment.placed);
   // And a wide panel of the torso, such as a skirt's front.
   garment = cuff_with_flounce(0.5);
-  for (MeshedPanel& panel : garment.panels) panel.part = "torso";
+  for (MeshedPanel& panel : garment.panels) panel.is = classify({"", BodyPart::torso});
   placed = garment.placed;
   narrow_leg_panels(garment, test::figure(), placed);
   EXPECT_EQ(placed, garment.placed);

@@ -12,12 +12,12 @@ namespace panel_places_test {
 TEST(AskedPlace, IsReadFromText) {
   const auto [panel, place] = parse_asked_place("front=torso:back");
   EXPECT_EQ(panel, "front");
-  EXPECT_EQ(place.part, "torso");
+  EXPECT_EQ(place.part, BodyPart::torso);
   EXPECT_EQ(place.side, PlacementSide::back);
   EXPECT_FALSE(place.around);
   const auto [sleeve, rolled] = parse_asked_place("a=b=left_arm:around");
   EXPECT_EQ(sleeve, "a=b");
-  EXPECT_EQ(rolled.part, "left_arm");
+  EXPECT_EQ(rolled.part, BodyPart::left_arm);
   EXPECT_TRUE(rolled.around);
   EXPECT_EQ(parse_asked_place("p=left").second.side, PlacementSide::left);
 }
@@ -36,8 +36,9 @@ TEST(AskedPlace, WhatIsNoPlaceIsRefused) {
 }
 
 TEST(FoundPlace, IsSaidInOneLine) {
-  EXPECT_EQ(text_of({"front", "torso", PlacementSide::front, false, false}), "front: torso, front");
-  EXPECT_EQ(text_of({"s", "left_arm", PlacementSide::left, true, true}),
+  EXPECT_EQ(text_of({"front", BodyPart::torso, PlacementSide::front, false, false}),
+            "front: torso, front");
+  EXPECT_EQ(text_of({"s", BodyPart::left_arm, PlacementSide::left, true, true}),
             "s: left arm, around (as asked)");
 }
 

@@ -10,8 +10,8 @@
 #include "cloth/start/positioning.h"
 #include "geometry/body/mannequin/mannequin.h"
 #include "io/mesh_file.h"
-#include "pattern/mesh_panels.h"
-#include "pattern/pattern_file.h"
+#include "pattern/file/pattern_file.h"
+#include "pattern/mesh/mesh_panels.h"
 #include "tests/support/run_program.h"
 
 namespace toile {
@@ -185,7 +185,14 @@ TEST_F(TshirtSleeves, OneThatIsTurnedAroundIsInsideOut) {
 TEST(DoubtfulStart, ASleeveRolledAroundTheWrongArmIsNamed) {
   Json file = sample("jacket");
   file["pattern"]["panels"]["left_sleeve"]["placement"]["part"] = "right_arm";
-  EXPECT_EQ(warned_panels(file).other_side, Names({"left_sleeve"}));
+  // Its name and its seams tell better.
+  EXPECT_EQ(warned_panels(file).other_side, Names());
+  std::string text = file.dump();
+  const std::string name = "left_sleeve";
+  for (std::size_t at = 0; (at = text.find(name, at)) != std::string::npos;) {
+    text.replace(at, name.size(), "sleeve");
+  }
+  EXPECT_EQ(warned_panels(Json::parse(text)).other_side, Names({"sleeve"}));
 }
 
 TEST(DoubtfulStart, LegsInEachOthersPlaceAreNamed) {

@@ -18,12 +18,12 @@ namespace positioning_test {
 using test::figure;
 
 /// A rectangle that the skeleton is to position.
-PanelMesh panel(const std::string& part, const PanelPlacement& placement, double width = 0.3,
+PanelMesh panel(BodyPart part, const PanelPlacement& placement, double width = 0.3,
                 double height = 0.4, int columns = 6, int rows = 8) {
   PanelMesh garment;
   MeshedPanel& added = test::add_panel(garment, "panel", test::grid(width, height, columns, rows),
                                        [](const Vec2& p) { return Vec3(p.x(), p.y(), 7); });
-  added.part = part;
+  added.is = classify({"", part});
   added.placement = placement;
   return garment;
 }
@@ -85,7 +85,8 @@ TEST(Positioning, APanelsAxisIsLaidAlongItsBone) {
     placement.at = "left_elbow";
     placement.level = 0.25;
     placement.shift = 0.03;
-    const Positioning done = position_panels(panel("left_arm", placement), far_body(), &skeleton);
+    const Positioning done =
+        position_panels(panel(BodyPart::left_arm, placement), far_body(), &skeleton);
     const Axes axes = axes_of(done.placed);
     worst = std::max(worst, (axes.up + slope).norm());
     // The point of the middle line at y = 0.25 stands off the elbow, straight out and shifted.
@@ -113,7 +114,8 @@ TEST(Positioning, SidesAreTheWearersAndTheRightSideIsOut) {
         Case{PlacementSide::back, -45, {half, 0, -half}}}) {
     PanelPlacement placement = at_side(c.side);
     placement.turn_degrees = c.turn;
-    const Positioning done = position_panels(panel("torso", placement), far_body(), &skeleton);
+    const Positioning done =
+        position_panels(panel(BodyPart::torso, placement), far_body(), &skeleton);
     const Axes axes = axes_of(done.placed);
     EXPECT_LT((axes.out - c.out).norm(), 1e-12);
     EXPECT_LT((axes.up - Vec3::UnitY()).norm(), 1e-12);
@@ -135,7 +137,8 @@ TEST(Positioning, PanelsDrawnAcrossAreTurned) {
         Case{PlacementAxis::plus_x, {1, 0}}, Case{PlacementAxis::minus_x, {-1, 0}}}) {
     PanelPlacement placement = at_side(PlacementSide::back);
     placement.axis = c.axis;
-    const Positioning done = position_panels(panel("torso", placement), far_body(), &skeleton);
+    const Positioning done =
+        position_panels(panel(BodyPart::torso, placement), far_body(), &skeleton);
     const Axes axes = axes_of(done.placed);
     EXPECT_LT((c.up.x() * axes.right + c.up.y() * axes.up - Vec3::UnitY()).norm(), 1e-12);
     EXPECT_LT((axes.out + Vec3::UnitZ()).norm(), 1e-12);
@@ -146,11 +149,11 @@ TEST(Positioning, SeveralBonesGiveTheirMeanOrientation) {
   Skeleton skeleton = figure();
   skeleton.joints["waist"] = {0, 1.0, 0.1};
   skeleton.joints["chest"] = {0.02, 1.2, 0.05};
-  const Bones bones(skeleton, "torso");
+  const Bones bones(skeleton, BodyPart::torso);
   PanelPlacement placement = at_side(PlacementSide::front);
   placement.at = "neck";
   placement.level = 0.45;
-  const PanelMesh garment = panel("torso", placement, 0.3, 0.5, 6, 10);
+  const PanelMesh garment = panel(BodyPart::torso, placement, 0.3, 0.5, 6, 10);
   const Positioning done = position_panels(garment, far_body(), &skeleton);
   // 5 cm stand above the neck and 45 lie along the bones below it: by hand, each bone's direction
   // times its length before the panel.
@@ -188,7 +191,7 @@ TEST(Positioning, FlatPanelsClearTheBodyByTheOffset) {
           std::pair(PlacementSide::left, 0.15)}) {
       PanelPlacement placement = at_side(side);
       placement.offset = offset;
-      const Positioning done = position_panels(panel("torso", placement), body, &skeleton);
+      const Positioning done = position_panels(panel(BodyPart::torso, placement), body, &skeleton);
       double nearest = 1;
       for (const Vec3& p : done.placed)
         nearest = std::min(nearest, exact.closest_point(p).distance);
@@ -203,7 +206,7 @@ TEST(Positioning, FlatPanelsClearTheBodyByTheOffset) {
 
 TEST(Positioning, RolledPanelsStandAroundTheirBones) {
   const Skeleton skeleton = figure();
-  const PanelMesh sleeve = panel("left_arm", rolled_around(), 0.4, 0.3, 40, 6);
+  const PanelMesh sleeve = panel(BodyPart::left_arm, rolled_around(), 0.4, 0.3, 40, 6);
   // An arm of 4 cm radius along x, before a torso.
   TriangleMesh arm = test::closed_tube(0.04, 0.04, 0.7, 48);
   for (Vec3& p : arm.points) p = Vec3(p.y(), 1.3 + p.x(), p.z());
@@ -236,7 +239,7 @@ TEST(Positioning, ASleeveThatReachesTheHandGoesAllAroundIt) {
   const Skeleton skeleton = figure();
   // Half as wide at its hem as at its top. The seam of a short one stands open at the hem.
   for (const double length : {0.2, 0.7}) {
-    PanelMesh sleeve = panel("left_arm", rolled_around(), 0.4, length, 40, 28);
+    PanelMesh sleeve = panel(BodyPart::left_arm, rolled_around(), 0.4, length, 40, 28);
     for (Vec2& point : sleeve.flat) {
       point.x() = 0.2 + (point.x() - 0.2) * (0.5 + 0.5 * point.y() / length);
     }
@@ -260,7 +263,7 @@ TEST(Positioning, RolledPanelsAreWidenedUntilTheLimbFits) {
   // 90 cm around: 14.3 cm radius, less than the half axis of 16 cm.
   PanelPlacement placement = rolled_around();
   placement.offset = 0.004;
-  const PanelMesh skirt = panel("torso", placement, 0.9, 0.3, 60, 6);
+  const PanelMesh skirt = panel(BodyPart::torso, placement, 0.9, 0.3, 60, 6);
   const Positioning done = position_panels(skirt, body, &skeleton);
   const PositionedPanel& how = done.panels.at(0);
   EXPECT_EQ(how.points_too_near, 0);
@@ -294,14 +297,14 @@ TEST(Positioning, ASleeveFollowsABentArm) {
     return SurfaceDistance(tube);
   };
   const DistanceGrid body({bone(shoulder, elbow), bone(elbow, wrist)});
-  const PanelMesh sleeve = panel("left_arm", rolled_around(), 0.4, 0.5, 40, 20);
+  const PanelMesh sleeve = panel(BodyPart::left_arm, rolled_around(), 0.4, 0.5, 40, 20);
   const Positioning done = position_panels(sleeve, body, &skeleton);
   const PositionedPanel& how = done.panels.at(0);
   EXPECT_TRUE(how.bent);
   EXPECT_EQ(how.points_too_near, 0);
   EXPECT_EQ(how.drawn_out, 0);
   EXPECT_NEAR(how.distance, 0.4 / (2 * test::pi), 0.01);  // wider for the sharp elbow
-  const Bones bones(skeleton, "left_arm");
+  const Bones bones(skeleton, BodyPart::left_arm);
   for (int row = 0; row <= 20; ++row) {
     Vec3 middle = Vec3::Zero();
     for (int i = 0; i < 40; ++i) {
@@ -316,12 +319,13 @@ TEST(Positioning, ASleeveFollowsABentArm) {
 TEST(Positioning, PanelsOfALegStayOnItsSide) {
   const Skeleton skeleton = figure();
   // 12 cm of radius where the plane between the legs is 10 cm off.
-  const PanelMesh leg = panel("right_leg", rolled_around(), 2 * test::pi * 0.12, 0.5, 40, 6);
+  const PanelMesh leg =
+      panel(BodyPart::right_leg, rolled_around(), 2 * test::pi * 0.12, 0.5, 40, 6);
   const Positioning rolled = position_panels(leg, far_body(), &skeleton);
   PanelPlacement placement = at_side(PlacementSide::front);
   placement.at = "right_hip";
   const Positioning flat =
-      position_panels(panel("right_leg", placement, 0.3, 0.4), far_body(), &skeleton);
+      position_panels(panel(BodyPart::right_leg, placement, 0.3, 0.4), far_body(), &skeleton);
   for (const Positioning* done : {&rolled, &flat}) {
     double most = -1;
     for (const Vec3& p : done->placed) most = std::max(most, p.x());
@@ -335,10 +339,10 @@ TEST(Positioning, PanelsOfALegStayOnItsSide) {
 
 TEST(Positioning, TwoHalvesMakeOneTube) {
   const Skeleton skeleton = figure();
-  PanelMesh garment = panel("torso", rolled_around(0.5), 0.5, 0.3, 30, 6);
+  PanelMesh garment = panel(BodyPart::torso, rolled_around(0.5), 0.5, 0.3, 30, 6);
   test::add_panel(garment, "back", test::grid(0.5, 0.3, 30, 6),
                   [](const Vec2&) { return Vec3::Zero().eval(); });
-  garment.panels[1].part = "torso";
+  garment.panels[1].is = classify({"", BodyPart::torso});
   garment.panels[1].placement = rolled_around(0.5);
   garment.panels[1].placement.side = PlacementSide::back;
   const Positioning done = position_panels(garment, far_body(), &skeleton);
@@ -357,11 +361,11 @@ TEST(Positioning, PanelsStandLevelWithWhatTheyAreSewnTo) {
   PanelPlacement front = at_side(PlacementSide::front);
   front.at = "waist";
   front.level = 0.1;
-  PanelMesh garment = panel("torso", front);
+  PanelMesh garment = panel(BodyPart::torso, front);
   PanelPlacement back = at_side(PlacementSide::back);
   test::add_panel(garment, "back", test::grid(0.3, 0.4, 6, 8),
                   [](const Vec2&) { return Vec3::Zero().eval(); });
-  garment.panels[1].part = "torso";
+  garment.panels[1].is = classify({"", BodyPart::torso});
   garment.panels[1].placement = back;
   // The back's side from its second row on is sewn to the front's from its first row on.
   const std::vector<int> left = test::side(garment.panels[0], 6, 8, true);
@@ -378,13 +382,13 @@ TEST(Positioning, PanelsStandLevelWithWhatTheyAreSewnTo) {
 
 TEST(Positioning, LeavesExplicitPanelsAlone) {
   const Skeleton skeleton = figure();
-  PanelMesh garment = panel("torso", {});
+  PanelMesh garment = panel(BodyPart::torso, {});
   EXPECT_FALSE(asks_for_skeleton(garment));
   EXPECT_EQ(position_panels(garment, far_body(), nullptr).placed, garment.placed);
   EXPECT_TRUE(position_panels(garment, far_body(), nullptr).panels.empty());
   test::add_panel(garment, "sleeve", test::grid(0.4, 0.3, 4, 4),
                   [](const Vec2&) { return Vec3::Zero().eval(); });
-  garment.panels[1].part = "right_arm";
+  garment.panels[1].is = classify({"", BodyPart::right_arm});
   garment.panels[1].placement = rolled_around();
   const Positioning done = position_panels(garment, far_body(), &skeleton);
   ASSERT_EQ(done.panels.size(), 1U);
@@ -407,7 +411,7 @@ std::string refusal(const PanelMesh& garment, const Skeleton* skeleton) {
 }
 
 TEST(Positioning, SaysWhatTheSkeletonLacks) {
-  const PanelMesh garment = panel("left_arm", rolled_around());
+  const PanelMesh garment = panel(BodyPart::left_arm, rolled_around());
   EXPECT_NE(refusal(garment, nullptr).find("panel 'panel'"), std::string::npos);
   EXPECT_NE(refusal(garment, nullptr).find("--skeleton"), std::string::npos);
   Skeleton none = figure();
@@ -416,7 +420,7 @@ TEST(Positioning, SaysWhatTheSkeletonLacks) {
   Skeleton jointless = figure();
   jointless.joints.erase("waist");
   jointless.segments = {{"left_leg", "left_hip", "left_knee"}};
-  EXPECT_NE(refusal(panel("left_leg", rolled_around()), &jointless).find("'waist'"),
+  EXPECT_NE(refusal(panel(BodyPart::left_leg, rolled_around()), &jointless).find("'waist'"),
             std::string::npos);
 }
 

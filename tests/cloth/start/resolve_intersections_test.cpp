@@ -132,7 +132,7 @@ TEST(ClearStart, ARolledPanelIsWidened) {
         const double angle = p.x() / radius;
         return Vec3(radius * std::sin(angle), 0.4 + p.y(), radius * std::cos(angle));
       });
-  tube.part = "torso";
+  tube.is = classify({"", BodyPart::torso});
   tube.placement.around = 1;
   const Skeleton figure = test::figure();
   const Placement placement = cleared(garment, &figure);

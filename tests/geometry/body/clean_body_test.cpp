@@ -280,7 +280,7 @@ TEST(CleanBody, LargeHolesThatWereFilledAreNamedWithTheirPlace) {
   EXPECT_NEAR(hole.middle.y(), 1.165, 0.02);
   EXPECT_LT(hole.middle.z(), -0.05);
   ASSERT_TRUE(body.skeleton);
-  EXPECT_EQ(part_near(*body.skeleton, hole.middle), "torso");
+  EXPECT_EQ(part_near(*body.skeleton, hole.middle), BodyPart::torso);
 }
 
 TEST(CleanBody, MissingSolesAreFilledMissingTorsoIsNot) {

@@ -13,10 +13,10 @@ TEST(Flaws, PartsAreToldByTheNearestBone) {
   const auto between = [&](const char* from, const char* to) -> Vec3 {
     return (skeleton.joint(from) + skeleton.joint(to)) / 2;
   };
-  EXPECT_EQ(part_near(skeleton, between("left_elbow", "left_wrist")), "left_arm");
-  EXPECT_EQ(part_near(skeleton, between("right_hip", "right_knee")), "right_leg");
-  EXPECT_EQ(part_near(skeleton, between("waist", "chest") + Vec3(0, 0, 0.1)), "torso");
-  EXPECT_EQ(part_near(Skeleton{}, Vec3(0, 1, 0)), "");
+  EXPECT_EQ(part_near(skeleton, between("left_elbow", "left_wrist")), BodyPart::left_arm);
+  EXPECT_EQ(part_near(skeleton, between("right_hip", "right_knee")), BodyPart::right_leg);
+  EXPECT_EQ(part_near(skeleton, between("waist", "chest") + Vec3(0, 0, 0.1)), BodyPart::torso);
+  EXPECT_EQ(part_near(Skeleton{}, Vec3(0, 1, 0)), BodyPart::none);
 }
 
 TEST(Flaws, CrossingsAreCountedMeasuredAndPlaced) {
@@ -42,7 +42,7 @@ TEST(Flaws, CrossingsAreCountedMeasuredAndPlaced) {
   EXPECT_LT(found->area_share, 0.3);
   EXPECT_NEAR(found->low, 0.96, 0.04);
   EXPECT_NEAR(found->high, 1.04, 0.04);
-  EXPECT_EQ(found->part, "torso");
+  EXPECT_EQ(found->part, BodyPart::torso);
   Crossings many = *found;
   many.area_share = 0.5;
   EXPECT_FALSE(is_usable(many));

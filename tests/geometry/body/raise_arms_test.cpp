@@ -146,12 +146,12 @@ TEST(RaiseArms, OnlyPanelsOfArmsTurnWithThem) {
   const Skeleton skeleton = hanging(45);
   const ArmRaise raise(skeleton, {});
   const Vec3 elbow = skeleton.joint("left_elbow");
-  EXPECT_EQ(raise.turned_with("torso", elbow), elbow);
-  EXPECT_EQ(raise.turned_with("left_leg", elbow), elbow);
+  EXPECT_EQ(raise.turned_with(BodyPart::torso, elbow), elbow);
+  EXPECT_EQ(raise.turned_with(BodyPart::left_leg, elbow), elbow);
   // As one, however far before the arm.
   const Vec3 before = elbow + Vec3(0, 0, 0.4);
-  EXPECT_LT((raise.turned_with("left_arm", before) - raise.turned_with("left_arm", elbow) -
-             Vec3(0, 0, 0.4))
+  EXPECT_LT((raise.turned_with(BodyPart::left_arm, before) -
+             raise.turned_with(BodyPart::left_arm, elbow) - Vec3(0, 0, 0.4))
                 .norm(),
             1e-12);
 }

@@ -8,11 +8,11 @@
 #include "geometry/polygon.h"
 #include "io/dxf.h"
 #include "io/svg.h"
+#include "pattern/file/pattern_file.h"
 #include "pattern/import/dxf_pieces.h"
 #include "pattern/import/join_paths.h"
 #include "pattern/import/svg_pieces.h"
-#include "pattern/outline_polygon.h"
-#include "pattern/pattern_file.h"
+#include "pattern/mesh/outline_polygon.h"
 #include "tests/pattern/samples.h"
 
 namespace toile {

@@ -11,9 +11,9 @@
 #include "geometry/error.h"
 #include "geometry/polygon.h"
 #include "io/output_file.h"
+#include "pattern/file/pattern_file.h"
 #include "pattern/import/dxf_pieces.h"
 #include "pattern/import/join_paths.h"
-#include "pattern/pattern_file.h"
 #include "tests/pattern/import/dxf_samples.h"
 #include "tests/pattern/samples.h"
 

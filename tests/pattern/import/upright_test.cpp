@@ -12,9 +12,9 @@
 
 #include "geometry/angles.h"
 #include "io/output_file.h"
+#include "pattern/file/pattern_file.h"
 #include "pattern/import/imported_pattern.h"
 #include "pattern/import/svg_pieces.h"
-#include "pattern/pattern_file.h"
 #include "pattern/seams/find_seams.h"
 #include "tests/pattern/samples.h"
 

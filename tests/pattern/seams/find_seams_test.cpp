@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "io/output_file.h"
-#include "pattern/left_out.h"
-#include "pattern/pattern_file.h"
+#include "pattern/check/left_out.h"
+#include "pattern/file/pattern_file.h"
 #include "pattern/seams/sewn_file.h"
 #include "pattern/seams/shell_panels.h"
 #include "tests/pattern/samples.h"

@@ -4,7 +4,7 @@
 #include <oneapi/tbb/global_control.h>
 
 #include "io/output_file.h"
-#include "pattern/pattern_file.h"
+#include "pattern/file/pattern_file.h"
 #include "tests/support/seam_comparison.h"
 
 namespace toile {

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "io/output_file.h"
-#include "pattern/pattern_file.h"
+#include "pattern/file/pattern_file.h"
 #include "pattern/seams/sewn_file.h"
 #include "tests/pattern/samples.h"
 #include "tests/support/seam_comparison.h"

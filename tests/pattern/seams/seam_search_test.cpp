@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "pattern/pattern_file.h"
+#include "pattern/file/pattern_file.h"
 #include "tests/pattern/samples.h"
 
 namespace toile {

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pattern/pattern_file.h"
+#include "pattern/file/pattern_file.h"
 
 namespace toile {
 namespace shell_panels_test {

@@ -7,9 +7,9 @@
 
 #include "io/dxf.h"
 #include "io/output_file.h"
+#include "pattern/file/pattern_file.h"
 #include "pattern/import/dxf_pieces.h"
 #include "pattern/import/imported_pattern.h"
-#include "pattern/pattern_file.h"
 #include "pattern/seams/sewn_file.h"
 
 namespace toile {

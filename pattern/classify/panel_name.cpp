@@ -1,0 +1,87 @@
+#include "pattern/classify/panel_name.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <string_view>
+
+#include "pattern/classify/name_words.h"
+
+namespace toile {
+
+namespace {
+
+struct RoleWords {
+  PanelRole role;
+  std::initializer_list<std::string_view> beginnings;  ///< of a word
+};
+
+/// English, German, French, Spanish, Italian, in the order of PanelName::roles. Accents are left
+/// out, ä is a.
+const RoleWords role_words[] = {
+    {PanelRole::cuff, {"cuff", "manschette", "poignet", "puno", "polsin", "bundchen"}},
+    {PanelRole::facing, {"facing", "beleg", "parementure", "vista", "paramontura", "ripiego"}},
+    {PanelRole::pocket, {"pocket", "tasche", "poche", "bolsillo", "tasca"}},
+    {PanelRole::hood, {"hood", "kapuze", "capuch", "capucha", "cappuccio"}},
+    {PanelRole::collar,
+     {"collar", "kragen", "col", "turtle", "cuello", "colletto", "lapel", "revers"}},
+    {PanelRole::waistband,
+     {"waistband", "wb", "belt", "bund", "ceinture", "pretina", "cinturilla", "cintur", "cinta"}},
+    {PanelRole::yoke, {"yoke", "passe", "sattel", "empiecement", "canesu", "sprone", "carre"}},
+    {PanelRole::sleeve, {"sleeve", "sl", "armel", "aermel", "manche", "manga", "manica"}},
+    {PanelRole::skirt, {"skirt", "rock", "jupe", "falda", "gonna", "godet"}},
+    {PanelRole::trousers,
+     {"trouser", "pant", "jean", "shorts", "leg", "legs", "hose", "bein", "pantalon", "jambe",
+      "pierna", "calzon", "gamba"}},
+    {PanelRole::bodice, {"torso",    "ftorso", "btorso",   "bodice",  "top",     "shirt",  "blouse",
+                         "oberteil", "mieder", "leib",     "hemd",    "corsage", "buste",  "cuerpo",
+                         "corpino",  "busto",  "corpetto", "chemise", "camisa",  "camicia"}},
+};
+
+const std::initializer_list<std::string_view> left_words = {
+    "left",      "links", "linke",    "linker",   "linkes", "gauche", "izquierda",
+    "izquierdo", "izq",   "sinistra", "sinistro", "sx",     "l"};
+const std::initializer_list<std::string_view> right_words = {
+    "right",   "rechts",  "rechte", "rechter", "rechtes", "droit", "droite",
+    "derecha", "derecho", "der",    "destra",  "destro",  "dx",    "r"};
+const std::initializer_list<std::string_view> front_words = {
+    "front",      "ftorso",    "vorne", "vorder",    "vorderteil", "vorderhose",
+    "vorderrock", "devant",    "avant", "delantero", "delantera",  "delante",
+    "davanti",    "anteriore", "f",     "fr"};
+const std::initializer_list<std::string_view> back_words = {
+    "back",        "btorso",     "hinten",     "hinter",     "hinterteil", "ruckenteil", "rucken",
+    "rueckenteil", "hinterhose", "hinterrock", "dos",        "arriere",    "espalda",    "trasero",
+    "trasera",     "detras",     "dietro",     "posteriore", "schiena",    "b",          "bk"};
+
+bool is_one_of(const std::string& word, std::initializer_list<std::string_view> list) {
+  return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+}  // namespace
+
+bool PanelName::says(PanelRole role) const { return std::ranges::find(roles, role) != roles.end(); }
+
+PanelName read_panel_name(const std::string& name) {
+  const std::vector<NameWord> words = words_in(name);
+  PanelName found;
+  for (const RoleWords& entry : role_words) {
+    if (any_fits(words, entry.beginnings)) found.roles.push_back(entry.role);
+  }
+  for (const NameWord& word : words) {
+    if (word.number) {
+      found.number = word.text.size() < 6 ? std::stoi(word.text) : -1;
+      found.whole += word.text + " ";
+      continue;
+    }
+    const bool left = is_one_of(word.text, left_words);
+    const bool right = is_one_of(word.text, right_words);
+    const bool front = is_one_of(word.text, front_words) || word.text.starts_with("vorder");
+    const bool back = is_one_of(word.text, back_words) || word.text.starts_with("hinter");
+    if (found.side == 0) found.side = left ? 1 : right ? -1 : 0;
+    if (found.face == 0) found.face = front ? 1 : back ? -1 : 0;
+    if (!left && !right) found.whole += word.text + " ";
+    if (!left && !right && !front && !back) found.stem += word.text + " ";
+  }
+  return found;
+}
+
+}  // namespace toile
