@@ -76,6 +76,8 @@ struct PatternPanel {
   int quantity = 1;      ///< how often it is cut
   /// Why the garment is sewn without it, such as "pocket"; empty: it is sewn.
   std::string left_out;
+  /// It is one of a pair of which one was drawn: left and right in its name may be exchanged.
+  bool side_unknown = false;
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< from the drawing (x, y, 0) to space
   Vec3 translation = Vec3::Zero();                         ///< metres
   Vec3 origin = Vec3::Zero();  ///< metres: the translation as the file states it; zero: it does not

@@ -56,6 +56,12 @@ bool is_one_of(const std::string& word, std::initializer_list<std::string_view> 
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
+bool says_side_or_face(const std::string& word) {
+  return is_one_of(word, left_words) || is_one_of(word, right_words) ||
+         is_one_of(word, front_words) || is_one_of(word, back_words) ||
+         word.starts_with("vorder") || word.starts_with("hinter");
+}
+
 }  // namespace
 
 bool PanelName::says(PanelRole role) const { return std::ranges::find(roles, role) != roles.end(); }
@@ -66,7 +72,18 @@ PanelName read_panel_name(const std::string& name) {
   for (const RoleWords& entry : role_words) {
     if (any_fits(words, entry.beginnings)) found.roles.push_back(entry.role);
   }
+  // A letter says a side or a face beside a word that says what the panel is: "pant_b_l", not
+  // "K-B2".
+  const bool letters_tell =
+      !found.roles.empty() || std::ranges::any_of(words, [](const auto& word) {
+        return word.text.size() > 1 && says_side_or_face(word.text);
+      });
   for (const NameWord& word : words) {
+    if (!word.number && word.text.size() == 1 && !letters_tell) {
+      found.stem += word.text + " ";
+      found.whole += word.text + " ";
+      continue;
+    }
     if (word.number) {
       found.number = word.text.size() < 6 ? std::stoi(word.text) : -1;
       found.whole += word.text + " ";

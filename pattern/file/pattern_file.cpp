@@ -118,7 +118,7 @@ class Reader {
   void panel(const std::string& name, const JsonValue& value) {
     unread(value, {"translation", "rotation", "vertices", "edges", "label", "placement", "grain",
                    "fabric", "attach", "notches", "internal_lines", "cut_outs", "drill_holes",
-                   "material", "quantity", "left_out"});
+                   "material", "quantity", "left_out", "side"});
     PatternPanel panel;
     panel.name = name;
     if (const auto translation = value.find("translation")) {
@@ -215,6 +215,11 @@ class Reader {
     if (const auto reason = value.find("left_out")) {
       panel.left_out = reason->text();
       if (panel.left_out.empty()) reason->fail("is empty", "say why, or remove the key");
+    }
+    if (const auto side = value.find("side")) {
+      if (side->text() != "unknown")
+        side->fail("is no side", "write \"unknown\", or remove the key");
+      panel.side_unknown = true;
     }
     if (const auto quantity = value.find("quantity")) {
       constexpr int max_quantity = 1000;

@@ -478,6 +478,7 @@ class Importer {
     panel.area = signed_area(shape.outline);
     panel.material = piece.material;
     panel.quantity = quantity;
+    panel.is_of_pair = piece.pair;
     if (shape.grain) {
       const Vec2 warp = shape.grain->to - shape.grain->from;
       // A grain line has no direction: 90 degrees and -90 are one.

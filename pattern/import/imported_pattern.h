@@ -36,8 +36,9 @@ struct ImportedPanel {
   std::string material;
   std::string fabric;  ///< one that dress knows by name; empty: the garment's
   int quantity = 1;
-  double area = 0;            ///< square metres
-  double turned = 0;          ///< radians, counter-clockwise about the drawing's origin
+  bool is_of_pair = false;  ///< drawn once: which of the two is the left one, the drawing says not
+  double area = 0;          ///< square metres
+  double turned = 0;        ///< radians, counter-clockwise about the drawing's origin
   Vec2 moved = Vec2::Zero();  ///< metres, after the turn, from where the drawing has it
 };
 

@@ -65,6 +65,7 @@ nlohmann::ordered_json pattern_json(const ImportedPattern& pattern) {
     if (!panel.fabric.empty()) json["fabric"] = panel.fabric;
     if (!panel.material.empty()) json["material"] = valid_utf8(panel.material);
     if (panel.quantity != 1) json["quantity"] = panel.quantity;
+    if (panel.is_of_pair) json["side"] = "unknown";
     for (const OutlineNotch& notch : panel.outline.notches) {
       Json entry = {{"vertex", notch.vertex}};
       if (notch.angle) entry["angle"] = degrees(*notch.angle);

@@ -36,8 +36,7 @@ class SeamFinder {
       const std::vector<char> turned = i == 0 ? std::vector<char>{} : collars[i - 1];
       look_at(turned);
       const KnownSeams known = take_given();
-      const double score =
-          SeamChooser(evidence_, known).score() - (i == 0 ? 0 : turned_collar);
+      const double score = SeamChooser(evidence_, known).score() - (i == 0 ? 0 : turned_collar);
       if (i > 0 && score <= most) continue;
       most = score;
       best = turned;
@@ -110,8 +109,10 @@ class SeamFinder {
     const std::vector<EdgeSeam> before = seams;
     if (options_.given.empty()) {
       std::vector<PanelWords> words = evidence_.words;
-      // Pieces that are called left where the garment has its right would be turned inside out.
-      for (PanelWords& panel : words) panel.side = heeds_sides_ ? panel.side : 0;
+      // A piece that is called left where the garment has its right would be turned inside out.
+      for (std::size_t p = 0; p < words.size(); ++p) {
+        if (pattern_.panels[p].side_unknown) words[p].side = 0;
+      }
       exchange_panels(pattern_, evidence_.edges, evidence_.fits, words, evidence_.mirror,
                       options_.by_place, seams);
       if (!options_.by_place) {

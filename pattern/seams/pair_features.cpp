@@ -15,6 +15,10 @@ double log_ratio(double a, double b) { return std::abs(std::log(a / b)); }
 /// Rounded, so that the last bits of a drawing that is turned or mirrored take no other branch.
 float f(double value) { return static_cast<float>(std::round(value * 1e4) / 1e4 + 0.0); }
 
+/// Whether a name says what the panel is. Codes and their numbers tell no more than the order of
+/// the file.
+bool tells(const PanelWords& words) { return words.role != PanelRole::unknown || words.face != 0; }
+
 /// Shares of length within which another edge is as long.
 constexpr std::array<double, 3> near_lengths = {0.001, 0.01, 0.05};
 
@@ -145,7 +149,10 @@ PairFeatures::EdgeRow PairFeatures::described(int e, bool against) const {
       f(std::log(panel.area / largest_area_)),
       f(std::log(panel.height / panel.width)),
       f(panel.is_own_mirror ? 1 : 0),
-      f(mirror < 0 ? 0 : mirror == e ? 1 : edges[mirror].ref.panel == edge.ref.panel ? 2 : 3),
+      f(mirror < 0                                  ? 0
+        : mirror == e                               ? 1
+        : edges[mirror].ref.panel == edge.ref.panel ? 2
+                                                    : 3),
       f(panel.alike),
       f(std::log(before.length / edge.length)),
       f(std::log(behind.length / edge.length)),
@@ -154,7 +161,7 @@ PairFeatures::EdgeRow PairFeatures::described(int e, bool against) const {
       f(near_[e][1]),
       f(nearest_[e]),
       f(static_cast<int>(words.role)),
-      f(std::min(words.number, 10)),
+      f(tells(words) ? std::min(words.number, 10) : -1),
   };
 }
 
@@ -180,10 +187,8 @@ PairRow PairFeatures::of(int a, int b, bool mirrored) const {
   // The end of a meets the start of b.
   double corners_end = edges[first.next].corner + second.corner;
   double corners_start = first.corner + edges[second.next].corner;
-  double next_ratio =
-      log_ratio(edges[first.next].length, edges[second.previous].length);
-  double before_ratio =
-      log_ratio(edges[first.previous].length, edges[second.next].length);
+  double next_ratio = log_ratio(edges[first.next].length, edges[second.previous].length);
+  double before_ratio = log_ratio(edges[first.previous].length, edges[second.next].length);
   if (mirrored) {
     std::swap(corners_start, corners_end);
     std::swap(before_ratio, next_ratio);
@@ -215,7 +220,8 @@ PairRow PairFeatures::of(int a, int b, bool mirrored) const {
     dart_up = (leads ? first.rise - second.rise : second.rise - first.rise) / 2;
   }
   const bool named = words_a.role != PanelRole::unknown && words_b.role != PanelRole::unknown;
-  const bool same_stem = !words_a.stem.empty() && words_a.stem == words_b.stem;
+  const bool tell = tells(words_a) && tells(words_b);
+  const bool same_stem = tell && !words_a.stem.empty() && words_a.stem == words_b.stem;
   const auto inwards = [&](const WalkedEdge& edge) {  // towards the body's middle
     const int panel = edge.ref.panel;
     return -evidence_.side[panel] * evidence_.words[panel].face * edge.rise;
@@ -227,9 +233,14 @@ PairRow PairFeatures::of(int a, int b, bool mirrored) const {
       f(100 * std::abs(first.length - second.length)),
       f(into),
       f(alike),
-      f(same_shape ? (hand[a] * hand[b] == 0 ? 3 : hand[a] * hand[b] > 0 ? 1 : 2) : 0),
+      f(same_shape ? (hand[a] * hand[b] == 0  ? 3
+                      : hand[a] * hand[b] > 0 ? 1
+                                              : 2)
+                   : 0),
       f(evidence_.mirror[a] == b ? 1 : 0),
-      f(dart ? 2 : same_panel ? 1 : 0),
+      f(dart         ? 2
+        : same_panel ? 1
+                     : 0),
       f(tip),
       f(opening),
       f(dart_up),
@@ -256,8 +267,8 @@ PairRow PairFeatures::of(int a, int b, bool mirrored) const {
       f(named && words_a.role == words_b.role ? 1 : 0),
       f(words_a.says(words_b.role) ? 1 : 0),
       f(words_b.says(words_a.role) ? 1 : 0),
-      f(words_shared(words_a.stem, words_b.stem)),
-      f(!words_a.whole.empty() && words_a.whole == words_b.whole ? 1 : 0),
+      f(tell ? words_shared(words_a.stem, words_b.stem) : 0),
+      f(tell && words_a.whole == words_b.whole ? 1 : 0),
   };
   PairRow row{};
   const EdgeRow& row_a = rows_[a][mirrored ? 1 : 0];

@@ -35,9 +35,9 @@ class PairFeatures {
     double width = 0;      // metres, across the warp
     double height = 0;     // metres, along the warp
     Vec2 low = Vec2::Zero();
-    int alike = 0;        // panels of its shape, itself included
+    int alike = 0;  // panels of its shape, itself included
     bool is_own_mirror = false;
-    double longest = 0;   // metres, of its edges
+    double longest = 0;  // metres, of its edges
     double likest[2] = {};
   };
 
@@ -47,9 +47,9 @@ class PairFeatures {
 
   const SeamEvidence& evidence_;
   std::vector<Panel> panels_;
-  std::vector<double> matching_;        // panels * panels: share of the length with an equal edge
+  std::vector<double> matching_;          // panels * panels: share of the length with an equal edge
   std::vector<std::array<int, 3>> near_;  // edges of other shapes within 0.1, 1 and 5 %
-  std::vector<double> nearest_;         // logarithm: the likest length of another shape
+  std::vector<double> nearest_;           // logarithm: the likest length of another shape
   std::vector<std::array<EdgeRow, 2>> rows_;
   double largest_area_ = 0;
 };

@@ -17,6 +17,7 @@ enum class SeamFeature {
   equal_length,  ///< 1, falling by e for each 0.5 % by which the lengths differ
   gathered,      ///< logarithm of the longer over the shorter side
   coincide,      ///< 1: the edges coincide
+  likely,        ///< logarithm of the odds of the pair alone, see sewn_logit(); within ±10, tenths
   count
 };
 
@@ -24,7 +25,8 @@ inline constexpr int seam_features = static_cast<int>(SeamFeature::count);
 
 using SeamFeatures = std::array<double, seam_features>;
 
-/// The share of such seams that is right, 0 to 1: a logistic regression (Cox 1958).
+/// The share of such seams that is right, 0 to 1: a logistic regression (Cox 1958). At most 0.5
+/// where one side is twice as long as the other and the pair alone is unlikely.
 double certainty_of(const SeamFeatures& features);
 
 }  // namespace toile

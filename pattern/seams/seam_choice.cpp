@@ -205,6 +205,9 @@ void SeamChooser::tell_features(const std::vector<SeamSearch::Garment>& without,
     at(features, SeamFeature::gathered) = ratio;
     const std::vector<int>& shape = evidence_.shapes.shape;
     at(features, SeamFeature::coincide) = shape[seam.a] == shape[seam.b] ? 1 : 0;
+    const SeamMeasures pair = pairs_.measures(seam.a, seam.b);
+    const double likely = pair[static_cast<int>(SeamMeasure::likely)];
+    at(features, SeamFeature::likely) = std::clamp(likely / 10, -1.0, 1.0);
     gap_sum += at(features, SeamFeature::gap);
   }
   const double count = static_cast<double>(std::max<std::size_t>(1, choice.seams.size()));

@@ -11,8 +11,9 @@ SeamEvidence seam_evidence(const Pattern& pattern, bool drawn_walk,
   for (const PatternPanel& panel : pattern.panels) evidence.words.push_back(words_of(panel));
   evidence.fits = panel_fits(evidence.edges);
   evidence.shapes = edge_shapes(evidence.edges, evidence.fits);
-  for (const PanelWords& words : evidence.words) {
-    evidence.side.push_back(heed_sides ? words.side : 0);
+  for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+    const bool heeded = heed_sides && !pattern.panels[p].side_unknown;
+    evidence.side.push_back(heeded ? evidence.words[p].side : 0);
   }
   evidence.mirror = mirror_partners(evidence.edges, evidence.fits, evidence.words);
   return evidence;

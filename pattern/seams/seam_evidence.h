@@ -17,7 +17,7 @@ inline constexpr double sharpest_dart_tip = 285 * std::numbers::pi / 180;
 struct SeamEvidence {
   std::vector<WalkedEdge> edges;
   std::vector<PanelWords> words;  ///< per panel
-  std::vector<int> side;  ///< per panel: -1 right, +1 left, by its name; 0: not heeded
+  std::vector<int> side;          ///< per panel: -1 right, +1 left, by its name; 0: not heeded
   std::vector<int> mirror;        ///< per edge, see mirror_partners()
   std::vector<char> turned_over;  ///< per panel, see walked_edges()
   std::vector<PanelFit> fits;

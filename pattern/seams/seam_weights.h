@@ -6,14 +6,13 @@
 namespace toile {
 
 /// What is measured of a seam, or of corners that meet. A score is the sum of each measure times
-/// its weight; only ratios of weights matter. The measures of lengths are 0 where the two edges
-/// coincide: such edges are equally long without being meant for each other.
+/// its weight; only ratios of weights matter.
 ///
 /// A curve is cut in two for a reason: a notch, another piece, or fullness that begins there. Where
 /// none is seen, one part is a slit and stays open, the lower one.
 enum class SeamMeasure {
-  seam,             ///< 1 for each seam
-  likely,           ///< logarithm of the odds that the pair is sewn, see sewn_logit()
+  seam,            ///< 1 for each seam
+  likely,          ///< logarithm of the odds that the pair is sewn, see sewn_logit()
   cone,            ///< 1: a corner that is no dart's tip closes on itself
   dart_tip,        ///< 1: a corner closes on itself, as the tip of a dart
   filled_slit,     ///< 1: two corners meet, one of them the tip of a slit that a godet fills
@@ -63,8 +62,7 @@ const char* name_of(SeamMeasure measure);
 
 double score_of(const SeamMeasures& measures, const SeamMeasures& weights);
 
-/// The weights in use. bench_fit_seam_weights fitted them to the samples and to three fifths of 160
-/// random GarmentCode garments.
+/// The weights in use.
 extern const SeamMeasures seam_weights;
 
 }  // namespace toile

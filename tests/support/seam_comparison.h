@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
+#include <random>
 #include <set>
 #include <string>
 #include <vector>
@@ -41,17 +43,21 @@ inline std::set<SeamPair> stated_seams(const Pattern& pattern) {
   return seams;
 }
 
-/// The pattern without its seams, and without all that says where a panel stands.
+/// The pattern without its seams, and without all that says where a panel stands. Without names,
+/// its panels are called by numbers that their order in the file does not tell.
 inline Pattern stripped(Pattern pattern, bool names, bool labels) {
   pattern.stitches.clear();
-  int number = 0;
-  for (PatternPanel& panel : pattern.panels) {
+  std::vector<std::size_t> shuffled(pattern.panels.size());
+  std::iota(shuffled.begin(), shuffled.end(), std::size_t{1});
+  std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937(1));
+  for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+    PatternPanel& panel = pattern.panels[p];
     panel.rotation = Eigen::Matrix3d::Identity();
     panel.translation = Vec3::Zero();
     panel.placement = {};
     panel.part = BodyPart::none;
     panel.attachments.clear();
-    if (!names) panel.name = "piece" + std::to_string(++number);
+    if (!names) panel.name = "piece" + std::to_string(shuffled[p]);
     if (!labels) {
       panel.label.clear();
       for (PatternEdge& edge : panel.edges) edge.label.clear();

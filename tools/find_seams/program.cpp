@@ -23,7 +23,7 @@ CommandLineProgram find_seams_program() {
       "leave out this panel; may be given again")(
       "use-places", po::bool_switch(),
       "let the placed panels decide which of equal panels is sewn where")(
-      "min-confidence", po::value<double>()->default_value(decided_confidence, "0.85"),
+      "min-confidence", po::value<double>()->default_value(decided_confidence, "0.7"),
       "0 to 1: a less certain seam is listed as undecided and not sewn")(
       "pattern", po::value<std::string>()->required(), "the pattern; also as argument");
   program.positional.add("pattern", 1);

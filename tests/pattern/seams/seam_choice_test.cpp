@@ -40,6 +40,10 @@ TEST_F(SeamsOfTshirt, AreTheSameBitsForAnyNumberOfThreads) {
 }
 
 TEST_F(SeamsOfTshirt, AlternativesAreOtherSeamsOfTheSameEdges) {
+  const std::string name = TOILE_SOURCE_DIR "/samples/fitted_tshirt.json";
+  std::vector<Remark> remarks;
+  const Pattern pattern = parse_drawn_pattern(read_file(name), name, remarks);
+  evidence = seam_evidence(stripped(pattern, false, false), false);
   int others = 0;
   for (const ChosenSeam& seam : SeamChooser(evidence, {}).choose().seams) {
     if (seam.alternative[0] < 0) continue;
