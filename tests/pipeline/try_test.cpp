@@ -89,7 +89,8 @@ TEST_F(ToileTry, GoesFromTheDrawingToTheEaseMap) {
 }
 
 TEST_F(ToileTry, APieceThatIsNoPanelIsAReasonForThree) {
-  add_to_drawing("<path id='bow' d='M900 900L1100 1300L1100 900L900 1100z' fill='none'/>");
+  add_to_drawing(
+      "<path class='fabric' id='bow' d='M900 900L1100 1300L1100 900L900 1100z' fill='none'/>");
   const pipeline::Run done = try_on_body();
   EXPECT_EQ(done.exit_code, 3) << done.err;
   EXPECT_NE(done.out.find("bow can't be panels"), std::string::npos) << done.out;
