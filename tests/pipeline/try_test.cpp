@@ -117,6 +117,27 @@ TEST_F(ToileTry, UndecidedSeamsAreAReasonForThree) {
   EXPECT_NE(std::ranges::find(reasons, "undecided_seams"), reasons.end()) << reasons;
 }
 
+/// Halves without a mark of their fold, and one sleeve: their seams don't meet.
+TEST_F(ToileTry, PanelsThatNoSeamHoldsAreLaidAside) {
+  drawing = fs::path(TOILE_SOURCE_DIR) / "tests" / "io" / "drawings" / "halves.dxf";
+  const pipeline::Run done = try_on_body();
+  EXPECT_EQ(done.exit_code, 3) << done.err;
+  expect_six_lines(done.out);
+  EXPECT_NE(done.out.find("--unfold Detail_2:5 --unfold Detail_3:5"), std::string::npos)
+      << done.out;
+  EXPECT_NE(done.out.find("Detail_5 sewn to nothing of the rest, laid aside"), std::string::npos)
+      << done.out;
+  EXPECT_EQ(report()["reason"][0], "undecided_seams");
+  EXPECT_EQ(report()["reason"][1], "loose_panels");
+  const Json panels = Json::parse(read_text(out / "sewn.json"))["pattern"]["panels"];
+  EXPECT_EQ(panels["Detail_5"]["left_out"], "sewn to nothing of the rest");
+  EXPECT_FALSE(panels["Detail_3"].contains("left_out"));
+  // A panel with a place of its own needs no seam.
+  const pipeline::Run placed = try_on_body({"--place", "Detail_2=torso:front"});
+  EXPECT_EQ(placed.out.find("Detail_2, Detail_4, Detail_5 sewn to nothing"), std::string::npos)
+      << placed.out;
+}
+
 TEST_F(ToileTry, AStepThatFailsSaysWhatWasTakenAndNoReportIsThere) {
   const pipeline::Run done = try_on_body({"--min-confidence", "1"});
   EXPECT_EQ(done.exit_code, 1) << done.out;

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "geometry/error.h"
 #include "io/output_file.h"
@@ -15,6 +16,7 @@
 #include "tools/make_mannequin/run.h"
 #include "tools/programs.h"
 #include "tools/report.h"
+#include "tools/try/lay_aside.h"
 #include "tools/try/taken.h"
 
 namespace toile {
@@ -71,6 +73,27 @@ std::string edit_seams_command(const TrySettings& settings, const TryFiles& file
          shell_word((files.folder / "corrected.json").string());
 }
 
+void say(const std::vector<Taken>& all) {
+  for (const Taken& taken : all) std::cout << line_of(taken) << '\n';
+}
+
+/// ", with undecided seams": what is wrong besides the verdict.
+std::string besides(const std::vector<std::string>& reasons) {
+  std::string text;
+  for (std::string reason : reasons) {
+    if (reason == "verdict") continue;
+    std::ranges::replace(reason, '_', ' ');
+    text += (text.empty() ? ", with " : ", ") + reason;
+  }
+  return text;
+}
+
+std::set<std::string> panels_of(const AskedPlaces& places) {
+  std::set<std::string> panels;
+  for (const auto& [panel, place] : places) panels.insert(panel);
+  return panels;
+}
+
 ExitCode try_drawing(const TrySettings& settings, const TryFiles& files,
                      const CommonSettings& common) {
   common.say("Reading the drawing:");
@@ -93,20 +116,24 @@ ExitCode try_drawing(const TrySettings& settings, const TryFiles& files,
       run_find_seams(settings.seams, step_of(common, "find-seams", files.sewn, files.seams_report));
   if (!seams.undecided.empty()) reasons.emplace_back("undecided_seams");
   const std::string edit_seams = edit_seams_command(settings, files);
-  const std::vector<Taken> all = taken_for_granted(imported, seams, edit_seams);
-  // They come last, below all progress, and where a step fails, too: a wrong guess may be why.
-  const auto say_taken = [&] {
-    for (const Taken& taken : all) std::cout << line_of(taken) << '\n';
-  };
+  std::vector<LeftOut> aside;
+  std::vector<Taken> all;
   FitEnd end;
   try {
+    all = taken_for_granted(imported, seams, aside, edit_seams);
     check_pattern_file(files.sewn, "draw them: " + edit_seams);
+    // Drawings state no places. Without a seam nothing tells where a panel goes.
+    if (!imported.drawing.pieces.empty()) {
+      aside = lay_aside(files.sewn, panels_of(settings.fit.dress.layers.front().places));
+    }
+    if (!aside.empty()) reasons.emplace_back("loose_panels");
+    all = taken_for_granted(imported, seams, aside, edit_seams);
     end = fit_pattern(settings.fit, files.fit, body, common);
   } catch (...) {
-    say_taken();
+    say(all);  // a wrong guess may be why
     throw;
   }
-  if (!end.body_is_usable) reasons.emplace_back("body");
+  if (!end.body_is_usable) reasons.emplace_back("unreliable_body");
   if (end.dress.verdict != Verdict::sewn) reasons.emplace_back("verdict");
   Json report = {{"drawing", settings.drawing.drawing.string()},
                  {"body", settings.fit.body.inputs.front().string()},
@@ -123,9 +150,9 @@ ExitCode try_drawing(const TrySettings& settings, const TryFiles& files,
   OutputFiles written;
   write_report(written, of_report, report);
   written.commit();
-  say_taken();
-  std::cout << to_string(end.dress.verdict) << ": see " << files.fit.ease.string() << " and "
-            << files.report.string() << std::endl;
+  say(all);  // below all progress
+  std::cout << to_string(end.dress.verdict) << besides(reasons) << ": see "
+            << files.fit.ease.string() << " and " << files.report.string() << std::endl;
   return reasons.empty() ? exit_done : exit_negative;
 }
 

@@ -108,19 +108,22 @@ Taken pairs_of(const ImportEnd& imported) {
           options.empty() ? "--pair PIECE" : options.text()};
 }
 
-Taken spare_pieces_of(const ImportEnd& imported, const FindSeamsEnd& seams) {
-  WordList broken, beside, options;
+Taken spare_pieces_of(const ImportEnd& imported, const FindSeamsEnd& seams,
+                      const std::vector<LeftOut>& aside) {
+  WordList broken, beside, loose, options(" ");
   for (const LeftOutPiece& piece : imported.pattern.left_out) broken.add(shown_text(piece.name));
   for (const LeftOut& panel : seams.left_out) {
     beside.add(panel.name + " (" + panel.kind + ")");
     options.add("--with " + shell_word(panel.name));
   }
-  options.add("--without PIECE");
+  for (const LeftOut& panel : aside) loose.add(panel.name);
   return {"spare_pieces",
           joined({said(beside, "", " left out"),
+                  said(loose, "", " sewn to nothing of the rest, laid aside"),
                   said(broken, "", " can't be panels, the warnings say why")},
                  "none"),
-          options.text()};
+          joined({options.text(), loose.empty() ? "" : "a seam that holds them, as below"},
+                 "--without PIECE")};
 }
 
 Taken undecided_of(const FindSeamsEnd& seams, const std::string& edit_seams) {
@@ -142,12 +145,13 @@ Taken undecided_of(const FindSeamsEnd& seams, const std::string& edit_seams) {
 }  // namespace
 
 std::vector<Taken> taken_for_granted(const ImportEnd& imported, const FindSeamsEnd& seams,
+                                     const std::vector<LeftOut>& aside,
                                      const std::string& edit_seams) {
   return {unit_of(imported),
           grain_of(imported),
           halves_of(imported),
           pairs_of(imported),
-          spare_pieces_of(imported, seams),
+          spare_pieces_of(imported, seams, aside),
           undecided_of(seams, edit_seams)};
 }
 

@@ -16,8 +16,10 @@ struct Taken {
   std::string change;  ///< the option, the command or the stroke that changes it
 };
 
-/// One of each, in that order. `edit_seams` is the command that shows the seams.
+/// One of each, in that order. `aside` are panels that no seam holds to the rest. `edit_seams` is
+/// the command that shows the seams.
 std::vector<Taken> taken_for_granted(const ImportEnd& imported, const FindSeamsEnd& seams,
+                                     const std::vector<LeftOut>& aside,
                                      const std::string& edit_seams);
 
 /// "spare pieces: pocket (pocket); to change: --with pocket".
