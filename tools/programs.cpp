@@ -8,6 +8,7 @@ std::string toile_summary() {
 
 std::vector<CommandLineProgram> all_programs() {
   return {fit_program(),
+          try_program(),
           batch_program(),
           clean_body_program(),
           import_pattern_program(),

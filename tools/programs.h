@@ -19,6 +19,7 @@ CommandLineProgram measure_body_program();
 CommandLineProgram mesh_pattern_program();
 CommandLineProgram pose_body_program();
 CommandLineProgram render_program();
+CommandLineProgram try_program();
 
 /// What `toile` is.
 std::string toile_summary();

@@ -21,11 +21,13 @@ constexpr double usual_most = 4;
 constexpr const char* unit_remedy = "say the unit: --unit mm, cm or inch";
 
 std::string unit_name(double metres) {
-  if (metres == 1e-3) return "millimetres";
-  if (metres == 1e-2) return "centimetres";
-  if (metres == metres_in_inch) return "inches";
-  if (metres == 1) return "metres";
-  return "units of " + number_text(metres * 1000) + " mm";
+  // A width through a viewBox is a millimetre but for a rounding.
+  const std::string millimetres = number_text(metres * 1000);
+  if (millimetres == "1") return "millimetres";
+  if (millimetres == "10") return "centimetres";
+  if (millimetres == "25.4") return "inches";
+  if (millimetres == "1000") return "metres";
+  return "units of " + millimetres + " mm";
 }
 
 /// The unit that makes the largest piece one of a garment; 0: none does.
@@ -95,6 +97,11 @@ double drawing_unit(const UnitEvidence& evidence, const std::string& source,
                                  centimetres(largest * unit, 1) + " long" +
                                  (unsure ? "; if that is wrong, give --unit" : "")});
   return unit;
+}
+
+std::string unit_with_source(const UnitEvidence& evidence, double unit) {
+  const std::string stated = evidence.stated ? evidence.stated_by : "the size of the largest piece";
+  return unit_name(unit) + ", by " + (evidence.asked ? "--unit" : stated);
 }
 
 }  // namespace toile

@@ -31,4 +31,7 @@ struct UnitEvidence {
 double drawing_unit(const UnitEvidence& evidence, const std::string& source,
                     std::vector<Remark>& remarks);
 
+/// "millimetres, by $INSUNITS": what the unit is, and who tells it.
+std::string unit_with_source(const UnitEvidence& evidence, double unit);
+
 }  // namespace toile

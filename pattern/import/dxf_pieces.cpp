@@ -363,6 +363,7 @@ PieceDrawing dxf_pieces(const DxfDrawing& drawing, const std::string& source,
   }
   evidence.english = drawing.measurement == DxfMeasurement::english;
   const double unit = drawing_unit(evidence, source, result.remarks);
+  result.unit = unit_with_source(evidence, unit);
 
   for (DrawnPiece& drawn : loose_pieces(drawing, layered, unit, source, result)) {
     pieces.push_back(std::move(drawn));

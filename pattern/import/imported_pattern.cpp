@@ -400,17 +400,23 @@ class Importer {
     }
   }
 
-  /// Unfolds a piece as the drawing or the user says, or notes that it looks like a half.
-  void unfold(const ChosenPiece& chosen, const std::string& place, PieceShape& shape) {
+  /// Unfolds a piece as the drawing or the user says, or notes that it looks like a half. Says so
+  /// in `panel`.
+  void unfold(const ChosenPiece& chosen, const std::string& place, PieceShape& shape,
+              ImportedPanel& panel) {
     if (shape.fold) {
       const PieceLine fold = *shape.fold;
-      if (auto whole = unfolded_shape(shape, fold, place, remarks_)) shape = std::move(*whole);
+      if (auto whole = unfolded_shape(shape, fold, place, remarks_)) {
+        shape = std::move(*whole);
+        panel.is_unfolded = true;
+      }
       return;
     }
     if (!chosen.unfold && chosen.piece.pair) return;
     const EdgedOutline edges = edges_of(shape, options_.edges, place);
     const std::optional<int> likely = likely_fold(shape, edges);
     if (!chosen.unfold) {
+      panel.likely_fold = likely;
       if (!likely) return;
       note(place + ": looks like a half, folded at edge " + std::to_string(*likely) +
            ", which is straight along the grain; if it is one, give --unfold " +
@@ -429,6 +435,7 @@ class Importer {
                   "name the edge that lies on the fold");
     }
     shape = std::move(*whole);
+    panel.is_unfolded = true;
   }
 
   void add(const ChosenPiece& chosen) {
@@ -445,25 +452,33 @@ class Importer {
     if (first_crossing(shape.outline)) {
       throw Error(place, "its outline all but touches itself", "draw its sides apart");
     }
-    unfold(chosen, place, shape);
+    ImportedPanel panel;
+    panel.is_of_pair = piece.pair;
+    unfold(chosen, place, shape, panel);
     if (takes_off) shape = without_allowance(shape, *options_.seam_allowance, place);
     if (!shape.grain && !is_ribbing(piece.material)) no_grain_ += piece.pair ? 2 : 1;
     if (!piece.pair) {
-      add(chosen, shape, chosen.left, piece.quantity, place);
+      panel.name = chosen.left;
+      panel.quantity = piece.quantity;
+      add(chosen, shape, place, std::move(panel));
       return;
     }
     // Of an uneven count, the one that is drawn is cut once more.
     const int mirrored = std::max(1, piece.quantity / 2);
     const bool right = piece.is_right_one;
-    add(chosen, shape, right ? chosen.right : chosen.left, std::max(1, piece.quantity - mirrored),
-        place);
-    add(chosen, mirrored_shape(shape), right ? chosen.left : chosen.right, mirrored, place);
+    panel.name = right ? chosen.right : chosen.left;
+    panel.quantity = std::max(1, piece.quantity - mirrored);
+    add(chosen, shape, place, panel);
+    panel.name = right ? chosen.left : chosen.right;
+    panel.quantity = mirrored;
+    add(chosen, mirrored_shape(shape), place, std::move(panel));
   }
 
-  void add(const ChosenPiece& chosen, const PieceShape& shape, const std::string& name,
-           int quantity, const std::string& place) {
+  /// Adds a panel that has its name and quantity.
+  void add(const ChosenPiece& chosen, const PieceShape& shape, const std::string& place,
+           ImportedPanel panel) {
     const Piece& piece = chosen.piece;
-    ImportedPanel panel;
+    panel.asked = chosen.asked;
     panel.turned = chosen.turned;
     panel.piece = piece.name;
     panel.outline = edges_of(shape, options_.edges, place);
@@ -471,14 +486,11 @@ class Importer {
       remarks_.push_back({true, place + ": " + std::to_string(panel.outline.far_notches) +
                                     " notches are more than 6 cm from its outline; left out"});
     }
-    panel.name = name;
     panel.internal_lines = shape.internal_lines;
     panel.cut_outs = shape.cut_outs;
     panel.drill_holes = shape.drill_holes;
     panel.area = signed_area(shape.outline);
     panel.material = piece.material;
-    panel.quantity = quantity;
-    panel.is_of_pair = piece.pair;
     if (shape.grain) {
       const Vec2 warp = shape.grain->to - shape.grain->from;
       // A grain line has no direction: 90 degrees and -90 are one.

@@ -28,6 +28,7 @@ struct ImportOptions {
 struct ImportedPanel {
   std::string name;   ///< unique, and one that read_pattern() takes
   std::string piece;  ///< as the drawing has it
+  std::string asked;  ///< the name that options have for its piece
   EdgedOutline outline;
   std::vector<std::vector<Vec2>> internal_lines;
   std::vector<std::vector<Vec2>> cut_outs;  ///< closed, the first point not repeated
@@ -36,10 +37,12 @@ struct ImportedPanel {
   std::string material;
   std::string fabric;  ///< one that dress knows by name; empty: the garment's
   int quantity = 1;
-  bool is_of_pair = false;  ///< drawn once: which of the two is the left one, the drawing says not
-  double area = 0;          ///< square metres
-  double turned = 0;        ///< radians, counter-clockwise about the drawing's origin
-  Vec2 moved = Vec2::Zero();  ///< metres, after the turn, from where the drawing has it
+  bool is_unfolded = false;        ///< drawn as a half
+  bool is_of_pair = false;         ///< one of a left and a right one, drawn once
+  std::optional<int> likely_fold;  ///< of one that is taken as whole: likely_fold() of its piece
+  double area = 0;                 ///< square metres
+  double turned = 0;               ///< radians, counter-clockwise about the drawing's origin
+  Vec2 moved = Vec2::Zero();       ///< metres, after the turn, from where the drawing has it
 };
 
 /// All panels, and what was remarked on the way.

@@ -58,6 +58,7 @@ struct LeftOutPiece {
 /// What a drawing holds, with the outlines that were understood.
 struct PieceDrawing {
   std::string source;     ///< the file it came from, for messages
+  std::string unit;       ///< what its unit is taken for, see unit_with_source()
   std::string base_size;  ///< the sample size, if the file states it; else empty
   std::vector<Piece> pieces;
   std::vector<LeftOutPiece> left_out;  ///< of those that were not; `pieces` is not empty

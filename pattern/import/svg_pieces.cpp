@@ -371,6 +371,7 @@ class PieceFinder {
     evidence.stated_by = sheet_.drawing.physical ? "its width and viewBox" : "96 units an inch";
     evidence.largest = largest / unit;
     drawing_unit(evidence, sheet_.pieces.source, sheet_.pieces.remarks);
+    sheet_.pieces.unit = unit_with_source(evidence, unit);
   }
 
   SvgSheet sheet_;

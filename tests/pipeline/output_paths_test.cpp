@@ -137,6 +137,8 @@ TEST_F(OutputPaths, NoInputIsOverwrittenThroughAnyOption) {
            "make-mannequin --pose body.body.json -o body.stl",
            "make-mannequin --pose pose.json -o new.ply --report pose.json",
            "toile fit --body body.ply pattern.json -o .",
+           "toile try --body scan.obj pattern.json -o .",
+           "toile try --measures sewn.json tshirt.svg -o .",
            "toile fit --body scan.obj garment.garment.json -o here/",
            "toile fit --body scan.obj pattern.json --fabric dressed.json -o .",
            "toile fit --body scan.obj pattern.json --fabric wool=dressed.json -o .",

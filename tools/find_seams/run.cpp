@@ -130,7 +130,7 @@ void warn_of_loose(const Pattern& pattern, const std::vector<FoundSeam>& sewn,
 
 }  // namespace
 
-int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& common) {
+FindSeamsEnd run_find_seams(const FindSeamsSettings& settings, const CommonSettings& common) {
   std::string drawn_text = read_file(settings.pattern);
   const std::string name = settings.pattern.string();
   std::vector<Remark> remarks;
@@ -163,10 +163,15 @@ int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& comm
                       "of them, or sew some by --sew and keep what is right"});
   }
   std::vector<FoundSeam> decided;
+  FindSeamsEnd end;
   for (const FoundSeam& seam : found.seams) {
-    if (seam.confidence >= settings.min_confidence) decided.push_back(seam);
+    if (seam.confidence >= settings.min_confidence) {
+      decided.push_back(seam);
+    } else {
+      end.undecided.push_back(
+          {side_name(pattern, seam.a) + " " + side_name(pattern, seam.b), seam.confidence});
+    }
   }
-  const int undecided = static_cast<int>(found.seams.size() - decided.size());
   warn_of_loose(pattern, decided, remarks);
   const std::string sewn_text = with_stitches(split.text, pattern, decided, options.drawn_walk);
   warn_of_outlines(parse_pattern(sewn_text, name, told_below), remarks);
@@ -186,8 +191,8 @@ int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& comm
     common.say("  split      " + side_name(pattern, cut.edge) + ", its rest is " +
                side_name(pattern, {cut.edge.panel, cut.rest}));
   }
-  common.say(std::to_string(decided.size()) + " seams sewn, " + std::to_string(undecided) +
-             " undecided");
+  common.say(std::to_string(decided.size()) + " seams sewn, " +
+             std::to_string(end.undecided.size()) + " undecided");
   std::string beside;
   for (const LeftOut& panel : out) {
     beside += (beside.empty() ? " " : ", ") + panel.name + " (" + panel.kind + ")";
@@ -201,7 +206,8 @@ int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& comm
   write_file(files.at(common.output), sewn_text);
   write_report(files, common, find_seams_json(name, split, out, settings.min_confidence, remarks));
   files.commit();
-  return undecided == 0 ? exit_done : exit_negative;
+  end.left_out = out;
+  return end;
 }
 
 }  // namespace toile

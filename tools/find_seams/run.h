@@ -1,10 +1,12 @@
 // Finds the seams of a pattern file and writes them into a copy of it.
 #pragma once
 
+#include <boost/program_options.hpp>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "tools/find_seams/report.h"
 #include "tools/program.h"
 
 namespace toile {
@@ -19,8 +21,25 @@ struct FindSeamsSettings {
   std::vector<std::string> sewn;     ///< "front:3 back:1", given on the command line
 };
 
-/// Returns exit_negative when a seam is undecided; the file is written nevertheless. Throws Error
-/// for bad input.
-int run_find_seams(const FindSeamsSettings& settings, const CommonSettings& common);
+/// --sew, --with and --min-confidence.
+void add_seam_options(boost::program_options::options_description& options);
+/// Reads them. Throws UsageError for a value that an option can't take.
+void read_seam_options(const boost::program_options::variables_map& given,
+                       FindSeamsSettings& settings);
+
+/// A seam that was not sure enough to be sewn.
+struct UndecidedSeam {
+  std::string name;  ///< "front:3 back:1", edges as the written pattern has them
+  double confidence = 0;
+};
+
+/// What became of the edges.
+struct FindSeamsEnd {
+  std::vector<UndecidedSeam> undecided;
+  std::vector<LeftOut> left_out;
+};
+
+/// Writes the pattern with its seams, undecided or not. Throws Error for bad input.
+FindSeamsEnd run_find_seams(const FindSeamsSettings& settings, const CommonSettings& common);
 
 }  // namespace toile

@@ -71,13 +71,9 @@ std::vector<std::string> read_names(const std::vector<std::string>& names) {
 
 }  // namespace
 
-CommandLineProgram import_pattern_program() {
-  CommandLineProgram program;
-  program.name = "import-pattern";
-  program.summary = "makes a pattern of the pieces in a DXF (AAMA/ASTM) or SVG drawing";
-  program.usage = "DRAWING -o pattern.json [--seam-allowance 10mm]";
-  program.options.add_options()("unit", po::value<std::string>(),
-                                "of the drawing: mm, cm or in; else as the file says")(
+void add_import_options(po::options_description& options) {
+  options.add_options()("unit", po::value<std::string>(),
+                        "of the drawing: mm, cm or in; else as the file says")(
       "size", po::value<std::string>(), "the size to take of a drawing with several")(
       "seam-allowance", po::value<std::string>(),
       "taken off pieces that have a cut line only, such as 10mm")(
@@ -93,43 +89,55 @@ CommandLineProgram import_pattern_program() {
       "chord-error", po::value<std::string>()->default_value("0.1mm"),
       "from the drawn outline to the pattern's curves at most")(
       "corner-angle", po::value<double>()->default_value(25),
-      "degrees: an outline that turns by more has a corner")(
-      "drawing", po::value<std::string>()->required(), "the drawing; also as argument");
+      "degrees: an outline that turns by more has a corner");
+}
+
+void read_import_options(const po::variables_map& given, ImportPatternSettings& settings) {
+  const auto texts = [&](const char* option) {
+    return given.count(option) > 0 ? given[option].as<std::vector<std::string>>()
+                                   : std::vector<std::string>{};
+  };
+  if (given.count("unit") > 0) settings.drawn.unit = read_unit(given["unit"].as<std::string>());
+  if (given.count("size") > 0) settings.pieces.size = given["size"].as<std::string>();
+  if (given.count("seam-allowance") > 0) {
+    settings.pieces.seam_allowance = read_allowance(given["seam-allowance"].as<std::string>());
+  }
+  settings.pieces.unfold = texts("unfold");
+  settings.pieces.names = read_names(texts("name"));
+  settings.pieces.pairs = texts("pair");
+  settings.pieces.without = texts("without");
+  settings.drawn.cut_line = given["cut-line"].as<bool>();
+  po::options_description all;
+  add_import_options(all);
+  for (const auto& option : all.options()) {
+    const std::string& name = option->long_name();
+    if (given.count(name) == 0 || given[name].defaulted()) continue;
+    settings.of_drawings.push_back("--" + name);
+  }
+  settings.pieces.edges.chord_error = read_chord_error(given["chord-error"].as<std::string>());
+  settings.pieces.edges.corner_angle = read_corner_angle(given["corner-angle"].as<double>());
+}
+
+CommandLineProgram import_pattern_program() {
+  CommandLineProgram program;
+  program.name = "import-pattern";
+  program.summary = "makes a pattern of the pieces in a DXF (AAMA/ASTM) or SVG drawing";
+  program.usage = "DRAWING -o pattern.json [--seam-allowance 10mm]";
+  add_import_options(program.options);
+  program.options.add_options()("drawing", po::value<std::string>()->required(),
+                                "the drawing; also as argument");
   program.positional.add("drawing", 1);
   program.output_extensions = {".json"};
   program.prepare = [](const po::variables_map& given, const CommonSettings& common) {
     ImportPatternSettings settings;
     settings.drawing = given["drawing"].as<std::string>();
-    if (given.count("unit") > 0) settings.drawn.unit = read_unit(given["unit"].as<std::string>());
-    if (given.count("size") > 0) settings.pieces.size = given["size"].as<std::string>();
-    if (given.count("seam-allowance") > 0) {
-      settings.pieces.seam_allowance = read_allowance(given["seam-allowance"].as<std::string>());
-    }
-    if (given.count("unfold") > 0) {
-      settings.pieces.unfold = given["unfold"].as<std::vector<std::string>>();
-    }
-    if (given.count("name") > 0) {
-      settings.pieces.names = read_names(given["name"].as<std::vector<std::string>>());
-    }
-    if (given.count("pair") > 0) {
-      settings.pieces.pairs = given["pair"].as<std::vector<std::string>>();
-    }
-    if (given.count("without") > 0) {
-      settings.pieces.without = given["without"].as<std::vector<std::string>>();
-    }
-    settings.drawn.cut_line = given["cut-line"].as<bool>();
-    for (const char* option : {"unit", "size", "seam-allowance", "unfold", "name", "pair",
-                               "without", "cut-line", "chord-error", "corner-angle"}) {
-      if (given.count(option) == 0 || given[option].defaulted()) continue;
-      settings.of_drawings.push_back(std::string("--") + option);
-    }
-    settings.pieces.edges.chord_error = read_chord_error(given["chord-error"].as<std::string>());
-    settings.pieces.edges.corner_angle = read_corner_angle(given["corner-angle"].as<double>());
+    read_import_options(given, settings);
     Job job;
     job.files.reads = {settings.drawing};
     job.files.writes = {common.output};
     job.work = [settings, &common] {
-      return run_import_pattern(settings, common) ? exit_done : exit_negative;
+      return run_import_pattern(settings, common).pattern.left_out.empty() ? exit_done
+                                                                           : exit_negative;
     };
     return job;
   };

@@ -45,13 +45,12 @@ PieceDrawing read_drawing(DrawingFormat format, const std::string& text, const s
 
 }  // namespace
 
-bool run_import_pattern(const ImportPatternSettings& settings, const CommonSettings& common) {
+ImportEnd run_import_pattern(const ImportPatternSettings& settings, const CommonSettings& common) {
   const std::string name = settings.drawing.string();
   const std::string text = read_file(settings.drawing);
   const DrawingFormat format = drawing_format(text, name);
   std::vector<Remark> remarks;
-  PieceDrawing drawing;
-  ImportedPattern imported;
+  ImportEnd end;
   std::string content = text;
   std::size_t panels = 0;
   if (format == DrawingFormat::json) {
@@ -66,25 +65,25 @@ bool run_import_pattern(const ImportPatternSettings& settings, const CommonSetti
     remarks.push_back({false, name + ": is a pattern already; it is written " +
                                   (content == text ? "as it is" : "with these repairs")});
   } else {
-    drawing = read_drawing(format, text, name, settings.drawn);
-    imported = import_pieces(drawing, settings.pieces, remarks);
-    content = readable_json(pattern_json(imported));
-    panels = imported.panels.size();
+    end.drawing = read_drawing(format, text, name, settings.drawn);
+    end.pattern = import_pieces(end.drawing, settings.pieces, remarks);
+    content = readable_json(pattern_json(end.pattern));
+    panels = end.pattern.panels.size();
     // What is written has to be a pattern, with remarks that are for mesh-pattern to make.
     std::vector<Remark> later;
     warn_of_outlines(parse_pattern(content, common.output.string(), later), remarks);
   }
   say_remarks(remarks, common);
-  say_panels(imported, common);
+  say_panels(end.pattern, common);
   common.say(std::to_string(panels) + " panels");
   OutputFiles files;
   write_file(files.at(common.output), content);
   const char* formats[] = {"dxf", "svg", "json"};
-  write_report(
-      files, common,
-      import_pattern_json(name, formats[static_cast<int>(format)], drawing, imported, remarks));
+  write_report(files, common,
+               import_pattern_json(name, formats[static_cast<int>(format)], end.drawing,
+                                   end.pattern, remarks));
   files.commit();
-  return imported.left_out.empty();
+  return end;
 }
 
 }  // namespace toile

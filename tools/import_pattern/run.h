@@ -1,6 +1,7 @@
 // What import-pattern does once it knows what is asked.
 #pragma once
 
+#include <boost/program_options.hpp>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -18,10 +19,22 @@ struct ImportPatternSettings {
   std::vector<std::string> of_drawings;  ///< options that were given and mean nothing to a JSON
 };
 
+/// Its options, but for the drawing.
+void add_import_options(boost::program_options::options_description& options);
+/// Reads them. Throws UsageError for a value that an option can't take.
+void read_import_options(const boost::program_options::variables_map& given,
+                         ImportPatternSettings& settings);
+
+/// What became of a drawing.
+struct ImportEnd {
+  PieceDrawing drawing;     ///< without pieces: it was a JSON, which is a pattern already
+  ImportedPattern pattern;  ///< without panels: the same
+};
+
 /// Reads the drawing and writes the pattern. A GarmentCode JSON is checked and written as
 /// it is, or repaired, see repaired_pattern().
-/// Returns whether no piece had to be left out. Throws Error for what can't be read or made a
+/// Pieces that can't be panels are left out. Throws Error for what can't be read or made a
 /// pattern.
-bool run_import_pattern(const ImportPatternSettings& settings, const CommonSettings& common);
+ImportEnd run_import_pattern(const ImportPatternSettings& settings, const CommonSettings& common);
 
 }  // namespace toile

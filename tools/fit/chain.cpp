@@ -1,0 +1,154 @@
+#include "tools/fit/chain.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "geometry/error.h"
+#include "io/skeleton_file.h"
+#include "pattern/check/check_pattern.h"
+#include "pattern/check/left_out.h"
+#include "pattern/file/garment_file.h"
+#include "pattern/file/pattern_file.h"
+#include "tools/dress/kept_distances.h"
+#include "tools/ease_map/run.h"
+#include "tools/render/run.h"
+#include "tools/report.h"
+
+namespace toile {
+
+namespace fs = std::filesystem;
+namespace po = boost::program_options;
+
+FitFiles::FitFiles(const fs::path& folder)
+    : body(folder / "body.ply"),
+      skeleton(skeleton_path(body)),
+      body_report(folder / "body.report.json"),
+      garment(folder / "garment.obj"),
+      garment_json(garment_json_path(garment)),
+      mesh_report(folder / "mesh.json"),
+      dressed(folder / "dressed.obj"),
+      report(folder / "dressed.json"),
+      ease(folder / "ease.html"),
+      ease_report(folder / "ease.json"),
+      ease_picture(folder / "ease.png"),
+      drape_picture(folder / "drape.png") {}
+
+std::vector<fs::path> FitFiles::all() const {
+  return {body,    skeleton, body_report, garment,     garment_json, mesh_report,
+          dressed, report,   ease,        ease_report, ease_picture, drape_picture};
+}
+
+void add_fit_options(po::options_description& options) {
+  add_edge_length_option(options);
+  add_drape_options(options);
+  options.add_options()("cache",
+                        "keep the body's distances in OUT/body.distances, with --from beside both "
+                        "bodies: later fits take less time")(
+      "png", po::bool_switch(), "write pictures, too: OUT/ease.png and OUT/drape.png");
+}
+
+void read_fit_options(const po::variables_map& given, const fs::path& body, const FitFiles& files,
+                      FitSettings& settings) {
+  settings.body.inputs = {body};
+  settings.pattern.mesh.edge_length = read_edge_length(given);
+  settings.pictures = given["png"].as<bool>();
+  DressSettings& dress = settings.dress;
+  // A posed body has the triangles of the standing one, and is dressed as it is.
+  dress.body = given.count("from") != 0 ? body : files.body;
+  // What cleaning writes, not what an earlier version left beside it.
+  dress.skeleton = given.count("from") != 0 ? skeleton_beside(body) : files.skeleton;
+  dress.fabrics = read_fabrics(given);
+  LayerFiles layer;
+  layer.garment = files.garment;
+  layer.fabric = find_fabric(dress.fabrics.of_garments);
+  layer.output = files.dressed;
+  layer.places = read_places(given);
+  dress.layers = {layer};
+  if (given.count("cache") != 0) dress.cache = distances_path(dress.body);
+  read_drape_settings(given, dress);
+}
+
+ProgramFiles files_of(const FitSettings& settings, const FitFiles& files) {
+  ProgramFiles all;
+  all.reads = settings.dress.fabrics.files;
+  all.reads.push_back(settings.body.inputs.front());
+  all.reads.push_back(skeleton_beside(settings.body.inputs.front()));
+  all.writes = files.all();
+  all.keeps = kept_distances_of(settings.dress.body);
+  if (const auto& standing = settings.dress.standing) {
+    all.reads.push_back(*standing);
+    all.reads.push_back(skeleton_beside(*standing));
+    std::ranges::copy(kept_distances_of(*standing), std::back_inserter(all.keeps));
+  }
+  return all;
+}
+
+void remove_earlier(const std::vector<fs::path>& files) {
+  std::error_code failed;
+  for (const fs::path& file : files) {
+    fs::remove(file, failed);
+    if (failed) throw Error(file.string(), "can't be replaced", failed.message());
+  }
+}
+
+void check_pattern_file(const fs::path& file, const std::string& remedy) {
+  std::vector<Remark> remarks;  // mesh-pattern says them
+  const Pattern pattern = without_left_out(read_pattern(file, remarks), remarks);
+  check_pattern(pattern, remarks);
+  if (pattern.panels.size() > 1 && pattern.stitches.empty()) {
+    throw Error(file.string(), "has panels and no seams", remedy);
+  }
+}
+
+CommonSettings step_of(const CommonSettings& common, const char* program, const fs::path& output,
+                       const fs::path& report) {
+  CommonSettings step = common;
+  step.program = program;
+  step.start = std::chrono::steady_clock::now();
+  step.output = output;
+  step.report = report;
+  return step;
+}
+
+CleanBodyResult fit_body(const FitSettings& settings, const FitFiles& files,
+                         const CommonSettings& common) {
+  if (settings.dress.standing) return {};
+  common.say("Cleaning the body:");
+  return run_clean_body(settings.body,
+                        step_of(common, "clean-body", files.body, files.body_report));
+}
+
+FitEnd fit_pattern(const FitSettings& settings, const FitFiles& files, const CleanBodyResult& body,
+                   const CommonSettings& common) {
+  common.say("Meshing the pattern:");
+  const std::vector<std::string> of_meshing = run_mesh_pattern(
+      settings.pattern, step_of(common, "mesh-pattern", files.garment, files.mesh_report));
+  common.say("Dressing:");
+  DressSettings dressing = settings.dress;
+  dressing.earlier_warnings = warnings_of("body", body.warnings);
+  std::ranges::move(warnings_of("pattern", of_meshing),
+                    std::back_inserter(dressing.earlier_warnings));
+  const DressEnd end = run_dress(dressing, step_of(common, "dress", files.dressed, files.report));
+  common.say("Measuring the ease:");
+  EaseMapSettings ease;
+  ease.garment = files.dressed;
+  ease.dress_report = files.report;
+  ease.body = settings.dress.body;
+  if (settings.pictures) ease.png = files.ease_picture;
+  run_ease_map(ease, step_of(common, "ease-map", files.ease, files.ease_report));
+  if (settings.pictures) {
+    RenderSettings render;
+    render.body = settings.dress.body.string();
+    render.garments = {files.dressed.string()};
+    CommonSettings drawing = common;
+    drawing.output = files.drape_picture;
+    run_render(render, drawing);
+  }
+  return {end, body.is_usable};
+}
+
+ExitCode exit_code_of(const FitEnd& end) {
+  return end.body_is_usable ? exit_code_of(end.dress) : exit_negative;
+}
+
+}  // namespace toile

@@ -1,0 +1,76 @@
+// From a body and a pattern with seams to the ease map: the steps that `toile fit` and `toile try`
+// share.
+#pragma once
+
+#include <boost/program_options.hpp>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tools/clean_body/run.h"
+#include "tools/dress/run.h"
+#include "tools/dress/settings.h"
+#include "tools/mesh_pattern/run.h"
+#include "tools/program.h"
+#include "tools/program_files.h"
+
+namespace toile {
+
+/// What the folder holds in the end.
+struct FitFiles {
+  explicit FitFiles(const std::filesystem::path& folder);
+  std::vector<std::filesystem::path> all() const;
+
+  std::filesystem::path body, skeleton, body_report;
+  std::filesystem::path garment, garment_json, mesh_report;
+  std::filesystem::path dressed, report;
+  std::filesystem::path ease, ease_report, ease_picture, drape_picture;
+};
+
+/// What the command line asks for.
+struct FitSettings {
+  CleanBodySettings body;
+  MeshPatternSettings pattern;
+  DressSettings dress;
+  bool pictures = false;
+};
+
+/// --edge-length, --cache, --png and the options of the drape.
+void add_fit_options(boost::program_options::options_description& options);
+/// Reads them, for this body. Throws Error for values that can't be used.
+void read_fit_options(const boost::program_options::variables_map& given,
+                      const std::filesystem::path& body, const FitFiles& files,
+                      FitSettings& settings);
+
+/// All files that the steps read and write, but for the pattern.
+ProgramFiles files_of(const FitSettings& settings, const FitFiles& files);
+
+/// Removes what an earlier run left. If this run fails, no file there may pass for its own. Throws
+/// Error for what stays.
+void remove_earlier(const std::vector<std::filesystem::path>& files);
+
+/// Throws Error for a pattern that can't be meshed, and with `remedy` for panels without any seam.
+void check_pattern_file(const std::filesystem::path& file, const std::string& remedy);
+
+/// The settings of a program that is a step.
+CommonSettings step_of(const CommonSettings& common, const char* program,
+                       const std::filesystem::path& output, const std::filesystem::path& report);
+
+/// Cleans the body, unless it is posed.
+CleanBodyResult fit_body(const FitSettings& settings, const FitFiles& files,
+                         const CommonSettings& common);
+
+struct FitEnd {
+  DressEnd dress;
+  bool body_is_usable = true;
+};
+
+/// Meshes the pattern, dresses the body, measures the ease and draws what is asked for. Throws
+/// Error where a step fails; files of the steps before stay.
+FitEnd fit_pattern(const FitSettings& settings, const FitFiles& files, const CleanBodyResult& body,
+                   const CommonSettings& common);
+
+/// That of dress; exit_negative also for a body that can't be relied on.
+ExitCode exit_code_of(const FitEnd& end);
+
+}  // namespace toile
