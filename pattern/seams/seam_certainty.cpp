@@ -8,10 +8,10 @@ namespace toile {
 
 namespace {
 
-/// Fitted by fit_seam_certainty.py, with and without names: to 120 random garments that the trees
+/// Fitted by fit_seam_certainty.py, with and without names: to 90 random garments that the trees
 /// were not learned from, and to drawings.
-constexpr SeamFeatures feature_weights = {-0.801, 0.014,  1.871,  1.439,  -0.216, -0.275,
-                                          0.777,  -0.245, -0.631, -1.098, 4.133};
+constexpr SeamFeatures feature_weights = {-1.997, 2.800,  1.780,  -0.154, 0.386, 0.054,
+                                          0.487,  -0.286, -0.915, -1.191, 3.381};
 
 }  // namespace
 

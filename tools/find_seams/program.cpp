@@ -31,7 +31,7 @@ void read_seam_options(const po::variables_map& given, FindSeamsSettings& settin
   settings.with = texts_of(given, "with");
   settings.min_confidence = given["min-confidence"].as<double>();
   if (!(settings.min_confidence >= 0 && settings.min_confidence <= 1)) {
-    throw UsageError("--min-confidence", "is not between 0 and 1", "0.85 is the default");
+    throw UsageError("--min-confidence", "is not between 0 and 1", "0.7 is the default");
   }
 }
 
