@@ -10,6 +10,17 @@ import tempfile
 import time
 
 
+def slow_to_sew(pattern, copies=6):
+    """The pattern with its panels several times over: find-seams takes a while."""
+    panels = pattern["pattern"]["panels"]
+    order = list(panels)
+    for copy in range(copies):
+        for name in order:
+            panels[f"{name}_copy{copy}"] = panels[name]
+    pattern["pattern"]["panel_order"] = list(panels)
+    return pattern
+
+
 def expect(holds, what):
     if not holds:
         raise AssertionError(what)
