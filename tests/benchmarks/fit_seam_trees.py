@@ -18,7 +18,8 @@ from sklearn.metrics import average_precision_score, log_loss
 
 HEAD = 4  # file, names, sewn, weight
 NAMES = ("gone", "kept", "kept but for left and right")
-# With 80 trees the log loss of pairs aside grows by a twentieth. With 320 it falls by a hundredth.
+# Chosen for the size of the table. More garments helped more: from 720 to 1,120 of them, the log loss of
+# pairs aside, names gone, fell from 0.0230 to 0.0194. Half and double were not measured.
 TREES = 260
 LEAVES = 44
 RATE = 0.12
