@@ -170,7 +170,8 @@ class WearCheck {
     }
   }
 
-  /// Whether it lies at the floor, and all of it below all of where it was drafted to lie.
+  /// Whether it lies at the floor, and either all of it below all of where it was drafted to lie,
+  /// or all of it below the knees with no limb in it.
   bool has_fallen(const Component& component) const {
     double lowest = std::numeric_limits<double>::infinity();
     double highest = -std::numeric_limits<double>::infinity();
@@ -183,7 +184,10 @@ class WearCheck {
         lowest_drafted = std::min(lowest_drafted, placed_[node].y());
       }
     }
-    return lowest < max_slid && highest < lowest_drafted;
+    const double knee = skeleton_.joint("left_knee").y();
+    const bool is_worn_there = std::ranges::any_of(
+        component.openings, [](const Opening* opening) { return opening->limbs.any(); });
+    return lowest < max_slid && (highest < lowest_drafted || (highest < knee && !is_worn_there));
   }
 
   void check(const Component& component) {
@@ -197,6 +201,7 @@ class WearCheck {
     check_sleeves(component);
     check_trousers(component);
     check_trunk(component);
+    check_headwear(component);
     check_hangs(component);
     if (findings_.misplaced || findings_.unwrapped.size() > found) {
       if (!findings_.slid) check_fallen(component);
@@ -282,6 +287,27 @@ class WearCheck {
       if (highest == nullptr || opening->middle.y() > highest->middle.y()) highest = opening;
     }
     return highest;
+  }
+
+  /// A collar or a hood reaches the shoulders, wherever the rest of it hangs.
+  void check_headwear(const Component& component) {
+    std::map<int, double> highest;
+    for (std::size_t t = 0; t < dressed_.triangles.size(); ++t) {
+      const int panel = dressed_.panel_of_triangle[t];
+      if (!component.panels.contains(panel) || !garment_.panels[panel].is.is_headwear()) continue;
+      for (const int node : dressed_.triangles[t]) {
+        highest.try_emplace(panel, nodes_[node].y());
+        highest[panel] = std::max(highest[panel], nodes_[node].y());
+      }
+    }
+    for (const auto& [panel, height] : highest) {
+      findings_.is_checked = true;
+      if (height > armpit_) continue;
+      misplace(BodyPart::torso,
+               "panel '" + garment_.panels[panel].name + "' is at the " +
+                   place_on_body(moments_[panel].middle(), skeleton_),
+               "neck or head");
+    }
   }
 
   void check_trunk(const Component& component) {

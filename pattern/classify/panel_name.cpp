@@ -56,10 +56,15 @@ bool is_one_of(const std::string& word, std::initializer_list<std::string_view> 
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-bool says_side_or_face(const std::string& word) {
-  return is_one_of(word, left_words) || is_one_of(word, right_words) ||
-         is_one_of(word, front_words) || is_one_of(word, back_words) ||
-         word.starts_with("vorder") || word.starts_with("hinter");
+/// +1 left, -1 right, 0 neither.
+int side_in(const std::string& word) {
+  return is_one_of(word, left_words) ? 1 : is_one_of(word, right_words) ? -1 : 0;
+}
+
+/// +1 front, -1 back, 0 neither.
+int face_in(const std::string& word) {
+  if (is_one_of(word, front_words) || word.starts_with("vorder")) return 1;
+  return is_one_of(word, back_words) || word.starts_with("hinter") ? -1 : 0;
 }
 
 }  // namespace
@@ -76,27 +81,21 @@ PanelName read_panel_name(const std::string& name) {
   // "K-B2".
   const bool letters_tell =
       !found.roles.empty() || std::ranges::any_of(words, [](const auto& word) {
-        return word.text.size() > 1 && says_side_or_face(word.text);
+        return word.text.size() > 1 && (side_in(word.text) != 0 || face_in(word.text) != 0);
       });
   for (const NameWord& word : words) {
-    if (!word.number && word.text.size() == 1 && !letters_tell) {
-      found.stem += word.text + " ";
-      found.whole += word.text + " ";
-      continue;
-    }
     if (word.number) {
       found.number = word.text.size() < 6 ? std::stoi(word.text) : -1;
       found.whole += word.text + " ";
       continue;
     }
-    const bool left = is_one_of(word.text, left_words);
-    const bool right = is_one_of(word.text, right_words);
-    const bool front = is_one_of(word.text, front_words) || word.text.starts_with("vorder");
-    const bool back = is_one_of(word.text, back_words) || word.text.starts_with("hinter");
-    if (found.side == 0) found.side = left ? 1 : right ? -1 : 0;
-    if (found.face == 0) found.face = front ? 1 : back ? -1 : 0;
-    if (!left && !right) found.whole += word.text + " ";
-    if (!left && !right && !front && !back) found.stem += word.text + " ";
+    const bool tells = word.text.size() > 1 || letters_tell;
+    const int side = tells ? side_in(word.text) : 0;
+    const int face = tells ? face_in(word.text) : 0;
+    if (found.side == 0) found.side = side;
+    if (found.face == 0) found.face = face;
+    if (side == 0) found.whole += word.text + " ";
+    if (side == 0 && face == 0) found.stem += word.text + " ";
   }
   return found;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "geometry/error.h"
 #include "pattern/seams/number_panels.h"
@@ -47,8 +48,7 @@ class SeamFinder {
     if (names_sides()) {
       // Where drawings show the wrong side, left and right change places: then a garment that does
       // not heed them has a much higher score.
-      SeamEvidence neutral = evidence_;
-      neutral.side.assign(neutral.side.size(), 0);
+      const SeamEvidence neutral = without_sides(evidence_);
       SeamChooser other(neutral, known);
       // A search that failed is no reason to turn panels.
       if (options_.certain && other.score() > chooser.score() + turned_panels) chooser.settle();
@@ -65,15 +65,19 @@ class SeamFinder {
   FoundSeams near(const FoundSeams& before) {
     look_at(before.turned_over);
     heeds_sides_ = before.heeds_sides;
-    if (!heeds_sides_) evidence_.side.assign(evidence_.side.size(), 0);
+    if (!heeds_sides_) evidence_ = without_sides(std::move(evidence_));
     const KnownSeams known = take_given();
     Partners partners(evidence_.edges.size(), -1);
-    for (const FoundSeam& seam : before.seams) {
-      const int a = number_.at({seam.a.panel, seam.a.edge});
-      const int b = number_.at({seam.b.panel, seam.b.edge});
+    const auto join = [&partners](int a, int b) {
       partners[a] = b;
       partners[b] = a;
+    };
+    for (const FoundSeam& seam : before.seams) {
+      // Of those that were given, some turn a panel over or lie upon another.
+      if (seam.given) continue;
+      join(number_.at({seam.a.panel, seam.a.edge}), number_.at({seam.b.panel, seam.b.edge}));
     }
+    for (const auto& [a, b] : known.chosen) join(a, b);
     return found(SeamChooser(evidence_, known, partners).best(), known);
   }
 

@@ -18,7 +18,7 @@ struct FindSeamsOptions {
   /// The placed panels decide between garments that are the same but for which of equal panels is
   /// sewn where, see exchange_panels(). Given seams keep panels where they are.
   bool by_place = false;
-  /// Tell confidences and alternatives. Without, the seams come in a seventh of the time.
+  /// Tell confidences and alternatives. Without, the seams come sooner.
   bool certain = true;
   /// Seams of the same pattern before edges were cut: the search begins with them, and is short.
   const FoundSeams* before = nullptr;

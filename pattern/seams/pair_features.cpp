@@ -13,14 +13,15 @@ namespace {
 double log_ratio(double a, double b) { return std::abs(std::log(a / b)); }
 
 /// Rounded, so that the last bits of a drawing that is turned or mirrored take no other branch.
-float f(double value) { return static_cast<float>(std::round(value * 1e4) / 1e4 + 0.0); }
+float rounded(double value) { return static_cast<float>(std::round(value * 1e4) / 1e4 + 0.0); }
 
 /// Whether a name says what the panel is. Codes and their numbers tell no more than the order of
 /// the file.
 bool tells(const PanelWords& words) { return words.role != PanelRole::unknown || words.face != 0; }
 
-/// Shares of length within which another edge is as long.
-constexpr std::array<double, 3> near_lengths = {0.001, 0.01, 0.05};
+/// Logarithm of the lengths of edges that are about as long as each other. The trees learned from
+/// it: another value needs another fit.
+constexpr double as_long = 0.01;
 
 /// Words that both names have, over the words of the one that has fewer. Each word is kept with a
 /// blank after it.
@@ -88,14 +89,14 @@ PairFeatures::PairFeatures(const SeamEvidence& evidence) : evidence_(evidence) {
     panels_[p].alike = static_cast<int>(std::unique(alike.begin(), alike.end()) - alike.begin());
   }
   const std::vector<int>& shape = evidence.shapes.shape;
-  near_.assign(count, {});
+  near_.assign(count, 0);
   nearest_.assign(count, 1);
   for (int a = 0; a < count; ++a) {
     for (int b = 0; b < count; ++b) {
       if (shape[a] == shape[b]) continue;
       const double ratio = log_ratio(edges[a].length, edges[b].length);
       nearest_[a] = std::min(nearest_[a], ratio);
-      for (int k = 0; k < 3; ++k) near_[a][k] += ratio < near_lengths[k] ? 1 : 0;
+      near_[a] += ratio < as_long ? 1 : 0;
     }
   }
   for (const Panel& a : panels_) {
@@ -133,35 +134,35 @@ PairFeatures::EdgeRow PairFeatures::described(int e, bool against) const {
   const auto& t = edge.turning;
   const double turn = t[0] + t[1] + t[2] + t[3];
   return {
-      f(std::log(edge.length)),
-      f(edge.length / panel.perimeter),
-      f(edge.length / panel.longest),
-      f(turn),
-      f(against ? t[2] + t[3] : t[0] + t[1]),
-      f(against ? corner_behind : corner_before),
-      f(against ? corner_before : corner_behind),
-      f(edge.upwards),
-      f(against ? -edge.rise : edge.rise),
-      f(edge.across_grain),
-      f(edges[against ? edge.next : e].notch ? 1 : 0),
-      f(edges[against ? e : edge.next].notch ? 1 : 0),
-      f(panel.count),
-      f(std::log(panel.area / largest_area_)),
-      f(std::log(panel.height / panel.width)),
-      f(panel.is_own_mirror ? 1 : 0),
-      f(mirror < 0                                  ? 0
-        : mirror == e                               ? 1
-        : edges[mirror].ref.panel == edge.ref.panel ? 2
-                                                    : 3),
-      f(panel.alike),
-      f(std::log(before.length / edge.length)),
-      f(std::log(behind.length / edge.length)),
-      f((middle.y() - panel.low.y()) / panel.height),
-      f(std::abs((middle.x() - panel.low.x()) / panel.width - 0.5)),
-      f(near_[e][1]),
-      f(nearest_[e]),
-      f(static_cast<int>(words.role)),
-      f(tells(words) ? std::min(words.number, 10) : -1),
+      rounded(std::log(edge.length)),
+      rounded(edge.length / panel.perimeter),
+      rounded(edge.length / panel.longest),
+      rounded(turn),
+      rounded(against ? t[2] + t[3] : t[0] + t[1]),
+      rounded(against ? corner_behind : corner_before),
+      rounded(against ? corner_before : corner_behind),
+      rounded(edge.upwards),
+      rounded(against ? -edge.rise : edge.rise),
+      rounded(edge.across_grain),
+      rounded(edges[against ? edge.next : e].notch ? 1 : 0),
+      rounded(edges[against ? e : edge.next].notch ? 1 : 0),
+      rounded(panel.count),
+      rounded(std::log(panel.area / largest_area_)),
+      rounded(std::log(panel.height / panel.width)),
+      rounded(panel.is_own_mirror ? 1 : 0),
+      rounded(mirror < 0                                  ? 0
+              : mirror == e                               ? 1
+              : edges[mirror].ref.panel == edge.ref.panel ? 2
+                                                          : 3),
+      rounded(panel.alike),
+      rounded(std::log(before.length / edge.length)),
+      rounded(std::log(behind.length / edge.length)),
+      rounded((middle.y() - panel.low.y()) / panel.height),
+      rounded(std::abs((middle.x() - panel.low.x()) / panel.width - 0.5)),
+      rounded(near_[e]),
+      rounded(nearest_[e]),
+      rounded(static_cast<int>(words.role)),
+      rounded(tells(words) ? std::min(words.number, 10) : -1),
   };
 }
 
@@ -228,47 +229,49 @@ PairRow PairFeatures::of(int a, int b, bool mirrored) const {
   };
   const std::size_t panels = panels_.size();
   const std::array<float, joint_features> joint = {
-      f(ratio),
-      f(std::log(first.length / second.length)),
-      f(100 * std::abs(first.length - second.length)),
-      f(into),
-      f(alike),
-      f(same_shape ? (hand[a] * hand[b] == 0  ? 3
-                      : hand[a] * hand[b] > 0 ? 1
-                                              : 2)
-                   : 0),
-      f(evidence_.mirror[a] == b ? 1 : 0),
-      f(dart         ? 2
-        : same_panel ? 1
-                     : 0),
-      f(tip),
-      f(opening),
-      f(dart_up),
-      f(corners_start),
-      f(corners_end),
-      f(before_ratio),
-      f(next_ratio),
-      f(first.upwards * second.upwards),
-      f(first.rise * second.rise),
-      f(std::abs(first.across_grain - second.across_grain)),
-      f(better_a),
-      f(better_b),
-      f(panels_alike ? 1 : 0),
-      f(matching_[first.ref.panel * panels + second.ref.panel]),
-      f(matching_[second.ref.panel * panels + first.ref.panel]),
-      f(std::log(panel_a.area / panel_b.area)),
-      f(evidence_.turned_over[first.ref.panel] != evidence_.turned_over[second.ref.panel] ? 1 : 0),
-      f(static_cast<double>(panels)),
-      f(words_a.face * words_b.face),
-      f(evidence_.side[first.ref.panel] * evidence_.side[second.ref.panel]),
-      f(same_stem ? 1 : 0),
-      f(same_stem ? std::min(3, std::abs(words_a.number - words_b.number)) : -1),
-      f(named ? std::min(inwards(first), inwards(second)) : 0),
-      f(named && words_a.role == words_b.role ? 1 : 0),
-      f(words_a.says(words_b.role) ? 1 : 0),
-      f(words_b.says(words_a.role) ? 1 : 0),
-      f(tell ? words_shared(words_a.stem, words_b.stem) : 0),
-      f(tell && words_a.whole == words_b.whole ? 1 : 0),
+      rounded(ratio),
+      rounded(std::log(first.length / second.length)),
+      rounded(100 * std::abs(first.length - second.length)),
+      rounded(into),
+      rounded(alike),
+      rounded(same_shape ? (hand[a] * hand[b] == 0  ? 3
+                            : hand[a] * hand[b] > 0 ? 1
+                                                    : 2)
+                         : 0),
+      rounded(evidence_.mirror[a] == b ? 1 : 0),
+      rounded(dart         ? 2
+              : same_panel ? 1
+                           : 0),
+      rounded(tip),
+      rounded(opening),
+      rounded(dart_up),
+      rounded(corners_start),
+      rounded(corners_end),
+      rounded(before_ratio),
+      rounded(next_ratio),
+      rounded(first.upwards * second.upwards),
+      rounded(first.rise * second.rise),
+      rounded(std::abs(first.across_grain - second.across_grain)),
+      rounded(better_a),
+      rounded(better_b),
+      rounded(panels_alike ? 1 : 0),
+      rounded(matching_[first.ref.panel * panels + second.ref.panel]),
+      rounded(matching_[second.ref.panel * panels + first.ref.panel]),
+      rounded(std::log(panel_a.area / panel_b.area)),
+      rounded(evidence_.turned_over[first.ref.panel] != evidence_.turned_over[second.ref.panel]
+                  ? 1
+                  : 0),
+      rounded(static_cast<double>(panels)),
+      rounded(words_a.face * words_b.face),
+      rounded(evidence_.side[first.ref.panel] * evidence_.side[second.ref.panel]),
+      rounded(same_stem ? 1 : 0),
+      rounded(same_stem ? std::min(3, std::abs(words_a.number - words_b.number)) : -1),
+      rounded(named ? std::min(inwards(first), inwards(second)) : 0),
+      rounded(named && words_a.role == words_b.role ? 1 : 0),
+      rounded(words_a.says(words_b.role) ? 1 : 0),
+      rounded(words_b.says(words_a.role) ? 1 : 0),
+      rounded(tell ? words_shared(words_a.stem, words_b.stem) : 0),
+      rounded(tell && words_a.whole == words_b.whole ? 1 : 0),
   };
   PairRow row{};
   const EdgeRow& row_a = rows_[a][mirrored ? 1 : 0];

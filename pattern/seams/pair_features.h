@@ -38,7 +38,6 @@ class PairFeatures {
     int alike = 0;  // panels of its shape, itself included
     bool is_own_mirror = false;
     double longest = 0;  // metres, of its edges
-    double likest[2] = {};
   };
 
   using EdgeRow = std::array<float, edge_features>;
@@ -47,9 +46,9 @@ class PairFeatures {
 
   const SeamEvidence& evidence_;
   std::vector<Panel> panels_;
-  std::vector<double> matching_;          // panels * panels: share of the length with an equal edge
-  std::vector<std::array<int, 3>> near_;  // edges of other shapes within 0.1, 1 and 5 %
-  std::vector<double> nearest_;           // logarithm: the likest length of another shape
+  std::vector<double> matching_;  // panels * panels: share of the length with an equal edge
+  std::vector<int> near_;         // edges of other shapes within 1 %
+  std::vector<double> nearest_;   // logarithm: the likest length of another shape
   std::vector<std::array<EdgeRow, 2>> rows_;
   double largest_area_ = 0;
 };

@@ -3,7 +3,7 @@
 namespace toile {
 
 SeamEvidence seam_evidence(const Pattern& pattern, bool drawn_walk,
-                           const std::vector<char>& turned_over, bool heed_sides) {
+                           const std::vector<char>& turned_over) {
   SeamEvidence evidence;
   evidence.edges = walked_edges(pattern, drawn_walk, turned_over);
   evidence.turned_over = turned_over;
@@ -12,10 +12,14 @@ SeamEvidence seam_evidence(const Pattern& pattern, bool drawn_walk,
   evidence.fits = panel_fits(evidence.edges);
   evidence.shapes = edge_shapes(evidence.edges, evidence.fits);
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
-    const bool heeded = heed_sides && !pattern.panels[p].side_unknown;
-    evidence.side.push_back(heeded ? evidence.words[p].side : 0);
+    evidence.side.push_back(pattern.panels[p].side_unknown ? 0 : evidence.words[p].side);
   }
   evidence.mirror = mirror_partners(evidence.edges, evidence.fits, evidence.words);
+  return evidence;
+}
+
+SeamEvidence without_sides(SeamEvidence evidence) {
+  evidence.side.assign(evidence.side.size(), 0);
   return evidence;
 }
 

@@ -25,9 +25,12 @@ struct SeamEvidence {
 };
 
 /// Outlines and names alone are looked at. `drawn_walk`, `turned_over`: see walked_edges().
-/// `heed_sides`: left and right in names count; they err where a drawing shows the wrong side.
 SeamEvidence seam_evidence(const Pattern& pattern, bool drawn_walk,
-                           const std::vector<char>& turned_over = {}, bool heed_sides = true);
+                           const std::vector<char>& turned_over = {});
+
+/// The same, where left and right in names count no more: they err where a drawing shows the wrong
+/// side.
+SeamEvidence without_sides(SeamEvidence evidence);
 
 /// Radians by which an edge turns on its walk, left is positive.
 double turning_of(const WalkedEdge& edge);

@@ -25,6 +25,7 @@
 #include <random>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "geometry/error.h"
 #include "io/output_file.h"
@@ -154,7 +155,8 @@ std::size_t write(const Garment& garment, int number, int kept, Random* random, 
     constexpr double nameless = 0.2;
     if (names && random != nullptr && part(*random) < nameless) panel.name.assign(1, 'k');
   }
-  SeamEvidence evidence = seam_evidence(bare, garment.drawn_walk, garment.turned, kept == 1);
+  SeamEvidence evidence = seam_evidence(bare, garment.drawn_walk, garment.turned);
+  if (kept == 2) evidence = without_sides(std::move(evidence));
   if (random != nullptr) vary(evidence, *random);
   const auto& edges = evidence.edges;
   const int count = static_cast<int>(edges.size());

@@ -403,6 +403,35 @@ TEST(WearCheck, WhatFellToTheFloorIsMisplacedWhateverItIs) {
   EXPECT_FALSE(lowered_by(0.3).misplaced);
 }
 
+// It was drafted to lie where it lies: nothing told where it goes.
+TEST(WearCheck, WhatStandsAtTheFeetAndGoesAroundNothingIsNotWorn) {
+  PanelMesh sheet;
+  test::add_panel(sheet, "piece", test::grid(0.4, 0.2, 6, 6),
+                  [](const Vec2& p) { return Vec3(p.x() - 0.2, 0.01 + p.y(), 0.3); });
+  const WearFindings at_feet = check(sheet);
+  ASSERT_TRUE(at_feet.misplaced);
+  EXPECT_EQ(at_feet.misplaced->should_be, "on the body");
+  const double shin = 0.1;
+  PanelMesh gaiter;
+  const Vec3 ankle = figure().joint("left_ankle");
+  add_tube(gaiter, "piece", {ankle.x(), 0.01, ankle.z()}, {ankle.x(), 0.3, ankle.z()}, shin);
+  EXPECT_FALSE(check(gaiter).misplaced) << check(gaiter).misplaced->should_be;
+}
+
+TEST(WearCheck, ACollarBelongsAtTheNeck) {
+  const auto collar_at = [](double height) {
+    PanelMesh garment;
+    test::add_panel(garment, "collar", test::grid(0.3, 0.08, 6, 3),
+                    [&](const Vec2& p) { return Vec3(p.x() - 0.15, height + p.y(), 0.15); });
+    return check(garment);
+  };
+  EXPECT_FALSE(collar_at(1.35).misplaced);
+  const WearFindings low = collar_at(0.8);
+  ASSERT_TRUE(low.misplaced);
+  EXPECT_EQ(low.misplaced->should_be, "neck or head");
+  EXPECT_NE(low.misplaced->at.find("panel 'collar'"), std::string::npos) << low.misplaced->at;
+}
+
 TEST(WearCheck, WithoutAllJointsNothingIsChecked) {
   Skeleton skeleton = figure();
   skeleton.joints.erase("left_wrist");
