@@ -170,8 +170,8 @@ class WearCheck {
     }
   }
 
-  /// Whether it lies at the floor, and either all of it below all of where it was drafted to lie,
-  /// or all of it below the knees with no limb in it.
+  /// Whether it lies at the floor without being worn. It is below all of where it was drafted to
+  /// lie, or below the knees with no limb in it.
   bool has_fallen(const Component& component) const {
     double lowest = std::numeric_limits<double>::infinity();
     double highest = -std::numeric_limits<double>::infinity();
