@@ -1,6 +1,7 @@
 #include "cloth/judge/wear_check.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -170,24 +171,28 @@ class WearCheck {
     }
   }
 
+  /// The lowest and the highest height of panels, by the given places of all nodes. Metres.
+  std::array<double, 2> heights(const std::vector<Vec3>& nodes, const std::set<int>& panels) const {
+    std::array<double, 2> found = {std::numeric_limits<double>::infinity(),
+                                   -std::numeric_limits<double>::infinity()};
+    for (std::size_t t = 0; t < dressed_.triangles.size(); ++t) {
+      if (!panels.contains(dressed_.panel_of_triangle[t])) continue;
+      for (const int node : dressed_.triangles[t]) {
+        found = {std::min(found[0], nodes[node].y()), std::max(found[1], nodes[node].y())};
+      }
+    }
+    return found;
+  }
+
   /// Whether it lies at the floor without being worn. It is below all of where it was drafted to
   /// lie, or below the knees with no limb in it.
   bool has_fallen(const Component& component) const {
-    double lowest = std::numeric_limits<double>::infinity();
-    double highest = -std::numeric_limits<double>::infinity();
-    double lowest_drafted = std::numeric_limits<double>::infinity();
-    for (std::size_t t = 0; t < dressed_.triangles.size(); ++t) {
-      if (!component.panels.contains(dressed_.panel_of_triangle[t])) continue;
-      for (const int node : dressed_.triangles[t]) {
-        lowest = std::min(lowest, nodes_[node].y());
-        highest = std::max(highest, nodes_[node].y());
-        lowest_drafted = std::min(lowest_drafted, placed_[node].y());
-      }
-    }
+    const auto [lowest, highest] = heights(nodes_, component.panels);
     const double knee = skeleton_.joint("left_knee").y();
     const bool is_worn_there = std::ranges::any_of(
         component.openings, [](const Opening* opening) { return opening->limbs.any(); });
-    return lowest < max_slid && (highest < lowest_drafted || (highest < knee && !is_worn_there));
+    return lowest < max_slid &&
+           (highest < heights(placed_, component.panels)[0] || (highest < knee && !is_worn_there));
   }
 
   void check(const Component& component) {
@@ -291,18 +296,10 @@ class WearCheck {
 
   /// A collar or a hood reaches the shoulders, wherever the rest of it hangs.
   void check_headwear(const Component& component) {
-    std::map<int, double> highest;
-    for (std::size_t t = 0; t < dressed_.triangles.size(); ++t) {
-      const int panel = dressed_.panel_of_triangle[t];
-      if (!component.panels.contains(panel) || !garment_.panels[panel].is.is_headwear()) continue;
-      for (const int node : dressed_.triangles[t]) {
-        highest.try_emplace(panel, nodes_[node].y());
-        highest[panel] = std::max(highest[panel], nodes_[node].y());
-      }
-    }
-    for (const auto& [panel, height] : highest) {
+    for (const int panel : component.panels) {
+      if (!garment_.panels[panel].is.is_headwear()) continue;
       findings_.is_checked = true;
-      if (height > armpit_) continue;
+      if (heights(nodes_, {panel})[1] > armpit_) continue;
       misplace(BodyPart::torso,
                "panel '" + garment_.panels[panel].name + "' is at the " +
                    place_on_body(moments_[panel].middle(), skeleton_),

@@ -70,7 +70,9 @@ struct WearFindings {
 /// - Any other component: no two openings of 15 cm or more may have nothing in them. An opening
 ///   around both legs may not be its highest one and lie below the crotch.
 /// - Panels named front and back, left and right, lie on their sides of the body within 60 degrees.
-/// - No component hangs below the floor.
+/// - No component hangs below the floor. What lies at it reaches up to where it was drafted to lie.
+///   Above the knees it reaches, too, unless a limb passes through it.
+/// - Collars and hoods reach above the armpits.
 /// - The cloth has two sides (two_sides.h).
 ///
 /// `garment` has panels placed where they started. The hips of `body` are measured for a garment
