@@ -1,6 +1,6 @@
 """Fits the confidence of find-seams to seams that are known to be right or wrong. By hand:
 
-    build/release/tests/bench_seams_found --part fit --features features.txt ../shared/data/patterns/garmentcode-random
+    build/release/tests/bench_seams_found --features features.txt FOLDER FILE...
     python3 tests/benchmarks/fit_seam_certainty.py features.txt [OTHER.txt]
 
 Logistic regression by Newton's method. Prints the row of pattern/seams/seam_certainty.cpp, and for

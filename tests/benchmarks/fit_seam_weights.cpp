@@ -3,14 +3,13 @@
 //   cmake --build build/release --target bench_fit_seam_weights
 //   build/release/tests/bench_fit_seam_weights --rounds 5 FILE...
 //
-// fuse_panels makes more FILEs, with sleeves and bodices of one piece. The weights were fitted to
-// the random garments of `--part fit`, to every second one of these fused, and to the samples.
+// fuse_panels makes more FILEs, with sleeves and bodices of one piece. What the weights in use were
+// fitted to is told in pattern/seams/seam_weights.cpp.
 //
 // Begins with the weights in use. Measures of the stated garment are compared with those of rivals
 // that short searches find near it; a rival gains something for each wrong seam. Each file is used
 // with and without its names. After each round the rows of pattern/seams/seam_weights.cpp are
-// printed. The weights in use were fitted by an earlier way, from far searches. Rows that this one
-// gives find more in the random garments, and less in FreeSewing's drafts.
+// printed.
 #include <algorithm>
 #include <atomic>
 #include <cmath>

@@ -3,9 +3,7 @@
 //   cmake --build build/release --target bench_seams_found
 //   build/release/tests/bench_seams_found samples ../shared/data/patterns/garmentcode
 //
-// Each argument is a row: a folder of pattern files, or a file. `--part fit` takes the
-// three fifths of a folder whose names have the lower SHA-256, `--part held` the others. Weights
-// were fitted to the first and to the samples; the others were kept aside.
+// Each argument is a row: a folder of pattern files, or a file.
 //
 // With `--features FILE` a line is written for each seam: file, names kept, whether it is right,
 // its confidence, and what that is told from. fit_seam_certainty.py reads it.
@@ -21,13 +19,13 @@
 // stay in one row and become piece1, piece2 and so on in the next. A seam is right where it joins
 // the same two edges in the same direction. Panels that coincide count as one another where names
 // are gone; with names, a panel that is its own mirror image may be turned over.
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
 
 #include "geometry/error.h"
-#include "io/checksum.h"
 #include "io/output_file.h"
 #include "pattern/check/left_out.h"
 #include "pattern/file/pattern_file.h"
@@ -122,23 +120,9 @@ void add(Row& row, const std::filesystem::path& file, bool names, const Output& 
   row.seconds.push_back(seconds.count());
 }
 
-/// The files that weights were fitted to, or the others, by the checksums of their names.
-std::vector<std::filesystem::path> part_of(std::vector<std::filesystem::path> files,
-                                           const std::string& part) {
-  std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) {
-    return sha256(a.filename().string()) < sha256(b.filename().string());
-  });
-  const auto border = files.begin() + static_cast<std::ptrdiff_t>(files.size() * 3 / 5);
-  if (part == "fit") files.erase(border, files.end());
-  if (part == "held") files.erase(files.begin(), border);
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::string part;
   std::string names_wanted;
   Output output;
   std::vector<std::string> ranges;
@@ -148,10 +132,6 @@ int main(int argc, char** argv) {
   try {
     for (int i = 1; i < argc; ++i) {
       const std::string argument = argv[i];
-      if (argument == "--part" && i + 1 < argc) {
-        part = argv[++i];
-        continue;
-      }
       if (argument == "--features" && i + 1 < argc) {
         output.features = std::fopen(argv[++i], "w");
         continue;
@@ -169,7 +149,7 @@ int main(int argc, char** argv) {
         for (const auto& entry : std::filesystem::directory_iterator(argument)) {
           if (entry.path().extension() == ".json") files.push_back(entry.path());
         }
-        files = part_of(std::move(files), part);
+        std::sort(files.begin(), files.end());
       } else {
         files.push_back(argument);
       }
