@@ -276,9 +276,9 @@ PairRow PairFeatures::of(int a, int b, bool mirrored) const {
   PairRow row{};
   const EdgeRow& row_a = rows_[a][mirrored ? 1 : 0];
   const EdgeRow& row_b = rows_[b][mirrored ? 0 : 1];
-  std::copy(row_a.begin(), row_a.end(), row.begin());
-  std::copy(row_b.begin(), row_b.end(), row.begin() + edge_features);
-  std::copy(joint.begin(), joint.end(), row.begin() + 2 * edge_features);
+  auto* const behind_a = std::copy(row_a.begin(), row_a.end(), row.begin());
+  auto* const behind_b = std::copy(row_b.begin(), row_b.end(), behind_a);
+  std::copy(joint.begin(), joint.end(), behind_b);
   return row;
 }
 
