@@ -183,7 +183,9 @@ class Importer {
     if (no_grain_ > 0) {
       note(drawing_.source + ": " + std::to_string(no_grain_) +
            " panels have no grain line; their warp is taken " +
-           (has_grain_ ? "along that of most others" : "upright in the drawing"));
+           (has_grain_  ? "along that of most others"
+            : by_shape_ ? "as straight edges and mirror images tell it"
+                        : "upright in the drawing"));
     }
     if (!ribbing_.empty()) {
       note(drawing_.source + ": cut of ribbing:" + ribbing_ + "; their fabric is " +
@@ -381,6 +383,7 @@ class Importer {
     for (const ChosenPiece& chosen : chosen_) shapes.push_back(chosen.shape);
     const UprightTurns upright = upright_turns(shapes);
     has_grain_ = upright.has_grain;
+    by_shape_ = upright.by_shape;
     std::string off_grain;
     for (std::size_t i = 0; i < chosen_.size(); ++i) {
       chosen_[i].turned = upright.turns[i];
@@ -390,9 +393,15 @@ class Importer {
     if (std::abs(upright.drawing) > to_radians(0.05)) {
       note(drawing_.source + ": turned by " + fixed_number(to_degrees(upright.drawing), 1) +
            " degrees, so that " +
-           (has_grain_ ? "the grain of most of it is upright" : "its hems lie below") +
+           (has_grain_  ? "the grain of most of it is upright"
+            : by_shape_ ? "its folds and mirror lines are upright"
+                        : "its hems lie below") +
            (upright.end_by_shape ? "; shapes tell which end is up"
                                  : "; no shape tells which end is up"));
+    }
+    if (upright.nested) {
+      note(drawing_.source +
+           ": its pieces lie askew to each other; each is turned by its own shape");
     }
     if (!off_grain.empty()) {
       note(drawing_.source +
@@ -521,6 +530,7 @@ class Importer {
   std::vector<ChosenPiece> chosen_;
   std::set<std::string> names_;
   bool has_grain_ = false;  ///< whether any piece has a grain line
+  bool by_shape_ = false;   ///< none has, but shapes tell it
   int no_grain_ = 0;
   std::string ribbing_;  ///< the panels that are cut of it
 };

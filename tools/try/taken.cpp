@@ -67,7 +67,7 @@ Taken grain_of(const ImportEnd& imported) {
     if (std::abs(panel.turned) > std::abs(turned)) turned = panel.turned;
   }
   std::string taken = has_grain ? "upright, as drawn" : "";
-  if (!has_grain && !without.empty()) taken = "drawn in no piece: upright as they lie";
+  if (!has_grain && !without.empty()) taken = "drawn in no piece: as their shapes tell it";
   if (has_grain) taken += said(without, "; without a line, as most: ", "");
   if (taken.empty()) taken = "as the pattern states";
   if (const double degrees = turned * 180 / std::numbers::pi; std::abs(degrees) > 0.05) {

@@ -199,7 +199,8 @@ TEST(ImportedPattern, SeamAllowanceIsTakenOff) {
 TEST(ImportedPattern, PointsOfOtherLinesAreNoCorners) {
   // The right side is hollow: it turns by 15 degrees at half its height.
   const std::vector<Vec2> outline = {{0, 0}, {300, 0}, {273.7, 200}, {300, 400}, {0, 400}};
-  std::string drawn = dxf_polyline("1", outline);
+  std::string drawn =
+      dxf_polyline("1", outline) + dxf_polyline("7", {{100, 100}, {100, 300}}, false);
   for (const Vec2& corner : outline) drawn += dxf_point("2", corner);
   // The ends of a stripe, of a grain line and of a line for stitches beside the hem.
   for (const Vec2& end : {Vec2(0, 250), Vec2(286, 250), Vec2(150, 380), Vec2(100, 12)}) {

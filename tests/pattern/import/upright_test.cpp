@@ -68,10 +68,43 @@ TEST(Upright, TheGrainOfMostOfTheDrawingIsTurnedUpright) {
   expect_turns({shape(box(0.6, 0.4), 90), shape(box(0.2, 0.1), 90)}, {90, 90});
   // A piece that lies askew is turned on by itself.
   expect_turns({shape(box(0.4, 0.6), 0), shape(box(0.2, 0.1), 20)}, {0, -20});
-  PieceShape bare = shape(box(0.2, 0.1), 0);
-  bare.grain.reset();
-  expect_turns({shape(box(0.6, 0.4), -70), bare}, {70, 70});
-  EXPECT_FALSE(upright_turns({bare}).has_grain);
+  PieceShape ungrained = shape(box(0.2, 0.1), 0);
+  ungrained.grain.reset();
+  expect_turns({shape(box(0.6, 0.4), -70), ungrained}, {70, 70});
+  EXPECT_FALSE(upright_turns({ungrained}).has_grain);
+}
+
+PieceShape bare(std::vector<Vec2> outline, double degrees = 0) {
+  PieceShape made;
+  const Eigen::Rotation2Dd turn(to_radians(degrees));
+  for (Vec2& point : outline) point = turn * point;
+  made.outline = std::move(outline);
+  return made;
+}
+
+/// A half: its fold is on the left, its side leans.
+std::vector<Vec2> half() { return {{0, 0}, {0.3, 0}, {0.25, 0.45}, {0.1, 0.6}, {0, 0.55}}; }
+
+TEST(Upright, WithoutGrainLinesMirrorImagesAndFoldsTellTheWarp) {
+  for (const double degrees : {0., 37., 90., 180., 270.}) {
+    expect_turns({bare(front(), degrees), bare(half(), degrees), bare(box(0.4, 0.1), degrees)},
+                 {-degrees, -degrees, -degrees});
+  }
+  const UprightTurns told = upright_turns({bare(front(), 90)});
+  EXPECT_FALSE(told.has_grain);
+  EXPECT_TRUE(told.by_shape && told.end_by_shape && !told.nested);
+  // Any end of a band will do: it stays.
+  expect_turns({bare(box(0.4, 0.1)), bare(box(0.2, 0.1))}, {0, 0});
+}
+
+TEST(Upright, NestedPiecesWithoutGrainLinesAreTurnedOneByOne) {
+  const UprightTurns told = upright_turns({bare(front(), 30), bare(half(), -20), bare(half(), 77)});
+  EXPECT_TRUE(told.nested);
+  const std::vector<double> turns = degrees(told);
+  EXPECT_NEAR(std::remainder(turns[0] + 30, 360), 0, 0.01);
+  // Halves do not always tell which end is up.
+  EXPECT_NEAR(std::remainder(turns[1] - 20, 180), 0, 0.01);
+  EXPECT_NEAR(std::remainder(turns[2] + 77, 180), 0, 0.01);
 }
 
 TEST(Upright, PiecesOnTheBiasAndAcrossTheGrainAreTurnedAsTheRest) {
