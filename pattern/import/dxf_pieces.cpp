@@ -41,11 +41,13 @@ class PieceBuilder {
     piece.name = texts.value("piece name");
     if (piece.name.empty()) piece.name = texts.spelling_of(drawn.name);
     if (piece.name.empty()) piece.name = drawn.name;
+    piece.category = texts.value("category");
     piece.size = texts.value("size");
     piece.material = texts.material();
     if (const auto quantity = texts.quantity()) {
       piece.quantity = quantity->count;
       piece.pair = quantity->pair;
+      piece.none_mirrored = quantity->none_mirrored;
     } else if (drawn.mirrored_twin) {
       piece.quantity = 2;
     }

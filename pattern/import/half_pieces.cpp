@@ -8,6 +8,7 @@
 #include "geometry/polygon.h"
 #include "io/json_words.h"
 #include "io/text.h"
+#include "pattern/classify/name_words.h"
 #include "pattern/seams/panel_words.h"
 
 namespace toile {
@@ -56,7 +57,8 @@ bool lies_across_the_middle(const std::string& name) {
   PatternPanel panel;
   panel.name = name;
   const PanelRole role = words_of(panel).role;
-  return role == PanelRole::collar || role == PanelRole::yoke || role == PanelRole::hood;
+  return any_fits(words_in(name), {"stand"}) || role == PanelRole::collar ||
+         role == PanelRole::yoke || role == PanelRole::hood;
 }
 
 std::optional<int> likely_fold(const PieceShape& shape, const EdgedOutline& outline) {

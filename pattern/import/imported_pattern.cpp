@@ -14,6 +14,7 @@
 #include "pattern/constants.h"
 #include "pattern/import/half_pieces.h"
 #include "pattern/import/join_paths.h"
+#include "pattern/import/pair_pieces.h"
 #include "pattern/import/piece_shape.h"
 #include "pattern/import/upright.h"
 #include "pattern/layout/row_layout.h"
@@ -180,6 +181,10 @@ class Importer {
            std::to_string(pattern_.panels.size()) +
            " panels have a boundary and no sew line; if it is a cut line, give --seam-allowance");
     }
+    if (!pairs_by_shape_.empty()) {
+      note(drawing_.source + ": cut an even number of times, and taken as a left and a right one:" +
+           pairs_by_shape_ + "; --single makes one panel");
+    }
     if (no_grain_ > 0) {
       note(drawing_.source + ": " + std::to_string(no_grain_) +
            " panels have no grain line; their warp is taken " +
@@ -256,24 +261,9 @@ class Importer {
     PieceShape shape;   ///< turned upright
     double turned = 0;  ///< radians
     std::optional<NamedPiece> unfold;
-    bool layers = false;  ///< drawn once for the layers that it is cut in
+    bool layers = false;    ///< drawn once for the layers that it is cut in
+    bool by_shape = false;  ///< a pair, though the drawing does not say so
   };
-
-  /// Whether a pair is an outer and an inner layer. Those of yokes, collars and hoods lie on
-  /// each other if both look alike: halves do not. Sleeves and cuffs that do are one for each arm.
-  bool is_layered(const Piece& piece) const {
-    if (!lies_across_the_middle(piece.name)) return false;
-    if (piece.fold) return true;
-    std::vector<Vec2> directions = {Vec2::UnitX(), Vec2::UnitY()};
-    if (piece.grain && (piece.grain->to - piece.grain->from).norm() > 0) {
-      const Vec2 warp = (piece.grain->to - piece.grain->from).normalized();
-      directions.insert(directions.end(), {warp, Vec2(-warp.y(), warp.x())});
-    }
-    const std::vector<Vec2> outline = loop_points(piece.outline, options_.edges.chord_error);
-    return outline.size() > 2 &&
-           std::any_of(directions.begin(), directions.end(),
-                       [&](const Vec2& across) { return is_mirror_image(outline, across); });
-  }
 
   bool is_of_size(const std::string& size) const {
     return size.empty() || same_word(size, pattern_.size);
@@ -286,8 +276,10 @@ class Importer {
       ChosenPiece chosen;
       chosen.piece = piece;
       const std::string name = panel_name(piece.name);
-      chosen.piece.pair = piece.pair && !is_layered(piece);
-      chosen.layers = piece.pair && !chosen.piece.pair;
+      const CutAs cut = cut_as(piece, options_.edges.chord_error);
+      chosen.piece.pair = cut == CutAs::pair;
+      chosen.by_shape = chosen.piece.pair && !piece.pair;
+      chosen.layers = cut == CutAs::layers;
       if (chosen.piece.pair && piece.is_right_one) {
         chosen.right = unique("right_" + name);
         chosen.left = unique("left_" + name);
@@ -341,6 +333,16 @@ class Importer {
       }
       if (chosen.unfold) throw Error(place, "is to be unfolded twice", "a piece has one fold");
       chosen.unfold = named;
+    }
+    for (const std::string& text : options_.singles) {
+      const std::string place = drawing_.source + ": --single " + in_quotes(text);
+      const NamedPiece named = named_piece(text, names, place);
+      ChosenPiece& chosen = chosen_[named.piece];
+      if (named.edge >= 0) throw Error(place, "names an edge", "what is cut is a piece");
+      if (!chosen.piece.pair) continue;
+      chosen.piece.pair = false;
+      chosen.by_shape = false;
+      chosen.left = unique(text);
     }
     for (const std::string& text : options_.names) {
       const std::string place = drawing_.source + ": --name " + in_quotes(text);
@@ -455,6 +457,7 @@ class Importer {
            " times: its layers are drawn as one panel; --pair " + shell_word(chosen.asked) +
            " makes a left and a right one");
     }
+    if (chosen.by_shape) pairs_by_shape_ += (pairs_by_shape_.empty() ? " " : ", ") + chosen.asked;
     const bool takes_off = piece.is_cut_line && options_.seam_allowance;
     PieceShape shape = chosen.shape;
     // Sides that touch but for a rounding may cross since the piece was turned.
@@ -532,6 +535,7 @@ class Importer {
   bool has_grain_ = false;  ///< whether any piece has a grain line
   bool by_shape_ = false;   ///< none has, but shapes tell it
   int no_grain_ = 0;
+  std::string pairs_by_shape_;
   std::string ribbing_;  ///< the panels that are cut of it
 };
 

@@ -20,6 +20,7 @@ struct ImportOptions {
   std::vector<std::string> unfold;
   std::vector<std::string> names;  ///< "PIECE=NAME": what its panel is called instead
   std::vector<std::string> pairs;  ///< pieces that are cut as a pair, though the file does not say
+  std::vector<std::string> singles;  ///< pieces that are no pair, see cut_as()
   std::vector<std::string> without;  ///< pieces that no panel is wanted of
   EdgeOptions edges;
 };
@@ -54,10 +55,11 @@ struct ImportedPattern {
 };
 
 /// Makes the panels: of the size asked for, half pieces unfolded, pairs as left_NAME, as drawn, and
-/// right_NAME, mirrored, or the other way round (Piece::is_right_one).
+/// right_NAME, mirrored, or the other way round (Piece::is_right_one). cut_as() tells pairs.
 ///
-/// Options name a piece as its panel is named without `unfold`, `names` and `pairs`. A pair of the
-/// drawing is named without left_ and right_. Remarks name the pieces that look like halves.
+/// Options name a piece as its panel is named without `unfold`, `names`, `pairs` and `singles`. A
+/// pair of the drawing is named without left_ and right_. Remarks name pieces that look like
+/// halves.
 ///
 /// Panels are turned as upright_turns() says, each with its own marks. They stay where that puts
 /// them, unless the boxes of two overlap. Then all are laid out side by side. Remarks of the

@@ -86,6 +86,7 @@ std::optional<PieceQuantity> read_quantity(const std::string& given) {
   if (numbers.size() >= 2) {
     quantity.count = numbers[0] + numbers[1];
     quantity.pair = numbers[0] > 0 && numbers[1] > 0;
+    quantity.none_mirrored = !quantity.pair;
   } else if (numbers.size() == 1) {
     quantity.count = pairs ? 2 * numbers[0] : numbers[0];
     quantity.pair = (pairs || mirrored) && quantity.count > 1;
@@ -94,7 +95,8 @@ std::optional<PieceQuantity> read_quantity(const std::string& given) {
   } else {
     return std::nullopt;
   }
-  quantity.count = std::clamp(quantity.count, 1, max_quantity);
+  if (quantity.count == 0) return std::nullopt;
+  quantity.count = std::min(quantity.count, max_quantity);
   return quantity;
 }
 
@@ -114,6 +116,19 @@ std::size_t cut_label(const std::string& line) {
     if (std::isdigit(static_cast<unsigned char>(small[behind])) != 0) return at;
   }
   return std::string::npos;
+}
+
+/// The count of an annotation "2X FABRIC"; of several materials, that of the first.
+std::optional<PieceQuantity> times_cut(const std::string& annotation) {
+  const std::size_t end = annotation.find_first_not_of("0123456789");
+  if (end == 0 || end == std::string::npos || end > 3) return std::nullopt;
+  const std::size_t word = annotation.find_first_not_of(" ", end + 1);
+  const bool times = annotation[end] == 'X' || annotation[end] == 'x';
+  if (!times || word == std::string::npos ||
+      std::isalpha(static_cast<unsigned char>(annotation[word])) == 0) {
+    return std::nullopt;
+  }
+  return read_quantity(annotation.substr(0, end));
 }
 
 }  // namespace
@@ -152,9 +167,9 @@ std::string PieceTexts::value(const std::string& key) const {
 }
 
 std::optional<PieceQuantity> PieceTexts::quantity() const {
-  const std::string stated = value("quantity");
-  if (!stated.empty()) return read_quantity(stated);
-  return cut_quantity_;
+  if (auto stated = read_quantity(value("quantity"))) return stated;
+  if (cut_quantity_) return cut_quantity_;
+  return times_cut(value("annotation"));
 }
 
 std::string PieceTexts::material() const {

@@ -11,11 +11,12 @@ namespace toile {
 /// How often a piece is cut.
 struct PieceQuantity {
   int count = 1;
-  bool pair = false;  ///< half of them mirrored
+  bool pair = false;           ///< half of them mirrored
+  bool none_mirrored = false;  ///< it is said that none is
 };
 
 /// A number of pieces in words: "2"; "1,1" and "1+1", as drawn and mirrored; "1 pair"; "2
-/// mirrored"; "left and right". Nothing without a number or such a word.
+/// mirrored"; "left and right". Nothing without such a word or a number beyond 0.
 std::optional<PieceQuantity> read_quantity(const std::string& text);
 
 /// The texts of a piece or of a whole drawing, as ASTM D6673 writes them: "Piece Name: FRONT".
@@ -28,7 +29,8 @@ class PieceTexts {
   /// counts.
   std::string value(const std::string& key) const;
 
-  /// How often the piece is cut: by the key "quantity", or by a line "Fabric, Cut 2".
+  /// How often the piece is cut: by the key "quantity", by a line "Fabric, Cut 2", or by an
+  /// annotation "2X FABRIC". A quantity of 0 is none that a maker stated.
   std::optional<PieceQuantity> quantity() const;
   /// The fabric: by the key "material", or by a line "Fabric, Cut 2".
   std::string material() const;

@@ -253,6 +253,7 @@ class PieceFinder {
     said.on_fold = cutting.on_fold;
     piece.quantity = cutting.quantity.count;
     piece.pair = cutting.quantity.pair;
+    piece.none_mirrored = cutting.quantity.none_mirrored;
     const bool other = piece.material.empty() || piece.material == "fabric";
     if (of_own || (other && !cutting.material.empty())) piece.material = cutting.material;
   }
@@ -288,6 +289,7 @@ class PieceFinder {
       if (quantity && !said_[p].cutting) {
         piece.quantity = quantity->count;
         piece.pair = quantity->pair;
+        piece.none_mirrored = quantity->none_mirrored;
       }
       if (piece.material.empty()) piece.material = said_[p].texts.material();
       piece.size = said_[p].texts.value("size");

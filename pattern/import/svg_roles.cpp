@@ -121,9 +121,11 @@ std::optional<CuttingText> read_cutting(const std::string& text) {
     }
   }
   if (!found) return std::nullopt;
+  // Drafting programs say of each pair that it is mirrored.
+  cutting.quantity.none_mirrored = true;
   cutting.material = material_after_from(text);
   for (std::size_t i = 0; i < words.size(); ++i) {
-    if (words[i] == "mirrored") cutting.quantity.pair = true;
+    if (words[i] == "mirrored") cutting.quantity = {cutting.quantity.count, true, false};
     const bool before = i > 0 && (words[i - 1] == "on" || words[i - 1] == "the");
     if (words[i] == "fold" && before) cutting.on_fold = true;
   }

@@ -187,6 +187,8 @@ class Label:
                     told += ["--unfold", f"{name}:{edge}"]
             if piece.get("copies", 1) == 2 and copies == 1:
                 told += ["--pair", name]
+            if piece.get("copies", 1) == 1 and copies == 2:
+                told += ["--single", name]
         whole = Imported(file, told, without)
         whole.turn_as(self)
         return plain, whole

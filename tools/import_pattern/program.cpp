@@ -83,6 +83,8 @@ void add_import_options(po::options_description& options) {
       "PIECE=NAME: what a piece is to be called; may be repeated")(
       "pair", po::value<std::vector<std::string>>()->composing(),
       "PIECE: cut as a pair, left and right; may be repeated")(
+      "single", po::value<std::vector<std::string>>()->composing(),
+      "PIECE: cut as one panel, though it is taken as a pair; may be repeated")(
       "without", po::value<std::vector<std::string>>()->composing(),
       "PIECE: of which no panel is made; may be repeated")(
       "cut-line", po::bool_switch(), "bound pieces by their cut lines, not by their sew lines")(
@@ -105,6 +107,7 @@ void read_import_options(const po::variables_map& given, ImportPatternSettings& 
   settings.pieces.unfold = texts("unfold");
   settings.pieces.names = read_names(texts("name"));
   settings.pieces.pairs = texts("pair");
+  settings.pieces.singles = texts("single");
   settings.pieces.without = texts("without");
   settings.drawn.cut_line = given["cut-line"].as<bool>();
   po::options_description all;

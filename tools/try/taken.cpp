@@ -105,7 +105,7 @@ Taken pairs_of(const ImportEnd& imported) {
           joined({said(pairs, "", " left and right"),
                   said(single, "", " cut several times, taken as one panel")},
                  "none"),
-          options.empty() ? "--pair PIECE" : options.text()};
+          options.empty() ? (pairs.empty() ? "--pair PIECE" : "--single PIECE") : options.text()};
 }
 
 Taken spare_pieces_of(const ImportEnd& imported, const FindSeamsEnd& seams,

@@ -22,6 +22,10 @@ TEST(PieceText, QuantitiesAreReadAsTheyAreWritten) {
   expect("1 mirrored", 1, false);
   expect("99999999999999", 1000, false);
   EXPECT_FALSE(read_quantity("some"));
+  EXPECT_FALSE(read_quantity("0"));
+  EXPECT_FALSE(read_quantity("0,0"));
+  EXPECT_TRUE(read_quantity("2,0")->none_mirrored);
+  EXPECT_FALSE(read_quantity("2")->none_mirrored);
 }
 
 TEST(PieceText, KeysCountInAnyCapitals) {
@@ -43,6 +47,21 @@ TEST(PieceText, LabelsSayCut) {
   texts.add("Back Panel_1");
   EXPECT_EQ(texts.spelling_of("BACKPANEL1"), "Back Panel_1");
   EXPECT_EQ(texts.spelling_of("FRONT"), "");
+}
+
+TEST(PieceText, AnAnnotationCountsWhereNoQuantityIsStated) {
+  const auto count = [](const std::string& quantity, const std::string& annotation) {
+    PieceTexts texts;
+    texts.add("Quantity: " + quantity + "\nAnnotation: " + annotation);
+    const auto read = texts.quantity();
+    return read ? read->count : -1;
+  };
+  EXPECT_EQ(count("0", "2XFABRIC"), 2);
+  EXPECT_EQ(count("0,0", "2x rib"), 2);
+  EXPECT_EQ(count("0", "1XFABRIC 1X INTERLIN"), 1);
+  EXPECT_EQ(count("1", "2XFABRIC"), 1);
+  EXPECT_EQ(count("0", "RECTANGLE"), -1);
+  EXPECT_EQ(count("0", "2X"), -1);
 }
 
 }  // namespace piece_text_test
