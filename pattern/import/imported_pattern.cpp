@@ -12,6 +12,7 @@
 #include "io/json_words.h"
 #include "io/text.h"
 #include "pattern/constants.h"
+#include "pattern/import/graded_pieces.h"
 #include "pattern/import/half_pieces.h"
 #include "pattern/import/join_paths.h"
 #include "pattern/import/pair_pieces.h"
@@ -543,7 +544,10 @@ class Importer {
 
 ImportedPattern import_pieces(const PieceDrawing& drawing, const ImportOptions& options,
                               std::vector<Remark>& remarks) {
-  return Importer(drawing, options, remarks).import();
+  if (options.size.empty()) return Importer(drawing, options, remarks).import();
+  PieceDrawing complete = drawing;
+  complete_size(complete, options.size, options.edges);
+  return Importer(complete, options, remarks).import();
 }
 
 }  // namespace toile

@@ -116,7 +116,8 @@ std::vector<Cut> corners_of(const PieceShape& shape, const Ring& ring, double co
   refuse_more(shape.corners.size() + shape.notches.size(), place_name);
   std::vector<Cut> declared;
   for (const std::size_t i : declared_points(shape)) {
-    if (std::abs(turns[i]) >= declared_turn) declared.push_back({ring.to(i), ring.at(i)});
+    if (shape.has_all_corners || std::abs(turns[i]) >= declared_turn)
+      declared.push_back({ring.to(i), ring.at(i)});
   }
   const double angle =
       declared.size() >= 2 ? std::max(corner_angle, undeclared_turn) : corner_angle;
@@ -211,6 +212,44 @@ EdgedOutline edges_of(const PieceShape& shape, const EdgeOptions& options,
     if (!twice) result.notches.push_back({index, angle});
   }
   return result;
+}
+
+void number_alike(EdgedOutline& outline, const EdgedOutline& like) {
+  const std::size_t count = outline.edges.size();
+  if (count != like.edges.size()) return;
+  const auto shares = [count](const EdgedOutline& one) {
+    std::vector<double> chords;
+    double all = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      chords.push_back((one.vertices[(i + 1) % count] - one.vertices[i]).norm());
+      all += chords.back();
+    }
+    for (double& chord : chords) chord /= all;
+    return chords;
+  };
+  const std::vector<double> own = shares(outline);
+  const std::vector<double> wanted = shares(like);
+  const auto off = [&](std::size_t shift) {
+    double sum = 0;
+    for (std::size_t i = 0; i < count; ++i) sum += std::abs(own[(i + shift) % count] - wanted[i]);
+    return sum;
+  };
+  std::size_t best = 0;
+  for (std::size_t shift = 1; shift < count; ++shift) {
+    if (off(shift) < off(best)) best = shift;
+  }
+  if (off(best) > off(0) / 2) return;
+  const auto steps = static_cast<std::ptrdiff_t>(best);
+  std::rotate(outline.vertices.begin(), outline.vertices.begin() + steps, outline.vertices.end());
+  std::rotate(outline.edges.begin(), outline.edges.begin() + steps, outline.edges.end());
+  for (std::size_t i = 0; i < count; ++i) {
+    outline.edges[i].from = static_cast<int>(i);
+    outline.edges[i].to = static_cast<int>((i + 1) % count);
+  }
+  for (OutlineNotch& notch : outline.notches) {
+    notch.vertex =
+        static_cast<int>((static_cast<std::size_t>(notch.vertex) + count - best) % count);
+  }
 }
 
 }  // namespace toile

@@ -39,10 +39,10 @@ struct EdgedOutline {
 
 /// Cuts the shape's outline at its corners and notches, and fits each edge.
 ///
-/// - Corners are the declared ones, where the outline turns by 10 degrees or more. So is every
-/// point where it turns by more than
-///   the corner angle; by more than 60 degrees if there are declared ones. Points of a rounding
-///   drawn in coarse chords are none: their neighbours turn as much, less than 2 cm away.
+/// - Corners are the declared ones, where the outline turns by 10 degrees or more or the shape
+///   has_all_corners. So is every point where it turns by more than the corner angle; by more than
+///   60 degrees if there are declared ones. Points of a rounding drawn in coarse chords are none:
+///   their neighbours turn as much, less than 2 cm away.
 /// - A notch within 3 mm of a corner is at the corner. One up to 6 cm from the outline is moved
 ///   onto it: it stands on the cut line.
 /// - An outline with less than two corners is cut at its lowest point and the one farthest from it.
@@ -50,5 +50,10 @@ struct EdgedOutline {
 /// Throws Error with the place `place` for more corners and notches than max_panel_edges.
 EdgedOutline edges_of(const PieceShape& shape, const EdgeOptions& options,
                       const std::string& place);
+
+/// Numbers the edges of an outline as those of a like one of another size. The first edge is that
+/// with which the edges' shares of all chords differ least. Nothing changes where counts differ, or
+/// where another first edge would not halve the difference. O(n^2) of the edges.
+void number_alike(EdgedOutline& outline, const EdgedOutline& like);
 
 }  // namespace toile

@@ -31,17 +31,18 @@ struct PieceNotch {
 
 /// One piece as drawn. Metres, y up.
 struct Piece {
-  std::string name;            ///< as the file has it; may be empty, and need not be unique
-  std::string category;        ///< what the file says that it is, in words; empty: not stated
-  std::string size;            ///< empty: not stated
-  std::string material;        ///< empty: not stated
-  int quantity = 1;            ///< how often it is cut
-  bool pair = false;           ///< whether half of `quantity` is said to be cut mirrored
-  bool none_mirrored = false;  ///< whether the drawing says that none is
-  bool is_right_one = false;   ///< of a pair: the right one is drawn, not the left one
-  PiecePath outline;           ///< closed: the seam line, or the cut line if that is all there is
-  bool is_cut_line = false;    ///< whether `outline` still has the seam allowance
-  std::vector<Vec2> corners;   ///< points that the file declares to be corners
+  std::string name;              ///< as the file has it; may be empty, and need not be unique
+  std::string category;          ///< what the file says that it is, in words; empty: not stated
+  std::string size;              ///< empty: not stated
+  std::string material;          ///< empty: not stated
+  int quantity = 1;              ///< how often it is cut
+  bool pair = false;             ///< whether half of `quantity` is said to be cut mirrored
+  bool none_mirrored = false;    ///< whether the drawing says that none is
+  bool is_right_one = false;     ///< of a pair: the right one is drawn, not the left one
+  PiecePath outline;             ///< closed: the seam line, or the cut line if that is all there is
+  bool is_cut_line = false;      ///< whether `outline` still has the seam allowance
+  std::vector<Vec2> corners;     ///< points that the file declares to be corners
+  bool has_all_corners = false;  ///< each is one, though the outline may hardly turn there
   std::vector<PieceNotch> notches;
   std::vector<PiecePath> internal_lines;
   std::vector<PiecePath> cut_outs;  ///< closed

@@ -251,6 +251,7 @@ PieceShape shape_of(const Piece& piece, const std::string& place, double toleran
     throw Error(place, "has no area", "remove it from the drawing, or draw its outline");
   }
   shape.corners = piece.corners;
+  shape.has_all_corners = piece.has_all_corners;
   shape.notches = piece.notches;
   shape.notches.insert(shape.notches.end(), plain.notches.begin(), plain.notches.end());
   shape.cut_outs = std::move(plain.holes);

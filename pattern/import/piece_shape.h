@@ -11,8 +11,9 @@ namespace toile {
 
 /// What a piece looks like. Metres, y up.
 struct PieceShape {
-  std::vector<Vec2> outline;  ///< a simple polygon, counter-clockwise
-  std::vector<Vec2> corners;  ///< declared ones, near the outline
+  std::vector<Vec2> outline;     ///< a simple polygon, counter-clockwise
+  std::vector<Vec2> corners;     ///< declared ones, near the outline
+  bool has_all_corners = false;  ///< as Piece has it
   std::vector<PieceNotch> notches;
   std::vector<std::vector<Vec2>> internal_lines;
   std::vector<std::vector<Vec2>> cut_outs;  ///< closed, the first point not repeated

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "tests/pattern/samples.h"
 #include "tests/support/run_program.h"
@@ -52,6 +53,61 @@ TEST(ImportPattern, ABadPieceEndsWithThree) {
   EXPECT_HOLDS(read_text(folder / "r.json"), "left_out\": [\n    {\n      \"piece\": \"bow\"");
   EXPECT_EQ(import({"--without", "bow"}).exit_code, 0);
   EXPECT_EQ(import({"--without", "good"}).exit_code, 1);
+}
+
+TEST(ImportPattern, AllSizesAreNumberedAsTheBaseSize) {
+  const ScratchFolder folder;
+  const auto group = [](int code, const std::string& value) {
+    return std::to_string(code) + "\n" + value + "\n";
+  };
+  const auto text = [&](const std::string& words) {
+    return group(0, "TEXT") + group(8, "1") + group(10, "0") + group(20, "0") + group(1, words);
+  };
+  const auto point = [&](const std::string& layer, double x, double y) {
+    return group(0, "POINT") + group(8, layer) + group(10, std::to_string(x)) +
+           group(20, std::to_string(y));
+  };
+  // The side turns by 11 degrees at half its height; in size 40 by less than 10, and in XL more.
+  std::string blocks;
+  for (const auto& [size, out] : {std::pair("38", 20.), {"40/1", 12.}, {"XL", 40.}}) {
+    const std::string line = group(0, "LWPOLYLINE") + group(8, "1") + group(70, "1");
+    std::string piece = line;
+    for (const auto& [x, y] :
+         {std::pair(0., 0.), {200., 0.}, {200. + out, 200.}, {200., 400.}, {0., 380.}}) {
+      piece += group(10, std::to_string(x)) + group(20, std::to_string(y));
+    }
+    piece += text("Piece Name: side") + text(std::string("Size: ") + size);
+    if (std::string(size) == "38") {
+      piece += text("Quantity: 2") + point("2", 220, 200) + point("2", 0, 0) + point("2", 200, 0) +
+               point("4", 0, 100);
+    }
+    blocks += group(0, "BLOCK") + group(2, std::string("S") + size) + piece + group(0, "ENDBLK");
+  }
+  write_text(folder / "d.dxf", group(0, "SECTION") + group(2, "BLOCKS") + blocks +
+                                   group(0, "ENDSEC") + group(0, "SECTION") + group(2, "ENTITIES") +
+                                   text("Sample Size: 38") + text("Units: METRIC") +
+                                   group(0, "ENDSEC") + group(0, "EOF"));
+  write_text(folder / "d.rul", "");
+  const std::string out = (folder / "sizes").string();
+  const auto done = run("import-pattern",
+                        {(folder / "d.dxf").string(), "--all-sizes", "-o", out, "--report",
+                         (folder / "r.json").string()},
+                        60);
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_HOLDS(done.err, "d.rul: grading rules beside the drawing are not read");
+  EXPECT_EQ(done.err.find("warning"), std::string::npos) << done.err;
+  for (const char* size : {"38", "40_1", "XL"}) {
+    const auto pattern =
+        nlohmann::json::parse(read_text(folder / "sizes" / (std::string(size) + ".json")));
+    const auto& panels = pattern["pattern"]["panels"];
+    ASSERT_EQ(panels.size(), 2u) << size;
+    EXPECT_EQ(panels["left_side"]["edges"].size(), 6u) << size;
+    EXPECT_EQ(panels["right_side"]["notches"].size(), 1u) << size;
+  }
+  EXPECT_EQ(run("import-pattern",
+                {(folder / "d.dxf").string(), "--all-sizes", "--size", "38", "-o", out}, 60)
+                .exit_code,
+            2);
 }
 
 TEST(ImportPattern, APatternIsWrittenAsItIs) {

@@ -127,18 +127,25 @@ CommandLineProgram import_pattern_program() {
   program.summary = "makes a pattern of the pieces in a DXF (AAMA/ASTM) or SVG drawing";
   program.usage = "DRAWING -o pattern.json [--seam-allowance 10mm]";
   add_import_options(program.options);
+  program.options.add_options()("all-sizes", po::bool_switch(),
+                                "a pattern of each size: -o is a folder");
   program.options.add_options()("drawing", po::value<std::string>()->required(),
                                 "the drawing; also as argument");
   program.positional.add("drawing", 1);
-  program.output_extensions = {".json"};
   program.prepare = [](const po::variables_map& given, const CommonSettings& common) {
     ImportPatternSettings settings;
     settings.drawing = given["drawing"].as<std::string>();
     read_import_options(given, settings);
+    const bool all_sizes = given["all-sizes"].as<bool>();
+    if (all_sizes && !settings.pieces.size.empty()) {
+      throw UsageError("--size", "is for one size, and --all-sizes for all", "leave one out");
+    }
+    if (!all_sizes) check_extension(common.output, {".json"});
     Job job;
     job.files.reads = {settings.drawing};
-    job.files.writes = {common.output};
-    job.work = [settings, &common] {
+    (all_sizes ? job.files.folders : job.files.writes) = {common.output};
+    job.work = [settings, all_sizes, &common] {
+      if (all_sizes) return import_all_sizes(settings, common) ? exit_done : exit_negative;
       return run_import_pattern(settings, common).pattern.left_out.empty() ? exit_done
                                                                            : exit_negative;
     };

@@ -43,6 +43,61 @@ PieceDrawing read_drawing(DrawingFormat format, const std::string& text, const s
   return svg_pieces(text, name, options);
 }
 
+/// Grading rules beside a drawing: what a reader of them would add is said.
+void note_grading_rules(const std::filesystem::path& drawing, std::vector<Remark>& remarks) {
+  for (const char* extension : {".rul", ".RUL"}) {
+    std::filesystem::path rules = drawing;
+    rules.replace_extension(extension);
+    std::error_code missing;
+    if (!std::filesystem::exists(rules, missing)) continue;
+    remarks.push_back({false, rules.string() + ": grading rules beside the drawing are not read; "
+                                               "only sizes that the drawing has are there"});
+    return;
+  }
+}
+
+/// The pattern of a drawing as a file's content. What is written has to be a pattern, with remarks
+/// that are for mesh-pattern to make.
+std::string content_of(const ImportedPattern& pattern, const std::string& file,
+                       std::vector<Remark>& remarks) {
+  std::string content = readable_json(pattern_json(pattern));
+  std::vector<Remark> later;
+  warn_of_outlines(parse_pattern(content, file, later), remarks);
+  return content;
+}
+
+/// A size as a file name.
+std::string size_file(const std::string& size) {
+  std::string name = valid_utf8(size);
+  for (char& c : name) {
+    if (static_cast<unsigned char>(c) <= ' ' || std::string("/\\:*?\"<>|").find(c) < 10) c = '_';
+  }
+  return name + ".json";
+}
+
+/// Numbers edges as those of the base size, where they are as many.
+void number_as(const ImportedPattern& base, ImportedPattern& pattern) {
+  for (ImportedPanel& panel : pattern.panels) {
+    const auto same = std::ranges::find(base.panels, panel.name, &ImportedPanel::name);
+    if (same != base.panels.end()) number_alike(panel.outline, same->outline);
+  }
+}
+
+/// Panels that have not as many edges as those of the base size, in words; empty: all have.
+std::string differing_panels(const ImportedPattern& base, const ImportedPattern& pattern) {
+  std::string words;
+  for (const ImportedPanel& panel : base.panels) {
+    const auto same = std::ranges::find(pattern.panels, panel.name, &ImportedPanel::name);
+    const std::size_t edges = panel.outline.edges.size();
+    if (same != pattern.panels.end() && same->outline.edges.size() == edges) continue;
+    words += (words.empty() ? "" : ", ") + shown_text(panel.name) +
+             (same == pattern.panels.end() ? " is not there"
+                                           : " has " + std::to_string(same->outline.edges.size()) +
+                                                 " edges, not " + std::to_string(edges));
+  }
+  return words;
+}
+
 }  // namespace
 
 ImportEnd run_import_pattern(const ImportPatternSettings& settings, const CommonSettings& common) {
@@ -67,11 +122,9 @@ ImportEnd run_import_pattern(const ImportPatternSettings& settings, const Common
   } else {
     end.drawing = read_drawing(format, text, name, settings.drawn);
     end.pattern = import_pieces(end.drawing, settings.pieces, remarks);
-    content = readable_json(pattern_json(end.pattern));
+    content = content_of(end.pattern, common.output.string(), remarks);
     panels = end.pattern.panels.size();
-    // What is written has to be a pattern, with remarks that are for mesh-pattern to make.
-    std::vector<Remark> later;
-    warn_of_outlines(parse_pattern(content, common.output.string(), later), remarks);
+    note_grading_rules(settings.drawing, remarks);
   }
   say_remarks(remarks, common);
   say_panels(end.pattern, common);
@@ -84,6 +137,65 @@ ImportEnd run_import_pattern(const ImportPatternSettings& settings, const Common
                                    end.pattern, remarks));
   files.commit();
   return end;
+}
+
+bool import_all_sizes(const ImportPatternSettings& settings, const CommonSettings& common) {
+  const std::string name = settings.drawing.string();
+  const std::string text = read_file(settings.drawing);
+  const DrawingFormat format = drawing_format(text, name);
+  if (format == DrawingFormat::json) {
+    throw Error(name, "is a pattern; --all-sizes is for a drawing", "leave it out");
+  }
+  const PieceDrawing drawing = read_drawing(format, text, name, settings.drawn);
+  std::vector<Remark> remarks;
+  const ImportedPattern base = import_pieces(drawing, settings.pieces, remarks);
+  if (base.sizes.empty()) throw Error(name, "its pieces state no size", "leave --all-sizes out");
+  note_grading_rules(settings.drawing, remarks);
+  std::filesystem::create_directories(common.output);
+  OutputFiles files;
+  bool all_read = true;
+  nlohmann::ordered_json sizes = nlohmann::ordered_json::array();
+  for (const std::string& size : base.sizes) {
+    ImportPatternSettings of_size = settings;
+    of_size.pieces.size = size;
+    // What holds for all sizes was said of the base size.
+    std::vector<Remark> said;
+    ImportedPattern pattern;
+    try {
+      pattern = import_pieces(drawing, of_size.pieces, said);
+    } catch (const Error& error) {
+      all_read = false;
+      remarks.push_back(
+          {true, std::string(error.what()) + "; there is no pattern of size " + in_quotes(size)});
+      sizes.push_back(
+          {{"size", valid_utf8(size)}, {"file", ""}, {"panels", 0}, {"as_base_size", false}});
+      continue;
+    }
+    number_as(base, pattern);
+    const std::filesystem::path file = common.output / size_file(size);
+    write_file(files.at(file), content_of(pattern, file.string(), said));
+    const std::string differ = differing_panels(base, pattern);
+    const std::string place = name + ": size " + in_quotes(size) + ": ";
+    for (const LeftOutPiece& piece : pattern.left_out) {
+      all_read = false;
+      remarks.push_back({true, place + piece.error.what() + "; the piece is left out"});
+    }
+    if (!differ.empty()) {
+      remarks.push_back({true, place + "edges are not numbered as in the base size: " + differ});
+    }
+    sizes.push_back({{"size", valid_utf8(size)},
+                     {"file", file.filename().string()},
+                     {"panels", pattern.panels.size()},
+                     {"as_base_size", differ.empty()}});
+  }
+  say_remarks(remarks, common);
+  common.say(std::to_string(base.sizes.size()) + " sizes");
+  auto report = import_pattern_json(name, format == DrawingFormat::dxf ? "dxf" : "svg", drawing,
+                                    base, remarks);
+  report["all_sizes"] = std::move(sizes);
+  write_report(files, common, std::move(report));
+  files.commit();
+  return all_read;
 }
 
 }  // namespace toile

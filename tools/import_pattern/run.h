@@ -37,4 +37,11 @@ struct ImportEnd {
 /// pattern.
 ImportEnd run_import_pattern(const ImportPatternSettings& settings, const CommonSettings& common);
 
+/// Writes the pattern of each size of the drawing into the folder `common.output`, as SIZE.json. It
+/// names the panels whose edges are not as many as in the base size. Returns whether no piece of
+/// any size was left out.
+///
+/// Throws Error for a JSON and a drawing without sizes, and as above, with no pattern written.
+bool import_all_sizes(const ImportPatternSettings& settings, const CommonSettings& common);
+
 }  // namespace toile
