@@ -51,6 +51,7 @@ struct SheetPart {
   std::vector<SheetMark> marks;
   std::vector<SheetText> texts;    ///< to be seen
   std::vector<std::string> facts;  ///< "Quantity: 2": texts for programs, in DXF
+  std::vector<SheetText> data;     ///< the same with a place, in DXF on layer 15
 };
 
 /// A drawing from (0, 0) to `size`. Metres, y up.
@@ -73,7 +74,7 @@ inline constexpr double notch_length = 5e-3;
 std::string sheet_svg(const Sheet& sheet);
 
 /// A DXF file of version R12: millimetres, a block for each part, inserted once. Curves become
-/// chords within 0.01 mm. Characters beyond ASCII are written as \U+XXXX.
+/// chords within 0.001 mm. Characters beyond ASCII are written as \U+XXXX.
 std::string sheet_dxf(const Sheet& sheet);
 
 /// A PDF file of one page at scale. The same input gives the same bytes with the same version of

@@ -10,8 +10,9 @@ namespace toile {
 
 namespace {
 
-/// Metres that chords leave curves by.
-constexpr double chord_error = 1e-5;
+/// Metres that chords leave curves by. Half of it makes 1.4 times as many points, and double of it
+/// curves of a tenth more parts when they are read again.
+constexpr double chord_error = 1e-6;
 
 /// Appends a character of UTF-8 as ASCII, and goes past it.
 void append_ascii(std::string& ascii, const std::string& text, std::size_t& at) {
@@ -179,6 +180,7 @@ class DxfWriter {
       point(mark.at);
       if (mark.angle) code(50, fixed_number(to_degrees(*mark.angle), 4));
     }
+    for (const SheetText& one : part.data) text(one, 15, false);
     for (const SheetText& one : part.texts) text(one, 15, true);
     entity("ENDBLK", 1);
   }

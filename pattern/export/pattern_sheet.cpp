@@ -10,6 +10,7 @@
 #include "geometry/outset_polygon.h"
 #include "geometry/polygon.h"
 #include "pattern/export/label_places.h"
+#include "pattern/file/seam_text.h"
 #include "pattern/layout/row_layout.h"
 
 namespace toile {
@@ -27,7 +28,7 @@ constexpr double scale_bar_room = 0.02;
 /// Metres.
 constexpr double chord_error = 1e-5;
 constexpr double longest_arrow = 0.4;
-constexpr double seam_text = 5e-3;
+constexpr double seam_number_text = 5e-3;
 constexpr double smallest_text = 3e-3;
 /// Metres: of the fonts of a panel's name, from the one that is tried first.
 constexpr std::array<double, 4> name_texts = {14e-3, 9e-3, 6e-3, 4e-3};
@@ -146,6 +147,7 @@ class PanelPart {
     }
     for (SheetMark& mark : part.marks) mark.at += by;
     for (SheetText& text : part.texts) text.at += by;
+    for (SheetText& text : part.data) text.at += by;
     return part;
   }
 
@@ -222,9 +224,27 @@ class PanelPart {
   void seams() {
     for (std::size_t s = 0; s < pattern_.stitches.size(); ++s) {
       const Stitch& stitch = pattern_.stitches[s];
-      if (stitch.a.panel == index_) seam(stitch.a.edge, s + 1, stitch.b.panel);
-      if (stitch.b.panel == index_) seam(stitch.b.edge, s + 1, stitch.a.panel);
+      if (stitch.a.panel == index_) {
+        seam(stitch.a.edge, s + 1, stitch.b.panel);
+        seam_data(stitch, s + 1, false);
+      }
+      if (stitch.b.panel == index_) {
+        seam(stitch.b.edge, s + 1, stitch.a.panel);
+        seam_data(stitch, s + 1, true);
+      }
     }
+  }
+
+  /// What a program reads: on the middle of the edge, along the way in which the seam is sewn.
+  void seam_data(const Stitch& stitch, std::size_t number, bool second) {
+    const EdgeCurve& curve =
+        panel_.edges[static_cast<std::size_t>((second ? stitch.b : stitch.a).edge)].curve;
+    Vec2 run = curve.at(0.501) - curve.at(0.499);
+    // The end of one edge meets the start of the other, where nothing else is stated.
+    if (second && stitch.direction != StitchDirection::start_to_start) run = -run;
+    const SeamText text{static_cast<int>(number), second,         stitch.direction,
+                        stitch.gathered,          stitch.layered, stitch.fullness};
+    part_.data.push_back({seam_text(text), curve.at(0.5), 1e-3, std::atan2(run.y(), run.x())});
   }
 
   void seam(int edge, std::size_t number, int other) {
@@ -233,7 +253,7 @@ class PanelPart {
     if (step == panel_.outline.end()) return;  // merged with its neighbour
     const EdgeCurve& curve = panel_.edges[static_cast<std::size_t>(edge)].curve;
     SheetText text;
-    text.height = std::clamp(curve.length() / 2, smallest_text, seam_text);
+    text.height = std::clamp(curve.length() / 2, smallest_text, seam_number_text);
     text.text = std::to_string(number);
     if (other != index_) {
       const std::string full =
@@ -285,7 +305,10 @@ class PanelPart {
   }
 
   void facts() {
-    part_.facts = {"Piece Name: " + panel_.name, "Quantity: " + std::to_string(panel_.quantity)};
+    part_.facts = {"Piece Name: " + panel_.name, "Quantity: " + std::to_string(panel_.quantity),
+                   drawn_panel_fact};
+    if (panel_.side_unknown) part_.facts.emplace_back("Side: unknown");
+    if (!panel_.left_out.empty()) part_.facts.push_back("Left out: " + panel_.left_out);
     if (!panel_.material.empty()) part_.facts.push_back("Material: " + panel_.material);
   }
 

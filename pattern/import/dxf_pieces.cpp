@@ -42,6 +42,10 @@ class PieceBuilder {
     if (piece.name.empty()) piece.name = texts.spelling_of(drawn.name);
     if (piece.name.empty()) piece.name = drawn.name;
     piece.category = texts.value("category");
+    piece.is_panel = drawn_panel_fact == "Panel: " + texts.value("panel");
+    piece.has_all_corners = piece.is_panel;
+    piece.side_unknown = texts.value("side") == "unknown";
+    piece.left_out = texts.value("left out");
     piece.size = texts.value("size");
     piece.material = texts.material();
     if (const auto quantity = texts.quantity()) {
@@ -74,7 +78,11 @@ class PieceBuilder {
     for (const DxfEntity& entity : drawn.entities) {
       const int layer = layered_ ? layer_number(entity) : any_layer;
       if (entity.kind == DxfEntity::Kind::text) {
-        texts.add(entity.text);
+        if (const auto seam = read_seam_text(entity.text)) {
+          piece.seams.push_back({*seam, entity.at * unit_, entity.angle});
+        } else {
+          texts.add(entity.text);
+        }
       } else if (entity.kind == DxfEntity::Kind::point) {
         point(entity, layer, piece);
       } else {

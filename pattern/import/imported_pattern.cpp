@@ -12,6 +12,7 @@
 #include "io/json_words.h"
 #include "io/text.h"
 #include "pattern/constants.h"
+#include "pattern/import/drawn_seams.h"
 #include "pattern/import/graded_pieces.h"
 #include "pattern/import/half_pieces.h"
 #include "pattern/import/join_paths.h"
@@ -33,6 +34,12 @@ constexpr double layout_width = 2;
 
 /// What dress takes panels of ribbing as: the one knit that it knows by name.
 constexpr const char* ribbing_fabric = "jersey";
+
+/// Metres from the outline of what a program wrote as a panel to its edges, at most. With chords as
+/// sheet_dxf() draws them, a pattern that is drawn and read again differs by less than 0.01 mm.
+/// With half of it curves follow the chords and double at each turn; with double it differs by
+/// more.
+constexpr double panel_chord_error = 4e-6;
 
 /// Share of the chord error that chords in place of drawn curves may take.
 constexpr double sampling_share = 0.1;
@@ -145,8 +152,9 @@ class Importer {
     std::erase_if(chosen_, [&](ChosenPiece& chosen) {
       return !holds(
           [&] {
-            chosen.shape = shape_of(chosen.piece, place_of(chosen),
-                                    options_.edges.chord_error * sampling_share, remarks_);
+            chosen.shape =
+                shape_of(chosen.piece, place_of(chosen),
+                         edge_options(chosen.piece).chord_error * sampling_share, remarks_);
           },
           chosen);
     });
@@ -199,6 +207,7 @@ class Importer {
            "where no grain line says it");
     }
     lay_out(pattern_.panels);
+    pattern_.seams = drawn_seams(pattern_.panels, drawing_.source, remarks_);
     return std::move(pattern_);
   }
 
@@ -376,6 +385,13 @@ class Importer {
     }
   }
 
+  /// Panels that a program wrote are kept finer, so that they come back as they were.
+  EdgeOptions edge_options(const Piece& piece) const {
+    EdgeOptions options = options_.edges;
+    if (piece.is_panel) options.chord_error = std::min(options.chord_error, panel_chord_error);
+    return options;
+  }
+
   std::string place_of(const ChosenPiece& chosen) const {
     return drawing_.source + ": piece " + in_quotes(chosen.piece.name);
   }
@@ -384,6 +400,11 @@ class Importer {
     std::vector<PieceShape> shapes;
     shapes.reserve(chosen_.size());
     for (const ChosenPiece& chosen : chosen_) shapes.push_back(chosen.shape);
+    // What a program wrote as panels stands as they do.
+    if (std::ranges::all_of(chosen_, [](const ChosenPiece& one) { return one.piece.is_panel; })) {
+      has_grain_ = true;
+      return;
+    }
     const UprightTurns upright = upright_turns(shapes);
     has_grain_ = upright.has_grain;
     by_shape_ = upright.by_shape;
@@ -494,10 +515,17 @@ class Importer {
     panel.asked = chosen.asked;
     panel.turned = chosen.turned;
     panel.piece = piece.name;
-    panel.outline = edges_of(shape, options_.edges, place);
+    panel.outline = edges_of(shape, edge_options(piece), place);
     if (panel.outline.far_notches > 0) {
       remarks_.push_back({true, place + ": " + std::to_string(panel.outline.far_notches) +
                                     " notches are more than 6 cm from its outline; left out"});
+    }
+    if (piece.is_panel && !piece.pair) {
+      for (const PieceSeam& seam : piece.seams) {
+        panel.seams.push_back(seam_side(seam, panel.outline));
+      }
+      panel.is_of_pair = piece.side_unknown;
+      panel.left_out = piece.left_out;
     }
     panel.internal_lines = shape.internal_lines;
     panel.cut_outs = shape.cut_outs;

@@ -25,6 +25,13 @@ struct ImportOptions {
   EdgeOptions edges;
 };
 
+/// A side of a seam that the drawing states.
+struct SeamSide {
+  SeamText text;
+  int edge = 0;
+  bool forward = true;  ///< it is sewn from the start of its edge on
+};
+
 /// A panel of the pattern. Metres, y up.
 struct ImportedPanel {
   std::string name;   ///< unique, and one that read_pattern() takes
@@ -41,9 +48,21 @@ struct ImportedPanel {
   bool is_unfolded = false;        ///< drawn as a half
   bool is_of_pair = false;         ///< one of a left and a right one, drawn once
   std::optional<int> likely_fold;  ///< of one that is taken as whole: likely_fold() of its piece
+  std::vector<SeamSide> seams;     ///< of a piece that is a panel as it stands
+  std::string left_out;            ///< as PatternPanel has it
   double area = 0;                 ///< square metres
   double turned = 0;               ///< radians, counter-clockwise about the drawing's origin
   Vec2 moved = Vec2::Zero();       ///< metres, after the turn, from where the drawing has it
+};
+
+/// A seam between two edges.
+struct ImportedSeam {
+  int panel_a = 0;
+  int edge_a = 0;
+  int panel_b = 0;
+  int edge_b = 0;
+  bool end_to_start = true;  ///< else they run side by side
+  SeamText text;             ///< of side a
 };
 
 /// All panels, and what was remarked on the way.
@@ -51,6 +70,7 @@ struct ImportedPattern {
   std::string size;                ///< the one that was taken; empty: the drawing states none
   std::vector<std::string> sizes;  ///< all that the drawing has
   std::vector<ImportedPanel> panels;
+  std::vector<ImportedSeam> seams;     ///< that the drawing states
   std::vector<LeftOutPiece> left_out;  ///< pieces of this size that can't be panels, not asked for
 };
 
@@ -73,7 +93,7 @@ struct ImportedPattern {
 ImportedPattern import_pieces(const PieceDrawing& drawing, const ImportOptions& options,
                               std::vector<Remark>& remarks);
 
-/// The pattern as GarmentCode's JSON: in centimetres, without stitches, places and rotations. Edges
+/// The pattern as GarmentCode's JSON: in centimetres, without places and rotations. Edges
 /// run counter-clockwise, so seams run from end to start (normalized_edge_loops).
 nlohmann::ordered_json pattern_json(const ImportedPattern& pattern);
 

@@ -49,6 +49,27 @@ Json edge_json(const EdgedOutline& outline, const OutlineEdge& edge) {
   return json;
 }
 
+Json stitch_json(const ImportedPattern& pattern, const ImportedSeam& seam) {
+  const auto side = [&](int panel, int edge) -> Json {
+    return {{"panel", pattern.panels[static_cast<std::size_t>(panel)].name}, {"edge", edge}};
+  };
+  Json stitch = {side(seam.panel_a, seam.edge_a), side(seam.panel_b, seam.edge_b)};
+  Json how = Json::object();
+  if (seam.text.direction == StitchDirection::by_position) {
+    how["reversed"] = "found";
+  } else if (!seam.end_to_start || seam.text.layered) {
+    how["reversed"] = seam.end_to_start;
+  }
+  if (seam.text.gathered && seam.text.fullness > 0) {
+    how["gather"] = seam.text.fullness;
+  } else if (seam.text.gathered) {
+    how["gather"] = true;
+  }
+  if (seam.text.layered) how["layer"] = true;
+  if (!how.empty()) stitch.push_back(std::move(how));
+  return stitch;
+}
+
 }  // namespace
 
 nlohmann::ordered_json pattern_json(const ImportedPattern& pattern) {
@@ -65,6 +86,7 @@ nlohmann::ordered_json pattern_json(const ImportedPattern& pattern) {
     if (!panel.fabric.empty()) json["fabric"] = panel.fabric;
     if (!panel.material.empty()) json["material"] = valid_utf8(panel.material);
     if (panel.quantity != 1) json["quantity"] = panel.quantity;
+    if (!panel.left_out.empty()) json["left_out"] = valid_utf8(panel.left_out);
     if (panel.is_of_pair) json["side"] = "unknown";
     for (const OutlineNotch& notch : panel.outline.notches) {
       Json entry = {{"vertex", notch.vertex}};
@@ -78,10 +100,12 @@ nlohmann::ordered_json pattern_json(const ImportedPattern& pattern) {
     panels[panel.name] = std::move(json);
     order.push_back(panel.name);
   }
+  Json stitches = Json::array();
+  for (const ImportedSeam& seam : pattern.seams) stitches.push_back(stitch_json(pattern, seam));
   Json result;
   result["pattern"] = {{"panels", std::move(panels)},
                        {"panel_order", std::move(order)},
-                       {"stitches", Json::array()}};
+                       {"stitches", std::move(stitches)}};
   result["properties"] = {{"curvature_coords", "relative"},
                           {"normalize_panel_translation", false},
                           {"normalized_edge_loops", true},

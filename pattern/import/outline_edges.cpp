@@ -131,8 +131,9 @@ std::vector<Cut> corners_of(const PieceShape& shape, const Ring& ring, double co
   std::stable_sort(turned.begin(), turned.end(), [&](std::size_t a, std::size_t b) {
     return std::abs(turns[a]) > std::abs(turns[b]) + 1e-9;
   });
+  // A declared corner near one that was found is that one. Of all corners, each is where it is.
+  if (shape.has_all_corners) cuts = declared;
   for (const std::size_t i : turned) add_cut(cuts, ring, {ring.to(i), ring.at(i)}, same_corner);
-  // A declared corner near one that was found is that one.
   for (const Cut& cut : declared) add_cut(cuts, ring, cut, 2 * same_corner);
   return cuts;
 }

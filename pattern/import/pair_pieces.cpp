@@ -28,6 +28,7 @@ bool is_own_mirror_image(const Piece& piece, double chord_error) {
 }  // namespace
 
 CutAs cut_as(const Piece& piece, double chord_error) {
+  if (piece.is_panel) return CutAs::one;
   bool pair = piece.pair;
   if (!pair && piece.quantity % 2 == 0 && read_panel_name(piece.name).side == 0) {
     pair = !piece.none_mirrored || is_own_mirror_image(piece, chord_error);

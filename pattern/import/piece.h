@@ -10,6 +10,7 @@
 #include "geometry/error.h"
 #include "geometry/types.h"
 #include "pattern/edge_curve.h"
+#include "pattern/file/seam_text.h"
 #include "pattern/pattern.h"
 
 namespace toile {
@@ -27,6 +28,13 @@ struct PieceLine {
 struct PieceNotch {
   Vec2 at = Vec2::Zero();       ///< metres, near the outline
   std::optional<double> angle;  ///< radians from +x, counter-clockwise, if the file says it
+};
+
+/// A text that says what is sewn to the outline where it stands.
+struct PieceSeam {
+  SeamText text;
+  Vec2 at = Vec2::Zero();  ///< metres
+  double angle = 0;        ///< radians from +x: the way in which it is sewn
 };
 
 /// One piece as drawn. Metres, y up.
@@ -47,6 +55,11 @@ struct Piece {
   std::vector<PiecePath> internal_lines;
   std::vector<PiecePath> cut_outs;  ///< closed
   std::vector<Vec2> drill_holes;
+  std::vector<PieceSeam> seams;
+  /// It is a panel as it stands, neither half nor pair, by a program that writes patterns.
+  bool is_panel = false;
+  bool side_unknown = false;       ///< as PatternPanel has it
+  std::string left_out;            ///< as PatternPanel has it
   std::optional<PieceLine> grain;  ///< along the warp
   std::optional<PieceLine> fold;   ///< the piece is half of one that is mirrored about this line
 };

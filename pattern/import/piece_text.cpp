@@ -37,7 +37,7 @@ std::string folded_word(const std::string& text) {
 }
 
 /// The keys of ASTM D6673, and those that pattern programs write beside them.
-constexpr std::array<std::string_view, 24> known_text_keys = {"piece name",
+constexpr std::array<std::string_view, 27> known_text_keys = {"piece name",
                                                               "size",
                                                               "quantity",
                                                               "material",
@@ -60,7 +60,10 @@ constexpr std::array<std::string_view, 24> known_text_keys = {"piece name",
                                                               "customer",
                                                               "base size",
                                                               "asme/astm version",
-                                                              "aama/astm version"};
+                                                              "aama/astm version",
+                                                              "panel",
+                                                              "side",
+                                                              "left out"};
 
 }  // namespace
 

@@ -21,12 +21,26 @@ constexpr double drawing_noise = 1e-3;
 /// Metres: chords that are good enough to compare lines.
 constexpr double comparing_chords = 1e-4;
 
-/// Some hundred of the points.
+/// The closed line without points that lie on the chord past them: corners stay, however many
+/// points the curves between them have. O(n).
 std::vector<Vec2> thinned(const std::vector<Vec2>& points) {
-  constexpr std::size_t max_points = 400;
-  const std::size_t step = points.size() / max_points + 1;
+  constexpr std::size_t max_span = 64;  // bounds the work where many points lie on a line
   std::vector<Vec2> kept;
-  for (std::size_t i = 0; i < points.size(); i += step) kept.push_back(points[i]);
+  std::size_t first = 0;
+  while (first < points.size()) {
+    kept.push_back(points[first]);
+    std::size_t next = first + 1;
+    const auto chord_holds = [&](std::size_t end) {
+      for (std::size_t i = first + 1; i < end; ++i) {
+        if (distance_to_segment(points[i], points[first], points[end]) > comparing_chords) {
+          return false;
+        }
+      }
+      return true;
+    };
+    while (next + 1 < points.size() && next < first + max_span && chord_holds(next + 1)) ++next;
+    first = next;
+  }
   return kept;
 }
 

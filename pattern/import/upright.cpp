@@ -31,8 +31,8 @@ constexpr double square_share = 0.4;
 constexpr double telling_height = 0.01;
 
 /// Share of the telling area whose lines have to agree, before a drawing without grain lines is
-/// turned as a whole. In 13 of 14 all agree, and in the one that is nested half. Half of it turns
-/// that as a whole; with double of it pieces of all are turned one by one.
+/// turned as a whole. In all but the nested one of 14 they agree, and in that half. Half of it
+/// turns that as a whole; with double of it pieces of all are turned one by one.
 constexpr double lying_alike = 0.75;
 
 /// The angle of a line without direction, from -90 degrees to 90, not included. So the right end of
