@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "io/text.h"
+#include "geometry/error.h"
 
 namespace toile {
 

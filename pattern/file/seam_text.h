@@ -8,7 +8,7 @@
 
 namespace toile {
 
-/// The key of a text in a block whose turn points are all ends of edges, and which is one panel.
+/// The text in a block that is one panel, and whose turn points are all ends of edges.
 inline constexpr const char* drawn_panel_fact = "Panel: as drawn";
 
 /// One side of a seam. Its text stands on the middle of its edge. It runs the way in which the seam

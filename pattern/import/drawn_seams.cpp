@@ -1,5 +1,6 @@
 #include "pattern/import/drawn_seams.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -21,6 +22,12 @@ Vec2 point_at(const FittedCurve& curve, double t) {
 }
 
 }  // namespace
+
+PieceSeam turned_seam(PieceSeam drawn, double angle) {
+  drawn.at = Eigen::Rotation2Dd(angle) * drawn.at;
+  drawn.angle += angle;
+  return drawn;
+}
 
 SeamSide seam_side(const PieceSeam& drawn, const EdgedOutline& outline) {
   SeamSide side{drawn.text};

@@ -8,6 +8,9 @@
 
 namespace toile {
 
+/// The text of a seam, turned about the drawing's origin by `angle` radians, counter-clockwise.
+PieceSeam turned_seam(PieceSeam drawn, double angle);
+
 /// The edge that a text of a seam stands on, and whether the text runs along it from its start.
 SeamSide seam_side(const PieceSeam& drawn, const EdgedOutline& outline);
 

@@ -400,11 +400,6 @@ class Importer {
     std::vector<PieceShape> shapes;
     shapes.reserve(chosen_.size());
     for (const ChosenPiece& chosen : chosen_) shapes.push_back(chosen.shape);
-    // What a program wrote as panels stands as they do.
-    if (std::ranges::all_of(chosen_, [](const ChosenPiece& one) { return one.piece.is_panel; })) {
-      has_grain_ = true;
-      return;
-    }
     const UprightTurns upright = upright_turns(shapes);
     has_grain_ = upright.has_grain;
     by_shape_ = upright.by_shape;
@@ -522,7 +517,7 @@ class Importer {
     }
     if (piece.is_panel && !piece.pair) {
       for (const PieceSeam& seam : piece.seams) {
-        panel.seams.push_back(seam_side(seam, panel.outline));
+        panel.seams.push_back(seam_side(turned_seam(seam, chosen.turned), panel.outline));
       }
       panel.is_of_pair = piece.side_unknown;
       panel.left_out = piece.left_out;

@@ -48,7 +48,7 @@ struct ImportedPanel {
   bool is_unfolded = false;        ///< drawn as a half
   bool is_of_pair = false;         ///< one of a left and a right one, drawn once
   std::optional<int> likely_fold;  ///< of one that is taken as whole: likely_fold() of its piece
-  std::vector<SeamSide> seams;     ///< of a piece that is a panel as it stands
+  std::vector<SeamSide> seams;     ///< of a piece that is a panel
   std::string left_out;            ///< as PatternPanel has it
   double area = 0;                 ///< square metres
   double turned = 0;               ///< radians, counter-clockwise about the drawing's origin

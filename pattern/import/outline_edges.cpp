@@ -217,12 +217,13 @@ EdgedOutline edges_of(const PieceShape& shape, const EdgeOptions& options,
 
 void number_alike(EdgedOutline& outline, const EdgedOutline& like) {
   const std::size_t count = outline.edges.size();
-  if (count != like.edges.size()) return;
-  const auto shares = [count](const EdgedOutline& one) {
+  if (count == 0 || count != like.edges.size()) return;
+  const auto shares = [](const EdgedOutline& one) {
     std::vector<double> chords;
     double all = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      chords.push_back((one.vertices[(i + 1) % count] - one.vertices[i]).norm());
+    for (const OutlineEdge& edge : one.edges) {
+      const Vec2& from = one.vertices[static_cast<std::size_t>(edge.from)];
+      chords.push_back((one.vertices[static_cast<std::size_t>(edge.to)] - from).norm());
       all += chords.back();
     }
     for (double& chord : chords) chord /= all;
@@ -232,7 +233,10 @@ void number_alike(EdgedOutline& outline, const EdgedOutline& like) {
   const std::vector<double> wanted = shares(like);
   const auto off = [&](std::size_t shift) {
     double sum = 0;
-    for (std::size_t i = 0; i < count; ++i) sum += std::abs(own[(i + shift) % count] - wanted[i]);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t at = i + shift < count ? i + shift : i + shift - count;
+      sum += std::abs(own[at] - wanted[i]);
+    }
     return sum;
   };
   std::size_t best = 0;

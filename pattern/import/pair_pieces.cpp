@@ -5,6 +5,7 @@
 
 #include "pattern/classify/panel_name.h"
 #include "pattern/import/half_pieces.h"
+#include "pattern/import/join_paths.h"
 #include "pattern/import/piece_shape.h"
 
 namespace toile {

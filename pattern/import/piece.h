@@ -56,7 +56,7 @@ struct Piece {
   std::vector<PiecePath> cut_outs;  ///< closed
   std::vector<Vec2> drill_holes;
   std::vector<PieceSeam> seams;
-  /// It is a panel as it stands, neither half nor pair, by a program that writes patterns.
+  /// It is one panel, neither half nor pair, by a program that writes patterns.
   bool is_panel = false;
   bool side_unknown = false;       ///< as PatternPanel has it
   std::string left_out;            ///< as PatternPanel has it

@@ -125,7 +125,7 @@ std::size_t cut_label(const std::string& line) {
 std::optional<PieceQuantity> times_cut(const std::string& annotation) {
   const std::size_t end = annotation.find_first_not_of("0123456789");
   if (end == 0 || end == std::string::npos || end > 3) return std::nullopt;
-  const std::size_t word = annotation.find_first_not_of(" ", end + 1);
+  const std::size_t word = annotation.find_first_not_of(' ', end + 1);
   const bool times = annotation[end] == 'X' || annotation[end] == 'x';
   if (!times || word == std::string::npos ||
       std::isalpha(static_cast<unsigned char>(annotation[word])) == 0) {

@@ -162,7 +162,7 @@ bool is_freesewing_mark(const SvgShape& shape) {
 SvgMeaning meaning_of(const SvgDrawing& drawing, const SvgShape& shape) {
   if (shape.use >= 0) {
     const SvgUse& use = drawing.uses[static_cast<std::size_t>(shape.use)];
-    const SvgMeaning meaning = meaning_of_use(drawing, use.target);
+    SvgMeaning meaning = meaning_of_use(drawing, use.target);
     if (meaning.role != SvgRole::unknown) return meaning;
   }
   if (const auto meaning = meaning_by_class(drawing, shape)) return *meaning;

@@ -23,7 +23,9 @@ class Pattern:
                 raise ValueError("not read: " + done.stderr.strip().splitlines()[-1])
             read = json.loads(out.read_text())
             sewn = pathlib.Path(folder) / "sewn.json"
-            if seams:
+            if seams and read["pattern"]["stitches"]:
+                sewn = out  # the drawing states them
+            elif seams:
                 done = labels.program("find-seams", out, "-o", sewn)
                 if not sewn.exists():
                     raise ValueError("find-seams: " + done.stderr.strip().splitlines()[-1])

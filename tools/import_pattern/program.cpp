@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/error.h"
+#include "io/output_file.h"
 #include "io/text.h"
 #include "tools/import_pattern/run.h"
 #include "tools/programs.h"

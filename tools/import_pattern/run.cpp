@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "geometry/error.h"
+#include "io/json_words.h"
 #include "io/output_file.h"
 #include "io/text.h"
 #include "pattern/check/check_pattern.h"
@@ -175,13 +176,17 @@ bool import_all_sizes(const ImportPatternSettings& settings, const CommonSetting
     const std::filesystem::path file = common.output / size_file(size);
     write_file(files.at(file), content_of(pattern, file.string(), said));
     const std::string differ = differing_panels(base, pattern);
-    const std::string place = name + ": size " + in_quotes(size) + ": ";
+    std::string place = name;
+    place.append(": size ").append(in_quotes(size)).append(": ");
     for (const LeftOutPiece& piece : pattern.left_out) {
       all_read = false;
-      remarks.push_back({true, place + piece.error.what() + "; the piece is left out"});
+      remarks.push_back(
+          {true, std::string(place).append(piece.error.what()).append("; the piece is left out")});
     }
     if (!differ.empty()) {
-      remarks.push_back({true, place + "edges are not numbered as in the base size: " + differ});
+      remarks.push_back({true, std::string(place)
+                                   .append("edges are not numbered as in the base size: ")
+                                   .append(differ)});
     }
     sizes.push_back({{"size", valid_utf8(size)},
                      {"file", file.filename().string()},
@@ -193,7 +198,7 @@ bool import_all_sizes(const ImportPatternSettings& settings, const CommonSetting
   auto report = import_pattern_json(name, format == DrawingFormat::dxf ? "dxf" : "svg", drawing,
                                     base, remarks);
   report["all_sizes"] = std::move(sizes);
-  write_report(files, common, std::move(report));
+  write_report(files, common, report);
   files.commit();
   return all_read;
 }
