@@ -16,6 +16,7 @@
 #include "geometry/angles.h"
 #include "geometry/body/bones.h"
 #include "geometry/error.h"
+#include "geometry/half_edges.h"
 
 namespace toile {
 
@@ -31,7 +32,8 @@ Error refused(const MeshedPanel& panel, const std::string& problem, const std::s
 struct UprightPanel {
   const MeshedPanel& panel;
   Bones bones;
-  std::vector<Vec2> points;  ///< upright
+  std::vector<Vec2> points;               ///< upright
+  std::vector<std::array<int, 2>> edges;  ///< of its triangles, by the numbers of its points
   Vec2 low = Vec2::Constant(1e300);
   Vec2 high = Vec2::Constant(-1e300);
   /// A point of the plane between the legs. The panels of a leg stay on its side.
@@ -61,6 +63,11 @@ struct UprightPanel {
       low = low.cwiseMin(points.back());
       high = high.cwiseMax(points.back());
     }
+    const auto first = garment.triangles.begin() + panel.first_triangle;
+    edges = unique_edges({first, first + panel.triangles});
+    for (std::array<int, 2>& edge : edges) {
+      for (int& p : edge) p -= panel.first_point;
+    }
   }
 
   /// 1 where arc length on the bones grows up the part (torso), -1 where it grows down (limbs).
@@ -86,12 +93,20 @@ class EvenWidth {
  public:
   explicit EvenWidth(const UprightPanel& piece)
       : low_(piece.low.y()), step_((piece.high.y() - piece.low.y()) / levels) {
+    // Edges tell the width: of a coarse mesh, a level may have no point of the border.
     std::array<std::array<double, 2>, levels> ends;
     ends.fill({0, 0});
-    for (const Vec2& point : piece.points) {
-      const double x = point.x() - 0.5 * (piece.low.x() + piece.high.x());
-      std::array<double, 2>& at = ends[level(point.y())];
-      at = {std::min(at[0], x), std::max(at[1], x)};
+    for (const auto& [p, q] : piece.edges) {
+      Vec2 a = piece.points[p];
+      Vec2 b = piece.points[q];
+      if (a.y() > b.y()) std::swap(a, b);
+      for (std::size_t i = 0; i < levels; ++i) {
+        const double y = low_ + (static_cast<double>(i) + 0.5) * step_;
+        if (y < a.y() || y > b.y() || a.y() == b.y()) continue;
+        const double x = a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y()) -
+                         0.5 * (piece.low.x() + piece.high.x());
+        ends[i] = {std::min(ends[i][0], x), std::max(ends[i][1], x)};
+      }
     }
     // From the widest level down; what lies above, as the cap of a sleeve, keeps its width.
     std::size_t widest = 0;
@@ -103,7 +118,7 @@ class EvenWidth {
     for (std::size_t i = 0; i < widest; ++i) {
       for (std::size_t side = 0; side < 2; ++side) {
         const double own = std::abs(ends[i][side]);
-        // A level without points is as the one below it.
+        // A level that does not reach so far is as the one below it.
         const double least = 0.2 * std::abs(ends[widest][side]);
         stretch_[i][side] = own > least ? std::max(1.0, std::abs(ends[widest][side]) / own)
                             : i > 0     ? stretch_[i - 1][side]
@@ -123,10 +138,6 @@ class EvenWidth {
 
  private:
   static constexpr std::size_t levels = 16;
-
-  std::size_t level(double y) const {
-    return std::min(static_cast<std::size_t>(std::max(0.0, (y - low_) / step_)), levels - 1);
-  }
 
   double low_;
   double step_;

@@ -256,6 +256,31 @@ TEST(Positioning, ASleeveThatReachesTheHandGoesAllAroundIt) {
   }
 }
 
+/// The width of a sleeve is that of its outline, where a level of it has no point of the border.
+TEST(Positioning, ACoarseSleeveGoesAsFarAroundTheHandAsAFineOne) {
+  const Skeleton skeleton = figure();
+  const auto rolled = [&](int columns, int rows) {
+    PanelMesh sleeve = panel(BodyPart::left_arm, rolled_around(), 0.4, 0.7, columns, rows);
+    for (Vec2& point : sleeve.flat) {
+      point.x() = 0.2 + (point.x() - 0.2) * (0.5 + 0.5 * point.y() / 0.7);
+      // The inner points lie between those of the border.
+      const bool is_border = std::abs(point.x() - 0.2) > 0.199 * (0.5 + 0.5 * point.y() / 0.7);
+      if (!is_border && point.y() > 0.01 && point.y() < 0.65) point.y() += 0.35 / rows;
+    }
+    return position_panels(sleeve, far_body(), &skeleton).placed;
+  };
+  const std::vector<Vec3> coarse = rolled(8, 10);
+  const std::vector<Vec3> fine = rolled(8, 40);
+  double worst = 0;
+  for (int row = 0; row <= 10; ++row) {
+    for (const int column : {0, 8}) {
+      worst = std::max(worst, (coarse[row * 9 + column] - fine[4 * row * 9 + column]).norm());
+    }
+  }
+  std::cout << "borders of a coarse and of a fine sleeve: " << 1000 * worst << " mm apart\n";
+  EXPECT_LT(worst, 0.01);
+}
+
 TEST(Positioning, RolledPanelsAreWidenedUntilTheLimbFits) {
   const Skeleton skeleton = figure();
   const SurfaceDistance exact(test::closed_tube(0.16, 0.12, 1.5, 96));
