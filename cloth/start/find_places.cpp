@@ -66,7 +66,8 @@ class Component {
   void lay_panels();
   void stand_panels(std::vector<Vec3>& placed);
   double panel_depth(std::size_t i, const std::pair<double, double>& trunk) const;
-  void stand_hood(int p, std::vector<Vec3>& placed) const;
+  void stand_hoods(std::vector<Vec3>& placed) const;
+  void stand_hood(int p, const std::vector<char>& stands, std::vector<Vec3>& placed) const;
   void roll_all(std::vector<MeshedPanel>& meshed) const;
   void roll(int p, std::vector<MeshedPanel>& meshed) const;
   BodyPart rolled_part(int p, const std::vector<MeshedPanel>& meshed) const;
@@ -201,8 +202,28 @@ void Component::stand_panels(std::vector<Vec3>& placed) {
   }
 }
 
-/// A hood's half stands beside the head, its seams to the rest at the height of the neck.
-void Component::stand_hood(int p, std::vector<Vec3>& placed) const {
+/// What is sewn to the neckline stands first, then what is sewn to that.
+void Component::stand_hoods(std::vector<Vec3>& placed) const {
+  std::vector<char> stands(garment_.panels.size(), 0);
+  for (const int p : flat_) stands[p] = 1;
+  std::vector<int> waiting = hoods_;
+  while (!waiting.empty()) {
+    const auto next = std::ranges::find_if(waiting, [&](int p) {
+      bool tells = false;
+      each_partner(p, [&](int, int other) { tells = tells || stands[panel_of_[other]] != 0; });
+      return tells;
+    });
+    const auto at = next == waiting.end() ? waiting.begin() : next;
+    stand_hood(*at, stands, placed);
+    stands[*at] = 1;
+    waiting.erase(at);
+  }
+}
+
+/// A hood's half stands beside the head, its seams to the rest at the height of the neck. One that
+/// only another piece of the hood holds stands as high as that, a left one across from a right one.
+void Component::stand_hood(int p, const std::vector<char>& stands,
+                           std::vector<Vec3>& placed) const {
   const MeshedPanel& of = panel(p);
   Vec2 sewn = Vec2::Zero();
   Vec2 there = Vec2::Zero();
@@ -223,7 +244,19 @@ void Component::stand_hood(int p, std::vector<Vec3>& placed) const {
     there += placed[other].head<2>();
     ++count;
   });
-  if (count == 0) throw refused(p, "is a hood's and sewn to no front or back");
+  if (count == 0) {
+    each_partner(p, [&](int mine, int other) {
+      if (stands[panel_of_[other]] == 0) return;
+      sewn += garment_.flat[mine];
+      there += placed[other].head<2>();
+      ++count;
+    });
+    if (count == 0) throw refused(p, "is a hood's and sewn to no front or back");
+    for (const int q : hoods_) {
+      if (stands[q] == 0 || side_sign(panel(q).is) * side_sign(panel(p).is) >= 0) continue;
+      there.x() = count * (2 * sizes_.middle() - placed[panel(q).first_point].x());
+    }
+  }
   sewn /= count;
   there /= count;
   const AskedPlace* place = asked(p);
@@ -314,7 +347,7 @@ std::vector<int> Component::place(std::vector<Vec3>& placed, std::vector<FoundPl
     lay_panels();
     stand_panels(placed);
   }
-  for (const int p : hoods_) stand_hood(p, placed);
+  stand_hoods(placed);
   roll_all(meshed);
   for (std::size_t i = 0; i < flat_.size(); ++i) {
     found[flat_[i]].side = worn_->layout().back[i] ? PlacementSide::back : PlacementSide::front;

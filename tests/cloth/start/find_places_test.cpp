@@ -242,6 +242,33 @@ TEST(FindPlaces, ACuffOfOnePieceIsRolledBelowItsSleeveInAnyOrder) {
   }
 }
 
+TEST(FindPlaces, HalfAHoodThatTheOtherHalfHoldsStandsAcrossFromIt) {
+  Json pattern = Json::parse(read_file(TOILE_SOURCE_DIR "/tests/pattern/seams/drafts/hugo.json"));
+  Json& inner = pattern["pattern"];
+  Json order = Json::array();
+  for (const Json& name : inner["panel_order"]) {
+    const std::string text = name;
+    const bool is_spare =
+        text.find("ocket") != std::string::npos || text == "neckBinding" || text == "waistband";
+    if (is_spare) inner["panels"].erase(text);
+    if (!is_spare) order.push_back(name);
+  }
+  inner["panel_order"] = order;
+  std::erase_if(inner["stitches"].get_ref<Json::array_t&>(), [](const Json& stitch) {
+    return stitch.dump().find("waistband") != std::string::npos;
+  });
+  // The hood's right half hangs on its middle alone.
+  inner["stitches"].push_back(
+      {{{"panel", "left_hoodSide"}, {"edge", 3}}, {{"panel", "back"}, {"edge", 3}}});
+  PanelMesh garment = meshed(pattern);
+  place(garment);
+  const Vec3 left = middle(garment, "left_hoodSide");
+  const Vec3 right = middle(garment, "right_hoodSide");
+  const double centre = body().skeleton.joint("neck").x();
+  EXPECT_LT((left.x() - centre) * (right.x() - centre), 0);
+  EXPECT_NEAR(std::abs(left.x() - centre), std::abs(right.x() - centre), 0.01);
+}
+
 TEST(FindPlaces, TrousersRunDownTheLegsBelowTheCrotch) {
   Json pattern = sample("trousers");
   strip(pattern);
