@@ -441,12 +441,36 @@ class WearCheck {
     const std::vector<int> panels = without_sleeves(component);
     if (panels.empty()) return;
     if (has_hem || has_legs) {
+      if (const Opening* hem = hem_at_armhole(component)) {
+        fail(BodyPart::torso, hem->middle, "chest or shoulders");
+      }
       find_bare_level(component);
       return;
     }
     if (is_open_by_its_seams(panels) || is_apron(component)) return;
     if (goes_around(panels, BodyPart::torso, through_hem)) return;
     fail(BodyPart::torso, moment_of(panels).middle(), "chest or shoulders");
+  }
+
+  /// The hem that climbs to a sleeve, or null. Front and back are not sewn at the sides then: only
+  /// the sleeve's seam holds them together below the arm. A tabard has no sleeves.
+  const Opening* hem_at_armhole(const Component& component) const {
+    std::vector<char> at_sleeve(nodes_.size(), 0);
+    for (std::size_t t = 0; t < dressed_.triangles.size(); ++t) {
+      if (kind(dressed_.panel_of_triangle[t]) != PanelRole::sleeve) continue;
+      for (const int node : dressed_.triangles[t]) at_sleeve[node] = 1;
+    }
+    for (const Opening* opening : component.openings) {
+      if (opening->limbs != through_hem) continue;
+      double low = std::numeric_limits<double>::infinity();
+      double sleeve = -low;
+      for (const int node : opening->nodes) {
+        low = std::min(low, nodes_[node].y());
+        if (at_sleeve[node] != 0) sleeve = std::max(sleeve, nodes_[node].y());
+      }
+      if (sleeve > low + min_slit) return opening;
+    }
+    return nullptr;
   }
 
   /// What is closed about the hips and reaches the shoulders covers the trunk between waist and
@@ -551,17 +575,21 @@ class WearCheck {
     return across.normalized();
   }
 
+  /// Sides tell a quarter of a turn. A drawing shows one of a pair, and names say as often what the
+  /// viewer sees: so nobody knows which is the left one.
   void check_facing(const Component& component) {
-    const auto check = [&](const std::optional<Vec3>& across, const Vec3& wanted,
+    const auto check = [&](const std::optional<Vec3>& across, const Vec3& wanted, bool either,
                            const std::string& what) {
-      if (!across || across->dot(wanted) >= min_facing_cosine) return;
-      const double degrees = to_degrees(std::acos(std::clamp(across->dot(wanted), -1.0, 1.0)));
+      if (!across) return;
+      const double along = across->dot(wanted);
+      if ((either ? std::abs(along) : along) >= min_facing_cosine) return;
+      const double degrees = to_degrees(std::acos(std::clamp(along, -1.0, 1.0)));
       misplace(BodyPart::torso,
                "turned about the vertical by " + std::to_string(std::lround(degrees)) + " degrees",
                what);
     };
-    check(from_to(component, face_sign), Vec3::UnitZ(), "its front before the body");
-    check(from_to(component, side_sign), Vec3::UnitX(), "its left side at the wearer's left");
+    check(from_to(component, face_sign), Vec3::UnitZ(), false, "its front before the body");
+    check(from_to(component, side_sign), Vec3::UnitX(), true, "its left and right at the sides");
   }
 
   const PanelMesh& garment_;

@@ -63,13 +63,15 @@ struct WearFindings {
 ///   It lies below two thirds of the way from waist to armpits.
 /// - What hangs from waist, hips or chest came down by 8 cm at most (Slid).
 /// - Sleeves, skirts and tops that are not closed around their part meet 85 % of the directions.
-///   A wrap skirt does. A shirt that lacks a quarter does not. What is open in front
-///   or at the back by its seams meets half of them: each arm has an opening of its own there. So
-///   does an apron, which no arm passes through, where it lies as it was drafted to.
+///   A wrap skirt does. A shirt that lacks a quarter does not. Nor does a shirt whose sides are
+///   open from the hem to its sleeves. What is open in front or at the back by its seams meets half
+///   of them: each arm has an opening of its own there. So does an apron, which no arm passes
+///   through, where it lies as it was drafted to.
 /// - Of the cloth without sleeves, 13 % at most hang upside down in folds (hangs.h).
 /// - Any other component: no two openings of 15 cm or more may have nothing in them. An opening
 ///   around both legs may not be its highest one and lie below the crotch.
-/// - Panels named front and back, left and right, lie on their sides of the body within 60 degrees.
+/// - Panels named front and back lie there within 60 degrees. Those named left and right lie at the
+///   sides, either at either.
 /// - No component hangs below the floor. What lies at it reaches up to where it was drafted to lie.
 ///   Above the knees it reaches, too, unless a limb passes through it.
 /// - Collars and hoods reach above the armpits.

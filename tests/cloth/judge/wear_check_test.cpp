@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -281,6 +282,57 @@ TEST(WearCheck, AStrapThatSlidOffItsShoulderIsMisplaced) {
   EXPECT_FALSE(worn_from(0.2, 0.2).misplaced) << "it was cut so wide";
 }
 
+/// The tube with armholes at its sides, and a sleeve in each. `open`: its sides are cut from the
+/// hem to the armholes.
+PanelMesh shirt(bool open) {
+  PanelMesh garment = moved(tube_with_armholes(0.925), [](const Vec3& p) {
+    const double angle = pi / 3;
+    return Vec3(std::cos(angle) * p.x() - std::sin(angle) * p.z(), p.y(),
+                std::sin(angle) * p.x() + std::cos(angle) * p.z());
+  });
+  if (open) {
+    // Holes took cells from each of the two columns, so that triangles are told by their middles.
+    std::erase_if(garment.triangles, [&](const Triangle& t) {
+      const Vec2 middle = (garment.flat[t[0]] + garment.flat[t[1]] + garment.flat[t[2]]) / 3;
+      const int column = static_cast<int>(middle.x() / (2 * pi * 0.25 / 24));
+      return middle.y() < 4 * 0.075 && column % 12 == 3;
+    });
+    garment.panels[0].triangles = static_cast<int>(garment.triangles.size());
+  }
+  const std::vector<Vec3> placed = garment.placed;
+  for (const int first : {3, 15}) {
+    std::vector<int> hole;
+    for (const auto& [row, column] :
+         {std::pair(4, 0), std::pair(4, 1), std::pair(4, 2), std::pair(5, 2), std::pair(6, 2),
+          std::pair(6, 1), std::pair(6, 0), std::pair(5, 0), std::pair(4, 0)}) {
+      hole.push_back(row * 25 + first + column);
+    }
+    const double side = placed[hole[0]].x() > 0 ? 1 : -1;
+    const double step = 0.07;
+    test::add_panel(garment, side > 0 ? "left_sleeve" : "right_sleeve",
+                    test::grid(8 * step, 0.3, 8, 4), [&](const Vec2& p) {
+                      const Vec3& at = placed[hole[std::lround(p.x() / step)]];
+                      return Vec3(at.x() + side * p.y(), at.y(), at.z());
+                    });
+    const MeshedPanel& sleeve = garment.panels.back();
+    std::vector<int> cap(9);
+    std::iota(cap.begin(), cap.end(), sleeve.first_point);
+    garment.seams.push_back(test::seam("armhole", cap, hole));
+    garment.seams.push_back(
+        test::seam("underarm", test::side(sleeve, 8, 4, false), test::side(sleeve, 8, 4, true)));
+  }
+  return garment;
+}
+
+TEST(WearCheck, AShirtWhoseSidesAreOpenToItsSleevesDoesNotGoAroundTheTrunk) {
+  const WearFindings sewn = check(shirt(false));
+  EXPECT_FALSE(sewn.misplaced);
+  EXPECT_TRUE(sewn.unwrapped.empty());
+  const WearFindings open = check(shirt(true));
+  EXPECT_EQ(open.openings.size(), sewn.openings.size()) << "one hem, which climbs to the sleeves";
+  EXPECT_EQ(open.unwrapped, std::vector{BodyPart::torso});
+}
+
 TEST(WearCheck, ASheetOfNoKindIsNotChecked) {
   PanelMesh sheet;
   test::add_panel(sheet, "piece", test::grid(1, 1, 6, 6),
@@ -308,6 +360,22 @@ TEST(WearCheck, AGarmentTurnedAboutTheVertical) {
   ASSERT_TRUE(turned(pi / 2).misplaced);
   EXPECT_EQ(turned(pi / 2).misplaced->at, "turned about the vertical by 90 degrees");
   EXPECT_TRUE(turned(pi).misplaced);
+}
+
+/// A drawing shows one of a pair, and its reader calls it left or right by chance.
+TEST(WearCheck, WhichOfAPairIsTheLeftOneIsLeftOpen) {
+  const auto turned = [&](double angle) {
+    PanelMesh garment = test::tube();
+    garment.panels[0].is = classify({"left_piece", BodyPart::torso});
+    garment.panels[1].is = classify({"right_piece", BodyPart::torso});
+    return check(moved(garment, [&](const Vec3& p) {
+      return Vec3(std::cos(angle) * p.x() + std::sin(angle) * p.z(), p.y() - 0.3,
+                  std::cos(angle) * p.z() - std::sin(angle) * p.x());
+    }));
+  };
+  EXPECT_FALSE(turned(pi / 2).misplaced);
+  EXPECT_FALSE(turned(-pi / 2).misplaced);
+  EXPECT_TRUE(turned(0).misplaced) << "one in front, the other at the back";
 }
 
 /// Adds a panel that covers a share of the directions around the trunk, its middle in front.
