@@ -1,6 +1,7 @@
 // The program find-seams, from a pattern without seams to one that has them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -131,6 +132,46 @@ TEST_F(FindSeams, SeamsThatAreAskedForAreSewn) {
   const std::set<Edges> seams = seams_of(sewn());
   EXPECT_TRUE(seams.contains({{"left_front", 0}, {"left_back", 5}}));
   EXPECT_TRUE(seams.contains(*seams_of(one).begin()));
+}
+
+TEST_F(FindSeams, WhatIsListedCanBeAskedFor) {
+  // The waistband of a draft is cut in two, for front and back.
+  const std::string draft = TOILE_SOURCE_DIR "/tests/pattern/seams/drafts/hugo.json";
+  const std::string report = (folder / "seams.json").string();
+  const auto seams = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> words = {draft, "-o", (folder / "sewn.json").string(), "--report",
+                                      report};
+    words.insert(words.end(), options.begin(), options.end());
+    const auto done = run("find-seams", words, 120);
+    EXPECT_NE(done.exit_code, 1) << done.err;
+    return Json::parse(read_text(report));
+  };
+  const auto side = [](const Json& at) {
+    return at["panel"].get<std::string>() + ":" + std::to_string(at["edge"].get<int>());
+  };
+  const Json listed = seams({});
+  const std::set<Edges> before = seams_of(sewn());
+  int asked = 0;
+  for (const Json& cut : listed["splits"]) {
+    if (cut["panel"] != "waistband") continue;
+    for (const Json& seam : listed["seams"]) {
+      for (const char* key : {"edge", "rest"}) {
+        const Json part = {{"panel", "waistband"}, {"edge", cut[key]}};
+        if (seam["a"] != part && seam["b"] != part) continue;
+        const Json again = seams({"--sew", side(seam["a"]) + " " + side(seam["b"])});
+        EXPECT_EQ(seams_of(sewn()), before);
+        EXPECT_EQ(again["splits"], listed["splits"]);
+        EXPECT_EQ(std::ranges::count_if(again["seams"],
+                                        [&](const Json& found) {
+                                          return found["given"] == true &&
+                                                 found["a"] == seam["a"] && found["b"] == seam["b"];
+                                        }),
+                  1);
+        ++asked;
+      }
+    }
+  }
+  EXPECT_GE(asked, 2);
 }
 
 TEST_F(FindSeams, NamesWhatCannotBeSewn) {

@@ -111,8 +111,9 @@ TEST_F(ToileTry, UndecidedSeamsAreAReasonForThree) {
   ASSERT_NE(more, sure.end());
   const pipeline::Run done = try_on_body({"--min-confidence", std::to_string(*more - 1e-6)});
   EXPECT_EQ(done.exit_code, 3) << done.err;
-  EXPECT_NE(done.out.find("; to change: toile edit-seams "), std::string::npos) << done.out;
-  EXPECT_NE(done.out.find("or --min-confidence 0."), std::string::npos) << done.out;
+  EXPECT_NE(done.out.find("; to change: --sew \""), std::string::npos) << done.out;
+  EXPECT_NE(done.out.find(" for one, --min-confidence 0."), std::string::npos) << done.out;
+  EXPECT_NE(done.out.find(" for all, or toile edit-seams "), std::string::npos) << done.out;
   const Json reasons = report()["reason"];
   EXPECT_NE(std::ranges::find(reasons, "undecided_seams"), reasons.end()) << reasons;
 }

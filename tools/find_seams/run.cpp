@@ -1,6 +1,7 @@
 #include "tools/find_seams/run.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <map>
@@ -25,45 +26,33 @@ namespace toile {
 
 namespace {
 
-/// One side of a seam as "panel:edge".
-EdgeRef side_of(const Pattern& pattern, const std::string& text, const std::string& seam) {
-  const std::string place = "--sew " + in_quotes(seam);
+/// One side of a seam as --sew names it.
+struct NamedSide {
+  std::string panel;
+  int edge = 0;
+};
+
+/// "panel:edge", of the seam that is named `seam`.
+NamedSide side_of(const std::string& text, const std::string& seam) {
   const std::size_t colon = text.rfind(':');
-  const std::string name = text.substr(0, colon);
   const std::string number = colon == std::string::npos ? "" : text.substr(colon + 1);
   if (number.empty() || number.size() > 6 ||
       number.find_first_not_of("0123456789") != std::string::npos) {
-    throw Error(place, "names no panel and edge", "write it as \"front:3 back:1\"");
+    throw Error("--sew " + in_quotes(seam), "names no panel and edge",
+                "write it as \"front:3 back:1\"");
   }
-  for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
-    if (pattern.panels[p].name != name) continue;
-    const EdgeRef ref{static_cast<int>(p), std::stoi(number)};
-    const std::size_t edges = pattern.panels[p].edges.size();
-    if (static_cast<std::size_t>(ref.edge) < edges) return ref;
-    throw Error(place,
-                "names edge " + number + " of panel " + in_quotes(name) +
-                    ", which has edges 0 to " + std::to_string(edges - 1),
-                "edges count from 0");
-  }
-  throw Error(place, "names panel " + in_quotes(name) + ", which the pattern does not have",
-              "correct the name");
+  return {text.substr(0, colon), std::stoi(number)};
 }
 
 /// The two sides end with a number each, so names may hold spaces.
-Stitch stitch_of(const Pattern& pattern, const std::string& text) {
-  for (std::size_t at = text.find(' '); at != std::string::npos; at = text.find(' ', at + 1)) {
-    const std::size_t colon = text.rfind(':', at);
+std::array<NamedSide, 2> sides_of(const std::string& seam) {
+  for (std::size_t at = seam.find(' '); at != std::string::npos; at = seam.find(' ', at + 1)) {
+    const std::size_t colon = seam.rfind(':', at);
     if (colon == std::string::npos || colon + 1 == at) continue;
-    if (text.find_first_not_of("0123456789", colon + 1) != at) continue;
-    Stitch stitch;
-    stitch.a = side_of(pattern, text.substr(0, at), text);
-    stitch.b = side_of(pattern, text.substr(at + 1), text);
-    if (stitch.a.panel == stitch.b.panel && stitch.a.edge == stitch.b.edge) {
-      throw Error("--sew " + in_quotes(text), "sews an edge to itself", "name two edges");
-    }
-    return stitch;
+    if (seam.find_first_not_of("0123456789", colon + 1) != at) continue;
+    return {side_of(seam.substr(0, at), seam), side_of(seam.substr(at + 1), seam)};
   }
-  throw Error("--sew " + in_quotes(text), "names no two edges", "write it as \"front:3 back:1\"");
+  throw Error("--sew " + in_quotes(seam), "names no two edges", "write it as \"front:3 back:1\"");
 }
 
 int panel_of(const Pattern& pattern, const std::string& option, const std::string& name) {
@@ -71,6 +60,76 @@ int panel_of(const Pattern& pattern, const std::string& option, const std::strin
     if (pattern.panels[p].name == name) return static_cast<int>(p);
   }
   throw Error(option + " " + in_quotes(name), "names no panel of the pattern", "correct the name");
+}
+
+int panel_of(const Pattern& pattern, const NamedSide& side, const std::string& seam) {
+  const auto found = std::ranges::find(pattern.panels, side.panel, &PatternPanel::name);
+  if (found != pattern.panels.end()) return static_cast<int>(found - pattern.panels.begin());
+  throw Error("--sew " + in_quotes(seam),
+              "names panel " + in_quotes(side.panel) + ", which the pattern does not have",
+              "correct the name");
+}
+
+EdgeRef edge_of(const Pattern& pattern, const NamedSide& side, const std::string& seam) {
+  const EdgeRef ref{panel_of(pattern, side, seam), side.edge};
+  const std::size_t edges = pattern.panels[ref.panel].edges.size();
+  if (static_cast<std::size_t>(ref.edge) < edges) return ref;
+  throw Error("--sew " + in_quotes(seam),
+              "names edge " + std::to_string(side.edge) + " of panel " + in_quotes(side.panel) +
+                  ", which has edges 0 to " + std::to_string(edges - 1),
+              "edges count from 0");
+}
+
+Stitch stitch_of(const Pattern& pattern, const std::string& seam) {
+  const auto [a, b] = sides_of(seam);
+  Stitch stitch;
+  stitch.a = edge_of(pattern, a, seam);
+  stitch.b = edge_of(pattern, b, seam);
+  if (stitch.a.panel == stitch.b.panel && stitch.a.edge == stitch.b.edge) {
+    throw Error("--sew " + in_quotes(seam), "sews an edge to itself", "name two edges");
+  }
+  return stitch;
+}
+
+bool is_same(const EdgeRef& a, const EdgeRef& b) { return a.panel == b.panel && a.edge == b.edge; }
+
+/// Whether a stitch is one of the seams that were found, and its edge a part of a drawn one.
+bool is_listed_part(const SplitSeams& split, const Stitch& stitch) {
+  const bool is_listed = std::ranges::any_of(split.found.seams, [&](const FoundSeam& seam) {
+    return (is_same(seam.a, stitch.a) && is_same(seam.b, stitch.b)) ||
+           (is_same(seam.a, stitch.b) && is_same(seam.b, stitch.a));
+  });
+  return is_listed && std::ranges::any_of(split.splits, [&](const EdgeSplit& cut) {
+           const EdgeRef rest{cut.edge.panel, cut.rest};
+           return is_same(cut.edge, stitch.a) || is_same(cut.edge, stitch.b) ||
+                  is_same(rest, stitch.a) || is_same(rest, stitch.b);
+         });
+}
+
+/// As find_split_seams(), with the seams of --sew. A listed seam may name a part of an edge, that
+/// only the search before has cut: then this one begins with its cuts. Else edges are the drawn
+/// ones.
+SplitSeams find_with(const std::vector<std::string>& sewn, const std::string& text,
+                     const std::string& name, const Pattern& drawn, FindSeamsOptions options) {
+  if (sewn.empty()) return find_split_seams(text, name, drawn, options);
+  SplitSeams before = find_split_seams(text, name, drawn, options);
+  bool names_part = false;
+  for (const std::string& seam : sewn) {
+    const Stitch stitch = stitch_of(before.pattern, seam);
+    const auto is_new = [&](const EdgeRef& side) {
+      return static_cast<std::size_t>(side.edge) >= drawn.panels[side.panel].edges.size();
+    };
+    names_part =
+        names_part || is_new(stitch.a) || is_new(stitch.b) || is_listed_part(before, stitch);
+  }
+  const Pattern& pattern = names_part ? before.pattern : drawn;
+  options.given.reserve(options.given.size() + sewn.size());
+  for (const std::string& seam : sewn) options.given.push_back(stitch_of(pattern, seam));
+  SplitSeams found = find_split_seams(names_part ? before.text : text, name, pattern, options);
+  if (names_part) {
+    found.splits.insert(found.splits.begin(), before.splits.begin(), before.splits.end());
+  }
+  return found;
 }
 
 /// The panels that are left out, by name. Panels of seams that are given stay.
@@ -84,8 +143,9 @@ std::vector<LeftOut> left_out(const Pattern& pattern, const FindSeamsSettings& s
     }
   }
   for (const std::string& seam : settings.sewn) {
-    const Stitch stitch = stitch_of(pattern, seam);
-    held.insert({stitch.a.panel, stitch.b.panel});
+    for (const NamedSide& side : sides_of(seam)) {
+      held.insert(panel_of(pattern, side, seam));
+    }
   }
   std::set<int> taken = held;
   bool all = false;
@@ -147,14 +207,11 @@ FindSeamsEnd run_find_seams(const FindSeamsSettings& settings, const CommonSetti
   drawn = without_left_out(parse_drawn_pattern(drawn_text, name, remarks), told_below);
   options.by_place = settings.by_place;
   if (settings.keep) options.given = drawn.stitches;
-  for (const std::string& seam : settings.sewn) {
-    options.given.push_back(stitch_of(drawn, seam));
-  }
   if (!settings.keep && stated > 0) {
     remarks.push_back({false, name + ": its " + std::to_string(stated) +
                                   " stitches are replaced; --keep keeps them"});
   }
-  const SplitSeams split = find_split_seams(drawn_text, name, drawn, options);
+  const SplitSeams split = find_with(settings.sewn, drawn_text, name, drawn, options);
   const Pattern& pattern = split.pattern;
   const FoundSeams& found = split.found;
   if (!found.settled) {

@@ -73,6 +73,15 @@ std::string edit_seams_command(const TrySettings& settings, const TryFiles& file
          shell_word((files.folder / "corrected.json").string());
 }
 
+/// What to do where no seam was found. Halves have none where whole pieces have theirs.
+std::string remedy_for_no_seams(const ImportEnd& imported, const std::string& edit_seams) {
+  const bool has_halves =
+      std::ranges::any_of(imported.pattern.panels,
+                          [](const ImportedPanel& panel) { return panel.likely_fold.has_value(); });
+  return "draw them: " + edit_seams +
+         (has_halves ? "; if halves are drawn, unfold them first, as said above" : "");
+}
+
 void say(const std::vector<Taken>& all) {
   for (const Taken& taken : all) std::cout << line_of(taken) << '\n';
 }
@@ -121,7 +130,7 @@ ExitCode try_drawing(const TrySettings& settings, const TryFiles& files,
   FitEnd end;
   try {
     all = taken_for_granted(imported, seams, aside, edit_seams);
-    check_pattern_file(files.sewn, "draw them: " + edit_seams);
+    check_pattern_file(files.sewn, remedy_for_no_seams(imported, edit_seams));
     // Drawings state no places. Without a seam nothing tells where a panel goes.
     if (!imported.drawing.pieces.empty()) {
       aside = lay_aside(files.sewn, panels_of(settings.fit.dress.layers.front().places));

@@ -127,6 +127,7 @@ Taken spare_pieces_of(const ImportEnd& imported, const FindSeamsEnd& seams,
 }
 
 Taken undecided_of(const FindSeamsEnd& seams, const std::string& edit_seams) {
+  if (seams.undecided.empty()) return {"undecided_seams", "none", edit_seams};
   WordList names;
   double least = 1;
   for (const UndecidedSeam& seam : seams.undecided) {
@@ -135,11 +136,9 @@ Taken undecided_of(const FindSeamsEnd& seams, const std::string& edit_seams) {
     names.add(seam.name + " (" + fixed_number(confidence, 2) + ")");
     least = std::min(least, confidence);
   }
-  std::string change = edit_seams;
-  if (!names.empty()) {
-    change += ", or --min-confidence " + fixed_number(least, 2) + " sews all of them";
-  }
-  return {"undecided_seams", names.empty() ? "none" : names.text() + " not sewn", change};
+  return {"undecided_seams", names.text() + " not sewn",
+          "--sew " + shell_word(seams.undecided.front().name) + " for one, --min-confidence " +
+              fixed_number(least, 2) + " for all, or " + edit_seams};
 }
 
 }  // namespace
