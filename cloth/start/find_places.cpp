@@ -71,6 +71,11 @@ class Component {
   void roll_all(std::vector<MeshedPanel>& meshed) const;
   void roll(int p, std::vector<MeshedPanel>& meshed) const;
   BodyPart rolled_part(int p, const std::vector<MeshedPanel>& meshed) const;
+  bool are_sewn(int p, int q) const;
+  int twin_leg(int p) const;
+  BodyPart leg_part(int p, int twin) const;
+  std::optional<double> crotch_of(int p) const;
+  void level_by_crotch(int p, PanelPlacement& placement) const;
   /// Calls use(point of p, point of another panel) for each pair of sewn points.
   void each_partner(int p, const auto& use) const {
     for (const MeshedSeam& seam : garment_.seams) {
@@ -276,17 +281,61 @@ void Component::stand_hood(int p, const std::vector<char>& stands,
   }
 }
 
+bool Component::are_sewn(int p, int q) const {
+  bool sewn = false;
+  each_partner(p, [&](int, int other) { sewn = sewn || panel_of_[other] == q; });
+  return sewn;
+}
+
+/// The other of two legs of one piece each, or -1. They are alike and sewn to each other, as no
+/// sleeves are.
+int Component::twin_leg(int p) const {
+  for (const int q : around_) {
+    const double points = std::max(panel(p).points, panel(q).points);
+    const bool are_alike = std::abs(panel(p).points - panel(q).points) < leg_likeness * points;
+    if (q != p && are_alike && are_sewn(p, q)) return q;
+  }
+  return -1;
+}
+
+/// Left or right by the half of a waistband that it hangs on, else by its name. Else the later one
+/// is the left one.
+BodyPart Component::leg_part(int p, int twin) const {
+  for (const int band : around_) {
+    if (band == p || band == twin || !are_sewn(band, p) || !are_sewn(band, twin)) continue;
+    // A waistband's right side is out, and its middle in front.
+    const PlacementAxis up = up_axis(garment_, band, false);
+    const auto hangs_at = [&](int leg) {
+      double x = 0;
+      int count = 0;
+      each_partner(band, [&](int mine, int other) {
+        if (panel_of_[other] != leg) return;
+        x += upright(up, garment_.flat[mine]).x();
+        ++count;
+      });
+      return x / count;
+    };
+    return leg_of(hangs_at(p) > hangs_at(twin));
+  }
+  const int named = side_sign(panel(p).is);
+  return leg_of(named != 0 ? named > 0 : p > twin);
+}
+
 /// The part that a panel goes around: an arm beside what it is sewn to, a leg beside its twin, or
-/// the torso. A cuff goes around what its sleeve does.
+/// the torso. A cuff goes around what its sleeve or leg does, a waistband around the torso.
 BodyPart Component::rolled_part(int p, const std::vector<MeshedPanel>& meshed) const {
   const AskedPlace* place = asked(p);
   if (place != nullptr && place->part != BodyPart::none) return place->part;
   if (is_told(panel(p).is.part)) return panel(p).is.part;
-  if (flat_.empty() && around_.size() == 1) return BodyPart::torso;
-  const int named = side_sign(panel(p).is);
-  if (flat_.empty() && around_.size() == 2) {
-    return leg_of(named != 0 ? named > 0 : p == around_.back());
+  if (const int twin = twin_leg(p); twin >= 0) return leg_part(p, twin);
+  if (flat_.empty()) {
+    for (const int q : around_) {
+      const int twin = twin_leg(q);
+      if (twin < 0 || !are_sewn(p, q)) continue;
+      return are_sewn(p, twin) ? BodyPart::torso : leg_part(q, twin);
+    }
   }
+  if (flat_.empty()) return BodyPart::torso;
   double x = 0;
   int count = 0;
   BodyPart of_rolled = BodyPart::none;
@@ -306,6 +355,39 @@ BodyPart Component::rolled_part(int p, const std::vector<MeshedPanel>& meshed) c
     return BodyPart::torso;
   }
   return arm_of(aside > 0);
+}
+
+/// Metres: upright() y of a leg's crotch, where the seams to its twin end below; none: it is no
+/// leg.
+std::optional<double> Component::crotch_of(int p) const {
+  const int twin = twin_leg(p);
+  if (twin < 0) return std::nullopt;
+  const PlacementAxis up = up_axis(garment_, p, false);
+  double lowest = infinity;
+  each_partner(p, [&](int mine, int other) {
+    if (panel_of_[other] == twin) lowest = std::min(lowest, upright(up, garment_.flat[mine]).y());
+  });
+  return lowest;
+}
+
+/// The crotch of trousers belongs at the body's. So does a waistband as far above it as they reach.
+void Component::level_by_crotch(int p, PanelPlacement& placement) const {
+  placement.at = "pelvis";
+  placement.level = crotch_of(p);
+  if (placement.level) return;
+  double above = 0;
+  int count = 0;
+  each_partner(p, [&](int mine, int other) {
+    const int leg = panel_of_[other];
+    const std::optional<double> crotch = crotch_of(leg);
+    if (!crotch) return;
+    const PlacementAxis up = up_axis(garment_, leg, false);
+    above += upright(placement.axis, garment_.flat[mine]).y() -
+             (upright(up, garment_.flat[other]).y() - *crotch);
+    ++count;
+  });
+  if (count > 0) placement.level = above / count;
+  if (count == 0) placement.at = "waist";
 }
 
 /// What is sewn to a flat panel is rolled first, then what is sewn to that.
@@ -336,7 +418,7 @@ void Component::roll(int p, std::vector<MeshedPanel>& meshed) const {
   rolled.placement = {};
   rolled.placement.around = 1;
   rolled.placement.axis = up_axis(garment_, p, goes_around_arm);
-  if (!goes_around_arm) rolled.placement.at = "waist";
+  if (!goes_around_arm) level_by_crotch(p, rolled.placement);
 }
 
 std::vector<int> Component::place(std::vector<Vec3>& placed, std::vector<FoundPlace>& found,

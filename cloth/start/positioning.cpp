@@ -88,7 +88,8 @@ struct UprightPanel {
 };
 
 /// How far a panel is stretched in width where it is narrower than above, so that all of it goes
-/// around its part. Otherwise the thumb is beside a sleeve that is closed over the hand.
+/// around its part. Otherwise the thumb is beside a sleeve that is closed over the hand, and the
+/// calf beside a leg that is rolled around the hip, too.
 class EvenWidth {
  public:
   explicit EvenWidth(const UprightPanel& piece)
@@ -252,9 +253,9 @@ class PanelPose {
     drawn_middle_ = 0.5 * (piece.low + piece.high);
     drawn_middle_.x() -= piece.panel.placement.shift;
     if (piece.panel.placement.around == 0) clear_divide();
-    if (piece.wrist && piece.panel.placement.around == 1 && std::max(a, b) > *piece.wrist) {
-      even_.emplace(piece);
-    }
+    const bool is_over_end =
+        piece.wrist ? std::max(a, b) > *piece.wrist : is_leg(piece.panel.is.part);
+    if (piece.panel.placement.around == 1 && is_over_end) even_.emplace(piece);
   }
 
   Vec3 at(const Vec2& point, double distance) const {

@@ -443,18 +443,25 @@ bool may_meet(PanelRole a, PanelRole b) {
 
 bool closes_around(const PanelMesh& garment, int panel) {
   const std::vector<int> panel_of = panel_of_points(garment);
-  return std::ranges::any_of(garment.seams, [&](const MeshedSeam& seam) {
-    if (panel_of[seam.a[1]] != panel || panel_of[seam.b[1]] != panel) return false;
-    if (seam.a.front() == seam.b.front() || seam.a.back() == seam.b.back()) return false;
+  const MeshedPanel& of = garment.panels[panel];
+  double gaps = 0;  // times length
+  double lengths = 0;
+  for (const MeshedSeam& seam : garment.seams) {
+    if (panel_of[seam.a[1]] != panel || panel_of[seam.b[1]] != panel) continue;
+    if (seam.a.front() == seam.b.front() || seam.a.back() == seam.b.back()) continue;
     double gap = 0;
     double length = 0;
     for (std::size_t i = 0; i < seam.a.size(); ++i) {
-      gap += (garment.flat[seam.a[i]] - garment.flat[seam.b[i]]).norm();
+      gap += (garment.flat[seam.a[i]] - garment.flat[seam.b[i]]).norm() /
+             static_cast<double>(seam.a.size());
       if (i > 0) length += (garment.flat[seam.a[i]] - garment.flat[seam.a[i - 1]]).norm();
     }
-    return gap / static_cast<double>(seam.a.size()) >
-           min_around_gap * width_across(garment, garment.panels[panel], length);
-  });
+    if (gap > min_around_gap * width_across(garment, of, length)) return true;
+    gaps += gap * length;
+    lengths += length;
+  }
+  // A long seam may be in parts, as of a leg that has notches.
+  return lengths > 0 && gaps / lengths > min_around_gap * width_across(garment, of, lengths);
 }
 
 }  // namespace toile

@@ -43,8 +43,8 @@ void classify(PanelMesh& garment, const std::vector<PanelWitnesses>& told);
 /// Whether two pieces are sewn to each other in some garment.
 bool may_meet(PanelRole a, PanelRole b);
 
-/// Whether a seam joins two edges of the panel that lie across from each other. A dart's do not.
-/// `panel` is an index into garment.panels. Linear.
+/// Whether a seam, or several together, join two edges of the panel that lie across from each
+/// other. A dart's do not. `panel` is an index into garment.panels. Linear.
 bool closes_around(const PanelMesh& garment, int panel);
 
 }  // namespace toile

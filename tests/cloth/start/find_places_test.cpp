@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -287,6 +288,65 @@ TEST(FindPlaces, TrousersRunDownTheLegsBelowTheCrotch) {
   }
   EXPECT_GT(lowest.x(), 0);
   EXPECT_LT(lowest.x(), 0.25);
+}
+
+/// A polygon of a pattern file, its edges in order.
+Json polygon(const std::vector<std::array<double, 2>>& vertices) {
+  Json panel = {{"vertices", vertices}, {"edges", Json::array()}};
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    panel["edges"].push_back({{"endpoints", {i, (i + 1) % vertices.size()}}});
+  }
+  return panel;
+}
+
+/// Leggings of one piece a leg, whose inseam is in two parts, on a waistband that closes itself.
+TEST(FindPlaces, LegsOfOnePieceHangFromTheirHalvesOfTheWaistband) {
+  Json pattern = sample("tube_top");
+  const Json leg =
+      polygon({{-10, 0}, {10, 0}, {17, 35}, {25, 70}, {18, 90}, {-18, 90}, {-25, 70}, {-17, 35}});
+  const auto side = [](const char* panel, int edge) {
+    return Json{{"panel", panel}, {"edge", edge}};
+  };
+  const auto leggings = [&](bool exchanged) {
+    const char* first = exchanged ? "p3" : "p2";
+    const char* second = exchanged ? "p2" : "p3";
+    Json& inner = pattern["pattern"];
+    inner.erase("panel_order");
+    inner["panels"] = {
+        {"p1", polygon({{0, 0}, {36, 0}, {72, 0}, {72, 5}, {0, 5}})}, {"p2", leg}, {"p3", leg}};
+    inner["stitches"] = Json::array();
+    const auto sew = [&](const Json& a, const Json& b) { inner["stitches"].push_back({a, b}); };
+    sew(side("p1", 2), side("p1", 4));
+    sew(side("p1", 0), side(first, 4));
+    sew(side("p1", 1), side(second, 4));
+    for (const char* of : {"p2", "p3"}) {
+      sew(side(of, 1), side(of, 7));
+      sew(side(of, 2), side(of, 6));
+    }
+    sew(side(first, 3), side(second, 5));
+    sew(side(first, 5), side(second, 3));
+    return meshed(pattern);
+  };
+  const DistanceGrid skin{SurfaceDistance(body().surface)};
+  for (const bool exchanged : {false, true}) {
+    PanelMesh garment = leggings(exchanged);
+    const auto places = by_name(place(garment));
+    EXPECT_EQ(text_of(places.at("p1")), "p1: torso, around");
+    EXPECT_EQ(places.at("p2").part, exchanged ? BodyPart::left_leg : BodyPart::right_leg);
+    EXPECT_EQ(places.at("p3").part, exchanged ? BodyPart::right_leg : BodyPart::left_leg);
+    EXPECT_TRUE(places.at("p2").around);
+    garment.placed = position_panels(garment, skin, &body().skeleton).placed;
+    // The crotch is at the body's, 70 of 90 cm above the hem. The band is upon the legs.
+    const MeshedPanel& leg_panel = garment.panels[1];
+    double crotch = 0;
+    double top = 0;
+    for (int p = leg_panel.first_point; p < leg_panel.first_point + leg_panel.points; ++p) {
+      if (std::abs(garment.flat[p].y() - 0.7) < 0.001) crotch = garment.placed[p].y();
+      top = std::max(top, garment.placed[p].y());
+    }
+    EXPECT_NEAR(crotch, body().skeleton.joint("pelvis").y(), 0.03);
+    EXPECT_NEAR(middle(garment, "p1").y(), top + 0.025, 0.03);
+  }
 }
 
 TEST(FindPlaces, WhatIsAskedIsDone) {
