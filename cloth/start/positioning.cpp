@@ -88,8 +88,8 @@ struct UprightPanel {
 };
 
 /// How far a panel is stretched in width where it is narrower than above, so that all of it goes
-/// around its part. Otherwise the thumb is beside a sleeve that is closed over the hand, and the
-/// calf beside a leg that is rolled around the hip, too.
+/// around its part. Otherwise the thumb is beside a sleeve that is closed over the hand. The calf
+/// is beside a leg that is rolled around the hip, too.
 class EvenWidth {
  public:
   explicit EvenWidth(const UprightPanel& piece)
