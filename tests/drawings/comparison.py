@@ -212,3 +212,37 @@ class Judge:
         return " = ".join("%s %s to %s, %.1f cm" % (
             arc.panel, *("(%.1f, %.1f)" % arc.outline.point(arc.at(f)) for f in (0, 1)),
             arc.length) for arc in arcs)
+
+
+def walks_of(panels, imported):
+    return {name: outlines.Outline(panel, imported.unit) for name, panel in panels.items()}
+
+
+def reported(report, sewn, imported, names=None):
+    """The seams of find-seams' report, on panels as it wrote them: those undecided, too."""
+    walks = walks_of(sewn, imported)
+    names = names or {name: name for name in walks}
+    return [Found(entry, walks, imported, names)
+            for entry in report["seams"] + report["undecided"]]
+
+
+def moved(found, plain, told):
+    """Seams of the pieces as drawn, on the pieces as labelled: a half lies on its whole piece."""
+    found = [seam for seam in found
+             if all(told.pieces[plain.place[arc.panel][0]].panels for arc in seam.arcs)]
+    for seam in found:
+        for i, arc in enumerate(seam.arcs):
+            piece, copy = plain.place[arc.panel]
+            panels = told.pieces[piece].panels
+            name = panels.get(copy) or panels["left"]
+            target = told.outlines[name]
+            arc.outline.turn(target.angle - arc.outline.angle)
+            moves = [(x, y) for x in (0, target.box[0] - arc.outline.box[0])
+                     for y in (0, target.box[1] - arc.outline.box[1])]
+            points = [arc.outline.point(c) for c in arc.outline.corners]
+            x, y = min(moves, key=lambda m: sum(
+                min(target.place((px + m[0], py + m[1]))[1], 1) for px, py in points))
+            ends = [target.place((px + x, py + y))[0]
+                    for px, py in (arc.outline.point(arc.at(f)) for f in (0, 1))]
+            seam.arcs[i] = labels.Arc(name, target, *ends)
+    return found

@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
 """The judge on a made skirt of two panels and a band, and labels on real drawings. By ctest."""
+import importlib.machinery
+import importlib.util
 import json
 import math
 import pathlib
@@ -115,6 +117,35 @@ class JudgeTest(unittest.TestCase):
         self.assertEqual(self.judged((("band", 2), ("back", 2)), (("band", 3), ("front", 2)),
                                      (("band", 1), ("band", 4)), cuts={"band": [102]}),
                          (3, 0, 2, 0))
+
+
+def program(name):
+    """A program of this folder, as a module."""
+    loader = importlib.machinery.SourceFileLoader(name, str(labels.HERE / name))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(name, loader))
+    loader.exec_module(module)
+    return module
+
+
+class FiguresTest(unittest.TestCase):
+    def test_words_hold_for_the_same_seams_and_verdict_alone(self):
+        figures = program("drawing-figures")
+
+        def seam(a, b):
+            return {"a": {"panel": "front", "edge": a}, "b": {"panel": "back", "edge": b}}
+
+        seams = {"seams": [seam(1, 3), seam(3, 1)], "undecided": [seam(0, 0)]}
+        mark = figures.mark(seams, "sewn")
+        turned = {"seams": [{"a": s["b"], "b": s["a"]} for s in reversed(seams["seams"])]}
+        self.assertEqual(figures.mark(turned, "sewn"), mark)
+        self.assertNotEqual(figures.mark(seams, "too_tight"), mark)
+        self.assertNotEqual(figures.mark({"seams": seams["seams"][:1]}, "sewn"), mark)
+
+    def test_each_line_of_looked_has_a_drawing_a_mark_and_words(self):
+        for (name, mark), words in program("drawing-figures").looked_at().items():
+            self.assertTrue(labels.has(name.removesuffix(".told")), name)
+            self.assertRegex(mark, "^[0-9a-f]{8}$")
+            self.assertTrue(words)
 
 
 class LabelsTest(unittest.TestCase):

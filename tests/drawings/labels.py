@@ -77,16 +77,21 @@ class Piece:
         self.panels = {}
 
 
-class Imported:
-    """What import-pattern makes of a drawing. Pieces that are left out keep their number."""
+def import_drawing(file, options=()):
+    """The pattern file that import-pattern makes of a drawing."""
+    with tempfile.TemporaryDirectory() as folder:
+        out = pathlib.Path(folder) / "pattern.json"
+        done = program("import-pattern", file, "-o", out, *options)
+        if not out.exists():
+            raise ValueError("not read: " + done.stderr.strip().splitlines()[-1])
+        return json.loads(out.read_text())
 
-    def __init__(self, file, options, without=()):
-        with tempfile.TemporaryDirectory() as folder:
-            out = pathlib.Path(folder) / "pattern.json"
-            done = program("import-pattern", file, "-o", out, *options)
-            if not out.exists():
-                raise ValueError("not read: " + done.stderr.strip().splitlines()[-1])
-            self.file = json.loads(out.read_text())
+
+class Imported:
+    """An imported drawing. Pieces that are left out keep their number."""
+
+    def __init__(self, file, without=()):
+        self.file = file
         self.unit = 100 / self.file["properties"]["units_in_meter"]
         self.panels = self.file["pattern"]["panels"]
         self.outlines = {name: outlines.Outline(panel, self.unit)
@@ -169,14 +174,16 @@ class Label:
     def spare(self):
         return {i: piece["spare"] for i, piece in enumerate(self.pieces) if "spare" in piece}
 
-    def imported(self, file):
-        """As a newcomer imports the drawing, and with what the label knows of its pieces."""
-        plain = Imported(file, self.options)
+    @property
+    def without(self):
+        return [i for i, piece in enumerate(self.pieces) if "without" in piece]
+
+    def told(self, plain):
+        """The options that say what the label knows and the plain import does not."""
         told = list(self.options)
-        without = [i for i, piece in enumerate(self.pieces) if "without" in piece]
         for i, piece in enumerate(self.pieces):
             name = plain.stem(i)
-            if i in without:
+            if i in self.without:
                 told += ["--without", name]
                 continue
             copies = len(plain.pieces[i].panels)
@@ -189,9 +196,17 @@ class Label:
                 told += ["--pair", name]
             if piece.get("copies", 1) == 1 and copies == 2:
                 told += ["--single", name]
-        whole = Imported(file, told, without)
+        return told
+
+    def imported(self, file):
+        """As a newcomer imports the drawing, and with what the label knows of its pieces."""
+        plain = Imported(import_drawing(file, self.options))
+        return plain, self.read_as_told(file, plain)
+
+    def read_as_told(self, file, plain):
+        whole = Imported(import_drawing(file, self.told(plain)), self.without)
         whole.turn_as(self)
-        return plain, whole
+        return whole
 
 
 def fold_edge(outline, ends):
