@@ -245,20 +245,25 @@ Vec2 EdgeCurve::at(double fraction) const {
     const EdgeCurve& part = (*parts_)[static_cast<std::size_t>(before.t)];
     return part.length() > 0 ? part.at((target - before.length) / part.length()) : part.start();
   }
+  return bezier_point(bezier_parameter(before, *after, target));
+}
+
+/// Where the curve is `length` metres long, between two marks.
+double EdgeCurve::bezier_parameter(const Mark& before, const Mark& after, double length) const {
   double low = before.t;
-  double high = after->t;
-  const double piece = after->length - before.length;
-  double t = piece > 0 ? low + (high - low) * (target - before.length) / piece : low;
+  double high = after.t;
+  const double piece = after.length - before.length;
+  double t = piece > 0 ? low + (high - low) * (length - before.length) / piece : low;
   // Newton's method, safeguarded by bisection.
   for (int i = 0; i < 60; ++i) {
-    const double excess = before.length + bezier_length(before.t, t) - target;
+    const double excess = before.length + bezier_length(before.t, t) - length;
     if (std::abs(excess) <= 1e-15 * length_) break;
     (excess > 0 ? high : low) = t;
     const double speed = bezier_speed(t);
     const double newton = speed > 0 ? t - excess / speed : low;
     t = newton > low && newton < high ? newton : (low + high) / 2;
   }
-  return bezier_point(t);
+  return t;
 }
 
 std::vector<std::array<Vec2, 4>> EdgeCurve::cubics() const {
@@ -300,6 +305,40 @@ std::vector<std::array<Vec2, 4>> EdgeCurve::cubics() const {
     }
   }
   return pieces;
+}
+
+std::array<EdgeCurve, 2> EdgeCurve::cut_at(double fraction) const {
+  if (straight()) {
+    const Vec2 middle = at(fraction);
+    return {line(start(), middle), line(middle, end())};
+  }
+  std::array<std::vector<EdgeCurve>, 2> sides;
+  double left = fraction * length();
+  for (const auto& c : cubics()) {
+    const EdgeCurve whole = cubic(c[0], c[1], c[2], c[3]);
+    constexpr double nothing = 1e-9;  // of a part's length
+    if (left >= whole.length() * (1 - nothing)) {
+      sides[0].push_back(whole);
+    } else if (left <= whole.length() * nothing) {
+      sides[1].push_back(whole);
+    } else {
+      const double t = whole.bezier_parameter(whole.marks_.front(), whole.marks_.back(), left);
+      const auto between = [t](const Vec2& a, const Vec2& b) -> Vec2 { return a + t * (b - a); };
+      const Vec2 ab = between(c[0], c[1]);
+      const Vec2 bc = between(c[1], c[2]);
+      const Vec2 cd = between(c[2], c[3]);
+      const Vec2 abc = between(ab, bc);
+      const Vec2 bcd = between(bc, cd);
+      const Vec2 middle = between(abc, bcd);
+      sides[0].push_back(cubic(c[0], ab, abc, middle));
+      sides[1].push_back(cubic(middle, bcd, cd, c[3]));
+    }
+    left -= whole.length();
+  }
+  const auto joined = [](std::vector<EdgeCurve>& parts) {
+    return parts.size() == 1 ? parts.front() : chain(std::move(parts));
+  };
+  return {joined(sides[0]), joined(sides[1])};
 }
 
 std::vector<Vec2> EdgeCurve::sample(int segments) const {

@@ -41,6 +41,10 @@ class EdgeCurve {
   EdgeCurve straight_at_start(double length) const;
   EdgeCurve straight_at_end(double length) const;
 
+  /// The parts before and behind `fraction` in (0, 1) of the length. Those of a line are lines,
+  /// those of other curves are Bezier curves, as exact as cubics().
+  std::array<EdgeCurve, 2> cut_at(double fraction) const;
+
   const Vec2& start() const { return points_[0]; }
   const Vec2& end() const { return points_[3]; }
   double length() const { return length_; }
@@ -70,6 +74,7 @@ class EdgeCurve {
 
   EdgeCurve straightened(double kept_from, double kept_to) const;
   void measure(double from, double to, double whole, int depth);
+  double bezier_parameter(const Mark& before, const Mark& after, double length) const;
   double bezier_speed(double t) const;
   double bezier_length(double from, double to) const;
   Vec2 bezier_point(double t) const;

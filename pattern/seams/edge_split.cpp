@@ -15,31 +15,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Cubic = std::array<Vec2, 4>;
 
-std::array<Cubic, 2> halves_at(const Cubic& c, double t) {
-  const auto between = [&](const Vec2& a, const Vec2& b) -> Vec2 { return a + t * (b - a); };
-  const Vec2 ab = between(c[0], c[1]);
-  const Vec2 bc = between(c[1], c[2]);
-  const Vec2 cd = between(c[2], c[3]);
-  const Vec2 abc = between(ab, bc);
-  const Vec2 bcd = between(bc, cd);
-  const Vec2 middle = between(abc, bcd);
-  return {Cubic{c[0], ab, abc, middle}, Cubic{middle, bcd, cd, c[3]}};
-}
-
-double length_of(const Cubic& c) { return EdgeCurve::cubic(c[0], c[1], c[2], c[3]).length(); }
-
-/// The parameter at which a curve is `length` long.
-double parameter_at(const Cubic& curve, double length) {
-  double low = 0;
-  double high = 1;
-  constexpr int halvings = 40;
-  for (int i = 0; i < halvings; ++i) {
-    const double middle = (low + high) / 2;
-    (length_of(halves_at(curve, middle)[0]) < length ? low : high) = middle;
-  }
-  return (low + high) / 2;
-}
-
 /// From a panel's drawing to the coordinates of its file.
 class FilePlace {
  public:
@@ -113,24 +88,9 @@ std::string with_split_edge(const std::string& text, const Pattern& pattern,
     edge["curvature"]["params"][1] = split.share * sweep > std::numbers::pi ? 1 : 0;
     rest["curvature"]["params"][1] = (1 - split.share) * sweep > std::numbers::pi ? 1 : 0;
   } else if (!curve.straight()) {
-    double left = split.share * curve.length();
-    std::vector<Cubic> first;
-    std::vector<Cubic> second;
-    for (const Cubic& cubic : curve.cubics()) {
-      const double length = length_of(cubic);
-      if (left >= length * (1 - 1e-9)) {
-        first.push_back(cubic);
-      } else if (left <= length * 1e-9) {
-        second.push_back(cubic);
-      } else {
-        const auto [before, after] = halves_at(cubic, parameter_at(cubic, left));
-        first.push_back(before);
-        second.push_back(after);
-      }
-      left -= length;
-    }
-    edge["curvature"] = curvature_of(first, absolute, place);
-    rest["curvature"] = curvature_of(second, absolute, place);
+    const auto [first, second] = curve.cut_at(split.share);
+    edge["curvature"] = curvature_of(first.cubics(), absolute, place);
+    rest["curvature"] = curvature_of(second.cubics(), absolute, place);
   }
   drawn["edges"].push_back(std::move(rest));
   return file.dump(indent_of(text)) + "\n";

@@ -27,6 +27,18 @@ class SeamFinder {
     look_at({});
   }
 
+  double score_of(const FoundSeams& found) {
+    const Partners partners = partners_of(found);
+    const SeamPairs pairs(evidence_);
+    SeamMeasures sum{};
+    SewnSurface(evidence_).measure(partners, sum);
+    double score = toile::score_of(sum, seam_weights);
+    for (int a = 0; a < static_cast<int>(partners.size()); ++a) {
+      if (partners[a] > a) score += toile::score_of(pairs.measures(a, partners[a]), seam_weights);
+    }
+    return score;
+  }
+
   FoundSeams run() {
     if (options_.before != nullptr) return near(*options_.before);
     // A collar that is turned down shows the side that was inside.
@@ -63,22 +75,28 @@ class SeamFinder {
  private:
   /// What is found from these seams on.
   FoundSeams near(const FoundSeams& before) {
-    look_at(before.turned_over);
-    heeds_sides_ = before.heeds_sides;
-    if (!heeds_sides_) evidence_ = without_sides(std::move(evidence_));
+    const Partners partners = partners_of(before);
     const KnownSeams known = take_given();
+    return found(SeamChooser(evidence_, known, partners).best(), known);
+  }
+
+  /// Looks at the pattern as these seams were found.
+  Partners partners_of(const FoundSeams& seams) {
+    look_at(seams.turned_over);
+    heeds_sides_ = seams.heeds_sides;
+    if (!heeds_sides_) evidence_ = without_sides(std::move(evidence_));
     Partners partners(evidence_.edges.size(), -1);
     const auto join = [&partners](int a, int b) {
       partners[a] = b;
       partners[b] = a;
     };
-    for (const FoundSeam& seam : before.seams) {
+    for (const FoundSeam& seam : seams.seams) {
       // Of those that were given, some turn a panel over or lie upon another.
       if (seam.given) continue;
       join(number_.at({seam.a.panel, seam.a.edge}), number_.at({seam.b.panel, seam.b.edge}));
     }
-    for (const auto& [a, b] : known.chosen) join(a, b);
-    return found(SeamChooser(evidence_, known, partners).best(), known);
+    for (const auto& [a, b] : take_given().chosen) join(a, b);
+    return partners;
   }
 
   /// `turned_over`: see walked_edges().
@@ -218,6 +236,10 @@ class SeamFinder {
 
 FoundSeams find_seams(const Pattern& pattern, const FindSeamsOptions& options) {
   return SeamFinder(pattern, options).run();
+}
+
+double score_of(const Pattern& pattern, const FindSeamsOptions& options, const FoundSeams& found) {
+  return SeamFinder(pattern, options).score_of(found);
 }
 
 }  // namespace toile

@@ -88,21 +88,37 @@ PairFeatures::PairFeatures(const SeamEvidence& evidence) : evidence_(evidence) {
     std::sort(alike.begin(), alike.end());
     panels_[p].alike = static_cast<int>(std::unique(alike.begin(), alike.end()) - alike.begin());
   }
-  const std::vector<int>& shape = evidence.shapes.shape;
-  near_.assign(count, 0);
-  nearest_.assign(count, 1);
-  for (int a = 0; a < count; ++a) {
-    for (int b = 0; b < count; ++b) {
-      if (shape[a] == shape[b]) continue;
-      const double ratio = log_ratio(edges[a].length, edges[b].length);
-      nearest_[a] = std::min(nearest_[a], ratio);
-      near_[a] += ratio < as_long ? 1 : 0;
-    }
-  }
+  whole_edges_ = count;
   for (const Panel& a : panels_) {
     for (const Panel& b : panels_) matching_.push_back(matching_length(a, b));
   }
-  for (int e = 0; e < count; ++e) rows_.push_back({described(e, false), described(e, true)});
+  follow();
+}
+
+void PairFeatures::follow() {
+  const std::size_t count = evidence_.edges.size();
+  const std::size_t before = std::min(count, rows_.size());
+  near_.resize(before);
+  nearest_.resize(before);
+  rows_.resize(before);
+  for (std::size_t e = before; e < count; ++e) add_rivals(static_cast<int>(e));
+  for (std::size_t e = before; e < count; ++e) {
+    rows_.push_back({described(static_cast<int>(e), false), described(static_cast<int>(e), true)});
+  }
+}
+
+void PairFeatures::add_rivals(int edge) {
+  const std::vector<int>& shape = evidence_.shapes.shape;
+  int near = 0;
+  double nearest = 1;
+  for (int other = 0; other < whole_edges_; ++other) {
+    if (shape[edge] == shape[other]) continue;
+    const double ratio = log_ratio(evidence_.edges[edge].length, evidence_.edges[other].length);
+    nearest = std::min(nearest, ratio);
+    near += ratio < as_long ? 1 : 0;
+  }
+  near_.push_back(near);
+  nearest_.push_back(nearest);
 }
 
 /// Share of the outline of `a` whose edges have one of about their length on `b`.

@@ -22,6 +22,10 @@ class PairFeatures {
   /// O(edges^2).
   explicit PairFeatures(const SeamEvidence& evidence);
 
+  /// Describes the edges that the evidence has gained behind the others, and forgets those that it
+  /// has lost there. They are parts of edges. O(edges) for each.
+  void follow();
+
   /// a is described first: of(b, a) is the same pair. `mirrored`: as in the mirror image of the
   /// garment. O(edges).
   PairRow of(int a, int b, bool mirrored) const;
@@ -42,11 +46,13 @@ class PairFeatures {
 
   using EdgeRow = std::array<float, edge_features>;
   EdgeRow described(int edge, bool against) const;
+  void add_rivals(int edge);
   double matching_length(const Panel& a, const Panel& b) const;
 
   const SeamEvidence& evidence_;
   std::vector<Panel> panels_;
   std::vector<double> matching_;  // panels * panels: share of the length with an equal edge
+  int whole_edges_ = 0;           // that are no parts
   std::vector<int> near_;         // edges of other shapes within 1 %
   std::vector<double> nearest_;   // logarithm: the likest length of another shape
   std::vector<std::array<EdgeRow, 2>> rows_;

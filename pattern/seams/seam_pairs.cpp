@@ -39,17 +39,19 @@ bool SeamPairs::possible(int a, int b) const {
 }
 
 SeamMeasures SeamPairs::measures(int a, int b) const {
-  if (a > b) std::swap(a, b);
   SeamMeasures measures{};
   measures[static_cast<int>(SeamMeasure::seam)] = 1;
-  double& likely = measures[static_cast<int>(SeamMeasure::likely)];
-  likely = sewn_logit(features_.of(a, b, false));
-  if (likely < hopeless) return measures;
-  likely += sewn_logit(features_.of(b, a, false));
-  likely += sewn_logit(features_.of(a, b, true));
-  likely += sewn_logit(features_.of(b, a, true));
-  likely /= 4;
+  measures[static_cast<int>(SeamMeasure::likely)] = odds(a, b);
   return measures;
+}
+
+double SeamPairs::odds(int a, int b) const {
+  if (a > b) std::swap(a, b);
+  const double once = sewn_logit(features_.of(a, b, false));
+  if (once < hopeless) return once;
+  return (once + sewn_logit(features_.of(b, a, false)) + sewn_logit(features_.of(a, b, true)) +
+          sewn_logit(features_.of(b, a, true))) /
+         4;
 }
 
 }  // namespace toile

@@ -16,6 +16,10 @@ class SeamPairs {
   bool possible(int a, int b) const;
   /// Of a possible pair.
   SeamMeasures measures(int a, int b) const;
+  /// Logarithm of the odds that a pair is sewn, whichever is named first.
+  double odds(int a, int b) const;
+  /// See PairFeatures.
+  void follow() { features_.follow(); }
 
  private:
   const std::vector<WalkedEdge>& edges_;

@@ -55,6 +55,17 @@ Walk walked(const PatternPanel& panel, bool drawn_walk, bool turned_over) {
 
 const EdgeCurve& curve_of(const PatternPanel& panel, int edge) { return panel.edges[edge].curve; }
 
+std::array<double, 4> turning_of_quarters(const std::vector<Vec2>& points) {
+  std::array<double, 4> turning{};
+  for (int k = 1; k < chords; ++k) {
+    const double turn = angle_between(points[k] - points[k - 1], points[k + 1] - points[k]);
+    // A point between two quarters belongs to both.
+    turning[(k - 1) * 4 / chords] += turn / 2;
+    turning[k * 4 / chords] += turn / 2;
+  }
+  return turning;
+}
+
 }  // namespace
 
 std::vector<WalkedEdge> walked_edges(const Pattern& pattern, bool drawn_walk,
@@ -76,12 +87,7 @@ std::vector<WalkedEdge> walked_edges(const Pattern& pattern, bool drawn_walk,
       edge.previous = first + static_cast<int>((i + count - 1) % count);
       edge.forward = step.forward != outline.turned;
       edge.length = panel.edges[step.edge].curve.length();
-      for (int k = 1; k < chords; ++k) {
-        const double turn = angle_between(points[k] - points[k - 1], points[k + 1] - points[k]);
-        // A point between two quarters belongs to both.
-        edge.turning[(k - 1) * 4 / chords] += turn / 2;
-        edge.turning[k * 4 / chords] += turn / 2;
-      }
+      edge.turning = turning_of_quarters(points);
       edge.corner = std::numbers::pi -
                     angle_between(before[chords] - before[chords - 1], points[1] - points[0]);
       const Vec2 chord = (curve_of(panel, step.edge).end() - curve_of(panel, step.edge).start());
@@ -104,6 +110,29 @@ std::vector<WalkedEdge> walked_edges(const Pattern& pattern, bool drawn_walk,
     }
   }
   return edges;
+}
+
+WalkedEdge part_of(const WalkedEdge& edge, double from, double to) {
+  WalkedEdge part = edge;
+  part.length = (to - from) * edge.length;
+  const auto at = [&edge](double share) -> Vec2 {
+    const double place = std::clamp(share, 0.0, 1.0) * chords;
+    const int before = std::min(static_cast<int>(place), chords - 1);
+    return edge.points[before] + (place - before) * (edge.points[before + 1] - edge.points[before]);
+  };
+  for (int k = 0; k <= chords; ++k) part.points[k] = at(from + (to - from) * k / chords);
+  part.turning = turning_of_quarters(part.points);
+  if (from > 0) {
+    part.corner = std::numbers::pi;
+    part.notch = false;
+  }
+  // The warp keeps its direction.
+  const double turn = angle_between(edge.points.back() - edge.points.front(),
+                                    part.points.back() - part.points.front());
+  part.rise = edge.rise * std::cos(turn) - edge.upwards * std::sin(turn);
+  part.upwards = edge.upwards * std::cos(turn) + edge.rise * std::sin(turn);
+  part.across_grain = std::abs(part.upwards);
+  return part;
 }
 
 }  // namespace toile

@@ -38,4 +38,8 @@ struct WalkedEdge {
 std::vector<WalkedEdge> walked_edges(const Pattern& pattern, bool drawn_walk,
                                      const std::vector<char>& turned_over = {});
 
+/// The part of an edge between two shares of its length, both in [0, 1], `from` < `to`. It has no
+/// notches, and where it is cut no corners; `next` and `previous` are as those of the edge.
+WalkedEdge part_of(const WalkedEdge& edge, double from, double to);
+
 }  // namespace toile

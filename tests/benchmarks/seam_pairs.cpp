@@ -15,7 +15,8 @@
 //
 // `--varied N`: N times more, each time varied as drawings by hand vary. Pieces are larger or
 // smaller by some 1 %, or upside down. Of five names one is lost. Edges are eased by some 0.6 %.
-// Seams are cut in two at notches. `--plain`: not as they are.
+// Seams are cut in two at notches. With `--miscut`, some edges are cut where they are sewn to
+// nothing instead. `--not-plain`: not as they are.
 #include "pattern/seams/seam_pairs.h"
 
 #include <array>
@@ -30,8 +31,9 @@
 #include "geometry/error.h"
 #include "io/output_file.h"
 #include "pattern/file/pattern_file.h"
-#include "pattern/seams/edge_split.h"
+#include "pattern/seams/seam_runs.h"
 #include "pattern/seams/sewn_file.h"
+#include "pattern/seams/splitmix.h"
 #include "tests/support/seam_comparison.h"
 
 namespace {
@@ -40,7 +42,6 @@ using namespace toile;
 
 struct Garment {
   std::string file;
-  std::string text;
   bool drawn_walk = false;
   Pattern pattern;
   std::set<SeamPair> seams;
@@ -50,10 +51,10 @@ struct Garment {
 Garment read(const std::string& file) {
   Garment garment;
   garment.file = file;
-  garment.text = read_file(file);
+  const std::string text = read_file(file);
   std::vector<Remark> remarks;
-  garment.pattern = parse_drawn_pattern(garment.text, file, remarks);
-  garment.drawn_walk = has_drawn_walk(garment.text, file);
+  garment.pattern = parse_drawn_pattern(text, file, remarks);
+  garment.drawn_walk = has_drawn_walk(text, file);
   garment.seams = stated_seams(garment.pattern);
   garment.turned = turned_over(garment.pattern, garment.drawn_walk);
   return garment;
@@ -73,8 +74,8 @@ void notch_seams(Garment& garment, Random& random) {
   for (std::size_t e = 0; e < edges.size(); ++e) {
     place[{edges[e].ref.panel, edges[e].ref.edge}] = static_cast<int>(e);
   }
-  std::map<std::array<int, 2>, double> cuts;  // by the lengths, millimetres
-  std::vector<std::pair<SeamPair, double>> chosen;
+  std::map<std::array<int, 2>, double> cuts;        // by the lengths, millimetres
+  std::vector<std::pair<SeamPair, double>> chosen;  // and the share of its first edge
   for (const SeamPair& seam : garment.seams) {
     const WalkedEdge& a = edges[place.at(seam.a)];
     const WalkedEdge& b = edges[place.at(seam.b)];
@@ -89,33 +90,61 @@ void notch_seams(Garment& garment, Random& random) {
     const double share = edges[a.next].corner > a.corner ? 1 - cut->second : cut->second;
     chosen.push_back({seam, a.forward ? share : 1 - share});
   }
+  EdgeCuts places;
   for (const auto& [seam, share] : chosen) {
-    EdgeSplit first;
-    EdgeSplit second;
-    first.edge = {seam.a[0], seam.a[1]};
-    first.share = share;
-    second.edge = {seam.b[0], seam.b[1]};
-    second.share = seam.reversed ? 1 - share : share;
-    for (EdgeSplit* split : {&first, &second}) {
-      PatternPanel& panel = garment.pattern.panels[split->edge.panel];
-      split->rest = static_cast<int>(panel.edges.size());
-      garment.text = with_split_edge(garment.text, garment.pattern, *split);
-      std::vector<Remark> remarks;
-      Pattern cut = parse_drawn_pattern(garment.text, garment.file, remarks);
-      for (std::size_t p = 0; p < cut.panels.size(); ++p) {
-        cut.panels[p].notches = std::move(garment.pattern.panels[p].notches);
-      }
-      garment.pattern = std::move(cut);
-      PatternPanel& after = garment.pattern.panels[split->edge.panel];
-      after.notches.push_back({0, after.edges[split->rest].curve.start(), {}});
-    }
-    garment.seams.erase(seam);
-    const EdgeRef rest_a{seam.a[0], first.rest};
-    const EdgeRef rest_b{seam.b[0], second.rest};
-    garment.seams.insert(
-        seam_pair(first.edge, seam.reversed ? rest_b : second.edge, seam.reversed));
-    garment.seams.insert(seam_pair(rest_a, seam.reversed ? second.edge : rest_b, seam.reversed));
+    places[seam.a] = {{share, true}};
+    places[seam.b] = {{seam.reversed ? 1 - share : share, true}};
   }
+  CutPattern cut = with_cuts(garment.pattern, places);
+  std::map<std::array<int, 2>, int> rest;
+  for (const EdgeSplit& split : cut.splits) {
+    rest[{split.edge.panel, split.edge.edge}] = split.rest;
+  }
+  garment.pattern = std::move(cut.pattern);
+  for (const auto& [seam, share] : chosen) {
+    garment.seams.erase(seam);
+    const EdgeRef a{seam.a[0], seam.a[1]};
+    const EdgeRef b{seam.b[0], seam.b[1]};
+    const EdgeRef rest_a{seam.a[0], rest.at(seam.a)};
+    const EdgeRef rest_b{seam.b[0], rest.at(seam.b)};
+    garment.seams.insert(seam_pair(a, seam.reversed ? rest_b : b, seam.reversed));
+    garment.seams.insert(seam_pair(rest_a, seam.reversed ? b : rest_b, seam.reversed));
+  }
+}
+
+/// Cuts edges where find-seams would try it, beside the garment's own seams, which are left out
+/// where one of their edges is cut. Some seams are not known then.
+void miscut(Garment& garment, Random& random) {
+  constexpr double known = 0.7;
+  constexpr std::size_t looked_at = 12;
+  constexpr std::size_t most_runs = 3;
+  FoundSeams found;
+  const std::vector<WalkedEdge> edges = walked_edges(garment.pattern, garment.drawn_walk);
+  std::map<std::array<int, 2>, double> length;
+  for (const WalkedEdge& edge : edges) length[{edge.ref.panel, edge.ref.edge}] = edge.length;
+  for (const SeamPair& seam : garment.seams) {
+    if (part(random) > known) continue;
+    FoundSeam one;
+    one.a = {seam.a[0], seam.a[1]};
+    one.b = {seam.b[0], seam.b[1]};
+    one.length_a = length.at(seam.a);
+    one.length_b = length.at(seam.b);
+    found.seams.push_back(one);
+  }
+  const Pattern bare = stripped(garment.pattern, part(random) < 0.5, false);
+  std::vector<SeamRun> runs = seam_runs(with_cuts(bare, {}), garment.drawn_walk, found);
+  runs.resize(std::min(runs.size(), looked_at));
+  std::shuffle(runs.begin(), runs.end(), random);
+  EdgeCuts cuts;
+  for (std::size_t i = 0; i < runs.size() && i < most_runs; ++i) {
+    const bool apart = std::none_of(runs[i].cuts.begin(), runs[i].cuts.end(),
+                                    [&](const auto& cut) { return cuts.contains(cut.first); });
+    if (apart) cuts.insert(runs[i].cuts.begin(), runs[i].cuts.end());
+  }
+  garment.pattern = with_cuts(garment.pattern, cuts).pattern;
+  std::erase_if(garment.seams, [&](const SeamPair& seam) {
+    return cuts.contains(seam.a) || cuts.contains(seam.b);
+  });
 }
 
 /// Pieces of another size, some upside down, and edges that are eased; equal ones alike.
@@ -194,8 +223,9 @@ std::size_t write(const Garment& garment, int number, int kept, Random* random, 
       const int of = right || ratio < 0.02 ? 1 : ratio < 0.3 ? 3 : 16;
       if ((a * 31 + b * 17) % of != 0) continue;
       // Which comes first says nothing, nor does left from right.
-      const bool swap = (a * 7 + b * 13) % 2 == 0;
-      const bool mirrored = (a * 7 + b * 13) % 4 < 2;
+      const std::uint64_t chance = mixed(static_cast<std::uint64_t>(a) * count + b);
+      const bool swap = chance % 2 == 0;
+      const bool mirrored = chance / 2 % 2 == 0;
       const PairRow row = features.of(swap ? b : a, swap ? a : b, mirrored);
       const float head[] = {static_cast<float>(number), static_cast<float>(kept), right ? 1.F : 0.F,
                             static_cast<float>(of)};
@@ -212,11 +242,14 @@ std::size_t write(const Garment& garment, int number, int kept, Random* random, 
 int main(int argc, char** argv) {
   int varied = 0;
   bool plain = true;
+  bool is_miscut = false;
   std::vector<std::string> files;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     if (word == "--varied" && i + 1 < argc) {
       varied = std::stoi(argv[++i]);
+    } else if (word == "--miscut") {
+      is_miscut = true;
     } else if (word == "--not-plain") {
       plain = false;
     } else {
@@ -225,7 +258,7 @@ int main(int argc, char** argv) {
   }
   std::FILE* out = files.size() < 2 ? nullptr : std::fopen(files[0].c_str(), "wb");
   if (out == nullptr) {
-    std::fprintf(stderr, "bench_seam_pairs [--varied N] [--not-plain] PAIRS FILE...\n");
+    std::fprintf(stderr, "bench_seam_pairs [--varied N [--miscut]] [--not-plain] PAIRS FILE...\n");
     return 1;
   }
   std::size_t rows = 0;
@@ -237,9 +270,14 @@ int main(int argc, char** argv) {
       const Garment garment = read(files[i]);
       for (int v = plain ? 0 : 1; v <= varied; ++v) {
         Garment one = garment;
-        if (v > 0) notch_seams(one, random);
+        if (v > 0 && is_miscut) {
+          miscut(one, random);
+        } else if (v > 0) {
+          notch_seams(one, random);
+        }
         for (const int kept : {0, 1, 2}) {
-          rows += write(one, static_cast<int>(i), kept, v > 0 ? &random : nullptr, out);
+          rows +=
+              write(one, static_cast<int>(i), kept, v > 0 && !is_miscut ? &random : nullptr, out);
         }
       }
     } catch (const Error& error) {
