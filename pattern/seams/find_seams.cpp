@@ -27,16 +27,55 @@ class SeamFinder {
     look_at({});
   }
 
-  double score_of(const FoundSeams& found) {
-    const Partners partners = partners_of(found);
+  /// Without the seams that lower the score.
+  FoundSeams opened(const FoundSeams& found) {
+    Partners partners = partners_of(found);
+    std::vector<char> is_given(partners.size(), 0);
+    for (const auto& [a, b] : take_given().chosen) is_given[a] = is_given[b] = 1;
     const SeamPairs pairs(evidence_);
-    SeamMeasures sum{};
-    SewnSurface(evidence_).measure(partners, sum);
-    double score = toile::score_of(sum, seam_weights);
-    for (int a = 0; a < static_cast<int>(partners.size()); ++a) {
-      if (partners[a] > a) score += toile::score_of(pairs.measures(a, partners[a]), seam_weights);
+    std::map<std::array<int, 2>, double> scores;
+    SewnSurface surface(evidence_);
+    const auto score_of_partners = [&] {
+      SeamMeasures sum{};
+      surface.measure(partners, sum);
+      double score = score_of(sum, seam_weights);
+      for (int a = 0; a < static_cast<int>(partners.size()); ++a) {
+        if (partners[a] <= a) continue;
+        const auto [at, is_new] = scores.try_emplace({a, partners[a]});
+        if (is_new) at->second = score_of(pairs.measures(a, partners[a]), seam_weights);
+        score += at->second;
+      }
+      return score;
+    };
+    double best = score_of_partners();
+    for (bool again = true; again;) {
+      again = false;
+      for (int a = 0; a < static_cast<int>(partners.size()); ++a) {
+        const int b = partners[a];
+        if (b < a || is_given[a] != 0) continue;
+        const Partners before = partners;
+        partners[a] = partners[b] = -1;
+        const int c = evidence_.mirror[a];
+        const int d = evidence_.mirror[b];
+        if (c >= 0 && d >= 0 && partners[c] == d && is_given[c] == 0) {
+          partners[c] = partners[d] = -1;
+        }
+        const double score = score_of_partners();
+        if (score > best) {
+          best = score;
+          again = true;
+        } else {
+          partners = before;
+        }
+      }
     }
-    return score;
+    FoundSeams without = found;
+    without.score = best;
+    std::erase_if(without.seams, [&](const FoundSeam& seam) {
+      if (seam.given) return false;
+      return partners[number_.at({seam.a.panel, seam.a.edge})] < 0;
+    });
+    return without;
   }
 
   FoundSeams run() {
@@ -49,19 +88,20 @@ class SeamFinder {
       const std::vector<char> turned = i == 0 ? std::vector<char>{} : collars[i - 1];
       look_at(turned);
       const KnownSeams known = take_given();
-      const double score = SeamChooser(evidence_, known).score() - (i == 0 ? 0 : turned_collar);
+      const double score =
+          SeamChooser(evidence_, known, options_.is_over).score() - (i == 0 ? 0 : turned_collar);
       if (i > 0 && score <= most) continue;
       most = score;
       best = turned;
     }
     if (!collars.empty()) look_at(best);
     const KnownSeams known = take_given();
-    SeamChooser chooser(evidence_, known);
+    SeamChooser chooser(evidence_, known, options_.is_over);
     if (names_sides()) {
       // Where drawings show the wrong side, left and right change places: then a garment that does
       // not heed them has a much higher score.
       const SeamEvidence neutral = without_sides(evidence_);
-      SeamChooser other(neutral, known);
+      SeamChooser other(neutral, known, options_.is_over);
       // A search that failed is no reason to turn panels.
       if (options_.certain && other.score() > chooser.score() + turned_panels) chooser.settle();
       if (other.score() > chooser.score() + turned_panels) {
@@ -77,7 +117,7 @@ class SeamFinder {
   FoundSeams near(const FoundSeams& before) {
     const Partners partners = partners_of(before);
     const KnownSeams known = take_given();
-    return found(SeamChooser(evidence_, known, partners).best(), known);
+    return found(SeamChooser(evidence_, known, partners, options_.is_over).best(), known);
   }
 
   /// Looks at the pattern as these seams were found.
@@ -238,8 +278,9 @@ FoundSeams find_seams(const Pattern& pattern, const FindSeamsOptions& options) {
   return SeamFinder(pattern, options).run();
 }
 
-double score_of(const Pattern& pattern, const FindSeamsOptions& options, const FoundSeams& found) {
-  return SeamFinder(pattern, options).score_of(found);
+FoundSeams opened(const Pattern& pattern, const FindSeamsOptions& options,
+                  const FoundSeams& found) {
+  return SeamFinder(pattern, options).opened(found);
 }
 
 }  // namespace toile

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -23,6 +24,11 @@ struct FindSeamsOptions {
   /// Seams of the same pattern before edges were cut: the search begins with them, and is short.
   const FoundSeams* before = nullptr;
   std::vector<Stitch> given;  ///< seams that are known; a direction by position is right to right
+  /// Whether the time is over: then the best garment found so far is taken. Asked from many
+  /// threads. Empty: it never is.
+  std::function<bool()> is_over;
+  /// Hears the seams of the best garment so far, and the cuts of its edges. Empty: nobody.
+  std::function<void(std::size_t seams, std::size_t cuts)> heard;
 };
 
 /// Two edges that are sewn together.
@@ -55,8 +61,8 @@ struct FoundSeams {
 /// Throws Error for given seams that share an edge and are not layered.
 FoundSeams find_seams(const Pattern& pattern, const FindSeamsOptions& options);
 
-/// The score of a garment with these seams, as FoundSeams::score. O(edges^2).
-double score_of(const Pattern& pattern, const FindSeamsOptions& options, const FoundSeams& found);
+/// The garment with these seams, without those that lower its score. O(edges^2).
+FoundSeams opened(const Pattern& pattern, const FindSeamsOptions& options, const FoundSeams& found);
 
 /// Confidence from which on a seam is decided. Measured in 90 random garments and 29 drawings
 /// without names: 0.978 of the seams above it are right. Of all right ones, 0.983 are above it.

@@ -11,9 +11,15 @@ namespace {
 /// Fitted by fit_seam_certainty.py, with and without names: to 90 random garments that the trees
 /// were not learned from, and to drawings.
 constexpr SeamFeatures feature_weights = {-1.997, 2.800,  1.780,  -0.154, 0.386, 0.054,
-                                          0.487,  -0.286, -0.915, -1.191, 3.381};
+                                          0.487,  -0.286, -0.915, -1.191, 3.381, 0};
+
+constexpr std::array<const char*, seam_features> names = {
+    "one",   "found",        "gap",      "garment_gap", "settled", "edges",
+    "named", "equal_length", "gathered", "coincide",    "likely",  "cut"};
 
 }  // namespace
+
+const char* name_of(SeamFeature feature) { return names[static_cast<int>(feature)]; }
 
 double certainty_of(const SeamFeatures& features) {
   double sum = 0;

@@ -18,12 +18,15 @@ enum class SeamFeature {
   gathered,      ///< logarithm of the longer over the shorter side
   coincide,      ///< 1: the edges coincide
   likely,        ///< logarithm of the odds of the pair alone, see sewn_logit(); within ±10, tenths
+  cut,           ///< 1: an edge was cut for it, so that its sides are as long as each other
   count
 };
 
 inline constexpr int seam_features = static_cast<int>(SeamFeature::count);
 
 using SeamFeatures = std::array<double, seam_features>;
+
+const char* name_of(SeamFeature feature);
 
 /// The share of such seams that is right, 0 to 1: a logistic regression (Cox 1958). At most 0.5
 /// where one side is twice as long as the other and the pair alone is unlikely.

@@ -38,24 +38,27 @@ const SeamSearch::Garment& better_of(const std::vector<SeamSearch::Garment>& gar
 
 }  // namespace
 
-SeamChooser::SeamChooser(const SeamEvidence& evidence, const KnownSeams& known)
+SeamChooser::SeamChooser(const SeamEvidence& evidence, const KnownSeams& known,
+                         const IsOver& is_over)
     : evidence_(evidence),
       known_(known),
+      is_over_(is_over),
       pairs_(evidence),
       weights_(seam_weights),
-      search_(evidence, pairs_, weights_, known),
+      search_(evidence, pairs_, weights_, known, {}, is_over),
       found_(searched(0, first_searches, patience)) {
   best_ = found_.front();
   take_best_of(found_);
 }
 
 SeamChooser::SeamChooser(const SeamEvidence& evidence, const KnownSeams& known,
-                         const Partners& begin)
+                         const Partners& begin, const IsOver& is_over)
     : evidence_(evidence),
       known_(known),
+      is_over_(is_over),
       pairs_(evidence),
       weights_(seam_weights),
-      search_(evidence, pairs_, weights_, known),
+      search_(evidence, pairs_, weights_, known, {}, is_over),
       found_{search_.near(begin)} {
   best_ = search_.climbed(found_.front());
 }
@@ -93,7 +96,7 @@ void SeamChooser::take_best_of(const std::vector<SeamSearch::Garment>& garments)
       best_ = search_.recombined(best_, garment);
     }
     best_ = search_.climbed(best_);
-    if (best_.score < before + same_garment) return;
+    if (best_.score < before + same_garment || (is_over_ && is_over_())) return;
     best_ = better_of({search_.near(best_.partners)}, best_);
   }
 }
@@ -184,6 +187,7 @@ void SeamChooser::tell_features(const std::vector<SeamSearch::Garment>& without,
   };
   const int times = times_found();
   choice.settled = times > 1;
+  const bool is_early = is_over_ && is_over_();
   const std::vector<WalkedEdge>& edges = evidence_.edges;
   const bool names_tell =
       std::any_of(evidence_.words.begin(), evidence_.words.end(), [](const PanelWords& words) {
@@ -194,8 +198,9 @@ void SeamChooser::tell_features(const std::vector<SeamSearch::Garment>& without,
     SeamFeatures& features = seam.features;
     at(features, SeamFeature::one) = 1;
     at(features, SeamFeature::found) = share(found_, seam.a, seam.b);
-    const double lacks =
-        without[seam.a].partners.empty() ? widest_gap : best_.score - without[seam.a].score;
+    const double lacks = is_early                           ? 0
+                         : without[seam.a].partners.empty() ? widest_gap
+                                                            : best_.score - without[seam.a].score;
     at(features, SeamFeature::gap) = std::log1p(std::clamp(lacks, 0.0, widest_gap));
     at(features, SeamFeature::settled) = static_cast<double>(times) / all_searches;
     at(features, SeamFeature::edges) = std::log(static_cast<double>(edges.size()));

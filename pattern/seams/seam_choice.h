@@ -24,15 +24,17 @@ struct SeamChoice {
 };
 
 /// Chooses the seams with searches from several beginnings, then asks how certain each is. Searches
-/// are repeated without each seam. Searches run in parallel. The same evidence gives the same bits
-/// for any number of threads.
+/// are repeated without each seam. Searches run in parallel. Once the time is over, searches end
+/// early, and no seam is told to score more than the best garment without it. The same evidence
+/// gives the same bits for any number of threads.
 class SeamChooser {
  public:
   /// Runs the first searches.
-  SeamChooser(const SeamEvidence& evidence, const KnownSeams& known);
+  SeamChooser(const SeamEvidence& evidence, const KnownSeams& known, const IsOver& is_over = {});
 
   /// Runs a short search that begins with these seams.
-  SeamChooser(const SeamEvidence& evidence, const KnownSeams& known, const Partners& begin);
+  SeamChooser(const SeamEvidence& evidence, const KnownSeams& known, const Partners& begin,
+              const IsOver& is_over = {});
 
   double score() const { return best_.score; }
 
@@ -57,6 +59,7 @@ class SeamChooser {
 
   const SeamEvidence& evidence_;
   const KnownSeams& known_;
+  IsOver is_over_;
   SeamPairs pairs_;
   SeamMeasures weights_;
   SeamSearch search_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <set>
@@ -32,12 +33,16 @@ constexpr double shortest_part = 0.005;
 /// Logarithm of odds that a part must have. Half and double of these were not measured.
 constexpr double hopeless_part = -4;
 
+/// Score of a run by its odds alone: corners that meet may make up for what it lacks.
+constexpr double least_run_gain = -4;
+
 /// Logarithm of the odds of a dart that runs pass over.
 constexpr double likely_dart = 0;
 
 class RunFinder {
  public:
-  RunFinder(const CutPattern& cut, bool drawn_walk, const FoundSeams& found)
+  /// Seams of less odds than `kept` are free to be sewn otherwise.
+  RunFinder(const CutPattern& cut, bool drawn_walk, const FoundSeams& found, double kept)
       : cut_(cut),
         evidence_(seam_evidence(cut.pattern, drawn_walk, found.turned_over)),
         pairs_(evidence_),
@@ -57,7 +62,7 @@ class RunFinder {
       const double odds = pairs_.odds(a, b);
       lost_[a] = lost_[b] = score_of(odds);
       const bool poor = std::abs(std::log(seam.length_a / seam.length_b)) > poor_seam;
-      if (!seam.given && (poor || odds < doubtful)) continue;
+      if (!seam.given && (poor || odds < kept)) continue;
       partner_[a] = b;
       partner_[b] = a;
       free_[a] = free_[b] = 0;
@@ -66,8 +71,10 @@ class RunFinder {
     // A dart that is not sewn yet ends no run.
     for (int e = 0; e < whole_; ++e) {
       const int next = evidence_.edges[e].next;
-      if (partner_[e] >= 0 || partner_[next] >= 0 || locked_[e] != 0 || locked_[next] != 0) continue;
-      if (evidence_.edges[next].corner < sharpest_dart_tip || pairs_.odds(e, next) < likely_dart) continue;
+      if (partner_[e] >= 0 || partner_[next] >= 0 || locked_[e] != 0 || locked_[next] != 0)
+        continue;
+      if (evidence_.edges[next].corner < sharpest_dart_tip || pairs_.odds(e, next) < likely_dart)
+        continue;
       partner_[e] = next;
       partner_[next] = e;
       free_[e] = free_[next] = 0;
@@ -85,8 +92,6 @@ class RunFinder {
         }
       }
     }
-    std::stable_sort(runs_.begin(), runs_.end(),
-                     [](const SeamRun& x, const SeamRun& y) { return x.gain > y.gain; });
     return std::move(runs_);
   }
 
@@ -241,8 +246,11 @@ class RunFinder {
       const bool by_b = meet || end_b < end_a;
       if ((!by_a && free_[a[i].edge] == 0) || (!by_b && free_[b[k].edge] == 0)) return;
       const double end = std::min(end_a, end_b);
-      const Piece of_a = part(a[i], true, share(joints_a, i, from_a), by_a ? 1 : share(joints_a, i, end));
-      const Piece of_b = part(b[k], false, share(joints_b, k, from_b), by_b ? 1 : share(joints_b, k, end));
+      if (!meet && end - std::max(from_a, from_b) < nearest) return;
+      const Piece of_a =
+          part(a[i], true, share(joints_a, i, from_a), by_a ? 1 : share(joints_a, i, end));
+      const Piece of_b =
+          part(b[k], false, share(joints_b, k, from_b), by_b ? 1 : share(joints_b, k, end));
       if (!by_a) cuts.push_back({of_a.edge, of_a.to, is_smooth_notch(b[k].edge)});
       if (!by_b) {
         cuts.push_back({of_b.edge, of_b.from, is_smooth_notch(evidence_.edges[a[i].edge].next)});
@@ -255,7 +263,7 @@ class RunFinder {
     }
     if (i < a.size() || k < b.size() || cuts.empty()) return;
     SeamRun run{{}, {}, gain_of(pieces)};
-    if (run.gain <= 0) return;
+    if (run.gain <= least_run_gain) return;
     add_seams(pieces, cuts, run);
     add_mirror_image(std::move(pieces), std::move(cuts), run);
     for (auto& [edge, shares] : run.cuts) {
@@ -279,23 +287,37 @@ class RunFinder {
                         : part.from + along * (part.to - part.from);
   }
 
+  /// A share of an edge's walk as one of the edge as drawn. A cut of the run that lies closer than
+  /// a part may be long is the same place.
+  double drawn(const SeamRun& run, int edge, double share) const {
+    const double at = drawn(edge, share);
+    const EdgePart& part = whole(edge);
+    const auto cuts = run.cuts.find({evidence_.edges[edge].ref.panel, part.edge});
+    if (cuts == run.cuts.end()) return at;
+    const double nearest = shortest_part / evidence_.edges[edge].length * (part.to - part.from);
+    for (const EdgeCut& cut : cuts->second) {
+      if (std::abs(cut.share - at) < nearest) return cut.share;
+    }
+    return at;
+  }
+
   void add_seams(const std::vector<std::array<Piece, 2>>& pieces, const std::vector<PieceCut>& cuts,
                  SeamRun& run) const {
-    const auto part = [this](const Piece& piece) -> PanelPart {
-      const double from = drawn(piece.edge, piece.from);
-      const double to = drawn(piece.edge, piece.to);
-      return {evidence_.edges[piece.edge].ref.panel,
-              {whole(piece.edge).edge, std::min(from, to), std::max(from, to)}};
-    };
-    for (const auto& [a, b] : pieces) run.seams.push_back({part(a), part(b)});
     for (const PieceCut& cut : cuts) {
-      const int panel = evidence_.edges[cut.edge].ref.panel;
-      std::vector<EdgeCut>& of_edge = run.cuts[{panel, whole(cut.edge).edge}];
-      const double at = drawn(cut.edge, cut.share);
+      const double at = drawn(run, cut.edge, cut.share);
+      std::vector<EdgeCut>& of_edge =
+          run.cuts[{evidence_.edges[cut.edge].ref.panel, whole(cut.edge).edge}];
       const bool is_known = std::any_of(of_edge.begin(), of_edge.end(),
                                         [at](const EdgeCut& other) { return other.share == at; });
       if (!is_known) of_edge.push_back({at, cut.notch});
     }
+    const auto part = [&](const Piece& piece) -> PanelPart {
+      const double from = drawn(run, piece.edge, piece.from);
+      const double to = drawn(run, piece.edge, piece.to);
+      return {evidence_.edges[piece.edge].ref.panel,
+              {whole(piece.edge).edge, std::min(from, to), std::max(from, to)}};
+    };
+    for (const auto& [a, b] : pieces) run.seams.push_back({part(a), part(b)});
   }
 
   /// The same on the other half of the garment, if none of its edges is in the run.
@@ -348,7 +370,7 @@ class RunFinder {
       const double odds = pairs_.odds(a, b);
       gain += score_of(odds);
       if (odds < hopeless_part) {
-        gain = -1;
+        gain = -std::numeric_limits<double>::infinity();
         break;
       }
     }
@@ -388,7 +410,23 @@ class RunFinder {
 }  // namespace
 
 std::vector<SeamRun> seam_runs(const CutPattern& cut, bool drawn_walk, const FoundSeams& found) {
-  return RunFinder(cut, drawn_walk, found).all();
+  std::map<std::vector<std::array<PanelPart, 2>>, SeamRun> all;
+  for (const double kept : {doubtful, hopeless_part}) {
+    for (SeamRun& run : RunFinder(cut, drawn_walk, found, kept).all()) {
+      std::vector<std::array<PanelPart, 2>> seams = run.seams;
+      for (auto& [a, b] : seams) {
+        if (b < a) std::swap(a, b);
+      }
+      std::sort(seams.begin(), seams.end());
+      all.try_emplace(std::move(seams), std::move(run));
+    }
+  }
+  std::vector<SeamRun> runs;
+  runs.reserve(all.size());
+  for (auto& [seams, run] : all) runs.push_back(std::move(run));
+  std::stable_sort(runs.begin(), runs.end(),
+                   [](const SeamRun& x, const SeamRun& y) { return x.gain > y.gain; });
+  return runs;
 }
 
 }  // namespace toile

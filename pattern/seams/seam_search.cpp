@@ -29,6 +29,9 @@ constexpr double cold = 0.2;
 /// Garments that a search looks at, for each edge of the pattern.
 constexpr int looks_of_search = 300;
 
+/// Garments between two looks at the clock: a hundredth of a second with 200 edges.
+constexpr int looks_between_clocks = 1000;
+
 /// Scores that differ by less are the same.
 constexpr double same_score = 1e-6;
 
@@ -45,9 +48,10 @@ constexpr std::size_t few_blocks = 8;
 
 SeamSearch::SeamSearch(const SeamEvidence& evidence, const SeamPairs& pairs,
                        const SeamMeasures& weights, const KnownSeams& known,
-                       const std::vector<double>& extra)
+                       const std::vector<double>& extra, IsOver is_over)
     : pairs_(pairs),
       weights_(weights),
+      is_over_(std::move(is_over)),
       surface_(evidence),
       edges_(static_cast<int>(evidence.edges.size())),
       mirror_(evidence.mirror),
@@ -241,6 +245,7 @@ void SeamSearch::anneal(Garment& best, double from, double to, int looks) {
   border_ = surface_.border();
   Partners before = now_;
   for (int look = 0; look < looks; ++look) {
+    if (look % looks_between_clocks == 0 && is_over()) return;
     const double heat = from * std::pow(to / from, static_cast<double>(look) / looks);
     move();
     if (now_ == before) continue;
@@ -313,6 +318,7 @@ SeamSearch::Garment SeamSearch::climbed(const Garment& from) {
     best = {now_, score};
     return true;
   };
+  // Once over all edges, whatever the time, so that a short search finds something.
   for (double before = best.score - 1; best.score > before + same_score;) {
     before = best.score;
     for (int a = 0; a < edges_; ++a) {
@@ -324,6 +330,7 @@ SeamSearch::Garment SeamSearch::climbed(const Garment& from) {
         now_ = best.partners;
       }
     }
+    if (is_over()) break;
   }
   return best;
 }

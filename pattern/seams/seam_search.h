@@ -19,14 +19,18 @@ struct KnownSeams {
   std::vector<int> taken;                  ///< edges that no other seam may use
 };
 
+/// Whether the time is over, asked from many threads. Empty: it never is.
+using IsOver = std::function<bool()>;
+
 /// Simulated annealing over sets of seams (Kirkpatrick, Gelatt, Vecchi 1983), with moves that sew
 /// on from a corner to the next. Mirror partners are sewn together. The same evidence gives the
 /// same seams. The work grows with the square of the number of edges.
 class SeamSearch {
  public:
-  /// `extra`: added to the score of each pair, edges * edges in rows; empty: nothing.
+  /// `extra`: added to the score of each pair, edges * edges in rows; empty: nothing. Once the time
+  /// is over, each search ends with the best garment that it has found.
   SeamSearch(const SeamEvidence& evidence, const SeamPairs& pairs, const SeamMeasures& weights,
-             const KnownSeams& known, const std::vector<double>& extra = {});
+             const KnownSeams& known, const std::vector<double>& extra = {}, IsOver is_over = {});
 
   struct Garment {
     Partners partners;
@@ -79,8 +83,11 @@ class SeamSearch {
   std::uint32_t random(std::uint32_t below);
   double random_part();
 
+  bool is_over() const { return is_over_ && is_over_(); }
+
   const SeamPairs& pairs_;
   const SeamMeasures& weights_;
+  IsOver is_over_;
   SewnSurface surface_;
   int edges_ = 0;
   std::vector<int> next_;

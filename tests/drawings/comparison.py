@@ -12,6 +12,7 @@ class Found:
 
     def __init__(self, entry, sewn, imported, names):
         self.confidence = entry["confidence"]
+        self.evidence = entry.get("evidence", {})
         self.reversed = entry["reversed"]
         self.arcs = []
         for side in (entry["a"], entry["b"]):
@@ -178,6 +179,12 @@ class Judge:
                         hit[k] = hit[k] or walked.fraction(at, 0) is not None
             best = max(best, sum(hit) / steps)
         return (1 - best) * seam.a.length <= labels.tolerance(seam.a.length) + 1e-9
+
+    def ruled(self, found):
+        """All seams that count, whatever their confidence, and whether each is right."""
+        laid = self.lay(found)
+        return [(seam, bool(self.match(seam, laid))) for seam in found
+                if self.counts(seam) and not self.is_asked(seam, laid)]
 
     def judge(self, found, min_confidence):
         decided = [seam for seam in found if seam.confidence >= min_confidence]

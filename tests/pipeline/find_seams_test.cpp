@@ -71,6 +71,22 @@ TEST_F(FindSeams, WhatIsUncertainIsListedNotSewn) {
   EXPECT_TRUE(sewn()["pattern"]["stitches"].empty());
 }
 
+TEST_F(FindSeams, ATimeLimitKeepsTheBestFoundSoFarAndSaysSo) {
+  const auto early = find("bare.json", {"--time-limit", "1e-6", "--min-confidence", "0"});
+  ASSERT_EQ(early.exit_code, 0) << early.err;
+  EXPECT_HOLDS(early.err, "the time limit ended the search");
+  const std::set<Edges> known = seams_of(whole);
+  std::size_t right = 0;
+  for (const Edges& seam : seams_of(sewn())) right += known.count(seam);
+  EXPECT_GE(2 * right, known.size()) << "one look at all edges finds most of a T-shirt";
+  const auto late = find("bare.json", {"--time-limit", "60", "--min-confidence", "0"});
+  EXPECT_EQ(late.err.find("time limit"), std::string::npos);
+  EXPECT_EQ(seams_of(sewn()), known);
+  const auto none = find("bare.json", {"--time-limit", "0"});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_HOLDS(none.err, "--time-limit");
+}
+
 TEST_F(FindSeams, PocketsAreLeftOutUnlessTheyAreAskedFor) {
   // A shirt of two squares, for speed.
   const auto square = [](double side) {

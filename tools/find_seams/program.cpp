@@ -23,7 +23,9 @@ void add_seam_options(po::options_description& options) {
       "with", po::value<std::vector<std::string>>()->composing(),
       "take in this panel, a pocket, say; `all`: every one; may be given again")(
       "min-confidence", po::value<double>()->default_value(decided_confidence, "0.7"),
-      "0 to 1: a less certain seam is listed as undecided and not sewn");
+      "0 to 1: a less certain seam is listed as undecided and not sewn")(
+      "time-limit", po::value<double>(),
+      "seconds after which the best seams so far are taken; they are less certain");
 }
 
 void read_seam_options(const po::variables_map& given, FindSeamsSettings& settings) {
@@ -32,6 +34,11 @@ void read_seam_options(const po::variables_map& given, FindSeamsSettings& settin
   settings.min_confidence = given["min-confidence"].as<double>();
   if (!(settings.min_confidence >= 0 && settings.min_confidence <= 1)) {
     throw UsageError("--min-confidence", "is not between 0 and 1", "0.7 is the default");
+  }
+  if (given.count("time-limit") == 0) return;
+  settings.time_limit = given["time-limit"].as<double>();
+  if (!(settings.time_limit > 0)) {
+    throw UsageError("--time-limit", "is not above 0 seconds", "leave it out for no limit");
   }
 }
 

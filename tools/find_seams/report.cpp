@@ -34,6 +34,10 @@ Json seam_json(const Pattern& pattern, const FoundSeam& seam) {
   entry["kind"] = kind_of(seam);
   entry["given"] = seam.given;
   entry["confidence"] = seam.confidence;
+  entry["evidence"] = Json::object();
+  for (int i = 0; i < seam_features && !seam.given; ++i) {
+    entry["evidence"][name_of(static_cast<SeamFeature>(i))] = seam.features[i];
+  }
   if (seam.alternative) {
     entry["alternative"] = {{"a", side_json(pattern, (*seam.alternative)[0])},
                             {"b", side_json(pattern, (*seam.alternative)[1])}};

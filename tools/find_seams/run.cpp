@@ -1,5 +1,7 @@
 #include "tools/find_seams/run.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -25,6 +27,9 @@
 namespace toile {
 
 namespace {
+
+/// Characters of the line that tells how far the search is.
+constexpr int progress_width = 60;
 
 /// One side of a seam as --sew names it.
 struct NamedSide {
@@ -211,10 +216,29 @@ FindSeamsEnd run_find_seams(const FindSeamsSettings& settings, const CommonSetti
     remarks.push_back({false, name + ": its " + std::to_string(stated) +
                                   " stitches are replaced; --keep keeps them"});
   }
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point begin = Clock::now();
+  if (settings.time_limit > 0) {
+    options.is_over = [begin, limit = settings.time_limit] {
+      return std::chrono::duration<double>(Clock::now() - begin).count() > limit;
+    };
+  }
+  const bool shows_progress = !common.quiet && isatty(STDERR_FILENO) != 0;
+  if (shows_progress) {
+    options.heard = [](std::size_t seams, std::size_t cuts) {
+      std::fprintf(stderr, "\r%zu seams, %zu edges cut, searching on ...", seams, cuts);
+    };
+  }
   const SplitSeams split = find_with(settings.sewn, drawn_text, name, drawn, options);
   const Pattern& pattern = split.pattern;
   const FoundSeams& found = split.found;
-  if (!found.settled) {
+  if (shows_progress) std::fprintf(stderr, "\r%*s\r", progress_width, "");
+  const bool is_early = options.is_over && options.is_over();
+  if (is_early) {
+    remarks.push_back({true, name + ": the time limit ended the search; seams are the best found "
+                                    "so far, and less certain"});
+  }
+  if (!found.settled && !is_early) {
     remarks.push_back(
         {true, name + ": searches for seams disagree about the best garment; look at all "
                       "of them, or sew some by --sew and keep what is right"});

@@ -16,12 +16,13 @@ struct FindSeamsSettings {
   bool keep = false;                 ///< the stitches of the file stay
   bool by_place = false;             ///< see FindSeamsOptions
   double min_confidence = 0;         ///< 0 to 1: a less certain seam is not sewn
+  double time_limit = 0;             ///< seconds after which the best so far is taken; 0: none
   std::vector<std::string> with;     ///< panels to take in that are no pieces of the shell
   std::vector<std::string> without;  ///< panels to leave out
   std::vector<std::string> sewn;     ///< "front:3 back:1", given on the command line
 };
 
-/// --sew, --with and --min-confidence.
+/// --sew, --with, --min-confidence and --time-limit.
 void add_seam_options(boost::program_options::options_description& options);
 /// Reads them. Throws UsageError for a value that an option can't take.
 void read_seam_options(const boost::program_options::variables_map& given,
