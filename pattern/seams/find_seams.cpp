@@ -14,8 +14,10 @@ namespace toile {
 
 namespace {
 
-/// Score by which a garment has to be better that does not heed the names of left and right.
-constexpr double turned_panels = 6;
+/// Scores by which a garment has to be better whose names of left and right are exchanged, or are
+/// not heeded. A drawing may show the wrong side of all panels, or of some.
+constexpr double exchanged_sides = 2;
+constexpr double ignored_sides = 6;
 
 /// Score by which a garment has to be better whose collar shows its wrong side.
 constexpr double turned_collar = 2;
@@ -98,14 +100,15 @@ class SeamFinder {
     const KnownSeams known = take_given();
     SeamChooser chooser(evidence_, known, options_.is_over);
     if (names_sides()) {
-      // Where drawings show the wrong side, left and right change places: then a garment that does
-      // not heed them has a much higher score.
-      const SeamEvidence neutral = without_sides(evidence_);
-      SeamChooser other(neutral, known, options_.is_over);
-      // A search that failed is no reason to turn panels.
-      if (options_.certain && other.score() > chooser.score() + turned_panels) chooser.settle();
-      if (other.score() > chooser.score() + turned_panels) {
-        heeds_sides_ = false;
+      for (const SideNames sides : {SideNames::exchanged, SideNames::ignored}) {
+        const SeamEvidence otherwise = heeding(sides, evidence_);
+        SeamChooser other(otherwise, known, options_.is_over);
+        const double least =
+            other.score() - (sides == SideNames::exchanged ? exchanged_sides : ignored_sides);
+        // A search that failed is no reason to turn panels.
+        if (options_.certain && least > chooser.score()) chooser.settle();
+        if (least <= chooser.score()) continue;
+        sides_ = sides;
         return found(chosen(other), known);
       }
     }
@@ -123,8 +126,8 @@ class SeamFinder {
   /// Looks at the pattern as these seams were found.
   Partners partners_of(const FoundSeams& seams) {
     look_at(seams.turned_over);
-    heeds_sides_ = seams.heeds_sides;
-    if (!heeds_sides_) evidence_ = without_sides(std::move(evidence_));
+    sides_ = seams.sides;
+    evidence_ = heeding(sides_, std::move(evidence_));
     Partners partners(evidence_.edges.size(), -1);
     const auto join = [&partners](int a, int b) {
       partners[a] = b;
@@ -185,7 +188,7 @@ class SeamFinder {
     found.settled = choice.settled;
     found.score = choice.score;
     found.turned_over = evidence_.turned_over;
-    found.heeds_sides = heeds_sides_;
+    found.sides = sides_;
     for (std::size_t i = 0; i < seams.size(); ++i) {
       const ChosenSeam& chosen = choice.seams[i];
       FoundSeam seam = made(seams[i]);
@@ -268,7 +271,7 @@ class SeamFinder {
   const FindSeamsOptions& options_;
   SeamEvidence evidence_;
   std::map<std::array<int, 2>, int> number_;
-  bool heeds_sides_ = true;
+  SideNames sides_ = SideNames::heeded;
   std::vector<EdgeSeam> turned_;  ///< given seams that turn a panel over, or lay it upon another
 };
 

@@ -18,8 +18,11 @@ SeamEvidence seam_evidence(const Pattern& pattern, bool drawn_walk,
   return evidence;
 }
 
-SeamEvidence without_sides(SeamEvidence evidence) {
-  evidence.side.assign(evidence.side.size(), 0);
+SeamEvidence heeding(SideNames sides, SeamEvidence evidence) {
+  for (int& side : evidence.side) {
+    if (sides == SideNames::exchanged) side = -side;
+    if (sides == SideNames::ignored) side = 0;
+  }
   return evidence;
 }
 

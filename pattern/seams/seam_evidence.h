@@ -28,9 +28,15 @@ struct SeamEvidence {
 SeamEvidence seam_evidence(const Pattern& pattern, bool drawn_walk,
                            const std::vector<char>& turned_over = {});
 
-/// The same, where left and right in names count no more: they err where a drawing shows the wrong
-/// side.
-SeamEvidence without_sides(SeamEvidence evidence);
+/// What left and right in names mean.
+enum class SideNames {
+  heeded,     ///< what they say
+  exchanged,  ///< left is right, and right is left
+  ignored     ///< nothing
+};
+
+/// The same evidence, with names of sides taken so.
+SeamEvidence heeding(SideNames sides, SeamEvidence evidence);
 
 /// Radians by which an edge turns on its walk, left is positive.
 double turning_of(const WalkedEdge& edge);

@@ -50,7 +50,7 @@ class RunFinder {
         free_(evidence_.edges.size(), 1),
         locked_(evidence_.edges.size(), 0),
         lost_(evidence_.edges.size(), 0) {
-    if (!found.heeds_sides) evidence_ = without_sides(std::move(evidence_));
+    evidence_ = heeding(found.sides, std::move(evidence_));
     std::map<std::array<int, 2>, int> number;
     for (int e = 0; e < size(); ++e) {
       number[{evidence_.edges[e].ref.panel, evidence_.edges[e].ref.edge}] = e;

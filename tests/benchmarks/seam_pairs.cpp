@@ -185,7 +185,7 @@ std::size_t write(const Garment& garment, int number, int kept, Random* random, 
     if (names && random != nullptr && part(*random) < nameless) panel.name.assign(1, 'k');
   }
   SeamEvidence evidence = seam_evidence(bare, garment.drawn_walk, garment.turned);
-  if (kept == 2) evidence = without_sides(std::move(evidence));
+  if (kept == 2) evidence = heeding(SideNames::ignored, std::move(evidence));
   if (random != nullptr) vary(evidence, *random);
   const auto& edges = evidence.edges;
   const int count = static_cast<int>(edges.size());

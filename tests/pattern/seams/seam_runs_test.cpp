@@ -51,7 +51,8 @@ TEST(SeamRuns, ABandGoesOnOverTheSideSeams) {
   for (const SeamRun& run : seam_runs(with_cuts(pattern, {}), true, with_sides(pattern))) {
     std::map<std::array<int, 2>, double> sewn;  // per panel and edge: length
     for (const auto& seam : run.seams) {
-      for (const PanelPart& side : seam) sewn[{side.panel, side.part.edge}] += length_of(pattern, side);
+      for (const PanelPart& side : seam)
+        sewn[{side.panel, side.part.edge}] += length_of(pattern, side);
     }
     const bool is_waist = sewn[{0, 2}] > 0.39 && sewn[{1, 2}] > 0.39;
     if (!is_waist || sewn[{2, 2}] < 0.79 || run.seams.size() > 2) continue;
@@ -65,8 +66,7 @@ TEST(SeamRuns, ABandGoesOnOverTheSideSeams) {
 
 TEST(SeamRuns, SidesOfARunGoOnWithoutGapsAndShareTheirEase) {
   const Pattern pattern = skirt();
-  const std::vector<SeamRun> runs =
-      seam_runs(with_cuts(pattern, {}), true, with_sides(pattern));
+  const std::vector<SeamRun> runs = seam_runs(with_cuts(pattern, {}), true, with_sides(pattern));
   ASSERT_FALSE(runs.empty());
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (i > 0) {
