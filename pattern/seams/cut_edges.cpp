@@ -61,9 +61,12 @@ FoundSeams moved_to(const FoundSeams& found, const CutPattern& from, const CutPa
     return false;
   });
   for (const auto& [a, b] : more) {
+    const auto at_a = place.find(a);
+    const auto at_b = place.find(b);
+    if (at_a == place.end() || at_b == place.end()) continue;
     FoundSeam seam;
-    seam.a = place.at(a);
-    seam.b = place.at(b);
+    seam.a = at_a->second;
+    seam.b = at_b->second;
     moved.seams.push_back(seam);
   }
   return moved;

@@ -14,29 +14,38 @@ namespace toile {
 
 namespace {
 
+// Figures are of 43 labelled drawings: as they are, 504 seams are right and 32 wrong.
+
 /// Edges of a run at most. A skirt's waistband meets some 12 edges, where darts reach the waist.
+/// With half and double of it the same seams are found.
 constexpr std::size_t longest_run = 16;
 
-/// Logarithm of the lengths of two sides with several edges each, and of one edge to several.
+/// Logarithm of the lengths of two sides with several edges each, and of one edge to several. With
+/// half and double of either the same seams are found; with double it takes a tenth longer.
 constexpr double several_to_several = 0.05;
 constexpr double one_to_several = 0.7;
 
-/// Logarithm of the odds of a seam whose edges are free to be sewn otherwise.
+/// Logarithm of the odds of a seam whose edges are free to be sewn otherwise. With half of it the
+/// same seams are found, with double 494 and 32.
 constexpr double doubtful = 1.5;
 
-/// Logarithm of the lengths of a seam's sides: an edge of such a seam is free as well.
+/// Logarithm of the lengths of a seam's sides: an edge of such a seam is free as well. With half
+/// 494 and 32 are found, with double 510 and 32.
 constexpr double poor_seam = 0.02;
 
-/// Metres: joints of both sides that lie closer are one, and no part is shorter.
+/// Metres: joints of both sides that lie closer are one, and no part is shorter. With half 490 and
+/// 20 are found, with double 481 and 23: of hoods some pieces are shorter.
 constexpr double shortest_part = 0.005;
 
-/// Logarithm of odds that a part must have. Half and double of these were not measured.
+/// Logarithm of odds that a part must have. With half the same seams are found, with double 495 and
+/// 23, which takes a third longer.
 constexpr double hopeless_part = -4;
 
-/// Score of a run by its odds alone: corners that meet may make up for what it lacks.
+/// Score of a run by its odds alone: corners that meet may make up for what it lacks. With half and
+/// double of it the same seams are found.
 constexpr double least_run_gain = -4;
 
-/// Logarithm of the odds of a dart that runs pass over.
+/// Logarithm of the odds of a dart that runs pass over. With 2, 500 and 32 are found.
 constexpr double likely_dart = 0;
 
 class RunFinder {
@@ -266,6 +275,13 @@ class RunFinder {
     if (run.gain <= least_run_gain) return;
     add_seams(pieces, cuts, run);
     add_mirror_image(std::move(pieces), std::move(cuts), run);
+    // Cuts that are one place leave nothing between them.
+    const auto is_empty = [](const PanelPart& side) { return side.part.from >= side.part.to; };
+    if (std::ranges::any_of(run.seams, [&](const std::array<PanelPart, 2>& seam) {
+          return is_empty(seam[0]) || is_empty(seam[1]);
+        })) {
+      return;
+    }
     for (auto& [edge, shares] : run.cuts) {
       std::sort(shares.begin(), shares.end(),
                 [](const EdgeCut& x, const EdgeCut& y) { return x.share < y.share; });

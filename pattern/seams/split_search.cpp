@@ -11,12 +11,12 @@ namespace toile {
 
 namespace {
 
-/// Score by which a garment with cut edges has to be better, for each cut. Measured on 35 random
-/// garments whose smooth joints were joined: with double, 0.64 of their seams are found, not 0.72.
+/// Score by which a garment with cut edges has to be better, for each cut. Of 29 drawings, half of
+/// it finds 336 seams and 67 wrong ones, double 311 and 4; as it is, 363 and 11.
 constexpr double cut_gain = 6;
 
-/// Runs that are looked at after each search, the likeliest by their odds. More take longer; half
-/// and double were not measured.
+/// Runs that are looked at after each search, the likeliest by their odds. With half 359 seams and
+/// 2 wrong ones are found, with double the same.
 constexpr std::size_t most_runs = 40;
 
 /// Confidence that seams of the parts of a cut edge have to have. With half of it the same drawings
