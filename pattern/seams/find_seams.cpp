@@ -1,5 +1,6 @@
 #include "pattern/seams/find_seams.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -17,7 +18,7 @@ namespace {
 /// Scores by which a garment has to be better whose names of left and right are exchanged, or are
 /// not heeded. A drawing may show the wrong side of all panels, or of some.
 constexpr double exchanged_sides = 2;
-constexpr double ignored_sides = 6;
+constexpr double ignored_sides = 4;
 
 /// Score by which a garment has to be better whose collar shows its wrong side.
 constexpr double turned_collar = 2;
@@ -100,16 +101,18 @@ class SeamFinder {
     const KnownSeams known = take_given();
     SeamChooser chooser(evidence_, known, options_.is_over);
     if (names_sides()) {
-      for (const SideNames sides : {SideNames::exchanged, SideNames::ignored}) {
-        const SeamEvidence otherwise = heeding(sides, evidence_);
-        SeamChooser other(otherwise, known, options_.is_over);
-        const double least =
-            other.score() - (sides == SideNames::exchanged ? exchanged_sides : ignored_sides);
-        // A search that failed is no reason to turn panels.
-        if (options_.certain && least > chooser.score()) chooser.settle();
-        if (least <= chooser.score()) continue;
-        sides_ = sides;
-        return found(chosen(other), known);
+      const SeamEvidence exchanged = heeding(SideNames::exchanged, evidence_);
+      const SeamEvidence ignored = heeding(SideNames::ignored, evidence_);
+      SeamChooser as_exchanged(exchanged, known, options_.is_over);
+      SeamChooser as_ignored(ignored, known, options_.is_over);
+      const double by_exchange = as_exchanged.score() - exchanged_sides;
+      const double by_ignoring = as_ignored.score() - ignored_sides;
+      const double by_other = std::max(by_exchange, by_ignoring);
+      // A search that failed is no reason to turn panels.
+      if (options_.certain && by_other > chooser.score()) chooser.settle();
+      if (by_other > chooser.score()) {
+        sides_ = by_exchange == by_other ? SideNames::exchanged : SideNames::ignored;
+        return found(chosen(by_exchange == by_other ? as_exchanged : as_ignored), known);
       }
     }
     return found(chosen(chooser), known);

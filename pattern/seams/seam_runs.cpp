@@ -34,7 +34,7 @@ constexpr double doubtful = 1.5;
 constexpr double poor_seam = 0.02;
 
 /// Metres: joints of both sides that lie closer are one, and no part is shorter. With half 490 and
-/// 20 are found, with double 481 and 23: of hoods some pieces are shorter.
+/// 20 are found, with double 489 and 24: of hoods some pieces are shorter.
 constexpr double shortest_part = 0.005;
 
 /// Logarithm of odds that a part must have. With half the same seams are found, with double 495 and
