@@ -16,7 +16,8 @@ namespace toile {
 namespace {
 
 /// Scores by which a garment has to be better whose names of left and right are exchanged, or are
-/// not heeded. A drawing may show the wrong side of all panels, or of some.
+/// not heeded. A drawing may show the wrong side of all panels, or of some. With 6 for the latter,
+/// the mirrored sample bodice_dress loses a third of its seams. Other values were not measured.
 constexpr double exchanged_sides = 2;
 constexpr double ignored_sides = 4;
 
@@ -30,7 +31,8 @@ class SeamFinder {
     look_at({});
   }
 
-  /// Without the seams that lower the score.
+  /// Without the seams that lower the score. Pairs are scored as they come up: SeamSearch would
+  /// score all of them first, for each of many garments.
   FoundSeams opened(const FoundSeams& found) {
     Partners partners = partners_of(found);
     std::vector<char> is_given(partners.size(), 0);

@@ -29,7 +29,7 @@ constexpr double cold = 0.2;
 /// Garments that a search looks at, for each edge of the pattern.
 constexpr int looks_of_search = 300;
 
-/// Garments between two looks at the clock: a hundredth of a second with 200 edges.
+/// Garments between two looks at the clock. Half and double were not measured.
 constexpr int looks_between_clocks = 1000;
 
 /// Scores that differ by less are the same.

@@ -72,9 +72,12 @@ TEST_F(FindSeams, WhatIsUncertainIsListedNotSewn) {
 }
 
 TEST_F(FindSeams, ATimeLimitKeepsTheBestFoundSoFarAndSaysSo) {
-  const auto early = find("bare.json", {"--time-limit", "1e-6", "--min-confidence", "0"});
+  const std::string told = (folder / "report.json").string();
+  const auto early =
+      find("bare.json", {"--time-limit", "1e-6", "--min-confidence", "0", "--report", told});
   ASSERT_EQ(early.exit_code, 0) << early.err;
   EXPECT_HOLDS(early.err, "the time limit ended the search");
+  EXPECT_HOLDS(read_text(told), "the time limit ended the search");
   const std::set<Edges> known = seams_of(whole);
   std::size_t right = 0;
   for (const Edges& seam : seams_of(sewn())) right += known.count(seam);
