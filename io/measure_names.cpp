@@ -65,6 +65,7 @@ constexpr std::array names = {
     side("ankle"),
     side("upper_arm"),
     side("elbow"),
+    side("forearm"),
     side("wrist"),
     side("arm_length"),
     body("head"),

@@ -1,5 +1,6 @@
 #include "cloth/ease/garment_levels.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -7,6 +8,7 @@
 #include "geometry/body/limbs_through.h"
 #include "geometry/body/torso_section.h"
 #include "geometry/border_loops.h"
+#include "geometry/slice.h"
 #include "pattern/classify/classify.h"
 
 namespace toile {
@@ -15,33 +17,76 @@ namespace {
 
 using Edge = std::pair<int, int>;  // of nodes, the lower one first
 
-bool is_bottom(const std::string& panel) {
-  const PanelRole worn_as = classify({panel}).worn_as;
+bool hangs_from_waist(PanelRole worn_as) {
   return worn_as == PanelRole::skirt || worn_as == PanelRole::trousers ||
          worn_as == PanelRole::waistband;
 }
 
-/// The border loops of some triangles through which both legs pass, the highest first.
-std::vector<std::vector<int>> loops_around_trunk(const DressedGarment& garment,
-                                                 const std::vector<Triangle>& triangles,
-                                                 const Skeleton& skeleton) {
-  std::vector<std::pair<double, std::vector<int>>> by_height;
-  for (std::vector<int>& loop : border_loops(triangles, garment.points.size())) {
+struct Loop {
+  std::vector<int> nodes;
+  LimbsThrough limbs;
+  Vec3 middle = Vec3::Zero();
+};
+
+/// The border loops of some triangles, the highest first.
+std::vector<Loop> loops_of(const DressedGarment& garment, const std::vector<Triangle>& triangles,
+                           const Skeleton& skeleton) {
+  std::vector<Loop> loops;
+  for (std::vector<int>& nodes : border_loops(triangles, garment.points.size())) {
+    Loop loop;
     std::vector<Vec3> curve;
-    curve.reserve(loop.size());
-    double height = 0;
-    for (const int node : loop) {
+    curve.reserve(nodes.size());
+    for (const int node : nodes) {
       curve.push_back(garment.points[node]);
-      height += garment.points[node].y() / static_cast<double>(loop.size());
+      loop.middle += garment.points[node] / static_cast<double>(nodes.size());
     }
-    if (limbs_through(curve, skeleton) == through_hem) by_height.emplace_back(height, loop);
+    loop.limbs = limbs_through(curve, skeleton);
+    loop.nodes = std::move(nodes);
+    loops.push_back(std::move(loop));
   }
-  std::ranges::stable_sort(by_height, std::ranges::greater{},
-                           &std::pair<double, std::vector<int>>::first);
-  std::vector<std::vector<int>> loops;
-  loops.reserve(by_height.size());
-  for (auto& [height, loop] : by_height) loops.push_back(std::move(loop));
+  std::ranges::stable_sort(loops, std::ranges::greater{},
+                           [](const Loop& loop) { return loop.middle.y(); });
   return loops;
+}
+
+std::vector<Loop> around_trunk(std::vector<Loop> loops) {
+  std::erase_if(loops, [](const Loop& loop) { return loop.limbs != through_hem; });
+  return loops;
+}
+
+/// Share of the upper arm from the shoulder down to which an edge is an armhole's. Half of it
+/// takes wide armholes for cuffs, double short sleeves for none.
+constexpr double armhole_share = 0.25;
+
+/// "left cuff", "left armhole" or "left leg hem"; empty: not one limb alone passes through.
+std::string limb_edge(const Loop& loop, const Skeleton& skeleton) {
+  for (const std::string side : {"left", "right"}) {
+    const bool is_left = side == "left";
+    if (loop.limbs == LimbsThrough{is_left, !is_left, false, false}) {
+      const Vec3& shoulder = skeleton.joint(side + "_shoulder");
+      const Vec3 arm = skeleton.joint(side + "_elbow") - shoulder;
+      const double share = (loop.middle - shoulder).dot(arm) / arm.squaredNorm();
+      return side + (share < armhole_share ? " armhole" : " cuff");
+    }
+    if (loop.limbs == LimbsThrough{false, false, is_left, !is_left}) return side + " leg hem";
+  }
+  return "";
+}
+
+/// The girth of the body's part that passes through a loop, square to the loop.
+std::optional<double> girth_through(const TriangleMesh& body, const DressedGarment& garment,
+                                    const Loop& loop) {
+  Vec3 normal = Vec3::Zero();
+  for (std::size_t i = 0; i < loop.nodes.size(); ++i) {
+    const Vec3 from = garment.points[loop.nodes[i]] - loop.middle;
+    normal += from.cross(garment.points[loop.nodes[(i + 1) % loop.nodes.size()]] - loop.middle);
+  }
+  if (!(normal.norm() > 0)) return std::nullopt;
+  std::optional<double> girth;
+  for (const Section& section : slice(body, loop.middle, normal)) {
+    if (section.area > 0 && contains(section, loop.middle, normal)) girth = section.girth;
+  }
+  return girth;
 }
 
 /// Metres, per edge: its length on the flat, the least of the triangles beside it.
@@ -62,24 +107,44 @@ std::map<Edge, double> flat_lengths(const DressedGarment& garment) {
 
 }  // namespace
 
+std::vector<char> worn_below_waist(const PanelMesh& pattern) {
+  std::vector<char> below;
+  for (const MeshedPanel& panel : pattern.panels) {
+    below.push_back(static_cast<char>(hangs_from_waist(panel.is.worn_as)));
+  }
+  return below;
+}
+
+std::vector<char> worn_below_waist(const std::vector<std::string>& panels) {
+  std::vector<char> below;
+  for (const std::string& panel : panels) {
+    below.push_back(static_cast<char>(hangs_from_waist(classify({panel}).worn_as)));
+  }
+  return below;
+}
+
 std::vector<GarmentLevel> measure_garment_levels(const DressedGarment& garment,
-                                                 const TriangleMesh& body,
-                                                 const Skeleton& skeleton) {
+                                                 const TriangleMesh& body, const Skeleton& skeleton,
+                                                 const std::vector<char>& below_waist) {
   std::vector<GarmentLevel> levels;
   if (!has_all_limbs(skeleton)) return levels;
   const std::map<Edge, double> lengths = flat_lengths(garment);
-  const auto add = [&](const std::string& name, const std::vector<int>& loop) {
+  const auto measure = [&](const std::string& name, const Loop& loop) {
     GarmentLevel level;
     level.name = name;
-    level.nodes = loop;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const int from = loop[i];
-      const int to = loop[(i + 1) % loop.size()];
-      level.height += garment.points[from].y() / static_cast<double>(loop.size());
+    level.nodes = loop.nodes;
+    level.height = loop.middle.y();
+    for (std::size_t i = 0; i < loop.nodes.size(); ++i) {
+      const int from = loop.nodes[i];
+      const int to = loop.nodes[(i + 1) % loop.nodes.size()];
       level.garment += (garment.points[to] - garment.points[from]).norm();
       const auto length = lengths.find(std::minmax(from, to));
       if (length != lengths.end()) level.as_cut += length->second;
     }
+    return level;
+  };
+  const auto add = [&](const std::string& name, const Loop& loop) {
+    GarmentLevel level = measure(name, loop);
     const double low = skeleton.joint("pelvis").y();
     const double high = skeleton.joint("chest").y();
     if (level.height > low && level.height < high) {
@@ -88,34 +153,39 @@ std::vector<GarmentLevel> measure_garment_levels(const DressedGarment& garment,
     levels.push_back(std::move(level));
   };
 
-  const auto edges = loops_around_trunk(garment, garment.triangles, skeleton);
+  const std::vector<Loop> borders = loops_of(garment, garment.triangles, skeleton);
+  const std::vector<Loop> edges = around_trunk(borders);
   if (edges.size() > 1) add("top edge", edges.front());
   std::vector<Triangle> bottom;
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
-    if (is_bottom(garment.panels[garment.panel_of_triangle[t]])) {
-      bottom.push_back(garment.triangles[t]);
-    }
+    if (below_waist[garment.panel_of_triangle[t]] != 0) bottom.push_back(garment.triangles[t]);
   }
   if (bottom.size() < garment.triangles.size()) {
-    const auto seams = loops_around_trunk(garment, bottom, skeleton);
-    const auto is_edge = [&](const std::vector<int>& loop) {
-      return std::ranges::any_of(edges, [&](const std::vector<int>& edge) {
-        return std::ranges::find(edge, loop.front()) != edge.end();
+    const std::vector<Loop> seams = around_trunk(loops_of(garment, bottom, skeleton));
+    const auto is_edge = [&](const Loop& loop) {
+      return std::ranges::any_of(edges, [&](const Loop& edge) {
+        return std::ranges::find(edge.nodes, loop.nodes.front()) != edge.nodes.end();
       });
     };
     if (!seams.empty() && !is_edge(seams.front())) add("waist seam", seams.front());
   }
   if (edges.size() == 1) {
-    double edge = 0;
-    for (const int node : edges[0]) edge += garment.points[node].y() / edges[0].size();
     double cloth = 0;
     for (const Vec3& p : garment.points)
       cloth += p.y() / static_cast<double>(garment.points.size());
-    add(edge > cloth ? "top edge" : "hem", edges[0]);
+    add(edges[0].middle.y() > cloth ? "top edge" : "hem", edges[0]);
   } else if (!edges.empty()) {
     add("hem", edges.back());
   }
   std::ranges::stable_sort(levels, std::ranges::greater{}, &GarmentLevel::height);
+  for (const Loop& loop : borders) {
+    const std::string name = limb_edge(loop, skeleton);
+    if (name.empty()) continue;
+    GarmentLevel level = measure(name, loop);
+    level.is_of_limb = true;
+    if (!name.ends_with("armhole")) level.body = girth_through(body, garment, loop);
+    levels.push_back(std::move(level));
+  }
   return levels;
 }
 

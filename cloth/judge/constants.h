@@ -149,9 +149,6 @@ inline constexpr double max_slid = 0.08;
 /// Metres that a garment slid or rode up, from which on it is said.
 inline constexpr double worth_saying_slid = 0.02;
 
-/// Metres: the error of a height on a mesh of that edge length.
-constexpr double height_error(double edge_length) { return edge_length < 0.016 ? 0.008 : 0.05; }
-
 /// Metres from the bones beyond which cloth lies beside the body.
 inline constexpr double beside_body = 0.5;
 

@@ -1,14 +1,14 @@
 #include "cloth/judge/fit.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "cloth/scene/constants.h"
 #include "io/text.h"
 
 namespace toile {
 
-Fit fit_of(const std::vector<GirthEase>& girths, const std::vector<GarmentLevel>& garment_levels,
-           const std::vector<LimbEase>& limbs) {
+Fit fit_of(const std::vector<Girth>& girths, const std::vector<GarmentLevel>& garment_levels) {
   Fit fit;
   const auto compare = [&](const FitLevel& level) {
     fit.is_checked = true;
@@ -20,15 +20,30 @@ Fit fit_of(const std::vector<GirthEase>& girths, const std::vector<GarmentLevel>
     const auto share = [](const FitLevel& of) { return of.as_cut / of.body; };
     if (!fit.nearest || share(level) < share(*fit.nearest)) fit.nearest = level;
   };
-  for (const GirthEase& girth : girths) {
-    if (!girth.level.empty()) {
-      compare_trunk({girth.level, girth.body, girth.as_cut}, girth.drafted_body);
+  for (const Girth& girth : girths) {
+    if (girth.name.empty() || !girth.is_girth()) continue;
+    const FitLevel level{girth.name, girth.body, girth.as_cut};
+    if (girth.is_of_trunk) {
+      compare_trunk(level, girth.drafted_body);
+    } else {
+      compare(level);
     }
   }
   for (const GarmentLevel& level : garment_levels) {
-    if (level.body) compare_trunk({level.name, *level.body, level.as_cut}, level.drafted_body);
+    FitLevel compared{level.name, level.body.value_or(0), level.as_cut};
+    if (level.drafted_body) {
+      compared.body = *level.drafted_body;
+      compared.drafted = level.drafted;
+      compared.risen = *level.risen();
+    } else if (!level.body) {
+      continue;
+    }
+    if (level.is_of_limb) {
+      compare(compared);
+    } else {
+      compare_trunk(compared, {});
+    }
   }
-  for (const LimbEase& limb : limbs) compare({limb.limb, limb.body, limb.as_cut});
   return fit;
 }
 
@@ -38,9 +53,16 @@ std::string to_string(const Fit& fit) {
 }
 
 std::string text_of(const FitLevel& level) {
-  return "at the " + level.level + " the garment is cut " + centimetres(level.missing(), 1) +
-         " smaller than the body, and stretched by that: " + centimetres(level.as_cut, 1) +
-         " around " + centimetres(level.body, 1);
+  std::string text = "at the " + level.level + " the garment is cut " +
+                     centimetres(level.missing(), 1) + " smaller than the body";
+  if (level.drafted) {
+    text += " where it was drafted to lie, " + centimetres(*level.drafted, 1) +
+            " above the floor, and hangs " + centimetres(std::abs(level.risen), 1) +
+            (level.risen > 0 ? " higher" : " lower");
+  } else {
+    text += ", and stretched by that";
+  }
+  return text + ": " + centimetres(level.as_cut, 1) + " around " + centimetres(level.body, 1);
 }
 
 std::string text_of(const Fit& fit) {

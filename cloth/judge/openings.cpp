@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cloth/judge/constants.h"
+#include "cloth/judge/drafted.h"
 #include "geometry/body/torso_section.h"
 #include "geometry/border_loops.h"
 #include "geometry/disjoint_sets.h"
@@ -93,12 +94,7 @@ std::vector<Opening> find_openings(const PanelMesh& garment, const DressedGarmen
                       dressed.panel_of_triangle[t]};
     }
   }
-  std::vector<double> drafted(dressed.points.size(), 0);
-  for (std::size_t t = 0; t < dressed.triangles.size(); ++t) {
-    for (int i = 0; i < 3; ++i) {
-      drafted[dressed.triangles[t][i]] = garment.placed[garment.triangles[t][i]].y();
-    }
-  }
+  const std::vector<double> starts = start_heights(garment, dressed);
   std::vector<Opening> openings;
   for (std::vector<int>& loop : loops) {
     Opening opening;
@@ -107,8 +103,9 @@ std::vector<Opening> find_openings(const PanelMesh& garment, const DressedGarmen
       opening.length += length;
       opening.panels.push_back(panel);
       opening.middle += dressed.points[loop[i]] / static_cast<double>(loop.size());
-      opening.drafted += drafted[loop[i]] / static_cast<double>(loop.size());
     }
+    opening.drafted = opening.middle.y() +
+                      came_down_at_centre(loop, starts, dressed, skeleton.joint("pelvis").x());
     opening.is_cut_out =
         std::ranges::all_of(loop, [&](int node) { return cut_nodes.contains(node); });
     opening.component = component[loop.front()];

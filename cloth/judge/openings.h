@@ -15,7 +15,7 @@ struct Opening {
   LimbsThrough limbs;       ///< those that pass through
   double length = 0;        ///< metres, on the flat panels
   Vec3 middle{0, 0, 0};     ///< metres, mean of the nodes as worn
-  double drafted = 0;       ///< metres above the floor, mean of where the nodes started
+  double drafted = 0;       ///< metres above the floor, mean: where it was at the start
   double passes = 0;        ///< metres, girth of what has to pass through; 0: not known
   int component = 0;        ///< connected component of the garment, from 0
   std::vector<int> panels;  ///< panel beside each of `nodes`, an index

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "cloth/judge/drafted_girths.h"
+#include "cloth/ease/figure_errors.h"
+#include "cloth/judge/drafted.h"
 #include "cloth/judge/on_floor.h"
 #include "geometry/intersections.h"
 
@@ -44,21 +45,22 @@ bool is_at_armhole(const DressedGarment& dressed, const std::vector<Opening>& op
   });
 }
 
-Fit measure_fit(const PanelMesh& pattern, const DressedGarment& dressed, const TriangleMesh& body,
-                const Skeleton& skeleton, const std::vector<Opening>& openings) {
-  if (!has_all_limbs(skeleton)) return {};
-  std::vector<double> grains;
-  for (const MeshedPanel& panel : pattern.panels) grains.push_back(panel.grain);
-  GirthEases girths = measure_girth_ease(dressed, body, skeleton, grains, 0);
-  std::vector<GarmentLevel> levels = measure_garment_levels(dressed, body, skeleton);
-  set_drafted_girths(pattern, dressed, body, skeleton, girths.levels, levels);
-  Fit fit = fit_of(girths.levels, levels, measure_limb_ease(dressed, body, skeleton, grains));
+/// Sets `fit` and `levels`.
+void measure_fit(const PanelMesh& pattern, const DressedGarment& dressed, const TriangleMesh& body,
+                 const Skeleton& skeleton, Judgement& judgement) {
+  if (!has_all_limbs(skeleton)) return;
+  GirthOptions options;
+  options.step = 0;
+  for (const MeshedPanel& panel : pattern.panels) options.grains.push_back(panel.grain);
+  Girths girths = measure_girths(dressed, body, skeleton, options);
+  judgement.levels = measure_garment_levels(dressed, body, skeleton, worn_below_waist(pattern));
+  set_drafted(pattern, dressed, body, skeleton, girths.rows, judgement.levels);
+  judgement.fit = fit_of(girths.rows, judgement.levels);
   // The nearest level may be one that was not measured.
-  const auto is_open = [&](const LevelLeftOut& level) {
-    return level.is_open && !is_at_armhole(dressed, openings, level.height);
+  const auto is_open = [&](const GirthLeftOut& level) {
+    return level.is_open && !is_at_armhole(dressed, judgement.worn.openings, level.height);
   };
-  if (std::ranges::any_of(girths.left_out, is_open)) fit.nearest.reset();
-  return fit;
+  if (std::ranges::any_of(girths.left_out, is_open)) judgement.fit.nearest.reset();
 }
 
 }  // namespace
@@ -67,12 +69,13 @@ Judgement judge(const PanelMesh& pattern, const DressedGarment& dressed, const T
                 const Skeleton* skeleton, const DressingEnd& end, const TriangleMesh* layers) {
   Judgement judgement;
   judgement.garment = measure_garment(pattern, dressed);
+  judgement.height_error = height_error(pattern.edge_length);
   judgement.slits = find_slits(pattern, dressed);
   if (end.on_floor) judgement.on_floor = panels_on_floor(pattern, dressed, *end.on_floor);
   if (skeleton != nullptr) {
     judgement.wraps = measure_wraps(pattern, dressed, *skeleton);
     judgement.worn = check_worn(pattern, dressed, *skeleton, &body);
-    judgement.fit = measure_fit(pattern, dressed, body, *skeleton, judgement.worn.openings);
+    measure_fit(pattern, dressed, body, *skeleton, judgement);
     // No seam was left open where it would shut the opening: a V neckline has two such edges, too.
     std::erase_if(judgement.slits, [&](const Slit& slit) {
       return std::ranges::any_of(judgement.worn.openings, [&](const Opening& opening) {

@@ -40,6 +40,8 @@ struct Judgement {
   std::optional<Asymmetry> asymmetry;  ///< none: the pattern is not symmetric, or no skeleton
   std::vector<std::string> on_floor;   ///< names of panels that lie on the floor
   Fit fit;                             ///< apart from the verdict
+  std::vector<GarmentLevel> levels;    ///< of the garment; empty: no skeleton
+  double height_error = 0;             ///< metres, of their heights
   int body_intersections = 0;          ///< pairs of a garment's and a body's triangle
   int self_intersections = 0;          ///< pairs of the garment's triangles
   int layer_intersections = 0;         ///< pairs of a garment's and a lower layer's triangle

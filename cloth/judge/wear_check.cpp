@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "cloth/ease/figure_errors.h"
 #include "cloth/judge/constants.h"
 #include "cloth/judge/hangs.h"
 #include "cloth/judge/place_on_body.h"

@@ -221,15 +221,22 @@ void MeasureTaker::take_limb_girths(int side) {
   const Vec3 elbow = joint("elbow");
   const Vec3 wrist = joint("wrist");
   const Vec3 upper = (elbow - shoulder).normalized();
-  double most = 0;
-  Vec3 arm = elbow;
-  for (double t = 0.35; whole_arm.missing.empty() && t < 0.8; t += 0.05) {
-    const Vec3 at = shoulder + t * (elbow - shoulder);
-    const double girth = length_of(girth_line(at, upper));
-    if (girth <= most || girth > most_of_an_arm * h) continue;
-    most = girth;
-    arm = at;
-  }
+  const Vec3 lower = (wrist - elbow).normalized();
+  /// The place of a bone at which the arm is the broadest, between two shares of it.
+  const auto broadest = [&](const Vec3& from, const Vec3& to, double first, double last) {
+    double most = 0;
+    Vec3 place = elbow;
+    for (double t = first; whole_arm.missing.empty() && t < last; t += 0.05) {
+      const Vec3 at = from + t * (to - from);
+      const double girth = length_of(girth_line(at, (to - from).normalized()));
+      if (girth <= most || girth > most_of_an_arm * h) continue;
+      most = girth;
+      place = at;
+    }
+    return place;
+  };
+  const Vec3 arm = broadest(shoulder, elbow, 0.35, 0.8);
+  const Vec3 forearm = broadest(elbow, wrist, 0.1, 0.5);
   const auto free_of_trunk = [&](const Vec3& at, const Vec3& along) {
     Needs arm_needs = whole_arm;
     if (arm_needs.missing.empty() && length_of(girth_line(at, along)) > most_of_an_arm * h) {
@@ -247,8 +254,10 @@ void MeasureTaker::take_limb_girths(int side) {
   // Without a hand the elbow is placed by proportion.
   if (at_elbow.missing.empty() && !hand.missing.empty()) point(which + "elbow", at_elbow);
   add_girth(which + "elbow", at_elbow, elbow, bent, "square to the arm, around the elbow");
-  add_girth(which + "wrist", hand, wrist, (wrist - elbow).normalized(),
-            "square to the forearm, the least above the hand", "5.3.19");
+  add_girth(which + "forearm", free_of_trunk(forearm, lower), forearm, lower,
+            "square to the forearm, the greatest below the elbow");
+  add_girth(which + "wrist", hand, wrist, lower, "square to the forearm, the least above the hand",
+            "5.3.19");
 }
 
 }  // namespace toile

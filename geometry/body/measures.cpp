@@ -92,6 +92,7 @@ void MeasureTaker::add_girth(const std::string& name, Needs needs, const Vec3& a
   }
   const double length = length_of(line);
   add(name, needs, length, {std::move(line)}, definition, iso);
+  measures_.back().is_girth = true;
 }
 
 MeasureTaker::Line MeasureTaker::over(const Vec3& a, const Vec3& b, double facing) const {
@@ -161,6 +162,23 @@ std::vector<Measure> measure_body(const BodyShape& shape) {
   taker.take_arcs();
   for (const int side : {1, -1}) taker.take_limb_girths(side);
   return taker.taken();
+}
+
+std::vector<BodyGirth> girths_of(const std::vector<Measure>& measures) {
+  std::vector<BodyGirth> girths;
+  for (const Measure& measure : measures) {
+    if (!measure.is_girth || !measure.value) continue;
+    const std::vector<Vec3>& tape = measure.lines.front();
+    Vec3 middle = Vec3::Zero();
+    for (const Vec3& p : tape) middle += p / static_cast<double>(tape.size());
+    Vec3 moment = Vec3::Zero();
+    for (std::size_t i = 0; i + 1 < tape.size(); ++i) {
+      moment += (tape[i] - middle).cross(tape[i + 1] - middle);
+    }
+    if (moment.y() < 0) moment = -moment;
+    girths.push_back({measure.name, middle, moment.normalized(), *measure.value});
+  }
+  return girths;
 }
 
 const Measure* find_measure(const std::vector<Measure>& measures, const std::string& name) {

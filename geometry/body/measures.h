@@ -14,6 +14,7 @@ struct Measure {
   std::string name;             ///< as io/measure_names.h has it, with its side
   std::optional<double> value;  ///< metres, or degrees
   bool is_angle = false;
+  bool is_girth = false;                 ///< its line is closed and lies in a plane
   std::string definition;                ///< how the tape lies, in a sentence
   std::string iso;                       ///< number in ISO 8559-1:2017; empty: none, or not known
   double confidence = 0;                 ///< 0 to 1: the least of its landmarks'
@@ -30,6 +31,17 @@ inline constexpr double most_of_an_arm = 0.35;
 /// they are geodesics. Where a landmark is missing, so is the measure. Where an arm touches the
 /// trunk, its girth is missing. Costs some 120 slices and six geodesic().
 std::vector<Measure> measure_body(const BodyShape& shape);
+
+/// A girth that garments are compared with, and the plane in which it is taken. Metres.
+struct BodyGirth {
+  std::string name;  ///< of the Measure
+  Vec3 origin;       ///< the middle of the tape
+  Vec3 normal;       ///< unit length; not below level
+  double girth = 0;
+};
+
+/// The girths among the measures that have a value, in their order.
+std::vector<BodyGirth> girths_of(const std::vector<Measure>& measures);
 
 /// The measure of that name; null where there is none.
 const Measure* find_measure(const std::vector<Measure>& measures, const std::string& name);

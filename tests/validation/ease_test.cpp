@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cloth/ease/girth_ease.h"
+#include "cloth/ease/girths.h"
 #include "geometry/body/skeleton.h"
 #include "tests/support/tubes.h"
 #include "tests/validation/reference_table.h"
@@ -28,11 +28,11 @@ double gap_error(const DressedGarment& garment, const SurfaceDistance& body, dou
 double girth_error(const DressedGarment& garment, const TriangleMesh& body, double ease) {
   Skeleton skeleton;
   skeleton.joints = {{"pelvis", {0, 0.75, 0}}, {"waist", {0, 1.08, 0}}, {"chest", {0, 1.40, 0}}};
-  const auto girths = measure_girth_ease(garment, body, skeleton, {}, 0.1).levels;
+  const auto girths = measure_girths(garment, body, skeleton, {.step = 0.1}).rows;
   EXPECT_FALSE(girths.empty());
   double worst = 0;
-  for (const GirthEase& girth : girths) {
-    worst = std::max(worst, 1000 * std::abs(girth.ease - ease));
+  for (const Girth& girth : girths) {
+    worst = std::max(worst, 1000 * std::abs(girth.ease() - ease));
   }
   return worst;
 }

@@ -294,6 +294,23 @@ Json openings_json(const std::vector<Opening>& openings) {
   return all;
 }
 
+/// The garment's edges and its waist seam, where they rest and where they were drafted to lie.
+Json levels_json(const Judgement& judgement) {
+  Json all = Json::array();
+  for (const GarmentLevel& level : judgement.levels) {
+    Json row = {
+        {"name", level.name}, {"as_cut_cm", 100 * level.as_cut}, {"height_cm", 100 * level.height}};
+    if (level.drafted) {
+      row["drafted_height_cm"] = 100 * *level.drafted;
+      row["risen_cm"] = 100 * *level.risen();
+    }
+    row["plus_minus_height_cm"] = 100 * judgement.height_error;
+    if (level.drafted_body) row["drafted_body_cm"] = 100 * *level.drafted_body;
+    all.push_back(std::move(row));
+  }
+  return all;
+}
+
 /// The verdict, and what it names.
 Json verdict_json(const DressResult& result, const Judgement& judgement) {
   Json fit = {{"verdict", to_string(judgement.fit)}, {"levels", Json::array()}};
@@ -302,6 +319,9 @@ Json verdict_json(const DressResult& result, const Judgement& judgement) {
                              {"missing_cm", 100 * level.missing()},
                              {"as_cut_cm", 100 * level.as_cut},
                              {"body_cm", 100 * level.body}});
+    if (!level.drafted) continue;
+    fit["levels"].back()["drafted_height_cm"] = 100 * *level.drafted;
+    fit["levels"].back()["risen_cm"] = 100 * level.risen;
   }
   Json json;
   // What crosses may cross because it is cut too small: that comes first.
@@ -373,6 +393,9 @@ nlohmann::ordered_json layer_json(const WornLayer& layer, const DressMethod& met
   report["wraps"] = wraps_json(judgement);
   report["borders"] = measured.borders;
   report["openings"] = openings_json(judgement.worn.openings);
+  if (!judgement.levels.empty()) {
+    report["levels"] = levels_json(judgement);
+  }
   report["intersections"] = {{"body", judgement.body_intersections},
                              {"self", judgement.self_intersections},
                              {"layers", judgement.layer_intersections},

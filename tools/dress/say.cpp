@@ -98,6 +98,16 @@ void warn_of_fit(const Judgement& judgement, DressLog& log) {
                   ", cut " + centimetres(fit.nearest->as_cut, 1) + " for " +
                   centimetres(fit.nearest->body, 1) + " where it was drafted to lie"});
   }
+  for (const GarmentLevel& level : judgement.levels) {
+    const double least = std::max(worth_saying_slid, judgement.height_error);
+    if (judgement.worn.slid || !level.drafted_body || std::abs(*level.risen()) < least) continue;
+    const bool is_up = *level.risen() > 0;
+    log.warn({is_up ? "rode_up" : "slid_down", level.name,
+              "the " + level.name + " hangs " + centimetres(std::abs(*level.risen()), 1) +
+                  (is_up ? " higher" : " lower") + " than drafted, " +
+                  centimetres(*level.drafted, 1) + " above the floor: it " +
+                  (is_up ? "rides up" : "slides down")});
+  }
   if (const std::optional<Slid>& slid = judgement.worn.slid; slid && slid->is_far()) {
     log.warn({slid->down > 0 ? "slid_down" : "rode_up", "torso", "the garment " + text_of(*slid)});
   }

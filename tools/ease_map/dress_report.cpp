@@ -33,14 +33,37 @@ std::optional<JsonValue> entry_of(const JsonValue& root, const std::string& dres
   return std::nullopt;
 }
 
+/// Metres of a key in centimetres, if it is there.
+std::optional<double> metres(const JsonValue& json, const char* key) {
+  const auto value = json.find(key);
+  return value ? std::optional<double>(value->number() / 100) : std::nullopt;
+}
+
+void read_levels(const JsonValue& entry, DressReport& report) {
+  const auto levels = entry.find("levels");
+  if (!levels) return;
+  for (std::size_t i = 0; i < levels->size(); ++i) {
+    const JsonValue json = levels->item(i);
+    GarmentLevel level;
+    level.name = json.get("name").text();
+    level.drafted = metres(json, "drafted_height_cm");
+    level.drafted_body = metres(json, "drafted_body_cm");
+    report.height_error = json.get("plus_minus_height_cm").number() / 100;
+    report.levels.push_back(std::move(level));
+  }
+}
+
 Fit read_fit(const JsonValue& json) {
   Fit fit;
   fit.is_checked = json.get("verdict").text() != to_string(Fit());
   const JsonValue levels = json.get("levels");
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const JsonValue level = levels.item(i);
-    fit.levels.push_back({level.get("name").text(), level.get("body_cm").number() / 100,
-                          level.get("as_cut_cm").number() / 100});
+    FitLevel read{level.get("name").text(), level.get("body_cm").number() / 100,
+                  level.get("as_cut_cm").number() / 100};
+    read.drafted = metres(level, "drafted_height_cm");
+    read.risen = metres(level, "risen_cm").value_or(0);
+    fit.levels.push_back(std::move(read));
   }
   return fit;
 }
@@ -59,11 +82,16 @@ std::optional<DressReport> read_dress_report(const fs::path& file, const fs::pat
   report.verdict = entry->get("verdict").text();
   report.fit = read_fit(entry->get("fit"));
   report.warnings = read_warnings(*entry);
+  read_levels(*entry, report);
   report.body_offset = entry->get("scene").get("body_offset_mm").number() / 1000;
   const JsonValue panels = entry->get("panels");
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const double degrees = panels.item(i).get("grain_degrees").number();
     report.grains.push_back(degrees * std::numbers::pi / 180);
+    const auto worn_as = panels.item(i).get("class").find("worn_as");
+    report.below_waist.push_back(
+        static_cast<char>(worn_as && (worn_as->text() == "skirt" || worn_as->text() == "trousers" ||
+                                      worn_as->text() == "waistband")));
   }
   return report;
 }

@@ -17,6 +17,10 @@ struct DressReport {
   std::vector<Warning> warnings;  ///< in their order
   double body_offset = 0;         ///< metres from the skin at which the cloth was held
   std::vector<double> grains;     ///< radians, MeshedPanel::grain per panel of the garment
+  std::vector<char> below_waist;  ///< per panel: it hangs from the waist
+  /// The garment's levels: names and where they were drafted to lie, with the error of a height.
+  std::vector<GarmentLevel> levels;
+  double height_error = 0;  ///< metres
 };
 
 /// Where it is looked for: dressed.json beside dressed.obj.

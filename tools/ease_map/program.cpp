@@ -39,6 +39,8 @@ CommandLineProgram ease_map_program() {
       "contact", po::value<std::string>(),
       "cloth nearer than this counts as touching (default: 1 mm more than the offset of the drape, "
       "if there is a report of dress, else 3 mm)")(
+      "at", po::value<std::vector<std::string>>()->composing(),
+      "also measure the trunk's girth at this height above the floor; may be given again")(
       "top", po::value<std::string>(),
       "gap at the end of the colour scale; to compare garments (default: to suit this one)");
   program.positional.add("garment", 1);
@@ -57,6 +59,11 @@ CommandLineProgram ease_map_program() {
     }
     if (given.count("top") != 0)
       settings.top = parse_length(given["top"].as<std::string>(), "--top");
+    if (given.count("at") != 0) {
+      for (const std::string& height : given["at"].as<std::vector<std::string>>()) {
+        settings.heights.push_back(parse_length(height, "--at"));
+      }
+    }
     if (settings.ply) check_extension(*settings.ply, {".ply"});  // only PLY files hold colours
     if (settings.png) check_extension(*settings.png, {".png"});
     Job job;

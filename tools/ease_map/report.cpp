@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 
+#include "cloth/ease/figure_errors.h"
 #include "geometry/decimate.h"
 #include "io/csv.h"
 #include "io/text.h"
@@ -79,71 +81,119 @@ PageTable panel_table(const EaseReport& report) {
   return table;
 }
 
+/// "left wrist" and "right wrist" are one row.
+struct GirthRow {
+  std::string name;
+  const Girth* left = nullptr;   ///< or that of the trunk
+  const Girth* right = nullptr;  ///< null: it has no sides, or the garment is not closed there
+};
+
+std::vector<GirthRow> girth_rows(const EaseReport& report) {
+  std::vector<GirthRow> rows;
+  for (const Girth& girth : report.girths.rows) {
+    const bool is_right = girth.name.starts_with("right ");
+    const bool has_side = is_right || girth.name.starts_with("left ");
+    const std::string name = has_side ? girth.name.substr(girth.name.find(' ') + 1) : girth.name;
+    const auto pair = std::ranges::find_if(rows, [&](const GirthRow& row) {
+      return is_right && row.name == name && row.left != nullptr &&
+             row.left->name == "left " + name;
+    });
+    if (pair != rows.end()) {
+      pair->right = &girth;
+    } else {
+      rows.push_back({name, is_right ? nullptr : &girth, is_right ? &girth : nullptr});
+    }
+  }
+  return rows;
+}
+
 PageTable girth_table(const EaseReport& report) {
   PageTable table;
-  table.caption = "Girth ease around the torso, cm";
-  table.columns = {"level", "height", "body", "garment", "ease", "as cut", "ease as cut"};
-  for (const GirthEase& girth : report.girths.levels) {
-    table.rows.push_back({girth.level, cm(girth.height), cm(girth.body), cm(girth.garment),
-                          cm(girth.ease), cm(girth.as_cut), cm(girth.as_cut - girth.body)});
+  table.caption = "Girths of body and garment, cm";
+  table.columns = {"girth", "height",   "body",   "garment",
+                   "ease",  "\xC2\xB1", "as cut", "ease as cut"};
+  for (const GirthRow& row : girth_rows(report)) {
+    const auto cell = [&](const std::function<std::string(const Girth&)>& text) {
+      if (row.left == nullptr) return "\xE2\x80\x93 | " + text(*row.right);
+      return text(*row.left) + (row.right == nullptr ? "" : " | " + text(*row.right));
+    };
+    const auto where_girth = [&](const std::function<std::string(const Girth&)>& text) {
+      return cell([&](const Girth& girth) {
+        return girth.is_girth() ? text(girth) : std::string("no girth here: a fold");
+      });
+    };
+    const auto blank_at_fold = [&](const std::function<std::string(const Girth&)>& text) {
+      return cell(
+          [&](const Girth& girth) { return girth.is_girth() ? text(girth) : std::string(); });
+    };
+    table.rows.push_back(
+        {row.name, cell([](const Girth& girth) { return cm(girth.height); }),
+         cell([](const Girth& girth) { return cm(girth.body); }),
+         where_girth([](const Girth& girth) { return cm(girth.garment); }),
+         blank_at_fold([](const Girth& girth) { return cm(girth.ease()); }),
+         blank_at_fold([](const Girth& girth) { return cm(ease_error(girth.ease())); }),
+         blank_at_fold([](const Girth& girth) { return cm(girth.as_cut); }),
+         blank_at_fold([](const Girth& girth) { return cm(girth.ease_as_cut()); })});
   }
   table.remark =
-      "Horizontal sections. The body is measured as a tape does, across hollows; the garment along "
-      "the cloth with its folds. As cut: the sum of the widths of the flat panels where the level "
-      "crosses them. Heights are above the floor.";
-  for (const LevelLeftOut& level : report.girths.left_out) {
-    table.remark += " The " + level.level + " is left out: " + level.why + ".";
+      "Where there are two numbers they are of left and right. The body is measured as a tape "
+      "does, "
+      "across hollows; the garment along the cloth with its folds. Ease is that of the cloth's "
+      "inner face. As cut: the widths of the flat panels where the level crosses them. Heights are "
+      "above the floor. A skirt's thigh and knee go around both legs.";
+  for (const GirthLeftOut& level : report.girths.left_out) {
+    table.remark += " The " + level.name + " is left out: " + level.why + ".";
   }
   return table;
 }
 
 PageTable garment_level_table(const EaseReport& report) {
   PageTable table;
-  table.caption = "Levels of the garment itself, cm";
-  table.columns = {"level", "height", "body there", "garment", "as cut", "ease as cut"};
+  table.caption = "Edges and waist seam of the garment, cm";
+  table.columns = {"edge",       "drafted at", "rests at", "moved by",
+                   "body there", "garment",    "as cut",   "ease as cut"};
   for (const GarmentLevel& level : report.garment_levels) {
-    table.rows.push_back({level.name, cm(level.height), level.body ? cm(*level.body) : "",
+    const std::optional<double> body = level.drafted_body ? level.drafted_body : level.body;
+    table.rows.push_back({level.name, level.drafted ? cm(*level.drafted) : "", cm(level.height),
+                          level.drafted ? cm(*level.risen()) : "", body ? cm(*body) : "",
                           cm(level.garment), cm(level.as_cut),
-                          level.body ? cm(level.as_cut - *level.body) : ""});
+                          body ? cm(level.as_cut - *body) : ""});
   }
   table.remark =
-      "Along the edge or seam, which need not lie level. Its height is the mean. The body is the "
-      "trunk at that height.";
-  return table;
-}
-
-PageTable limb_table(const EaseReport& report) {
-  PageTable table;
-  table.caption = "Girth ease around arms and legs, cm";
-  table.columns = {"limb", "height", "body", "garment", "ease", "as cut", "ease as cut"};
-  for (const LimbEase& limb : report.limbs) {
-    table.rows.push_back({limb.limb, cm(limb.at.y()), cm(limb.body), cm(limb.garment),
-                          cm(limb.garment - limb.body), cm(limb.as_cut),
-                          cm(limb.as_cut - limb.body)});
-  }
-  table.remark =
-      "Sections square to the bone, where the garment is cut the least for the limb. Heights are "
-      "those of the bone's point.";
+      "Along the edge or seam, which need not lie level. Its height is the mean. Moved by is how "
+      "much higher it hangs than drafted. The body is measured where the edge was drafted to lie, "
+      "or where it rests if that is not known.";
   return table;
 }
 
 nlohmann::ordered_json girths_json(const EaseReport& report) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const GirthEase& girth : report.girths.levels) {
+  const auto in_cm = [](double metres) { return rounded(100 * metres); };
+  for (const Girth& girth : report.girths.rows) {
     nlohmann::ordered_json row;
-    if (!girth.level.empty()) row["level"] = girth.level;
-    row["height_cm"] = rounded(100 * girth.height);
-    row["body_cm"] = rounded(100 * girth.body);
-    row["garment_cm"] = rounded(100 * girth.garment);
-    row["ease_cm"] = rounded(100 * girth.ease);
-    row["as_cut_cm"] = rounded(100 * girth.as_cut);
-    row["as_cut_ease_cm"] = rounded(100 * (girth.as_cut - girth.body));
+    if (!girth.name.empty()) row["level"] = girth.name;
+    row["height_cm"] = in_cm(girth.height);
+    row["body_cm"] = in_cm(girth.body);
+    row["section_over_hull"] = rounded(girth.garment / girth.hull);
+    if (!girth.is_girth()) {
+      row["no_girth"] = "a fold";
+      all.push_back(std::move(row));
+      continue;
+    }
+    row["garment_cm"] = in_cm(girth.garment);
+    row["offset_cm"] = in_cm(girth.offset);
+    row["ease_cm"] = in_cm(girth.ease());
+    row["plus_minus_ease_cm"] = in_cm(ease_error(girth.ease()));
+    row["as_cut_cm"] = in_cm(girth.as_cut);
+    row["as_cut_ease_cm"] = in_cm(girth.ease_as_cut());
+    row["on_the_line_cm"] = in_cm(girth.on_the_line);
     row["panels"] = nlohmann::ordered_json::array();
     for (const PanelWidth& panel : girth.panels) {
       row["panels"].push_back({{"name", valid_utf8(report.garment.panels[panel.panel])},
-                               {"flat_height_cm", rounded(100 * panel.flat_height)},
-                               {"width_cm", rounded(100 * panel.width)},
-                               {"along_edge", panel.along_edge}});
+                               {"flat_height_cm", in_cm(panel.flat_height)},
+                               {"width_cm", in_cm(panel.width)},
+                               {"on_the_line_cm", in_cm(panel.on_the_line)},
+                               {"along_line", panel.along_line}});
     }
     all.push_back(std::move(row));
   }
@@ -161,22 +211,16 @@ nlohmann::ordered_json garment_levels_json(const EaseReport& report) {
       row["body_cm"] = rounded(100 * *level.body);
       row["as_cut_ease_cm"] = rounded(100 * (level.as_cut - *level.body));
     }
+    if (level.drafted) {
+      row["drafted_height_cm"] = rounded(100 * *level.drafted);
+      row["risen_cm"] = rounded(100 * *level.risen());
+      row["plus_minus_height_cm"] = rounded(100 * report.dressing->height_error);
+    }
+    if (level.drafted_body) {
+      row["drafted_body_cm"] = rounded(100 * *level.drafted_body);
+      row["drafted_ease_cm"] = rounded(100 * (level.as_cut - *level.drafted_body));
+    }
     all.push_back(std::move(row));
-  }
-  return all;
-}
-
-nlohmann::ordered_json limbs_json(const EaseReport& report) {
-  nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const LimbEase& limb : report.limbs) {
-    all.push_back({{"limb", limb.limb},
-                   {"share", rounded(limb.share)},
-                   {"height_cm", rounded(100 * limb.at.y())},
-                   {"body_cm", rounded(100 * limb.body)},
-                   {"garment_cm", rounded(100 * limb.garment)},
-                   {"ease_cm", rounded(100 * (limb.garment - limb.body))},
-                   {"as_cut_cm", rounded(100 * limb.as_cut)},
-                   {"as_cut_ease_cm", rounded(100 * (limb.as_cut - limb.body))}});
   }
   return all;
 }
@@ -233,12 +277,11 @@ nlohmann::ordered_json ease_json(const EaseReport& report) {
     panel.update(statistics_json(report.map.panels[i]));
     json["panels"].push_back(std::move(panel));
   }
-  if (!report.girths.levels.empty()) json["girths"] = girths_json(report);
-  for (const LevelLeftOut& level : report.girths.left_out) {
-    json["levels_left_out"].push_back({{"level", level.level}, {"why", level.why}});
+  if (!report.girths.rows.empty()) json["girths"] = girths_json(report);
+  for (const GirthLeftOut& level : report.girths.left_out) {
+    json["levels_left_out"].push_back({{"level", level.name}, {"why", level.why}});
   }
   if (!report.garment_levels.empty()) json["garment_levels"] = garment_levels_json(report);
-  if (!report.limbs.empty()) json["limbs"] = limbs_json(report);
   return json;
 }
 
@@ -270,9 +313,8 @@ std::string ease_page(const EaseReport& report, const std::string& picture) {
   page.setting = decimate(report.body, page_body_triangles);
   page.setting_name = "body";
   page.tables.push_back(panel_table(report));
-  if (!report.girths.levels.empty()) page.tables.push_back(girth_table(report));
+  if (!report.girths.rows.empty()) page.tables.push_back(girth_table(report));
   if (!report.garment_levels.empty()) page.tables.push_back(garment_level_table(report));
-  if (!report.limbs.empty()) page.tables.push_back(limb_table(report));
   page.still_png = picture;
   return viewer_page(page);
 }
@@ -324,14 +366,24 @@ std::vector<std::string> ease_summary(const EaseReport& report) {
     }
   }
   line("whole garment", report.map.garment);
-  for (const GirthEase& girth : report.girths.levels) {
-    if (girth.level.empty()) continue;
-    lines.push_back(girth.level + " girth ease " + cm(girth.ease) + " cm (garment " +
-                    cm(girth.garment) + ", body " + cm(girth.body) + "), " +
-                    cm(girth.as_cut - girth.body) + " cm as cut (" + cm(girth.as_cut) + ")");
+  for (const Girth& girth : report.girths.rows) {
+    if (girth.name.empty()) continue;
+    if (!girth.is_girth()) {
+      lines.push_back(girth.name + ": no girth here, a fold");
+      continue;
+    }
+    lines.push_back(girth.name + " girth ease " + cm(girth.ease()) + " \xC2\xB1 " +
+                    cm(ease_error(girth.ease())) + " cm (garment " + cm(girth.garment) + ", body " +
+                    cm(girth.body) + "), " + cm(girth.ease_as_cut()) + " cm as cut (" +
+                    cm(girth.as_cut) + ")");
   }
-  for (const LevelLeftOut& level : report.girths.left_out) {
-    lines.push_back("no girth ease at the " + level.level + ": " + level.why);
+  for (const GarmentLevel& level : report.garment_levels) {
+    if (!level.drafted) continue;
+    lines.push_back(level.name + " drafted at " + cm(*level.drafted) + " cm, rests at " +
+                    cm(level.height) + " \xC2\xB1 " + cm(report.dressing->height_error) + " cm");
+  }
+  for (const GirthLeftOut& level : report.girths.left_out) {
+    lines.push_back("no girth ease at the " + level.name + ": " + level.why);
   }
   if (report.dressing) lines.push_back(dressing_line(*report.dressing));
   return lines;

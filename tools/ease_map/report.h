@@ -8,8 +8,7 @@
 
 #include "cloth/ease/ease.h"
 #include "cloth/ease/garment_levels.h"
-#include "cloth/ease/girth_ease.h"
-#include "cloth/ease/limb_ease.h"
+#include "cloth/ease/girths.h"
 #include "io/view/colour.h"
 #include "tools/ease_map/dress_report.h"
 
@@ -21,9 +20,8 @@ struct EaseReport {
   TriangleMesh body;
   EaseMap map;
   EaseOptions options;
-  GirthEases girths;                         ///< empty: not measured
+  Girths girths;                             ///< empty: not measured
   std::vector<GarmentLevel> garment_levels;  ///< empty: not measured
-  std::vector<LimbEase> limbs;               ///< empty: not measured
   std::optional<DressReport> dressing;       ///< none: there is no report of dress
   std::vector<Warning> warnings;             ///< of the dressing and of the ease map
   std::vector<std::string> notes;            ///< what could not be told, and why

@@ -59,11 +59,25 @@ void measure_girths(EaseReport& report, const SurfaceDistance& skin,
                   "let clean-body write it");
     }
   }
-  const std::vector<double> grains =
-      report.dressing ? report.dressing->grains : std::vector<double>();
-  report.girths = measure_girth_ease(report.garment, report.body, skeleton, grains);
-  report.garment_levels = measure_garment_levels(report.garment, report.body, skeleton);
-  report.limbs = measure_limb_ease(report.garment, report.body, skeleton, grains);
+  GirthOptions options;
+  options.heights = settings.heights;
+  options.skin = &skin;
+  options.touching = report.options.contact;
+  std::vector<char> below_waist = worn_below_waist(report.garment.panels);
+  if (report.dressing) {
+    options.grains = report.dressing->grains;
+    below_waist = report.dressing->below_waist;
+  }
+  report.girths = measure_girths(report.garment, report.body, skeleton, options);
+  report.garment_levels =
+      measure_garment_levels(report.garment, report.body, skeleton, below_waist);
+  if (!report.dressing) return;
+  for (GarmentLevel& level : report.garment_levels) {
+    const auto told = std::ranges::find(report.dressing->levels, level.name, &GarmentLevel::name);
+    if (told == report.dressing->levels.end()) continue;
+    level.drafted = told->drafted;
+    level.drafted_body = told->drafted_body;
+  }
 }
 
 void warn(EaseReport& report, const Warning& warning) {
@@ -86,8 +100,7 @@ void warn_if_implausible(EaseReport& report) {
 
 /// What is cut smaller than the body goes around it by being stretched.
 void warn_if_too_small(EaseReport& report) {
-  for (const FitLevel& level :
-       fit_of(report.girths.levels, report.garment_levels, report.limbs).levels) {
+  for (const FitLevel& level : fit_of(report.girths.rows, report.garment_levels).levels) {
     const std::string line = text_of(level);
     // The dressing may have found it.
     if (std::ranges::find(report.warnings, line, &Warning::text) == report.warnings.end()) {

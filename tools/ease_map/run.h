@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "tools/program.h"
 
@@ -17,7 +18,8 @@ struct EaseMapSettings {
   /// Metres: cloth nearer than this touches the skin. None: 1 mm more than the offset at which the
   /// cloth was draped, if the report of dress says it, else EaseOptions::contact.
   std::optional<double> contact;
-  std::optional<double> top;  ///< metres, the end of the colour scale; none: to suit the garment
+  std::optional<double> top;    ///< metres, the end of the colour scale; none: to suit the garment
+  std::vector<double> heights;  ///< metres above the floor: levels of the trunk to add
 };
 
 /// Measures the dressed garment's ease and writes the page, and the other files that are asked for.

@@ -5,9 +5,11 @@
 namespace toile {
 namespace fit_test {
 
-GirthEase girth(const std::string& level, double body, double as_cut) {
-  GirthEase girth;
-  girth.level = level;
+Girth girth(const std::string& name, double body, double as_cut) {
+  Girth girth;
+  girth.name = name;
+  girth.is_of_trunk = true;
+  girth.garment = girth.hull = body;
   girth.body = body;
   girth.as_cut = as_cut;
   return girth;
@@ -16,7 +18,7 @@ GirthEase girth(const std::string& level, double body, double as_cut) {
 TEST(Fit, NamesTheLevelsAtWhichClothIsMissing) {
   const Fit fit = fit_of({girth("bust", 1.00, 0.90), girth("waist", 0.80, 0.795),
                           girth("", 0.80, 0.50), girth("hip", 1.00, 1.10)},
-                         {}, {});
+                         {});
   EXPECT_EQ(to_string(fit), "too_small");
   ASSERT_EQ(fit.levels.size(), 1U);
   EXPECT_EQ(fit.levels[0].level, "bust");
@@ -30,11 +32,9 @@ TEST(Fit, NamesTheLevelsAtWhichClothIsMissing) {
 }
 
 TEST(Fit, TheNearestLevelIsOfTheTrunk) {
-  LimbEase arm;
-  arm.limb = "left upper arm";
-  arm.body = 0.30;
-  arm.as_cut = 0.31;
-  const Fit fit = fit_of({girth("bust", 1.00, 1.40), girth("waist", 0.80, 1.08)}, {}, {arm});
+  Girth arm = girth("left upper arm", 0.30, 0.31);
+  arm.is_of_trunk = false;
+  const Fit fit = fit_of({girth("bust", 1.00, 1.40), girth("waist", 0.80, 1.08), arm}, {});
   ASSERT_TRUE(fit.nearest);
   EXPECT_EQ(fit.nearest->level, "waist");
   EXPECT_EQ(text_of(fit), "ok");
@@ -44,28 +44,52 @@ TEST(Fit, LevelsOfTheGarmentCountWhereTheyLieOnTheTrunk) {
   GarmentLevel seam;
   seam.name = "waist seam";
   seam.as_cut = 0.70;
-  EXPECT_EQ(to_string(fit_of({}, {seam}, {})), "not_checked");
+  EXPECT_EQ(to_string(fit_of({}, {seam})), "not_checked");
   seam.body = 0.72;
-  EXPECT_EQ(to_string(fit_of({}, {seam}, {})), "too_small");
+  EXPECT_EQ(to_string(fit_of({}, {seam})), "too_small");
   seam.body = 0.705;
-  EXPECT_EQ(to_string(fit_of({}, {seam}, {})), "ok");
+  EXPECT_EQ(to_string(fit_of({}, {seam})), "ok");
 }
 
 TEST(Fit, ACuffThatIsSmallerThanTheForearmIsNamed) {
-  LimbEase forearm;
-  forearm.limb = "left forearm";
-  forearm.body = 0.224;
-  forearm.as_cut = 0.166;
-  const Fit fit = fit_of({}, {}, {forearm});
+  GarmentLevel cuff;
+  cuff.name = "left cuff";
+  cuff.is_of_limb = true;
+  cuff.body = 0.224;
+  cuff.as_cut = 0.166;
+  const Fit fit = fit_of({}, {cuff});
   ASSERT_EQ(fit.levels.size(), 1U);
-  EXPECT_EQ(fit.levels[0].level, "left forearm");
-  forearm.as_cut = 0.3;
-  EXPECT_EQ(to_string(fit_of({}, {}, {forearm})), "ok");
+  EXPECT_EQ(fit.levels[0].level, "left cuff");
+  cuff.as_cut = 0.3;
+  EXPECT_EQ(to_string(fit_of({}, {cuff})), "ok");
 }
 
 TEST(Fit, NothingMeasuredIsNotChecked) {
-  EXPECT_EQ(to_string(fit_of({}, {}, {})), "not_checked");
-  EXPECT_EQ(to_string(fit_of({girth("", 0.8, 0.5)}, {}, {})), "not_checked");
+  EXPECT_EQ(to_string(fit_of({}, {})), "not_checked");
+  EXPECT_EQ(to_string(fit_of({girth("", 0.8, 0.5)}, {})), "not_checked");
+}
+
+TEST(Fit, AnEdgeThatRodeUpIsComparedWhereItWasDraftedToLie) {
+  GarmentLevel hem;
+  hem.name = "hem";
+  hem.height = 0.906;
+  hem.as_cut = 0.92;
+  hem.body = 0.93;
+  EXPECT_EQ(to_string(fit_of({}, {hem})), "too_small");
+  hem.drafted = 0.863;
+  hem.drafted_body = 0.979;
+  const Fit fit = fit_of({}, {hem});
+  ASSERT_EQ(fit.levels.size(), 1U);
+  EXPECT_NEAR(fit.levels[0].missing(), 0.059, 1e-12);
+  EXPECT_EQ(text_of(fit.levels[0]),
+            "at the hem the garment is cut 5.9 cm smaller than the body where it was drafted to "
+            "lie, 86.3 cm above the floor, and hangs 4.3 cm higher: 92.0 cm around 97.9 cm");
+}
+
+TEST(Fit, AFoldIsNoLevel) {
+  Girth fold = girth("waist", 0.80, 0.50);
+  fold.garment = 1.4 * fold.hull;
+  EXPECT_EQ(to_string(fit_of({fold}, {})), "not_checked");
 }
 
 }  // namespace fit_test

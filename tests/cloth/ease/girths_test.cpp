@@ -1,4 +1,4 @@
-#include "cloth/ease/girth_ease.h"
+#include "cloth/ease/girths.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "tests/support/tubes.h"
 
 namespace toile {
-namespace girth_ease_test {
+namespace girths_test {
 
 /// A lathe-turned torso from y = 0.7 to 1.5. The hip at 0.9 stands out to the back, the waist is at
 /// 1.1, and the bust at 1.3 stands out to the front.
@@ -58,39 +58,40 @@ Skeleton joints() {
   return skeleton;
 }
 
-const GirthEase* level(const GirthEases& girths, const std::string& name) {
-  for (const GirthEase& girth : girths.levels) {
-    if (girth.level == name) return &girth;
+const Girth* level(const Girths& girths, const std::string& name) {
+  for (const Girth& girth : girths.rows) {
+    if (girth.name == name) return &girth;
   }
   return nullptr;
 }
 
-TEST(GirthEase, NamedLevelsAreFoundOnTheBody) {
+TEST(Girths, NamedLevelsAreFoundOnTheBody) {
   const auto girths =
-      measure_girth_ease(test::cloth_tube(0.25, 0.25, 0.7, 1.45, 200, 15), torso(200), joints());
+      measure_girths(test::cloth_tube(0.25, 0.25, 0.7, 1.45, 200, 15), torso(200), joints());
   const double circle = 2 * std::numbers::pi;
   const std::vector<std::pair<std::string, Vec2>> expected = {
       {"bust", {1.30, 0.15}}, {"waist", {1.10, 0.11}}, {"hip", {0.90, 0.16}}};
   for (const auto& [name, place] : expected) {
-    const GirthEase* found = level(girths, name);
+    const Girth* found = level(girths, name);
     ASSERT_NE(found, nullptr) << name;
     EXPECT_NEAR(found->height, place.x(), 0.006) << name;
     EXPECT_NEAR(found->body, circle * place.y(), 0.008) << name;
     EXPECT_NEAR(found->garment, circle * 0.25, 0.001) << name;
-    EXPECT_NEAR(found->ease, found->garment - found->body, 1e-12) << name;
+    EXPECT_NEAR(found->ease(), found->garment - found->body, 1e-12) << name;
+    EXPECT_NEAR(found->garment, found->hull, 1e-9) << name;
   }
 }
 
-TEST(GirthEase, AsCutIsOnTheFlatPanels) {
+TEST(Girths, AsCutIsOnTheFlatPanels) {
   // On the flat each panel is 100 cells of 1 cm wide and 15 high; the rows lie anywhere in space.
   DressedGarment garment = test::cloth_tube(0.25, 0.25, 0.7, 1.45, 200, 15);
-  for (const GirthEase& girth : measure_girth_ease(garment, torso(60), joints()).levels) {
+  for (const Girth& girth : measure_girths(garment, torso(60), joints()).rows) {
     EXPECT_NEAR(girth.as_cut, 2, 1e-9);
     EXPECT_NEAR(girth.garment, 2 * std::numbers::pi * 0.25, 1e-3);
   }
   // Hung askew by 10 cm in 50, the line runs askew over the flat panels, as wide as before.
   for (Vec3& p : garment.points) p.y() += 0.2 * p.x();
-  for (const GirthEase& girth : measure_girth_ease(garment, torso(60), joints()).levels) {
+  for (const Girth& girth : measure_girths(garment, torso(60), joints()).rows) {
     EXPECT_NEAR(girth.as_cut, 2, 1e-9);
     ASSERT_EQ(girth.panels.size(), 2U);
     EXPECT_NEAR(girth.panels[0].width, 1, 1e-9);
@@ -99,58 +100,106 @@ TEST(GirthEase, AsCutIsOnTheFlatPanels) {
   }
 }
 
-TEST(GirthEase, APanelCutAcrossTheGrainIsMeasuredAlongIt) {
+TEST(Girths, APanelCutAcrossTheGrainIsMeasuredAlongIt) {
   DressedGarment garment = test::cloth_tube(0.25, 0.25, 0.7, 1.45, 200, 15);
   for (Vec2& p : garment.flat) p = Vec2(-p.y(), p.x());
   for (const std::vector<double>& grains :
        {std::vector<double>{}, std::vector<double>{std::numbers::pi / 2, std::numbers::pi / 2}}) {
-    for (const GirthEase& girth : measure_girth_ease(garment, torso(60), joints(), grains).levels) {
+    for (const Girth& girth :
+         measure_girths(garment, torso(60), joints(), {.grains = grains}).rows) {
       EXPECT_NEAR(girth.as_cut, 2, 1e-9);
     }
   }
 }
 
-TEST(GirthEase, APieceDrawnAskewIsMeasuredSquareToItsGrain) {
+TEST(Girths, APieceDrawnAskewIsMeasuredSquareToItsGrain) {
   const double angle = 0.4;
   DressedGarment garment = test::cloth_tube(0.25, 0.25, 0.7, 1.45, 200, 15);
   for (Vec2& p : garment.flat) p = Eigen::Rotation2Dd(angle) * p;
-  for (const GirthEase& girth :
-       measure_girth_ease(garment, torso(60), joints(), {angle, angle}).levels) {
+  for (const Girth& girth :
+       measure_girths(garment, torso(60), joints(), {.grains = {angle, angle}}).rows) {
     EXPECT_NEAR(girth.as_cut, 2, 1e-9);
   }
 }
 
-TEST(GirthEase, ALevelThatIsLeftOutSaysWhy) {
-  const GirthEases girths =
-      measure_girth_ease(test::cloth_tube(0.25, 0.25, 0.7, 1.2, 40, 15), torso(60), joints());
+TEST(Girths, ALevelThatIsLeftOutSaysWhy) {
+  const Girths girths =
+      measure_girths(test::cloth_tube(0.25, 0.25, 0.7, 1.2, 40, 15), torso(60), joints());
   EXPECT_EQ(level(girths, "bust"), nullptr);
   EXPECT_NE(level(girths, "waist"), nullptr);
   ASSERT_EQ(girths.left_out.size(), 1U);
-  EXPECT_EQ(girths.left_out[0].level, "bust");
+  EXPECT_EQ(girths.left_out[0].name, "bust");
   EXPECT_EQ(girths.left_out[0].why, "the garment does not reach it");
   EXPECT_FALSE(girths.left_out[0].is_open);
 }
 
-TEST(GirthEase, FromTheTopDown) {
+TEST(Girths, FromTheTopDown) {
   const auto girths =
-      measure_girth_ease(test::cloth_tube(0.25, 0.25, 0.7, 1.45, 40, 15), torso(60), joints());
-  ASSERT_GT(girths.levels.size(), 10U);
-  for (std::size_t i = 1; i < girths.levels.size(); ++i) {
-    EXPECT_LE(girths.levels[i].height, girths.levels[i - 1].height);
+      measure_girths(test::cloth_tube(0.25, 0.25, 0.7, 1.45, 40, 15), torso(60), joints());
+  ASSERT_GT(girths.rows.size(), 10U);
+  for (std::size_t i = 1; i < girths.rows.size(); ++i) {
+    EXPECT_LE(girths.rows[i].height, girths.rows[i - 1].height);
   }
 }
 
-TEST(GirthEase, AnOpenGarmentHasNone) {
+TEST(Girths, AnOpenGarmentHasNone) {
   DressedGarment front = test::cloth_tube(0.25, 0.25, 0.7, 1.45, 40, 15);
   front.triangles.resize(front.triangles.size() / 2);
-  EXPECT_TRUE(measure_girth_ease(front, torso(60), joints()).levels.empty());
+  EXPECT_TRUE(measure_girths(front, torso(60), joints()).rows.empty());
 }
 
-TEST(GirthEase, ATubeBesideTheTorsoIsNotAroundIt) {
+TEST(Girths, ATubeBesideTheTorsoIsNotAroundIt) {
   DressedGarment sleeve = test::cloth_tube(0.05, 0.05, 0.7, 1.45, 40, 15);
   for (Vec3& point : sleeve.points) point.x() += 0.4;
-  EXPECT_TRUE(measure_girth_ease(sleeve, torso(60), joints()).levels.empty());
+  EXPECT_TRUE(measure_girths(sleeve, torso(60), joints()).rows.empty());
 }
 
-}  // namespace girth_ease_test
+TEST(Girths, WhatTouchesIsMeasuredAtItsInnerFace) {
+  const TriangleMesh body = torso(200);
+  const SurfaceDistance skin(body);
+  // The waist of 11 cm has cloth all around, 2 mm off the skin; at bust and hip it is inside.
+  const DressedGarment tube = test::cloth_tube(0.112, 0.112, 1.05, 1.15, 200, 10);
+  const Girths girths =
+      measure_girths(tube, body, joints(), {.step = 0, .skin = &skin, .touching = 0.003});
+  const Girth* waist = level(girths, "waist");
+  ASSERT_NE(waist, nullptr);
+  EXPECT_GT(waist->garment - waist->body, 0.01);
+  EXPECT_NEAR(waist->ease(), 0, 1e-4);
+}
+
+TEST(Girths, AFoldThatLiesLevelIsNoGirth) {
+  // Every other point of a ring stands out by 6 cm: the section is a star.
+  DressedGarment tube = test::cloth_tube(0.25, 0.25, 0.7, 1.45, 40, 15);
+  for (std::size_t i = 0; i < tube.points.size(); i += 2) {
+    tube.points[i].x() *= 1.3;
+    tube.points[i].z() *= 1.3;
+  }
+  const Girth* hip = nullptr;
+  const Girths girths = measure_girths(tube, torso(60), joints());
+  hip = level(girths, "hip");
+  ASSERT_NE(hip, nullptr);
+  EXPECT_GT(hip->garment, fold_share * hip->hull);
+  EXPECT_FALSE(hip->is_girth());
+}
+
+TEST(Girths, OfASeamAcrossTheLevelOneSideCounts) {
+  // The upper half of the front is a panel of its own, and hangs askew: the level runs through
+  // both.
+  DressedGarment garment = test::cloth_tube(0.25, 0.25, 0.7, 1.45, 200, 15);
+  garment.panels.emplace_back("yoke");
+  for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
+    const double height = garment.flat[garment.flat_triangles[t][0]].y();
+    if (garment.panel_of_triangle[t] == 0 && height > 0.075) garment.panel_of_triangle[t] = 2;
+  }
+  for (Vec3& p : garment.points) p.y() += 0.2 * p.x();
+  const Girths girths = measure_girths(garment, torso(60), joints());
+  int parted = 0;
+  for (const Girth& girth : girths.rows) {
+    if (girth.panels.size() == 3) ++parted;
+    EXPECT_NEAR(girth.as_cut, 2, 0.02) << girth.height;
+  }
+  EXPECT_GT(parted, 0);
+}
+
+}  // namespace girths_test
 }  // namespace toile

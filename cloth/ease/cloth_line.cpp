@@ -1,0 +1,174 @@
+#include "cloth/ease/cloth_line.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace toile {
+
+namespace {
+
+/// Metres: what a straight line misses or has too much beside the line of the plane before the
+/// latter counts. Half takes the slant of a T-shirt's side for a taper, double passes 1.5 cm that
+/// trousers lack at the hip.
+constexpr double line_differs = 0.01;
+
+using Interval = std::pair<double, double>;
+
+/// The line in which a plane cuts a panel, on the flat.
+struct FlatLine {
+  std::vector<std::array<Vec2, 2>> pieces;  ///< one a triangle
+  double length = 0;                        ///< metres
+  Vec2 moment{0, 0};                        ///< sum of lengths times middles
+  /// Of four directions, the sum of lengths across each: weft, warp, and the drawing's x and y.
+  std::array<double, 4> across{};
+};
+
+std::array<Vec2, 4> height_directions(double grain) {
+  const YarnDirections yarns = yarn_directions(grain);
+  return {yarns.warp, yarns.weft, Vec2::UnitY(), Vec2::UnitX()};
+}
+
+double grain_of(const std::vector<double>& grains, int panel) {
+  return grains.empty() ? 0 : grains[static_cast<std::size_t>(panel)];
+}
+
+/// The points in which a line cuts the sides of a flat triangle: where `height` of its corners is
+/// 0.
+int crossings(const std::array<Vec2, 3>& corners, const std::array<double, 3>& height,
+              std::array<Vec2, 2>& ends) {
+  int found = 0;
+  for (int i = 0; i < 3 && found < 2; ++i) {
+    const int j = (i + 1) % 3;
+    if ((height[i] >= 0) == (height[j] >= 0)) continue;
+    const double along = height[i] / (height[i] - height[j]);
+    ends[found++] = (1 - along) * corners[i] + along * corners[j];
+  }
+  return found;
+}
+
+std::array<Vec2, 3> flat_corners_of(const DressedGarment& garment, std::size_t t) {
+  const Triangle& points = garment.flat_triangles[t];
+  return {garment.flat[points[0]], garment.flat[points[1]], garment.flat[points[2]]};
+}
+
+/// The shadow of a piece of line on the direction `run`.
+Interval shadow(const std::array<Vec2, 2>& piece, const Vec2& run) {
+  return std::minmax({piece[0].dot(run), piece[1].dot(run)});
+}
+
+/// Metres: intervals that are nearer are one. Pieces of a line meet but for rounding.
+constexpr double rounding = 1e-9;
+
+/// The same as disjoint intervals in ascending order.
+std::vector<Interval> joined(std::vector<Interval> parts) {
+  std::ranges::sort(parts);
+  std::vector<Interval> disjoint;
+  for (const Interval& part : parts) {
+    if (disjoint.empty() || part.first > disjoint.back().second + rounding) {
+      disjoint.push_back(part);
+    } else {
+      disjoint.back().second = std::max(disjoint.back().second, part.second);
+    }
+  }
+  return disjoint;
+}
+
+double length_of(const std::vector<Interval>& disjoint) {
+  double length = 0;
+  for (const auto& [low, high] : disjoint) length += high - low;
+  return length;
+}
+
+/// Metres of the straight line's cloth that the plane's line covers. At a slanting side the latter
+/// ends a little before or beyond: less than `line_differs` there does not count.
+double covered_length(const std::vector<Interval>& covered, const std::vector<Interval>& cloth) {
+  double length = 0;
+  for (const auto& [low, high] : cloth) {
+    double first = high;
+    double last = low;
+    for (const auto& [from, to] : covered) {
+      if (to <= low || from >= high) continue;
+      length += std::min(high, to) - std::max(low, from);
+      first = std::min(first, std::max(low, from));
+      last = std::max(last, std::min(high, to));
+    }
+    if (first >= last) continue;
+    if (first - low < line_differs) length += first - low;
+    if (high - last < line_differs) length += high - last;
+  }
+  return length;
+}
+
+/// Where the straight line across a flat panel at a height along `up` has cloth, along `run`.
+std::vector<Interval> cloth_at(const DressedGarment& garment, int panel, const Vec2& up,
+                               const Vec2& run, double height) {
+  std::vector<Interval> parts;
+  for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
+    if (garment.panel_of_triangle[t] != panel) continue;
+    const std::array<Vec2, 3> corners = flat_corners_of(garment, t);
+    std::array<double, 3> above;
+    for (int i = 0; i < 3; ++i) above[i] = corners[i].dot(up) - height;
+    std::array<Vec2, 2> ends;
+    if (crossings(corners, above, ends) == 2) parts.push_back(shadow(ends, run));
+  }
+  return joined(std::move(parts));
+}
+
+PanelWidth width_of(const DressedGarment& garment, int panel, const FlatLine& line, double grain) {
+  // The line runs around the body: the direction that it runs along the least runs down it.
+  const std::array<Vec2, 4> directions = height_directions(grain);
+  const auto least = std::ranges::min_element(line.across) - line.across.begin();
+  const Vec2& up = directions[static_cast<std::size_t>(least)];
+  // Warp and weft, and the drawing's x and y, are square to each other.
+  const Vec2& run = directions[static_cast<std::size_t>(least) ^ 1U];
+  PanelWidth width;
+  width.panel = panel;
+  width.flat_height = line.moment.dot(up) / line.length;
+  width.on_the_line = line.length;
+  std::vector<Interval> covered;
+  covered.reserve(line.pieces.size());
+  for (const auto& piece : line.pieces) covered.push_back(shadow(piece, run));
+  covered = joined(std::move(covered));
+  width.width = covered_length(covered, cloth_at(garment, panel, up, run, width.flat_height));
+  width.along_line = length_of(covered) - width.width > line_differs;
+  if (width.along_line) width.width = line.length;
+  return width;
+}
+
+}  // namespace
+
+ClothLine line_on_panels(const DressedGarment& garment, const std::vector<int>& triangles,
+                         const CuttingPlane& plane, const std::vector<double>& grains) {
+  std::map<int, FlatLine> lines;
+  for (const int t : triangles) {
+    const Triangle& nodes = garment.triangles[t];
+    std::array<double, 3> above;
+    for (int i = 0; i < 3; ++i) {
+      above[i] = (garment.points[nodes[i]] - plane.origin).dot(plane.normal);
+    }
+    std::array<Vec2, 2> ends;
+    if (crossings(flat_corners_of(garment, t), above, ends) < 2) continue;
+    const int panel = garment.panel_of_triangle[t];
+    FlatLine& line = lines[panel];
+    const double length = (ends[1] - ends[0]).norm();
+    line.pieces.push_back(ends);
+    line.length += length;
+    line.moment += length * 0.5 * (ends[0] + ends[1]);
+    const std::array<Vec2, 4> directions = height_directions(grain_of(grains, panel));
+    for (int i = 0; i < 4; ++i) line.across[i] += std::abs(directions[i].dot(ends[1] - ends[0]));
+  }
+  ClothLine found;
+  for (const auto& [panel, line] : lines) {
+    if (!(line.length > 0)) continue;
+    found.panels.push_back(width_of(garment, panel, line, grain_of(grains, panel)));
+    found.as_cut += found.panels.back().width;
+    found.on_the_line += line.length;
+  }
+  if (found.as_cut - found.on_the_line > line_differs) found.as_cut = found.on_the_line;
+  return found;
+}
+
+}  // namespace toile

@@ -1,0 +1,47 @@
+// The line along which a plane meets a worn garment, laid back onto its flat panels.
+#pragma once
+
+#include <vector>
+
+#include "pattern/panel_mesh.h"
+
+namespace toile {
+
+/// How wide a flat panel is where a plane meets it. Metres.
+struct PanelWidth {
+  int panel = 0;           ///< index into DressedGarment::panels
+  double flat_height = 0;  ///< mean height of the plane's line on the flat panel
+  /// Cloth on the straight line at that height, as far as the plane's line covers it.
+  double width = 0;
+  double on_the_line = 0;  ///< length of the plane's own line on the flat panel
+  /// The straight line runs through an open dart or leaves the panel: `width` is `on_the_line`.
+  bool along_line = false;
+};
+
+/// A plane across the worn garment.
+struct CuttingPlane {
+  Vec3 origin;
+  Vec3 normal;
+};
+
+/// The line of a plane on the flat panels. Metres.
+struct ClothLine {
+  std::vector<PanelWidth> panels;  ///< those that it crosses, in their order
+  double on_the_line = 0;          ///< its own length at rest, folds and slants included
+  /// The cloth across it: the sum of the panels' widths, or `on_the_line` where that is shorter by
+  /// more than 1 cm. So it is where panels taper or have a crotch.
+  double as_cut = 0;
+};
+
+/// The line in which the plane cuts `triangles`, indices into DressedGarment::triangles. Each panel
+/// is measured at the mean flat height of the line, and only as far as the line covers it: of a
+/// seam across the line one side counts. The width is taken square to the grain, or along it where
+/// the grain runs along the line. On the bias it is square to the axis of the drawing that the line
+/// runs along the least.
+///
+/// `grains` are MeshedPanel::grain of each panel; empty: the warp runs along the drawing's y.
+/// Linear in the garment's triangles for each panel that is cut.
+ClothLine line_on_panels(const DressedGarment& garment, const std::vector<int>& triangles,
+                         const CuttingPlane& plane, const std::vector<double>& grains);
+
+}  // namespace toile

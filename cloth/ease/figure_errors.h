@@ -1,0 +1,18 @@
+// How sure the figures of a drape are. Each bar holds about nine of ten repeats of the drape.
+#pragma once
+
+#include <cmath>
+
+namespace toile {
+
+/// Metres: the error of an ease as worn, of start and mesh together, at edges of 15 mm and finer.
+/// It held in 79 of 84 comparisons of six garments, and in 22 of 22 of nine others. With half of it
+/// 71 % hold, double is wider than any spread that was seen.
+inline double ease_error(double ease) { return 0.003 + 0.03 * std::abs(ease); }
+
+/// Metres: the error of an edge's height on a mesh of that edge length. Heights differed by up to
+/// 0.8 cm between 15 and 10 mm, and by up to 5 cm between 25 and 15 mm. Half of either is beaten by
+/// one garment of twelve.
+constexpr double height_error(double edge_length) { return edge_length < 0.016 ? 0.008 : 0.05; }
+
+}  // namespace toile

@@ -1,0 +1,285 @@
+#include "cloth/judge/drafted.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include "geometry/body/limbs_through.h"
+#include "geometry/body/torso_section.h"
+#include "geometry/border_loops.h"
+#include "geometry/slice.h"
+
+namespace toile {
+
+namespace {
+
+/// Metres from the side of the neck toward the shoulder at which lengths are taken. At half a
+/// neckline's curve may be cut, at double the armhole's of a narrow shoulder.
+constexpr double beside_neck = 0.01;
+
+/// Metres by which front and back of an edge that is meant level may be drafted apart. Without a
+/// bust dart they differ by up to 4. Half tells the sample T-shirt's back to ride up by 5. Double
+/// takes hems for level that are meant longer at the back.
+constexpr double meant_level = 0.05;
+
+/// Metres above the floor below which the body does not hold cloth off: feet. Half lets toes carry
+/// a long dress. Double leaves calves out, by 1 cm of a length of 100.
+constexpr double above_feet = 0.12;
+
+/// A worn line down one face, from its highest point: where it ends, and its length on the flat
+/// panels. A waist seam parts it, for there the cloth may follow the hollow. Metres.
+struct Fall {
+  Vec3 top;
+  struct Part {
+    Vec3 end;
+    double length = 0;
+  };
+  std::vector<Part> parts;
+};
+
+class ShoulderHung {
+ public:
+  ShoulderHung(const PanelMesh& pattern, const DressedGarment& dressed, const TriangleMesh& body)
+      : dressed_(dressed),
+        cloth_{dressed.points, dressed.triangles},
+        body_(body),
+        below_waist_(worn_below_waist(pattern)) {}
+
+  /// Metres that the waist seam and the hem hang higher than drafted, at the plane of a given x; a
+  /// garment without waist seam has the hem alone. Empty: the cloth does not join them to the top.
+  std::vector<double> risen(double x) const {
+    const std::optional<Fall> back = fall_at(x, false);
+    const std::optional<Fall> front = fall_at(x, true);
+    if (!back || !front || back->parts.size() != front->parts.size()) return {};
+    const std::vector<Vec3> outline = outline_at(x);
+    Vec3 back_from = back->top;
+    Vec3 front_from = front->top;
+    std::vector<double> risen;
+    for (std::size_t i = 0; i < back->parts.size(); ++i) {
+      double back_end = hangs_to(outline, back_from, back->parts[i].length, -1);
+      double front_end = hangs_to(outline, front_from, front->parts[i].length, 1);
+      if (std::abs(back_end - front_end) < meant_level) {
+        back_end = front_end = std::max(back_end, front_end);
+      }
+      back_from = Vec3(x, back_end, back->parts[i].end.z());
+      front_from = Vec3(x, front_end, front->parts[i].end.z());
+      risen.push_back((back->parts[i].end.y() - back_end + front->parts[i].end.y() - front_end) /
+                      2);
+    }
+    return risen;
+  }
+
+ private:
+  /// A point of the plane's line, as worn and on the flat.
+  struct LinePoint {
+    Vec3 worn = Vec3::Zero();
+    Vec2 flat = Vec2::Zero();
+  };
+  /// Where the plane cuts the border of a triangle that it cuts.
+  std::array<LinePoint, 2> ends_in(int t, double x) const {
+    const Triangle& nodes = dressed_.triangles[t];
+    const Triangle& flat = dressed_.flat_triangles[t];
+    std::array<LinePoint, 2> ends;
+    std::size_t found = 0;
+    for (int i = 0; i < 3 && found < 2; ++i) {
+      const int j = (i + 1) % 3;
+      const Vec3& p = dressed_.points[nodes[i]];
+      const Vec3& q = dressed_.points[nodes[j]];
+      if ((p.x() >= x) == (q.x() >= x)) continue;
+      const double share = (p.x() - x) / (p.x() - q.x());
+      ends[found++] = {p + share * (q - p),
+                       (1 - share) * dressed_.flat[flat[i]] + share * dressed_.flat[flat[j]]};
+    }
+    return ends;
+  }
+
+  /// The line from its highest point down one face. Its length is that of the straight line across
+  /// each panel.
+  std::optional<Fall> fall_at(double x, bool front) const {
+    std::vector<int> line;
+    Fall fall;
+    fall.top.y() = -std::numeric_limits<double>::infinity();
+    int top = 0;
+    for (const Section& section : slice(cloth_, {x, 0, 0}, Vec3::UnitX())) {
+      for (std::size_t i = 0; i < section.triangles.size(); ++i) {
+        for (const LinePoint& end : ends_in(section.triangles[i], x)) {
+          if (end.worn.y() <= fall.top.y()) continue;
+          fall.top = end.worn;
+          line = section.closed ? std::vector<int>() : section.triangles;
+          top = static_cast<int>(i);
+        }
+      }
+    }
+    if (line.empty()) return std::nullopt;
+    // The way that leads down the front is that to the end which lies farther in front.
+    const bool forward = ends_in(line.back(), x)[0].worn.z() > ends_in(line.front(), x)[0].worn.z();
+    const int step = forward == front ? 1 : -1;
+    int panel = -1;
+    double length = 0;
+    LinePoint from;
+    LinePoint at{fall.top, Vec2::Zero()};
+    for (int i = top; i >= 0 && i < static_cast<int>(line.size()); i += step) {
+      const int of = dressed_.panel_of_triangle[line[i]];
+      auto [enter, leave] = ends_in(line[i], x);
+      if ((leave.worn - at.worn).norm() < (enter.worn - at.worn).norm()) std::swap(enter, leave);
+      if (of != panel) {
+        length += (at.flat - from.flat).norm();
+        if (panel >= 0 && below_waist_[of] > below_waist_[panel]) {
+          fall.parts.push_back({at.worn, length});
+          length = 0;
+        }
+        panel = of;
+        from = enter;
+      }
+      at = leave;
+    }
+    fall.parts.push_back({at.worn, length + (at.flat - from.flat).norm()});
+    return fall;
+  }
+
+  /// The body's points at a plane, from the top down, without its feet.
+  std::vector<Vec3> outline_at(double x) const {
+    std::vector<Vec3> outline;
+    for (const Section& section : slice(body_, {x, 0, 0}, Vec3::UnitX())) {
+      std::ranges::copy_if(section.points, std::back_inserter(outline),
+                           [](const Vec3& p) { return p.y() > above_feet; });
+    }
+    std::ranges::sort(outline, std::ranges::greater{}, [](const Vec3& p) { return p.y(); });
+    return outline;
+  }
+
+  /// The height to which a taut thread of that length comes down from a point, on the front (`side`
+  /// 1) or the back (-1) of the outline. It bridges what is hollow, and hangs straight from what
+  /// stands out the most.
+  static double hangs_to(const std::vector<Vec3>& outline, const Vec3& from, double length,
+                         double side) {
+    std::vector<Vec2> hull = {Vec2(side * from.z(), from.y())};
+    const auto lowest = [&] {
+      double left = length;
+      for (std::size_t i = 1; i < hull.size(); ++i) left -= (hull[i] - hull[i - 1]).norm();
+      return hull.back().y() - left;
+    };
+    for (const Vec3& point : outline) {
+      const Vec2 p(side * point.z(), point.y());
+      if (p.y() >= from.y() || p.x() <= hull.back().x()) continue;
+      if (p.y() < lowest()) break;  // the thread does not get there
+      while (hull.size() > 1) {
+        const Vec2 a = hull[hull.size() - 1] - hull[hull.size() - 2];
+        const Vec2 b = p - hull[hull.size() - 2];
+        if (a.x() * b.y() - a.y() * b.x() <= 0) break;
+        hull.pop_back();
+      }
+      hull.push_back(p);
+    }
+    return lowest();
+  }
+
+  const DressedGarment& dressed_;
+  TriangleMesh cloth_;
+  const TriangleMesh& body_;
+  std::vector<char> below_waist_;  // per panel
+};
+
+/// The x of the highest points of the neckline on both sides, a little outward. Empty: it has none.
+std::vector<double> sides_of_neck(const DressedGarment& dressed, const Skeleton& skeleton) {
+  const double middle = skeleton.joint("neck").x();
+  for (const std::vector<int>& loop : border_loops(dressed.triangles, dressed.points.size())) {
+    std::vector<Vec3> curve;
+    curve.reserve(loop.size());
+    for (const int node : loop) curve.push_back(dressed.points[node]);
+    if (limbs_through(curve, skeleton) != through_neckline) continue;
+    std::vector<double> sides;
+    for (const double side : {1.0, -1.0}) {
+      const Vec3* highest = nullptr;
+      for (const Vec3& p : curve) {
+        if (side * (p.x() - middle) < 0.02) continue;
+        if (highest == nullptr || p.y() > highest->y()) highest = &p;
+      }
+      if (highest != nullptr) sides.push_back(highest->x() + side * beside_neck);
+    }
+    return sides;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<double> start_heights(const PanelMesh& pattern, const DressedGarment& dressed) {
+  std::vector<double> heights(dressed.points.size(), 0);
+  std::vector<int> corners(dressed.points.size(), 0);
+  for (std::size_t t = 0; t < dressed.triangles.size(); ++t) {
+    for (int i = 0; i < 3; ++i) {
+      const int node = dressed.triangles[t][i];
+      const double height = pattern.placed[pattern.triangles[t][i]].y();
+      heights[node] += (height - heights[node]) / ++corners[node];
+    }
+  }
+  return heights;
+}
+
+double came_down_at_centre(const std::vector<int>& loop, const std::vector<double>& starts,
+                           const DressedGarment& dressed, double middle) {
+  const auto came_down = [&](int node) { return starts[node] - dressed.points[node].y(); };
+  double sum = 0;
+  int crossings = 0;
+  double mean = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const int from = loop[i];
+    const int to = loop[(i + 1) % loop.size()];
+    mean += came_down(from) / static_cast<double>(loop.size());
+    const double a = dressed.points[from].x() - middle;
+    const double b = dressed.points[to].x() - middle;
+    if ((a >= 0) == (b >= 0)) continue;
+    sum += came_down(from) + a / (a - b) * (came_down(to) - came_down(from));
+    ++crossings;
+  }
+  return crossings > 1 ? sum / crossings : mean;
+}
+
+void set_drafted(const PanelMesh& pattern, const DressedGarment& dressed, const TriangleMesh& body,
+                 const Skeleton& skeleton, std::vector<Girth>& girths,
+                 std::vector<GarmentLevel>& levels) {
+  const std::vector<double> starts = start_heights(pattern, dressed);
+  const auto girth_at = [&](double height) -> std::optional<double> {
+    if (height <= skeleton.joint("pelvis").y() || height >= skeleton.joint("chest").y()) return {};
+    const std::optional<Section> torso = torso_section(body, height);
+    return torso ? std::optional<double>(torso->girth) : std::nullopt;
+  };
+  for (Girth& girth : girths) {
+    if (!girth.is_of_trunk) continue;
+    double height = 0;
+    for (const int t : girth.triangles) {
+      for (const int node : dressed.triangles[t]) height += starts[node];
+    }
+    girth.drafted_body = girth_at(height / (3.0 * static_cast<double>(girth.triangles.size())));
+  }
+  // Of what hangs from the shoulders, the waist seam and the hem.
+  std::vector<std::vector<double>> risen;
+  const std::vector<double> sides = sides_of_neck(dressed, skeleton);
+  const ShoulderHung hung(pattern, dressed, body);
+  for (const double x : sides) {
+    if (std::vector<double> here = hung.risen(x); !here.empty()) risen.push_back(std::move(here));
+  }
+  for (GarmentLevel& level : levels) {
+    if (level.is_of_limb) continue;
+    if (sides.empty()) {
+      level.drafted = level.height + came_down_at_centre(level.nodes, starts, dressed,
+                                                         skeleton.joint("pelvis").x());
+    } else if (level.name == "hem" || level.name == "waist seam") {
+      double sum = 0;
+      int found = 0;
+      for (const std::vector<double>& here : risen) {
+        if (level.name == "waist seam" && here.size() < 2) continue;
+        sum += level.name == "hem" ? here.back() : here.front();
+        ++found;
+      }
+      if (found > 0) level.drafted = level.height - sum / found;
+    }
+    if (level.drafted) level.drafted_body = girth_at(*level.drafted);
+  }
+}
+
+}  // namespace toile

@@ -1,0 +1,38 @@
+// Where edges and levels of a garment were drafted to lie on the body.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "cloth/ease/garment_levels.h"
+#include "cloth/ease/girths.h"
+#include "geometry/body/skeleton.h"
+#include "pattern/panel_mesh.h"
+
+namespace toile {
+
+/// Metres above the floor, per node: where its cloth started, the mean of the panels' sides where
+/// they are sewn.
+std::vector<double> start_heights(const PanelMesh& pattern, const DressedGarment& dressed);
+
+/// Metres by which an edge around the trunk came down since the start, at the centre of front and
+/// back. `middle` is the x of the body's middle. At the sides flat panels droop, so they do not
+/// count. The mean of all nodes where the edge does not cross the middle. `starts` is of
+/// start_heights().
+double came_down_at_centre(const std::vector<int>& loop, const std::vector<double>& starts,
+                           const DressedGarment& dressed, double middle);
+
+/// Sets GarmentLevel::drafted and the drafted girths of the body.
+///
+/// - What hangs from the shoulders: hem and waist seam lie as far below the side of the neck as the
+///   panels are long there. The length runs over the body as a taut thread does, over bust or
+///   shoulder blades, and then straight down. Where front and back differ by less than 5 cm, the
+///   edge is meant level, and the shorter of them holds it.
+/// - All else: where it started, at the centre of front and back.
+///
+/// `skeleton` has all limbs. Costs four slices, and one pass over the body a level.
+void set_drafted(const PanelMesh& pattern, const DressedGarment& dressed, const TriangleMesh& body,
+                 const Skeleton& skeleton, std::vector<Girth>& girths,
+                 std::vector<GarmentLevel>& levels);
+
+}  // namespace toile
