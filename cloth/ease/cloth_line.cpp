@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "geometry/slice.h"
+
 namespace toile {
 
 namespace {
@@ -169,6 +171,79 @@ ClothLine line_on_panels(const DressedGarment& garment, const std::vector<int>& 
   }
   if (found.as_cut - found.on_the_line > line_differs) found.as_cut = found.on_the_line;
   return found;
+}
+
+namespace {
+
+/// The step across a triangle that the plane cuts, in either direction.
+PathStep step_across(const DressedGarment& garment, const CuttingPlane& plane, int t) {
+  const Triangle& nodes = garment.triangles[t];
+  const std::array<Vec2, 3> corners = flat_corners_of(garment, t);
+  PathStep step;
+  step.panel = garment.panel_of_triangle[t];
+  bool is_second = false;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const Vec3& p = garment.points[nodes[i]];
+    const Vec3& q = garment.points[nodes[j]];
+    const double from = (p - plane.origin).dot(plane.normal);
+    const double to = (q - plane.origin).dot(plane.normal);
+    if ((from >= 0) == (to >= 0)) continue;
+    const double share = from / (from - to);
+    (is_second ? step.worn_to : step.worn_from) = p + share * (q - p);
+    (is_second ? step.flat_to : step.flat_from) = (1 - share) * corners[i] + share * corners[j];
+    is_second = true;
+  }
+  return step;
+}
+
+void turn(PathStep& step) {
+  std::swap(step.worn_from, step.worn_to);
+  std::swap(step.flat_from, step.flat_to);
+}
+
+}  // namespace
+
+std::vector<ClothPath> paths_on_plane(const DressedGarment& garment, const CuttingPlane& plane) {
+  std::vector<ClothPath> paths;
+  for (const Section& section :
+       slice({garment.points, garment.triangles}, plane.origin, plane.normal)) {
+    if (section.closed) continue;
+    ClothPath path;
+    Vec3 at = section.points.front();
+    for (const int t : section.triangles) {
+      path.push_back(step_across(garment, plane, t));
+      if ((path.back().worn_to - at).norm() < (path.back().worn_from - at).norm()) {
+        turn(path.back());
+      }
+      at = path.back().worn_to;
+    }
+    paths.push_back(std::move(path));
+  }
+  return paths;
+}
+
+ClothPath reversed(const ClothPath& path) {
+  ClothPath back(path.rbegin(), path.rend());
+  for (PathStep& step : back) turn(step);
+  return back;
+}
+
+double flat_length(const ClothPath& path) {
+  double length = 0;
+  for (std::size_t first = 0; first < path.size();) {
+    std::size_t last = first;
+    while (last + 1 < path.size() && path[last + 1].panel == path[first].panel) ++last;
+    length += (path[last].flat_to - path[first].flat_from).norm();
+    first = last + 1;
+  }
+  return length;
+}
+
+double worn_length(const ClothPath& path) {
+  double length = 0;
+  for (const PathStep& step : path) length += (step.worn_to - step.worn_from).norm();
+  return length;
 }
 
 }  // namespace toile

@@ -34,8 +34,8 @@ struct ClothLine {
 };
 
 /// The line in which the plane cuts `triangles`, indices into DressedGarment::triangles. Each panel
-/// is measured at the mean flat height of the line, and only as far as the line covers it: of a
-/// seam across the line one side counts. The width is taken square to the grain, or along it where
+/// is measured at the mean flat height of the line, as far as the line covers it. So of a seam
+/// across the line one side counts. The width is taken square to the grain, or along it where
 /// the grain runs along the line. On the bias it is square to the axis of the drawing that the line
 /// runs along the least.
 ///
@@ -43,5 +43,29 @@ struct ClothLine {
 /// Linear in the garment's triangles for each panel that is cut.
 ClothLine line_on_panels(const DressedGarment& garment, const std::vector<int>& triangles,
                          const CuttingPlane& plane, const std::vector<double>& grains);
+
+/// A stretch of an open line in which a plane meets the garment, across one triangle. Metres.
+struct PathStep {
+  int panel = 0;
+  Vec3 worn_from{0, 0, 0};
+  Vec3 worn_to{0, 0, 0};
+  Vec2 flat_from{0, 0};
+  Vec2 flat_to{0, 0};
+};
+using ClothPath = std::vector<PathStep>;
+
+/// The open lines in which a plane meets the garment, from border to border, each in order. O(n) in
+/// the triangles.
+std::vector<ClothPath> paths_on_plane(const DressedGarment& garment, const CuttingPlane& plane);
+
+/// The same path from its other end.
+ClothPath reversed(const ClothPath& path);
+
+/// Metres on the flat: across each panel the straight line from where the path enters it to where
+/// it leaves. So folds and bends of the path do not count.
+double flat_length(const ClothPath& path);
+
+/// Metres along the path as worn.
+double worn_length(const ClothPath& path);
 
 }  // namespace toile

@@ -10,6 +10,10 @@ namespace toile {
 /// 71 % hold, double is wider than any spread that was seen.
 inline double ease_error(double ease) { return 0.003 + 0.03 * std::abs(ease); }
 
+/// Metres: the error of a girth as cut, which comes from where the cloth hangs. Between meshes of
+/// 15 and 10 mm, 9 of 10 named levels of seven garments differ by less. Half holds 8, double 9.
+inline constexpr double as_cut_error = 0.003;
+
 /// Metres: the error of an edge's height on a mesh of that edge length. Heights differed by up to
 /// 0.8 cm between 15 and 10 mm, and by up to 5 cm between 25 and 15 mm. Half of either is beaten by
 /// one garment of twelve.

@@ -17,11 +17,6 @@ namespace {
 
 using Edge = std::pair<int, int>;  // of nodes, the lower one first
 
-bool hangs_from_waist(PanelRole worn_as) {
-  return worn_as == PanelRole::skirt || worn_as == PanelRole::trousers ||
-         worn_as == PanelRole::waistband;
-}
-
 struct Loop {
   std::vector<int> nodes;
   LimbsThrough limbs;
@@ -107,25 +102,27 @@ std::map<Edge, double> flat_lengths(const DressedGarment& garment) {
 
 }  // namespace
 
-std::vector<char> worn_below_waist(const PanelMesh& pattern) {
-  std::vector<char> below;
-  for (const MeshedPanel& panel : pattern.panels) {
-    below.push_back(static_cast<char>(hangs_from_waist(panel.is.worn_as)));
-  }
-  return below;
+bool hangs_from_waist(PanelRole worn_as) {
+  return worn_as == PanelRole::skirt || worn_as == PanelRole::trousers ||
+         worn_as == PanelRole::waistband;
 }
 
-std::vector<char> worn_below_waist(const std::vector<std::string>& panels) {
-  std::vector<char> below;
-  for (const std::string& panel : panels) {
-    below.push_back(static_cast<char>(hangs_from_waist(classify({panel}).worn_as)));
-  }
-  return below;
+std::vector<PanelRole> worn_as(const PanelMesh& pattern) {
+  std::vector<PanelRole> roles;
+  for (const MeshedPanel& panel : pattern.panels) roles.push_back(panel.is.worn_as);
+  return roles;
+}
+
+std::vector<PanelRole> worn_as(const std::vector<std::string>& panels) {
+  std::vector<PanelRole> roles;
+  for (const std::string& panel : panels) roles.push_back(classify({panel}).worn_as);
+  return roles;
 }
 
 std::vector<GarmentLevel> measure_garment_levels(const DressedGarment& garment,
                                                  const TriangleMesh& body, const Skeleton& skeleton,
-                                                 const std::vector<char>& below_waist) {
+                                                 const std::vector<PanelRole>& worn_as,
+                                                 const std::vector<Measure>& measures) {
   std::vector<GarmentLevel> levels;
   if (!has_all_limbs(skeleton)) return levels;
   const std::map<Edge, double> lengths = flat_lengths(garment);
@@ -158,7 +155,8 @@ std::vector<GarmentLevel> measure_garment_levels(const DressedGarment& garment,
   if (edges.size() > 1) add("top edge", edges.front());
   std::vector<Triangle> bottom;
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
-    if (below_waist[garment.panel_of_triangle[t]] != 0) bottom.push_back(garment.triangles[t]);
+    if (hangs_from_waist(worn_as[garment.panel_of_triangle[t]]))
+      bottom.push_back(garment.triangles[t]);
   }
   if (bottom.size() < garment.triangles.size()) {
     const std::vector<Loop> seams = around_trunk(loops_of(garment, bottom, skeleton));
@@ -179,11 +177,17 @@ std::vector<GarmentLevel> measure_garment_levels(const DressedGarment& garment,
   }
   std::ranges::stable_sort(levels, std::ranges::greater{}, &GarmentLevel::height);
   for (const Loop& loop : borders) {
-    const std::string name = limb_edge(loop, skeleton);
+    const bool is_neckline = loop.limbs == through_neckline;
+    const std::string name = is_neckline ? "neckline" : limb_edge(loop, skeleton);
     if (name.empty()) continue;
     GarmentLevel level = measure(name, loop);
     level.is_of_limb = true;
-    if (!name.ends_with("armhole")) level.body = girth_through(body, garment, loop);
+    if (is_neckline) {
+      const Measure* base = find_measure(measures, "neck_base");
+      if (base != nullptr) level.body = base->value;
+    } else if (!name.ends_with("armhole")) {
+      level.body = girth_through(body, garment, loop);
+    }
     levels.push_back(std::move(level));
   }
   return levels;

@@ -5,33 +5,19 @@
 #include <cmath>
 #include <utility>
 
-#include "geometry/body/measures.h"
 #include "geometry/body/torso_section.h"
+#include "geometry/body/trunk_levels.h"
 #include "geometry/slice.h"
 
 namespace toile {
 
 namespace {
 
-/// Metres: joints that are found farther from the given ones say that the body is in a pose.
-/// Standing bodies of ten differ by 2 cm at most. Half and double tell the same of all poses tried.
-constexpr double moved_joint = 0.06;
-
 /// Metres: steps in which a thigh is looked for below the crotch of trousers, and their count.
 /// Trousers' crotch hangs 1 to 5 cm below the body's. Half of the count misses wide ones; double
 /// comes to mid-thigh, where a skirt is as narrow.
 constexpr double thigh_step = 0.005;
 constexpr int thigh_steps = 14;
-
-/// Whether the body stands as measure_body() needs it to.
-bool is_standing(const BodyShape& shape, const Skeleton& skeleton) {
-  if (!shape.frame.skeleton) return false;
-  return std::ranges::all_of(skeleton.joints, [&](const auto& joint) {
-    const auto found = shape.frame.skeleton->joints.find(joint.first);
-    return found != shape.frame.skeleton->joints.end() &&
-           (shape.frame.given(found->second) - joint.second).norm() < moved_joint;
-  });
-}
 
 /// "left thigh" of "left_upper_thigh".
 std::string row_name(std::string measure) {
@@ -174,14 +160,13 @@ class GirthTaker {
 }  // namespace
 
 Girths measure_girths(const DressedGarment& garment, const TriangleMesh& body,
-                      const Skeleton& skeleton, const GirthOptions& options) {
+                      const Skeleton& skeleton, const std::vector<Measure>& measures,
+                      const GirthOptions& options) {
   Girths result;
-  const BodyShape shape = find_landmarks(body, "the body");
-  const bool is_measured = is_standing(shape, skeleton);
   std::vector<NamedLevel> levels;
   std::vector<BodyGirth> limbs;
-  if (is_measured) {
-    for (BodyGirth& girth : girths_of(measure_body(shape))) {
+  if (!measures.empty()) {
+    for (BodyGirth& girth : girths_of(measures)) {
       if (is_trunk_girth(girth.name)) levels.push_back({girth.name, girth.origin.y()});
       if (girth.name == "neck" || !other_side(row_name(girth.name)).empty()) {
         girth.name = row_name(girth.name);

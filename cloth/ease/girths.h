@@ -6,16 +6,17 @@
 #include <vector>
 
 #include "cloth/ease/cloth_line.h"
+#include "geometry/body/measures.h"
 #include "geometry/body/skeleton.h"
 #include "geometry/surface_distance.h"
 #include "pattern/panel_mesh.h"
 
 namespace toile {
 
-/// The section of the garment over the perimeter of its own hull from which on there is no girth:
-/// the plane runs through a fold that lies nearly level. Of 175 levels of seven garments the median
-/// is 1.00, the largest that means a girth 1.14, and folds have 1.5 to 2.2. Half of what is above 1
-/// would refuse slanting folds of loose shirts; double would pass folds.
+/// The garment's section over the perimeter of its own hull, from which on there is no girth. The
+/// plane runs through a fold that lies nearly level then. Of 175 levels of seven garments the
+/// median is 1.00, the largest that means a girth 1.14, and folds have 1.5 to 2.2. Half of what is
+/// above 1 would refuse slanting folds of loose shirts; double would pass folds.
 inline constexpr double fold_share = 1.3;
 
 /// The girths of body and garment in one plane. Lengths in metres.
@@ -29,8 +30,8 @@ struct Girth {
   double body = 0;           ///< of the convex hull of the section: what a tape reads
   double garment = 0;        ///< length along the cloth, folds included
   double hull = 0;           ///< perimeter of the garment's convex hull
-  /// By how much the line of the cloth is longer than that of its inner face where it touches: the
-  /// drape is held off the skin.
+  /// By how much the cloth's line is longer than that of its inner face where it touches. The drape
+  /// is held off the skin.
   double offset = 0;
   double as_cut = 0;               ///< ClothLine::as_cut
   double on_the_line = 0;          ///< ClothLine::on_the_line
@@ -68,10 +69,10 @@ struct GirthOptions {
 };
 
 /// The girths that measure_body() takes of neck, trunk, arms and legs, where the garment is closed
-/// around them, and those at level planes of the trunk every `step` between crotch and armpits.
+/// around them. Between crotch and armpits those at level planes every `step` come with them.
 ///
-/// - Of a body in a pose, or without limbs, bust, waist and hip alone have names. Its limbs are
-///   not where measure_body() looks for them.
+/// - `measures` are standing_measures(). Where they are empty, bust, waist and hip alone have
+/// names.
 /// - Where trousers' crotch hangs below the thigh's plane, the thigh is taken below it.
 /// - Cloth that is too small stretches until it goes around. Its ease is positive, and `as_cut` is
 ///   less than the body's girth.
@@ -79,9 +80,10 @@ struct GirthOptions {
 ///   of a loose garment reads up to a few per cent high; `as_cut` does not.
 /// - Where layers of one garment lie over each other, the outermost counts.
 ///
-/// `skeleton` has to have the joints pelvis, waist and chest. Costs measure_body() with its
-/// landmarks, and a pass over both meshes a row.
+/// `skeleton` has to have the joints pelvis, waist and chest. Costs a pass over both meshes a row,
+/// and without measures 100 passes over the body.
 Girths measure_girths(const DressedGarment& garment, const TriangleMesh& body,
-                      const Skeleton& skeleton, const GirthOptions& options = {});
+                      const Skeleton& skeleton, const std::vector<Measure>& measures,
+                      const GirthOptions& options = {});
 
 }  // namespace toile

@@ -1,12 +1,12 @@
 #include "cloth/judge/drafted.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <utility>
 
+#include "cloth/ease/figure_errors.h"
 #include "geometry/body/limbs_through.h"
 #include "geometry/body/torso_section.h"
 #include "geometry/border_loops.h"
@@ -43,13 +43,10 @@ struct Fall {
 class ShoulderHung {
  public:
   ShoulderHung(const PanelMesh& pattern, const DressedGarment& dressed, const TriangleMesh& body)
-      : dressed_(dressed),
-        cloth_{dressed.points, dressed.triangles},
-        body_(body),
-        below_waist_(worn_below_waist(pattern)) {}
+      : dressed_(dressed), body_(body), worn_as_(worn_as(pattern)) {}
 
-  /// Metres that the waist seam and the hem hang higher than drafted, at the plane of a given x; a
-  /// garment without waist seam has the hem alone. Empty: the cloth does not join them to the top.
+  /// Metres that the waist seam and the hem hang higher than drafted, at the plane of a given x.
+  /// Without a waist seam it is the hem alone. Empty: the cloth does not join them to the top.
   std::vector<double> risen(double x) const {
     const std::optional<Fall> back = fall_at(x, false);
     const std::optional<Fall> front = fall_at(x, true);
@@ -73,72 +70,41 @@ class ShoulderHung {
   }
 
  private:
-  /// A point of the plane's line, as worn and on the flat.
-  struct LinePoint {
-    Vec3 worn = Vec3::Zero();
-    Vec2 flat = Vec2::Zero();
-  };
-  /// Where the plane cuts the border of a triangle that it cuts.
-  std::array<LinePoint, 2> ends_in(int t, double x) const {
-    const Triangle& nodes = dressed_.triangles[t];
-    const Triangle& flat = dressed_.flat_triangles[t];
-    std::array<LinePoint, 2> ends;
-    std::size_t found = 0;
-    for (int i = 0; i < 3 && found < 2; ++i) {
-      const int j = (i + 1) % 3;
-      const Vec3& p = dressed_.points[nodes[i]];
-      const Vec3& q = dressed_.points[nodes[j]];
-      if ((p.x() >= x) == (q.x() >= x)) continue;
-      const double share = (p.x() - x) / (p.x() - q.x());
-      ends[found++] = {p + share * (q - p),
-                       (1 - share) * dressed_.flat[flat[i]] + share * dressed_.flat[flat[j]]};
-    }
-    return ends;
-  }
-
-  /// The line from its highest point down one face. Its length is that of the straight line across
-  /// each panel.
+  /// The line from its highest point down one face.
   std::optional<Fall> fall_at(double x, bool front) const {
-    std::vector<int> line;
+    ClothPath highest;
+    std::size_t top = 0;
     Fall fall;
     fall.top.y() = -std::numeric_limits<double>::infinity();
-    int top = 0;
-    for (const Section& section : slice(cloth_, {x, 0, 0}, Vec3::UnitX())) {
-      for (std::size_t i = 0; i < section.triangles.size(); ++i) {
-        for (const LinePoint& end : ends_in(section.triangles[i], x)) {
-          if (end.worn.y() <= fall.top.y()) continue;
-          fall.top = end.worn;
-          line = section.closed ? std::vector<int>() : section.triangles;
-          top = static_cast<int>(i);
-        }
-      }
+    for (ClothPath& path : paths_on_plane(dressed_, {{x, 0, 0}, Vec3::UnitX()})) {
+      const auto at =
+          std::ranges::max_element(path, {}, [](const PathStep& step) { return step.worn_to.y(); });
+      if (at == path.end() || at->worn_to.y() <= fall.top.y()) continue;
+      fall.top = at->worn_to;
+      top = static_cast<std::size_t>(at - path.begin()) + 1;
+      highest = std::move(path);
     }
-    if (line.empty()) return std::nullopt;
+    if (highest.empty()) return std::nullopt;
     // The way that leads down the front is that to the end which lies farther in front.
-    const bool forward = ends_in(line.back(), x)[0].worn.z() > ends_in(line.front(), x)[0].worn.z();
-    const int step = forward == front ? 1 : -1;
-    int panel = -1;
-    double length = 0;
-    LinePoint from;
-    LinePoint at{fall.top, Vec2::Zero()};
-    for (int i = top; i >= 0 && i < static_cast<int>(line.size()); i += step) {
-      const int of = dressed_.panel_of_triangle[line[i]];
-      auto [enter, leave] = ends_in(line[i], x);
-      if ((leave.worn - at.worn).norm() < (enter.worn - at.worn).norm()) std::swap(enter, leave);
-      if (of != panel) {
-        length += (at.flat - from.flat).norm();
-        if (panel >= 0 && below_waist_[of] > below_waist_[panel]) {
-          fall.parts.push_back({at.worn, length});
-          length = 0;
-        }
-        panel = of;
-        from = enter;
-      }
-      at = leave;
+    const bool forward = highest.back().worn_to.z() > highest.front().worn_from.z();
+    if (forward != front) {
+      highest = reversed(highest);
+      top = highest.size() - top;
     }
-    fall.parts.push_back({at.worn, length + (at.flat - from.flat).norm()});
+    ClothPath part;
+    for (std::size_t i = top; i < highest.size(); ++i) {
+      if (!part.empty() && is_below_waist(highest[i]) && !is_below_waist(part.back())) {
+        fall.parts.push_back({part.back().worn_to, flat_length(part)});
+        part.clear();
+      }
+      part.push_back(highest[i]);
+    }
+    if (part.empty()) return std::nullopt;
+    fall.parts.push_back({part.back().worn_to, flat_length(part)});
     return fall;
   }
+
+  bool is_below_waist(const PathStep& step) const { return hangs_from_waist(worn_as_[step.panel]); }
 
   /// The body's points at a plane, from the top down, without its feet.
   std::vector<Vec3> outline_at(double x) const {
@@ -178,29 +144,20 @@ class ShoulderHung {
   }
 
   const DressedGarment& dressed_;
-  TriangleMesh cloth_;
   const TriangleMesh& body_;
-  std::vector<char> below_waist_;  // per panel
+  std::vector<PanelRole> worn_as_;
 };
 
-/// The x of the highest points of the neckline on both sides, a little outward. Empty: it has none.
+/// The x at which the neckline is the widest on both sides, a little outward. Empty: it has none.
 std::vector<double> sides_of_neck(const DressedGarment& dressed, const Skeleton& skeleton) {
-  const double middle = skeleton.joint("neck").x();
   for (const std::vector<int>& loop : border_loops(dressed.triangles, dressed.points.size())) {
     std::vector<Vec3> curve;
     curve.reserve(loop.size());
     for (const int node : loop) curve.push_back(dressed.points[node]);
     if (limbs_through(curve, skeleton) != through_neckline) continue;
-    std::vector<double> sides;
-    for (const double side : {1.0, -1.0}) {
-      const Vec3* highest = nullptr;
-      for (const Vec3& p : curve) {
-        if (side * (p.x() - middle) < 0.02) continue;
-        if (highest == nullptr || p.y() > highest->y()) highest = &p;
-      }
-      if (highest != nullptr) sides.push_back(highest->x() + side * beside_neck);
-    }
-    return sides;
+    const auto [right, left] =
+        std::ranges::minmax_element(curve, {}, [](const Vec3& p) { return p.x(); });
+    return {right->x() - beside_neck, left->x() + beside_neck};
   }
   return {};
 }
@@ -279,6 +236,14 @@ void set_drafted(const PanelMesh& pattern, const DressedGarment& dressed, const 
       if (found > 0) level.drafted = level.height - sum / found;
     }
     if (level.drafted) level.drafted_body = girth_at(*level.drafted);
+    if (!level.drafted_body) continue;
+    const double error = height_error(pattern.edge_length);
+    for (const double height : {*level.drafted - error, *level.drafted + error}) {
+      const double differs = std::abs(girth_at(height).value_or(0) - *level.drafted_body);
+      if (differs < *level.drafted_body) {
+        level.drafted_body_error = std::max(level.drafted_body_error, differs);
+      }
+    }
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloth/ease/figure_errors.h"
 #include "cloth/scene/constants.h"
 #include "io/text.h"
 
@@ -22,7 +23,7 @@ Fit fit_of(const std::vector<Girth>& girths, const std::vector<GarmentLevel>& ga
   };
   for (const Girth& girth : girths) {
     if (girth.name.empty() || !girth.is_girth()) continue;
-    const FitLevel level{girth.name, girth.body, girth.as_cut};
+    const FitLevel level{girth.name, girth.body, girth.as_cut, as_cut_error};
     if (girth.is_of_trunk) {
       compare_trunk(level, girth.drafted_body);
     } else {
@@ -30,7 +31,8 @@ Fit fit_of(const std::vector<Girth>& girths, const std::vector<GarmentLevel>& ga
     }
   }
   for (const GarmentLevel& level : garment_levels) {
-    FitLevel compared{level.name, level.body.value_or(0), level.as_cut};
+    if (level.name == "neckline") continue;  // a collar may be narrower than the neck's base
+    FitLevel compared{level.name, level.body.value_or(0), level.as_cut, level.drafted_body_error};
     if (level.drafted_body) {
       compared.body = *level.drafted_body;
       compared.drafted = level.drafted;
@@ -54,7 +56,8 @@ std::string to_string(const Fit& fit) {
 
 std::string text_of(const FitLevel& level) {
   std::string text = "at the " + level.level + " the garment is cut " +
-                     centimetres(level.missing(), 1) + " smaller than the body";
+                     fixed_number(100 * level.missing(), 1) + " \xC2\xB1 " +
+                     centimetres(level.error, 1) + " smaller than the body";
   if (level.drafted) {
     text += " where it was drafted to lie, " + centimetres(*level.drafted, 1) +
             " above the floor, and hangs " + centimetres(std::abs(level.risen), 1) +

@@ -15,8 +15,9 @@ struct FitLevel {
   std::string level;  ///< a Girth's or a GarmentLevel's name
   double body = 0;    ///< the body's girth
   double as_cut = 0;  ///< the garment's girth on the flat panels
-  /// Height above the floor at which the garment's edge was drafted to lie, and `body` is measured;
-  /// none: the level is one of the body, or lies as drafted.
+  double error = 0;   ///< of `missing()`
+  /// Height above the floor at which the edge was drafted to lie, and `body` is measured. None: it
+  /// is a level of the body, or nobody knows.
   std::optional<double> drafted = {};
   double risen = 0;  ///< by how much the edge hangs higher than that; negative: lower
 
@@ -35,16 +36,16 @@ struct Fit {
 
 /// The levels of body and garment at which more is missing than flesh gives way (`flesh_give`). A
 /// knit that is meant to stretch is named, too. An edge is compared with the body where it was
-/// drafted to lie: one that is too small rides up to where the body is slimmer. Rows that are no
-/// girths do not count.
+/// drafted to lie: too small, it rides up to where the body is slimmer. Rows that are
+/// no girths do not count.
 Fit fit_of(const std::vector<Girth>& girths, const std::vector<GarmentLevel>& garment_levels);
 
 /// "ok", "too_small" or "not_checked".
 std::string to_string(const Fit& fit);
 
-/// "at the waist the garment is cut 3.2 cm smaller than the body, and stretched by that: 62.0 cm
-/// around 65.2 cm"; of an edge that left its place, "... than the body where it was drafted to lie,
-/// 86.1 cm above the floor, and hangs 4.4 cm higher: ..."
+/// "at the waist the garment is cut 3.2 ± 0.3 cm smaller than the body, and stretched by that: 62.0
+/// cm around 65.2 cm". Of an edge it says where it was drafted to lie, and how much higher it
+/// hangs.
 std::string text_of(const FitLevel& level);
 
 /// "ok", or "too_small, 3.2 cm missing at the waist" with the level that lacks the most.

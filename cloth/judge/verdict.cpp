@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cloth/ease/figure_errors.h"
+#include "cloth/ease/standing_measures.h"
 #include "cloth/judge/drafted.h"
 #include "cloth/judge/on_floor.h"
 #include "geometry/intersections.h"
@@ -52,8 +53,9 @@ void measure_fit(const PanelMesh& pattern, const DressedGarment& dressed, const 
   GirthOptions options;
   options.step = 0;
   for (const MeshedPanel& panel : pattern.panels) options.grains.push_back(panel.grain);
-  Girths girths = measure_girths(dressed, body, skeleton, options);
-  judgement.levels = measure_garment_levels(dressed, body, skeleton, worn_below_waist(pattern));
+  const std::vector<Measure> measures = standing_measures(body, skeleton);
+  Girths girths = measure_girths(dressed, body, skeleton, measures, options);
+  judgement.levels = measure_garment_levels(dressed, body, skeleton, worn_as(pattern), measures);
   set_drafted(pattern, dressed, body, skeleton, girths.rows, judgement.levels);
   judgement.fit = fit_of(girths.rows, judgement.levels);
   // The nearest level may be one that was not measured.

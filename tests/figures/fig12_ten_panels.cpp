@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "cloth/ease/standing_measures.h"
 #include "io/output_file.h"
 #include "tests/figures/dressing_pictures.h"
 #include "tests/figures/sheet.h"
@@ -66,7 +67,8 @@ void ease(const PaperDressing& dress, const Wearer& wearer, Sheet& sheet) {
   report.garment_name = "bodice of the dress of ten panels";
   report.body_name = "mannequin";
   report.map = measure_ease(report.garment, SurfaceDistance(report.body));
-  report.girths = measure_girths(report.garment, report.body, wearer.mannequin.skeleton);
+  report.girths = measure_girths(report.garment, report.body, wearer.mannequin.skeleton,
+                                 standing_measures(report.body, wearer.mannequin.skeleton));
   report.top = suggested_top(report.map);
   const std::vector<std::string> pictures = ease_pictures(report, {420, 800});
   sheet.file("_ease.html", ease_page(report, pictures[0]));

@@ -63,14 +63,19 @@ class AsCut : public testing::Test {
     for (const PatternPanel& panel : pattern.panels) panels[panel.name] = &panel;
     int levels = 0;
     for (const Json& girth : report["girths"]) {
-      if (!girth.contains("level") || girth.contains("no_girth")) continue;
+      // Sleeves are drawn along x.
+      const std::string level = girth.value("level", "");
+      if (level != "bust" && level != "waist" && level != "hip") continue;
+      if (girth.contains("no_girth")) continue;
       ++levels;
       double sum = 0;
       for (const Json& panel : girth["panels"]) {
         const double width = 100 * width_at(*panels.at(panel["name"].get<std::string>()),
                                             panel["flat_height_cm"].get<double>() / 100);
         // Of a panel that the level covers in part, the width is less.
-        EXPECT_LT(panel["width_cm"].get<double>(), width + 0.2) << girth["level"] << panel;
+        if (!panel["along_line"]) {
+          EXPECT_LT(panel["width_cm"].get<double>(), width + 0.2) << girth["level"] << panel;
+        }
         if (!panel["along_line"] && panel["on_the_line_cm"].get<double>() > width - 0.5) {
           EXPECT_NEAR(panel["width_cm"].get<double>(), width, 0.2) << girth["level"] << panel;
         }

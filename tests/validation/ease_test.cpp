@@ -28,7 +28,7 @@ double gap_error(const DressedGarment& garment, const SurfaceDistance& body, dou
 double girth_error(const DressedGarment& garment, const TriangleMesh& body, double ease) {
   Skeleton skeleton;
   skeleton.joints = {{"pelvis", {0, 0.75, 0}}, {"waist", {0, 1.08, 0}}, {"chest", {0, 1.40, 0}}};
-  const auto girths = measure_girths(garment, body, skeleton, {.step = 0.1}).rows;
+  const auto girths = measure_girths(garment, body, skeleton, {}, {.step = 0.1}).rows;
   EXPECT_FALSE(girths.empty());
   double worst = 0;
   for (const Girth& girth : girths) {

@@ -305,7 +305,10 @@ Json levels_json(const Judgement& judgement) {
       row["risen_cm"] = 100 * *level.risen();
     }
     row["plus_minus_height_cm"] = 100 * judgement.height_error;
-    if (level.drafted_body) row["drafted_body_cm"] = 100 * *level.drafted_body;
+    if (level.drafted_body) {
+      row["drafted_body_cm"] = 100 * *level.drafted_body;
+      row["plus_minus_drafted_body_cm"] = 100 * level.drafted_body_error;
+    }
     all.push_back(std::move(row));
   }
   return all;
@@ -317,6 +320,7 @@ Json verdict_json(const DressResult& result, const Judgement& judgement) {
   for (const FitLevel& level : judgement.fit.levels) {
     fit["levels"].push_back({{"name", level.level},
                              {"missing_cm", 100 * level.missing()},
+                             {"plus_minus_missing_cm", 100 * level.error},
                              {"as_cut_cm", 100 * level.as_cut},
                              {"body_cm", 100 * level.body}});
     if (!level.drafted) continue;

@@ -48,9 +48,17 @@ void read_levels(const JsonValue& entry, DressReport& report) {
     level.name = json.get("name").text();
     level.drafted = metres(json, "drafted_height_cm");
     level.drafted_body = metres(json, "drafted_body_cm");
+    level.drafted_body_error = metres(json, "plus_minus_drafted_body_cm").value_or(0);
     report.height_error = json.get("plus_minus_height_cm").number() / 100;
     report.levels.push_back(std::move(level));
   }
+}
+
+PanelRole role_of(const std::string& name) {
+  for (int i = 0; i <= static_cast<int>(PanelRole::pocket); ++i) {
+    if (name_of(static_cast<PanelRole>(i)) == name) return static_cast<PanelRole>(i);
+  }
+  return PanelRole::unknown;
 }
 
 Fit read_fit(const JsonValue& json) {
@@ -60,7 +68,8 @@ Fit read_fit(const JsonValue& json) {
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const JsonValue level = levels.item(i);
     FitLevel read{level.get("name").text(), level.get("body_cm").number() / 100,
-                  level.get("as_cut_cm").number() / 100};
+                  level.get("as_cut_cm").number() / 100,
+                  level.get("plus_minus_missing_cm").number() / 100};
     read.drafted = metres(level, "drafted_height_cm");
     read.risen = metres(level, "risen_cm").value_or(0);
     fit.levels.push_back(std::move(read));
@@ -89,9 +98,7 @@ std::optional<DressReport> read_dress_report(const fs::path& file, const fs::pat
     const double degrees = panels.item(i).get("grain_degrees").number();
     report.grains.push_back(degrees * std::numbers::pi / 180);
     const auto worn_as = panels.item(i).get("class").find("worn_as");
-    report.below_waist.push_back(
-        static_cast<char>(worn_as && (worn_as->text() == "skirt" || worn_as->text() == "trousers" ||
-                                      worn_as->text() == "waistband")));
+    report.worn_as.push_back(worn_as ? role_of(worn_as->text()) : PanelRole::unknown);
   }
   return report;
 }

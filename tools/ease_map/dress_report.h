@@ -13,11 +13,11 @@ namespace toile {
 
 struct DressReport {
   std::string verdict;
-  Fit fit;                        ///< without its nearest level
-  std::vector<Warning> warnings;  ///< in their order
-  double body_offset = 0;         ///< metres from the skin at which the cloth was held
-  std::vector<double> grains;     ///< radians, MeshedPanel::grain per panel of the garment
-  std::vector<char> below_waist;  ///< per panel: it hangs from the waist
+  Fit fit;                         ///< without its nearest level
+  std::vector<Warning> warnings;   ///< in their order
+  double body_offset = 0;          ///< metres from the skin at which the cloth was held
+  std::vector<double> grains;      ///< radians, MeshedPanel::grain per panel of the garment
+  std::vector<PanelRole> worn_as;  ///< per panel
   /// The garment's levels: names and where they were drafted to lie, with the error of a height.
   std::vector<GarmentLevel> levels;
   double height_error = 0;  ///< metres

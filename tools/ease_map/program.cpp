@@ -39,6 +39,8 @@ CommandLineProgram ease_map_program() {
       "contact", po::value<std::string>(),
       "cloth nearer than this counts as touching (default: 1 mm more than the offset of the drape, "
       "if there is a report of dress, else 3 mm)")(
+      "target", po::value<std::string>(),
+      "the ease that is meant: close, fitted, semi-fitted, loose, or a JSON file of your own")(
       "at", po::value<std::vector<std::string>>()->composing(),
       "also measure the trunk's girth at this height above the floor; may be given again")(
       "top", po::value<std::string>(),
@@ -59,6 +61,9 @@ CommandLineProgram ease_map_program() {
     }
     if (given.count("top") != 0)
       settings.top = parse_length(given["top"].as<std::string>(), "--top");
+    if (given.count("target") != 0) {
+      settings.targets = read_ease_targets(given["target"].as<std::string>());
+    }
     if (given.count("at") != 0) {
       for (const std::string& height : given["at"].as<std::vector<std::string>>()) {
         settings.heights.push_back(parse_length(height, "--at"));

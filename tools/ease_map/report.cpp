@@ -11,6 +11,7 @@
 #include "io/text.h"
 #include "io/view/picture.h"
 #include "io/view/viewer_page.h"
+#include "tools/ease_map/findings.h"
 #include "tools/report.h"
 
 namespace toile {
@@ -166,6 +167,46 @@ PageTable garment_level_table(const EaseReport& report) {
   return table;
 }
 
+std::string beyond_text(const EndsBeyond& end) {
+  if (end.place == "floor") return cm(end.by) + " above the floor";
+  return cm(std::abs(end.by)) + (end.by < 0 ? " short of the " : " beyond the ") + end.place;
+}
+
+std::string ends_text(const GarmentLength& length) {
+  std::string text;
+  for (const EndsBeyond& end : length.ends) text += (text.empty() ? "" : ", ") + beyond_text(end);
+  return text;
+}
+
+PageTable length_table(const EaseReport& report) {
+  PageTable table;
+  table.caption = "Lengths of the garment, cm";
+  table.columns = {"length", "as cut", "as worn", "body", "ends"};
+  for (const GarmentLength& length : report.lengths) {
+    table.rows.push_back({length.name, cm(length.as_cut), cm(length.worn),
+                          length.body ? cm(*length.body) : "", ends_text(length)});
+  }
+  table.remark =
+      "As cut: straight across each flat panel along the line. As worn: along the cloth. Where a "
+      "sleeve or a shoulder ends is told along the arm.";
+  return table;
+}
+
+nlohmann::ordered_json lengths_json(const EaseReport& report) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const GarmentLength& length : report.lengths) {
+    nlohmann::ordered_json row = {{"name", length.name},
+                                  {"as_cut_cm", rounded(100 * length.as_cut)},
+                                  {"worn_cm", rounded(100 * length.worn)}};
+    if (length.body) row["body_cm"] = rounded(100 * *length.body);
+    for (const EndsBeyond& end : length.ends) {
+      row["ends"].push_back({{"place", end.place}, {"beyond_cm", rounded(100 * end.by)}});
+    }
+    all.push_back(std::move(row));
+  }
+  return all;
+}
+
 nlohmann::ordered_json girths_json(const EaseReport& report) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   const auto in_cm = [](double metres) { return rounded(100 * metres); };
@@ -186,6 +227,7 @@ nlohmann::ordered_json girths_json(const EaseReport& report) {
     row["plus_minus_ease_cm"] = in_cm(ease_error(girth.ease()));
     row["as_cut_cm"] = in_cm(girth.as_cut);
     row["as_cut_ease_cm"] = in_cm(girth.ease_as_cut());
+    row["plus_minus_as_cut_cm"] = in_cm(as_cut_error);
     row["on_the_line_cm"] = in_cm(girth.on_the_line);
     row["panels"] = nlohmann::ordered_json::array();
     for (const PanelWidth& panel : girth.panels) {
@@ -219,10 +261,39 @@ nlohmann::ordered_json garment_levels_json(const EaseReport& report) {
     if (level.drafted_body) {
       row["drafted_body_cm"] = rounded(100 * *level.drafted_body);
       row["drafted_ease_cm"] = rounded(100 * (level.as_cut - *level.drafted_body));
+      row["plus_minus_drafted_ease_cm"] = rounded(100 * level.drafted_body_error);
     }
     all.push_back(std::move(row));
   }
   return all;
+}
+
+nlohmann::ordered_json target_json(const EaseReport& report) {
+  nlohmann::ordered_json json = {{"name", valid_utf8(report.target)}};
+  for (const TargetFinding& finding : report.targets) {
+    json["levels"].push_back({{"level", finding.level},
+                              {"ease_cm", rounded(100 * finding.ease)},
+                              {"plus_minus_ease_cm", rounded(100 * finding.error)},
+                              {"least_cm", rounded(100 * finding.target.least)},
+                              {"most_cm", rounded(100 * finding.target.most)},
+                              {"is", finding.word()},
+                              {"off_cm", rounded(100 * finding.off())}});
+  }
+  return json;
+}
+
+PageTable target_table(const EaseReport& report) {
+  PageTable table;
+  table.caption = "Ease against the target, cm";
+  table.columns = {"level", "ease as cut", "\xC2\xB1", "meant", "is", "off by"};
+  for (const TargetFinding& finding : report.targets) {
+    table.rows.push_back({finding.level, cm(finding.ease), cm(finding.error),
+                          cm(finding.target.least) + " \xE2\x80\x93 " + cm(finding.target.most),
+                          finding.word(), cm(finding.off())});
+  }
+  table.remark = "The target is '" + report.target +
+                 "'. Of an edge the ease is told where it was drafted to lie.";
+  return table;
 }
 
 std::string dressing_line(const DressReport& dressing) {
@@ -265,6 +336,7 @@ nlohmann::ordered_json ease_json(const EaseReport& report) {
     json["verdict"] = report.dressing->verdict;
     json["fit"] = to_string(report.dressing->fit);
   }
+  json["findings"] = findings_of(report);
   json["warnings"] = warnings_json(report.warnings);
   json["notes"] = report.notes;
   json["gap"] = definition;
@@ -278,10 +350,12 @@ nlohmann::ordered_json ease_json(const EaseReport& report) {
     json["panels"].push_back(std::move(panel));
   }
   if (!report.girths.rows.empty()) json["girths"] = girths_json(report);
+  if (!report.targets.empty()) json["target"] = target_json(report);
   for (const GirthLeftOut& level : report.girths.left_out) {
     json["levels_left_out"].push_back({{"level", level.name}, {"why", level.why}});
   }
   if (!report.garment_levels.empty()) json["garment_levels"] = garment_levels_json(report);
+  if (!report.lengths.empty()) json["lengths"] = lengths_json(report);
   return json;
 }
 
@@ -297,6 +371,7 @@ std::string ease_page(const EaseReport& report, const std::string& picture) {
     page.paragraphs.insert(page.paragraphs.begin(),
                            "Dressing: " + dressing_line(*report.dressing) + ".");
   }
+  for (const std::string& finding : findings_of(report)) page.paragraphs.push_back(finding + ".");
   for (const Warning& warning : report.warnings) {
     page.paragraphs.push_back("Warning: " + warning.text + ".");
   }
@@ -314,7 +389,9 @@ std::string ease_page(const EaseReport& report, const std::string& picture) {
   page.setting_name = "body";
   page.tables.push_back(panel_table(report));
   if (!report.girths.rows.empty()) page.tables.push_back(girth_table(report));
+  if (!report.targets.empty()) page.tables.push_back(target_table(report));
   if (!report.garment_levels.empty()) page.tables.push_back(garment_level_table(report));
+  if (!report.lengths.empty()) page.tables.push_back(length_table(report));
   page.still_png = picture;
   return viewer_page(page);
 }
@@ -354,7 +431,7 @@ std::vector<Colour> ease_colours(const EaseReport& report) {
 }
 
 std::vector<std::string> ease_summary(const EaseReport& report) {
-  std::vector<std::string> lines;
+  std::vector<std::string> lines = findings_of(report);
   const auto line = [&](const std::string& name, const EaseStatistics& s) {
     lines.push_back(name + ": gap mean " + mm(s.mean) + " mm, median " + mm(s.p50) + " mm, from " +
                     mm(s.min) + " to " + mm(s.max) + " mm; contact " + percent_text(s.contact) +
@@ -381,6 +458,11 @@ std::vector<std::string> ease_summary(const EaseReport& report) {
     if (!level.drafted) continue;
     lines.push_back(level.name + " drafted at " + cm(*level.drafted) + " cm, rests at " +
                     cm(level.height) + " \xC2\xB1 " + cm(report.dressing->height_error) + " cm");
+  }
+  for (const GarmentLength& length : report.lengths) {
+    lines.push_back(length.name + " " + cm(length.as_cut) + " cm as cut" +
+                    (length.body ? ", body " + cm(*length.body) + " cm" : "") +
+                    (length.ends.empty() ? "" : ", ends " + ends_text(length)));
   }
   for (const GirthLeftOut& level : report.girths.left_out) {
     lines.push_back("no girth ease at the " + level.name + ": " + level.why);

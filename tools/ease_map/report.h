@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "cloth/ease/ease.h"
+#include "cloth/ease/ease_targets.h"
 #include "cloth/ease/garment_levels.h"
 #include "cloth/ease/girths.h"
+#include "cloth/ease/lengths.h"
 #include "io/view/colour.h"
 #include "tools/ease_map/dress_report.h"
 
@@ -22,6 +24,9 @@ struct EaseReport {
   EaseOptions options;
   Girths girths;                             ///< empty: not measured
   std::vector<GarmentLevel> garment_levels;  ///< empty: not measured
+  std::vector<GarmentLength> lengths;        ///< empty: not measured
+  std::string target;                        ///< name of the ease meant; empty: not asked for
+  std::vector<TargetFinding> targets;        ///< levels against it
   std::optional<DressReport> dressing;       ///< none: there is no report of dress
   std::vector<Warning> warnings;             ///< of the dressing and of the ease map
   std::vector<std::string> notes;            ///< what could not be told, and why

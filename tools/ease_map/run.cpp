@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "cloth/ease/standing_measures.h"
 #include "cloth/judge/fit.h"
 #include "cloth/scene/closed_body.h"
 #include "geometry/error.h"
@@ -63,20 +64,23 @@ void measure_girths(EaseReport& report, const SurfaceDistance& skin,
   options.heights = settings.heights;
   options.skin = &skin;
   options.touching = report.options.contact;
-  std::vector<char> below_waist = worn_below_waist(report.garment.panels);
+  std::vector<PanelRole> roles = worn_as(report.garment.panels);
   if (report.dressing) {
     options.grains = report.dressing->grains;
-    below_waist = report.dressing->below_waist;
+    roles = report.dressing->worn_as;
   }
-  report.girths = measure_girths(report.garment, report.body, skeleton, options);
+  const std::vector<Measure> measures = standing_measures(report.body, skeleton);
+  report.girths = measure_girths(report.garment, report.body, skeleton, measures, options);
   report.garment_levels =
-      measure_garment_levels(report.garment, report.body, skeleton, below_waist);
+      measure_garment_levels(report.garment, report.body, skeleton, roles, measures);
+  report.lengths = measure_lengths(report.garment, skeleton, measures, roles);
   if (!report.dressing) return;
   for (GarmentLevel& level : report.garment_levels) {
     const auto told = std::ranges::find(report.dressing->levels, level.name, &GarmentLevel::name);
     if (told == report.dressing->levels.end()) continue;
     level.drafted = told->drafted;
     level.drafted_body = told->drafted_body;
+    level.drafted_body_error = told->drafted_body_error;
   }
 }
 
@@ -128,6 +132,11 @@ void run_ease_map(const EaseMapSettings& settings, const CommonSettings& common)
   report.map = measure_ease(report.garment, skin, report.options);
   measure_girths(report, skin, settings);
   report.top = settings.top.value_or(suggested_top(report.map));
+  if (settings.targets) {
+    report.target = settings.targets->name;
+    report.targets =
+        compare_with_targets(*settings.targets, report.girths.rows, report.garment_levels);
+  }
   warn_if_implausible(report);
   warn_if_too_small(report);
   for (const std::string& line : report.notes) common.say("note: " + line);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "cloth/ease/ease_targets.h"
 #include "tools/program.h"
 
 namespace toile {
@@ -18,7 +19,8 @@ struct EaseMapSettings {
   /// Metres: cloth nearer than this touches the skin. None: 1 mm more than the offset at which the
   /// cloth was draped, if the report of dress says it, else EaseOptions::contact.
   std::optional<double> contact;
-  std::optional<double> top;    ///< metres, the end of the colour scale; none: to suit the garment
+  std::optional<double> top;  ///< metres, the end of the colour scale; none: to suit the garment
+  std::optional<EaseTargets> targets;
   std::vector<double> heights;  ///< metres above the floor: levels of the trunk to add
 };
 

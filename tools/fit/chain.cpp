@@ -44,6 +44,8 @@ void add_fit_options(po::options_description& options) {
   options.add_options()("cache",
                         "keep the body's distances in OUT/body.distances, with --from beside both "
                         "bodies: later fits take less time")(
+      "target", po::value<std::string>(),
+      "the ease that is meant: close, fitted, semi-fitted, loose, or a JSON file of your own")(
       "png", po::bool_switch(), "write pictures, too: OUT/ease.png and OUT/drape.png");
 }
 
@@ -52,6 +54,9 @@ void read_fit_options(const po::variables_map& given, const fs::path& body, cons
   settings.body.inputs = {body};
   settings.pattern.mesh.edge_length = read_edge_length(given);
   settings.pictures = given["png"].as<bool>();
+  if (given.count("target") != 0) {
+    settings.targets = read_ease_targets(given["target"].as<std::string>());
+  }
   DressSettings& dress = settings.dress;
   // A posed body has the triangles of the standing one, and is dressed as it is.
   dress.body = given.count("from") != 0 ? body : files.body;
@@ -134,6 +139,7 @@ FitEnd fit_pattern(const FitSettings& settings, const FitFiles& files, const Cle
   ease.garment = files.dressed;
   ease.dress_report = files.report;
   ease.body = settings.dress.body;
+  ease.targets = settings.targets;
   if (settings.pictures) ease.png = files.ease_picture;
   run_ease_map(ease, step_of(common, "ease-map", files.ease, files.ease_report));
   if (settings.pictures) {

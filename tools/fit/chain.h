@@ -4,9 +4,11 @@
 
 #include <boost/program_options.hpp>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "cloth/ease/ease_targets.h"
 #include "tools/clean_body/run.h"
 #include "tools/dress/run.h"
 #include "tools/dress/settings.h"
@@ -33,9 +35,10 @@ struct FitSettings {
   MeshPatternSettings pattern;
   DressSettings dress;
   bool pictures = false;
+  std::optional<EaseTargets> targets = {};
 };
 
-/// --edge-length, --cache, --png and the options of the drape.
+/// --edge-length, --cache, --png, --target and the options of the drape.
 void add_fit_options(boost::program_options::options_description& options);
 /// Reads them, for this body. Throws Error for values that can't be used.
 void read_fit_options(const boost::program_options::variables_map& given,

@@ -107,7 +107,7 @@ int run_pose_body(const PoseBodySettings& settings, const CommonSettings& common
   return posed.crossings.pairs_left > 0 ? exit_negative : exit_done;
 }
 
-Job prepare(const po::variables_map& given, const CommonSettings& common) {
+Job prepare_pose_body(const po::variables_map& given, const CommonSettings& common) {
   PoseBodySettings settings;
   settings.body = given["body"].as<std::string>();
   settings.pose = given["pose"].as<std::string>();
@@ -137,7 +137,7 @@ CommandLineProgram pose_body_program() {
       "skeleton", po::value<std::string>(),
       "the body's joints; body.body.json beside it when not given");
   program.positional.add("body", 1);
-  program.prepare = prepare;
+  program.prepare = prepare_pose_body;
   return program;
 }
 

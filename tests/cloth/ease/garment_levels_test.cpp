@@ -14,8 +14,7 @@ const TriangleMesh body = test::closed_tube(0.15, 0.15, 1.7, 200);
 
 TEST(GarmentLevels, TopEdgeAndHem) {
   const DressedGarment tube = test::cloth_tube(0.2, 0.2, 0.85, 1.15, 200, 10);
-  const auto levels =
-      measure_garment_levels(tube, body, test::figure(), worn_below_waist(tube.panels));
+  const auto levels = measure_garment_levels(tube, body, test::figure(), worn_as(tube.panels));
   ASSERT_EQ(levels.size(), 2U);
   EXPECT_EQ(levels[0].name, "top edge");
   EXPECT_NEAR(levels[0].height, 1.15, 1e-9);
@@ -29,8 +28,7 @@ TEST(GarmentLevels, TopEdgeAndHem) {
 
 TEST(GarmentLevels, BelowTheTrunkThereIsNoGirthOfTheBody) {
   const DressedGarment tube = test::cloth_tube(0.2, 0.2, 0.4, 1.0, 40, 10);
-  const auto levels =
-      measure_garment_levels(tube, body, test::figure(), worn_below_waist(tube.panels));
+  const auto levels = measure_garment_levels(tube, body, test::figure(), worn_as(tube.panels));
   ASSERT_EQ(levels.size(), 2U);
   EXPECT_TRUE(levels[0].body);
   EXPECT_FALSE(levels[1].body);
@@ -45,8 +43,7 @@ TEST(GarmentLevels, TheWaistSeamIsWhereSkirtAndTopMeet) {
     for (const int p : dress.triangles[t]) height += dress.points[p].y() / 3;
     if (height < 1.0) dress.panel_of_triangle[t] = 2;
   }
-  const auto levels =
-      measure_garment_levels(dress, body, test::figure(), worn_below_waist(dress.panels));
+  const auto levels = measure_garment_levels(dress, body, test::figure(), worn_as(dress.panels));
   ASSERT_EQ(levels.size(), 3U);
   EXPECT_EQ(levels[1].name, "waist seam");
   EXPECT_NEAR(levels[1].height, 1.0, 1e-9);
@@ -56,8 +53,7 @@ TEST(GarmentLevels, TheWaistSeamIsWhereSkirtAndTopMeet) {
 TEST(GarmentLevels, ATubeBesideTheBodyHasNone) {
   DressedGarment tube = test::cloth_tube(0.1, 0.1, 0.5, 1.0, 40, 10);
   for (Vec3& p : tube.points) p.x() += 0.6;
-  EXPECT_TRUE(
-      measure_garment_levels(tube, body, test::figure(), worn_below_waist(tube.panels)).empty());
+  EXPECT_TRUE(measure_garment_levels(tube, body, test::figure(), worn_as(tube.panels)).empty());
 }
 
 TEST(GarmentLevels, ASleeveHasACuffAndAnArmhole) {
@@ -65,8 +61,7 @@ TEST(GarmentLevels, ASleeveHasACuffAndAnArmhole) {
   for (Vec3& p : sleeve.points) p = Vec3(p.y(), 1.3 - p.x(), p.z());
   TriangleMesh arm = test::closed_tube(0.04, 0.04, 0.8, 200);
   for (Vec3& p : arm.points) p = Vec3(p.y(), 1.3 - p.x(), p.z());
-  const auto levels =
-      measure_garment_levels(sleeve, arm, test::figure(), worn_below_waist(sleeve.panels));
+  const auto levels = measure_garment_levels(sleeve, arm, test::figure(), worn_as(sleeve.panels));
   ASSERT_EQ(levels.size(), 2U);
   for (const GarmentLevel& level : levels) {
     EXPECT_TRUE(level.is_of_limb);

@@ -67,7 +67,7 @@ const Girth* level(const Girths& girths, const std::string& name) {
 
 TEST(Girths, NamedLevelsAreFoundOnTheBody) {
   const auto girths =
-      measure_girths(test::cloth_tube(0.25, 0.25, 0.7, 1.45, 200, 15), torso(200), joints());
+      measure_girths(test::cloth_tube(0.25, 0.25, 0.7, 1.45, 200, 15), torso(200), joints(), {});
   const double circle = 2 * std::numbers::pi;
   const std::vector<std::pair<std::string, Vec2>> expected = {
       {"bust", {1.30, 0.15}}, {"waist", {1.10, 0.11}}, {"hip", {0.90, 0.16}}};
@@ -85,13 +85,13 @@ TEST(Girths, NamedLevelsAreFoundOnTheBody) {
 TEST(Girths, AsCutIsOnTheFlatPanels) {
   // On the flat each panel is 100 cells of 1 cm wide and 15 high; the rows lie anywhere in space.
   DressedGarment garment = test::cloth_tube(0.25, 0.25, 0.7, 1.45, 200, 15);
-  for (const Girth& girth : measure_girths(garment, torso(60), joints()).rows) {
+  for (const Girth& girth : measure_girths(garment, torso(60), joints(), {}).rows) {
     EXPECT_NEAR(girth.as_cut, 2, 1e-9);
     EXPECT_NEAR(girth.garment, 2 * std::numbers::pi * 0.25, 1e-3);
   }
   // Hung askew by 10 cm in 50, the line runs askew over the flat panels, as wide as before.
   for (Vec3& p : garment.points) p.y() += 0.2 * p.x();
-  for (const Girth& girth : measure_girths(garment, torso(60), joints()).rows) {
+  for (const Girth& girth : measure_girths(garment, torso(60), joints(), {}).rows) {
     EXPECT_NEAR(girth.as_cut, 2, 1e-9);
     ASSERT_EQ(girth.panels.size(), 2U);
     EXPECT_NEAR(girth.panels[0].width, 1, 1e-9);
@@ -106,7 +106,7 @@ TEST(Girths, APanelCutAcrossTheGrainIsMeasuredAlongIt) {
   for (const std::vector<double>& grains :
        {std::vector<double>{}, std::vector<double>{std::numbers::pi / 2, std::numbers::pi / 2}}) {
     for (const Girth& girth :
-         measure_girths(garment, torso(60), joints(), {.grains = grains}).rows) {
+         measure_girths(garment, torso(60), joints(), {}, {.grains = grains}).rows) {
       EXPECT_NEAR(girth.as_cut, 2, 1e-9);
     }
   }
@@ -117,14 +117,14 @@ TEST(Girths, APieceDrawnAskewIsMeasuredSquareToItsGrain) {
   DressedGarment garment = test::cloth_tube(0.25, 0.25, 0.7, 1.45, 200, 15);
   for (Vec2& p : garment.flat) p = Eigen::Rotation2Dd(angle) * p;
   for (const Girth& girth :
-       measure_girths(garment, torso(60), joints(), {.grains = {angle, angle}}).rows) {
+       measure_girths(garment, torso(60), joints(), {}, {.grains = {angle, angle}}).rows) {
     EXPECT_NEAR(girth.as_cut, 2, 1e-9);
   }
 }
 
 TEST(Girths, ALevelThatIsLeftOutSaysWhy) {
   const Girths girths =
-      measure_girths(test::cloth_tube(0.25, 0.25, 0.7, 1.2, 40, 15), torso(60), joints());
+      measure_girths(test::cloth_tube(0.25, 0.25, 0.7, 1.2, 40, 15), torso(60), joints(), {});
   EXPECT_EQ(level(girths, "bust"), nullptr);
   EXPECT_NE(level(girths, "waist"), nullptr);
   ASSERT_EQ(girths.left_out.size(), 1U);
@@ -135,7 +135,7 @@ TEST(Girths, ALevelThatIsLeftOutSaysWhy) {
 
 TEST(Girths, FromTheTopDown) {
   const auto girths =
-      measure_girths(test::cloth_tube(0.25, 0.25, 0.7, 1.45, 40, 15), torso(60), joints());
+      measure_girths(test::cloth_tube(0.25, 0.25, 0.7, 1.45, 40, 15), torso(60), joints(), {});
   ASSERT_GT(girths.rows.size(), 10U);
   for (std::size_t i = 1; i < girths.rows.size(); ++i) {
     EXPECT_LE(girths.rows[i].height, girths.rows[i - 1].height);
@@ -145,13 +145,13 @@ TEST(Girths, FromTheTopDown) {
 TEST(Girths, AnOpenGarmentHasNone) {
   DressedGarment front = test::cloth_tube(0.25, 0.25, 0.7, 1.45, 40, 15);
   front.triangles.resize(front.triangles.size() / 2);
-  EXPECT_TRUE(measure_girths(front, torso(60), joints()).rows.empty());
+  EXPECT_TRUE(measure_girths(front, torso(60), joints(), {}).rows.empty());
 }
 
 TEST(Girths, ATubeBesideTheTorsoIsNotAroundIt) {
   DressedGarment sleeve = test::cloth_tube(0.05, 0.05, 0.7, 1.45, 40, 15);
   for (Vec3& point : sleeve.points) point.x() += 0.4;
-  EXPECT_TRUE(measure_girths(sleeve, torso(60), joints()).rows.empty());
+  EXPECT_TRUE(measure_girths(sleeve, torso(60), joints(), {}).rows.empty());
 }
 
 TEST(Girths, WhatTouchesIsMeasuredAtItsInnerFace) {
@@ -160,7 +160,7 @@ TEST(Girths, WhatTouchesIsMeasuredAtItsInnerFace) {
   // The waist of 11 cm has cloth all around, 2 mm off the skin; at bust and hip it is inside.
   const DressedGarment tube = test::cloth_tube(0.112, 0.112, 1.05, 1.15, 200, 10);
   const Girths girths =
-      measure_girths(tube, body, joints(), {.step = 0, .skin = &skin, .touching = 0.003});
+      measure_girths(tube, body, joints(), {}, {.step = 0, .skin = &skin, .touching = 0.003});
   const Girth* waist = level(girths, "waist");
   ASSERT_NE(waist, nullptr);
   EXPECT_GT(waist->garment - waist->body, 0.01);
@@ -175,7 +175,7 @@ TEST(Girths, AFoldThatLiesLevelIsNoGirth) {
     tube.points[i].z() *= 1.3;
   }
   const Girth* hip = nullptr;
-  const Girths girths = measure_girths(tube, torso(60), joints());
+  const Girths girths = measure_girths(tube, torso(60), joints(), {});
   hip = level(girths, "hip");
   ASSERT_NE(hip, nullptr);
   EXPECT_GT(hip->garment, fold_share * hip->hull);
@@ -192,7 +192,7 @@ TEST(Girths, OfASeamAcrossTheLevelOneSideCounts) {
     if (garment.panel_of_triangle[t] == 0 && height > 0.075) garment.panel_of_triangle[t] = 2;
   }
   for (Vec3& p : garment.points) p.y() += 0.2 * p.x();
-  const Girths girths = measure_girths(garment, torso(60), joints());
+  const Girths girths = measure_girths(garment, torso(60), joints(), {});
   int parted = 0;
   for (const Girth& girth : girths.rows) {
     if (girth.panels.size() == 3) ++parted;

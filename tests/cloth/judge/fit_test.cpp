@@ -24,7 +24,8 @@ TEST(Fit, NamesTheLevelsAtWhichClothIsMissing) {
   EXPECT_EQ(fit.levels[0].level, "bust");
   EXPECT_NEAR(fit.levels[0].missing(), 0.10, 1e-12);
   EXPECT_EQ(text_of(fit.levels[0]),
-            "at the bust the garment is cut 10.0 cm smaller than the body, and stretched by that: "
+            "at the bust the garment is cut 10.0 \xC2\xB1 0.3 cm smaller than the body, and "
+            "stretched by that: "
             "90.0 cm around 100.0 cm");
   EXPECT_EQ(text_of(fit), "too_small, 10.0 cm missing at the bust");
   ASSERT_TRUE(fit.nearest);
@@ -78,11 +79,13 @@ TEST(Fit, AnEdgeThatRodeUpIsComparedWhereItWasDraftedToLie) {
   EXPECT_EQ(to_string(fit_of({}, {hem})), "too_small");
   hem.drafted = 0.863;
   hem.drafted_body = 0.979;
+  hem.drafted_body_error = 0.002;
   const Fit fit = fit_of({}, {hem});
   ASSERT_EQ(fit.levels.size(), 1U);
   EXPECT_NEAR(fit.levels[0].missing(), 0.059, 1e-12);
   EXPECT_EQ(text_of(fit.levels[0]),
-            "at the hem the garment is cut 5.9 cm smaller than the body where it was drafted to "
+            "at the hem the garment is cut 5.9 \xC2\xB1 0.2 cm smaller than the body where it was "
+            "drafted to "
             "lie, 86.3 cm above the floor, and hangs 4.3 cm higher: 92.0 cm around 97.9 cm");
 }
 

@@ -1,0 +1,81 @@
+#include "tools/ease_map/findings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cloth/ease/figure_errors.h"
+#include "cloth/judge/constants.h"
+#include "io/text.h"
+
+namespace toile {
+
+namespace {
+
+/// Lines at most; a fitter's eye takes in no more at once.
+constexpr std::size_t most_lines = 8;
+
+struct Finding {
+  double size = 0;  ///< metres
+  std::string text;
+};
+
+std::string with_error(double value, double error) {
+  return fixed_number(100 * std::abs(value), 1) + " \xC2\xB1 " + centimetres(error, 1);
+}
+
+void add_moved_edges(const EaseReport& report, std::vector<Finding>& findings) {
+  if (!report.dressing) return;
+  const double error = report.dressing->height_error;
+  for (const GarmentLevel& level : report.garment_levels) {
+    // Below the trunk the body tells no more where cloth was drafted to lie.
+    if (!level.drafted_body || std::abs(*level.risen()) < std::max(worth_saying_slid, error)) {
+      continue;
+    }
+    const bool is_up = *level.risen() > 0;
+    findings.push_back({std::abs(*level.risen()),
+                        "the " + level.name + (is_up ? " rides up by " : " slid down by ") +
+                            with_error(*level.risen(), error) + " from where it was drafted to lie"});
+  }
+}
+
+void add_sides(const EaseReport& report, std::vector<Finding>& findings) {
+  for (const Girth& left : report.girths.rows) {
+    if (!left.name.starts_with("left ") || !left.is_girth()) continue;
+    const std::string limb = left.name.substr(5);
+    const auto right = std::ranges::find(report.girths.rows, "right " + limb, &Girth::name);
+    if (right == report.girths.rows.end() || !right->is_girth()) continue;
+    const double differs = left.ease() - right->ease();
+    const double error = ease_error(left.ease()) + ease_error(right->ease());
+    if (std::abs(differs) <= error) continue;
+    findings.push_back({std::abs(differs), "the left " + limb + " has " +
+                                               with_error(differs, error) +
+                                               (differs > 0 ? " more" : " less") +
+                                               " ease than the right"});
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> findings_of(const EaseReport& report) {
+  std::vector<Finding> findings;
+  const std::vector<FitLevel> too_small =
+      fit_of(report.girths.rows, report.garment_levels).levels;
+  for (const FitLevel& level : too_small) {
+    findings.push_back({level.missing(), text_of(level)});
+  }
+  add_moved_edges(report, findings);
+  for (const TargetFinding& target : report.targets) {
+    const auto is_told = [&](const FitLevel& level) { return level.level == target.level; };
+    if (std::abs(target.off()) > target.error && std::ranges::none_of(too_small, is_told)) {
+      findings.push_back({std::abs(target.off()), text_of(target)});
+    }
+  }
+  add_sides(report, findings);
+  std::ranges::stable_sort(findings, std::ranges::greater{}, &Finding::size);
+  if (findings.size() > most_lines) findings.resize(most_lines);
+  std::vector<std::string> lines;
+  for (Finding& finding : findings) lines.push_back(std::move(finding.text));
+  return lines;
+}
+
+}  // namespace toile

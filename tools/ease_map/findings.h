@@ -1,0 +1,18 @@
+// What hurts, in a fitter's words: the lines at the head of terminal, report and page.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/ease_map/report.h"
+
+namespace toile {
+
+/// At most eight lines, the most centimetres first. Each has its number and that number's error;
+/// what is within its error has no line.
+/// - Levels that are cut too small, and levels off their target.
+/// - Edges that left the place where they were drafted to lie.
+/// - Limbs whose two sides differ.
+std::vector<std::string> findings_of(const EaseReport& report);
+
+}  // namespace toile
