@@ -24,8 +24,9 @@ struct EaseTargets {
 };
 
 /// Names of the tables that are built in: `close`, `fitted`, `semi-fitted`, `loose`, for woven
-/// fabrics. Bust and hip are of the ease chart of Butterick, McCall's and Vogue patterns, in inches.
-/// What hangs from the waist gets up to an inch at its top edge [Palmer & Alto, Fit for Real People].
+/// fabrics. Bust and hip are of the ease chart of Butterick, McCall's and Vogue patterns, in
+/// inches. What hangs from the waist gets up to an inch at its top edge [Palmer & Alto, Fit for
+/// Real People].
 std::vector<std::string> ease_target_names();
 
 /// The table of that name, or that of a JSON file:
@@ -42,8 +43,8 @@ struct TargetFinding {
 
   /// By how much the ease is beyond the target; negative: short of it; 0: as intended.
   double off() const;
-  /// "too tight", "close", "as intended", "loose" or "too wide". Tight and wide are off by more than
-  /// the error.
+  /// "too tight", "close", "as intended", "loose" or "too wide". Tight and wide are off by more
+  /// than the error.
   std::string word() const;
 };
 

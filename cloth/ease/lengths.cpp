@@ -128,8 +128,8 @@ class LengthTaker {
         add(side + " outseam", path, {}, {{"floor", hem.y()}});
         continue;
       }
-      const auto crotch = std::ranges::max_element(
-          path, {}, [](const PathStep& step) { return step.worn_to.y(); });
+      const auto crotch =
+          std::ranges::max_element(path, {}, [](const PathStep& step) { return step.worn_to.y(); });
       add(side + " inseam", {path.begin(), std::next(crotch)}, body("inside_leg"),
           {{"floor", hem.y()}});
     }

@@ -35,11 +35,13 @@ struct GarmentLength {
 ///
 /// - A sleeve: over the arm from the armhole to its end, in the plane of shoulder and wrist. Within
 ///   the same plane the shoulder leads on to the neck.
-/// - Centre front and back: from the highest edge to the hem, and to the waist seam if there is one.
+/// - Centre front and back: from the highest edge to the hem, and to the waist seam if there is
+/// one.
 /// - Seams of legs: from the hem to waist and crotch, in the plane of the leg.
 ///
 /// `skeleton` has all limbs, or the result is empty. `measures` are standing_measures(); empty: no
-/// length has the body's. `worn_as` has a role for each panel. Costs a slice of the garment a plane.
+/// length has the body's. `worn_as` has a role for each panel. Costs a slice of the garment a
+/// plane.
 std::vector<GarmentLength> measure_lengths(const DressedGarment& garment, const Skeleton& skeleton,
                                            const std::vector<Measure>& measures,
                                            const std::vector<PanelRole>& worn_as);

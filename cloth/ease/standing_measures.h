@@ -8,9 +8,9 @@
 
 namespace toile {
 
-/// The measures of a body that stands with its joints where `skeleton` has them. Empty for a body in
-/// a pose, or without limbs: measure_body() would look for them elsewhere. Costs measure_body() and
-/// its landmarks.
+/// The measures of a body that stands with its joints where `skeleton` has them. Empty for a body
+/// in a pose, or without limbs: measure_body() would look for them elsewhere. Costs measure_body()
+/// and its landmarks.
 std::vector<Measure> standing_measures(const TriangleMesh& body, const Skeleton& skeleton);
 
 }  // namespace toile

@@ -32,9 +32,10 @@ void add_moved_edges(const EaseReport& report, std::vector<Finding>& findings) {
       continue;
     }
     const bool is_up = *level.risen() > 0;
-    findings.push_back({std::abs(*level.risen()),
-                        "the " + level.name + (is_up ? " rides up by " : " slid down by ") +
-                            with_error(*level.risen(), error) + " from where it was drafted to lie"});
+    findings.push_back({std::abs(*level.risen()), "the " + level.name +
+                                                      (is_up ? " rides up by " : " slid down by ") +
+                                                      with_error(*level.risen(), error) +
+                                                      " from where it was drafted to lie"});
   }
 }
 
@@ -47,10 +48,9 @@ void add_sides(const EaseReport& report, std::vector<Finding>& findings) {
     const double differs = left.ease() - right->ease();
     const double error = ease_error(left.ease()) + ease_error(right->ease());
     if (std::abs(differs) <= error) continue;
-    findings.push_back({std::abs(differs), "the left " + limb + " has " +
-                                               with_error(differs, error) +
-                                               (differs > 0 ? " more" : " less") +
-                                               " ease than the right"});
+    findings.push_back(
+        {std::abs(differs), "the left " + limb + " has " + with_error(differs, error) +
+                                (differs > 0 ? " more" : " less") + " ease than the right"});
   }
 }
 
@@ -58,8 +58,7 @@ void add_sides(const EaseReport& report, std::vector<Finding>& findings) {
 
 std::vector<std::string> findings_of(const EaseReport& report) {
   std::vector<Finding> findings;
-  const std::vector<FitLevel> too_small =
-      fit_of(report.girths.rows, report.garment_levels).levels;
+  const std::vector<FitLevel> too_small = fit_of(report.girths.rows, report.garment_levels).levels;
   for (const FitLevel& level : too_small) {
     findings.push_back({level.missing(), text_of(level)});
   }
