@@ -22,8 +22,8 @@ class FitFaults : public testing::Test {
   /// The ease map's report of a sample whose corners were moved, in centimetres.
   Json ease(const std::string& sample,
             const std::function<void(const std::string& panel, double& x, double& y)>& move) {
-    Json pattern = Json::parse(
-        read_text(fs::path(TOILE_SOURCE_DIR) / "samples" / (sample + ".json")));
+    Json pattern =
+        Json::parse(read_text(fs::path(TOILE_SOURCE_DIR) / "samples" / (sample + ".json")));
     for (auto& [name, panel] : pattern["pattern"]["panels"].items()) {
       for (Json& corner : panel["vertices"]) {
         double x = corner[0];
@@ -33,12 +33,12 @@ class FitFaults : public testing::Test {
       }
     }
     write_text(folder / "p.json", pattern.dump());
-    EXPECT_EQ(run("mesh-pattern", {folder / "p.json", "-o", folder / "g.obj", "--edge-length",
-                                   "15mm", "-q"})
+    EXPECT_EQ(run("mesh-pattern",
+                  {folder / "p.json", "-o", folder / "g.obj", "--edge-length", "15mm", "-q"})
                   .exit_code,
               0);
-    EXPECT_EQ(run("dress", {"--body", folder / "body.ply", folder / "g.obj", "-o",
-                            folder / "d.obj", "--report", folder / "d.json", "-q"})
+    EXPECT_EQ(run("dress", {"--body", folder / "body.ply", folder / "g.obj", "-o", folder / "d.obj",
+                            "--report", folder / "d.json", "-q"})
                   .exit_code,
               0);
     EXPECT_EQ(run("ease-map", {"--body", folder / "body.ply", folder / "d.obj", "-o",
@@ -87,9 +87,9 @@ TEST_F(FitFaults, ASleeveThatIsShorterEndsFartherAboveTheElbow) {
     const Json& before = named(whole["lengths"], "name", side + " sleeve");
     const Json& after = named(shorter["lengths"], "name", side + " sleeve");
     EXPECT_NEAR(before["as_cut_cm"].get<double>() - after["as_cut_cm"].get<double>(), 3.0, 0.3);
-    EXPECT_NEAR(before["ends"][0]["beyond_cm"].get<double>() -
-                    after["ends"][0]["beyond_cm"].get<double>(),
-                3.0, 0.8);
+    EXPECT_NEAR(
+        before["ends"][0]["beyond_cm"].get<double>() - after["ends"][0]["beyond_cm"].get<double>(),
+        3.0, 0.8);
   }
 }
 

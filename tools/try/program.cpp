@@ -144,10 +144,13 @@ ExitCode try_drawing(const TrySettings& settings, const TryFiles& files,
   }
   if (!end.body_is_usable) reasons.emplace_back("unreliable_body");
   if (end.dress.verdict != Verdict::sewn) reasons.emplace_back("verdict");
+  // What was dressed may be sewn. The garment that was drawn is not.
+  const bool lacks_seams = end.dress.verdict == Verdict::sewn && !aside.empty();
+  const std::string verdict = to_string(lacks_seams ? Verdict::unsewable : end.dress.verdict);
   Json report = {{"drawing", settings.drawing.drawing.string()},
                  {"body", settings.fit.body.inputs.front().string()},
                  {"taken", Json::array()},
-                 {"verdict", to_string(end.dress.verdict)},
+                 {"verdict", verdict},
                  {"reason", reasons}};
   for (const Taken& taken : all) {
     report["taken"].push_back({{"what", taken.what},
@@ -160,8 +163,8 @@ ExitCode try_drawing(const TrySettings& settings, const TryFiles& files,
   write_report(written, of_report, report);
   written.commit();
   say(all);  // below all progress
-  std::cout << to_string(end.dress.verdict) << besides(reasons) << ": see "
-            << files.fit.ease.string() << " and " << files.report.string() << std::endl;
+  std::cout << verdict << besides(reasons) << ": see " << files.fit.ease.string() << " and "
+            << files.report.string() << std::endl;
   return reasons.empty() ? exit_done : exit_negative;
 }
 

@@ -8,7 +8,9 @@
 namespace toile {
 namespace ease_targets_test {
 
-TargetFinding finding(double ease, double error) { return {"bust", ease, error, {"bust", 0.07, 0.10}}; }
+TargetFinding finding(double ease, double error) {
+  return {"bust", ease, error, {"bust", 0.07, 0.10}};
+}
 
 TEST(EaseTargets, WordsOfAFitter) {
   EXPECT_EQ(finding(0.08, 0.003).word(), "as intended");
@@ -67,7 +69,8 @@ TEST_F(EaseTargetFile, OfOnesOwn) {
 TEST_F(EaseTargetFile, WhatIsNoRangeIsAnError) {
   for (const char* text :
        {"", "[]", R"({"name": "x"})", R"({"name": "x", "ease_cm": {"bust": [7]}})",
-        R"({"name": "x", "ease_cm": {"bust": [10, 7]}})", R"({"name": "x", "ease_cm": {"bust": 7}})",
+        R"({"name": "x", "ease_cm": {"bust": [10, 7]}})",
+        R"({"name": "x", "ease_cm": {"bust": 7}})",
         R"({"name": "x", "ease_cm": {"bust": [0, 1e9]}})"}) {
     EXPECT_THROW(read(text), Error) << text;
   }

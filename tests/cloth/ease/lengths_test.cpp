@@ -19,8 +19,7 @@ TEST(Lengths, ASleeveEndsBetweenElbowAndWrist) {
   DressedGarment sleeve = test::cloth_tube(0.08, 0.08, 0.2, 0.6, 40, 10);
   sleeve.panels = {"sleeve_front", "sleeve_back"};
   for (Vec3& p : sleeve.points) p = Vec3(p.y(), 1.3 - p.x(), p.z() + 0.001);
-  const auto lengths =
-      measure_lengths(sleeve, test::figure(), {}, worn_as(sleeve.panels));
+  const auto lengths = measure_lengths(sleeve, test::figure(), {}, worn_as(sleeve.panels));
   ASSERT_EQ(lengths.size(), 1U);
   EXPECT_EQ(lengths[0].name, "left sleeve");
   EXPECT_NEAR(lengths[0].as_cut, 0.10, 1e-3);
