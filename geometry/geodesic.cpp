@@ -8,7 +8,9 @@
 #include <CGAL/Surface_mesh_shortest_path.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
+#include <map>
 
 namespace toile {
 
@@ -25,19 +27,34 @@ constexpr double max_detour = 50;
 
 Kernel::Point_3 point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
-/// The triangles of `mesh` that a line of at most `reach` metres from a to b may meet.
-Mesh patch_around(const TriangleMesh& mesh, const Vec3& a, const Vec3& b, double reach) {
-  Mesh patch;
-  std::vector<Mesh::Vertex_index> vertices(mesh.points.size());
+/// A part of a mesh, and whether it is all of it.
+struct Patch {
+  Mesh mesh;
+  bool is_all = true;
+};
+
+/// The triangles of `mesh` that a line of at most `reach` metres from a to b may meet. Points in
+/// one place are one, for CGAL does not stand facets without area.
+Patch patch_around(const TriangleMesh& mesh, const Vec3& a, const Vec3& b, double reach) {
+  Patch patch;
+  std::map<std::array<double, 3>, Mesh::Vertex_index> vertices;
   for (const Triangle& t : mesh.triangles) {
     const Vec3 middle = (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3;
     double radius = 0;
     for (const int i : t) radius = std::max(radius, (mesh.points[i] - middle).norm());
-    if ((middle - a).norm() + (middle - b).norm() - 2 * radius > reach) continue;
-    for (const int i : t) {
-      if (!vertices[i].is_valid()) vertices[i] = patch.add_vertex(point(mesh.points[i]));
+    if ((middle - a).norm() + (middle - b).norm() - 2 * radius > reach) {
+      patch.is_all = false;
+      continue;
     }
-    patch.add_face(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
+    std::array<Mesh::Vertex_index, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& p = mesh.points[t[k]];
+      const auto [at, is_new] = vertices.try_emplace({p.x(), p.y(), p.z()});
+      if (is_new) at->second = patch.mesh.add_vertex(point(p));
+      corners[k] = at->second;
+    }
+    if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
+    patch.mesh.add_face(corners[0], corners[1], corners[2]);
   }
   return patch;
 }
@@ -76,10 +93,10 @@ std::vector<Vec3> geodesic(const TriangleMesh& mesh, const Vec3& a, const Vec3& 
   constexpr double margin = 0.02;  // metres
   for (double share = 1.25;; share *= 2) {
     const double reach = share * straight + margin;
-    Mesh patch = patch_around(mesh, a, b, reach);
-    const bool is_all = patch.number_of_faces() == mesh.triangles.size();
-    std::vector<Vec3> path = on_patch(patch, a, b);
-    if (is_all || share > max_detour || (!path.empty() && length_of(path) <= reach)) return path;
+    Patch patch = patch_around(mesh, a, b, reach);
+    std::vector<Vec3> path = on_patch(patch.mesh, a, b);
+    if (patch.is_all || share > max_detour || (!path.empty() && length_of(path) <= reach))
+      return path;
   }
 }
 

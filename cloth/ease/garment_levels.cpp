@@ -190,6 +190,11 @@ std::vector<GarmentLevel> measure_garment_levels(const DressedGarment& garment,
     }
     levels.push_back(std::move(level));
   }
+  // Left beside right.
+  const auto limbs = std::ranges::find_if(levels, &GarmentLevel::is_of_limb);
+  std::ranges::stable_sort(limbs, levels.end(), {}, [](const GarmentLevel& level) {
+    return std::pair(level.name.substr(level.name.find(' ') + 1), level.name);
+  });
   return levels;
 }
 

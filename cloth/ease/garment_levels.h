@@ -28,7 +28,7 @@ struct GarmentLevel {
   /// Height at which it was drafted to lie (judge/drafted.h); none: not known.
   std::optional<double> drafted;
   std::optional<double> drafted_body;  ///< the body's girth there; none: not known
-  /// By how much that changes within the error of a height.
+  /// By how much that changes within the error of `drafted`.
   double drafted_body_error = 0;
 
   /// How much higher it hangs than drafted; negative: lower.

@@ -237,8 +237,7 @@ void set_drafted(const PanelMesh& pattern, const DressedGarment& dressed, const 
     }
     if (level.drafted) level.drafted_body = girth_at(*level.drafted);
     if (!level.drafted_body) continue;
-    const double error = height_error(pattern.edge_length);
-    for (const double height : {*level.drafted - error, *level.drafted + error}) {
+    for (const double height : {*level.drafted - drafted_error, *level.drafted + drafted_error}) {
       const double differs = std::abs(girth_at(height).value_or(0) - *level.drafted_body);
       if (differs < *level.drafted_body) {
         level.drafted_body_error = std::max(level.drafted_body_error, differs);

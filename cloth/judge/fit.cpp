@@ -32,9 +32,10 @@ Fit fit_of(const std::vector<Girth>& girths, const std::vector<GarmentLevel>& ga
   }
   for (const GarmentLevel& level : garment_levels) {
     if (level.name == "neckline") continue;  // a collar may be narrower than the neck's base
-    FitLevel compared{level.name, level.body.value_or(0), level.as_cut, level.drafted_body_error};
+    FitLevel compared{level.name, level.body.value_or(0), level.as_cut, as_cut_error};
     if (level.drafted_body) {
       compared.body = *level.drafted_body;
+      compared.error = level.drafted_body_error;
       compared.drafted = level.drafted;
       compared.risen = *level.risen();
     } else if (!level.body) {

@@ -23,12 +23,15 @@ std::string with_error(double value, double error) {
   return fixed_number(100 * std::abs(value), 1) + " \xC2\xB1 " + centimetres(error, 1);
 }
 
-void add_moved_edges(const EaseReport& report, std::vector<Finding>& findings) {
+void add_moved_edges(const EaseReport& report, const std::vector<FitLevel>& too_small,
+                     std::vector<Finding>& findings) {
   if (!report.dressing) return;
   const double error = report.dressing->height_error;
   for (const GarmentLevel& level : report.garment_levels) {
-    // Below the trunk the body tells no more where cloth was drafted to lie.
-    if (!level.drafted_body || std::abs(*level.risen()) < std::max(worth_saying_slid, error)) {
+    // What is too small tells where it went itself. Below the trunk the body tells no more where
+    // cloth was drafted to lie.
+    if (std::ranges::find(too_small, level.name, &FitLevel::level) != too_small.end() ||
+        !level.drafted_body || std::abs(*level.risen()) < std::max(worth_saying_slid, error)) {
       continue;
     }
     const bool is_up = *level.risen() > 0;
@@ -62,7 +65,7 @@ std::vector<std::string> findings_of(const EaseReport& report) {
   for (const FitLevel& level : too_small) {
     findings.push_back({level.missing(), text_of(level)});
   }
-  add_moved_edges(report, findings);
+  add_moved_edges(report, too_small, findings);
   for (const TargetFinding& target : report.targets) {
     const auto is_told = [&](const FitLevel& level) { return level.level == target.level; };
     if (std::abs(target.off()) > target.error && std::ranges::none_of(too_small, is_told)) {

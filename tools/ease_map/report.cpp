@@ -1,6 +1,7 @@
 #include "tools/ease_map/report.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -367,12 +368,16 @@ std::string ease_page(const EaseReport& report, const std::string& picture) {
       "surface. It is negative inside the body.",
       "Drag to turn, scroll to zoom, drag with the right button to move. Point at the garment to "
       "read its gap. Left and right are the wearer's."};
-  if (report.dressing) {
-    page.paragraphs.insert(page.paragraphs.begin(),
-                           "Dressing: " + dressing_line(*report.dressing) + ".");
+  std::vector<std::string> first;
+  if (report.dressing) first.push_back("Dressing: " + dressing_line(*report.dressing) + ".");
+  const std::vector<std::string> findings = findings_of(report);
+  for (std::string finding : findings) {
+    finding[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(finding[0])));
+    first.push_back(finding + ".");
   }
-  for (const std::string& finding : findings_of(report)) page.paragraphs.push_back(finding + ".");
+  page.paragraphs.insert(page.paragraphs.begin(), first.begin(), first.end());
   for (const Warning& warning : report.warnings) {
+    if (std::ranges::find(findings, warning.text) != findings.end()) continue;
     page.paragraphs.push_back("Warning: " + warning.text + ".");
   }
   for (const std::string& note : report.notes) page.paragraphs.push_back("Note: " + note + ".");
