@@ -71,6 +71,7 @@ std::vector<Vec3> on_patch(Mesh& patch, const Vec3& a, const Vec3& b) {
   std::vector<Kernel::Point_3> line;
   paths.shortest_path_points_to_source_points(to.first, to.second, std::back_inserter(line));
   std::vector<Vec3> path;
+  path.reserve(line.size());
   for (const Kernel::Point_3& p : line) path.emplace_back(p.x(), p.y(), p.z());
   std::reverse(path.begin(), path.end());
   if (path.size() < 2) path.clear();

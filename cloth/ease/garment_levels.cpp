@@ -109,12 +109,14 @@ bool hangs_from_waist(PanelRole worn_as) {
 
 std::vector<PanelRole> worn_as(const PanelMesh& pattern) {
   std::vector<PanelRole> roles;
+  roles.reserve(pattern.panels.size());
   for (const MeshedPanel& panel : pattern.panels) roles.push_back(panel.is.worn_as);
   return roles;
 }
 
 std::vector<PanelRole> worn_as(const std::vector<std::string>& panels) {
   std::vector<PanelRole> roles;
+  roles.reserve(panels.size());
   for (const std::string& panel : panels) roles.push_back(classify({panel}).worn_as);
   return roles;
 }

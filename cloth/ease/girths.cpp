@@ -92,13 +92,21 @@ class GirthTaker {
   }
 
   /// Around a limb or the neck, or around both legs. `other` is the same place of the other limb.
+  /// `trunk` is a point of the trunk's middle line, for what must not go around that.
   std::optional<Girth> around_limb(const std::string& name, const CuttingPlane& plane,
-                                   const std::optional<Vec3>& other) const {
+                                   const std::optional<Vec3>& other,
+                                   const std::optional<Vec3>& trunk) const {
     const std::vector<Section> sections = slice(cloth_, plane.origin, plane.normal);
     const auto around = outermost(sections, plane.origin, plane.normal);
     if (around == sections.end()) return std::nullopt;
     const std::vector<Section> skin = slice(body_, plane.origin, plane.normal);
     const auto limb = section_around(skin, plane.origin, plane.normal);
+    // A cape or a poncho goes around arm and trunk.
+    const double upright = plane.normal.y();
+    if (trunk && std::abs(upright) > 0.1) {
+      const Vec3 middle = *trunk + Vec3(0, (plane.origin - *trunk).dot(plane.normal) / upright, 0);
+      if (contains(*around, middle, plane.normal)) return std::nullopt;
+    }
     // Where a limb touches the trunk, its section goes around both, and the cloth's does not.
     if (limb == skin.end() || limb->area > std::abs(around->area)) return std::nullopt;
     if (!other || !contains(*around, *other, plane.normal)) {
@@ -202,6 +210,8 @@ Girths measure_girths(const DressedGarment& garment, const TriangleMesh& body,
   for (const BodyGirth& limb : limbs) {
     const bool is_leg = limb.origin.y() < crotch;
     const auto pair = std::ranges::find(limbs, other_side(limb.name), &BodyGirth::name);
+    std::optional<Vec3> trunk;
+    if (!is_leg && limb.name != "neck") trunk = skeleton.joint("chest");
     std::optional<Vec3> other;
     if (is_leg && pair != limbs.end()) other = pair->origin;
     std::optional<Girth> girth;
@@ -210,7 +220,7 @@ Girths measure_girths(const DressedGarment& garment, const TriangleMesh& body,
       std::optional<Vec3> beside;
       if (other) beside = *other + down;
       std::optional<Girth> found =
-          taker.around_limb(limb.name, {limb.origin + down, limb.normal}, beside);
+          taker.around_limb(limb.name, {limb.origin + down, limb.normal}, beside, trunk);
       if (i == 0) girth = found;
       if (!found || found->name != limb.name) continue;
       girth = std::move(found);

@@ -45,28 +45,24 @@ class ShoulderHung {
   ShoulderHung(const PanelMesh& pattern, const DressedGarment& dressed, const TriangleMesh& body)
       : dressed_(dressed), body_(body), worn_as_(worn_as(pattern)) {}
 
-  /// Metres that the waist seam and the hem hang higher than drafted, at the plane of a given x.
-  /// Without a waist seam it is the hem alone. Empty: the cloth does not join them to the top.
-  std::vector<double> risen(double x) const {
+  /// Metres that the hem hangs higher than drafted, at the plane of a given x. Below a waist seam
+  /// it hangs from where that rests. None: the cloth does not join the hem to the top.
+  std::optional<double> hem_risen(double x) const {
     const std::optional<Fall> back = fall_at(x, false);
     const std::optional<Fall> front = fall_at(x, true);
     if (!back || !front || back->parts.size() != front->parts.size()) return {};
     const std::vector<Vec3> outline = outline_at(x);
-    Vec3 back_from = back->top;
-    Vec3 front_from = front->top;
-    std::vector<double> risen;
-    for (std::size_t i = 0; i < back->parts.size(); ++i) {
-      double back_end = hangs_to(outline, back_from, back->parts[i].length, -1);
-      double front_end = hangs_to(outline, front_from, front->parts[i].length, 1);
-      if (std::abs(back_end - front_end) < meant_level) {
-        back_end = front_end = std::max(back_end, front_end);
-      }
-      back_from = Vec3(x, back_end, back->parts[i].end.z());
-      front_from = Vec3(x, front_end, front->parts[i].end.z());
-      risen.push_back((back->parts[i].end.y() - back_end + front->parts[i].end.y() - front_end) /
-                      2);
+    const auto drafted_end = [&](const Fall& fall, double side) {
+      Vec3 from = fall.top;
+      if (fall.parts.size() > 1) from = fall.parts.front().end;
+      return hangs_to(outline, from, fall.parts.back().length, side);
+    };
+    double back_end = drafted_end(*back, -1);
+    double front_end = drafted_end(*front, 1);
+    if (std::abs(back_end - front_end) < meant_level) {
+      back_end = front_end = std::max(back_end, front_end);
     }
-    return risen;
+    return (back->parts.back().end.y() - back_end + front->parts.back().end.y() - front_end) / 2;
   }
 
  private:
@@ -213,24 +209,20 @@ void set_drafted(const PanelMesh& pattern, const DressedGarment& dressed, const 
     }
     girth.drafted_body = girth_at(height / (3.0 * static_cast<double>(girth.triangles.size())));
   }
-  // Of what hangs from the shoulders, the waist seam and the hem.
-  std::vector<std::vector<double>> risen;
+  const double middle = skeleton.joint("pelvis").x();
   const std::vector<double> sides = sides_of_neck(dressed, skeleton);
   const ShoulderHung hung(pattern, dressed, body);
-  for (const double x : sides) {
-    if (std::vector<double> here = hung.risen(x); !here.empty()) risen.push_back(std::move(here));
-  }
   for (GarmentLevel& level : levels) {
-    if (level.is_of_limb) continue;
+    if (level.is_of_limb || level.name == "waist seam") continue;
     if (sides.empty()) {
-      level.drafted = level.height + came_down_at_centre(level.nodes, starts, dressed,
-                                                         skeleton.joint("pelvis").x());
-    } else if (level.name == "hem" || level.name == "waist seam") {
+      level.drafted = level.height + came_down_at_centre(level.nodes, starts, dressed, middle);
+    } else if (level.name == "hem") {
       double sum = 0;
       int found = 0;
-      for (const std::vector<double>& here : risen) {
-        if (level.name == "waist seam" && here.size() < 2) continue;
-        sum += level.name == "hem" ? here.back() : here.front();
+      for (const double x : sides) {
+        const std::optional<double> here = hung.hem_risen(x);
+        if (!here) continue;
+        sum += *here;
         ++found;
       }
       if (found > 0) level.drafted = level.height - sum / found;

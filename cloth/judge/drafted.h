@@ -24,10 +24,12 @@ double came_down_at_centre(const std::vector<int>& loop, const std::vector<doubl
 
 /// Sets GarmentLevel::drafted and the drafted girths of the body.
 ///
-/// - What hangs from the shoulders: hem and waist seam lie as far below the side of the neck as the
-///   panels are long there. The length runs over the body as a taut thread does, over bust or
-///   shoulder blades, and then straight down. Where front and back differ by less than 5 cm, the
-///   edge is meant level, and the shorter of them holds it.
+/// - The hem of what hangs from the shoulders lies below the side of the neck by the length of the
+///   panels. Where there is a waist seam, it lies below where that rests. The length runs over the
+///   body as a taut thread does, over bust or shoulder blades, and then straight down. Where front
+///   and back differ by less than 5 cm, the hem is meant level, and the shorter of them holds it.
+/// - A waist seam has none. A bodice may be longer than the body, to blouse over
+/// it.
 /// - All else: where it started, at the centre of front and back.
 ///
 /// `skeleton` has all limbs. Costs four slices, and one pass over the body a level.

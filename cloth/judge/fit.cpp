@@ -33,7 +33,10 @@ Fit fit_of(const std::vector<Girth>& girths, const std::vector<GarmentLevel>& ga
   for (const GarmentLevel& level : garment_levels) {
     if (level.name == "neckline") continue;  // a collar may be narrower than the neck's base
     FitLevel compared{level.name, level.body.value_or(0), level.as_cut, as_cut_error};
-    if (level.drafted_body) {
+    // Patterns state roughly where a top edge starts. It lacks what it lacks at both places.
+    const bool is_surer_at_rest =
+        level.name == "top edge" && level.body && level.body < level.drafted_body;
+    if (level.drafted_body && !is_surer_at_rest) {
       compared.body = *level.drafted_body;
       compared.error = level.drafted_body_error;
       compared.drafted = level.drafted;

@@ -178,10 +178,9 @@ void warn_of_verdict(const DressResult& result, const Judgement& judgement, Dres
     const LimbsThrough& limbs = opening.limbs;
     if (limbs.left_leg && limbs.right_leg && limbs.left_arm != limbs.right_arm) {
       const std::string side = limbs.left_arm ? "left" : "right";
-      log.warn({"open_edges", side + "_arm",
-                "the " + side +
-                    " armhole and the hem are one opening: a seam is left open at the " + side +
-                    " side"});
+      std::string text = "the " + side;
+      text += " armhole and the hem are one opening: a seam is left open at the ";
+      log.warn({"open_edges", side + "_arm", text + side + " side"});
     }
     if (!is_too_small(opening, opening.length)) continue;
     const bool is_neck = limbs == through_neckline;

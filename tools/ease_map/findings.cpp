@@ -62,6 +62,7 @@ void add_sides(const EaseReport& report, std::vector<Finding>& findings) {
 std::vector<std::string> findings_of(const EaseReport& report) {
   std::vector<Finding> findings;
   const std::vector<FitLevel> too_small = fit_of(report.girths.rows, report.garment_levels).levels;
+  findings.reserve(too_small.size());
   for (const FitLevel& level : too_small) {
     findings.push_back({level.missing(), text_of(level)});
   }
@@ -76,6 +77,7 @@ std::vector<std::string> findings_of(const EaseReport& report) {
   std::ranges::stable_sort(findings, std::ranges::greater{}, &Finding::size);
   if (findings.size() > most_lines) findings.resize(most_lines);
   std::vector<std::string> lines;
+  lines.reserve(findings.size());
   for (Finding& finding : findings) lines.push_back(std::move(finding.text));
   return lines;
 }
