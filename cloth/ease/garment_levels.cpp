@@ -49,8 +49,8 @@ std::vector<Loop> around_trunk(std::vector<Loop> loops) {
   return loops;
 }
 
-/// Share of the upper arm from the shoulder down to which an edge is an armhole's. Half of it
-/// takes wide armholes for cuffs, double short sleeves for none.
+/// Share of the upper arm from the shoulder down to which an edge is an armhole's. Half and double
+/// were not tried.
 constexpr double armhole_share = 0.25;
 
 /// "left cuff", "left armhole" or "left leg hem"; empty: not one limb alone passes through.

@@ -13,9 +13,8 @@ namespace toile {
 
 namespace {
 
-/// Metres: steps in which a thigh is looked for below the crotch of trousers, and their count.
-/// Trousers' crotch hangs 1 to 5 cm below the body's. Half of the count misses wide ones; double
-/// comes to mid-thigh, where a skirt is as narrow.
+/// Metres: steps in which a thigh is looked for below the crotch of trousers, and their count: down
+/// to 6.5 cm. The sample trousers' thigh is found 0 to 4 cm down. Half and double were not tried.
 constexpr double thigh_step = 0.005;
 constexpr int thigh_steps = 14;
 

@@ -11,8 +11,7 @@ namespace toile {
 
 namespace {
 
-/// Metres from a limb's line within which cloth is of that limb. Half misses wide sleeves, double
-/// takes a skirt for a leg.
+/// Metres from a limb's line within which cloth is of that limb. Half and double were not tried.
 constexpr double beside_limb = 0.2;
 
 class LengthTaker {

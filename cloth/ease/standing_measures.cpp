@@ -6,8 +6,9 @@ namespace toile {
 
 namespace {
 
-/// Metres: joints that are found farther from the given ones say that the body is in a pose.
-/// Standing bodies of ten differ by 2 cm at most. Half and double tell the same of all poses tried.
+/// Metres: joints that are found farther from the given ones say that the body is in a pose. On
+/// nine standing bodies they are 3.2 cm apart at most, on two walking ones 3.8. Of sitting and
+/// reaching bodies none are found. Half refuses one standing body; double tells the same of all 15.
 constexpr double moved_joint = 0.06;
 
 /// Whether the body stands as measure_body() needs it to.

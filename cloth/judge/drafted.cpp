@@ -16,17 +16,16 @@ namespace toile {
 
 namespace {
 
-/// Metres from the side of the neck toward the shoulder at which lengths are taken. At half a
-/// neckline's curve may be cut, at double the armhole's of a narrow shoulder.
+/// Metres from the side of the neck toward the shoulder at which lengths are taken, clear of the
+/// neckline. Half and double were not tried.
 constexpr double beside_neck = 0.01;
 
-/// Metres by which front and back of an edge that is meant level may be drafted apart. Without a
-/// bust dart they differ by up to 4. Half tells the sample T-shirt's back to ride up by 5. Double
-/// takes hems for level that are meant longer at the back.
+/// Metres by which front and back of a hem that is meant level may be drafted apart. Those of the
+/// sample T-shirt, which has no bust dart, are 4 cm apart. Half and double were not tried.
 constexpr double meant_level = 0.05;
 
-/// Metres above the floor below which the body does not hold cloth off: feet. Half lets toes carry
-/// a long dress. Double leaves calves out, by 1 cm of a length of 100.
+/// Metres above the floor below which the body does not hold cloth off: feet. Half and double were
+/// not tried.
 constexpr double above_feet = 0.12;
 
 /// A worn line down one face, from its highest point: where it ends, and its length on the flat
