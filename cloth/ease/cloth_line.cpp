@@ -55,6 +55,28 @@ std::array<Vec2, 3> flat_corners_of(const DressedGarment& garment, std::size_t t
   return {garment.flat[points[0]], garment.flat[points[1]], garment.flat[points[2]]};
 }
 
+/// The step across a triangle that the plane cuts, in either direction.
+PathStep step_across(const DressedGarment& garment, const CuttingPlane& plane, int t) {
+  const Triangle& nodes = garment.triangles[t];
+  const std::array<Vec2, 3> corners = flat_corners_of(garment, t);
+  PathStep step;
+  step.panel = garment.panel_of_triangle[t];
+  bool is_second = false;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const Vec3& p = garment.points[nodes[i]];
+    const Vec3& q = garment.points[nodes[j]];
+    const double from = (p - plane.origin).dot(plane.normal);
+    const double to = (q - plane.origin).dot(plane.normal);
+    if ((from >= 0) == (to >= 0)) continue;
+    const double share = from / (from - to);
+    (is_second ? step.worn_to : step.worn_from) = p + share * (q - p);
+    (is_second ? step.flat_to : step.flat_from) = (1 - share) * corners[i] + share * corners[j];
+    is_second = true;
+  }
+  return step;
+}
+
 /// The shadow of a piece of line on the direction `run`.
 Interval shadow(const std::array<Vec2, 2>& piece, const Vec2& run) {
   return std::minmax({piece[0].dot(run), piece[1].dot(run)});
@@ -145,14 +167,9 @@ ClothLine line_on_panels(const DressedGarment& garment, const std::vector<int>& 
                          const CuttingPlane& plane, const std::vector<double>& grains) {
   std::map<int, FlatLine> lines;
   for (const int t : triangles) {
-    const Triangle& nodes = garment.triangles[t];
-    std::array<double, 3> above;
-    for (int i = 0; i < 3; ++i) {
-      above[i] = (garment.points[nodes[i]] - plane.origin).dot(plane.normal);
-    }
-    std::array<Vec2, 2> ends;
-    if (crossings(flat_corners_of(garment, t), above, ends) < 2) continue;
-    const int panel = garment.panel_of_triangle[t];
+    const PathStep step = step_across(garment, plane, t);
+    const std::array<Vec2, 2> ends = {step.flat_from, step.flat_to};
+    const int panel = step.panel;
     FlatLine& line = lines[panel];
     const double length = (ends[1] - ends[0]).norm();
     line.pieces.push_back(ends);
@@ -173,28 +190,6 @@ ClothLine line_on_panels(const DressedGarment& garment, const std::vector<int>& 
 }
 
 namespace {
-
-/// The step across a triangle that the plane cuts, in either direction.
-PathStep step_across(const DressedGarment& garment, const CuttingPlane& plane, int t) {
-  const Triangle& nodes = garment.triangles[t];
-  const std::array<Vec2, 3> corners = flat_corners_of(garment, t);
-  PathStep step;
-  step.panel = garment.panel_of_triangle[t];
-  bool is_second = false;
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3;
-    const Vec3& p = garment.points[nodes[i]];
-    const Vec3& q = garment.points[nodes[j]];
-    const double from = (p - plane.origin).dot(plane.normal);
-    const double to = (q - plane.origin).dot(plane.normal);
-    if ((from >= 0) == (to >= 0)) continue;
-    const double share = from / (from - to);
-    (is_second ? step.worn_to : step.worn_from) = p + share * (q - p);
-    (is_second ? step.flat_to : step.flat_from) = (1 - share) * corners[i] + share * corners[j];
-    is_second = true;
-  }
-  return step;
-}
 
 void turn(PathStep& step) {
   std::swap(step.worn_from, step.worn_to);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double inch = 0.0254;
 
-/// Metres of ease that no target asks for. It stands for no upper bound.
+/// Metres: a larger ease than this is a slip of the unit.
 constexpr double most_ease = 3;
 
 std::vector<EaseTargets> tables() {
@@ -105,8 +105,9 @@ std::vector<TargetFinding> compare_with_targets(const EaseTargets& targets,
     }
   }
   for (const GarmentLevel& level : levels) {
-    const std::optional<double> body = level.drafted_body ? level.drafted_body : level.body;
-    if (body) compare(level.name, level.as_cut - *body, level.drafted_body_error);
+    if (const auto with = level.compared()) {
+      compare(level.name, level.as_cut - with->body, with->error);
+    }
   }
   return findings;
 }

@@ -37,7 +37,7 @@ EaseTargets read_ease_targets(const std::string& name_or_file);
 /// A level against its target. Metres.
 struct TargetFinding {
   std::string level;  ///< with its side
-  double ease = 0;    ///< as cut; of an edge where it was drafted to lie
+  double ease = 0;    ///< as cut; of an edge beside GarmentLevel::compared()
   double error = 0;
   EaseTarget target;
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "cloth/ease/figure_errors.h"
 #include "geometry/body/limbs_through.h"
 #include "geometry/body/torso_section.h"
 #include "geometry/border_loops.h"
@@ -105,6 +106,13 @@ std::map<Edge, double> flat_lengths(const DressedGarment& garment) {
 bool hangs_from_waist(PanelRole worn_as) {
   return worn_as == PanelRole::skirt || worn_as == PanelRole::trousers ||
          worn_as == PanelRole::waistband;
+}
+
+std::optional<GarmentLevel::Compared> GarmentLevel::compared() const {
+  const bool is_surer_at_rest = name == "top edge" && body && body < drafted_body;
+  if (drafted_body && !is_surer_at_rest) return Compared{*drafted_body, drafted_body_error, true};
+  if (!body) return std::nullopt;
+  return Compared{*body, as_cut_error, false};
 }
 
 std::vector<PanelRole> worn_as(const PanelMesh& pattern) {

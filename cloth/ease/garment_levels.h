@@ -31,6 +31,16 @@ struct GarmentLevel {
   /// By how much that changes within the error of `drafted`.
   double drafted_body_error = 0;
 
+  /// What it is compared with. Patterns state roughly where a top edge starts, so it counts where
+  /// it lacks the least: there or where it rests. Another edge counts where it was drafted to lie.
+  /// None: the body has no girth there.
+  struct Compared {
+    double body = 0;
+    double error = 0;         ///< of an ease beside it
+    bool is_drafted = false;  ///< false: where it rests
+  };
+  std::optional<Compared> compared() const;
+
   /// How much higher it hangs than drafted; negative: lower.
   std::optional<double> risen() const {
     return drafted ? std::optional<double>(height - *drafted) : std::nullopt;

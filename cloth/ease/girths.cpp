@@ -115,7 +115,10 @@ class GirthTaker {
     if (second == skin.end()) return std::nullopt;
     std::vector<Vec3> both = limb->points;
     both.insert(both.end(), second->points.begin(), second->points.end());
-    return row(name.substr(name.find(' ') + 1), plane, hull_length(both, plane.normal), *around);
+    Girth girth =
+        row(name.substr(name.find(' ') + 1), plane, hull_length(both, plane.normal), *around);
+    girth.is_of_both_legs = true;
+    return girth;
   }
 
  private:

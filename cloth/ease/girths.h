@@ -26,10 +26,12 @@ struct Girth {
   std::string name;
   CuttingPlane plane;
   bool is_of_trunk = false;  ///< level, around the trunk between crotch and armpits
-  double height = 0;         ///< of the plane's origin above the floor
-  double body = 0;           ///< of the convex hull of the section: what a tape reads
-  double garment = 0;        ///< length along the cloth, folds included
-  double hull = 0;           ///< perimeter of the garment's convex hull
+  /// Around both legs as they stand. Their girth depends on how far apart that is.
+  bool is_of_both_legs = false;
+  double height = 0;   ///< of the plane's origin above the floor
+  double body = 0;     ///< of the convex hull of the section: what a tape reads
+  double garment = 0;  ///< length along the cloth, folds included
+  double hull = 0;     ///< perimeter of the garment's convex hull
   /// By how much the cloth's line is longer than that of its inner face where it touches. The drape
   /// is held off the skin.
   double offset = 0;

@@ -35,7 +35,9 @@ class LengthTaker {
   }
   void add(const std::string& name, const ClothPath& path, std::optional<double> body,
            std::vector<EndsBeyond> ends) {
-    if (path.empty()) return;
+    // A slit parts a path: the first part counts.
+    const bool is_taken = std::ranges::find(lengths_, name, &GarmentLength::name) != lengths_.end();
+    if (path.empty() || is_taken) return;
     lengths_.push_back({name, flat_length(path), worn_length(path), body, std::move(ends)});
   }
 
@@ -68,12 +70,11 @@ class LengthTaker {
       add(side + " sleeve", {path.begin(), armhole}, body(side + "_arm_length"),
           {{side + " elbow", along(end) - along(elbow)},
            {side + " wrist", along(end) - along(wrist)}});
-      // Up to the neck: what comes down again is the other sleeve, or the back.
-      ClothPath rest(armhole, path.end());
-      const auto neck = std::ranges::find_if(rest, [&](const PathStep& step) {
-        return role(step) == PanelRole::sleeve || role(step) == PanelRole::collar;
-      });
-      if (rest.empty() || neck != rest.end()) return;
+      // Up to the neck. A path to the other sleeve shows no end of the shoulder.
+      const ClothPath rest(armhole, path.end());
+      const auto other = std::ranges::find_if(
+          rest, [&](const PathStep& step) { return role(step) == PanelRole::sleeve; });
+      if (rest.empty() || other != rest.end()) return;
       const Measure* length = find_measure(measures_, side + "_shoulder_length");
       std::vector<EndsBeyond> ends;
       if (length != nullptr && length->value) {

@@ -7,9 +7,8 @@
 #include <utility>
 
 #include "cloth/ease/figure_errors.h"
-#include "geometry/body/limbs_through.h"
+#include "cloth/judge/constants.h"
 #include "geometry/body/torso_section.h"
-#include "geometry/border_loops.h"
 #include "geometry/slice.h"
 
 namespace toile {
@@ -29,39 +28,31 @@ constexpr double meant_level = 0.05;
 constexpr double above_feet = 0.12;
 
 /// A worn line down one face, from its highest point: where it ends, and its length on the flat
-/// panels. A waist seam parts it, for there the cloth may follow the hollow. Metres.
+/// panels. Metres.
 struct Fall {
   Vec3 top;
-  struct Part {
-    Vec3 end;
-    double length = 0;
-  };
-  std::vector<Part> parts;
+  Vec3 end;
+  double length = 0;
 };
 
 class ShoulderHung {
  public:
-  ShoulderHung(const PanelMesh& pattern, const DressedGarment& dressed, const TriangleMesh& body)
-      : dressed_(dressed), body_(body), worn_as_(worn_as(pattern)) {}
+  ShoulderHung(const DressedGarment& dressed, const TriangleMesh& body)
+      : dressed_(dressed), body_(body) {}
 
-  /// Metres that the hem hangs higher than drafted, at the plane of a given x. Below a waist seam
-  /// it hangs from where that rests. None: the cloth does not join the hem to the top.
+  /// Metres that the hem hangs higher than drafted, at the plane of a given x. None: the cloth does
+  /// not join the hem to the top.
   std::optional<double> hem_risen(double x) const {
     const std::optional<Fall> back = fall_at(x, false);
     const std::optional<Fall> front = fall_at(x, true);
-    if (!back || !front || back->parts.size() != front->parts.size()) return {};
+    if (!back || !front) return std::nullopt;
     const std::vector<Vec3> outline = outline_at(x);
-    const auto drafted_end = [&](const Fall& fall, double side) {
-      Vec3 from = fall.top;
-      if (fall.parts.size() > 1) from = fall.parts.front().end;
-      return hangs_to(outline, from, fall.parts.back().length, side);
-    };
-    double back_end = drafted_end(*back, -1);
-    double front_end = drafted_end(*front, 1);
+    double back_end = hangs_to(outline, back->top, back->length, -1);
+    double front_end = hangs_to(outline, front->top, front->length, 1);
     if (std::abs(back_end - front_end) < meant_level) {
       back_end = front_end = std::max(back_end, front_end);
     }
-    return (back->parts.back().end.y() - back_end + front->parts.back().end.y() - front_end) / 2;
+    return (back->end.y() - back_end + front->end.y() - front_end) / 2;
   }
 
  private:
@@ -86,20 +77,12 @@ class ShoulderHung {
       highest = reversed(highest);
       top = highest.size() - top;
     }
-    ClothPath part;
-    for (std::size_t i = top; i < highest.size(); ++i) {
-      if (!part.empty() && is_below_waist(highest[i]) && !is_below_waist(part.back())) {
-        fall.parts.push_back({part.back().worn_to, flat_length(part)});
-        part.clear();
-      }
-      part.push_back(highest[i]);
-    }
-    if (part.empty()) return std::nullopt;
-    fall.parts.push_back({part.back().worn_to, flat_length(part)});
+    if (top >= highest.size()) return std::nullopt;
+    fall.end = highest.back().worn_to;
+    highest.erase(highest.begin(), highest.begin() + static_cast<std::ptrdiff_t>(top));
+    fall.length = flat_length(highest);
     return fall;
   }
-
-  bool is_below_waist(const PathStep& step) const { return hangs_from_waist(worn_as_[step.panel]); }
 
   /// The body's points at a plane, from the top down, without its feet.
   std::vector<Vec3> outline_at(double x) const {
@@ -140,21 +123,16 @@ class ShoulderHung {
 
   const DressedGarment& dressed_;
   const TriangleMesh& body_;
-  std::vector<PanelRole> worn_as_;
 };
 
 /// The x at which the neckline is the widest on both sides, a little outward. Empty: it has none.
-std::vector<double> sides_of_neck(const DressedGarment& dressed, const Skeleton& skeleton) {
-  for (const std::vector<int>& loop : border_loops(dressed.triangles, dressed.points.size())) {
-    std::vector<Vec3> curve;
-    curve.reserve(loop.size());
-    for (const int node : loop) curve.push_back(dressed.points[node]);
-    if (limbs_through(curve, skeleton) != through_neckline) continue;
-    const auto [right, left] =
-        std::ranges::minmax_element(curve, {}, [](const Vec3& p) { return p.x(); });
-    return {right->x() - beside_neck, left->x() + beside_neck};
-  }
-  return {};
+std::vector<double> sides_of_neck(const DressedGarment& dressed,
+                                  const std::vector<GarmentLevel>& levels) {
+  const auto neckline = std::ranges::find(levels, "neckline", &GarmentLevel::name);
+  if (neckline == levels.end()) return {};
+  const auto [right, left] =
+      std::ranges::minmax(neckline->nodes, {}, [&](int node) { return dressed.points[node].x(); });
+  return {dressed.points[right].x() - beside_neck, dressed.points[left].x() + beside_neck};
 }
 
 }  // namespace
@@ -191,6 +169,11 @@ double came_down_at_centre(const std::vector<int>& loop, const std::vector<doubl
   return crossings > 1 ? sum / crossings : mean;
 }
 
+bool left_its_place(const GarmentLevel& level, double height_error) {
+  return level.drafted_body &&
+         std::abs(*level.risen()) >= std::max(worth_saying_slid, height_error);
+}
+
 void set_drafted(const PanelMesh& pattern, const DressedGarment& dressed, const TriangleMesh& body,
                  const Skeleton& skeleton, std::vector<Girth>& girths,
                  std::vector<GarmentLevel>& levels) {
@@ -209,13 +192,14 @@ void set_drafted(const PanelMesh& pattern, const DressedGarment& dressed, const 
     girth.drafted_body = girth_at(height / (3.0 * static_cast<double>(girth.triangles.size())));
   }
   const double middle = skeleton.joint("pelvis").x();
-  const std::vector<double> sides = sides_of_neck(dressed, skeleton);
-  const ShoulderHung hung(pattern, dressed, body);
+  const std::vector<double> sides = sides_of_neck(dressed, levels);
+  const ShoulderHung hung(dressed, body);
+  const bool has_seam =
+      std::ranges::find(levels, "waist seam", &GarmentLevel::name) != levels.end();
   for (GarmentLevel& level : levels) {
-    if (level.is_of_limb || level.name == "waist seam") continue;
-    if (sides.empty()) {
+    if (sides.empty() && level.name == "top edge") {
       level.drafted = level.height + came_down_at_centre(level.nodes, starts, dressed, middle);
-    } else if (level.name == "hem") {
+    } else if (level.name == "hem" && !has_seam) {
       double sum = 0;
       int found = 0;
       for (const double x : sides) {

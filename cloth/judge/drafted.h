@@ -22,15 +22,20 @@ std::vector<double> start_heights(const PanelMesh& pattern, const DressedGarment
 double came_down_at_centre(const std::vector<int>& loop, const std::vector<double>& starts,
                            const DressedGarment& dressed, double middle);
 
+/// Whether an edge of the trunk hangs so far from where it was drafted to lie that it is said.
+/// Below the trunk the body tells no more where that is. `height_error` is that of the mesh,
+/// metres.
+bool left_its_place(const GarmentLevel& level, double height_error);
+
 /// Sets GarmentLevel::drafted and the drafted girths of the body.
 ///
 /// - The hem of what hangs from the shoulders lies below the side of the neck by the length of the
-///   panels. Where there is a waist seam, it lies below where that rests. The length runs over the
-///   body as a taut thread does, over bust or shoulder blades, and then straight down. Where front
-///   and back differ by less than 5 cm, the hem is meant level, and the shorter of them holds it.
-/// - A waist seam has none. A bodice may be longer than the body, to blouse over
-/// it.
-/// - All else: where it started, at the centre of front and back.
+///   panels. The length runs over the body as a taut thread does, over bust or shoulder blades, and
+///   then straight down. Where front and back differ by less than 5 cm, the hem is meant level, and
+///   the shorter of them holds it.
+/// - The top edge of what does not: where it started, at the centre of front and back.
+/// - A waist seam has none, nor what hangs from it: a bodice may blouse over it, a peplum stands
+/// off.
 ///
 /// `skeleton` has all limbs. Costs four slices, and one pass over the body a level.
 void set_drafted(const PanelMesh& pattern, const DressedGarment& dressed, const TriangleMesh& body,

@@ -22,7 +22,7 @@ Fit fit_of(const std::vector<Girth>& girths, const std::vector<GarmentLevel>& ga
     if (!fit.nearest || share(level) < share(*fit.nearest)) fit.nearest = level;
   };
   for (const Girth& girth : girths) {
-    if (girth.name.empty() || !girth.is_girth()) continue;
+    if (girth.name.empty() || !girth.is_girth() || girth.is_of_both_legs) continue;
     const FitLevel level{girth.name, girth.body, girth.as_cut, as_cut_error};
     if (girth.is_of_trunk) {
       compare_trunk(level, girth.drafted_body);
@@ -32,17 +32,12 @@ Fit fit_of(const std::vector<Girth>& girths, const std::vector<GarmentLevel>& ga
   }
   for (const GarmentLevel& level : garment_levels) {
     if (level.name == "neckline") continue;  // a collar may be narrower than the neck's base
-    FitLevel compared{level.name, level.body.value_or(0), level.as_cut, as_cut_error};
-    // Patterns state roughly where a top edge starts. It lacks what it lacks at both places.
-    const bool is_surer_at_rest =
-        level.name == "top edge" && level.body && level.body < level.drafted_body;
-    if (level.drafted_body && !is_surer_at_rest) {
-      compared.body = *level.drafted_body;
-      compared.error = level.drafted_body_error;
+    const std::optional<GarmentLevel::Compared> with = level.compared();
+    if (!with) continue;
+    FitLevel compared{level.name, with->body, level.as_cut, with->error};
+    if (with->is_drafted) {
       compared.drafted = level.drafted;
       compared.risen = *level.risen();
-    } else if (!level.body) {
-      continue;
     }
     if (level.is_of_limb) {
       compare(compared);

@@ -37,7 +37,7 @@ struct Fit {
 /// The levels of body and garment at which more is missing than flesh gives way (`flesh_give`). A
 /// knit that is meant to stretch is named, too. An edge is compared with the body where it was
 /// drafted to lie: too small, it rides up to where the body is slimmer. Rows that are
-/// no girths do not count.
+/// no girths do not count, nor those of both legs, which stand apart.
 Fit fit_of(const std::vector<Girth>& girths, const std::vector<GarmentLevel>& garment_levels);
 
 /// "ok", "too_small" or "not_checked".

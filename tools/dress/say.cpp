@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cloth/judge/constants.h"
+#include "cloth/judge/drafted.h"
 #include "cloth/scene/constants.h"
 #include "io/floor_height.h"
 #include "io/text.h"
@@ -99,8 +100,7 @@ void warn_of_fit(const Judgement& judgement, DressLog& log) {
                   centimetres(fit.nearest->body, 1) + " where it was drafted to lie"});
   }
   for (const GarmentLevel& level : judgement.levels) {
-    const double least = std::max(worth_saying_slid, judgement.height_error);
-    if (judgement.worn.slid || !level.drafted_body || std::abs(*level.risen()) < least) continue;
+    if (judgement.worn.slid || !left_its_place(level, judgement.height_error)) continue;
     const bool is_up = *level.risen() > 0;
     log.warn({is_up ? "rode_up" : "slid_down", level.name,
               "the " + level.name + " hangs " + centimetres(std::abs(*level.risen()), 1) +

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "cloth/ease/figure_errors.h"
-#include "cloth/judge/constants.h"
+#include "cloth/judge/drafted.h"
 #include "io/text.h"
 
 namespace toile {
@@ -28,10 +28,9 @@ void add_moved_edges(const EaseReport& report, const std::vector<FitLevel>& too_
   if (!report.dressing) return;
   const double error = report.dressing->height_error;
   for (const GarmentLevel& level : report.garment_levels) {
-    // What is too small tells where it went itself. Below the trunk the body tells no more where
-    // cloth was drafted to lie.
-    if (std::ranges::find(too_small, level.name, &FitLevel::level) != too_small.end() ||
-        !level.drafted_body || std::abs(*level.risen()) < std::max(worth_saying_slid, error)) {
+    // What is too small tells where it went itself.
+    if (!left_its_place(level, error) ||
+        std::ranges::find(too_small, level.name, &FitLevel::level) != too_small.end()) {
       continue;
     }
     const bool is_up = *level.risen() > 0;

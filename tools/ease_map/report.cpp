@@ -142,7 +142,7 @@ PageTable girth_table(const EaseReport& report) {
       "does, "
       "across hollows; the garment along the cloth with its folds. Ease is that of the cloth's "
       "inner face. As cut: the widths of the flat panels where the level crosses them. Heights are "
-      "above the floor. A skirt's thigh and knee go around both legs.";
+      "above the floor. A skirt's thigh and knee go around both legs as they stand.";
   for (const GirthLeftOut& level : report.girths.left_out) {
     table.remark += " The " + level.name + " is left out: " + level.why + ".";
   }

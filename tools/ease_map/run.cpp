@@ -63,9 +63,9 @@ void measure_girths(EaseReport& report, const SurfaceDistance& skin,
   GirthOptions options;
   options.heights = settings.heights;
   options.skin = &skin;
-  options.touching = report.options.contact;
   std::vector<PanelRole> roles = worn_as(report.garment.panels);
   if (report.dressing) {
+    options.touching = report.dressing->body_offset + contact_margin;
     options.grains = report.dressing->grains;
     roles = report.dressing->worn_as;
   }

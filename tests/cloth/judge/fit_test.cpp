@@ -89,6 +89,26 @@ TEST(Fit, AnEdgeThatRodeUpIsComparedWhereItWasDraftedToLie) {
             "lie, 86.3 cm above the floor, and hangs 4.3 cm higher: 92.0 cm around 97.9 cm");
 }
 
+TEST(Fit, LegsThatStandApartAreNoReason) {
+  Girth knee = girth("knee", 0.81, 0.75);
+  knee.is_of_trunk = false;
+  EXPECT_EQ(to_string(fit_of({knee}, {})), "too_small");
+  knee.is_of_both_legs = true;
+  EXPECT_EQ(to_string(fit_of({knee}, {})), "not_checked");
+}
+
+TEST(Fit, ATopEdgeCountsWhereItLacksTheLeast) {
+  GarmentLevel edge;
+  edge.name = "top edge";
+  edge.as_cut = 0.84;
+  edge.body = 0.842;
+  edge.drafted = 1.07;
+  edge.drafted_body = 0.86;
+  EXPECT_EQ(to_string(fit_of({}, {edge})), "ok");
+  edge.body = 0.88;
+  EXPECT_NEAR(fit_of({}, {edge}).levels.at(0).missing(), 0.02, 1e-12);
+}
+
 TEST(Fit, AFoldIsNoLevel) {
   Girth fold = girth("waist", 0.80, 0.50);
   fold.garment = 1.4 * fold.hull;
