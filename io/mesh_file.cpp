@@ -90,16 +90,18 @@ TriangleMesh fan_triangles(PolygonSoup soup) {
 }
 
 void write_mesh(const OutputPath& path, const TriangleMesh& mesh,
-                const std::vector<Colour>& colours) {
+                const MeshProperties& properties) {
   const Format format = format_of(path.path());
-  if (!colours.empty() && format != Format::ply) {
-    throw Error(path.path().string(), "only PLY can hold colours", "use .ply");
+  const bool is_plain = properties.colours.empty() && properties.points.empty() &&
+                        properties.triangles.empty();
+  if (!is_plain && format != Format::ply) {
+    throw Error(path.path().string(), "only PLY can hold colours and values", "use .ply");
   }
   switch (format) {
     case Format::obj:
       return write_obj(path, obj_of(mesh));
     case Format::ply:
-      return write_file(path, format_ply(mesh, colours));
+      return write_file(path, format_ply(mesh, properties));
     case Format::stl:
       return write_file(path, format_stl(mesh));
     case Format::off:

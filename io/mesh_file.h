@@ -23,12 +23,25 @@ PolygonSoup read_polygons(const std::filesystem::path& path);
 /// The soup as triangles. Each polygon is cut into a fan from its first corner.
 TriangleMesh fan_triangles(PolygonSoup soup);
 
+/// Values of a mesh's points or triangles, under a name without blanks.
+struct MeshProperty {
+  std::string name;
+  std::vector<double> values;
+};
+
+/// What a mesh file says besides the mesh. Each is empty or has one entry a point or triangle.
+struct MeshProperties {
+  std::vector<Colour> colours;          ///< of the points
+  std::vector<MeshProperty> points;     ///< written as floats
+  std::vector<MeshProperty> triangles;  ///< written as floats
+};
+
 /// Writes a mesh in the format of the path's extension, whole or not at all. OBJ, OFF and PLY
-/// (binary) keep the doubles exactly. STL holds floats and no shared points. `colours` is empty or
-/// holds one a point. Only PLY can hold colours. It throws Error for an unknown extension, for
-/// colours in another format, and as OutputFile does.
+/// (binary) keep the doubles exactly. STL holds floats and no shared points. Only PLY can hold
+/// properties. It throws Error for an unknown extension, for properties in another format, and as
+/// OutputFile does.
 void write_mesh(const OutputPath& path, const TriangleMesh& mesh,
-                const std::vector<Colour>& colours = {});
+                const MeshProperties& properties = {});
 
 /// Throws Error unless write_mesh() knows the extension. Call it before a long computation.
 void check_mesh_extension(const std::filesystem::path& path);

@@ -18,7 +18,7 @@ PolygonSoup parse_ply(std::string_view data, const std::string& name,
 PolygonSoup parse_stl(std::string_view data, const std::string& name);
 PolygonSoup parse_off(std::string_view data, const std::string& name);
 
-std::string format_ply(const TriangleMesh& mesh, const std::vector<Colour>& colours);
+std::string format_ply(const TriangleMesh& mesh, const MeshProperties& properties);
 std::string format_stl(const TriangleMesh& mesh);
 std::string format_off(const TriangleMesh& mesh);
 

@@ -308,25 +308,36 @@ PolygonSoup parse_ply(std::string_view data, const std::string& name, std::vecto
   return soup;
 }
 
-std::string format_ply(const TriangleMesh& mesh, const std::vector<Colour>& colours) {
+std::string format_ply(const TriangleMesh& mesh, const MeshProperties& properties) {
   std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " +
                       std::to_string(mesh.points.size()) +
                       "\nproperty double x\nproperty double y\nproperty double z\n";
-  if (!colours.empty()) {
+  if (!properties.colours.empty()) {
     bytes += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
   }
+  for (const MeshProperty& of : properties.points) bytes += "property float " + of.name + '\n';
   bytes += "element face " + std::to_string(mesh.triangles.size()) +
-           "\nproperty list uchar int vertex_indices\nend_header\n";
+           "\nproperty list uchar int vertex_indices\n";
+  for (const MeshProperty& of : properties.triangles) bytes += "property float " + of.name + '\n';
+  bytes += "end_header\n";
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
     for (int axis = 0; axis < 3; ++axis) store(bytes, mesh.points[i][axis]);
-    if (colours.empty()) continue;
-    for (const double channel : {colours.at(i).red, colours.at(i).green, colours.at(i).blue}) {
-      store(bytes, static_cast<std::uint8_t>(std::lround(255 * std::clamp(channel, 0.0, 1.0))));
+    if (!properties.colours.empty()) {
+      const Colour& colour = properties.colours.at(i);
+      for (const double channel : {colour.red, colour.green, colour.blue}) {
+        store(bytes, static_cast<std::uint8_t>(std::lround(255 * std::clamp(channel, 0.0, 1.0))));
+      }
+    }
+    for (const MeshProperty& of : properties.points) {
+      store(bytes, static_cast<float>(of.values.at(i)));
     }
   }
-  for (const Triangle& t : mesh.triangles) {
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     store(bytes, std::uint8_t{3});
-    for (const int corner : t) store(bytes, static_cast<std::int32_t>(corner));
+    for (const int corner : mesh.triangles[t]) store(bytes, static_cast<std::int32_t>(corner));
+    for (const MeshProperty& of : properties.triangles) {
+      store(bytes, static_cast<float>(of.values.at(t)));
+    }
   }
   return bytes;
 }

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
+#include "cloth/ease/inner_face.h"
 #include "cloth/judge/constants.h"
 #include "cloth/judge/flat_line.h"
+#include "cloth/scene/collider.h"
 #include "cloth/scene/constants.h"
 
 namespace toile {
@@ -40,7 +43,18 @@ class TightSeamSearch {
     }
   }
 
-  std::vector<TightSeam> run() const {
+  std::vector<TightSeam> run() {
+    // The middle of the cloth is strained at least as much as its inner face, which costs more.
+    double tension = 0;
+    if (std::ranges::none_of(garment_.seams, [&](const MeshedSeam& seam) {
+          return exceeds_bearable(seam, tension);
+        })) {
+      return {};
+    }
+    if (touches_body(model_.scene)) {
+      inner_.emplace(model_, nodes_, model_.scene.collider->skin(),
+                     model_.body_offset + contact_margin);
+    }
     std::vector<TightSeam> tight;
     for (const MeshedSeam& seam : garment_.seams) {
       TightSeam found;
@@ -76,7 +90,7 @@ class TightSeamSearch {
     if (at == nullptr) return 0;
     const Triangle& corners = model_.node_triangles[at->triangle];
     const auto forces = stretch_forces(
-        model_.stretch[at->triangle], options_, nodes_[corners[0]], nodes_[corners[1]],
+        inner_ ? inner_->pulling(at->triangle) : model_.stretch[at->triangle], options_, nodes_[corners[0]], nodes_[corners[1]],
         nodes_[corners[2]], multipliers_.empty() ? LimitMultiplier{} : multipliers_[at->triangle]);
     const Vec3& p = nodes_[corners[(at->corner + 1) % 3]];
     const Vec3& q = nodes_[corners[(at->corner + 2) % 3]];
@@ -162,11 +176,11 @@ class TightSeamSearch {
 
   /// Strain of a triangle along a flat direction. 0 where it is slack.
   double strain_along(int t, const Vec2& direction) const {
-    const StretchTriangle& s = model_.stretch[t];
+    const StretchTriangle worn = inner_ ? inner_->strained(t) : model_.stretch[t];
     const auto [weft, warp] = weft_and_warp(t, direction);
     Vec3 now = Vec3::Zero();
     for (int i = 0; i < 3; ++i) {
-      now += (weft * s.weft[i] + warp * s.warp[i]) * nodes_[model_.node_triangles[t][i]];
+      now += (weft * worn.weft[i] + warp * worn.warp[i]) * nodes_[model_.node_triangles[t][i]];
     }
     return std::max(0.0, now.norm() / std::hypot(weft, warp) - 1);
   }
@@ -183,6 +197,7 @@ class TightSeamSearch {
   const GarmentModel& model_;
   const std::vector<Vec3>& nodes_;
   const std::vector<LimitMultiplier>& multipliers_;
+  std::optional<InnerFace> inner_;  // none: not needed yet, or there is no body
   std::vector<int> panel_of_point_;
   StretchOptions options_;
   std::map<std::pair<int, int>, Beside> beside_;  // by the edge, lower point first

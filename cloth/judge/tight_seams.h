@@ -20,6 +20,8 @@ struct TightSeam {
 ///   For a soft fabric the bound is the tension that strains the cloth by `max_worn_strain`.
 /// - More cloth is missing beside the seam than `flesh_give`.
 ///
+/// Tension and stretch are those of the cloth's inner face (InnerFace), where the scene has a body.
+///
 /// Missing is the stretch of the cloth along the line square to the seam, through the panels on
 /// both sides. Half of a panel's stretch counts for the seam at its other end. So all seams around
 /// a tube together lack what the tube lacks.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
 
@@ -54,6 +55,12 @@ double number_of(const JsonValue& value, const std::string& key, const Quantity&
 }
 
 Fabric read_fabric(const std::string& text, const std::string& place) {
+  return fabric_from(JsonDocument(text, place).root(), place);
+}
+
+}  // namespace
+
+Fabric fabric_from(const JsonValue& root, const std::string& place) {
   Fabric fabric;
   const std::map<std::string, Quantity> quantities = {
       {"areal_density_kg_per_m2", {{&fabric.areal_density}, false, 100}},
@@ -68,8 +75,6 @@ Fabric read_fabric(const std::string& text, const std::string& place) {
       {"friction_skin", {{&fabric.friction_skin}, true, 100}},
       {"friction_cloth", {{&fabric.friction_cloth}, true, 100}},
       {"damping_s", {{&fabric.damping}, true, 1}}};
-  const JsonDocument document(text, place);
-  const JsonValue root = document.root();
   if (!root.is_object()) throw Error(place, "is no JSON object", "docs/fabrics.md states the keys");
   // Sorted: a key for both warp and weft is read before the keys for one of them.
   std::vector<std::string> keys = root.keys();
@@ -102,7 +107,18 @@ Fabric read_fabric(const std::string& text, const std::string& place) {
   return fabric;
 }
 
-}  // namespace
+nlohmann::ordered_json fabric_json(const Fabric& fabric) {
+  return {{"name", fabric.name},
+          {"areal_density_kg_per_m2", fabric.areal_density},
+          {"thickness_mm", 1000 * fabric.thickness},
+          {"stretch_warp_N_per_m", fabric.stretch_warp},
+          {"stretch_weft_N_per_m", fabric.stretch_weft},
+          {"shear_N_per_m", fabric.shear},
+          {"bending_warp_N_m", fabric.bending_warp},
+          {"bending_weft_N_m", fabric.bending_weft},
+          {"friction_skin", fabric.friction_skin},
+          {"friction_cloth", fabric.friction_cloth}};
+}
 
 std::vector<std::string> fabric_names() {
   std::vector<std::string> names = {Fabric().name};

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 namespace toile {
+
+class JsonValue;
 
 /// A fabric. The defaults are the design's: a light woven, not measured. Stretch and shear are
 /// moduli at small strain. The warp runs along the grain; for a knit, warp stands for the wales.
@@ -28,6 +31,13 @@ struct Fabric {
   /// damped more, but an explicit step has to stay below mass / (stiffness × damping).
   double damping = 2e-5;
 };
+
+/// Reads the keys of such a file from a JSON object; `place` names it in errors. Throws as
+/// find_fabric() does.
+Fabric fabric_from(const JsonValue& object, const std::string& place);
+
+/// The quantities of a fabric, as such a file has them.
+nlohmann::ordered_json fabric_json(const Fabric& fabric);
 
 /// N/m: Young's modulus in the direction at `angle` radians to the weft, of a sheet without
 /// contraction across [Jones 1999, Mechanics of Composite Materials, 2.6]. Shear counts as at least

@@ -82,13 +82,13 @@ TEST_F(MeshFile, StlKeepsTheTrianglesAsFloats) {
 TEST_F(MeshFile, PlyHoldsColoursAndIsStillRead) {
   const TriangleMesh mesh = test::cube();
   const std::vector<Colour> colours(mesh.points.size(), Colour{1, 128 / 255.0, 0});
-  write_mesh(folder_ / "m.ply", mesh, colours);
+  write_mesh(folder_ / "m.ply", mesh, MeshProperties{colours, {{"gap_mm", {1, 2, 3, 4, 5, 6, 7, 8}}}, {}});
   const std::string bytes = read_file(folder_ / "m.ply");
   EXPECT_NE(bytes.find("property uchar red\nproperty uchar green\nproperty uchar blue\n"),
             std::string::npos);
   EXPECT_NE(bytes.find("\xff\x80"), std::string::npos);
   EXPECT_EQ(read_mesh(folder_ / "m.ply").points, mesh.points);
-  EXPECT_THROW(write_mesh(folder_ / "m.obj", mesh, colours), Error);
+  EXPECT_THROW(write_mesh(folder_ / "m.obj", mesh, MeshProperties{colours, {{"gap_mm", {1, 2, 3, 4, 5, 6, 7, 8}}}, {}}), Error);
   EXPECT_FALSE(fs::exists(folder_ / "m.obj"));
 }
 

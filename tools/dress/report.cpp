@@ -1,9 +1,11 @@
 #include "tools/dress/report.h"
 
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "io/text.h"
 #include "pattern/classify/panel_class_json.h"
 #include "tools/dress/extra_offset.h"
 #include "tools/report.h"
@@ -199,6 +201,22 @@ Json continued_json(const ContinuedDress& continued) {
   return {{"outside_mm", 1000 * continued.outside}, {"seconds", continued.seconds}};
 }
 
+/// The fabrics that panels are cut from, with what the drape was computed with.
+Json fabrics_json(const WornLayer& layer) {
+  std::map<const Fabric*, Json> panels;
+  std::vector<const Fabric*> fabrics;
+  for (const MeshedPanel& panel : layer.garment.panels) {
+    const Fabric* fabric = &fabric_of(layer.scene, panel);
+    if (!panels.contains(fabric)) fabrics.push_back(fabric);
+    panels[fabric].push_back(valid_utf8(panel.name));
+  }
+  Json all = Json::array();
+  for (const Fabric* fabric : fabrics) {
+    all.push_back({{"panels", panels[fabric]}, {"quantities", fabric_json(*fabric)}});
+  }
+  return all;
+}
+
 /// What was simulated.
 Json scene_json(const WornLayer& layer) {
   const DressResult& result = layer.result;
@@ -210,6 +228,7 @@ Json scene_json(const WornLayer& layer) {
     if (panel.fabric.empty()) continue;
     json["panel_fabrics"][panel.name] = fabric_of(scene, panel).name;
   }
+  json["fabrics"] = fabrics_json(layer);
   json["gravity_m_per_s2"] = {scene.gravity.x(), scene.gravity.y(), scene.gravity.z()};
   json["body_offset_mm"] = 1000 * result.body_offset;
   if (const ExtraOffset extra = extra_offset_of(result.extra_offset); extra.nodes > 0) {

@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_of(const JsonValue& entry, const std::string& dressed_sha256) {
-  for (const char* key : {"verdict", "dressed_sha256", "scene", "fit", "panels", "warnings"}) {
+  for (const char* key : {"verdict", "dressed_sha256", "scene", "fit", "panels", "warnings", "inputs", "method"}) {
     if (!entry.find(key)) return false;
   }
   return entry.get("dressed_sha256").text() == dressed_sha256;
@@ -51,6 +51,29 @@ void read_levels(const JsonValue& entry, DressReport& report) {
     level.drafted_body_error = metres(json, "plus_minus_drafted_body_cm").value_or(0);
     report.height_error = json.get("plus_minus_height_cm").number() / 100;
     report.levels.push_back(std::move(level));
+  }
+}
+
+/// What the drape was computed with.
+void read_scene(const JsonValue& entry, DressReport& report) {
+  const JsonValue scene = entry.get("scene");
+  report.body_offset = scene.get("body_offset_mm").number() / 1000;
+  report.garment = entry.get("inputs").get("garment").text();
+  const JsonValue gravity = scene.get("gravity_m_per_s2");
+  for (int axis = 0; axis < 3; ++axis) report.gravity[axis] = gravity.item(axis).number();
+  report.is_relaxed = entry.get("method").text() == "relaxation";
+  const JsonValue terms = scene.get("terms");
+  for (const char* limit : {"strain_limit", "shear_limit"}) {
+    const auto count = terms.find(limit);
+    if (count && count->number() > 0) report.has_limits = true;
+  }
+  const auto fabrics = scene.find("fabrics");
+  for (std::size_t i = 0; fabrics && i < fabrics->size(); ++i) {
+    const JsonValue json = fabrics->item(i);
+    UsedFabric used{fabric_from(json.get("quantities"), "the report of dress"), {}};
+    const JsonValue panels = json.get("panels");
+    for (std::size_t p = 0; p < panels.size(); ++p) used.panels.push_back(panels.item(p).text());
+    report.fabrics.push_back(std::move(used));
   }
 }
 
@@ -92,7 +115,7 @@ std::optional<DressReport> read_dress_report(const fs::path& file, const fs::pat
   report.fit = read_fit(entry->get("fit"));
   report.warnings = read_warnings(*entry);
   read_levels(*entry, report);
-  report.body_offset = entry->get("scene").get("body_offset_mm").number() / 1000;
+  read_scene(*entry, report);
   const JsonValue panels = entry->get("panels");
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const double degrees = panels.item(i).get("grain_degrees").number();

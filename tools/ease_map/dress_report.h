@@ -7,9 +7,16 @@
 #include <vector>
 
 #include "cloth/judge/fit.h"
+#include "cloth/scene/fabric.h"
 #include "io/warning.h"
 
 namespace toile {
+
+/// A fabric of the garment, and the names of the panels that are cut from it.
+struct UsedFabric {
+  Fabric fabric;
+  std::vector<std::string> panels;
+};
 
 struct DressReport {
   std::string verdict;
@@ -21,6 +28,11 @@ struct DressReport {
   /// The garment's levels: names and where they were drafted to lie, with the error of a height.
   std::vector<GarmentLevel> levels;
   double height_error = 0;  ///< metres
+  std::filesystem::path garment;    ///< the meshed garment, as it was named then
+  std::vector<UsedFabric> fabrics;  ///< empty: an earlier version's report, which has none
+  Vec3 gravity{0, -9.81, 0};        ///< m/s²
+  bool is_relaxed = true;           ///< by the method whose forces measure_loads() knows
+  bool has_limits = false;          ///< of strain or shear
 };
 
 /// Where it is looked for: dressed.json beside dressed.obj.

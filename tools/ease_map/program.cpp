@@ -27,9 +27,12 @@ CommandLineProgram ease_map_program() {
   program.options.add_options()("body", po::value<std::string>()->required(),
                                 "the body, closed, as clean-body writes it")(
       "garment", po::value<std::string>()->required(), "the dressed garment; also as argument")(
+      "garment-mesh", po::value<std::string>(),
+      "the garment before it was dressed, for strain, tension and pressure (default: the one that "
+      "the report of dress names)")(
       "csv", po::value<std::string>(),
-      "write panel, flat and space coordinates, gap of each point")(
-      "ply", po::value<std::string>(), "write the garment with a colour at each point")(
+      "write panel, flat and space coordinates, gap, strain, tension and pressure of each point")(
+      "ply", po::value<std::string>(), "write the garment with a colour, gap and loads at each point, and loads of each triangle")(
       "png", po::value<std::string>(), "write a picture, front and back")(
       "skeleton", po::value<std::string>(),
       "the body's joints, for girths (default: body.body.json beside the body)")(
@@ -56,6 +59,7 @@ CommandLineProgram ease_map_program() {
     settings.png = path_option(given, "png");
     settings.skeleton = path_option(given, "skeleton");
     settings.dress_report = path_option(given, "dress-report");
+    settings.meshed = path_option(given, "garment-mesh");
     if (given.count("contact") != 0) {
       settings.contact = parse_length(given["contact"].as<std::string>(), "--contact");
     }
@@ -75,6 +79,7 @@ CommandLineProgram ease_map_program() {
     job.files.reads = {settings.garment, settings.body,
                        settings.skeleton.value_or(skeleton_beside(settings.body)),
                        settings.dress_report.value_or(dress_report_path(settings.garment))};
+    if (settings.meshed) job.files.reads.push_back(*settings.meshed);
     job.files.writes = {common.output};
     for (const auto& file : {settings.csv, settings.ply, settings.png}) {
       if (file) job.files.writes.push_back(*file);

@@ -13,6 +13,8 @@
 #include "io/view/picture.h"
 #include "io/view/viewer_page.h"
 #include "tools/ease_map/findings.h"
+#include "tools/ease_map/load_report.h"
+#include "tools/ease_map/numbers.h"
 #include "tools/report.h"
 
 namespace toile {
@@ -26,9 +28,6 @@ constexpr const char* definition =
 /// Enough to look smooth; a body's 50 thousand would be two thirds of the page.
 constexpr int page_body_triangles = 16000;
 
-std::string mm(double metres) { return fixed_number(1000 * metres, 1); }
-std::string cm(double metres) { return fixed_number(100 * metres, 1); }
-std::string percent_text(double share) { return fixed_number(100 * share, 1); }
 
 ColourRamp ramp_mm(const EaseReport& report) { return magnitude_ramp(0, 1000 * report.top); }
 
@@ -37,9 +36,6 @@ std::vector<double> gaps_mm(const EaseReport& report) {
   for (const double gap : report.map.node_gaps) gaps.push_back(1000 * gap);
   return gaps;
 }
-
-/// To four decimals: a tenth of a micrometre in mm is finer than anything measured here.
-double rounded(double value) { return std::round(value * 1e4) / 1e4; }
 
 nlohmann::ordered_json statistics_json(const EaseStatistics& statistics) {
   const auto in_mm = [](double metres) { return rounded(1000 * metres); };
@@ -315,7 +311,15 @@ std::string ease_csv(const EaseReport& report) {
   std::vector<std::string> names;
   for (const std::string& panel : report.garment.panels)
     names.push_back(csv_field(valid_utf8(panel)));
-  std::string text = "panel,u_m,v_m,x_m,y_m,z_m,gap_mm\n";
+  std::string text = "panel,u_m,v_m,x_m,y_m,z_m,gap_mm";
+  NodeLoads loads;
+  if (report.loads) {
+    loads = loads_at_nodes(report.garment, *report.loads);
+    text +=
+        ",strain_warp_percent,strain_weft_percent,strain_bias_percent,tension_warp_N_per_m,"
+        "tension_weft_N_per_m,pressure_kPa,friction_kPa";
+  }
+  text += '\n';
   for (const PointGap& point : report.map.points) {
     const Vec2& flat = report.garment.flat[static_cast<std::size_t>(point.flat)];
     const Vec3& place = report.garment.points[static_cast<std::size_t>(point.node)];
@@ -324,7 +328,18 @@ std::string ease_csv(const EaseReport& report) {
       text += ',';
       append_number(text, value);
     }
-    text += ',' + fixed_number(1000 * point.gap, 4) + '\n';
+    text += ',' + fixed_number(1000 * point.gap, 4);
+    if (report.loads) {
+      const auto n = static_cast<std::size_t>(point.node);
+      const NodeLoad& load = report.loads->nodes[n];
+      for (const double value :
+           {100 * loads.strain_warp[n], 100 * loads.strain_weft[n], 100 * loads.strain_bias[n],
+            loads.tension_warp[n], loads.tension_weft[n], load.pressure / 1000,
+            load.friction / 1000}) {
+        text += ',' + fixed_number(value, 4);
+      }
+    }
+    text += '\n';
   }
   return text;
 }
@@ -357,6 +372,7 @@ nlohmann::ordered_json ease_json(const EaseReport& report) {
   }
   if (!report.garment_levels.empty()) json["garment_levels"] = garment_levels_json(report);
   if (!report.lengths.empty()) json["lengths"] = lengths_json(report);
+  if (report.loads) json["loads"] = loads_json(report);
   return json;
 }
 
@@ -397,6 +413,7 @@ std::string ease_page(const EaseReport& report, const std::string& picture) {
   if (!report.targets.empty()) page.tables.push_back(target_table(report));
   if (!report.garment_levels.empty()) page.tables.push_back(garment_level_table(report));
   if (!report.lengths.empty()) page.tables.push_back(length_table(report));
+  if (report.loads) page.tables.push_back(load_table(report));
   page.still_png = picture;
   return viewer_page(page);
 }
@@ -428,11 +445,14 @@ std::vector<std::string> ease_pictures(const EaseReport& report, const std::vect
   return pictures;
 }
 
-std::vector<Colour> ease_colours(const EaseReport& report) {
+MeshProperties ease_properties(const EaseReport& report) {
   const ColourRamp ramp = ramp_mm(report);
-  std::vector<Colour> colours;
-  for (const double gap : gaps_mm(report)) colours.push_back(ramp.at(gap));
-  return colours;
+  MeshProperties properties;
+  const std::vector<double> gaps = gaps_mm(report);
+  for (const double gap : gaps) properties.colours.push_back(ramp.at(gap));
+  properties.points.push_back({"gap_mm", gaps});
+  if (report.loads) add_loads(*report.loads, properties);
+  return properties;
 }
 
 std::vector<std::string> ease_summary(const EaseReport& report) {

@@ -11,7 +11,9 @@
 #include "cloth/ease/garment_levels.h"
 #include "cloth/ease/girths.h"
 #include "cloth/ease/lengths.h"
-#include "io/view/colour.h"
+#include "cloth/ease/load_summary.h"
+#include "cloth/ease/loads.h"
+#include "io/mesh_file.h"
 #include "tools/ease_map/dress_report.h"
 
 namespace toile {
@@ -25,6 +27,9 @@ struct EaseReport {
   Girths girths;                             ///< empty: not measured
   std::vector<GarmentLevel> garment_levels;  ///< empty: not measured
   std::vector<GarmentLength> lengths;        ///< empty: not measured
+  std::optional<Loads> loads;                ///< none: not known, a note says why
+  std::vector<LoadRow> panel_loads;          ///< one a panel of the garment
+  std::vector<LoadRow> level_loads;          ///< one for each girth
   std::string target;                        ///< name of the ease meant; empty: not asked for
   std::vector<TargetFinding> targets;        ///< levels against it
   std::optional<DressReport> dressing;       ///< none: there is no report of dress
@@ -39,7 +44,9 @@ struct EaseReport {
 double suggested_top(const EaseMap& map);
 
 /// One row a point of the garment, in the order of EaseMap::points, under the header
-/// panel,u_m,v_m,x_m,y_m,z_m,gap_mm. Quoted as RFC 4180 says.
+/// panel,u_m,v_m,x_m,y_m,z_m,gap_mm. Where loads are known, these columns follow: strain_warp_percent,
+/// strain_weft_percent,strain_bias_percent,tension_warp_N_per_m,tension_weft_N_per_m,pressure_kPa,
+/// friction_kPa. Quoted as RFC 4180 says.
 std::string ease_csv(const EaseReport& report);
 
 /// Statistics of the garment and of each panel that has points, and girths, as JSON.
@@ -52,8 +59,8 @@ std::string ease_page(const EaseReport& report, const std::string& picture);
 /// Front and back with the colour bar, PNG, in each of the widths (of a view, in pixels).
 std::vector<std::string> ease_pictures(const EaseReport& report, const std::vector<int>& widths);
 
-/// The colour of each node.
-std::vector<Colour> ease_colours(const EaseReport& report);
+/// The colour and gap of each node, and the loads of nodes and triangles where they are known.
+MeshProperties ease_properties(const EaseReport& report);
 
 /// A few lines for the terminal.
 std::vector<std::string> ease_summary(const EaseReport& report);

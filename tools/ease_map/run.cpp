@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "cloth/ease/inner_face.h"
 #include "cloth/ease/standing_measures.h"
 #include "cloth/judge/fit.h"
 #include "cloth/scene/closed_body.h"
@@ -14,6 +15,7 @@
 #include "io/text.h"
 #include "pattern/file/garment_file.h"
 #include "tools/ease_map/report.h"
+#include "tools/ease_map/worn_loads.h"
 #include "tools/report.h"
 
 namespace toile {
@@ -21,9 +23,6 @@ namespace toile {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Metres: cloth that rests on the skin is held at its offset, and rarely more than this off it.
-constexpr double contact_margin = 0.001;
 
 /// What the report of dress beside the garment says; none, with a note, where there is no such
 /// report.
@@ -84,6 +83,29 @@ void measure_girths(EaseReport& report, const SurfaceDistance& skin,
   }
 }
 
+/// Strain, tension and pressure; none, with a note, where it is not known what was dressed.
+void measure_loads_of(EaseReport& report, const SurfaceDistance& skin,
+                      const EaseMapSettings& settings) {
+  if (!report.dressing) return;
+  const fs::path meshed =
+      meshed_garment_of(settings.garment, settings.meshed, *report.dressing);
+  const char* none = "no strain, tension and pressure: ";
+  std::error_code unreachable;
+  if (!settings.meshed && !fs::exists(meshed, unreachable)) {
+    report.notes.push_back(none + std::string("there is no ") + meshed.string() +
+                           "; give the meshed garment by --garment-mesh");
+    return;
+  }
+  WornLoads worn = worn_loads(report.garment, meshed, *report.dressing, skin);
+  if (!worn.loads) {
+    report.notes.push_back(none + worn.why_not);
+    return;
+  }
+  report.loads = std::move(worn.loads);
+  report.panel_loads = loads_of_panels(report.garment, *report.loads);
+  report.level_loads = loads_of_levels(report.garment, *report.loads, report.girths);
+}
+
 void warn(EaseReport& report, const Warning& warning) {
   CommonSettings::warn(warning.text);
   report.warnings.push_back(warning);
@@ -131,6 +153,7 @@ void run_ease_map(const EaseMapSettings& settings, const CommonSettings& common)
   const SurfaceDistance skin(report.body);
   report.map = measure_ease(report.garment, skin, report.options);
   measure_girths(report, skin, settings);
+  measure_loads_of(report, skin, settings);
   report.top = settings.top.value_or(suggested_top(report.map));
   if (settings.targets) {
     report.target = settings.targets->name;
@@ -149,7 +172,7 @@ void run_ease_map(const EaseMapSettings& settings, const CommonSettings& common)
   write_report(files, common, ease_json(report));
   if (settings.ply) {
     write_mesh(files.at(*settings.ply), {report.garment.points, report.garment.triangles},
-               ease_colours(report));
+               ease_properties(report));
   }
   std::vector<int> widths = {420};
   if (settings.png) widths.push_back(900);

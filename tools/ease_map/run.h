@@ -16,6 +16,8 @@ struct EaseMapSettings {
   std::optional<std::filesystem::path> csv, ply, png;
   std::optional<std::filesystem::path> skeleton;      ///< none: beside the body, if there
   std::optional<std::filesystem::path> dress_report;  ///< none: beside the garment, if there
+  /// The garment before it was dressed, for loads; none: as the report of dress names it, if there.
+  std::optional<std::filesystem::path> meshed;
   /// Metres: cloth nearer than this touches the skin. None: 1 mm more than the offset at which the
   /// cloth was draped, if the report of dress says it, else EaseOptions::contact.
   std::optional<double> contact;

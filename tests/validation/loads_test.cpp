@@ -1,0 +1,136 @@
+// Strain, pressure and contact of cloth on cylinders, as ease-map tells them of a drape that is
+// held off the skin [reference case 8].
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "cloth/ease/inner_face.h"
+#include "cloth/ease/loads.h"
+#include "cloth/model/compile.h"
+#include "cloth/relaxation/relax.h"
+#include "cloth/scene/collider.h"
+#include "tests/cloth/panels.h"
+#include "tests/support/tubes.h"
+#include "tests/validation/report.h"
+
+namespace toile {
+namespace loads_test {
+
+constexpr double pi = std::numbers::pi;
+constexpr double height = 0.09;
+
+/// A tube of cloth around a cylinder, at rest on it as dress lets it rest: held off by the offset,
+/// with its edges kept off the body.
+struct WornTube {
+  PanelMesh garment;
+  GarmentModel model;
+  std::vector<Vec3> nodes;
+  Loads loads;
+  int sides = 0;
+  int rows = 0;
+  double edge = 0;
+};
+
+/// `strain`: of the tube's girth at rest against the cylinder's.
+WornTube worn_on(double radius, double strain, double edge, double offset, const Fabric& fabric) {
+  const Collider body(test::closed_tube(radius, radius, 0.3, 720));
+  WornTube tube;
+  tube.edge = edge;
+  const double girth = 2 * pi * radius / (1 + strain);
+  tube.sides = static_cast<int>(std::lround(girth / edge));
+  tube.rows = static_cast<int>(std::lround(height / edge));
+  const double start = (radius + 1.5 * offset) / (1 - edge * edge / (8 * radius * radius));
+  test::add_panel(tube.garment, "tube", test::grid(girth, height, tube.sides, tube.rows),
+                  [&](const Vec2& p) {
+                    const double angle = 2 * pi * p.x() / girth;
+                    return Vec3(start * std::sin(angle), 0.1 + p.y(), start * std::cos(angle));
+                  });
+  tube.garment.edge_length = edge;
+  tube.garment.seams = {
+      test::seam("", test::side(tube.garment.panels[0], tube.sides, tube.rows, false),
+                 test::side(tube.garment.panels[0], tube.sides, tube.rows, true))};
+  Scene scene;
+  scene.collider = &body;
+  scene.self_contact = false;
+  scene.fabric = fabric;
+  tube.model = compile(tube.garment, scene, tube.garment.placed, offset);
+  RelaxOptions options;
+  options.max_iterations = 40000;
+  options.friction = true;
+  options.bounded_by_body = true;
+  options.stop_median = options.stop_rms = 1e-2;
+  tube.nodes = tube.model.start;
+  EXPECT_TRUE(relax(tube.model, options, tube.nodes).converged) << radius << ' ' << edge;
+  tube.loads = measure_loads(tube.model, tube.nodes, body.skin(), offset + contact_margin);
+  return tube;
+}
+
+struct Means {
+  double strain = 0;
+  double tension = 0;
+  double pressure = 0;
+};
+
+/// Away from the borders, where the cloth curls.
+Means means_of(const WornTube& tube) {
+  Means means;
+  double area = 0;
+  for (std::size_t t = 0; t < tube.loads.triangles.size(); ++t) {
+    const TriangleLoad& load = tube.loads.triangles[t];
+    area += load.area;
+    means.strain += load.area * load.strain_weft;
+    means.tension += load.area * load.tension_weft;
+  }
+  means.strain /= area;
+  means.tension /= area;
+  double force = 0;
+  double pressed = 0;
+  for (const NodeLoad& load : tube.loads.nodes) {
+    EXPECT_TRUE(load.touches);
+    force += load.area * load.pressure;
+    pressed += load.area;
+  }
+  means.pressure = force / pressed;
+  return means;
+}
+
+TEST(Loads, OfTubesOnCylindersAreLaplaces) {
+  Fabric fabric;
+  fabric.stretch_weft = 500;
+  for (const auto& [edge, offset, bound] :
+       {std::tuple(0.015, 0.002, 0.02), {0.005, 0.002, 0.005}, {0.025, 0.0036, 0.05}}) {
+    for (const double radius : {0.025, 0.05, 0.1, 0.2}) {
+      for (const double strain : {0.005, 0.05}) {
+        const Means means = means_of(worn_on(radius, strain, edge, offset, fabric));
+        const std::string tube = "tube " + test::number(100 * strain, 2) +
+                                 " % too small on a cylinder of " + test::number(100 * radius) +
+                                 " cm, held off by " + test::number(1000 * offset) + " mm: ";
+        const std::string mesh = test::number(1000 * edge, 2) + " mm";
+        const double tension = fabric.stretch_weft * strain;
+        test::Figure of_strain{tube + "hoop strain of the inner face", "loads", mesh, "%"};
+        test::expect_near(of_strain, 100 * means.strain, 100 * strain, 0.005);
+        test::Figure of_pressure{tube + "pressure", "loads", mesh, "Pa"};
+        if (strain > 0.01) {
+          test::expect_relative(of_pressure, means.pressure, tension / radius, bound);
+        } else {
+          test::state(of_pressure, means.pressure, test::number(tension / radius) + " Pa");
+        }
+      }
+    }
+  }
+}
+
+TEST(Loads, OfAHangingTubeAddUpToItsWeight) {
+  Fabric fabric;
+  for (const double edge : {0.015, 0.01}) {
+    const WornTube tube = worn_on(0.12, 0.03, edge, 0.002, fabric);
+    const Vec3 weight = -tube.loads.weight * Vec3::UnitY();
+    test::expect_near({"tube that friction holds: forces of the skin and weight, their sum", "loads",
+                       test::number(1000 * edge, 2) + " mm", "% of the weight"},
+                      100 * (tube.loads.of_skin + weight).norm() / tube.loads.weight, 0, 1);
+  }
+}
+
+}  // namespace loads_test
+}  // namespace toile
