@@ -92,8 +92,8 @@ TriangleMesh fan_triangles(PolygonSoup soup) {
 void write_mesh(const OutputPath& path, const TriangleMesh& mesh,
                 const MeshProperties& properties) {
   const Format format = format_of(path.path());
-  const bool is_plain = properties.colours.empty() && properties.points.empty() &&
-                        properties.triangles.empty();
+  const bool is_plain =
+      properties.colours.empty() && properties.points.empty() && properties.triangles.empty();
   if (!is_plain && format != Format::ply) {
     throw Error(path.path().string(), "only PLY can hold colours and values", "use .ply");
   }

@@ -6,9 +6,9 @@
 #include <map>
 #include <optional>
 
-#include "cloth/ease/inner_face.h"
 #include "cloth/judge/constants.h"
 #include "cloth/judge/flat_line.h"
+#include "cloth/loads/inner_face.h"
 #include "cloth/scene/collider.h"
 #include "cloth/scene/constants.h"
 
@@ -89,9 +89,10 @@ class TightSeamSearch {
     const Beside* at = beside(a, b);
     if (at == nullptr) return 0;
     const Triangle& corners = model_.node_triangles[at->triangle];
-    const auto forces = stretch_forces(
-        inner_ ? inner_->pulling(at->triangle) : model_.stretch[at->triangle], options_, nodes_[corners[0]], nodes_[corners[1]],
-        nodes_[corners[2]], multipliers_.empty() ? LimitMultiplier{} : multipliers_[at->triangle]);
+    const auto forces =
+        stretch_forces(inner_ ? inner_->pulling(at->triangle) : model_.stretch[at->triangle],
+                       options_, nodes_[corners[0]], nodes_[corners[1]], nodes_[corners[2]],
+                       multipliers_.empty() ? LimitMultiplier{} : multipliers_[at->triangle]);
     const Vec3& p = nodes_[corners[(at->corner + 1) % 3]];
     const Vec3& q = nodes_[corners[(at->corner + 2) % 3]];
     const Vec3 along = (q - p).normalized();

@@ -79,16 +79,23 @@ TEST_F(MeshFile, StlKeepsTheTrianglesAsFloats) {
   }
 }
 
-TEST_F(MeshFile, PlyHoldsColoursAndIsStillRead) {
+TEST_F(MeshFile, PlyHoldsColoursAndValuesAndIsStillRead) {
   const TriangleMesh mesh = test::cube();
   const std::vector<Colour> colours(mesh.points.size(), Colour{1, 128 / 255.0, 0});
-  write_mesh(folder_ / "m.ply", mesh, MeshProperties{colours, {{"gap_mm", {1, 2, 3, 4, 5, 6, 7, 8}}}, {}});
+  MeshProperties properties;
+  properties.colours = colours;
+  properties.points = {{"gap_mm", std::vector<double>(mesh.points.size(), 2.5)}};
+  properties.triangles = {{"tension", std::vector<double>(mesh.triangles.size(), 7)}};
+  write_mesh(folder_ / "m.ply", mesh, properties);
   const std::string bytes = read_file(folder_ / "m.ply");
   EXPECT_NE(bytes.find("property uchar red\nproperty uchar green\nproperty uchar blue\n"),
             std::string::npos);
   EXPECT_NE(bytes.find("\xff\x80"), std::string::npos);
+  EXPECT_NE(bytes.find("property float gap_mm\nelement face"), std::string::npos);
+  EXPECT_NE(bytes.find("property float tension\nend_header"), std::string::npos);
   EXPECT_EQ(read_mesh(folder_ / "m.ply").points, mesh.points);
-  EXPECT_THROW(write_mesh(folder_ / "m.obj", mesh, MeshProperties{colours, {{"gap_mm", {1, 2, 3, 4, 5, 6, 7, 8}}}, {}}), Error);
+  EXPECT_EQ(read_mesh(folder_ / "m.ply").polygons.size(), mesh.triangles.size());
+  EXPECT_THROW(write_mesh(folder_ / "m.obj", mesh, properties), Error);
   EXPECT_FALSE(fs::exists(folder_ / "m.obj"));
 }
 

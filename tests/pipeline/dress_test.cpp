@@ -387,8 +387,13 @@ TEST_F(DressInput, PanelsNameTheirFabrics) {
   EXPECT_TRUE(done.exit_code == 0 || done.exit_code == 3) << done.err;
   const Json scene = Json::parse(read_text(report))["scene"];
   EXPECT_EQ(scene["fabric"], "silk-satin");
-  EXPECT_EQ(scene["panel_fabrics"]["front"], "denim");
-  EXPECT_EQ(scene["panel_fabrics"]["back"], "jersey");
+  for (const auto& [panel, fabric] : {std::pair("front", "denim"), {"back", "jersey"}}) {
+    const auto used = std::ranges::find_if(scene["fabrics"], [&](const Json& one) {
+      return std::ranges::find(one["panels"], panel) != one["panels"].end();
+    });
+    ASSERT_NE(used, scene["fabrics"].end());
+    EXPECT_EQ((*used)["quantities"]["name"], fabric);
+  }
 }
 
 TEST_F(DressInput, SettingsThatMakeNoSense) {

@@ -196,7 +196,7 @@ TEST_F(ReportSchema, HoldsForWhatToileFitWrites) {
   const pipeline::Run done = run("toile", {"fit", "--body", body, sample("gathered_skirt"), "-o",
                                            folder / "fit", "--edge-length", "40mm", "-q"});
   EXPECT_EQ(done.exit_code, 0) << done.err;
-  expect_valid("dress", "fit/dressed.json", {"/scene/panel_fabrics"});
+  expect_valid("dress", "fit/dressed.json", {"/scene/fabrics/0"});
 }
 
 TEST_F(ReportSchemaOfStarts, HoldsForElasticsAttachmentsAndRelease) {

@@ -1,12 +1,13 @@
 // Strain, pressure and contact of cloth on cylinders, as ease-map tells them of a drape that is
 // held off the skin [reference case 8].
+#include "cloth/loads/loads.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "cloth/ease/inner_face.h"
-#include "cloth/ease/loads.h"
+#include "cloth/loads/inner_face.h"
 #include "cloth/model/compile.h"
 #include "cloth/relaxation/relax.h"
 #include "cloth/scene/collider.h"
@@ -20,8 +21,8 @@ namespace loads_test {
 constexpr double pi = std::numbers::pi;
 constexpr double height = 0.09;
 
-/// A tube of cloth around a cylinder, at rest on it as dress lets it rest: held off by the offset,
-/// with its edges kept off the body.
+/// A tube of cloth at rest around a cylinder. As in dress, the offset holds it off the body, and so
+/// are the middles of its edges.
 struct WornTube {
   PanelMesh garment;
   GarmentModel model;
@@ -126,8 +127,8 @@ TEST(Loads, OfAHangingTubeAddUpToItsWeight) {
   for (const double edge : {0.015, 0.01}) {
     const WornTube tube = worn_on(0.12, 0.03, edge, 0.002, fabric);
     const Vec3 weight = -tube.loads.weight * Vec3::UnitY();
-    test::expect_near({"tube that friction holds: forces of the skin and weight, their sum", "loads",
-                       test::number(1000 * edge, 2) + " mm", "% of the weight"},
+    test::expect_near({"tube that friction holds: forces of the skin and weight, their sum",
+                       "loads", test::number(1000 * edge, 2) + " mm", "% of the weight"},
                       100 * (tube.loads.of_skin + weight).norm() / tube.loads.weight, 0, 1);
   }
 }

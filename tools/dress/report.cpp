@@ -224,10 +224,6 @@ Json scene_json(const WornLayer& layer) {
   Json json;
   for (const auto& [term, count] : result.terms) json["terms"][term] = count;
   json["fabric"] = scene.fabric.name;
-  for (const MeshedPanel& panel : layer.garment.panels) {
-    if (panel.fabric.empty()) continue;
-    json["panel_fabrics"][panel.name] = fabric_of(scene, panel).name;
-  }
   json["fabrics"] = fabrics_json(layer);
   json["gravity_m_per_s2"] = {scene.gravity.x(), scene.gravity.y(), scene.gravity.z()};
   json["body_offset_mm"] = 1000 * result.body_offset;

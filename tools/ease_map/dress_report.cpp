@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_of(const JsonValue& entry, const std::string& dressed_sha256) {
-  for (const char* key : {"verdict", "dressed_sha256", "scene", "fit", "panels", "warnings", "inputs", "method"}) {
+  for (const char* key : {"verdict", "dressed_sha256", "scene", "fit", "panels", "warnings"}) {
     if (!entry.find(key)) return false;
   }
   return entry.get("dressed_sha256").text() == dressed_sha256;
@@ -54,10 +54,19 @@ void read_levels(const JsonValue& entry, DressReport& report) {
   }
 }
 
-/// What the drape was computed with.
+/// What the drape was computed with. Reports of earlier versions have no fabrics.
 void read_scene(const JsonValue& entry, DressReport& report) {
   const JsonValue scene = entry.get("scene");
   report.body_offset = scene.get("body_offset_mm").number() / 1000;
+  const auto fabrics = scene.find("fabrics");
+  if (!fabrics) return;
+  for (std::size_t i = 0; i < fabrics->size(); ++i) {
+    const JsonValue json = fabrics->item(i);
+    UsedFabric used{fabric_from(json.get("quantities"), "the report of dress"), {}};
+    const JsonValue panels = json.get("panels");
+    for (std::size_t p = 0; p < panels.size(); ++p) used.panels.push_back(panels.item(p).text());
+    report.fabrics.push_back(std::move(used));
+  }
   report.garment = entry.get("inputs").get("garment").text();
   const JsonValue gravity = scene.get("gravity_m_per_s2");
   for (int axis = 0; axis < 3; ++axis) report.gravity[axis] = gravity.item(axis).number();
@@ -66,14 +75,6 @@ void read_scene(const JsonValue& entry, DressReport& report) {
   for (const char* limit : {"strain_limit", "shear_limit"}) {
     const auto count = terms.find(limit);
     if (count && count->number() > 0) report.has_limits = true;
-  }
-  const auto fabrics = scene.find("fabrics");
-  for (std::size_t i = 0; fabrics && i < fabrics->size(); ++i) {
-    const JsonValue json = fabrics->item(i);
-    UsedFabric used{fabric_from(json.get("quantities"), "the report of dress"), {}};
-    const JsonValue panels = json.get("panels");
-    for (std::size_t p = 0; p < panels.size(); ++p) used.panels.push_back(panels.item(p).text());
-    report.fabrics.push_back(std::move(used));
   }
 }
 

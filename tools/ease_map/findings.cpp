@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "cloth/ease/figure_errors.h"
 #include "cloth/judge/drafted.h"
@@ -13,6 +14,11 @@ namespace {
 
 /// Lines at most; a fitter's eye takes in no more at once.
 constexpr std::size_t most_lines = 8;
+
+/// Pa: a larger pressure over load_patch is told. It is the most that is cited for daily wear. Of
+/// four garments that are too small, all press harder than half of it. Two press harder than it,
+/// and none harder than double.
+constexpr double hard_pressure = 2000;
 
 struct Finding {
   double size = 0;  ///< metres
@@ -56,6 +62,25 @@ void add_sides(const EaseReport& report, std::vector<Finding>& findings) {
   }
 }
 
+/// Where it presses hardest, if that is hard.
+std::optional<std::string> hard_place(const EaseReport& report) {
+  const auto harder = [](const LoadRow& a, const LoadRow& b) {
+    return a.pressure.largest < b.pressure.largest;
+  };
+  const auto panel = std::ranges::max_element(report.panel_loads, harder);
+  if (panel == report.panel_loads.end() || panel->pressure.largest <= hard_pressure) return {};
+  std::string text =
+      valid_utf8(panel->name) + " presses with " + fixed_number(panel->pressure.largest / 1000, 1) +
+      " \xC2\xB1 " + fixed_number(largest_pressure_error(panel->pressure.largest) / 1000, 1) +
+      " kPa on " + fixed_number(1e4 * load_patch, 0) + " cm\xC2\xB2 at a height of " +
+      centimetres(report.garment.points[panel->pressure.node].y(), 0);
+  const auto level = std::ranges::find_if(report.level_loads, [&](const LoadRow& row) {
+    return !row.name.empty() && row.pressure.node == panel->pressure.node;
+  });
+  if (level != report.level_loads.end()) text += ", the " + level->name;
+  return text + ": more than " + fixed_number(hard_pressure / 1000, 1) + " kPa";
+}
+
 }  // namespace
 
 std::vector<std::string> findings_of(const EaseReport& report) {
@@ -74,6 +99,11 @@ std::vector<std::string> findings_of(const EaseReport& report) {
   }
   add_sides(report, findings);
   std::ranges::stable_sort(findings, std::ranges::greater{}, &Finding::size);
+  // It has no centimetres to be ordered by.
+  if (std::optional<std::string> hard = hard_place(report)) {
+    if (findings.size() >= most_lines) findings.resize(most_lines - 1);
+    findings.push_back({0, std::move(*hard)});
+  }
   if (findings.size() > most_lines) findings.resize(most_lines);
   std::vector<std::string> lines;
   lines.reserve(findings.size());

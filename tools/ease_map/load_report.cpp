@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cloth/ease/figure_errors.h"
 #include "io/text.h"
 #include "tools/ease_map/numbers.h"
 
@@ -9,24 +10,32 @@ namespace toile {
 
 namespace {
 
+using LoadError = double (*)(double);
 
-/// A load's mean and largest value, in a unit of which `scale` is one, and where that is.
-nlohmann::ordered_json load_json(const EaseReport& report, const LoadFigure& figure,
-                                 double scale) {
-  nlohmann::ordered_json json = {{"mean", rounded(figure.mean / scale)}};
+/// A load's mean and largest value with their errors, in a unit of which `scale` is one, and where
+/// the largest is.
+nlohmann::ordered_json load_json(const EaseReport& report, const LoadFigure& figure, double scale,
+                                 LoadError mean_error, LoadError largest_error) {
+  nlohmann::ordered_json json = {{"mean", rounded(figure.mean / scale)},
+                                 {"plus_minus_mean", rounded(mean_error(figure.mean) / scale)}};
   if (figure.node < 0) return json;
   const Vec3& at = report.garment.points[static_cast<std::size_t>(figure.node)];
   json["largest"] = rounded(figure.largest / scale);
+  json["plus_minus_largest"] = rounded(largest_error(figure.largest) / scale);
   json["at_cm"] = {rounded(100 * at.x()), rounded(100 * at.y()), rounded(100 * at.z())};
   return json;
 }
 
 nlohmann::ordered_json load_row_json(const EaseReport& report, const LoadRow& row) {
-  return {{"strain_warp_percent", load_json(report, row.strain_warp, 0.01)},
-          {"strain_weft_percent", load_json(report, row.strain_weft, 0.01)},
-          {"strain_bias_percent", load_json(report, row.strain_bias, 0.01)},
-          {"tension_N_per_m", load_json(report, row.tension, 1)},
-          {"pressure_kPa", load_json(report, row.pressure, 1000)},
+  const auto strain = [&](const LoadFigure& figure) {
+    return load_json(report, figure, 0.01, strain_error, strain_error);
+  };
+  return {{"strain_warp_percent", strain(row.strain_warp)},
+          {"strain_weft_percent", strain(row.strain_weft)},
+          {"strain_bias_percent", strain(row.strain_bias)},
+          {"tension_N_per_m", load_json(report, row.tension, 1, tension_error, tension_error)},
+          {"pressure_kPa",
+           load_json(report, row.pressure, 1000, mean_pressure_error, largest_pressure_error)},
           {"touching_percent", rounded(100 * row.touching)}};
 }
 
@@ -85,7 +94,10 @@ PageTable load_table(const EaseReport& report) {
   table.remark =
       "Each pair is the mean and the largest mean over " + fixed_number(1e4 * load_patch, 0) +
       " cm\xC2\xB2. Strain is of the cloth's inner face where it touches. Pull is the larger "
-      "principal tension; the mean of a level is along it. The mean pressure is of what touches.";
+      "principal tension; the mean of a level is along it. The mean pressure is of what touches. "
+      "Nine "
+      "of ten values at edges of 15 mm are within 0.5 % and 0.4 of themselves (strain), 5 N/m and "
+      "0.4 (pull), 0.1 kPa and 0.4 (mean pressure), 0.3 kPa and 0.5 (largest pressure).";
   return table;
 }
 

@@ -32,7 +32,8 @@ CommandLineProgram ease_map_program() {
       "the report of dress names)")(
       "csv", po::value<std::string>(),
       "write panel, flat and space coordinates, gap, strain, tension and pressure of each point")(
-      "ply", po::value<std::string>(), "write the garment with a colour, gap and loads at each point, and loads of each triangle")(
+      "ply", po::value<std::string>(),
+      "write the garment with a colour, gap and loads at each point, and loads of each triangle")(
       "png", po::value<std::string>(), "write a picture, front and back")(
       "skeleton", po::value<std::string>(),
       "the body's joints, for girths (default: body.body.json beside the body)")(

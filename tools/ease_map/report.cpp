@@ -28,7 +28,6 @@ constexpr const char* definition =
 /// Enough to look smooth; a body's 50 thousand would be two thirds of the page.
 constexpr int page_body_triangles = 16000;
 
-
 ColourRamp ramp_mm(const EaseReport& report) { return magnitude_ramp(0, 1000 * report.top); }
 
 std::vector<double> gaps_mm(const EaseReport& report) {

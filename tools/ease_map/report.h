@@ -11,8 +11,8 @@
 #include "cloth/ease/garment_levels.h"
 #include "cloth/ease/girths.h"
 #include "cloth/ease/lengths.h"
-#include "cloth/ease/load_summary.h"
-#include "cloth/ease/loads.h"
+#include "cloth/loads/load_summary.h"
+#include "cloth/loads/loads.h"
 #include "io/mesh_file.h"
 #include "tools/ease_map/dress_report.h"
 
@@ -44,7 +44,8 @@ struct EaseReport {
 double suggested_top(const EaseMap& map);
 
 /// One row a point of the garment, in the order of EaseMap::points, under the header
-/// panel,u_m,v_m,x_m,y_m,z_m,gap_mm. Where loads are known, these columns follow: strain_warp_percent,
+/// panel,u_m,v_m,x_m,y_m,z_m,gap_mm. Where loads are known, these columns follow:
+/// strain_warp_percent,
 /// strain_weft_percent,strain_bias_percent,tension_warp_N_per_m,tension_weft_N_per_m,pressure_kPa,
 /// friction_kPa. Quoted as RFC 4180 says.
 std::string ease_csv(const EaseReport& report);

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "cloth/ease/inner_face.h"
 #include "cloth/ease/standing_measures.h"
 #include "cloth/judge/fit.h"
+#include "cloth/loads/inner_face.h"
 #include "cloth/scene/closed_body.h"
 #include "geometry/error.h"
 #include "io/mesh_file.h"
@@ -87,12 +87,15 @@ void measure_girths(EaseReport& report, const SurfaceDistance& skin,
 void measure_loads_of(EaseReport& report, const SurfaceDistance& skin,
                       const EaseMapSettings& settings) {
   if (!report.dressing) return;
-  const fs::path meshed =
-      meshed_garment_of(settings.garment, settings.meshed, *report.dressing);
-  const char* none = "no strain, tension and pressure: ";
+  const std::string none = "no strain, tension and pressure: ";
+  if (report.dressing->fabrics.empty()) {
+    report.notes.push_back(none + "the report of dress has no fabrics; dress the garment anew");
+    return;
+  }
+  const fs::path meshed = meshed_garment_of(settings.garment, settings.meshed, *report.dressing);
   std::error_code unreachable;
   if (!settings.meshed && !fs::exists(meshed, unreachable)) {
-    report.notes.push_back(none + std::string("there is no ") + meshed.string() +
+    report.notes.push_back(none + "there is no " + meshed.string() +
                            "; give the meshed garment by --garment-mesh");
     return;
   }

@@ -1,6 +1,6 @@
 #include "tools/ease_map/worn_loads.h"
 
-#include "cloth/ease/inner_face.h"
+#include "cloth/loads/inner_face.h"
 #include "cloth/model/compile.h"
 #include "geometry/error.h"
 #include "pattern/file/garment_file.h"
@@ -51,7 +51,6 @@ WornLoads worn_loads(const DressedGarment& dressed, const fs::path& meshed,
                      const DressReport& report, const SurfaceDistance& skin) {
   if (!report.is_relaxed) return {{}, "the drape was made by another method than relaxation"};
   if (report.has_limits) return {{}, "limits of strain or shear held the drape, too"};
-  if (report.fabrics.empty()) return {{}, "the report of dress has no fabrics: dress it anew"};
   PanelMesh garment = read_garment(meshed);
   if (garment.triangles != dressed.flat_triangles || garment.flat != dressed.flat) {
     throw Error(meshed.string(), "is another garment than the dressed one",

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "cloth/ease/loads.h"
+#include "cloth/loads/loads.h"
 #include "tools/ease_map/dress_report.h"
 
 namespace toile {
@@ -23,7 +23,8 @@ std::filesystem::path meshed_garment_of(const std::filesystem::path& dressed,
                                         const DressReport& report);
 
 /// Reads the meshed garment and measures the loads of `dressed`, in the order of its nodes and
-/// triangles. Throws Error as read_garment() does, and where the two are not the same garment.
+/// triangles. The report has fabrics. Throws Error as read_garment() does, and where the two are
+/// not the same garment.
 WornLoads worn_loads(const DressedGarment& dressed, const std::filesystem::path& meshed,
                      const DressReport& report, const SurfaceDistance& skin);
 

@@ -138,6 +138,7 @@ FitEnd fit_pattern(const FitSettings& settings, const FitFiles& files, const Cle
   EaseMapSettings ease;
   ease.garment = files.dressed;
   ease.dress_report = files.report;
+  ease.meshed = files.garment;
   ease.body = settings.dress.body;
   ease.targets = settings.targets;
   if (settings.pictures) ease.png = files.ease_picture;

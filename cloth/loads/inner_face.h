@@ -15,9 +15,13 @@ inline constexpr double contact_margin = 0.001;
 /// Where a garment touches the body, and how long its inner face is there.
 ///
 /// A drape is held off the skin by an offset, and on a narrow limb by the rise of the skin between
-/// two nodes, too. So around a limb its middle is longer than its inner face, which lies on the
-/// skin: by 8 % around a wrist at edges of 15 mm. A cuff without ease would look strained by that.
-/// The skin is as long between two nodes as the arc between their feet on it.
+/// two nodes, too. So around a limb its middle is longer than its inner face on the skin. Around a
+/// wrist it is by 8 % at edges of 15 mm. A cuff without ease would look strained by that. Where
+/// skin turns by an angle between two nodes, the inner face is shorter by that angle times their
+/// gap.
+///
+/// A triangle that is not taut keeps the strain of its middle: it lies on the skin as long as it
+/// is.
 class InnerFace {
  public:
   /// `nodes`: metres, one a node of `model`. A node touches if it or the middle of one of its edges

@@ -1,4 +1,4 @@
-#include "cloth/ease/inner_face.h"
+#include "cloth/loads/inner_face.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,8 @@ namespace toile {
 namespace {
 
 /// Radians: two normals that differ by more belong to no arc, but to two sides of something thin.
+/// Around a wrist of 2.5 cm they differ by 1.0 at edges of 25 mm, so half loses cuffs. Double
+/// counts a finger's two sides as an arc.
 constexpr double widest_arc = 1.5;
 
 /// Length of an arc over that of its chord.

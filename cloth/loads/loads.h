@@ -22,8 +22,8 @@ struct TriangleLoad {
   double tension_least = 0;
   Vec3 direction{0, 0, 0};  ///< unit length, in space: of the larger principal tension
   Vec3 warp{0, 0, 0};       ///< unit length, in space: of the warp
-  Eigen::Matrix3d tension;   ///< N/m: e · tension e is the pull along a unit vector e of the plane
-  double area = 0;           ///< m² as worn, of the inner face
+  Eigen::Matrix3d tension;  ///< N/m: e · tension e is the pull along a unit vector e of the plane
+  double area = 0;          ///< m² as worn, of the inner face
 
   /// Degrees from 0 to 90: the warp as worn against the vertical (y).
   double grain_from_plumb() const;
@@ -42,8 +42,8 @@ struct NodeLoad {
 struct Loads {
   std::vector<TriangleLoad> triangles;  ///< in the order of GarmentModel::node_triangles
   std::vector<NodeLoad> nodes;
-  double weight = 0;         ///< N, of the garment
-  Vec3 of_skin{0, 0, 0};     ///< N, the sum of what the skin does to the cloth
+  double weight = 0;      ///< N, of the garment
+  Vec3 of_skin{0, 0, 0};  ///< N, the sum of what the skin does to the cloth
   /// N, the sum of the sizes of forces at nodes that do not touch the skin. Other garments, the
   /// floor, friction of cloth on cloth and what is not at rest make them.
   double unexplained = 0;

@@ -1,4 +1,4 @@
-#include "cloth/ease/loads.h"
+#include "cloth/loads/loads.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "cloth/contact/pair_forces.h"
-#include "cloth/ease/inner_face.h"
+#include "cloth/loads/inner_face.h"
 #include "cloth/model/bending_matrix.h"
 #include "cloth/model/stretch.h"
 #include "geometry/parallel.h"

@@ -1,4 +1,4 @@
-#include "cloth/ease/load_summary.h"
+#include "cloth/loads/load_summary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,8 +83,9 @@ class Fields {
   Fields(const DressedGarment& garment, const Loads& loads)
       : garment_(garment), loads_(loads), at_(loads_at_nodes(garment, loads)) {
     for (const NodeLoad& load : loads.nodes) pressure_.push_back(load.pressure);
-    means_ = Patches(garment, loads).means(
-        {&at_.strain_warp, &at_.strain_weft, &at_.strain_bias, &at_.tension_most, &pressure_});
+    means_ = Patches(garment, loads)
+                 .means({&at_.strain_warp, &at_.strain_weft, &at_.strain_bias, &at_.tension_most,
+                         &pressure_});
   }
 
   LoadRow row(const std::string& name, const std::vector<int>& triangles) const {
@@ -105,7 +106,7 @@ class Fields {
       if (loads_.nodes[n].touches) touching += loads_.nodes[n].area;
     }
     row.touching = of_nodes > 0 ? touching / of_nodes : 0;
-    const auto of_triangles = [&](double TriangleLoad::* load) {
+    const auto of_triangles = [&](double TriangleLoad::*load) {
       double sum = 0;
       for (const int t : triangles) sum += loads_.triangles[t].area * (loads_.triangles[t].*load);
       return area > 0 ? sum / area : 0;

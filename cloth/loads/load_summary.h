@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "cloth/ease/girths.h"
-#include "cloth/ease/loads.h"
+#include "cloth/loads/loads.h"
 
 namespace toile {
 
 /// m²: the largest of a load is its largest mean over so much cloth. A fingertip covers a tenth of
-/// it, a palm ten times as much. At edges of 15 mm it is some ten triangles. Half of it reads 8 % more
-/// of the largest pressure of tight trousers, double 9 % less.
+/// it, a palm ten times as much. Of the largest pressure of three tight garments at 15 mm, half of
+/// it reads up to 48 % more, double up to 29 % less.
 inline constexpr double load_patch = 0.001;
 
 /// A load over a part of the garment.
