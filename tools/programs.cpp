@@ -21,7 +21,8 @@ std::vector<CommandLineProgram> all_programs() {
           render_program(),
           make_mannequin_program(),
           measure_body_program(),
-          pose_body_program()};
+          pose_body_program(),
+          drape_test_program()};
 }
 
 }  // namespace toile

@@ -5,15 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
-#include <random>
 
-#include "cloth/model/compile.h"
-#include "cloth/relaxation/relax.h"
-#include "geometry/triangulate.h"
-#include "tests/cloth/panels.h"
-#include "tests/support/level_line.h"
+#include "cloth/fabric_test/drape_tester.h"
 #include "tests/validation/reference_table.h"
 #include "tests/validation/report.h"
 #include "tests/validation/scenes.h"
@@ -21,146 +14,10 @@
 namespace toile {
 namespace drape_test {
 
-constexpr double pi = std::numbers::pi;
 constexpr double disc = 0.09, sheet = 0.15;  // radii, metres
 
-/// Rings of points from the middle out. The disc's edge is halfway between two rings. Both are
-/// held, for that is where a clamped sheet of triangles has its clamp.
-class DrapeTester {
- public:
-  /// `free_rings` outside of those.
-  explicit DrapeTester(int free_rings) : spacing_((sheet - disc) / (free_rings + 0.5)) {
-    const int inner = static_cast<int>(disc / spacing_ - 0.5);
-    for (int ring = free_rings; ring >= -inner - 1; --ring) {
-      const double radius = disc + spacing_ * (ring + 0.5);
-      if (radius < 0.5 * spacing_) break;
-      const int around = static_cast<int>(std::lround(2 * pi * radius / spacing_));
-      std::vector<Vec2>& points = ring == free_rings ? outline_ : interior_;
-      for (int i = 0; i < around; ++i) {
-        // Turned against each other, so that no direction is favoured.
-        const double angle = 2 * pi * (i + 0.618 * ring) / around;
-        points.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
-      }
-    }
-    interior_.emplace_back(0, 0);
-    mesh_.triangles = triangulate(outline_, interior_);
-    mesh_.points = outline_;
-    mesh_.points.insert(mesh_.points.end(), interior_.begin(), interior_.end());
-  }
-
-  /// The sheet, flat but for a ripple of a millimetre and a half that differs by `start`.
-  GarmentModel model(const Fabric& fabric, int start) {
-    std::mt19937 random(static_cast<unsigned>(start));
-    std::uniform_real_distribution<double> unit(-1, 1);
-    std::array<Vec2, 8> waves;
-    for (Vec2& wave : waves) wave = Vec2(unit(random), unit(random));
-    garment_ = {};
-    test::add_panel(garment_, "sheet", mesh_, [&](const Vec2& p) {
-      const double out = std::max(0.0, p.norm() - disc - 0.6 * spacing_) / (sheet - disc);
-      const double angle = std::atan2(p.y(), p.x());
-      double height = 0;
-      for (std::size_t n = 0; n < waves.size(); ++n) {
-        const double phase = static_cast<double>(n + 2) * angle;
-        height += waves[n].x() * std::cos(phase) + waves[n].y() * std::sin(phase);
-      }
-      return Vec3(p.x(), 0.0015 * out * height, -p.y());
-    });
-    Scene scene;
-    scene.fabric = fabric;
-    GarmentModel model = compile(garment_, scene, garment_.placed);
-    const double held = disc + 0.6 * spacing_;
-    for (int n = 0; n < model.nodes; ++n) {
-      const double r = garment_.flat[n].norm();
-      if (r > held || r < disc - 0.6 * spacing_) continue;
-      model.stretch_diagonal[n] = 1e30;
-    }
-    test::hold(model, [&](const Vec3& p) { return std::hypot(p.x(), p.z()) < held; });
-    return model;
-  }
-
-  double drape_coefficient(const std::vector<Vec3>& x) const {
-    const double flat = shadow(mesh_places());
-    const double of_disc = pi * disc * disc;
-    return (shadow(x) - of_disc) / (flat - of_disc);
-  }
-
-  int folds(const std::vector<Vec3>& x) const {
-    std::vector<Vec3> rim(x.begin(), x.begin() + static_cast<long>(outline_.size()));
-    const auto radius = [](const Vec3& p) { return std::hypot(p.x(), p.z()); };
-    const auto first = std::min_element(rim.begin(), rim.end(), [&](const Vec3& a, const Vec3& b) {
-      return radius(a) < radius(b);
-    });
-    std::rotate(rim.begin(), first, rim.end());
-    rim.push_back(rim.front());
-    test::LevelLine line;
-    line.points = rim;
-    return test::folds(line, 0.004);
-  }
-
-  double spacing() const { return spacing_; }
-  std::size_t rim() const { return outline_.size(); }
-
- private:
-  std::vector<Vec3> mesh_places() const {
-    std::vector<Vec3> places;
-    for (const Vec2& p : mesh_.points) places.emplace_back(p.x(), 0, -p.y());
-    return places;
-  }
-
-  /// Of the sheet lit from above, m²: counted in cells of a quarter of a millimetre.
-  double shadow(const std::vector<Vec3>& x) const {
-    constexpr double cell = 0.00025;
-    constexpr int half = static_cast<int>(1.05 * sheet / cell);
-    std::vector<char> dark(4 * half * half, 0);
-    for (const Triangle& t : mesh_.triangles) {
-      std::array<Vec2, 3> c;
-      for (int i = 0; i < 3; ++i) c[i] = Vec2(x[t[i]].x(), x[t[i]].z()) / cell;
-      const auto cross = [](const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); };
-      const double twice = cross(c[1] - c[0], c[2] - c[0]);
-      if (twice == 0) continue;
-      const Vec2 low = c[0].cwiseMin(c[1]).cwiseMin(c[2]);
-      const Vec2 high = c[0].cwiseMax(c[1]).cwiseMax(c[2]);
-      for (int j = static_cast<int>(std::floor(low.y())); j <= high.y(); ++j) {
-        for (int i = static_cast<int>(std::floor(low.x())); i <= high.x(); ++i) {
-          const Vec2 p(i + 0.5, j + 0.5);
-          bool inside = true;
-          for (int k = 0; k < 3; ++k) {
-            inside = inside && cross(c[(k + 1) % 3] - c[k], p - c[k]) * twice >= 0;
-          }
-          if (inside) dark.at((j + half) * 2 * half + i + half) = 1;
-        }
-      }
-    }
-    return cell * cell * static_cast<double>(std::count(dark.begin(), dark.end(), 1));
-  }
-
-  double spacing_;
-  std::vector<Vec2> outline_;
-  std::vector<Vec2> interior_;
-  PlanarMesh mesh_;
-  PanelMesh garment_;
-};
-
-struct Draped {
-  std::vector<Vec3> x;
-  bool at_rest = false;
-  double coefficient = 0;
-  int folds = 0;
-};
-
-Draped drape(DrapeTester& tester, const Fabric& fabric, int start, double compression = 1) {
-  const GarmentModel model = tester.model(fabric, start);
-  RelaxOptions options;
-  options.max_iterations = 60000;
-  options.stop_median = 1e-3;  // the coefficient differs by 0.002 at most from that at 1e-4
-  options.stop_rms = std::numeric_limits<double>::infinity();  // holds what is held
-  options.bounded = true;
-  options.compression = compression;
-  Draped draped{model.start};
-  draped.at_rest = relax(model, options, draped.x).converged;
-  draped.coefficient = 100 * tester.drape_coefficient(draped.x);
-  draped.folds = tester.folds(draped.x);
-  return draped;
+DrapeTester tester_of(int free_rings) {
+  return DrapeTester({disc, sheet, (sheet - disc) / (free_rings + 0.5)});
 }
 
 struct Spread {
@@ -170,15 +27,15 @@ struct Spread {
 
 constexpr int starts = 5;
 
-Spread drape_often(DrapeTester& tester, const Fabric& fabric) {
+Spread drape_often(const DrapeTester& tester, const Fabric& fabric) {
   Spread spread;
   for (int start = 1; start <= starts; ++start) {
-    const Draped one = drape(tester, fabric, start);
-    spread.mean += one.coefficient / starts;
-    spread.least = std::min(spread.least, one.coefficient);
-    spread.most = std::max(spread.most, one.coefficient);
-    spread.fewest = std::min(spread.fewest, one.folds);
-    spread.largest = std::max(spread.largest, one.folds);
+    const TestDrape one = tester.drape(fabric, start);
+    spread.mean += 100 * one.coefficient / starts;
+    spread.least = std::min(spread.least, 100 * one.coefficient);
+    spread.most = std::max(spread.most, 100 * one.coefficient);
+    spread.fewest = std::min(spread.fewest, one.nodes);
+    spread.largest = std::max(spread.largest, one.nodes);
     spread.at_rest += one.at_rest;
   }
   return spread;
@@ -197,7 +54,7 @@ void state_drape(const std::string& fabric, const DrapeTester& tester, const Spr
 
 TEST(Drape, TheTesterReadsShadowsOfKnownShape) {
   // What the tables say of shadows with lobes, and of a flat sheet: 1.
-  DrapeTester tester(5);
+  DrapeTester tester = tester_of(5);
   const test::ReferenceTable table("case09_drape_coefficient.csv");
   const GarmentModel model = tester.model({}, 1);
   double worst = 0;
@@ -213,8 +70,8 @@ TEST(Drape, TheTesterReadsShadowsOfKnownShape) {
       x.emplace_back(scale * p.x(), p.y(), scale * p.z());
     }
     worst =
-        std::max(worst, std::abs(tester.drape_coefficient(x) - table.at(row, "drape_coefficient")));
-    EXPECT_EQ(tester.folds(x), table.at(row, "lobes"));
+        std::max(worst, std::abs(tester.coefficient(x) - table.at(row, "drape_coefficient")));
+    EXPECT_EQ(tester.nodes(x), table.at(row, "lobes"));
   }
   test::expect_near(
       {"drape tester: coefficient of shadows of known shape", "shadow", "86 rim points", "points"},
@@ -224,7 +81,7 @@ TEST(Drape, TheTesterReadsShadowsOfKnownShape) {
 /// The coefficient of ideal limp cloth is 0. A mesh has no folds finer than its edges. If its
 /// lengths are kept, it is held up by that. It comes down where compression is nearly free, as in
 /// cloth that buckles.
-void drape_limp(DrapeTester& tester, double bound) {
+void drape_limp(const DrapeTester& tester, double bound) {
   Fabric limp;
   limp.bending_warp = limp.bending_weft = 1e-9;
   limp.shear = 0.5;
@@ -232,22 +89,22 @@ void drape_limp(DrapeTester& tester, double bound) {
   test::Figure figure{"drape tester, without stiffness, compression nearly free: coefficient",
                       "relaxation", mesh, "%"};
   figure.reason = "no folds finer than the mesh";
-  test::expect_near(figure, drape(tester, limp, 1, 0.01).coefficient, 0, bound);
+  test::expect_near(figure, 100 * tester.drape(limp, 1, 0.01).coefficient, 0, bound);
   figure.what = "drape tester, without stiffness: coefficient";
-  test::state(figure, drape(tester, limp, 1).coefficient, "0 %");
+  test::state(figure, 100 * tester.drape(limp, 1).coefficient, "0 %");
 }
 
 TEST(Drape, StaysWithinItsLimits) {
-  DrapeTester tester(5);
+  DrapeTester tester = tester_of(5);
   Fabric stiff;
   stiff.bending_warp = stiff.bending_weft = 1;
   test::expect_near({"drape tester, stiff as a board: coefficient", "relaxation", "11 mm", "%"},
-                    drape(tester, stiff, 1).coefficient, 100, 0.2);
+                    100 * tester.drape(stiff, 1).coefficient, 100, 0.2);
   drape_limp(tester, 20);
 }
 
 TEST(LongDrape, WithoutStiffnessFallsFartherAsTheMeshGetsFiner) {
-  DrapeTester tester(11);
+  DrapeTester tester = tester_of(11);
   drape_limp(tester, 10);
 }
 
@@ -262,7 +119,7 @@ TEST(Drape, AStiffSheetSagsAsAPlate) {
   }
   ASSERT_GT(reference, 0);
   for (const int rings : {5, 10}) {
-    DrapeTester tester(rings);
+    DrapeTester tester = tester_of(rings);
     Fabric stiff;
     stiff.bending_warp = stiff.bending_weft = 0.01;
     GarmentModel model = tester.model(stiff, 1);
@@ -279,10 +136,10 @@ TEST(Drape, AStiffSheetSagsAsAPlate) {
 }
 
 TEST(Drape, TheSameBitsForAnyNumberOfThreads) {
-  DrapeTester tester(5);
+  DrapeTester tester = tester_of(5);
   const auto run = [&](int threads) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    return drape(tester, {}, 1).x;
+    return tester.drape({}, 1).mesh.points;
   };
   const std::vector<Vec3> one = run(1);
   const std::vector<Vec3> again = run(2);
@@ -297,7 +154,7 @@ TEST(Drape, TheSameBitsForAnyNumberOfThreads) {
 }
 
 TEST(Drape, OfTheDefaultFabric) {
-  DrapeTester tester(5);
+  DrapeTester tester = tester_of(5);
   const Spread spread = drape_often(tester, {});
   state_drape("default", tester, spread);
   EXPECT_EQ(spread.at_rest, starts);
@@ -305,7 +162,7 @@ TEST(Drape, OfTheDefaultFabric) {
 
 TEST(LongDrape, OfEachFabricAsTheMeshGetsFiner) {
   for (const std::string& name : fabric_names()) {
-    DrapeTester coarse(5), fine(11);
+    DrapeTester coarse = tester_of(5), fine = tester_of(11);
     const Spread at_coarse = drape_often(coarse, find_fabric(name));
     const Spread at_fine = drape_often(fine, find_fabric(name));
     state_drape(name, coarse, at_coarse);
@@ -321,7 +178,7 @@ TEST(LongDrape, OfEachFabricAsTheMeshGetsFiner) {
 // How much of the step from 11 mm to 5 is left from there on.
 TEST(LongDrape, HardlyChangesFromFiveMillimetresOn) {
   for (const char* name : {"cotton-poplin", "denim"}) {
-    DrapeTester fine(11), finest(22);
+    DrapeTester fine = tester_of(11), finest = tester_of(22);
     const Spread at_fine = drape_often(fine, find_fabric(name));
     const Spread at_finest = drape_often(finest, find_fabric(name));
     state_drape(name, finest, at_finest);
