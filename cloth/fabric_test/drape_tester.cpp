@@ -25,6 +25,11 @@ constexpr double node_depth = 0.004;
 /// where to fold.
 constexpr double ripple = 0.0015;
 
+/// Share of the stiffness that resists compression while the sheet finds its folds, as in dress.
+/// Without that step a coarse sheet stands on creases that it can't break. Silk of 11 mm edges
+/// reads 66 to 70 % for 44 %. Five times as much reads 51 %.
+constexpr double settling_compression = 0.02;
+
 /// Rings beside the plate's edge: both are held.
 constexpr double held_rings = 0.6;
 
@@ -94,9 +99,12 @@ TestDrape DrapeTester::drape(const Fabric& fabric, int start, double compression
   options.stop_median = 1e-3;  // the coefficient differs by 0.2 points at most from that at 1e-4
   options.stop_rms = std::numeric_limits<double>::infinity();  // holds what is held
   options.bounded = true;
-  options.compression = compression;
   TestDrape drape;
   drape.mesh = {sheet.start, sheet.node_triangles};
+  // It finds its folds as cloth does that dress settles.
+  options.compression = std::min(settling_compression, compression);
+  relax(sheet, options, drape.mesh.points);
+  options.compression = compression;
   drape.at_rest = relax(sheet, options, drape.mesh.points).converged;
   drape.coefficient = coefficient(drape.mesh.points);
   drape.nodes = nodes(drape.mesh.points);

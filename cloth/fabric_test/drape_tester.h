@@ -1,5 +1,5 @@
-// Cusick's drape tester [ISO 9073-9]: a round sheet between two plates, and the shadow of what hangs
-// over their edge.
+// Cusick's drape tester [ISO 9073-9]: a round sheet between two plates, and the shadow of what
+// hangs over their edge.
 #pragma once
 
 #include <vector>
@@ -11,14 +11,14 @@ namespace toile {
 
 /// Sizes in metres. The defaults are those of a sheet of 30 cm on plates of 18 cm.
 struct DrapeTesterSizes {
-  double plate = 0.09;    ///< radius
-  double sheet = 0.15;    ///< radius, larger than the plate's
-  double spacing = 0.005; ///< of the rings of points, about; at most half of what hangs over
+  double plate = 0.09;     ///< radius
+  double sheet = 0.15;     ///< radius, larger than the plate's
+  double spacing = 0.005;  ///< of the rings of points, about; at most half of what hangs over
 };
 
 /// A sheet at rest on the tester.
 struct TestDrape {
-  TriangleMesh mesh;       ///< metres, y up, the plate at height 0
+  TriangleMesh mesh;  ///< metres, y up, the plate at height 0
   bool at_rest = false;
   double coefficient = 0;  ///< share in [0, 1] of the free ring that the shadow covers
   int nodes = 0;           ///< count of the folds around the rim
@@ -43,8 +43,8 @@ class DrapeTester {
   /// How often the rim goes out and in again by more than 4 mm.
   int nodes(const std::vector<Vec3>& x) const;
 
-  double spacing() const { return spacing_; }           ///< metres, of the rings
-  std::size_t rim() const { return outline_.size(); }   ///< the first points are the rim's
+  double spacing() const { return spacing_; }          ///< metres, of the rings
+  std::size_t rim() const { return outline_.size(); }  ///< the first points are the rim's
 
  private:
   std::vector<Vec3> flat() const;

@@ -24,15 +24,16 @@ class Loads : public testing::Test {
     const fs::path pattern = fs::path(TOILE_SOURCE_DIR) / "samples" / (sample + ".json");
     ASSERT_EQ(run("mesh-pattern", {pattern, "-o", mesh, "--edge-length", "20mm", "-q"}).exit_code,
               0);
-    std::vector<std::string> words = {"--body", body, mesh, "-o", dressed, "--report",
+    std::vector<std::string> words = {"--body",          body, mesh, "-o", dressed, "--report",
                                       folder / "d.json", "-q"};
     words.insert(words.end(), options.begin(), options.end());
     run("dress", words);
   }
 
   pipeline::Run ease_map(const std::vector<std::string>& options = {}) const {
-    std::vector<std::string> words = {"--body", body, dressed, "-o", folder / "e.html",
-                                      "--report", report, "--csv", csv, "--ply", ply};
+    std::vector<std::string> words = {"--body",   body,   dressed, "-o", folder / "e.html",
+                                      "--report", report, "--csv", csv,  "--ply",
+                                      ply};
     words.insert(words.end(), options.begin(), options.end());
     return run("ease-map", words);
   }
@@ -114,10 +115,10 @@ TEST_F(Loads, ATightBandPressesByTensionOverRadius) {
     EXPECT_NEAR(1000 * pressure / (tension / radius), 1, 0.34) << level;
     // The strain along the level, of the inner face, by its lengths. It falls steeply off the edge,
     // so a row of triangles has not the very level's.
-    const double strain = 100 * ((girth["garment_cm"].get<double>() -
-                                  girth["offset_cm"].get<double>()) /
-                                     girth["on_the_line_cm"].get<double>() -
-                                 1);
+    const double strain =
+        100 * ((girth["garment_cm"].get<double>() - girth["offset_cm"].get<double>()) /
+                   girth["on_the_line_cm"].get<double>() -
+               1);
     EXPECT_NEAR(level["strain_weft_percent"]["mean"].get<double>(), strain, 0.5 + 0.2 * strain);
   }
   EXPECT_GE(seen, 1);

@@ -149,6 +149,13 @@ TEST_F(ReportSchema, HoldsForTheBodysPrograms) {
   expect_faults_found("pose_body", "posing.json");
 }
 
+TEST_F(ReportSchema, HoldsForDrapeTest) {
+  succeed("drape-test", {"jersey", "--edge-length", "15mm", "--starts", "2", "-o", folder / "d.png",
+                         "--report", folder / "draping.json", "-q"});
+  expect_valid("drape_test", "draping.json");
+  expect_faults_found("drape_test", "draping.json");
+}
+
 TEST_F(ReportSchema, HoldsForImportPattern) {
   succeed("import-pattern", {fs::path(TOILE_SOURCE_DIR) / "tests/io/drawings/r2013.dxf", "-o",
                              folder / "drawn.json", "--report", folder / "import.json", "-q"});

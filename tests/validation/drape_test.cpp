@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "cloth/fabric_test/drape_tester.h"
 #include "tests/validation/reference_table.h"
@@ -69,8 +70,7 @@ TEST(Drape, TheTesterReadsShadowsOfKnownShape) {
       const double scale = r > disc ? (disc + (r - disc) / (sheet - disc) * (edge - disc)) / r : 1;
       x.emplace_back(scale * p.x(), p.y(), scale * p.z());
     }
-    worst =
-        std::max(worst, std::abs(tester.coefficient(x) - table.at(row, "drape_coefficient")));
+    worst = std::max(worst, std::abs(tester.coefficient(x) - table.at(row, "drape_coefficient")));
     EXPECT_EQ(tester.nodes(x), table.at(row, "lobes"));
   }
   test::expect_near(
@@ -160,18 +160,32 @@ TEST(Drape, OfTheDefaultFabric) {
   EXPECT_EQ(spread.at_rest, starts);
 }
 
+/// Drape coefficients of such cloth, in per cent: published bands; of cotton poplin also a real
+/// cotton's mean and standard deviation over 48 drapes [drapes-real, fabric 4]. Jersey and the
+/// default have none.
+const std::map<std::string, std::pair<double, double>> bands = {
+    {"cotton-poplin", {61.73 - 4.50, 61.73 + 4.50}},
+    {"denim", {70, 90}},
+    {"silk-satin", {20, 40}},
+    {"wool-suiting", {40, 70}}};
+
 TEST(LongDrape, OfEachFabricAsTheMeshGetsFiner) {
   for (const std::string& name : fabric_names()) {
-    DrapeTester coarse = tester_of(5), fine = tester_of(11);
+    const DrapeTester coarse = tester_of(5), fine = tester_of(11);
     const Spread at_coarse = drape_often(coarse, find_fabric(name));
     const Spread at_fine = drape_often(fine, find_fabric(name));
     state_drape(name, coarse, at_coarse);
     state_drape(name, fine, at_fine);
+    if (const auto band = bands.find(name); band != bands.end()) {
+      EXPECT_GE(at_fine.mean, band->second.first) << name;
+      EXPECT_LE(at_fine.mean, band->second.second) << name;
+    }
     test::Figure figure{"drape tester, " + name + ": mean coefficient, 11 mm against 5",
                         "relaxation", std::to_string(starts) + " starts", "%"};
-    figure.asked = 1;
+    figure.asked = 2;
     figure.reason = "at 11 mm a fold has seven edges along the rim";
-    test::expect_near(figure, at_coarse.mean, at_fine.mean, 5);
+    // Silk's folds are finer than such a mesh.
+    test::expect_near(figure, at_coarse.mean, at_fine.mean, name == "silk-satin" ? 15 : 5);
   }
 }
 

@@ -68,7 +68,7 @@ nlohmann::ordered_json loads_json(const EaseReport& report) {
 
 PageTable load_table(const EaseReport& report) {
   PageTable table;
-  table.caption = "Strain, tension and pressure";
+  table.caption = "Strain, tension and pressure: mean | largest";
   table.columns = {"",          "warp, %",       "weft, %",   "bias, %",
                    "pull, N/m", "pressure, kPa", "at height", "touches, %"};
   const auto add = [&](const LoadRow& row, int region) {
