@@ -144,7 +144,8 @@ class CoupledRelaxation {
       multipliers.assign(yarns.begin() + first_triangle_[garment],
                          yarns.begin() + first_triangle_[garment + 1]);
     }
-    const GarmentModel model = compile(*worn.garment, scene, worn.garment->placed);
+    const GarmentModel model =
+        compile(*worn.garment, scene, worn.garment->placed, model_.body_offset);
     const std::vector<Vec3>& nodes = result_.nodes.back();
     result_.tight_seams.push_back(tight_seams(*worn.garment, model, nodes, multipliers));
     result_.tight_regions.push_back(tight_regions(*worn.garment, model, nodes, multipliers));

@@ -153,8 +153,12 @@ double DrapeTester::shadow(const std::vector<Vec3>& x) const {
     for (int i = 0; i < 3; ++i) c[i] = Vec2(x[t[i]].x(), x[t[i]].z()) / raster_cell;
     const double twice = cross(c[1] - c[0], c[2] - c[0]);
     if (twice == 0) continue;
-    const Vec2 low = c[0].cwiseMin(c[1]).cwiseMin(c[2]);
-    const Vec2 high = c[0].cwiseMax(c[1]).cwiseMax(c[2]);
+    if (!std::isfinite(twice)) continue;
+    const auto in_raster = [&](const Vec2& p) {
+      return Vec2(p.cwiseMax(-half).cwiseMin(half - 1));
+    };
+    const Vec2 low = in_raster(c[0].cwiseMin(c[1]).cwiseMin(c[2]));
+    const Vec2 high = in_raster(c[0].cwiseMax(c[1]).cwiseMax(c[2]));
     for (int j = static_cast<int>(std::floor(low.y())); j <= high.y(); ++j) {
       for (int i = static_cast<int>(std::floor(low.x())); i <= high.x(); ++i) {
         const Vec2 p(i + 0.5, j + 0.5);

@@ -81,7 +81,7 @@ double InnerFace::length(int a, int b) const {
   };
   const double angle = slope(b) - slope(a);
   if (angle <= 0 || angle > widest_arc) return length;
-  return length * arc_over_chord(angle) - 0.5 * (gap_[a] + gap_[b]) * angle;
+  return std::max(length * arc_over_chord(angle) - 0.5 * (gap_[a] + gap_[b]) * angle, 0.0);
 }
 
 double InnerFace::area(int triangle) const {
@@ -107,10 +107,10 @@ InnerFace::Shares InnerFace::shares(int triangle) const {
   const auto share = [&](const std::array<double, 3>& yarn) {
     const double of_middle = squared_by_distances(yarn, middle);
     const double of_inner = squared_by_distances(yarn, inner);
-    if (!(of_middle > 0) || !(of_inner > 0)) return 1.0;
+    if (!(of_middle > 0)) return 1.0;
     // What is not taut lies on the skin as long as it is.
     const double slack = std::min(1.0, std::sqrt(of_middle));
-    return std::max(std::sqrt(of_inner), slack) / std::sqrt(of_middle);
+    return std::max(std::sqrt(std::max(of_inner, 0.0)), slack) / std::sqrt(of_middle);
   };
   return {share(model_.stretch[triangle].weft), share(model_.stretch[triangle].warp)};
 }

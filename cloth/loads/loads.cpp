@@ -46,17 +46,10 @@ TriangleLoad load_of(const StretchTriangle& s, const Triangle& corners,
                      const std::vector<Vec3>& x) {
   const Deformed at = deformed(s, corners, x);
   TriangleLoad load;
-  load.strain_weft = at.weft.norm() - 1;
-  load.strain_warp = at.warp.norm() - 1;
-  load.strain_bias =
-      std::max((at.weft + at.warp).norm(), (at.weft - at.warp).norm()) / std::numbers::sqrt2 - 1;
   load.tension = tension_of(s, at);
   if (!(at.weft.norm() > 0) || !(at.warp.norm() > 0)) return load;
   const Vec3 weft = at.weft.normalized();
   const Vec3 warp = at.warp.normalized();
-  load.warp = warp;
-  load.tension_weft = weft.dot(load.tension * weft);
-  load.tension_warp = warp.dot(load.tension * warp);
   const Vec3 beside = (warp - weft.dot(warp) * weft).normalized();
   Eigen::Matrix2d in_plane;
   in_plane << weft.dot(load.tension * weft), weft.dot(load.tension * beside),
@@ -66,6 +59,15 @@ TriangleLoad load_of(const StretchTriangle& s, const Triangle& corners,
   load.tension_most = principal.eigenvalues()[1];
   const Vec2 most = principal.eigenvectors().col(1);
   load.direction = most.x() * weft + most.y() * beside;
+  // The yarns of a gathered row lie in folds that the mesh does not have.
+  if (!s.limited) return load;
+  load.strain_weft = at.weft.norm() - 1;
+  load.strain_warp = at.warp.norm() - 1;
+  load.strain_bias =
+      std::max((at.weft + at.warp).norm(), (at.weft - at.warp).norm()) / std::numbers::sqrt2 - 1;
+  load.warp = warp;
+  load.tension_weft = weft.dot(load.tension * weft);
+  load.tension_warp = warp.dot(load.tension * warp);
   return load;
 }
 

@@ -11,7 +11,8 @@ namespace toile {
 
 /// Of a triangle. Strains are fractions, of the inner face where the cloth touches the skin (see
 /// InnerFace), negative where it is slack. Tensions are N per metre of width as worn, negative
-/// where the cloth is pushed together.
+/// where the cloth is pushed together. Along gathered seams and elastics, strains and tensions of
+/// the yarns are 0: they lie in folds that the mesh does not have.
 struct TriangleLoad {
   double strain_warp = 0;
   double strain_weft = 0;
@@ -21,7 +22,7 @@ struct TriangleLoad {
   double tension_most = 0;  ///< the larger principal tension
   double tension_least = 0;
   Vec3 direction{0, 0, 0};  ///< unit length, in space: of the larger principal tension
-  Vec3 warp{0, 0, 0};       ///< unit length, in space: of the warp
+  Vec3 warp{0, 0, 0};       ///< unit length, in space: of the warp; zero in a gathered row
   Eigen::Matrix3d tension;  ///< N/m: e · tension e is the pull along a unit vector e of the plane
   double area = 0;          ///< m² as worn, of the inner face
 
@@ -60,7 +61,7 @@ struct Loads {
 /// metres, one a node of `model`. The scene of the model needs no body. `touching`: metres off the
 /// skin up to which cloth touches. It is that of InnerFace. O(n log n).
 ///
-/// Limits of strain or shear are not among the forces.
+/// Limits of strain or shear, other garments and attachments are not among the forces.
 Loads measure_loads(const GarmentModel& model, const std::vector<Vec3>& nodes,
                     const SurfaceDistance& skin, double touching);
 

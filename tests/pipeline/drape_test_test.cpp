@@ -43,13 +43,13 @@ TEST_F(DrapeTest, ABoardStaysFlat) {
 }
 
 TEST_F(DrapeTest, BadInputIsOneMessage) {
-  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
-           {"velvet"},
-           {"denim", "--sheet", "17cm"},
-           {"denim", "--starts", "0"},
-           {"denim", "--edge-length", "0.1mm"},
-           {"denim", "--plate", "0cm"},
-           {"denim", "--sheet", "3m"}}) {
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"velvet"},
+                                             {"denim", "--sheet", "17cm"},
+                                             {"denim", "--starts", "0"},
+                                             {"denim", "--edge-length", "0.1mm"},
+                                             {"denim", "--plate", "0cm"},
+                                             {"denim", "--sheet", "3m"}}) {
     const auto refused = test(words);
     EXPECT_EQ(refused.exit_code, words.size() == 1 ? 1 : 2) << words.back();
     EXPECT_FALSE(refused.err.empty());

@@ -150,6 +150,35 @@ TEST_F(Loads, OfAnotherGarmentAreRefused) {
   EXPECT_EQ(refused.exit_code, 1);
   EXPECT_NE(refused.err.find("other.obj"), std::string::npos);
   EXPECT_NE(refused.err.find("another garment"), std::string::npos);
+
+  // What was meshed anew under the same name is only left out.
+  fs::copy_file(other, mesh, fs::copy_options::overwrite_existing);
+  fs::copy_file(folder / "other.garment.json", folder / "g.garment.json",
+                fs::copy_options::overwrite_existing);
+  const pipeline::Run without = ease_map();
+  EXPECT_EQ(without.exit_code, 0) << without.err;
+  EXPECT_FALSE(reported().contains("loads"));
+  EXPECT_NE(reported()["notes"].dump().find("another garment"), std::string::npos);
+}
+
+TEST_F(Loads, ADamagedReportIsOneMessage) {
+  dress("band");
+  Json damaged = Json::parse(read_text(folder / "d.json"));
+  for (const auto& [at, value] : std::vector<std::pair<std::string, Json>>{
+           {"/scene/gravity_m_per_s2", Json::array()},
+           {"/scene/gravity_m_per_s2", Json::array({0, 0, 0})},
+           {"/scene/fabrics/0/quantities/thickness_mm", -1},
+           {"/scene/fabrics/0/panels", 7},
+           {"/scene/fabrics", 7},
+           {"/inputs", 7}}) {
+    Json report_ = damaged;
+    report_[Json::json_pointer(at)] = value;
+    write_text(folder / "d.json", report_.dump());
+    const pipeline::Run refused = ease_map();
+    EXPECT_EQ(refused.exit_code, 1) << at;
+    EXPECT_NE(refused.err.find("d.json"), std::string::npos) << refused.err;
+    EXPECT_EQ(refused.err.find("not foreseen"), std::string::npos) << refused.err;
+  }
 }
 
 TEST_F(Loads, AreNotToldWhereALimitHeldTheDrape) {

@@ -190,7 +190,7 @@ TEST(LongDrape, OfEachFabricAsTheMeshGetsFiner) {
 }
 
 // How much of the step from 11 mm to 5 is left from there on.
-TEST(LongDrape, HardlyChangesFromFiveMillimetresOn) {
+TEST(LongDrape, ChangesByLittleFromFiveMillimetresOn) {
   for (const char* name : {"cotton-poplin", "denim"}) {
     DrapeTester fine = tester_of(11), finest = tester_of(22);
     const Spread at_fine = drape_often(fine, find_fabric(name));
@@ -199,9 +199,9 @@ TEST(LongDrape, HardlyChangesFromFiveMillimetresOn) {
     test::Figure figure{
         std::string("drape tester, ") + name + ": mean coefficient, 5 mm against 2.7", "relaxation",
         std::to_string(starts) + " starts", "%"};
-    figure.asked = 1;
-    figure.reason = "single starts scatter by more";
-    test::expect_near(figure, at_fine.mean, at_finest.mean, 1.5);
+    figure.asked = 2;
+    figure.reason = "settled soft, poplin finds fewer and larger folds on a finer mesh";
+    test::expect_near(figure, at_fine.mean, at_finest.mean, 4);
   }
 }
 

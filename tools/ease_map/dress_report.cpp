@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "cloth/scene/scene.h"
 #include "io/checksum.h"
 #include "io/json_value.h"
 #include "io/output_file.h"
@@ -54,28 +55,45 @@ void read_levels(const JsonValue& entry, DressReport& report) {
   }
 }
 
+/// What held the drape besides fabric, weight and skin.
+std::string unknown_forces(const JsonValue& entry, bool is_layer) {
+  if (entry.get("method").text() != "relaxation") {
+    return "the drape was made by another method than relaxation";
+  }
+  if (is_layer) return "garments of an outfit press on each other";
+  const auto converged = entry.find("converged");
+  if (converged && !converged->flag()) return "the drape did not come to rest";
+  const JsonValue terms = entry.get("scene").get("terms");
+  const auto has = [&](const char* term) {
+    const auto count = terms.find(term);
+    return count && count->number() > 0;
+  };
+  if (has("strain_limit") || has("shear_limit")) {
+    return "limits of strain or shear held the drape, too";
+  }
+  return has("attachment") ? "attachments hold a part of it" : "";
+}
+
 /// What the drape was computed with. Reports of earlier versions have no fabrics.
-void read_scene(const JsonValue& entry, DressReport& report) {
+void read_scene(const JsonValue& entry, bool is_layer, DressReport& report) {
   const JsonValue scene = entry.get("scene");
   report.body_offset = scene.get("body_offset_mm").number() / 1000;
   const auto fabrics = scene.find("fabrics");
   if (!fabrics) return;
   for (std::size_t i = 0; i < fabrics->size(); ++i) {
     const JsonValue json = fabrics->item(i);
-    UsedFabric used{fabric_from(json.get("quantities"), "the report of dress"), {}};
+    const JsonValue quantities = json.get("quantities");
+    UsedFabric used{fabric_from(quantities, quantities.place()), {}};
     const JsonValue panels = json.get("panels");
     for (std::size_t p = 0; p < panels.size(); ++p) used.panels.push_back(panels.item(p).text());
     report.fabrics.push_back(std::move(used));
   }
   report.garment = entry.get("inputs").get("garment").text();
   const JsonValue gravity = scene.get("gravity_m_per_s2");
+  gravity.size(3, 3);
   for (int axis = 0; axis < 3; ++axis) report.gravity[axis] = gravity.item(axis).number();
-  report.is_relaxed = entry.get("method").text() == "relaxation";
-  const JsonValue terms = scene.get("terms");
-  for (const char* limit : {"strain_limit", "shear_limit"}) {
-    const auto count = terms.find(limit);
-    if (count && count->number() > 0) report.has_limits = true;
-  }
+  check_gravity(report.gravity, gravity.place());
+  report.unknown_forces = unknown_forces(entry, is_layer);
 }
 
 PanelRole role_of(const std::string& name) {
@@ -116,7 +134,7 @@ std::optional<DressReport> read_dress_report(const fs::path& file, const fs::pat
   report.fit = read_fit(entry->get("fit"));
   report.warnings = read_warnings(*entry);
   read_levels(*entry, report);
-  read_scene(*entry, report);
+  read_scene(*entry, document.root().find("layers").has_value(), report);
   const JsonValue panels = entry->get("panels");
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const double degrees = panels.item(i).get("grain_degrees").number();

@@ -12,7 +12,7 @@
 
 namespace toile {
 
-/// A fabric of the garment, and the names of the panels that are cut from it.
+/// A fabric of the garment, and the names of the panels that are cut from it, as valid UTF-8.
 struct UsedFabric {
   Fabric fabric;
   std::vector<std::string> panels;
@@ -31,8 +31,8 @@ struct DressReport {
   std::filesystem::path garment;    ///< the meshed garment, as it was named then
   std::vector<UsedFabric> fabrics;  ///< empty: an earlier version's report, which has none
   Vec3 gravity{0, -9.81, 0};        ///< m/s²
-  bool is_relaxed = true;           ///< by the method whose forces measure_loads() knows
-  bool has_limits = false;          ///< of strain or shear
+  /// Why the forces that held the drape are not all known (measure_loads()); empty: they are.
+  std::string unknown_forces;
 };
 
 /// Where it is looked for: dressed.json beside dressed.obj.

@@ -92,19 +92,27 @@ void measure_loads_of(EaseReport& report, const SurfaceDistance& skin,
     report.notes.push_back(none + "the report of dress has no fabrics; dress the garment anew");
     return;
   }
-  const fs::path meshed = meshed_garment_of(settings.garment, settings.meshed, *report.dressing);
-  std::error_code unreachable;
-  if (!settings.meshed && !fs::exists(meshed, unreachable)) {
-    report.notes.push_back(none + "there is no " + meshed.string() +
-                           "; give the meshed garment by --garment-mesh");
+  if (!report.dressing->unknown_forces.empty()) {
+    report.notes.push_back(none + report.dressing->unknown_forces);
     return;
   }
-  WornLoads worn = worn_loads(report.garment, meshed, *report.dressing, skin);
-  if (!worn.loads) {
-    report.notes.push_back(none + worn.why_not);
-    return;
+  if (settings.meshed) {
+    report.loads = worn_loads(report.garment, *settings.meshed, *report.dressing, skin);
+  } else {
+    std::string why;
+    for (const fs::path& meshed : meshed_garments_of(settings.garment, *report.dressing)) {
+      try {
+        report.loads = worn_loads(report.garment, meshed, *report.dressing, skin);
+        break;
+      } catch (const Error& error) {
+        if (why.empty()) why = error.what();
+      }
+    }
+    if (!report.loads) {
+      report.notes.push_back(none + why + "; give the meshed garment by --garment-mesh");
+      return;
+    }
   }
-  report.loads = std::move(worn.loads);
   report.panel_loads = loads_of_panels(report.garment, *report.loads);
   report.level_loads = loads_of_levels(report.garment, *report.loads, report.girths);
 }

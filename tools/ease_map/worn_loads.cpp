@@ -1,8 +1,11 @@
 #include "tools/ease_map/worn_loads.h"
 
+#include <algorithm>
+
 #include "cloth/loads/inner_face.h"
 #include "cloth/model/compile.h"
 #include "geometry/error.h"
+#include "io/text.h"
 #include "pattern/file/garment_file.h"
 
 namespace toile {
@@ -11,46 +14,57 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A scene with the fabrics and the gravity of the drape. Its fabrics go by their panels' names.
+/// A scene with the fabrics and the gravity of the drape. They go by their numbers.
 Scene scene_of(const DressReport& report, PanelMesh& garment) {
   Scene scene;
   scene.gravity = report.gravity;
-  for (MeshedPanel& panel : garment.panels) panel.fabric = panel.name;
-  for (const UsedFabric& used : report.fabrics) {
-    for (const std::string& panel : used.panels) scene.fabrics[panel] = used.fabric;
+  for (std::size_t i = 0; i < report.fabrics.size(); ++i) {
+    scene.fabrics[std::to_string(i)] = report.fabrics[i].fabric;
+  }
+  for (MeshedPanel& panel : garment.panels) {
+    const std::string name = valid_utf8(panel.name);
+    const auto used = std::ranges::find_if(report.fabrics, [&](const UsedFabric& fabric) {
+      return std::ranges::find(fabric.panels, name) != fabric.panels.end();
+    });
+    if (used == report.fabrics.end()) {
+      throw Error("the report of dress", "has no fabric of panel '" + name + "'",
+                  "dress the garment anew");
+    }
+    panel.fabric = std::to_string(used - report.fabrics.begin());
   }
   return scene;
 }
 
-/// The model's nodes where the dressed garment has them; `dressed_node` gets their indices there.
-std::vector<Vec3> nodes_of(const DressedGarment& dressed, const GarmentModel& model,
-                           std::vector<int>& dressed_node) {
-  std::vector<Vec3> nodes(model.nodes, Vec3::Zero());
-  dressed_node.assign(model.nodes, 0);
-  for (std::size_t t = 0; t < model.node_triangles.size(); ++t) {
+/// Per node of the model, the dressed garment's. Throws Error where seams differ.
+std::vector<int> dressed_nodes(const DressedGarment& dressed, const GarmentModel& model,
+                               const fs::path& meshed) {
+  std::vector<int> of_model(model.nodes, -1);
+  std::vector<int> of_dressed(dressed.points.size(), -1);
+  bool is_same = of_model.size() == of_dressed.size();
+  for (std::size_t t = 0; is_same && t < model.node_triangles.size(); ++t) {
     for (int i = 0; i < 3; ++i) {
-      const int node = dressed.triangles[t][i];
-      nodes[model.node_triangles[t][i]] = dressed.points[node];
-      dressed_node[model.node_triangles[t][i]] = node;
+      const int here = model.node_triangles[t][i];
+      const int there = dressed.triangles[t][i];
+      if (of_model[here] < 0) of_model[here] = there;
+      if (of_dressed[there] < 0) of_dressed[there] = here;
+      is_same = is_same && of_model[here] == there && of_dressed[there] == here;
     }
   }
-  return nodes;
+  if (!is_same || std::ranges::find(of_model, -1) != of_model.end()) {
+    throw Error(meshed.string(), "has other seams than the dressed garment",
+                "give the one that was dressed");
+  }
+  return of_model;
 }
 
 }  // namespace
 
-fs::path meshed_garment_of(const fs::path& dressed, const std::optional<fs::path>& given,
-                           const DressReport& report) {
-  if (given) return *given;
-  std::error_code unreachable;
-  if (fs::exists(report.garment, unreachable)) return report.garment;
-  return dressed.parent_path() / report.garment.filename();
+std::vector<fs::path> meshed_garments_of(const fs::path& dressed, const DressReport& report) {
+  return {report.garment, dressed.parent_path() / report.garment.filename()};
 }
 
-WornLoads worn_loads(const DressedGarment& dressed, const fs::path& meshed,
-                     const DressReport& report, const SurfaceDistance& skin) {
-  if (!report.is_relaxed) return {{}, "the drape was made by another method than relaxation"};
-  if (report.has_limits) return {{}, "limits of strain or shear held the drape, too"};
+Loads worn_loads(const DressedGarment& dressed, const fs::path& meshed, const DressReport& report,
+                 const SurfaceDistance& skin) {
   PanelMesh garment = read_garment(meshed);
   if (garment.triangles != dressed.flat_triangles || garment.flat != dressed.flat) {
     throw Error(meshed.string(), "is another garment than the dressed one",
@@ -59,18 +73,14 @@ WornLoads worn_loads(const DressedGarment& dressed, const fs::path& meshed,
   garment.attachments.clear();
   const Scene scene = scene_of(report, garment);
   const GarmentModel model = compile(garment, scene, garment.placed);
-  if (model.nodes != static_cast<int>(dressed.points.size())) {
-    throw Error(meshed.string(), "has other seams than the dressed garment",
-                "give the one that was dressed");
-  }
-  std::vector<int> dressed_node;
-  const std::vector<Vec3> nodes = nodes_of(dressed, model, dressed_node);
-  WornLoads worn;
-  worn.loads = measure_loads(model, nodes, skin, report.body_offset + contact_margin);
+  const std::vector<int> of_model = dressed_nodes(dressed, model, meshed);
+  std::vector<Vec3> nodes;
+  for (const int node : of_model) nodes.push_back(dressed.points[node]);
+  Loads loads = measure_loads(model, nodes, skin, report.body_offset + contact_margin);
   std::vector<NodeLoad> in_order(nodes.size());
-  for (std::size_t n = 0; n < nodes.size(); ++n) in_order[dressed_node[n]] = worn.loads->nodes[n];
-  worn.loads->nodes = std::move(in_order);
-  return worn;
+  for (std::size_t n = 0; n < nodes.size(); ++n) in_order[of_model[n]] = loads.nodes[n];
+  loads.nodes = std::move(in_order);
+  return loads;
 }
 
 }  // namespace toile
