@@ -179,26 +179,19 @@ NodeLoads loads_at_nodes(const DressedGarment& garment, const Loads& loads) {
   return at;
 }
 
-std::vector<LoadRow> loads_of_panels(const DressedGarment& garment, const Loads& loads) {
+LoadRows load_rows(const DressedGarment& garment, const Loads& loads, const Girths& girths) {
   std::vector<std::vector<int>> triangles(garment.panels.size());
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
     triangles[garment.panel_of_triangle[t]].push_back(static_cast<int>(t));
   }
   const Fields fields(garment, loads);
-  std::vector<LoadRow> rows;
+  LoadRows rows;
   for (std::size_t p = 0; p < garment.panels.size(); ++p) {
-    rows.push_back(fields.row(garment.panels[p], triangles[p]));
+    rows.panels.push_back(fields.row(garment.panels[p], triangles[p]));
   }
-  return rows;
-}
-
-std::vector<LoadRow> loads_of_levels(const DressedGarment& garment, const Loads& loads,
-                                     const Girths& girths) {
-  const Fields fields(garment, loads);
-  std::vector<LoadRow> rows;
   for (const Girth& girth : girths.rows) {
-    rows.push_back(fields.row(girth.name, girth.triangles));
-    rows.back().tension.mean = tension_along(girth, garment, loads);
+    rows.levels.push_back(fields.row(girth.name, girth.triangles));
+    rows.levels.back().tension.mean = tension_along(girth, garment, loads);
   }
   return rows;
 }

@@ -40,12 +40,12 @@ struct NodeLoads {
 };
 NodeLoads loads_at_nodes(const DressedGarment& garment, const Loads& loads);
 
-/// One row a panel, in the order of DressedGarment::panels. Largest values may lie in a patch that
-/// reaches across a seam. Linear in the nodes times those in a patch.
-std::vector<LoadRow> loads_of_panels(const DressedGarment& garment, const Loads& loads);
-
-/// One row for each girth, in their order. A level has the nodes of the triangles that it cuts.
-std::vector<LoadRow> loads_of_levels(const DressedGarment& garment, const Loads& loads,
-                                     const Girths& girths);
+struct LoadRows {
+  std::vector<LoadRow> panels;  ///< one a panel, in the order of DressedGarment::panels
+  std::vector<LoadRow> levels;  ///< one for each girth: of the triangles that it cuts
+};
+/// Largest values may lie in a patch that reaches across a seam. Linear in the nodes times those in
+/// a patch.
+LoadRows load_rows(const DressedGarment& garment, const Loads& loads, const Girths& girths);
 
 }  // namespace toile

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -92,9 +91,10 @@ TEST_F(Loads, AWaistbandPressesHardEnoughToHoldItsSkirt) {
   EXPECT_LE(held, 1.05 * 0.4 * pressed);
   const Json panels = reported()["loads"]["panels"];
   for (const Json& panel : panels) {
-    // Of an elastic of 33 cm drawn out to 36, that is 1.8 N around the waist: T/R over its band.
-    EXPECT_GT(panel["pressure_kPa"]["largest"].get<double>(), 0.05);
-    EXPECT_LT(panel["pressure_kPa"]["largest"].get<double>(), 2);
+    // The elastic pulls with 1.8 N around a radius of 11 cm: 16 N/m, which 2 cm of cloth spread to
+    // 0.8 kPa. Within half and double of that.
+    EXPECT_GT(panel["pressure_kPa"]["largest"].get<double>(), 0.4);
+    EXPECT_LT(panel["pressure_kPa"]["largest"].get<double>(), 1.6);
   }
 }
 

@@ -67,17 +67,17 @@ std::optional<std::string> hard_place(const EaseReport& report) {
   const auto harder = [](const LoadRow& a, const LoadRow& b) {
     return a.pressure.largest < b.pressure.largest;
   };
-  const auto panel = std::ranges::max_element(report.panel_loads, harder);
-  if (panel == report.panel_loads.end() || panel->pressure.largest <= hard_pressure) return {};
+  const auto panel = std::ranges::max_element(report.load_rows.panels, harder);
+  if (panel == report.load_rows.panels.end() || panel->pressure.largest <= hard_pressure) return {};
   std::string text =
       valid_utf8(panel->name) + " presses with " + fixed_number(panel->pressure.largest / 1000, 1) +
       " \xC2\xB1 " + fixed_number(largest_pressure_error(panel->pressure.largest) / 1000, 1) +
       " kPa on " + fixed_number(1e4 * load_patch, 0) + " cm\xC2\xB2 at a height of " +
       centimetres(report.garment.points[panel->pressure.node].y(), 0);
-  const auto level = std::ranges::find_if(report.level_loads, [&](const LoadRow& row) {
+  const auto level = std::ranges::find_if(report.load_rows.levels, [&](const LoadRow& row) {
     return !row.name.empty() && row.pressure.node == panel->pressure.node;
   });
-  if (level != report.level_loads.end()) text += ", the " + level->name;
+  if (level != report.load_rows.levels.end()) text += ", the " + level->name;
   return text + ": more than " + fixed_number(hard_pressure / 1000, 1) + " kPa";
 }
 

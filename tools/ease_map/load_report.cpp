@@ -52,15 +52,15 @@ nlohmann::ordered_json loads_json(const EaseReport& report) {
                                  {"largest_over_cm2", rounded(1e4 * load_patch)},
                                  {"panels", nlohmann::ordered_json::array()},
                                  {"levels", nlohmann::ordered_json::array()}};
-  for (const LoadRow& row : report.panel_loads) {
+  for (const LoadRow& row : report.load_rows.panels) {
     json["panels"].push_back({{"name", valid_utf8(row.name)}});
     json["panels"].back().update(load_row_json(report, row));
   }
-  for (std::size_t i = 0; i < report.level_loads.size(); ++i) {
+  for (std::size_t i = 0; i < report.load_rows.levels.size(); ++i) {
     nlohmann::ordered_json level;
-    if (!report.level_loads[i].name.empty()) level["level"] = report.level_loads[i].name;
+    if (!report.load_rows.levels[i].name.empty()) level["level"] = report.load_rows.levels[i].name;
     level["height_cm"] = rounded(100 * report.girths.rows[i].height);
-    level.update(load_row_json(report, report.level_loads[i]));
+    level.update(load_row_json(report, report.load_rows.levels[i]));
     json["levels"].push_back(std::move(level));
   }
   return json;
@@ -85,10 +85,10 @@ PageTable load_table(const EaseReport& report) {
          fixed_number(100 * row.touching, 0)});
     table.regions.push_back(region);
   };
-  for (std::size_t i = 0; i < report.panel_loads.size(); ++i) {
-    if (report.map.panels[i].points > 0) add(report.panel_loads[i], static_cast<int>(i));
+  for (std::size_t i = 0; i < report.load_rows.panels.size(); ++i) {
+    if (report.map.panels[i].points > 0) add(report.load_rows.panels[i], static_cast<int>(i));
   }
-  for (const LoadRow& row : report.level_loads) {
+  for (const LoadRow& row : report.load_rows.levels) {
     if (!row.name.empty()) add(row, -1);
   }
   table.remark =

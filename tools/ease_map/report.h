@@ -28,8 +28,7 @@ struct EaseReport {
   std::vector<GarmentLevel> garment_levels;  ///< empty: not measured
   std::vector<GarmentLength> lengths;        ///< empty: not measured
   std::optional<Loads> loads;                ///< none: not known, a note says why
-  std::vector<LoadRow> panel_loads;          ///< one a panel of the garment
-  std::vector<LoadRow> level_loads;          ///< one for each girth
+  LoadRows load_rows;                        ///< of panels and girths
   std::string target;                        ///< name of the ease meant; empty: not asked for
   std::vector<TargetFinding> targets;        ///< levels against it
   std::optional<DressReport> dressing;       ///< none: there is no report of dress

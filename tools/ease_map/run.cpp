@@ -125,8 +125,7 @@ void measure_loads_of(EaseReport& report, const SurfaceDistance& skin,
                            fixed_number(loads.weight, 2) + " N differ by " +
                            fixed_number(missing.norm(), 2) + " N");
   }
-  report.panel_loads = loads_of_panels(report.garment, *report.loads);
-  report.level_loads = loads_of_levels(report.garment, *report.loads, report.girths);
+  report.load_rows = load_rows(report.garment, loads, report.girths);
 }
 
 void warn(EaseReport& report, const Warning& warning) {
