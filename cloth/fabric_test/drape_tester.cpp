@@ -122,7 +122,7 @@ double DrapeTester::coefficient(const std::vector<Vec3>& x) const {
 int DrapeTester::nodes(const std::vector<Vec3>& x) const {
   std::vector<double> radii;
   for (std::size_t n = 0; n < rim(); ++n) radii.push_back(std::hypot(x[n].x(), x[n].z()));
-  std::ranges::rotate(radii, std::ranges::min_element(radii));
+  std::rotate(radii.begin(), std::min_element(radii.begin(), radii.end()), radii.end());
   radii.push_back(radii.front());
   int found = 0;
   bool out = true;
@@ -146,7 +146,8 @@ std::vector<Vec3> DrapeTester::flat() const {
 /// Of the sheet lit from above, m².
 double DrapeTester::shadow(const std::vector<Vec3>& x) const {
   const int half = static_cast<int>(1.05 * sizes_.sheet / raster_cell);
-  std::vector<char> dark(4 * static_cast<std::size_t>(half) * half, 0);
+  const std::size_t side = 2 * static_cast<std::size_t>(half);
+  std::vector<char> dark(side * side, 0);
   const auto cross = [](const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); };
   for (const Triangle& t : mesh_.triangles) {
     std::array<Vec2, 3> c;
@@ -165,7 +166,10 @@ double DrapeTester::shadow(const std::vector<Vec3>& x) const {
         for (int k = 0; k < 3; ++k) {
           inside = inside && cross(c[(k + 1) % 3] - c[k], p - c[k]) * twice >= 0;
         }
-        if (inside) dark.at((j + half) * 2 * static_cast<std::size_t>(half) + i + half) = 1;
+        if (inside) {
+          dark.at(static_cast<std::size_t>(j + half) * side + static_cast<std::size_t>(i + half)) =
+              1;
+        }
       }
     }
   }

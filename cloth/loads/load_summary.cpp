@@ -98,7 +98,7 @@ class Fields {
       area += loads_.triangles[t].area;
     }
     std::ranges::sort(nodes);
-    nodes.erase(std::ranges::unique(nodes).begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     double touching = 0;
     double of_nodes = 0;
     for (const int n : nodes) {
