@@ -21,6 +21,7 @@ std::vector<CommandLineProgram> all_programs() {
           render_program(),
           make_mannequin_program(),
           measure_body_program(),
+          measure_pattern_program(),
           pose_body_program(),
           drape_test_program()};
 }

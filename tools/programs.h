@@ -17,6 +17,7 @@ CommandLineProgram fit_program();
 CommandLineProgram import_pattern_program();
 CommandLineProgram make_mannequin_program();
 CommandLineProgram measure_body_program();
+CommandLineProgram measure_pattern_program();
 CommandLineProgram mesh_pattern_program();
 CommandLineProgram pose_body_program();
 CommandLineProgram render_program();

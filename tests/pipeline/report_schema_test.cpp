@@ -186,6 +186,10 @@ TEST_F(ReportSchema, HoldsForMeshPatternDressEaseMapAndRender) {
   succeed("export-pattern",
           {sample("tshirt"), "-o", folder / "shirt.svg", "--report", folder / "export.json", "-q"});
   expect_valid("export_pattern", "export.json", {"/panels/0/name"});
+  succeed("measure-pattern",
+          {sample("tshirt"), "-o", folder / "pom.csv", "--report", folder / "pom.json", "-q"});
+  expect_valid("measure_pattern", "pom.json", {"/points/0/actual_cm"});
+  expect_faults_found("measure_pattern", "pom.json");
   expect_faults_found("export_pattern", "export.json");
   expect_valid("mesh_pattern", "mesh.json");
   expect_valid("dress", "dressed.json", {"/certified/frames/0", "/quality", "/wraps/0"});

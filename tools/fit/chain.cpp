@@ -31,11 +31,13 @@ FitFiles::FitFiles(const fs::path& folder)
       ease(folder / "ease.html"),
       ease_report(folder / "ease.json"),
       ease_picture(folder / "ease.png"),
-      drape_picture(folder / "drape.png") {}
+      drape_picture(folder / "drape.png"),
+      points(folder / "pom.csv"),
+      points_report(folder / "pom.json") {}
 
 std::vector<fs::path> FitFiles::all() const {
-  return {body,    skeleton, body_report, garment,     garment_json, mesh_report,
-          dressed, report,   ease,        ease_report, ease_picture, drape_picture};
+  return {body,   skeleton, body_report, garment,      garment_json,  mesh_report, dressed,
+          report, ease,     ease_report, ease_picture, drape_picture, points,      points_report};
 }
 
 void add_fit_options(po::options_description& options) {
@@ -78,6 +80,7 @@ ProgramFiles files_of(const FitSettings& settings, const FitFiles& files) {
   all.reads = settings.dress.fabrics.files;
   all.reads.push_back(settings.body.inputs.front());
   all.reads.push_back(skeleton_beside(settings.body.inputs.front()));
+  if (settings.points.spec) all.reads.push_back(*settings.points.spec);
   all.writes = files.all();
   all.keeps = kept_distances_of(settings.dress.body);
   if (const auto& standing = settings.dress.standing) {
@@ -128,6 +131,14 @@ FitEnd fit_pattern(const FitSettings& settings, const FitFiles& files, const Cle
   common.say("Meshing the pattern:");
   const std::vector<std::string> of_meshing = run_mesh_pattern(
       settings.pattern, step_of(common, "mesh-pattern", files.garment, files.mesh_report));
+  ExitCode of_points = exit_done;
+  if (settings.points.spec) {
+    common.say("Measuring the pattern:");
+    MeasurePatternSettings points = settings.points;
+    points.pattern = settings.pattern.pattern;
+    of_points = run_measure_pattern(
+        points, step_of(common, "measure-pattern", files.points, files.points_report));
+  }
   common.say("Dressing:");
   DressSettings dressing = settings.dress;
   dressing.earlier_warnings = warnings_of("body", body.warnings);
@@ -151,11 +162,11 @@ FitEnd fit_pattern(const FitSettings& settings, const FitFiles& files, const Cle
     drawing.output = files.drape_picture;
     run_render(render, drawing);
   }
-  return {end, body.is_usable};
+  return {end, body.is_usable, of_points == exit_done};
 }
 
 ExitCode exit_code_of(const FitEnd& end) {
-  return end.body_is_usable ? exit_code_of(end.dress) : exit_negative;
+  return end.body_is_usable && end.keeps_spec ? exit_code_of(end.dress) : exit_negative;
 }
 
 }  // namespace toile

@@ -12,6 +12,7 @@
 #include "tools/clean_body/run.h"
 #include "tools/dress/run.h"
 #include "tools/dress/settings.h"
+#include "tools/measure_pattern/run.h"
 #include "tools/mesh_pattern/run.h"
 #include "tools/program.h"
 #include "tools/program_files.h"
@@ -27,6 +28,7 @@ struct FitFiles {
   std::filesystem::path garment, garment_json, mesh_report;
   std::filesystem::path dressed, report;
   std::filesystem::path ease, ease_report, ease_picture, drape_picture;
+  std::filesystem::path points, points_report;  ///< with --pom
 };
 
 /// What the command line asks for.
@@ -36,6 +38,7 @@ struct FitSettings {
   DressSettings dress;
   bool pictures = false;
   std::optional<EaseTargets> targets = {};
+  MeasurePatternSettings points = {};  ///< without a spec: not measured
 };
 
 /// --edge-length, --cache, --png, --target and the options of the drape.
@@ -66,6 +69,7 @@ CleanBodyResult fit_body(const FitSettings& settings, const FitFiles& files,
 struct FitEnd {
   DressEnd dress;
   bool body_is_usable = true;
+  bool keeps_spec = true;
 };
 
 /// Meshes the pattern, dresses the body, measures the ease and draws what is asked for. Throws
@@ -73,7 +77,8 @@ struct FitEnd {
 FitEnd fit_pattern(const FitSettings& settings, const FitFiles& files, const CleanBodyResult& body,
                    const CommonSettings& common);
 
-/// That of dress; exit_negative also for a body that can't be relied on.
+/// That of dress; exit_negative also for a body that can't be relied on, and for a spec that is
+/// not kept.
 ExitCode exit_code_of(const FitEnd& end);
 
 }  // namespace toile

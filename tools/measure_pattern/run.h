@@ -1,0 +1,30 @@
+// What measure-pattern does once it knows what is asked.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "tools/program.h"
+
+namespace toile {
+
+struct MeasurePatternSettings {
+  std::filesystem::path pattern;
+  std::optional<std::filesystem::path> spec;  ///< points of measure as they should be
+  std::string size;                           ///< the spec's column; empty: it has one
+  bool knit = false;
+};
+
+/// --pom, --size, --knit.
+void add_pom_options(boost::program_options::options_description& options);
+/// Throws boost::program_options::error for --size without --pom.
+void check_pom_options(const boost::program_options::variables_map& given);
+void read_pom_options(const boost::program_options::variables_map& given,
+                      MeasurePatternSettings& settings);
+
+/// Measures the pattern and writes the table. Throws Error for what can't be read, and for a rule
+/// that does not hold. exit_negative: something is out of its tolerance, or was not found.
+ExitCode run_measure_pattern(const MeasurePatternSettings& settings, const CommonSettings& common);
+
+}  // namespace toile
