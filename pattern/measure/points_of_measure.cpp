@@ -128,7 +128,8 @@ class PointFinder {
     std::map<int, std::vector<EdgeRef>> armholes;  // by side
     std::map<int, EdgeRef> shoulders;
     std::optional<EdgeEnd> underarm;
-    for (const EdgeRef& shoulder : edges_that([this](const EdgeRef& e) { return is_shoulder(e); })) {
+    for (const EdgeRef& shoulder :
+         edges_that([this](const EdgeRef& e) { return is_shoulder(e); })) {
       const int panel = shoulder.panel;
       const EdgeEnd neck = panels_.beside(higher_end(shoulder));
       const EdgeEnd tip = panels_.beside(lower_end(shoulder));
@@ -156,7 +157,9 @@ class PointFinder {
     if (underarm) add("half chest", "half around " + text(*underarm) + inch_below);
     for (const auto& [side, edge] : shoulders) add_along(sided(side, "shoulder"), {edge});
     // Those of side panels are sewn to no shoulder.
-    for (auto& [side, edges] : armholes) {
+    for (auto& armhole : armholes) {
+      const int side = armhole.first;
+      std::vector<EdgeRef>& edges = armhole.second;
       for (const EdgeRef& edge : edges_that([&](const EdgeRef& e) {
              return is_bodice(e) && worn_across(e) == PanelRole::sleeve &&
                     panels_.side(panels_.partner(e)->panel) == side;
@@ -279,8 +282,9 @@ class PointFinder {
       add(sided(side, "sleeve length"), "down " + text(*highest));
       add(sided(side, "half biceps"), "half around " + text(*lowest) + inch_below);
       add_along(sided(side, "sleeve inseam"), chain_from(*lowest, [&](const EdgeRef& edge) {
-                  return worn_across(edge) == PanelRole::sleeve && !looks_down(edge);
-                }).edges);
+                                                return worn_across(edge) == PanelRole::sleeve &&
+                                                       !looks_down(edge);
+                                              }).edges);
       const std::vector<EdgeRef> opening = edges_that([&](const EdgeRef& edge) {
         return is_sleeve(edge) && panels_.side(edge.panel) == side && is_open(edge) &&
                looks_down(edge);
@@ -297,13 +301,13 @@ class PointFinder {
       return is_it && is_open(edge) && panels_.facing(edge) > looks_up;
     };
     for (const bool of_band : {true, false}) {
-      add_along("waist",
-                edges_that([&](const EdgeRef& edge) { return is_top_of(edge, of_band); }), true);
+      add_along("waist", edges_that([&](const EdgeRef& edge) { return is_top_of(edge, of_band); }),
+                true);
     }
     for (const EdgeRef& edge : edges_) {
       if (worn_as(edge) != PanelRole::skirt || panels_.face(edge.panel) <= 0) continue;
-      const bool is_top = panels_.facing(edge) > looks_up &&
-                          worn_across(edge) != std::optional(PanelRole::skirt);
+      const bool is_top =
+          panels_.facing(edge) > looks_up && worn_across(edge) != std::optional(PanelRole::skirt);
       if (!is_top) continue;
       // A front of two panels has its middle at the end of an edge.
       const bool is_whole = panels_.side(edge.panel) == 0;
@@ -347,9 +351,8 @@ class PointFinder {
                   const std::optional<EdgeRef> other = panels_.partner(edge);
                   return edge.panel == crotch->edge.panel && other && holds_leg(*other) &&
                          other->panel != edge.panel &&
-                         std::ranges::none_of(inseam, [&](const EdgeRef& known) {
-                           return known.edge == edge.edge;
-                         });
+                         std::ranges::none_of(
+                             inseam, [&](const EdgeRef& known) { return known.edge == edge.edge; });
                 }));
       const std::vector<EdgeRef> opening = edges_that([&](const EdgeRef& edge) {
         return holds_leg(edge) && is_open(edge) && looks_down(edge);

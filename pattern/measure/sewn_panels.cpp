@@ -92,8 +92,8 @@ SewnPanels::SewnPanels(const Pattern& pattern) : pattern_(pattern) {
       cap += length(edge) * (at({edge, 0.5}) - middle);
       cap_length += length(edge);
     }
-    up_.push_back(yarn_towards(
-        p, cap_length > 0 ? cap : Vec2(panel.rotation(1, 0), panel.rotation(1, 1))));
+    up_.push_back(
+        yarn_towards(p, cap_length > 0 ? cap : Vec2(panel.rotation(1, 0), panel.rotation(1, 1))));
   }
 }
 

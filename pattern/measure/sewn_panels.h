@@ -62,8 +62,8 @@ class SewnPanels {
   /// for a line that does neither.
   double level_length(const EdgePoint& from) const;
   /// Length from a point straight down to the end of the cloth. Over a seam it goes on along the
-  /// yarn that leads away from the seam. Where it would run along a seam it follows the seam. Throws
-  /// Error where no lower edge lies below the point.
+  /// yarn that leads away from the seam. Where it would run along a seam it follows the seam.
+  /// Throws Error where no lower edge lies below the point.
   double length_down(const EdgePoint& from) const;
 
  private:

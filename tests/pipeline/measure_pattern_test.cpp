@@ -54,7 +54,8 @@ TEST(MeasurePattern, BadSpecsLeaveNoFile) {
   EXPECT_EQ(done.exit_code, 1);
   EXPECT_HOLDS(done.err, "there is no panel 'nowhere'");
   EXPECT_FALSE(std::filesystem::exists(folder / "out.csv"));
-  EXPECT_EQ(run("measure-pattern", {shirt(), "-o", folder / "out.csv", "--size", "M"}).exit_code, 2);
+  EXPECT_EQ(run("measure-pattern", {shirt(), "-o", folder / "out.csv", "--size", "M"}).exit_code,
+            2);
 }
 
 }  // namespace measure_pattern_test

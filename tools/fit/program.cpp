@@ -18,8 +18,8 @@ ExitCode fit(const FitSettings& settings, const FitFiles& files, const CommonSet
       pattern, "find them: toile find-seams " + shell_word(pattern.string()) + " -o sewn.json");
   remove_earlier(files.all());
   const FitEnd end = fit_pattern(settings, files, fit_body(settings, files, common), common);
-  std::cout << to_string(end.dress.verdict) << ": see " << files.ease.string() << " and "
-            << files.report.string() << std::endl;
+  std::cout << to_string(end.dress.verdict) << (end.keeps_spec ? "" : ", out of spec") << ": see "
+            << files.ease.string() << " and " << files.report.string() << std::endl;
   return exit_code_of(end);
 }
 

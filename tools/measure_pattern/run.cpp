@@ -27,8 +27,8 @@ std::string shown_cm(const std::optional<double>& metres) {
 }
 
 std::string pom_csv(const std::vector<MeasuredPoint>& points) {
-  std::string text = csv_line({"name", "measured", "spec_cm", "actual_cm", "difference_cm",
-                               "tolerance_cm", "result"});
+  std::string text = csv_line(
+      {"name", "measured", "spec_cm", "actual_cm", "difference_cm", "tolerance_cm", "result"});
   for (const MeasuredPoint& point : points) {
     text += csv_line({valid_utf8(point.name), valid_utf8(point.rule), shown_cm(point.spec),
                       shown_cm(point.actual), shown_cm(point.difference()),

@@ -48,8 +48,7 @@ void expect_points(const std::map<std::string, double>& measured,
 /// A skirt of two panels, 50 cm wide below and 44 above. The front has a dart of 4 cm that is 10 cm
 /// deep. Its sides are straight and 60 cm high.
 const std::string darted_skirt = samples::file(
-    samples::polygon("skirt_front",
-                     "[-25,0],[25,0],[22,60],[2,60],[0,50],[-2,60],[-22,60]",
+    samples::polygon("skirt_front", "[-25,0],[25,0],[22,60],[2,60],[0,50],[-2,60],[-22,60]",
                      R"("translation": [0,40,20])") +
         "," +
         samples::polygon("skirt_back", "[-25,0],[25,0],[22,60],[-22,60]",
@@ -70,8 +69,8 @@ TEST(PointsOfMeasure, ALevelLineLeavesOutADart) {
 TEST(PointsOfMeasure, RulesMeasureStraightAndAlong) {
   const Measured skirt = Measured::of(darted_skirt);
   EXPECT_NEAR(skirt.by_rule("between skirt_front.0:start skirt_front.0:end"), 50, 1e-9);
-  EXPECT_NEAR(skirt.by_rule("between skirt_front.0:start skirt_front.3:start"),
-              std::hypot(27, 60), 1e-9);
+  EXPECT_NEAR(skirt.by_rule("between skirt_front.0:start skirt_front.3:start"), std::hypot(27, 60),
+              1e-9);
   EXPECT_NEAR(skirt.by_rule("drop skirt_front.2:start skirt_front.3:end"), 10, 1e-9);
   EXPECT_NEAR(skirt.by_rule("level skirt_front.2:start skirt_front.3:end"), 22, 1e-9);
   EXPECT_NEAR(skirt.by_rule("twice along skirt_front.3 skirt_front.4"), 4 * std::hypot(2, 10),
@@ -94,21 +93,34 @@ TEST(PointsOfMeasure, NamesInQuotesMayHaveBlanksAndDots) {
 
 TEST(PointsOfMeasure, RulesThatSayNothingAreRefused) {
   const Measured skirt = Measured::of(darted_skirt);
-  for (const std::string rule :
-       {"", "half", "along", "beside skirt_front.0", "along skirt_front", "along skirt_front.7",
-        "along skirt_side.0", "along skirt_front.", "along \"skirt_front\"", "between skirt_front.0",
-        "between skirt_front.0:start skirt_back.0:end", "down skirt_front.2:middle",
-        "down skirt_front.2:1.5", "around skirt_front.1:end 2.5 below",
-        "around skirt_front.1:end 2.5cm", "around skirt_front.1:end -1cm below",
-        "around skirt_front.1:0.5 2cm below", "around skirt_front.1:end 70cm below",
-        "along skirt_front.0 extra", "down skirt_front.0:0.5", "down skirt_front.2:nan"}) {
+  for (const std::string rule : {"",
+                                 "half",
+                                 "along",
+                                 "beside skirt_front.0",
+                                 "along skirt_front",
+                                 "along skirt_front.7",
+                                 "along skirt_side.0",
+                                 "along skirt_front.",
+                                 "along \"skirt_front\"",
+                                 "between skirt_front.0",
+                                 "between skirt_front.0:start skirt_back.0:end",
+                                 "down skirt_front.2:middle",
+                                 "down skirt_front.2:1.5",
+                                 "around skirt_front.1:end 2.5 below",
+                                 "around skirt_front.1:end 2.5cm",
+                                 "around skirt_front.1:end -1cm below",
+                                 "around skirt_front.1:0.5 2cm below",
+                                 "around skirt_front.1:end 70cm below",
+                                 "along skirt_front.0 extra",
+                                 "down skirt_front.0:0.5",
+                                 "down skirt_front.2:nan"}) {
     EXPECT_THROW(skirt.by_rule(rule), Error) << rule;
   }
 }
 
 // The sample's front has the vertices (0, 0), (26.5, 0), (26, 41.5), (19.5, 62.887), (9, 66.4),
-// (0, 56.4). The back has (0, 61.8), (9, 64) and (19.5, 60.487). A sleeve is 22 cm long, and its cap
-// ends 11 cm down.
+// (0, 56.4). The back has (0, 61.8), (9, 64) and (19.5, 60.487). A sleeve is 22 cm long, and its
+// cap ends 11 cm down.
 TEST(PointsOfMeasure, OfTheTShirtAreThoseOfItsVertices) {
   const auto measures = Measured::sample("tshirt").all();
   // The side seam is 0.5 cm in at 41.5 cm, so 0.47 cm at 39.
@@ -132,8 +144,8 @@ TEST(PointsOfMeasure, OfTheTShirtAreThoseOfItsVertices) {
 
 TEST(PointsOfMeasure, OfTrousersHaveBothLegs) {
   const auto measures = Measured::sample("trousers").all();
-  for (const std::string name : {"front rise", "back rise", "inseam", "outseam", "half thigh",
-                                 "half leg opening"}) {
+  for (const std::string name :
+       {"front rise", "back rise", "inseam", "outseam", "half thigh", "half leg opening"}) {
     ASSERT_TRUE(measures.contains("left " + name)) << name;
     EXPECT_NEAR(measures.at("left " + name), measures.at("right " + name), 1e-6) << name;
   }
