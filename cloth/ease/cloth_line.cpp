@@ -234,6 +234,23 @@ double flat_length(const ClothPath& path) {
   return length;
 }
 
+std::map<std::pair<int, int>, FlatEdge> flat_edges(const DressedGarment& garment) {
+  std::map<std::pair<int, int>, FlatEdge> edges;
+  for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3;
+      const Triangle& flat = garment.flat_triangles[t];
+      const double length = (garment.flat[flat[i]] - garment.flat[flat[j]]).norm();
+      const std::pair<int, int> edge =
+          std::minmax(garment.triangles[t][i], garment.triangles[t][j]);
+      const auto [at, is_new] = edges.emplace(edge, FlatEdge{length, {}});
+      if (!is_new) at->second.length = std::min(at->second.length, length);
+      at->second.panels.insert(garment.panel_of_triangle[t]);
+    }
+  }
+  return edges;
+}
+
 double worn_length(const ClothPath& path) {
   double length = 0;
   for (const PathStep& step : path) length += (step.worn_to - step.worn_from).norm();

@@ -1,6 +1,9 @@
 // The line along which a plane meets a worn garment, laid back onto its flat panels.
 #pragma once
 
+#include <map>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "pattern/panel_mesh.h"
@@ -64,6 +67,15 @@ ClothPath reversed(const ClothPath& path);
 /// Metres on the flat: across each panel the straight line from where the path enters it to where
 /// it leaves. So folds and bends of the path do not count.
 double flat_length(const ClothPath& path);
+
+/// An edge of the mesh on the flat.
+struct FlatEdge {
+  double length = 0;     ///< metres, the least of the triangles beside it
+  std::set<int> panels;  ///< of the triangles beside it
+};
+
+/// The edges of the mesh by their nodes, the lower one first.
+std::map<std::pair<int, int>, FlatEdge> flat_edges(const DressedGarment& garment);
 
 /// Metres along the path as worn.
 double worn_length(const ClothPath& path);

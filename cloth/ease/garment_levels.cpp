@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "cloth/ease/cloth_line.h"
 #include "cloth/ease/figure_errors.h"
 #include "geometry/body/limbs_through.h"
 #include "geometry/body/torso_section.h"
@@ -15,8 +16,6 @@
 namespace toile {
 
 namespace {
-
-using Edge = std::pair<int, int>;  // of nodes, the lower one first
 
 struct Loop {
   std::vector<int> nodes;
@@ -85,22 +84,6 @@ std::optional<double> girth_through(const TriangleMesh& body, const DressedGarme
   return girth;
 }
 
-/// Metres, per edge: its length on the flat, the least of the triangles beside it.
-std::map<Edge, double> flat_lengths(const DressedGarment& garment) {
-  std::map<Edge, double> lengths;
-  for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
-    for (int i = 0; i < 3; ++i) {
-      const int j = (i + 1) % 3;
-      const Triangle& flat = garment.flat_triangles[t];
-      const double length = (garment.flat[flat[i]] - garment.flat[flat[j]]).norm();
-      const Edge edge = std::minmax(garment.triangles[t][i], garment.triangles[t][j]);
-      const auto [at, is_new] = lengths.emplace(edge, length);
-      if (!is_new) at->second = std::min(at->second, length);
-    }
-  }
-  return lengths;
-}
-
 }  // namespace
 
 bool hangs_from_waist(PanelRole worn_as) {
@@ -135,7 +118,7 @@ std::vector<GarmentLevel> measure_garment_levels(const DressedGarment& garment,
                                                  const std::vector<Measure>& measures) {
   std::vector<GarmentLevel> levels;
   if (!has_all_limbs(skeleton)) return levels;
-  const std::map<Edge, double> lengths = flat_lengths(garment);
+  const std::map<std::pair<int, int>, FlatEdge> flat = flat_edges(garment);
   const auto measure = [&](const std::string& name, const Loop& loop) {
     GarmentLevel level;
     level.name = name;
@@ -145,8 +128,8 @@ std::vector<GarmentLevel> measure_garment_levels(const DressedGarment& garment,
       const int from = loop.nodes[i];
       const int to = loop.nodes[(i + 1) % loop.nodes.size()];
       level.garment += (garment.points[to] - garment.points[from]).norm();
-      const auto length = lengths.find(std::minmax(from, to));
-      if (length != lengths.end()) level.as_cut += length->second;
+      const auto edge = flat.find(std::minmax(from, to));
+      if (edge != flat.end()) level.as_cut += edge->second.length;
     }
     return level;
   };

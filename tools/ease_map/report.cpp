@@ -179,21 +179,23 @@ PageTable length_table(const EaseReport& report) {
   table.caption = "Lengths of the garment, cm";
   table.columns = {"length", "as cut", "as worn", "body", "ends"};
   for (const GarmentLength& length : report.lengths) {
-    table.rows.push_back({length.name, cm(length.as_cut), cm(length.worn),
+    table.rows.push_back({length.name, length.as_cut ? cm(*length.as_cut) : "", cm(length.worn),
                           length.body ? cm(*length.body) : "", ends_text(length)});
   }
   table.remark =
-      "As cut: straight across each flat panel along the line. As worn: along the cloth. Where a "
-      "sleeve or a shoulder ends is told along the arm.";
+      "As cut: straight across each flat panel along the line; of crotch length and rises along "
+      "their seam. As worn: along the cloth; across shoulder straight to the centre back and on; "
+      "of a neck drop the height. Where a sleeve or a shoulder ends is told along the arm, beyond "
+      "a knee is below it.";
   return table;
 }
 
 nlohmann::ordered_json lengths_json(const EaseReport& report) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const GarmentLength& length : report.lengths) {
-    nlohmann::ordered_json row = {{"name", length.name},
-                                  {"as_cut_cm", rounded(100 * length.as_cut)},
-                                  {"worn_cm", rounded(100 * length.worn)}};
+    nlohmann::ordered_json row = {{"name", length.name}};
+    if (length.as_cut) row["as_cut_cm"] = rounded(100 * *length.as_cut);
+    row["worn_cm"] = rounded(100 * length.worn);
     if (length.body) row["body_cm"] = rounded(100 * *length.body);
     for (const EndsBeyond& end : length.ends) {
       row["ends"].push_back({{"place", end.place}, {"beyond_cm", rounded(100 * end.by)}});
@@ -484,9 +486,11 @@ std::vector<std::string> ease_summary(const EaseReport& report) {
                     cm(level.height) + " \xC2\xB1 " + cm(report.dressing->height_error) + " cm");
   }
   for (const GarmentLength& length : report.lengths) {
-    lines.push_back(length.name + " " + cm(length.as_cut) + " cm as cut" +
-                    (length.body ? ", body " + cm(*length.body) + " cm" : "") +
-                    (length.ends.empty() ? "" : ", ends " + ends_text(length)));
+    lines.push_back(
+        length.name + " " +
+        (length.as_cut ? cm(*length.as_cut) + " cm as cut" : cm(length.worn) + " cm as worn") +
+        (length.body ? ", body " + cm(*length.body) + " cm" : "") +
+        (length.ends.empty() ? "" : ", ends " + ends_text(length)));
   }
   for (const GirthLeftOut& level : report.girths.left_out) {
     lines.push_back("no girth ease at the " + level.name + ": " + level.why);

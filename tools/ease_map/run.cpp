@@ -77,7 +77,8 @@ void measure_girths(EaseReport& report, const SurfaceDistance& skin,
   report.girths = measure_girths(report.garment, report.body, skeleton, measures, options);
   report.garment_levels =
       measure_garment_levels(report.garment, report.body, skeleton, roles, measures);
-  report.lengths = measure_lengths(report.garment, skeleton, measures, roles);
+  report.lengths =
+      measure_lengths(report.garment, skeleton, measures, roles, report.garment_levels);
   if (!report.dressing) return;
   for (GarmentLevel& level : report.garment_levels) {
     const auto told = std::ranges::find(report.dressing->levels, level.name, &GarmentLevel::name);
