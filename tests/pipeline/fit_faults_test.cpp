@@ -1,6 +1,7 @@
 // Garments with a known fault are told right: the place, the sign, the centimetres within the bar.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -91,6 +92,21 @@ TEST_F(FitFaults, ASleeveThatIsShorterEndsFartherAboveTheElbow) {
         before["ends"][0]["beyond_cm"].get<double>() - after["ends"][0]["beyond_cm"].get<double>(),
         3.0, 0.8);
   }
+}
+
+TEST_F(FitFaults, ASleeveThatIsShorterThanTheOtherIsTold) {
+  const Json report = ease("tshirt", [](const std::string& panel, double& x, double&) {
+    if (is_sleeve(panel) && panel.starts_with("left") && std::abs(x) > 21) {
+      x -= std::copysign(3.0, x);
+    }
+  });
+  // 3 cm are cut off one sleeve, whose cuff tapers on as before.
+  const auto is_told = [](const Json& line) {
+    const std::string text = line;
+    return text.starts_with("the left sleeve is cut 3.") ||
+           text.starts_with("the left sleeve ends ");
+  };
+  EXPECT_EQ(std::ranges::count_if(report["findings"], is_told), 1) << report["findings"];
 }
 
 TEST_F(FitFaults, ATopEdgeThatIsTooWideSlidesDown) {

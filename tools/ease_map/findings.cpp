@@ -47,18 +47,63 @@ void add_moved_edges(const EaseReport& report, const std::vector<FitLevel>& too_
   }
 }
 
+/// A figure of one side that the other side has as well. Metres.
+struct SidedFigure {
+  std::string name;  ///< "left cuff"
+  double value = 0;
+  double error = 0;
+  const char* verb = "";  ///< "is cut"
+  const char* more = "";  ///< "longer": what the side is with the larger value
+  const char* less = "";
+};
+
+/// The figures of girths, edges and lengths, those of one row behind each other.
+std::vector<SidedFigure> sided_figures(const EaseReport& report) {
+  std::vector<SidedFigure> figures;
+  const auto cut = [&](const std::string& name, double as_cut) {
+    figures.push_back({name, as_cut, as_cut_error, "is cut", "longer", "shorter"});
+  };
+  for (const Girth& girth : report.girths.rows) {
+    if (!girth.is_girth()) continue;
+    figures.push_back(
+        {girth.name, girth.ease(), ease_error(girth.ease()), "has", "more ease", "less ease"});
+  }
+  for (const GarmentLevel& level : report.garment_levels) cut(level.name, level.as_cut);
+  for (const GarmentLength& length : report.lengths) {
+    if (length.as_cut) cut(length.name, *length.as_cut);
+    if (length.ends.empty() || !report.dressing) continue;
+    const EndsBeyond& end = length.ends.front();
+    const bool is_height = end.place == "floor";
+    figures.push_back({length.name, end.by, report.dressing->height_error, "ends",
+                       is_height ? "higher" : "farther out", is_height ? "lower" : "farther in"});
+  }
+  return figures;
+}
+
+/// What left and right differ by, if that is more than its error: of a row the figure that is
+/// farthest beyond it.
 void add_sides(const EaseReport& report, std::vector<Finding>& findings) {
-  for (const Girth& left : report.girths.rows) {
-    if (!left.name.starts_with("left ") || !left.is_girth()) continue;
-    const std::string limb = left.name.substr(5);
-    const auto right = std::ranges::find(report.girths.rows, "right " + limb, &Girth::name);
-    if (right == report.girths.rows.end() || !right->is_girth()) continue;
-    const double differs = left.ease() - right->ease();
-    const double error = ease_error(left.ease()) + ease_error(right->ease());
-    if (std::abs(differs) <= error) continue;
-    findings.push_back(
-        {std::abs(differs), "the left " + limb + " has " + with_error(differs, error) +
-                                (differs > 0 ? " more" : " less") + " ease than the right"});
+  const std::vector<SidedFigure> figures = sided_figures(report);
+  std::string row;
+  double most_beyond = 0;
+  for (const SidedFigure& left : figures) {
+    if (!left.name.starts_with("left ")) continue;
+    const std::string part = left.name.substr(5);
+    const auto right = std::ranges::find_if(figures, [&](const SidedFigure& figure) {
+      return figure.name == "right " + part && std::string(figure.verb) == left.verb;
+    });
+    if (right == figures.end()) continue;
+    const double differs = left.value - right->value;
+    const double error = left.error + right->error;
+    const bool is_told = left.name == row;
+    if (!is_told) most_beyond = 0;
+    if (std::abs(differs) - error <= most_beyond) continue;
+    if (is_told) findings.pop_back();
+    row = left.name;
+    most_beyond = std::abs(differs) - error;
+    findings.push_back({std::abs(differs),
+                        "the left " + part + " " + left.verb + " " + with_error(differs, error) +
+                            " " + (differs > 0 ? left.more : left.less) + " than the right"});
   }
 }
 
