@@ -38,6 +38,32 @@ std::vector<Warning> warnings_of(const std::string& code, const std::vector<std:
   return warnings;
 }
 
+nlohmann::ordered_json names_json(const std::vector<int>& panels,
+                                  const std::vector<std::string>& names) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const int panel : panels) json.push_back(valid_utf8(names[static_cast<std::size_t>(panel)]));
+  return json;
+}
+
+nlohmann::ordered_json fit_json(const Fit& fit, const std::string& verdict,
+                                const std::vector<std::string>& panels) {
+  nlohmann::ordered_json json = {{"verdict", verdict}, {"levels", nlohmann::ordered_json::array()}};
+  for (const FitLevel& level : fit.levels) {
+    nlohmann::ordered_json row = {{"name", level.level},
+                                  {"missing_cm", 100 * level.missing()},
+                                  {"plus_minus_missing_cm", 100 * level.error},
+                                  {"as_cut_cm", 100 * level.as_cut},
+                                  {"body_cm", 100 * level.body}};
+    if (level.drafted) {
+      row["drafted_height_cm"] = 100 * *level.drafted;
+      row["risen_cm"] = 100 * level.risen;
+    }
+    row["panels"] = names_json(level.panels, panels);
+    json["levels"].push_back(std::move(row));
+  }
+  return json;
+}
+
 std::string verdict_line(const std::string& verdict, const std::string& fit) {
   return verdict == to_string(Verdict::intersecting) ? "fit: " + fit + "; verdict: " + verdict
                                                      : "verdict: " + verdict + "; fit: " + fit;

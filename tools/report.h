@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cloth/judge/fit.h"
 #include "io/json_value.h"
 #include "io/output_file.h"
 #include "io/warning.h"
@@ -23,6 +24,14 @@ std::vector<Warning> read_warnings(const JsonValue& report);
 
 /// Texts as warnings of one `code` that are about the whole.
 std::vector<Warning> warnings_of(const std::string& code, const std::vector<std::string>& texts);
+
+/// Fit as a report's `verdict` and `levels`. `panels` are the garment's names.
+nlohmann::ordered_json fit_json(const Fit& fit, const std::string& verdict,
+                                const std::vector<std::string>& panels);
+
+/// Names of panels, as valid UTF-8.
+nlohmann::ordered_json names_json(const std::vector<int>& panels,
+                                  const std::vector<std::string>& names);
 
 /// "verdict: sewn; fit: ok". Of what crosses the fit comes first: cloth may cross because it is cut
 /// too small.

@@ -89,24 +89,32 @@ std::string TargetFinding::word() const {
   return off() > error ? "too wide" : "loose";
 }
 
+bool is_too_wide(const std::vector<TargetFinding>& findings) {
+  const auto is = [&](const char* word) {
+    return std::ranges::any_of(findings, [&](const auto& found) { return found.word() == word; });
+  };
+  return is("too wide") && !is("too tight");
+}
+
 std::vector<TargetFinding> compare_with_targets(const EaseTargets& targets,
                                                 const std::vector<Girth>& girths,
                                                 const std::vector<GarmentLevel>& levels) {
   std::vector<TargetFinding> findings;
-  const auto compare = [&](const std::string& level, double ease, double error) {
+  const auto compare = [&](const std::string& level, double ease, double error,
+                           const std::vector<int>& panels) {
     const std::string name = without_side(level);
     const auto target = std::ranges::find(targets.levels, name, &EaseTarget::level);
     if (target == targets.levels.end()) return;
-    findings.push_back({level, ease, error, *target});
+    findings.push_back({level, ease, error, *target, panels});
   };
   for (const Girth& girth : girths) {
     if (!girth.name.empty() && girth.is_girth()) {
-      compare(girth.name, girth.ease_as_cut(), as_cut_error);
+      compare(girth.name, girth.ease_as_cut(), as_cut_error, panels_of(girth));
     }
   }
   for (const GarmentLevel& level : levels) {
     if (const auto with = level.compared()) {
-      compare(level.name, level.as_cut - with->body, with->error);
+      compare(level.name, level.as_cut - with->body, with->error, level.panels);
     }
   }
   return findings;

@@ -40,6 +40,7 @@ struct TargetFinding {
   double ease = 0;    ///< as cut; of an edge beside GarmentLevel::compared()
   double error = 0;
   EaseTarget target;
+  std::vector<int> panels = {};  ///< of the garment, that meet there
 
   /// By how much the ease is beyond the target; negative: short of it; 0: as intended.
   double off() const;
@@ -47,6 +48,9 @@ struct TargetFinding {
   /// than the error.
   std::string word() const;
 };
+
+/// Whether one level is too wide and none too tight.
+bool is_too_wide(const std::vector<TargetFinding>& findings);
 
 /// The levels that have a target, in the order of the garment's.
 std::vector<TargetFinding> compare_with_targets(const EaseTargets& targets,

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "cloth/ease/cloth_line.h"
@@ -124,13 +125,17 @@ std::vector<GarmentLevel> measure_garment_levels(const DressedGarment& garment,
     level.name = name;
     level.nodes = loop.nodes;
     level.height = loop.middle.y();
+    std::set<int> panels;
     for (std::size_t i = 0; i < loop.nodes.size(); ++i) {
       const int from = loop.nodes[i];
       const int to = loop.nodes[(i + 1) % loop.nodes.size()];
       level.garment += (garment.points[to] - garment.points[from]).norm();
       const auto edge = flat.find(std::minmax(from, to));
-      if (edge != flat.end()) level.as_cut += edge->second.length;
+      if (edge == flat.end()) continue;
+      level.as_cut += edge->second.length;
+      panels.insert(edge->second.panels.begin(), edge->second.panels.end());
     }
+    level.panels.assign(panels.begin(), panels.end());
     return level;
   };
   const auto add = [&](const std::string& name, const Loop& loop) {

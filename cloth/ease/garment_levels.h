@@ -24,6 +24,7 @@ struct GarmentLevel {
   /// trunk, it is an armhole, or nobody knows.
   std::optional<double> body;
   std::vector<int> nodes;   ///< of the garment, along the line
+  std::vector<int> panels;  ///< of the garment, that have an edge on it, in their order
   bool is_of_limb = false;  ///< one limb or the head alone passes through it
   /// Height at which it was drafted to lie (judge/drafted.h); none: not known.
   std::optional<double> drafted;

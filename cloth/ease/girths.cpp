@@ -169,6 +169,13 @@ class GirthTaker {
 
 }  // namespace
 
+std::vector<int> panels_of(const Girth& girth) {
+  std::vector<int> panels;
+  panels.reserve(girth.panels.size());
+  for (const PanelWidth& width : girth.panels) panels.push_back(width.panel);
+  return panels;
+}
+
 Girths measure_girths(const DressedGarment& garment, const TriangleMesh& body,
                       const Skeleton& skeleton, const std::vector<Measure>& measures,
                       const GirthOptions& options) {

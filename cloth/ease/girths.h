@@ -47,6 +47,9 @@ struct Girth {
   double ease_as_cut() const { return as_cut - body; }
 };
 
+/// The panels that a girth's plane cuts.
+std::vector<int> panels_of(const Girth& girth);
+
 /// A named girth of the trunk that the garment does not have.
 struct GirthLeftOut {
   std::string name;

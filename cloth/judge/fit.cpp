@@ -23,7 +23,8 @@ Fit fit_of(const std::vector<Girth>& girths, const std::vector<GarmentLevel>& ga
   };
   for (const Girth& girth : girths) {
     if (girth.name.empty() || !girth.is_girth() || girth.is_of_both_legs) continue;
-    const FitLevel level{girth.name, girth.body, girth.as_cut, as_cut_error};
+    FitLevel level{girth.name, girth.body, girth.as_cut, as_cut_error};
+    level.panels = panels_of(girth);
     if (girth.is_of_trunk) {
       compare_trunk(level, girth.drafted_body);
     } else {
@@ -35,6 +36,7 @@ Fit fit_of(const std::vector<Girth>& girths, const std::vector<GarmentLevel>& ga
     const std::optional<GarmentLevel::Compared> with = level.compared();
     if (!with) continue;
     FitLevel compared{level.name, with->body, level.as_cut, with->error};
+    compared.panels = level.panels;
     if (with->is_drafted) {
       compared.drafted = level.drafted;
       compared.risen = *level.risen();

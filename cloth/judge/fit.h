@@ -19,7 +19,8 @@ struct FitLevel {
   /// Height above the floor at which the edge was drafted to lie, and `body` is measured. None: it
   /// is a level of the body, or nobody knows.
   std::optional<double> drafted = {};
-  double risen = 0;  ///< by how much the edge hangs higher than that; negative: lower
+  double risen = 0;              ///< by how much the edge hangs higher than that; negative: lower
+  std::vector<int> panels = {};  ///< of the garment, that meet there
 
   double missing() const { return body - as_cut; }
 };

@@ -42,10 +42,16 @@ class FitFaults : public testing::Test {
                             "--report", folder / "d.json", "-q"})
                   .exit_code,
               0);
-    EXPECT_EQ(run("ease-map", {"--body", folder / "body.ply", folder / "d.obj", "-o",
-                               folder / "e.html", "--report", folder / "e.json", "-q"})
-                  .exit_code,
-              0);
+    return ease_map({});
+  }
+
+  /// The same drape's, with more options.
+  Json ease_map(const std::vector<std::string>& options) {
+    std::vector<std::string> arguments = {
+        "--body",          folder / "body.ply", folder / "d.obj",  "-o",
+        folder / "e.html", "--report",          folder / "e.json", "-q"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    EXPECT_EQ(run("ease-map", arguments).exit_code, 0);
     return Json::parse(read_text(folder / "e.json"));
   }
 
@@ -73,7 +79,9 @@ TEST_F(FitFaults, AHemThatIsTooSmallRidesUpAndIsToldWhereItWasDraftedToLie) {
   EXPECT_NEAR(hem["drafted_ease_cm"], -5.9, 0.4);
   EXPECT_NEAR(hem["drafted_height_cm"], 86.7, 1.6);
   EXPECT_GT(hem["risen_cm"], 2.5);
-  EXPECT_EQ(report["fit"], "too_small");
+  EXPECT_EQ(report["fit"]["verdict"], "too_small");
+  const Json& level = named(report["fit"]["levels"], "name", "hem");
+  EXPECT_EQ(level["panels"], Json({"left_back", "left_front", "right_back", "right_front"}));
   EXPECT_NE(report["findings"].at(0).get<std::string>().find("at the hem"), std::string::npos)
       << report["findings"];
 }
@@ -119,6 +127,20 @@ TEST_F(FitFaults, ATopEdgeThatIsTooWideSlidesDown) {
   EXPECT_NEAR(after["drafted_ease_cm"].get<double>() - before["drafted_ease_cm"].get<double>(), 4,
               1.0);
   EXPECT_LT(after["risen_cm"].get<double>(), before["risen_cm"].get<double>() - 1);
+
+  // Too wide it is only against what is meant, and only where nothing is too tight.
+  EXPECT_EQ(wide["fit"]["verdict"], "ok");
+  const auto against = [&](const std::string& ease_cm) {
+    write_text(folder / "t.json", R"({"name": "own", "ease_cm": )" + ease_cm + "}");
+    return ease_map({"--target", folder / "t.json"});
+  };
+  const Json meant = against(R"({"top edge": [0, 1]})");
+  EXPECT_EQ(meant["fit"]["verdict"], "too_wide");
+  const Json& edge = named(meant["target"]["levels"], "level", "top edge");
+  EXPECT_EQ(edge["is"], "too wide");
+  EXPECT_EQ(edge["panels"], Json({"left_back", "left_front", "right_back", "right_front"}));
+  EXPECT_EQ(against(R"({"top edge": [0, 1], "hip": [20, 30]})")["fit"]["verdict"], "ok");
+  EXPECT_EQ(against(R"({"top edge": [0, 30]})")["fit"]["verdict"], "ok");
 }
 
 TEST_F(FitFaults, SleevesThatAreTooNarrow) {

@@ -330,18 +330,13 @@ Json levels_json(const Judgement& judgement) {
 }
 
 /// The verdict, and what it names.
-Json verdict_json(const DressResult& result, const Judgement& judgement) {
-  Json fit = {{"verdict", to_string(judgement.fit)}, {"levels", Json::array()}};
-  for (const FitLevel& level : judgement.fit.levels) {
-    fit["levels"].push_back({{"name", level.level},
-                             {"missing_cm", 100 * level.missing()},
-                             {"plus_minus_missing_cm", 100 * level.error},
-                             {"as_cut_cm", 100 * level.as_cut},
-                             {"body_cm", 100 * level.body}});
-    if (!level.drafted) continue;
-    fit["levels"].back()["drafted_height_cm"] = 100 * *level.drafted;
-    fit["levels"].back()["risen_cm"] = 100 * level.risen;
-  }
+Json verdict_json(const WornLayer& layer) {
+  const DressResult& result = layer.result;
+  const Judgement& judgement = layer.judgement;
+  std::vector<std::string> panels;
+  panels.reserve(layer.garment.panels.size());
+  for (const MeshedPanel& panel : layer.garment.panels) panels.push_back(panel.name);
+  const Json fit = fit_json(judgement.fit, to_string(judgement.fit), panels);
   Json json;
   // What crosses may cross because it is cut too small: that comes first.
   if (judgement.verdict == Verdict::intersecting) json["fit"] = fit;
@@ -419,7 +414,7 @@ nlohmann::ordered_json layer_json(const WornLayer& layer, const DressMethod& met
                              {"self", judgement.self_intersections},
                              {"layers", judgement.layer_intersections},
                              {"check", "exact"}};
-  report.update(verdict_json(result, judgement));
+  report.update(verdict_json(layer));
   report["warnings"] = warnings_json(notes.warnings);
   report["other_seconds"] = Json::object();
   for (const auto& [what, seconds] : notes.other_seconds) report["other_seconds"][what] = seconds;

@@ -1,5 +1,6 @@
 #include "tools/ease_map/dress_report.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include "cloth/scene/scene.h"
@@ -103,7 +104,8 @@ PanelRole role_of(const std::string& name) {
   return PanelRole::unknown;
 }
 
-Fit read_fit(const JsonValue& json) {
+/// `panels` are the garment's names.
+Fit read_fit(const JsonValue& json, const std::vector<std::string>& panels) {
   Fit fit;
   fit.is_checked = json.get("verdict").text() != to_string(Fit());
   const JsonValue levels = json.get("levels");
@@ -114,6 +116,12 @@ Fit read_fit(const JsonValue& json) {
                   level.get("plus_minus_missing_cm").number() / 100};
     read.drafted = metres(level, "drafted_height_cm");
     read.risen = metres(level, "risen_cm").value_or(0);
+    // Reports of earlier versions have none.
+    const auto names = level.find("panels");
+    for (std::size_t p = 0; names && p < names->size(); ++p) {
+      const auto panel = std::ranges::find(panels, names->item(p).text());
+      if (panel != panels.end()) read.panels.push_back(static_cast<int>(panel - panels.begin()));
+    }
     fit.levels.push_back(std::move(read));
   }
   return fit;
@@ -131,17 +139,19 @@ std::optional<DressReport> read_dress_report(const fs::path& file, const fs::pat
   if (!entry) return std::nullopt;
   DressReport report;
   report.verdict = entry->get("verdict").text();
-  report.fit = read_fit(entry->get("fit"));
   report.warnings = read_warnings(*entry);
   read_levels(*entry, report);
   read_scene(*entry, document.root().find("layers").has_value(), report);
   const JsonValue panels = entry->get("panels");
+  std::vector<std::string> names;
   for (std::size_t i = 0; i < panels.size(); ++i) {
+    names.push_back(panels.item(i).get("name").text());
     const double degrees = panels.item(i).get("grain_degrees").number();
     report.grains.push_back(degrees * std::numbers::pi / 180);
     const auto worn_as = panels.item(i).get("class").find("worn_as");
     report.worn_as.push_back(worn_as ? role_of(worn_as->text()) : PanelRole::unknown);
   }
+  report.fit = read_fit(entry->get("fit"), names);
   return report;
 }
 

@@ -276,6 +276,8 @@ nlohmann::ordered_json target_json(const EaseReport& report) {
                               {"most_cm", rounded(100 * finding.target.most)},
                               {"is", finding.word()},
                               {"off_cm", rounded(100 * finding.off())}});
+    if (std::abs(finding.off()) <= finding.error) continue;
+    json["levels"].back()["panels"] = names_json(finding.panels, report.garment.panels);
   }
   return json;
 }
@@ -294,8 +296,14 @@ PageTable target_table(const EaseReport& report) {
   return table;
 }
 
-std::string dressing_line(const DressReport& dressing) {
-  return verdict_line(dressing.verdict, text_of(dressing.fit));
+/// The fit of the dressing. What is large enough may be too wide against a target.
+bool fits_too_wide(const EaseReport& report) {
+  return report.dressing->fit.levels.empty() && is_too_wide(report.targets);
+}
+
+std::string dressing_line(const EaseReport& report) {
+  return verdict_line(report.dressing->verdict,
+                      fits_too_wide(report) ? "too_wide" : text_of(report.dressing->fit));
 }
 
 std::string title_of(const EaseReport& report) {
@@ -351,7 +359,9 @@ nlohmann::ordered_json ease_json(const EaseReport& report) {
   json["body"] = valid_utf8(report.body_name);
   if (report.dressing) {
     json["verdict"] = report.dressing->verdict;
-    json["fit"] = to_string(report.dressing->fit);
+    const Fit& fit = report.dressing->fit;
+    json["fit"] =
+        fit_json(fit, fits_too_wide(report) ? "too_wide" : to_string(fit), report.garment.panels);
   }
   json["findings"] = findings_of(report);
   json["warnings"] = warnings_json(report.warnings);
@@ -386,7 +396,7 @@ std::string ease_page(const EaseReport& report, const std::string& picture) {
       "Drag to turn, scroll to zoom, drag with the right button to move. Point at the garment to "
       "read its gap. Left and right are the wearer's."};
   std::vector<std::string> first;
-  if (report.dressing) first.push_back("Dressing: " + dressing_line(*report.dressing) + ".");
+  if (report.dressing) first.push_back("Dressing: " + dressing_line(report) + ".");
   const std::vector<std::string> findings = findings_of(report);
   for (std::string finding : findings) {
     finding[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(finding[0])));
@@ -495,7 +505,7 @@ std::vector<std::string> ease_summary(const EaseReport& report) {
   for (const GirthLeftOut& level : report.girths.left_out) {
     lines.push_back("no girth ease at the " + level.name + ": " + level.why);
   }
-  if (report.dressing) lines.push_back(dressing_line(*report.dressing));
+  if (report.dressing) lines.push_back(dressing_line(report));
   return lines;
 }
 

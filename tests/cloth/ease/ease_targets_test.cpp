@@ -23,6 +23,16 @@ TEST(EaseTargets, WordsOfAFitter) {
             "too wide by 5.0 \xC2\xB1 0.3 cm at the bust: ease 15.0 cm, meant 7.0 to 10.0 cm");
 }
 
+TEST(EaseTargets, TooWideIsWhatHasOneLevelTooWideAndNoneTooTight) {
+  const TargetFinding wide = finding(0.15, 0.003);
+  const TargetFinding loose = finding(0.102, 0.003);
+  const TargetFinding tight = finding(0.02, 0.003);
+  EXPECT_TRUE(is_too_wide({loose, wide}));
+  EXPECT_FALSE(is_too_wide({loose}));
+  EXPECT_FALSE(is_too_wide({wide, tight}));
+  EXPECT_FALSE(is_too_wide({}));
+}
+
 TEST(EaseTargets, TablesOfTheTrade) {
   for (const std::string& name : ease_target_names()) {
     EXPECT_EQ(read_ease_targets(name).name, name);
@@ -37,6 +47,7 @@ TEST(EaseTargets, BothSidesAreCompared) {
   wrist.body = 0.16;
   wrist.as_cut = 0.22;
   wrist.garment = wrist.hull = 0.22;
+  wrist.panels = {{3}, {5}};
   GarmentLevel edge;
   edge.name = "top edge";
   edge.as_cut = 0.75;
@@ -47,6 +58,7 @@ TEST(EaseTargets, BothSidesAreCompared) {
   ASSERT_EQ(findings.size(), 2U);
   EXPECT_EQ(findings[0].level, "left wrist");
   EXPECT_NEAR(findings[0].off(), 0.03, 1e-12);
+  EXPECT_EQ(findings[0].panels, (std::vector<int>{3, 5}));
   EXPECT_EQ(findings[1].word(), "as intended");  // where it was drafted to lie
 }
 

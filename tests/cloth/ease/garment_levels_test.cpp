@@ -48,6 +48,9 @@ TEST(GarmentLevels, TheWaistSeamIsWhereSkirtAndTopMeet) {
   EXPECT_EQ(levels[1].name, "waist seam");
   EXPECT_NEAR(levels[1].height, 1.0, 1e-9);
   EXPECT_NEAR(levels[1].as_cut, 0.4, 1e-9);
+  EXPECT_EQ(levels[0].panels, (std::vector<int>{0, 1}));
+  EXPECT_EQ(levels[1].panels, (std::vector<int>{0, 1, 2}));
+  EXPECT_EQ(levels[2].panels, std::vector<int>{2});
 }
 
 TEST(GarmentLevels, ATubeBesideTheBodyHasNone) {

@@ -45,9 +45,11 @@ TEST(Fit, LevelsOfTheGarmentCountWhereTheyLieOnTheTrunk) {
   GarmentLevel seam;
   seam.name = "waist seam";
   seam.as_cut = 0.70;
+  seam.panels = {0, 2};
   EXPECT_EQ(to_string(fit_of({}, {seam})), "not_checked");
   seam.body = 0.72;
   EXPECT_EQ(to_string(fit_of({}, {seam})), "too_small");
+  EXPECT_EQ(fit_of({}, {seam}).levels.at(0).panels, seam.panels);
   seam.body = 0.705;
   EXPECT_EQ(to_string(fit_of({}, {seam})), "ok");
 }
