@@ -17,9 +17,10 @@ struct GarmentLevel {
   /// "top edge", "waist seam" or "hem"; of a limb "left cuff", "left armhole" or "left leg hem";
   /// "neckline".
   std::string name;
-  double height = 0;   ///< above the floor, mean
-  double garment = 0;  ///< length as worn
-  double as_cut = 0;   ///< length on the flat panels; of a gathered seam, its shorter side
+  double height = 0;        ///< above the floor, mean
+  double height_error = 0;  ///< see worn_figures.h
+  double garment = 0;       ///< length as worn
+  double as_cut = 0;        ///< length on the flat panels; of a gathered seam, its shorter side
   /// Girth of trunk or limb there, of a neckline that of the neck's base. None: it is not on the
   /// trunk, it is an armhole, or nobody knows.
   std::optional<double> body;

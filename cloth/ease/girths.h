@@ -35,6 +35,7 @@ struct Girth {
   /// By how much the cloth's line is longer than that of its inner face where it touches. The drape
   /// is held off the skin.
   double offset = 0;
+  double error = 0;                ///< of ease(), see worn_figures.h
   double as_cut = 0;               ///< ClothLine::as_cut
   double on_the_line = 0;          ///< ClothLine::on_the_line
   std::vector<PanelWidth> panels;  ///< those that the plane cuts

@@ -156,22 +156,25 @@ class LengthTaker {
     Vec2 up() const { return (points.front().first - points.back().first).normalized(); }
   };
 
-  /// The centre line on a panel at its top. A line along a seam may run on one panel of it alone;
-  /// then the seam is the other's line.
+  /// The centre line on one of the panels at its top: their seam, or the path on the panel. A path
+  /// along a seam changes sides at random.
   CentreLine centre_line(const ClothPath& centre, int panel) const {
     CentreLine line;
+    std::set<int> beside = panels_at_top(centre);
+    std::erase_if(beside, [&](int other) { return other == panel || !ends_at_shoulder(other); });
+    for_corners(panel, [&](int node, const Vec2& flat) {
+      const bool is_on_seam = std::ranges::any_of(
+          beside, [&](int other) { return panels_of_node_[node].contains(other); });
+      if (is_on_seam) line.points.emplace_back(flat, garment_.points[node]);
+    });
+    std::ranges::stable_sort(line.points, std::ranges::greater{},
+                             [](const auto& point) { return point.second.y(); });
+    if (!line.points.empty()) return line;
     for (const PathStep& step : centre) {
       if (step.panel != panel) continue;
       line.points.emplace_back(step.flat_from, step.worn_from);
       line.points.emplace_back(step.flat_to, step.worn_to);
     }
-    if (!line.points.empty()) return line;
-    for_corners(panel, [&](int node, const Vec2& flat) {
-      if (!panels_of_node_[node].contains(centre.front().panel)) return;
-      line.points.emplace_back(flat, garment_.points[node]);
-    });
-    std::ranges::stable_sort(line.points, std::ranges::greater{},
-                             [](const auto& point) { return point.second.y(); });
     return line;
   }
 

@@ -36,6 +36,7 @@ struct GarmentLength {
   /// inside leg, crotch length.
   std::optional<double> body = {};
   std::vector<EndsBeyond> ends = {};  ///< where its lower or outer end lies
+  double error = 0;                   ///< of `worn` and of where its end lies, see worn_figures.h
 };
 
 /// The lengths that the garment has, each along the line in which a plane meets it.

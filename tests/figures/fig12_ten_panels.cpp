@@ -67,15 +67,15 @@ void ease(const PaperDressing& dress, const Wearer& wearer, Sheet& sheet) {
   report.garment_name = "bodice of the dress of ten panels";
   report.body_name = "mannequin";
   report.map = measure_ease(report.garment, SurfaceDistance(report.body));
-  report.girths = measure_girths(report.garment, report.body, wearer.mannequin.skeleton,
-                                 standing_measures(report.body, wearer.mannequin.skeleton));
+  report.figures.girths = measure_girths(report.garment, report.body, wearer.mannequin.skeleton,
+                                         standing_measures(report.body, wearer.mannequin.skeleton));
   report.top = suggested_top(report.map);
   const std::vector<std::string> pictures = ease_pictures(report, {420, 800});
   sheet.file("_ease.html", ease_page(report, pictures[0]));
   sheet.file("_ease.json", ease_json(report));
   sheet.pictures("(d) Ease map of the bodice", {{pictures[1], "gap between bodice and body, mm"}});
   std::vector<std::vector<std::string>> rows;
-  for (const Girth& girth : report.girths.rows) {
+  for (const Girth& girth : report.figures.girths.rows) {
     rows.push_back({girth.name, number(100 * girth.height, 1), number(100 * girth.body, 2),
                     number(100 * girth.garment, 2), number(100 * girth.ease(), 2)});
   }

@@ -1,6 +1,8 @@
 // toile fit: what it says of a garment stands in its report and on its ease map.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -71,6 +73,38 @@ TEST_F(ToileFit, EveryWarningIsInTheReportAndOnTheEaseMap) {
   for (std::string line; std::getline(lines, line);)
     warned += line.starts_with("warning: ") ? 1 : 0;
   EXPECT_EQ(warned, said["warnings"].size()) << done.err;
+}
+
+TEST_F(ToileFit, RepeatedDrapesGiveTheErrors) {
+  write_text(folder / "pattern.json", pattern.dump());
+  const auto fit_times = [&](const std::string& count) {
+    return run("toile", {"fit", "--body", body, folder / "pattern.json", "-o", folder / "out",
+                         "--edge-length", "35mm", "--quality", "draft", "--repeat", count, "-q"});
+  };
+  EXPECT_EQ(fit_times("2").exit_code, 2);
+  ASSERT_EQ(fit_times("4").exit_code, 0);
+  EXPECT_EQ(report("ease.json")["repeats"].size(), 3U);
+  ASSERT_EQ(fit_times("3").exit_code, 0);
+  EXPECT_FALSE(fs::exists(folder / "out" / "repeat-4-dressed.obj"));
+  const Json ease = report("ease.json");
+  ASSERT_EQ(ease["repeats"].size(), 2U);
+  EXPECT_EQ(ease["repeats"][0]["verdict"], "sewn");
+  // The half width of three values is 2.92 sqrt(4/3) of their standard deviation.
+  std::map<std::string, std::vector<double>> heights;
+  for (const char* drape : {"dressed.json", "repeat-2-dressed.json", "repeat-3-dressed.json"}) {
+    for (const Json& level : report(drape)["levels"]) {
+      heights[level["name"]].push_back(level["height_cm"]);
+    }
+  }
+  const std::vector<double>& hem = heights.at("hem");
+  ASSERT_EQ(hem.size(), 3U);
+  const double mean = (hem[0] + hem[1] + hem[2]) / 3;
+  double variance = 0;
+  for (const double height : hem) variance += (height - mean) * (height - mean) / 2;
+  for (const Json& level : ease["garment_levels"]) {
+    if (level["name"] != "hem") continue;
+    EXPECT_NEAR(level["plus_minus_height_cm"], 2.92 * std::sqrt(4 / 3.0 * variance), 0.01);
+  }
 }
 
 /// What clean-body and mesh-pattern warn of is said of the drape, too.

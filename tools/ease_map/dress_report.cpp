@@ -51,7 +51,6 @@ void read_levels(const JsonValue& entry, DressReport& report) {
     level.drafted = metres(json, "drafted_height_cm");
     level.drafted_body = metres(json, "drafted_body_cm");
     level.drafted_body_error = metres(json, "plus_minus_drafted_body_cm").value_or(0);
-    report.height_error = json.get("plus_minus_height_cm").number() / 100;
     report.levels.push_back(std::move(level));
   }
 }

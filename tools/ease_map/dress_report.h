@@ -25,9 +25,8 @@ struct DressReport {
   double body_offset = 0;          ///< metres from the skin at which the cloth was held
   std::vector<double> grains;      ///< radians, MeshedPanel::grain per panel of the garment
   std::vector<PanelRole> worn_as;  ///< per panel
-  /// The garment's levels: names and where they were drafted to lie, with the error of a height.
+  /// The garment's levels: names and where they were drafted to lie.
   std::vector<GarmentLevel> levels;
-  double height_error = 0;          ///< metres
   std::filesystem::path garment;    ///< the meshed garment, as it was named then
   std::vector<UsedFabric> fabrics;  ///< empty: an earlier version's report, which has none
   Vec3 gravity{0, -9.81, 0};        ///< m/s²

@@ -31,19 +31,17 @@ std::string with_error(double value, double error) {
 
 void add_moved_edges(const EaseReport& report, const std::vector<FitLevel>& too_small,
                      std::vector<Finding>& findings) {
-  if (!report.dressing) return;
-  const double error = report.dressing->height_error;
-  for (const GarmentLevel& level : report.garment_levels) {
+  for (const GarmentLevel& level : report.figures.levels) {
     // What is too small tells where it went itself.
-    if (!left_its_place(level, error) ||
+    if (!left_its_place(level, level.height_error) ||
         std::ranges::find(too_small, level.name, &FitLevel::level) != too_small.end()) {
       continue;
     }
     const bool is_up = *level.risen() > 0;
-    findings.push_back({std::abs(*level.risen()), "the " + level.name +
-                                                      (is_up ? " rides up by " : " slid down by ") +
-                                                      with_error(*level.risen(), error) +
-                                                      " from where it was drafted to lie"});
+    findings.push_back({std::abs(*level.risen()),
+                        "the " + level.name + (is_up ? " rides up by " : " slid down by ") +
+                            with_error(*level.risen(), level.height_error) +
+                            " from where it was drafted to lie"});
   }
 }
 
@@ -63,18 +61,17 @@ std::vector<SidedFigure> sided_figures(const EaseReport& report) {
   const auto cut = [&](const std::string& name, double as_cut) {
     figures.push_back({name, as_cut, as_cut_error, "is cut", "longer", "shorter"});
   };
-  for (const Girth& girth : report.girths.rows) {
+  for (const Girth& girth : report.figures.girths.rows) {
     if (!girth.is_girth()) continue;
-    figures.push_back(
-        {girth.name, girth.ease(), ease_error(girth.ease()), "has", "more ease", "less ease"});
+    figures.push_back({girth.name, girth.ease(), girth.error, "has", "more ease", "less ease"});
   }
-  for (const GarmentLevel& level : report.garment_levels) cut(level.name, level.as_cut);
-  for (const GarmentLength& length : report.lengths) {
+  for (const GarmentLevel& level : report.figures.levels) cut(level.name, level.as_cut);
+  for (const GarmentLength& length : report.figures.lengths) {
     if (length.as_cut) cut(length.name, *length.as_cut);
-    if (length.ends.empty() || !report.dressing) continue;
+    if (length.ends.empty()) continue;
     const EndsBeyond& end = length.ends.front();
     const bool is_height = end.place == "floor";
-    figures.push_back({length.name, end.by, report.dressing->height_error, "ends",
+    figures.push_back({length.name, end.by, length.error, "ends",
                        is_height ? "higher" : "farther out", is_height ? "lower" : "farther in"});
   }
   return figures;
@@ -130,7 +127,8 @@ std::optional<std::string> hard_place(const EaseReport& report) {
 
 std::vector<std::string> findings_of(const EaseReport& report) {
   std::vector<Finding> findings;
-  const std::vector<FitLevel> too_small = fit_of(report.girths.rows, report.garment_levels).levels;
+  const std::vector<FitLevel> too_small =
+      fit_of(report.figures.girths.rows, report.figures.levels).levels;
   findings.reserve(too_small.size());
   for (const FitLevel& level : too_small) {
     findings.push_back({level.missing(), text_of(level)});

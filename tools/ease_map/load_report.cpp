@@ -59,7 +59,7 @@ nlohmann::ordered_json loads_json(const EaseReport& report) {
   for (std::size_t i = 0; i < report.load_rows.levels.size(); ++i) {
     nlohmann::ordered_json level;
     if (!report.load_rows.levels[i].name.empty()) level["level"] = report.load_rows.levels[i].name;
-    level["height_cm"] = rounded(100 * report.girths.rows[i].height);
+    level["height_cm"] = rounded(100 * report.figures.girths.rows[i].height);
     level.update(load_row_json(report, report.load_rows.levels[i]));
     json["levels"].push_back(std::move(level));
   }

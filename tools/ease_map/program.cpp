@@ -45,6 +45,9 @@ CommandLineProgram ease_map_program() {
       "if there is a report of dress, else 3 mm)")(
       "target", po::value<std::string>(),
       "the ease that is meant: close, fitted, semi-fitted, loose, or a JSON file of your own")(
+      "repeat", po::value<std::vector<std::string>>()->composing(),
+      "another drape of this garment on this body, on another mesh or from another start: errors "
+      "are then of their spread; give two or more")(
       "at", po::value<std::vector<std::string>>()->composing(),
       "also measure the trunk's girth at this height above the floor; may be given again")(
       "top", po::value<std::string>(),
@@ -69,6 +72,14 @@ CommandLineProgram ease_map_program() {
     if (given.count("target") != 0) {
       settings.targets = read_ease_targets(given["target"].as<std::string>());
     }
+    if (given.count("repeat") != 0) {
+      const auto& files = given["repeat"].as<std::vector<std::string>>();
+      settings.repeats.assign(files.begin(), files.end());
+      if (files.size() < 2) {
+        throw UsageError("--repeat", "is given once",
+                         "give two drapes or more: one tells no spread");
+      }
+    }
     if (given.count("at") != 0) {
       for (const std::string& height : given["at"].as<std::vector<std::string>>()) {
         settings.heights.push_back(parse_length(height, "--at"));
@@ -81,6 +92,10 @@ CommandLineProgram ease_map_program() {
                        settings.skeleton.value_or(skeleton_beside(settings.body)),
                        settings.dress_report.value_or(dress_report_path(settings.garment))};
     if (settings.meshed) job.files.reads.push_back(*settings.meshed);
+    for (const fs::path& drape : settings.repeats) {
+      job.files.reads.push_back(drape);
+      job.files.reads.push_back(dress_report_path(drape));
+    }
     job.files.writes = {common.output};
     for (const auto& file : {settings.csv, settings.ply, settings.png}) {
       if (file) job.files.writes.push_back(*file);

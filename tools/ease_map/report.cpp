@@ -87,7 +87,7 @@ struct GirthRow {
 
 std::vector<GirthRow> girth_rows(const EaseReport& report) {
   std::vector<GirthRow> rows;
-  for (const Girth& girth : report.girths.rows) {
+  for (const Girth& girth : report.figures.girths.rows) {
     const bool is_right = girth.name.starts_with("right ");
     const bool has_side = is_right || girth.name.starts_with("left ");
     const std::string name = has_side ? girth.name.substr(girth.name.find(' ') + 1) : girth.name;
@@ -128,7 +128,7 @@ PageTable girth_table(const EaseReport& report) {
          cell([](const Girth& girth) { return cm(girth.body); }),
          where_girth([](const Girth& girth) { return cm(girth.garment); }),
          blank_at_fold([](const Girth& girth) { return cm(girth.ease()); }),
-         blank_at_fold([](const Girth& girth) { return cm(ease_error(girth.ease())); }),
+         blank_at_fold([](const Girth& girth) { return cm(girth.error); }),
          blank_at_fold([](const Girth& girth) { return cm(girth.as_cut); }),
          blank_at_fold([](const Girth& girth) { return cm(girth.ease_as_cut()); })});
   }
@@ -138,7 +138,7 @@ PageTable girth_table(const EaseReport& report) {
       "across hollows; the garment along the cloth with its folds. Ease is that of the cloth's "
       "inner face. As cut: the widths of the flat panels where the level crosses them. Heights are "
       "above the floor. A skirt's thigh and knee go around both legs as they stand.";
-  for (const GirthLeftOut& level : report.girths.left_out) {
+  for (const GirthLeftOut& level : report.figures.girths.left_out) {
     table.remark += " The " + level.name + " is left out: " + level.why + ".";
   }
   return table;
@@ -147,13 +147,13 @@ PageTable girth_table(const EaseReport& report) {
 PageTable garment_level_table(const EaseReport& report) {
   PageTable table;
   table.caption = "Edges and waist seam of the garment, cm";
-  table.columns = {"edge",       "drafted at", "rests at", "moved by",
+  table.columns = {"edge",       "drafted at", "rests at", "\xC2\xB1",   "moved by",
                    "body there", "garment",    "as cut",   "ease as cut"};
-  for (const GarmentLevel& level : report.garment_levels) {
+  for (const GarmentLevel& level : report.figures.levels) {
     const std::optional<double> body = level.drafted_body ? level.drafted_body : level.body;
     table.rows.push_back({level.name, level.drafted ? cm(*level.drafted) : "", cm(level.height),
-                          level.drafted ? cm(*level.risen()) : "", body ? cm(*body) : "",
-                          cm(level.garment), cm(level.as_cut),
+                          cm(level.height_error), level.drafted ? cm(*level.risen()) : "",
+                          body ? cm(*body) : "", cm(level.garment), cm(level.as_cut),
                           body ? cm(level.as_cut - *body) : ""});
   }
   table.remark =
@@ -177,10 +177,11 @@ std::string ends_text(const GarmentLength& length) {
 PageTable length_table(const EaseReport& report) {
   PageTable table;
   table.caption = "Lengths of the garment, cm";
-  table.columns = {"length", "as cut", "as worn", "body", "ends"};
-  for (const GarmentLength& length : report.lengths) {
+  table.columns = {"length", "as cut", "as worn", "\xC2\xB1", "body", "ends"};
+  for (const GarmentLength& length : report.figures.lengths) {
     table.rows.push_back({length.name, length.as_cut ? cm(*length.as_cut) : "", cm(length.worn),
-                          length.body ? cm(*length.body) : "", ends_text(length)});
+                          cm(length.error), length.body ? cm(*length.body) : "",
+                          ends_text(length)});
   }
   table.remark =
       "As cut: straight across each flat panel along the line; of crotch length and rises along "
@@ -192,10 +193,11 @@ PageTable length_table(const EaseReport& report) {
 
 nlohmann::ordered_json lengths_json(const EaseReport& report) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const GarmentLength& length : report.lengths) {
+  for (const GarmentLength& length : report.figures.lengths) {
     nlohmann::ordered_json row = {{"name", length.name}};
     if (length.as_cut) row["as_cut_cm"] = rounded(100 * *length.as_cut);
     row["worn_cm"] = rounded(100 * length.worn);
+    row["plus_minus_worn_cm"] = rounded(100 * length.error);
     if (length.body) row["body_cm"] = rounded(100 * *length.body);
     for (const EndsBeyond& end : length.ends) {
       row["ends"].push_back({{"place", end.place}, {"beyond_cm", rounded(100 * end.by)}});
@@ -208,7 +210,7 @@ nlohmann::ordered_json lengths_json(const EaseReport& report) {
 nlohmann::ordered_json girths_json(const EaseReport& report) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   const auto in_cm = [](double metres) { return rounded(100 * metres); };
-  for (const Girth& girth : report.girths.rows) {
+  for (const Girth& girth : report.figures.girths.rows) {
     nlohmann::ordered_json row;
     if (!girth.name.empty()) row["level"] = girth.name;
     row["height_cm"] = in_cm(girth.height);
@@ -222,7 +224,7 @@ nlohmann::ordered_json girths_json(const EaseReport& report) {
     row["garment_cm"] = in_cm(girth.garment);
     row["offset_cm"] = in_cm(girth.offset);
     row["ease_cm"] = in_cm(girth.ease());
-    row["plus_minus_ease_cm"] = in_cm(ease_error(girth.ease()));
+    row["plus_minus_ease_cm"] = in_cm(girth.error);
     row["as_cut_cm"] = in_cm(girth.as_cut);
     row["as_cut_ease_cm"] = in_cm(girth.ease_as_cut());
     row["plus_minus_as_cut_cm"] = in_cm(as_cut_error);
@@ -242,7 +244,7 @@ nlohmann::ordered_json girths_json(const EaseReport& report) {
 
 nlohmann::ordered_json garment_levels_json(const EaseReport& report) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const GarmentLevel& level : report.garment_levels) {
+  for (const GarmentLevel& level : report.figures.levels) {
     nlohmann::ordered_json row = {{"name", level.name},
                                   {"height_cm", rounded(100 * level.height)},
                                   {"garment_cm", rounded(100 * level.garment)},
@@ -254,7 +256,7 @@ nlohmann::ordered_json garment_levels_json(const EaseReport& report) {
     if (level.drafted) {
       row["drafted_height_cm"] = rounded(100 * *level.drafted);
       row["risen_cm"] = rounded(100 * *level.risen());
-      row["plus_minus_height_cm"] = rounded(100 * report.dressing->height_error);
+      row["plus_minus_height_cm"] = rounded(100 * level.height_error);
     }
     if (level.drafted_body) {
       row["drafted_body_cm"] = rounded(100 * *level.drafted_body);
@@ -367,6 +369,11 @@ nlohmann::ordered_json ease_json(const EaseReport& report) {
   json["warnings"] = warnings_json(report.warnings);
   json["notes"] = report.notes;
   json["gap"] = definition;
+  for (const RepeatedDrape& drape : report.repeats) {
+    nlohmann::ordered_json repeat = {{"garment", valid_utf8(drape.file)}};
+    if (!drape.verdict.empty()) repeat["verdict"] = drape.verdict;
+    json["repeats"].push_back(std::move(repeat));
+  }
   json["contact_below_mm"] = 1000 * report.options.contact;
   json["total"] = statistics_json(report.map.garment);
   json["panels"] = nlohmann::ordered_json::array();
@@ -376,13 +383,13 @@ nlohmann::ordered_json ease_json(const EaseReport& report) {
     panel.update(statistics_json(report.map.panels[i]));
     json["panels"].push_back(std::move(panel));
   }
-  if (!report.girths.rows.empty()) json["girths"] = girths_json(report);
+  if (!report.figures.girths.rows.empty()) json["girths"] = girths_json(report);
   if (!report.targets.empty()) json["target"] = target_json(report);
-  for (const GirthLeftOut& level : report.girths.left_out) {
+  for (const GirthLeftOut& level : report.figures.girths.left_out) {
     json["levels_left_out"].push_back({{"level", level.name}, {"why", level.why}});
   }
-  if (!report.garment_levels.empty()) json["garment_levels"] = garment_levels_json(report);
-  if (!report.lengths.empty()) json["lengths"] = lengths_json(report);
+  if (!report.figures.levels.empty()) json["garment_levels"] = garment_levels_json(report);
+  if (!report.figures.lengths.empty()) json["lengths"] = lengths_json(report);
   if (report.loads) json["loads"] = loads_json(report);
   return json;
 }
@@ -420,10 +427,10 @@ std::string ease_page(const EaseReport& report, const std::string& picture) {
   page.setting = decimate(report.body, page_body_triangles);
   page.setting_name = "body";
   page.tables.push_back(panel_table(report));
-  if (!report.girths.rows.empty()) page.tables.push_back(girth_table(report));
+  if (!report.figures.girths.rows.empty()) page.tables.push_back(girth_table(report));
   if (!report.targets.empty()) page.tables.push_back(target_table(report));
-  if (!report.garment_levels.empty()) page.tables.push_back(garment_level_table(report));
-  if (!report.lengths.empty()) page.tables.push_back(length_table(report));
+  if (!report.figures.levels.empty()) page.tables.push_back(garment_level_table(report));
+  if (!report.figures.lengths.empty()) page.tables.push_back(length_table(report));
   if (report.loads) page.tables.push_back(load_table(report));
   page.still_png = picture;
   return viewer_page(page);
@@ -479,30 +486,30 @@ std::vector<std::string> ease_summary(const EaseReport& report) {
     }
   }
   line("whole garment", report.map.garment);
-  for (const Girth& girth : report.girths.rows) {
+  for (const Girth& girth : report.figures.girths.rows) {
     if (girth.name.empty()) continue;
     if (!girth.is_girth()) {
       lines.push_back(girth.name + ": no girth here, a fold");
       continue;
     }
     lines.push_back(girth.name + " girth ease " + cm(girth.ease()) + " \xC2\xB1 " +
-                    cm(ease_error(girth.ease())) + " cm (garment " + cm(girth.garment) + ", body " +
+                    cm(girth.error) + " cm (garment " + cm(girth.garment) + ", body " +
                     cm(girth.body) + "), " + cm(girth.ease_as_cut()) + " cm as cut (" +
                     cm(girth.as_cut) + ")");
   }
-  for (const GarmentLevel& level : report.garment_levels) {
+  for (const GarmentLevel& level : report.figures.levels) {
     if (!level.drafted) continue;
     lines.push_back(level.name + " drafted at " + cm(*level.drafted) + " cm, rests at " +
-                    cm(level.height) + " \xC2\xB1 " + cm(report.dressing->height_error) + " cm");
+                    cm(level.height) + " \xC2\xB1 " + cm(level.height_error) + " cm");
   }
-  for (const GarmentLength& length : report.lengths) {
+  for (const GarmentLength& length : report.figures.lengths) {
     lines.push_back(
         length.name + " " +
         (length.as_cut ? cm(*length.as_cut) + " cm as cut" : cm(length.worn) + " cm as worn") +
         (length.body ? ", body " + cm(*length.body) + " cm" : "") +
         (length.ends.empty() ? "" : ", ends " + ends_text(length)));
   }
-  for (const GirthLeftOut& level : report.girths.left_out) {
+  for (const GirthLeftOut& level : report.figures.girths.left_out) {
     lines.push_back("no girth ease at the " + level.name + ": " + level.why);
   }
   if (report.dressing) lines.push_back(dressing_line(report));

@@ -8,9 +8,7 @@
 
 #include "cloth/ease/ease.h"
 #include "cloth/ease/ease_targets.h"
-#include "cloth/ease/garment_levels.h"
-#include "cloth/ease/girths.h"
-#include "cloth/ease/lengths.h"
+#include "cloth/ease/worn_figures.h"
 #include "cloth/loads/load_summary.h"
 #include "cloth/loads/loads.h"
 #include "io/mesh_file.h"
@@ -18,23 +16,28 @@
 
 namespace toile {
 
+/// Another drape of the garment.
+struct RepeatedDrape {
+  std::string file;
+  std::string verdict;  ///< empty: there is no report of dress
+};
+
 /// All that the files say.
 struct EaseReport {
   DressedGarment garment;
   TriangleMesh body;
   EaseMap map;
   EaseOptions options;
-  Girths girths;                             ///< empty: not measured
-  std::vector<GarmentLevel> garment_levels;  ///< empty: not measured
-  std::vector<GarmentLength> lengths;        ///< empty: not measured
-  std::optional<Loads> loads;                ///< none: not known, a note says why
-  LoadRows load_rows;                        ///< of panels and girths
-  std::string target;                        ///< name of the ease meant; empty: not asked for
-  std::vector<TargetFinding> targets;        ///< levels against it
-  std::optional<DressReport> dressing;       ///< none: there is no report of dress
-  std::vector<Warning> warnings;             ///< of the dressing and of the ease map
-  std::vector<std::string> notes;            ///< what could not be told, and why
-  std::string garment_name;                  ///< shown in titles
+  WornFigures figures;                  ///< empty: not measured
+  std::vector<RepeatedDrape> repeats;   ///< that the errors of `figures` are taken from
+  std::optional<Loads> loads;           ///< none: not known, a note says why
+  LoadRows load_rows;                   ///< of panels and girths
+  std::string target;                   ///< name of the ease meant; empty: not asked for
+  std::vector<TargetFinding> targets;   ///< levels against it
+  std::optional<DressReport> dressing;  ///< none: there is no report of dress
+  std::vector<Warning> warnings;        ///< of the dressing and of the ease map
+  std::vector<std::string> notes;       ///< what could not be told, and why
+  std::string garment_name;             ///< shown in titles
   std::string body_name;
   double top = 0;  ///< gap that gets the ramp's last colour, metres, positive
 };

@@ -48,39 +48,78 @@ std::optional<DressReport> dressing_of(EaseReport& report, const EaseMapSettings
   return read;
 }
 
-/// Girths at levels of body and garment; none, with a note, where there are no joints.
-void measure_girths(EaseReport& report, const SurfaceDistance& skin,
-                    const EaseMapSettings& settings) {
+/// The joints; none, with a note, where the body has none beside it.
+std::optional<Skeleton> joints_of(EaseReport& report, const SurfaceDistance& skin,
+                                  const EaseMapSettings& settings) {
   const fs::path path = settings.skeleton.value_or(skeleton_beside(settings.body));
   if (!settings.skeleton && !fs::exists(path)) {
     report.notes.push_back("no girth ease: there are no joints in " + path.string() +
                            "; clean-body writes them beside the body");
-    return;
+    return std::nullopt;
   }
-  const Skeleton skeleton = read_skeleton_of(skin, path);
+  Skeleton skeleton = read_skeleton_of(skin, path);
   for (const char* joint : {"pelvis", "waist", "chest"}) {
     if (skeleton.joints.count(joint) == 0) {
       throw Error(path.string(), std::string("has no joint '") + joint + "'",
                   "let clean-body write it");
     }
   }
-  GirthOptions options;
-  options.heights = settings.heights;
-  options.skin = &skin;
-  std::vector<PanelRole> roles = worn_as(report.garment.panels);
-  if (report.dressing) {
-    options.touching = report.dressing->body_offset + contact_margin;
-    options.grains = report.dressing->grains;
-    roles = report.dressing->worn_as;
+  return skeleton;
+}
+
+/// Measures drapes of one garment on one body.
+class DrapeMeasurer {
+ public:
+  DrapeMeasurer(const EaseReport& report, const SurfaceDistance& skin, const Skeleton& skeleton,
+                const EaseMapSettings& settings)
+      : body_(report.body),
+        skeleton_(skeleton),
+        measures_(standing_measures(report.body, skeleton)) {
+    options_.heights = settings.heights;
+    options_.skin = &skin;
   }
-  const std::vector<Measure> measures = standing_measures(report.body, skeleton);
-  report.girths = measure_girths(report.garment, report.body, skeleton, measures, options);
-  report.garment_levels =
-      measure_garment_levels(report.garment, report.body, skeleton, roles, measures);
-  report.lengths =
-      measure_lengths(report.garment, skeleton, measures, roles, report.garment_levels);
+
+  WornFigures figures(const DressedGarment& garment, const std::optional<DressReport>& dressing) {
+    GirthOptions options = options_;
+    std::vector<PanelRole> roles = worn_as(garment.panels);
+    if (dressing) {
+      options.touching = dressing->body_offset + contact_margin;
+      options.grains = dressing->grains;
+      roles = dressing->worn_as;
+    }
+    return measure_worn(garment, body_, skeleton_, roles, measures_, options);
+  }
+
+ private:
+  const TriangleMesh& body_;
+  const Skeleton& skeleton_;
+  std::vector<Measure> measures_;
+  GirthOptions options_;
+};
+
+/// Girths, edges and lengths, with errors from other drapes where there are such.
+void measure_figures(EaseReport& report, const SurfaceDistance& skin,
+                     const EaseMapSettings& settings) {
+  const std::optional<Skeleton> skeleton = joints_of(report, skin, settings);
+  if (!skeleton) return;
+  DrapeMeasurer measurer(report, skin, *skeleton, settings);
+  report.figures = measurer.figures(report.garment, report.dressing);
+  std::vector<WornFigures> others;
+  for (const fs::path& file : settings.repeats) {
+    const DressedGarment garment = read_dressed(file);
+    if (garment.panels != report.garment.panels) {
+      throw Error(file.string(), "has other panels than " + settings.garment.string(),
+                  "give another drape of the same garment");
+    }
+    std::optional<DressReport> dressing;
+    const fs::path said = dress_report_path(file);
+    if (fs::exists(said)) dressing = read_dress_report(said, file);
+    others.push_back(measurer.figures(garment, dressing));
+    report.repeats.push_back({file.string(), dressing ? dressing->verdict : ""});
+  }
+  take_errors_from(others, report.figures);
   if (!report.dressing) return;
-  for (GarmentLevel& level : report.garment_levels) {
+  for (GarmentLevel& level : report.figures.levels) {
     const auto told = std::ranges::find(report.dressing->levels, level.name, &GarmentLevel::name);
     if (told == report.dressing->levels.end()) continue;
     level.drafted = told->drafted;
@@ -126,7 +165,7 @@ void measure_loads_of(EaseReport& report, const SurfaceDistance& skin,
                            fixed_number(loads.weight, 2) + " N differ by " +
                            fixed_number(missing.norm(), 2) + " N");
   }
-  report.load_rows = load_rows(report.garment, loads, report.girths);
+  report.load_rows = load_rows(report.garment, loads, report.figures.girths);
 }
 
 void warn(EaseReport& report, const Warning& warning) {
@@ -149,7 +188,7 @@ void warn_if_implausible(EaseReport& report) {
 
 /// What is cut smaller than the body goes around it by being stretched.
 void warn_if_too_small(EaseReport& report) {
-  for (const FitLevel& level : fit_of(report.girths.rows, report.garment_levels).levels) {
+  for (const FitLevel& level : fit_of(report.figures.girths.rows, report.figures.levels).levels) {
     const std::string line = text_of(level);
     // The dressing may have found it.
     if (std::ranges::find(report.warnings, line, &Warning::text) == report.warnings.end()) {
@@ -175,13 +214,13 @@ void run_ease_map(const EaseMapSettings& settings, const CommonSettings& common)
   report.body_name = settings.body.filename().string();
   const SurfaceDistance skin(report.body);
   report.map = measure_ease(report.garment, skin, report.options);
-  measure_girths(report, skin, settings);
+  measure_figures(report, skin, settings);
   measure_loads_of(report, skin, settings);
   report.top = settings.top.value_or(suggested_top(report.map));
   if (settings.targets) {
     report.target = settings.targets->name;
     report.targets =
-        compare_with_targets(*settings.targets, report.girths.rows, report.garment_levels);
+        compare_with_targets(*settings.targets, report.figures.girths.rows, report.figures.levels);
   }
   warn_if_implausible(report);
   warn_if_too_small(report);

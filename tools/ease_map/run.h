@@ -23,6 +23,8 @@ struct EaseMapSettings {
   std::optional<double> contact;
   std::optional<double> top;  ///< metres, the end of the colour scale; none: to suit the garment
   std::optional<EaseTargets> targets;
+  /// Other drapes of the garment on this body, that errors are taken from.
+  std::vector<std::filesystem::path> repeats;
   std::vector<double> heights;  ///< metres above the floor: levels of the trunk to add
 };
 

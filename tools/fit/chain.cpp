@@ -19,25 +19,43 @@ namespace toile {
 namespace fs = std::filesystem;
 namespace po = boost::program_options;
 
-FitFiles::FitFiles(const fs::path& folder)
-    : body(folder / "body.ply"),
+namespace {
+
+constexpr int most_drapes = 9;
+
+/// The coarsest mesh of --repeat has edges longer by this share.
+constexpr double coarser = 0.4;
+
+}  // namespace
+
+FitFiles::FitFiles(const fs::path& out, const std::string& before)
+    : folder(out),
+      body(out / "body.ply"),
       skeleton(skeleton_path(body)),
-      body_report(folder / "body.report.json"),
-      garment(folder / "garment.obj"),
+      body_report(out / "body.report.json"),
+      garment(out / (before + "garment.obj")),
       garment_json(garment_json_path(garment)),
-      mesh_report(folder / "mesh.json"),
-      dressed(folder / "dressed.obj"),
-      report(folder / "dressed.json"),
-      ease(folder / "ease.html"),
-      ease_report(folder / "ease.json"),
-      ease_picture(folder / "ease.png"),
-      drape_picture(folder / "drape.png"),
-      points(folder / "pom.csv"),
-      points_report(folder / "pom.json") {}
+      mesh_report(out / (before + "mesh.json")),
+      dressed(out / (before + "dressed.obj")),
+      report(out / (before + "dressed.json")),
+      ease(out / "ease.html"),
+      ease_report(out / "ease.json"),
+      ease_picture(out / "ease.png"),
+      drape_picture(out / "drape.png"),
+      points(out / "pom.csv"),
+      points_report(out / "pom.json") {}
 
 std::vector<fs::path> FitFiles::all() const {
   return {body,   skeleton, body_report, garment,      garment_json,  mesh_report, dressed,
           report, ease,     ease_report, ease_picture, drape_picture, points,      points_report};
+}
+
+FitFiles FitFiles::repeat(int number) const {
+  return FitFiles(folder, "repeat-" + std::to_string(number) + "-");
+}
+
+std::vector<fs::path> FitFiles::of_drape() const {
+  return {garment, garment_json, mesh_report, dressed, report};
 }
 
 void add_fit_options(po::options_description& options) {
@@ -46,6 +64,8 @@ void add_fit_options(po::options_description& options) {
   options.add_options()("cache",
                         "keep the body's distances in OUT/body.distances, with --from beside both "
                         "bodies: later fits take less time")(
+      "repeat", po::value<int>()->default_value(1),
+      "drape so many times, 3 to 9, on meshes up to 1.4 times as coarse: errors are of the spread")(
       "target", po::value<std::string>(),
       "the ease that is meant: close, fitted, semi-fitted, loose, or a JSON file of your own")(
       "png", po::bool_switch(), "write pictures, too: OUT/ease.png and OUT/drape.png");
@@ -56,6 +76,11 @@ void read_fit_options(const po::variables_map& given, const fs::path& body, cons
   settings.body.inputs = {body};
   settings.pattern.mesh.edge_length = read_edge_length(given);
   settings.pictures = given["png"].as<bool>();
+  settings.drapes = given["repeat"].as<int>();
+  if (settings.drapes != 1 && (settings.drapes < 3 || settings.drapes > most_drapes)) {
+    throw UsageError("--repeat", "is " + std::to_string(settings.drapes),
+                     "give 3 to 9, or leave it out");
+  }
   if (given.count("target") != 0) {
     settings.targets = read_ease_targets(given["target"].as<std::string>());
   }
@@ -82,6 +107,9 @@ ProgramFiles files_of(const FitSettings& settings, const FitFiles& files) {
   all.reads.push_back(skeleton_beside(settings.body.inputs.front()));
   if (settings.points.spec) all.reads.push_back(*settings.points.spec);
   all.writes = files.all();
+  for (int k = 2; k <= settings.drapes; ++k) {
+    std::ranges::copy(files.repeat(k).of_drape(), std::back_inserter(all.writes));
+  }
   all.keeps = kept_distances_of(settings.dress.body);
   if (const auto& standing = settings.dress.standing) {
     all.reads.push_back(*standing);
@@ -126,6 +154,33 @@ CleanBodyResult fit_body(const FitSettings& settings, const FitFiles& files,
                         step_of(common, "clean-body", files.body, files.body_report));
 }
 
+namespace {
+
+/// Drapes the garment again, each time on a coarser mesh. Returns the files of the drapes.
+std::vector<fs::path> drape_again(const FitSettings& settings, const DressSettings& dressing,
+                                  const FitFiles& files, const CommonSettings& common) {
+  std::vector<fs::path> drapes;
+  for (int k = 2; k <= most_drapes; ++k) {
+    remove_earlier(files.repeat(k).of_drape());
+  }
+  for (int k = 2; k <= settings.drapes; ++k) {
+    common.say("Draping again, " + std::to_string(k) + " of " + std::to_string(settings.drapes) +
+               ":");
+    const FitFiles other = files.repeat(k);
+    MeshPatternSettings pattern = settings.pattern;
+    pattern.mesh.edge_length *= 1 + coarser * (k - 1) / (settings.drapes - 1);
+    run_mesh_pattern(pattern, step_of(common, "mesh-pattern", other.garment, other.mesh_report));
+    DressSettings again = dressing;
+    again.layers.front().garment = other.garment;
+    again.layers.front().output = other.dressed;
+    run_dress(again, step_of(common, "dress", other.dressed, other.report));
+    drapes.push_back(other.dressed);
+  }
+  return drapes;
+}
+
+}  // namespace
+
 FitEnd fit_pattern(const FitSettings& settings, const FitFiles& files, const CleanBodyResult& body,
                    const CommonSettings& common) {
   common.say("Meshing the pattern:");
@@ -145,8 +200,9 @@ FitEnd fit_pattern(const FitSettings& settings, const FitFiles& files, const Cle
   std::ranges::move(warnings_of("pattern", of_meshing),
                     std::back_inserter(dressing.earlier_warnings));
   const DressEnd end = run_dress(dressing, step_of(common, "dress", files.dressed, files.report));
-  common.say("Measuring the ease:");
   EaseMapSettings ease;
+  ease.repeats = drape_again(settings, dressing, files, common);
+  common.say("Measuring the ease:");
   ease.garment = files.dressed;
   ease.dress_report = files.report;
   ease.meshed = files.garment;

@@ -21,8 +21,15 @@ namespace toile {
 
 /// What the folder holds in the end.
 struct FitFiles {
-  explicit FitFiles(const std::filesystem::path& folder);
+  /// `before`: what the names of a drape's files begin with.
+  explicit FitFiles(const std::filesystem::path& out, const std::string& before = "");
   std::vector<std::filesystem::path> all() const;
+  /// The meshed garment, the drape and their reports.
+  std::vector<std::filesystem::path> of_drape() const;
+  /// With the drape's files of another drape, such as repeat-2-dressed.obj.
+  FitFiles repeat(int number) const;
+
+  std::filesystem::path folder;
 
   std::filesystem::path body, skeleton, body_report;
   std::filesystem::path garment, garment_json, mesh_report;
@@ -37,11 +44,12 @@ struct FitSettings {
   MeshPatternSettings pattern;
   DressSettings dress;
   bool pictures = false;
+  int drapes = 1;  ///< on meshes that differ; figures are of the first, and errors of all
   std::optional<EaseTargets> targets = {};
   MeasurePatternSettings points = {};  ///< without a spec: not measured
 };
 
-/// --edge-length, --cache, --png, --target and the options of the drape.
+/// --edge-length, --repeat, --cache, --png, --target and the options of the drape.
 void add_fit_options(boost::program_options::options_description& options);
 /// Reads them, for this body. Throws Error for values that can't be used.
 void read_fit_options(const boost::program_options::variables_map& given,
