@@ -109,7 +109,8 @@ std::vector<TargetFinding> compare_with_targets(const EaseTargets& targets,
   };
   for (const Girth& girth : girths) {
     if (!girth.name.empty() && girth.is_girth()) {
-      compare(girth.name, girth.ease_as_cut(), as_cut_error, panels_of(girth));
+      compare(girth.name, girth.ease_as_cut(), as_cut_error(girth.as_cut, girth.on_the_line),
+              panels_of(girth));
     }
   }
   for (const GarmentLevel& level : levels) {

@@ -96,7 +96,7 @@ std::optional<GarmentLevel::Compared> GarmentLevel::compared() const {
   const bool is_surer_at_rest = name == "top edge" && body && body < drafted_body;
   if (drafted_body && !is_surer_at_rest) return Compared{*drafted_body, drafted_body_error, true};
   if (!body) return std::nullopt;
-  return Compared{*body, as_cut_error, false};
+  return Compared{*body, edge_as_cut_error, false};
 }
 
 std::vector<PanelRole> worn_as(const PanelMesh& pattern) {

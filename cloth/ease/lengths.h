@@ -18,6 +18,7 @@ namespace toile {
 struct EndsBeyond {
   std::string place;  ///< "left elbow", "left wrist", "left shoulder point", "knee", "floor"
   double by = 0;
+  double error = 0;  ///< see worn_figures.h
 };
 
 /// A length of the garment. Metres.
@@ -36,7 +37,7 @@ struct GarmentLength {
   /// inside leg, crotch length.
   std::optional<double> body = {};
   std::vector<EndsBeyond> ends = {};  ///< where its lower or outer end lies
-  double error = 0;                   ///< of `worn` and of where its end lies, see worn_figures.h
+  double error = 0;                   ///< of `worn`, see worn_figures.h
 };
 
 /// The lengths that the garment has, each along the line in which a plane meets it.

@@ -47,8 +47,8 @@ void take_spreads(std::vector<Figure>& figures,
     if (!own) continue;
     std::vector<double> values = {*own};
     for (const std::vector<Figure>* drape : others) {
-      const auto same = std::ranges::find_if(
-          *drape, [&](const Figure& other) { return is_same(figure, other); });
+      const auto same =
+          std::ranges::find_if(*drape, [&](const Figure& other) { return is_same(figure, other); });
       if (same == drape->end()) continue;
       if (const std::optional<double> theirs = value(*same)) values.push_back(*theirs);
     }
@@ -66,9 +66,14 @@ WornFigures measure_worn(const DressedGarment& garment, const TriangleMesh& body
   figures.levels = measure_garment_levels(garment, body, skeleton, worn_as, measures);
   figures.lengths = measure_lengths(garment, skeleton, measures, worn_as, figures.levels);
   const double edge = mean_edge(garment);
-  for (Girth& girth : figures.girths.rows) girth.error = ease_error(girth.ease());
+  for (Girth& girth : figures.girths.rows) {
+    girth.error = ease_error(girth.ease(), girth.ease_as_cut(), edge);
+  }
   for (GarmentLevel& level : figures.levels) level.height_error = height_error(edge);
-  for (GarmentLength& length : figures.lengths) length.error = height_error(edge);
+  for (GarmentLength& length : figures.lengths) {
+    length.error = length_error(length.worn, length.as_cut.value_or(length.worn));
+    for (EndsBeyond& end : length.ends) end.error = end_error(edge);
+  }
   return figures;
 }
 
@@ -97,6 +102,17 @@ void take_errors_from(const std::vector<WornFigures>& others, WornFigures& figur
   take_spreads<GarmentLength>(
       figures.lengths, lengths, &GarmentLength::error,
       [](const GarmentLength& length) { return std::optional(length.worn); }, has_name);
+  for (GarmentLength& length : figures.lengths) {
+    std::vector<const std::vector<EndsBeyond>*> ends;
+    for (const std::vector<GarmentLength>* drape : lengths) {
+      const auto same = std::ranges::find(*drape, length.name, &GarmentLength::name);
+      if (same != drape->end()) ends.push_back(&same->ends);
+    }
+    take_spreads<EndsBeyond>(
+        length.ends, ends, &EndsBeyond::error,
+        [](const EndsBeyond& end) { return std::optional(end.by); },
+        [](const EndsBeyond& a, const EndsBeyond& b) { return a.place == b.place; });
+  }
 }
 
 }  // namespace toile

@@ -23,7 +23,8 @@ Fit fit_of(const std::vector<Girth>& girths, const std::vector<GarmentLevel>& ga
   };
   for (const Girth& girth : girths) {
     if (girth.name.empty() || !girth.is_girth() || girth.is_of_both_legs) continue;
-    FitLevel level{girth.name, girth.body, girth.as_cut, as_cut_error};
+    FitLevel level{girth.name, girth.body, girth.as_cut,
+                   as_cut_error(girth.as_cut, girth.on_the_line)};
     level.panels = panels_of(girth);
     if (girth.is_of_trunk) {
       compare_trunk(level, girth.drafted_body);

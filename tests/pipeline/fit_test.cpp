@@ -92,7 +92,8 @@ TEST_F(ToileFit, RepeatedDrapesGiveTheErrors) {
   // The half width of three values is 2.92 sqrt(4/3) of their standard deviation.
   std::map<std::string, std::vector<double>> heights;
   for (const char* drape : {"dressed.json", "repeat-2-dressed.json", "repeat-3-dressed.json"}) {
-    for (const Json& level : report(drape)["levels"]) {
+    const Json said = report(drape);
+    for (const Json& level : said["levels"]) {
       heights[level["name"]].push_back(level["height_cm"]);
     }
   }

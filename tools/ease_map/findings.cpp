@@ -59,7 +59,7 @@ struct SidedFigure {
 std::vector<SidedFigure> sided_figures(const EaseReport& report) {
   std::vector<SidedFigure> figures;
   const auto cut = [&](const std::string& name, double as_cut) {
-    figures.push_back({name, as_cut, as_cut_error, "is cut", "longer", "shorter"});
+    figures.push_back({name, as_cut, edge_as_cut_error, "is cut", "longer", "shorter"});
   };
   for (const Girth& girth : report.figures.girths.rows) {
     if (!girth.is_girth()) continue;
@@ -71,8 +71,8 @@ std::vector<SidedFigure> sided_figures(const EaseReport& report) {
     if (length.ends.empty()) continue;
     const EndsBeyond& end = length.ends.front();
     const bool is_height = end.place == "floor";
-    figures.push_back({length.name, end.by, length.error, "ends",
-                       is_height ? "higher" : "farther out", is_height ? "lower" : "farther in"});
+    figures.push_back({length.name, end.by, end.error, "ends", is_height ? "higher" : "farther out",
+                       is_height ? "lower" : "farther in"});
   }
   return figures;
 }

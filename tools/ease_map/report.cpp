@@ -200,7 +200,9 @@ nlohmann::ordered_json lengths_json(const EaseReport& report) {
     row["plus_minus_worn_cm"] = rounded(100 * length.error);
     if (length.body) row["body_cm"] = rounded(100 * *length.body);
     for (const EndsBeyond& end : length.ends) {
-      row["ends"].push_back({{"place", end.place}, {"beyond_cm", rounded(100 * end.by)}});
+      row["ends"].push_back({{"place", end.place},
+                             {"beyond_cm", rounded(100 * end.by)},
+                             {"plus_minus_beyond_cm", rounded(100 * end.error)}});
     }
     all.push_back(std::move(row));
   }
@@ -227,7 +229,7 @@ nlohmann::ordered_json girths_json(const EaseReport& report) {
     row["plus_minus_ease_cm"] = in_cm(girth.error);
     row["as_cut_cm"] = in_cm(girth.as_cut);
     row["as_cut_ease_cm"] = in_cm(girth.ease_as_cut());
-    row["plus_minus_as_cut_cm"] = in_cm(as_cut_error);
+    row["plus_minus_as_cut_cm"] = in_cm(as_cut_error(girth.as_cut, girth.on_the_line));
     row["on_the_line_cm"] = in_cm(girth.on_the_line);
     row["panels"] = nlohmann::ordered_json::array();
     for (const PanelWidth& panel : girth.panels) {

@@ -23,8 +23,10 @@ namespace {
 
 constexpr int most_drapes = 9;
 
-/// The coarsest mesh of --repeat has edges longer by this share.
-constexpr double coarser = 0.4;
+/// The coarsest mesh of --repeat has edges longer by this share. Errors of 95 eases of 22 random
+/// garments on such meshes held nine of ten. On one mesh, from five starts, they held five. Half
+/// and double were not tried.
+constexpr double coarser = 1.5;
 
 }  // namespace
 
@@ -65,7 +67,7 @@ void add_fit_options(po::options_description& options) {
                         "keep the body's distances in OUT/body.distances, with --from beside both "
                         "bodies: later fits take less time")(
       "repeat", po::value<int>()->default_value(1),
-      "drape so many times, 3 to 9, on meshes up to 1.4 times as coarse: errors are of the spread")(
+      "drape so many times, 3 to 9, on meshes up to 2.5 times as coarse: errors are of the spread")(
       "target", po::value<std::string>(),
       "the ease that is meant: close, fitted, semi-fitted, loose, or a JSON file of your own")(
       "png", po::bool_switch(), "write pictures, too: OUT/ease.png and OUT/drape.png");
