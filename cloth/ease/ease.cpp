@@ -126,4 +126,9 @@ EaseMap measure_ease(const DressedGarment& garment, const SurfaceDistance& body,
   return map;
 }
 
+int farthest_node(const EaseMap& map, const std::vector<int>& nodes) {
+  return *std::ranges::max_element(
+      nodes, {}, [&](int node) { return map.node_gaps[static_cast<std::size_t>(node)]; });
+}
+
 }  // namespace toile

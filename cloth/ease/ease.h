@@ -54,6 +54,9 @@ struct EaseMap {
   EaseStatistics garment;              ///< of all panels together
 };
 
+/// Of some nodes, at least one, that which is farthest off the skin.
+int farthest_node(const EaseMap& map, const std::vector<int>& nodes);
+
 /// Measures the gaps of a dressed garment. The sign of a gap means something only for a closed
 /// body; closed_surface_defect() checks that. Costs one query of the body per node, in parallel.
 /// The result does not depend on the number of threads.

@@ -12,6 +12,7 @@ namespace toile {
 /// what is within its error has no line.
 /// - Levels that are cut too small, and levels off their target.
 /// - Edges that left the place where they were drafted to lie.
+/// - Necklines, armholes and top edges that stand off the skin.
 /// - Left and right, where girths, edges or lengths differ.
 std::vector<std::string> findings_of(const EaseReport& report);
 

@@ -251,6 +251,8 @@ nlohmann::ordered_json garment_levels_json(const EaseReport& report) {
                                   {"height_cm", rounded(100 * level.height)},
                                   {"garment_cm", rounded(100 * level.garment)},
                                   {"as_cut_cm", rounded(100 * level.as_cut)}};
+    row["largest_gap_cm"] =
+        rounded(100 * report.map.node_gaps[farthest_node(report.map, level.nodes)]);
     if (level.body) {
       row["body_cm"] = rounded(100 * *level.body);
       row["as_cut_ease_cm"] = rounded(100 * (level.as_cut - *level.body));

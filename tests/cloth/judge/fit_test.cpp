@@ -11,7 +11,7 @@ Girth girth(const std::string& name, double body, double as_cut) {
   girth.is_of_trunk = true;
   girth.garment = girth.hull = body;
   girth.body = body;
-  girth.as_cut = as_cut;
+  girth.as_cut = girth.on_the_line = as_cut;
   return girth;
 }
 
@@ -24,7 +24,7 @@ TEST(Fit, NamesTheLevelsAtWhichClothIsMissing) {
   EXPECT_EQ(fit.levels[0].level, "bust");
   EXPECT_NEAR(fit.levels[0].missing(), 0.10, 1e-12);
   EXPECT_EQ(text_of(fit.levels[0]),
-            "at the bust the garment is cut 10.0 \xC2\xB1 0.3 cm smaller than the body, and "
+            "at the bust the garment is cut 10.0 \xC2\xB1 0.5 cm smaller than the body, and "
             "stretched by that: "
             "90.0 cm around 100.0 cm");
   EXPECT_EQ(text_of(fit), "too_small, 10.0 cm missing at the bust");
