@@ -68,7 +68,7 @@ class RuleReader {
     if (verb == "down") return panels_.length_down(point());
     if (verb == "around") {
       const EdgePoint from = point();
-      return panels_.level_length(at_end() ? from : below(from));
+      return panels_.level_line(at_end() ? from : below(from)).length;
     }
     fail("'" + shown_text(verb) + "' is no way to measure");
   }

@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include "geometry/error.h"
 #include "pattern/measure/measuring_rule.h"
 
 namespace toile {
@@ -16,8 +17,12 @@ namespace {
 constexpr const char* inch_below = " 2.5cm below";
 
 /// An edge whose facing() is more looks up, one whose is less than its negative looks down: it is
-/// nearer to level than to upright.
-constexpr double looks_up = 0.707;
+/// at most 60 degrees off level. Half and double were not tried.
+constexpr double looks_up = 0.5;
+
+/// An open edge whose facing() is less ends a neckline or an armhole: it is upright. Half and
+/// double were not tried.
+constexpr double leans_up = 0.1;
 
 std::string sided(int side, const std::string& name) {
   if (side == 0) return name;
@@ -30,6 +35,7 @@ class PointFinder {
 
   std::vector<PointOfMeasure> found() {
     for (std::size_t p = 0; p < pattern_.panels.size(); ++p) {
+      if (!is_sewn_in(static_cast<int>(p))) continue;
       const std::vector<EdgeRef> edges = panels_.edges_of(static_cast<int>(p));
       edges_.insert(edges_.end(), edges.begin(), edges.end());
     }
@@ -42,6 +48,20 @@ class PointFinder {
   }
 
  private:
+  /// Whether a panel is sewn to others edge to edge, or is the only one. One that lies upon
+  /// another, as a pocket, plays no part.
+  bool is_sewn_in(int panel) const {
+    if (pattern_.panels.size() == 1) return true;
+    const bool lies_upon = std::ranges::any_of(pattern_.stitches, [&](const Stitch& stitch) {
+      return stitch.layered && stitch.b.panel == panel;
+    });
+    const std::vector<EdgeRef> edges = panels_.edges_of(panel);
+    return !lies_upon && std::ranges::any_of(edges, [&](const EdgeRef& edge) {
+      const std::optional<EdgeRef> other = panels_.partner(edge);
+      return other && other->panel != panel;
+    });
+  }
+
   // What is asked of edges.
 
   const PanelClass& is(const EdgeRef& edge) const { return panels_.is(edge.panel); }
@@ -116,28 +136,61 @@ class PointFinder {
            panels_.facing(edge) > looks_up && panels_.facing(*other) > looks_up;
   }
 
+  /// The next piece of a shoulder seam on the same face, outward or to the neck.
+  std::optional<EdgeRef> piece_beyond(const EdgeRef& piece, const std::vector<EdgeRef>& pieces,
+                                      bool is_outward) const {
+    const int corner = panels_.corner(is_outward ? lower_end(piece) : higher_end(piece));
+    for (const EdgeRef& other : pieces) {
+      const EdgeEnd end = is_outward ? higher_end(other) : lower_end(other);
+      if (panels_.face(other.panel) == panels_.face(piece.panel) && panels_.corner(end) == corner) {
+        return other;
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// Whether the level line below an armhole closes, or reaches both halves of an open garment.
+  bool goes_around(const EdgeEnd& underarm) const {
+    try {
+      const LevelLine line = panels_.level_line(panels_.below(underarm, 0.025));
+      std::set<int> sides;
+      for (const int panel : line.panels) sides.insert(panels_.side(panel));
+      return line.closes || (sides.contains(1) && sides.contains(-1));
+    } catch (const Error&) {
+      return false;
+    }
+  }
+
   void find_bodice() {
-    const auto is_of_armhole = [this](const EdgeRef& edge) {
-      return is_bodice(edge) && (is_open(edge) || worn_across(edge) == PanelRole::sleeve);
-    };
-    const auto is_of_neckline = [this](const EdgeRef& edge) {
-      const std::optional<EdgeRef> other = panels_.partner(edge);
-      return is_bodice(edge) && (!other || is(*other).is_headwear());
+    // What begins at the shoulder is of neckline or armhole. Open edges after it are while they
+    // lean.
+    const auto goes_on = [this](const EdgeRef& edge, const EdgeRef& first) {
+      return is_open(edge) && (edge.edge == first.edge || panels_.facing(edge) > leans_up);
     };
     std::vector<EdgeRef> neckline;
     std::map<int, std::vector<EdgeRef>> armholes;  // by side
-    std::map<int, EdgeRef> shoulders;
+    std::map<int, std::vector<EdgeRef>> shoulders;
     std::optional<EdgeEnd> underarm;
-    for (const EdgeRef& shoulder :
-         edges_that([this](const EdgeRef& e) { return is_shoulder(e); })) {
+    const std::vector<EdgeRef> pieces =
+        edges_that([this](const EdgeRef& e) { return is_shoulder(e); });
+    for (const EdgeRef& shoulder : pieces) {
+      if (piece_beyond(shoulder, pieces, false)) continue;  // it goes on to the neck
+      std::vector<EdgeRef> whole = {shoulder};
+      while (const auto next = piece_beyond(whole.back(), pieces, true)) whole.push_back(*next);
       const int panel = shoulder.panel;
       const EdgeEnd neck = panels_.beside(higher_end(shoulder));
-      const EdgeEnd tip = panels_.beside(lower_end(shoulder));
-      const Chain neck_edges = chain_from(neck, is_of_neckline);
-      const Chain armhole = chain_from(tip, is_of_armhole);
-      const int side = side_of(tip, panel);
+      const EdgeEnd tip = panels_.beside(lower_end(whole.back()));
+      const Chain neck_edges = chain_from(neck, [&](const EdgeRef& edge) {
+        const std::optional<EdgeRef> other = panels_.partner(edge);
+        return is_bodice(edge) && (other ? is(*other).is_headwear() : goes_on(edge, neck.edge));
+      });
+      const Chain armhole = chain_from(tip, [&](const EdgeRef& edge) {
+        return is_bodice(edge) &&
+               (worn_across(edge) == PanelRole::sleeve || goes_on(edge, tip.edge));
+      });
+      const int side = side_of(tip, tip.edge.panel);
       const bool is_front = panels_.face(panel) > 0;
-      if (is_front || !shoulders.contains(side)) shoulders.insert_or_assign(side, shoulder);
+      if (is_front || !shoulders.contains(side)) shoulders.insert_or_assign(side, whole);
       if (!armhole.edges.empty()) {
         std::ranges::copy(armhole.edges, std::back_inserter(armholes[side]));
         if (!underarm || (is_front && panels_.face(underarm->edge.panel) <= 0)) {
@@ -154,8 +207,10 @@ class PointFinder {
       }
       find_from_neck(panels_.beside(neck), tip, neck_edges);
     }
-    if (underarm) add("half chest", "half around " + text(*underarm) + inch_below);
-    for (const auto& [side, edge] : shoulders) add_along(sided(side, "shoulder"), {edge});
+    if (underarm && goes_around(*underarm)) {
+      add("half chest", "half around " + text(*underarm) + inch_below);
+    }
+    for (const auto& [side, edges] : shoulders) add_along(sided(side, "shoulder"), edges);
     // Those of side panels are sewn to no shoulder.
     for (auto& armhole : armholes) {
       const int side = armhole.first;
@@ -201,7 +256,8 @@ class PointFinder {
       middle += 0.5 * (across({edge, 0}) + across({edge, 1})) / static_cast<double>(edges.size());
     }
     const PatternPanel& drawn = pattern_.panels[panel];
-    const bool shows_inside = (drawn.rotation.col(2).z() < 0) != (panels_.face(panel) < 0);
+    const bool shows_inside =
+        has_places(pattern_) && (drawn.rotation.col(2).z() < 0) != (panels_.face(panel) < 0);
     const bool is_right_drawn = across(point(tip)) > middle;
     return is_right_drawn == ((panels_.face(panel) >= 0) != shows_inside) ? 1 : -1;
   }
@@ -232,7 +288,9 @@ class PointFinder {
     add(face + " neck drop", "drop " + text(side) + to_middle);
     if (panels_.face(panel) < 0) {
       add("neck width", "twice level " + text(side) + to_middle);
-      add("across shoulder", "twice level " + text(tip) + to_middle);
+      if (tip.edge.panel == panel) {
+        add("across shoulder", "twice level " + text(tip) + to_middle);
+      }
     }
     if (is_whole) {
       add("centre " + face + " length", "down " + rule_text(pattern_, middle));
@@ -341,7 +399,7 @@ class PointFinder {
             rise, {}, [&](const EdgeRef& edge) { return height(lower_end(edge)); });
         crotch = panels_.beside(lower_end(*low));
         inseam = chain_from(*crotch, [&](const EdgeRef& edge) {
-                   return !is_open(edge) && !crosses(edge);
+                   return !is_open(edge) && !crosses(edge) && !looks_down(edge);
                  }).edges;
       }
       if (!crotch || inseam.empty()) continue;
@@ -350,7 +408,7 @@ class PointFinder {
       add_along(sided(side, "outseam"), edges_that([&](const EdgeRef& edge) {
                   const std::optional<EdgeRef> other = panels_.partner(edge);
                   return edge.panel == crotch->edge.panel && other && holds_leg(*other) &&
-                         other->panel != edge.panel &&
+                         other->panel != edge.panel && !looks_down(edge) &&
                          std::ranges::none_of(
                              inseam, [&](const EdgeRef& known) { return known.edge == edge.edge; });
                 }));
@@ -366,7 +424,8 @@ class PointFinder {
   void find_hem() {
     for (const PanelRole role : {PanelRole::skirt, PanelRole::bodice}) {
       const std::vector<EdgeRef> hem = edges_that([&](const EdgeRef& edge) {
-        return worn_as(edge) == role && is_open(edge) && looks_down(edge);
+        return worn_as(edge) == role && !is(edge).is_headwear() && is_open(edge) &&
+               looks_down(edge);
       });
       add_along("hem", hem, true);
     }

@@ -23,8 +23,8 @@ struct PointOfMeasure {
 /// - Of skirts and trousers: half waist, length, half hem; of each leg rises, inseam, outseam, half
 ///   thigh 2.5 cm below the crotch, half leg opening.
 ///
-/// Names with a side stand for one of two. What the seams don't tell is left out. Cost: linear in
-/// the edges.
+/// Names with a side stand for one of two. What the seams don't tell is left out. Cost:
+/// quadratic in the edges at most.
 std::vector<PointOfMeasure> points_of_measure(const SewnPanels& panels);
 
 }  // namespace toile

@@ -27,10 +27,20 @@ constexpr double coarse_edge = 0.03;
 constexpr double left_outline = 1e-6;
 
 /// Cosine, of 45 degrees: a line that meets an edge at less to the square goes over it, one at more
-/// runs along it.
+/// runs along it. Half and double were not tried.
 constexpr double nearer_across = 0.707;
 
-/// Metres from the body's middle: a panel whose middle is nearer belongs to no side.
+/// Sine: an edge that a level line meets at less is level itself.
+constexpr double too_level = 0.3;
+
+/// Cosine, of 30 degrees: yarns that are farther off are those of a panel on the bias.
+constexpr double off_bias = 0.866;
+
+/// Share of up in the direction out of an edge, below which the edge is a side.
+constexpr double is_upright = 0.5;
+
+/// Metres from the body's middle: a panel whose middle is nearer belongs to no side. Half and
+/// double were not tried.
 constexpr double beside_middle = 0.02;
 
 double cross_product(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
@@ -92,8 +102,10 @@ SewnPanels::SewnPanels(const Pattern& pattern) : pattern_(pattern) {
       cap += length(edge) * (at({edge, 0.5}) - middle);
       cap_length += length(edge);
     }
-    up_.push_back(
-        yarn_towards(p, cap_length > 0 ? cap : Vec2(panel.rotation(1, 0), panel.rotation(1, 1))));
+    const Vec2 upright = cap_length > 0 ? cap : Vec2(panel.rotation(1, 0), panel.rotation(1, 1));
+    const Vec2 yarn = yarn_towards(p, upright);
+    const bool is_on_bias = yarn.dot(upright) < off_bias * upright.norm();
+    up_.push_back(is_on_bias && cap_length == 0 ? Vec2(upright.normalized()) : yarn);
   }
 }
 
@@ -179,7 +191,9 @@ double SewnPanels::facing(const EdgeRef& edge) const {
   const auto step = std::ranges::find(outline, edge.edge, &OutlineStep::edge);
   Vec2 along = at({edge, 1}) - at({edge, 0});
   if (!step->forward) along = -along;
-  return -turn_[edge.panel] * Vec2(-along.y(), along.x()).dot(up(edge.panel)) / length(edge);
+  const double chord_length = along.norm();
+  if (!(chord_length > 0)) return 0;
+  return -turn_[edge.panel] * Vec2(-along.y(), along.x()).dot(up(edge.panel)) / chord_length;
 }
 
 EdgeEnd SewnPanels::beside(const EdgeEnd& end) const { return beside_.at(key(end)); }
@@ -251,8 +265,8 @@ std::optional<EdgePoint> SewnPanels::sewn_to(const EdgePoint& point) const {
                    found->second.reversed ? 1 - point.fraction : point.fraction};
 }
 
-double SewnPanels::level_length(const EdgePoint& from) const {
-  double length = 0;
+LevelLine SewnPanels::level_line(const EdgePoint& from) const {
+  LevelLine line;
   // Once into the panel and, where that does not close, once out of it over its own seam.
   std::optional<EdgePoint> first_left;
   for (const bool is_out : {false, true}) {
@@ -268,22 +282,25 @@ double SewnPanels::level_length(const EdgePoint& from) const {
       const OnChord start = on_chord(here);
       if (level.dot(start.inward) < 0) level = -level;
       const std::optional<Crossing> left = cross(panel, start.at, level);
-      if (!left || crossed > chords_.size() + partners_.size()) {
+      if (!left || level.dot(start.inward) < too_level ||
+          crossed > chords_.size() + partners_.size()) {
         throw Error(shown_point(pattern_, from), "no level line leads around from there",
                     "measure from another point, or along edges");
       }
-      length += left->length;
+      line.length += left->length;
+      line.panels.insert(panel);
       if (!first_left) first_left = left->at;
       if (!sewn_to(left->at)) break;
       here = *sewn_to(left->at);
       // Back where it began: nearer to there than to where it first left that panel.
       if (!is_out && here.edge.panel == from.edge.panel &&
           (at(here) - at(from)).norm() < (at(here) - at(*first_left)).norm()) {
-        return length;
+        line.closes = true;
+        return line;
       }
     }
   }
-  return length;
+  return line;
 }
 
 double SewnPanels::length_down(const EdgePoint& from) const {
@@ -300,7 +317,16 @@ double SewnPanels::length_down(const EdgePoint& from) const {
       // Along the seam to its lower end.
       const bool is_end = (at({end.edge, 1}) - at({end.edge, 0})).dot(down) > 0;
       length += std::abs((is_end ? 1 : 0) - end.fraction) * this->length(end.edge);
-      const EdgeEnd below = beside({end.edge, is_end});
+      EdgeEnd below = beside({end.edge, is_end});
+      for (std::size_t i = 0; i < edges_[below.edge.panel].size(); ++i) {
+        const EdgeEnd far = {below.edge, !below.is_end};
+        const bool goes_down =
+            (at({far.edge, far.is_end ? 1.0 : 0.0}) - at({below.edge, below.is_end ? 1.0 : 0.0}))
+                .dot(down) > 0;
+        if (!goes_down || std::abs(facing(below.edge)) > is_upright) break;
+        length += this->length(below.edge);
+        below = beside(far);
+      }
       end = {below.edge, below.is_end ? 1.0 : 0.0};
     }
     const std::optional<EdgePoint> next = sewn_to(end);

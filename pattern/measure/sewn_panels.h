@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "pattern/classify/panel_class.h"
@@ -22,6 +23,13 @@ struct EdgeEnd {
   bool is_end = false;  ///< false: where the edge starts
 };
 
+/// A level line over the panels.
+struct LevelLine {
+  double length = 0;  ///< metres
+  bool closes = false;
+  std::set<int> panels = {};  ///< that it crosses
+};
+
 /// The panels of a pattern and what each edge is sewn to. Lengths in metres, of the pattern's own
 /// curves: a line's within 0.1 mm. Panels are looked at as they are drawn. Layered seams do not
 /// count.
@@ -36,14 +44,15 @@ class SewnPanels {
   /// The wearer's side and the face, by class, else by place; 0: in the middle, or not known.
   int side(int panel) const { return side_[panel]; }
   int face(int panel) const { return face_[panel]; }
-  /// Unit length, in the drawing: the yarn that points up on a wearer. In a sleeve, to its cap.
+  /// Unit length, in the drawing: the yarn that points up on a wearer, in a sleeve to its cap. On
+  /// the bias, where yarns are more than 30 degrees off that, it is up itself.
   const Vec2& up(int panel) const { return up_[panel]; }
 
   Vec2 at(const EdgePoint& point) const;
   double length(const EdgeRef& edge) const;
   /// The edge that it is sewn to; nothing: it is open.
   std::optional<EdgeRef> partner(const EdgeRef& edge) const;
-  /// The mean over the edge of up's share in the direction out of the panel. 1: an upper edge,
+  /// Up's share in the direction out of the panel, square to the edge's chord. 1: an upper edge,
   /// -1: a lower one, 0: a side.
   double facing(const EdgeRef& edge) const;
   /// The end of the other edge at the same corner of the panel.
@@ -59,8 +68,8 @@ class SewnPanels {
 
   /// Length of the line that runs level through a point of the outline. In each panel it is square
   /// to up. It ends where it closes, or where both its ends reach an end of the cloth. Throws Error
-  /// for a line that does neither.
-  double level_length(const EdgePoint& from) const;
+  /// for a line that does neither, and for a point on an edge that is level itself.
+  LevelLine level_line(const EdgePoint& from) const;
   /// Length from a point straight down to the end of the cloth. Over a seam it goes on along the
   /// yarn that leads away from the seam. Where it would run along a seam it follows the seam.
   /// Throws Error where no lower edge lies below the point.

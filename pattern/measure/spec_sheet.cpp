@@ -55,7 +55,11 @@ SpecColumns columns_of(const CsvRow& header, const std::string& file, const std:
     throw Error(place, "there is no size '" + shown_text(size) + "'",
                 all.empty() ? "add a column of that name" : "give one of " + all);
   }
-  if (size.empty() && sizes.size() > 1) {
+  // What else the table tells of a point is no size.
+  const auto single = std::ranges::find(header.fields, "spec_cm");
+  if (size.empty() && single != header.fields.end()) {
+    columns.spec = static_cast<std::size_t>(single - header.fields.begin());
+  } else if (size.empty() && sizes.size() > 1) {
     throw Error(place, "there are several sizes", "give --size, one of " + all);
   }
   return columns;
@@ -98,6 +102,7 @@ std::vector<SpecRow> read_spec_sheet(std::string_view text, const std::string& f
     };
     SpecRow read{row->line, field(columns.name), field(columns.rule), metres(columns.spec),
                  metres(columns.tolerance)};
+    if (std::ranges::all_of(row->fields, &std::string::empty)) continue;
     if (read.name.empty()) throw Error(place, "has no name", "name what is measured");
     spec.push_back(std::move(read));
   }
@@ -112,7 +117,8 @@ std::string MeasuredPoint::result() const {
 }
 
 std::vector<MeasuredPoint> measure_to_spec(const SewnPanels& panels,
-                                           const std::vector<SpecRow>& spec, double tolerance) {
+                                           const std::vector<SpecRow>& spec,
+                                           const std::string& file, double tolerance) {
   const std::vector<PointOfMeasure> known = points_of_measure(panels);
   std::vector<MeasuredPoint> measured;
   for (const SpecRow& row : spec) {
@@ -121,8 +127,15 @@ std::vector<MeasuredPoint> measure_to_spec(const SewnPanels& panels,
     const double allowed = row.tolerance.value_or(tolerance);
     if (points.empty()) measured.push_back({row.name, "", {}, row.spec, allowed});
     for (const PointOfMeasure& point : points) {
-      measured.push_back(
-          {point.name, point.rule, measure_by_rule(panels, point.rule), row.spec, allowed});
+      try {
+        measured.push_back(
+            {point.name, point.rule, measure_by_rule(panels, point.rule), row.spec, allowed});
+      } catch (const Error& error) {
+        if (!row.rule.empty()) {
+          throw Error(file + ":" + std::to_string(row.line), error.what(), "mend this row");
+        }
+        measured.push_back({point.name, point.rule, {}, row.spec, allowed});
+      }
     }
   }
   return measured;

@@ -31,7 +31,7 @@ std::vector<SpecRow> read_spec_sheet(std::string_view text, const std::string& f
 /// A point of measure of a garment beside what it should be. Metres.
 struct MeasuredPoint {
   std::string name;
-  std::string rule;              ///< empty: the garment has no such point
+  std::string rule;              ///< empty: nobody says how it is taken
   std::optional<double> actual;  ///< none: the garment has no such point
   std::optional<double> spec;
   double tolerance = 0;
@@ -39,14 +39,16 @@ struct MeasuredPoint {
   std::optional<double> difference() const {
     return actual && spec ? std::optional(*actual - *spec) : std::nullopt;
   }
-  /// "in tolerance", "too small", "too large" or "not found"; empty: there is no spec.
+  /// "in tolerance", "too small", "too large" or "not found"; empty: it is there and has no spec.
   std::string result() const;
 };
 
 /// Measures the rows of a specification. A name without its side stands for both sides.
-/// `tolerance`: metres, of rows without one. Throws Error for a rule that does not hold.
+/// `tolerance`: metres, of rows without one. Throws Error, whose place is the row in `file`, for a
+/// rule that does not hold.
 std::vector<MeasuredPoint> measure_to_spec(const SewnPanels& panels,
-                                           const std::vector<SpecRow>& spec, double tolerance);
+                                           const std::vector<SpecRow>& spec,
+                                           const std::string& file, double tolerance);
 
 /// All that points_of_measure() finds, without a spec. What a line on the panels does not reach is
 /// left out.

@@ -143,6 +143,21 @@ TEST_F(FitFaults, ATopEdgeThatIsTooWideSlidesDown) {
   EXPECT_EQ(against(R"({"top edge": [0, 30]})")["fit"]["verdict"], "ok");
 }
 
+TEST_F(FitFaults, ANecklineThatGapes) {
+  // 5 cm too much at the top of each front, in the middle.
+  const Json report = ease("tshirt", [](const std::string& panel, double& x, double& y) {
+    if (panel.ends_with("_front") && std::abs(x) < 0.001 && y > 56) {
+      x = panel == "left_front" ? -5 : 5;
+    }
+  });
+  EXPECT_GT(named(report["garment_levels"], "name", "neckline")["largest_gap_cm"], 3);
+  bool is_told = false;
+  for (const Json& finding : report["findings"]) {
+    is_told = is_told || finding.get<std::string>().starts_with("the neckline gapes: it stands ");
+  }
+  EXPECT_TRUE(is_told) << report["findings"];
+}
+
 TEST_F(FitFaults, SleevesThatAreTooNarrow) {
   const Json report = ease("tshirt", [](const std::string& panel, double&, double& y) {
     if (is_sleeve(panel) && y < 0) y *= 0.62;

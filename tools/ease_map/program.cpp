@@ -1,6 +1,9 @@
 // ease-map: how far a dressed garment stands off the body, to look at and to calculate with.
+#include <algorithm>
+
 #include "io/output_file.h"
 #include "io/skeleton_file.h"
+#include "io/text.h"
 #include "tools/ease_map/dress_report.h"
 #include "tools/ease_map/run.h"
 #include "tools/programs.h"
@@ -75,6 +78,12 @@ CommandLineProgram ease_map_program() {
     if (given.count("repeat") != 0) {
       const auto& files = given["repeat"].as<std::vector<std::string>>();
       settings.repeats.assign(files.begin(), files.end());
+      for (std::size_t i = 0; i < files.size(); ++i) {
+        if (files[i] == settings.garment || std::count(files.begin(), files.end(), files[i]) > 1) {
+          throw UsageError("--repeat", "'" + shown_text(files[i]) + "' is given twice",
+                           "give another drape");
+        }
+      }
       if (files.size() < 2) {
         throw UsageError("--repeat", "is given once",
                          "give two drapes or more: one tells no spread");

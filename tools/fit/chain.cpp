@@ -158,9 +158,11 @@ CleanBodyResult fit_body(const FitSettings& settings, const FitFiles& files,
 
 namespace {
 
-/// Drapes the garment again, each time on a coarser mesh. Returns the files of the drapes.
+/// Drapes the garment again, each time on a coarser mesh. Returns the files of those that end with
+/// the same verdict.
 std::vector<fs::path> drape_again(const FitSettings& settings, const DressSettings& dressing,
-                                  const FitFiles& files, const CommonSettings& common) {
+                                  Verdict verdict, const FitFiles& files,
+                                  const CommonSettings& common) {
   std::vector<fs::path> drapes;
   for (int k = 2; k <= most_drapes; ++k) {
     remove_earlier(files.repeat(k).of_drape());
@@ -171,13 +173,25 @@ std::vector<fs::path> drape_again(const FitSettings& settings, const DressSettin
     const FitFiles other = files.repeat(k);
     MeshPatternSettings pattern = settings.pattern;
     pattern.mesh.edge_length *= 1 + coarser * (k - 1) / (settings.drapes - 1);
-    run_mesh_pattern(pattern, step_of(common, "mesh-pattern", other.garment, other.mesh_report));
-    DressSettings again = dressing;
-    again.layers.front().garment = other.garment;
-    again.layers.front().output = other.dressed;
-    run_dress(again, step_of(common, "dress", other.dressed, other.report));
-    drapes.push_back(other.dressed);
+    std::string why;
+    try {
+      run_mesh_pattern(pattern, step_of(common, "mesh-pattern", other.garment, other.mesh_report));
+      DressSettings again = dressing;
+      again.layers.front().garment = other.garment;
+      again.layers.front().output = other.dressed;
+      const DressEnd end = run_dress(again, step_of(common, "dress", other.dressed, other.report));
+      if (end.verdict != verdict) why = std::string("it is ") + to_string(end.verdict);
+    } catch (const Error& error) {
+      why = error.what();
+    }
+    if (why.empty()) {
+      drapes.push_back(other.dressed);
+    } else {
+      CommonSettings::warn("drape " + std::to_string(k) + " tells no error: " + why);
+    }
   }
+  // One other drape tells no spread.
+  if (drapes.size() < 2) drapes.clear();
   return drapes;
 }
 
@@ -203,7 +217,7 @@ FitEnd fit_pattern(const FitSettings& settings, const FitFiles& files, const Cle
                     std::back_inserter(dressing.earlier_warnings));
   const DressEnd end = run_dress(dressing, step_of(common, "dress", files.dressed, files.report));
   EaseMapSettings ease;
-  ease.repeats = drape_again(settings, dressing, files, common);
+  ease.repeats = drape_again(settings, dressing, end.verdict, files, common);
   common.say("Measuring the ease:");
   ease.garment = files.dressed;
   ease.dress_report = files.report;

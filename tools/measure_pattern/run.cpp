@@ -87,6 +87,10 @@ void read_pom_options(const po::variables_map& given, MeasurePatternSettings& se
   if (given.count("pom") != 0) settings.spec = given["pom"].as<std::string>();
   if (given.count("size") != 0) settings.size = given["size"].as<std::string>();
   settings.knit = given["knit"].as<bool>();
+  if (settings.spec) {
+    settings.rows =
+        read_spec_sheet(read_file(*settings.spec), settings.spec->string(), settings.size);
+  }
 }
 
 ExitCode run_measure_pattern(const MeasurePatternSettings& settings, const CommonSettings& common) {
@@ -97,9 +101,8 @@ ExitCode run_measure_pattern(const MeasurePatternSettings& settings, const Commo
   say_remarks(remarks, common);
   std::vector<MeasuredPoint> points;
   if (settings.spec) {
-    const std::vector<SpecRow> spec =
-        read_spec_sheet(read_file(*settings.spec), settings.spec->string(), settings.size);
-    points = measure_to_spec(panels, spec, settings.knit ? knit_tolerance : woven_tolerance);
+    points = measure_to_spec(panels, settings.rows, settings.spec->string(),
+                             settings.knit ? knit_tolerance : woven_tolerance);
   } else {
     points = measure_all_points(panels);
   }

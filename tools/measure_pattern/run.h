@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "pattern/measure/spec_sheet.h"
 #include "tools/program.h"
 
 namespace toile {
@@ -13,6 +15,7 @@ struct MeasurePatternSettings {
   std::filesystem::path pattern;
   std::optional<std::filesystem::path> spec;  ///< points of measure as they should be
   std::string size;                           ///< the spec's column; empty: it has one
+  std::vector<SpecRow> rows;                  ///< of the spec
   bool knit = false;
 };
 
@@ -20,6 +23,7 @@ struct MeasurePatternSettings {
 void add_pom_options(boost::program_options::options_description& options);
 /// Throws boost::program_options::error for --size without --pom.
 void check_pom_options(const boost::program_options::variables_map& given);
+/// Reads the spec, too. Throws Error for one that is none.
 void read_pom_options(const boost::program_options::variables_map& given,
                       MeasurePatternSettings& settings);
 

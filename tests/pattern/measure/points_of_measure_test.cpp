@@ -1,7 +1,10 @@
 // Points of measure of garments whose measures are known by hand.
 #include "pattern/measure/points_of_measure.h"
 
+#include <filesystem>
+#include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "pattern/measure/measuring_rule.h"
 #include "pattern/measure/spec_sheet.h"
@@ -142,6 +145,32 @@ TEST(PointsOfMeasure, OfTheTShirtAreThoseOfItsVertices) {
                            {"left sleeve inseam", std::hypot(11, 1.5)}});
 }
 
+TEST(PointsOfMeasure, AnOpenFrontIsMeasuredFromEdgeToEdge) {
+  std::ifstream file(std::filesystem::path(TOILE_SOURCE_DIR) / "samples" / "tshirt.json");
+  nlohmann::json shirt = nlohmann::json::parse(file);
+  std::erase_if(shirt["pattern"]["stitches"].get_ref<nlohmann::json::array_t&>(),
+                [](const nlohmann::json& stitch) {
+                  return stitch[0]["panel"] == "left_front" && stitch[1]["panel"] == "right_front";
+                });
+  const auto whole = Measured::sample("tshirt").all();
+  const auto open = Measured::of(shirt.dump()).all();
+  EXPECT_EQ(open.size(), whole.size());
+  expect_points(open, whole);
+}
+
+// The sample's shoulder seam is parted by a princess seam.
+TEST(PointsOfMeasure, ShouldersOfTwoPiecesAreOne) {
+  const auto measures = Measured::sample("bodice_dress").all();
+  const double piece = std::hypot(14.451 - 11, 45.5 - 44.312);
+  const double other = std::hypot(17.599 - 14.755, 22.292 - 20.02);
+  expect_points(measures, {{"left shoulder", piece + other},
+                           {"across shoulder", 2 * 18.271},
+                           {"neck width", 2 * 11.3},
+                           {"front neck drop", 14.5}});
+  // The armhole is of the side front and the back.
+  EXPECT_GT(measures.at("left armhole"), 40);
+}
+
 TEST(PointsOfMeasure, OfTrousersHaveBothLegs) {
   const auto measures = Measured::sample("trousers").all();
   for (const std::string name :
@@ -162,7 +191,8 @@ TEST(SpecSheet, ComparesBySizeAndTolerance) {
       "sleeve length,,21.6,22.5,\n"
       "\"my own, front\",0,26.5,26.5,along left_front.0\n"
       "collar height,1,5,5,\n";
-  const auto of_m = measure_to_spec(shirt.panels, read_spec_sheet(table, "t.csv", "M"), 0.005);
+  const auto of_m =
+      measure_to_spec(shirt.panels, read_spec_sheet(table, "t.csv", "M"), "t.csv", 0.005);
   ASSERT_EQ(of_m.size(), 5u);  // both sleeves
   EXPECT_EQ(of_m[0].result(), "in tolerance");
   EXPECT_EQ(of_m[1].name, "left sleeve length");
@@ -170,7 +200,8 @@ TEST(SpecSheet, ComparesBySizeAndTolerance) {
   EXPECT_NEAR(*of_m[2].difference(), 0.004, 1e-6);
   EXPECT_EQ(of_m[3].result(), "in tolerance");
   EXPECT_EQ(of_m[4].result(), "not found");
-  const auto of_l = measure_to_spec(shirt.panels, read_spec_sheet(table, "t.csv", "L"), 0.0049);
+  const auto of_l =
+      measure_to_spec(shirt.panels, read_spec_sheet(table, "t.csv", "L"), "t.csv", 0.0049);
   EXPECT_EQ(of_l[0].result(), "too small");
   EXPECT_EQ(of_l[1].result(), "too small");
 }
