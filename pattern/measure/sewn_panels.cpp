@@ -55,11 +55,20 @@ std::string shown_point(const Pattern& pattern, const EdgePoint& point) {
 
 }  // namespace
 
-SewnPanels::SewnPanels(const Pattern& pattern) : pattern_(pattern) {
+std::vector<PanelClass> panel_classes(const Pattern& pattern) {
   std::vector<Remark> remarks;  // mesh-pattern says them
+  std::vector<PanelClass> classes;
   for (const MeshedPanel& panel : mesh_panels(pattern, {coarse_edge, 0}, remarks).panels) {
-    is_.push_back(panel.is);
-    if (panel.is.worn_as == PanelRole::unknown) is_.back().worn_as.is = PanelRole::bodice;
+    classes.push_back(panel.is);
+  }
+  return classes;
+}
+
+SewnPanels::SewnPanels(const Pattern& pattern, std::vector<PanelClass> is)
+    : pattern_(pattern), is_(std::move(is)) {
+  std::vector<Remark> remarks;  // mesh-pattern says them
+  for (PanelClass& panel : is_) {
+    if (panel.worn_as == PanelRole::unknown) panel.worn_as.is = PanelRole::bodice;
   }
   const int count = static_cast<int>(pattern.panels.size());
   chords_.resize(count);

@@ -30,14 +30,19 @@ struct LevelLine {
   std::set<int> panels = {};  ///< that it crosses
 };
 
+/// What each panel of a checked pattern is (classify.h). Costs a coarse mesh. Throws as
+/// mesh_panels() does.
+std::vector<PanelClass> panel_classes(const Pattern& pattern);
+
 /// The panels of a pattern and what each edge is sewn to. Lengths in metres, of the pattern's own
 /// curves: a line's within 0.1 mm. Panels are looked at as they are drawn. Layered seams do not
 /// count.
 class SewnPanels {
  public:
-  /// Of a checked pattern, which outlives this. Where nobody tells what a panel is worn as
-  /// (classify.h), it counts as of the bodice. Costs a coarse mesh. Throws as mesh_panels() does.
-  explicit SewnPanels(const Pattern& pattern);
+  /// Of a pattern as drawn, which outlives this: what is mended for a mesh is up to 2 mm off. `is`:
+  /// what each panel is, see panel_classes(). Where nobody tells what one is worn as, it counts as
+  /// of the bodice.
+  SewnPanels(const Pattern& pattern, std::vector<PanelClass> is);
 
   const Pattern& pattern() const { return pattern_; }
   const PanelClass& is(int panel) const { return is_[panel]; }

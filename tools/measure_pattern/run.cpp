@@ -95,9 +95,13 @@ void read_pom_options(const po::variables_map& given, MeasurePatternSettings& se
 
 ExitCode run_measure_pattern(const MeasurePatternSettings& settings, const CommonSettings& common) {
   std::vector<Remark> remarks;
-  const Pattern pattern = without_left_out(read_pattern(settings.pattern, remarks), remarks);
-  check_pattern(pattern, remarks);
-  const SewnPanels panels(pattern);
+  const std::string text = read_file(settings.pattern);
+  const std::string name = settings.pattern.string();
+  const Pattern mended = without_left_out(parse_pattern(text, name, remarks), remarks);
+  check_pattern(mended, remarks);
+  std::vector<Remark> twice;  // said of the mended pattern
+  const Pattern drawn = without_left_out(parse_drawn_pattern(text, name, twice), twice);
+  const SewnPanels panels(drawn, panel_classes(mended));
   say_remarks(remarks, common);
   std::vector<MeasuredPoint> points;
   if (settings.spec) {

@@ -15,7 +15,8 @@ namespace points_of_measure_test {
 
 /// A pattern and its panels.
 struct Measured {
-  explicit Measured(Pattern drawn) : pattern(std::move(drawn)), panels(pattern) {}
+  explicit Measured(Pattern drawn)
+      : pattern(std::move(drawn)), panels(pattern, panel_classes(pattern)) {}
   static Measured of(const std::string& file) {
     std::vector<Remark> remarks;
     return Measured(parse_pattern(file, "test", remarks));
