@@ -614,7 +614,7 @@ bool Slid::is_far() const { return std::abs(down) >= std::max(worth_saying_slid,
 
 std::string text_of(const Slid& slid) {
   std::string text = std::string(slid.down > 0 ? "slid down by " : "rode up by ") +
-                     centimetres(std::abs(slid.down), slid.error < worth_saying_slid ? 1 : 0);
+                     centimetres(std::abs(slid.down), 0);
   if (slid.down > 0) text += ": its top edge is cut " + centimetres(slid.length, 0) + " long";
   if (slid.hip > 0) text += ", the hips are " + centimetres(slid.hip, 0);
   return text;
