@@ -36,7 +36,7 @@ class PointFinder {
   std::vector<PointOfMeasure> found() {
     for (std::size_t p = 0; p < pattern_.panels.size(); ++p) {
       if (!is_sewn_in(static_cast<int>(p))) continue;
-      const std::vector<EdgeRef> edges = panels_.edges_of(static_cast<int>(p));
+      const std::vector<EdgeRef>& edges = panels_.edges_of(static_cast<int>(p));
       edges_.insert(edges_.end(), edges.begin(), edges.end());
     }
     find_bodice();
@@ -55,7 +55,7 @@ class PointFinder {
     const bool lies_upon = std::ranges::any_of(pattern_.stitches, [&](const Stitch& stitch) {
       return stitch.layered && stitch.b.panel == panel;
     });
-    const std::vector<EdgeRef> edges = panels_.edges_of(panel);
+    const std::vector<EdgeRef>& edges = panels_.edges_of(panel);
     return !lies_upon && std::ranges::any_of(edges, [&](const EdgeRef& edge) {
       const std::optional<EdgeRef> other = panels_.partner(edge);
       return other && other->panel != panel;
@@ -113,6 +113,16 @@ class PointFinder {
     std::vector<EdgeRef> kept;
     std::ranges::copy_if(edges_, std::back_inserter(kept), hold);
     return kept;
+  }
+
+  /// Adds those of `more` that `edges` does not have.
+  static void add_new(const std::vector<EdgeRef>& more, std::vector<EdgeRef>& edges) {
+    for (const EdgeRef& edge : more) {
+      const auto is_known = [&](const EdgeRef& known) {
+        return known.panel == edge.panel && known.edge == edge.edge;
+      };
+      if (std::ranges::none_of(edges, is_known)) edges.push_back(edge);
+    }
   }
 
   // What is added.
@@ -198,13 +208,7 @@ class PointFinder {
         }
       }
       if (neck_edges.edges.empty()) continue;
-      for (const EdgeRef& edge : neck_edges.edges) {
-        if (std::ranges::none_of(neckline, [&](const EdgeRef& known) {
-              return known.panel == edge.panel && known.edge == edge.edge;
-            })) {
-          neckline.push_back(edge);
-        }
-      }
+      add_new(neck_edges.edges, neckline);
       find_from_neck(panels_.beside(neck), tip, neck_edges);
     }
     if (underarm && goes_around(*underarm)) {
@@ -215,16 +219,11 @@ class PointFinder {
     for (auto& armhole : armholes) {
       const int side = armhole.first;
       std::vector<EdgeRef>& edges = armhole.second;
-      for (const EdgeRef& edge : edges_that([&](const EdgeRef& e) {
-             return is_bodice(e) && worn_across(e) == PanelRole::sleeve &&
-                    panels_.side(panels_.partner(e)->panel) == side;
-           })) {
-        if (std::ranges::none_of(edges, [&](const EdgeRef& known) {
-              return known.panel == edge.panel && known.edge == edge.edge;
-            })) {
-          edges.push_back(edge);
-        }
-      }
+      add_new(edges_that([&](const EdgeRef& e) {
+                return is_bodice(e) && worn_across(e) == PanelRole::sleeve &&
+                       panels_.side(panels_.partner(e)->panel) == side;
+              }),
+              edges);
       add_along(sided(side, "armhole"), edges);
     }
     add_along("neckline", neckline);
@@ -248,7 +247,7 @@ class PointFinder {
     if (panels_.side(panel) != 0) return panels_.side(panel);
     const Vec2 upward = panels_.up(panel);
     double middle = 0;
-    const std::vector<EdgeRef> edges = panels_.edges_of(panel);
+    const std::vector<EdgeRef>& edges = panels_.edges_of(panel);
     const auto across = [&](const EdgePoint& p) {
       return panels_.at(p).dot(Vec2(upward.y(), -upward.x()));
     };

@@ -1,7 +1,6 @@
 #include "pattern/measure/sewn_panels.h"
 
 #include <algorithm>
-#include <array>
 #include <boost/pending/disjoint_sets.hpp>
 #include <cmath>
 #include <numeric>
@@ -30,13 +29,16 @@ constexpr double left_outline = 1e-6;
 /// runs along it. Half and double were not tried.
 constexpr double nearer_across = 0.707;
 
-/// Sine: an edge that a level line meets at less is level itself.
+/// Sine: an edge that a level line meets at less is level itself. Half and
+/// double were not tried.
 constexpr double too_level = 0.3;
 
-/// Cosine, of 30 degrees: yarns that are farther off are those of a panel on the bias.
+/// Cosine, of 30 degrees: yarns that are farther off are those of a panel on the bias. Half and
+/// double were not tried.
 constexpr double off_bias = 0.866;
 
-/// Share of up in the direction out of an edge, below which the edge is a side.
+/// Share of up in the direction out of an edge, below which the edge is a side. Half and double
+/// were not tried.
 constexpr double is_upright = 0.5;
 
 /// Metres from the body's middle: a panel whose middle is nearer belongs to no side. Half and
@@ -47,10 +49,6 @@ double cross_product(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y(
 
 std::tuple<int, int, bool> key(const EdgeEnd& end) {
   return {end.edge.panel, end.edge.edge, end.is_end};
-}
-
-std::string shown_point(const Pattern& pattern, const EdgePoint& point) {
-  return edge_name(pattern, point.edge);
 }
 
 }  // namespace
@@ -209,7 +207,7 @@ EdgeEnd SewnPanels::beside(const EdgeEnd& end) const { return beside_.at(key(end
 
 int SewnPanels::corner(const EdgeEnd& end) const { return corners_.at(key(end)); }
 
-std::vector<EdgeRef> SewnPanels::edges_of(int panel) const { return edges_[panel]; }
+const std::vector<EdgeRef>& SewnPanels::edges_of(int panel) const { return edges_[panel]; }
 
 EdgePoint SewnPanels::below(const EdgeEnd& end, double drop) const {
   const EdgePoint from{end.edge, end.is_end ? 1.0 : 0.0};
@@ -293,7 +291,7 @@ LevelLine SewnPanels::level_line(const EdgePoint& from) const {
       const std::optional<Crossing> left = cross(panel, start.at, level);
       if (!left || level.dot(start.inward) < too_level ||
           crossed > chords_.size() + partners_.size()) {
-        throw Error(shown_point(pattern_, from), "no level line leads around from there",
+        throw Error(edge_name(pattern_, from.edge), "no level line leads around from there",
                     "measure from another point, or along edges");
       }
       line.length += left->length;
@@ -343,7 +341,7 @@ double SewnPanels::length_down(const EdgePoint& from) const {
     here = *next;
     down = yarn_towards(here.edge.panel, on_chord(here).inward);
   }
-  throw Error(shown_point(pattern_, from), "no line leads straight down from there",
+  throw Error(edge_name(pattern_, from.edge), "no line leads straight down from there",
               "measure from another point, or along edges");
 }
 

@@ -65,7 +65,7 @@ class SewnPanels {
   /// The number of a corner. Corners that are sewn together have the same one.
   int corner(const EdgeEnd& end) const;
   /// All edges of a panel's outline, in its order.
-  std::vector<EdgeRef> edges_of(int panel) const;
+  const std::vector<EdgeRef>& edges_of(int panel) const;
 
   /// The point that lies `drop` metres lower than `end`, along the edges that lead down from it.
   /// Throws Error where none does so far.

@@ -41,7 +41,9 @@ TEST(MeasurePattern, WhatItWritesIsASpecThatHolds) {
                                             folder / "spec.csv", "--report", folder / "out.json"});
   EXPECT_EQ(done.exit_code, 3) << done.err;
   EXPECT_HOLDS(done.err, "warning: 1 of " + std::to_string(count) + " points of measure");
-  for (const Json& point : Json::parse(read_text(folder / "out.json"))["points"]) {
+  const Json report = Json::parse(read_text(folder / "out.json"));
+  EXPECT_HOLDS(report["warnings"].dump(), "points of measure are out of tolerance");
+  for (const Json& point : report["points"]) {
     EXPECT_EQ(point["result"], point["name"] == "half hem" ? "too small" : "in tolerance") << point;
   }
 }

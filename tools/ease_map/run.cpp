@@ -205,6 +205,8 @@ void run_ease_map(const EaseMapSettings& settings, const CommonSettings& common)
   report.body = read_closed_body(settings.body);
   report.dressing = dressing_of(report, settings);
   if (report.dressing) report.warnings = report.dressing->warnings;
+  report.warnings.insert(report.warnings.end(), settings.earlier_warnings.begin(),
+                         settings.earlier_warnings.end());
   if (settings.contact) {
     report.options.contact = *settings.contact;
   } else if (report.dressing) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cloth/ease/ease_targets.h"
+#include "io/warning.h"
 #include "tools/program.h"
 
 namespace toile {
@@ -23,6 +24,7 @@ struct EaseMapSettings {
   std::optional<double> contact;
   std::optional<double> top;  ///< metres, the end of the colour scale; none: to suit the garment
   std::optional<EaseTargets> targets;
+  std::vector<Warning> earlier_warnings;  ///< said already, for the report and the page
   /// Other drapes of the garment on this body, that errors are taken from.
   std::vector<std::filesystem::path> repeats;
   std::vector<double> heights;  ///< metres above the floor: levels of the trunk to add

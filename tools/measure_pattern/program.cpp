@@ -25,7 +25,9 @@ CommandLineProgram measure_pattern_program() {
     job.files.reads = {settings.pattern};
     if (settings.spec) job.files.reads.push_back(*settings.spec);
     job.files.writes = {common.output};
-    job.work = [settings, &common] { return run_measure_pattern(settings, common); };
+    job.work = [settings, &common] {
+      return run_measure_pattern(settings, common) ? exit_negative : exit_done;
+    };
     return job;
   };
   return program;

@@ -93,7 +93,8 @@ void read_pom_options(const po::variables_map& given, MeasurePatternSettings& se
   }
 }
 
-ExitCode run_measure_pattern(const MeasurePatternSettings& settings, const CommonSettings& common) {
+std::optional<std::string> run_measure_pattern(const MeasurePatternSettings& settings,
+                                               const CommonSettings& common) {
   std::vector<Remark> remarks;
   const std::string text = read_file(settings.pattern);
   const std::string name = settings.pattern.string();
@@ -102,7 +103,7 @@ ExitCode run_measure_pattern(const MeasurePatternSettings& settings, const Commo
   std::vector<Remark> twice;  // said of the mended pattern
   const Pattern drawn = without_left_out(parse_drawn_pattern(text, name, twice), twice);
   const SewnPanels panels(drawn, panel_classes(mended));
-  say_remarks(remarks, common);
+  if (settings.says_remarks) say_remarks(remarks, common);
   std::vector<MeasuredPoint> points;
   if (settings.spec) {
     points = measure_to_spec(panels, settings.rows, settings.spec->string(),
@@ -110,10 +111,6 @@ ExitCode run_measure_pattern(const MeasurePatternSettings& settings, const Commo
   } else {
     points = measure_all_points(panels);
   }
-  OutputFiles files;
-  write_file(files.at(common.output), pom_csv(points));
-  write_report(files, common, pom_json(settings, points, remarks));
-  files.commit();
   int off = 0;
   for (const MeasuredPoint& point : points) {
     std::string line = "  " + valid_utf8(point.name) + ": ";
@@ -125,11 +122,18 @@ ExitCode run_measure_pattern(const MeasurePatternSettings& settings, const Commo
     common.say(line);
     off += static_cast<int>(!point.result().empty() && point.result() != "in tolerance");
   }
+  std::optional<std::string> off_spec;
   if (off > 0) {
-    CommonSettings::warn(std::to_string(off) + " of " + std::to_string(points.size()) +
-                         " points of measure are out of tolerance or not found");
+    off_spec = std::to_string(off) + " of " + std::to_string(points.size()) +
+               " points of measure are out of tolerance or not found";
+    CommonSettings::warn(*off_spec);
+    remarks.push_back({true, *off_spec});
   }
-  return off > 0 ? exit_negative : exit_done;
+  OutputFiles files;
+  write_file(files.at(common.output), pom_csv(points));
+  write_report(files, common, pom_json(settings, points, remarks));
+  files.commit();
+  return off_spec;
 }
 
 }  // namespace toile

@@ -17,6 +17,7 @@ struct MeasurePatternSettings {
   std::string size;                           ///< the spec's column; empty: it has one
   std::vector<SpecRow> rows;                  ///< of the spec
   bool knit = false;
+  bool says_remarks = true;  ///< those of reading the pattern
 };
 
 /// --pom, --size, --knit.
@@ -28,7 +29,9 @@ void read_pom_options(const boost::program_options::variables_map& given,
                       MeasurePatternSettings& settings);
 
 /// Measures the pattern and writes the table. Throws Error for what can't be read, and for a rule
-/// that does not hold. exit_negative: something is out of its tolerance, or was not found.
-ExitCode run_measure_pattern(const MeasurePatternSettings& settings, const CommonSettings& common);
+/// that does not hold. Returns the warning that it said, if something is out of its tolerance or
+/// was not found.
+std::optional<std::string> run_measure_pattern(const MeasurePatternSettings& settings,
+                                               const CommonSettings& common);
 
 }  // namespace toile

@@ -179,6 +179,8 @@ TEST(PointsOfMeasure, OfTrousersHaveBothLegs) {
     ASSERT_TRUE(measures.contains("left " + name)) << name;
     EXPECT_NEAR(measures.at("left " + name), measures.at("right " + name), 1e-6) << name;
   }
+  // The hems are 18.5 cm in front and 21.5 cm at the back.
+  EXPECT_NEAR(measures.at("left half leg opening"), 20, 1e-6);
   // The two rises and the inseam make up the outseam, but for what the crotch leads aside.
   EXPECT_GT(measures.at("left back rise"), measures.at("left front rise"));
   EXPECT_GT(measures.at("left outseam"), measures.at("left inseam"));
