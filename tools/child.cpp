@@ -95,7 +95,14 @@ bool read_some(int from, std::string& text) {
 }  // namespace
 
 ChildEnd run_toile(const std::vector<std::string>& words, const ChildLimits& limits) {
-  std::vector<std::string> all = {"toile"};
+  return run_program(toile_program(), words, limits);
+}
+
+ChildEnd run_program(const std::filesystem::path& program, const std::vector<std::string>& words,
+                     const ChildLimits& limits) {
+  // The link that names this program, not what it is a link to: toile tells its commands apart by
+  // it.
+  std::vector<std::string> all = {program == toile_program() ? "toile" : program.string()};
   all.insert(all.end(), words.begin(), words.end());
   std::vector<char*> argv;
   argv.reserve(all.size() + 1);
@@ -109,7 +116,6 @@ ChildEnd run_toile(const std::vector<std::string>& words, const ChildLimits& lim
   if (pipe2(ends.data(), O_CLOEXEC) != 0) fail("can't be listened to");
   const Descriptor from(ends[0]);
   Descriptor to(ends[1]);
-  const std::string program = toile_program();
   const auto start = Clock::now();
   const pid_t parent = getpid();
   const pid_t child = fork();

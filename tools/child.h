@@ -1,4 +1,4 @@
-// Programs of Toile, run as processes of their own with limits.
+// Programs, run as processes of their own with limits.
 #pragma once
 
 #include <chrono>
@@ -31,5 +31,9 @@ struct ChildEnd {
 /// over, and when the caller ends. May be called from several threads at once. Throws Error when no
 /// process can be started.
 ChildEnd run_toile(const std::vector<std::string>& words, const ChildLimits& limits);
+
+/// The same of any program, at `program`.
+ChildEnd run_program(const std::filesystem::path& program, const std::vector<std::string>& words,
+                     const ChildLimits& limits);
 
 }  // namespace toile

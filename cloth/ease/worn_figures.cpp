@@ -12,19 +12,6 @@ namespace toile {
 
 namespace {
 
-/// Metres: mean length of the mesh's edges on the flat.
-double mean_edge(const DressedGarment& garment) {
-  double sum = 0;
-  for (const Triangle& corners : garment.flat_triangles) {
-    for (int i = 0; i < 3; ++i) {
-      sum += (garment.flat[corners[i]] - garment.flat[corners[(i + 1) % 3]]).norm();
-    }
-  }
-  return garment.flat_triangles.empty()
-             ? 0
-             : sum / (3 * static_cast<double>(garment.flat_triangles.size()));
-}
-
 /// Half width of the 90 % prediction interval of one more value; none: there are too few.
 std::optional<double> spread_of(const std::vector<double>& values) {
   const auto count = static_cast<double>(values.size());
@@ -57,6 +44,18 @@ void take_spreads(std::vector<Figure>& figures,
 }
 
 }  // namespace
+
+double mean_edge(const DressedGarment& garment) {
+  double sum = 0;
+  for (const Triangle& corners : garment.flat_triangles) {
+    for (int i = 0; i < 3; ++i) {
+      sum += (garment.flat[corners[i]] - garment.flat[corners[(i + 1) % 3]]).norm();
+    }
+  }
+  return garment.flat_triangles.empty()
+             ? 0
+             : sum / (3 * static_cast<double>(garment.flat_triangles.size()));
+}
 
 WornFigures measure_worn(const DressedGarment& garment, const TriangleMesh& body,
                          const Skeleton& skeleton, const std::vector<PanelRole>& worn_as,

@@ -15,6 +15,9 @@ struct WornFigures {
   std::vector<GarmentLength> lengths;
 };
 
+/// Metres: mean length of the mesh's edges on the flat.
+double mean_edge(const DressedGarment& garment);
+
 /// Measures a garment. `worn_as` has a role for each panel; `measures` are standing_measures().
 /// Errors are those of figure_errors.h. Costs what measure_girths() does.
 WornFigures measure_worn(const DressedGarment& garment, const TriangleMesh& body,

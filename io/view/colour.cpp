@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "geometry/angles.h"
+#include "io/text.h"
 
 namespace toile {
 
@@ -32,6 +33,7 @@ Colour oklch(double lightness, double chroma, double hue_degrees) {
 
 Colour ColourRamp::at(double value) const {
   if (value < low) return below;
+  if (above && value > high) return *above;
   const double place = (value - low) / (high - low) * static_cast<double>(steps.size() - 1);
   const double last = static_cast<double>(steps.size() - 1);
   // The comparison takes a value that is not a number to the first step.
@@ -60,6 +62,40 @@ ColourRamp magnitude_ramp(double low, double high) {
   ramp.below = oklch(0.55, 0.22, 20);
   return ramp;
 }
+
+namespace {
+
+ColourRamp one_sided(double high, double chroma, double hue, double turns) {
+  ColourRamp ramp;
+  ramp.high = high;
+  constexpr int count = 33;
+  for (int i = 0; i < count; ++i) {
+    const double t = static_cast<double>(i) / (count - 1);
+    // The chroma stays within sRGB, as clipped colours would show as a band.
+    ramp.steps.push_back(oklch(0.97 - 0.52 * t, chroma * std::min(1.0, 1.6 * t), hue + turns * t));
+  }
+  ramp.below = ramp.steps.front();
+  return ramp;
+}
+
+}  // namespace
+
+ColourRamp warm_ramp(double high) { return one_sided(high, 0.13, 60, -25); }
+
+ColourRamp cool_ramp(double high) { return one_sided(high, 0.12, 250, 0); }
+
+ColourRamp two_sided_ramp(double size, bool warm_is_below) {
+  ColourRamp below = warm_is_below ? warm_ramp(size) : cool_ramp(size);
+  ColourRamp ramp = warm_is_below ? cool_ramp(size) : warm_ramp(size);
+  ramp.low = -size;
+  std::ranges::reverse(below.steps);
+  below.steps.pop_back();
+  ramp.steps.insert(ramp.steps.begin(), below.steps.begin(), below.steps.end());
+  ramp.below = beyond_colour();
+  return ramp;
+}
+
+Colour beyond_colour() { return oklch(0.2, 0.03, 320); }
 
 Colour quiet_colour(int index) {
   // Neighbours in this list are far apart in hue. The second eight colours are darker.
@@ -90,6 +126,15 @@ std::vector<double> round_ticks(double low, double high, int wanted) {
 int tick_decimals(const std::vector<double>& ticks) {
   if (ticks.size() < 2) return 1;
   return std::clamp(-static_cast<int>(std::floor(std::log10(ticks[1] - ticks[0]) + 1e-9)), 0, 9);
+}
+
+std::vector<BarMark> marks_of(const ColourBar& bar) {
+  if (!bar.marks.empty()) return bar.marks;
+  std::vector<BarMark> marks;
+  const std::vector<double> ticks = round_ticks(bar.ramp.low, bar.ramp.high, 7);
+  const int decimals = tick_decimals(ticks);
+  for (const double tick : ticks) marks.push_back({tick, fixed_number(tick, decimals)});
+  return marks;
 }
 
 double round_up(double value) {

@@ -152,8 +152,14 @@ class Canvas {
 };
 
 double bar_width(Canvas& canvas, const ColourBar& bar, double size) {
-  return std::max({6.5 * size, canvas.text_width(bar.title, size) + size,
-                   canvas.text_width(bar.below, size) + 3 * size});
+  double width = std::max(6.5 * size, canvas.text_width(bar.title, size) + size);
+  const auto hold = [&](const std::string& text) {
+    width = std::max(width, canvas.text_width(text, size) + 3 * size);
+  };
+  hold(bar.below);
+  hold(bar.above);
+  for (const BarMark& mark : bar.marks) hold(mark.text);
+  return width;
 }
 
 void draw_bar(Canvas& canvas, const ColourBar& bar, double left, double top, double height,
@@ -163,18 +169,22 @@ void draw_bar(Canvas& canvas, const ColourBar& bar, double left, double top, dou
   height -= 2.4 * size;
   const double width = 1.4 * size;
   if (!bar.below.empty()) height -= 2 * size;
+  if (!bar.above.empty()) {
+    canvas.rectangle(left, top, width, 1.2 * size, bar.ramp.above.value_or(bar.ramp.steps.back()));
+    canvas.text(left + width + 0.7 * size, top + size, bar.above, size, ink);
+    top += 2 * size;
+    height -= 2 * size;
+  }
   const int rows = std::max(1, static_cast<int>(height));
   for (int row = 0; row < rows; ++row) {
     const double value = bar.ramp.high - (row + 0.5) / rows * (bar.ramp.high - bar.ramp.low);
     canvas.rectangle(left, std::floor(top) + row, width, 1, bar.ramp.at(value));
   }
-  const std::vector<double> ticks = round_ticks(bar.ramp.low, bar.ramp.high, 7);
-  for (const double tick : ticks) {
+  for (const BarMark& mark : marks_of(bar)) {
     const double y =
-        std::floor(top) + (bar.ramp.high - tick) / (bar.ramp.high - bar.ramp.low) * rows;
+        std::floor(top) + (bar.ramp.high - mark.value) / (bar.ramp.high - bar.ramp.low) * rows;
     canvas.rectangle(left + width, std::round(y) - 0.5, 0.4 * size, 1, ink);
-    canvas.text(left + width + 0.7 * size, y + 0.35 * size,
-                fixed_number(tick, tick_decimals(ticks)), size, ink);
+    canvas.text(left + width + 0.7 * size, y + 0.35 * size, mark.text, size, ink);
   }
   if (!bar.below.empty()) {
     const double y = std::floor(top) + rows + 0.8 * size;

@@ -21,12 +21,6 @@ inline constexpr std::array<std::string_view, 5> view_names = {"front", "back", 
 /// The view of that name, or nothing.
 std::optional<View> view_named(std::string_view name);
 
-struct ColourBar {
-  std::string title;  ///< with the unit, as in "gap, mm"
-  ColourRamp ramp;
-  std::string below;  ///< meaning of the colour below the ramp; empty: not shown
-};
-
 struct LegendEntry {
   Colour colour;
   std::string label;

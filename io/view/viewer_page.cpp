@@ -13,7 +13,15 @@
 #include "io/view/page_template.h"
 #include "io/view/three.h"
 
-TOILE_EMBED(toile_viewer_page_html, TOILE_PAGE);
+TOILE_EMBED(toile_viewer_html, TOILE_VIEWER_PAGE);
+TOILE_EMBED(toile_viewer_css, TOILE_VIEWER_STYLE);
+TOILE_EMBED(toile_words_js, TOILE_VIEWER_WORDS);
+TOILE_EMBED(toile_surface_js, TOILE_VIEWER_SURFACE);
+TOILE_EMBED(toile_stage_js, TOILE_VIEWER_STAGE);
+TOILE_EMBED(toile_section_js, TOILE_VIEWER_SECTION);
+TOILE_EMBED(toile_viewer_js, TOILE_VIEWER);
+TOILE_EMBED(toile_german_json, TOILE_GERMAN);
+TOILE_EMBED(toile_french_json, TOILE_FRENCH);
 
 namespace toile {
 
@@ -21,147 +29,220 @@ namespace {
 
 using nlohmann::json;
 
-std::string hex(const Colour& colour) {
-  static constexpr std::string_view digits = "0123456789abcdef";
-  std::string text = "#";
-  for (const double channel : {colour.red, colour.green, colour.blue}) {
-    const auto byte = static_cast<unsigned>(std::lround(255 * std::clamp(channel, 0.0, 1.0)));
-    text += digits[byte / 16];
-    text += digits[byte % 16];
-  }
-  return text;
-}
-
 json bytes_of(const Colour& colour) {
-  return {std::lround(255 * colour.red), std::lround(255 * colour.green),
-          std::lround(255 * colour.blue)};
+  const auto byte = [](double channel) { return std::lround(255 * std::clamp(channel, 0.0, 1.0)); };
+  return {byte(colour.red), byte(colour.green), byte(colour.blue)};
 }
 
-std::string points_text(const std::vector<Vec3>& points) {
+/// Coordinates as 32-bit floats.
+template <typename Points>
+std::string floats_of(const Points& points) {
   std::string bytes;
-  for (const Vec3& point : points) {
-    for (int k = 0; k < 3; ++k) store(bytes, static_cast<float>(point[k]));
+  for (const auto& point : points) {
+    for (Eigen::Index k = 0; k < point.size(); ++k) store(bytes, static_cast<float>(point[k]));
   }
   return base64(bytes);
 }
 
-json mesh_data(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles) {
-  const bool wide = points.size() > 65535;
+std::string floats_of(const std::vector<double>& values) {
   std::string bytes;
-  for (const Triangle& triangle : triangles) {
-    for (const int corner : triangle) {
-      if (wide) {
-        store(bytes, static_cast<std::uint32_t>(corner));
-      } else {
-        store(bytes, static_cast<std::uint16_t>(corner));
-      }
-    }
-  }
-  return {{"points", points_text(points)}, {"wide", wide}, {"triangles", base64(bytes)}};
+  for (const double value : values) store(bytes, static_cast<float>(value));
+  return base64(bytes);
 }
 
-std::string data_of(const ViewerPage& page) {
-  // Sorts the triangles so that those of a region follow one another.
-  std::vector<std::size_t> order(page.surface.triangles.size());
+std::string indices_of(const std::vector<int>& indices) {
+  std::string bytes;
+  for (const int index : indices) store(bytes, static_cast<std::uint32_t>(index));
+  return base64(bytes);
+}
+
+std::string indices_of(const std::vector<Triangle>& triangles) {
+  std::string bytes;
+  for (const Triangle& triangle : triangles) {
+    for (const int corner : triangle) store(bytes, static_cast<std::uint32_t>(corner));
+  }
+  return base64(bytes);
+}
+
+/// The surface: its triangles so that those of a region follow one another.
+json surface_json(const ViewerPage& page, json& regions) {
+  std::vector<std::size_t> order(page.triangles.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t t) { return page.region_of_triangle[t]; });
   std::vector<Triangle> sorted;
   std::vector<std::size_t> counts(page.regions.size(), 0);
   for (const std::size_t t : order) {
-    sorted.push_back(page.surface.triangles[t]);
+    sorted.push_back(page.triangles[t]);
     ++counts[static_cast<std::size_t>(page.region_of_triangle[t])];
   }
-  json regions = json::array();
   std::size_t first = 0;
   for (std::size_t i = 0; i < page.regions.size(); ++i) {
     regions.push_back(
         {{"name", valid_utf8(page.regions[i])}, {"first", first}, {"count", counts[i]}});
     first += counts[i];
   }
-  std::string values;
-  for (const double value : page.values) store(values, static_cast<float>(value));
+  json surface = {{"nodes", floats_of(page.nodes)}, {"triangles", indices_of(sorted)}};
+  if (!page.node_of.empty()) surface["nodeOf"] = indices_of(page.node_of);
+  if (!page.flat.empty()) {
+    surface["flat"] = floats_of(page.flat);
+    surface["pattern"] = floats_of(page.pattern);
+  }
+  return surface;
+}
 
+json map_json(const PageMap& map) {
+  json result = {{"tab", map.tab},   {"name", map.name},         {"reading", map.reading},
+                 {"unit", map.unit}, {"decimals", map.decimals}, {"values", floats_of(map.values)}};
+  if (map.tab.empty()) return result;
+  const ColourRamp& ramp = map.bar.ramp;
+  result["title"] = map.bar.title;
+  result["meaning"] = map.meaning;
+  result["low"] = ramp.low;
+  result["high"] = ramp.high;
+  for (const Colour& step : ramp.steps) result["steps"].push_back(bytes_of(step));
+  result["below"] = {{"colour", bytes_of(ramp.below)}, {"text", map.bar.below}};
+  result["above"] = {{"colour", bytes_of(ramp.above.value_or(ramp.steps.back()))},
+                     {"text", map.bar.above}};
+  result["marks"] = json::array();
+  for (const BarMark& mark : marks_of(map.bar)) result["marks"].push_back({mark.value, mark.text});
+  return result;
+}
+
+json line_json(const PageLine& line) {
+  std::vector<int> ends;
+  std::vector<double> parts;
+  for (const std::array<PagePlace, 2>& piece : line.pieces) {
+    for (const PagePlace& place : piece) {
+      ends.insert(ends.end(), {place.a, place.b});
+      parts.push_back(place.part);
+    }
+  }
+  json result = {{"ends", indices_of(ends)}, {"parts", floats_of(parts)}};
+  if (line.normal != Vec3::Zero()) {
+    result["origin"] = {line.origin.x(), line.origin.y(), line.origin.z()};
+    result["normal"] = {line.normal.x(), line.normal.y(), line.normal.z()};
+  }
+  return result;
+}
+
+std::string data_of(const ViewerPage& page) {
   json data;
-  data["surface"] = mesh_data(page.surface.points, sorted);
-  data["surface"]["values"] = base64(values);
-  data["setting"] = mesh_data(page.setting.points, page.setting.triangles);
-  data["setting"]["name"] = valid_utf8(page.setting_name);
-  data["regions"] = std::move(regions);
-  data["unit"] = valid_utf8(page.unit);
-  data["low"] = page.ramp.low;
-  data["high"] = page.ramp.high;
-  data["below"] = bytes_of(page.ramp.below);
-  for (const Colour& step : page.ramp.steps) data["steps"].push_back(bytes_of(step));
+  data["regions"] = json::array();
+  data["surface"] = surface_json(page, data["regions"]);
+  for (const PageMap& map : page.maps) data["maps"].push_back(map_json(map));
+  data["settings"] = json::array();
+  for (const PageSetting& setting : page.settings) {
+    data["settings"].push_back({{"name", valid_utf8(setting.name)},
+                                {"points", floats_of(setting.mesh.points)},
+                                {"triangles", indices_of(setting.mesh.triangles)}});
+  }
+  data["lines"] = json::array();
+  for (const PageLine& line : page.lines) data["lines"].push_back(line_json(line));
   return json_in_html(data.dump());
 }
 
-std::string bar_of(const ViewerPage& page) {
-  std::string stops;
-  for (std::size_t i = 0; i < page.ramp.steps.size(); ++i) {
-    stops += (i == 0 ? "" : ", ") + hex(page.ramp.steps[i]);
-  }
-  std::string html = "<div class=\"bar\"><div class=\"name\">" + html_escaped(page.quantity) +
-                     ", " + html_escaped(page.unit) + "</div>\n<div class=\"row\">";
-  if (!page.below.empty()) {
-    html += "<div class=\"below\"><i style=\"background: " + hex(page.ramp.below) + "\"></i>" +
-            html_escaped(page.below) + "</div>";
-  }
-  html +=
-      "<div class=\"scale\"><div class=\"colours\" style=\"background: linear-gradient(to right, " +
-      stops + ")\"></div><div class=\"ticks\">";
-  const std::vector<double> ticks = round_ticks(page.ramp.low, page.ramp.high, 7);
-  const int decimals = tick_decimals(ticks);
-  for (const double tick : ticks) {
-    const double place = 100 * (tick - page.ramp.low) / (page.ramp.high - page.ramp.low);
-    html += "<span style=\"left: " + fixed_number(place, 2) + "%\">" +
-            fixed_number(tick, decimals) + "</span>";
-  }
-  return html + "</div></div></div></div>";
+std::string element(std::string_view open, const std::string& text, std::string_view close) {
+  return std::string(open) + html_escaped(text) + std::string(close);
 }
 
 std::string table_of(const PageTable& table) {
-  std::string html = "<table><caption>" + html_escaped(table.caption) + "</caption>\n<thead><tr>";
-  for (const std::string& column : table.columns) {
-    html += "<th scope=\"col\">" + html_escaped(column) + "</th>";
+  std::string html =
+      table.is_first_page ? "<section class=\"table first\">" : "<section class=\"table\">";
+  html += "<table>" + element("<caption>", table.caption, "</caption>\n<thead><tr>");
+  for (const PageColumn& column : table.columns) {
+    html += element("<th scope=\"col\">", column.name, "</th>");
   }
   html += "</tr></thead>\n<tbody>\n";
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const int region = i < table.regions.size() ? table.regions[i] : -1;
-    html += region >= 0 ? "<tr data-region=\"" + std::to_string(region) + "\">" : "<tr>";
-    for (const std::string& cell : table.rows[i]) html += "<td>" + html_escaped(cell) + "</td>";
+    const auto of_row = [&](const std::vector<int>& all) { return i < all.size() ? all[i] : -1; };
+    const int region = of_row(table.regions);
+    const int line = of_row(table.lines);
+    html += i < table.quiet.size() && table.quiet[i] ? "<tr class=\"quiet\"" : "<tr";
+    if (region >= 0) html += " data-region=\"" + std::to_string(region) + "\"";
+    if (line >= 0) html += " data-line=\"" + std::to_string(line) + "\"";
+    html += region >= 0 || line >= 0 ? " tabindex=\"0\">" : ">";
+    for (std::size_t k = 0; k < table.rows[i].size(); ++k) {
+      // The name of a region is a name, and not a word to translate.
+      const std::string_view open = k == 0 && region >= 0        ? "<td translate=\"no\">"
+                                    : k == 0                     ? "<td>"
+                                    : table.columns[k].is_length ? "<td data-cm>"
+                                                                 : "<td>";
+      html += element(open, table.rows[i][k], "</td>");
+    }
     html += "</tr>\n";
   }
   html += "</tbody></table>\n";
-  if (!table.remark.empty()) html += "<p class=\"remark\">" + html_escaped(table.remark) + "</p>\n";
+  if (!table.remark.empty()) html += element("<p class=\"remark\">", table.remark, "</p>\n");
+  return html + "</section>\n";
+}
+
+std::string facts_of(const ViewerPage& page) {
+  std::string html;
+  for (const auto& [name, value] : page.facts) {
+    html += element("<div><dt>", name, "</dt>") +
+            element("<dd translate=\"no\">", value, "</dd></div>\n");
+  }
   return html;
+}
+
+std::string verdict_of(const PageVerdict& verdict) {
+  std::string html;
+  if (!verdict.word.empty()) {
+    html += element(verdict.is_good ? "<p class=\"verdict good\">" : "<p class=\"verdict bad\">",
+                    verdict.word, "</p>\n");
+  }
+  if (verdict.reasons.empty()) return html;
+  html += "<ol class=\"reasons\">\n";
+  for (const std::string& reason : verdict.reasons) html += element("<li>", reason, "</li>\n");
+  return html + "</ol>\n";
+}
+
+std::string warnings_of(const std::vector<std::string>& warnings) {
+  if (warnings.empty()) return "";
+  std::string html = "<details class=\"warnings\" open><summary>Warnings</summary><ul>\n";
+  for (const std::string& warning : warnings) html += element("<li>", warning, "</li>\n");
+  return html + "</ul></details>\n";
 }
 
 }  // namespace
 
 std::string viewer_page(const ViewerPage& page) {
-  std::string paragraphs;
-  for (const std::string& paragraph : page.paragraphs) {
-    paragraphs += "<p class=\"soft\">" + html_escaped(paragraph) + "</p>\n";
-  }
-  std::string tables;
-  for (const PageTable& table : page.tables) tables += table_of(table);
-  const std::string still = page.still_png.empty()
-                                ? ""
-                                : "<img alt=\"the coloured surface from the front and the back\" "
-                                  "src=\"data:image/png;base64," +
-                                      base64(page.still_png) + "\">";
   const auto content = [&](std::string_view name) -> std::string {
     if (name == "title") return html_escaped(page.title);
-    if (name == "setting-name") return html_escaped(page.setting_name);
-    if (name == "paragraphs") return paragraphs;
-    if (name == "bar") return bar_of(page);
-    if (name == "tables") return tables;
-    if (name == "still") return still;
-    if (name == "still-follows") return still.empty() ? "" : "; here it is from two sides";
+    if (name == "style") return std::string(toile_viewer_css);
+    if (name == "facts") return facts_of(page);
+    if (name == "verdict") return verdict_of(page.verdict);
+    if (name == "warnings") return warnings_of(page.warnings);
+    if (name == "paragraphs") {
+      std::string html;
+      for (const std::string& text : page.paragraphs)
+        html += element("<p class=\"soft\">", text, "</p>\n");
+      return html;
+    }
+    if (name == "tables") {
+      std::string html;
+      for (const PageTable& table : page.tables) html += table_of(table);
+      return html;
+    }
+    if (name == "still") {
+      return page.still_png.empty() ? ""
+                                    : "<img id=\"still\" alt=\"the surface from the front and the "
+                                      "back\" src=\"data:image/png;base64," +
+                                          base64(page.still_png) + "\">";
+    }
     if (name == "data") return data_of(page);
+    if (name == "languages") {
+      return json_in_html("{\"de\":" + std::string(toile_german_json) +
+                          ",\"fr\":" + std::string(toile_french_json) + "}");
+    }
+    if (name == "words") return std::string(toile_words_js);
+    if (name == "surface") return std::string(toile_surface_js);
+    if (name == "stage") return std::string(toile_stage_js);
+    if (name == "section") return std::string(toile_section_js);
+    if (name == "viewer") return std::string(toile_viewer_js);
     return three_js();  // "three"
   };
-  return filled(toile_viewer_page_html, content);
+  return filled(toile_viewer_html, content);
 }
 
 }  // namespace toile

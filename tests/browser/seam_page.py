@@ -1,35 +1,13 @@
 """The page of edit-seams in headless Chromium, used by mouse and keys as a person does."""
-import shutil
-import sys
-
-SKIPPED = 77
-try:
-    from selenium import webdriver
-    from selenium.common.exceptions import NoAlertPresentException
-    from selenium.webdriver.common.action_chains import ActionChains
-    from selenium.webdriver.common.by import By
-    from selenium.webdriver.common.keys import Keys
-    from selenium.webdriver.support.ui import WebDriverWait
-except ImportError:
-    print("skipped: Selenium for Python is not installed (package python3-selenium)")
-    sys.exit(SKIPPED)
-for needed in ("chromium", "chromedriver"):
-    if shutil.which(needed) is None:
-        print(f"skipped: {needed} is not installed (packages chromium, chromium-driver)")
-        sys.exit(SKIPPED)
+from browser import ActionChains, By, Keys, WebDriverWait, started_browser
+from selenium.common.exceptions import NoAlertPresentException
 
 
 class Page:
     """Its methods that click and press send events of mouse and keys. The others read what is shown."""
 
     def __init__(self):
-        options = webdriver.ChromeOptions()
-        for option in ("headless=new", "no-sandbox", "window-size=1500,950", "use-angle=swiftshader",
-                       "enable-unsafe-swiftshader"):
-            options.add_argument("--" + option)
-        # The test answers the page's questions itself.
-        options.set_capability("unhandledPromptBehavior", "ignore")
-        self.driver = webdriver.Chrome(options=options)
+        self.driver = started_browser()
 
     def close(self):
         self.driver.quit()

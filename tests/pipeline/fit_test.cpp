@@ -122,7 +122,7 @@ TEST_F(ToileFit, WarningsOfBodyAndPatternAreInTheReport) {
   const Json said = report("dressed.json");
   EXPECT_EQ(report("body.report.json")["warnings"].size(), 1U) << done.err;
   EXPECT_NE(said["warnings"].dump().find("a hole "), std::string::npos) << said["warnings"];
-  EXPECT_NE(read_text(folder / "out" / "ease.html").find("Warning: a hole "), std::string::npos);
+  EXPECT_NE(read_text(folder / "out" / "ease.html").find("<li>a hole "), std::string::npos);
 }
 
 TEST_F(ToileFit, ABrokenPatternIsRefusedBeforeAnythingIsRemoved) {

@@ -88,6 +88,7 @@ void read_scene(const JsonValue& entry, bool is_layer, DressReport& report) {
     for (std::size_t p = 0; p < panels.size(); ++p) used.panels.push_back(panels.item(p).text());
     report.fabrics.push_back(std::move(used));
   }
+  report.body = entry.get("inputs").get("body").text();
   report.garment = entry.get("inputs").get("garment").text();
   const JsonValue gravity = scene.get("gravity_m_per_s2");
   gravity.size(3, 3);

@@ -27,6 +27,7 @@ struct DressReport {
   std::vector<PanelRole> worn_as;  ///< per panel
   /// The garment's levels: names and where they were drafted to lie.
   std::vector<GarmentLevel> levels;
+  std::filesystem::path body;       ///< as it was named then
   std::filesystem::path garment;    ///< the meshed garment, as it was named then
   std::vector<UsedFabric> fabrics;  ///< empty: an earlier version's report, which has none
   Vec3 gravity{0, -9.81, 0};        ///< m/s²

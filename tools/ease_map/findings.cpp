@@ -16,11 +16,6 @@ namespace {
 /// Lines at most; a fitter's eye takes in no more at once.
 constexpr std::size_t most_lines = 8;
 
-/// Pa: a larger pressure over load_patch is told. It is the most that is cited for daily wear. Of
-/// four garments that are too small, all press harder than half of it. Two press harder than it,
-/// and none harder than double.
-constexpr double hard_pressure = 2000;
-
 /// Metres off the skin: an upper edge that stands farther off gapes. Those of 8 samples and most of
 /// 23 random garments lie within 2.6 cm, and 13 edges beyond 2.9. Half names edges of six samples,
 /// double half of the 13.

@@ -8,6 +8,11 @@
 
 namespace toile {
 
+/// Pa: a larger pressure over load_patch is told. It is the most that is cited for daily wear. Of
+/// four garments that are too small, all press harder than half of it. Two press harder than it,
+/// and none harder than double.
+inline constexpr double hard_pressure = 2000;
+
 /// At most eight lines, the most centimetres first. Each has its number and that number's error;
 /// what is within its error has no line.
 /// - Levels that are cut too small, and levels off their target.

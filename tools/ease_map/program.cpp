@@ -5,6 +5,7 @@
 #include "io/skeleton_file.h"
 #include "io/text.h"
 #include "tools/ease_map/dress_report.h"
+#include "tools/ease_map/pdf.h"
 #include "tools/ease_map/run.h"
 #include "tools/programs.h"
 
@@ -38,6 +39,7 @@ CommandLineProgram ease_map_program() {
       "ply", po::value<std::string>(),
       "write the garment with a colour, gap and loads at each point, and loads of each triangle")(
       "png", po::value<std::string>(), "write a picture, front and back")(
+      "pdf", po::value<std::string>(), "write the page as a PDF file, A4; needs Chromium")(
       "skeleton", po::value<std::string>(),
       "the body's joints, for girths (default: body.body.json beside the body)")(
       "dress-report", po::value<std::string>(),
@@ -51,6 +53,9 @@ CommandLineProgram ease_map_program() {
       "repeat", po::value<std::vector<std::string>>()->composing(),
       "another drape of this garment on this body, on another mesh or from another start: errors "
       "are then of their spread; give two or more")(
+      "against", po::value<std::string>(),
+      "another drape, or the folder of toile fit, to show the differences from: another size, "
+      "fabric, body or edit")(
       "at", po::value<std::vector<std::string>>()->composing(),
       "also measure the trunk's girth at this height above the floor; may be given again")(
       "top", po::value<std::string>(),
@@ -64,6 +69,7 @@ CommandLineProgram ease_map_program() {
     settings.csv = path_option(given, "csv");
     settings.ply = path_option(given, "ply");
     settings.png = path_option(given, "png");
+    settings.pdf = path_option(given, "pdf");
     settings.skeleton = path_option(given, "skeleton");
     settings.dress_report = path_option(given, "dress-report");
     settings.meshed = path_option(given, "garment-mesh");
@@ -89,6 +95,8 @@ CommandLineProgram ease_map_program() {
                          "give two drapes or more: one tells no spread");
       }
     }
+    settings.against = path_option(given, "against");
+    if (settings.against && fs::is_directory(*settings.against)) *settings.against /= "dressed.obj";
     if (given.count("at") != 0) {
       for (const std::string& height : given["at"].as<std::vector<std::string>>()) {
         settings.heights.push_back(parse_length(height, "--at"));
@@ -96,6 +104,10 @@ CommandLineProgram ease_map_program() {
     }
     if (settings.ply) check_extension(*settings.ply, {".ply"});  // only PLY files hold colours
     if (settings.png) check_extension(*settings.png, {".png"});
+    if (settings.pdf) {
+      check_extension(*settings.pdf, {".pdf"});
+      check_printer();
+    }
     Job job;
     job.files.reads = {settings.garment, settings.body,
                        settings.skeleton.value_or(skeleton_beside(settings.body)),
@@ -105,8 +117,12 @@ CommandLineProgram ease_map_program() {
       job.files.reads.push_back(drape);
       job.files.reads.push_back(dress_report_path(drape));
     }
+    if (settings.against) {
+      job.files.reads.push_back(*settings.against);
+      job.files.reads.push_back(dress_report_path(*settings.against));
+    }
     job.files.writes = {common.output};
-    for (const auto& file : {settings.csv, settings.ply, settings.png}) {
+    for (const auto& file : {settings.csv, settings.ply, settings.png, settings.pdf}) {
       if (file) job.files.writes.push_back(*file);
     }
     job.work = [settings, &common] {

@@ -1,6 +1,7 @@
-// The ease map as files: a page, tables, statistics, a coloured mesh, a picture.
+// The ease map as files for programs: statistics, a table, a coloured mesh.
 #pragma once
 
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "cloth/loads/load_summary.h"
 #include "cloth/loads/loads.h"
 #include "io/mesh_file.h"
+#include "pattern/measure/spec_sheet.h"
 #include "tools/ease_map/dress_report.h"
 
 namespace toile {
@@ -39,7 +41,13 @@ struct EaseReport {
   std::vector<std::string> notes;       ///< what could not be told, and why
   std::string garment_name;             ///< shown in titles
   std::string body_name;
-  double top = 0;  ///< gap that gets the ramp's last colour, metres, positive
+  std::string against;  ///< what the other drape is called; empty: there is none
+  std::shared_ptr<const EaseReport> other;  ///< beside which this one is shown; null: none
+  std::string size;                         ///< of the pattern; empty: not known
+  std::vector<MeasuredPoint> points;        ///< of measure
+  std::string garment_file;                 ///< name without its folder
+  std::string body_file;
+  double top = 0;  ///< gap that gets the scale's last colour, metres, positive
 };
 
 /// A round gap that most of the cloth is below: a scale's end that suits the garment.
@@ -55,12 +63,8 @@ std::string ease_csv(const EaseReport& report);
 /// Statistics of the garment and of each panel that has points, and girths, as JSON.
 nlohmann::ordered_json ease_json(const EaseReport& report);
 
-/// A page to turn the garment in; see io/viewer_page.h. `picture` is what a browser without WebGL
-/// shows instead.
-std::string ease_page(const EaseReport& report, const std::string& picture);
-
-/// Front and back with the colour bar, PNG, in each of the widths (of a view, in pixels).
-std::vector<std::string> ease_pictures(const EaseReport& report, const std::vector<int>& widths);
+/// "sewn, too small by 2.0 cm at the hip": the verdict with the fit. There is a report of dress.
+std::string dressing_line(const EaseReport& report);
 
 /// The colour and gap of each node, and the loads of nodes and triangles where they are known.
 MeshProperties ease_properties(const EaseReport& report);

@@ -14,6 +14,8 @@
 #include "io/skeleton_file.h"
 #include "io/text.h"
 #include "pattern/file/garment_file.h"
+#include "tools/ease_map/page.h"
+#include "tools/ease_map/pdf.h"
 #include "tools/ease_map/report.h"
 #include "tools/ease_map/worn_loads.h"
 #include "tools/report.h"
@@ -197,9 +199,8 @@ void warn_if_too_small(EaseReport& report) {
   }
 }
 
-}  // namespace
-
-void run_ease_map(const EaseMapSettings& settings, const CommonSettings& common) {
+/// The whole report of a drape, but for its warnings of the ease map.
+EaseReport measured_report(const EaseMapSettings& settings) {
   EaseReport report;
   report.garment = read_dressed(settings.garment);
   report.body = read_closed_body(settings.body);
@@ -212,8 +213,12 @@ void run_ease_map(const EaseMapSettings& settings, const CommonSettings& common)
   } else if (report.dressing) {
     report.options.contact = report.dressing->body_offset + contact_margin;
   }
-  report.garment_name = settings.garment.filename().string();
-  report.body_name = settings.body.filename().string();
+  report.garment_file = settings.garment.filename().string();
+  report.body_file = settings.body.filename().string();
+  report.garment_name = settings.garment_name.value_or(report.garment_file);
+  report.body_name = settings.body_name.value_or(report.body_file);
+  report.size = settings.size;
+  report.points = settings.points;
   const SurfaceDistance skin(report.body);
   report.map = measure_ease(report.garment, skin, report.options);
   measure_figures(report, skin, settings);
@@ -223,6 +228,35 @@ void run_ease_map(const EaseMapSettings& settings, const CommonSettings& common)
     report.target = settings.targets->name;
     report.targets =
         compare_with_targets(*settings.targets, report.figures.girths.rows, report.figures.levels);
+  }
+  return report;
+}
+
+/// The other drape, on the body that its report names.
+std::shared_ptr<const EaseReport> other_report(const fs::path& dressed) {
+  EaseMapSettings settings;
+  settings.garment = dressed;
+  const fs::path said = dress_report_path(dressed);
+  const std::optional<DressReport> report = read_dress_report(said, dressed);
+  if (!report) {
+    throw Error(said.string(), "is not the report of " + dressed.string(),
+                "give a drape with its report beside it, as dress and toile fit write it");
+  }
+  // Where the report names it, or beside the garment.
+  settings.body = report->body;
+  if (!fs::exists(settings.body)) {
+    settings.body = dressed.parent_path() / report->body.filename();
+  }
+  return std::make_shared<const EaseReport>(measured_report(settings));
+}
+
+}  // namespace
+
+void run_ease_map(const EaseMapSettings& settings, const CommonSettings& common) {
+  EaseReport report = measured_report(settings);
+  if (settings.against) {
+    report.other = other_report(*settings.against);
+    report.against = settings.against->string();
   }
   warn_if_implausible(report);
   warn_if_too_small(report);
@@ -242,7 +276,9 @@ void run_ease_map(const EaseMapSettings& settings, const CommonSettings& common)
   if (settings.png) widths.push_back(900);
   const std::vector<std::string> pictures = ease_pictures(report, widths);
   if (settings.png) write_file(files.at(*settings.png), pictures[1]);
-  write_file(files.at(common.output), ease_page(report, pictures[0]));
+  const std::string page = ease_page(report, pictures[0]);
+  write_file(files.at(common.output), page);
+  if (settings.pdf) write_file(files.at(*settings.pdf), printed_page(page));
   files.commit();
   common.say("wrote " + common.output.string());
 }

@@ -7,6 +7,7 @@
 
 #include "cloth/ease/ease_targets.h"
 #include "io/warning.h"
+#include "pattern/measure/spec_sheet.h"
 #include "tools/program.h"
 
 namespace toile {
@@ -14,7 +15,7 @@ namespace toile {
 struct EaseMapSettings {
   std::filesystem::path garment;
   std::filesystem::path body;
-  std::optional<std::filesystem::path> csv, ply, png;
+  std::optional<std::filesystem::path> csv, ply, png, pdf;
   std::optional<std::filesystem::path> skeleton;      ///< none: beside the body, if there
   std::optional<std::filesystem::path> dress_report;  ///< none: beside the garment, if there
   /// The garment before it was dressed, for loads; none: as the report of dress names it, if there.
@@ -27,6 +28,11 @@ struct EaseMapSettings {
   std::vector<Warning> earlier_warnings;  ///< said already, for the report and the page
   /// Other drapes of the garment on this body, that errors are taken from.
   std::vector<std::filesystem::path> repeats;
+  /// What the page calls them; none: the files' names.
+  std::optional<std::string> garment_name, body_name;
+  std::string size;                              ///< of the pattern; empty: not known
+  std::vector<MeasuredPoint> points;             ///< of measure, for the page
+  std::optional<std::filesystem::path> against;  ///< another drape to show this one beside
   std::vector<double> heights;  ///< metres above the floor: levels of the trunk to add
 };
 

@@ -10,6 +10,7 @@
 #include "pattern/file/garment_file.h"
 #include "pattern/file/pattern_file.h"
 #include "tools/dress/kept_distances.h"
+#include "tools/ease_map/pdf.h"
 #include "tools/ease_map/run.h"
 #include "tools/render/run.h"
 #include "tools/report.h"
@@ -43,13 +44,15 @@ FitFiles::FitFiles(const fs::path& out, const std::string& before)
       ease(out / "ease.html"),
       ease_report(out / "ease.json"),
       ease_picture(out / "ease.png"),
+      ease_pdf(out / "ease.pdf"),
       drape_picture(out / "drape.png"),
       points(out / "pom.csv"),
       points_report(out / "pom.json") {}
 
 std::vector<fs::path> FitFiles::all() const {
-  return {body,   skeleton, body_report, garment,      garment_json,  mesh_report, dressed,
-          report, ease,     ease_report, ease_picture, drape_picture, points,      points_report};
+  return {body,         skeleton, body_report,   garment, garment_json,
+          mesh_report,  dressed,  report,        ease,    ease_report,
+          ease_picture, ease_pdf, drape_picture, points,  points_report};
 }
 
 FitFiles FitFiles::repeat(int number) const {
@@ -70,7 +73,8 @@ void add_fit_options(po::options_description& options) {
       "drape so many times, 3 to 9, on meshes up to 2.5 times as coarse: errors are of the spread")(
       "target", po::value<std::string>(),
       "the ease that is meant: close, fitted, semi-fitted, loose, or a JSON file of your own")(
-      "png", po::bool_switch(), "write pictures, too: OUT/ease.png and OUT/drape.png");
+      "png", po::bool_switch(), "write pictures, too: OUT/ease.png and OUT/drape.png")(
+      "pdf", po::bool_switch(), "write the page as OUT/ease.pdf, A4; needs Chromium");
 }
 
 void read_fit_options(const po::variables_map& given, const fs::path& body, const FitFiles& files,
@@ -78,6 +82,8 @@ void read_fit_options(const po::variables_map& given, const fs::path& body, cons
   settings.body.inputs = {body};
   settings.pattern.mesh.edge_length = read_edge_length(given);
   settings.pictures = given["png"].as<bool>();
+  settings.pdf = given["pdf"].as<bool>();
+  if (settings.pdf) check_printer();
   settings.drapes = given["repeat"].as<int>();
   if (settings.drapes != 1 && (settings.drapes < 3 || settings.drapes > most_drapes)) {
     throw UsageError("--repeat", "is " + std::to_string(settings.drapes),
@@ -202,13 +208,13 @@ FitEnd fit_pattern(const FitSettings& settings, const FitFiles& files, const Cle
   common.say("Meshing the pattern:");
   const std::vector<std::string> of_meshing = run_mesh_pattern(
       settings.pattern, step_of(common, "mesh-pattern", files.garment, files.mesh_report));
-  std::optional<std::string> off_spec;
+  MeasurePatternEnd measured;
   if (settings.points.spec) {
     common.say("Measuring the pattern:");
     MeasurePatternSettings points = settings.points;
     points.pattern = settings.pattern.pattern;
     points.says_remarks = false;  // meshing has said them
-    off_spec = run_measure_pattern(
+    measured = run_measure_pattern(
         points, step_of(common, "measure-pattern", files.points, files.points_report));
   }
   common.say("Dressing:");
@@ -216,17 +222,24 @@ FitEnd fit_pattern(const FitSettings& settings, const FitFiles& files, const Cle
   dressing.earlier_warnings = warnings_of("body", body.warnings);
   std::ranges::move(warnings_of("pattern", of_meshing),
                     std::back_inserter(dressing.earlier_warnings));
-  if (off_spec) dressing.earlier_warnings.push_back({"out_of_spec", "", *off_spec});
+  if (measured.off_spec) {
+    dressing.earlier_warnings.push_back({"out_of_spec", "", *measured.off_spec});
+  }
   const DressEnd end = run_dress(dressing, step_of(common, "dress", files.dressed, files.report));
   EaseMapSettings ease;
   drape_again(settings, dressing, end.verdict, files, common, ease);
   common.say("Measuring the ease:");
   ease.garment = files.dressed;
+  ease.garment_name = settings.pattern.pattern.stem().string();
+  ease.points = std::move(measured.points);
+  ease.size = settings.points.size;
+  ease.body_name = settings.body.inputs.front().stem().string();
   ease.dress_report = files.report;
   ease.meshed = files.garment;
   ease.body = settings.dress.body;
   ease.targets = settings.targets;
   if (settings.pictures) ease.png = files.ease_picture;
+  if (settings.pdf) ease.pdf = files.ease_pdf;
   run_ease_map(ease, step_of(common, "ease-map", files.ease, files.ease_report));
   if (settings.pictures) {
     RenderSettings render;
@@ -236,7 +249,7 @@ FitEnd fit_pattern(const FitSettings& settings, const FitFiles& files, const Cle
     drawing.output = files.drape_picture;
     run_render(render, drawing);
   }
-  return {end, body.is_usable, !off_spec};
+  return {end, body.is_usable, !measured.off_spec};
 }
 
 ExitCode exit_code_of(const FitEnd& end) {

@@ -34,7 +34,7 @@ struct FitFiles {
   std::filesystem::path body, skeleton, body_report;
   std::filesystem::path garment, garment_json, mesh_report;
   std::filesystem::path dressed, report;
-  std::filesystem::path ease, ease_report, ease_picture, drape_picture;
+  std::filesystem::path ease, ease_report, ease_picture, ease_pdf, drape_picture;
   std::filesystem::path points, points_report;  ///< with --pom
 };
 
@@ -44,6 +44,7 @@ struct FitSettings {
   MeshPatternSettings pattern;
   DressSettings dress;
   bool pictures = false;
+  bool pdf = false;
   int drapes = 1;  ///< on meshes that differ; figures are of the first, and errors of all
   std::optional<EaseTargets> targets = {};
   MeasurePatternSettings points = {};  ///< without a spec: not measured

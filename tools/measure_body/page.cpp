@@ -79,10 +79,12 @@ std::string measures_page(const TriangleMesh& body, const BodyMeasures& measures
   page.paragraphs = {
       "Click a row, and its measure lights on the body. Girths are taken as a tape lies, over what "
       "is hollow."};
-  page.setting = body;
-  page.setting_name = "body";
-  page.quantity = "Length";
-  page.unit = measures.unit;
+  page.settings.push_back({"body", body});
+  PageMap lengths;
+  lengths.tab = "Length";
+  lengths.reading = "length";
+  lengths.unit = measures.unit;
+  TriangleMesh lines;
   PageTable table{"Measures", {"measure", "value", "ISO 8559-1", "how it is taken"}, {}, {}, ""};
   PageTable missing{"Not taken", {"measure", "why"}, {}, {}, ""};
   double longest = 1;
@@ -102,16 +104,19 @@ std::string measures_page(const TriangleMesh& body, const BodyMeasures& measures
       continue;
     }
     longest = std::max(longest, value);
-    const std::size_t before = page.surface.triangles.size();
-    for (const std::vector<Vec3>& line : measure->lines) add_tube(page.surface, line, page_line);
-    page.values.resize(page.surface.points.size(), value);
+    const std::size_t before = lines.triangles.size();
+    for (const std::vector<Vec3>& line : measure->lines) add_tube(lines, line, page_line);
+    lengths.values.resize(lines.points.size(), value);
     const int region = static_cast<int>(page.regions.size());
-    page.region_of_triangle.insert(page.region_of_triangle.end(),
-                                   page.surface.triangles.size() - before, region);
+    page.region_of_triangle.insert(page.region_of_triangle.end(), lines.triangles.size() - before,
+                                   region);
     page.regions.push_back(spaced(measure->name));
     table.regions.push_back(region);
   }
-  page.ramp = magnitude_ramp(0, round_up(longest));
+  lengths.bar = {"Length, " + measures.unit, magnitude_ramp(0, round_up(longest))};
+  page.maps.push_back(std::move(lengths));
+  page.nodes = std::move(lines.points);
+  page.triangles = std::move(lines.triangles);
   page.tables.push_back(table);
   if (!missing.rows.empty()) page.tables.push_back(missing);
   page.still_png = measures_picture(body, measures);

@@ -26,7 +26,7 @@ CommandLineProgram measure_pattern_program() {
     if (settings.spec) job.files.reads.push_back(*settings.spec);
     job.files.writes = {common.output};
     job.work = [settings, &common] {
-      return run_measure_pattern(settings, common) ? exit_negative : exit_done;
+      return run_measure_pattern(settings, common).off_spec ? exit_negative : exit_done;
     };
     return job;
   };

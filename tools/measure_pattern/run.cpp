@@ -93,8 +93,8 @@ void read_pom_options(const po::variables_map& given, MeasurePatternSettings& se
   }
 }
 
-std::optional<std::string> run_measure_pattern(const MeasurePatternSettings& settings,
-                                               const CommonSettings& common) {
+MeasurePatternEnd run_measure_pattern(const MeasurePatternSettings& settings,
+                                      const CommonSettings& common) {
   std::vector<Remark> remarks;
   const std::string text = read_file(settings.pattern);
   const std::string name = settings.pattern.string();
@@ -133,7 +133,7 @@ std::optional<std::string> run_measure_pattern(const MeasurePatternSettings& set
   write_file(files.at(common.output), pom_csv(points));
   write_report(files, common, pom_json(settings, points, remarks));
   files.commit();
-  return off_spec;
+  return {std::move(points), std::move(off_spec)};
 }
 
 }  // namespace toile

@@ -28,10 +28,16 @@ void check_pom_options(const boost::program_options::variables_map& given);
 void read_pom_options(const boost::program_options::variables_map& given,
                       MeasurePatternSettings& settings);
 
+/// What came of it.
+struct MeasurePatternEnd {
+  std::vector<MeasuredPoint> points;
+  /// The warning that was said: something is out of its tolerance or was not found.
+  std::optional<std::string> off_spec;
+};
+
 /// Measures the pattern and writes the table. Throws Error for what can't be read, and for a rule
-/// that does not hold. Returns the warning that it said, if something is out of its tolerance or
-/// was not found.
-std::optional<std::string> run_measure_pattern(const MeasurePatternSettings& settings,
-                                               const CommonSettings& common);
+/// that does not hold.
+MeasurePatternEnd run_measure_pattern(const MeasurePatternSettings& settings,
+                                      const CommonSettings& common);
 
 }  // namespace toile

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <cmath>
+
+#include "geometry/types.h"
 
 namespace toile {
 namespace colour_test {
@@ -42,6 +45,43 @@ TEST(Colour, BelowTheRampIsFarFromAllOfIt) {
     const Colour c = ramp.at(v);
     EXPECT_GT(std::hypot(c.red - below.red, c.green - below.green, c.blue - below.blue), 0.4) << v;
   }
+}
+
+TEST(Colour, TwoSidedRampDarkensAwayFromZero) {
+  const ColourRamp ramp = two_sided_ramp(10, true);
+  EXPECT_GT(luminance(ramp.at(0)), 0.85);
+  for (double v = 0; v < 10; v += 0.5) {
+    EXPECT_GT(luminance(ramp.at(v)), luminance(ramp.at(v + 0.5)) + 5e-3) << v;
+    EXPECT_GT(luminance(ramp.at(-v)), luminance(ramp.at(-v - 0.5)) + 5e-3) << v;
+    // Equally far from zero is equally light.
+    EXPECT_NEAR(luminance(ramp.at(v)), luminance(ramp.at(-v)), 0.06) << v;
+  }
+  EXPECT_GT(ramp.at(-6).red, ramp.at(-6).blue + 0.2);
+  EXPECT_GT(ramp.at(6).blue, ramp.at(6).red + 0.2);
+  EXPECT_LT(luminance(ramp.at(-11)), 0.05);
+}
+
+// As an eye without red cones sees: linear light projected as by Viénot, Brettel & Mollon 1999.
+Vec3 seen_without_red(const Colour& c) {
+  const Vec3 light(to_light(c.red), to_light(c.green), to_light(c.blue));
+  Eigen::Matrix3d shown;
+  shown << 0.11238, 0.88762, 0, 0.11238, 0.88762, 0, 0.00401, -0.00401, 1;
+  return shown * light;
+}
+
+TEST(Colour, WarmAndCoolDifferForTheColourBlind) {
+  const ColourRamp ramp = two_sided_ramp(10, true);
+  for (double v = 4; v <= 10; v += 1) {
+    EXPECT_GT((seen_without_red(ramp.at(v)) - seen_without_red(ramp.at(-v))).norm(), 0.15) << v;
+  }
+}
+
+TEST(Colour, AboveTheRamp) {
+  ColourRamp ramp = warm_ramp(5);
+  EXPECT_EQ(ramp.at(6).red, ramp.at(5).red);
+  ramp.above = beyond_colour();
+  EXPECT_EQ(ramp.at(6).red, beyond_colour().red);
+  EXPECT_EQ(ramp.at(5).red, ramp.steps.back().red);
 }
 
 TEST(Colour, RampEnds) {

@@ -1,0 +1,140 @@
+#include "tools/ease_map/page.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "geometry/decimate.h"
+#include "io/view/picture.h"
+#include "io/view/viewer_page.h"
+#include "pattern/layout/row_layout.h"
+#include "tools/ease_map/against.h"
+#include "tools/ease_map/findings.h"
+#include "tools/ease_map/maps.h"
+#include "tools/ease_map/numbers.h"
+#include "tools/ease_map/tables.h"
+#include "tools/report.h"
+
+namespace toile {
+
+namespace {
+
+/// Enough to look smooth; a body's 50 thousand would be two thirds of the page.
+constexpr int page_body_triangles = 16000;
+
+/// Metres between panels that lie side by side.
+constexpr double panel_gap = 0.04;
+
+std::string title_of(const EaseReport& report) {
+  return report.garment_name + " on " + report.body_name;
+}
+
+/// The flat points with the panels side by side, in about the shape of a square.
+std::vector<Vec2> side_by_side(const DressedGarment& garment) {
+  std::vector<int> panel_of(garment.flat.size(), 0);
+  for (std::size_t t = 0; t < garment.flat_triangles.size(); ++t) {
+    for (const int point : garment.flat_triangles[t]) panel_of[point] = garment.panel_of_triangle[t];
+  }
+  std::vector<Eigen::AlignedBox2d> boxes(garment.panels.size());
+  for (std::size_t i = 0; i < garment.flat.size(); ++i) boxes[panel_of[i]].extend(garment.flat[i]);
+  std::vector<Vec2> sizes;
+  double area = 0;
+  for (const Eigen::AlignedBox2d& box : boxes) {
+    sizes.push_back(box.isEmpty() ? Vec2(Vec2::Zero()) : Vec2(box.sizes()));
+    area += (sizes.back() + Vec2(panel_gap, panel_gap)).prod();
+  }
+  const RowLayout layout = lay_out_rows(sizes, panel_gap, std::sqrt(area), 1e3);
+  std::vector<Vec2> flat = garment.flat;
+  for (std::size_t i = 0; i < flat.size(); ++i) {
+    flat[i] += layout.corners[panel_of[i]] - boxes[panel_of[i]].min();
+  }
+  return flat;
+}
+
+std::vector<std::array<std::string, 2>> facts_of(const EaseReport& report) {
+  std::vector<std::array<std::string, 2>> facts = {{"garment", valid_utf8(report.garment_name)},
+                                                   {"body", valid_utf8(report.body_name)}};
+  if (!report.size.empty()) facts.push_back({"size", valid_utf8(report.size)});
+  if (report.dressing && !report.dressing->fabrics.empty()) {
+    std::string names;
+    for (const UsedFabric& used : report.dressing->fabrics) {
+      names += (names.empty() ? "" : ", ") + used.fabric.name;
+    }
+    facts.push_back({"fabric", valid_utf8(names)});
+  }
+  facts.push_back({"mesh", std::to_string(report.garment.points.size()) + " nodes, edges of " +
+                               fixed_number(1000 * mean_edge(report.garment), 0) + " mm"});
+  if (!report.target.empty()) facts.push_back({"target", valid_utf8(report.target)});
+  return facts;
+}
+
+}  // namespace
+
+std::string ease_page(const EaseReport& report, const std::string& picture) {
+  ViewerPage page;
+  page.title = title_of(report);
+  page.facts = facts_of(report);
+  const std::vector<std::string> findings = findings_of(report);
+  if (report.dressing) {
+    page.verdict.word = dressing_line(report);
+    page.verdict.is_good = report.dressing->verdict == "sewn" && findings.empty();
+  }
+  for (const std::string& finding : findings) {
+    page.verdict.reasons.push_back(finding);
+  }
+  for (const Warning& warning : report.warnings) {
+    if (std::ranges::find(findings, warning.text) == findings.end()) {
+      page.warnings.push_back(warning.text);
+    }
+  }
+  page.paragraphs = report.notes;
+  page.nodes = report.garment.points;
+  page.node_of = nodes_of_points(report.garment);
+  page.pattern = report.garment.flat;
+  page.flat = side_by_side(report.garment);
+  page.triangles = report.garment.flat_triangles;
+  page.regions = report.garment.panels;
+  page.region_of_triangle = report.garment.panel_of_triangle;
+  page.maps = ease_maps(report);
+  if (report.other) {
+    std::ranges::move(difference_maps(report, *report.other), std::back_inserter(page.maps));
+  }
+  // Only looked at there: a light body keeps the page small and quick to turn.
+  page.settings.push_back({"body", decimate(report.body, page_body_triangles)});
+  EaseTables tables = ease_tables(report);
+  page.tables = std::move(tables.tables);
+  page.lines = std::move(tables.lines);
+  page.still_png = picture;
+  return viewer_page(page);
+}
+
+std::vector<std::string> ease_pictures(const EaseReport& report, const std::vector<int>& widths) {
+  const EaseScale scale = ease_scale(report);
+  PictureMesh cloth;
+  cloth.mesh = {report.garment.points, report.garment.triangles};
+  cloth.values = scale.nodes;
+  cloth.ramp = scale.bar.ramp;
+  cloth.regions = report.garment.panel_of_triangle;
+  cloth.shows_through = 0.03;
+  PictureMesh body;
+  body.mesh = report.body;
+  body.colour = {0.74, 0.72, 0.71};
+  body.framed = false;
+  body.inside_shown = false;
+  Picture picture;
+  picture.title = title_of(report);
+  if (report.dressing) picture.title += " (" + report.dressing->verdict + ")";
+  picture.bar = scale.bar;
+  picture.bar->title = report.loads ? "stretch, gap" : "gap";
+  std::vector<PictureMesh> meshes;
+  meshes.push_back(std::move(cloth));
+  meshes.push_back(std::move(body));
+  const RayScene scene(std::move(meshes));
+  std::vector<std::string> pictures;
+  for (const int width : widths) {
+    picture.view_width = width;
+    pictures.push_back(picture_png(scene, picture));
+  }
+  return pictures;
+}
+
+}  // namespace toile

@@ -1,0 +1,21 @@
+// The tables of the page: girths, edges, lengths, targets, gaps of panels, points of measure.
+#pragma once
+
+#include <vector>
+
+#include "io/view/viewer_page.h"
+#include "tools/ease_map/report.h"
+
+namespace toile {
+
+/// The tables that the report has content for, and the lines that their rows light up.
+struct EaseTables {
+  std::vector<PageTable> tables;
+  std::vector<PageLine> lines;
+};
+EaseTables ease_tables(const EaseReport& report);
+
+/// "2.0 short of the left wrist, 3.1 beyond the left elbow"; empty: it ends at nothing.
+std::string ends_text(const GarmentLength& length);
+
+}  // namespace toile
