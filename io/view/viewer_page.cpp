@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <sstream>
 #include <string_view>
 
 #include "io/bytes.h"
@@ -146,8 +147,7 @@ std::string element(std::string_view open, const std::string& text, std::string_
 }
 
 std::string table_of(const PageTable& table) {
-  std::string html =
-      table.is_first_page ? "<section class=\"table first\">" : "<section class=\"table\">";
+  std::string html = "<section class=\"table\" data-sheet=\"" + std::to_string(table.sheet) + "\">";
   html += "<table>" + element("<caption>", table.caption, "</caption>\n<thead><tr>");
   for (const PageColumn& column : table.columns) {
     html += element("<th scope=\"col\">", column.name, "</th>");
@@ -157,7 +157,10 @@ std::string table_of(const PageTable& table) {
     const auto of_row = [&](const std::vector<int>& all) { return i < all.size() ? all[i] : -1; };
     const int region = of_row(table.regions);
     const int line = of_row(table.lines);
-    html += i < table.quiet.size() && table.quiet[i] ? "<tr class=\"quiet\"" : "<tr";
+    const auto is = [&](const std::vector<bool>& all) { return i < all.size() && all[i]; };
+    html += is(table.quiet)     ? "<tr class=\"quiet\""
+            : is(table.between) ? "<tr class=\"between\""
+                                : "<tr";
     if (region >= 0) html += " data-region=\"" + std::to_string(region) + "\"";
     if (line >= 0) html += " data-line=\"" + std::to_string(line) + "\"";
     html += region >= 0 || line >= 0 ? " tabindex=\"0\">" : ">";
@@ -172,7 +175,10 @@ std::string table_of(const PageTable& table) {
     html += "</tr>\n";
   }
   html += "</tbody></table>\n";
-  if (!table.remark.empty()) html += element("<p class=\"remark\">", table.remark, "</p>\n");
+  std::istringstream remarks(table.remark);
+  for (std::string line; std::getline(remarks, line);) {
+    html += element("<p class=\"remark\">", line, "</p>\n");
+  }
   return html + "</section>\n";
 }
 

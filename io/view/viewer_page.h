@@ -25,11 +25,12 @@ struct PageTable {
   std::string caption;
   std::vector<PageColumn> columns;
   std::vector<std::vector<std::string>> rows;  ///< each as long as `columns`
-  std::vector<int> regions;      ///< empty, or one a row: index of the region it is about; -1: none
-  std::string remark;            ///< under the table; empty: none
-  std::vector<int> lines = {};   ///< empty, or one a row: index into ViewerPage::lines; -1: none
-  std::vector<bool> quiet = {};  ///< empty, or one a row: it is grey
-  bool is_first_page = false;    ///< of the print
+  std::vector<int> regions;     ///< empty, or one a row: index of the region it is about; -1: none
+  std::string remark;           ///< under the table, lines of their own; empty: none
+  std::vector<int> lines = {};  ///< empty, or one a row: index into ViewerPage::lines; -1: none
+  std::vector<bool> between = {};  ///< empty, or one a row: the print leaves it out
+  std::vector<bool> quiet = {};    ///< empty, or one a row: it is grey
+  int sheet = 0;                   ///< of the print, 1 or 2; 0: it is on the screen only
 };
 
 /// A quantity of each point.

@@ -134,8 +134,8 @@ std::vector<FigureDifference> differences(const EaseReport& here, const EaseRepo
   for (const Girth& girth : here.figures.girths.rows) {
     const Girth* other = same(there.figures.girths.rows, girth.name);
     if (other == nullptr || !girth.is_girth() || !other->is_girth()) continue;
-    all.push_back({"ease", girth.name, girth.ease(), other->ease(),
-                   std::hypot(girth.error, other->error)});
+    all.push_back(
+        {"ease", girth.name, girth.ease(), other->ease(), std::hypot(girth.error, other->error)});
   }
   for (const GarmentLevel& level : here.figures.levels) {
     const GarmentLevel* other = same(there.figures.levels, level.name);
@@ -146,8 +146,8 @@ std::vector<FigureDifference> differences(const EaseReport& here, const EaseRepo
   for (const GarmentLength& length : here.figures.lengths) {
     const GarmentLength* other = same(there.figures.lengths, length.name);
     if (other == nullptr) continue;
-    all.push_back({"length", length.name, length.worn, other->worn,
-                   std::hypot(length.error, other->error)});
+    all.push_back(
+        {"length", length.name, length.worn, other->worn, std::hypot(length.error, other->error)});
   }
   return all;
 }
@@ -156,13 +156,14 @@ PageTable difference_table(const std::vector<FigureDifference>& differences,
                            const std::string& other) {
   PageTable table;
   table.caption = "Against " + other + ", cm";
+  table.sheet = 2;
   table.columns = {"figure", "of"};
   for (const char* name : {"here", "there", "difference", "\xC2\xB1"}) {
     table.columns.emplace_back(name, true);
   }
   for (const FigureDifference& row : differences) {
-    table.rows.push_back({row.name, row.what, cm(row.here), cm(row.there), cm(row.difference()),
-                          cm(row.error)});
+    table.rows.push_back(
+        {row.name, row.what, cm(row.here), cm(row.there), cm(row.difference()), cm(row.error)});
     table.quiet.push_back(!row.is_sure());
   }
   table.remark = "Grey: the difference is within its error.";

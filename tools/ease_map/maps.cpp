@@ -136,9 +136,10 @@ class MapMaker {
   void add_ease() {
     EaseScale scale = ease_scale(report_);
     add("Ease", "", "", std::move(scale.points), std::move(scale.bar),
-        report_.loads ? "Orange touches the skin and is stretched, white touches at its own length, blue "
-                       "stands off."
-                     : "White touches the skin, blue stands off.");
+        report_.loads
+            ? "Orange touches the skin and is stretched, white touches at its own length, blue "
+              "stands off."
+            : "White touches the skin, blue stands off.");
     PageMap gap;
     gap.reading = "gap";
     gap.unit = "mm";
@@ -166,11 +167,11 @@ class MapMaker {
   void add_tension() {
     std::vector<double> values = at_points(report_, &TriangleLoad::tension_most);
     const double end = scale_end(scale_high(values), least_tension, hand_pull);
-    PageMap& map = add("Tension", "", "N/m", std::move(values),
-                       load_bar("Larger principal tension, N/m", end, hand_pull,
-                                "more than a hand's pull"),
-                       "Pull in the cloth for each metre of its width. A hand's pull is " +
-                           fixed_number(hand_pull, 0) + " N/m.");
+    PageMap& map =
+        add("Tension", "", "N/m", std::move(values),
+            load_bar("Larger principal tension, N/m", end, hand_pull, "more than a hand's pull"),
+            "Pull in the cloth for each metre of its width. A hand's pull is " +
+                fixed_number(hand_pull, 0) + " N/m.");
     map.reading = "tension";
     map.decimals = 0;
   }
@@ -179,13 +180,11 @@ class MapMaker {
     std::vector<double> of_nodes;
     for (const NodeLoad& load : report_.loads->nodes) of_nodes.push_back(load.pressure);
     std::vector<double> values = spread(node_of_, of_nodes, 0.001);
-    const double end =
-        scale_end(scale_high(values), least_pressure / 1000, hard_pressure / 1000);
-    PageMap& map =
-        add("Pressure", "", "kPa", std::move(values),
-            load_bar("Pressure on the skin, kPa", end, hard_pressure / 1000, "hard"),
-            "What the cloth presses on the skin. More than " + fixed_number(hard_pressure / 1000, 1) +
-                " kPa is hard for daily wear.");
+    const double end = scale_end(scale_high(values), least_pressure / 1000, hard_pressure / 1000);
+    PageMap& map = add("Pressure", "", "kPa", std::move(values),
+                       load_bar("Pressure on the skin, kPa", end, hard_pressure / 1000, "hard"),
+                       "What the cloth presses on the skin. More than " +
+                           fixed_number(hard_pressure / 1000, 1) + " kPa is hard for daily wear.");
     map.reading = "pressure";
     map.decimals = 2;
   }
@@ -233,8 +232,8 @@ class MapMaker {
 
 double scale_high(std::vector<double> values) {
   if (values.empty()) return 0;
-  const auto at =
-      values.begin() + static_cast<std::ptrdiff_t>(scale_share * static_cast<double>(values.size() - 1));
+  const auto at = values.begin() +
+                  static_cast<std::ptrdiff_t>(scale_share * static_cast<double>(values.size() - 1));
   std::ranges::nth_element(values, at);
   return *at;
 }
@@ -262,8 +261,8 @@ EaseScale ease_scale(const EaseReport& report) {
       stretch[i] = std::max({0.0, warp[i], weft[i]});
       if (report.map.node_gaps[node_of[i]] < contact) touching.push_back(stretch[i]);
     }
-    const double limit = std::max(limit_of(report, &Fabric::stretch_warp),
-                                  limit_of(report, &Fabric::stretch_weft));
+    const double limit =
+        std::max(limit_of(report, &Fabric::stretch_warp), limit_of(report, &Fabric::stretch_weft));
     most = scale_end(scale_high(std::move(touching)), least_strain, limit);
   }
   scale.nodes.assign(report.garment.points.size(), 1);
@@ -280,8 +279,9 @@ EaseScale ease_scale(const EaseReport& report) {
     scale.points.push_back(value);
     scale.nodes[node_of[i]] = std::min(scale.nodes[node_of[i]], value);
   }
-  scale.bar.title = report.loads ? "Ease: stretch of cloth that touches, gap of cloth that stands off"
-                                 : "Gap between cloth and skin";
+  scale.bar.title = report.loads
+                        ? "Ease: stretch of cloth that touches, gap of cloth that stands off"
+                        : "Gap between cloth and skin";
   scale.bar.ramp = report.loads ? two_sided_ramp(1, true) : cool_ramp(1);
   scale.bar.ramp.below = beyond_colour();
   scale.bar.below = "inside";

@@ -11,14 +11,14 @@ namespace toile {
 /// The node of each material point of a dressed garment.
 std::vector<int> nodes_of_points(const DressedGarment& garment);
 
-/// The value that all but a few of the largest are below; 0 of none. Single points are far beyond the
-/// rest at corners.
+/// The value that all but a few of the largest are below; 0 of none. Single points are far beyond
+/// the rest at corners.
 double scale_high(std::vector<double> values);
 
 /// The ease as one scale from stretched over touching to loose, -1 to 1. Cloth that stands off the
-/// skin has its gap over EaseReport::top. Cloth that touches has its stretch, negative; the bar says
-/// how much -1 is. What lies inside the body is below the scale. Where loads are not known, what
-/// touches is 0.
+/// skin has its gap over EaseReport::top. Cloth that touches has its stretch, negative; the bar
+/// says how much -1 is. What lies inside the body is below the scale. Where loads are not known,
+/// what touches is 0.
 struct EaseScale {
   std::vector<double> points;  ///< one a material point
   std::vector<double> nodes;   ///< one a node: the most stretched of its points

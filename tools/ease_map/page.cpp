@@ -32,7 +32,8 @@ std::string title_of(const EaseReport& report) {
 std::vector<Vec2> side_by_side(const DressedGarment& garment) {
   std::vector<int> panel_of(garment.flat.size(), 0);
   for (std::size_t t = 0; t < garment.flat_triangles.size(); ++t) {
-    for (const int point : garment.flat_triangles[t]) panel_of[point] = garment.panel_of_triangle[t];
+    for (const int point : garment.flat_triangles[t])
+      panel_of[point] = garment.panel_of_triangle[t];
   }
   std::vector<Eigen::AlignedBox2d> boxes(garment.panels.size());
   for (std::size_t i = 0; i < garment.flat.size(); ++i) boxes[panel_of[i]].extend(garment.flat[i]);

@@ -64,7 +64,8 @@ class LineMaker {
       const double from = height(k);
       const double to = height(l);
       if ((from > 0) == (to > 0)) continue;
-      ends.push_back({garment_.flat_triangles[t][k], garment_.flat_triangles[t][l], from / (from - to)});
+      ends.push_back(
+          {garment_.flat_triangles[t][k], garment_.flat_triangles[t][l], from / (from - to)});
     }
     if (ends.size() == 2) line.pieces.push_back({ends[0], ends[1]});
   }
@@ -135,9 +136,10 @@ std::vector<GirthRow> girth_rows(const EaseReport& report) {
 PageTable girth_table(const EaseReport& report, LineMaker& lines) {
   PageTable table;
   table.caption = "Girths of body and garment, cm";
-  table.is_first_page = true;
+  table.sheet = 1;
   table.columns = {"girth"};
-  for (const char* name : {"height", "body", "as cut", "ease as cut", "as worn", "ease", "\xC2\xB1"}) {
+  for (const char* name :
+       {"height", "body", "as cut", "ease as cut", "as worn", "ease", "\xC2\xB1"}) {
     table.columns.emplace_back(name, true);
   }
   for (const GirthRow& row : girth_rows(report)) {
@@ -146,8 +148,9 @@ PageTable girth_table(const EaseReport& report, LineMaker& lines) {
       return text(*row.left) + (row.right == nullptr ? "" : " | " + text(*row.right));
     };
     const auto where_girth = [&](const std::function<std::string(const Girth&)>& text) {
-      return cell(
-          [&](const Girth& girth) { return girth.is_girth() ? text(girth) : std::string("\xE2\x80\x93"); });
+      return cell([&](const Girth& girth) {
+        return girth.is_girth() ? text(girth) : std::string("\xE2\x80\x93");
+      });
     };
     const bool no_girth = std::ranges::none_of(
         std::array{row.left, row.right},
@@ -161,6 +164,7 @@ PageTable girth_table(const EaseReport& report, LineMaker& lines) {
          where_girth([](const Girth& girth) { return cm(girth.ease()); }),
          where_girth([](const Girth& girth) { return cm(girth.error); })});
     table.lines.push_back(lines.of(std::array{row.left, row.right}));
+    table.between.push_back(row.name.empty());
   }
   table.remark =
       "Where there are two numbers they are of left and right. The body is measured as a tape "
@@ -169,7 +173,7 @@ PageTable girth_table(const EaseReport& report, LineMaker& lines) {
       "inner face. As cut: the widths of the flat panels where the level crosses them. Heights are "
       "above the floor. A skirt's thigh and knee go around both legs as they stand.";
   for (const GirthLeftOut& level : report.figures.girths.left_out) {
-    table.remark += " The " + level.name + " is left out: " + level.why + ".";
+    table.remark += "\nThe " + level.name + " is left out: " + level.why + ".";
   }
   return table;
 }
@@ -177,9 +181,10 @@ PageTable girth_table(const EaseReport& report, LineMaker& lines) {
 PageTable garment_level_table(const EaseReport& report, LineMaker& lines) {
   PageTable table;
   table.caption = "Edges and waist seam of the garment, cm";
+  table.sheet = 2;
   table.columns = {"edge"};
-  for (const char* name : {"drafted at", "rests at", "\xC2\xB1", "moved by", "body there", "garment",
-                           "as cut", "ease as cut"}) {
+  for (const char* name : {"drafted at", "rests at", "\xC2\xB1", "moved by", "body there",
+                           "garment", "as cut", "ease as cut"}) {
     table.columns.emplace_back(name, true);
   }
   for (const GarmentLevel& level : report.figures.levels) {
@@ -205,6 +210,7 @@ std::string beyond_text(const EndsBeyond& end) {
 PageTable length_table(const EaseReport& report) {
   PageTable table;
   table.caption = "Lengths of the garment, cm";
+  table.sheet = 2;
   table.columns = {"length"};
   for (const char* name : {"as cut", "as worn", "\xC2\xB1", "body", "ends"}) {
     table.columns.emplace_back(name, true);
@@ -225,8 +231,9 @@ PageTable length_table(const EaseReport& report) {
 PageTable target_table(const EaseReport& report) {
   PageTable table;
   table.caption = "Ease against the target, cm";
-  table.columns = {"level", {"ease as cut", true}, {"\xC2\xB1", true}, {"meant", true}, "is",
-                   {"off by", true}};
+  table.sheet = 1;
+  table.columns = {"level", {"ease as cut", true}, {"\xC2\xB1", true}, {"meant", true},
+                   "is",    {"off by", true}};
   for (const TargetFinding& finding : report.targets) {
     table.rows.push_back({finding.level, cm(finding.ease), cm(finding.error),
                           cm(finding.target.least) + " \xE2\x80\x93 " + cm(finding.target.most),
@@ -240,6 +247,7 @@ PageTable target_table(const EaseReport& report) {
 PageTable point_table(const EaseReport& report) {
   PageTable table;
   table.caption = "Points of measure, cm";
+  table.sheet = 2;
   table.columns = {"point of measure"};
   for (const char* name : {"spec", "pattern", "difference", "tolerance"}) {
     table.columns.emplace_back(name, true);

@@ -313,38 +313,60 @@
     byId('link').dataset.address = location.href;
   });
 
-  // The print: front and back, and the panels as they lie, of the map that is shown.
+  // The print: two sheets, each as small as it must be to fit. First what hurts, front and back and
+  // the main tables; then lengths and the panels as they lie. Pictures are of the map that is shown.
   function preparePrint() {
-    const holder = byId('print-views');
-    holder.textContent = '';
-    const add = (source, into) => { const image = document.createElement('img'); image.alt = ''; image.src = source; into.appendChild(image); };
-    if (!space) {
-      const still = byId('still');
-      if (still) add(still.src, holder);
-      return;
+    const paper = byId('paper');
+    paper.textContent = '';
+    const sheet = parts => {
+      const page = document.createElement('section'), content = document.createElement('div');
+      page.className = 'sheet';
+      parts.filter(Boolean).forEach(part => content.appendChild(part));
+      page.appendChild(content);
+      paper.appendChild(page);
+      const room = page.clientHeight / Math.max(content.scrollHeight, 1);
+      if (room < 1) content.style.zoom = Math.floor(100 * room) / 100;
+    };
+    const copy = query => {
+      const holder = document.createElement('div');
+      document.querySelectorAll(query).forEach(element => holder.appendChild(element.cloneNode(true)));
+      holder.querySelectorAll('[id]').forEach(element => { element.dataset.part = element.id; element.removeAttribute('id'); });
+      holder.querySelectorAll('details').forEach(element => { element.open = true; });
+      return holder;
+    };
+    const pictures = (className, sources) => {
+      const holder = document.createElement('div');
+      holder.className = className;
+      for (const source of sources) {
+        const image = document.createElement('img');
+        image.alt = '';
+        image.src = source;
+        holder.appendChild(image);
+      }
+      return holder;
+    };
+    let sides = byId('still') ? [byId('still').src] : [], lies = [];
+    if (space) {
+      const kept = [space.camera.position.clone(), space.controls.target.clone()];
+      space.plane.visible = false;
+      sides = ['front', 'back'].map(side => {
+        space.camera.aspect = 0.8;
+        space.look(side);
+        return space.picture(800, 1000);
+      });
+      space.camera.position.copy(kept[0]);
+      space.controls.target.copy(kept[1]);
+      space.plane.visible = checked('show-slice');
+      space.controls.update();
+      space.resize();
     }
-    const kept = [space.camera.position.clone(), space.controls.target.clone()];
-    space.plane.visible = false;
-    for (const side of ['front', 'back']) {
-      space.camera.aspect = 0.8;
-      space.look(side);
-      add(space.picture(800, 1000), holder);
+    if (pieces) {
+      lies = [pieces.picture(1400, Math.round(Math.min(1000, Math.max(500, 1400 * pieces.box.size[1] / pieces.box.size[0]))))];
+      pieces.resize();
     }
-    space.camera.position.copy(kept[0]);
-    space.controls.target.copy(kept[1]);
-    space.plane.visible = checked('show-slice');
-    space.controls.update();
-    space.resize();
-    if (!pieces) return;
-    let lies = byId('flat-print');
-    if (!lies) {
-      lies = document.createElement('div');
-      lies.id = 'flat-print';
-      byId('side').appendChild(lies);
-    }
-    lies.textContent = '';
-    add(pieces.picture(1400, Math.round(Math.min(1000, Math.max(500, 1400 * pieces.box.size[1] / pieces.box.size[0])))), lies);
-    pieces.resize();
+    sheet([copy('header > div:first-child'), copy('.verdict, .reasons, .warnings'), pictures('sides', sides), copy('#bar'),
+      copy('section.table[data-sheet="1"]')]);
+    sheet([copy('section.table[data-sheet="2"]'), lies.length ? pictures('lies', lies) : null, lies.length ? copy('#bar') : null]);
   }
   window.addEventListener('beforeprint', preparePrint);
   byId('print').addEventListener('click', () => window.print());
@@ -360,6 +382,5 @@
   recall();
   showMap(state.map);
   speakAll();
-  preparePrint();
   isReady = true;
   document.documentElement.dataset.ready = 'yes';
