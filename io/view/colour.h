@@ -27,10 +27,10 @@ double from_light(double light);
 /// Colours for values from `low` to `high`, in even steps, and one colour for values below `low`.
 struct ColourRamp {
   double low = 0;
-  double high = 1;              ///< above `low`
-  std::vector<Colour> steps;    ///< two or more, `low`'s colour first
-  Colour below;                 ///< for values below `low`
-  std::optional<Colour> above;  ///< for values above `high`; none: they get the last step
+  double high = 1;                ///< above `low`
+  std::vector<Colour> steps;      ///< two or more, `low`'s colour first
+  Colour below;                   ///< for values below `low`
+  std::optional<Colour> above{};  ///< for values above `high`; none: they get the last step
 
   Colour at(double value) const;
 };

@@ -179,8 +179,9 @@ TEST_F(ReportSchema, HoldsForMeshPatternDressEaseMapAndRender) {
   succeed("mesh-pattern", {sample("tshirt"), "-o", garment, "--edge-length", "25mm", "--report",
                            folder / "mesh.json", "-q"});
   EXPECT_EQ(dress("dressed", {"--certify-frames"}).exit_code, 0);
-  succeed("ease-map", {"--body", body, folder / "dressed.obj", "-o", folder / "ease.html",
-                       "--report", folder / "ease-report.json", "-q"});
+  succeed("ease-map",
+          {"--body", body, folder / "dressed.obj", "-o", folder / "ease.html", "--report",
+           folder / "ease-report.json", "--against", folder / "dressed.obj", "-q"});
   succeed("render", {"--body", body, folder / "dressed.obj", "-o", folder / "drape.png", "--report",
                      folder / "render.json", "-q"});
   succeed("export-pattern",
@@ -193,7 +194,7 @@ TEST_F(ReportSchema, HoldsForMeshPatternDressEaseMapAndRender) {
   expect_faults_found("export_pattern", "export.json");
   expect_valid("mesh_pattern", "mesh.json");
   expect_valid("dress", "dressed.json", {"/certified/frames/0", "/quality", "/wraps/0"});
-  expect_valid("ease_map", "ease-report.json", {"/girths/1/level"});
+  expect_valid("ease_map", "ease-report.json", {"/girths/1/level", "/against/differences/0"});
   expect_valid("render", "render.json");
   expect_faults_found("mesh_pattern", "mesh.json");
   expect_faults_found("dress", "dressed.json");
