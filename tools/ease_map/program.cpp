@@ -38,6 +38,10 @@ CommandLineProgram ease_map_program() {
       "ply", po::value<std::string>(),
       "write the garment with a colour, gap and loads at each point, and loads of each triangle")(
       "png", po::value<std::string>(), "write a picture, front and back")(
+      "glb", po::value<std::string>(),
+      "write body and garment as glTF, for Blender and other 3D programs")(
+      "glb-thickness", po::value<std::string>(),
+      "thickness of the cloth there (default: a surface)")(
       "skeleton", po::value<std::string>(),
       "the body's joints, for girths (default: body.body.json beside the body)")(
       "dress-report", po::value<std::string>(),
@@ -64,6 +68,13 @@ CommandLineProgram ease_map_program() {
     settings.csv = path_option(given, "csv");
     settings.ply = path_option(given, "ply");
     settings.png = path_option(given, "png");
+    settings.glb = path_option(given, "glb");
+    if (given.count("glb-thickness") != 0) {
+      if (!settings.glb)
+        throw UsageError("--glb-thickness", "is of the file of --glb", "give both");
+      settings.thickness =
+          parse_length(given["glb-thickness"].as<std::string>(), "--glb-thickness");
+    }
     settings.skeleton = path_option(given, "skeleton");
     settings.dress_report = path_option(given, "dress-report");
     settings.meshed = path_option(given, "garment-mesh");
@@ -96,6 +107,7 @@ CommandLineProgram ease_map_program() {
     }
     if (settings.ply) check_extension(*settings.ply, {".ply"});  // only PLY files hold colours
     if (settings.png) check_extension(*settings.png, {".png"});
+    if (settings.glb) check_extension(*settings.glb, {".glb"});
     Job job;
     job.files.reads = {settings.garment, settings.body,
                        settings.skeleton.value_or(skeleton_beside(settings.body)),
@@ -106,7 +118,7 @@ CommandLineProgram ease_map_program() {
       job.files.reads.push_back(dress_report_path(drape));
     }
     job.files.writes = {common.output};
-    for (const auto& file : {settings.csv, settings.ply, settings.png}) {
+    for (const auto& file : {settings.csv, settings.ply, settings.png, settings.glb}) {
       if (file) job.files.writes.push_back(*file);
     }
     job.work = [settings, &common] {
