@@ -239,6 +239,21 @@ std::string one_line(std::string_view name) {
   return text;
 }
 
+void append_group(std::string& text, const ObjData& data, int group) {
+  if (group < 0) {
+    text += "g\n";
+    return;
+  }
+  const auto g = static_cast<std::size_t>(group);
+  const std::string name = one_line(data.groups.at(g));
+  if (data.materials.empty()) {
+    text.append("g ").append(name).append("\n");
+  } else {
+    text.append("o ").append(name).append("\nusemtl ");
+    text.append(one_line(data.materials.at(g))).append("\n");
+  }
+}
+
 }  // namespace
 
 ObjData parse_obj(const std::string& text, const std::string& name, double max) {
@@ -262,12 +277,16 @@ void write_obj(const OutputPath& path, const ObjData& data) {
     for (int i = 0; i < 2; ++i) append_coordinate(text, texture[i]);
     text += '\n';
   }
+  for (const Vec3& normal : data.normals) {
+    text += "vn";
+    for (int i = 0; i < 3; ++i) append_coordinate(text, std::round(1e6 * normal[i]) / 1e6);
+    text += '\n';
+  }
   int group = -1;
   for (const ObjFace& face : data.faces) {
     if (face.group != group) {
       group = face.group;
-      text += group < 0 ? "g" : "g " + one_line(data.groups.at(static_cast<std::size_t>(group)));
-      text += '\n';
+      append_group(text, data, group);
     }
     text += 'f';
     for (const ObjCorner& corner : face.corners) {
@@ -276,6 +295,10 @@ void write_obj(const OutputPath& path, const ObjData& data) {
       if (corner.texture >= 0) {
         text += '/';
         append_index(text, corner.texture);
+      }
+      if (!data.normals.empty()) {
+        text += corner.texture >= 0 ? "/" : "//";
+        append_index(text, corner.point);
       }
     }
     text += '\n';

@@ -26,10 +26,13 @@ struct ObjFace {
 
 /// The content of an OBJ file. Indices count from 0 here, and from 1 in the file.
 struct ObjData {
-  std::vector<std::string> comments;      ///< `#` lines, written at the top of the file, not read
-  std::vector<Vec3> points;               ///< v
-  std::vector<Vec2> texture;              ///< vt
-  std::vector<std::string> groups;        ///< g (or o), in the order of first use
+  std::vector<std::string> comments;  ///< `#` lines, written at the top of the file, not read
+  std::vector<Vec3> points;           ///< v
+  std::vector<Vec2> texture;          ///< vt
+  std::vector<Vec3> normals;          ///< vn, one a point or none; written, not read
+  std::vector<std::string> groups;    ///< g (or o), in the order of first use
+  /// usemtl, one a group or none; written, not read. With it a group is written as an object (o).
+  std::vector<std::string> materials;
   std::vector<ObjFace> faces;             ///< f
   std::vector<std::array<int, 2>> lines;  ///< l a b; longer lines are cut into pairs
 };
@@ -42,7 +45,7 @@ ObjData read_obj(const std::filesystem::path& path, double max = max_coordinate)
 ObjData parse_obj(const std::string& text, const std::string& name, double max = max_coordinate);
 
 /// Writes an OBJ file, whole or not at all. Doubles have the fewest digits that read back to the
-/// same bits. Throws Error as OutputFile does.
+/// same bits, normals six decimal places. Throws Error as OutputFile does.
 void write_obj(const OutputPath& path, const ObjData& data);
 
 }  // namespace toile

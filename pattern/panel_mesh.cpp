@@ -12,7 +12,10 @@ DressedGarment as_dressed(const PanelMesh& garment, std::vector<Vec3> points,
   dressed.flat = garment.flat;
   dressed.flat_triangles = garment.triangles;
   dressed.panel_of_triangle = panel_of_triangles(garment);
-  for (const MeshedPanel& panel : garment.panels) dressed.panels.push_back(panel.name);
+  for (const MeshedPanel& panel : garment.panels) {
+    dressed.panels.push_back(panel.name);
+    dressed.fabrics.push_back(panel.fabric);
+  }
   return dressed;
 }
 

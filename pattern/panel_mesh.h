@@ -136,10 +136,13 @@ struct DressedGarment {
   std::vector<Triangle> flat_triangles;  ///< of material points, as many as `triangles`
   std::vector<std::string> panels;       ///< names
   std::vector<int> panel_of_triangle;    ///< index into `panels`
+  /// Names of the panels' fabrics, as many as `panels`, those that are not known empty. Empty: none
+  /// is known. Files hold them for other programs; they are not read.
+  std::vector<std::string> fabrics = {};
 };
 
 /// The garment with its nodes at `points`. `triangles` holds one triangle of nodes for each of the
-/// garment's, in the same order.
+/// garment's, in the same order. The fabric of panels that name none is not known.
 DressedGarment as_dressed(const PanelMesh& garment, std::vector<Vec3> points,
                           std::vector<Triangle> triangles);
 

@@ -8,7 +8,7 @@ install(TARGETS toile ${toile_programs} RUNTIME COMPONENT programs)
 # Man pages say what --help says.
 add_executable(man_pages tools/man_pages.cpp)
 target_link_libraries(man_pages PRIVATE toile_tools)
-set(pages toile toile-fit toile-try toile-batch ${toile_programs})
+set(pages toile toile-fit toile-try toile-batch toile-compare ${toile_programs})
 list(TRANSFORM pages REPLACE "(.+)" "${PROJECT_BINARY_DIR}/man/\\1.1")
 add_custom_command(OUTPUT ${pages}
   COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/man

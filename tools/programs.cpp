@@ -10,6 +10,7 @@ std::vector<CommandLineProgram> all_programs() {
   return {fit_program(),
           try_program(),
           batch_program(),
+          compare_program(),
           clean_body_program(),
           import_pattern_program(),
           export_pattern_program(),

@@ -7,6 +7,7 @@ namespace toile {
 
 CommandLineProgram batch_program();
 CommandLineProgram clean_body_program();
+CommandLineProgram compare_program();
 CommandLineProgram drape_test_program();
 CommandLineProgram dress_program();
 CommandLineProgram ease_map_program();

@@ -206,6 +206,7 @@ void OutfitDresser::write_and_judge(std::size_t layer, const TriangleMesh* other
   WornLayer& worn = worn_.layers[layer];
   const DressResult& result = worn.result;
   DressedGarment dressed = as_dressed(worn.garment, result.nodes, result.triangles);
+  std::ranges::replace(dressed.fabrics, std::string(), worn.scene.fabric.name);
   if (hooks_.write) dressed = hooks_.write(layer, dressed);
   DressingEnd end{result.converged, {}, result.tight_seams};
   if (result.release) end.stays = result.release->stays();

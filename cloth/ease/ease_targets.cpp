@@ -79,6 +79,11 @@ EaseTargets read_ease_targets(const std::string& name_or_file) {
   return read_file_of_targets(name_or_file);
 }
 
+const EaseTarget* target_of(const EaseTargets& targets, const std::string& level) {
+  const auto found = std::ranges::find(targets.levels, without_side(level), &EaseTarget::level);
+  return found == targets.levels.end() ? nullptr : &*found;
+}
+
 double TargetFinding::off() const {
   return std::min(0.0, ease - target.least) + std::max(0.0, ease - target.most);
 }
@@ -102,10 +107,8 @@ std::vector<TargetFinding> compare_with_targets(const EaseTargets& targets,
   std::vector<TargetFinding> findings;
   const auto compare = [&](const std::string& level, double ease, double error,
                            const std::vector<int>& panels) {
-    const std::string name = without_side(level);
-    const auto target = std::ranges::find(targets.levels, name, &EaseTarget::level);
-    if (target == targets.levels.end()) return;
-    findings.push_back({level, ease, error, *target, panels});
+    const EaseTarget* target = target_of(targets, level);
+    if (target != nullptr) findings.push_back({level, ease, error, *target, panels});
   };
   for (const Girth& girth : girths) {
     if (!girth.name.empty() && girth.is_girth()) {

@@ -34,6 +34,9 @@ std::vector<std::string> ease_target_names();
 /// name that is neither, and for a file that is damaged or has a range from more to less.
 EaseTargets read_ease_targets(const std::string& name_or_file);
 
+/// The target of a level, with or without its side; null: it has none.
+const EaseTarget* target_of(const EaseTargets& targets, const std::string& level);
+
 /// A level against its target. Metres.
 struct TargetFinding {
   std::string level;  ///< with its side

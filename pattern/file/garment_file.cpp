@@ -9,6 +9,7 @@
 
 #include "geometry/error.h"
 #include "geometry/half_edges.h"
+#include "geometry/vertex_normals.h"
 #include "io/json_value.h"
 #include "io/obj.h"
 #include "io/output_file.h"
@@ -441,7 +442,13 @@ void write_dressed(const OutputPath& obj, const DressedGarment& garment) {
   data.comments = {"Toile dressed garment: v nodes (sewn points shared), vt flat coordinates (m)"};
   data.points = garment.points;
   data.texture = garment.flat;
+  data.normals = vertex_normals(garment.points, garment.triangles);
   data.groups = garment.panels;
+  data.materials = garment.fabrics;
+  data.materials.resize(garment.panels.size());
+  for (std::string& material : data.materials) {
+    if (material.empty()) material = "cloth";
+  }
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
     ObjFace face;
     face.group = garment.panel_of_triangle.at(t);

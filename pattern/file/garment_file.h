@@ -35,12 +35,14 @@ std::filesystem::path garment_json_beside(const std::filesystem::path& obj);
 PanelMesh read_garment(const std::filesystem::path& obj, const std::filesystem::path& json = {},
                        std::vector<std::string>* warnings = nullptr);
 
-/// Writes a dressed garment: `v` are the nodes, `vt` the flat coordinates, one group a panel.
-/// Throws Error as OutputFile does.
+/// Writes a dressed garment: `v` are the nodes, `vn` their normals, `vt` the flat coordinates, one
+/// object (`o`) a panel. Its fabric is its material, "cloth" where it is not known. Throws Error as
+/// OutputFile does.
 void write_dressed(const OutputPath& obj, const DressedGarment& garment);
 
-/// Reads what write_dressed wrote. Throws Error when there is no face, or when a face has no vt, is
-/// no triangle, belongs to no group, or is there twice.
+/// Reads what write_dressed wrote, now or in earlier versions, which wrote groups (`g`). Throws
+/// Error when there is no face, or when a face has no vt, is no triangle, belongs to no group, or
+/// is there twice.
 DressedGarment read_dressed(const std::filesystem::path& obj);
 
 }  // namespace toile

@@ -14,9 +14,14 @@ class Against : public WornSample {
  protected:
   /// The report of ease-map of NAME.obj.
   json ease_of(const std::string& name, const std::vector<std::string>& options = {}) const {
-    std::vector<std::string> words = {"--body", body, folder / (name + ".obj"), "-o",
-                                      folder / (name + ".html"), "--report",
-                                      folder / (name + "-ease.json"), "-q"};
+    std::vector<std::string> words = {"--body",
+                                      body,
+                                      folder / (name + ".obj"),
+                                      "-o",
+                                      folder / (name + ".html"),
+                                      "--report",
+                                      folder / (name + "-ease.json"),
+                                      "-q"};
     words.insert(words.end(), options.begin(), options.end());
     succeed("ease-map", words);
     return report(name + "-ease");
@@ -77,8 +82,9 @@ TEST_F(Against, ADrapeWithoutReportIsRefused) {
   mesh(sample("tshirt"), "25mm");
   EXPECT_EQ(dress("plain").exit_code, 0);
   fs::copy_file(folder / "plain.obj", folder / "alone.obj");
-  const pipeline::Run done = run("ease-map", {"--body", body, folder / "plain.obj", "-o",
-                                              folder / "x.html", "--against", folder / "alone.obj"});
+  const pipeline::Run done =
+      run("ease-map", {"--body", body, folder / "plain.obj", "-o", folder / "x.html", "--against",
+                       folder / "alone.obj"});
   EXPECT_EQ(done.exit_code, 1);
   EXPECT_NE(done.err.find("alone.json"), std::string::npos) << done.err;
   EXPECT_FALSE(fs::exists(folder / "x.html"));

@@ -209,6 +209,12 @@ TEST_F(ReportSchema, HoldsForWhatToileFitWrites) {
                                            folder / "fit", "--edge-length", "40mm", "-q"});
   EXPECT_EQ(done.exit_code, 0) << done.err;
   expect_valid("dress", "fit/dressed.json", {"/scene/fabrics/0"});
+  const pipeline::Run compared =
+      run("toile", {"compare", folder / "fit", "-o", folder / "table.csv", "--target", "close",
+                    "--report", folder / "compare.json", "-q"});
+  EXPECT_EQ(compared.exit_code, 0) << compared.err;
+  expect_valid("compare", "compare.json", {"/runs/0/worst", "/runs/0/target", "/best/0/report"});
+  expect_faults_found("compare", "compare.json");
 }
 
 TEST_F(ReportSchemaOfStarts, HoldsForElasticsAttachmentsAndRelease) {

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "io/text.h"
+#include "tools/address.h"
 #include "tools/batch/outcome.h"
 
 namespace toile {
@@ -67,31 +68,15 @@ show();
 </html>
 )";
 
-/// A path as an address: all but letters, digits and some marks by their bytes.
-std::string address(const std::string& folder, const std::string& file) {
-  constexpr std::string_view digits = "0123456789ABCDEF";
-  constexpr std::string_view plain =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_.~";
-  std::string text = "./";
-  for (const char c : folder) {
-    if (plain.find(c) != std::string_view::npos) {
-      text += c;
-      continue;
-    }
-    const auto byte = static_cast<unsigned char>(c);
-    text += {'%', digits[byte >> 4], digits[byte & 15]};
-  }
-  return text + "/" + file;
-}
-
 std::string link(const std::string& folder, const std::string& file, const std::string& words) {
-  return "<a href=\"" + address(folder, file) + "\">" + words + "</a>";
+  return "<a href=\"" + page_address(std::filesystem::path(folder) / file) + "\">" + words + "</a>";
 }
 
 std::string picture(const std::string& folder, const std::string& side) {
-  return link(
-      folder, side + ".png",
-      "<img loading=\"lazy\" src=\"" + address(folder, side + ".png") + "\" alt=\"" + side + "\">");
+  return link(folder, side + ".png",
+              "<img loading=\"lazy\" src=\"" +
+                  page_address(std::filesystem::path(folder) / (side + ".png")) + "\" alt=\"" +
+                  side + "\">");
 }
 
 void add_card(std::ostream& page, const Json& report) {

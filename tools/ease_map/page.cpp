@@ -6,7 +6,7 @@
 #include "geometry/decimate.h"
 #include "io/view/picture.h"
 #include "io/view/viewer_page.h"
-#include "pattern/layout/row_layout.h"
+#include "pattern/layout/side_by_side.h"
 #include "tools/ease_map/against.h"
 #include "tools/ease_map/findings.h"
 #include "tools/ease_map/maps.h"
@@ -21,34 +21,8 @@ namespace {
 /// Enough to look smooth; a body's 50 thousand would be two thirds of the page.
 constexpr int page_body_triangles = 16000;
 
-/// Metres between panels that lie side by side.
-constexpr double panel_gap = 0.04;
-
 std::string title_of(const EaseReport& report) {
   return report.garment_name + " on " + report.body_name;
-}
-
-/// The flat points with the panels side by side, in about the shape of a square.
-std::vector<Vec2> side_by_side(const DressedGarment& garment) {
-  std::vector<int> panel_of(garment.flat.size(), 0);
-  for (std::size_t t = 0; t < garment.flat_triangles.size(); ++t) {
-    for (const int point : garment.flat_triangles[t])
-      panel_of[point] = garment.panel_of_triangle[t];
-  }
-  std::vector<Eigen::AlignedBox2d> boxes(garment.panels.size());
-  for (std::size_t i = 0; i < garment.flat.size(); ++i) boxes[panel_of[i]].extend(garment.flat[i]);
-  std::vector<Vec2> sizes;
-  double area = 0;
-  for (const Eigen::AlignedBox2d& box : boxes) {
-    sizes.push_back(box.isEmpty() ? Vec2(Vec2::Zero()) : Vec2(box.sizes()));
-    area += (sizes.back() + Vec2(panel_gap, panel_gap)).prod();
-  }
-  const RowLayout layout = lay_out_rows(sizes, panel_gap, std::sqrt(area), 1e3);
-  std::vector<Vec2> flat = garment.flat;
-  for (std::size_t i = 0; i < flat.size(); ++i) {
-    flat[i] += layout.corners[panel_of[i]] - boxes[panel_of[i]].min();
-  }
-  return flat;
 }
 
 std::vector<std::array<std::string, 2>> facts_of(const EaseReport& report) {
@@ -91,7 +65,7 @@ std::string ease_page(const EaseReport& report, const std::string& picture) {
   page.nodes = report.garment.points;
   page.node_of = nodes_of_points(report.garment);
   page.pattern = report.garment.flat;
-  page.flat = side_by_side(report.garment);
+  page.flat = side_by_side(report.garment).flat;
   page.triangles = report.garment.flat_triangles;
   page.regions = report.garment.panels;
   page.region_of_triangle = report.garment.panel_of_triangle;

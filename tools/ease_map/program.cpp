@@ -40,6 +40,10 @@ CommandLineProgram ease_map_program() {
       "write the garment with a colour, gap and loads at each point, and loads of each triangle")(
       "png", po::value<std::string>(), "write a picture, front and back")(
       "pdf", po::value<std::string>(), "write the page as a PDF file, A4; needs Chromium")(
+      "glb", po::value<std::string>(),
+      "write body and garment as glTF, for Blender and other 3D programs")(
+      "glb-thickness", po::value<std::string>(),
+      "thickness of the cloth there (default: a surface)")(
       "skeleton", po::value<std::string>(),
       "the body's joints, for girths (default: body.body.json beside the body)")(
       "dress-report", po::value<std::string>(),
@@ -70,6 +74,13 @@ CommandLineProgram ease_map_program() {
     settings.ply = path_option(given, "ply");
     settings.png = path_option(given, "png");
     settings.pdf = path_option(given, "pdf");
+    settings.glb = path_option(given, "glb");
+    if (given.count("glb-thickness") != 0) {
+      if (!settings.glb)
+        throw UsageError("--glb-thickness", "is of the file of --glb", "give both");
+      settings.thickness =
+          parse_length(given["glb-thickness"].as<std::string>(), "--glb-thickness");
+    }
     settings.skeleton = path_option(given, "skeleton");
     settings.dress_report = path_option(given, "dress-report");
     settings.meshed = path_option(given, "garment-mesh");
@@ -108,6 +119,7 @@ CommandLineProgram ease_map_program() {
       check_extension(*settings.pdf, {".pdf"});
       check_printer();
     }
+    if (settings.glb) check_extension(*settings.glb, {".glb"});
     Job job;
     job.files.reads = {settings.garment, settings.body,
                        settings.skeleton.value_or(skeleton_beside(settings.body)),
@@ -122,7 +134,8 @@ CommandLineProgram ease_map_program() {
       job.files.reads.push_back(dress_report_path(*settings.against));
     }
     job.files.writes = {common.output};
-    for (const auto& file : {settings.csv, settings.ply, settings.png, settings.pdf}) {
+    for (const auto& file :
+         {settings.csv, settings.ply, settings.png, settings.pdf, settings.glb}) {
       if (file) job.files.writes.push_back(*file);
     }
     job.work = [settings, &common] {

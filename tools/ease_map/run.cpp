@@ -14,6 +14,7 @@
 #include "io/skeleton_file.h"
 #include "io/text.h"
 #include "pattern/file/garment_file.h"
+#include "tools/ease_map/exchange.h"
 #include "tools/ease_map/page.h"
 #include "tools/ease_map/pdf.h"
 #include "tools/ease_map/report.h"
@@ -272,6 +273,8 @@ void run_ease_map(const EaseMapSettings& settings, const CommonSettings& common)
     write_mesh(files.at(*settings.ply), {report.garment.points, report.garment.triangles},
                ease_properties(report));
   }
+  if (settings.glb) write_file(files.at(*settings.glb), ease_glb(report, settings.thickness));
+  if (settings.body_obj) write_obj(files.at(*settings.body_obj), body_obj(report));
   std::vector<int> widths = {420};
   if (settings.png) widths.push_back(900);
   const std::vector<std::string> pictures = ease_pictures(report, widths);

@@ -15,8 +15,10 @@ namespace toile {
 struct EaseMapSettings {
   std::filesystem::path garment;
   std::filesystem::path body;
-  std::optional<std::filesystem::path> csv, ply, png, pdf;
-  std::optional<std::filesystem::path> skeleton;      ///< none: beside the body, if there
+  std::optional<std::filesystem::path> csv, ply, png, pdf, glb;
+  std::optional<std::filesystem::path> body_obj;  ///< the body for other programs
+  double thickness = 0;                           ///< metres, of the cloth in `glb`; 0: a surface
+  std::optional<std::filesystem::path> skeleton;  ///< none: beside the body, if there
   std::optional<std::filesystem::path> dress_report;  ///< none: beside the garment, if there
   /// The garment before it was dressed, for loads; none: as the report of dress names it, if there.
   std::optional<std::filesystem::path> meshed;

@@ -15,6 +15,8 @@ namespace toile {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 /// The output's extension in small letters, with its dot.
 std::string extension_of(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
@@ -31,7 +33,6 @@ nlohmann::ordered_json export_pattern_json(const std::string& pattern, const std
                                            const Pattern& content, const Sheet& sheet,
                                            double seam_allowance,
                                            const std::vector<Remark>& remarks) {
-  using Json = nlohmann::ordered_json;
   Json report;
   report["pattern"] = pattern;
   report["format"] = format;

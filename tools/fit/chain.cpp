@@ -46,13 +46,15 @@ FitFiles::FitFiles(const fs::path& out, const std::string& before)
       ease_picture(out / "ease.png"),
       ease_pdf(out / "ease.pdf"),
       drape_picture(out / "drape.png"),
+      dressed_glb(out / "dressed.glb"),
+      body_obj(out / "body.obj"),
       points(out / "pom.csv"),
       points_report(out / "pom.json") {}
 
 std::vector<fs::path> FitFiles::all() const {
-  return {body,         skeleton, body_report,   garment, garment_json,
-          mesh_report,  dressed,  report,        ease,    ease_report,
-          ease_picture, ease_pdf, drape_picture, points,  points_report};
+  return {body,          skeleton,    body_report, garment,     garment_json, mesh_report,
+          dressed,       report,      ease,        ease_report, ease_picture, ease_pdf,
+          drape_picture, dressed_glb, body_obj,    points,      points_report};
 }
 
 FitFiles FitFiles::repeat(int number) const {
@@ -238,6 +240,8 @@ FitEnd fit_pattern(const FitSettings& settings, const FitFiles& files, const Cle
   ease.meshed = files.garment;
   ease.body = settings.dress.body;
   ease.targets = settings.targets;
+  ease.glb = files.dressed_glb;
+  ease.body_obj = files.body_obj;
   if (settings.pictures) ease.png = files.ease_picture;
   if (settings.pdf) ease.pdf = files.ease_pdf;
   run_ease_map(ease, step_of(common, "ease-map", files.ease, files.ease_report));

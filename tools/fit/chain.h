@@ -35,6 +35,7 @@ struct FitFiles {
   std::filesystem::path garment, garment_json, mesh_report;
   std::filesystem::path dressed, report;
   std::filesystem::path ease, ease_report, ease_picture, ease_pdf, drape_picture;
+  std::filesystem::path dressed_glb, body_obj;  ///< for other 3D programs
   std::filesystem::path points, points_report;  ///< with --pom
 };
 

@@ -8,11 +8,16 @@
 
 namespace toile {
 
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+}  // namespace
+
 nlohmann::ordered_json import_pattern_json(const std::string& file, const std::string& format,
                                            const PieceDrawing& drawing,
                                            const ImportedPattern& pattern,
                                            const std::vector<Remark>& remarks) {
-  using Json = nlohmann::ordered_json;
   Json report;
   report["drawing"] = file;
   report["format"] = format;

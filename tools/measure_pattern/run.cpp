@@ -16,6 +16,8 @@ namespace toile {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 namespace po = boost::program_options;
 
 /// Metres, where the sheet states none, as is the trade's custom.
@@ -40,7 +42,6 @@ std::string pom_csv(const std::vector<MeasuredPoint>& points) {
 nlohmann::ordered_json pom_json(const MeasurePatternSettings& settings,
                                 const std::vector<MeasuredPoint>& points,
                                 const std::vector<Remark>& remarks) {
-  using Json = nlohmann::ordered_json;
   Json report;
   report["pattern"] = settings.pattern.string();
   if (settings.spec) {

@@ -11,6 +11,12 @@
 
 namespace toile {
 
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+}  // namespace
+
 PanelMeasurements measure_panel(const PanelMesh& garment, const MeshedPanel& panel) {
   PanelMeasurements measured{0, std::numbers::pi, 1e300, 0};
   for (int t = panel.first_triangle; t < panel.first_triangle + panel.triangles; ++t) {
@@ -36,7 +42,6 @@ PanelMeasurements measure_panel(const PanelMesh& garment, const MeshedPanel& pan
 nlohmann::ordered_json mesh_pattern_json(const std::string& pattern, const PanelMesh& garment,
                                          const std::vector<PanelMeasurements>& measured,
                                          const std::vector<Remark>& remarks) {
-  using Json = nlohmann::ordered_json;
   constexpr double degrees = 180 / std::numbers::pi;
   Json report;
   report["pattern"] = pattern;

@@ -316,6 +316,22 @@ TEST_F(GarmentFile, ADressedGarmentSurvivesTheRoundTrip) {
   EXPECT_EQ(back.panel_of_triangle, dressed.panel_of_triangle);
 }
 
+TEST_F(GarmentFile, ADressedGarmentIsWrittenForOtherPrograms) {
+  DressedGarment dressed;
+  dressed.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+  dressed.triangles = {{0, 1, 2}, {2, 1, 3}};
+  dressed.flat = {{0, 0}, {1, 0}, {0, 1}, {5, 1}, {6, 0}, {6, 1}};
+  dressed.flat_triangles = {{0, 1, 2}, {3, 4, 5}};
+  dressed.panels = {"front", "left sleeve"};
+  dressed.panel_of_triangle = {0, 1};
+  dressed.fabrics = {"denim", ""};
+  write_dressed(obj_, dressed);
+  const std::string text = read_file(obj_);
+  EXPECT_HOLDS(text, "vn 0 0 1\nvn 0 0 1\nvn 0 0 1\nvn 0 0 1\n");
+  EXPECT_HOLDS(text, "o front\nusemtl denim\nf 1/1/1 2/2/2 3/3/3\n");
+  EXPECT_HOLDS(text, "o left sleeve\nusemtl cloth\nf 3/4/3 2/5/2 4/6/4\n");
+}
+
 TEST_F(GarmentFile, ADressedGarmentNeedsFlatCoordinatesAndPanels) {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n";
   const auto message = [&](const std::string& faces) {
