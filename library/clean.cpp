@@ -83,7 +83,8 @@ Body mannequin(const std::map<std::string, double>& measures, const std::string&
   return guarded([&] {
     MakeMannequinSettings settings;
     settings.mannequin.pose_name = "standing";
-    settings.mannequin.edge_length = parse_length("9mm", "edge_length");  // the program's, to the bit
+    settings.mannequin.edge_length =
+        parse_length("9mm", "edge_length");  // the program's, to the bit
     if (!figure.empty() && figure != "woman" && figure != "man" && figure != "child") {
       throw Error("figure", in_quotes(figure) + " is none of woman, man, child", "");
     }

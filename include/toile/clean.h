@@ -30,9 +30,10 @@ TOILE_API Body clean(const Mesh& mesh, const CleanChoices& choices = {});
 TOILE_API Body clean(const std::vector<std::filesystem::path>& files,
                      const CleanChoices& choices = {});
 
-/// The sample mannequin, or one that has the `measures`: height, bust, hip and more, in centimetres.
-/// `make-mannequin --help` lists their names. `figure`: woman, man or child; empty: told by the
-/// measures. Throws Error for measures that contradict, and for too few. Seconds with measures.
+/// The sample mannequin, or one that has the `measures`: height, bust, hip and more, in
+/// centimetres. `make-mannequin --help` lists their names. `figure`: woman, man or child; empty:
+/// told by the measures. Throws Error for measures that contradict, and for too few. Seconds with
+/// measures.
 TOILE_API Body mannequin(const std::map<std::string, double>& measures = {},
                          const std::string& figure = {});
 
