@@ -249,9 +249,10 @@ class Stubs(unittest.TestCase):
                 continue
             lines = [line for line in inspect.getdoc(value).splitlines()
                      if re.match(rf"(\d+\. )?{name}\(", line) and "*args" not in line]
+            self.assertEqual(len(lines), max(len(words), 4 if name == "write" else 0), name)
             for line in lines:
-                self.assertIn(re.findall(r"[(,] (\w+):|\((\w+):", line) and
-                              [a or b for a, b in re.findall(r", (\w+):|\((\w+):", line)], words, name)
+                given = [a or b for a, b in re.findall(r", (\w+):|\((\w+):", line)]
+                self.assertIn(given, words, name)
 
 
 if __name__ == "__main__":
