@@ -264,7 +264,7 @@ ObjData read_obj(const std::filesystem::path& path, double max) {
   return parse_obj(read_file(path), path.string(), max);
 }
 
-void write_obj(const OutputPath& path, const ObjData& data) {
+std::string format_obj(const ObjData& data) {
   std::string text;
   for (const std::string& comment : data.comments) text += "# " + one_line(comment) + "\n";
   for (const Vec3& point : data.points) {
@@ -310,7 +310,9 @@ void write_obj(const OutputPath& path, const ObjData& data) {
     append_index(text, to);
     text += '\n';
   }
-  write_file(path, text);
+  return text;
 }
+
+void write_obj(const OutputPath& path, const ObjData& data) { write_file(path, format_obj(data)); }
 
 }  // namespace toile

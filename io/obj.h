@@ -44,8 +44,10 @@ struct ObjData {
 ObjData read_obj(const std::filesystem::path& path, double max = max_coordinate);
 ObjData parse_obj(const std::string& text, const std::string& name, double max = max_coordinate);
 
-/// Writes an OBJ file, whole or not at all. Doubles have the fewest digits that read back to the
-/// same bits, normals six decimal places. Throws Error as OutputFile does.
+/// The text of an OBJ file. Doubles have the fewest digits that read back to the same bits, normals
+/// six decimal places.
+std::string format_obj(const ObjData& data);
+/// Writes it, whole or not at all. Throws Error as OutputFile does.
 void write_obj(const OutputPath& path, const ObjData& data);
 
 }  // namespace toile

@@ -77,7 +77,7 @@ bool has_segment(const Skeleton& skeleton, const Segment& wanted) {
 
 }  // namespace
 
-void write_skeleton(const OutputPath& path, const Skeleton& skeleton, const Landmarks& landmarks) {
+std::string format_skeleton(const Skeleton& skeleton, const Landmarks& landmarks) {
   Json json = {{"format", "toile-body"}, {"version", 1}, {"units", "m"}, {"up", "y"}};
   json["joints"] = Json::object();
   for (const auto& [name, point] : skeleton.joints) {
@@ -100,11 +100,19 @@ void write_skeleton(const OutputPath& path, const Skeleton& skeleton, const Land
         {"translation_m", {move.translation.x(), move.translation.y(), move.translation.z()}},
         {"metres_per_unit", move.metres_per_unit}};
   }
-  write_file(path, json.dump(1) + "\n");
+  return json.dump(1) + "\n";
+}
+
+void write_skeleton(const OutputPath& path, const Skeleton& skeleton, const Landmarks& landmarks) {
+  write_file(path, format_skeleton(skeleton, landmarks));
 }
 
 Skeleton read_skeleton(const fs::path& path) {
-  const JsonDocument document(read_file(path), path.string());
+  return parse_skeleton(read_file(path), path.string());
+}
+
+Skeleton parse_skeleton(const std::string& text, const std::string& file) {
+  const JsonDocument document(text, file);
   const JsonValue root = document.root();
   expect(root, "units", "m");
   expect(root, "up", "y");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "geometry/body/landmark.h"
 #include "geometry/body/skeleton.h"
@@ -17,6 +18,8 @@ namespace toile {
 /// `landmarks` is there unless they are empty, `cleaned` where `skeleton.cleaned` is.
 void write_skeleton(const OutputPath& path, const Skeleton& skeleton,
                     const Landmarks& landmarks = {});
+/// The text of such a file.
+std::string format_skeleton(const Skeleton& skeleton, const Landmarks& landmarks);
 
 /// Reads a file that write_skeleton() wrote and skips unknown keys. It throws Error, with the file
 /// and the key, for text that is not JSON, other units or another up axis. A joint that is not
@@ -24,6 +27,8 @@ void write_skeleton(const OutputPath& path, const Skeleton& skeleton,
 /// segment without its joints, and joints of one of body_segments() without that segment.
 /// So is a `cleaned` that is no rigid move.
 Skeleton read_skeleton(const std::filesystem::path& path);
+/// The same of a text; `file` stands for its name in messages.
+Skeleton parse_skeleton(const std::string& text, const std::string& file);
 
 /// Whether the file is meant as a skeleton file, sound or not: it has joints, or its `format` says
 /// so. False if there is no file. Throws Error for a file that is not JSON.

@@ -3,6 +3,7 @@
 #include <oneapi/tbb/global_control.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <csignal>
 #include <iostream>
@@ -20,9 +21,9 @@ void CommonSettings::say(const std::string& line) const {
   if (!quiet) std::cerr << line << '\n';
 }
 
-void CommonSettings::warn(const std::string& line) { std::cerr << "warning: " << line << '\n'; }
-
 namespace {
+
+std::atomic<bool> is_program = false;  // not the library, within another program
 
 /// Refuses files that would be lost or can't be written, before any work.
 void check_files(const CommandLineProgram& program, const CommonSettings& settings,
@@ -89,6 +90,10 @@ std::string too_many(int argc, char** argv, const po::options_description& optio
 
 }  // namespace
 
+void CommonSettings::warn(const std::string& line) {
+  if (is_program) std::cerr << "warning: " << line << '\n';
+}
+
 po::options_description common_options(const CommandLineProgram& program) {
   po::options_description common("Every program's options");
   common.add_options()("output,o", po::value<std::string>(),
@@ -105,6 +110,7 @@ po::options_description common_options(const CommandLineProgram& program) {
 }
 
 int run_program(int argc, char** argv, const CommandLineProgram& program) {
+  is_program = true;
   // A file that grows beyond the shell's limit is an error like a full disk, not a signal.
   std::signal(SIGXFSZ, SIG_IGN);
   remove_temporary_files_on_signals();

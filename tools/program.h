@@ -35,7 +35,8 @@ struct CommonSettings {
 
   /// A line for the user on stderr, unless -q. stdout is for data alone.
   void say(const std::string& line) const;
-  /// A warning on stderr, -q or not.
+  /// A warning on stderr, -q or not. A program that links the library has the warnings in reports
+  /// only: there it says nothing.
   static void warn(const std::string& line);
 };
 

@@ -69,14 +69,17 @@ std::string verdict_line(const std::string& verdict, const std::string& fit) {
                                                      : "verdict: " + verdict + "; fit: " + fit;
 }
 
-void write_report(OutputFiles& files, const CommonSettings& common,
-                  const nlohmann::ordered_json& report) {
-  if (!common.report) return;
+std::string report_text(const CommonSettings& common, const nlohmann::ordered_json& report) {
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - common.start;
   nlohmann::ordered_json whole = {
       {"program", common.program}, {"version", toile_version()}, {"seconds", seconds.count()}};
   whole.update(report);
-  write_file(files.at(*common.report), json_text(whole));
+  return json_text(whole);
+}
+
+void write_report(OutputFiles& files, const CommonSettings& common,
+                  const nlohmann::ordered_json& report) {
+  if (common.report) write_file(files.at(*common.report), report_text(common, report));
 }
 
 }  // namespace toile

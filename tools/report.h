@@ -37,8 +37,10 @@ nlohmann::ordered_json names_json(const std::vector<int>& panels,
 /// too small.
 std::string verdict_line(const std::string& verdict, const std::string& fit);
 
-/// Writes the file of --report, where it was given. It has `program`, Toile's `version`, the
-/// `seconds` since the program began, then the members of `report`, which may have its own seconds.
+/// The text of a report. It has `program`, Toile's `version`, the `seconds` since the program
+/// began, then the members of `report`, which may have its own seconds.
+std::string report_text(const CommonSettings& common, const nlohmann::ordered_json& report);
+/// Writes it to the file of --report, where that was given.
 void write_report(OutputFiles& files, const CommonSettings& common,
                   const nlohmann::ordered_json& report);
 

@@ -48,27 +48,30 @@ void remove_loose_points(TriangleMesh& body) {
 }  // namespace
 
 TriangleMesh read_closed_body(const std::filesystem::path& path) {
-  TriangleMesh body = fan_triangles(read_mesh(path));
+  return closed_body(fan_triangles(read_mesh(path)), path.string());
+}
+
+TriangleMesh closed_body(TriangleMesh body, const std::string& name) {
   const std::string defect = closed_surface_defect(body);
   if (!defect.empty()) {
-    throw Error(path.string(), "the body " + defect + ", so inside and outside can't be told",
+    throw Error(name, "the body " + defect + ", so inside and outside can't be told",
                 "run clean-body on it");
   }
   remove_loose_points(body);
   const Eigen::AlignedBox3d bounds = bounds_of(body);
   const double height = bounds.sizes().y();
   if (!(height > min_height && height < max_height)) {
-    throw Error(path.string(), "the body is " + number_text(height) + " m tall",
+    throw Error(name, "the body is " + number_text(height) + " m tall",
                 "let clean-body bring it to metres, with --unit if need be");
   }
   const double wide = std::max(bounds.sizes().x(), bounds.sizes().z());
   if (!(wide < max_height)) {
-    throw Error(path.string(), "the body is " + number_text(wide) + " m wide",
+    throw Error(name, "the body is " + number_text(wide) + " m wide",
                 "remove what does not belong to it, and let clean-body bring it to metres");
   }
   const double away = bounds.exteriorDistance(Vec3(0, 0, 0));
   if (!(away < max_away)) {
-    throw Error(path.string(),
+    throw Error(name,
                 "the body stands " + std::to_string(std::lround(away)) +
                     " m from the origin, which garments are placed around",
                 "let clean-body bring it there");
@@ -77,10 +80,13 @@ TriangleMesh read_closed_body(const std::filesystem::path& path) {
 }
 
 Skeleton read_skeleton_of(const SurfaceDistance& body, const std::filesystem::path& path) {
-  Skeleton skeleton = read_skeleton(path);
+  return skeleton_of(body, read_skeleton(path), path.string());
+}
+
+Skeleton skeleton_of(const SurfaceDistance& body, Skeleton skeleton, const std::string& name) {
   if (const auto outside = joint_outside(skeleton, body)) {
     constexpr double far = 10;
-    throw Error(path.string(),
+    throw Error(name,
                 "joint '" + outside->name + "' lies " +
                     (outside->by < far ? centimetres(outside->by, 1) : "far") +
                     " outside of the body",

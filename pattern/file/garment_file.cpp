@@ -41,7 +41,9 @@ bool has_panels_and_seams(const JsonValue& root) {
   return panels && panels->is_array() && seams && seams->is_array();
 }
 
-/// JSON of the garment, one panel or seam a line.
+}  // namespace
+
+// One panel or seam a line.
 std::string garment_json(const PanelMesh& garment) {
   std::string text =
       "{\"garment\": 1, \"unit\": \"m\", \"edge_length\": " + Json(garment.edge_length).dump() +
@@ -103,6 +105,8 @@ std::string garment_json(const PanelMesh& garment) {
   }
   return text + (garment.cut_outs.empty() ? "}\n" : "]}\n");
 }
+
+namespace {
 
 int count_of(const JsonValue& value) { return value.index(std::numeric_limits<int>::max() / 2); }
 
@@ -232,6 +236,9 @@ void read_mesh(const ObjData& data, const std::string& name, PanelMesh& garment)
     if (texture_of[i] < 0) fail(name, "vertex " + std::to_string(i + 1) + " is in no face");
     garment.flat.push_back(data.texture[texture_of[i]]);
   }
+}
+
+void check_turned(const PanelMesh& garment, const std::string& name) {
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
     const auto& [a, b, c] = garment.triangles[t];
     const Vec2 u = garment.flat[b] - garment.flat[a];
@@ -346,13 +353,18 @@ PanelMesh read_garment(const fs::path& obj, const fs::path& json,
                        std::vector<std::string>* warnings) {
   PanelMesh garment;
   read_mesh(read_obj(obj, max_metres), obj.string(), garment);
-  check_overlaps(garment, obj.string());
   const fs::path path = json.empty() ? garment_json_beside(obj) : json;
-  const std::string name = path.string();
   if (json.empty() && !fs::exists(path)) {
-    fail(name, "is missing: it holds the panels and seams of " + obj.string());
+    fail(path.string(), "is missing: it holds the panels and seams of " + obj.string());
   }
-  const JsonDocument document(read_file(path), name);
+  return parse_garment(std::move(garment), obj.string(), read_file(path), path.string(), warnings);
+}
+
+PanelMesh parse_garment(PanelMesh garment, const std::string& mesh_name, const std::string& json,
+                        const std::string& name, std::vector<std::string>* warnings) {
+  check_turned(garment, mesh_name);
+  check_overlaps(garment, mesh_name);
+  const JsonDocument document(json, name);
   const JsonValue root = document.root();
   if (const auto subdivisions = root.find("subdivisions")) {
     garment.subdivisions = subdivisions->index();
@@ -368,7 +380,7 @@ PanelMesh read_garment(const fs::path& obj, const fs::path& json,
     has_classes = has_classes && panel.find("class").has_value();
   }
   check_ranges(garment, name);
-  check_placed(garment, obj.string());
+  check_placed(garment, mesh_name);
   if (const auto edge_length = root.find("edge_length");
       edge_length && edge_length->number() != 0) {
     garment.edge_length = length_like(*edge_length, mean_edge(garment));
@@ -437,7 +449,7 @@ void refuse_doubled_faces(const DressedGarment& garment, const std::string& name
 
 }  // namespace
 
-void write_dressed(const OutputPath& obj, const DressedGarment& garment) {
+std::string format_dressed(const DressedGarment& garment) {
   ObjData data;
   data.comments = {"Toile dressed garment: v nodes (sewn points shared), vt flat coordinates (m)"};
   data.points = garment.points;
@@ -457,7 +469,11 @@ void write_dressed(const OutputPath& obj, const DressedGarment& garment) {
     }
     data.faces.push_back(std::move(face));
   }
-  write_obj(obj, data);
+  return format_obj(data);
+}
+
+void write_dressed(const OutputPath& obj, const DressedGarment& garment) {
+  write_file(obj, format_dressed(garment));
 }
 
 DressedGarment read_dressed(const fs::path& obj) {

@@ -22,6 +22,9 @@ namespace toile {
 /// Both files are new or neither. Throws Error as OutputFile does.
 void write_garment(const OutputPath& obj, const PanelMesh& garment);
 
+/// The text of garment.garment.json.
+std::string garment_json(const PanelMesh& garment);
+
 /// Where a garment's panels and seams are written: garment.garment.json beside garment.obj.
 std::filesystem::path garment_json_path(const std::filesystem::path& obj);
 
@@ -35,6 +38,13 @@ std::filesystem::path garment_json_beside(const std::filesystem::path& obj);
 PanelMesh read_garment(const std::filesystem::path& obj, const std::filesystem::path& json = {},
                        std::vector<std::string>* warnings = nullptr);
 
+/// The same of values. `garment` has its points, flat and placed, and its triangles, and gets all
+/// else from `json`, the text of garment.garment.json. `mesh_name` and `name` stand for the files.
+PanelMesh parse_garment(PanelMesh garment, const std::string& mesh_name, const std::string& json,
+                        const std::string& name, std::vector<std::string>* warnings = nullptr);
+
+/// The text of a dressed garment's file.
+std::string format_dressed(const DressedGarment& garment);
 /// Writes a dressed garment: `v` are the nodes, `vn` their normals, `vt` the flat coordinates, one
 /// object (`o`) a panel. Its fabric is its material, "cloth" where it is not known. Throws Error as
 /// OutputFile does.

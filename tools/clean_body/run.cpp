@@ -213,18 +213,25 @@ void read_body_options(const po::variables_map& given, CleanBodySettings& settin
   }
 }
 
-CleanBodyResult run_clean_body(const CleanBodySettings& settings, const CommonSettings& common) {
-  BodyInput input = read_body_input(settings);
+std::pair<std::optional<Skeleton>, std::string> joints_beside(const CleanBodySettings& settings) {
+  const std::filesystem::path beside = skeleton_beside(settings.inputs.front());
+  std::optional<Skeleton> joints;
+  if (std::filesystem::exists(beside)) joints = read_skeleton(beside);
+  return {joints, beside.string()};
+}
+
+CleanedInput clean_input(BodyInput& input, const std::optional<Skeleton>& joints,
+                         const std::string& joints_name, const CleanBodySettings& settings,
+                         const CommonSettings& common) {
+  CleanedInput cleaned;
+  std::optional<ScanReport>& scan = cleaned.scan;
   CleanOptions options;
+  options.skeleton = joints;
   options.metres_per_unit = settings.metres_per_unit;
   options.height = settings.height;
   options.up = settings.up;
   options.level = !settings.up;
   options.front = settings.front;
-  const std::filesystem::path beside = skeleton_beside(settings.inputs.front());
-  if (std::filesystem::exists(beside)) options.skeleton = read_skeleton(beside);
-
-  std::optional<ScanReport> scan;
   if (!input.scan.points.empty()) {
     if (input.left_out > 0) {
       common.say(std::to_string(input.left_out) + " of " +
@@ -248,35 +255,60 @@ CleanBodyResult run_clean_body(const CleanBodySettings& settings, const CommonSe
     throw Error("--edge-length", "is of scans, and " + input.name + " is a mesh",
                 "leave it out, or add --points");
   }
-  CleanBody body = clean_body(input.soup, input.name, options);
+  CleanBody& body = cleaned.body;
+  body = clean_body(input.soup, input.name, options);
   if (scan && body.skeleton && body.skeleton->cleaned) {
     body.skeleton->cleaned->metres_per_unit = scan->metres_per_unit;
     body.skeleton->cleaned->rotation = body.skeleton->cleaned->rotation * scan->level;
   }
   say_changes(body.report, scan ? &*scan : nullptr, common);
-  std::vector<std::string> warnings = warnings_about(body);
-  std::vector<PlacedHole> holes;
+  std::vector<std::string>& warnings = cleaned.warnings;
+  warnings = warnings_about(body);
   if (scan) {
     warn_of_scan(*scan, warnings);
-    holes = placed_holes(*scan, body);
-    say_holes(holes, common, warnings);
+    cleaned.holes = placed_holes(*scan, body);
+    say_holes(cleaned.holes, common, warnings);
   }
   common.say((is_usable(body.report.crossings) ? "a closed body of " : "a closed surface of ") +
              std::to_string(body.mesh.points.size()) + " points, " +
              number(100 * body.report.height, "%.2f") + " cm tall");
   if (!body.report.skeleton_refused.empty()) {
-    warnings.push_back(beside.string() + " is not this body's, " + body.report.skeleton_refused +
+    warnings.push_back(joints_name + " is not this body's, " + body.report.skeleton_refused +
                        "; its joints are searched for");
   } else if (options.skeleton) {
-    common.say("joints taken from " + beside.string());
+    cleaned.joints_given = true;
+    common.say("joints taken from " + joints_name);
   }
+  if (!body.skeleton) warnings.push_back(body.report.no_skeleton);
+  if (!body.report.missing.empty()) warnings.push_back(input.name + ": " + body.report.missing);
+  if (body.skeleton) cleaned.landmarks = given_landmarks(find_landmarks(body.mesh, input.name));
+  return cleaned;
+}
+
+nlohmann::ordered_json cleaned_json(const CleanedInput& cleaned, const BodyInput& input) {
+  nlohmann::ordered_json report =
+      clean_body_json(cleaned.body, cleaned.joints_given, cleaned.warnings);
+  report["read"]["file"] = valid_utf8(input.name);
+  if (const std::optional<ScanReport>& scan = cleaned.scan) {
+    report["read"]["points"] = input.left_out + static_cast<std::size_t>(scan->points_read);
+    report["read"]["polygons"] = 0;
+    report["unit"] = {{"metres", scan->metres_per_unit}, {"inferred", scan->unit_inferred}};
+    report["scan"] = scan_json(*scan, input.files, cleaned.holes);
+  }
+  return report;
+}
+
+CleanBodyResult run_clean_body(const CleanBodySettings& settings, const CommonSettings& common) {
+  BodyInput input = read_body_input(settings);
+  const auto [given, beside] = joints_beside(settings);
+  CleanedInput cleaned = clean_input(input, given, beside, settings, common);
+  const CleanBody& body = cleaned.body;
+  std::vector<std::string>& warnings = cleaned.warnings;
   const std::filesystem::path joints = skeleton_path(common.output);
   std::vector<std::filesystem::path> stale;
   for (const auto& path : {joints, earlier_sidecar_path(common.output)}) {
     if (!body.skeleton && is_stale_skeleton(path)) stale.push_back(path);
   }
-  if (!body.skeleton) warnings.push_back(body.report.no_skeleton);
-  if (!body.report.missing.empty()) warnings.push_back(input.name + ": " + body.report.missing);
   for (const auto& path : stale) {
     warnings.push_back(path.string() + " was another body's skeleton and is removed");
   }
@@ -284,21 +316,9 @@ CleanBodyResult run_clean_body(const CleanBodySettings& settings, const CommonSe
   OutputFiles files;
   write_mesh(files.at(common.output), body.mesh);
   if (body.skeleton) {
-    write_skeleton(files.at(joints), *body.skeleton,
-                   given_landmarks(find_landmarks(body.mesh, input.name)));
+    write_skeleton(files.at(joints), *body.skeleton, cleaned.landmarks);
   }
-  if (common.report) {
-    const bool given = options.skeleton && body.report.skeleton_refused.empty();
-    nlohmann::ordered_json report = clean_body_json(body, given, warnings);
-    report["read"]["file"] = valid_utf8(input.name);
-    if (scan) {
-      report["read"]["points"] = input.left_out + static_cast<std::size_t>(scan->points_read);
-      report["read"]["polygons"] = 0;
-      report["unit"] = {{"metres", scan->metres_per_unit}, {"inferred", scan->unit_inferred}};
-      report["scan"] = scan_json(*scan, input.files, holes);
-    }
-    write_report(files, common, report);
-  }
+  write_report(files, common, cleaned_json(cleaned, input));
   files.commit();
   for (const auto& path : stale) std::filesystem::remove(path);
   return {warnings, is_usable(body.report.crossings)};

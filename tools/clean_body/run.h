@@ -3,11 +3,16 @@
 
 #include <boost/program_options.hpp>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/axis_direction.h"
+#include "geometry/body/clean_body.h"
+#include "geometry/body/landmark.h"
+#include "geometry/scan/reconstruct_scan.h"
 #include "tools/program.h"
 
 namespace toile {
@@ -34,6 +39,38 @@ struct CleanBodyResult {
   std::vector<std::string> warnings;  ///< as they were said
   bool is_usable = true;              ///< its surface hardly crosses itself
 };
+
+struct BodyInput;  // scan.h
+
+/// A hole of a scan in the cleaned body's frame.
+struct PlacedHole {
+  std::string place;  ///< "crotch", "left armpit", "left arm", ...; empty: there are no joints
+  Vec3 centre;        ///< metres
+  double area = 0;    ///< square metres
+};
+
+/// A cleaned body, and what there is to say of it.
+struct CleanedInput {
+  CleanBody body;
+  Landmarks landmarks;             ///< empty where there are no joints
+  std::optional<ScanReport> scan;  ///< none: it was a mesh
+  std::vector<PlacedHole> holes;   ///< of the scan
+  bool joints_given = false;
+  std::vector<std::string> warnings;
+};
+
+/// The joints that came with a body, and their file's name; none: they are not beside the first
+/// input. Throws Error as read_skeleton() does.
+std::pair<std::optional<Skeleton>, std::string> joints_beside(const CleanBodySettings& settings);
+
+/// Cleans what was read. `joints` are those that came with it, from a file called `joints_name`.
+/// Says what it does. Takes the points out of `input`. Throws Error for what can't be closed.
+CleanedInput clean_input(BodyInput& input, const std::optional<Skeleton>& joints,
+                         const std::string& joints_name, const CleanBodySettings& settings,
+                         const CommonSettings& common);
+
+/// The report of it.
+nlohmann::ordered_json cleaned_json(const CleanedInput& cleaned, const BodyInput& input);
 
 /// Cleans the body, writes it and its skeleton beside it. Throws Error for what can't be read,
 /// closed or written.

@@ -27,12 +27,7 @@ struct BodyInput {
 /// Poses are applied. Throws Error for what can't be read.
 BodyInput read_body_input(const CleanBodySettings& settings);
 
-/// A hole of a scan in the cleaned body's frame.
-struct PlacedHole {
-  std::string place;  ///< "crotch", "left armpit", "left arm", ...; empty: there are no joints
-  Vec3 centre;        ///< metres
-  double area = 0;    ///< square metres
-};
+/// Where the scan's holes are in the cleaned body.
 std::vector<PlacedHole> placed_holes(const ScanReport& scan, const CleanBody& body);
 
 /// Adds what the user should know about how the body stood in the scan.

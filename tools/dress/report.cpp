@@ -378,11 +378,29 @@ Json quality_json(const Quality& quality) {
 
 }  // namespace
 
+nlohmann::ordered_json judged_json(const WornLayer& layer) {
+  const Judgement& judgement = layer.judgement;
+  const GarmentMeasurements& measured = judgement.garment;
+  Json report;
+  report["seams"] = {{"sewn", measured.seams.sewn},
+                     {"open", measured.seams.open},
+                     {"max_gap_mm", 1000 * measured.seams.max_gap}};
+  if (!measured.elastics.empty()) report["elastics"] = elastics_json(measured.elastics);
+  report["wraps"] = wraps_json(judgement);
+  report["borders"] = measured.borders;
+  report["openings"] = openings_json(judgement.worn.openings);
+  if (!judgement.levels.empty()) report["levels"] = levels_json(judgement);
+  report["intersections"] = {{"body", judgement.body_intersections},
+                             {"self", judgement.self_intersections},
+                             {"layers", judgement.layer_intersections},
+                             {"check", "exact"}};
+  report.update(verdict_json(layer));
+  return report;
+}
+
 nlohmann::ordered_json layer_json(const WornLayer& layer, const DressMethod& method,
                                   const LayerNotes& notes) {
   const DressResult& result = layer.result;
-  const Judgement& judgement = layer.judgement;
-  const GarmentMeasurements& measured = judgement.garment;
   Json report;
   report["inputs"] = {{"body", notes.body}, {"garment", notes.garment}};
   if (!notes.standing.empty()) report["inputs"]["from"] = notes.standing;
@@ -398,23 +416,9 @@ nlohmann::ordered_json layer_json(const WornLayer& layer, const DressMethod& met
   report["converged"] = result.converged;
   report["residual"] = residual_json(result.residual);
   if (result.release) report["release"] = release_json(*result.release);
-  report.update(shape_json(measured, result.during));
-  report["seams"] = {{"sewn", measured.seams.sewn},
-                     {"open", measured.seams.open},
-                     {"max_gap_mm", 1000 * measured.seams.max_gap}};
-  if (!measured.elastics.empty()) report["elastics"] = elastics_json(measured.elastics);
+  report.update(shape_json(layer.judgement.garment, result.during));
   if (!result.attachments.empty()) report["attachments"] = attachments_json(result.attachments);
-  report["wraps"] = wraps_json(judgement);
-  report["borders"] = measured.borders;
-  report["openings"] = openings_json(judgement.worn.openings);
-  if (!judgement.levels.empty()) {
-    report["levels"] = levels_json(judgement);
-  }
-  report["intersections"] = {{"body", judgement.body_intersections},
-                             {"self", judgement.self_intersections},
-                             {"layers", judgement.layer_intersections},
-                             {"check", "exact"}};
-  report.update(verdict_json(layer));
+  report.update(judged_json(layer));
   report["warnings"] = warnings_json(notes.warnings);
   report["other_seconds"] = Json::object();
   for (const auto& [what, seconds] : notes.other_seconds) report["other_seconds"][what] = seconds;

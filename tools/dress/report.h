@@ -28,6 +28,9 @@ struct LayerNotes {
 nlohmann::ordered_json layer_json(const WornLayer& layer, const DressMethod& method,
                                   const LayerNotes& notes);
 
+/// What the judge says of it, a part of that: seams, wraps, openings, intersections, the verdict.
+nlohmann::ordered_json judged_json(const WornLayer& layer);
+
 /// Of layers that were relaxed as one: `worn.coupled` is there.
 nlohmann::ordered_json coupled_json(const WornOutfit& worn, const std::vector<std::string>& names);
 

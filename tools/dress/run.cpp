@@ -35,10 +35,18 @@ double seconds_since(Clock::time_point start) {
 
 class DressRun {
  public:
-  DressRun(const DressSettings& settings, const CommonSettings& common)
-      : settings_(settings), common_(common), log_(common) {}
+  /// `values`: in place of the files that would be read and written; null: there are files.
+  DressRun(const DressSettings& settings, const CommonSettings& common, DressValues* values)
+      : settings_(settings), common_(common), values_(values), log_(common) {}
 
-  DressEnd run();
+  /// Dresses and judges all layers.
+  WornOutfit dress();
+  /// The report of them.
+  Json report(const WornOutfit& worn) const;
+  /// Writes the files.
+  DressEnd write(const WornOutfit& worn);
+  /// Without files, the drape of the one layer.
+  DressedGarment take_drape() { return std::move(drape_); }
 
  private:
   Outfit read_outfit();
@@ -55,6 +63,8 @@ class DressRun {
 
   const DressSettings& settings_;
   const CommonSettings& common_;
+  DressValues* values_;
+  DressedGarment drape_;
   const Clock::time_point start_ = Clock::now();
   DressLog log_;
   OutputFiles files_;  // but for the states on the way and the cache
@@ -82,7 +92,9 @@ Outfit DressRun::read_outfit() {
   std::vector<PanelMesh> garments;
   for (const LayerFiles& layer : settings_.layers) {
     std::vector<std::string> warnings;
-    garments.push_back(read_garment(layer.garment, layer.garment_json, &warnings));
+    garments.push_back(values_ != nullptr
+                           ? std::move(values_->garment)
+                           : read_garment(layer.garment, layer.garment_json, &warnings));
     for (const std::string& warning : warnings) log_.warn({"empty_attachment", "", warning});
     if (settings_.method.name != "paper") continue;
     if (!garments.back().elastics.empty()) {
@@ -100,6 +112,7 @@ Outfit DressRun::read_outfit() {
     outfit.layers.push_back(
         {layer.name, std::move(garments[i]), layer.fabric, layer.panels_over, layer.places});
     if (layer.earlier) outfit.layers.back().earlier = read_dressed(*layer.earlier);
+    if (values_ != nullptr) outfit.layers.back().earlier = std::move(values_->earlier);
   }
   outfit.gravity = settings_.gravity;
   outfit.has_floor = settings_.has_floor && settings_.method.name != "paper";
@@ -111,13 +124,17 @@ Outfit DressRun::read_outfit() {
 }
 
 void DressRun::read_body() {
-  const TriangleMesh body = read_closed_body(settings_.body);
+  const TriangleMesh body = values_ != nullptr
+                                ? closed_body(std::move(values_->body), settings_.body.string())
+                                : read_closed_body(settings_.body);
   read_seconds_ = seconds_since(start_);
   const auto grid_start = Clock::now();
   if (settings_.cache) distances_.emplace(*settings_.cache, log_);
   collider_.emplace(body, distances_ ? distances_->of_body(body) : DistanceCache());
   grid_seconds_ = seconds_since(grid_start);
-  if (fs::exists(settings_.skeleton) || settings_.needs_skeleton) {
+  if (values_ != nullptr && values_->skeleton) {
+    skeleton_ = skeleton_of(collider_->skin(), *values_->skeleton, settings_.skeleton.string());
+  } else if (values_ == nullptr && (fs::exists(settings_.skeleton) || settings_.needs_skeleton)) {
     skeleton_ = read_skeleton_of(collider_->skin(), settings_.skeleton);
   } else {
     log_.warn({"no_joints", "",
@@ -193,6 +210,7 @@ OutfitHooks DressRun::hooks() {
   hooks.dressed = [this](std::size_t layer, const WornLayer& worn) { say_dressed(layer, worn); };
   hooks.write = [this](std::size_t layer, const DressedGarment& garment) {
     const fs::path& output = settings_.layers[layer].output;
+    if (values_ != nullptr) return drape_ = garment;  // files keep all bits
     write_dressed(files_.at(output), garment);
     return read_dressed(files_.written(output));
   };
@@ -207,7 +225,9 @@ Json DressRun::layer_report(const WornOutfit& worn, std::size_t layer) const {
   if (settings_.standing) notes.standing = settings_.standing->string();
   notes.garment = settings_.layers[layer].garment.string();
   if (settings_.layers[layer].earlier) notes.earlier = settings_.layers[layer].earlier->string();
-  notes.dressed_sha256 = sha256_of_file(files_.written(settings_.layers[layer].output));
+  notes.dressed_sha256 = values_ != nullptr
+                             ? sha256(format_dressed(drape_))
+                             : sha256_of_file(files_.written(settings_.layers[layer].output));
   notes.warnings = layer_warnings_[layer];
   if (!settings_.scene) {
     notes.warnings.insert(notes.warnings.begin(), warnings_.begin(), warnings_.end());
@@ -258,7 +278,7 @@ bool is_certified(const WornOutfit& worn) {
          std::ranges::all_of(worn.layers, is_clean, &WornLayer::certificate);
 }
 
-DressEnd DressRun::run() {
+WornOutfit DressRun::dress() {
   Outfit outfit = read_outfit();
   read_body();
   if (settings_.standing) read_standing();
@@ -267,14 +287,21 @@ DressEnd DressRun::run() {
   if (distances_) outfit.raised_distances = standing_ ? &*standing_distances_ : &*distances_;
   warnings_ = settings_.earlier_warnings;
   std::ranges::move(log_.take_warnings(), std::back_inserter(warnings_));
-  const WornOutfit worn =
-      dress_outfit(outfit, *collider_, skeleton_ ? &*skeleton_ : nullptr, hooks());
+  WornOutfit worn = dress_outfit(outfit, *collider_, skeleton_ ? &*skeleton_ : nullptr, hooks());
   if (worn.coupled) {
     if (worn.coupled_certificate) say_certificate(*worn.coupled_certificate, log_);
     say_pressing(*worn.coupled, names(), log_);
   }
   std::ranges::move(log_.take_warnings(), std::back_inserter(warnings_));
-  write_report(files_, common_, settings_.scene ? scene_report(worn) : layer_report(worn, 0));
+  return worn;
+}
+
+Json DressRun::report(const WornOutfit& worn) const {
+  return settings_.scene ? scene_report(worn) : layer_report(worn, 0);
+}
+
+DressEnd DressRun::write(const WornOutfit& worn) {
+  write_report(files_, common_, report(worn));
   files_.commit();
   if (settings_.scene) log_.say("outfit: " + to_string(worn.verdict()));
   return {worn.verdict(), is_certified(worn)};
@@ -283,7 +310,19 @@ DressEnd DressRun::run() {
 }  // namespace
 
 DressEnd run_dress(const DressSettings& settings, const CommonSettings& common) {
-  return DressRun(settings, common).run();
+  DressRun run(settings, common, nullptr);
+  return run.write(run.dress());
+}
+
+DressedValues dress_values(DressValues values, const DressSettings& settings,
+                           const CommonSettings& common) {
+  DressRun run(settings, common, &values);
+  WornOutfit worn = run.dress();
+  nlohmann::ordered_json report = run.report(worn);
+  return {run.take_drape(),
+          std::move(worn.layers.front().garment.placed),
+          std::move(report),
+          {worn.verdict(), is_certified(worn)}};
 }
 
 ExitCode exit_code_of(const DressEnd& end) {

@@ -195,10 +195,10 @@ void warn_of_loose(const Pattern& pattern, const std::vector<FoundSeam>& sewn,
 
 }  // namespace
 
-FindSeamsEnd run_find_seams(const FindSeamsSettings& settings, const CommonSettings& common) {
-  std::string drawn_text = read_file(settings.pattern);
-  const std::string name = settings.pattern.string();
-  std::vector<Remark> remarks;
+SewnPattern sew_pattern(std::string drawn_text, const std::string& name,
+                        const FindSeamsSettings& settings, const CommonSettings& common) {
+  SewnPattern sewn;
+  std::vector<Remark>& remarks = sewn.remarks;
   Pattern drawn = parse_drawn_pattern(drawn_text, name, remarks);
   FindSeamsOptions options;
   options.drawn_walk = has_drawn_walk(drawn_text, name);
@@ -229,7 +229,8 @@ FindSeamsEnd run_find_seams(const FindSeamsSettings& settings, const CommonSetti
       std::fprintf(stderr, "\r%zu seams, %zu edges cut, searching on ...", seams, cuts);
     };
   }
-  const SplitSeams split = find_with(settings.sewn, drawn_text, name, drawn, options);
+  sewn.found = find_with(settings.sewn, drawn_text, name, drawn, options);
+  const SplitSeams& split = sewn.found;
   const Pattern& pattern = split.pattern;
   const FoundSeams& found = split.found;
   if (shows_progress) std::fprintf(stderr, "\r%*s\r", progress_width, "");
@@ -244,18 +245,27 @@ FindSeamsEnd run_find_seams(const FindSeamsSettings& settings, const CommonSetti
                       "of them, or sew some by --sew and keep what is right"});
   }
   std::vector<FoundSeam> decided;
-  FindSeamsEnd end;
   for (const FoundSeam& seam : found.seams) {
     if (seam.confidence >= settings.min_confidence) {
       decided.push_back(seam);
     } else {
-      end.undecided.push_back(
+      sewn.end.undecided.push_back(
           {side_name(pattern, seam.a) + " " + side_name(pattern, seam.b), seam.confidence});
     }
   }
   warn_of_loose(pattern, decided, remarks);
-  const std::string sewn_text = with_stitches(split.text, pattern, decided, options.drawn_walk);
-  warn_of_outlines(parse_pattern(sewn_text, name, told_below), remarks);
+  sewn.text = with_stitches(split.text, pattern, decided, options.drawn_walk);
+  warn_of_outlines(parse_pattern(sewn.text, name, told_below), remarks);
+  sewn.end.left_out = out;
+  return sewn;
+}
+
+FindSeamsEnd run_find_seams(const FindSeamsSettings& settings, const CommonSettings& common) {
+  const std::string name = settings.pattern.string();
+  const auto [text, split, remarks, end] =
+      sew_pattern(read_file(settings.pattern), name, settings, common);
+  const Pattern& pattern = split.pattern;
+  const FoundSeams& found = split.found;
   say_remarks(remarks, common);
   for (const FoundSeam& seam : found.seams) {
     const bool sure = seam.confidence >= settings.min_confidence;
@@ -272,10 +282,10 @@ FindSeamsEnd run_find_seams(const FindSeamsSettings& settings, const CommonSetti
     common.say("  split      " + side_name(pattern, cut.edge) + ", its rest is " +
                side_name(pattern, {cut.edge.panel, cut.rest}));
   }
-  common.say(std::to_string(decided.size()) + " seams sewn, " +
+  common.say(std::to_string(found.seams.size() - end.undecided.size()) + " seams sewn, " +
              std::to_string(end.undecided.size()) + " undecided");
   std::string beside;
-  for (const LeftOut& panel : out) {
+  for (const LeftOut& panel : end.left_out) {
     beside += (beside.empty() ? " " : ", ") + panel.name + " (" + panel.kind + ")";
   }
   if (!beside.empty()) common.say("left out:" + beside + "; --with takes a panel in");
@@ -284,10 +294,10 @@ FindSeamsEnd run_find_seams(const FindSeamsSettings& settings, const CommonSetti
     open.append(" ").append(side_name(pattern, edge));
   if (!open.empty()) common.say("left open:" + open);
   OutputFiles files;
-  write_file(files.at(common.output), sewn_text);
-  write_report(files, common, find_seams_json(name, split, out, settings.min_confidence, remarks));
+  write_file(files.at(common.output), text);
+  write_report(files, common,
+               find_seams_json(name, split, end.left_out, settings.min_confidence, remarks));
   files.commit();
-  end.left_out = out;
   return end;
 }
 

@@ -40,6 +40,19 @@ struct FindSeamsEnd {
   std::vector<LeftOut> left_out;
 };
 
+/// A pattern with its seams, undecided or not.
+struct SewnPattern {
+  std::string text;  ///< of its file
+  SplitSeams found;
+  std::vector<Remark> remarks;
+  FindSeamsEnd end;
+};
+
+/// Finds the seams of the pattern of a file's `text`; `name` stands for the file in messages. Says
+/// how far it is. Throws Error for bad input.
+SewnPattern sew_pattern(std::string text, const std::string& name,
+                        const FindSeamsSettings& settings, const CommonSettings& common);
+
 /// Writes the pattern with its seams, undecided or not. Throws Error for bad input.
 FindSeamsEnd run_find_seams(const FindSeamsSettings& settings, const CommonSettings& common);
 

@@ -101,14 +101,15 @@ std::string differing_panels(const ImportedPattern& base, const ImportedPattern&
 
 }  // namespace
 
-ImportEnd run_import_pattern(const ImportPatternSettings& settings, const CommonSettings& common) {
-  const std::string name = settings.drawing.string();
-  const std::string text = read_file(settings.drawing);
+ImportedFile import_drawing(const std::string& text, const std::string& name,
+                            const std::string& output, const ImportPatternSettings& settings) {
   const DrawingFormat format = drawing_format(text, name);
-  std::vector<Remark> remarks;
-  ImportEnd end;
-  std::string content = text;
-  std::size_t panels = 0;
+  const char* formats[] = {"dxf", "svg", "json"};
+  ImportedFile imported;
+  imported.format = formats[static_cast<int>(format)];
+  std::string& content = imported.text;
+  std::vector<Remark>& remarks = imported.remarks;
+  ImportEnd& end = imported.end;
   if (format == DrawingFormat::json) {
     if (!settings.of_drawings.empty()) {
       throw Error(name, "is a pattern; " + settings.of_drawings.front() + " is for a drawing",
@@ -116,26 +117,30 @@ ImportEnd run_import_pattern(const ImportPatternSettings& settings, const Common
     }
     content = repaired_pattern(text, name, remarks);
     const Pattern pattern = parse_pattern(content, name, remarks);
-    panels = pattern.panels.size();
+    imported.panels = pattern.panels.size();
     warn_of_outlines(pattern, remarks);
     remarks.push_back({false, name + ": is a pattern already; it is written " +
                                   (content == text ? "as it is" : "with these repairs")});
   } else {
     end.drawing = read_drawing(format, text, name, settings.drawn);
     end.pattern = import_pieces(end.drawing, settings.pieces, remarks);
-    content = content_of(end.pattern, common.output.string(), remarks);
-    panels = end.pattern.panels.size();
-    note_grading_rules(settings.drawing, remarks);
+    content = content_of(end.pattern, output, remarks);
+    imported.panels = end.pattern.panels.size();
   }
+  return imported;
+}
+
+ImportEnd run_import_pattern(const ImportPatternSettings& settings, const CommonSettings& common) {
+  const std::string name = settings.drawing.string();
+  auto [content, format, panels, remarks, end] =
+      import_drawing(read_file(settings.drawing), name, common.output.string(), settings);
+  if (format != "json") note_grading_rules(settings.drawing, remarks);
   say_remarks(remarks, common);
   say_panels(end.pattern, common);
   common.say(std::to_string(panels) + " panels");
   OutputFiles files;
   write_file(files.at(common.output), content);
-  const char* formats[] = {"dxf", "svg", "json"};
-  write_report(files, common,
-               import_pattern_json(name, formats[static_cast<int>(format)], end.drawing,
-                                   end.pattern, remarks));
+  write_report(files, common, import_pattern_json(name, format, end.drawing, end.pattern, remarks));
   files.commit();
   return end;
 }

@@ -31,6 +31,20 @@ struct ImportEnd {
   ImportedPattern pattern;  ///< without panels: the same
 };
 
+/// A pattern, and where it came from.
+struct ImportedFile {
+  std::string text;    ///< of its file
+  std::string format;  ///< of the drawing: "dxf", "svg" or "json"
+  std::size_t panels = 0;
+  std::vector<Remark> remarks;
+  ImportEnd end;
+};
+
+/// Makes a pattern of a drawing's `text`; `name` stands for its file in messages, and `output` for
+/// the pattern's. As run_import_pattern() otherwise.
+ImportedFile import_drawing(const std::string& text, const std::string& name,
+                            const std::string& output, const ImportPatternSettings& settings);
+
 /// Reads the drawing and writes the pattern. A GarmentCode JSON is checked and written as
 /// it is, or repaired, see repaired_pattern().
 /// Pieces that can't be panels are left out. Throws Error for what can't be read or made a

@@ -58,7 +58,7 @@ void add_measures(const std::vector<std::string>& texts, MeasureSettings& settin
   }
 }
 
-ExitCode run_make_mannequin(const MakeMannequinSettings& settings, const CommonSettings& common) {
+MadeMannequin made_mannequin(const MakeMannequinSettings& settings, const CommonSettings& common) {
   MannequinOptions options = settings.mannequin;
   options.pose = pose_of(options.pose_name, PosedFigure::mannequin);
   if (settings.arms) {
@@ -67,23 +67,30 @@ ExitCode run_make_mannequin(const MakeMannequinSettings& settings, const CommonS
     check_pose(options.pose, "--arms");
   }
   Json by_measures = Json::object();
-  const Mannequin mannequin =
-      settings.measures ? mannequin_by_measures(*settings.measures, options, common, by_measures)
-                        : sample_mannequin(options, common);
-  OutputFiles files;
-  write_mesh(files.at(common.output), mannequin.surface);
+  MadeMannequin made;
+  made.mannequin = settings.measures
+                       ? mannequin_by_measures(*settings.measures, options, common, by_measures)
+                       : sample_mannequin(options, common);
   // Landmarks are those of a standing body.
   const bool stands = !is_pose_file(options.pose_name) && options.pose_name == "standing";
-  write_skeleton(
-      files.at(skeleton_path(common.output)), mannequin.skeleton,
-      stands ? given_landmarks(find_landmarks(mannequin.surface, "mannequin")) : Landmarks{});
-  Json report = report_json(mannequin);
-  report.update(by_measures);
+  if (stands) {
+    made.landmarks = given_landmarks(find_landmarks(made.mannequin.surface, "mannequin"));
+  }
+  made.report = report_json(made.mannequin);
+  made.report.update(by_measures);
+  return made;
+}
+
+ExitCode run_make_mannequin(const MakeMannequinSettings& settings, const CommonSettings& common) {
+  const auto [mannequin, landmarks, report] = made_mannequin(settings, common);
+  OutputFiles files;
+  write_mesh(files.at(common.output), mannequin.surface);
+  write_skeleton(files.at(skeleton_path(common.output)), mannequin.skeleton, landmarks);
   write_report(files, common, report);
   files.commit();
   // A measure that is missed is a warning.
-  return by_measures.contains("warnings") && !by_measures["warnings"].empty() ? exit_negative
-                                                                              : exit_done;
+  const auto warnings = report.find("warnings");
+  return warnings != report.end() && !warnings->empty() ? exit_negative : exit_done;
 }
 
 }  // namespace toile

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/predicate.hpp>
-#include <boost/algorithm/string/replace.hpp>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -78,6 +77,11 @@ std::vector<MeasureDifference> differences_to(const std::filesystem::path& file,
   return differences;
 }
 
+bool has_nothing(const BodyMeasures& all) {
+  return std::none_of(all.measures.begin(), all.measures.end(),
+                      [](const Measure& measure) { return measure.value; });
+}
+
 void say_summary(const BodyMeasures& all, const CommonSettings& common) {
   const auto is_taken = [](const Measure& measure) { return measure.value.has_value(); };
   const auto taken =
@@ -99,28 +103,38 @@ void say_summary(const BodyMeasures& all, const CommonSettings& common) {
 
 }  // namespace
 
-int run_measure_body(const MeasureBodySettings& settings, const CommonSettings& common) {
-  const TriangleMesh body = read_closed_body(settings.body);
-  // Its file alone: what is written does not depend on where the body lies.
-  const BodyShape shape = find_landmarks(body, settings.body.filename().string());
+BodyMeasures take_measures(const TriangleMesh& body, const std::string& name,
+                           const MeasureBodySettings& settings) {
+  const BodyShape shape = find_landmarks(body, name);
   BodyMeasures all;
-  all.body_name = settings.body.filename().string();
+  all.body_name = name;
   all.unit = settings.unit;
   all.measures = measure_body(shape);
   all.landmarks = given_landmarks(shape);
   all.no_joints = shape.frame.no_skeleton;
   take_all_freehand(shape, settings, all);
-  std::vector<MeasureDifference> differences;
-  if (settings.against) differences = differences_to(*settings.against, all, common);
   if (!all.no_joints.empty()) all.remarks.push_back({true, all.no_joints});
   for (const auto& [part, why] : shape.frame.missing) {
-    all.remarks.push_back({true, all.body_name + ": nothing is measured of the " +
-                                     boost::replace_all_copy(part, "_", " ") + ": " + why});
+    std::string words = part;
+    std::ranges::replace(words, '_', ' ');
+    all.remarks.push_back({true, std::string(all.body_name)
+                                     .append(": nothing is measured of the ")
+                                     .append(words)
+                                     .append(": ")
+                                     .append(why)});
   }
-  const bool nothing = std::none_of(all.measures.begin(), all.measures.end(),
-                                    [](const Measure& measure) { return measure.value; });
-  if (nothing) all.remarks.push_back({true, all.body_name + ": nothing can be measured on it"});
+  if (has_nothing(all)) {
+    all.remarks.push_back({true, all.body_name + ": nothing can be measured on it"});
+  }
+  return all;
+}
 
+int run_measure_body(const MeasureBodySettings& settings, const CommonSettings& common) {
+  const TriangleMesh body = read_closed_body(settings.body);
+  // Its file alone: what is written does not depend on where the body lies.
+  BodyMeasures all = take_measures(body, settings.body.filename().string(), settings);
+  std::vector<MeasureDifference> differences;
+  if (settings.against) differences = differences_to(*settings.against, all, common);
   OutputFiles files;
   for (const auto& [program, path] : settings.others) {
     std::vector<std::string> missing;
@@ -139,7 +153,7 @@ int run_measure_body(const MeasureBodySettings& settings, const CommonSettings& 
   say_remarks(all.remarks, common);
   say_summary(all, common);
   common.say("wrote " + common.output.string());
-  return nothing ? exit_negative : exit_done;
+  return has_nothing(all) ? exit_negative : exit_done;
 }
 
 }  // namespace toile

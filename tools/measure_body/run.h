@@ -7,7 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/types.h"
 #include "io/measure_names.h"
+#include "tools/measure_body/files.h"
 #include "tools/program.h"
 
 namespace toile {
@@ -21,6 +23,11 @@ struct MeasureBodySettings {
   std::optional<std::filesystem::path> html, png;
   std::string unit = "cm";  ///< "cm" or "inch"
 };
+
+/// Takes the measures of a body that `name` stands for. `settings` say the unit, and what to
+/// measure besides. Throws Error for a freehand expression that says nothing.
+BodyMeasures take_measures(const TriangleMesh& body, const std::string& name,
+                           const MeasureBodySettings& settings);
 
 /// Measures the body and writes all files. Throws Error for what can't be read or written, and for
 /// a freehand expression that says nothing. exit_negative: there is not even a waist.

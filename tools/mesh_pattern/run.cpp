@@ -83,21 +83,31 @@ double read_edge_length(const po::variables_map& given) {
   return parse_length(given["edge-length"].as<std::string>(), "--edge-length");
 }
 
+MeshedPattern mesh_pattern(const std::string& text, const std::string& name,
+                           const MeshPatternSettings& settings) {
+  MeshedPattern meshed;
+  std::vector<Remark>& remarks = meshed.remarks;
+  const Pattern pattern = without_left_out(parse_pattern(text, name, remarks), remarks);
+  check_pattern(pattern, remarks);
+  PanelMesh& garment = meshed.garment;
+  garment = mesh_panels(pattern, settings.mesh, remarks);
+  for (const MeshedPanel& panel : garment.panels) {
+    meshed.measured.push_back(measure_panel(garment, panel));
+  }
+  if (settings.flat) lay_flat(garment);
+  return meshed;
+}
+
 std::vector<std::string> run_mesh_pattern(const MeshPatternSettings& settings,
                                           const CommonSettings& common) {
-  std::vector<Remark> remarks;
-  const Pattern pattern = without_left_out(read_pattern(settings.pattern, remarks), remarks);
-  check_pattern(pattern, remarks);
-  PanelMesh garment = mesh_panels(pattern, settings.mesh, remarks);
+  const std::string name = settings.pattern.string();
+  const auto [garment, measured, remarks] =
+      mesh_pattern(read_file(settings.pattern), name, settings);
   say_remarks(remarks, common);
-  std::vector<PanelMeasurements> measured;
-  for (const MeshedPanel& panel : garment.panels) measured.push_back(measure_panel(garment, panel));
   say_all(garment, measured, common);
-  if (settings.flat) lay_flat(garment);
   OutputFiles files;
   write_garment(files.at(common.output), garment);
-  write_report(files, common,
-               mesh_pattern_json(settings.pattern.string(), garment, measured, remarks));
+  write_report(files, common, mesh_pattern_json(name, garment, measured, remarks));
   files.commit();
   return warnings_in(remarks);
 }
