@@ -127,10 +127,10 @@ class Walk {
     }
     return std::clamp(best, from, to);
   }
-  /// Radians that the line turns at a length, between chords of `chord` metres.
-  double turn_at(double length, double chord) const {
-    const Vec2 in = at(length) - at(std::max(0.0, length - chord));
-    const Vec2 out = at(std::min(this->length(), length + chord)) - at(length);
+  /// Radians that the line turns at a length, between chords of `spread` metres.
+  double turn_at(double length, double spread) const {
+    const Vec2 in = at(length) - at(std::max(0.0, length - spread));
+    const Vec2 out = at(std::min(this->length(), length + spread)) - at(length);
     return std::abs(std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out)));
   }
   /// The line between two lengths.

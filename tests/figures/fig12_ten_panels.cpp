@@ -8,6 +8,7 @@
 #include "io/output_file.h"
 #include "tests/figures/dressing_pictures.h"
 #include "tests/figures/sheet.h"
+#include "tools/ease_map/page.h"
 #include "tools/ease_map/report.h"
 
 namespace toile::figures {

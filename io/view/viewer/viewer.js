@@ -120,7 +120,7 @@
     if (number >= 0) {
       const line = data.lines[number], ends = placesOf(line, worn);
       of.space.push({ ends, colour: colours.cloth, radius: 0.0025 });
-      if (flat) of.flat.push({ ends: placesOf(line, lying), colour: colours.cloth, radius: pieces.box.size[1] / 250, onTop: true });
+      if (pieces) of.flat.push({ ends: placesOf(line, lying), colour: colours.cloth, radius: pieces.box.size[1] / 250, onTop: true });
       if (line.normal && data.settings.length) {
         const here = boxOf(ends.flat());
         const near = cut(data.settings[0].points, data.settings[0].triangles, line.origin, line.normal)

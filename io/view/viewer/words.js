@@ -2,7 +2,7 @@
   // English to it; {0} stands for any text, which is looked up in turn.
   const languages = JSON.parse(document.getElementById('languages').textContent);
   const shown = { language: 'en', unit: 'cm' };
-  const originals = new Map();  // text node -> its English
+  const originals = new WeakMap();  // text node -> its English
   let templates = [];
 
   function templatesOf(table) {
