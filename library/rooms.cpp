@@ -3,8 +3,10 @@
 #include <cmath>
 
 #include "cloth/scene/closed_body.h"
+#include "io/json_value.h"
 #include "io/limits.h"
 #include "io/skeleton_file.h"
+#include "io/text.h"
 #include "pattern/file/garment_file.h"
 
 namespace toile {
@@ -37,6 +39,24 @@ void check_corners(const std::vector<Triangle>& triangles, std::size_t points,
                   "triangle " + std::to_string(t) + " has the point " + std::to_string(corner) +
                       " of " + std::to_string(points),
                   "indices count from 0");
+    }
+  }
+}
+
+/// Panels without a fabric of their own are of the garment's. The report names it.
+void name_fabrics(const std::string& report, DressedGarment& drape) {
+  if (report.empty()) return;
+  const JsonDocument document(report, "report");
+  const auto scene = document.root().find("scene");
+  const auto fabrics = scene ? scene->find("fabrics") : std::nullopt;
+  for (std::size_t i = 0; fabrics && i < fabrics->size(); ++i) {
+    const JsonValue panels = fabrics->item(i).get("panels");
+    const std::string name = fabrics->item(i).get("quantities").get("name").text();
+    for (std::size_t k = 0; k < panels.size(); ++k) {
+      for (std::size_t p = 0; p < drape.panels.size(); ++p) {
+        const bool is_it = valid_utf8(drape.panels[p]) == panels.item(k).text();
+        if (is_it && drape.fabrics[p].empty()) drape.fabrics[p] = name;
+      }
     }
   }
 }
@@ -100,7 +120,9 @@ DressedGarment drape_in(const library::Drape& drape) {
     throw Error("drape", "has other triangles than its garment",
                 "give the garment that was dressed");
   }
-  return as_dressed(garment, std::move(cloth.points), std::move(cloth.triangles));
+  DressedGarment dressed = as_dressed(garment, std::move(cloth.points), std::move(cloth.triangles));
+  name_fabrics(drape.report, dressed);
+  return dressed;
 }
 
 CommonSettings settings_of(const std::string& program) {

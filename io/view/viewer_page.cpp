@@ -158,7 +158,8 @@ std::string table_of(const PageTable& table) {
     const int region = of_row(table.regions);
     const int line = of_row(table.lines);
     const auto is = [&](const std::vector<bool>& all) { return i < all.size() && all[i]; };
-    html += is(table.quiet)     ? "<tr class=\"quiet\""
+    html += is(table.hurts)     ? "<tr class=\"hurts\""
+            : is(table.quiet)   ? "<tr class=\"quiet\""
             : is(table.between) ? "<tr class=\"between\""
                                 : "<tr";
     if (region >= 0) html += " data-region=\"" + std::to_string(region) + "\"";
@@ -175,9 +176,11 @@ std::string table_of(const PageTable& table) {
     html += "</tr>\n";
   }
   html += "</tbody></table>\n";
-  std::istringstream remarks(table.remark);
-  for (std::string line; std::getline(remarks, line);) {
-    html += element("<p class=\"remark\">", line, "</p>\n");
+  if (!table.remark.empty()) {
+    html += "<details class=\"remark\"><summary>How it is measured</summary>\n";
+    std::istringstream remarks(table.remark);
+    for (std::string line; std::getline(remarks, line);) html += element("<p>", line, "</p>\n");
+    html += "</details>\n";
   }
   return html + "</section>\n";
 }
@@ -194,12 +197,19 @@ std::string facts_of(const ViewerPage& page) {
 std::string verdict_of(const PageVerdict& verdict) {
   std::string html;
   if (!verdict.word.empty()) {
-    html += element(verdict.is_good ? "<p class=\"verdict good\">" : "<p class=\"verdict bad\">",
-                    verdict.word, "</p>\n");
+    const std::string_view tone = verdict.tone == PageVerdict::Tone::good   ? "good"
+                                  : verdict.tone == PageVerdict::Tone::fair ? "fair"
+                                                                            : "bad";
+    html += element("<p class=\"verdict " + std::string(tone) + "\">", verdict.word, "</p>\n");
   }
   if (verdict.reasons.empty()) return html;
   html += "<ol class=\"reasons\">\n";
-  for (const std::string& reason : verdict.reasons) html += element("<li>", reason, "</li>\n");
+  for (const PageReason& reason : verdict.reasons) {
+    const std::string line =
+        reason.line < 0 ? ">"
+                        : " data-line=\"" + std::to_string(reason.line) + "\" tabindex=\"0\">";
+    html += element("<li" + line, reason.text, "</li>\n");
+  }
   return html + "</ol>\n";
 }
 

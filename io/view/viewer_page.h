@@ -29,6 +29,7 @@ struct PageTable {
   std::string remark;           ///< under the table, lines of their own; empty: none
   std::vector<int> lines = {};  ///< empty, or one a row: index into ViewerPage::lines; -1: none
   std::vector<bool> between = {};  ///< empty, or one a row: the print leaves it out
+  std::vector<bool> hurts = {};    ///< empty, or one a row: it is marked
   std::vector<bool> quiet = {};    ///< empty, or one a row: it is grey
   int sheet = 0;                   ///< of the print, 1 or 2; 0: it is on the screen only
 };
@@ -66,11 +67,18 @@ struct PageLine {
   Vec3 normal = Vec3::Zero();
 };
 
+/// A line of what hurts.
+struct PageReason {
+  std::string text;
+  int line = -1;  ///< that it lights up: index into ViewerPage::lines; -1: none
+};
+
 /// What the page says first.
 struct PageVerdict {
+  enum class Tone { good, fair, bad };
   std::string word;  ///< such as "sewn"; empty: there is none
-  bool is_good = false;
-  std::vector<std::string> reasons;  ///< what hurts, the worst first
+  Tone tone = Tone::bad;
+  std::vector<PageReason> reasons;  ///< the worst first; the page opens with its line lit
 };
 
 /// The content of the page. Text may hold any bytes; it is escaped.

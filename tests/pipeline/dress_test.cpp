@@ -32,9 +32,13 @@ std::vector<std::pair<int, int>> corners(const fs::path& obj) {
   std::vector<std::pair<int, int>> all;
   for (const std::string& line : lines(obj, "f")) {
     std::istringstream words(line.substr(2));
-    int v = 0, vt = 0;
-    char slash = 0;
-    while (words >> v >> slash >> vt) all.emplace_back(v, vt);
+    for (std::string word; words >> word;) {  // v/vt or v/vt/vn
+      std::istringstream corner(word);
+      int v = 0, vt = 0;
+      char slash = 0;
+      corner >> v >> slash >> vt;
+      all.emplace_back(v, vt);
+    }
   }
   return all;
 }

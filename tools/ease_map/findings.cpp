@@ -21,11 +21,6 @@ constexpr std::size_t most_lines = 8;
 /// double half of the 13.
 constexpr double gape = 0.03;
 
-struct Finding {
-  double size = 0;  ///< metres
-  std::string text;
-};
-
 std::string with_error(double value, double error) {
   return fixed_number(100 * std::abs(value), 1) + " \xC2\xB1 " + centimetres(error, 1);
 }
@@ -42,7 +37,8 @@ void add_moved_edges(const EaseReport& report, const std::vector<FitLevel>& too_
     findings.push_back({std::abs(*level.risen()),
                         "the " + level.name + (is_up ? " rides up by " : " slid down by ") +
                             with_error(*level.risen(), level.height_error) +
-                            " from where it was drafted to lie"});
+                            " from where it was drafted to lie",
+                        level.name});
   }
 }
 
@@ -62,9 +58,11 @@ void add_gaping_edges(const EaseReport& report, std::vector<Finding>& findings) 
     const int node = farthest_node(report.map, level.nodes);
     const double gap = report.map.node_gaps[node];
     if (gap < gape) continue;
-    findings.push_back({gap, "the " + level.name + " gapes: it stands " + centimetres(gap, 1) +
-                                 " off the skin at a height of " +
-                                 centimetres(report.garment.points[node].y(), 0)});
+    findings.push_back({gap,
+                        "the " + level.name + " gapes: it stands " + centimetres(gap, 1) +
+                            " off the skin at a height of " +
+                            centimetres(report.garment.points[node].y(), 0),
+                        level.name});
   }
 }
 
@@ -148,19 +146,19 @@ std::optional<std::string> hard_place(const EaseReport& report) {
 
 }  // namespace
 
-std::vector<std::string> findings_of(const EaseReport& report) {
+std::vector<Finding> findings_of(const EaseReport& report) {
   std::vector<Finding> findings;
   const std::vector<FitLevel> too_small =
       fit_of(report.figures.girths.rows, report.figures.levels).levels;
   findings.reserve(too_small.size());
   for (const FitLevel& level : too_small) {
-    findings.push_back({level.missing(), text_of(level)});
+    findings.push_back({level.missing(), text_of(level), level.level});
   }
   add_moved_edges(report, too_small, findings);
   for (const TargetFinding& target : report.targets) {
     const auto is_told = [&](const FitLevel& level) { return level.level == target.level; };
     if (std::abs(target.off()) > target.error && std::ranges::none_of(too_small, is_told)) {
-      findings.push_back({std::abs(target.off()), text_of(target)});
+      findings.push_back({std::abs(target.off()), text_of(target), target.level});
     }
   }
   add_gaping_edges(report, findings);
@@ -172,10 +170,13 @@ std::vector<std::string> findings_of(const EaseReport& report) {
     findings.push_back({0, std::move(*hard)});
   }
   if (findings.size() > most_lines) findings.resize(most_lines);
-  std::vector<std::string> lines;
-  lines.reserve(findings.size());
-  for (Finding& finding : findings) lines.push_back(std::move(finding.text));
-  return lines;
+  return findings;
+}
+
+std::vector<std::string> finding_texts(const EaseReport& report) {
+  std::vector<std::string> texts;
+  for (Finding& finding : findings_of(report)) texts.push_back(std::move(finding.text));
+  return texts;
 }
 
 }  // namespace toile

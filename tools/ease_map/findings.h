@@ -13,12 +13,22 @@ namespace toile {
 /// and none harder than double.
 inline constexpr double hard_pressure = 2000;
 
+/// A line of what hurts.
+struct Finding {
+  double size = 0;      ///< metres
+  std::string text;     ///< without capital and full stop
+  std::string level{};  ///< the girth or edge that it is about; empty: none, or one of each side
+};
+
 /// At most eight lines, the most centimetres first. Each has its number and that number's error;
 /// what is within its error has no line.
 /// - Levels that are cut too small, and levels off their target.
 /// - Edges that left the place where they were drafted to lie.
 /// - Necklines, armholes and top edges that stand off the skin.
 /// - Left and right, where girths, edges or lengths differ.
-std::vector<std::string> findings_of(const EaseReport& report);
+std::vector<Finding> findings_of(const EaseReport& report);
+
+/// Their texts.
+std::vector<std::string> finding_texts(const EaseReport& report);
 
 }  // namespace toile

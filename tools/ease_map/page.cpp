@@ -48,16 +48,22 @@ std::string ease_page(const EaseReport& report, const std::string& picture) {
   ViewerPage page;
   page.title = title_of(report);
   page.facts = facts_of(report);
-  const std::vector<std::string> findings = findings_of(report);
+  EaseTables tables = ease_tables(report);
+  const std::vector<Finding> findings = findings_of(report);
   if (report.dressing) {
     page.verdict.word = dressing_line(report);
-    page.verdict.is_good = report.dressing->verdict == "sewn" && findings.empty();
+    const bool is_sewn = report.dressing->verdict == "sewn" && report.dressing->fit.levels.empty();
+    page.verdict.tone = !is_sewn           ? PageVerdict::Tone::bad
+                        : findings.empty() ? PageVerdict::Tone::good
+                                           : PageVerdict::Tone::fair;
   }
-  for (const std::string& finding : findings) {
-    page.verdict.reasons.push_back(finding);
+  for (const Finding& finding : findings) {
+    const auto line = tables.line_of.find(finding.level);
+    page.verdict.reasons.push_back(
+        {finding.text, line == tables.line_of.end() ? -1 : line->second});
   }
   for (const Warning& warning : report.warnings) {
-    if (std::ranges::find(findings, warning.text) == findings.end()) {
+    if (std::ranges::find(findings, warning.text, &Finding::text) == findings.end()) {
       page.warnings.push_back(warning.text);
     }
   }
@@ -75,7 +81,6 @@ std::string ease_page(const EaseReport& report, const std::string& picture) {
   }
   // Only looked at there: a light body keeps the page small and quick to turn.
   page.settings.push_back({"body", decimate(report.body, page_body_triangles)});
-  EaseTables tables = ease_tables(report);
   page.tables = std::move(tables.tables);
   page.lines = std::move(tables.lines);
   page.still_png = picture;

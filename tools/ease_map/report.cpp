@@ -211,7 +211,7 @@ nlohmann::ordered_json ease_json(const EaseReport& report) {
     json["fit"] =
         fit_json(fit, fits_too_wide(report) ? "too_wide" : to_string(fit), report.garment.panels);
   }
-  json["findings"] = findings_of(report);
+  json["findings"] = finding_texts(report);
   json["warnings"] = warnings_json(report.warnings);
   json["notes"] = report.notes;
   json["gap"] = definition;
@@ -253,7 +253,7 @@ MeshProperties ease_properties(const EaseReport& report) {
 }
 
 std::vector<std::string> ease_summary(const EaseReport& report) {
-  std::vector<std::string> lines = findings_of(report);
+  std::vector<std::string> lines = finding_texts(report);
   const auto line = [&](const std::string& name, const EaseStatistics& s) {
     lines.push_back(name + ": gap mean " + mm(s.mean) + " mm, median " + mm(s.p50) + " mm, from " +
                     mm(s.min) + " to " + mm(s.max) + " mm; contact " + percent_text(s.contact) +

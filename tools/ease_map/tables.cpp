@@ -8,6 +8,7 @@
 
 #include "io/text.h"
 #include "tools/ease_map/against.h"
+#include "tools/ease_map/findings.h"
 #include "tools/ease_map/load_report.h"
 #include "tools/ease_map/numbers.h"
 
@@ -29,7 +30,11 @@ class LineMaker {
       line.normal = girth->plane.normal;
       for (const int t : girth->triangles) add_cut(t, girth->plane, line);
     }
-    return add(std::move(line));
+    const int number = add(std::move(line));
+    for (const Girth* girth : girths) {
+      if (girth != nullptr && !girth->name.empty()) line_of_[girth->name] = number;
+    }
+    return number;
   }
 
   /// The line of an edge or a seam.
@@ -48,10 +53,13 @@ class LineMaker {
         line.pieces.push_back({PagePlace{a, b, 0}, PagePlace{a, b, 1}});
       }
     }
-    return add(std::move(line));
+    return line_of_[level.name] = add(std::move(line));
   }
 
-  std::vector<PageLine> lines() { return std::move(lines_); }
+  void hand_over(EaseTables& tables) {
+    tables.lines = std::move(lines_);
+    tables.line_of = std::move(line_of_);
+  }
 
  private:
   void add_cut(int t, const CuttingPlane& plane, PageLine& line) const {
@@ -78,6 +86,7 @@ class LineMaker {
 
   const DressedGarment& garment_;
   std::vector<PageLine> lines_;
+  std::map<std::string, int> line_of_;
 };
 
 std::vector<std::string> statistics_row(const std::string& name, const EaseStatistics& s) {
@@ -133,6 +142,12 @@ std::vector<GirthRow> girth_rows(const EaseReport& report) {
   return rows;
 }
 
+/// Whether a line of what hurts is about that girth or edge.
+bool hurts(const EaseReport& report, const std::string& level) {
+  const std::vector<Finding> findings = findings_of(report);
+  return !level.empty() && std::ranges::find(findings, level, &Finding::level) != findings.end();
+}
+
 PageTable girth_table(const EaseReport& report, LineMaker& lines) {
   PageTable table;
   table.caption = "Girths of body and garment, cm";
@@ -165,6 +180,9 @@ PageTable girth_table(const EaseReport& report, LineMaker& lines) {
          where_girth([](const Girth& girth) { return cm(girth.error); })});
     table.lines.push_back(lines.of(std::array{row.left, row.right}));
     table.between.push_back(row.name.empty());
+    table.hurts.push_back(std::ranges::any_of(
+        std::array{row.left, row.right},
+        [&](const Girth* girth) { return girth != nullptr && hurts(report, girth->name); }));
   }
   table.remark =
       "Where there are two numbers they are of left and right. The body is measured as a tape "
@@ -188,17 +206,18 @@ PageTable garment_level_table(const EaseReport& report, LineMaker& lines) {
     table.columns.emplace_back(name, true);
   }
   for (const GarmentLevel& level : report.figures.levels) {
-    const std::optional<double> body = level.drafted_body ? level.drafted_body : level.body;
+    const std::optional<GarmentLevel::Compared> compared = level.compared();
     table.rows.push_back({level.name, level.drafted ? cm(*level.drafted) : "", cm(level.height),
                           cm(level.height_error), level.drafted ? cm(*level.risen()) : "",
-                          body ? cm(*body) : "", cm(level.garment), cm(level.as_cut),
-                          body ? cm(level.as_cut - *body) : ""});
+                          compared ? cm(compared->body) : "", cm(level.garment), cm(level.as_cut),
+                          compared ? cm(level.as_cut - compared->body) : ""});
     table.lines.push_back(lines.of(level));
+    table.hurts.push_back(hurts(report, level.name));
   }
   table.remark =
       "Along the edge or seam, which need not lie level. Its height is the mean. Moved by is how "
       "much higher it hangs than drafted. The body is measured where the edge was drafted to lie, "
-      "or where it rests if that is not known.";
+      "or where it rests if that is not known; of a top edge where it lacks the least.";
   return table;
 }
 
@@ -276,17 +295,17 @@ EaseTables ease_tables(const EaseReport& report) {
   LineMaker lines(report.garment);
   EaseTables all;
   std::vector<PageTable>& tables = all.tables;
+  if (!report.targets.empty()) tables.push_back(target_table(report));
   if (!report.figures.girths.rows.empty()) tables.push_back(girth_table(report, lines));
   if (report.other) {
     tables.push_back(difference_table(differences(report, *report.other), report.against));
   }
-  if (!report.targets.empty()) tables.push_back(target_table(report));
   if (!report.figures.levels.empty()) tables.push_back(garment_level_table(report, lines));
   if (!report.figures.lengths.empty()) tables.push_back(length_table(report));
   if (!report.points.empty()) tables.push_back(point_table(report));
   if (report.loads) tables.push_back(load_table(report));
   tables.push_back(panel_table(report));
-  all.lines = lines.lines();
+  lines.hand_over(all);
   return all;
 }
 

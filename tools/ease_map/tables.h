@@ -1,6 +1,8 @@
 // The tables of the page: girths, edges, lengths, targets, gaps of panels, points of measure.
 #pragma once
 
+#include <map>
+#include <string>
 #include <vector>
 
 #include "io/view/viewer_page.h"
@@ -12,6 +14,7 @@ namespace toile {
 struct EaseTables {
   std::vector<PageTable> tables;
   std::vector<PageLine> lines;
+  std::map<std::string, int> line_of;  ///< of girths and edges, by their names
 };
 EaseTables ease_tables(const EaseReport& report);
 

@@ -276,16 +276,17 @@
         name.textContent = region.name;
         name.translate = false;
         name.setAttribute('translate', 'no');
-        name.style.cssText = 'position:absolute;transform:translate(-50%,0);font-size:.75rem;pointer-events:none;white-space:nowrap';
+        name.style.cssText = 'position:absolute;transform:translate(-50%,0);font-size:.75rem;pointer-events:none;white-space:nowrap;overflow:hidden;text-overflow:ellipsis';
+        name.title = region.name;
         holder.appendChild(name);
-        const index = regionIndex[number], low = [Infinity, Infinity], high = -Infinity;
+        const index = regionIndex[number];
         const box = { left: Infinity, right: -Infinity, bottom: Infinity };
         for (const i of index) {
           box.left = Math.min(box.left, lying[3 * i]);
           box.right = Math.max(box.right, lying[3 * i]);
           box.bottom = Math.min(box.bottom, lying[3 * i + 1]);
         }
-        return { name, at: new THREE.Vector3((box.left + box.right) / 2, box.bottom, 0), used: index.length > 0 };
+        return { name, at: new THREE.Vector3((box.left + box.right) / 2, box.bottom, 0), width: box.right - box.left + 0.03, used: index.length > 0 };
       });
     }
 
@@ -297,10 +298,12 @@
 
     drawn() {
       const width = this.holder.clientWidth, height = this.holder.clientHeight;
-      for (const { name, at, used } of this.names) {
+      const scale = this.camera.zoom * width / (this.camera.right - this.camera.left);  // pixels a metre
+      for (const { name, at, width: room, used } of this.names) {
         const seen = at.clone().project(this.camera);
         name.style.left = (seen.x + 1) / 2 * width + 'px';
         name.style.top = (1 - seen.y) / 2 * height + 2 + 'px';
+        name.style.maxWidth = room * scale + 'px';
         name.hidden = !used;
       }
     }

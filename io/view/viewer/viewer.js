@@ -176,9 +176,9 @@
 
   // Rows of tables.
   const number = (row, key) => row.dataset[key] === undefined ? -1 : Number(row.dataset[key]);
-  const rows = [...document.querySelectorAll('tr[tabindex]')];
+  const rows = [...document.querySelectorAll('tr[tabindex], li[tabindex]')];
   function choose(row) {
-    const chosen = row && !row.classList.contains('chosen');
+    const chosen = Boolean(row) && !row.classList.contains('chosen');
     rows.forEach(r => r.classList.toggle('chosen', r === row && chosen));
     state.region = chosen ? number(row, 'region') : -1;
     state.line = chosen ? number(row, 'line') : -1;
@@ -377,9 +377,13 @@
     views.forEach(view => view.resize());
     space.look('front');
     space.controls.addEventListener('end', remember);
-    window.addEventListener('resize', () => views.forEach(view => view.resize()));
+    // What is written below the pictures changes their height, too.
+    const watch = new ResizeObserver(() => views.forEach(view => view.resize()));
+    views.forEach(view => watch.observe(view.holder));
   }
   recall();
+  // The worst first: its line is lit.
+  if (!location.hash.includes('map=')) choose(document.querySelector('.reasons li[tabindex]'));
   showMap(state.map);
   speakAll();
   isReady = true;

@@ -13,7 +13,7 @@ ViewerPage small_page() {
   ViewerPage page;
   page.title = "Gap of <b>\"this\" & that</b>";
   page.facts = {{"fabric", "<u>silk"}};
-  page.verdict = {"sewn & more", false, {"the hem <rides> up"}};
+  page.verdict = {"sewn & more", PageVerdict::Tone::bad, {{"the hem <rides> up", 0}}};
   page.warnings = {"a <hole>"};
   page.paragraphs = {"A paragraph {{data}} with braces."};
   page.nodes = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0.5}};
