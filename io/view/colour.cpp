@@ -133,6 +133,7 @@ std::vector<BarMark> marks_of(const ColourBar& bar) {
   std::vector<BarMark> marks;
   const std::vector<double> ticks = round_ticks(bar.ramp.low, bar.ramp.high, 7);
   const int decimals = tick_decimals(ticks);
+  marks.reserve(ticks.size());
   for (const double tick : ticks) marks.push_back({tick, fixed_number(tick, decimals)});
   return marks;
 }
