@@ -79,7 +79,8 @@
     constructor(holder, points, normals, camera) {
       this.holder = holder;
       this.camera = camera;
-      this.renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
+      // Smooth edges take half of the time where a processor draws; fine meshes look smooth without.
+      this.renderer = new THREE.WebGLRenderer({ antialias: count < 20000, preserveDrawingBuffer: true });
       this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
       this.renderer.setClearColor(0xfbfbfa);
       holder.insertBefore(this.renderer.domElement, holder.firstChild);
