@@ -107,7 +107,8 @@ struct ViewerPage {
 
 /// The page as HTML. It contains all it needs, three.js r111 and its orbit controls included. It
 /// loads nothing from the network, which its content security policy forbids. It speaks English,
-/// German and French: io/view/viewer/words. Some 60 bytes a point and map of one.
+/// German and French: io/view/viewer/words. Some 5
+/// bytes a point and map, and 75 a point besides.
 std::string viewer_page(const ViewerPage& page);
 
 }  // namespace toile

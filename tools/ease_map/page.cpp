@@ -48,8 +48,8 @@ std::string ease_page(const EaseReport& report, const std::string& picture) {
   ViewerPage page;
   page.title = title_of(report);
   page.facts = facts_of(report);
-  EaseTables tables = ease_tables(report);
   const std::vector<Finding> findings = findings_of(report);
+  EaseTables tables = ease_tables(report, findings);
   if (report.dressing) {
     page.verdict.word = dressing_line(report);
     const bool is_sewn = report.dressing->verdict == "sewn" && report.dressing->fit.levels.empty();

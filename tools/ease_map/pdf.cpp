@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Seconds after which Chromium has failed. It takes some ten, on one busy core thirty.
+/// Seconds after which Chromium has failed. On two busy cores it took fewer than 20.
 constexpr int print_seconds = 180;
 
 std::optional<fs::path> browser() {

@@ -143,12 +143,12 @@ std::vector<GirthRow> girth_rows(const EaseReport& report) {
 }
 
 /// Whether a line of what hurts is about that girth or edge.
-bool hurts(const EaseReport& report, const std::string& level) {
-  const std::vector<Finding> findings = findings_of(report);
+bool hurts(const std::vector<Finding>& findings, const std::string& level) {
   return !level.empty() && std::ranges::find(findings, level, &Finding::level) != findings.end();
 }
 
-PageTable girth_table(const EaseReport& report, LineMaker& lines) {
+PageTable girth_table(const EaseReport& report, const std::vector<Finding>& findings,
+                      LineMaker& lines) {
   PageTable table;
   table.caption = "Girths of body and garment, cm";
   table.sheet = 1;
@@ -182,7 +182,7 @@ PageTable girth_table(const EaseReport& report, LineMaker& lines) {
     table.between.push_back(row.name.empty());
     table.hurts.push_back(std::ranges::any_of(
         std::array{row.left, row.right},
-        [&](const Girth* girth) { return girth != nullptr && hurts(report, girth->name); }));
+        [&](const Girth* girth) { return girth != nullptr && hurts(findings, girth->name); }));
   }
   table.remark =
       "Where there are two numbers they are of left and right. The body is measured as a tape "
@@ -196,7 +196,8 @@ PageTable girth_table(const EaseReport& report, LineMaker& lines) {
   return table;
 }
 
-PageTable garment_level_table(const EaseReport& report, LineMaker& lines) {
+PageTable garment_level_table(const EaseReport& report, const std::vector<Finding>& findings,
+                              LineMaker& lines) {
   PageTable table;
   table.caption = "Edges and waist seam of the garment, cm";
   table.sheet = 2;
@@ -212,7 +213,7 @@ PageTable garment_level_table(const EaseReport& report, LineMaker& lines) {
                           compared ? cm(compared->body) : "", cm(level.garment), cm(level.as_cut),
                           compared ? cm(level.as_cut - compared->body) : ""});
     table.lines.push_back(lines.of(level));
-    table.hurts.push_back(hurts(report, level.name));
+    table.hurts.push_back(hurts(findings, level.name));
   }
   table.remark =
       "Along the edge or seam, which need not lie level. Its height is the mean. Moved by is how "
@@ -291,16 +292,17 @@ std::string ends_text(const GarmentLength& length) {
   return text;
 }
 
-EaseTables ease_tables(const EaseReport& report) {
+EaseTables ease_tables(const EaseReport& report, const std::vector<Finding>& findings) {
   LineMaker lines(report.garment);
   EaseTables all;
   std::vector<PageTable>& tables = all.tables;
   if (!report.targets.empty()) tables.push_back(target_table(report));
-  if (!report.figures.girths.rows.empty()) tables.push_back(girth_table(report, lines));
+  if (!report.figures.girths.rows.empty()) tables.push_back(girth_table(report, findings, lines));
   if (report.other) {
     tables.push_back(difference_table(differences(report, *report.other), report.against));
   }
-  if (!report.figures.levels.empty()) tables.push_back(garment_level_table(report, lines));
+  if (!report.figures.levels.empty())
+    tables.push_back(garment_level_table(report, findings, lines));
   if (!report.figures.lengths.empty()) tables.push_back(length_table(report));
   if (!report.points.empty()) tables.push_back(point_table(report));
   if (report.loads) tables.push_back(load_table(report));
