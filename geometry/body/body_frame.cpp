@@ -66,7 +66,7 @@ Spread spread_of(const TriangleMesh& mesh) {
 
 /// Turns the frame, whose skeleton is looked for anew. With `in_part`, an arm or the head may be
 /// missing.
-void turn(BodyFrame& frame, double angle, const std::string& name, bool in_part = false) {
+void turn_frame(BodyFrame& frame, double angle, const std::string& name, bool in_part = false) {
   const Eigen::Matrix3d rotation = about_y(angle);
   for (Vec3& p : frame.mesh.points) p = rotation * p;
   frame.rotation = rotation * frame.rotation;
@@ -148,14 +148,14 @@ BodyFrame body_frame(const TriangleMesh& body, const TriangleMesh& smooth,
   move(frame, -Vec3(spread.middle.x(), low, spread.middle.z()));
 
   // Arms that reach forward may make a body deeper than wide.
-  turn(frame, spread.turn, name);
+  turn_frame(frame, spread.turn, name);
   if (!frame.skeleton) {
-    turn(frame, std::numbers::pi / 2, name);
-    if (!frame.skeleton) turn(frame, -std::numbers::pi / 2, name);
+    turn_frame(frame, std::numbers::pi / 2, name);
+    if (!frame.skeleton) turn_frame(frame, -std::numbers::pi / 2, name);
   }
   const bool in_part = !frame.skeleton;
   for (const double angle : {0.0, std::numbers::pi / 2, -std::numbers::pi / 2}) {
-    if (!frame.skeleton) turn(frame, angle, name, true);
+    if (!frame.skeleton) turn_frame(frame, angle, name, true);
   }
   if (!frame.skeleton) return frame;
   // What is found askew is less true: once more, in the frame that it gives.
@@ -165,7 +165,7 @@ BodyFrame body_frame(const TriangleMesh& body, const TriangleMesh& smooth,
           : across_trunk(frame);
   const bool backward = toes_forward(frame.mesh, *frame.skeleton) < -0.01;
   const BodyFrame before = frame;
-  turn(frame, turn_to_x(level) + (backward ? std::numbers::pi : 0), name, in_part);
+  turn_frame(frame, turn_to_x(level) + (backward ? std::numbers::pi : 0), name, in_part);
   if (!frame.skeleton) frame = before;
   Vec3 middle = between(*frame.skeleton, "hip");
   if (has_both_shoulders(*frame.skeleton)) {

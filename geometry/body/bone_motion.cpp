@@ -5,6 +5,8 @@
 #include <numbers>
 #include <string>
 
+#include "geometry/angles.h"
+
 namespace toile {
 
 namespace {
@@ -12,15 +14,14 @@ namespace {
 using Eigen::AngleAxisd;
 using Eigen::Quaterniond;
 
-constexpr double degree = std::numbers::pi / 180;
 /// Shares of the bone's length between which its twist grows.
 constexpr double twist_from = 0.1;
 constexpr double twist_to = 0.9;
 /// An arm that points straight to the side, up to 14 degrees, has no flexion.
-constexpr double sideways = 0.97;
+constexpr double arm_sideways = 0.97;
 
 Quaterniond turn_about(const Vec3& axis, double degrees) {
-  return Quaterniond(AngleAxisd(degrees * degree, axis));
+  return Quaterniond(AngleAxisd(degrees * radians_per_degree, axis));
 }
 
 /// The rotation of a hanging limb: about its length, then outward, then forward.
@@ -75,8 +76,8 @@ SideMotion side_motion(const Skeleton& skeleton, const FootShape& foot, const Si
   const Vec3 ankle = joint("ankle");
 
   const Vec3 arm = (elbow - shoulder).normalized();
-  const double abduction = std::asin(std::clamp(side * arm.x(), -1.0, 1.0)) / degree;
-  const double flexion = std::abs(arm.x()) > sideways ? 0 : std::atan2(arm.z(), -arm.y()) / degree;
+  const double abduction = std::asin(std::clamp(side * arm.x(), -1.0, 1.0)) / radians_per_degree;
+  const double flexion = std::abs(arm.x()) > arm_sideways ? 0 : std::atan2(arm.z(), -arm.y()) / radians_per_degree;
   SideMotion motion;
   motion.upper_arm = upper_bone(
       shoulder, elbow,

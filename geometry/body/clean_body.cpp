@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "geometry/angles.h"
 #include "geometry/body/body_frame.h"
 #include "geometry/body/body_unit.h"
 #include "geometry/body/find_skeleton.h"
@@ -81,7 +82,7 @@ std::vector<Upright> uprights() {
 }
 
 /// A turn about y, from +z to +x; exact by right angles.
-Matrix about_y(double degrees) {
+Matrix turn_about_y(double degrees) {
   const double quarters = degrees / 90;
   double sine = std::sin(degrees * std::numbers::pi / 180);
   double cosine = std::cos(degrees * std::numbers::pi / 180);
@@ -120,7 +121,7 @@ std::vector<double> likely_turns(const TriangleMesh& mesh, const Matrix& upright
 /// side. Arms held out make every body widest from side to side.
 Matrix sideways(const TriangleMesh& mesh, const Matrix& turn) {
   const Vec3 size = (turn * bounds(mesh).sizes()).cwiseAbs();
-  return size.z() > 1.4 * size.x() ? Matrix(about_y(-90) * turn) : turn;
+  return size.z() > 1.4 * size.x() ? Matrix(turn_about_y(-90) * turn) : turn;
 }
 
 /// The index in uprights() of the axis that the body stands along, judged by its box. A box that is
@@ -155,17 +156,16 @@ Matrix to_the_front(const Upright& axis, const AxisDirection& front, const std::
     throw Error(name, "stands along " + std::string(axis.axis) + " and can't face " + front.name(),
                 "correct --front, or give --up");
   }
-  return about_y(std::atan2(-ahead.x(), ahead.z()) * 180 / std::numbers::pi) * axis.turn;
+  return turn_about_y(std::atan2(-ahead.x(), ahead.z()) * 180 / std::numbers::pi) * axis.turn;
 }
 
 /// Turns a body that leans as a whole, as a scanner that was not level leaves it. Returns whether
 /// it then turned out to face backward: the toes of a body that leans back are off the floor.
 bool stand_upright(Standing& body, const TriangleMesh& mesh, const std::string& name,
                    CleanReport& report) {
-  constexpr double degree = std::numbers::pi / 180;
-  // Postures differ by 1 degree. At 1, straight bodies would be turned; at 4, a bust would be 8 mm
+  // Postures differ by 1 radians_per_degree. At 1, straight bodies would be turned; at 4, a bust would be 8 mm
   // too small.
-  constexpr double least_lean = 2 * degree;
+  constexpr double least_lean = 2 * radians_per_degree;
   // The joints of a leaning body are less true: twice more.
   bool was_backward = false;
   for (int round = 0; round < 3; ++round) {
@@ -176,7 +176,7 @@ bool stand_upright(Standing& body, const TriangleMesh& mesh, const std::string& 
     report.levelled_degrees += Eigen::AngleAxisd(*upright).angle() * 180 / std::numbers::pi;
     body = std::move(turned);
     if (toes_forward(body.mesh, *body.skeleton) >= -0.01) continue;
-    turned = stand(mesh, about_y(180) * body.turn, name);
+    turned = stand(mesh, turn_about_y(180) * body.turn, name);
     if (!turned.skeleton) continue;
     body = std::move(turned);
     was_backward = !was_backward;
@@ -241,7 +241,7 @@ Standing stand_up(const TriangleMesh& mesh, const CleanOptions& options, const s
   };
   if (!body.skeleton) {
     for (const double degrees : likely_turns(mesh, upright)) {
-      if (!body.skeleton) turn_to(about_y(degrees) * upright);
+      if (!body.skeleton) turn_to(turn_about_y(degrees) * upright);
     }
   }
   if (!body.skeleton) {
@@ -250,12 +250,12 @@ Standing stand_up(const TriangleMesh& mesh, const CleanOptions& options, const s
   }
   // The joints of a body askew are less true than those of the same body that faces forward.
   for (int round = 0; round < 3 && std::abs(askew(*body.skeleton)) > max_askew; ++round) {
-    turn_to(about_y(askew(*body.skeleton)) * body.turn);
+    turn_to(turn_about_y(askew(*body.skeleton)) * body.turn);
   }
-  if (toes_forward(body.mesh, *body.skeleton) < -0.01) turn_to(about_y(180) * body.turn);
+  if (toes_forward(body.mesh, *body.skeleton) < -0.01) turn_to(turn_about_y(180) * body.turn);
   const Matrix facing = body.turn;
   const bool was_backward = options.level && stand_upright(body, mesh, name, report);
-  report_turn(axes[chosen], was_backward ? Matrix(about_y(180) * facing) : facing, report);
+  report_turn(axes[chosen], was_backward ? Matrix(turn_about_y(180) * facing) : facing, report);
   return body;
 }
 
@@ -274,7 +274,7 @@ void take_lacking(Standing& body, const CleanOptions& options, const std::string
   report.missing = found->problem;
   body.skeleton = std::move(found->skeleton);
   if (options.front || std::abs(found->degrees) <= max_askew) return;
-  const Matrix turn = about_y(found->degrees);
+  const Matrix turn = turn_about_y(found->degrees);
   for (Vec3& p : body.mesh.points) p = turn * p;
   for (auto& [joint, point] : body.skeleton->joints) point = turn * point;
   body.turn = turn * body.turn;
@@ -331,7 +331,7 @@ std::optional<Standing> as_given(const TriangleMesh& mesh, const CleanOptions& o
   const bool has_all = has_all_limbs(*body.skeleton);
   if (!has_all) report.missing = "the given joints are those of a body that lacks limbs";
   if (const double degrees = has_all ? askew(*body.skeleton) : 0; std::abs(degrees) > max_askew) {
-    body.turn = about_y(degrees);
+    body.turn = turn_about_y(degrees);
     for (Vec3& p : body.mesh.points) p = body.turn * p;
     for (auto& [joint, point] : body.skeleton->joints) point = body.turn * point;
   }

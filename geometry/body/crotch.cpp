@@ -16,7 +16,7 @@ constexpr double level_step = 0.0015;
 constexpr double column_step = 0.002;
 constexpr double columns_reach = 0.03;  // to the front and to the back
 constexpr double down = 0.012;          // from where the sections touch
-constexpr double up = 0.06;
+constexpr double search_up = 0.06;
 // Of air between thighs that don't touch. Half or double moves the crotch of five bodies by 0.6 mm.
 constexpr double least_gap = 0.0012;
 // What is as low as the lowest of the perineum. At half or double the crotch of five bodies moves
@@ -80,7 +80,7 @@ std::optional<double> top_of_air(const std::vector<double>& gaps, const std::vec
 std::optional<Vec3> find_crotch(const TriangleMesh& body, const CrotchSearch& search) {
   const double h = search.height;
   std::vector<double> levels;
-  for (double y = search.near.y() - down * h; y < search.near.y() + up * h; y += level_step * h) {
+  for (double y = search.near.y() - down * h; y < search.near.y() + search_up * h; y += level_step * h) {
     levels.push_back(y);
   }
   std::vector<double> columns;

@@ -17,8 +17,8 @@ namespace toile {
 namespace {
 
 // Shares of the height.
-constexpr double arm_to_wrist = upper_arm + forearm;
-constexpr double arm_to_tip = arm_to_wrist + hand;
+constexpr double arm_to_wrist = upper_arm_share + forearm_share;
+constexpr double arm_to_tip = arm_to_wrist + hand_share;
 // Share of the height that thighs may touch below the crotch. Clean bodies are at 0.001. At half or
 // double no joint of five bodies moves.
 constexpr double touching = 0.004;

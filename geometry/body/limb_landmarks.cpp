@@ -151,7 +151,7 @@ class LimbFinder {
     const Vec3& shoulder = skeleton_->joint(which + "shoulder");
     const Vec3& elbow = skeleton_->joint(which + "elbow");
     const Vec3& wrist = skeleton_->joint(which + "wrist");
-    const bool is_cut = hand_of(side) < least_hand * std::max(hand_of(-side), hand * h_);
+    const bool is_cut = hand_of(side) < least_hand * std::max(hand_of(-side), hand_share * h_);
     const std::string cut = "the arm ends before a hand";
     add_on_arm(which + "elbow", elbow, (wrist - shoulder).normalized(), is_cut ? 0.3 : 0.6,
                is_cut ? cut + ": the other arm or proportion places its elbow" : "");
@@ -169,7 +169,7 @@ class LimbFinder {
     for (const Vec3& p : mesh_.points) {
       const double on = along.dot(p - wrist);
       const double off = (p - wrist - on * along).norm();
-      if (off < hand * h_ / 2 + on / 2 && on < 2 * hand * h_) reach = std::max(reach, on);
+      if (off < hand_share * h_ / 2 + on / 2 && on < 2 * hand_share * h_) reach = std::max(reach, on);
     }
     return reach;
   }

@@ -3,14 +3,14 @@
 
 namespace toile {
 
-/// Upper arm, forearm and hand, as shares of the body's height: the segment lengths of [Drillis &
+/// Upper arm, forearm_share and hand, as shares of the body's height: the segment lengths of [Drillis &
 /// Contini 1966] as every ergonomics table has them.
-inline constexpr double upper_arm = 0.186;
-inline constexpr double forearm = 0.146;
-inline constexpr double hand = 0.108;
+inline constexpr double upper_arm_share = 0.186;
+inline constexpr double forearm_share = 0.146;
+inline constexpr double hand_share = 0.108;
 
 /// The elbow, as a share of the length from shoulder to wrist.
-inline constexpr double elbow_share = upper_arm / (upper_arm + forearm);
+inline constexpr double elbow_share = upper_arm_share / (upper_arm_share + forearm_share);
 
 /// The knee, as a share of the crotch's height.
 inline constexpr double knee_share = 0.61;

@@ -2,23 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
+
+#include "geometry/angles.h"
 
 namespace toile {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 
 /// Radians by which an arm has to be raised to be raised at all.
-constexpr double min_turn = 15 * degree;
+constexpr double min_turn = 15 * radians_per_degree;
 /// Radians to either side of the arm's middle that turn with it as one.
-constexpr double half_width = 20 * degree;
+constexpr double half_width = 20 * radians_per_degree;
 /// Radians below the arm's middle at which space stays, far from the shoulder.
-constexpr double far_room = 27 * degree;
+constexpr double far_room = 27 * radians_per_degree;
 /// Radians above and below the horizontal from which on space stays near the shoulder.
-constexpr double trunk_angle = 100 * degree;
+constexpr double trunk_angle = 100 * radians_per_degree;
 /// Metres from the shoulder at which the armpit begins and ends.
 constexpr double armpit_from = 0.06;
 constexpr double armpit_to = 0.20;
@@ -33,8 +33,8 @@ constexpr double slim_to = 0.16;
 constexpr double min_depth = 0.08;
 /// Radians to either side of the arm's middle up to which space is shifted with it in full, and
 /// from which on it stays.
-constexpr double full_shift = 14 * degree;
-constexpr double no_shift = 27 * degree;
+constexpr double full_shift = 14 * radians_per_degree;
+constexpr double no_shift = 27 * radians_per_degree;
 /// Metres beyond the wrist that a hand reaches.
 constexpr double hand_reach = 0.2;
 /// Metres before and behind the arm up to which space turns with it in full, and from which on it

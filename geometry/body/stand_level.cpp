@@ -4,18 +4,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "geometry/angles.h"
 
 namespace toile {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 // At half or double of it, bodies that lean are turned by 0.3 or 0.6 degrees more or less.
-constexpr double forward = 0.6 * degree;
+constexpr double forward_lean = 0.6 * radians_per_degree;
 // Between the legs, seen from the side. At half or double, five bodies that lean by up to 15
 // degrees and one that walks are turned as before.
-constexpr double most_step = 10 * degree;
+constexpr double most_step = 10 * radians_per_degree;
 // Share of the height, above the floor, that holds all of the soles. At half or double, the same
 // six bodies are turned as before.
 constexpr double soles = 0.03;
@@ -56,7 +56,7 @@ std::optional<Eigen::Matrix3d> turn_upright(const Skeleton& skeleton, double lea
   if (std::abs(sagittal(leg("left_")) - sagittal(leg("right_"))) > most_step) return std::nullopt;
   const Vec3 ankles = (skeleton.joint("left_ankle") + skeleton.joint("right_ankle")) / 2;
   const Vec3 line = (skeleton.joint("neck") - ankles).normalized();
-  const Vec3 wanted(0, std::cos(forward), std::sin(forward));
+  const Vec3 wanted(0, std::cos(forward_lean), std::sin(forward_lean));
   if (std::acos(std::clamp(line.dot(wanted), -1.0, 1.0)) < least_lean) return std::nullopt;
   return Eigen::Quaterniond::FromTwoVectors(line, wanted).toRotationMatrix();
 }

@@ -13,10 +13,10 @@ namespace {
 // saw was compared. Of it 95 and 83 % are within 10 mm, and the crotch is 3 and 6 mm too low.
 //
 // Between tubes: only what is nearer counts. At half, 95 and 90 %; at double as before.
-constexpr double near = 0.03;
+constexpr double near_gap = 0.03;
 // From here on they don't count. At half, 93 and 91 %, with a spur of 3 cm on the mannequin; at
 // double as before.
-constexpr double far = 0.06;
+constexpr double far_gap = 0.06;
 // Within which two surfaces blend. At half as before; at double, 99 and 84 %, and the crotch of
 // mean_all is 12 mm too low.
 constexpr double fillet = 0.008;
@@ -51,7 +51,7 @@ Cleft::Cleft(LimbTube one, LimbTube other, LimbTube roof, const CleftOptions& op
     for (int s = 0; s < tube.stations(); ++s) {
       for (int a = 0; a < tube.angles(); ++a) {
         const Vec3 p = tube.point(s, a);
-        if (facing.off(p) < far && roof_.off(p) + options_.lift > -over_roof) box_.extend(p);
+        if (facing.off(p) < far_gap && roof_.off(p) + options_.lift > -over_roof) box_.extend(p);
       }
     }
   };
@@ -66,14 +66,14 @@ double Cleft::operator()(const Vec3& point, double distance, double unseen) cons
   const double to_one = one_.off(point);
   const double to_other = other_.off(point);
   const double gap = to_one + to_other;
-  const double share = (1 - rise(near, far, gap)) * rise(-over_roof, -under_roof, to_roof) *
+  const double share = (1 - rise(near_gap, far_gap, gap)) * rise(-over_roof, -under_roof, to_roof) *
                        rise(aside, below, roof_.facing(point));
   const double apart =
       std::clamp((options_.least_gap - gap) / 2, 0.0, (options_.least_gap + options_.overlap) / 2);
   const double tubes = std::min(to_one, to_other) + apart;
   const double change = share * (blended_least(tubes, to_roof) - distance);
   // What was seen is believed. But a grid may have filled a gap that is narrow.
-  return distance + (change < 0 ? unseen : std::max(unseen, 1 - rise(narrow, near, gap))) * change;
+  return distance + (change < 0 ? unseen : std::max(unseen, 1 - rise(narrow, near_gap, gap))) * change;
 }
 
 }  // namespace toile

@@ -19,7 +19,7 @@ namespace {
 // Shares of the scan's longest side.
 constexpr double cell_size = 1.0 / 90;
 constexpr double on_plane = 1.0 / 200;  // 9 mm of an adult
-constexpr double spread = 0.15;         // of three points that tell a plane
+constexpr double least_spread = 0.15;  // of three points that tell a plane
 /// A floor has this share of the square of the longest side, as in sort_scan().
 constexpr double least_area = 0.03;
 /// Share of the cells that may be below: outliers.
@@ -29,7 +29,7 @@ constexpr int trials = 2000;
 constexpr double level_degrees = 0.5;
 constexpr double most_degrees = 40;
 
-struct Plane {
+struct LevelPlane {
   Vec3 normal = Vec3::Zero();  // up
   double level = 0;
 };
@@ -40,7 +40,7 @@ struct Count {
   int below = 0;
 };
 
-Count count(const std::vector<Vec3>& places, const Plane& plane, double near) {
+Count count(const std::vector<Vec3>& places, const LevelPlane& plane, double near) {
   Count found;
   for (const Vec3& p : places) {
     const double off = plane.normal.dot(p) - plane.level;
@@ -56,7 +56,7 @@ Count count(const std::vector<Vec3>& places, const Plane& plane, double near) {
 }
 
 /// The plane of least squares through the places near to a plane.
-Plane fitted(const std::vector<Vec3>& places, const Plane& plane, double near) {
+LevelPlane fitted(const std::vector<Vec3>& places, const LevelPlane& plane, double near) {
   Vec3 mean = Vec3::Zero();
   int n = 0;
   for (const Vec3& p : places) {
@@ -90,15 +90,15 @@ std::optional<FloorSlope> floor_slope(const std::vector<Vec3>& points,
   const double near = on_plane * longest;
   const double most_below = below_share * static_cast<double>(places.size());
   std::mt19937_64 random(1);
-  Plane best;
+  LevelPlane best;
   int most = 0;
   for (int trial = 0; trial < trials; ++trial) {
     const Vec3& a = places[random() % places.size()];
     const Vec3& b = places[random() % places.size()];
     const Vec3& c = places[random() % places.size()];
     const Vec3 across = (b - a).cross(c - a);
-    if (across.norm() < std::pow(spread * longest, 2)) continue;
-    Plane plane{across.normalized(), 0};
+    if (across.norm() < std::pow(least_spread * longest, 2)) continue;
+    LevelPlane plane{across.normalized(), 0};
     plane.level = plane.normal.dot(a);
     Count found = count(places, plane, near);
     if (found.below > found.above) {

@@ -18,12 +18,12 @@ using Sparse = Eigen::SparseMatrix<double>;
 using Term = std::pair<int, double>;
 
 /// Metres: bends within a few times this length are smoothed away.
-constexpr double smoothing = 0.012;
+constexpr double tube_smoothing = 0.012;
 /// Metres behind the nearest sample of a patch: what is farther is a hand's.
 constexpr double depth = 0.025;
 /// Metres from the wall at which a sample counts a quarter.
 constexpr double stray = 0.01;
-constexpr double turn = 2 * std::numbers::pi;
+constexpr double full_turn = 2 * std::numbers::pi;
 
 /// Least squares over the nodes of a grid.
 class Sums {
@@ -66,7 +66,7 @@ LimbTube::LimbTube(const TubeAxis& axis, const ScanSamples& samples, const std::
     all.push_back((off - off.dot(axis_.along) * axis_.along).norm());
   }
   const double ordinary = all.empty() ? step : median(all);
-  angles_ = std::max(24, 4 * static_cast<int>(std::lround(turn * ordinary / step / 4)));
+  angles_ = std::max(24, 4 * static_cast<int>(std::lround(full_turn * ordinary / step / 4)));
   radii_.assign(static_cast<std::size_t>(stations_) * angles_, ordinary);
 
   std::vector<Place> places;
@@ -103,7 +103,7 @@ LimbTube::Place LimbTube::place(const Vec3& point) const {
   const Vec3 off = point - axis_.start;
   const double x = off.dot(axis_.toward);
   const double y = off.dot(across_);
-  double angle = std::atan2(y, x) / turn * angles_;
+  double angle = std::atan2(y, x) / full_turn * angles_;
   if (angle < 0) angle += angles_;
   return {off.dot(axis_.along) / options_.step, angle, std::hypot(x, y)};
 }
@@ -127,7 +127,7 @@ std::vector<double> LimbTube::ordinary_radii(const std::vector<Place>& places) c
 void LimbTube::fit(const std::vector<Place>& places, const std::vector<double>& areas) {
   const std::vector<double> rest = ordinary_radii(places);
   const auto node = [this](int s, int a) { return s * angles_ + (a + angles_) % angles_; };
-  const double stiffness = std::pow(smoothing, 4);
+  const double stiffness = std::pow(tube_smoothing, 4);
   std::vector<double> trust(places.size(), 1);
   std::vector<double> off(places.size());
   for (int round = 0; round < 3; ++round) {
@@ -145,7 +145,7 @@ void LimbTube::fit(const std::vector<Place>& places, const std::vector<double>& 
                at.radius, areas[i] * trust[i]);
     }
     for (int s = 0; s < stations_; ++s) {
-      const double arc = rest[s] * turn / angles_;
+      const double arc = rest[s] * full_turn / angles_;
       const double weight = stiffness * options_.step * arc;
       const double own = 1 / (rest[s] * rest[s]);
       const double bend = 1 / (arc * arc);
@@ -184,7 +184,7 @@ double LimbTube::radius(int station, int angle) const {
 }
 
 Vec3 LimbTube::point(int station, int angle) const {
-  const double at = turn * angle / angles_;
+  const double at = full_turn * angle / angles_;
   return axis_.start + station * options_.step * axis_.along +
          radius(station, angle) * (std::cos(at) * axis_.toward + std::sin(at) * across_);
 }

@@ -13,7 +13,7 @@ namespace toile {
 namespace {
 
 constexpr int key_bits = 21;         // a coordinate; three fill a key
-constexpr std::int64_t margin = 64;  // cells: a neighbour's coordinate is never below zero
+constexpr std::int64_t cell_margin = 64;  // cells: a neighbour's coordinate is never below zero
 
 }  // namespace
 
@@ -47,7 +47,7 @@ ScanCells::ScanCells(const std::vector<Vec3>& points, double size) : size_(size)
 std::array<std::int64_t, 3> ScanCells::place(const Vec3& point) const {
   std::array<std::int64_t, 3> at;
   for (int i = 0; i < 3; ++i) {
-    at[i] = static_cast<std::int64_t>(std::floor((point[i] - origin_[i]) / size_)) + margin;
+    at[i] = static_cast<std::int64_t>(std::floor((point[i] - origin_[i]) / size_)) + cell_margin;
   }
   return at;
 }

@@ -13,8 +13,6 @@ namespace toile {
 
 namespace {
 
-using Box = Eigen::AlignedBox3d;
-
 /// The points of that part, and their numbers.
 struct Chosen {
   std::vector<Vec3> points;
@@ -31,8 +29,8 @@ Chosen choose(const std::vector<Vec3>& points, const std::vector<ScanPart>& part
   return chosen;
 }
 
-Box bounds(const std::vector<Vec3>& points) {
-  Box box;
+Eigen::AlignedBox3d bounds(const std::vector<Vec3>& points) {
+  Eigen::AlignedBox3d box;
   for (const Vec3& p : points) box.extend(p);
   return box;
 }
@@ -63,7 +61,7 @@ struct Slab {
 /// The floor that the points would stand on if `up` were up.
 Slab floor_below(const std::vector<Vec3>& points, const AxisDirection& up) {
   Slab slab{up, 0, 0, false};
-  const Box box = bounds(points);
+  const Eigen::AlignedBox3d box = bounds(points);
   const double longest = box.sizes().maxCoeff();
   const double tall = box.sizes()[up.axis];
   if (!(tall > 0 && tall >= 0.1 * longest)) return slab;  // the scan of a plane lies on nothing
@@ -80,8 +78,8 @@ Slab floor_below(const std::vector<Vec3>& points, const AxisDirection& up) {
   const double middle = low + (static_cast<double>(fullest) + 0.5) * bin;
   std::vector<double> levels;
   std::vector<Vec3> flat;
-  Box around;
-  Box rest;
+  Eigen::AlignedBox3d around;
+  Eigen::AlignedBox3d rest;
   for (const Vec3& p : points) {
     const double level = direction.dot(p);
     if (std::abs(level - middle) <= 1.5 * bin) {
@@ -118,7 +116,7 @@ Slab floor_below(const std::vector<Vec3>& points, const AxisDirection& up) {
   return slab;
 }
 
-AxisDirection likely_up(const Box& box) {
+AxisDirection likely_up(const Eigen::AlignedBox3d& box) {
   const Vec3 size = box.sizes();
   return {size.z() > 1.5 * size.y() && size.z() >= 0.8 * size.x() ? 2 : 1, 1};
 }
@@ -157,7 +155,7 @@ void find_floor(const Chosen& body, const std::optional<AxisDirection>& up, Scan
   parts.lies = best.is_bed;
   if (best.is_bed && !up) {
     parts.floor_found = false;
-    Box rest;
+    Eigen::AlignedBox3d rest;
     for (std::size_t i = 0; i < body.points.size(); ++i) {
       if (parts.part[body.numbers[i]] == ScanPart::body) rest.extend(body.points[i]);
     }

@@ -196,7 +196,7 @@ Ellipsoid in_trunk(const Deformation& to, const Ellipsoid& solid) {
 }
 
 /// The breast keeps its root on the chest. A factor of 0.5 leaves the chest flat.
-Ellipsoid breast(const Deformation& to, const Ellipsoid& sample) {
+Ellipsoid scaled_breast(const Deformation& to, const Ellipsoid& sample) {
   const double chest = to.b[Part::chest];
   const double factor = to.b[Part::breast];
   Ellipsoid made = sample;
@@ -302,7 +302,7 @@ MannequinSolids deformed(const MannequinSolids& sample, const Deformation& to) {
                         return row;
                       });
   made.buttock = in_trunk(to, sample.buttock);
-  made.breast = breast(to, sample.breast);
+  made.breast = scaled_breast(to, sample.breast);
   made.size = to.size;
   for (Ellipsoid* part : {&made.cranium, &made.jaw, &made.nose}) *part = in_head(to, *part);
   return made;

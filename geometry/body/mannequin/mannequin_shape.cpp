@@ -11,8 +11,6 @@ namespace toile {
 
 namespace {
 
-Vec3 mirrored(const Vec3& p) { return {-p.x(), p.y(), p.z()}; }
-
 /// The distance to a solid of the left side and its mirror image, blended.
 double pair(const Ellipsoid& left, const Vec3& point, double blend) {
   return smooth_union(left.distance(point), left.distance(mirrored(point)), blend);

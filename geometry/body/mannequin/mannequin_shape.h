@@ -10,6 +10,9 @@
 
 namespace toile {
 
+/// The point on the other side of the mid-plane x = 0.
+inline Vec3 mirrored(const Vec3& p) { return {-p.x(), p.y(), p.z()}; }
+
 /// A girth that the mannequin is scaled to. It goes around the centre line of `part` at a row of
 /// the loft, square to the part's axis. It goes around one limb, not around both.
 struct GirthTarget {

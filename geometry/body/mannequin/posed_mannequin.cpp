@@ -12,8 +12,6 @@ namespace {
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
-Vec3 mirrored(const Vec3& p) { return {-p.x(), p.y(), p.z()}; }
-
 const Vec3& left(const MannequinBones& bones, const std::string& joint) {
   return bones.joints.joint("left_" + joint);
 }
