@@ -154,7 +154,8 @@ void take_end(const PanelMesh& garment, const Level& level, State state, const J
   result.tight_seams = tight_seams(garment, level.model, state.nodes, state.warm_start.multipliers);
   if (level.model.scene.strain_limit) {
     result.tight_regions =
-        tight_regions(garment, level.model, state.nodes, state.warm_start.multipliers);
+        tight_regions(garment, points_of(level, state), *level.model.scene.strain_limit,
+                      state.warm_start.multipliers);
   }
   result.nodes = std::move(state.nodes);
   result.warm_start = std::move(state.warm_start);

@@ -199,6 +199,7 @@ GarmentMeasurements measure_garment(const PanelMesh& pattern, const DressedGarme
   measured.strain = statistics_of(strains);
   measured.strain_off_seams = statistics_of(off_seams);
   measure_yarns(pattern, points, measured);
+  measured.overstretched = overstretched(pattern, points);
   const std::vector<double> rest_areas = panel_areas(pattern);
   const std::vector<double> areas = panel_areas(pattern, points);
   measured.area_max_panel = largest_change(rest_areas, areas);

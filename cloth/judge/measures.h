@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cloth/judge/tight_regions.h"
 #include "cloth/model/elastics.h"
 #include "pattern/panel_mesh.h"
 
@@ -59,7 +60,8 @@ struct GarmentMeasurements {
   /// more. 0 where both are slack.
   StrainStatistics warp_weft_strain;
   StrainStatistics shear;  ///< radians off the right angle of warp and weft, of the same
-  double area_total = 0;   ///< change of the whole area, a signed fraction
+  std::vector<TightRegion> overstretched;  ///< of more than a hand's breadth square, if any
+  double area_total = 0;                   ///< change of the whole area, a signed fraction
   /// Largest |change| of any panel, fractions.
   double area_max_panel = 0;
   double perimeter_max_panel = 0;

@@ -1,10 +1,12 @@
 #include "cloth/judge/tight_regions.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "cloth/judge/constants.h"
 #include "cloth/judge/flat_line.h"
 #include "cloth/judge/yarn_strain.h"
+#include "cloth/scene/constants.h"
 
 namespace toile {
 
@@ -13,14 +15,14 @@ namespace {
 /// Finds and measures the tight regions of one garment.
 class TightRegionSearch {
  public:
-  TightRegionSearch(const PanelMesh& garment, const GarmentModel& model,
-                    const std::vector<Vec3>& nodes, const std::vector<LimitMultiplier>& multipliers)
+  TightRegionSearch(const PanelMesh& garment, const std::vector<Vec3>& points, double limit,
+                    const std::vector<LimitMultiplier>& multipliers)
       : garment_(garment),
-        model_(model),
+        points_(points),
+        limit_(limit),
         multipliers_(multipliers),
-        limit_(*model.scene.strain_limit),
-        points_(point_positions(model, nodes)),
-        strains_(yarn_strains(garment, points_)) {
+        strains_(yarn_strains(garment, points)),
+        gathered_(on_gathers(garment)) {
     around_.resize(garment.flat.size());
     for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
       for (const int p : garment.triangles[t]) around_[p].push_back(static_cast<int>(t));
@@ -51,8 +53,9 @@ class TightRegionSearch {
     return along_warp ? strains_[t].warp : strains_[t].weft;
   }
 
-  /// Whether the yarn stays beyond the limit though its multiplier is the largest there is.
   bool is_tight(int t, bool along_warp) const {
+    if (gathered_[t]) return false;
+    if (multipliers_.empty()) return strain(t, along_warp) > limit_;
     const double multiplier = along_warp ? multipliers_[t].warp : multipliers_[t].weft;
     return strain(t, along_warp) > kept_limit * limit_ &&
            multiplier > (1 - 1e-9) * max_limit_multiplier;
@@ -80,6 +83,13 @@ class TightRegionSearch {
     return all;
   }
 
+  double flat_area(int t) const {
+    const auto [a, b, c] = flat_corners(garment_, t);
+    const Vec2 ab = b - a;
+    const Vec2 ac = c - a;
+    return 0.5 * std::abs(ab.x() * ac.y() - ab.y() * ac.x());
+  }
+
   TightRegion measure(const MeshedPanel& panel, bool along_warp,
                       const std::vector<int>& piece) const {
     TightRegion region;
@@ -87,7 +97,7 @@ class TightRegionSearch {
     region.along_warp = along_warp;
     region.flat = Vec2::Zero();
     for (const int t : piece) {
-      const double area = model_.stretch[t].area;
+      const double area = flat_area(t);
       region.area += area;
       region.mean += area * strain(t, along_warp);
       region.largest = std::max(region.largest, strain(t, along_warp));
@@ -133,21 +143,26 @@ class TightRegionSearch {
   }
 
   const PanelMesh& garment_;
-  const GarmentModel& model_;
-  const std::vector<LimitMultiplier>& multipliers_;
+  const std::vector<Vec3>& points_;
   double limit_;
-  std::vector<Vec3> points_;
+  const std::vector<LimitMultiplier>& multipliers_;
   std::vector<YarnStrain> strains_;
+  std::vector<char> gathered_;
   std::vector<std::vector<int>> around_;  // triangles, by material point
 };
 
 }  // namespace
 
-TightRegions tight_regions(const PanelMesh& garment, const GarmentModel& model,
-                           const std::vector<Vec3>& nodes,
+TightRegions tight_regions(const PanelMesh& garment, const std::vector<Vec3>& points, double limit,
                            const std::vector<LimitMultiplier>& multipliers) {
-  if (!model.scene.strain_limit || multipliers.empty()) return {};
-  return TightRegionSearch(garment, model, nodes, multipliers).run();
+  return TightRegionSearch(garment, points, limit, multipliers).run();
+}
+
+std::vector<TightRegion> overstretched(const PanelMesh& garment, const std::vector<Vec3>& points) {
+  std::vector<TightRegion> regions = tight_regions(garment, points, max_worn_strain).regions;
+  std::erase_if(
+      regions, [](const TightRegion& region) { return region.area < hand_breadth * hand_breadth; });
+  return regions;
 }
 
 }  // namespace toile

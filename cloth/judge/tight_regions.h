@@ -1,12 +1,11 @@
-// Regions of panels whose cloth stays beyond the scene's strain limit, and how much is missing
-// there.
+// Regions of panels whose cloth is strained beyond a limit, and how much is missing there.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "cloth/model/garment_model.h"
 #include "cloth/model/stretch.h"
+#include "pattern/panel_mesh.h"
 
 namespace toile {
 
@@ -27,15 +26,20 @@ struct TightRegions {
   int specks = 0;                    ///< count of further regions, of less than 1 cm² each
 };
 
-/// The regions whose warp or weft stays beyond the scene's strain limit. A triangle counts when its
-/// strain exceeds `kept_limit` times the limit and its multiplier is at `max_limit_multiplier`. A
-/// smaller multiplier says that the cloth has not come to rest. Triangles that share a corner
-/// belong to one region. Gathered seams have no limit and are left out.
+/// The regions of a garment at `points` (material points, metres) whose warp or weft is strained
+/// beyond `limit`, a fraction. Triangles that share a corner belong to one region. Gathered seams
+/// are left out.
 ///
-/// `nodes` are the model's, `multipliers` one a triangle. The result is empty without a limit or
-/// without multipliers. Linear in the triangles, but each region is cut by 24 lines.
-TightRegions tight_regions(const PanelMesh& garment, const GarmentModel& model,
-                           const std::vector<Vec3>& nodes,
-                           const std::vector<LimitMultiplier>& multipliers);
+/// `multipliers`, one a triangle: those that held the limit while the cloth came to rest. With them
+/// a triangle counts when its strain exceeds `kept_limit` times the limit and its multiplier is at
+/// `max_limit_multiplier`. A smaller multiplier says that the cloth has not come to rest.
+///
+/// Linear in the triangles, but each region is cut by 24 lines.
+TightRegions tight_regions(const PanelMesh& garment, const std::vector<Vec3>& points, double limit,
+                           const std::vector<LimitMultiplier>& multipliers = {});
+
+/// The regions that are stretched by more than `max_worn_strain` over more than a hand's breadth
+/// square. Of whatever fabric, nobody wears such cloth.
+std::vector<TightRegion> overstretched(const PanelMesh& garment, const std::vector<Vec3>& points);
 
 }  // namespace toile

@@ -110,7 +110,7 @@ Judgement judge(const PanelMesh& pattern, const DressedGarment& dressed, const T
     judgement.verdict = Verdict::unconverged;
   } else if (!end.stays.value_or(true)) {
     judgement.verdict = Verdict::unstable;
-  } else if (!end.tight_seams.empty()) {
+  } else if (!end.tight_seams.empty() || !judgement.garment.overstretched.empty()) {
     judgement.verdict = Verdict::too_tight;
   } else {
     judgement.verdict = Verdict::sewn;

@@ -25,7 +25,7 @@ enum class Verdict : std::uint8_t {
   unwrapped,     ///< it does not go around a body part at which it lies
   unconverged,   ///< the garment did not come to rest
   unstable,      ///< it came to rest, and did not stay when it was let go
-  too_tight,     ///< a seam is closed against more than a hand's pull
+  too_tight,     ///< a seam is closed against more than a hand's pull, or cloth is overstretched
   sewn,          ///< none of these: the garment is dressed
 };
 

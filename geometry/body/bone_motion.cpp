@@ -77,7 +77,8 @@ SideMotion side_motion(const Skeleton& skeleton, const FootShape& foot, const Si
 
   const Vec3 arm = (elbow - shoulder).normalized();
   const double abduction = std::asin(std::clamp(side * arm.x(), -1.0, 1.0)) / radians_per_degree;
-  const double flexion = std::abs(arm.x()) > arm_sideways ? 0 : std::atan2(arm.z(), -arm.y()) / radians_per_degree;
+  const double flexion =
+      std::abs(arm.x()) > arm_sideways ? 0 : std::atan2(arm.z(), -arm.y()) / radians_per_degree;
   SideMotion motion;
   motion.upper_arm = upper_bone(
       shoulder, elbow,

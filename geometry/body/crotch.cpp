@@ -80,7 +80,8 @@ std::optional<double> top_of_air(const std::vector<double>& gaps, const std::vec
 std::optional<Vec3> find_crotch(const TriangleMesh& body, const CrotchSearch& search) {
   const double h = search.height;
   std::vector<double> levels;
-  for (double y = search.near.y() - down * h; y < search.near.y() + search_up * h; y += level_step * h) {
+  for (double y = search.near.y() - down * h; y < search.near.y() + search_up * h;
+       y += level_step * h) {
     levels.push_back(y);
   }
   std::vector<double> columns;

@@ -10,7 +10,6 @@ namespace toile {
 
 namespace {
 
-
 /// Radians by which an arm has to be raised to be raised at all.
 constexpr double min_turn = 15 * radians_per_degree;
 /// Radians to either side of the arm's middle that turn with it as one.

@@ -73,7 +73,8 @@ double Cleft::operator()(const Vec3& point, double distance, double unseen) cons
   const double tubes = std::min(to_one, to_other) + apart;
   const double change = share * (blended_least(tubes, to_roof) - distance);
   // What was seen is believed. But a grid may have filled a gap that is narrow.
-  return distance + (change < 0 ? unseen : std::max(unseen, 1 - rise(narrow, near_gap, gap))) * change;
+  return distance +
+         (change < 0 ? unseen : std::max(unseen, 1 - rise(narrow, near_gap, gap))) * change;
 }
 
 }  // namespace toile

@@ -19,7 +19,7 @@ namespace {
 // Shares of the scan's longest side.
 constexpr double cell_size = 1.0 / 90;
 constexpr double on_plane = 1.0 / 200;  // 9 mm of an adult
-constexpr double least_spread = 0.15;  // of three points that tell a plane
+constexpr double least_spread = 0.15;   // of three points that tell a plane
 /// A floor has this share of the square of the longest side, as in sort_scan().
 constexpr double least_area = 0.03;
 /// Share of the cells that may be below: outliers.

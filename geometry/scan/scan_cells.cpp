@@ -12,7 +12,7 @@ namespace toile {
 
 namespace {
 
-constexpr int key_bits = 21;         // a coordinate; three fill a key
+constexpr int key_bits = 21;              // a coordinate; three fill a key
 constexpr std::int64_t cell_margin = 64;  // cells: a neighbour's coordinate is never below zero
 
 }  // namespace

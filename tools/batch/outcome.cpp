@@ -85,7 +85,8 @@ std::pair<std::string, std::string> reason_of(const Json& report, const std::str
                 ", wide " + number_text(report.at("residual").at("wide").get<double>(), 2)};
   }
   if (verdict == "too_tight") {
-    return {"a seam pulls more than a hand",
+    return {report.contains("tight_seams") ? "a seam pulls more than a hand"
+                                           : "cloth is stretched by more than a quarter",
             girths_too_small(report) + names_of_seams(report, "tight_seams", "missing_cm")};
   }
   return {verdict == "sewn" ? "" : verdict, ""};

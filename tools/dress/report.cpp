@@ -62,9 +62,9 @@ Json release_json(const ReleaseReport& release) {
           {"wall_seconds", release.wall_seconds}};
 }
 
-Json tight_regions_json(const TightRegions& tight) {
+Json tight_regions_json(const std::vector<TightRegion>& regions) {
   Json all = Json::array();
-  for (const TightRegion& region : tight.regions) {
+  for (const TightRegion& region : regions) {
     all.push_back({{"panel", region.panel},
                    {"flat_cm", {100 * region.flat.x(), 100 * region.flat.y()}},
                    {"height_cm", 100 * region.height},
@@ -351,8 +351,11 @@ Json verdict_json(const WornLayer& layer) {
                                    {"missing_cm", 100 * seam.missing}});
   }
   if (result.tight_regions) {
-    json["tight_regions"] = tight_regions_json(*result.tight_regions);
+    json["tight_regions"] = tight_regions_json(result.tight_regions->regions);
     json["tight_specks"] = result.tight_regions->specks;
+  }
+  if (!judgement.garment.overstretched.empty()) {
+    json["overstretched"] = tight_regions_json(judgement.garment.overstretched);
   }
   if (judgement.asymmetry) json["asymmetry_cm"] = 100 * judgement.asymmetry->largest;
   const WearFindings& worn = judgement.worn;

@@ -39,20 +39,17 @@ std::string percent(double fraction) {
   return text.str();
 }
 
-/// Names the most strained of the regions that exceed the strain limit.
-void say_tight_regions(const TightRegions& tight, DressLog& log) {
-  if (tight.regions.empty()) return;
-  const TightRegion& most = tight.regions.front();
+/// What, where and how far the most strained of the regions is, and how many others there are.
+std::string text_of(const std::vector<TightRegion>& regions) {
+  const TightRegion& most = regions.front();
   std::ostringstream line;
-  line << std::fixed << std::setprecision(1) << "beyond the strain limit: panel " << most.panel
-       << ", " << 100 * most.height << " cm above the ground, " << 1e4 * most.area
-       << " cm2, is strained by up to " << percent(most.largest) << " along the "
-       << (most.along_warp ? "warp" : "weft") << ", where " << 100 * most.missing
-       << " cm are missing";
-  if (const std::size_t others = tight.regions.size() - 1; others > 0) {
+  line << std::fixed << std::setprecision(1) << "panel " << most.panel << ", " << 100 * most.height
+       << " cm above the ground, " << 1e4 * most.area << " cm2, is strained by up to "
+       << percent(most.largest) << " along the " << (most.along_warp ? "warp" : "weft")
+       << ", where " << 100 * most.missing << " cm are missing";
+  if (const std::size_t others = regions.size() - 1; others > 0)
     line << "; other regions: " << others;
-  }
-  log.say(line.str());
+  return line.str();
 }
 
 void say_release(const ReleaseReport& release, DressLog& log) {
@@ -148,6 +145,12 @@ void warn_of_verdict(const DressResult& result, const Judgement& judgement, Dres
               "too tight: closing these seams takes more than a hand's pull, " +
                   std::to_string(std::lround(hand_pull)) +
                   " N/m (less for soft fabrics); what is missing at each: " + tight.str()});
+  }
+  const std::vector<TightRegion>& overstretched = judgement.garment.overstretched;
+  if (!overstretched.empty()) {
+    log.warn({"too_tight", overstretched.front().panel,
+              "too tight: nobody wears cloth that is stretched by more than " +
+                  fixed_number(100 * max_worn_strain, 0) + " %: " + text_of(overstretched)});
   }
   const WearFindings& worn = judgement.worn;
   if (!worn.is_checked) {
@@ -305,7 +308,9 @@ void say_result(const DressResult& result, const Judgement& judgement, DressLog&
     log.say(line.str());
   }
   say_attachments(result.attachments, log);
-  if (result.tight_regions) say_tight_regions(*result.tight_regions, log);
+  if (result.tight_regions && !result.tight_regions->regions.empty()) {
+    log.say("beyond the strain limit: " + text_of(result.tight_regions->regions));
+  }
   if (result.release) say_release(*result.release, log);
   for (const WrapMeasurement& wrap : judgement.wraps) {
     log.say("wraps " + name_of(wrap.part) + ": " + percent(wrap.fraction));

@@ -39,12 +39,35 @@ class Sheet : public testing::Test {
     const LimitMultiplier along_y =
         grain == 0 ? LimitMultiplier{0, multiplier, 0} : LimitMultiplier{multiplier, 0, 0};
     const std::vector<LimitMultiplier> multipliers(garment.triangles.size(), along_y);
-    return tight_regions(garment, model, model.start, multipliers);
+    return tight_regions(garment, point_positions(model, model.start), limit, multipliers);
   }
 
   PanelMesh garment;
   double grain = 0;
 };
+
+/// A sheet of 20 x 10 cm whose left part, `wide` metres, is stretched by `strain` along y.
+std::vector<TightRegion> overstretched_part(double wide, double strain) {
+  const PanelMesh sheet = test::flat_panel(test::grid(0.2, 0.1, 20, 10));
+  std::vector<Vec3> points = sheet.placed;
+  for (Vec3& p : points) {
+    if (p.x() < wide + 1e-6) p.y() *= 1 + strain;
+  }
+  return overstretched(sheet, points);
+}
+
+TEST(Overstretched, IsMoreThanAHandsBreadthSquareBeyondAQuarter) {
+  ASSERT_EQ(overstretched_part(0.13, 0.3).size(), 1U);
+  const TightRegion part = overstretched_part(0.13, 0.3).front();
+  EXPECT_TRUE(part.along_warp);
+  EXPECT_GT(part.area, 0.0129);
+  EXPECT_LT(part.area, 0.0141);
+  // Beyond a quarter, along the 10 cm of the sheet.
+  EXPECT_NEAR(part.missing, 0.1 * 0.05, 0.0002);
+  EXPECT_TRUE(overstretched_part(0.08, 0.3).empty());
+  EXPECT_TRUE(overstretched_part(0.13, 0.24).empty());
+  EXPECT_TRUE(overstretched_part(0.13, -0.5).empty());
+}
 
 /// 5 % longer from y = 2 to 6 cm, where x is from 4 to 8 cm or above 14 cm.
 double two_patches(const Vec3& p) {
@@ -138,7 +161,8 @@ TightRegions drawn_over(double too_small) {
   options.stop_median = options.stop_rms = 0.02;
   std::vector<Vec3> x = model.start;
   const RelaxReport report = relax(model, options, x);
-  const TightRegions found = tight_regions(garment, model, x, report.warm_start.multipliers);
+  const TightRegions found =
+      tight_regions(garment, point_positions(model, x), limit, report.warm_start.multipliers);
   for (const TightRegion& region : found.regions) {
     std::cout << 100 * too_small << " % too small: " << 100 * region.mean << " % on average, "
               << 100 * region.largest << " % at most, " << 1e4 * region.area << " cm2, "
